@@ -1,0 +1,39 @@
+// The only randomness there is: hashes of (seed, id, purpose). The same everywhere, whatever ran before.
+#pragma once
+
+#include <cstdint>
+
+namespace claque::base {
+
+// One purpose per use, so that no two draws for the same individual go together by accident.
+enum class Purpose : uint32_t { cache_phase = 1, hue = 2, saturation = 3, brightness = 4, clip = 5, speed = 6, phase = 7, place = 8, heading = 9, size = 10, pick = 11, map_class = 12 };
+
+// A strong 64-bit mix (the finaliser of MurmurHash3, by Austin Appleby, public domain constants).
+constexpr uint64_t mix(uint64_t x)
+{
+    x ^= x >> 33;
+    x *= 0xff51afd7ed558ccdULL;
+    x ^= x >> 33;
+    x *= 0xc4ceb9fe1a85ec53ULL;
+    x ^= x >> 33;
+    return x;
+}
+
+constexpr uint64_t hash(uint64_t seed, uint64_t id, Purpose purpose, uint64_t index = 0)
+{
+    return mix(mix(mix(seed + 0x9e3779b97f4a7c15ULL) ^ id) + (static_cast<uint64_t>(purpose) << 32) + index);
+}
+
+// [0, 1), 24 bits, exact in float.
+constexpr float unit(uint64_t h) { return static_cast<float>(h >> 40) * (1.0f / 16777216.0f); }
+
+// Running FNV-1a over bytes, for fingerprints of results.
+constexpr uint64_t fnv_start = 0xcbf29ce484222325ULL;
+inline uint64_t fnv(uint64_t h, const void *bytes, uint64_t count)
+{
+    const unsigned char *p = static_cast<const unsigned char *>(bytes);
+    for (uint64_t i = 0; i < count; ++i) h = (h ^ p[i]) * 0x100000001b3ULL;
+    return h;
+}
+
+}  // namespace claque::base

@@ -1,0 +1,57 @@
+// What the host lends: memory, a log, threads. One per clq_context; everything the library keeps hangs on it.
+#pragma once
+
+#include <claque/base.h>
+
+#include <memory_resource>
+
+namespace claque::base {
+
+// The host's allocator as a std::pmr resource: a refusal is std::bad_alloc.
+class HostMemory : public std::pmr::memory_resource {
+public:
+    explicit HostMemory(const clq_allocator &allocator) : allocator_(allocator) {}
+
+private:
+    void *do_allocate(std::size_t bytes, std::size_t alignment) override;
+    void do_deallocate(void *memory, std::size_t bytes, std::size_t alignment) override;
+    bool do_is_equal(const std::pmr::memory_resource &other) const noexcept override { return this == &other; }
+
+    clq_allocator allocator_;
+};
+
+// Spreads a loop over the host's tasks, or runs it here. The body must not throw; the order of indices is free.
+class Jobs {
+public:
+    Jobs() = default;
+    explicit Jobs(const clq_tasks &tasks) : tasks_(tasks) {}
+
+    template <class Body>
+    void for_each(uint32_t count, const Body &body) const
+    {
+        if (!tasks_.run || count < 2) {
+            for (uint32_t i = 0; i < count; ++i) body(i);
+            return;
+        }
+        tasks_.run(
+            tasks_.user, count, [](void *data, uint32_t i) { (*static_cast<const Body *>(data))(i); },
+            const_cast<Body *>(&body));
+    }
+
+private:
+    clq_tasks tasks_{};
+};
+
+struct Log {
+    clq_log host{};
+    void warn(const char *text) const
+    {
+        if (host.write) host.write(host.user, CLQ_LOG_WARNING, text);
+    }
+    void info(const char *text) const
+    {
+        if (host.write) host.write(host.user, CLQ_LOG_INFO, text);
+    }
+};
+
+}  // namespace claque::base

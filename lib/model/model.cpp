@@ -1,0 +1,129 @@
+#include "lib/model/model.h"
+
+#include <cmath>
+
+#include "lib/base/error.h"
+
+namespace claque::model {
+
+using base::fail;
+
+namespace {
+
+void check_lengths(const Part &part, size_t index)
+{
+    const size_t n = part.positions.size();
+    const auto must = [&](size_t have, const char *what) {
+        if (have != 0 && have != n)
+            fail(CLQ_ARGUMENT, "part %zu '%s' has %zu positions and %zu %s", index, part.name.c_str(), n, have, what);
+    };
+    must(part.normals.size(), "normals");
+    must(part.uvs.size(), "texture coordinates");
+    must(part.colours.size(), "colours");
+    for (const MorphTarget &target : part.morphs) {
+        must(target.positions.size(), "morphed positions");
+        must(target.normals.size(), "morphed normals");
+    }
+    if (part.influence_count == 0 || part.joints.size() != n * part.influence_count ||
+        part.weights.size() != n * part.influence_count)
+        fail(CLQ_ARGUMENT, "part %zu '%s' has %zu joints and %zu weights for %zu vertices of %u influences", index,
+             part.name.c_str(), part.joints.size(), part.weights.size(), n, part.influence_count);
+}
+
+void check_influences(const Model &model, const Part &part, size_t index)
+{
+    for (size_t v = 0; v < part.positions.size(); ++v) {
+        float sum = 0;
+        for (uint32_t k = 0; k < part.influence_count; ++k) {
+            const size_t at = v * part.influence_count + k;
+            if (part.joints[at] >= model.rig.palette.size())
+                fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' names joint %u of %zu", v, index, part.name.c_str(),
+                     part.joints[at], model.rig.palette.size());
+            if (!(part.weights[at] >= 0)) fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' has a negative weight", v, index, part.name.c_str());
+            sum += part.weights[at];
+        }
+        if (!(std::fabs(sum - 1) <= 1e-3f))
+            fail(CLQ_ARGUMENT, "weights of vertex %zu of part %zu '%s' sum to %g instead of 1", v, index,
+                 part.name.c_str(), static_cast<double>(sum));
+    }
+}
+
+template <class V>
+bool finite(const std::vector<V> &values)
+{
+    const float *p = values.empty() ? nullptr : &values[0].x;
+    for (size_t i = 0; i < values.size() * (sizeof(V) / sizeof(float)); ++i)
+        if (!std::isfinite(p[i])) return false;
+    return true;
+}
+
+void check_part(const Model &model, const Part &part, size_t index)
+{
+    check_lengths(part, index);
+    check_influences(model, part, index);
+    const char *name = part.name.c_str();
+    if (!finite(part.positions) || !finite(part.normals) || !finite(part.uvs))
+        fail(CLQ_ARGUMENT, "part %zu '%s' has a position, normal or texture coordinate that is not finite", index, name);
+    for (const uint32_t i : part.indices)
+        if (i >= part.positions.size())
+            fail(CLQ_ARGUMENT, "part %zu '%s' has index %u of %zu vertices", index, name, i, part.positions.size());
+    if (part.material != none && part.material >= model.materials.size())
+        fail(CLQ_ARGUMENT, "part %zu '%s' has material %u of %zu", index, name, part.material, model.materials.size());
+    if (!part.morphs.empty()) {
+        if (part.morph_set >= model.rig.morph_sets.size())
+            fail(CLQ_ARGUMENT, "part %zu '%s' has morph targets without a morph set", index, name);
+        if (part.morphs.size() != model.rig.morph_sets[part.morph_set].target_count)
+            fail(CLQ_ARGUMENT, "part %zu '%s' has %zu morph targets of %u", index, name, part.morphs.size(),
+                 model.rig.morph_sets[part.morph_set].target_count);
+        for (const MorphTarget &target : part.morphs)
+            if (!finite(target.positions) || !finite(target.normals))
+                fail(CLQ_ARGUMENT, "part %zu '%s' has a morph target that is not finite", index, name);
+    }
+}
+
+void check_looks(const Model &model)
+{
+    for (size_t i = 0; i < model.images.size(); ++i) {
+        const Image &image = model.images[i];
+        if (image.width == 0 || image.height == 0 || image.rgba.size() != 4ull * image.width * image.height)
+            fail(CLQ_ARGUMENT, "image %zu '%s' of %u x %u has %zu bytes", i, image.name.c_str(), image.width, image.height,
+                 image.rgba.size());
+    }
+    for (size_t i = 0; i < model.materials.size(); ++i) {
+        const Material &material = model.materials[i];
+        if (material.image != none && material.image >= model.images.size())
+            fail(CLQ_ARGUMENT, "material %zu '%s' has image %u of %zu", i, material.name.c_str(), material.image,
+                 model.images.size());
+        if (material.zone != none && material.zone >= model.zones.size())
+            fail(CLQ_ARGUMENT, "material %zu '%s' has zone %u of %zu", i, material.name.c_str(), material.zone,
+                 model.zones.size());
+    }
+}
+
+}  // namespace
+
+void check(const Model &model)
+{
+    check(model.rig);
+    check_looks(model);
+    for (size_t i = 0; i < model.parts.size(); ++i) check_part(model, model.parts[i], i);
+}
+
+std::vector<std::array<uint32_t, 3>> triangles_of(const Part &part)
+{
+    const size_t n = part.indices.empty() ? part.positions.size() : part.indices.size();
+    const auto at = [&](size_t i) { return part.indices.empty() ? static_cast<uint32_t>(i) : part.indices[i]; };
+    std::vector<std::array<uint32_t, 3>> out;
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
+        if (a != b && b != c && c != a) out.push_back({a, b, c});
+    };
+    if (part.topology == Topology::triangles)
+        for (size_t i = 0; i + 2 < n; i += 3) add(at(i), at(i + 1), at(i + 2));
+    if (part.topology == Topology::triangle_strip)
+        for (size_t i = 0; i + 2 < n; ++i) i % 2 == 0 ? add(at(i), at(i + 1), at(i + 2)) : add(at(i + 1), at(i), at(i + 2));
+    if (part.topology == Topology::triangle_fan)
+        for (size_t i = 1; i + 1 < n; ++i) add(at(0), at(i), at(i + 1));
+    return out;
+}
+
+}  // namespace claque::model

@@ -1,0 +1,123 @@
+#include "lib/model/rig.h"
+
+#include <cmath>
+
+#include "lib/base/error.h"
+
+namespace claque::model {
+
+using base::fail;
+
+namespace {
+
+template <class T>
+Array<T> copy_of(const Array<T> &other, std::pmr::memory_resource *memory)
+{
+    return Array<T>(other.begin(), other.end(), memory);
+}
+
+Array<std::pmr::string> copy_of(const Array<std::pmr::string> &other, std::pmr::memory_resource *memory)
+{
+    Array<std::pmr::string> out(memory);
+    out.reserve(other.size());
+    for (const std::pmr::string &s : other) out.emplace_back(std::string_view(s));
+    return out;
+}
+
+uint32_t find(const Array<std::pmr::string> &names, std::string_view name)
+{
+    for (size_t i = 0; i < names.size(); ++i)
+        if (std::string_view(names[i]) == name) return static_cast<uint32_t>(i);
+    return none;
+}
+
+bool finite(const float *values, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (!std::isfinite(values[i])) return false;
+    return true;
+}
+
+void check_nodes(const Rig &rig)
+{
+    const uint32_t n = rig.node_count();
+    if (rig.rest.size() != n || rig.node_names.size() != n)
+        fail(CLQ_ARGUMENT, "%u nodes have %zu rest transforms and %zu names", n, rig.rest.size(), rig.node_names.size());
+    for (uint32_t i = 0; i < n; ++i) {
+        const math::Trs &trs = rig.rest[i];
+        if (rig.parents[i] != none && rig.parents[i] >= i)
+            fail(CLQ_ARGUMENT, "node %u '%s' has parent %u: parents come before children", i, rig.node_names[i].c_str(),
+                 rig.parents[i]);
+        if (!finite(&trs.translation.x, 3) || !finite(&trs.scale.x, 3) || !finite(&trs.rotation.x, 4))
+            fail(CLQ_ARGUMENT, "node %u '%s' has a rest transform that is not finite", i, rig.node_names[i].c_str());
+    }
+    for (size_t i = 0; i < rig.palette.size(); ++i) {
+        if (rig.palette[i].node >= n)
+            fail(CLQ_ARGUMENT, "palette entry %zu names node %u of %u", i, rig.palette[i].node, n);
+        if (!finite(rig.palette[i].inverse_bind.c, 12))
+            fail(CLQ_ARGUMENT, "palette entry %zu has an inverse bind matrix that is not finite", i);
+    }
+}
+
+void check_channel(const Rig &rig, const Channel &channel, size_t index)
+{
+    const bool morphs = channel.path == Path::morph_weights;
+    const size_t targets = morphs ? rig.morph_sets.size() : rig.parents.size();
+    if (channel.node >= targets) fail(CLQ_ARGUMENT, "channel %zu moves number %u of %zu", index, channel.node, targets);
+    const uint32_t wanted = morphs                             ? rig.morph_sets[channel.node].target_count
+                            : channel.path == Path::rotation ? 4u
+                                                             : 3u;
+    if (channel.component_count != wanted)
+        fail(CLQ_ARGUMENT, "channel %zu has %u components a key instead of %u", index, channel.component_count, wanted);
+    if (channel.key_count == 0) fail(CLQ_ARGUMENT, "channel %zu has no keys", index);
+    const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
+    const uint64_t time_end = uint64_t(channel.first_time) + channel.key_count;
+    const uint64_t value_end = uint64_t(channel.first_value) + groups * channel.key_count * wanted;
+    if (time_end > rig.times.size() || value_end > rig.values.size())
+        fail(CLQ_ARGUMENT, "channel %zu needs %llu key times of %zu and %llu values of %zu", index,
+             static_cast<unsigned long long>(time_end), rig.times.size(), static_cast<unsigned long long>(value_end),
+             rig.values.size());
+    for (uint32_t k = 1; k < channel.key_count; ++k)
+        if (!(rig.times[channel.first_time + k] > rig.times[channel.first_time + k - 1]))
+            fail(CLQ_ARGUMENT, "key times of channel %zu do not ascend at key %u", index, k);
+}
+
+}  // namespace
+
+Rig::Rig(const Rig &other, std::pmr::memory_resource *memory)
+    : parents(copy_of(other.parents, memory)), rest(copy_of(other.rest, memory)),
+      node_names(copy_of(other.node_names, memory)), palette(copy_of(other.palette, memory)),
+      morph_sets(copy_of(other.morph_sets, memory)), rest_weights(copy_of(other.rest_weights, memory)),
+      clips(copy_of(other.clips, memory)), clip_names(copy_of(other.clip_names, memory)),
+      channels(copy_of(other.channels, memory)), times(copy_of(other.times, memory)),
+      values(copy_of(other.values, memory))
+{
+}
+
+uint32_t Rig::find_node(std::string_view name) const { return find(node_names, name); }
+uint32_t Rig::find_clip(std::string_view name) const { return find(clip_names, name); }
+
+void check(const Rig &rig)
+{
+    check_nodes(rig);
+    for (size_t i = 0; i < rig.morph_sets.size(); ++i) {
+        const MorphSet &set = rig.morph_sets[i];
+        if (set.node >= rig.node_count() || uint64_t(set.first_weight) + set.target_count > rig.rest_weights.size())
+            fail(CLQ_ARGUMENT, "morph set %zu is out of range", i);
+    }
+    if (rig.clips.size() != rig.clip_names.size())
+        fail(CLQ_ARGUMENT, "%zu clips have %zu names", rig.clips.size(), rig.clip_names.size());
+    if (!finite(rig.times.data(), rig.times.size()) || !finite(rig.values.data(), rig.values.size()) ||
+        !finite(rig.rest_weights.data(), rig.rest_weights.size()))
+        fail(CLQ_ARGUMENT, "a key time or key value is not finite");
+    for (size_t i = 0; i < rig.clips.size(); ++i) {
+        const Clip &clip = rig.clips[i];
+        if (uint64_t(clip.first_channel) + clip.channel_count > rig.channels.size())
+            fail(CLQ_ARGUMENT, "clip %zu '%s' has channels out of range", i, rig.clip_names[i].c_str());
+        if (!std::isfinite(clip.start_s) || !(clip.duration_s >= 0) || !std::isfinite(clip.duration_s))
+            fail(CLQ_ARGUMENT, "clip %zu '%s' has no proper length", i, rig.clip_names[i].c_str());
+    }
+    for (size_t i = 0; i < rig.channels.size(); ++i) check_channel(rig, rig.channels[i], i);
+}
+
+}  // namespace claque::model

@@ -1,0 +1,94 @@
+// What moves: a node tree, the clips over it, and which matrices vertices ask for. Part of a Model and of a Template.
+// S0 3 (articulated structure of Skeleton nodes), S1 4 (matrix palette). Columns, so that a frame walks memory in order.
+#pragma once
+
+#include "lib/math/affine.h"
+
+#include <cstdint>
+#include <memory_resource>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace claque::model {
+
+template <class T>
+using Array = std::pmr::vector<T>;
+
+constexpr uint32_t none = 0xffffffffu;
+
+enum class Path : uint8_t { translation = 0, rotation = 1, scale = 2, morph_weights = 3 };
+enum class Interpolation : uint8_t { step = 0, linear = 1, cubic_spline = 2 };
+
+// One animated property of one node. `times[first_time .. +key_count)` ascend strictly, in seconds on the clip's own axis.
+// Values: components per key as the path says (3, 4 as x y z w, 3, or the morph target count), from `first_value` on;
+// cubic splines hold three such groups a key (in-tangent, value, out-tangent), as glTF has them.
+// For morph_weights `node` is the index of the morph set instead, see MorphSet.
+struct Channel {
+    uint32_t node = 0;
+    Path path = Path::translation;
+    Interpolation interpolation = Interpolation::linear;
+    uint16_t component_count = 3;
+    uint32_t first_time = 0;
+    uint32_t key_count = 0;
+    uint32_t first_value = 0;
+};
+
+struct Clip {
+    uint32_t first_channel = 0;
+    uint32_t channel_count = 0;
+    float start_s = 0;     // first key of any channel
+    float duration_s = 0;  // last key of any channel minus start_s; 0 for a single pose
+};
+
+// A matrix of the palette: the node's matrix in model space times inverse_bind. Rigid parts ask for (node, identity).
+struct PaletteEntry {
+    uint32_t node = 0;
+    math::Affine inverse_bind;
+};
+
+// The morph targets that one mesh node brings, and their place in a pose's list of weights.
+struct MorphSet {
+    uint32_t node = 0;
+    uint32_t first_weight = 0;
+    uint32_t target_count = 0;
+};
+
+struct Rig {
+    explicit Rig(std::pmr::memory_resource *memory = std::pmr::get_default_resource())
+        : parents(memory), rest(memory), node_names(memory), palette(memory), morph_sets(memory), rest_weights(memory),
+          clips(memory), clip_names(memory), channels(memory), times(memory), values(memory)
+    {
+    }
+    Rig(const Rig &other, std::pmr::memory_resource *memory);
+    Rig(Rig &&) = default;
+    Rig(const Rig &) = delete;
+    Rig &operator=(Rig &&) = default;
+
+    // Nodes, parents before children; parents[i] is none for roots. Roots hang in model space, so that whatever
+    // stands above a skeleton in the file (axes, a scale of 100) is simply further nodes.
+    Array<uint32_t> parents;
+    Array<math::Trs> rest;
+    Array<std::pmr::string> node_names;  // may be empty strings
+
+    Array<PaletteEntry> palette;
+
+    Array<MorphSet> morph_sets;
+    Array<float> rest_weights;  // one per weight of all sets
+
+    Array<Clip> clips;
+    Array<std::pmr::string> clip_names;
+    Array<Channel> channels;
+    Array<float> times;
+    Array<float> values;
+
+    uint32_t node_count() const { return static_cast<uint32_t>(parents.size()); }
+    uint32_t find_node(std::string_view name) const;  // none if there is none
+    uint32_t find_clip(std::string_view name) const;
+};
+
+// Throws base::Error (CLQ_ARGUMENT, naming the first broken rule) unless every index, order and length above holds and
+// every number is finite. What passes here is safe to evaluate.
+void check(const Rig &rig);
+
+}  // namespace claque::model

@@ -1,0 +1,142 @@
+// A character as split: immutable, shared by all its individuals. Made by meshsplit; S1 3, S1 4, S2 2.1.
+//
+// One Level holds one mesh in one vertex order: `source_count` vertices that are skinned, then copies of some of them that the
+// fused strategy needs (a dirty triangle stands once per zone it touches, with vertices of its own for that zone).
+// A geometry cache array is sized for all of them; skinning fills the first part, copying the second.
+#pragma once
+
+#include "lib/model/model.h"
+
+namespace claque::model {
+
+// Vertices [first, first + count) all have exactly `influences` influences, found from `first_influence` on.
+struct InfluenceRun {
+    uint32_t first = 0;
+    uint32_t count = 0;
+    uint32_t influences = 1;
+    uint32_t first_influence = 0;
+};
+
+struct MorphDelta {
+    uint32_t vertex = 0;
+    float position[3] = {0, 0, 0};
+    float normal[3] = {0, 0, 0};
+};
+
+// The deltas of one weight of the pose: level.morph_deltas[first .. first + count).
+struct MorphRange {
+    uint32_t weight = 0;
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+
+struct IndexRange {
+    uint32_t first = 0;  // into Level::indices
+    uint32_t count = 0;  // three a triangle
+};
+
+// A zone of one texture: `key` is the renumbered alpha that the texture given to GL holds, ascending with the index.
+struct ZoneKey {
+    uint32_t zone = 0;  // of Template::zones
+    uint8_t key = 0;
+};
+
+struct Texture {
+    explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory) {}
+    uint32_t width = 0, height = 0;  // powers of two
+    Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;  // repeat or clamp; mirror has been baked
+    Array<uint8_t> rgba;    // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
+    Array<ZoneKey> keys;    // ascending by key
+    bool has_holes = false;
+};
+
+// Index ranges of the triangles of one zone. `zone_index` counts within the texture's keys.
+struct Bin {
+    uint32_t zone_index = 0;
+    IndexRange range;
+};
+
+// What one texture and one sidedness cover: the unit of drawing. Most characters have one.
+struct Surface {
+    explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory) {}
+    uint32_t texture = 0;
+    bool double_sided = false;
+    Array<Bin> clean;          // triangles of one zone, one bin a zone that has any
+    IndexRange dirty;          // triangles of several zones, once each (source vertices): S1's passes
+    Array<Bin> dirty_by_zone;  // for each zone, ascending: the dirty triangles that touch it (source vertices)
+    IndexRange fused;          // clean triangles once; dirty ones once per zone touched, ascending; own vertices
+};
+
+struct Level {
+    explicit Level(std::pmr::memory_resource *memory)
+        : positions(memory), normals(memory), runs(memory), joints(memory), weights(memory), morph_deltas(memory),
+          morph_ranges(memory), copies(memory), uvs(memory), colours(memory), slots(memory), indices(memory),
+          surfaces(memory)
+    {
+    }
+    uint32_t source_count = 0;
+    uint32_t vertex_count = 0;  // source_count + copies.size()
+
+    Array<float> positions;     // bind pose, 3 a source vertex
+    Array<float> normals;       // unit, 3 a source vertex
+    Array<InfluenceRun> runs;   // cover the source vertices in order, fewer influences first
+    Array<uint16_t> joints;     // entries of rig.palette
+    Array<float> weights;       // sum to 1 per vertex
+    Array<MorphDelta> morph_deltas;
+    Array<MorphRange> morph_ranges;
+
+    Array<uint32_t> copies;     // vertex source_count + i repeats source vertex copies[i]
+    Array<float> uvs;           // 2 a vertex, copies included
+    Array<uint8_t> colours;     // RGBA a vertex, copies included, or empty: times the zone's colour
+    // Per vertex, copies included: which entry of an individual's colour table the fused strategy gives it:
+    // 2 * zone_index + raised of the surface it belongs to; raised = 1 carries the alpha threshold of that zone.
+    Array<uint16_t> slots;
+    Array<uint32_t> indices;
+    Array<Surface> surfaces;
+
+    float switch_distance_m = 0;  // room for the LOD chain: this level serves from here on
+};
+
+struct Sphere {
+    glm::vec3 centre = glm::vec3(0);
+    float radius = 0;
+};
+
+struct SplitReport {
+    uint32_t triangles = 0;
+    uint32_t degenerate = 0;          // dropped: no area in any pose of the rest mesh
+    uint32_t dirty = 0;
+    uint32_t dirty_zone_sum = 0;      // over dirty triangles, zones touched: mean = sum / dirty
+    uint32_t coincident = 0;          // triangles that lie on another with the same corners
+    uint32_t fused_triangles = 0;     // triangles of the fused stream
+    uint32_t copies = 0;              // vertices that the fused stream adds
+};
+
+struct Template {
+    explicit Template(std::pmr::memory_resource *memory)
+        : name(memory), rig(memory), zone_names(memory), zone_colours(memory), zone_ranges(memory), zone_clean(memory),
+          textures(memory), levels(memory)
+    {
+    }
+    Template(const Template &) = delete;
+    Template &operator=(const Template &) = delete;
+
+    std::pmr::string name;
+    Rig rig;
+    bool similar_only = true;  // every palette matrix stays a similarity in every pose: normals may use it directly
+
+    Array<std::pmr::string> zone_names;
+    Array<std::array<float, 3>> zone_colours;
+    Array<HsbRange> zone_ranges;
+    Array<uint32_t> zone_clean;  // clean triangles per zone, level 0
+
+    Array<Texture> textures;
+    Array<Level> levels;  // at least one, finest first
+
+    Sphere sklsroot;  // S0 4.1: holds every vertex of every level in every pose of every clip, in the actor's own space
+    SplitReport report;
+
+    uint32_t zone_count() const { return static_cast<uint32_t>(zone_names.size()); }
+};
+
+}  // namespace claque::model
