@@ -3,9 +3,11 @@
 #include <cstdarg>
 #include <cstdio>
 
-namespace claque::base {
+namespace claque::base
+{
 
-namespace {
+namespace
+{
 
 std::string format_text(const char *format, va_list arguments)
 {

@@ -6,9 +6,11 @@
 #include <exception>
 #include <string>
 
-namespace claque::base {
+namespace claque::base
+{
 
-class Error : public std::exception {
+class Error : public std::exception
+{
 public:
     Error(clq_status status, std::string text) : status_(status), text_(std::move(text)) {}
     clq_status status() const noexcept { return status_; }

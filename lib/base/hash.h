@@ -3,10 +3,24 @@
 
 #include <cstdint>
 
-namespace claque::base {
+namespace claque::base
+{
 
 // One purpose per use, so that no two draws for the same individual go together by accident.
-enum class Purpose : uint32_t { cache_phase = 1, hue = 2, saturation = 3, brightness = 4, clip = 5, speed = 6, phase = 7, place = 8, heading = 9, size = 10, pick = 11, map_class = 12 };
+enum class Purpose : uint32_t {
+    cache_phase = 1,
+    hue = 2,
+    saturation = 3,
+    brightness = 4,
+    clip = 5,
+    speed = 6,
+    phase = 7,
+    place = 8,
+    heading = 9,
+    size = 10,
+    pick = 11,
+    map_class = 12
+};
 
 // A strong 64-bit mix (the finaliser of MurmurHash3, by Austin Appleby, public domain constants).
 constexpr uint64_t mix(uint64_t x)

@@ -2,7 +2,8 @@
 
 #include <new>
 
-namespace claque::base {
+namespace claque::base
+{
 
 void *HostMemory::do_allocate(std::size_t bytes, std::size_t alignment)
 {

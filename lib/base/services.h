@@ -5,10 +5,12 @@
 
 #include <memory_resource>
 
-namespace claque::base {
+namespace claque::base
+{
 
 // The host's allocator as a std::pmr resource: a refusal is std::bad_alloc.
-class HostMemory : public std::pmr::memory_resource {
+class HostMemory : public std::pmr::memory_resource
+{
 public:
     explicit HostMemory(const clq_allocator &allocator) : allocator_(allocator) {}
 
@@ -21,7 +23,8 @@ private:
 };
 
 // Spreads a loop over the host's tasks, or runs it here. The body must not throw; the order of indices is free.
-class Jobs {
+class Jobs
+{
 public:
     Jobs() = default;
     explicit Jobs(const clq_tasks &tasks) : tasks_(tasks) {}

@@ -6,7 +6,8 @@
 #include <cstdarg>
 #include <cstdio>
 
-namespace claque::base {
+namespace claque::base
+{
 
 struct Status {
     clq_status code = CLQ_OK;

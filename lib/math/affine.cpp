@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-namespace claque::math {
+namespace claque::math
+{
 
 Affine affine_of(const Trs &trs)
 {
@@ -35,10 +36,7 @@ glm::vec3 direction(const Affine &a, glm::vec3 d)
                      c[2] * d.x + c[5] * d.y + c[8] * d.z);
 }
 
-glm::vec3 point(const Affine &a, glm::vec3 p)
-{
-    return direction(a, p) + a.column(3);
-}
+glm::vec3 point(const Affine &a, glm::vec3 p) { return direction(a, p) + a.column(3); }
 
 Affine mul(const Affine &a, const Affine &b)
 {
@@ -48,10 +46,7 @@ Affine mul(const Affine &a, const Affine &b)
     return out;
 }
 
-float determinant(const Affine &a)
-{
-    return glm::dot(glm::cross(a.column(0), a.column(1)), a.column(2));
-}
+float determinant(const Affine &a) { return glm::dot(glm::cross(a.column(0), a.column(1)), a.column(2)); }
 
 Affine inverse(const Affine &a)
 {

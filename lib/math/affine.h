@@ -8,7 +8,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-namespace claque::math {
+namespace claque::math
+{
 
 struct Affine {
     float c[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};

@@ -4,11 +4,13 @@
 
 #include "lib/base/error.h"
 
-namespace claque::model {
+namespace claque::model
+{
 
 using base::fail;
 
-namespace {
+namespace
+{
 
 void check_lengths(const Part &part, size_t index)
 {
@@ -39,7 +41,8 @@ void check_influences(const Model &model, const Part &part, size_t index)
             if (part.joints[at] >= model.rig.palette.size())
                 fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' names joint %u of %zu", v, index, part.name.c_str(),
                      part.joints[at], model.rig.palette.size());
-            if (!(part.weights[at] >= 0)) fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' has a negative weight", v, index, part.name.c_str());
+            if (!(part.weights[at] >= 0))
+                fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' has a negative weight", v, index, part.name.c_str());
             sum += part.weights[at];
         }
         if (!(std::fabs(sum - 1) <= 1e-3f))
@@ -63,7 +66,8 @@ void check_part(const Model &model, const Part &part, size_t index)
     check_influences(model, part, index);
     const char *name = part.name.c_str();
     if (!finite(part.positions) || !finite(part.normals) || !finite(part.uvs))
-        fail(CLQ_ARGUMENT, "part %zu '%s' has a position, normal or texture coordinate that is not finite", index, name);
+        fail(CLQ_ARGUMENT, "part %zu '%s' has a position, normal or texture coordinate that is not finite", index,
+             name);
     for (const uint32_t i : part.indices)
         if (i >= part.positions.size())
             fail(CLQ_ARGUMENT, "part %zu '%s' has index %u of %zu vertices", index, name, i, part.positions.size());
@@ -86,8 +90,8 @@ void check_looks(const Model &model)
     for (size_t i = 0; i < model.images.size(); ++i) {
         const Image &image = model.images[i];
         if (image.width == 0 || image.height == 0 || image.rgba.size() != 4ull * image.width * image.height)
-            fail(CLQ_ARGUMENT, "image %zu '%s' of %u x %u has %zu bytes", i, image.name.c_str(), image.width, image.height,
-                 image.rgba.size());
+            fail(CLQ_ARGUMENT, "image %zu '%s' of %u x %u has %zu bytes", i, image.name.c_str(), image.width,
+                 image.height, image.rgba.size());
     }
     for (size_t i = 0; i < model.materials.size(); ++i) {
         const Material &material = model.materials[i];
@@ -120,7 +124,8 @@ std::vector<std::array<uint32_t, 3>> triangles_of(const Part &part)
     if (part.topology == Topology::triangles)
         for (size_t i = 0; i + 2 < n; i += 3) add(at(i), at(i + 1), at(i + 2));
     if (part.topology == Topology::triangle_strip)
-        for (size_t i = 0; i + 2 < n; ++i) i % 2 == 0 ? add(at(i), at(i + 1), at(i + 2)) : add(at(i + 1), at(i), at(i + 2));
+        for (size_t i = 0; i + 2 < n; ++i)
+            i % 2 == 0 ? add(at(i), at(i + 1), at(i + 2)) : add(at(i + 1), at(i), at(i + 2));
     if (part.topology == Topology::triangle_fan)
         for (size_t i = 1; i + 1 < n; ++i) add(at(0), at(i), at(i + 1));
     return out;

@@ -1,5 +1,5 @@
-// A character as loaded: parts with their own vertices, materials, images. Made by lib/asset, lib/figures or from a host's
-// own arrays; meshsplit turns it into a Template. Start-up only: plain std containers.
+// A character as loaded: parts with their own vertices, materials, images. Made by lib/asset, lib/figures or from a
+// host's own arrays; meshsplit turns it into a Template. Start-up only: plain std containers.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -9,11 +9,23 @@
 #include <string>
 #include <vector>
 
-namespace claque::model {
+namespace claque::model
+{
 
-enum class Topology : uint8_t { points = 0, lines = 1, line_loop = 2, line_strip = 3, triangles = 4, triangle_strip = 5, triangle_fan = 6 };
+enum class Topology : uint8_t {
+    points = 0,
+    lines = 1,
+    line_loop = 2,
+    line_strip = 3,
+    triangles = 4,
+    triangle_strip = 5,
+    triangle_fan = 6
+};
 enum class Wrap : uint8_t { repeat = 0, clamp = 1, mirror = 2 };
-enum class AlphaMode : uint8_t { opaque = 0, mask = 1 };  // BLEND has become opaque, with a warning, before it comes here
+enum class AlphaMode : uint8_t {
+    opaque = 0,
+    mask = 1
+};  // BLEND has become opaque, with a warning, before it comes here
 enum class AlphaMeaning : uint8_t { opacity = 0, zone_keys = 1 };
 
 // 8-bit RGBA, row 0 at v = 0 (glTF's and claque's top row; GL is given the same bytes with the same v).
@@ -35,9 +47,9 @@ struct HsbRange {
 // A region that has one colour per individual.
 struct Zone {
     std::string name;
-    uint8_t key = 0;                                // where images carry zone keys: the alpha that means this zone
-    std::array<float, 3> colour = {1, 1, 1};        // colour of an individual that was given none; as GL takes it
-    HsbRange range;                                 // what claque draws colours from unless told otherwise
+    uint8_t key = 0;                          // where images carry zone keys: the alpha that means this zone
+    std::array<float, 3> colour = {1, 1, 1};  // colour of an individual that was given none; as GL takes it
+    HsbRange range;                           // what claque draws colours from unless told otherwise
 };
 
 struct Material {
@@ -58,20 +70,21 @@ struct MorphTarget {
 
 struct Part {
     std::string name;
-    uint32_t node = none;      // the node that it hangs on (a skinned part's own node does not move it, but names it)
+    uint32_t node = none;  // the node that it hangs on (a skinned part's own node does not move it, but names it)
     bool skinned = false;
     uint32_t material = none;
     Topology topology = Topology::triangles;
-    bool hidden = false;       // kept for dump, left out of the Template
+    bool hidden = false;  // kept for dump, left out of the Template
 
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;    // one per vertex, or empty: flat normals are made where the format wants it
-    std::vector<glm::vec2> uvs;        // one per vertex or empty
+    std::vector<glm::vec3> normals;  // one per vertex, or empty: flat normals are made where the format wants it
+    std::vector<glm::vec2> uvs;      // one per vertex or empty
     std::vector<std::array<uint8_t, 4>> colours;  // as GL takes them, one per vertex or empty
-    std::vector<uint32_t> indices;     // empty: vertices in order
+    std::vector<uint32_t> indices;                // empty: vertices in order
 
     // Influences: `influence_count` per vertex, entries of rig.palette and weights that sum to 1 (0 weight: unused).
-    // Rigid parts have one influence of weight 1 on the entry (node, identity); every part has its influences filled in.
+    // Rigid parts have one influence of weight 1 on the entry (node, identity); every part has its influences filled
+    // in.
     uint32_t influence_count = 1;
     std::vector<uint32_t> joints;
     std::vector<float> weights;
@@ -90,11 +103,12 @@ struct Model {
     std::vector<std::string> warnings;
 };
 
-// Throws base::Error (CLQ_ARGUMENT) for the first broken rule: indices in range, arrays of equal length, finite numbers,
-// weights that sum to 1 within 1e-3, images whose bytes match their size. What passes here is safe to split.
+// Throws base::Error (CLQ_ARGUMENT) for the first broken rule: indices in range, arrays of equal length, finite
+// numbers, weights that sum to 1 within 1e-3, images whose bytes match their size. What passes here is safe to split.
 void check(const Model &model);
 
-// The triangles of a part, strips and fans unrolled with their winding kept, degenerate ones dropped; none for points, lines.
+// The triangles of a part, strips and fans unrolled with their winding kept, degenerate ones dropped; none for points,
+// lines.
 std::vector<std::array<uint32_t, 3>> triangles_of(const Part &part);
 
 }  // namespace claque::model

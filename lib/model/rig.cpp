@@ -4,11 +4,13 @@
 
 #include "lib/base/error.h"
 
-namespace claque::model {
+namespace claque::model
+{
 
 using base::fail;
 
-namespace {
+namespace
+{
 
 template <class T>
 Array<T> copy_of(const Array<T> &other, std::pmr::memory_resource *memory)
@@ -42,7 +44,8 @@ void check_nodes(const Rig &rig)
 {
     const uint32_t n = rig.node_count();
     if (rig.rest.size() != n || rig.node_names.size() != n)
-        fail(CLQ_ARGUMENT, "%u nodes have %zu rest transforms and %zu names", n, rig.rest.size(), rig.node_names.size());
+        fail(CLQ_ARGUMENT, "%u nodes have %zu rest transforms and %zu names", n, rig.rest.size(),
+             rig.node_names.size());
     for (uint32_t i = 0; i < n; ++i) {
         const math::Trs &trs = rig.rest[i];
         if (rig.parents[i] != none && rig.parents[i] >= i)
@@ -64,7 +67,7 @@ void check_channel(const Rig &rig, const Channel &channel, size_t index)
     const bool morphs = channel.path == Path::morph_weights;
     const size_t targets = morphs ? rig.morph_sets.size() : rig.parents.size();
     if (channel.node >= targets) fail(CLQ_ARGUMENT, "channel %zu moves number %u of %zu", index, channel.node, targets);
-    const uint32_t wanted = morphs                             ? rig.morph_sets[channel.node].target_count
+    const uint32_t wanted = morphs                           ? rig.morph_sets[channel.node].target_count
                             : channel.path == Path::rotation ? 4u
                                                              : 3u;
     if (channel.component_count != wanted)
@@ -85,11 +88,16 @@ void check_channel(const Rig &rig, const Channel &channel, size_t index)
 }  // namespace
 
 Rig::Rig(const Rig &other, std::pmr::memory_resource *memory)
-    : parents(copy_of(other.parents, memory)), rest(copy_of(other.rest, memory)),
-      node_names(copy_of(other.node_names, memory)), palette(copy_of(other.palette, memory)),
-      morph_sets(copy_of(other.morph_sets, memory)), rest_weights(copy_of(other.rest_weights, memory)),
-      clips(copy_of(other.clips, memory)), clip_names(copy_of(other.clip_names, memory)),
-      channels(copy_of(other.channels, memory)), times(copy_of(other.times, memory)),
+    : parents(copy_of(other.parents, memory)),
+      rest(copy_of(other.rest, memory)),
+      node_names(copy_of(other.node_names, memory)),
+      palette(copy_of(other.palette, memory)),
+      morph_sets(copy_of(other.morph_sets, memory)),
+      rest_weights(copy_of(other.rest_weights, memory)),
+      clips(copy_of(other.clips, memory)),
+      clip_names(copy_of(other.clip_names, memory)),
+      channels(copy_of(other.channels, memory)),
+      times(copy_of(other.times, memory)),
       values(copy_of(other.values, memory))
 {
 }

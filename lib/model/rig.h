@@ -1,5 +1,6 @@
 // What moves: a node tree, the clips over it, and which matrices vertices ask for. Part of a Model and of a Template.
-// S0 3 (articulated structure of Skeleton nodes), S1 4 (matrix palette). Columns, so that a frame walks memory in order.
+// S0 3 (articulated structure of Skeleton nodes), S1 4 (matrix palette). Columns, so that a frame walks memory in
+// order.
 #pragma once
 
 #include "lib/math/affine.h"
@@ -10,7 +11,8 @@
 #include <string_view>
 #include <vector>
 
-namespace claque::model {
+namespace claque::model
+{
 
 template <class T>
 using Array = std::pmr::vector<T>;
@@ -20,10 +22,10 @@ constexpr uint32_t none = 0xffffffffu;
 enum class Path : uint8_t { translation = 0, rotation = 1, scale = 2, morph_weights = 3 };
 enum class Interpolation : uint8_t { step = 0, linear = 1, cubic_spline = 2 };
 
-// One animated property of one node. `times[first_time .. +key_count)` ascend strictly, in seconds on the clip's own axis.
-// Values: components per key as the path says (3, 4 as x y z w, 3, or the morph target count), from `first_value` on;
-// cubic splines hold three such groups a key (in-tangent, value, out-tangent), as glTF has them.
-// For morph_weights `node` is the index of the morph set instead, see MorphSet.
+// One animated property of one node. `times[first_time .. +key_count)` ascend strictly, in seconds on the clip's own
+// axis. Values: components per key as the path says (3, 4 as x y z w, 3, or the morph target count), from `first_value`
+// on; cubic splines hold three such groups a key (in-tangent, value, out-tangent), as glTF has them. For morph_weights
+// `node` is the index of the morph set instead, see MorphSet.
 struct Channel {
     uint32_t node = 0;
     Path path = Path::translation;
@@ -56,8 +58,17 @@ struct MorphSet {
 
 struct Rig {
     explicit Rig(std::pmr::memory_resource *memory = std::pmr::get_default_resource())
-        : parents(memory), rest(memory), node_names(memory), palette(memory), morph_sets(memory), rest_weights(memory),
-          clips(memory), clip_names(memory), channels(memory), times(memory), values(memory)
+        : parents(memory),
+          rest(memory),
+          node_names(memory),
+          palette(memory),
+          morph_sets(memory),
+          rest_weights(memory),
+          clips(memory),
+          clip_names(memory),
+          channels(memory),
+          times(memory),
+          values(memory)
     {
     }
     Rig(const Rig &other, std::pmr::memory_resource *memory);

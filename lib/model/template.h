@@ -1,13 +1,14 @@
 // A character as split: immutable, shared by all its individuals. Made by meshsplit; S1 3, S1 4, S2 2.1.
 //
-// One Level holds one mesh in one vertex order: `source_count` vertices that are skinned, then copies of some of them that the
-// fused strategy needs (a dirty triangle stands once per zone it touches, with vertices of its own for that zone).
-// A geometry cache array is sized for all of them; skinning fills the first part, copying the second.
+// One Level holds one mesh in one vertex order: `source_count` vertices that are skinned, then copies of some of them
+// that the fused strategy needs (a dirty triangle stands once per zone it touches, with vertices of its own for that
+// zone). A geometry cache array is sized for all of them; skinning fills the first part, copying the second.
 #pragma once
 
 #include "lib/model/model.h"
 
-namespace claque::model {
+namespace claque::model
+{
 
 // Vertices [first, first + count) all have exactly `influences` influences, found from `first_influence` on.
 struct InfluenceRun {
@@ -43,10 +44,10 @@ struct ZoneKey {
 
 struct Texture {
     explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory) {}
-    uint32_t width = 0, height = 0;  // powers of two
+    uint32_t width = 0, height = 0;                     // powers of two
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;  // repeat or clamp; mirror has been baked
-    Array<uint8_t> rgba;    // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
-    Array<ZoneKey> keys;    // ascending by key
+    Array<uint8_t> rgba;  // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
+    Array<ZoneKey> keys;  // ascending by key
     bool has_holes = false;
 };
 
@@ -69,25 +70,35 @@ struct Surface {
 
 struct Level {
     explicit Level(std::pmr::memory_resource *memory)
-        : positions(memory), normals(memory), runs(memory), joints(memory), weights(memory), morph_deltas(memory),
-          morph_ranges(memory), copies(memory), uvs(memory), colours(memory), slots(memory), indices(memory),
+        : positions(memory),
+          normals(memory),
+          runs(memory),
+          joints(memory),
+          weights(memory),
+          morph_deltas(memory),
+          morph_ranges(memory),
+          copies(memory),
+          uvs(memory),
+          colours(memory),
+          slots(memory),
+          indices(memory),
           surfaces(memory)
     {
     }
     uint32_t source_count = 0;
     uint32_t vertex_count = 0;  // source_count + copies.size()
 
-    Array<float> positions;     // bind pose, 3 a source vertex
-    Array<float> normals;       // unit, 3 a source vertex
-    Array<InfluenceRun> runs;   // cover the source vertices in order, fewer influences first
-    Array<uint16_t> joints;     // entries of rig.palette
-    Array<float> weights;       // sum to 1 per vertex
+    Array<float> positions;    // bind pose, 3 a source vertex
+    Array<float> normals;      // unit, 3 a source vertex
+    Array<InfluenceRun> runs;  // cover the source vertices in order, fewer influences first
+    Array<uint16_t> joints;    // entries of rig.palette
+    Array<float> weights;      // sum to 1 per vertex
     Array<MorphDelta> morph_deltas;
     Array<MorphRange> morph_ranges;
 
-    Array<uint32_t> copies;     // vertex source_count + i repeats source vertex copies[i]
-    Array<float> uvs;           // 2 a vertex, copies included
-    Array<uint8_t> colours;     // RGBA a vertex, copies included, or empty: times the zone's colour
+    Array<uint32_t> copies;  // vertex source_count + i repeats source vertex copies[i]
+    Array<float> uvs;        // 2 a vertex, copies included
+    Array<uint8_t> colours;  // RGBA a vertex, copies included, or empty: times the zone's colour
     // Per vertex, copies included: which entry of an individual's colour table the fused strategy gives it:
     // 2 * zone_index + raised of the surface it belongs to; raised = 1 carries the alpha threshold of that zone.
     Array<uint16_t> slots;
@@ -104,18 +115,24 @@ struct Sphere {
 
 struct SplitReport {
     uint32_t triangles = 0;
-    uint32_t degenerate = 0;          // dropped: no area in any pose of the rest mesh
+    uint32_t degenerate = 0;  // dropped: no area in any pose of the rest mesh
     uint32_t dirty = 0;
-    uint32_t dirty_zone_sum = 0;      // over dirty triangles, zones touched: mean = sum / dirty
-    uint32_t coincident = 0;          // triangles that lie on another with the same corners
-    uint32_t fused_triangles = 0;     // triangles of the fused stream
-    uint32_t copies = 0;              // vertices that the fused stream adds
+    uint32_t dirty_zone_sum = 0;   // over dirty triangles, zones touched: mean = sum / dirty
+    uint32_t coincident = 0;       // triangles that lie on another with the same corners
+    uint32_t fused_triangles = 0;  // triangles of the fused stream
+    uint32_t copies = 0;           // vertices that the fused stream adds
 };
 
 struct Template {
     explicit Template(std::pmr::memory_resource *memory)
-        : name(memory), rig(memory), zone_names(memory), zone_colours(memory), zone_ranges(memory), zone_clean(memory),
-          textures(memory), levels(memory)
+        : name(memory),
+          rig(memory),
+          zone_names(memory),
+          zone_colours(memory),
+          zone_ranges(memory),
+          zone_clean(memory),
+          textures(memory),
+          levels(memory)
     {
     }
     Template(const Template &) = delete;
