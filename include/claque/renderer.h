@@ -1,0 +1,97 @@
+/* clq_renderer: draw lists to pixels, with GL 1.1 only. One per GL context.
+ *
+ * claque links no GL: it asks the host for the functions it uses (all of OpenGL 1.1) once, at creation. It inherits the
+ * host's viewport, scissor, lights, fog, clip planes, stencil and shade model, and sets what its picture depends on:
+ * blending off, alpha test, depth test GL_LEQUAL with writes, alpha writes masked, face culling, one texture with
+ * GL_MODULATE, no texture generation, identity texture matrix, colour material on ambient and diffuse, GL_NORMALIZE,
+ * its own matrices. */
+#ifndef CLAQUE_RENDERER_H
+#define CLAQUE_RENDERER_H
+
+#include <claque/view.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct clq_renderer clq_renderer;
+
+/* How individuals get their colours. All three give the same RGB and depth. */
+typedef enum clq_variety {
+    CLQ_VARIETY_FUSED = 0,   /* everything in one draw a surface */
+    CLQ_VARIETY_BINNED = 1,  /* dirty triangles only in the passes of zones that they touch */
+    CLQ_VARIETY_PER_ZONE = 2 /* S1 3, S2 2.1: one draw a clean bin, all dirty triangles once per zone */
+} clq_variety;
+
+/* What is left of the host's GL state after a draw. */
+typedef enum clq_guard {
+    CLQ_GUARD_FULL = 0,    /* everything as it was */
+    CLQ_GUARD_MINIMAL = 1, /* matrices and client state as they were; the documented list of passes/guard.h is left */
+    CLQ_GUARD_NONE = 2     /* everything in the documented list is left as claque set it */
+} clq_guard;
+
+typedef enum clq_colour_format { CLQ_COLOUR_UBYTE = 0, CLQ_COLOUR_FLOAT = 1 } clq_colour_format;
+
+/* GL_EQUAL is the papers' test; it is sound only where alpha keeps all its bits. Per-zone only. */
+typedef enum clq_key_test { CLQ_KEY_GREATER_EQUAL = 0, CLQ_KEY_EQUAL = 1 } clq_key_test;
+
+typedef void (*clq_gl_function)(void);
+
+typedef struct clq_renderer_def {
+    uint32_t struct_bytes;                                             /* set by clq_renderer_def_init */
+    clq_gl_function (*get_proc_address)(void *user, const char *name); /* required; asked for GL 1.1 names only */
+    void *user;
+    clq_variety variety;
+    clq_guard guard;
+    clq_colour_format colours;
+    clq_key_test key_test;
+} clq_renderer_def;
+
+static inline clq_renderer_def clq_renderer_def_init(void)
+{
+    clq_renderer_def def;
+    def.struct_bytes = (uint32_t)sizeof def;
+    def.get_proc_address = NULL;
+    def.user = NULL;
+    def.variety = CLQ_VARIETY_FUSED;
+    def.guard = CLQ_GUARD_FULL;
+    def.colours = CLQ_COLOUR_UBYTE;
+    def.key_test = CLQ_KEY_GREATER_EQUAL;
+    return def;
+}
+
+/* Makes a renderer for the current GL context. out: [owner: host]
+ * Fails: STRUCT_SIZE, ARGUMENT, GL_MISSING (no current context; first missing function by name), OUT_OF_MEMORY.
+ * Threads: the one whose context is current, here and below. GL: queries only. */
+CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_def *def, clq_renderer **out);
+
+/* Brings a template's textures to GL; once per template, before the first draw that shows it. Again is harmless.
+ * The template is held until the renderer goes.
+ * Fails: LIMIT (texture too large for this GL), KEY_RESOLUTION (names the zones), OUT_OF_MEMORY; nothing is changed
+ * then. */
+CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
+
+typedef struct clq_draw_stats {
+    uint32_t individuals;
+    uint32_t draws;     /* glDrawElements calls */
+    uint32_t triangles; /* sent to GL, each pass counted */
+    uint64_t vertices;  /* sent to GL */
+} clq_draw_stats;
+
+/* Draws a view's list as the last update left it. The crowd is not changed.
+ *   out_stats   may be NULL
+ * Fails: ARGUMENT (a template that is not prepared, by name), GL_STATE (what would spoil the picture, by name),
+ * GL_MISSING, BUSY; nothing is drawn or changed then. */
+CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
+
+/* Ends a renderer, its context being current; NULL is ignored. */
+CLQ_API void clq_renderer_destroy(clq_renderer *renderer);
+
+/* Ends a renderer whose context is lost: no GL call is made. Another may be made from the same crowd at once. */
+CLQ_API void clq_renderer_abandon(clq_renderer *renderer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,227 @@
+/* clq_template: a character that many individuals share: its nodes, clips, zones, and meshes split into clean and dirty
+ * triangles (S1 3). Immutable once made, so any number of threads may read it. Made from a host's own arrays here, from
+ * a prepared file here, or from glTF and the built-in figures in claque/assets.h.
+ *
+ * Space: right-handed, any up axis; model space is the actor's own space, in which the Reference Point is the origin.
+ */
+#ifndef CLAQUE_TEMPLATE_H
+#define CLAQUE_TEMPLATE_H
+
+#include <claque/context.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct clq_template clq_template;
+
+#define CLQ_NONE 0xffffffffu /* no index */
+
+/* One node of the articulated structure (S0 3). Parents stand before their children. */
+typedef struct clq_node_def {
+    const char *name; /* may be NULL */
+    uint32_t parent;  /* index of an earlier node, or CLQ_NONE */
+    float translation[3];
+    float rotation_xyzw[4]; /* unit; all zero means no rotation */
+    float scale[3];         /* all zero means 1, 1, 1 */
+} clq_node_def;
+
+/* A matrix that vertices may follow: the node's, times inverse_bind (column-major, 16 floats; NULL: identity). */
+typedef struct clq_joint_def {
+    uint32_t node;
+    const float *inverse_bind;
+} clq_joint_def;
+
+typedef enum clq_wrap { CLQ_WRAP_REPEAT = 0, CLQ_WRAP_CLAMP = 1, CLQ_WRAP_MIRROR = 2 } clq_wrap;
+
+/* What the alpha of an image means (SPEC: keys are keys only where somebody says so). */
+typedef enum clq_alpha_meaning { CLQ_ALPHA_OPACITY = 0, CLQ_ALPHA_ZONE_KEYS = 1 } clq_alpha_meaning;
+
+typedef enum clq_alpha_mode { CLQ_ALPHA_OPAQUE = 0, CLQ_ALPHA_MASK = 1 } clq_alpha_mode;
+
+typedef struct clq_image_def {
+    const char *name;
+    uint32_t width_px, height_px; /* [1, 16384] */
+    const uint8_t *rgba;          /* [4 * width_px * height_px], the row at v = 0 first */
+    clq_alpha_meaning alpha;
+} clq_image_def;
+
+/* Where an individual's colour of one zone may lie (S2 5). Degrees and fractions; a hue range wraps when first > last.
+ */
+typedef struct clq_hsb_range {
+    float hue_first_deg, hue_last_deg;       /* [0, 360] */
+    float saturation_first, saturation_last; /* [0, 1] */
+    float brightness_first, brightness_last; /* [0, 1] */
+} clq_hsb_range;
+
+/* A region that has one colour per individual. */
+typedef struct clq_zone_def {
+    const char *name;
+    uint32_t key;        /* [0, 255] the alpha that means this zone, in images whose alpha holds zone keys */
+    float colour[3];     /* [0, 1] colour of an individual that was given none, as glColor takes it */
+    clq_hsb_range range; /* what clq_actor_draw_colours draws from */
+} clq_zone_def;
+
+typedef struct clq_material_def {
+    const char *name;
+    float base_colour[4]; /* as glColor takes it; all zero means white */
+    uint32_t image;       /* CLQ_NONE: none */
+    clq_wrap wrap_s, wrap_t;
+    clq_alpha_mode alpha_mode; /* MASK: texels below alpha_cutoff are holes (images whose alpha is opacity) */
+    float alpha_cutoff;
+    int32_t double_sided; /* 0 or 1 */
+    uint32_t zone;        /* zone of all that is drawn with it; CLQ_NONE where its image holds zone keys */
+} clq_material_def;
+
+/* Deltas of one morph target; each [3 * vertex_count] or NULL. */
+typedef struct clq_morph_def {
+    const float *positions;
+    const float *normals;
+    float rest_weight;
+} clq_morph_def;
+
+/* A triangle mesh. Skinned: joints and weights; rigid: hangs on `node` and has neither. */
+typedef struct clq_part_def {
+    const char *name;
+    uint32_t node; /* rigid: what it hangs on. Skinned with morph targets: the node that clips address the weights by */
+    uint32_t material; /* CLQ_NONE: white, one-sided */
+    uint32_t vertex_count;
+    const float *positions;   /* [3 * vertex_count] */
+    const float *normals;     /* [3 * vertex_count] or NULL: flat */
+    const float *uvs;         /* [2 * vertex_count] or NULL */
+    const uint8_t *colours;   /* [4 * vertex_count] as GL takes them, or NULL */
+    uint32_t influence_count; /* a vertex; 0: rigid */
+    const uint32_t *joints;   /* [influence_count * vertex_count] entries of clq_template_def.joints */
+    const float *weights;     /* the same length; each vertex's sum is 1 within 0.001 */
+    uint32_t index_count;     /* three a triangle; 0: vertices in order */
+    const uint32_t *indices;
+    uint32_t morph_count;
+    const clq_morph_def *morphs;
+} clq_part_def;
+
+typedef enum clq_path {
+    CLQ_PATH_TRANSLATION = 0,
+    CLQ_PATH_ROTATION = 1,
+    CLQ_PATH_SCALE = 2,
+    CLQ_PATH_MORPH_WEIGHTS = 3
+} clq_path;
+typedef enum clq_interpolation { CLQ_STEP = 0, CLQ_LINEAR = 1, CLQ_CUBIC_SPLINE = 2 } clq_interpolation;
+
+/* One animated property of one node, as glTF 2.0 has them: cubic splines hold in-tangent, value, out-tangent per key.
+ * Morph weights are addressed by the node of the part; all parts on one node share them. */
+typedef struct clq_channel_def {
+    uint32_t node;
+    clq_path path;
+    clq_interpolation interpolation;
+    uint32_t key_count;   /* [>= 1] */
+    const float *times_s; /* [key_count], strictly ascending */
+    const float *values;  /* [key_count * components * (3 for cubic splines)] */
+} clq_channel_def;
+
+typedef struct clq_clip_def {
+    const char *name;
+    uint32_t channel_count;
+    const clq_channel_def *channels;
+} clq_clip_def;
+
+typedef struct clq_template_def {
+    uint32_t struct_bytes; /* set by clq_template_def_init */
+    const char *name;
+    uint32_t node_count;
+    const clq_node_def *nodes;
+    uint32_t joint_count;
+    const clq_joint_def *joints;
+    uint32_t image_count;
+    const clq_image_def *images;
+    uint32_t zone_count;
+    const clq_zone_def *zones;
+    uint32_t material_count;
+    const clq_material_def *materials;
+    uint32_t part_count;
+    const clq_part_def *parts;
+    uint32_t clip_count;
+    const clq_clip_def *clips;
+    uint32_t max_texture_px; /* larger images are reduced, keys unmixed; 0: 1024 */
+} clq_template_def;
+
+static inline clq_template_def clq_template_def_init(void)
+{
+    clq_template_def def;
+    unsigned char *p = (unsigned char *)&def;
+    size_t i;
+    for (i = 0; i < sizeof def; ++i) p[i] = 0;
+    def.struct_bytes = (uint32_t)sizeof def;
+    return def;
+}
+
+/* Splits a host's own arrays into a template. Copies what it needs: nothing of `def` is kept.
+ *   out   [owner: host, until clq_template_destroy]
+ * Fails: STRUCT_SIZE, ARGUMENT (first broken rule, named), LIMIT, OUT_OF_MEMORY. Threads: any. GL: none. Seed: S1 3. */
+CLQ_API clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out);
+
+/* Gives up the host's hold on a template; NULL is ignored. Crowds that use it keep it alive. Threads: any one. */
+CLQ_API void clq_template_destroy(clq_template *tmpl);
+
+/* Writes a template in the prepared form: no reading of glTF, no splitting when it is loaded again.
+ *   write   called in order with pieces of the file; returns 0 on success, anything else stops with IO
+ * Fails: ARGUMENT, IO, OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_template_save(const clq_template *tmpl,
+                                     int (*write)(void *user, const void *bytes, size_t size_bytes), void *user);
+
+/* Loads what clq_template_save wrote. The bytes may be anything: a file that is cut, changed or of another version is
+ * FORMAT. bytes   not kept Fails: FORMAT, OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_template_load(clq_context *context, const void *bytes, size_t size_bytes, clq_template **out);
+
+/* What the split came to (S1 3). */
+typedef struct clq_template_info {
+    const char *name; /* lives as long as the template */
+    uint32_t node_count, joint_count, clip_count, zone_count, texture_count, surface_count;
+    uint32_t vertex_count;       /* that are skinned */
+    uint32_t fused_vertex_count; /* with the copies that the fused strategy adds */
+    uint32_t triangle_count, clean_count, dirty_count;
+    uint32_t coincident_count; /* triangles that lie on another: they tie in depth */
+    uint32_t fused_triangle_count;
+    float dirty_zone_mean; /* zones that a dirty triangle touches, on average */
+    uint32_t max_influences;
+    float sklsroot_centre[3]; /* S0 4.1: holds every vertex in every pose of every clip */
+    float sklsroot_radius;
+    uint64_t bytes; /* held in memory */
+} clq_template_info;
+
+typedef struct clq_clip_info {
+    const char *name;
+    float start_s, duration_s;
+    uint32_t channel_count;
+} clq_clip_info;
+
+typedef struct clq_zone_info {
+    const char *name;
+    float colour[3];
+    clq_hsb_range range;
+    uint32_t clean_count; /* triangles that lie in this zone alone */
+} clq_zone_info;
+
+/* Facts of a template. Strings live as long as it does. Fail: ARGUMENT. Threads: any. GL: none. */
+CLQ_API clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *out);
+CLQ_API clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_clip_info *out);
+CLQ_API clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zone_info *out);
+
+/* Index of what has this name, or CLQ_NONE. Threads: any. */
+CLQ_API uint32_t clq_template_find_clip(const clq_template *tmpl, const char *name);
+CLQ_API uint32_t clq_template_find_zone(const clq_template *tmpl, const char *name);
+CLQ_API uint32_t clq_template_find_node(const clq_template *tmpl, const char *name);
+
+/* A picture of a texture's triangles over its zones, dirty ones marked (S1 Figs. 4 and 5).
+ *   scale          pixels a texel [1, 16]
+ *   out_rgb        [3 * width * height] or NULL to ask for the size only
+ *   capacity_bytes of out_rgb
+ * Fails: ARGUMENT (also when capacity is too small), OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_template_split_picture(const clq_template *tmpl, uint32_t texture, uint32_t scale,
+                                              uint8_t *out_rgb, size_t capacity_bytes, uint32_t *out_width_px,
+                                              uint32_t *out_height_px);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
