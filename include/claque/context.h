@@ -42,6 +42,9 @@ CLQ_API clq_status clq_context_create(const clq_context_def *def, clq_context **
  * it. */
 CLQ_API clq_status clq_context_destroy(clq_context *context);
 
+/* For libraries and bindings built on claque: writes one sentence to the context's log, if it has one. Threads: any. */
+CLQ_API void clq_context_log(clq_context *context, clq_log_level level, const char *text);
+
 #ifdef __cplusplus
 }
 #endif

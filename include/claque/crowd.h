@@ -80,7 +80,7 @@ typedef struct clq_play {
 
 typedef struct clq_actor_def {
     uint32_t struct_bytes; /* set by clq_actor_def_init */
-    clq_template *tmpl;    /* held until the actor goes */
+    clq_template *tmpl;    /* held until the crowd goes */
     clq_place place;
     clq_play play;
     uint64_t seed; /* of this individual's draws by lot, with the crowd's seed; equal seeds are twins */

@@ -1,0 +1,40 @@
+#!/bin/sh
+# Installs the Debian packages that claque builds and tests with, where they are missing.
+# Without root it says exactly which command a person with root has to run.
+set -eu
+
+packages='
+g++ cmake ninja-build make git pkg-config clang-format
+libglm-dev libopenmesh-dev nlohmann-json3-dev libstb-dev
+libtbb-dev libcli11-dev libpng-dev
+libgtest-dev libbenchmark-dev
+libosmesa6 libegl1 libgl1-mesa-dri
+'
+
+missing=''
+for package in $packages; do
+    state=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+    [ "$state" = 'install ok installed' ] || missing="$missing $package"
+done
+mkdir -p build
+[ -n "$missing" ] || exit 0
+
+if ! command -v apt-get >/dev/null 2>&1; then
+    echo "claque builds on Debian 12; these packages are missing:$missing" >&2
+    exit 1
+fi
+if [ "$(id -u)" -eq 0 ]; then
+    as_root=''
+elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
+    as_root='sudo'
+else
+    echo "These packages are missing, and installing them needs root. Run:" >&2
+    echo "    apt-get install --no-install-recommends$missing" >&2
+    exit 1
+fi
+echo "installing:$missing"
+$as_root apt-get update -qq
+DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends $missing >build/setup.log 2>&1 || {
+    tail -n 20 build/setup.log >&2
+    exit 1
+}

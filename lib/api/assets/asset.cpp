@@ -1,0 +1,125 @@
+#include <claque/assets.h>
+
+#include "lib/api/assets/asset_handle.h"
+#include "lib/api/boundary.h"
+#include "lib/asset/file.h"
+#include "lib/asset/gltf.h"
+#include "lib/figures/figure.h"
+
+using namespace claque;
+
+namespace
+{
+
+asset::LoadOptions options_of(const clq_asset_options *options)
+{
+    asset::LoadOptions out;
+    if (!options) return out;
+    if (options->base_folder) out.base_folder = options->base_folder;
+    api::require(options->hidden_nodes || options->hidden_node_count == 0, "hidden_nodes is NULL with a count");
+    for (uint32_t i = 0; i < options->hidden_node_count; ++i) {
+        api::require(options->hidden_nodes[i] != nullptr, "a hidden node's name is NULL");
+        out.hidden_nodes.push_back(options->hidden_nodes[i]);
+    }
+    if (options->memory_limit_bytes) out.memory_limit_bytes = options->memory_limit_bytes;
+    return out;
+}
+
+// Nothing but parsing below: what it throws has been turned into base::Error, and what was missed ends at the boundary.
+clq_asset *finish(clq_context *context, model::Model &&model)
+{
+    auto made = std::make_unique<clq_asset>(std::move(model));
+    for (const std::string &warning : made->model.warnings) clq_context_log(context, CLQ_LOG_WARNING, warning.c_str());
+    return made.release();
+}
+
+std::string folder_of(const std::string &path)
+{
+    const size_t slash = path.find_last_of('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::string stem_of(const std::string &path)
+{
+    const size_t slash = path.find_last_of('/');
+    const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+    return file.substr(0, file.find_last_of('.'));
+}
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_bytes, const clq_asset_options *options,
+                          clq_asset **out)
+{
+    return api::boundary("clq_asset_load", [&] {
+        api::require(context && bytes && out, "context, bytes or out is NULL");
+        api::require_size(options, "clq_asset_options_init");
+        *out = finish(context, asset::load_gltf(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options)));
+    });
+}
+
+clq_status clq_asset_load_file(clq_context *context, const char *path, const clq_asset_options *options,
+                               clq_asset **out)
+{
+    return api::boundary("clq_asset_load_file", [&] {
+        api::require(context && path && out, "context, path or out is NULL");
+        api::require_size(options, "clq_asset_options_init");
+        asset::LoadOptions wanted = options_of(options);
+        if (wanted.base_folder.empty()) wanted.base_folder = folder_of(path);
+        const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
+        try {
+            model::Model model = asset::load_gltf(bytes.data(), bytes.size(), wanted);
+            if (model.name.empty()) model.name = stem_of(path);
+            *out = finish(context, std::move(model));
+        } catch (const base::Error &error) {
+            base::fail(error.status(), "%s: %s", path, error.what());
+        }
+    });
+}
+
+clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out)
+{
+    return api::boundary("clq_asset_builtin", [&] {
+        api::require(context && name && out, "context, name or out is NULL");
+        if (std::string_view(name) != "citizen")
+            base::fail(CLQ_ARGUMENT, "there is no built-in figure '%s'; there is: citizen", name);
+        *out = finish(context, figures::citizen());
+    });
+}
+
+void clq_asset_destroy(clq_asset *asset) { delete asset; }
+
+clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_t max_texture_px, clq_template **out)
+{
+    if (!context || !asset || !out) return clq_report(CLQ_ARGUMENT, "clq_asset_build: context, asset or out is NULL");
+    clq_status status = CLQ_OK;
+    const clq_status converted = api::boundary("clq_asset_build", [&] {
+        api::TemplateDef def(asset->model);
+        def.def.max_texture_px = max_texture_px;
+        status = clq_template_build(context, &def.def, out);
+    });
+    return converted != CLQ_OK ? converted : status;
+}
+
+clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
+                                  const clq_asset_options *options, clq_template **out)
+{
+    clq_asset *asset = nullptr;
+    clq_status status = clq_asset_load(context, bytes, size_bytes, options, &asset);
+    if (status == CLQ_OK) status = clq_asset_build(context, asset, 0, out);
+    clq_asset_destroy(asset);
+    return status;
+}
+
+clq_status clq_template_builtin(clq_context *context, const char *name, clq_template **out)
+{
+    clq_asset *asset = nullptr;
+    clq_status status = clq_asset_builtin(context, name, &asset);
+    if (status == CLQ_OK) status = clq_asset_build(context, asset, 0, out);
+    clq_asset_destroy(asset);
+    return status;
+}
+
+}  // extern "C"

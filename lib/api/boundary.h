@@ -1,0 +1,60 @@
+// The C boundary: what is thrown inside becomes a status and this thread's last error; nothing passes through.
+#pragma once
+
+#include <claque/base.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "lib/base/error.h"
+#include "lib/base/status.h"
+
+namespace claque::api
+{
+
+// Runs the body of a public call. The body throws base::Error or std::bad_alloc, or returns normally for CLQ_OK.
+template <class Body>
+clq_status boundary(const char *function, const Body &body) noexcept
+{
+    char text[1024];
+    try {
+        body();
+        return CLQ_OK;
+    } catch (const base::Error &error) {
+        std::snprintf(text, sizeof text, "%s: %s", function, error.what());
+        return clq_report(error.status(), text);
+    } catch (const std::bad_alloc &) {
+        std::snprintf(text, sizeof text, "%s: out of memory; nothing was changed", function);
+        return clq_report(CLQ_OUT_OF_MEMORY, text);
+    } catch (const std::length_error &) {
+        std::snprintf(text, sizeof text, "%s: more than this machine can address; nothing was changed", function);
+        return clq_report(CLQ_OUT_OF_MEMORY, text);
+    } catch (const std::exception &error) {
+        std::snprintf(text, sizeof text, "%s: %s", function, error.what());
+        return clq_report(CLQ_LIMIT, text);
+    } catch (...) {
+        std::snprintf(text, sizeof text, "%s: an unknown exception was thrown", function);
+        return clq_report(CLQ_LIMIT, text);
+    }
+}
+
+inline void require(bool rule, const char *what)
+{
+    if (!rule) base::fail(CLQ_ARGUMENT, "%s", what);
+}
+
+inline void require(const base::Status &status)
+{
+    if (!status.ok()) base::fail(status.code, "%s", status.text);
+}
+
+// A def made by another version of the header has another size.
+template <class Def>
+void require_size(const Def *def, const char *init)
+{
+    if (def && def->struct_bytes != sizeof(Def))
+        base::fail(CLQ_STRUCT_SIZE, "struct_bytes is %u instead of %zu: make the struct with %s", def->struct_bytes,
+                   sizeof(Def), init);
+}
+
+}  // namespace claque::api

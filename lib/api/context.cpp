@@ -1,0 +1,59 @@
+#include <claque/context.h>
+
+#include <cstdlib>
+
+#include "lib/api/boundary.h"
+#include "lib/api/handles.h"
+
+using namespace claque;
+
+namespace
+{
+
+void *default_allocate(void *, size_t size_bytes, size_t alignment_bytes)
+{
+    if (alignment_bytes <= alignof(std::max_align_t)) return std::malloc(size_bytes ? size_bytes : 1);
+    const size_t rounded = (size_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
+    return std::aligned_alloc(alignment_bytes, rounded);
+}
+
+void default_release(void *, void *memory, size_t, size_t) { std::free(memory); }
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_context_create(const clq_context_def *def, clq_context **out)
+{
+    return api::boundary("clq_context_create", [&] {
+        api::require(out != nullptr, "out is NULL");
+        api::require_size(def, "clq_context_def_init");
+        const clq_context_def wanted = def ? *def : clq_context_def_init();
+        clq_allocator allocator = wanted.allocator;
+        api::require((allocator.allocate == nullptr) == (allocator.release == nullptr),
+                     "the allocator has only one of allocate and release");
+        if (!allocator.allocate) allocator = {nullptr, default_allocate, default_release};
+        void *memory = allocator.allocate(allocator.user, sizeof(clq_context), alignof(clq_context));
+        if (!memory) throw std::bad_alloc();
+        *out = new (memory) clq_context(allocator, wanted.log, wanted.tasks);
+    });
+}
+
+clq_status clq_context_destroy(clq_context *context)
+{
+    return api::boundary("clq_context_destroy", [&] {
+        if (!context) return;
+        const uint32_t children = context->children;
+        if (children) base::fail(CLQ_IN_USE, "%u templates, crowds or renderers made from it still exist", children);
+        const clq_allocator allocator = context->allocator;
+        context->~clq_context();
+        allocator.release(allocator.user, context, sizeof(clq_context), alignof(clq_context));
+    });
+}
+
+void clq_context_log(clq_context *context, clq_log_level level, const char *text)
+{
+    if (context && text && context->log.host.write) context->log.host.write(context->log.host.user, level, text);
+}
+
+}  // extern "C"

@@ -1,0 +1,90 @@
+// What stands behind the opaque pointers that templates and contexts are to a host.
+#pragma once
+
+#include <claque/context.h>
+#include <claque/template.h>
+
+#include <atomic>
+#include <utility>
+
+#include "lib/base/services.h"
+#include "lib/model/template.h"
+
+struct clq_context {
+    clq_context(const clq_allocator &host, const clq_log &host_log, const clq_tasks &tasks)
+        : allocator(host), memory(host), jobs(tasks), log{host_log}
+    {
+    }
+    clq_allocator allocator;
+    claque::base::HostMemory memory;
+    claque::base::Jobs jobs;
+    claque::base::Log log;
+    std::atomic<uint32_t> children{0};  // templates, crowds and renderers that still exist
+};
+
+// The split character itself, counted: the host holds it once, each crowd and renderer that uses it once.
+struct clq_template : claque::model::Template {
+    explicit clq_template(clq_context *owner) : Template(&owner->memory), context(owner) {}
+    clq_context *context;
+    std::atomic<uint32_t> holders{1};
+};
+
+namespace claque::api
+{
+
+// A handle in the context's memory, destroyed with it unless released: construction that fails leaves nothing.
+template <class Handle, class... Arguments>
+Handle *make(clq_context *context, Arguments &&...arguments)
+{
+    void *memory = context->memory.allocate(sizeof(Handle), alignof(Handle));
+    try {
+        Handle *handle = new (memory) Handle(std::forward<Arguments>(arguments)...);
+        ++context->children;
+        return handle;
+    } catch (...) {
+        context->memory.deallocate(memory, sizeof(Handle), alignof(Handle));
+        throw;
+    }
+}
+
+template <class Handle>
+void unmake(clq_context *context, Handle *handle)
+{
+    handle->~Handle();
+    context->memory.deallocate(handle, sizeof(Handle), alignof(Handle));
+    --context->children;
+}
+
+// Owns a handle until `release`.
+template <class Handle>
+class Making
+{
+public:
+    template <class... Arguments>
+    explicit Making(clq_context *context, Arguments &&...arguments)
+        : context_(context), handle_(make<Handle>(context, std::forward<Arguments>(arguments)...))
+    {
+    }
+    Making(const Making &) = delete;
+    Making &operator=(const Making &) = delete;
+    ~Making()
+    {
+        if (handle_) unmake(context_, handle_);
+    }
+    Handle *operator->() const { return handle_; }
+    Handle &operator*() const { return *handle_; }
+    Handle *release() { return std::exchange(handle_, nullptr); }
+
+private:
+    clq_context *context_;
+    Handle *handle_;
+};
+
+inline void hold(clq_template *tmpl) { ++tmpl->holders; }
+
+inline void let_go(clq_template *tmpl)
+{
+    if (--tmpl->holders == 0) unmake(tmpl->context, tmpl);
+}
+
+}  // namespace claque::api

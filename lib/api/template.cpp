@@ -1,0 +1,192 @@
+#include <claque/template.h>
+
+#include "lib/api/boundary.h"
+#include "lib/api/handles.h"
+#include "lib/api/template_def.h"
+#include "lib/model/template_file.h"
+#include "meshsplit/build.h"
+#include "meshsplit/picture.h"
+
+using namespace claque;
+
+namespace
+{
+
+uint64_t bytes_of(const model::Template &t)
+{
+    const auto size = [](const auto &array) { return array.size() * sizeof(array[0]); };
+    const model::Rig &rig = t.rig;
+    uint64_t bytes = sizeof(clq_template) + size(rig.parents) + size(rig.rest) + size(rig.palette) +
+                     size(rig.channels) + size(rig.times) + size(rig.values) + size(rig.clips) + size(rig.rest_weights);
+    for (const model::Texture &texture : t.textures) bytes += sizeof texture + size(texture.rgba) + size(texture.keys);
+    for (const model::Level &l : t.levels)
+        bytes += sizeof l + size(l.positions) + size(l.normals) + size(l.runs) + size(l.joints) + size(l.weights) +
+                 size(l.morph_deltas) + size(l.copies) + size(l.uvs) + size(l.colours) + size(l.slots) +
+                 size(l.indices);
+    return bytes;
+}
+
+uint32_t max_influences(const model::Level &level)
+{
+    uint32_t most = 0;
+    for (const model::InfluenceRun &run : level.runs) most = run.influences > most ? run.influences : most;
+    return most;
+}
+
+void log_report(clq_context *context, const model::Template &t)
+{
+    if (t.report.coincident)
+        context->log.warn(
+            base::text_of("template '%s': %u of %u triangles lie on another with the same corners; which of "
+                          "them is seen depends on the order of drawing",
+                          t.name.c_str(), t.report.coincident, t.report.triangles)
+                .c_str());
+}
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out)
+{
+    return api::boundary("clq_template_build", [&] {
+        api::require(context && def && out, "context, def or out is NULL");
+        api::require_size(def, "clq_template_def_init");
+        const model::Model model = api::model_of(*def);
+        meshsplit::BuildOptions options;
+        if (def->max_texture_px) options.max_texture_px = def->max_texture_px;
+        api::Making<clq_template> made(context, context);
+        meshsplit::build(model, options, *made);
+        log_report(context, *made);
+        *out = made.release();
+    });
+}
+
+void clq_template_destroy(clq_template *tmpl)
+{
+    if (tmpl) api::let_go(tmpl);
+}
+
+clq_status clq_template_save(const clq_template *tmpl, int (*write)(void *user, const void *bytes, size_t size_bytes),
+                             void *user)
+{
+    return api::boundary("clq_template_save", [&] {
+        api::require(tmpl && write, "tmpl or write is NULL");
+        std::pmr::vector<uint8_t> bytes(&tmpl->context->memory);
+        model::save(*tmpl, bytes);
+        if (write(user, bytes.data(), bytes.size()) != 0)
+            base::fail(CLQ_IO, "the writer refused %zu bytes of template '%s'", bytes.size(), tmpl->name.c_str());
+    });
+}
+
+clq_status clq_template_load(clq_context *context, const void *bytes, size_t size_bytes, clq_template **out)
+{
+    return api::boundary("clq_template_load", [&] {
+        api::require(context && bytes && out, "context, bytes or out is NULL");
+        api::Making<clq_template> made(context, context);
+        model::load(static_cast<const uint8_t *>(bytes), size_bytes, *made);
+        *out = made.release();
+    });
+}
+
+clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *out)
+{
+    return api::boundary("clq_template_get_info", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        const model::Level &level = tmpl->levels[0];
+        const model::SplitReport &report = tmpl->report;
+        clq_template_info info{};
+        info.name = tmpl->name.c_str();
+        info.node_count = tmpl->rig.node_count();
+        info.joint_count = static_cast<uint32_t>(tmpl->rig.palette.size());
+        info.clip_count = static_cast<uint32_t>(tmpl->rig.clips.size());
+        info.zone_count = tmpl->zone_count();
+        info.texture_count = static_cast<uint32_t>(tmpl->textures.size());
+        info.surface_count = static_cast<uint32_t>(level.surfaces.size());
+        info.vertex_count = level.source_count;
+        info.fused_vertex_count = level.vertex_count;
+        info.triangle_count = report.triangles;
+        info.dirty_count = report.dirty;
+        info.clean_count = report.triangles - report.dirty;
+        info.coincident_count = report.coincident;
+        info.fused_triangle_count = report.fused_triangles;
+        info.dirty_zone_mean =
+            report.dirty ? static_cast<float>(report.dirty_zone_sum) / static_cast<float>(report.dirty) : 0;
+        info.max_influences = max_influences(level);
+        for (int k = 0; k < 3; ++k) info.sklsroot_centre[k] = tmpl->sklsroot.centre[k];
+        info.sklsroot_radius = tmpl->sklsroot.radius;
+        info.bytes = bytes_of(*tmpl);
+        *out = info;
+    });
+}
+
+clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_clip_info *out)
+{
+    return api::boundary("clq_template_get_clip", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        if (clip >= tmpl->rig.clips.size())
+            base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
+                       tmpl->rig.clips.size());
+        const model::Clip &found = tmpl->rig.clips[clip];
+        *out = {tmpl->rig.clip_names[clip].c_str(), found.start_s, found.duration_s, found.channel_count};
+    });
+}
+
+clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zone_info *out)
+{
+    return api::boundary("clq_template_get_zone", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        if (zone >= tmpl->zone_count())
+            base::fail(CLQ_ARGUMENT, "zone %u of '%s', which has %u", zone, tmpl->name.c_str(), tmpl->zone_count());
+        clq_zone_info info{};
+        info.name = tmpl->zone_names[zone].c_str();
+        for (size_t k = 0; k < 3; ++k) info.colour[k] = tmpl->zone_colours[zone][k];
+        info.range = api::range_of(tmpl->zone_ranges[zone]);
+        info.clean_count = zone < tmpl->zone_clean.size() ? tmpl->zone_clean[zone] : 0;
+        *out = info;
+    });
+}
+
+uint32_t clq_template_find_clip(const clq_template *tmpl, const char *name)
+{
+    return tmpl && name ? tmpl->rig.find_clip(name) : CLQ_NONE;
+}
+
+uint32_t clq_template_find_node(const clq_template *tmpl, const char *name)
+{
+    return tmpl && name ? tmpl->rig.find_node(name) : CLQ_NONE;
+}
+
+uint32_t clq_template_find_zone(const clq_template *tmpl, const char *name)
+{
+    if (tmpl && name)
+        for (uint32_t i = 0; i < tmpl->zone_count(); ++i)
+            if (std::string_view(tmpl->zone_names[i]) == name) return i;
+    return CLQ_NONE;
+}
+
+clq_status clq_template_split_picture(const clq_template *tmpl, uint32_t texture, uint32_t scale, uint8_t *out_rgb,
+                                      size_t capacity_bytes, uint32_t *out_width_px, uint32_t *out_height_px)
+{
+    return api::boundary("clq_template_split_picture", [&] {
+        api::require(tmpl && out_width_px && out_height_px, "tmpl, out_width_px or out_height_px is NULL");
+        api::require(scale >= 1 && scale <= 16, "scale is not 1 to 16");
+        if (texture >= tmpl->textures.size())
+            base::fail(CLQ_ARGUMENT, "texture %u of '%s', which has %zu", texture, tmpl->name.c_str(),
+                       tmpl->textures.size());
+        const uint32_t width = tmpl->textures[texture].width * scale, height = tmpl->textures[texture].height * scale;
+        if (out_rgb) {
+            const size_t pixels = static_cast<size_t>(width) * height;
+            if (capacity_bytes < 3 * pixels)
+                base::fail(CLQ_ARGUMENT, "%zu bytes for a picture of %u x %u, which takes %zu", capacity_bytes, width,
+                           height, 3 * pixels);
+            const std::vector<uint8_t> rgba = meshsplit::split_picture(*tmpl, texture, static_cast<int>(scale));
+            for (size_t i = 0; i < pixels; ++i)
+                for (size_t k = 0; k < 3; ++k) out_rgb[3 * i + k] = rgba[4 * i + k];
+        }
+        *out_width_px = width;
+        *out_height_px = height;
+    });
+}
+
+}  // extern "C"

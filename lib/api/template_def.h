@@ -1,0 +1,17 @@
+// A host's own arrays to a Model: lengths, NULLs and indices are checked here, values by model::check.
+#pragma once
+
+#include <claque/template.h>
+
+#include "lib/model/model.h"
+
+namespace claque::api
+{
+
+// Throws base::Error (CLQ_ARGUMENT) naming the first broken rule.
+model::Model model_of(const clq_template_def &def);
+
+model::HsbRange range_of(const clq_hsb_range &range);
+clq_hsb_range range_of(const model::HsbRange &range);
+
+}  // namespace claque::api
