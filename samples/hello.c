@@ -1,0 +1,86 @@
+/* A crowd in sixty lines: a hundred citizens applaud in a GL 1.1 context made with OSMesa; the picture is hello.ppm.
+ * In your own program the context is yours already: keep what is between the two rulers. */
+#include <claque/assets.h>
+#include <claque/claque.h>
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WIDTH = 640, HEIGHT = 480, GL_RGBA = 0x1908, GL_UNSIGNED_BYTE = 0x1401, DEPTH_AND_COLOUR = 0x4100 };
+
+static void check(clq_status status)
+{
+    if (status == CLQ_OK) return;
+    fprintf(stderr, "%s: %s\n", clq_status_name(status), clq_last_error());
+    exit(1);
+}
+
+static clq_gl_function (*osmesa_get)(const char *name);
+static clq_gl_function get_proc_address(void *user, const char *name) { return (void)user, osmesa_get(name); }
+
+int main(void)
+{
+    static unsigned char pixels[4 * WIDTH * HEIGHT];
+    void *library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    if (!library) return fprintf(stderr, "hello needs libosmesa6: %s\n", dlerror()), 77;
+    void *(*create)(unsigned, int, int, int, void *);
+    unsigned char (*make_current)(void *, void *, unsigned, int, int);
+    *(void **)&create = dlsym(library, "OSMesaCreateContextExt");
+    *(void **)&make_current = dlsym(library, "OSMesaMakeCurrent");
+    *(void **)&osmesa_get = dlsym(library, "OSMesaGetProcAddress");
+    void *mesa = create(GL_RGBA, 24, 8, 0, NULL);
+    if (!mesa || !make_current(mesa, pixels, GL_UNSIGNED_BYTE, WIDTH, HEIGHT)) return 1;
+    void (*clear_colour)(float, float, float, float) = (void (*)(float, float, float, float))osmesa_get("glClearColor");
+    void (*clear)(unsigned) = (void (*)(unsigned))osmesa_get("glClear");
+    void (*finish)(void) = osmesa_get("glFinish");
+
+    /* ---------------------------------------------------------------- claque: make a crowd */
+    clq_context *context;
+    clq_template *citizen;
+    clq_crowd *crowd;
+    clq_view *view;
+    clq_renderer *renderer;
+    check(clq_context_create(NULL, &context));
+    check(clq_template_builtin(context, "citizen", &citizen)); /* or clq_template_load_gltf with your own bytes */
+    check(clq_crowd_create(context, NULL, &crowd));
+    for (int i = 0; i < 100; ++i) {
+        clq_actor actor;
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = citizen;
+        def.place.position[0] = (i % 10 - 4.5) * 0.9 + (i / 10 % 2) * 0.45; /* metres; y is up */
+        def.place.position[2] = -(i / 10) * 0.9;
+        def.play.clip = clq_template_find_clip(citizen, i % 4 == 0 ? "cheer" : "applaud");
+        def.play.phase_s = (float)(i * 7 % 13) * 0.15f;
+        def.seed = (uint64_t)i;
+        check(clq_actor_create(crowd, &def, &actor));
+        check(clq_actor_draw_colours(crowd, actor, NULL, 0));
+    }
+    /* ---------------------------------------------------------------- and draw a frame at 2.5 s */
+    clq_renderer_def renderer_def = clq_renderer_def_init();
+    renderer_def.get_proc_address = get_proc_address;
+    check(clq_renderer_create(context, &renderer_def, &renderer));
+    check(clq_renderer_prepare(renderer, citizen));
+    check(clq_view_create(crowd, &view));
+    clq_camera camera;
+    const double eye[3] = {0, 2.6, 6.5}, target[3] = {0, 0.8, -2.5};
+    const float up[3] = {0, 1, 0};
+    check(clq_camera_look_at(&camera, eye, target, up, 0.75f, (float)WIDTH / HEIGHT, 0.1f, 100.0f));
+    check(clq_view_look(view, &camera));
+    check(clq_crowd_update(crowd, 2.5, &view, 1));
+    clear_colour(0.55f, 0.65f, 0.8f, 1), clear(DEPTH_AND_COLOUR);
+    check(clq_renderer_draw(renderer, view, NULL));
+    finish();
+    /* ---------------------------------------------------------------- */
+
+    FILE *file = fopen("hello.ppm", "wb");
+    if (!file) return perror("hello.ppm"), 1;
+    fprintf(file, "P6 %d %d 255\n", WIDTH, HEIGHT);
+    for (int y = HEIGHT - 1; y >= 0; --y)
+        for (int x = 0; x < WIDTH; ++x) fwrite(pixels + 4 * (y * WIDTH + x), 1, 3, file);
+    fclose(file);
+    clq_renderer_destroy(renderer);
+    clq_template_destroy(citizen);
+    clq_crowd_destroy(crowd);
+    check(clq_context_destroy(context));
+    return puts("hello.ppm") < 0;
+}

@@ -1,0 +1,71 @@
+// What the shared libraries export and import: only clq_* out; no GL, no printing, no exit of ours in.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+std::vector<std::string> lines_of(const std::string &command)
+{
+    std::vector<std::string> out;
+    FILE *pipe = popen(command.c_str(), "r");
+    if (!pipe) return out;
+    char line[4096];
+    while (std::fgets(line, sizeof line, pipe)) {
+        std::string text = line;
+        out.push_back(text.substr(0, text.find_last_not_of("\r\n") + 1));
+    }
+    pclose(pipe);
+    return out;
+}
+
+std::vector<std::string> symbols(const char *library, const char *which)
+{
+    return lines_of(std::string("nm -D --without-symbol-versions ") + which + " -P " + library + " | cut -d' ' -f1,2");
+}
+
+bool forbidden(const std::string &name)
+{
+    static const std::regex wrong(
+        "(gl[A-Z].*|egl[A-Z].*|glX.*|OSMesa.*|printf|fprintf|vprintf|vfprintf|puts|fputs|putchar|"
+        "fwrite|perror|exit|_exit|quick_exit|abort|system|getenv|rand|srand|time|gettimeofday|"
+        "clock_gettime|pthread_create)");
+    return std::regex_match(name, wrong);
+}
+
+}  // namespace
+
+TEST(symbols, the_libraries_export_the_c_api_and_nothing_else)
+{
+    for (const char *library : {CLAQUE_LIBRARY, CLAQUE_ASSETS_LIBRARY}) {
+        const std::vector<std::string> names = symbols(library, "--defined-only");
+        ASSERT_FALSE(names.empty()) << library;
+        for (const std::string &name : names) EXPECT_EQ(name.rfind("clq_", 0), 0u) << name << " of " << library;
+    }
+}
+
+TEST(symbols, libclaque_imports_no_gl_no_printing_no_exit)
+{
+    if (CLAQUE_SANITIZED) GTEST_SKIP() << "sanitizers bring their own imports";
+    const std::vector<std::string> names = symbols(CLAQUE_LIBRARY, "--undefined-only");
+    ASSERT_FALSE(names.empty());
+    for (const std::string &line : names) {
+        const std::string name = line.substr(0, line.find(' '));
+        EXPECT_FALSE(forbidden(name)) << name;
+    }
+    EXPECT_TRUE(forbidden("glBegin") && forbidden("printf") && forbidden("exit"));
+    EXPECT_FALSE(forbidden("snprintf") || forbidden("memcpy"));
+}
+
+TEST(symbols, libclaque_needs_libc_and_libstdcxx_alone)
+{
+    if (CLAQUE_SANITIZED) GTEST_SKIP() << "sanitizers bring their own libraries";
+    const std::regex allowed(".*NEEDED.*\\[(libc\\.so|libm\\.so|libstdc\\+\\+\\.so|libgcc_s\\.so|ld-linux).*");
+    const std::vector<std::string> needed = lines_of(std::string("readelf -d ") + CLAQUE_LIBRARY + " | grep NEEDED");
+    ASSERT_FALSE(needed.empty());
+    for (const std::string &line : needed) EXPECT_TRUE(std::regex_match(line, allowed)) << line;
+}
