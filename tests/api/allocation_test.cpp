@@ -1,0 +1,249 @@
+// An allocation that fails gives a status and leaves everything as it was: every n for small calls, a stride for large
+// ones.
+#include <claque/assets.h>
+#include <claque/claque.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <vector>
+
+#include "samples/contexts/offscreen.h"
+#include "tests/api/failing_memory.h"
+#include "tests/api/small_template.h"
+
+namespace fm = failing_memory;
+
+namespace
+{
+
+// Calls `attempt` with its 1st, (1 + stride)th ... allocation failing, until it succeeds untouched; `unchanged` after
+// each failure.
+void fail_each(const char *what, fm::Reach reach, uint64_t stride, const std::function<clq_status()> &attempt,
+               const std::function<void()> &unchanged)
+{
+    uint64_t failures = 0;
+    for (uint64_t n = 1;; n += stride) {
+        const int64_t before = fm::host_bytes();
+        fm::arm(n, reach);
+        const clq_status status = attempt();
+        const uint64_t seen = fm::disarm();
+        if (seen < n) {
+            ASSERT_EQ(status, CLQ_OK) << what << ": " << clq_last_error();
+            break;
+        }
+        if (status == CLQ_OK) continue;  // whoever asked could do without
+        ++failures;
+        ASSERT_EQ(status, CLQ_OUT_OF_MEMORY) << what << ", allocation " << n << ": " << clq_last_error();
+        ASSERT_EQ(fm::host_bytes(), before) << what << ", allocation " << n << " left memory behind";
+        unchanged();
+        ASSERT_LT(n, 100000000u);
+    }
+    EXPECT_GT(failures, 0u) << what << " never allocated: this test saw nothing";
+}
+
+class Allocation : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        clq_context_def def = clq_context_def_init();
+        def.allocator = fm::allocator;
+        ASSERT_EQ(clq_context_create(&def, &context_), CLQ_OK);
+    }
+    void TearDown() override
+    {
+        clq_crowd_destroy(crowd_);
+        clq_template_destroy(tmpl_);
+        EXPECT_EQ(clq_context_destroy(context_), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(fm::host_bytes(), 0);
+    }
+
+    void make_crowd(int people)
+    {
+        ASSERT_EQ(clq_template_build(context_, &small_.def, &tmpl_), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(clq_crowd_create(context_, nullptr, &crowd_), CLQ_OK);
+        for (int i = 0; i < people; ++i) add_actor(i);
+        ASSERT_EQ(clq_view_create(crowd_, &view_), CLQ_OK);
+        clq_camera camera;
+        const double eye[3] = {0, 1, 12}, target[3] = {0, 1, 0};
+        const float up[3] = {0, 1, 0};
+        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.0f, 0.1f, 100.0f), CLQ_OK);
+        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+    }
+
+    clq_status add_actor(int i)
+    {
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = tmpl_;
+        def.place.position[0] = 0.5 * (i % 16) - 4;
+        def.place.position[2] = -0.5 * (i / 16);
+        def.play.clip = 0;
+        def.seed = static_cast<uint64_t>(i);
+        clq_actor actor;
+        const clq_status status = clq_actor_create(crowd_, &def, &actor);
+        return status != CLQ_OK ? status : clq_actor_draw_colours(crowd_, actor, nullptr, 0);
+    }
+
+    SmallTemplate small_;
+    clq_context *context_ = nullptr;
+    clq_template *tmpl_ = nullptr;
+    clq_crowd *crowd_ = nullptr;
+    clq_view *view_ = nullptr;
+};
+
+std::vector<char> bytes_of(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return std::vector<char>(std::istreambuf_iterator<char>(file), {});
+}
+
+}  // namespace
+
+TEST(allocation, a_context_that_finds_no_memory_is_not_made)
+{
+    clq_context_def def = clq_context_def_init();
+    def.allocator = fm::allocator;
+    fail_each(
+        "clq_context_create", fm::Reach::everything, 1,
+        [&] {
+            clq_context *context = nullptr;
+            const clq_status status = clq_context_create(&def, &context);
+            if (status == CLQ_OK) clq_context_destroy(context);
+            return status;
+        },
+        [] {});
+}
+
+TEST_F(Allocation, building_a_template_fails_cleanly_at_every_allocation)
+{
+    fail_each(
+        "clq_template_build", fm::Reach::everything, 1,
+        [&] {
+            clq_template *tmpl = nullptr;
+            const clq_status status = clq_template_build(context_, &small_.def, &tmpl);
+            clq_template_destroy(tmpl);
+            return status;
+        },
+        [] {});
+}
+
+TEST_F(Allocation, creating_actors_fails_cleanly_at_every_allocation)
+{
+    make_crowd(0);
+    // Enough actors that every column has to grow at least twice on the way.
+    for (int i = 0; i < 100; ++i) {
+        const uint64_t before = clq_crowd_fingerprint(crowd_);
+        const uint32_t count = clq_crowd_actor_count(crowd_);
+        uint64_t n = 1;
+        for (;; ++n) {
+            clq_actor_def def = clq_actor_def_init();
+            def.tmpl = tmpl_;
+            clq_actor actor = {0, 0};
+            fm::arm(n, fm::Reach::everything);
+            const clq_status status = clq_actor_create(crowd_, &def, &actor);
+            if (fm::disarm() < n) {
+                ASSERT_EQ(status, CLQ_OK);
+                break;
+            }
+            ASSERT_EQ(status, CLQ_OUT_OF_MEMORY);
+            ASSERT_EQ(actor.index1, 0u) << "out is written only on success";
+            ASSERT_EQ(clq_crowd_fingerprint(crowd_), before);
+            ASSERT_EQ(clq_crowd_actor_count(crowd_), count);
+        }
+    }
+}
+
+TEST_F(Allocation, an_update_fails_cleanly_at_every_allocation_and_the_next_one_is_the_same)
+{
+    make_crowd(60);
+    const uint64_t crowd_before = clq_crowd_fingerprint(crowd_);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.1, &view_, 1), CLQ_OK) << clq_last_error();
+    const uint64_t first = clq_view_hash(view_);
+    ASSERT_EQ(crowd_before, clq_crowd_fingerprint(crowd_)) << "an update changes nothing that the host has set";
+
+    for (int i = 60; i < 200; ++i) ASSERT_EQ(add_actor(i), CLQ_OK);  // so that the update must make room
+    ASSERT_EQ(first, clq_view_hash(view_));
+    fail_each(
+        "clq_crowd_update", fm::Reach::everything, 1, [&] { return clq_crowd_update(crowd_, 0.3, &view_, 1); },
+        [&] { ASSERT_EQ(clq_view_hash(view_), first) << "a failed update leaves the list as it was"; });
+    const uint64_t after = clq_view_hash(view_);
+
+    clq_crowd *fresh = nullptr;
+    std::swap(crowd_, fresh);
+    clq_template *old = tmpl_;
+    make_crowd(200);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.3, &view_, 1), CLQ_OK);
+    EXPECT_EQ(clq_view_hash(view_), after) << "failures on the way changed what is shown";
+    clq_crowd_destroy(fresh);
+    clq_template_destroy(old);
+}
+
+TEST_F(Allocation, an_update_without_news_allocates_nothing)
+{
+    make_crowd(100);
+    for (int frame = 0; frame < 3; ++frame) ASSERT_EQ(clq_crowd_update(crowd_, 0.02 * frame, &view_, 1), CLQ_OK);
+    fm::arm(0, fm::Reach::everything);
+    for (int frame = 3; frame < 30; ++frame) clq_crowd_update(crowd_, 0.02 * frame, &view_, 1);
+    EXPECT_EQ(fm::disarm(), 0u);
+}
+
+TEST_F(Allocation, loading_the_smallest_asset_fails_cleanly_at_every_allocation_and_a_larger_one_at_a_stride)
+{
+    const std::string folder = CLAQUE_ASSETS_DIR;
+    const struct {
+        const char *path;
+        uint64_t stride;
+    } files[] = {{"/conformance/khronos/SimpleMorph-Embedded/SimpleMorph.gltf", 1},
+                 {"/conformance/khronos/SimpleSkin-external/SimpleSkin.gltf", 7},
+                 {"/humanoids/khronos/RiggedFigure.glb", 1009},
+                 {"/humanoids/quaternius-ultimate/Casual_Male.gltf", 30011}};
+    for (const auto &file : files) {
+        const std::string path = folder + file.path;
+        const std::vector<char> bytes = bytes_of(path);
+        if (bytes.empty()) GTEST_SKIP() << "real characters are not beside this checkout: " << path;
+        const std::string base = path.substr(0, path.find_last_of('/'));
+        clq_asset_options options = clq_asset_options_init();
+        options.base_folder = base.c_str();
+        fail_each(
+            file.path, fm::Reach::everything, file.stride,
+            [&] {
+                clq_template *tmpl = nullptr;
+                const clq_status status = clq_template_load_gltf(context_, bytes.data(), bytes.size(), &options, &tmpl);
+                clq_template_destroy(tmpl);
+                return status;
+            },
+            [] {});
+    }
+}
+
+TEST_F(Allocation, a_renderer_fails_cleanly_and_drawing_allocates_nothing)
+{
+    make_crowd(50);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
+    std::string why_not;
+    const auto screen = make_offscreen(Kind::any, 64, 64, PixelFormat::rgba8888, why_not);
+    if (!screen) GTEST_SKIP() << "no software GL here: " << why_not;
+    ASSERT_TRUE(screen->make_current());
+    clq_renderer_def def = clq_renderer_def_init();
+    def.get_proc_address = screen->get_proc_address();
+    def.user = screen->get_proc_address_user();
+    // Only the host's allocator may fail here: what GL itself allocates is not ours to test.
+    fail_each(
+        "clq_renderer_create and prepare", fm::Reach::host_only, 1,
+        [&] {
+            clq_renderer *renderer = nullptr;
+            clq_status status = clq_renderer_create(context_, &def, &renderer);
+            if (status == CLQ_OK) status = clq_renderer_prepare(renderer, tmpl_);
+            clq_renderer_destroy(renderer);
+            return status;
+        },
+        [] {});
+    clq_renderer *renderer = nullptr;
+    ASSERT_EQ(clq_renderer_create(context_, &def, &renderer), CLQ_OK);
+    ASSERT_EQ(clq_renderer_prepare(renderer, tmpl_), CLQ_OK);
+    fm::arm(1, fm::Reach::host_only, true);
+    EXPECT_EQ(clq_renderer_draw(renderer, view_, nullptr), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(fm::disarm(), 0u);
+    clq_renderer_destroy(renderer);
+}

@@ -1,0 +1,18 @@
+// Memory that fails on request: the host's allocator, operator new and malloc of this program share one countdown.
+#pragma once
+
+#include <claque/base.h>
+
+namespace failing_memory
+{
+
+enum class Reach { host_only, everything };
+
+// From now on the n-th allocation fails (and, if `persistent`, all after it). n = 0: none fails, they are only counted.
+void arm(uint64_t n, Reach reach, bool persistent = false);
+uint64_t disarm();     // how many allocations there were since arm()
+int64_t host_bytes();  // now held through the host's allocator
+
+extern const clq_allocator allocator;
+
+}  // namespace failing_memory
