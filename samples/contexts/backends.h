@@ -1,0 +1,29 @@
+// What the two kinds of context share, inside this folder.
+#pragma once
+
+#include "samples/contexts/offscreen.h"
+
+namespace contexts
+{
+
+std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not);
+std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not);
+
+// Opens the first library of a null-ended list and keeps it for the life of the process: drivers do not like to be
+// unloaded. Null if there is none.
+void *open_library(const char *const *names);
+
+// A function of an opened library, or null.
+template <class Function>
+bool find(void *library, const char *name, Function &function);
+
+void *find_symbol(void *library, const char *name);
+
+template <class Function>
+bool find(void *library, const char *name, Function &function)
+{
+    function = reinterpret_cast<Function>(find_symbol(library, name));
+    return function != nullptr;
+}
+
+}  // namespace contexts

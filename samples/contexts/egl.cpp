@@ -1,0 +1,159 @@
+// EGL on the surfaceless platform, drawing into a pixel buffer surface: no window system, no device needed.
+#include "samples/contexts/backends.h"
+
+namespace contexts
+{
+namespace
+{
+
+using Handle = void *;
+constexpr unsigned platform_surfaceless = 0x31DD, opengl_api = 0x30A2;
+constexpr int surface_type = 0x3033, pbuffer_bit = 1, renderable_type = 0x3040, opengl_bit = 8, end = 0x3038;
+constexpr int alpha_size = 0x3021, blue_size = 0x3022, green_size = 0x3023, red_size = 0x3024;
+constexpr int depth_size = 0x3025, stencil_size = 0x3026, samples = 0x3031, width_key = 0x3057, height_key = 0x3056;
+
+struct Library {
+    Handle (*get_proc_address)(const char *) = nullptr;
+    Handle (*get_platform_display)(unsigned platform, Handle native, const void *attributes) = nullptr;
+    unsigned (*initialize)(Handle display, int *major, int *minor) = nullptr;
+    unsigned (*bind_api)(unsigned api) = nullptr;
+    unsigned (*choose_config)(Handle display, const int *wanted, Handle *configs, int capacity, int *count) = nullptr;
+    unsigned (*get_config)(Handle display, Handle config, int what, int *value) = nullptr;
+    Handle (*create_context)(Handle display, Handle config, Handle share, const int *attributes) = nullptr;
+    Handle (*create_surface)(Handle display, Handle config, const int *attributes) = nullptr;
+    unsigned (*make_current)(Handle display, Handle draw, Handle read, Handle context) = nullptr;
+    unsigned (*destroy_context)(Handle display, Handle context) = nullptr;
+    unsigned (*destroy_surface)(Handle display, Handle surface) = nullptr;
+    Handle display = nullptr;
+    const char *why_not = nullptr;
+};
+
+Library open_display()
+{
+    static const char *const names[] = {"libEGL.so.1", "libEGL.so", nullptr};
+    Library l;
+    Handle so = open_library(names);
+    l.why_not = "EGL: libEGL.so.1 is not there (Debian: libegl1 and libgl1-mesa-dri)";
+    if (!so || !find(so, "eglGetProcAddress", l.get_proc_address) || !find(so, "eglInitialize", l.initialize) ||
+        !find(so, "eglBindAPI", l.bind_api) || !find(so, "eglChooseConfig", l.choose_config) ||
+        !find(so, "eglGetConfigAttrib", l.get_config) || !find(so, "eglCreateContext", l.create_context) ||
+        !find(so, "eglCreatePbufferSurface", l.create_surface) || !find(so, "eglMakeCurrent", l.make_current) ||
+        !find(so, "eglDestroyContext", l.destroy_context) || !find(so, "eglDestroySurface", l.destroy_surface))
+        return l;
+
+    l.why_not = "EGL: no surfaceless platform (Debian: libgl1-mesa-dri)";
+    l.get_platform_display =
+        reinterpret_cast<decltype(l.get_platform_display)>(l.get_proc_address("eglGetPlatformDisplayEXT"));
+    if (!l.get_platform_display) return l;
+    l.display = l.get_platform_display(platform_surfaceless, nullptr, nullptr);
+    int major = 0, minor = 0;
+    if (!l.display || !l.initialize(l.display, &major, &minor)) return l;
+    l.why_not = nullptr;
+    return l;
+}
+
+// Opened once and kept, display and all: others in the process may share it.
+const Library &library()
+{
+    static const Library opened = open_display();
+    return opened;
+}
+
+int config_value(Handle config, int what)
+{
+    int value = -1;
+    library().get_config(library().display, config, what, &value);
+    return value;
+}
+
+// EGL sorts deeper colours first, so the exact one has to be looked for.
+Handle choose_config(PixelFormat format)
+{
+    const bool small = format == PixelFormat::rgb565;
+    const int wanted[] = {surface_type, pbuffer_bit, renderable_type, opengl_bit, depth_size, 24, end};
+    Handle configs[256];
+    int count = 0;
+    if (!library().choose_config(library().display, wanted, configs, 256, &count)) return nullptr;
+    for (int i = 0; i < count; ++i)
+        if (config_value(configs[i], red_size) == (small ? 5 : 8) &&
+            config_value(configs[i], green_size) == (small ? 6 : 8) &&
+            config_value(configs[i], blue_size) == (small ? 5 : 8) &&
+            config_value(configs[i], alpha_size) == (small ? 0 : 8) && config_value(configs[i], samples) == 0 &&
+            config_value(configs[i], depth_size) == 24 && config_value(configs[i], stencil_size) == 8)
+            return configs[i];
+    return nullptr;
+}
+
+class EglOffscreen : public Offscreen
+{
+public:
+    EglOffscreen(int width, int height) : Offscreen(width, height) {}
+    ~EglOffscreen() override
+    {
+        const Library &l = library();
+        if (context_ && current() == this) release();
+        if (context_) l.destroy_context(l.display, context_);
+        if (surface_) l.destroy_surface(l.display, surface_);
+    }
+
+    bool start(PixelFormat format, std::string &why_not)
+    {
+        const Library &l = library();
+        Handle config = l.bind_api(opengl_api) ? choose_config(format) : nullptr;
+        if (!config) {
+            why_not = "EGL: no pixel buffer with desktop OpenGL in this format";
+            return false;
+        }
+        const int size[] = {width_key, width(), height_key, height(), end};
+        surface_ = l.create_surface(l.display, config, size);
+        context_ = l.create_context(l.display, config, nullptr, nullptr);
+        if (!surface_ || !context_ || !make_current()) {
+            why_not = "EGL: no OpenGL context of this size could be made";
+            return false;
+        }
+        return describe("EGL", why_not);
+    }
+    // Let go first: EGL would think its context still current after OSMesa took Mesa's dispatch away.
+    bool make_current() override
+    {
+        const Library &l = library();
+        l.bind_api(opengl_api);
+        release();
+        current() = this;
+        return l.make_current(l.display, surface_, surface_, context_) != 0;
+    }
+    bool release() override
+    {
+        current() = nullptr;
+        return library().make_current(library().display, nullptr, nullptr, nullptr) != 0;
+    }
+    GetProcAddress get_proc_address() const override
+    {
+        return [](void *, const char *name) { return reinterpret_cast<GlFunction>(library().get_proc_address(name)); };
+    }
+    void *user() const override { return nullptr; }
+
+private:
+    static EglOffscreen *&current()
+    {
+        static thread_local EglOffscreen *made_current = nullptr;
+        return made_current;
+    }
+
+    Handle surface_ = nullptr, context_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not)
+{
+    if (library().why_not) {
+        why_not = library().why_not;
+        return nullptr;
+    }
+    auto made = std::make_unique<EglOffscreen>(width, height);
+    if (!made->start(format, why_not)) return nullptr;
+    return made;
+}
+
+}  // namespace contexts

@@ -1,0 +1,61 @@
+// Offscreen OpenGL contexts for samples and tests: OSMesa, or EGL without a surface system. Nothing is linked; the
+// libraries are opened at run time, so that one program serves machines that have either. No part of libclaque.
+//
+// One context is current per thread. OSMesa and EGL contexts may live in one process (they share Mesa's dispatch):
+// call make_current() before each use when there are several.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace contexts
+{
+
+enum class Kind : uint8_t { any, osmesa, egl };  // any: OSMesa if it is there, else EGL
+enum class PixelFormat : uint8_t { rgba8888, rgb565 };
+
+using GlFunction = void (*)();
+
+class Offscreen
+{
+public:
+    virtual ~Offscreen() = default;
+    Offscreen(const Offscreen &) = delete;
+    Offscreen &operator=(const Offscreen &) = delete;
+
+    virtual bool make_current() = 0;
+    virtual bool release() = 0;  // no context is current on this thread afterwards
+
+    // As clq_renderer_def takes it: a C function and what to give it. Good while the process lives.
+    using GetProcAddress = GlFunction (*)(void *user, const char *name);
+    virtual GetProcAddress get_proc_address() const = 0;
+    virtual void *user() const = 0;
+
+    // For example "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6".
+    const std::string &name() const { return name_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    // Waits for GL, then reads: three bytes, or one float in [0, 1], a pixel, top row first. The context must be
+    // current. Pixel store and transfer state are set aside meanwhile and put back.
+    void read_rgb(std::vector<uint8_t> &out) const;
+    void read_depth(std::vector<float> &out) const;
+
+protected:
+    Offscreen(int width, int height) : width_(width), height_(height) {}
+    bool describe(const char *kind, std::string &why_not);  // fills name_, checks that GL answers
+
+private:
+    void read(unsigned format, unsigned type, size_t pixel_bytes, void *out) const;
+
+    int width_, height_;
+    std::string name_;
+};
+
+// Makes a context of width x height pixels (1 to 16384 each) with 24 bits of depth and 8 of stencil, and makes it
+// current. Null, and one sentence in why_not, when this machine cannot.
+std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not);
+
+}  // namespace contexts

@@ -1,0 +1,92 @@
+// OSMesa: Mesa drawing into the program's own memory. Gone from Mesa since 25.1, which is why EGL is the other kind.
+#include "samples/contexts/backends.h"
+
+namespace contexts
+{
+namespace
+{
+
+constexpr unsigned osmesa_rgba = 0x1908, osmesa_rgb_565 = 0x5;
+constexpr unsigned gl_unsigned_byte = 0x1401, gl_unsigned_short_5_6_5 = 0x8363;
+
+struct OsmesaContext;
+struct Library {
+    OsmesaContext *(*create)(unsigned format, int depth_bits, int stencil_bits, int accumulation_bits,
+                             OsmesaContext *share) = nullptr;
+    void (*destroy)(OsmesaContext *) = nullptr;
+    unsigned char (*make_current)(OsmesaContext *, void *buffer, unsigned type, int width, int height) = nullptr;
+    GlFunction (*get_proc_address)(const char *name) = nullptr;
+    OsmesaContext *(*current)() = nullptr;
+    bool complete = false;
+};
+
+const Library &library()
+{
+    static const Library opened = [] {
+        static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", nullptr};
+        Library l;
+        if (void *handle = open_library(names))
+            l.complete = find(handle, "OSMesaCreateContextExt", l.create) &&
+                         find(handle, "OSMesaDestroyContext", l.destroy) &&
+                         find(handle, "OSMesaMakeCurrent", l.make_current) &&
+                         find(handle, "OSMesaGetProcAddress", l.get_proc_address) &&
+                         find(handle, "OSMesaGetCurrentContext", l.current);
+        return l;
+    }();
+    return opened;
+}
+
+class OsmesaOffscreen : public Offscreen
+{
+public:
+    OsmesaOffscreen(int width, int height, PixelFormat format)
+        : Offscreen(width, height),
+          type_(format == PixelFormat::rgb565 ? gl_unsigned_short_5_6_5 : gl_unsigned_byte),
+          pixels_((format == PixelFormat::rgb565 ? 2 : 4) * static_cast<size_t>(width) * static_cast<size_t>(height)),
+          context_(library().create(format == PixelFormat::rgb565 ? osmesa_rgb_565 : osmesa_rgba, 24, 8, 0, nullptr))
+    {
+    }
+    ~OsmesaOffscreen() override
+    {
+        if (!context_) return;
+        if (library().current() == context_) release();
+        library().destroy(context_);
+    }
+
+    bool start(std::string &why_not)
+    {
+        if (context_ && make_current()) return describe("OSMesa", why_not);
+        why_not = "OSMesa: no context of this size and format could be made";
+        return false;
+    }
+    bool make_current() override
+    {
+        return library().make_current(context_, pixels_.data(), type_, width(), height()) != 0;
+    }
+    bool release() override { return library().make_current(nullptr, nullptr, gl_unsigned_byte, 0, 0) != 0; }
+    GetProcAddress get_proc_address() const override
+    {
+        return [](void *, const char *name) { return library().get_proc_address(name); };
+    }
+    void *user() const override { return nullptr; }
+
+private:
+    unsigned type_;
+    std::vector<unsigned char> pixels_;
+    OsmesaContext *context_;
+};
+
+}  // namespace
+
+std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not)
+{
+    if (!library().complete) {
+        why_not = "OSMesa: libOSMesa.so.8 is not there (Debian: libosmesa6)";
+        return nullptr;
+    }
+    auto made = std::make_unique<OsmesaOffscreen>(width, height, format);
+    if (!made->start(why_not)) return nullptr;
+    return made;
+}
+
+}  // namespace contexts
