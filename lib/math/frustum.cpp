@@ -1,0 +1,37 @@
+#include "lib/math/frustum.h"
+
+#include <cmath>
+
+namespace claque::math
+{
+
+Frustum frustum_of(const float projection[16])
+{
+    const auto row = [&](int r, int c) { return double(projection[4 * c + r]); };
+    Frustum out;
+    for (int i = 0; i < 6; ++i) {
+        // -w <= x, x <= w and so on: w + x >= 0, w - x >= 0.
+        const int axis = i / 2;
+        const double sign = i % 2 ? -1.0 : 1.0;
+        const glm::dvec3 n(row(3, 0) + sign * row(axis, 0), row(3, 1) + sign * row(axis, 1),
+                           row(3, 2) + sign * row(axis, 2));
+        const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+        if (!(length > 1e-12)) continue;
+        out.planes[out.count++] = Plane{n / length, (row(3, 3) + sign * row(axis, 3)) / length};
+    }
+    return out;
+}
+
+Inside test(const Frustum &frustum, const glm::dvec3 &c, double radius)
+{
+    Inside result = Inside::wholly;
+    for (int i = 0; i < frustum.count; ++i) {
+        const Plane &p = frustum.planes[i];
+        const double distance = p.normal.x * c.x + p.normal.y * c.y + p.normal.z * c.z + p.offset;
+        if (distance < -radius) return Inside::no;
+        if (distance < radius) result = Inside::crosses;
+    }
+    return result;
+}
+
+}  // namespace claque::math

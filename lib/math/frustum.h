@@ -1,0 +1,27 @@
+// What a projection can show, as planes in eye space, and the sphere test that culling uses (S0 4.2).
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace claque::math
+{
+
+struct Plane {
+    glm::dvec3 normal;  // unit, towards the inside
+    double offset;      // dot(normal, p) + offset is the distance of p, inside positive
+};
+
+struct Frustum {
+    Plane planes[6];  // left, right, bottom, top, near, far
+    int count = 0;    // planes that bound anything: an infinite far plane leaves five
+};
+
+enum class Inside : unsigned char { no = 0, crosses = 1, wholly = 2 };
+
+// Of a column-major GL projection, perspective or parallel, from clip space's six bounds (Gribb and Hartmann 2001).
+Frustum frustum_of(const float projection[16]);
+
+// `no` is certain; a sphere near an edge outside may be said to cross.
+Inside test(const Frustum &frustum, const glm::dvec3 &centre, double radius);
+
+}  // namespace claque::math

@@ -1,0 +1,35 @@
+#include "lib/math/hsb.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::math
+{
+
+void hsb_to_rgb(double hue_deg, double saturation, double brightness, double out_rgb[3])
+{
+    const double s = std::clamp(saturation, 0.0, 1.0), b = std::clamp(brightness, 0.0, 1.0);
+    const double turn = hue_deg / 360 - std::floor(hue_deg / 360);
+    // Each channel is full for a third of the circle round its own hue and fades over a sixth on both sides.
+    for (int channel = 0; channel < 3; ++channel) {
+        double away = std::fabs(turn - channel / 3.0);
+        if (away > 0.5) away = 1 - away;
+        const double share = std::clamp(2 - 6 * away, 0.0, 1.0);
+        out_rgb[channel] = b * (1 - s * (1 - share));
+    }
+}
+
+Rgb8 rgb8_of(const double rgb[3])
+{
+    const auto byte = [](double x) { return static_cast<uint8_t>(std::floor(std::clamp(x, 0.0, 1.0) * 255 + 0.5)); };
+    return {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+}
+
+double hue_in(double first_deg, double last_deg, double u)
+{
+    const double width = last_deg - first_deg + (first_deg > last_deg ? 360 : 0);
+    const double hue = first_deg + u * width;
+    return hue >= 360 ? hue - 360 : hue;
+}
+
+}  // namespace claque::math

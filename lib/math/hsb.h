@@ -1,0 +1,20 @@
+// Hue, saturation, brightness: the space in which people's colours are chosen (S2 5).
+#pragma once
+
+#include <cstdint>
+
+namespace claque::math
+{
+
+struct Rgb8 {
+    uint8_t r, g, b;
+};
+
+// hue in degrees (any, taken round the circle), saturation and brightness in [0, 1] (clamped).
+void hsb_to_rgb(double hue_deg, double saturation, double brightness, double out_rgb[3]);
+Rgb8 rgb8_of(const double rgb[3]);  // rounded to the nearest of 256, clamped
+
+// A hue between two, going up from the first; past 360 when first > last. u in [0, 1).
+double hue_in(double first_deg, double last_deg, double u);
+
+}  // namespace claque::math

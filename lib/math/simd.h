@@ -1,0 +1,28 @@
+// Four floats at once, in the compilers' own vector types: plain multiply and add on any processor, the same bits as
+// the scalar code that does the same steps in the same order.
+#pragma once
+
+#include <cstring>
+
+namespace claque::math
+{
+
+typedef float F4 __attribute__((vector_size(16)));
+
+inline F4 load4(const float *p)
+{
+    F4 v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+
+inline void store4(float *p, F4 v) { std::memcpy(p, &v, sizeof v); }
+inline void store3(float *p, F4 v) { std::memcpy(p, &v, 3 * sizeof(float)); }
+inline F4 splat(float x) { return F4{x, x, x, x}; }
+
+// An affine matrix as four columns of four lanes, lane 3 unused: what chains of products are computed in.
+struct Columns {
+    F4 c[4];
+};
+
+}  // namespace claque::math

@@ -1,0 +1,52 @@
+// One clip at one time to the matrix palette that skinning follows (S1 4), and the weights of morph targets.
+#pragma once
+
+#include "lib/base/span.h"
+#include "lib/base/status.h"
+#include "lib/math/simd.h"
+#include "lib/model/rig.h"
+
+#include <vector>
+
+namespace claque::pose
+{
+
+// Everything the pose of a rig needs; allocates nothing, keeps nothing. Any number may run at once on one Rig.
+struct PoseJob {
+    // in
+    const model::Rig *rig = nullptr;
+    uint32_t clip = model::none;  // none: the rest pose and the rest weights
+    double time_s = 0;            // on the clip's own axis, from start_s on; clamped to each channel's own keys
+
+    // scratch; what is left in it: locals to parents, and globals in model space
+    base::Span<math::Trs> locals;       // [node_count]
+    base::Span<math::Columns> globals;  // [node_count], 16-byte aligned
+
+    // out
+    base::Span<math::Affine> palette;  // [rig.palette.size()], with one more float of memory behind the last
+    base::Span<float> weights;         // [rig.rest_weights.size()]
+
+    base::Status check() const;  // the first broken rule
+    void run() const;            // requires check()
+};
+
+// Owns what a PoseJob asks for. For start-up code and tests: it allocates when it is made.
+class Workspace
+{
+public:
+    explicit Workspace(const model::Rig &rig);
+    // Poses and returns the palette, good until the next call.
+    base::Span<const math::Affine> pose(uint32_t clip, double time_s);
+
+    math::Affine global(uint32_t node) const;  // of the last pose, model space
+    base::Span<const float> weights() const { return base::Span<const float>(weights_); }
+
+private:
+    const model::Rig *rig_;
+    std::vector<math::Trs> locals_;
+    std::vector<math::Columns> globals_;
+    std::vector<math::Affine> palette_;
+    std::vector<float> weights_;
+};
+
+}  // namespace claque::pose
