@@ -1,0 +1,79 @@
+// The animation cache and the geometry cache (S1 4): each individual's last matrix palette, and its skinned positions
+// and normals, in memory of their own within one budget. They are invalidated apart: a change of level skins anew from
+// the palette that is held. Who finds no room is served while drawing (on_demand.h).
+#pragma once
+
+#include "animcache/scratch.h"
+#include "animcache/settings.h"
+#include "lib/base/services.h"
+#include "lib/base/span.h"
+
+namespace claque::animcache
+{
+
+struct Counters {
+    uint32_t due = 0, animated = 0, skinned = 0, palette_served = 0, vertices_served = 0, on_demand = 0;  // last update
+    uint64_t evicted = 0;  // blocks, ever
+    uint64_t bytes = 0;    // held now
+};
+
+class Caches
+{
+public:
+    Caches(std::pmr::memory_resource *memory, const Settings &settings);
+    ~Caches();
+    Caches(const Caches &) = delete;
+    Caches &operator=(const Caches &) = delete;
+
+    // Room for the book-keeping of `row_count` rows and for the scratch of these templates. The only call that may
+    // fail (std::bad_alloc); what is cached stays.
+    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
+
+    // An update, in this order. `requests` ascend by row and stay where they are until the next update.
+    void admit(base::Span<const Request> requests);  // finds room, throwing out who is unseen for longest
+    void find_due();
+    void animate(const base::Jobs &jobs);
+    void skin(const base::Jobs &jobs);
+
+    // Of a row in the last update's requests; null where there was no room.
+    const float *palette_of(uint32_t row) const { return entries_[row].palette; }
+    draw::Vertices vertices_of(uint32_t row) const;
+    const Request &request_of(uint32_t row) const { return requests_[entries_[row].request]; }
+
+    bool was_animated(uint32_t row) const { return entries_[row].animated_at == serial_; }
+    const Counters &counters() const { return counters_; }
+    const Settings &settings() const { return settings_; }
+
+private:
+    struct Entry {
+        const model::Template *tmpl = nullptr;  // whose sizes the blocks have
+        float *palette = nullptr;
+        float *vertices = nullptr;
+        PoseKey palette_key, vertices_key;
+        uint32_t vertices_level = 0;
+        uint32_t request = 0;
+        uint64_t last_seen = 0;
+        uint64_t animated_at = 0;
+    };
+    using Block = float *Entry::*;
+
+    float *take(const Entry &wanted, Block kind);  // null: no room
+    bool evict_one(const Entry &wanted, Block kind, float **taken_over);
+    void find_victims();
+    void release(Entry &entry, Block kind);
+    static size_t block_bytes(const model::Template &tmpl, Block kind);
+
+    std::pmr::memory_resource *memory_;
+    Settings settings_;
+    Counters counters_;
+    uint64_t serial_ = 0;
+    base::Span<const Request> requests_;
+    std::pmr::vector<Entry> entries_;     // by row
+    std::pmr::vector<uint32_t> animate_;  // indices of requests
+    std::pmr::vector<uint32_t> skin_;
+    std::pmr::vector<uint32_t> victims_;  // rows, those to leave first at the end
+    bool victims_known_ = false;
+    ScratchPool scratch_;
+};
+
+}  // namespace claque::animcache

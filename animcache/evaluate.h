@@ -1,0 +1,54 @@
+// Posing and skinning one individual into given memory: what caches and the on-demand server both do, so that a cache
+// can change what a frame costs but never what it shows.
+#pragma once
+
+#include "lib/draw/draw_list.h"
+#include "lib/math/simd.h"
+
+namespace claque::animcache
+{
+
+// Which pose an individual shows. A version stands for one play of one individual, so it names template and clip too.
+struct PoseKey {
+    uint64_t version = 0;  // 0 is no pose
+    double clip_time_s = 0;
+    bool operator==(const PoseKey &o) const { return version == o.version && clip_time_s == o.clip_time_s; }
+};
+
+// One individual that is seen in this update.
+struct Request {
+    const model::Template *tmpl = nullptr;
+    uint32_t row = 0;    // in the crowd
+    uint32_t level = 0;  // of the template
+    uint32_t clip = model::none;
+    PoseKey pose;
+};
+
+// Sizes of memory in floats, for one template or the largest of several.
+struct Sizes {
+    size_t nodes = 0;
+    size_t palette_floats = 0;  // matrices, then morph weights, then padding
+    size_t vertex_floats = 0;   // positions and normals of the largest level, copies included (S1 4), and padding
+    size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals
+    void grow_to(const Sizes &other);
+};
+
+Sizes sizes_of(const model::Template &tmpl);
+
+// Working memory of one task.
+struct Scratch {
+    math::Trs *locals = nullptr;
+    math::Columns *globals = nullptr;
+    float *floats = nullptr;
+    const Sizes *sizes = nullptr;
+};
+
+// palette: [sizes_of(tmpl).palette_floats]
+void animate(const Request &request, const Scratch &scratch, float *palette);
+// vertices: [sizes_of(tmpl).vertex_floats]; palette as animate() left it
+void skin(const Request &request, const float *palette, const Scratch &scratch, float *vertices);
+
+// How a level's vertices lie in such memory.
+draw::Vertices vertices_in(const float *memory, const model::Level &level);
+
+}  // namespace claque::animcache

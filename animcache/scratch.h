@@ -1,0 +1,26 @@
+// Working memory for a fixed number of tasks, grown before a frame begins so that no task allocates. The number of
+// strands does not follow the number of threads: what a task writes to is the same everywhere.
+#pragma once
+
+#include "animcache/evaluate.h"
+
+namespace claque::animcache
+{
+
+class ScratchPool
+{
+public:
+    ScratchPool(std::pmr::memory_resource *memory, uint32_t strands);
+    void reserve(const Sizes &sizes);  // std::bad_alloc: as it was
+    Scratch strand(uint32_t index);
+    uint32_t strand_count() const { return strands_; }
+
+private:
+    uint32_t strands_;
+    Sizes sizes_;
+    std::pmr::vector<math::Trs> locals_;
+    std::pmr::vector<math::Columns> globals_;
+    std::pmr::vector<float> floats_;
+};
+
+}  // namespace claque::animcache

@@ -1,0 +1,96 @@
+// Who is there, where, doing what, in what colours: one row an individual, columns apart (S0 3, S1 1). What a host
+// sets and nothing else; lib/frame reads it, and never writes.
+//
+// Calls throw base::Error (CLQ_STALE_ID, CLQ_ARGUMENT, CLQ_LIMIT) or std::bad_alloc, and leave everything as it was
+// then: each reserves first and commits after. One writer.
+#pragma once
+
+#include "lib/base/span.h"
+#include "lib/crowd/colours.h"
+#include "lib/model/template.h"
+
+namespace claque::crowd
+{
+
+struct Id {
+    uint32_t index1 = 0;  // row + 1; 0 is nobody
+    uint32_t generation = 0;
+};
+
+struct Place {
+    glm::dvec3 position = glm::dvec3(0);            // of the Reference Point
+    glm::quat orientation = glm::quat(1, 0, 0, 0);  // unit within 0.001
+    float scale = 1;                                // finite, not 0; negative mirrors
+};
+
+struct Play {
+    uint32_t clip = model::none;  // of the template; none: the rest pose
+    double start_s = 0;
+    float speed = 1;
+    float phase_s = 0;
+};
+
+// What lasts as long as an individual does.
+struct Actor {
+    uint32_t tmpl = 0;        // of Crowd::templates()
+    uint32_t generation = 0;  // odd while the row is alive
+    uint64_t seed = 0;
+    uint64_t play_version = 0;       // new for every play of every individual: no two states share one
+    uint32_t colours = model::none;  // slot in its template's colour table; none: the template's own
+};
+
+class Crowd
+{
+public:
+    explicit Crowd(std::pmr::memory_resource *memory, uint64_t seed = 0);
+    ~Crowd();
+    Crowd(const Crowd &) = delete;
+    Crowd &operator=(const Crowd &) = delete;
+
+    // The template must outlive the crowd; `has_template` tells beforehand whether it will be a new one to hold.
+    Id create(const model::Template &tmpl, const Place &place, const Play &play, uint64_t seed);
+    void destroy(Id id);
+    void play(Id id, const Play &play);
+    void place(const Id *ids, const Place *places, uint32_t count);  // all or none
+    void set_colours(Id id, const float *rgb, uint32_t zone_count);  // [3 * zone_count], each [0, 1]
+    // count 0: the template's own ranges. Drawn by (seed of crowd, seed of actor, zone): repeatable.
+    void draw_colours(Id id, const model::HsbRange *ranges, uint32_t count);
+
+    bool has_template(const model::Template &tmpl) const;
+    uint32_t row_of(Id id) const;  // throws CLQ_STALE_ID
+
+    uint32_t actor_count() const { return alive_; }
+    uint32_t row_count() const { return static_cast<uint32_t>(actors_.size()); }  // rows of the gone included
+    uint64_t seed() const { return seed_; }
+    uint64_t bytes() const;  // held for the individuals
+    uint64_t fingerprint() const;
+
+    // Columns, by row.
+    bool alive(uint32_t row) const { return actors_[row].generation & 1; }
+    const Actor &actor(uint32_t row) const { return actors_[row]; }
+    const Place &place_of(uint32_t row) const { return places_[row]; }
+    const Play &play_of(uint32_t row) const { return plays_[row]; }
+    Id id_of(uint32_t row) const { return {row + 1, actors_[row].generation}; }
+    const model::Template &template_of(uint32_t row) const { return *templates_[actors_[row].tmpl]; }
+    const uint8_t *zone_rgb(uint32_t row) const;  // 3 a zone, or null: the template's own
+    base::Span<const model::Template *const> templates() const
+    {
+        return {templates_.data(), static_cast<uint32_t>(templates_.size())};
+    }
+
+private:
+    uint32_t hold_template(const model::Template &tmpl);
+    uint32_t colour_slot(uint32_t row);  // its own, made when it has none; may throw
+
+    uint64_t seed_;
+    uint64_t next_version_ = 1;
+    uint32_t alive_ = 0;
+    uint32_t first_free_ = model::none;  // chain of rows through Actor::tmpl
+    std::pmr::vector<const model::Template *> templates_;
+    std::pmr::vector<ColourTable> colours_;  // by template
+    std::pmr::vector<Actor> actors_;
+    std::pmr::vector<Place> places_;
+    std::pmr::vector<Play> plays_;
+};
+
+}  // namespace claque::crowd

@@ -1,0 +1,64 @@
+// One update of a crowd: who is seen, at what rate and level, posed, skinned, listed (S0 4.2, S1 4).
+#pragma once
+
+#include "animcache/caches.h"
+#include "lib/base/services.h"
+#include "lib/crowd/crowd.h"
+#include "lib/frame/stats.h"
+#include "lib/frame/view.h"
+
+namespace claque::frame
+{
+
+// What the last update found out about one row of the crowd.
+struct Seen {
+    bool visible = false;  // in any view, in the last update
+    float period_s = 0;    // of the last update that saw it; 0: every frame
+    double shown_s = 0;    // the tick whose pose it showed then
+};
+
+// What updates of one crowd keep and reuse: results, caches, scratch. Give each crowd one, of the same memory.
+class Frame
+{
+public:
+    Frame(std::pmr::memory_resource *memory, const animcache::Settings &settings);
+
+    const Stats &stats() const { return stats_; }
+    void reset_bands();
+    // Of a row that was created after the last update: not visible.
+    Seen seen(const crowd::Crowd &crowd, uint32_t row) const;
+
+private:
+    friend struct Update;
+    struct Row {
+        Seen seen;
+        uint32_t generation = 0;  // whose result it is
+        uint32_t rung = 0;
+        float distance = 0;        // eyeDistance: to the nearest eye that sees it, world units
+        bool seen_before = false;  // in the update before this one
+    };
+    struct Listed {  // one individual in one view, before its Item is written
+        uint32_t tmpl;
+        float distance;
+        uint32_t row;
+    };
+
+    animcache::Settings settings_;
+    animcache::Caches caches_;
+    Stats stats_;
+    double last_time_s_ = 0;
+    bool has_last_time_ = false;
+    std::pmr::vector<Row> rows_;
+    std::pmr::vector<float> view_distances_;         // [view][row]; negative: not seen
+    std::pmr::vector<animcache::Request> requests_;  // everybody visible, by row
+    std::pmr::vector<Listed> listed_;
+};
+
+// One frame. time_s: the host's clock; may jump, also back. What is shown is a function of it and of the distances.
+//   views   each with its camera; their lists are written
+// Fails: CLQ_ARGUMENT (a time or camera that is not finite), CLQ_OUT_OF_MEMORY; lists and results are then as they
+// were. Never throws. Allocates only when something has grown since the last one.
+base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *const> views, double time_s,
+                    const base::Jobs &jobs) noexcept;
+
+}  // namespace claque::frame

@@ -1,0 +1,32 @@
+// What an update did, for hosts and tests; nothing reads it to decide anything.
+#pragma once
+
+#include <cstdint>
+
+namespace claque::frame
+{
+
+constexpr uint32_t band_count = 8;
+
+// What fell to individuals at one distance, since the counters were reset. animated / seconds is the rate reached.
+struct Band {
+    float distance_first = 0, distance_last = 0;  // world units; the last band is open
+    uint64_t actor_frames = 0;                    // individuals seen, summed over updates
+    double seconds = 0;     // of the host's clock, between updates that both saw the individual and were < 1 s apart
+    uint64_t animated = 0;  // poses evaluated in that time
+};
+
+struct Stats {
+    uint32_t visible = 0;          // in any view
+    uint32_t due = 0;              // of these, whose palette held was not that of their tick
+    uint32_t animated = 0;         // poses evaluated
+    uint32_t skinned = 0;          // individuals skinned
+    uint32_t palette_served = 0;   // palettes used again
+    uint32_t vertices_served = 0;  // vertices used again
+    uint32_t on_demand = 0;        // left for the drawing: no room
+    uint64_t evicted = 0;          // blocks thrown out, since the caches were made
+    uint64_t cache_bytes = 0, cache_budget_bytes = 0;
+    Band bands[band_count];
+};
+
+}  // namespace claque::frame
