@@ -1,0 +1,138 @@
+#include <claque/crowd.h>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+#include "lib/api/template_def.h"
+
+using namespace claque;
+
+namespace claque::api
+{
+
+crowd::Place place_of(const clq_place &place)
+{
+    crowd::Place out;
+    out.position = glm::dvec3(place.position[0], place.position[1], place.position[2]);
+    const float *q = place.orientation_xyzw;
+    if (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0) out.orientation = glm::quat(q[3], q[0], q[1], q[2]);
+    if (place.scale != 0) out.scale = place.scale;
+    return out;
+}
+
+crowd::Play play_of(const clq_play &play) { return {play.clip, play.start_s, play.speed, play.phase_s}; }
+
+}  // namespace claque::api
+
+namespace
+{
+
+// Holds a template that a crowd is about to use for the first time, and lets it go again unless `keep` is called.
+class NewTemplate
+{
+public:
+    NewTemplate(clq_crowd *crowd, clq_template *tmpl) : crowd_(crowd)
+    {
+        if (crowd->crowd.has_template(*tmpl)) return;
+        crowd->held.push_back(tmpl);
+        api::hold(tmpl);
+        held_ = true;
+    }
+    NewTemplate(const NewTemplate &) = delete;
+    NewTemplate &operator=(const NewTemplate &) = delete;
+    ~NewTemplate()
+    {
+        if (!held_) return;
+        api::let_go(crowd_->held.back());
+        crowd_->held.pop_back();
+    }
+    void keep() { held_ = false; }
+
+private:
+    clq_crowd *crowd_;
+    bool held_ = false;
+};
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_actor *out)
+{
+    return api::boundary("clq_actor_create", [&] {
+        api::require(crowd && def && out, "crowd, def or out is NULL");
+        api::require_size(def, "clq_actor_def_init");
+        api::require(def->tmpl != nullptr, "tmpl is NULL");
+        api::require(def->tmpl->context == crowd->context, "the template was made from another context");
+        const api::Busy busy(crowd);
+        NewTemplate held(crowd, def->tmpl);
+        const crowd::Id id =
+            crowd->crowd.create(*def->tmpl, api::place_of(def->place), api::play_of(def->play), def->seed);
+        held.keep();
+        *out = {id.index1, id.generation};
+    });
+}
+
+clq_status clq_actor_destroy(clq_crowd *crowd, clq_actor actor)
+{
+    return api::boundary("clq_actor_destroy", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.destroy(api::id_of(actor));
+    });
+}
+
+clq_status clq_actor_play(clq_crowd *crowd, clq_actor actor, const clq_play *play)
+{
+    return api::boundary("clq_actor_play", [&] {
+        api::require(crowd && play, "crowd or play is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.play(api::id_of(actor), api::play_of(*play));
+    });
+}
+
+clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, const float *rgb, uint32_t zone_count)
+{
+    return api::boundary("clq_actor_set_colours", [&] {
+        api::require(crowd && rgb, "crowd or rgb is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.set_colours(api::id_of(actor), rgb, zone_count);
+    });
+}
+
+clq_status clq_actor_draw_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges, uint32_t zone_count)
+{
+    return api::boundary("clq_actor_draw_colours", [&] {
+        api::require(crowd && (ranges || zone_count == 0), "crowd or ranges is NULL");
+        const api::Busy busy(crowd);
+        std::pmr::vector<model::HsbRange> wanted(&crowd->context->memory);
+        wanted.reserve(zone_count);
+        for (uint32_t i = 0; i < zone_count; ++i) wanted.push_back(api::range_of(ranges[i]));
+        crowd->crowd.draw_colours(api::id_of(actor), wanted.data(), zone_count);
+    });
+}
+
+clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor_info *out)
+{
+    return api::boundary("clq_actor_get_info", [&] {
+        api::require(crowd && out, "crowd or out is NULL");
+        const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
+        const crowd::Place &place = crowd->crowd.place_of(row);
+        const crowd::Play &play = crowd->crowd.play_of(row);
+        const frame::Seen seen = crowd->frame.seen(crowd->crowd, row);
+        clq_actor_info info{};
+        info.tmpl = static_cast<const clq_template *>(&crowd->crowd.template_of(row));
+        for (int k = 0; k < 3; ++k) info.place.position[k] = place.position[k];
+        const glm::quat &q = place.orientation;
+        info.place.orientation_xyzw[0] = q.x, info.place.orientation_xyzw[1] = q.y;
+        info.place.orientation_xyzw[2] = q.z, info.place.orientation_xyzw[3] = q.w;
+        info.place.scale = place.scale;
+        info.play = {play.clip, play.start_s, play.speed, play.phase_s};
+        info.seed = crowd->crowd.actor(row).seed;
+        info.visible = seen.visible;
+        info.period_s = seen.period_s;
+        info.shown_s = seen.shown_s;
+        *out = info;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,148 @@
+#include <claque/crowd.h>
+
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+
+using namespace claque;
+
+namespace
+{
+
+animcache::Settings settings_of(const clq_crowd_def &def)
+{
+    using api::require;
+    require(def.cache == CLQ_CACHE_FULL || def.cache == CLQ_CACHE_ANIMATION || def.cache == CLQ_CACHE_NONE,
+            "cache is none of CLQ_CACHE_FULL, CLQ_CACHE_ANIMATION, CLQ_CACHE_NONE");
+    if (!(def.period_near_s >= 0 && def.period_near_s <= 1))
+        base::fail(CLQ_ARGUMENT, "period_near_s is %g: 0 to 1 is wanted", static_cast<double>(def.period_near_s));
+    if (!(def.period_far_s >= def.period_near_s) || !std::isfinite(def.period_far_s))
+        base::fail(CLQ_ARGUMENT, "period_far_s is %g: at least period_near_s (%g) is wanted",
+                   static_cast<double>(def.period_far_s), static_cast<double>(def.period_near_s));
+    if (!(def.distance_near >= 0) || !(def.distance_far > def.distance_near) || !std::isfinite(def.distance_far))
+        base::fail(CLQ_ARGUMENT, "distance_near is %g and distance_far %g: 0 <= near < far is wanted",
+                   static_cast<double>(def.distance_near), static_cast<double>(def.distance_far));
+    if (!(def.metres_per_unit > 0) || !std::isfinite(def.metres_per_unit))
+        base::fail(CLQ_ARGUMENT, "metres_per_unit is %g: more than 0 is wanted",
+                   static_cast<double>(def.metres_per_unit));
+    animcache::Settings settings;
+    settings.mode = static_cast<animcache::Mode>(def.cache);
+    if (def.cache_budget_bytes) settings.budget_bytes = def.cache_budget_bytes;
+    settings.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
+    settings.metres_per_unit = def.metres_per_unit;
+    return settings;
+}
+
+}  // namespace
+
+clq_crowd::~clq_crowd()
+{
+    for (clq_view *view : views) {
+        view->~clq_view();
+        context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
+    }
+}
+
+extern "C" {
+
+clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_crowd **out)
+{
+    return api::boundary("clq_crowd_create", [&] {
+        api::require(context && out, "context or out is NULL");
+        api::require_size(def, "clq_crowd_def_init");
+        const clq_crowd_def wanted = def ? *def : clq_crowd_def_init();
+        *out = api::make<clq_crowd>(context, context, settings_of(wanted), wanted.seed);
+    });
+}
+
+void clq_crowd_destroy(clq_crowd *crowd)
+{
+    if (!crowd) return;
+    // Templates go last: the crowd's columns point at them.
+    std::pmr::vector<clq_template *> held(std::move(crowd->held));
+    api::unmake(crowd->context, crowd);
+    for (clq_template *tmpl : held) api::let_go(tmpl);
+}
+
+clq_status clq_crowd_place(clq_crowd *crowd, const clq_actor *actors, const clq_place *places, uint32_t count)
+{
+    return api::boundary("clq_crowd_place", [&] {
+        api::require(crowd && ((actors && places) || count == 0), "crowd, actors or places is NULL");
+        const api::Busy busy(crowd);
+        std::pmr::vector<crowd::Id> ids(&crowd->context->memory);
+        std::pmr::vector<crowd::Place> wanted(&crowd->context->memory);
+        ids.reserve(count);
+        wanted.reserve(count);
+        for (uint32_t i = 0; i < count; ++i) {
+            ids.push_back(api::id_of(actors[i]));
+            wanted.push_back(api::place_of(places[i]));
+        }
+        crowd->crowd.place(ids.data(), wanted.data(), count);
+    });
+}
+
+uint32_t clq_crowd_actor_count(const clq_crowd *crowd) { return crowd ? crowd->crowd.actor_count() : 0; }
+
+clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *views, uint32_t view_count)
+{
+    return api::boundary("clq_crowd_update", [&] {
+        api::require(crowd && (views || view_count == 0), "crowd or views is NULL");
+        const api::Busy busy(crowd);
+        crowd->asked.clear();
+        for (uint32_t i = 0; i < view_count; ++i) {
+            api::require(views[i] != nullptr, "a view is NULL");
+            if (views[i]->crowd != crowd) base::fail(CLQ_ARGUMENT, "view %u belongs to another crowd", i);
+            for (uint32_t k = 0; k < i; ++k)
+                if (views[k] == views[i]) base::fail(CLQ_ARGUMENT, "views %u and %u are the same", k, i);
+            crowd->asked.push_back(&views[i]->view);
+        }
+        api::require(frame::update(crowd->crowd, crowd->frame,
+                                   base::Span<frame::View *const>(crowd->asked.data(), view_count), time_s,
+                                   crowd->context->jobs));
+        for (clq_view *view : crowd->views) {
+            bool asked = false;
+            for (uint32_t i = 0; i < view_count; ++i) asked = asked || views[i] == view;
+            if (!asked) view->view.list.items.clear();
+        }
+    });
+}
+
+clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
+{
+    return api::boundary("clq_crowd_get_stats", [&] {
+        api::require(crowd && out, "crowd or out is NULL");
+        const frame::Stats &stats = crowd->frame.stats();
+        clq_crowd_stats result{};
+        result.actor_count = crowd->crowd.actor_count();
+        result.visible = stats.visible;
+        result.due = stats.due;
+        result.animated = stats.animated;
+        result.skinned = stats.skinned;
+        result.palette_served = stats.palette_served;
+        result.vertices_served = stats.vertices_served;
+        result.on_demand = stats.on_demand;
+        result.evicted = stats.evicted;
+        result.cache_bytes = stats.cache_bytes;
+        result.cache_budget_bytes = stats.cache_budget_bytes;
+        result.actor_bytes = crowd->crowd.bytes();
+        static_assert(CLQ_BAND_COUNT == frame::band_count, "the C API shows every band");
+        for (uint32_t i = 0; i < CLQ_BAND_COUNT; ++i) {
+            const frame::Band &band = stats.bands[i];
+            result.bands[i] = {band.distance_first, band.distance_last, band.actor_frames, band.seconds, band.animated};
+        }
+        *out = result;
+    });
+}
+
+clq_status clq_crowd_reset_bands(clq_crowd *crowd)
+{
+    return api::boundary("clq_crowd_reset_bands", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        crowd->frame.reset_bands();
+    });
+}
+
+uint64_t clq_crowd_fingerprint(const clq_crowd *crowd) { return crowd ? crowd->crowd.fingerprint() : 0; }
+
+}  // extern "C"

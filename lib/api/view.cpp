@@ -1,0 +1,89 @@
+#include <claque/view.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+
+using namespace claque;
+
+extern "C" {
+
+clq_status clq_camera_look_at(clq_camera *camera, const double eye[3], const double target[3], const float up[3],
+                              float fov_y_rad, float aspect, float z_near, float z_far)
+{
+    return api::boundary("clq_camera_look_at", [&] {
+        api::require(camera && eye && target && up, "camera, eye, target or up is NULL");
+        const frame::Camera made =
+            frame::look_at(glm::dvec3(eye[0], eye[1], eye[2]), glm::dvec3(target[0], target[1], target[2]),
+                           glm::vec3(up[0], up[1], up[2]), fov_y_rad, aspect, z_near, z_far);
+        for (int k = 0; k < 3; ++k) camera->eye[k] = made.eye[k];
+        camera->rotation_xyzw[0] = made.rotation.x, camera->rotation_xyzw[1] = made.rotation.y;
+        camera->rotation_xyzw[2] = made.rotation.z, camera->rotation_xyzw[3] = made.rotation.w;
+        std::copy(made.projection, made.projection + 16, camera->projection);
+    });
+}
+
+clq_status clq_view_create(clq_crowd *crowd, clq_view **out)
+{
+    return api::boundary("clq_view_create", [&] {
+        api::require(crowd && out, "crowd or out is NULL");
+        const api::Busy busy(crowd);
+        crowd->views.reserve(crowd->views.size() + 1);
+        base::HostMemory &memory = crowd->context->memory;
+        void *place = memory.allocate(sizeof(clq_view), alignof(clq_view));
+        try {
+            crowd->views.push_back(new (place) clq_view(crowd));
+        } catch (...) {
+            memory.deallocate(place, sizeof(clq_view), alignof(clq_view));
+            throw;
+        }
+        *out = crowd->views.back();
+    });
+}
+
+void clq_view_destroy(clq_view *view)
+{
+    if (!view) return;
+    clq_crowd *crowd = view->crowd;
+    crowd->views.erase(std::remove(crowd->views.begin(), crowd->views.end(), view), crowd->views.end());
+    view->~clq_view();
+    crowd->context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
+}
+
+clq_status clq_view_look(clq_view *view, const clq_camera *camera)
+{
+    return api::boundary("clq_view_look", [&] {
+        api::require(view && camera, "view or camera is NULL");
+        const api::Busy busy(view->crowd);
+        frame::Camera wanted;
+        wanted.eye = glm::dvec3(camera->eye[0], camera->eye[1], camera->eye[2]);
+        const float *q = camera->rotation_xyzw;
+        wanted.rotation = glm::quat(q[3], q[0], q[1], q[2]);
+        bool finite = std::isfinite(wanted.eye.x) && std::isfinite(wanted.eye.y) && std::isfinite(wanted.eye.z);
+        for (int k = 0; k < 16; ++k) {
+            wanted.projection[k] = camera->projection[k];
+            finite = finite && std::isfinite(camera->projection[k]);
+        }
+        api::require(finite, "the eye or the projection is not finite");
+        const float length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+        if (!(std::fabs(length - 1) <= 2e-3f))
+            base::fail(CLQ_ARGUMENT, "the camera's rotation has length %g: a unit quaternion is wanted",
+                       std::sqrt(static_cast<double>(length)));
+        view->view.camera = wanted;
+    });
+}
+
+clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
+{
+    return api::boundary("clq_view_get_stats", [&] {
+        api::require(view && out, "view or out is NULL");
+        out->visible = static_cast<uint32_t>(view->view.list.items.size());
+        out->triangles = static_cast<uint32_t>(frame::triangle_count(view->view.list));
+    });
+}
+
+uint64_t clq_view_hash(const clq_view *view) { return view ? frame::hash(view->view.list) : 0; }
+
+}  // extern "C"
