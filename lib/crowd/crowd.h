@@ -79,7 +79,6 @@ public:
     }
 
 private:
-    uint32_t hold_template(const model::Template &tmpl);
     uint32_t colour_slot(uint32_t row);  // its own, made when it has none; may throw
 
     uint64_t seed_;

@@ -1,0 +1,87 @@
+// Colours of individuals: given, or drawn inside HSB ranges, repeatably from seeds (S2 5).
+#include <cmath>
+
+#include "lib/base/error.h"
+#include "lib/base/hash.h"
+#include "lib/crowd/crowd.h"
+#include "lib/math/hsb.h"
+
+namespace claque::crowd
+{
+
+using base::fail;
+
+namespace
+{
+
+void check_range(const model::HsbRange &range, uint32_t zone)
+{
+    const auto between = [](float x, float last) { return x >= 0 && x <= last; };
+    if (!between(range.hue_first_deg, 360) || !between(range.hue_last_deg, 360) ||
+        !between(range.saturation_first, 1) || !between(range.saturation_last, 1) ||
+        !between(range.brightness_first, 1) || !between(range.brightness_last, 1))
+        fail(CLQ_ARGUMENT, "the range of zone %u leaves [0, 360] degrees or [0, 1]", zone);
+}
+
+math::Rgb8 draw(const model::HsbRange &range, uint64_t crowd_seed, uint64_t seed, uint32_t zone)
+{
+    const auto unit = [&](base::Purpose purpose) {
+        return double(base::unit(base::hash(crowd_seed, seed, purpose, zone)));
+    };
+    const auto in = [](double first, double last, double u) { return first + u * (last - first); };
+    double rgb[3];
+    math::hsb_to_rgb(math::hue_in(range.hue_first_deg, range.hue_last_deg, unit(base::Purpose::hue)),
+                     in(range.saturation_first, range.saturation_last, unit(base::Purpose::saturation)),
+                     in(range.brightness_first, range.brightness_last, unit(base::Purpose::brightness)), rgb);
+    return math::rgb8_of(rgb);
+}
+
+void store(uint8_t *to, math::Rgb8 rgb) { to[0] = rgb.r, to[1] = rgb.g, to[2] = rgb.b; }
+
+void require_zones(const model::Template &tmpl, uint32_t count)
+{
+    if (count != tmpl.zone_count())
+        fail(CLQ_ARGUMENT, "%u zones were given; template '%s' has %u", count, tmpl.name.c_str(), tmpl.zone_count());
+}
+
+}  // namespace
+
+uint32_t Crowd::colour_slot(uint32_t row)
+{
+    Actor &actor = actors_[row];
+    if (actor.colours == model::none) actor.colours = colours_[actor.tmpl].take();
+    return actor.colours;
+}
+
+void Crowd::set_colours(Id id, const float *rgb, uint32_t zone_count)
+{
+    const uint32_t row = row_of(id);
+    require_zones(template_of(row), zone_count);
+    for (uint32_t i = 0; i < 3 * zone_count; ++i)
+        if (!(rgb[i] >= 0 && rgb[i] <= 1))
+            fail(CLQ_ARGUMENT, "channel %u of zone %u is %g: it must lie in [0, 1]", i % 3, i / 3, double(rgb[i]));
+    if (zone_count == 0) return;
+    uint8_t *to = colours_[actors_[row].tmpl].row(colour_slot(row));
+    for (uint32_t zone = 0; zone < zone_count; ++zone) {
+        const double colour[3] = {rgb[3 * zone], rgb[3 * zone + 1], rgb[3 * zone + 2]};
+        store(to + 3 * zone, math::rgb8_of(colour));
+    }
+}
+
+void Crowd::draw_colours(Id id, const model::HsbRange *ranges, uint32_t count)
+{
+    const uint32_t row = row_of(id);
+    const model::Template &tmpl = template_of(row);
+    if (count == 0) {
+        ranges = tmpl.zone_ranges.data();
+    } else {
+        require_zones(tmpl, count);
+        for (uint32_t zone = 0; zone < count; ++zone) check_range(ranges[zone], zone);
+    }
+    if (tmpl.zone_count() == 0) return;
+    uint8_t *to = colours_[actors_[row].tmpl].row(colour_slot(row));
+    for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone)
+        store(to + 3 * zone, draw(ranges[zone], seed_, actors_[row].seed, zone));
+}
+
+}  // namespace claque::crowd
