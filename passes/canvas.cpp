@@ -1,0 +1,150 @@
+#include "passes/canvas.h"
+
+namespace claque::passes
+{
+namespace
+{
+
+// One rounding for all strategies and both formats, or their pictures would differ by a bit.
+constexpr uint8_t product(uint8_t a, uint8_t b) { return static_cast<uint8_t>((2 * a * b + 255) / 510); }
+constexpr float real_of(uint8_t value) { return static_cast<float>(value) / 255.0f; }
+
+const uint8_t *rgb_of(const Individual &who, const ZoneTest &test) { return who.zone_rgb + 3 * test.zone; }
+
+struct UbyteColours {
+    using Colour = Ubyte4;
+    static constexpr gl::Enum type = gl::unsigned_byte;
+    static Colour make(const uint8_t *rgb, uint8_t alpha, float) { return {rgb[0], rgb[1], rgb[2], alpha}; }
+    static void tint(Colour &colour, const uint8_t *by)
+    {
+        for (int c = 0; c < 3; ++c) colour[c] = product(colour[c], by[c]);
+    }
+};
+
+struct RealColours {
+    using Colour = Real4;
+    static constexpr gl::Enum type = gl::real;
+    static Colour make(const uint8_t *rgb, uint8_t, float alpha)
+    {
+        return {real_of(rgb[0]), real_of(rgb[1]), real_of(rgb[2]), alpha};
+    }
+    static void tint(Colour &colour, const uint8_t *by)
+    {
+        for (int c = 0; c < 3; ++c)
+            colour[c] = real_of(product(static_cast<uint8_t>(colour[c] * 255.0f + 0.5f), by[c]));
+    }
+};
+
+template <class Format>
+void fill_table(const Individual &who, const PreparedTexture &texture, Array<typename Format::Colour> &table)
+{
+    for (size_t zone = 0; zone < texture.tests.size(); ++zone) {
+        const ZoneTest &test = texture.tests[zone];
+        table[2 * zone] = Format::make(rgb_of(who, test), 255, 1.0f);
+        table[2 * zone + 1] = Format::make(rgb_of(who, test), test.threshold_ubyte, test.threshold_real);
+    }
+}
+
+template <class Format>
+void tint(const model::Level &level, VertexRange range, typename Format::Colour *colours)
+{
+    if (level.colours.empty()) return;
+    for (uint32_t v = range.first; v < range.end; ++v) Format::tint(colours[v], &level.colours[4 * v]);
+}
+
+template <class Format>
+void fill_by_slot(const Individual &who, const PreparedTexture &texture, VertexRange range,
+                  Array<typename Format::Colour> &table, Array<typename Format::Colour> &colours)
+{
+    fill_table<Format>(who, texture, table);
+    const uint16_t *slots = who.level->slots.data();
+    for (uint32_t v = range.first; v < range.end; ++v) colours[v] = table[slots[v]];
+    tint<Format>(*who.level, range, colours.data());
+}
+
+template <class Format>
+void fill_with_zone(const Individual &who, const ZoneTest &test, Array<typename Format::Colour> &colours)
+{
+    const VertexRange sources = {0, who.level->source_count};
+    const typename Format::Colour colour = Format::make(rgb_of(who, test), 255, 1.0f);
+    for (uint32_t v = sources.first; v < sources.end; ++v) colours[v] = colour;
+    tint<Format>(*who.level, sources, colours.data());
+}
+
+}  // namespace
+
+void Scratch::reserve(ColourFormat format, uint32_t vertices, uint32_t slots)
+{
+    const auto grow = [](auto &array, uint32_t count) {
+        if (array.size() < count) array.resize(count);
+    };
+    if (format == ColourFormat::ubyte) {
+        grow(ubyte, vertices);
+        grow(ubyte_table, slots);
+    } else {
+        grow(real, vertices);
+        grow(real_table, slots);
+    }
+}
+
+void Canvas::place(const Individual &who)
+{
+    gl_.LoadMatrixf(who.item->model_view);
+    gl_.VertexPointer(3, gl::real, 0, who.vertices.positions);
+    gl_.NormalPointer(gl::real, 0, who.vertices.normals);
+    gl_.TexCoordPointer(2, gl::real, 0, who.level->uvs.data());
+    ++stats_.individuals;
+    stats_.vertices += who.prepared->strategy == Strategy::fused ? who.level->vertex_count : who.level->source_count;
+}
+
+SurfaceState Canvas::state_of(const Individual &who, const model::Surface &surface)
+{
+    SurfaceState state;
+    state.texture = who.prepared->textures[surface.texture].name;
+    state.double_sided = surface.double_sided;
+    state.mirrored = who.item->mirrored;
+    state.colour_array = !who.level->colours.empty();
+    return state;
+}
+
+void Canvas::use_zone_colour(const Individual &who, const ZoneTest &test)
+{
+    const uint8_t *rgb = rgb_of(who, test);
+    const bool ubyte = options_.colours == ColourFormat::ubyte;
+    if (!who.level->colours.empty()) {
+        ubyte ? fill_with_zone<UbyteColours>(who, test, scratch_.ubyte)
+              : fill_with_zone<RealColours>(who, test, scratch_.real);
+        ubyte ? gl_.ColorPointer(4, gl::unsigned_byte, 0, scratch_.ubyte.data())
+              : gl_.ColorPointer(4, gl::real, 0, scratch_.real.data());
+    } else if (ubyte) {
+        gl_.Color4ub(rgb[0], rgb[1], rgb[2], 255);
+    } else {
+        gl_.Color4f(real_of(rgb[0]), real_of(rgb[1]), real_of(rgb[2]), 1.0f);
+    }
+}
+
+void Canvas::use_slot_colours(const Individual &who, uint32_t surface_index)
+{
+    const PreparedTexture &texture = who.prepared->textures[who.level->surfaces[surface_index].texture];
+    const VertexRange range = who.ready->fused_vertices[surface_index];
+    if (options_.colours == ColourFormat::ubyte) {
+        fill_by_slot<UbyteColours>(who, texture, range, scratch_.ubyte_table, scratch_.ubyte);
+        gl_.ColorPointer(4, gl::unsigned_byte, 0, scratch_.ubyte.data());
+    } else {
+        fill_by_slot<RealColours>(who, texture, range, scratch_.real_table, scratch_.real);
+        gl_.ColorPointer(4, gl::real, 0, scratch_.real.data());
+    }
+}
+
+void Canvas::triangles(const Individual &who, model::IndexRange range)
+{
+    if (range.count == 0) return;
+    const int32_t count = static_cast<int32_t>(range.count);
+    if (who.ready->short_indices.empty())
+        gl_.DrawElements(gl::triangles, count, gl::unsigned_int, who.level->indices.data() + range.first);
+    else gl_.DrawElements(gl::triangles, count, gl::unsigned_short, who.ready->short_indices.data() + range.first);
+    ++stats_.draws;
+    stats_.triangles += range.count / 3;
+}
+
+}  // namespace claque::passes

@@ -1,0 +1,23 @@
+#include "passes/strategies.h"
+
+namespace claque::passes
+{
+
+void draw_fused(Canvas &canvas, const Individual &who)
+{
+    for (uint32_t i = 0; i < who.level->surfaces.size(); ++i) {
+        const model::Surface &surface = who.level->surfaces[i];
+        if (surface.fused.count == 0) continue;
+        SurfaceState state = Canvas::state_of(who, surface);
+        state.colour_array = true;
+        if (surface.dirty.count != 0 || who.prepared->source->textures[surface.texture].has_holes) {
+            state.alpha_function = gl::gequal;
+            state.alpha_reference = who.prepared->textures[surface.texture].fused_reference;
+        }
+        canvas.apply(state);
+        canvas.use_slot_colours(who, i);
+        canvas.triangles(who, surface.fused);
+    }
+}
+
+}  // namespace claque::passes

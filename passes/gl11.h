@@ -1,0 +1,126 @@
+// The part of OpenGL 1.1 that claque draws with: a table of function pointers, asked from the host, and the values that
+// go into them. No system header of GL is used and no library linked; this table is the whole of what may be called.
+#pragma once
+
+#include "lib/base/status.h"
+
+#include <cstdint>
+
+#if defined(_WIN32)
+#define CLAQUE_GL_CALL __stdcall
+#else
+#define CLAQUE_GL_CALL
+#endif
+
+namespace claque::passes
+{
+
+using GlFunction = void (*)();
+using GetProcAddress = GlFunction (*)(void *user, const char *name);
+
+namespace gl
+{
+using Enum = uint32_t;
+using Bits = uint32_t;
+using Bool = uint8_t;
+
+constexpr Bool no = 0, yes = 1;
+
+constexpr Enum back = 0x0405, cw = 0x0900, ccw = 0x0901, front_and_back = 0x0408;
+constexpr Enum triangles = 0x0004;
+constexpr Enum unsigned_byte = 0x1401, unsigned_short = 0x1403, unsigned_int = 0x1405, real = 0x1406;
+constexpr Enum equal = 0x0202, lequal = 0x0203, gequal = 0x0206;
+
+constexpr Enum version = 0x1F02, extensions = 0x1F03;
+constexpr Enum render_mode = 0x0C40, render = 0x1C00, rgba_mode = 0x0C31, list_index = 0x0B33;
+constexpr Enum attrib_stack_depth = 0x0BB0, client_attrib_stack_depth = 0x0BB1;
+constexpr Enum max_attrib_stack_depth = 0x0D35, max_client_attrib_stack_depth = 0x0D3B, max_texture_size = 0x0D33;
+
+constexpr Enum matrix_mode = 0x0BA0, modelview = 0x1700, projection = 0x1701, texture = 0x1702;
+constexpr Enum modelview_matrix = 0x0BA6, projection_matrix = 0x0BA7, texture_matrix = 0x0BA8;
+
+constexpr Enum alpha_test = 0x0BC0, blend = 0x0BE2, colour_logic_op = 0x0BF2, colour_writemask = 0x0C23;
+constexpr Enum cull_face = 0x0B44, depth_test = 0x0B71, normalize = 0x0BA1;
+constexpr Enum line_smooth = 0x0B20, line_stipple = 0x0B24, polygon_smooth = 0x0B41, polygon_stipple = 0x0B42;
+constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;  // the last is GL 1.3: used where the host has it
+constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_model_two_side = 0x0B52;
+
+constexpr Enum texture_2d = 0x0DE1, proxy_texture_2d = 0x8064, texture_env = 0x2300, texture_env_mode = 0x2200;
+constexpr Enum texture_gen_s = 0x0C60, texture_gen_t = 0x0C61, texture_gen_r = 0x0C62, texture_gen_q = 0x0C63;
+constexpr Enum texture_mag_filter = 0x2800, texture_min_filter = 0x2801, wrap_s = 0x2802, wrap_t = 0x2803;
+constexpr Enum nearest = 0x2600, clamp = 0x2900, repeat = 0x2901, modulate = 0x2100;
+constexpr Enum rgba = 0x1908, rgba8 = 0x8058, texture_width = 0x1000, texture_alpha_size = 0x805F;
+constexpr Enum unpack_swap_bytes = 0x0CF0, unpack_lsb_first = 0x0CF1, unpack_row_length = 0x0CF2;
+constexpr Enum unpack_skip_rows = 0x0CF3, unpack_skip_pixels = 0x0CF4, unpack_alignment = 0x0CF5;
+constexpr Enum map_colour = 0x0D10;
+constexpr Enum red_scale = 0x0D14, red_bias = 0x0D15, green_scale = 0x0D18, green_bias = 0x0D19;
+constexpr Enum blue_scale = 0x0D1A, blue_bias = 0x0D1B, alpha_scale = 0x0D1C, alpha_bias = 0x0D1D;
+
+constexpr Enum vertex_array = 0x8074, normal_array = 0x8075, colour_array = 0x8076, index_array = 0x8077;
+constexpr Enum texture_coord_array = 0x8078, edge_flag_array = 0x8079;
+
+constexpr Bits current_bit = 0x1, polygon_bit = 0x8, pixel_mode_bit = 0x20, lighting_bit = 0x40;
+constexpr Bits depth_buffer_bit = 0x100, enable_bit = 0x2000, colour_buffer_bit = 0x4000, texture_bit = 0x40000;
+constexpr Bits client_pixel_store_bit = 0x1, client_vertex_array_bit = 0x2;
+}  // namespace gl
+
+struct Gl11 {
+    using Enum = gl::Enum;
+    using Bits = gl::Bits;
+    using Bool = gl::Bool;
+
+    const uint8_t *(CLAQUE_GL_CALL *GetString)(Enum name) = nullptr;
+    void(CLAQUE_GL_CALL *GetIntegerv)(Enum name, int32_t *out) = nullptr;
+    void(CLAQUE_GL_CALL *GetDoublev)(Enum name, double *out) = nullptr;
+    Bool(CLAQUE_GL_CALL *IsEnabled)(Enum what) = nullptr;
+
+    void(CLAQUE_GL_CALL *Enable)(Enum what) = nullptr;
+    void(CLAQUE_GL_CALL *Disable)(Enum what) = nullptr;
+    void(CLAQUE_GL_CALL *AlphaFunc)(Enum function, float reference) = nullptr;
+    void(CLAQUE_GL_CALL *DepthFunc)(Enum function) = nullptr;
+    void(CLAQUE_GL_CALL *DepthMask)(Bool writes) = nullptr;
+    void(CLAQUE_GL_CALL *ColorMask)(Bool r, Bool g, Bool b, Bool a) = nullptr;
+    void(CLAQUE_GL_CALL *CullFace)(Enum face) = nullptr;
+    void(CLAQUE_GL_CALL *FrontFace)(Enum winding) = nullptr;
+    void(CLAQUE_GL_CALL *LightModeli)(Enum name, int32_t value) = nullptr;
+    void(CLAQUE_GL_CALL *ColorMaterial)(Enum face, Enum what) = nullptr;
+    void(CLAQUE_GL_CALL *TexEnvi)(Enum target, Enum name, int32_t value) = nullptr;
+
+    void(CLAQUE_GL_CALL *PushAttrib)(Bits groups) = nullptr;
+    void(CLAQUE_GL_CALL *PopAttrib)() = nullptr;
+    void(CLAQUE_GL_CALL *PushClientAttrib)(Bits groups) = nullptr;
+    void(CLAQUE_GL_CALL *PopClientAttrib)() = nullptr;
+    void(CLAQUE_GL_CALL *MatrixMode)(Enum stack) = nullptr;
+    void(CLAQUE_GL_CALL *LoadIdentity)() = nullptr;
+    void(CLAQUE_GL_CALL *LoadMatrixf)(const float *columns) = nullptr;
+    void(CLAQUE_GL_CALL *LoadMatrixd)(const double *columns) = nullptr;
+
+    void(CLAQUE_GL_CALL *GenTextures)(int32_t count, uint32_t *names) = nullptr;
+    void(CLAQUE_GL_CALL *DeleteTextures)(int32_t count, const uint32_t *names) = nullptr;
+    void(CLAQUE_GL_CALL *BindTexture)(Enum target, uint32_t name) = nullptr;
+    void(CLAQUE_GL_CALL *TexImage2D)(Enum target, int32_t level, int32_t internal_format, int32_t width, int32_t height,
+                                     int32_t border, Enum format, Enum type, const void *pixels) = nullptr;
+    void(CLAQUE_GL_CALL *TexParameteri)(Enum target, Enum name, int32_t value) = nullptr;
+    void(CLAQUE_GL_CALL *GetTexLevelParameteriv)(Enum target, int32_t level, Enum name, int32_t *out) = nullptr;
+    void(CLAQUE_GL_CALL *PixelStorei)(Enum name, int32_t value) = nullptr;
+    void(CLAQUE_GL_CALL *PixelTransferf)(Enum name, float value) = nullptr;
+
+    void(CLAQUE_GL_CALL *EnableClientState)(Enum array) = nullptr;
+    void(CLAQUE_GL_CALL *DisableClientState)(Enum array) = nullptr;
+    void(CLAQUE_GL_CALL *VertexPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
+    void(CLAQUE_GL_CALL *NormalPointer)(Enum type, int32_t stride, const void *data) = nullptr;
+    void(CLAQUE_GL_CALL *TexCoordPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
+    void(CLAQUE_GL_CALL *ColorPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
+    void(CLAQUE_GL_CALL *DrawElements)(Enum mode, int32_t count, Enum type, const void *indices) = nullptr;
+    void(CLAQUE_GL_CALL *Color4ub)(uint8_t r, uint8_t g, uint8_t b, uint8_t a) = nullptr;
+    void(CLAQUE_GL_CALL *Color4f)(float r, float g, float b, float a) = nullptr;
+};
+
+// Fills the table. Fails: CLQ_ARGUMENT (no get_proc_address), CLQ_GL_MISSING (the first function that the host does not
+// have, by name; no current context, which GL only shows by glGetString answering nothing). The table is then unusable.
+base::Status load(Gl11 &table, GetProcAddress get_proc_address, void *user);
+
+// CLQ_GL_MISSING where no context is current on this thread: GL's calls then do nothing and report no error.
+base::Status check_current(const Gl11 &gl);
+
+}  // namespace claque::passes

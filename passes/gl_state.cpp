@@ -1,0 +1,113 @@
+#include "passes/gl_state.h"
+
+namespace claque::passes
+{
+namespace
+{
+
+void set_fragments(const Gl11 &gl)
+{
+    int32_t mask[4] = {1, 1, 1, 1};
+    gl.GetIntegerv(gl::colour_writemask, mask);
+    gl.ColorMask(mask[0] != 0, mask[1] != 0, mask[2] != 0, gl::no);
+    gl.Disable(gl::blend);
+    gl.Disable(gl::colour_logic_op);
+    gl.Enable(gl::depth_test);
+    gl.DepthFunc(gl::lequal);
+    gl.DepthMask(gl::yes);
+}
+
+// Smoothing multiplies coverage into the alpha that carries keys.
+void set_rasterisation(const Gl11 &gl, bool has_multisample)
+{
+    gl.CullFace(gl::back);
+    gl.Disable(gl::point_smooth);
+    gl.Disable(gl::line_smooth);
+    gl.Disable(gl::polygon_smooth);
+    gl.Disable(gl::line_stipple);
+    gl.Disable(gl::polygon_stipple);
+    if (has_multisample) gl.Disable(gl::multisample);
+}
+
+void set_texturing(const Gl11 &gl)
+{
+    gl.Enable(gl::texture_2d);
+    gl.TexEnvi(gl::texture_env, gl::texture_env_mode, static_cast<int32_t>(gl::modulate));
+    gl.Disable(gl::texture_gen_s);
+    gl.Disable(gl::texture_gen_t);
+    gl.Disable(gl::texture_gen_r);
+    gl.Disable(gl::texture_gen_q);
+}
+
+void set_matrices(const Gl11 &gl, const float *projection)
+{
+    gl.MatrixMode(gl::texture);
+    gl.LoadIdentity();
+    gl.MatrixMode(gl::projection);
+    gl.LoadMatrixf(projection);
+    gl.MatrixMode(gl::modelview);
+}
+
+void set_arrays(const Gl11 &gl)
+{
+    gl.EnableClientState(gl::vertex_array);
+    gl.EnableClientState(gl::normal_array);
+    gl.EnableClientState(gl::texture_coord_array);
+    gl.DisableClientState(gl::index_array);
+    gl.DisableClientState(gl::edge_flag_array);
+}
+
+}  // namespace
+
+void GlState::begin(const float *projection, bool has_multisample)
+{
+    set_fragments(gl_);
+    set_rasterisation(gl_, has_multisample);
+    set_texturing(gl_);
+    set_matrices(gl_, projection);
+    set_arrays(gl_);
+    gl_.Enable(gl::normalize);
+    gl_.ColorMaterial(gl::front_and_back, gl::ambient_and_diffuse);  // before the switch: else other materials follow
+    gl_.Enable(gl::colour_material);
+    known_ = false;
+}
+
+void GlState::apply_alpha(const SurfaceState &wanted)
+{
+    const bool on = wanted.alpha_function != 0;
+    if (!known_ || on != (now_.alpha_function != 0)) {
+        on ? gl_.Enable(gl::alpha_test) : gl_.Disable(gl::alpha_test);
+        ++stats_.state_changes;
+    }
+    if (on &&
+        (!known_ || wanted.alpha_function != now_.alpha_function || wanted.alpha_reference != now_.alpha_reference)) {
+        gl_.AlphaFunc(wanted.alpha_function, wanted.alpha_reference);
+        ++stats_.state_changes;
+    }
+}
+
+void GlState::apply(const SurfaceState &wanted)
+{
+    apply_alpha(wanted);
+    if (!known_ || wanted.texture != now_.texture) {
+        gl_.BindTexture(gl::texture_2d, wanted.texture);
+        ++stats_.state_changes;
+    }
+    if (!known_ || wanted.double_sided != now_.double_sided) {
+        wanted.double_sided ? gl_.Disable(gl::cull_face) : gl_.Enable(gl::cull_face);
+        gl_.LightModeli(gl::light_model_two_side, wanted.double_sided);
+        stats_.state_changes += 2;
+    }
+    if (!known_ || wanted.mirrored != now_.mirrored) {
+        gl_.FrontFace(wanted.mirrored ? gl::cw : gl::ccw);
+        ++stats_.state_changes;
+    }
+    if (!known_ || wanted.colour_array != now_.colour_array) {
+        wanted.colour_array ? gl_.EnableClientState(gl::colour_array) : gl_.DisableClientState(gl::colour_array);
+        ++stats_.state_changes;
+    }
+    now_ = wanted;
+    known_ = true;
+}
+
+}  // namespace claque::passes

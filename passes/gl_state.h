@@ -1,0 +1,42 @@
+// GL state as a value that is compared and applied (the habit of Quake III's renderer): no strategy calls glEnable.
+// S1 3 names the state that variety hangs on; SPEC 3 lists what was measured to break it.
+#pragma once
+
+#include "passes/gl11.h"
+#include "passes/options.h"
+
+namespace claque::passes
+{
+
+// What differs from surface to surface and from pass to pass.
+struct SurfaceState {
+    uint32_t texture = 0;
+    bool double_sided = false;    // no culling, both faces lit
+    bool mirrored = false;        // front faces turn clockwise
+    bool colour_array = false;    // colours come from an array, else from glColor
+    gl::Enum alpha_function = 0;  // 0: no alpha test
+    float alpha_reference = 0;
+};
+
+class GlState
+{
+public:
+    GlState(const Gl11 &gl, DrawStats &stats) : gl_(gl), stats_(stats) {}
+
+    // All that is the same for a whole draw; afterwards anything is unknown to the comparison, so that the first
+    // apply() sets everything. The host's RGB mask stays, alpha writes are masked.
+    void begin(const float *projection, bool has_multisample);
+
+    // Issues what differs from the last call. The matrix mode is GL_MODELVIEW and stays so.
+    void apply(const SurfaceState &wanted);
+
+private:
+    void apply_alpha(const SurfaceState &wanted);
+
+    const Gl11 &gl_;
+    DrawStats &stats_;
+    SurfaceState now_;
+    bool known_ = false;
+};
+
+}  // namespace claque::passes

@@ -1,0 +1,75 @@
+#include "passes/guard.h"
+
+#include <initializer_list>
+
+namespace claque::passes
+{
+namespace
+{
+
+// With GL_COLOR_MATERIAL on, colours flow into materials: the lighting group saves those. Switches stand in the enable
+// group, GL_MULTISAMPLE among them.
+constexpr gl::Bits touched_groups = gl::current_bit | gl::polygon_bit | gl::lighting_bit | gl::depth_buffer_bit |
+                                    gl::enable_bit | gl::colour_buffer_bit | gl::texture_bit;
+
+constexpr gl::Enum arrays[] = {gl::vertex_array, gl::normal_array,        gl::colour_array,
+                               gl::index_array,  gl::texture_coord_array, gl::edge_flag_array};
+
+// Everything that glTexImage2D heeds, at its default.
+void default_unpacking(const Gl11 &gl)
+{
+    constexpr gl::Enum zeros[] = {gl::unpack_swap_bytes, gl::unpack_lsb_first, gl::unpack_row_length,
+                                  gl::unpack_skip_rows, gl::unpack_skip_pixels};
+    for (const gl::Enum name : zeros) gl.PixelStorei(name, 0);
+    gl.PixelStorei(gl::unpack_alignment, 1);
+    gl.PixelTransferf(gl::map_colour, 0);
+    for (const gl::Enum name : {gl::red_scale, gl::green_scale, gl::blue_scale, gl::alpha_scale})
+        gl.PixelTransferf(name, 1);
+    for (const gl::Enum name : {gl::red_bias, gl::green_bias, gl::blue_bias, gl::alpha_bias})
+        gl.PixelTransferf(name, 0);
+}
+
+}  // namespace
+
+StateGuard::StateGuard(const Gl11 &gl, Guard mode) : gl_(gl), mode_(mode)
+{
+    if (mode_ == Guard::none) return;
+    if (mode_ == Guard::full) gl_.PushAttrib(touched_groups);
+    gl_.PushClientAttrib(gl::client_vertex_array_bit);
+    gl_.GetIntegerv(gl::matrix_mode, &matrix_mode_);
+    gl_.GetDoublev(gl::modelview_matrix, modelview_);
+    gl_.GetDoublev(gl::projection_matrix, projection_);
+    gl_.GetDoublev(gl::texture_matrix, texture_);
+}
+
+StateGuard::~StateGuard()
+{
+    if (mode_ == Guard::none) {
+        for (const gl::Enum array : arrays) gl_.DisableClientState(array);
+        return;
+    }
+    gl_.MatrixMode(gl::texture);
+    gl_.LoadMatrixd(texture_);
+    gl_.MatrixMode(gl::projection);
+    gl_.LoadMatrixd(projection_);
+    gl_.MatrixMode(gl::modelview);
+    gl_.LoadMatrixd(modelview_);
+    gl_.MatrixMode(static_cast<gl::Enum>(matrix_mode_));
+    gl_.PopClientAttrib();
+    if (mode_ == Guard::full) gl_.PopAttrib();
+}
+
+UploadGuard::UploadGuard(const Gl11 &gl) : gl_(gl)
+{
+    gl_.PushAttrib(gl::texture_bit | gl::pixel_mode_bit);
+    gl_.PushClientAttrib(gl::client_pixel_store_bit);
+    default_unpacking(gl_);
+}
+
+UploadGuard::~UploadGuard()
+{
+    gl_.PopClientAttrib();
+    gl_.PopAttrib();
+}
+
+}  // namespace claque::passes

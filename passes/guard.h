@@ -1,0 +1,107 @@
+// What a draw leaves of the host's GL state (SPEC 4, "leave no trace").
+//
+//   full     nothing: everything is as it was.
+//   minimal  the matrices, the matrix mode and all client state are as they were. Left as claque set it is what stands
+//            in left_by_minimal below.
+//   none     left as claque set it is that and what stands in left_by_none.
+//
+// Matrices are saved by value: GL 1.1 promises a projection stack of two, and a host may be using both.
+#pragma once
+
+#include "passes/gl11.h"
+#include "passes/options.h"
+
+namespace claque::passes
+{
+
+// A piece of state that is left behind, by the name that glGet or glIsEnabled knows it by.
+struct Left {
+    gl::Enum name;
+    const char *as;  // what it then is
+};
+
+constexpr Left left_by_minimal[] = {
+    {0x0B00, "current colour: undefined"},
+    {0x0B02, "current normal: undefined"},
+    {0x0B03, "current texture coordinates: undefined"},
+    {0x0B10, "GL_POINT_SMOOTH: off"},
+    {0x0B20, "GL_LINE_SMOOTH: off"},
+    {0x0B24, "GL_LINE_STIPPLE: off"},
+    {0x0B41, "GL_POLYGON_SMOOTH: off"},
+    {0x0B42, "GL_POLYGON_STIPPLE: off"},
+    {0x0B44, "GL_CULL_FACE: on, off after a double-sided surface"},
+    {0x0B45, "GL_CULL_FACE_MODE: GL_BACK"},
+    {0x0B46, "GL_FRONT_FACE: GL_CCW, GL_CW after a mirrored individual"},
+    {0x0B52, "GL_LIGHT_MODEL_TWO_SIDE: 0, 1 after a double-sided surface"},
+    {0x0B55, "GL_COLOR_MATERIAL_FACE: GL_FRONT_AND_BACK"},
+    {0x0B56, "GL_COLOR_MATERIAL_PARAMETER: GL_AMBIENT_AND_DIFFUSE"},
+    {0x0B57, "GL_COLOR_MATERIAL: on"},
+    {0x1200, "GL_AMBIENT of both materials: undefined"},
+    {0x1201, "GL_DIFFUSE of both materials: undefined"},
+    {0x0B71, "GL_DEPTH_TEST: on"},
+    {0x0B72, "GL_DEPTH_WRITEMASK: on"},
+    {0x0B74, "GL_DEPTH_FUNC: GL_LEQUAL"},
+    {0x0BA1, "GL_NORMALIZE: on"},
+    {0x0BC0, "GL_ALPHA_TEST: as the last surface had it"},
+    {0x0BC1, "GL_ALPHA_TEST_FUNC: GL_GEQUAL or GL_EQUAL, if a surface needed it"},
+    {0x0BC2, "GL_ALPHA_TEST_REF: as the last surface had it"},
+    {0x0BE2, "GL_BLEND: off"},
+    {0x0BF2, "GL_COLOR_LOGIC_OP: off"},
+    {0x0C23, "GL_COLOR_WRITEMASK: the host's, alpha off"},
+    {0x0C60, "GL_TEXTURE_GEN_S: off"},
+    {0x0C61, "GL_TEXTURE_GEN_T: off"},
+    {0x0C62, "GL_TEXTURE_GEN_R: off"},
+    {0x0C63, "GL_TEXTURE_GEN_Q: off"},
+    {0x0DE1, "GL_TEXTURE_2D: on"},
+    {0x8069, "GL_TEXTURE_BINDING_2D: the last surface's texture"},
+    {0x2200, "GL_TEXTURE_ENV_MODE: GL_MODULATE"},
+    {0x809D, "GL_MULTISAMPLE, where GL has it: off"},
+};
+
+constexpr Left left_by_none[] = {
+    {0x0BA0, "GL_MATRIX_MODE: GL_MODELVIEW"},
+    {0x0BA6, "GL_MODELVIEW_MATRIX: the last individual's"},
+    {0x0BA7, "GL_PROJECTION_MATRIX: the view's"},
+    {0x0BA8, "GL_TEXTURE_MATRIX: identity"},
+    {0x8074, "GL_VERTEX_ARRAY: off"},
+    {0x8075, "GL_NORMAL_ARRAY: off"},
+    {0x8076, "GL_COLOR_ARRAY: off"},
+    {0x8077, "GL_INDEX_ARRAY: off"},
+    {0x8078, "GL_TEXTURE_COORD_ARRAY: off"},
+    {0x8079, "GL_EDGE_FLAG_ARRAY: off"},
+    {0x807A, "GL_VERTEX_ARRAY_SIZE, and type, stride and pointer (to memory that may be gone)"},
+    {0x807E, "GL_NORMAL_ARRAY_TYPE, and stride and pointer"},
+    {0x8081, "GL_COLOR_ARRAY_SIZE, and type, stride and pointer"},
+    {0x8088, "GL_TEXTURE_COORD_ARRAY_SIZE, and type, stride and pointer"},
+};
+
+// Saves what the mode promises on construction, puts it back on destruction. Preflight has made sure of the stacks.
+class StateGuard
+{
+public:
+    StateGuard(const Gl11 &gl, Guard mode);
+    ~StateGuard();
+    StateGuard(const StateGuard &) = delete;
+    StateGuard &operator=(const StateGuard &) = delete;
+
+private:
+    const Gl11 &gl_;
+    Guard mode_;
+    int32_t matrix_mode_ = 0;
+    double modelview_[16], projection_[16], texture_[16];
+};
+
+// The same for bringing textures to GL, always in full.
+class UploadGuard
+{
+public:
+    explicit UploadGuard(const Gl11 &gl);
+    ~UploadGuard();
+    UploadGuard(const UploadGuard &) = delete;
+    UploadGuard &operator=(const UploadGuard &) = delete;
+
+private:
+    const Gl11 &gl_;
+};
+
+}  // namespace claque::passes

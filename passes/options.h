@@ -1,0 +1,31 @@
+// What a renderer is told when it is made, and what a draw reports.
+#pragma once
+
+#include <cstdint>
+
+namespace claque::passes
+{
+
+enum class Strategy : uint8_t { fused = 0, binned = 1, per_zone = 2 };
+enum class Guard : uint8_t { full = 0, minimal = 1, none = 2 };
+enum class ColourFormat : uint8_t { ubyte = 0, real = 1 };
+
+// `equal` is the papers' test (S1 3): per-zone only, and sound only where alpha keeps all its bits.
+enum class KeyTest : uint8_t { greater_equal = 0, equal = 1 };
+
+struct RendererOptions {
+    Strategy strategy = Strategy::fused;
+    Guard guard = Guard::full;
+    ColourFormat colours = ColourFormat::ubyte;
+    KeyTest key_test = KeyTest::greater_equal;
+};
+
+struct DrawStats {
+    uint32_t individuals = 0;
+    uint32_t draws = 0;          // glDrawElements calls
+    uint32_t triangles = 0;      // sent to GL, each pass counted
+    uint64_t vertices = 0;       // of the arrays handed to GL, each individual's once
+    uint32_t state_changes = 0;  // GL calls that changed per-surface state: alpha test, texture, culling
+};
+
+}  // namespace claque::passes

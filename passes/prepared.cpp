@@ -1,0 +1,149 @@
+#include "passes/prepared.h"
+
+#include "lib/model/keys.h"
+
+#include <algorithm>
+
+namespace claque::passes
+{
+namespace
+{
+
+constexpr uint32_t most_short_vertices = 65535;  // index 65535 stays free: it is what primitive restart likes
+
+bool in_range(model::IndexRange range, const model::Level &level)
+{
+    return range.count % 3 == 0 && range.first <= level.indices.size() &&
+           range.count <= level.indices.size() - range.first;
+}
+
+bool bins_in_range(const Array<model::Bin> &bins, const model::Level &level, size_t zone_count)
+{
+    return std::all_of(bins.begin(), bins.end(), [&](const model::Bin &bin) {
+        return bin.zone_index < zone_count && in_range(bin.range, level);
+    });
+}
+
+bool surface_is_sound(const model::Surface &surface, const model::Level &level, const model::Template &source)
+{
+    if (surface.texture >= source.textures.size()) return false;
+    const size_t zones = source.textures[surface.texture].keys.size();
+    return in_range(surface.dirty, level) && in_range(surface.fused, level) &&
+           bins_in_range(surface.clean, level, zones) && bins_in_range(surface.dirty_by_zone, level, zones);
+}
+
+// Draws hand these arrays to GL, which checks nothing.
+bool level_is_sound(const model::Level &level, const model::Template &source)
+{
+    const size_t vertices = level.vertex_count;
+    return level.source_count <= vertices && level.uvs.size() == 2 * vertices && level.slots.size() == vertices &&
+           (level.colours.empty() || level.colours.size() == 4 * vertices) &&
+           std::all_of(level.indices.begin(), level.indices.end(), [&](uint32_t i) { return i < vertices; }) &&
+           std::all_of(level.surfaces.begin(), level.surfaces.end(),
+                       [&](const model::Surface &s) { return surface_is_sound(s, level, source); });
+}
+
+bool texture_is_sound(const model::Texture &texture, const model::Template &source)
+{
+    return texture.width > 0 && texture.height > 0 && !texture.keys.empty() &&
+           texture.rgba.size() == size_t(4) * texture.width * texture.height &&
+           std::all_of(texture.keys.begin(), texture.keys.end(),
+                       [&](const model::ZoneKey &key) { return key.zone < source.zone_count(); });
+}
+
+base::Status check_sound(const model::Template &source)
+{
+    const char *wrong = nullptr;
+    if (source.zone_colours.size() != source.zone_count()) wrong = "zone colours do not match its zones";
+    for (const model::Texture &texture : source.textures)
+        if (!texture_is_sound(texture, source)) wrong = "a texture's bytes or keys do not match its size or zones";
+    for (const model::Level &level : source.levels)
+        if (!level_is_sound(level, source)) wrong = "a level has an index or array length out of range";
+    if (!wrong) return base::Status::good();
+    return base::Status::bad(CLQ_ARGUMENT, "template '%s': %s", source.name.c_str(), wrong);
+}
+
+bool has_dirty(const model::Template &source, uint32_t texture)
+{
+    for (const model::Level &level : source.levels)
+        for (const model::Surface &surface : level.surfaces)
+            if (surface.texture == texture && surface.dirty.count != 0) return true;
+    return false;
+}
+
+// Fused where all textures' zones can be told apart by it, else binned, else nothing: SPEC 2, "Keys".
+base::Status choose_strategy(PreparedTemplate &out, Strategy wanted, uint32_t alpha_bits)
+{
+    const model::Template &source = *out.source;
+    out.strategy = wanted;
+    for (uint32_t i = 0; i < source.textures.size(); ++i) {
+        if (!has_dirty(source, i)) continue;
+        const std::vector<uint8_t> keys = model::keys_of(source.textures[i]);
+        if (out.strategy == Strategy::fused && model::fused_accepts(model::Keys(keys), alpha_bits)) continue;
+        if (out.strategy == Strategy::fused) out.strategy = Strategy::binned;
+        if (!model::passes_accept(model::Keys(keys), alpha_bits))
+            return base::Status::bad(CLQ_KEY_RESOLUTION,
+                                     "template '%s': texture %u has %zu zones (keys %d to %d), which %u bits of "
+                                     "alpha cannot tell apart; %u zones are the most",
+                                     source.name.c_str(), i, keys.size(), keys.front(), keys.back(), alpha_bits,
+                                     model::passes_limit(alpha_bits));
+    }
+    return base::Status::good();
+}
+
+void prepare_texture(PreparedTexture &out, const model::Texture &texture, KeyTest key_test)
+{
+    const std::vector<uint8_t> bytes = model::keys_of(texture);
+    const model::Keys keys(bytes);
+    const model::FusedTable fused = model::fused_table(keys);
+    out.hole_reference = model::pass_reference(keys, 0);
+    out.fused_reference = fused.reference;
+    for (uint32_t i = 0; i < texture.keys.size(); ++i) {
+        ZoneTest test;
+        test.zone = texture.keys[i].zone;
+        // Not key / 255: that is one ulp away from what GL makes of the texel (SPEC 3).
+        test.reference = key_test == KeyTest::equal ? static_cast<float>(bytes[i]) * (1.0f / 255.0f)
+                                                    : model::pass_reference(keys, i);
+        test.threshold_ubyte = fused.alpha_8bit[i];
+        test.threshold_real = fused.alpha[i];
+        out.tests.push_back(test);
+    }
+}
+
+VertexRange reach_of(const model::Level &level, model::IndexRange range)
+{
+    VertexRange reach;
+    if (range.count == 0) return reach;
+    const auto first = level.indices.begin() + range.first;
+    const auto bounds = std::minmax_element(first, first + range.count);
+    return {*bounds.first, *bounds.second + 1};
+}
+
+void prepare_level(PreparedLevel &out, const model::Level &level)
+{
+    if (level.vertex_count <= most_short_vertices) out.short_indices.assign(level.indices.begin(), level.indices.end());
+    for (const model::Surface &surface : level.surfaces) out.fused_vertices.push_back(reach_of(level, surface.fused));
+}
+
+}  // namespace
+
+base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &source, const RendererOptions &options,
+                                int alpha_bits)
+{
+    base::Status status = check_sound(source);
+    if (!status.ok()) return status;
+    out.source = &source;
+    status = choose_strategy(out, options.strategy, static_cast<uint32_t>(alpha_bits));
+    if (!status.ok()) return status;
+
+    std::pmr::memory_resource *memory = out.levels.get_allocator().resource();
+    for (const std::array<float, 3> &colour : source.zone_colours)
+        for (const float c : colour)
+            out.zone_rgb.push_back(static_cast<uint8_t>(std::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f));
+    for (const model::Texture &texture : source.textures)
+        prepare_texture(out.textures.emplace_back(memory), texture, options.key_test);
+    for (const model::Level &level : source.levels) prepare_level(out.levels.emplace_back(memory), level);
+    return base::Status::good();
+}
+
+}  // namespace claque::passes

@@ -1,0 +1,60 @@
+// Draw lists to pixels, GL 1.1 only; one per GL context. S1 3, SPEC 3 and 4.
+//
+// Threads: the one whose context is current, for every call but abandon(). Nothing here throws; draw() allocates
+// nothing and makes no GL object.
+#pragma once
+
+#include "passes/canvas.h"
+#include "passes/preflight.h"
+
+namespace claque::passes
+{
+
+class Renderer
+{
+public:
+    Renderer(std::pmr::memory_resource *memory, const RendererOptions &options)
+        : options_(options), memory_(memory), templates_(memory), scratch_(memory)
+    {
+    }
+    Renderer(const Renderer &) = delete;
+    Renderer &operator=(const Renderer &) = delete;
+
+    // Once, first. GL: queries only.
+    // Fails: CLQ_ARGUMENT (KeyTest::equal with another strategy than per-zone), CLQ_GL_MISSING.
+    base::Status open(GetProcAddress get_proc_address, void *user);
+
+    // Brings a template to GL; again is harmless. It must live until destroy() or abandon().
+    // Fails: CLQ_LIMIT (texture size), CLQ_KEY_RESOLUTION, CLQ_ARGUMENT, CLQ_GL_STATE, CLQ_GL_MISSING,
+    // CLQ_OUT_OF_MEMORY; nothing is changed then.
+    base::Status prepare(const model::Template &tmpl);
+
+    // How a prepared template is drawn: the strategy asked for, or binned where fused cannot tell its zones apart.
+    Strategy strategy_of(const model::Template &tmpl) const;
+
+    // Draws all items in their order; an empty list touches nothing. `out_stats` may be null.
+    // Fails: CLQ_ARGUMENT (a template that is not prepared, by name), CLQ_GL_STATE, CLQ_GL_MISSING; nothing is drawn or
+    // changed then. CLQ_OUT_OF_MEMORY: the vertex server had no room for an individual; all others are drawn.
+    base::Status draw(const draw::DrawList &list, DrawStats *out_stats);
+
+    // Deletes the textures; the context must be current. May be opened again afterwards.
+    void destroy();
+    // The context is lost: forgets everything without one GL call. May be opened again in another one.
+    void abandon();
+
+private:
+    const PreparedTemplate *find(const model::Template *tmpl) const;
+    base::Status check_items(const draw::DrawList &list) const;
+    base::Status add(const model::Template &tmpl);
+    base::Status draw_items(const draw::DrawList &list, DrawStats &stats);
+
+    RendererOptions options_;
+    std::pmr::memory_resource *memory_;
+    Gl11 gl_;
+    Preflight preflight_;
+    bool open_ = false;
+    Array<PreparedTemplate> templates_;
+    Scratch scratch_;
+};
+
+}  // namespace claque::passes
