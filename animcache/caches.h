@@ -29,8 +29,9 @@ public:
     // fail (std::bad_alloc); what is cached stays.
     void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
 
-    // An update, in this order. `requests` ascend by row and stay where they are until the next update.
-    void admit(base::Span<const Request> requests);  // finds room, throwing out who is unseen for longest
+    // An update, in this order.
+    std::pmr::vector<Request> &begin();  // to be filled with who is seen, ascending by row, within its capacity
+    void admit();                        // finds room, throwing out who is unseen for longest
     void find_due();
     void animate(const base::Jobs &jobs);
     void skin(const base::Jobs &jobs);
@@ -41,6 +42,7 @@ public:
     const Request &request_of(uint32_t row) const { return requests_[entries_[row].request]; }
 
     bool was_animated(uint32_t row) const { return entries_[row].animated_at == serial_; }
+    base::Span<const Request> requests() const { return base::Span<const Request>(requests_); }
     const Counters &counters() const { return counters_; }
     const Settings &settings() const { return settings_; }
 
@@ -67,7 +69,7 @@ private:
     Settings settings_;
     Counters counters_;
     uint64_t serial_ = 0;
-    base::Span<const Request> requests_;
+    std::pmr::vector<Request> requests_;  // of the last update
     std::pmr::vector<Entry> entries_;     // by row
     std::pmr::vector<uint32_t> animate_;  // indices of requests
     std::pmr::vector<uint32_t> skin_;

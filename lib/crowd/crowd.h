@@ -60,7 +60,8 @@ public:
     uint32_t row_of(Id id) const;  // throws CLQ_STALE_ID
 
     uint32_t actor_count() const { return alive_; }
-    uint32_t row_count() const { return static_cast<uint32_t>(actors_.size()); }  // rows of the gone included
+    uint32_t row_count() const { return static_cast<uint32_t>(actors_.size()); }         // rows of the gone included
+    uint32_t row_capacity() const { return static_cast<uint32_t>(actors_.capacity()); }  // grows in steps
     uint64_t seed() const { return seed_; }
     uint64_t bytes() const;  // held for the individuals
     uint64_t fingerprint() const;

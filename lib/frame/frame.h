@@ -3,6 +3,7 @@
 
 #include "animcache/caches.h"
 #include "lib/base/services.h"
+#include "lib/base/status.h"
 #include "lib/crowd/crowd.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/view.h"
@@ -25,20 +26,23 @@ public:
 
     const Stats &stats() const { return stats_; }
     void reset_bands();
-    // Of a row that was created after the last update: not visible.
+    // Nothing was seen of a row that was filled after the last update.
     Seen seen(const crowd::Crowd &crowd, uint32_t row) const;
 
 private:
     friend struct Update;
+
+    // One row of the crowd, as the last update found it.
     struct Row {
         Seen seen;
-        uint32_t generation = 0;  // whose result it is
-        uint32_t rung = 0;
-        float distance = 0;        // eyeDistance: to the nearest eye that sees it, world units
-        bool seen_before = false;  // in the update before this one
+        uint32_t generation = 0;  // of the individual that this is about
+        uint32_t level = 0;
+        float distance = 0;   // eyeDistance: to the nearest eye that sees it, world units
+        bool steady = false;  // seen in the update before as well
     };
-    struct Listed {  // one individual in one view, before its Item is written
-        uint32_t tmpl;
+    // One individual in one view, before its Item is written.
+    struct Listed {
+        uint32_t tmpl;  // of Crowd::templates()
         float distance;
         uint32_t row;
     };
@@ -49,13 +53,13 @@ private:
     double last_time_s_ = 0;
     bool has_last_time_ = false;
     std::pmr::vector<Row> rows_;
-    std::pmr::vector<float> view_distances_;         // [view][row]; negative: not seen
-    std::pmr::vector<animcache::Request> requests_;  // everybody visible, by row
-    std::pmr::vector<Listed> listed_;
+    std::pmr::vector<float> view_distances_;  // [view][row], world units; negative: not seen
+    std::pmr::vector<Listed> listed_;         // of one view
 };
 
 // One frame. time_s: the host's clock; may jump, also back. What is shown is a function of it and of the distances.
-//   views   each with its camera; their lists are written
+//   views   each with its camera; their lists are written. The lists of views that are not among them point at memory
+//           that may be gone: clear them
 // Fails: CLQ_ARGUMENT (a time or camera that is not finite), CLQ_OUT_OF_MEMORY; lists and results are then as they
 // were. Never throws. Allocates only when something has grown since the last one.
 base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *const> views, double time_s,

@@ -1,0 +1,30 @@
+#include "animcache/on_demand.h"
+
+#include <algorithm>
+
+namespace claque::animcache
+{
+
+void OnDemand::reserve(base::Span<const model::Template *const> templates)
+{
+    Sizes sizes;
+    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl));
+    scratch_.reserve(sizes);
+    if (palette_.size() < sizes.palette_floats) palette_.resize(sizes.palette_floats);
+    if (vertices_.size() < sizes.vertex_floats) vertices_.resize(sizes.vertex_floats);
+}
+
+draw::Vertices OnDemand::serve(const draw::Item &item)
+{
+    const Request &request = caches_->request_of(item.actor_index);
+    const Scratch scratch = scratch_.strand(0);
+    const float *palette = caches_->palette_of(item.actor_index);
+    if (!palette) {
+        animate(request, scratch, palette_.data());
+        palette = palette_.data();
+    }
+    skin(request, palette, scratch, vertices_.data());
+    return vertices_in(vertices_.data(), request.tmpl->levels[request.level]);
+}
+
+}  // namespace claque::animcache

@@ -1,0 +1,30 @@
+#include "animcache/scratch.h"
+
+#include <algorithm>
+
+namespace claque::animcache
+{
+
+ScratchPool::ScratchPool(std::pmr::memory_resource *memory, uint32_t strands)
+    : strands_(strands), locals_(memory), globals_(memory), floats_(memory)
+{
+}
+
+void ScratchPool::reserve(const Sizes &sizes)
+{
+    Sizes wanted = sizes_;
+    wanted.grow_to(sizes);
+    // Growing one and failing at the next leaves some longer than they need be, which nobody sees.
+    locals_.resize(std::max(locals_.size(), strands_ * wanted.nodes));
+    globals_.resize(std::max(globals_.size(), strands_ * wanted.nodes));
+    floats_.resize(std::max(floats_.size(), strands_ * wanted.scratch_floats));
+    sizes_ = wanted;
+}
+
+Scratch ScratchPool::strand(uint32_t index)
+{
+    return {locals_.data() + index * sizes_.nodes, globals_.data() + index * sizes_.nodes,
+            floats_.data() + index * sizes_.scratch_floats, &sizes_};
+}
+
+}  // namespace claque::animcache

@@ -1,0 +1,56 @@
+// The one thing that drawing sees: for each view its individuals, by template (states and arrays change least), then
+// front to back, then by row, so that the order is the same everywhere.
+#include <algorithm>
+
+#include "lib/frame/steps.h"
+#include "lib/math/place.h"
+
+namespace claque::frame
+{
+
+draw::Item Update::item_of(const EyeOf &eye, const Listed &listed) const
+{
+    const crowd::Place &place = crowd.place_of(listed.row);
+    draw::Item item;
+    item.tmpl = &crowd.template_of(listed.row);
+    item.level = frame.rows_[listed.row].level;
+    item.actor_index = listed.row;
+    item.vertices = frame.caches_.vertices_of(listed.row);
+    item.zone_rgb = crowd.zone_rgb(listed.row);
+    math::store_matrix(
+        math::eye_place(eye.world_to_eye, eye.eye, place.position, place.orientation, double(place.scale)),
+        item.model_view);
+    item.eye_distance_m = listed.distance * frame.settings_.metres_per_unit;
+    item.mirrored = place.scale < 0;
+    return item;
+}
+
+void Update::list_view(uint32_t v)
+{
+    View &view = *views[v];
+    const float *distances = frame.view_distances_.data() + size_t(v) * crowd.row_count();
+    std::pmr::vector<Listed> &listed = frame.listed_;
+    listed.clear();
+    for (const animcache::Request &request : frame.caches_.requests())
+        if (distances[request.row] >= 0)
+            listed.push_back({crowd.actor(request.row).tmpl, distances[request.row], request.row});
+    std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
+        if (a.tmpl != b.tmpl) return a.tmpl < b.tmpl;
+        if (a.distance != b.distance) return a.distance < b.distance;
+        return a.row < b.row;
+    });
+
+    view.list.items.resize(listed.size());
+    view.list.server = &view.server;
+    view.server.attach(frame.caches_);
+    std::copy(std::begin(view.camera.projection), std::end(view.camera.projection), view.list.projection);
+    const EyeOf eye(view.camera);
+    for_slices(static_cast<uint32_t>(listed.size()), [&](uint32_t i) { view.list.items[i] = item_of(eye, listed[i]); });
+}
+
+void Update::list()
+{
+    for (uint32_t v = 0; v < views.count; ++v) list_view(v);
+}
+
+}  // namespace claque::frame
