@@ -1,0 +1,64 @@
+#include "asset_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+namespace claque::reference
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// Each of these says in extensionsRequired that it cannot be shown without a decoder that claque does not have.
+constexpr std::array<Refusal, 6> refusals{{
+    {"compressed/CesiumMan-Draco/CesiumMan.gltf", CLQ_UNSUPPORTED, "KHR_draco_mesh_compression"},
+    {"compressed/Casual_Male-draco.gltf", CLQ_UNSUPPORTED, "KHR_draco_mesh_compression"},
+    {"environment/kenney-town/fountain-round.glb", CLQ_UNSUPPORTED, "KHR_draco_mesh_compression"},
+    {"environment/kenney-town/stairs-stone-round.glb", CLQ_UNSUPPORTED, "KHR_draco_mesh_compression"},
+    {"environment/godot-town/town_model.gltf", CLQ_UNSUPPORTED, "EXT_texture_webp"},
+    // Requires meshopt and WebP both; whichever is named first is right.
+    {"compressed/valid-Asian_F_1_Busi.glb", CLQ_UNSUPPORTED, "EXT_"},
+}};
+
+}  // namespace
+
+std::string assets_folder()
+{
+    const std::string folder = std::string(CLAQUE_ASSETS_DIR) + "/";
+    return fs::is_directory(folder) ? folder : std::string();
+}
+
+std::vector<std::string> asset_files()
+{
+    std::vector<std::string> files;
+    const std::string folder = assets_folder();
+    if (!folder.empty())
+        for (const auto &entry : fs::recursive_directory_iterator(folder)) {
+            const std::string relative = fs::relative(entry.path(), folder).generic_string();
+            const std::string extension = entry.path().extension().string();
+            if ((extension == ".gltf" || extension == ".glb") && relative.rfind("hostile/", 0) != 0)
+                files.push_back(relative);
+        }
+    std::sort(files.begin(), files.end());
+    if (files.empty()) files.push_back("");
+    return files;
+}
+
+std::string case_name(const std::string &file)
+{
+    std::string name;
+    for (const char c : file) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name.empty() ? "no_assets" : name;
+}
+
+const Refusal *refusal_of(const std::string &file)
+{
+    for (const Refusal &refusal : refusals)
+        if (file == refusal.file) return &refusal;
+    return nullptr;
+}
+
+}  // namespace claque::reference

@@ -1,0 +1,35 @@
+// Which real files the reference is held against.
+#ifndef CLAQUE_TESTS_REFERENCE_ASSET_FILES_H
+#define CLAQUE_TESTS_REFERENCE_ASSET_FILES_H
+
+#include <claque/base.h>
+
+#include <string>
+#include <vector>
+
+namespace claque::reference
+{
+
+// The folder of real characters, with a slash behind it; "" where it does not exist.
+std::string assets_folder();
+
+// Paths of all .gltf and .glb files below that folder except those in hostile/, sorted. Never empty: where there are no
+// assets it holds one "", so that a test for each file is there to say that it was skipped.
+std::vector<std::string> asset_files();
+
+// Letters, digits and underscores only, as names of test cases must be.
+std::string case_name(const std::string &file);
+
+// What claque does not read, and says so.
+struct Refusal {
+    const char *file;
+    clq_status status;
+    const char *named;  // what the message has to name
+};
+
+// nullptr where the file has to load.
+const Refusal *refusal_of(const std::string &file);
+
+}  // namespace claque::reference
+
+#endif

@@ -1,0 +1,30 @@
+// What "the same shape" means: every vertex within a tenth of a thousandth of the character's size.
+#ifndef CLAQUE_TESTS_REFERENCE_COMPARISON_H
+#define CLAQUE_TESTS_REFERENCE_COMPARISON_H
+
+#include <string>
+#include <vector>
+
+#include "gltf_reference.h"
+
+namespace claque::reference
+{
+
+constexpr double tolerance = 1e-4;  // of the size
+
+// Diagonal of the box round the rest pose; 1 where that has no extent (a single point, or no vertices).
+double size_of(const Character &character);
+
+struct Comparison {
+    bool same = false;
+    double worst = 0;  // largest distance over the size; infinite where counts differ or a number is not finite
+    size_t vertex = 0;
+    std::string text;  // one line that says where and how much
+};
+
+// `actual` is x, y, z of each vertex in a row.
+Comparison compare(const std::vector<Vec3> &expected, const std::vector<float> &actual, double size);
+
+}  // namespace claque::reference
+
+#endif
