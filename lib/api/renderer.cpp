@@ -1,0 +1,117 @@
+#include <claque/renderer.h>
+
+#include <algorithm>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+#include "passes/renderer.h"
+
+using namespace claque;
+
+struct clq_renderer {
+    clq_renderer(clq_context *owner, const passes::RendererOptions &options)
+        : context(owner), asked(options.strategy), renderer(&owner->memory, options), held(&owner->memory)
+    {
+    }
+    clq_context *context;
+    passes::Strategy asked;
+    passes::Renderer renderer;
+    std::pmr::vector<clq_template *> held;  // every template it was prepared for
+};
+
+namespace
+{
+
+passes::RendererOptions options_of(const clq_renderer_def &def)
+{
+    using api::require;
+    require(static_cast<unsigned>(def.variety) <= CLQ_VARIETY_PER_ZONE, "variety is none of CLQ_VARIETY_...");
+    require(static_cast<unsigned>(def.guard) <= CLQ_GUARD_NONE, "guard is none of CLQ_GUARD_...");
+    require(static_cast<unsigned>(def.colours) <= CLQ_COLOUR_FLOAT, "colours is none of CLQ_COLOUR_...");
+    require(static_cast<unsigned>(def.key_test) <= CLQ_KEY_EQUAL, "key_test is none of CLQ_KEY_...");
+    passes::RendererOptions options;
+    options.strategy = static_cast<passes::Strategy>(def.variety);
+    options.guard = static_cast<passes::Guard>(def.guard);
+    options.colours = static_cast<passes::ColourFormat>(def.colours);
+    options.key_test = static_cast<passes::KeyTest>(def.key_test);
+    return options;
+}
+
+// A strategy that cannot tell a template's zones apart gives way to another: say so.
+void report_fallback(const clq_renderer &renderer, const clq_template &tmpl)
+{
+    if (renderer.asked != passes::Strategy::fused || renderer.renderer.strategy_of(tmpl) == renderer.asked) return;
+    size_t most = 0;
+    for (const model::Texture &texture : tmpl.textures) most = std::max(most, texture.keys.size());
+    renderer.context->log.warn(
+        base::text_of("template '%s' is drawn binned instead of fused: its %zu zones are more than "
+                      "one draw can tell apart on this target",
+                      tmpl.name.c_str(), most)
+            .c_str());
+}
+
+void end(clq_renderer *renderer)
+{
+    std::pmr::vector<clq_template *> held(std::move(renderer->held));
+    api::unmake(renderer->context, renderer);
+    for (clq_template *tmpl : held) api::let_go(tmpl);
+}
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_renderer_create(clq_context *context, const clq_renderer_def *def, clq_renderer **out)
+{
+    return api::boundary("clq_renderer_create", [&] {
+        api::require(context && def && out, "context, def or out is NULL");
+        api::require_size(def, "clq_renderer_def_init");
+        api::require(def->get_proc_address != nullptr, "get_proc_address is NULL");
+        api::Making<clq_renderer> made(context, context, options_of(*def));
+        api::require(made->renderer.open(def->get_proc_address, def->user));
+        *out = made.release();
+    });
+}
+
+clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl)
+{
+    return api::boundary("clq_renderer_prepare", [&] {
+        api::require(renderer && tmpl, "renderer or tmpl is NULL");
+        api::require(tmpl->context == renderer->context, "the template was made from another context");
+        const bool known = std::find(renderer->held.begin(), renderer->held.end(), tmpl) != renderer->held.end();
+        if (!known) renderer->held.reserve(renderer->held.size() + 1);
+        api::require(renderer->renderer.prepare(*tmpl));
+        if (known) return;
+        renderer->held.push_back(tmpl);
+        api::hold(tmpl);
+        report_fallback(*renderer, *tmpl);
+    });
+}
+
+clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats)
+{
+    return api::boundary("clq_renderer_draw", [&] {
+        api::require(renderer && view, "renderer or view is NULL");
+        api::require(view->crowd->context == renderer->context, "the view belongs to another context");
+        const api::Busy busy(view->crowd);
+        passes::DrawStats stats;
+        api::require(renderer->renderer.draw(view->view.list, &stats));
+        if (out_stats) *out_stats = {stats.individuals, stats.draws, stats.triangles, stats.vertices};
+    });
+}
+
+void clq_renderer_destroy(clq_renderer *renderer)
+{
+    if (!renderer) return;
+    renderer->renderer.destroy();
+    end(renderer);
+}
+
+void clq_renderer_abandon(clq_renderer *renderer)
+{
+    if (!renderer) return;
+    renderer->renderer.abandon();
+    end(renderer);
+}
+
+}  // extern "C"
