@@ -1,0 +1,51 @@
+// A host's own GL, for tests: the table that claque uses plus what only a host calls. Nothing is linked.
+#pragma once
+
+#include "passes/gl11.h"
+#include "samples/contexts/offscreen.h"
+
+namespace gltest
+{
+
+namespace gl = claque::passes::gl;
+
+struct HostGl : claque::passes::Gl11 {
+    explicit HostGl(const contexts::Offscreen &context);
+
+    void (*Clear)(Bits buffers) = nullptr;
+    void (*ClearColor)(float r, float g, float b, float a) = nullptr;
+    void (*Viewport)(int32_t x, int32_t y, int32_t width, int32_t height) = nullptr;
+    Enum (*GetError)() = nullptr;
+    void (*Finish)() = nullptr;
+    void (*Lightfv)(Enum light, Enum name, const float *values) = nullptr;
+    void (*LightModelfv)(Enum name, const float *values) = nullptr;
+    void (*Materialfv)(Enum face, Enum name, const float *values) = nullptr;
+    void (*Fogfv)(Enum name, const float *values) = nullptr;
+    void (*Fogi)(Enum name, int32_t value) = nullptr;
+    void (*ShadeModel)(Enum model) = nullptr;
+    void (*TexGeni)(Enum coordinate, Enum name, int32_t value) = nullptr;
+    void (*BlendFunc)(Enum source, Enum destination) = nullptr;
+    void (*LogicOp)(Enum operation) = nullptr;
+    void (*PolygonMode)(Enum face, Enum mode) = nullptr;
+    void (*PushMatrix)() = nullptr;
+    void (*NewList)(uint32_t list, Enum mode) = nullptr;
+    void (*EndList)() = nullptr;
+    int32_t (*RenderMode)(Enum mode) = nullptr;
+    void (*SelectBuffer)(int32_t size, uint32_t *buffer) = nullptr;
+    uint8_t (*IsTexture)(uint32_t name) = nullptr;
+
+    // Any other function, by name.
+    template <class Function>
+    Function ask(const char *name) const
+    {
+        return reinterpret_cast<Function>(get_(user_, name));
+    }
+
+    void clear(float r, float g, float b) const;  // colour and depth, whatever the masks, of a context in good order
+
+private:
+    contexts::Offscreen::GetProcAddress get_;
+    void *user_;
+};
+
+}  // namespace gltest

@@ -1,0 +1,51 @@
+// Pictures of a figure: by a renderer, and the plain and id pictures that it is held against (SPEC 2, "Zone coverage is
+// exact").
+#pragma once
+
+#include "passes/renderer.h"
+#include "tests/gl/support/figure.h"
+#include "tests/gl/support/host_gl.h"
+
+namespace gltest
+{
+
+namespace passes = claque::passes;
+
+struct Camera {
+    float projection[16];
+    float model_view[16];
+};
+
+// Distance in radii of the figure; angles turn the figure. `aspect` width / height.
+Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, float tilt_rad, float aspect);
+
+using Picture = std::vector<uint8_t>;  // RGB, top row first
+
+// One individual of the figure, in its place.
+claque::draw::DrawList list_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb = nullptr);
+
+constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it as it is; no zone colour is near
+
+// Clears to `background` and draws. Adds a test failure where the renderer refuses.
+Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const claque::draw::DrawList &list);
+
+// Every triangle once, in one draw a surface, unlit, the texture's RGB being each texel's zone's colour.
+Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Camera &camera, const uint8_t *zone_rgb);
+
+// Every triangle in a flat colour of its own, in list order or against it: where the two differ, depths tie.
+enum class Order { forwards, backwards };
+Picture draw_ids(contexts::Offscreen &context, const Figure &figure, const Camera &camera, Order order);
+
+struct Comparison {
+    uint32_t covered = 0;  // pixels of the plain picture that are not background
+    uint32_t ties = 0;     // of them, left out: different triangles at one depth
+    uint32_t wrong = 0;    // other pixels that differ from the plain picture
+    uint32_t holes = 0;    // of all pixels: background where the plain picture has none
+};
+Comparison compare(const Picture &plain, const Picture &variety, const Picture &forwards, const Picture &backwards);
+
+// All of the above for one figure and camera.
+Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const Figure &figure,
+                    const Camera &camera);
+
+}  // namespace gltest
