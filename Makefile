@@ -4,7 +4,7 @@ BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 
-.PHONY: help setup build run test test-asan test-tsan test-scalar bench install check format clean
+.PHONY: help setup build run test test-asan test-tsan test-scalar bench golden-accept install check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the plaza into out/"
@@ -38,6 +38,10 @@ test-asan test-tsan test-scalar: test-%:
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(CLAQUE) bench plaza
+
+golden-accept: build
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --size 320x240 --time 1.5 --out tests/golden/plaza.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --camera close --size 320x240 --time 1.5 --out tests/golden/plaza-close.png
 
 install: build
 	@cmake --install $(BUILD)

@@ -1,0 +1,25 @@
+// Pictures as tests compare them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgb;
+};
+
+// Empty where the file is not there or is no picture.
+Picture read_picture(const std::string &path);
+
+struct Difference {
+    uint64_t pixels = 0;  // that differ at all
+    int most = 0;         // largest difference of one channel
+};
+
+// Pictures of different sizes differ in every pixel.
+Difference compare(const Picture &a, const Picture &b);
+
+// Where they differ, as a PGM: white differs, black does not.
+void write_difference(const std::string &path, const Picture &a, const Picture &b);
