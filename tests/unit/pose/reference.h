@@ -1,0 +1,26 @@
+// A second evaluation of a clip, in double with the C library's functions, straight from the text of glTF 2.0: 4 x 4
+// matrices, a linear search, no sharing of code with lib/pose.
+#pragma once
+
+#include "lib/model/rig.h"
+
+#include <vector>
+
+namespace claque::reference
+{
+
+struct Mat4 {
+    double m[16];  // column-major
+};
+
+Mat4 mul(const Mat4 &a, const Mat4 &b);
+Mat4 mat_of(const math::Affine &a);
+
+struct Pose {
+    std::vector<Mat4> palette;
+    std::vector<double> weights;
+};
+
+Pose evaluate(const model::Rig &rig, uint32_t clip, double time_s);
+
+}  // namespace claque::reference
