@@ -7,16 +7,20 @@
 namespace claque::reference
 {
 
-double size_of(const Character &character)
+Vec3 extent_of(const std::vector<Vec3> &positions)
 {
-    const std::vector<Vec3> positions = evaluate(character, rest, 0).positions;
-    if (positions.empty()) return 1;
-    Vec3 first = positions[0], last = positions[0];
+    Vec3 first = positions.at(0), last = first;
     for (const Vec3 &p : positions) {
         first = {std::min(first.x, p.x), std::min(first.y, p.y), std::min(first.z, p.z)};
         last = {std::max(last.x, p.x), std::max(last.y, p.y), std::max(last.z, p.z)};
     }
-    const double size = length(last - first);
+    return last - first;
+}
+
+double size_of(const Character &character)
+{
+    const std::vector<Vec3> positions = evaluate(character, rest, 0).positions;
+    const double size = positions.empty() ? 0 : length(extent_of(positions));
     return size > 0 ? size : 1;
 }
 

@@ -12,6 +12,9 @@ namespace claque::reference
 
 constexpr double tolerance = 1e-4;  // of the size
 
+// Width, height and depth of the box round points; at least one point.
+Vec3 extent_of(const std::vector<Vec3> &positions);
+
 // Diagonal of the box round the rest pose; 1 where that has no extent (a single point, or no vertices).
 double size_of(const Character &character);
 

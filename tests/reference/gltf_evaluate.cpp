@@ -136,6 +136,7 @@ Shape evaluate(const Character &character, size_t clip, double time_s)
         for (size_t v = 0; v < positions.size(); ++v) {
             const Mat4 matrix = vertex_matrix(character, part, v, worlds);
             shape.positions.push_back(transform_point(matrix, positions[v]));
+            shape.stretches.push_back(condition_number(matrix));
             shape.normals.push_back(transform_normal(matrix, normals[v]));
         }
     }

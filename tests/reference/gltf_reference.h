@@ -91,7 +91,8 @@ std::vector<double> sample(const Channel &channel, double time_s);
 
 struct Shape {
     std::vector<Vec3> positions;
-    std::vector<Vec3> normals;  // unit, or zero where the file has none or the transform is singular
+    std::vector<double> stretches;  // condition number of the matrix that each vertex follows, 1 if nothing is bent
+    std::vector<Vec3> normals;      // unit, or zero where the file has none or the transform is singular
 };
 
 constexpr size_t rest = static_cast<size_t>(-1);

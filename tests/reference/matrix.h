@@ -110,6 +110,24 @@ inline Vec3 transform_normal(const Mat4 &a, const Vec3 &n)
     return normalized((c0 * n.x + c1 * n.y + c2 * n.z) * (determinant < 0 ? -1.0 : 1.0));
 }
 
+// Ratio of the longest to the shortest stretch of the upper 3x3, at least 1: by the eigenvalues of its square, in
+// closed form. Infinite where it is singular.
+inline double condition_number(const Mat4 &a)
+{
+    const Vec3 x = a.column(0), y = a.column(1), z = a.column(2);
+    const double xy = dot(x, y), xz = dot(x, z), yz = dot(y, z);
+    const double mean = (dot(x, x) + dot(y, y) + dot(z, z)) / 3;
+    const double dx = dot(x, x) - mean, dy = dot(y, y) - mean, dz = dot(z, z) - mean;
+    const double p = std::sqrt((dx * dx + dy * dy + dz * dz + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
+    if (!(p > 1e-12 * mean)) return mean > 0 ? 1 : INFINITY;
+    const double determinant = dx * (dy * dz - yz * yz) - xy * (xy * dz - yz * xz) + xz * (xy * yz - dy * xz);
+    const double r = std::fmax(-1.0, std::fmin(1.0, determinant / (2 * p * p * p)));
+    const double angle = std::acos(r) / 3;
+    const double largest = mean + 2 * p * std::cos(angle);
+    const double smallest = mean + 2 * p * std::cos(angle + 2.0943951023931957);
+    return smallest > 1e-12 * largest ? std::sqrt(largest / smallest) : INFINITY;
+}
+
 // Translation * rotation * scale. The columns are the unit axes rotated by v + 2w(u x v) + 2u x (u x v), then scaled.
 inline Mat4 compose(const Vec3 &translation, const Quat &rotation, const Vec3 &scale)
 {

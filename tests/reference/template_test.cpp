@@ -1,0 +1,137 @@
+// Every real character after splitting: what a crowd of one hands to the drawing, against the reference. The C API
+// shows no vertices, so this looks behind its handles; all that leads up to them goes through the public calls.
+#include <claque/assets.h>
+#include <claque/view.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "asset_files.h"
+#include "comparison.h"
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+#include "trajectories.h"
+
+namespace claque::reference
+{
+namespace
+{
+
+constexpr size_t clips_per_file = 5;
+
+struct Destroy {
+    void operator()(clq_context *context) const { clq_context_destroy(context); }
+    void operator()(clq_asset *asset) const { clq_asset_destroy(asset); }
+    void operator()(clq_template *tmpl) const { clq_template_destroy(tmpl); }
+    void operator()(clq_crowd *crowd) const { clq_crowd_destroy(crowd); }
+};
+
+template <class Handle>
+using Owned = std::unique_ptr<Handle, Destroy>;
+
+class SplitFormOfRealFiles : public testing::TestWithParam<std::string>
+{
+protected:
+    void SetUp() override
+    {
+        if (GetParam().empty())
+            GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR << ": real characters are not compared";
+        if (refusal_of(GetParam())) GTEST_SKIP() << "refused on purpose";
+        const std::string path = assets_folder() + GetParam();
+        character_ = load_character(path);
+        size_ = size_of(character_);
+        used_ = vertices_of_triangles(character_, size_);
+        if (std::count(used_.begin(), used_.end(), true) == 0) GTEST_SKIP() << "no triangles";
+        make_template(path);
+        if (!HasFatalFailure()) make_crowd();
+    }
+
+    void make_template(const std::string &path)
+    {
+        clq_context *context = nullptr;
+        ASSERT_EQ(CLQ_OK, clq_context_create(nullptr, &context)) << clq_last_error();
+        context_.reset(context);
+        clq_asset *asset = nullptr;
+        ASSERT_EQ(CLQ_OK, clq_asset_load_file(context, path.c_str(), nullptr, &asset)) << clq_last_error();
+        const Owned<clq_asset> owned(asset);
+        clq_template *tmpl = nullptr;
+        ASSERT_EQ(CLQ_OK, clq_asset_build(context, asset, 64, &tmpl)) << clq_last_error();
+        template_.reset(tmpl);
+    }
+
+    // One actor at the origin, posed anew at every update, and a view from far enough to see all of it.
+    void make_crowd()
+    {
+        clq_crowd_def def = clq_crowd_def_init();
+        def.period_near_s = def.period_far_s = 0;
+        clq_crowd *crowd = nullptr;
+        ASSERT_EQ(CLQ_OK, clq_crowd_create(context_.get(), &def, &crowd)) << clq_last_error();
+        crowd_.reset(crowd);
+        clq_actor_def actor = clq_actor_def_init();
+        actor.tmpl = template_.get();
+        ASSERT_EQ(CLQ_OK, clq_actor_create(crowd, &actor, &actor_)) << clq_last_error();
+        ASSERT_EQ(CLQ_OK, clq_view_create(crowd, &view_)) << clq_last_error();
+        const double reach = 20 * size_;
+        const double eye[3] = {0, 0, reach}, target[3] = {0, 0, 0};
+        const float up[3] = {0, 1, 0};
+        clq_camera camera;
+        ASSERT_EQ(CLQ_OK, clq_camera_look_at(&camera, eye, target, up, 1.5f, 1, static_cast<float>(0.01 * reach),
+                                             static_cast<float>(10 * reach)));
+        ASSERT_EQ(CLQ_OK, clq_view_look(view_, &camera)) << clq_last_error();
+    }
+
+    // The clip stands at its start plus `offset_s`, which is inside it.
+    void show(size_t clip, double offset_s, std::vector<Pose> &poses)
+    {
+        const clq_play play{clip == rest ? CLQ_NONE : static_cast<uint32_t>(clip), 0.0, 1.0f, 0.0f};
+        ASSERT_EQ(CLQ_OK, clq_actor_play(crowd_.get(), actor_, &play)) << clq_last_error();
+        ASSERT_EQ(CLQ_OK, clq_crowd_update(crowd_.get(), offset_s, &view_, 1)) << clq_last_error();
+        const draw::DrawList &list = view_->view.list;
+        ASSERT_EQ(1u, list.items.size()) << "the view does not see the actor";
+        const draw::Item &item = list.items[0];
+        const draw::Vertices vertices = item.vertices.positions ? item.vertices : list.server->serve(item);
+        const double start_s = clip == rest ? 0 : character_.clips[clip].first_s;
+        Pose pose;
+        pose.expected = evaluate(character_, clip, start_s + offset_s);
+        const uint32_t count = item.tmpl->levels[item.level].vertex_count;
+        for (uint32_t v = 0; v < count; ++v) {
+            const float *p = vertices.positions + 3 * v, *n = vertices.normals + 3 * v;
+            pose.actual.positions.push_back({p[0], p[1], p[2]});
+            pose.actual.normals.push_back({n[0], n[1], n[2]});
+        }
+        poses.push_back(std::move(pose));
+    }
+
+    Character character_;
+    double size_ = 0;
+    std::vector<bool> used_;
+    Owned<clq_context> context_;
+    Owned<clq_template> template_;
+    Owned<clq_crowd> crowd_;
+    clq_actor actor_{};
+    clq_view *view_ = nullptr;
+};
+
+TEST_P(SplitFormOfRealFiles, GoesWhereTheFilesVerticesGo)
+{
+    std::vector<Pose> poses;
+    show(rest, 0, poses);
+    const size_t shown = std::min(character_.clips.size(), clips_per_file);
+    for (size_t i = 0; i < shown && !HasFatalFailure(); ++i) {
+        const size_t clip = i * character_.clips.size() / shown;
+        const double span = character_.clips[clip].last_s - character_.clips[clip].first_s;
+        for (const double part : {0.0, 0.237, 0.618, 0.91})
+            if (!HasFatalFailure()) show(clip, part * span, poses);
+    }
+    if (HasFatalFailure()) return;
+    const Matching matching = match(poses, used_, tolerance * size_);
+    EXPECT_TRUE(matching.same) << GetParam() << ": " << matching.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Assets, SplitFormOfRealFiles, testing::ValuesIn(asset_files()),
+                         [](const auto &parameter) { return case_name(parameter.param); });
+
+}  // namespace
+}  // namespace claque::reference

@@ -1,0 +1,104 @@
+// The matching of split vertices has to fail as well, on each kind of damage that splitting can do.
+#include "trajectories.h"
+
+#include <gtest/gtest.h>
+
+#include "asset_files.h"
+#include "comparison.h"
+
+namespace claque::reference
+{
+namespace
+{
+
+class MatchingOfARealCharacter : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (assets_folder().empty()) GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR;
+        character_ = load_character(assets_folder() + "humanoids/khronos/CesiumMan.glb");
+        size_ = size_of(character_);
+        used_ = vertices_of_triangles(character_, size_);
+        for (const double time_s : {0.3, 0.9, 1.4}) add(character_, time_s);
+    }
+
+    // What the evaluation of `shown` gives, as if it had been split.
+    void add(const Character &shown, double time_s)
+    {
+        const Shape shape = evaluate(shown, 0, time_s);
+        poses_.push_back({evaluate(character_, 0, time_s), {shape.positions, shape.normals}});
+    }
+
+    Matching matching() const { return match(poses_, used_, tolerance * size_); }
+
+    Character character_;
+    double size_ = 0;
+    std::vector<bool> used_;
+    std::vector<Pose> poses_;
+};
+
+TEST_F(MatchingOfARealCharacter, TheSameMatches) { EXPECT_TRUE(matching().same) << matching().text; }
+
+TEST_F(MatchingOfARealCharacter, OrderAndCopiesDoNotMatter)
+{
+    for (Pose &pose : poses_) {
+        Vertices &actual = pose.actual;
+        std::swap(actual.positions[3], actual.positions[1000]);
+        std::swap(actual.normals[3], actual.normals[1000]);
+        actual.positions.push_back(actual.positions[17]);
+        actual.normals.push_back(actual.normals[17]);
+    }
+    EXPECT_TRUE(matching().same) << matching().text;
+}
+
+TEST_F(MatchingOfARealCharacter, AVertexThatFollowsAnotherInOnePoseIsAStray)
+{
+    // Where it is then, there is a vertex of the file; only its way gives it away.
+    poses_[2].actual.positions[40] = poses_[2].expected.positions[2000];
+    EXPECT_EQ(1u, matching().strays) << matching().text;
+}
+
+TEST_F(MatchingOfARealCharacter, AVertexWithAnotherJointIsAStray)
+{
+    Character damaged = character_;
+    Part &part = damaged.parts.at(0);
+    size_t influence = 0;
+    while (part.weights.at(influence) < 0.9) ++influence;
+    part.joints[influence] = (part.joints[influence] + 9) % character_.skins.at(0).joints.size();
+    poses_.clear();
+    for (const double time_s : {0.3, 0.9, 1.4}) add(damaged, time_s);
+    EXPECT_EQ(1u, matching().strays) << matching().text;
+}
+
+TEST_F(MatchingOfARealCharacter, AVertexThatIsNotThereIsMissing)
+{
+    const Vec3 lonely = poses_[0].expected.positions.at(100);
+    for (size_t v = poses_[0].actual.positions.size(); v-- > 0;) {
+        if (length(poses_[0].actual.positions[v] - lonely) > 2 * tolerance * size_) continue;
+        for (Pose &pose : poses_) {
+            pose.actual.positions.erase(pose.actual.positions.begin() + static_cast<std::ptrdiff_t>(v));
+            pose.actual.normals.erase(pose.actual.normals.begin() + static_cast<std::ptrdiff_t>(v));
+        }
+    }
+    EXPECT_GE(matching().missing, 1u) << matching().text;
+}
+
+TEST_F(MatchingOfARealCharacter, ANormalThatLiesWrongIsNoticed)
+{
+    for (Pose &pose : poses_) {
+        Vec3 &n = pose.actual.normals[123];
+        n = {-n.x, n.y, n.z + 0.3};
+    }
+    EXPECT_EQ(1u, matching().bad_normals) << matching().text;
+}
+
+TEST(NormalLimit, IsTheSlackAloneWhereNothingIsStretched)
+{
+    EXPECT_NEAR(normal_slack, normal_limit(1, normal_slack), 1e-7);
+    // The worst case of stretch 2: a normal at an angle whose tangent is 2 to the short axis, or 1 / 2.
+    EXPECT_NEAR(std::atan(2.0) - std::atan(0.5), normal_limit(2, 0), 1e-12);
+}
+
+}  // namespace
+}  // namespace claque::reference
