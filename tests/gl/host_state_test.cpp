@@ -1,0 +1,172 @@
+// "Leave no trace" (SPEC 4): all GL 1.1 state before and after a draw, for a host that leaves nothing at its default.
+#include "passes/guard.h"
+#include "tests/gl/support/fixture.h"
+#include "tests/gl/support/hostile.h"
+#include "tests/gl/support/state_dump.h"
+
+namespace gltest
+{
+namespace
+{
+
+using passes::Guard;
+using passes::Left;
+
+class HostState : public GlTest
+{
+protected:
+    // Names of what a draw changed.
+    std::vector<std::string> changed_by_draw(passes::Renderer &renderer, const claque::draw::DrawList &list)
+    {
+        const State before = dump_state(*host_);
+        const Status status = renderer.draw(list, nullptr);
+        EXPECT_TRUE(status.ok()) << status.text;
+        after_ = dump_state(*host_);
+        return differences(before, after_);
+    }
+
+    // Draws for hosts with everything at its default, with its arrays left on, and hostile; by array and by glColor;
+    // mirrored and double-sided or not.
+    std::set<gl::Enum> names_changed(Guard guard)
+    {
+        std::set<gl::Enum> names;
+        for (const passes::Strategy strategy : {passes::Strategy::fused, passes::Strategy::per_zone})
+            for (const Host kind : {Host::calm, Host::arrays_on, Host::hostile})
+                for (const bool turned : {false, true}) {
+                    SetUp();
+                    Figure figure = small_figure();
+                    figure.tmpl->levels[0].surfaces[0].double_sided = turned;
+                    const auto renderer = make_renderer_of(figure, options_of(strategy, guard));
+                    const std::unique_ptr<HostileHost> hostile = become(kind);
+                    claque::draw::DrawList list = list_of(figure, whole_view(figure));
+                    list.items[0].mirrored = turned;
+                    for (const std::string &name : changed_by_draw(*renderer, list))
+                        if (!is_of_a_texture(name)) names.insert(after_.at(name).name);
+                }
+        return names;
+    }
+
+    enum class Host { calm, arrays_on, hostile };
+    std::unique_ptr<HostileHost> become(Host kind)
+    {
+        if (kind == Host::hostile) return std::make_unique<HostileHost>(*host_);
+        if (kind == Host::arrays_on)
+            for (const gl::Enum array : {gl::vertex_array, gl::normal_array, gl::texture_coord_array})
+                host_->EnableClientState(array);
+        return nullptr;
+    }
+
+    // Parameters belong to the texture that is bound, and another one is.
+    static bool is_of_a_texture(const std::string &name) { return name.rfind("GL_TEXTURE_2D GL_", 0) == 0; }
+
+    static void expect_documented(const std::set<gl::Enum> &changed, const std::vector<Left> &documented)
+    {
+        std::set<gl::Enum> names;
+        for (const Left &left : documented) {
+            names.insert(left.name);
+            const bool undefined = std::string(left.as).find("undefined") != std::string::npos;
+            EXPECT_TRUE(undefined || changed.count(left.name)) << "documented as left, but never changed: " << left.as;
+        }
+        for (const gl::Enum name : changed) EXPECT_TRUE(names.count(name)) << "changed, but not documented: " << name;
+    }
+
+    State after_;
+};
+
+TEST_F(HostState, IsAsItWasAfterADrawInGuardModeFullForEveryStrategy)
+{
+    const Figure figure = small_figure();
+    for (const passes::Strategy strategy : all_strategies) {
+        const auto renderer = make_renderer_of(figure, options_of(strategy));
+        const HostileHost hostile(*host_);
+        const std::vector<std::string> changed = changed_by_draw(*renderer, list_of(figure, whole_view(figure)));
+        for (const std::string &name : changed) ADD_FAILURE() << name << " is now " << text_of(after_.at(name));
+        SetUp();
+    }
+}
+
+TEST_F(HostState, IsAsItWasAfterATemplateWasPreparedAndAfterTheRendererWasDestroyed)
+{
+    const Figure figure = small_figure();
+    const HostileHost hostile(*host_);
+    const State before = dump_state(*host_);
+    const auto renderer = make_renderer_of(figure);
+    EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>());
+    renderer->destroy();
+    EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>());
+}
+
+TEST_F(HostState, IsLeftExactlyAsDocumentedInGuardModeMinimal)
+{
+    expect_documented(names_changed(Guard::minimal),
+                      {std::begin(passes::left_by_minimal), std::end(passes::left_by_minimal)});
+}
+
+TEST_F(HostState, IsLeftExactlyAsDocumentedInGuardModeNone)
+{
+    std::vector<Left> documented(std::begin(passes::left_by_minimal), std::end(passes::left_by_minimal));
+    documented.insert(documented.end(), std::begin(passes::left_by_none), std::end(passes::left_by_none));
+    expect_documented(names_changed(Guard::none), documented);
+}
+
+TEST_F(HostState, OfAHostileHostDoesNotSpoilThePicture)
+{
+    const Figure figure = small_figure();
+    const Camera camera = whole_view(figure);
+    for (const passes::Strategy strategy : all_strategies)
+        for (const Guard guard : {Guard::full, Guard::minimal, Guard::none}) {
+            const auto renderer = make_renderer_of(figure, options_of(strategy, guard));
+            const Picture calm = draw(*context_, *renderer, list_of(figure, camera));
+            renderer->destroy();
+            SetUp();
+            const HostileHost hostile(*host_);
+            const auto again = make_renderer_of(figure, options_of(strategy, guard));
+            EXPECT_EQ(draw(*context_, *again, list_of(figure, camera)), calm) << int(strategy) << " " << int(guard);
+            SetUp();
+        }
+}
+
+TEST_F(HostState, KeepsTheHostsRgbMaskAndNeverWritesAlpha)
+{
+    const Figure figure = small_figure();
+    const auto renderer = make_renderer_of(figure);
+    host_->Viewport(0, 0, width, height);
+    host_->ColorMask(1, 0, 1, 1);
+    const Picture picture = draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    for (size_t i = 1; i < picture.size(); i += 3) ASSERT_EQ(picture[i], background[1]);
+    std::vector<uint8_t> rgba(4 * width * height);
+    host_->ask<void (*)(int, int, int, int, unsigned, unsigned, void *)>("glReadPixels")(
+        0, 0, width, height, gl::rgba, gl::unsigned_byte, rgba.data());
+    for (size_t i = 3; i < rgba.size(); i += 4) ASSERT_EQ(rgba[i], 255);
+}
+
+TEST_F(HostState, OfErrorsIsTheHostsOwn)
+{
+    constexpr gl::Enum invalid_enum = 0x0500;
+    const Figure figure = small_figure();
+    const HostileHost hostile(*host_);
+    const auto renderer = make_renderer_of(figure);
+    EXPECT_EQ(host_->GetError(), 0u) << "left by prepare";
+    draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    EXPECT_EQ(host_->GetError(), 0u) << "left by draw";
+    host_->Enable(0xffff);
+    draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    EXPECT_EQ(host_->GetError(), invalid_enum) << "the host's pending error was eaten";
+    EXPECT_EQ(host_->GetError(), 0u);
+}
+
+TEST_F(HostState, IsNotTouchedByAnEmptyListOrARefusal)
+{
+    const Figure figure = small_figure(), other = small_figure();
+    for (const Guard guard : {Guard::full, Guard::none}) {
+        const auto renderer = make_renderer_of(figure, options_of(passes::Strategy::fused, guard));
+        const State before = dump_state(*host_);
+        const claque::draw::DrawList empty(std::pmr::get_default_resource());
+        EXPECT_TRUE(renderer->draw(empty, nullptr).ok());
+        EXPECT_EQ(renderer->draw(list_of(other, whole_view(other)), nullptr).code, CLQ_ARGUMENT);
+        EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>());
+    }
+}
+
+}  // namespace
+}  // namespace gltest

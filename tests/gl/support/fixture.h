@@ -1,0 +1,62 @@
+// A context and a renderer for it, for tests that need one of each.
+#pragma once
+
+#include "tests/gl/support/pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace gltest
+{
+
+using claque::base::Status;
+
+class GlTest : public testing::Test
+{
+protected:
+    static constexpr int width = 320, height = 240;
+
+    void SetUp() override
+    {
+        std::string why;
+        context_ = contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why);
+        if (!context_) GTEST_SKIP() << why;
+        host_ = std::make_unique<HostGl>(*context_);
+    }
+
+    std::unique_ptr<passes::Renderer> make_renderer(const passes::RendererOptions &options = {})
+    {
+        auto renderer = std::make_unique<passes::Renderer>(std::pmr::get_default_resource(), options);
+        const Status status = renderer->open(context_->get_proc_address(), context_->user());
+        EXPECT_TRUE(status.ok()) << status.text;
+        return renderer;
+    }
+    std::unique_ptr<passes::Renderer> make_renderer_of(const Figure &figure,
+                                                       const passes::RendererOptions &options = {})
+    {
+        auto renderer = make_renderer(options);
+        const Status status = renderer->prepare(*figure.tmpl);
+        EXPECT_TRUE(status.ok()) << status.text;
+        return renderer;
+    }
+
+    std::unique_ptr<contexts::Offscreen> context_;
+    std::unique_ptr<HostGl> host_;
+};
+
+// Small, of eight zones, clean and dirty triangles.
+inline Figure small_figure() { return make_figure(sheet(9, 0.2f), torture_map(128, 8, 3)); }
+
+inline Camera whole_view(const Figure &figure) { return camera_on(figure, 2.6f, -0.5f, 0.4f, 320.0f / 240.0f); }
+
+inline passes::RendererOptions options_of(passes::Strategy strategy, passes::Guard guard = passes::Guard::full)
+{
+    passes::RendererOptions options;
+    options.strategy = strategy;
+    options.guard = guard;
+    return options;
+}
+
+constexpr passes::Strategy all_strategies[] = {passes::Strategy::fused, passes::Strategy::binned,
+                                               passes::Strategy::per_zone};
+
+}  // namespace gltest
