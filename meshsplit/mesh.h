@@ -1,0 +1,52 @@
+// All visible parts of a model as one welded triangle mesh: vertices equal in every attribute are one, triangles that
+// have no area in any pose are dropped, front faces run counter-clockwise in every pose of a part that hangs mirrored.
+#pragma once
+
+#include "meshsplit/looks.h"
+
+namespace claque::meshsplit
+{
+
+struct Influence {
+    uint32_t joint = 0;
+    float weight = 0;
+};
+
+struct VertexMorph {
+    uint32_t weight = 0;  // of the pose's list
+    glm::vec3 position = glm::vec3(0), normal = glm::vec3(0);
+};
+
+struct MeshVertex {
+    glm::vec3 position = glm::vec3(0), normal = glm::vec3(0);
+    glm::vec2 uv = glm::vec2(0);
+    std::array<uint8_t, 4> colour = {255, 255, 255, 255};
+    uint32_t surface = 0;
+    uint32_t first_influence = 0, influence_count = 0;
+    uint32_t first_morph = 0, morph_count = 0;
+};
+
+struct MeshTriangle {
+    std::array<uint32_t, 3> corners = {0, 0, 0};
+    uint32_t surface = 0;
+};
+
+struct MeshSurface {
+    uint32_t texture = 0;  // of Looks::textures
+    bool double_sided = false;
+};
+
+struct Mesh {
+    std::vector<MeshVertex> vertices;     // by number of influences, then by first use
+    std::vector<MeshTriangle> triangles;  // input order
+    std::vector<Influence> influences;    // largest weight first within a vertex
+    std::vector<VertexMorph> morphs;
+    std::vector<MeshSurface> surfaces;  // those that have triangles
+    bool has_colours = false;
+    uint32_t degenerate = 0;  // dropped
+    uint32_t coincident = 0;  // lie on an earlier triangle and tie with it in depth
+};
+
+Mesh merge(const model::Model &model, const Looks &looks);
+
+}  // namespace claque::meshsplit

@@ -1,0 +1,250 @@
+#include "meshsplit/spheres.h"
+
+#include "lib/pose/pose.h"
+#include "meshsplit/vertex_cloud.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::meshsplit
+{
+
+using math::Affine;
+using model::none;
+using Palette = std::vector<Affine>;
+
+namespace
+{
+
+constexpr double samples_per_s = 60;
+
+struct PoseAt {
+    uint32_t clip;
+    double time_s;
+};
+
+std::vector<PoseAt> poses_of(const model::Rig &rig)
+{
+    std::vector<PoseAt> poses = {{none, 0}};
+    for (uint32_t clip = 0; clip < rig.clips.size(); ++clip)
+        for (const double time : sample_times(rig, clip)) poses.push_back({clip, time});
+    return poses;
+}
+
+// The smallest sphere round a few points, near enough: the centre steps towards the farthest, ever less.
+glm::dvec3 centre_of(const std::vector<glm::dvec3> &points)
+{
+    glm::dvec3 centre(0);
+    for (const glm::dvec3 &p : points) centre += p / double(points.size());
+    for (int step = 1; step <= 2000; ++step) {
+        const glm::dvec3 *far = &points[0];
+        for (const glm::dvec3 &p : points)
+            if (glm::dot(p - centre, p - centre) > glm::dot(*far - centre, *far - centre)) far = &p;
+        centre += (*far - centre) / double(step + 1);
+    }
+    return centre;
+}
+
+std::vector<glm::vec3> directions()
+{
+    std::vector<glm::vec3> out;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x || y || z) out.push_back(glm::normalize(glm::vec3(x, y, z)));
+    return out;
+}
+
+// How far the arc between two positions of a rigid body bulges beyond the chord: chord / 2 * tan(angle / 4), twice
+// over because joints above may turn about other points at once.
+struct Turn {
+    double tangent;  // tan(angle / 4)
+
+    Turn(const Affine &a, const Affine &b)
+    {
+        double cosine = -1;
+        for (int k = 0; k < 3; ++k) {
+            const double size = double(glm::length(a.column(k))) * glm::length(b.column(k));
+            cosine += size > 0 ? double(glm::dot(a.column(k), b.column(k))) / size : 1.0;
+        }
+        cosine = std::clamp(cosine / 2, -1.0, 1.0);
+        const double half = std::sqrt((1 + cosine) / 2);
+        tangent = std::sqrt((1 - half) / (1 + half));
+    }
+    double bulge(double chord) const { return chord * tangent; }
+};
+
+class SphereFinder
+{
+public:
+    explicit SphereFinder(const model::Template &tmpl) : tmpl_(tmpl), poses_(poses_of(tmpl.rig)), workspace_(tmpl.rig)
+    {
+        for (const model::Level &level : tmpl.levels) clouds_.emplace_back(level, tmpl.rig);
+    }
+
+    model::Sphere run()
+    {
+        sphere_.centre = glm::vec3(centre_of(extremes()));
+        radius_ = 0;
+        for (size_t i = 0; i < poses_.size(); ++i) {
+            const auto &pose = take(i);
+            for (const VertexCloud &cloud : clouds_) grow(cloud, pose);
+        }
+        // Skinning in float may round outwards.
+        sphere_.radius = static_cast<float>(radius_ * (1 + 1e-5));
+        return sphere_;
+    }
+
+private:
+    struct Moment {
+        Palette palette;
+        std::vector<float> weights;
+        std::vector<Turn> turns;  // since the pose before; none where it does not lead here
+    };
+    struct Pose {
+        const Moment *before, *here, *after;  // before and after: null where no motion leads there
+    };
+
+    std::vector<glm::dvec3> extremes()
+    {
+        const std::vector<glm::vec3> axes = directions();
+        std::vector<float> most(axes.size(), -std::numeric_limits<float>::infinity());
+        std::vector<glm::dvec3> points(axes.size());
+        for (const PoseAt &at : poses_) {
+            const auto palette = workspace_.pose(at.clip, at.time_s);
+            for (const VertexCloud &cloud : clouds_)
+                for (const uint32_t v : cloud.outer()) {
+                    const glm::vec3 p = cloud.skinned(v, palette.data, workspace_.weights().data);
+                    for (size_t k = 0; k < axes.size(); ++k)
+                        if (glm::dot(p, axes[k]) > most[k]) most[k] = glm::dot(p, axes[k]), points[k] = glm::dvec3(p);
+                }
+        }
+        return points;
+    }
+
+    Pose take(size_t i)
+    {
+        if (i == 0) fill(0);
+        if (i + 1 < poses_.size()) fill(i + 1);
+        Pose pose{nullptr, &moments_[i % 3], nullptr};
+        if (i > 0 && leads(i - 1)) pose.before = &moments_[(i + 2) % 3];
+        if (leads(i)) pose.after = &moments_[(i + 1) % 3];
+        return pose;
+    }
+
+    // Whether the actor moves from this pose to the next, rather than jumps.
+    bool leads(size_t i) const
+    {
+        return i + 1 < poses_.size() && poses_[i].clip == poses_[i + 1].clip && poses_[i].clip != none &&
+               poses_[i + 1].time_s - poses_[i].time_s > 1e-5;
+    }
+
+    void fill(size_t i)
+    {
+        Moment &moment = moments_[i % 3];
+        const auto palette = workspace_.pose(poses_[i].clip, poses_[i].time_s);
+        moment.palette.assign(palette.begin(), palette.end());
+        moment.weights.assign(workspace_.weights().begin(), workspace_.weights().end());
+        moment.turns.clear();
+        if (i > 0 && leads(i - 1))
+            for (size_t j = 0; j < moment.palette.size(); ++j)
+                moment.turns.emplace_back(moments_[(i - 1) % 3].palette[j], moment.palette[j]);
+    }
+
+    void grow(const VertexCloud &cloud, const Pose &pose)
+    {
+        const double morphing = cloud.most_morphed(pose.here->weights.data());
+        for (uint32_t j = 0; j < pose.here->palette.size(); ++j)
+            if (cloud.has(j) && reach_of_entry(cloud, pose, j, morphing) > radius_)
+                for (const uint32_t v : cloud.vertices(j)) radius_ = std::max(radius_, reach_of_vertex(cloud, pose, v));
+    }
+
+    // At least the distance of every vertex of a palette entry, were it moved by that entry alone. Blended vertices lie
+    // between such points.
+    double reach_of_entry(const VertexCloud &cloud, const Pose &pose, uint32_t j, double morphing) const
+    {
+        const Affine &m = pose.here->palette[j];
+        const double stretch = stretch_of(m);
+        const double radius = (double(cloud.sphere(j).radius) + morphing) * stretch;
+        const glm::vec3 centre = math::point(m, cloud.sphere(j).centre);
+        double bulge = 0;
+        for (const Moment *other : {pose.before, pose.after}) {
+            if (!other) continue;
+            const Affine &n = other->palette[j];
+            const double chord = glm::distance(math::point(n, cloud.sphere(j).centre), centre) +
+                                 4 * turn(pose, other, j).tangent * radius;
+            bulge = std::max(bulge, turn(pose, other, j).bulge(chord));
+        }
+        return double(glm::distance(centre, sphere_.centre)) + radius + bulge;
+    }
+
+    double reach_of_vertex(const VertexCloud &cloud, const Pose &pose, uint32_t v) const
+    {
+        const glm::vec3 here = cloud.skinned(v, pose.here->palette.data(), pose.here->weights.data());
+        double bulge = 0;
+        for (const Moment *other : {pose.before, pose.after}) {
+            if (!other) continue;
+            const double chord = glm::distance(cloud.skinned(v, other->palette.data(), other->weights.data()), here);
+            for (const uint32_t j : cloud.joints(v)) bulge = std::max(bulge, turn(pose, other, j).bulge(chord));
+        }
+        return double(glm::distance(here, sphere_.centre)) + bulge;
+    }
+
+    static const Turn &turn(const Pose &pose, const Moment *other, uint32_t j)
+    {
+        return other == pose.before ? pose.here->turns[j] : pose.after->turns[j];
+    }
+
+    double stretch_of(const Affine &m) const
+    {
+        double longest = 0;
+        for (int k = 0; k < 3; ++k) longest = std::max(longest, double(glm::length(m.column(k))));
+        return tmpl_.similar_only ? longest * 1.001 : longest * 1.7321;
+    }
+
+    const model::Template &tmpl_;
+    const std::vector<PoseAt> poses_;
+    pose::Workspace workspace_;
+    std::vector<VertexCloud> clouds_;
+    Moment moments_[3];  // pose i stands at i % 3
+    model::Sphere sphere_;
+    double radius_ = 0;
+};
+
+// Key times of one channel inside the clip, and the last moments before the keys of a STEP channel.
+void add_keys(const model::Rig &rig, const model::Channel &channel, std::vector<double> &times)
+{
+    for (uint32_t k = 0; k < channel.key_count; ++k) {
+        const double time = double(rig.times[channel.first_time + k]);
+        times.push_back(time);
+        if (channel.interpolation == model::Interpolation::step && k > 0) times.push_back(time - 1e-6);
+    }
+}
+
+}  // namespace
+
+std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
+{
+    const model::Clip &clip = rig.clips[clip_index];
+    const double start = double(clip.start_s), end = start + double(clip.duration_s);
+    std::vector<double> keys = {start, end};
+    for (uint32_t c = 0; c < clip.channel_count; ++c) add_keys(rig, rig.channels[clip.first_channel + c], keys);
+    std::sort(keys.begin(), keys.end());
+    std::vector<double> out;
+    for (const double key : keys) {
+        if (key < start || key > end || (!out.empty() && key - out.back() < 1e-7)) continue;
+        if (!out.empty()) {
+            const double from = out.back(), gap = key - from;
+            const int pieces = static_cast<int>(std::min(1e6, std::ceil(gap * samples_per_s - 0.01)));
+            for (int i = 1; i < pieces; ++i) out.push_back(from + gap * i / pieces);
+        }
+        out.push_back(key);
+    }
+    return out;
+}
+
+model::Sphere enclosing_sphere(const model::Template &tmpl) { return SphereFinder(tmpl).run(); }
+
+}  // namespace claque::meshsplit

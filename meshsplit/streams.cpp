@@ -1,0 +1,183 @@
+#include "meshsplit/streams.h"
+
+#include "lib/base/error.h"
+#include "meshsplit/cover.h"
+
+#include <unordered_map>
+
+namespace claque::meshsplit
+{
+
+using model::none;
+
+namespace
+{
+
+constexpr uint16_t no_zone = 0xffff;
+constexpr uint16_t no_slot = 0xffff;
+
+// Per texel the index of its zone in the texture's keys.
+std::vector<uint16_t> indices_of(const model::Texture &texture)
+{
+    std::array<uint16_t, 256> index{};
+    index.fill(no_zone);
+    for (size_t i = 0; i < texture.keys.size(); ++i) index[texture.keys[i].key] = static_cast<uint16_t>(i);
+    std::vector<uint16_t> out(size_t(texture.width) * texture.height);
+    for (size_t i = 0; i < out.size(); ++i) out[i] = index[texture.rgba[4 * i + 3]];
+    return out;
+}
+
+// Collects what spans of texels show.
+class ZoneCollector
+{
+public:
+    ZoneCollector(const model::Texture &texture, std::vector<uint16_t> zone_of_texel)
+        : texture_(texture), zone_of_texel_(std::move(zone_of_texel)), seen_(texture.keys.size())
+    {
+    }
+
+    void append(const UvTriangle &triangle, std::vector<uint16_t> &out)
+    {
+        if (seen_.size() == 1) return out.push_back(0);
+        spans_.clear();
+        cover({texture_.width, texture_.height, texture_.wrap_s, texture_.wrap_t}, triangle, spans_);
+        std::fill(seen_.begin(), seen_.end(), uint8_t(0));
+        for (const TexelSpan &span : spans_) {
+            const uint16_t *texel = zone_of_texel_.data() + size_t(span.row) * texture_.width + span.first;
+            for (uint32_t i = 0; i < span.count; ++i)
+                if (texel[i] != no_zone) seen_[texel[i]] = 1;
+        }
+        const size_t before = out.size();
+        for (size_t z = 0; z < seen_.size(); ++z)
+            if (seen_[z]) out.push_back(static_cast<uint16_t>(z));
+        if (out.size() == before) out.push_back(0);
+    }
+
+private:
+    const model::Texture &texture_;
+    const std::vector<uint16_t> zone_of_texel_;
+    std::vector<uint8_t> seen_;
+    std::vector<TexelSpan> spans_;
+};
+
+class StreamMaker
+{
+public:
+    StreamMaker(const Mesh &mesh, const TriangleZones &zones, model::Level &level)
+        : mesh_(mesh), zones_(zones), level_(level)
+    {
+        level_.slots.assign(level_.source_count, no_slot);
+    }
+
+    void run()
+    {
+        for (uint32_t s = 0; s < mesh_.surfaces.size(); ++s) add_surface(s);
+        level_.vertex_count = level_.source_count + static_cast<uint32_t>(level_.copies.size());
+    }
+
+private:
+    void add_surface(uint32_t s)
+    {
+        std::vector<std::vector<size_t>> clean, touching;
+        std::vector<size_t> dirty;
+        for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            if (mesh_.triangles[t].surface != s) continue;
+            const uint32_t count = zones_.count(t);
+            auto &lists = count == 1 ? clean : touching;
+            for (uint32_t i = 0; i < count; ++i) {
+                const uint16_t zone = zones_.of(t)[i];
+                if (lists.size() <= zone) lists.resize(size_t(zone) + 1);
+                lists[zone].push_back(t);
+            }
+            if (count > 1) dirty.push_back(t);
+        }
+        level_.surfaces.emplace_back(level_.surfaces.get_allocator().resource());
+        model::Surface &surface = level_.surfaces.back();
+        surface.texture = mesh_.surfaces[s].texture;
+        surface.double_sided = mesh_.surfaces[s].double_sided;
+        add_bins(clean, surface.clean);
+        surface.dirty = add_range(dirty);
+        add_bins(touching, surface.dirty_by_zone);
+        surface.fused = add_fused(clean, dirty);
+    }
+
+    void add_bins(const std::vector<std::vector<size_t>> &lists, model::Array<model::Bin> &out)
+    {
+        for (uint32_t z = 0; z < lists.size(); ++z)
+            if (!lists[z].empty()) out.push_back({z, add_range(lists[z])});
+    }
+
+    model::IndexRange add_range(const std::vector<size_t> &triangles)
+    {
+        const uint32_t first = here();
+        for (const size_t t : triangles)
+            for (const uint32_t corner : mesh_.triangles[t].corners) level_.indices.push_back(corner);
+        return {first, here() - first};
+    }
+
+    model::IndexRange add_fused(const std::vector<std::vector<size_t>> &clean, const std::vector<size_t> &dirty)
+    {
+        const uint32_t first = here();
+        for (uint32_t z = 0; z < clean.size(); ++z)
+            for (const size_t t : clean[z]) add_slotted(t, z, false);
+        for (const size_t t : dirty)
+            for (uint32_t i = 0; i < zones_.count(t); ++i) add_slotted(t, zones_.of(t)[i], i > 0);
+        return {first, here() - first};
+    }
+
+    void add_slotted(size_t triangle, uint32_t zone, bool raised)
+    {
+        const uint16_t slot = static_cast<uint16_t>(2 * zone + (raised ? 1 : 0));
+        for (const uint32_t corner : mesh_.triangles[triangle].corners)
+            level_.indices.push_back(vertex_of(corner, slot));
+    }
+
+    // The first slot that a source vertex is wanted with gets the vertex itself, every further one a copy.
+    uint32_t vertex_of(uint32_t source, uint16_t slot)
+    {
+        if (level_.slots[source] == no_slot) level_.slots[source] = slot;
+        if (level_.slots[source] == slot) return source;
+        const uint32_t next = level_.source_count + static_cast<uint32_t>(level_.copies.size());
+        const auto [found, is_new] = copies_.emplace(uint64_t(source) << 16 | slot, next);
+        if (is_new) {
+            level_.copies.push_back(source);
+            level_.slots.push_back(slot);
+        }
+        return found->second;
+    }
+
+    uint32_t here() const
+    {
+        if (level_.indices.size() >= none) base::fail(CLQ_LIMIT, "more than %u indices in one level", none);
+        return static_cast<uint32_t>(level_.indices.size());
+    }
+
+    const Mesh &mesh_;
+    const TriangleZones &zones_;
+    model::Level &level_;
+    std::unordered_map<uint64_t, uint32_t> copies_;
+};
+
+}  // namespace
+
+TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Texture> &textures)
+{
+    std::vector<ZoneCollector> collectors;
+    for (const model::Texture &texture : textures) collectors.emplace_back(texture, indices_of(texture));
+    TriangleZones out;
+    out.first.push_back(0);
+    for (const MeshTriangle &triangle : mesh.triangles) {
+        UvTriangle uv;
+        for (int k = 0; k < 3; ++k) uv.corners[k] = mesh.vertices[triangle.corners[static_cast<size_t>(k)]].uv;
+        collectors[mesh.surfaces[triangle.surface].texture].append(uv, out.zones);
+        out.first.push_back(static_cast<uint32_t>(out.zones.size()));
+    }
+    return out;
+}
+
+void make_streams(const Mesh &mesh, const TriangleZones &zones, model::Level &out)
+{
+    StreamMaker(mesh, zones, out).run();
+}
+
+}  // namespace claque::meshsplit

@@ -1,0 +1,26 @@
+// Which zones each triangle can show, and the index lists that follow: clean bins, dirty ranges, the fused stream with
+// its vertex copies. S1 3 (bins, dirty triangles), SPEC 3 (binned, fused).
+#pragma once
+
+#include "lib/model/template.h"
+#include "meshsplit/mesh.h"
+
+namespace claque::meshsplit
+{
+
+// Of each triangle the zones it can show, ascending, at least one: indices of its texture's keys.
+struct TriangleZones {
+    std::vector<uint32_t> first;  // [triangles + 1] into `zones`
+    std::vector<uint16_t> zones;
+
+    uint32_t count(size_t triangle) const { return first[triangle + 1] - first[triangle]; }
+    const uint16_t *of(size_t triangle) const { return zones.data() + first[triangle]; }
+};
+
+// A triangle that can show nothing but holes counts as one of the lowest zone; holes make none dirty.
+TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Texture> &textures);
+
+// Fills vertex_count, copies, slots, indices and surfaces of a level whose source_count is set.
+void make_streams(const Mesh &mesh, const TriangleZones &zones, model::Level &out);
+
+}  // namespace claque::meshsplit

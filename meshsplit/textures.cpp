@@ -1,0 +1,206 @@
+#include "meshsplit/textures.h"
+
+#include "lib/base/error.h"
+#include "lib/model/keys.h"
+#include "meshsplit/cover.h"
+#include "meshsplit/pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::meshsplit
+{
+
+using model::none;
+using model::Wrap;
+
+namespace
+{
+
+uint8_t tinted(uint8_t value, float factor)
+{
+    return static_cast<uint8_t>(std::floor(std::clamp(float(value) * factor, 0.0f, 255.0f) + 0.5f));
+}
+
+ZoneMap palette_map(const TexturePlan &plan)
+{
+    const uint32_t side = palette_side(static_cast<uint32_t>(plan.cells.size()));
+    ZoneMap map(side * cell_px, side * cell_px);
+    for (uint32_t y = 0; y < map.height; ++y)
+        for (uint32_t x = 0; x < map.width; ++x) {
+            const size_t wanted = size_t(y / cell_px) * side + x / cell_px, at = size_t(y) * map.width + x;
+            const Cell &cell = plan.cells[std::min(wanted, plan.cells.size() - 1)];
+            map.zones[at] = cell.is_hole ? hole : static_cast<uint16_t>(cell.zone);
+            for (size_t k = 0; k < 3; ++k) map.rgb[3 * at + k] = tinted(255, cell.rgb[k]);
+        }
+    return map;
+}
+
+// Which zone each key of a file means. Zones that materials name need no key of their own, so where several zones
+// declare one key, those that no material names come first.
+class KeyTable
+{
+public:
+    explicit KeyTable(const model::Model &model) : model_(model), named_(model.zones.size())
+    {
+        for (const model::Material &material : model.materials)
+            if (material.zone != none) named_[material.zone] = 1;
+        zones_.fill(none);
+        for (const uint8_t wanted : {0, 1})
+            for (size_t z = 0; z < model.zones.size(); ++z)
+                if (named_[z] == wanted) enter(static_cast<uint32_t>(z), wanted);
+    }
+
+    uint32_t zone(uint8_t key, const model::Image &image) const
+    {
+        if (clashes_[key])
+            base::fail(CLQ_ARGUMENT, "image '%s' has key %u, which several zones declare, among them '%s'",
+                       image.name.c_str(), key, model_.zones[zones_[key]].name.c_str());
+        return zones_[key];
+    }
+
+private:
+    void enter(uint32_t zone, uint8_t named)
+    {
+        const uint8_t key = model_.zones[zone].key;
+        if (zones_[key] == none) zones_[key] = zone;
+        else if (named_[zones_[key]] == named) clashes_[key] = true;
+    }
+
+    const model::Model &model_;
+    std::vector<uint8_t> named_;
+    std::array<uint32_t, 256> zones_{};
+    std::array<bool, 256> clashes_{};
+};
+
+void read_keys(const model::Model &model, const model::Image &image, ZoneMap &map)
+{
+    const KeyTable table(model);
+    std::array<size_t, 256> texels{};
+    for (size_t i = 0; i < map.zones.size(); ++i) ++texels[image.rgba[4 * i + 3]];
+    std::array<uint16_t, 256> zones{};
+    for (size_t key = 0; key < 256; ++key) {
+        if (texels[key] == 0) continue;
+        const uint32_t zone = table.zone(static_cast<uint8_t>(key), image);
+        if (zone == none)
+            base::fail(CLQ_ARGUMENT, "image '%s' has key %zu in %zu texels, and no zone declares it",
+                       image.name.c_str(), key, texels[key]);
+        zones[key] = static_cast<uint16_t>(zone);
+    }
+    for (size_t i = 0; i < map.zones.size(); ++i) map.zones[i] = zones[image.rgba[4 * i + 3]];
+}
+
+struct Charts {
+    std::vector<UvTriangle> triangles;
+};
+
+Charts charts_of(const Mesh &mesh, uint32_t plan)
+{
+    Charts charts;
+    for (const MeshTriangle &triangle : mesh.triangles) {
+        if (mesh.surfaces[triangle.surface].texture != plan) continue;
+        UvTriangle uv;
+        for (int k = 0; k < 3; ++k) uv.corners[k] = mesh.vertices[triangle.corners[static_cast<size_t>(k)]].uv;
+        charts.triangles.push_back(uv);
+    }
+    return charts;
+}
+
+Wrap drawn(Wrap wrap) { return wrap == Wrap::clamp ? Wrap::clamp : Wrap::repeat; }
+
+void fill_gutters(const TexturePlan &plan, const Charts &charts, ZoneMap &map)
+{
+    const TexelGrid grid{map.width, map.height, drawn(plan.wrap_s), drawn(plan.wrap_t)};
+    std::vector<uint8_t> covered(map.zones.size());
+    std::vector<TexelSpan> spans;
+    for (const UvTriangle &triangle : charts.triangles) {
+        spans.clear();
+        cover(grid, triangle, spans);
+        for (const TexelSpan &span : spans)
+            std::fill_n(covered.begin() + (ptrdiff_t(span.row) * map.width + span.first), span.count, uint8_t(1));
+    }
+    dilate(map, covered);
+}
+
+ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mesh, uint32_t plan_index, uint32_t max_px)
+{
+    const TexturePlan &plan = looks.textures[plan_index];
+    ZoneMap map = source_map(model, plan);
+    if (plan.image == none) return map;
+    if (plan.wrap_s == Wrap::mirror || plan.wrap_t == Wrap::mirror)
+        map = unfold(map, plan.wrap_s == Wrap::mirror, plan.wrap_t == Wrap::mirror);
+    fill_gutters(plan, charts_of(mesh, plan_index), map);
+    return fit(map, max_px);
+}
+
+// Zones of a texture in the order of their keys: as in the file where it has keys, else as the model lists them.
+std::vector<uint32_t> zones_of(const ZoneMap &map, const Looks &looks, const TexturePlan &plan)
+{
+    std::vector<uint8_t> present(looks.zones.size());
+    for (const uint16_t zone : map.zones)
+        if (zone != hole) present[zone] = 1;
+    std::vector<uint32_t> zones;
+    for (uint32_t z = 0; z < present.size(); ++z)
+        if (present[z]) zones.push_back(z);
+    if (zones.empty()) zones.push_back(plan.image == none ? plan.cells[0].zone : plan.zone);
+    if (plan.zone == none && plan.image != none)
+        std::stable_sort(zones.begin(), zones.end(),
+                         [&](uint32_t a, uint32_t b) { return looks.zones[a].key < looks.zones[b].key; });
+    return zones;
+}
+
+void encode(const ZoneMap &map, const std::vector<uint32_t> &zones, const TexturePlan &plan, model::Texture &out)
+{
+    out.width = map.width, out.height = map.height;
+    out.wrap_s = drawn(plan.wrap_s), out.wrap_t = drawn(plan.wrap_t);
+    const std::vector<uint8_t> keys = model::geometric_keys(static_cast<uint32_t>(zones.size()));
+    std::vector<uint8_t> key_of(size_t(*std::max_element(zones.begin(), zones.end())) + 1);
+    for (size_t i = 0; i < zones.size(); ++i) {
+        out.keys.push_back({zones[i], keys[i]});
+        key_of[zones[i]] = keys[i];
+    }
+    out.rgba.resize(4 * map.zones.size());
+    for (size_t i = 0; i < map.zones.size(); ++i) {
+        for (size_t k = 0; k < 3; ++k) out.rgba[4 * i + k] = map.rgb[3 * i + k];
+        const bool is_hole = map.zones[i] == hole;
+        out.rgba[4 * i + 3] = is_hole ? 0 : key_of[map.zones[i]];
+        out.has_holes = out.has_holes || is_hole;
+    }
+}
+
+}  // namespace
+
+ZoneMap source_map(const model::Model &model, const TexturePlan &plan)
+{
+    if (plan.image == none) return palette_map(plan);
+    const model::Image &image = model.images[plan.image];
+    ZoneMap map(image.width, image.height);
+    for (size_t i = 0; i < map.zones.size(); ++i) {
+        for (size_t k = 0; k < 3; ++k) map.rgb[3 * i + k] = tinted(image.rgba[4 * i + k], plan.rgb[k]);
+        const bool is_hole = plan.masked && float(image.rgba[4 * i + 3]) / 255.0f < plan.cutoff;
+        map.zones[i] = is_hole ? hole : static_cast<uint16_t>(plan.zone);
+    }
+    if (plan.zone == none) read_keys(model, image, map);
+    return map;
+}
+
+void make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px, Mesh &mesh,
+                   model::Array<model::Texture> &out)
+{
+    std::vector<uint32_t> made(looks.textures.size(), none);
+    std::vector<uint32_t> texture_of;
+    for (const MeshSurface &surface : mesh.surfaces) {
+        uint32_t &texture = made[surface.texture];
+        if (texture == none) {
+            const TexturePlan &plan = looks.textures[surface.texture];
+            const ZoneMap map = final_map(model, looks, mesh, surface.texture, max_texture_px);
+            texture = static_cast<uint32_t>(out.size());
+            out.emplace_back(out.get_allocator().resource());
+            encode(map, zones_of(map, looks, plan), plan, out.back());
+        }
+        texture_of.push_back(texture);
+    }
+    for (size_t s = 0; s < mesh.surfaces.size(); ++s) mesh.surfaces[s].texture = texture_of[s];
+}
+
+}  // namespace claque::meshsplit

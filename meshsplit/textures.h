@@ -1,0 +1,20 @@
+// Planned textures to the ones that GL is given: powers of two, gutters filled, alpha renumbered. S2 2.3, SPEC 2
+// 'Keys'.
+#pragma once
+
+#include "lib/model/template.h"
+#include "meshsplit/mesh.h"
+#include "meshsplit/zone_map.h"
+
+namespace claque::meshsplit
+{
+
+// The image as it is planned to look, at its own size, before gutters and changes of size. Throws base::Error
+// (ARGUMENT) where a texel has a key that no zone declares.
+ZoneMap source_map(const model::Model &model, const TexturePlan &plan);
+
+// Appends one texture for each surface's plan and points the surfaces at them.
+void make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px, Mesh &mesh,
+                   model::Array<model::Texture> &out);
+
+}  // namespace claque::meshsplit

@@ -1,0 +1,54 @@
+// The vertices of a level by the palette entries that move them: what the search for the Sklsroot Bsphere asks.
+#pragma once
+
+#include "lib/base/span.h"
+#include "lib/model/template.h"
+
+namespace claque::meshsplit
+{
+
+class VertexCloud
+{
+public:
+    VertexCloud(const model::Level &level, const model::Rig &rig);
+
+    bool has(uint32_t joint) const { return starts_[joint + 1] > starts_[joint]; }
+    // Every vertex that this entry has a part in.
+    base::Span<const uint32_t> vertices(uint32_t joint) const
+    {
+        return {by_joint_.data() + starts_[joint], starts_[joint + 1] - starts_[joint]};
+    }
+    // Round the bind positions of those vertices.
+    const model::Sphere &sphere(uint32_t joint) const { return spheres_[joint]; }
+    // Vertices that stand out in some direction from the others of an entry.
+    const std::vector<uint32_t> &outer() const { return outer_; }
+
+    base::Span<const uint16_t> joints(uint32_t vertex) const
+    {
+        return {level_->joints.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
+    }
+    glm::vec3 skinned(uint32_t vertex, const math::Affine *palette, const float *morph_weights) const;
+    // No vertex is moved farther than this by morph targets of these weights.
+    double most_morphed(const float *morph_weights) const;
+
+private:
+    struct Delta {
+        uint32_t weight;
+        glm::vec3 position;
+    };
+    void sort_by_joint(size_t joint_count);
+    void sort_morphs();
+    void bound(size_t joint_count);
+    glm::vec3 position(uint32_t vertex) const;
+
+    const model::Level *level_;
+    std::vector<uint32_t> first_;  // [vertices + 1] into level.joints
+    std::vector<uint32_t> starts_, by_joint_;
+    std::vector<model::Sphere> spheres_;
+    std::vector<uint32_t> outer_;
+    std::vector<uint32_t> first_delta_;  // [vertices + 1], or empty without morph targets
+    std::vector<Delta> deltas_;
+    std::vector<double> longest_delta_;  // per morph range
+};
+
+}  // namespace claque::meshsplit
