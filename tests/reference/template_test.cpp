@@ -13,6 +13,7 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "trajectories.h"
+#include "triangles.h"
 
 namespace claque::reference
 {
@@ -42,8 +43,8 @@ protected:
         const std::string path = assets_folder() + GetParam();
         character_ = load_character(path);
         size_ = size_of(character_);
-        used_ = vertices_of_triangles(character_, size_);
-        if (std::count(used_.begin(), used_.end(), true) == 0) GTEST_SKIP() << "no triangles";
+        triangles_ = triangles_of(character_, size_);
+        if (triangles_.empty()) GTEST_SKIP() << "no triangles";
         make_template(path);
         if (!HasFatalFailure()) make_crowd();
     }
@@ -106,7 +107,7 @@ protected:
 
     Character character_;
     double size_ = 0;
-    std::vector<bool> used_;
+    std::vector<Triangle> triangles_;
     Owned<clq_context> context_;
     Owned<clq_template> template_;
     Owned<clq_crowd> crowd_;
@@ -126,7 +127,38 @@ TEST_P(SplitFormOfRealFiles, GoesWhereTheFilesVerticesGo)
             if (!HasFatalFailure()) show(clip, part * span, poses);
     }
     if (HasFatalFailure()) return;
-    const Matching matching = match(poses, used_, tolerance * size_);
+    const std::vector<bool> used = vertices_of(triangles_, character_.vertex_count());
+    const Matching matching = match(poses, used, tolerance * size_);
+    EXPECT_TRUE(matching.same) << GetParam() << ": " << matching.text;
+}
+
+// The triangles that the binned strategy draws: clean ones and dirty ones, each once.
+std::vector<Facet> facets_of(const model::Level &level, const std::vector<Vec3> &positions)
+{
+    std::vector<model::IndexRange> ranges;
+    for (const model::Surface &surface : level.surfaces) {
+        for (const model::Bin &bin : surface.clean) ranges.push_back(bin.range);
+        ranges.push_back(surface.dirty);
+    }
+    std::vector<Facet> facets;
+    for (const model::IndexRange &range : ranges)
+        for (uint32_t i = range.first; i < range.first + range.count; i += 3)
+            facets.push_back(facet(positions.at(level.indices.at(i)), positions.at(level.indices.at(i + 1)),
+                                   positions.at(level.indices.at(i + 2))));
+    return facets;
+}
+
+TEST_P(SplitFormOfRealFiles, HasTheFilesTrianglesAndTheirFronts)
+{
+    std::vector<Pose> poses;
+    const bool moves = !character_.clips.empty();
+    show(moves ? 0 : rest, moves ? 0.618 * (character_.clips[0].last_s - character_.clips[0].first_s) : 0, poses);
+    if (HasFatalFailure()) return;
+    const std::vector<Vec3> &at = poses[0].expected.positions;
+    std::vector<Facet> expected;
+    for (const Triangle &t : triangles_) expected.push_back(facet(at[t[0]], at[t[1]], at[t[2]]));
+    const std::vector<Facet> actual = facets_of(template_->levels[0], poses[0].actual.positions);
+    const SurfaceMatching matching = match(expected, actual, tolerance * size_);
     EXPECT_TRUE(matching.same) << GetParam() << ": " << matching.text;
 }
 

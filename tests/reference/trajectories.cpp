@@ -1,57 +1,14 @@
 #include "trajectories.h"
 
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
-#include <unordered_map>
+
+#include "grid.h"
 
 namespace claque::reference
 {
 namespace
 {
-
-// Points by the cell they are in; cells as wide as the distance that is asked for.
-class Grid
-{
-public:
-    Grid(const std::vector<Vec3> &points, double cell) : points_(points), cell_(cell)
-    {
-        for (size_t i = 0; i < points.size(); ++i) cells_[key(place(points[i]))].push_back(i);
-    }
-
-    std::vector<size_t> near(const Vec3 &at) const
-    {
-        std::vector<size_t> found;
-        const auto middle = place(at);
-        for (int64_t n = 0; n < 27; ++n) {
-            const auto cell =
-                cells_.find(key({middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1}));
-            if (cell == cells_.end()) continue;
-            for (const size_t i : cell->second)
-                if (length(points_[i] - at) <= cell_) found.push_back(i);
-        }
-        return found;
-    }
-
-private:
-    using Place = std::array<int64_t, 3>;
-    Place place(const Vec3 &p) const
-    {
-        const auto along = [&](double x) { return static_cast<int64_t>(std::floor(x / cell_)); };
-        return {along(p.x), along(p.y), along(p.z)};
-    }
-    // Cells that share a key cost time only: distances are measured.
-    static uint64_t key(const Place &p)
-    {
-        return static_cast<uint64_t>(p[0]) * 73856093u ^ static_cast<uint64_t>(p[1]) * 19349663u ^
-               static_cast<uint64_t>(p[2]) * 83492791u;
-    }
-
-    const std::vector<Vec3> &points_;
-    double cell_;
-    std::unordered_map<uint64_t, std::vector<size_t>> cells_;
-};
 
 bool goes_with(const std::vector<Pose> &poses, size_t actual, size_t expected, double distance)
 {
@@ -104,26 +61,6 @@ Matching match(const std::vector<Pose> &poses, const std::vector<bool> &used, do
     result.text = text.str();
     result.same = result.strays == 0 && result.missing == 0 && result.bad_normals == 0;
     return result;
-}
-
-std::vector<bool> vertices_of_triangles(const Character &character, double size)
-{
-    const Shape shape = evaluate(character, rest, 0);
-    std::vector<bool> used(shape.positions.size(), false);
-    size_t first = 0;
-    for (const Part &part : character.parts) {
-        const size_t step = part.mode == 4 ? 3 : 1;
-        for (size_t i = 0; part.mode >= 4 && i + 2 < part.indices.size(); i += step) {
-            const std::array<size_t, 3> corner{first + part.indices[part.mode == 6 ? 0 : i],
-                                               first + part.indices[i + 1], first + part.indices[i + 2]};
-            const Vec3 side = shape.positions[corner[1]] - shape.positions[corner[0]];
-            const Vec3 other = shape.positions[corner[2]] - shape.positions[corner[0]];
-            if (length(cross(side, other)) < 1e-10 * size * size) continue;
-            for (const size_t v : corner) used[v] = true;
-        }
-        first += part.positions.size();
-    }
-    return used;
 }
 
 }  // namespace claque::reference

@@ -39,9 +39,6 @@ constexpr double normal_slack = 1.0 / 57.29577951308232;  // one degree
 // All poses have the same counts. `used` says which of the file's vertices must be found.
 Matching match(const std::vector<Pose> &poses, const std::vector<bool> &used, double distance);
 
-// Vertices of triangles that have an area in the rest pose.
-std::vector<bool> vertices_of_triangles(const Character &character, double size);
-
 }  // namespace claque::reference
 
 #endif

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "asset_files.h"
 #include "comparison.h"
+#include "triangles.h"
 
 namespace claque::reference
 {
@@ -19,7 +22,8 @@ protected:
         if (assets_folder().empty()) GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR;
         character_ = load_character(assets_folder() + "humanoids/khronos/CesiumMan.glb");
         size_ = size_of(character_);
-        used_ = vertices_of_triangles(character_, size_);
+        triangles_ = triangles_of(character_, size_);
+        used_ = vertices_of(triangles_, character_.vertex_count());
         for (const double time_s : {0.3, 0.9, 1.4}) add(character_, time_s);
     }
 
@@ -34,6 +38,7 @@ protected:
 
     Character character_;
     double size_ = 0;
+    std::vector<Triangle> triangles_;
     std::vector<bool> used_;
     std::vector<Pose> poses_;
 };
@@ -91,6 +96,47 @@ TEST_F(MatchingOfARealCharacter, ANormalThatLiesWrongIsNoticed)
         n = {-n.x, n.y, n.z + 0.3};
     }
     EXPECT_EQ(1u, matching().bad_normals) << matching().text;
+}
+
+TEST_F(MatchingOfARealCharacter, ATurnedAMissingAndAStretchedTriangleAreNoticed)
+{
+    const std::vector<Vec3> &at = poses_[0].expected.positions;
+    std::vector<Facet> facets;
+    for (const Triangle &t : triangles_) facets.push_back(facet(at[t[0]], at[t[1]], at[t[2]]));
+    const double distance = tolerance * size_;
+    EXPECT_TRUE(match(facets, facets, distance).same);
+
+    std::vector<Facet> turned = facets;
+    const auto large = std::max_element(facets.begin(), facets.end(),
+                                        [](const Facet &a, const Facet &b) { return length(a.area) < length(b.area); });
+    const size_t chosen = static_cast<size_t>(large - facets.begin());
+    turned[chosen].area = turned[chosen].area * -1;
+    EXPECT_EQ(1u, match(facets, turned, distance).turned);
+    EXPECT_EQ(1u, match(facets, turned, distance).missing);
+
+    std::vector<Facet> stretched = facets;
+    stretched[chosen].area = stretched[chosen].area * 1.2;
+    EXPECT_EQ(1u, match(facets, stretched, distance).strays);
+
+    std::vector<Facet> fewer = facets;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(chosen));
+    EXPECT_EQ(1u, match(facets, fewer, distance).missing);
+}
+
+TEST(TrianglesOfAPart, FollowTheSpecificationForStripsFansAndMirroredNodes)
+{
+    Character character;
+    character.nodes.resize(1);
+    Part part;
+    part.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    part.indices = {0, 1, 2, 3};
+    part.mode = 5;
+    character.parts = {part};
+    EXPECT_EQ((std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}), triangles_of(character, 1));
+    character.parts[0].mode = 6;
+    EXPECT_EQ((std::vector<Triangle>{{1, 2, 0}, {2, 3, 0}}), triangles_of(character, 1));
+    character.nodes[0].scale = {-1, 1, 1};
+    EXPECT_EQ((std::vector<Triangle>{{1, 0, 2}, {2, 0, 3}}), triangles_of(character, 1));
 }
 
 TEST(NormalLimit, IsTheSlackAloneWhereNothingIsStretched)

@@ -1,0 +1,43 @@
+// The triangles of a file with their front sides, and whether two sets of triangles are the same surface.
+#ifndef CLAQUE_TESTS_REFERENCE_TRIANGLES_H
+#define CLAQUE_TESTS_REFERENCE_TRIANGLES_H
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "gltf_reference.h"
+
+namespace claque::reference
+{
+
+using Triangle = std::array<size_t, 3>;  // vertices of the character, counter-clockwise from the front
+
+// Lists, strips and fans of all parts, without those that have no area in the rest pose. Where a rigid part's node
+// mirrors, its front is the other side, as glTF has it.
+std::vector<Triangle> triangles_of(const Character &character, double size);
+
+// For each vertex, whether one of them has it.
+std::vector<bool> vertices_of(const std::vector<Triangle> &triangles, size_t vertex_count);
+
+struct Facet {
+    Vec3 centre;
+    Vec3 area;  // as long as the area, towards the front
+};
+
+Facet facet(const Vec3 &a, const Vec3 &b, const Vec3 &c);
+
+struct SurfaceMatching {
+    bool same = false;
+    size_t strays = 0, missing = 0;
+    size_t turned = 0;  // strays that would not be if their front were their back
+    std::string text;
+};
+
+// Every facet has one like it in the other set: centres within `distance`, areas within what moving corners that far
+// can change.
+SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<Facet> &actual, double distance);
+
+}  // namespace claque::reference
+
+#endif
