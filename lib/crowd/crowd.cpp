@@ -70,20 +70,20 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
 {
     const Place placed = checked(place);
     const Play playing = checked(play, tmpl);
-    const auto known = std::find(templates_.begin(), templates_.end(), &tmpl);
+    const uint32_t index =
+        static_cast<uint32_t>(std::find(templates_.begin(), templates_.end(), &tmpl) - templates_.begin());
     if (first_free_ == model::none) {
         if (actors_.size() >= max_rows) fail(CLQ_LIMIT, "a crowd holds at most %u actors", max_rows);
         reserve_one(actors_);
         reserve_one(places_);
         reserve_one(plays_);
     }
-    if (known == templates_.end()) {
+    if (index == templates_.size()) {
         reserve_one(templates_);
         reserve_one(colours_);
     }
 
     // Committed from here on: nothing below can fail.
-    const uint32_t index = static_cast<uint32_t>(known - templates_.begin());
     if (index == templates_.size()) {
         templates_.push_back(&tmpl);
         colours_.emplace_back(templates_.get_allocator().resource(), tmpl.zone_count());

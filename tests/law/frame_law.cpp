@@ -1,0 +1,215 @@
+// What is shown is a function of time and present distance; how it is computed changes nothing (SPEC: update period,
+// E6; S1 4).
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/scene.h"
+
+namespace claque
+{
+
+using namespace testing_support;
+using animcache::Mode;
+
+namespace
+{
+
+// A path with pans, jumps of the eye, jumps of time and time that runs back.
+struct Step {
+    double time_s;
+    glm::dvec3 eye, target;
+};
+
+std::vector<Step> path()
+{
+    std::vector<Step> out;
+    double t = 3;
+    for (int i = 0; i < 40; ++i) {
+        t += i == 12 ? 1000 : i == 20 ? -995.5 : i > 30 ? -1.0 / 60 : 1.0 / 60;
+        const bool far = i >= 15 && i < 18;
+        out.push_back({t, glm::dvec3(0.3 * i, 1.7, far ? 30 : 0), glm::dvec3(i % 9 - 4, 1, i == 25 ? 30 : -20)});
+    }
+    return out;
+}
+
+std::vector<uint64_t> walk(const SceneDef &def, const base::Jobs &jobs = base::Jobs())
+{
+    Scene scene(def);
+    scene.add_view(glm::dvec3(20, 5, -40), glm::dvec3(0, 0, -30));
+    std::vector<uint64_t> out;
+    for (const Step &step : path()) {
+        scene.look(0, step.eye, step.target);
+        out.push_back(scene.update(step.time_s, jobs));
+    }
+    return out;
+}
+
+SceneDef with(Mode mode, uint64_t budget_bytes)
+{
+    SceneDef def;
+    def.settings.mode = mode;
+    def.settings.budget_bytes = budget_bytes;
+    return def;
+}
+
+constexpr uint64_t plenty = uint64_t(1) << 30;
+
+}  // namespace
+
+TEST(FrameLaw, AFrameAloneIsTheFrameInItsSequence)
+{
+    const std::vector<uint64_t> sequence = walk(SceneDef());
+    EXPECT_GT(std::set<uint64_t>(sequence.begin(), sequence.end()).size(), 35u);  // they do differ
+    const std::vector<Step> steps = path();
+    for (size_t i = 0; i < steps.size(); ++i) {
+        Scene alone;
+        alone.add_view(glm::dvec3(20, 5, -40), glm::dvec3(0, 0, -30));
+        alone.look(0, steps[i].eye, steps[i].target);
+        EXPECT_EQ(alone.update(steps[i].time_s), sequence[i]) << "frame " << i;
+    }
+}
+
+TEST(FrameLaw, AnyNumberOfThreadsGivesTheSameFrames)
+{
+    const std::vector<uint64_t> one = walk(SceneDef());
+    for (const uint32_t count : {1u, 2u, 4u, 7u}) {
+        Threads threads(count);
+        EXPECT_EQ(walk(SceneDef(), threads.jobs()), one) << count << " threads";
+    }
+}
+
+TEST(FrameLaw, CachesChangeWhatAFrameCostsNeverWhatItShows)
+{
+    const std::vector<uint64_t> full = walk(with(Mode::full, plenty));
+    EXPECT_EQ(walk(with(Mode::animation, plenty)), full);
+    EXPECT_EQ(walk(with(Mode::none, plenty)), full);
+    for (const uint64_t budget : {0u, 1u, 2000u, 30000u, 100000u, 300000u})
+        for (const Mode mode : {Mode::full, Mode::animation, Mode::none})
+            EXPECT_EQ(walk(with(mode, budget)), full) << "budget " << budget << " mode " << int(mode);
+}
+
+TEST(FrameLaw, ATinyBudgetIsKept)
+{
+    Scene scene(with(Mode::full, 100000));
+    uint32_t on_demand = 0;
+    for (const Step &step : path()) {
+        scene.look(0, step.eye, step.target);
+        scene.update(step.time_s);
+        const frame::Stats &stats = scene.frame.stats();
+        EXPECT_LE(stats.cache_bytes, 100000u);
+        EXPECT_EQ(stats.vertices_served + stats.skinned + stats.on_demand, stats.visible);
+        on_demand += stats.on_demand;
+    }
+    EXPECT_GT(on_demand, 100u);
+    EXPECT_GT(scene.frame.stats().evicted, 10u);
+}
+
+TEST(FrameLaw, ACameraJumpRefreshesAtOnce)
+{
+    Scene scene;
+    const glm::dvec3 near_eye(0, 1.7, 0), far_eye(0, 1.7, 45), target(0, 1, -30);
+    for (int i = 0; i < 30; ++i) scene.look(0, far_eye, target), scene.update(10 + i / 60.0);
+    scene.look(0, near_eye, target);
+    const uint64_t jumped = scene.update(10.5);
+    Scene fresh;
+    EXPECT_EQ(fresh.update(10.5), jumped);
+    for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
+        const frame::Seen seen = scene.frame.seen(scene.crowd, row);
+        if (!seen.visible) continue;
+        EXPECT_LE(seen.shown_s, 10.5);
+        EXPECT_GT(seen.shown_s, 10.5 - seen.period_s - 1e-9);  // nobody shows a pose older than its present period
+    }
+}
+
+TEST(FrameLaw, AStandingStillClockAndEyeCostNothing)
+{
+    Scene scene;
+    scene.update(5);
+    const frame::Stats first = scene.frame.stats();
+    EXPECT_EQ(first.animated, first.visible);
+    EXPECT_EQ(first.skinned, first.visible);
+    scene.update(5);
+    const frame::Stats &stats = scene.frame.stats();
+    EXPECT_EQ(stats.animated, 0u);
+    EXPECT_EQ(stats.skinned, 0u);
+    EXPECT_EQ(stats.palette_served, stats.visible);
+    EXPECT_EQ(stats.vertices_served, stats.visible);
+}
+
+TEST(FrameLaw, ALevelSwitchSkinsAnewFromTheCachedPalette)
+{
+    SceneDef def;
+    def.actors = 1;
+    def.settings.period = {0.25f, 0.25f, 1, 1000};  // one rate at all distances
+    Scene scene(def);
+    crowd::Place place;
+    place.position = glm::dvec3(0, 0, -15);
+    scene.crowd.place(&scene.ids[0], &place, 1);
+    scene.update(1);
+    EXPECT_EQ(scene.views[0]->list.items[0].level, 0u);
+    place.position.z = -25;
+    scene.crowd.place(&scene.ids[0], &place, 1);
+    scene.update(1);
+    EXPECT_EQ(scene.views[0]->list.items[0].level, 1u);
+    EXPECT_EQ(scene.frame.stats().animated, 0u);
+    EXPECT_EQ(scene.frame.stats().palette_served, 1u);
+    EXPECT_EQ(scene.frame.stats().skinned, 1u);
+}
+
+TEST(FrameLaw, PosesAreInTheActorsOwnSpaceSoMovingCostsNoSkinning)
+{
+    Scene scene;
+    scene.update(5);
+    const glm::dvec3 shift(0.01, 0, 0.01);
+    for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
+        crowd::Place place = scene.crowd.place_of(row);
+        place.position += shift;
+        scene.crowd.place(&scene.ids[row], &place, 1);
+    }
+    scene.look(0, glm::dvec3(0, 1.7, 0) + shift, glm::dvec3(0, 1, -30) + shift);
+    scene.update(5);
+    EXPECT_EQ(scene.frame.stats().skinned, 0u);
+}
+
+TEST(FrameLaw, TenMillionSecondsLaterNothingHasDrifted)
+{
+    SceneDef def;
+    def.actors = 1;
+    def.settings.period = {0, 0, 1, 2};
+    Scene early(def), late(def);
+    crowd::Play play;
+    play.clip = clip_walk;
+    const double length = early.templates[0]->rig.clips[clip_walk].duration_s;
+    const double later = length * 9e6;  // about 1e7 s, a whole number of clips
+    for (int i = 0; i < 50; ++i) {
+        early.crowd.play(early.ids[0], play);
+        late.crowd.play(late.ids[0], play);
+        early.update(i * 0.02);
+        late.update(later + i * 0.02);
+        const model::Level &level = early.templates[0]->levels[0];
+        const float *a = early.views[0]->list.items[0].vertices.positions;
+        const float *b = late.views[0]->list.items[0].vertices.positions;
+        for (uint32_t k = 0; k < 3 * level.vertex_count; ++k) ASSERT_NEAR(a[k], b[k], 2e-6) << i;
+    }
+}
+
+TEST(FrameLaw, FarFromTheOriginTheSameSceneIsSeen)
+{
+    SceneDef far;
+    far.origin = glm::dvec3(1e6, -2e6, 3e6);
+    Scene here, there(far);
+    for (int i = 0; i < 20; ++i) {
+        const glm::dvec3 eye(0.013 * i, 1.7, 0.007 * i);
+        here.look(0, eye, glm::dvec3(0, 1, -30)), there.look(0, eye, glm::dvec3(0, 1, -30));
+        here.update(1 + i / 60.0), there.update(1 + i / 60.0);
+        const auto &a = here.views[0]->list.items, &b = there.views[0]->list.items;
+        ASSERT_EQ(a.size(), b.size());
+        for (size_t k = 0; k < a.size(); ++k) {
+            ASSERT_EQ(a[k].actor_index, b[k].actor_index);
+            for (int m = 0; m < 16; ++m) ASSERT_NEAR(a[k].model_view[m], b[k].model_view[m], 1e-5);
+        }
+    }
+}
+
+}  // namespace claque

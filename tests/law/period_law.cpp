@@ -1,0 +1,115 @@
+// T(d^2) = clamp(T_near + (T_far - T_near)(d^2 - d_near^2) / (d_far^2 - d_near^2)), on the ladder; the rates that are
+// really reached, and how evenly the work falls (S1 4, SPEC 2).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/scene.h"
+
+namespace claque
+{
+
+using namespace testing_support;
+
+namespace
+{
+
+// One template's walk, standing in a row at given distances.
+void line_up(Scene &scene, double first, double last)
+{
+    crowd::Play play;
+    play.clip = clip_walk;
+    for (size_t i = 0; i < scene.ids.size(); ++i) {
+        crowd::Place place;
+        place.position = glm::dvec3(0, 1.7, -(first + (last - first) * double(i) / double(scene.ids.size())));
+        scene.crowd.place(&scene.ids[i], &place, 1);
+        scene.crowd.play(scene.ids[i], play);
+    }
+}
+
+double lawful_rate(double d)
+{
+    // Written from the sentence, not from the code.
+    double period = 0.02 + (0.25 - 0.02) * (d * d - 25) / (2500 - 25);
+    period = std::min(0.25, std::max(0.02, period));
+    double rate = 50;
+    for (const double rung : {50.0, 40.0, 32.0, 25.0, 20.0, 16.0, 12.5, 10.0, 8.0, 6.25, 5.0, 4.0})
+        if (rung >= 1 / period * (1 - 1e-6)) rate = rung;
+    return rate;
+}
+
+}  // namespace
+
+TEST(PeriodLaw, RatesReachedFollowTheSquaredDistanceInEveryBand)
+{
+    SceneDef def;
+    def.actors = 120;
+    Scene scene(def);
+    line_up(scene, 1, 70);
+    double expected[frame::band_count] = {}, seconds[frame::band_count] = {};
+    const double step = 1.0 / 200, length = 10;
+    for (int i = 0; i <= int(length / step); ++i) scene.update(100 + i * step);
+    for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
+        const double d = -scene.crowd.place_of(row).position.z;
+        for (uint32_t b = 0; b < frame::band_count; ++b) {
+            const frame::Band &band = scene.frame.stats().bands[b];
+            if (d < band.distance_first || (b + 1 < frame::band_count && d >= band.distance_last)) continue;
+            expected[b] += lawful_rate(d) * length;
+            seconds[b] += length;
+        }
+    }
+    for (uint32_t b = 0; b < frame::band_count; ++b) {
+        const frame::Band &band = scene.frame.stats().bands[b];
+        EXPECT_NEAR(band.seconds, seconds[b], 1e-6) << b;
+        EXPECT_NEAR(double(band.animated) / band.seconds, expected[b] / seconds[b], 0.15) << b;
+    }
+    EXPECT_NEAR(double(scene.frame.stats().bands[0].animated) / scene.frame.stats().bands[0].seconds, 50, 0.15);
+    EXPECT_NEAR(double(scene.frame.stats().bands[7].animated) / scene.frame.stats().bands[7].seconds, 4, 0.15);
+}
+
+TEST(PeriodLaw, NoFrameCarriesABurst)
+{
+    SceneDef def;
+    def.actors = 2000;
+    Scene scene(def);
+    line_up(scene, 60, 90);  // all at 4 Hz
+    scene.update(0);
+    const uint32_t visible = scene.frame.stats().visible;
+    ASSERT_EQ(visible, 2000u);
+    for (int i = 1; i < 120; ++i) {
+        scene.update(i / 60.0);
+        const double share = visible * 4 / 60.0;  // 133: a binomial of deviation 11
+        EXPECT_NEAR(scene.frame.stats().animated, share, 60) << i;
+    }
+}
+
+TEST(PeriodLaw, APeriodOfNothingMeansEveryFrame)
+{
+    SceneDef def;
+    def.settings.period = {0, 0, 5, 50};
+    Scene scene(def);
+    line_up(scene, 1, 70);
+    for (int i = 0; i < 20; ++i) {
+        scene.update(3 + i * 0.0007);
+        EXPECT_EQ(scene.frame.stats().animated, scene.frame.stats().visible);
+        EXPECT_EQ(scene.frame.seen(scene.crowd, 5).shown_s, 3 + i * 0.0007);
+        EXPECT_EQ(scene.frame.seen(scene.crowd, 5).period_s, 0);
+    }
+}
+
+TEST(PeriodLaw, TheNearestOfSeveralEyesDecides)
+{
+    SceneDef def;
+    def.actors = 1;
+    Scene scene(def);
+    line_up(scene, 40, 41);
+    scene.update(1);
+    EXPECT_FLOAT_EQ(scene.frame.seen(scene.crowd, 0).period_s, 0.16f);  // T(1600) = 0.166
+    scene.add_view(glm::dvec3(0, 1.7, -42), glm::dvec3(0, 1.7, 0));
+    scene.update(1);
+    EXPECT_FLOAT_EQ(scene.frame.seen(scene.crowd, 0).period_s, 0.02f);
+    EXPECT_FLOAT_EQ(scene.views[0]->list.items[0].eye_distance_m, 40);
+    EXPECT_FLOAT_EQ(scene.views[1]->list.items[0].eye_distance_m, 2);
+}
+
+}  // namespace claque

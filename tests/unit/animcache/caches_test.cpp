@@ -1,0 +1,197 @@
+#include "animcache/caches.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "animcache/on_demand.h"
+#include "tests/law/support/figure.h"
+#include "tests/law/support/host.h"
+
+namespace claque::animcache
+{
+
+using namespace testing_support;
+
+namespace
+{
+
+class CachesTest : public ::testing::Test
+{
+protected:
+    CachesTest() : figure_(make_figure())
+    {
+        FigureDef def;
+        def.seed = 5;
+        def.vertices = 10;
+        small_ = make_figure(def);
+        templates_[0] = figure_.get();
+        templates_[1] = small_.get();
+    }
+
+    Settings budget(uint32_t palettes, uint32_t vertices) const
+    {
+        Settings settings;
+        const Sizes sizes = sizes_of(*figure_);
+        settings.budget_bytes = sizeof(float) * (palettes * sizes.palette_floats + vertices * sizes.vertex_floats);
+        return settings;
+    }
+
+    Request wants(uint32_t row, double clip_time_s, uint32_t level = 0) const
+    {
+        Request request;
+        request.tmpl = figure_.get();
+        request.row = row;
+        request.level = level;
+        request.clip = clip_walk;
+        request.pose = {row + 1, clip_time_s};
+        return request;
+    }
+
+    static void update(Caches &caches, const std::vector<Request> &requests)
+    {
+        std::pmr::vector<Request> &list = caches.begin();
+        list.assign(requests.begin(), requests.end());
+        caches.admit();
+        caches.find_due();
+        caches.animate(base::Jobs());
+        caches.skin(base::Jobs());
+    }
+
+    bool holds(const Caches &caches, uint32_t row) const { return caches.vertices_of(row).positions != nullptr; }
+
+    std::unique_ptr<model::Template> figure_, small_;
+    const model::Template *templates_[2];
+    base::Span<const model::Template *const> both_{templates_, 2};
+};
+
+}  // namespace
+
+TEST_F(CachesTest, WhatIsStillGoodIsServedAndWhatIsOldIsMadeAnew)
+{
+    Caches caches(std::pmr::get_default_resource(), Settings());
+    caches.reserve(4, both_);
+    update(caches, {wants(0, 0.1), wants(2, 0.2)});
+    EXPECT_EQ(caches.counters().animated, 2u);
+    update(caches, {wants(0, 0.1), wants(2, 0.3), wants(3, 0.1)});
+    EXPECT_EQ(caches.counters().palette_served, 1u);
+    EXPECT_EQ(caches.counters().vertices_served, 1u);
+    EXPECT_EQ(caches.counters().animated, 2u);
+    EXPECT_EQ(caches.counters().skinned, 2u);
+    EXPECT_TRUE(caches.was_animated(2));
+    EXPECT_FALSE(caches.was_animated(0));
+}
+
+TEST_F(CachesTest, ANewPlayAtTheSameTimeIsAnotherPose)
+{
+    Caches caches(std::pmr::get_default_resource(), Settings());
+    caches.reserve(1, both_);
+    update(caches, {wants(0, 0.1)});
+    Request replayed = wants(0, 0.1);
+    replayed.pose.version = 77;
+    replayed.clip = clip_sway;
+    update(caches, {replayed});
+    EXPECT_EQ(caches.counters().animated, 1u);
+}
+
+TEST_F(CachesTest, ARowThatChangesItsTemplateStartsAfresh)
+{
+    Caches caches(std::pmr::get_default_resource(), Settings());
+    caches.reserve(1, both_);
+    update(caches, {wants(0, 0.1)});
+    const uint64_t bytes = caches.counters().bytes;
+    Request other = wants(0, 0.1);
+    other.tmpl = small_.get();
+    other.pose.version = 9;
+    update(caches, {other});
+    EXPECT_EQ(caches.counters().animated, 1u);
+    EXPECT_LT(caches.counters().bytes, bytes);
+}
+
+TEST_F(CachesTest, TheModesKeepWhatTheirNamesSay)
+{
+    for (const Mode mode : {Mode::full, Mode::animation, Mode::none}) {
+        Settings settings;
+        settings.mode = mode;
+        Caches caches(std::pmr::get_default_resource(), settings);
+        caches.reserve(1, both_);
+        update(caches, {wants(0, 0.1)});
+        update(caches, {wants(0, 0.1)});
+        EXPECT_EQ(caches.counters().animated, mode == Mode::none ? 1u : 0u);
+        EXPECT_EQ(caches.counters().skinned, mode == Mode::full ? 0u : 1u);
+    }
+}
+
+TEST_F(CachesTest, WhoIsUnseenForLongestLeavesFirstAndTiesGoByRow)
+{
+    Caches caches(std::pmr::get_default_resource(), budget(4, 4));
+    caches.reserve(10, both_);
+    update(caches, {wants(0, 0), wants(1, 0), wants(2, 0), wants(3, 0)});
+    update(caches, {wants(1, 0)});  // 0, 2 and 3 were last seen together, before 1
+    update(caches, {wants(5, 0)});  // room for one
+    EXPECT_FALSE(caches.palette_of(0));
+    EXPECT_TRUE(caches.palette_of(2));
+    update(caches, {wants(6, 0), wants(7, 0), wants(8, 0)});
+    EXPECT_FALSE(caches.palette_of(2));
+    EXPECT_FALSE(caches.palette_of(3));
+    EXPECT_FALSE(caches.palette_of(1));
+    EXPECT_TRUE(caches.palette_of(5));
+    EXPECT_EQ(caches.counters().evicted, 8u);  // four individuals, two blocks each
+}
+
+TEST_F(CachesTest, WhoIsSeenIsNeverThrownOutAndWhoFindsNoRoomIsServedOnDemandTheSameBits)
+{
+    Caches roomy(std::pmr::get_default_resource(), Settings()), tight(std::pmr::get_default_resource(), budget(3, 1));
+    roomy.reserve(5, both_);
+    tight.reserve(5, both_);
+    std::vector<Request> requests;
+    for (uint32_t row = 0; row < 5; ++row) requests.push_back(wants(row, 0.1 * row, row % 2));
+    update(roomy, requests);
+    update(tight, requests);
+    EXPECT_GE(tight.counters().on_demand, 3u);
+    EXPECT_LE(tight.counters().bytes, tight.settings().budget_bytes);
+    OnDemand server(std::pmr::get_default_resource());
+    server.reserve(both_);
+    server.attach(tight);
+    uint32_t served = 0;
+    for (uint32_t row = 0; row < 5; ++row) {
+        if (holds(tight, row)) continue;
+        ++served;
+        draw::Item item;
+        item.actor_index = row;
+        const draw::Vertices got = server.serve(item), expected = roomy.vertices_of(row);
+        const size_t bytes = 12 * figure_->levels[row % 2].vertex_count;
+        EXPECT_EQ(std::memcmp(got.positions, expected.positions, bytes), 0);
+        EXPECT_EQ(std::memcmp(got.normals, expected.normals, bytes), 0);
+    }
+    EXPECT_EQ(served, tight.counters().on_demand);
+    update(tight, requests);
+    EXPECT_EQ(tight.counters().evicted, 0u);
+}
+
+TEST_F(CachesTest, AVictimOfAnotherTemplateMakesRoomToo)
+{
+    Caches caches(std::pmr::get_default_resource(), budget(1, 1));
+    caches.reserve(3, both_);
+    Request small = wants(1, 0);
+    small.tmpl = small_.get();
+    update(caches, {small});
+    EXPECT_TRUE(holds(caches, 1));
+    update(caches, {wants(0, 0)});
+    EXPECT_TRUE(holds(caches, 0));
+    EXPECT_FALSE(holds(caches, 1));
+    EXPECT_EQ(caches.counters().bytes, caches.settings().budget_bytes);
+}
+
+TEST_F(CachesTest, AllMemoryIsGivenBack)
+{
+    CountingMemory memory;
+    {
+        Caches caches(&memory, budget(2, 2));
+        caches.reserve(6, both_);
+        for (uint32_t i = 0; i < 12; ++i) update(caches, {wants(i % 6, 0), wants(5, i)});
+    }
+    EXPECT_EQ(memory.bytes(), 0);
+}
+
+}  // namespace claque::animcache

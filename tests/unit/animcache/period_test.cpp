@@ -1,0 +1,68 @@
+#include "animcache/period.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/base/hash.h"
+
+namespace claque::animcache
+{
+
+TEST(Period, IsLinearInTheSquaredDistance)
+{
+    const PeriodLaw law;
+    EXPECT_NEAR(period_s(law, 0), 0.02, 1e-8);
+    EXPECT_NEAR(period_s(law, 5), 0.02, 1e-8);
+    EXPECT_NEAR(period_s(law, 50), 0.25, 1e-8);
+    EXPECT_NEAR(period_s(law, 1e9), 0.25, 1e-8);
+    EXPECT_NEAR(period_s(law, std::sqrt((25 + 2500) / 2.0)), 0.135, 1e-7);
+}
+
+TEST(Period, RoundsDownToTheLadderSoThatNobodyIsSlowerThanTheLaw)
+{
+    const PeriodLaw law;
+    EXPECT_EQ(rate_hz(rung_of(law, 0)), 50);  // 0.02f is a little less than 1/50 and must not mean every frame
+    EXPECT_EQ(rate_hz(rung_of(law, 50)), 4);
+    for (double d = 0; d < 80; d += 0.01) {
+        const uint32_t rung = rung_of(law, d);
+        EXPECT_LE(period_s(rung), period_s(law, d) * (1 + 2e-6));
+        EXPECT_TRUE(rung + 1 == rung_count || period_s(rung + 1) > period_s(law, d));
+    }
+}
+
+TEST(Period, NothingMeansEveryFrameAndVeryLongMeansFourHertz)
+{
+    EXPECT_EQ(rung_of({0, 0, 5, 50}, 100), 0u);
+    EXPECT_EQ(rung_of({0, 0.25f, 5, 50}, 5), 0u);
+    EXPECT_EQ(rung_of({0.01f, 0.25f, 5, 50}, 0), 0u);  // faster than the ladder
+    EXPECT_EQ(rate_hz(rung_of({0.5f, 1, 5, 50}, 0)), 4);
+    EXPECT_EQ(tick_s(0, 1.234, 99), 1.234);
+}
+
+TEST(Tick, IsTheLastOneAndStaysUntilTheNext)
+{
+    for (uint32_t rung = 1; rung < rung_count; ++rung) {
+        for (uint64_t id = 0; id < 40; ++id) {
+            const uint64_t h = base::hash(1, id, base::Purpose::cache_phase);
+            for (const double t : {-3.217, 0.0, 0.013, 17.29, 1e7 + 0.37}) {
+                const double tick = tick_s(rung, t, h);
+                EXPECT_LE(tick, t + 1e-8);
+                EXPECT_GT(tick, t - period_s(rung) - 1e-8);
+                EXPECT_EQ(tick_s(rung, tick + 0.5 * period_s(rung), h), tick) << rung << " " << t;
+            }
+        }
+    }
+}
+
+TEST(Tick, PhasesAreSpreadEvenly)
+{
+    uint32_t in_quarter[4] = {};
+    for (uint64_t id = 0; id < 4000; ++id) {
+        const double tick = tick_s(12, 10, base::hash(3, id, base::Purpose::cache_phase));
+        ++in_quarter[std::min(3, int((10 - tick) / 0.0625))];
+    }
+    for (const uint32_t count : in_quarter) EXPECT_NEAR(count, 1000, 120);
+}
+
+}  // namespace claque::animcache
