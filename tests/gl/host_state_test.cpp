@@ -126,6 +126,36 @@ TEST_F(HostState, OfAHostileHostDoesNotSpoilThePicture)
         }
 }
 
+// Colours have to reach the materials whatever the host had following them; emission and highlights are the host's.
+TEST_F(HostState, OfAHostileHostDoesNotSpoilThePictureUnderLight)
+{
+    const Figure figure = small_figure();
+    const Camera camera = whole_view(figure);
+    const auto light_up = [&] {
+        const float direction[4] = {0.3f, 0.5f, 0.8f, 0}, none[4] = {0, 0, 0, 1}, dim[4] = {0.2f, 0.2f, 0.2f, 1};
+        host_->Disable(gl::colour_material);
+        for (const gl::Enum name : {0x1202u, 0x1600u}) host_->Materialfv(gl::front_and_back, name, none);
+        host_->LightModelfv(0x0B53, dim);
+        host_->MatrixMode(gl::modelview);
+        host_->LoadIdentity();
+        host_->Lightfv(0x4000, 0x1203, direction);
+        host_->Enable(0x4000);
+        host_->Enable(0x0B50);
+    };
+    for (const passes::Strategy strategy : all_strategies) {
+        light_up();
+        const Picture calm = draw(*context_, *make_renderer_of(figure, options_of(strategy)), list_of(figure, camera));
+        SetUp();
+        const HostileHost hostile(*host_);
+        light_up();
+        host_->ColorMaterial(gl::back, 0x1600);  // GL_EMISSION
+        host_->Enable(gl::colour_material);
+        const auto renderer = make_renderer_of(figure, options_of(strategy));
+        EXPECT_EQ(draw(*context_, *renderer, list_of(figure, camera)), calm) << int(strategy);
+        SetUp();
+    }
+}
+
 TEST_F(HostState, KeepsTheHostsRgbMaskAndNeverWritesAlpha)
 {
     const Figure figure = small_figure();

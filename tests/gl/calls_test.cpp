@@ -1,0 +1,164 @@
+// What claque asks GL for, and what it calls: functions of GL 1.1 alone, nothing without need, nothing after a loss.
+#include "tests/gl/support/fixture.h"
+#include "tests/gl/support/spy.h"
+
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace gltest
+{
+namespace
+{
+
+class Calls : public GlTest
+{
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        if (context_) spy_ = std::make_unique<Spy>(*context_);
+    }
+    Status open(passes::Renderer &renderer) { return renderer.open(Spy::get_proc_address, spy_->user()); }
+
+    std::unique_ptr<Spy> spy_;
+};
+
+std::unique_ptr<passes::Renderer> fresh(const passes::RendererOptions &options = {})
+{
+    return std::make_unique<passes::Renderer>(std::pmr::get_default_resource(), options);
+}
+
+// Every name of GL 1.1 stands in Mesa's header above its first function of 1.2.
+std::set<std::string> names_of_gl_1_1()
+{
+    std::ifstream file("/usr/include/GL/gl.h");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::string first = text.substr(0, text.find("OpenGL 1.2"));
+    const std::regex function("GLAPI.*GLAPIENTRY\\s+(gl\\w+)");
+    std::set<std::string> names;
+    for (std::sregex_iterator at(first.begin(), first.end(), function), end; at != end; ++at) names.insert((*at)[1]);
+    return names;
+}
+
+TEST_F(Calls, AskForNamesOfGl11Alone)
+{
+    const std::set<std::string> names = names_of_gl_1_1();
+    if (names.empty()) GTEST_SKIP() << "no /usr/include/GL/gl.h to take the names from";
+    ASSERT_EQ(names.size(), 336u);
+    const auto renderer = fresh();
+    ASSERT_TRUE(open(*renderer).ok());
+    EXPECT_GT(spy_->asked.size(), 30u);
+    for (const std::string &name : spy_->asked) EXPECT_TRUE(names.count(name)) << name;
+}
+
+TEST_F(Calls, NameEachFunctionThatIsMissing)
+{
+    ASSERT_TRUE(open(*fresh()).ok());
+    const std::vector<std::string> names = spy_->asked;
+    for (const std::string &name : names) {
+        spy_->refuse = name;
+        const auto renderer = fresh();
+        spy_->reset();
+        const Status status = open(*renderer);
+        EXPECT_EQ(status.code, CLQ_GL_MISSING);
+        EXPECT_NE(std::string(status.text).find(name + ","), std::string::npos) << status.text;
+        EXPECT_EQ(spy_->call_count(), 0u);
+        const Figure figure = small_figure();
+        EXPECT_EQ(renderer->prepare(*figure.tmpl).code, CLQ_GL_MISSING);
+        EXPECT_EQ(renderer->draw(list_of(figure, whole_view(figure)), nullptr).code, CLQ_GL_MISSING);
+    }
+}
+
+TEST_F(Calls, MakeNoObjectAndAskForNoErrorInADraw)
+{
+    const Figure figure = small_figure();
+    for (const passes::Strategy strategy : all_strategies) {
+        const auto renderer = fresh(options_of(strategy));
+        ASSERT_TRUE(open(*renderer).ok());
+        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        spy_->reset();
+        draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+        for (const char *name : {"glGenTextures", "glTexImage2D", "glDeleteTextures", "glTexParameteri"})
+            EXPECT_EQ(spy_->calls[name], 0u) << name;
+        EXPECT_EQ(spy_->calls["glPushAttrib"], spy_->calls["glPopAttrib"]);
+        EXPECT_EQ(spy_->calls["glPushClientAttrib"], spy_->calls["glPopClientAttrib"]);
+        renderer->destroy();
+    }
+    for (const std::string &name : spy_->asked) EXPECT_NE(name, "glGetError");
+}
+
+TEST_F(Calls, AreAsManyDrawsAsTheStatisticsSay)
+{
+    const Figure figure = small_figure();
+    const model::Surface &surface = figure.tmpl->levels[0].surfaces[0];
+    const size_t expected[] = {1, surface.clean.size() + surface.dirty_by_zone.size(), surface.clean.size() + 8};
+    uint32_t once = surface.dirty.count;
+    for (const model::Bin &bin : surface.clean) once += bin.range.count;
+    EXPECT_EQ(once / 3, 162u);
+    for (const passes::Strategy strategy : all_strategies) {
+        const auto renderer = fresh(options_of(strategy));
+        ASSERT_TRUE(open(*renderer).ok());
+        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        spy_->reset();
+        passes::DrawStats stats;
+        ASSERT_TRUE(renderer->draw(list_of(figure, whole_view(figure)), &stats).ok());
+        EXPECT_EQ(stats.draws, spy_->calls["glDrawElements"]);
+        EXPECT_EQ(stats.draws, expected[size_t(strategy)]);
+        EXPECT_EQ(stats.individuals, 1u);
+        EXPECT_GE(stats.triangles, once / 3);
+    }
+}
+
+TEST_F(Calls, BringATemplateToGlOnceOnly)
+{
+    const Figure figure = small_figure();
+    const auto renderer = fresh();
+    ASSERT_TRUE(open(*renderer).ok());
+    ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    spy_->reset();
+    ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    EXPECT_EQ(spy_->call_count(), 0u);
+}
+
+TEST_F(Calls, AreNoneAfterTheContextWasLost)
+{
+    const Figure figure = small_figure();
+    {
+        const auto renderer = fresh();
+        ASSERT_TRUE(open(*renderer).ok());
+        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        spy_->reset();
+        renderer->abandon();
+        EXPECT_EQ(renderer->draw(list_of(figure, whole_view(figure)), nullptr).code, CLQ_GL_MISSING);
+        renderer->destroy();
+    }
+    EXPECT_EQ(spy_->call_count(), 0u);
+}
+
+TEST_F(Calls, OfANewRendererAfterALossGiveTheSamePicture)
+{
+    const Figure figure = small_figure();
+    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    const auto renderer = make_renderer_of(figure);
+    const Picture before = draw(*context_, *renderer, list);
+    renderer->abandon();
+    GlTest::SetUp();
+    ASSERT_TRUE(renderer->open(context_->get_proc_address(), context_->user()).ok());
+    ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    EXPECT_EQ(draw(*context_, *renderer, list), before);
+}
+
+TEST_F(Calls, LeaveNoTextureBehindInAHundredLives)
+{
+    const Figure figure = small_figure();
+    for (int life = 0; life < 100; ++life) {
+        const auto renderer = make_renderer_of(figure);
+        renderer->draw(list_of(figure, whole_view(figure)), nullptr);
+        renderer->destroy();
+    }
+    for (uint32_t name = 1; name < 1000; ++name) EXPECT_FALSE(host_->IsTexture(name)) << name;
+}
+
+}  // namespace
+}  // namespace gltest

@@ -1,0 +1,205 @@
+// All strategies, colour formats and context kinds give the same RGB and depth (SPEC 3), lit and unlit, whatever a
+// template brings.
+#include "tests/gl/support/fixture.h"
+
+#include <cmath>
+
+namespace gltest
+{
+namespace
+{
+
+using passes::ColourFormat;
+using passes::Strategy;
+
+constexpr gl::Enum lighting = 0x0B50, light0 = 0x4000, fog = 0x0B60, flat = 0x1D00;
+
+struct Shot {
+    Picture rgb;
+    std::vector<float> depth;
+    bool operator==(const Shot &other) const { return rgb == other.rgb && depth == other.depth; }
+};
+
+uint32_t differing_pixels(const Picture &a, const Picture &b)
+{
+    uint32_t count = 0;
+    for (size_t i = 0; i < a.size(); i += 3) count += !std::equal(&a[i], &a[i] + 3, &b[i]);
+    return count;
+}
+
+class Strategies : public GlTest
+{
+protected:
+    Shot shoot(const Figure &figure, const passes::RendererOptions &options, const claque::draw::DrawList &list)
+    {
+        const auto renderer = make_renderer_of(figure, options);
+        Shot shot;
+        shot.rgb = draw(*context_, *renderer, list);
+        context_->read_depth(shot.depth);
+        renderer->destroy();
+        return shot;
+    }
+
+    // Every strategy and format against the papers' way.
+    void expect_same(const Figure &figure, const claque::draw::DrawList &list)
+    {
+        const Shot papers = shoot(figure, options_of(Strategy::per_zone), list);
+        EXPECT_GT(differing_pixels(papers.rgb, Picture(papers.rgb.size(), 0)), 0u);
+        for (const Strategy strategy : all_strategies)
+            for (const ColourFormat format : {ColourFormat::ubyte, ColourFormat::real}) {
+                passes::RendererOptions options = options_of(strategy);
+                options.colours = format;
+                const Shot shot = shoot(figure, options, list);
+                EXPECT_EQ(differing_pixels(shot.rgb, papers.rgb), 0u) << int(strategy) << " " << int(format);
+                EXPECT_TRUE(shot.depth == papers.depth) << int(strategy) << " " << int(format);
+            }
+    }
+    void expect_same(const Figure &figure) { expect_same(figure, list_of(figure, whole_view(figure))); }
+
+    void light_up() const
+    {
+        const float direction[4] = {0.3f, 0.5f, 0.8f, 0}, colour[4] = {0.9f, 0.8f, 0.7f, 1};
+        host_->MatrixMode(gl::modelview);
+        host_->LoadIdentity();
+        host_->Lightfv(light0, 0x1203, direction);
+        host_->Lightfv(light0, 0x1201, colour);
+        host_->Enable(light0);
+        host_->Enable(lighting);
+        const float fog_colour[4] = {0.5f, 0.6f, 0.7f, 1};
+        host_->Fogfv(0x0B66, fog_colour);
+        host_->Enable(fog);
+    }
+};
+
+TEST_F(Strategies, AgreeOnAPaintedTexture)
+{
+    const Figure figure = small_figure();
+    paint(*figure.tmpl);
+    expect_same(figure);
+}
+
+TEST_F(Strategies, AgreeUnderLightAndFogSmoothAndFlat)
+{
+    const Figure figure = small_figure();
+    paint(*figure.tmpl);
+    light_up();
+    expect_same(figure);
+    host_->ShadeModel(flat);
+    expect_same(figure);
+}
+
+Figure with_vertex_colours()
+{
+    Mesh mesh = sheet(9, 0.2f);
+    for (size_t v = 0; v < mesh.positions.size(); ++v)
+        mesh.colours.push_back({uint8_t(v * 7), uint8_t(255 - v), uint8_t(90 + v), 255});
+    Figure figure = make_figure(mesh, torture_map(128, 8, 3));
+    paint(*figure.tmpl);
+    return figure;
+}
+
+TEST_F(Strategies, AgreeWithVertexColours)
+{
+    const Figure figure = with_vertex_colours();
+    expect_same(figure);
+    light_up();
+    expect_same(figure);
+}
+
+TEST_F(Strategies, AgreeOnHolesAndLeaveThem)
+{
+    ZoneMap map = torture_map(128, 8, 3);
+    for (size_t i = 0; i < map.zones.size(); ++i)
+        if (i / 128 % 16 < 5 && i % 16 < 5) map.zones[i] = hole;
+    const Figure figure = make_figure(sheet(9, 0.2f), map);
+    expect_same(figure);
+    for (const Strategy strategy : all_strategies) {
+        const auto renderer = make_renderer_of(figure, options_of(strategy));
+        const Comparison c = zone_law(*context_, *renderer, figure, whole_view(figure));
+        EXPECT_EQ(c.wrong + c.holes, 0u);
+        EXPECT_LT(c.covered, 0.95 * 0.26 * width * height) << "no hole to be seen";
+    }
+}
+
+// The sheet seen from behind: nothing, unless it is double-sided; and mirrored, its front.
+TEST_F(Strategies, AgreeOnMirroredAndDoubleSidedOnes)
+{
+    Figure figure = small_figure();
+    light_up();
+    const Camera behind = camera_on(figure, 2.6f, 2.8f, 0.4f, float(width) / height);
+    claque::draw::DrawList list = list_of(figure, behind);
+    const auto covered = [&](Strategy strategy) {
+        const Picture picture = shoot(figure, options_of(strategy), list).rgb;
+        uint32_t count = 0;
+        for (size_t i = 0; i < picture.size(); i += 3) count += !std::equal(background, background + 3, &picture[i]);
+        return count;
+    };
+    for (const Strategy strategy : all_strategies) {
+        list.items[0].mirrored = false;
+        figure.tmpl->levels[0].surfaces[0].double_sided = false;
+        EXPECT_LT(covered(strategy), 400u) << "the waves show a little of the front at most";
+        list.items[0].mirrored = true;
+        EXPECT_GT(covered(strategy), 10000u);
+        list.items[0].mirrored = false;
+        figure.tmpl->levels[0].surfaces[0].double_sided = true;
+        EXPECT_GT(covered(strategy), 10000u);
+    }
+    expect_same(figure, list);
+}
+
+TEST_F(Strategies, AgreeOnMoreVerticesThanShortIndicesReach)
+{
+    const Figure figure = make_figure(sheet(260, 0.2f), torture_map(256, 4, 3));
+    ASSERT_GT(figure.tmpl->levels[0].source_count, 65536u);
+    expect_same(figure);
+}
+
+TEST_F(Strategies, AgreeWithThePapersEqualTest)
+{
+    const Figure figure = small_figure();
+    paint(*figure.tmpl);
+    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    passes::RendererOptions options = options_of(Strategy::per_zone);
+    const Shot at_least = shoot(figure, options, list);
+    options.key_test = passes::KeyTest::equal;
+    EXPECT_TRUE(shoot(figure, options, list) == at_least);
+}
+
+TEST_F(Strategies, AgreeOnIndividualsOfTheirOwnColoursBehindEachOther)
+{
+    const Figure figure = small_figure();
+    paint(*figure.tmpl);
+    light_up();
+    std::vector<std::vector<uint8_t>> colours(5, zone_colours(8));
+    claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    for (uint32_t i = 0; i < 5; ++i) {
+        for (uint8_t &c : colours[i]) c = static_cast<uint8_t>(c * 7 + i * 31);
+        claque::draw::Item item = list.items[0];
+        item.zone_rgb = colours[i].data();
+        item.model_view[12] += 0.5f * float(i) - 1;
+        item.model_view[14] -= 0.7f * float(i);
+        list.items.push_back(item);
+    }
+    expect_same(figure, list);
+}
+
+TEST_F(Strategies, GiveTheSamePixelsWithOsmesaAndEgl)
+{
+    const Figure figure = with_vertex_colours();
+    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    for (const Strategy strategy : all_strategies) {
+        Shot shots[2];
+        for (const contexts::Kind kind : {contexts::Kind::osmesa, contexts::Kind::egl}) {
+            std::string why;
+            context_ = contexts::make_offscreen(kind, width, height, contexts::PixelFormat::rgba8888, why);
+            if (!context_) GTEST_SKIP() << why;
+            host_ = std::make_unique<HostGl>(*context_);
+            light_up();
+            shots[kind == contexts::Kind::egl] = shoot(figure, options_of(strategy), list);
+        }
+        EXPECT_TRUE(shots[0] == shots[1]) << int(strategy);
+    }
+}
+
+}  // namespace
+}  // namespace gltest

@@ -1,0 +1,148 @@
+#include "tests/gl/support/spy.h"
+
+#include <stdexcept>
+
+namespace gltest
+{
+namespace
+{
+
+using claque::passes::Gl11;
+using claque::passes::GlFunction;
+
+Gl11 real;
+Spy *active = nullptr;
+
+template <auto member>
+const char *&name_of()
+{
+    static const char *name = "";
+    return name;
+}
+
+template <auto member>
+struct Between;
+
+template <class Result, class... Arguments, Result (*Gl11::*member)(Arguments...)>
+struct Between<member> {
+    static Result call(Arguments... arguments)
+    {
+        if (!active) throw std::logic_error(name_of<member>());
+        ++active->calls[name_of<member>()];
+        return (real.*member)(arguments...);
+    }
+};
+
+// These two can be made to answer otherwise.
+void get_integer(gl::Enum name, int32_t *out)
+{
+    ++active->calls["glGetIntegerv"];
+    const auto answer = active->answers.find(name);
+    if (answer == active->answers.end()) return real.GetIntegerv(name, out);
+    *out = answer->second;
+}
+
+const uint8_t *get_string(gl::Enum name)
+{
+    ++active->calls["glGetString"];
+    const auto answer = active->strings.find(name);
+    if (answer == active->strings.end()) return real.GetString(name);
+    return reinterpret_cast<const uint8_t *>(answer->second.c_str());
+}
+
+using Table = std::map<std::string, GlFunction>;
+
+template <auto member>
+void add(Table &table, const char *name)
+{
+    name_of<member>() = name;
+    table[name] = reinterpret_cast<GlFunction>(&Between<member>::call);
+}
+
+void add_state(Table &t)
+{
+    add<&Gl11::GetDoublev>(t, "glGetDoublev");
+    add<&Gl11::IsEnabled>(t, "glIsEnabled");
+    add<&Gl11::Enable>(t, "glEnable");
+    add<&Gl11::Disable>(t, "glDisable");
+    add<&Gl11::AlphaFunc>(t, "glAlphaFunc");
+    add<&Gl11::DepthFunc>(t, "glDepthFunc");
+    add<&Gl11::DepthMask>(t, "glDepthMask");
+    add<&Gl11::ColorMask>(t, "glColorMask");
+    add<&Gl11::CullFace>(t, "glCullFace");
+    add<&Gl11::FrontFace>(t, "glFrontFace");
+    add<&Gl11::LightModeli>(t, "glLightModeli");
+    add<&Gl11::ColorMaterial>(t, "glColorMaterial");
+    add<&Gl11::TexEnvi>(t, "glTexEnvi");
+    add<&Gl11::PushAttrib>(t, "glPushAttrib");
+    add<&Gl11::PopAttrib>(t, "glPopAttrib");
+    add<&Gl11::PushClientAttrib>(t, "glPushClientAttrib");
+    add<&Gl11::PopClientAttrib>(t, "glPopClientAttrib");
+    add<&Gl11::MatrixMode>(t, "glMatrixMode");
+    add<&Gl11::LoadIdentity>(t, "glLoadIdentity");
+    add<&Gl11::LoadMatrixf>(t, "glLoadMatrixf");
+    add<&Gl11::LoadMatrixd>(t, "glLoadMatrixd");
+}
+
+void add_drawing(Table &t)
+{
+    add<&Gl11::GenTextures>(t, "glGenTextures");
+    add<&Gl11::DeleteTextures>(t, "glDeleteTextures");
+    add<&Gl11::BindTexture>(t, "glBindTexture");
+    add<&Gl11::TexImage2D>(t, "glTexImage2D");
+    add<&Gl11::TexParameteri>(t, "glTexParameteri");
+    add<&Gl11::GetTexLevelParameteriv>(t, "glGetTexLevelParameteriv");
+    add<&Gl11::PixelStorei>(t, "glPixelStorei");
+    add<&Gl11::PixelTransferf>(t, "glPixelTransferf");
+    add<&Gl11::EnableClientState>(t, "glEnableClientState");
+    add<&Gl11::DisableClientState>(t, "glDisableClientState");
+    add<&Gl11::VertexPointer>(t, "glVertexPointer");
+    add<&Gl11::NormalPointer>(t, "glNormalPointer");
+    add<&Gl11::TexCoordPointer>(t, "glTexCoordPointer");
+    add<&Gl11::ColorPointer>(t, "glColorPointer");
+    add<&Gl11::DrawElements>(t, "glDrawElements");
+    add<&Gl11::Color4ub>(t, "glColor4ub");
+    add<&Gl11::Color4f>(t, "glColor4f");
+}
+
+const Table &table()
+{
+    static const Table made = [] {
+        Table t;
+        add_state(t);
+        add_drawing(t);
+        t["glGetIntegerv"] = reinterpret_cast<GlFunction>(&get_integer);
+        t["glGetString"] = reinterpret_cast<GlFunction>(&get_string);
+        return t;
+    }();
+    return made;
+}
+
+}  // namespace
+
+Spy::Spy(const contexts::Offscreen &context) : context_(context)
+{
+    const claque::base::Status status = claque::passes::load(real, context.get_proc_address(), context.user());
+    if (!status.ok()) throw std::runtime_error(status.text);
+    active = this;
+}
+
+Spy::~Spy() { active = nullptr; }
+
+GlFunction Spy::get_proc_address(void *user, const char *name)
+{
+    Spy &spy = *static_cast<Spy *>(user);
+    spy.asked.push_back(name);
+    if (spy.refuse == name) return nullptr;
+    const auto found = table().find(name);
+    return found == table().end() ? spy.context_.get_proc_address()(spy.context_.user(), name) : found->second;
+}
+
+uint32_t Spy::call_count() const
+{
+    uint32_t count = 0;
+    for (const auto &[name, n] : calls) count += n;
+    return count;
+}
+
+}  // namespace gltest
