@@ -1,0 +1,35 @@
+// Painting in three dimensions: every texel that a chart covers knows where on the figure it lies; painters answer with
+// luminance and zone, and the gutters take both from the nearest covered texel.
+#pragma once
+
+#include <functional>
+
+#include "lib/figures/mesh.h"
+
+namespace claque::figures
+{
+
+struct Texel {
+    glm::vec3 position;  // rest pose
+    glm::vec3 normal;    // smooth
+    Chart chart = Chart::head;
+    Region region = Region::torso;
+    Side side = Side::left;
+    glm::vec2 st;        // texture coordinate
+    float openness = 1;  // 1: sees the whole sky round its normal, 0: nothing
+};
+
+struct Paint {
+    float luminance = 230;  // 0 .. 255
+    Zone zone = Zone::skin;
+};
+
+using Painter = std::function<Paint(const Texel &)>;
+
+// How much of its surroundings each texel sees, for soft shadows between limbs and under cloth.
+using Openness = std::function<float(glm::vec3 position, glm::vec3 normal)>;
+
+// `mesh` is unwrapped. Deterministic; no texel is left without a key.
+model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter);
+
+}  // namespace claque::figures

@@ -1,0 +1,77 @@
+#include "lib/figures/charts.h"
+
+#include <array>
+
+namespace claque::figures
+{
+
+namespace
+{
+
+// The face has the most room: about 1.3 mm a texel.
+constexpr std::array<ChartRect, chart_count> rects = {{
+    {0, 0, 304, 240},      // head
+    {304, 216, 52, 24},    // ear
+    {356, 216, 52, 24},    //
+    {0, 240, 176, 272},    // tunic front
+    {176, 240, 152, 272},  // tunic back
+    {328, 488, 184, 24},   // tunic inside
+    {304, 160, 104, 56},   // sleeve
+    {408, 160, 104, 56},   //
+    {408, 216, 52, 24},    // sleeve inside
+    {460, 216, 52, 24},    //
+    {304, 76, 104, 84},    // arm
+    {408, 76, 104, 84},    //
+    {304, 0, 52, 76},      // hand back
+    {356, 0, 52, 76},      //
+    {408, 0, 52, 76},      // hand palm
+    {460, 0, 52, 76},      //
+    {328, 240, 92, 128},   // leg
+    {420, 240, 92, 128},   //
+    {328, 368, 60, 120},   // foot
+    {388, 368, 60, 120},   //
+    {448, 368, 32, 120},   // sole
+    {480, 368, 32, 120},   //
+}};
+
+model::Zone make(const char *name, int key, std::array<float, 3> colour, model::HsbRange range)
+{
+    model::Zone zone;
+    zone.name = name;
+    zone.key = static_cast<uint8_t>(key);
+    zone.colour = colour;
+    zone.range = range;
+    return zone;
+}
+
+}  // namespace
+
+ChartRect rect_of(Chart chart) { return rects[static_cast<size_t>(chart)]; }
+
+uint8_t key_of(Zone zone) { return static_cast<uint8_t>(16 + 32 * static_cast<int>(zone)); }
+
+model::Zone zone_of(Zone zone)
+{
+    const int key = key_of(zone);
+    switch (zone) {
+        case Zone::skin:
+            return make("skin", key, {0.86f, 0.65f, 0.52f}, {14, 30, 0.28f, 0.52f, 0.60f, 0.96f});
+        case Zone::hair:
+            return make("hair", key, {0.27f, 0.18f, 0.12f}, {12, 38, 0.15f, 0.62f, 0.12f, 0.52f});
+        case Zone::eyes:
+            return make("eyes", key, {0.93f, 0.91f, 0.87f}, {20, 220, 0.02f, 0.12f, 0.88f, 1.00f});
+        case Zone::lips:
+            return make("lips", key, {0.74f, 0.45f, 0.40f}, {2, 16, 0.32f, 0.52f, 0.52f, 0.82f});
+        case Zone::tunic:
+            return make("tunic", key, {0.93f, 0.88f, 0.77f}, {8, 60, 0.05f, 0.62f, 0.58f, 1.00f});
+        case Zone::belt:
+            return make("belt", key, {0.42f, 0.26f, 0.15f}, {12, 34, 0.40f, 0.72f, 0.24f, 0.55f});
+        case Zone::border:
+            return make("border", key, {0.60f, 0.16f, 0.14f}, {320, 40, 0.45f, 0.85f, 0.30f, 0.80f});
+        case Zone::sandals:
+            break;
+    }
+    return make("sandals", key, {0.47f, 0.30f, 0.18f}, {14, 36, 0.40f, 0.70f, 0.28f, 0.58f});
+}
+
+}  // namespace claque::figures

@@ -1,0 +1,56 @@
+// Standing and clapping in front of the chest, six claps a loop.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lib/figures/clips.h"
+#include "lib/figures/stance.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+constexpr int claps = 6;
+constexpr float touching = 0.0205f;  // half the distance of the hands' middle planes when the palms meet
+
+void clap(Pose &pose, Side side, float apart, glm::vec3 middle)
+{
+    // Fingers up and ahead, palm towards the other hand; apart, the hands open like a book.
+    const float open = 18 * apart;
+    const glm::quat spread = yaw(open * 0.6f) * roll(-open * 0.4f);
+    const glm::vec3 along = spread * glm::normalize(glm::vec3(0, 0.66f, 0.75f));
+    const glm::vec3 back = spread * glm::vec3(1, 0, 0);
+    const glm::vec3 wrist = middle + glm::vec3(touching + 0.115f * apart, 0, 0) - glm::vec3(0, 0.66f, 0.75f) * 0.07f;
+    reach_hand(pose, side, wrist, glm::vec3(0.85f, -0.75f, -0.30f));
+    glm::quat hand = carry(arm_direction(), arm_dorsal(), along, back);
+    pose.set_world(on(side, Bone::hand), side == Side::left ? hand : mirrored(hand));
+}
+
+}  // namespace
+
+Pose applaud_at(float phase)
+{
+    Pose pose;
+    const float s = std::sin(pi * claps * phase);
+    const float apart = s * s;  // 0: the palms meet
+    const float sway = wave(phase, 1), nod = wave(phase, 2, 0.2f);
+    pose.shift_pelvis({0.012f * sway, -0.014f - 0.002f * (1 - apart), 0});
+    pose.set(Bone::pelvis, roll(1.2f * sway) * yaw(2.5f * wave(phase, 1, 0.2f)));
+    pose.set(Bone::spine, pitch(1.5f) * roll(-0.8f * sway));
+    pose.set(Bone::spine_upper, pitch(1.0f + 0.5f * (1 - apart)));
+    pose.set(Bone::chest, pitch(0.5f * nod) * yaw(1.5f * wave(phase, 1, 0.4f)));
+    pose.set(Bone::neck, pitch(-1.5f) * yaw(4 * wave(phase, 1, 0.3f)));
+    pose.set(Bone::head, pitch(-2 + 2.5f * nod) * yaw(5 * wave(phase, 1, 0.3f)) * roll(1.5f * sway));
+    for (const Side side : {Side::left, Side::right}) {
+        const float left = side == Side::left ? 1.0f : -1.0f;
+        pose.set(side, Bone::clavicle, roll(3) * yaw(-8 + 3 * apart));
+        clap(pose, side, apart, glm::vec3(0, 1.245f + 0.006f * sway, 0.345f));
+        curl_hand(pose, side, 0.02f + 0.08f * apart);
+        stand_on(pose, side, {{left * 0.016f, left * 0.010f}, 0, 1, 0, 6});
+    }
+    drape(pose);
+    return pose;
+}
+
+}  // namespace claque::figures

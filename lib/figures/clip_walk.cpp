@@ -1,0 +1,78 @@
+// One stride of two steps on the spot, as on a treadmill: while a foot carries, its place goes back at a constant
+// speed.
+#include <cmath>
+
+#include "lib/figures/clips.h"
+#include "lib/figures/stance.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+constexpr float stride_m = 1.24f;   // of a whole cycle: 1.13 m/s with 33 frames
+constexpr float carry_end = 0.62f;  // of the cycle: toes leave the ground
+constexpr float ahead_m = 0.335f;   // of the foot's place at the strike of the heel
+
+float smooth(float from, float to, float x)
+{
+    float t = (x - from) / (to - from);
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return t * t * (3 - 2 * t);
+}
+
+float hermite(float p0, float v0, float p1, float v1, float t)
+{
+    const float t2 = t * t, t3 = t2 * t;
+    return p0 * (2 * t3 - 3 * t2 + 1) + v0 * (t3 - 2 * t2 + t) + p1 * (-2 * t3 + 3 * t2) + v1 * (t3 - t2);
+}
+
+constexpr float strike_deg = -17, leave_deg = 52;
+
+Footing footing(float phase)
+{
+    Footing f;
+    f.yaw_deg = 2;
+    const float x = -0.028f;
+    if (phase < carry_end) {
+        f.place = {x, ahead_m - stride_m * phase};
+        f.heel_up_deg = phase < 0.30f ? strike_deg * (1 - smooth(-0.05f, 0.11f, phase)) / (1 - smooth(-0.05f, 0.11f, 0))
+                                      : leave_deg * smooth(0.33f, 0.72f, phase) / smooth(0.33f, 0.72f, carry_end);
+        f.toes_flat = 1 - 0.35f * smooth(0.56f, carry_end, phase);
+        return f;
+    }
+    const float t = (phase - carry_end) / (1 - carry_end), length = 1 - carry_end;
+    f.place = {x, hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t)};
+    f.heel_up_deg = hermite(leave_deg, 60, strike_deg, 6, t);
+    f.toes_flat = 0.65f * (1 - smooth(0, 0.5f, t));
+    f.lift = 0.050f * std::sin(pi * t) * std::sin(pi * t);
+    return f;
+}
+
+}  // namespace
+
+Pose walk_at(float phase)
+{
+    Pose pose;
+    const float lead = std::cos(2 * pi * phase);               // 1: the left heel strikes
+    const float carried = std::sin(2 * pi * (phase - 0.05f));  // 1: the left leg carries
+    pose.shift_pelvis({0.020f * carried, -0.030f - 0.016f * std::cos(4 * pi * (phase - 0.05f)), 0});
+    pose.set(Bone::pelvis, yaw(-7 * lead) * roll(2.6f * carried) * pitch(3.0f));
+    pose.set(Bone::spine, yaw(4.0f * lead) * roll(-1.6f * carried) * pitch(0.5f));
+    pose.set(Bone::spine_upper, yaw(4.5f * lead) * roll(-1.2f * carried));
+    pose.set(Bone::chest, yaw(4.0f * lead) * pitch(-0.5f));
+    pose.set(Bone::neck, yaw(-3.0f * lead) * pitch(-1.0f));
+    pose.set(Bone::head, yaw(-2.5f * lead) * pitch(-1.5f + 0.8f * std::cos(4 * pi * phase)));
+    for (const Side side : {Side::left, Side::right}) {
+        const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
+        const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is ahead
+        hang_arm(pose, side, 3 + 21 * swing, 9, 20 + 11 * swing, 10);
+        curl_hand(pose, side, 0.22f);
+        stand_on(pose, side, footing(own));
+    }
+    drape(pose);
+    return pose;
+}
+
+}  // namespace claque::figures

@@ -1,0 +1,28 @@
+// The pieces of the citizen. Each function adds its piece to the mesh in the rest pose: arms 45 degrees down, palms
+// towards the body, thumbs forward. Positions are of a figure 1.75 m tall.
+#pragma once
+
+#include "lib/figures/mesh.h"
+
+namespace claque::figures
+{
+
+void add_head(Mesh &mesh);            // head and neck, hair and ears; open below the neckline
+void add_tunic(Mesh &mesh);           // with sleeves and belt; closed inside, open at the neck
+void add_arm(Mesh &mesh, Side side);  // from inside the sleeve to the wrist, and the hand
+void add_leg(Mesh &mesh, Side side);  // from inside the skirt to the sole
+
+// Returns the wrist's ring, to which the arm is sewn.
+std::vector<uint32_t> add_hand(Mesh &mesh, Side side);
+
+// Sews the foot to the ankle's ring: 8 points, from the back over the figure's right, front and left.
+void add_foot(Mesh &mesh, Side side, const std::vector<uint32_t> &ankle);
+
+// A ring of `count` points round `centre`: from -ez towards -ex, ez, ex. Radii may differ in the four directions.
+struct Girth {                              // half widths
+    float front, back, along_x, against_x;  // along ez, -ez, ex, -ex
+};
+std::vector<uint32_t> add_ring(Mesh &mesh, Region region, Side side, int count, glm::vec3 centre, glm::vec3 ex,
+                               glm::vec3 ez, Girth girth);
+
+}  // namespace claque::figures

@@ -1,0 +1,52 @@
+// A pose while a clip is being made: rotations about the figure's own axes, and two-bone limbs that reach for a point.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "lib/figures/skeleton.h"
+
+namespace claque::figures
+{
+
+constexpr float pi = 3.14159265f;
+
+glm::quat turn(glm::vec3 axis, float degrees);
+inline glm::quat pitch(float degrees) { return turn({1, 0, 0}, degrees); }  // forwards: a nod, a raised heel
+inline glm::quat yaw(float degrees) { return turn({0, 1, 0}, degrees); }    // to the figure's left
+inline glm::quat roll(float degrees) { return turn({0, 0, 1}, degrees); }   // raises what is on the left
+
+// The same turn seen in a mirror: for the right side.
+inline glm::quat mirrored(glm::quat q) { return glm::quat(q.w, q.x, -q.y, -q.z); }
+
+// The rotation that carries two directions (not parallel, the first exactly) to two others.
+glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second);
+
+class Pose
+{
+public:
+    Pose();
+
+    glm::quat local(Bone bone) const { return locals_[static_cast<size_t>(bone)]; }
+    glm::vec3 pelvis_shift() const { return shift_; }
+    void set(Bone bone, glm::quat rotation) { locals_[static_cast<size_t>(bone)] = rotation; }
+    // Of the left bone; mirrored on the right.
+    void set(Side side, Bone left, glm::quat rotation)
+    {
+        set(on(side, left), side == Side::left ? rotation : mirrored(rotation));
+    }
+    void shift_pelvis(glm::vec3 metres) { shift_ = metres; }
+
+    glm::quat world(Bone bone) const;
+    glm::vec3 joint(Bone bone) const;  // in model space
+    void set_world(Bone bone, glm::quat rotation);
+
+    // Puts the joint after `lower` on `target` (or as near as the limb is long) by turning `upper` and `lower`; the
+    // joint between them points along `pole`. `flexed` is where it points in the rest pose.
+    void reach(Bone upper, Bone lower, Bone end, glm::vec3 target, glm::vec3 pole, glm::vec3 flexed);
+
+private:
+    std::array<glm::quat, bone_count> locals_;
+    glm::vec3 shift_ = glm::vec3(0);
+};
+
+}  // namespace claque::figures

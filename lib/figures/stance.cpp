@@ -1,0 +1,89 @@
+#include "lib/figures/stance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace claque::figures
+{
+
+namespace
+{
+
+constexpr glm::vec3 heel_point(0.090f, 0, -0.072f);  // where the sole touches, left foot
+
+glm::vec3 flip(glm::vec3 p, Side side) { return glm::vec3(side == Side::left ? p.x : -p.x, p.y, p.z); }
+
+// Slopes of a thigh in the pelvis: how far it leads ahead and outwards for each metre down.
+struct Slope {
+    float ahead, out;
+};
+Slope thigh_slope(const Pose &pose, Side side)
+{
+    const glm::vec3 d = pose.local(on(side, Bone::thigh)) * glm::vec3(0, -1, 0);
+    const float down = std::max(-d.y, 0.25f);
+    return {d.z / down, (side == Side::left ? d.x : -d.x) / down};
+}
+
+glm::quat lean(glm::vec3 to)
+{
+    const glm::vec3 from(0, -1, 0), unit = glm::normalize(to);
+    const glm::vec3 axis = glm::cross(from, unit);
+    return glm::normalize(glm::quat(1 + glm::dot(from, unit), axis.x, axis.y, axis.z));
+}
+
+}  // namespace
+
+void stand_on(Pose &pose, Side side, const Footing &f)
+{
+    const glm::vec3 rest_ankle = flip(skeleton().joint(Bone::foot), side);
+    const glm::vec3 ball = flip(glm::vec3(0.098f, 0.0f, 0.118f), side), heel = flip(heel_point, side);
+    const glm::vec3 pivot = f.heel_up_deg > 0 ? ball : heel;
+    const glm::quat outwards = yaw(side == Side::left ? f.yaw_deg : -f.yaw_deg);
+    const glm::quat foot = outwards * pitch(f.heel_up_deg);
+    const glm::vec3 centre = rest_ankle * glm::vec3(1, 0, 1);
+    const glm::vec3 ankle = centre + outwards * (pivot - centre + pitch(f.heel_up_deg) * (rest_ankle - pivot)) +
+                            glm::vec3(f.place.x, f.lift, f.place.y);
+    const glm::vec3 knee = outwards * glm::vec3(side == Side::left ? 0.10f : -0.10f, 0, 1);
+    pose.reach(on(side, Bone::thigh), on(side, Bone::shin), on(side, Bone::foot), ankle, knee, glm::vec3(0, 0, 1));
+    pose.set_world(on(side, Bone::foot), foot);
+    if (f.heel_up_deg > 0) pose.set(on(side, Bone::toes), pitch(-f.heel_up_deg * f.toes_flat));
+}
+
+void drape(Pose &pose, float sway_deg)
+{
+    const Slope left = thigh_slope(pose, Side::left), right = thigh_slope(pose, Side::right);
+    for (const Side side : {Side::left, Side::right}) {
+        const Slope own = side == Side::left ? left : right, other = side == Side::left ? right : left;
+        // Cloth is one piece: each quarter is pulled a little by the other leg.
+        const float before = std::max({0.80f * own.ahead, 0.25f * other.ahead, 0.30f * own.ahead});
+        const float behind = std::min({0.80f * own.ahead, 0.25f * other.ahead, 0.30f * own.ahead});
+        const float out = (side == Side::left ? 1.0f : -1.0f) * std::max(0.0f, 0.7f * own.out);
+        pose.set(on(side, Bone::skirt_front), roll(sway_deg) * lean({out, -1, before}));
+        pose.set(on(side, Bone::skirt_back), roll(sway_deg) * lean({out, -1, behind}));
+    }
+}
+
+void hang_arm(Pose &pose, Side side, float forward, float out, float elbow, float inwards)
+{
+    const glm::vec3 hinge = glm::normalize(glm::cross(glm::vec3(0, 0, -1), arm_direction()));
+    pose.set(side, Bone::upper_arm, pitch(-forward) * roll(out - 45) * turn(arm_direction(), inwards));
+    pose.set(side, Bone::forearm, turn(hinge, elbow));
+}
+
+void curl_hand(Pose &pose, Side side, float curl)
+{
+    const glm::vec3 axis = -arm_thumbward();  // carries the fingers towards the palm
+    pose.set(side, Bone::fingers, turn(axis, 84 * curl));
+    pose.set(side, Bone::fingertips, turn(axis, 96 * curl));
+    pose.set(side, Bone::thumb,
+             turn(arm_direction(), 40 * curl) * turn(axis, 34 * curl) * turn(arm_dorsal(), 30 * curl));
+}
+
+void reach_hand(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole)
+{
+    pose.reach(on(side, Bone::upper_arm), on(side, Bone::forearm), on(side, Bone::hand), flip(wrist, side),
+               flip(pole, side), glm::vec3(0, 0, -1));
+}
+
+}  // namespace claque::figures

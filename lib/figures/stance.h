@@ -1,0 +1,33 @@
+// What every clip needs below and round the body: feet that stand or roll on the ground, cloth that gives way to the
+// thighs, arms that hang.
+#pragma once
+
+#include "lib/figures/pose.h"
+
+namespace claque::figures
+{
+
+// A foot by its sole: where it would stand flat, and how it rolls from there.
+struct Footing {
+    glm::vec2 place = glm::vec2(0);  // shift from the rest pose in x and z, flat on the ground
+    float heel_up_deg = 0;           // raised about the ball; negative: toes raised about the heel
+    float toes_flat = 1;             // 1: the toes stay level while the heel rises, 0: they follow the foot
+    float lift = 0;                  // of the whole foot
+    float yaw_deg = 0;               // toes outwards, beyond the rest pose
+};
+
+// Turns thigh, shin, foot and toes so that the foot is there; the pelvis has to be placed before.
+void stand_on(Pose &pose, Side side, const Footing &footing);
+
+// Lets the skirt follow the thighs, never through them. After the legs.
+void drape(Pose &pose, float sway_deg = 0);
+
+// An arm that hangs at the side. Degrees; forward and out from hanging, elbow bent.
+void hang_arm(Pose &pose, Side side, float forward, float out, float elbow, float inwards = 0);
+
+// 0: flat, 1: fist.
+void curl_hand(Pose &pose, Side side, float curl);
+
+void reach_hand(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole);
+
+}  // namespace claque::figures

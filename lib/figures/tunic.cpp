@@ -1,0 +1,174 @@
+// A knee-length tunic: rows of fourteen columns from the hem over the belt and the cloth that is drawn over it up to
+// the armpits, a yoke over the shoulders with a wide neck, and sleeves sewn to its armholes.
+#include <cmath>
+
+#include "lib/figures/parts.h"
+#include "lib/figures/skeleton.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+constexpr int columns = 14;  // 0 in front, 7 at the back, to the figure's left first
+
+// Unit directions of columns 0 to 7 on the left.
+const std::array<glm::vec2, 8> directions = {{{0, 1},
+                                              {0.44f, 0.90f},
+                                              {0.79f, 0.62f},
+                                              {0.975f, 0.24f},
+                                              {0.975f, -0.24f},
+                                              {0.79f, -0.62f},
+                                              {0.44f, -0.90f},
+                                              {0, -1}}};
+
+// How far each column stands out where the cloth falls in folds, in parts of the row's fold.
+const std::array<float, columns> folds = {
+    {-0.9f, 1.0f, -0.6f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.9f, 0.8f, -0.9f, 1.0f, -0.7f, 0.8f}};
+
+struct Row {
+    float y, side, front, back, ahead, fold;
+};
+
+const std::array<Row, 8> rows = {{
+    {0.508f, 0.232f, 0.182f, 0.192f, 0.000f, 0.024f},  // hem
+    {0.690f, 0.212f, 0.162f, 0.178f, 0.000f, 0.016f},
+    {0.870f, 0.186f, 0.138f, 0.158f, 0.000f, 0.007f},  // hips
+    {1.012f, 0.160f, 0.114f, 0.116f, 0.000f, 0.002f},  // lower edge of the belt
+    {1.056f, 0.158f, 0.114f, 0.112f, 0.000f, 0.000f},  // upper edge, behind the overhang
+    {1.050f, 0.181f, 0.142f, 0.130f, 0.000f, 0.006f},  // overhang
+    {1.130f, 0.184f, 0.142f, 0.136f, -0.002f, 0.005f},
+    {1.270f, 0.178f, 0.132f, 0.132f, -0.008f, 0.003f},
+}};
+
+// Armpit row and the row above it, columns 0 to 7 on the left; then the seam on the shoulder from neck to arm.
+const std::array<glm::vec3, 8> armpit = {{{0, 1.362f, 0.116f},
+                                          {0.060f, 1.362f, 0.116f},
+                                          {0.115f, 1.364f, 0.100f},
+                                          {0.158f, 1.352f, 0.062f},
+                                          {0.160f, 1.350f, -0.070f},
+                                          {0.115f, 1.364f, -0.122f},
+                                          {0.058f, 1.362f, -0.132f},
+                                          {0, 1.362f, -0.128f}}};
+const std::array<glm::vec3, 8> upper = {{{0, 1.424f, 0.086f},
+                                         {0.050f, 1.440f, 0.070f},
+                                         {0.108f, 1.434f, 0.066f},
+                                         {0.172f, 1.404f, 0.056f},
+                                         {0.174f, 1.404f, -0.072f},
+                                         {0.108f, 1.440f, -0.098f},
+                                         {0.052f, 1.458f, -0.098f},
+                                         {0, 1.462f, -0.104f}}};
+const std::array<glm::vec3, 3> shoulder_seam = {
+    {{0.080f, 1.482f, -0.020f}, {0.130f, 1.472f, -0.022f}, {0.184f, 1.462f, -0.016f}}};
+
+struct SleeveRow {
+    float along;
+    Girth girth;  // front, back, below, above
+};
+const std::array<SleeveRow, 2> sleeve_rows = {
+    {{0.095f, {0.066f, 0.066f, 0.076f, 0.056f}}, {0.235f, {0.078f, 0.074f, 0.094f, 0.054f}}}};
+
+using Ring = std::array<uint32_t, columns>;
+
+Ring add_row(Mesh &mesh, const Row &row)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k) {
+        const Side side = k <= 7 ? Side::left : Side::right;
+        const size_t half = static_cast<size_t>(k <= 7 ? k : columns - k);
+        const glm::vec2 d = directions[half];
+        const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
+        const glm::vec3 p(d.x * row.side * fold, row.y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
+        ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? Region::skirt : Region::torso, side);
+    }
+    return ring;
+}
+
+Ring add_row(Mesh &mesh, const std::array<glm::vec3, 8> &half)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k)
+        ring[static_cast<size_t>(k)] =
+            mesh.add(mirrored(half[static_cast<size_t>(k <= 7 ? k : columns - k)], k <= 7 ? Side::left : Side::right),
+                     Region::torso);
+    return ring;
+}
+
+// Columns from `first` for `count`, left to right for whoever looks at them.
+Chain span(const Ring &ring, int first, int count, float t)
+{
+    Chain chain;
+    for (int k = first; k < first + count; ++k)
+        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
+    return chain;
+}
+
+void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 5> &armhole)
+{
+    const std::array<float, 6> places = {0, 0.26f, 0.5f, 0.66f, 0.86f, 1};
+    Chain before;
+    for (size_t i = 0; i < 6; ++i) before.push_back({armhole[i % 5], glm::vec2(places[i], 0)});
+    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
+    for (const SleeveRow &row : sleeve_rows) {
+        const Chain next = ring_chain(add_ring(mesh, Region::sleeve, side, 7, shoulder + arm_direction() * row.along,
+                                               -arm_dorsal(), arm_thumbward(), row.girth),
+                                      -row.along);
+        mesh.sew(on(side, Chart::sleeve), winding_of(side), before, next, Along::s);
+        before = next;
+    }
+    const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.13f, side), Region::sleeve, side);
+    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), before, {inside, glm::vec2(-1, 0)});
+}
+
+}  // namespace
+
+void add_tunic(Mesh &mesh)
+{
+    std::vector<Ring> rings;
+    std::vector<float> heights;
+    float t = 0;
+    for (size_t r = 0; r < rows.size(); ++r) {
+        rings.push_back(add_row(mesh, rows[r]));
+        if (r > 0) t += rows[r].y > rows[r - 1].y ? rows[r].y - rows[r - 1].y : 0.02f;
+        heights.push_back(t);
+    }
+    rings.push_back(add_row(mesh, armpit));
+    heights.push_back(t += 0.095f);
+    for (size_t r = 0; r + 1 < rings.size(); ++r) {
+        mesh.sew(Chart::tunic_front, Winding::as_given, span(rings[r], -4, 9, heights[r]),
+                 span(rings[r + 1], -4, 9, heights[r + 1]), Along::s);
+        mesh.sew(Chart::tunic_back, Winding::as_given, span(rings[r], 4, 7, heights[r]),
+                 span(rings[r + 1], 4, 7, heights[r + 1]), Along::s);
+    }
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.78f, 0), Region::skirt);
+    mesh.fan(Chart::tunic_inside, Winding::reversed, span(rings[0], 0, columns + 1, 0), {inside, glm::vec2(-1, 1)});
+
+    const Ring high = add_row(mesh, upper);
+    const Ring &low = rings.back();
+    mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -3, 7, t), span(high, -3, 7, t + 0.065f), Along::s);
+    mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 4, 7, t), span(high, 4, 7, t + 0.075f), Along::s);
+    for (const Side side : {Side::left, Side::right}) {
+        std::array<uint32_t, 3> seam{};
+        for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
+        const bool left = side == Side::left;
+        const auto chain = [&](int first, float height, bool outwards) {
+            Chain c;
+            for (int i = 0; i < 3; ++i)
+                c.push_back({seam[static_cast<size_t>(outwards ? i : 2 - i)],
+                             glm::vec2(static_cast<float>(first + i), height)});
+            return c;
+        };
+        const int front = left ? 1 : -3, back = left ? 4 : 8;
+        mesh.sew(Chart::tunic_front, Winding::as_given, span(high, front, 3, t + 0.065f), chain(front, t + 0.15f, left),
+                 Along::s);
+        mesh.sew(Chart::tunic_back, Winding::as_given, span(high, back, 3, t + 0.075f), chain(back, t + 0.16f, !left),
+                 Along::s);
+        const auto at = [left](const Ring &ring, int k) {
+            return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
+        };
+        add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 3), at(low, 3), at(low, 4)});
+    }
+}
+
+}  // namespace claque::figures

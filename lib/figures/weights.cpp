@@ -1,0 +1,208 @@
+#include "lib/figures/weights.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace claque::figures
+{
+
+namespace
+{
+
+using Dense = std::array<float, bone_count>;
+
+float step(float from, float to, float x)
+{
+    const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
+
+void give(Dense &w, Bone bone, float weight) { w[static_cast<size_t>(bone)] += weight; }
+
+// Hands `share` down a chain: at each joint the part beyond it goes on to the next bone.
+struct Link {
+    Bone bone;
+    float share;  // of what reaches this bone, how much passes on to the next
+};
+void chain(Dense &w, float whole, std::initializer_list<Link> links)
+{
+    for (const Link &link : links) {
+        give(w, link.bone, whole * (1 - link.share));
+        whole *= link.share;
+    }
+}
+
+void trunk(Dense &w, glm::vec3 p, float whole)
+{
+    chain(w, whole,
+          {{Bone::pelvis, step(0.97f, 1.09f, p.y)},
+           {Bone::spine, step(1.07f, 1.19f, p.y)},
+           {Bone::spine_upper, step(1.17f, 1.31f, p.y)},
+           {Bone::chest, 0}});
+}
+
+// Torso and sleeve: trunk, then collar bone, then upper arm, by how far out the point lies.
+void shoulder(Dense &w, glm::vec3 p, Side side)
+{
+    const glm::vec3 q = mirrored(p, side);
+    const glm::vec3 joint = skeleton().joint(Bone::upper_arm);
+    const float height = step(1.24f, 1.42f, p.y);
+    const float out = step(0.03f, 0.17f, q.x) * height;
+    const float arm = step(-0.055f, 0.075f, glm::dot(q - joint, arm_direction()) - 0.25f * (1.40f - q.y)) *
+                      step(1.20f, 1.34f, q.y + (q.x > 0.2f ? 1 : 0));
+    const float along = glm::dot(q - joint, arm_direction());
+    trunk(w, p, (1 - arm) * (1 - 0.75f * out));
+    give(w, on(side, Bone::clavicle), (1 - arm) * 0.75f * out);
+    chain(w, arm, {{on(side, Bone::upper_arm), 0.35f * step(0.19f, 0.31f, along)}, {on(side, Bone::forearm), 0}});
+}
+
+void skirt(Dense &w, glm::vec3 p)
+{
+    const float hang = step(1.02f, 0.80f, p.y);
+    trunk(w, p, 1 - hang);
+    const float left = step(-0.13f, 0.13f, p.x), front = step(-0.12f, 0.12f, p.z);
+    give(w, Bone::skirt_front, hang * left * front);
+    give(w, Bone::skirt_front_r, hang * (1 - left) * front);
+    give(w, Bone::skirt_back, hang * left * (1 - front));
+    give(w, Bone::skirt_back_r, hang * (1 - left) * (1 - front));
+}
+
+void arm(Dense &w, glm::vec3 p, Side side)
+{
+    const glm::vec3 d = arm_direction();
+    const float along = glm::dot(mirrored(p, side) - skeleton().joint(Bone::upper_arm), d);
+    chain(w, 1,
+          {{on(side, Bone::upper_arm), step(0.240f, 0.345f, along)},
+           {on(side, Bone::forearm), step(0.515f, 0.572f, along)},
+           {on(side, Bone::hand), 0}});
+}
+
+void fingers(Dense &w, glm::vec3 p, Side side)
+{
+    const float along = glm::dot(mirrored(p, side) - skeleton().joint(Bone::hand), arm_direction());
+    chain(w, 1,
+          {{on(side, Bone::hand), step(0.070f, 0.112f, along)},
+           {on(side, Bone::fingers), step(0.120f, 0.148f, along)},
+           {on(side, Bone::fingertips), 0}});
+}
+
+void thumb(Dense &w, glm::vec3 p, Side side)
+{
+    const glm::vec3 q = mirrored(p, side) - skeleton().joint(Bone::hand);
+    const float out = glm::dot(q, arm_thumbward()) + 0.5f * glm::dot(q, arm_direction());
+    chain(w, 1, {{on(side, Bone::hand), step(0.030f, 0.085f, out)}, {on(side, Bone::thumb), 0}});
+}
+
+void leg(Dense &w, glm::vec3 p, Side side)
+{
+    chain(w, 1,
+          {{on(side, Bone::thigh), step(0.56f, 0.42f, p.y)},
+           {on(side, Bone::shin), step(0.125f, 0.070f, p.y)},
+           {on(side, Bone::foot), 0}});
+}
+
+void foot(Dense &w, glm::vec3 p, Side side)
+{
+    const float down = step(0.125f, 0.070f, p.y);
+    give(w, on(side, Bone::shin), 1 - down);
+    chain(w, down, {{on(side, Bone::foot), step(0.080f, 0.135f, p.z)}, {on(side, Bone::toes), 0}});
+}
+
+void head(Dense &w, glm::vec3 p)
+{
+    // The throat goes with the head later than the nape.
+    const float y = p.y + 0.25f * p.z;
+    chain(w, 1, {{Bone::chest, step(1.40f, 1.475f, y)}, {Bone::neck, step(1.485f, 1.555f, y)}, {Bone::head, 0}});
+}
+
+Dense weights_of(const Point &point)
+{
+    Dense w{};
+    const glm::vec3 p = point.position;
+    const Side side = p.x >= 0 ? Side::left : Side::right;
+    switch (point.region) {
+        case Region::head:
+            head(w, p);
+            break;
+        case Region::torso:
+            shoulder(w, p, side);
+            break;
+        case Region::skirt:
+            skirt(w, p);
+            break;
+        case Region::sleeve:
+            shoulder(w, p, point.side);
+            break;
+        case Region::arm:
+        case Region::palm:
+            arm(w, p, point.side);
+            break;
+        case Region::fingers:
+            fingers(w, p, point.side);
+            break;
+        case Region::thumb:
+            thumb(w, p, point.side);
+            break;
+        case Region::leg:
+            leg(w, p, point.side);
+            break;
+        case Region::foot:
+            foot(w, p, point.side);
+            break;
+    }
+    return w;
+}
+
+bool smoothed(Region region) { return region == Region::torso || region == Region::sleeve || region == Region::skirt; }
+
+void smooth(const Mesh &mesh, std::vector<Dense> &dense)
+{
+    std::vector<std::vector<uint32_t>> neighbours(mesh.points.size());
+    for (const Face &f : mesh.faces)
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = f.corners[k].point, b = f.corners[(k + 1) % 3].point;
+            neighbours[a].push_back(b);
+            neighbours[b].push_back(a);
+        }
+    const std::vector<Dense> before = dense;
+    constexpr float kept = 0.7f;
+    for (size_t i = 0; i < dense.size(); ++i) {
+        if (!smoothed(mesh.points[i].region) || neighbours[i].empty()) continue;
+        for (size_t b = 0; b < bone_count; ++b) {
+            float sum = 0;
+            for (const uint32_t n : neighbours[i]) sum += before[n][b];
+            dense[i][b] = kept * before[i][b] + (1 - kept) * sum / static_cast<float>(neighbours[i].size());
+        }
+    }
+}
+
+Binding strongest(const Dense &w)
+{
+    std::array<uint32_t, bone_count> order{};
+    for (uint32_t i = 0; i < bone_count; ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&w](uint32_t a, uint32_t b) { return w[a] > w[b]; });
+    Binding binding;
+    float sum = 0;
+    for (size_t k = 0; k < 4; ++k) sum += w[order[k]] > 0.01f ? w[order[k]] : 0;
+    for (size_t k = 0; k < 4; ++k) {
+        const bool used = w[order[k]] > 0.01f;
+        binding.bones[k] = used ? order[k] : order[0];
+        binding.weights[k] = used ? w[order[k]] / sum : 0;
+    }
+    return binding;
+}
+
+}  // namespace
+
+std::vector<Binding> bind(const Mesh &mesh)
+{
+    std::vector<Dense> dense;
+    for (const Point &point : mesh.points) dense.push_back(weights_of(point));
+    smooth(mesh, dense);
+    std::vector<Binding> bindings;
+    for (const Dense &w : dense) bindings.push_back(strongest(w));
+    return bindings;
+}
+
+}  // namespace claque::figures
