@@ -1,0 +1,120 @@
+// The fields of a template in the order in which a file holds them: one list for writing and reading alike, so that the
+// two cannot differ. An Archive has value() for numbers, flag(), text(), and array() and rows(), which say how small an
+// element can be in the file; Tmpl is Template or const Template.
+#pragma once
+
+#include "lib/model/template.h"
+
+namespace claque::model
+{
+
+template <class Archive, class R>
+void walk_rig(Archive &a, R &rig)
+{
+    a.array(rig.parents, 4, [&](auto &v) { a.value(v); });
+    a.array(rig.rest, 40, [&](auto &trs) {
+        for (int k = 0; k < 3; ++k) a.value(trs.translation[k]);
+        a.value(trs.rotation.x), a.value(trs.rotation.y), a.value(trs.rotation.z), a.value(trs.rotation.w);
+        for (int k = 0; k < 3; ++k) a.value(trs.scale[k]);
+    });
+    a.array(rig.node_names, 8, [&](auto &name) { a.text(name); });
+    a.array(rig.palette, 52, [&](auto &entry) {
+        a.value(entry.node);
+        for (auto &c : entry.inverse_bind.c) a.value(c);
+    });
+    a.array(rig.morph_sets, 12,
+            [&](auto &set) { a.value(set.node), a.value(set.first_weight), a.value(set.target_count); });
+    a.array(rig.rest_weights, 4, [&](auto &v) { a.value(v); });
+    a.array(rig.clips, 16, [&](auto &clip) {
+        a.value(clip.first_channel), a.value(clip.channel_count), a.value(clip.start_s), a.value(clip.duration_s);
+    });
+    a.array(rig.clip_names, 8, [&](auto &name) { a.text(name); });
+    a.array(rig.channels, 20, [&](auto &channel) {
+        a.value(channel.node), a.value(channel.path), a.value(channel.interpolation);
+        a.value(channel.component_count);
+        a.value(channel.first_time), a.value(channel.key_count), a.value(channel.first_value);
+    });
+    a.array(rig.times, 4, [&](auto &v) { a.value(v); });
+    a.array(rig.values, 4, [&](auto &v) { a.value(v); });
+}
+
+template <class Archive, class Range>
+void walk_range(Archive &a, Range &range)
+{
+    a.value(range.first), a.value(range.count);
+}
+
+template <class Archive, class S>
+void walk_surface(Archive &a, S &surface)
+{
+    const auto bin = [&](auto &b) { a.value(b.zone_index), walk_range(a, b.range); };
+    a.value(surface.texture), a.flag(surface.double_sided);
+    a.array(surface.clean, 12, bin);
+    walk_range(a, surface.dirty);
+    a.array(surface.dirty_by_zone, 12, bin);
+    walk_range(a, surface.fused);
+}
+
+template <class Archive, class L>
+void walk_level(Archive &a, L &level)
+{
+    const auto number = [&](auto &v) { a.value(v); };
+    a.value(level.source_count), a.value(level.vertex_count);
+    a.array(level.positions, 4, number);
+    a.array(level.normals, 4, number);
+    a.array(level.runs, 16, [&](auto &run) {
+        a.value(run.first), a.value(run.count), a.value(run.influences), a.value(run.first_influence);
+    });
+    a.array(level.joints, 2, number);
+    a.array(level.weights, 4, number);
+    a.array(level.morph_deltas, 28, [&](auto &delta) {
+        a.value(delta.vertex);
+        for (auto &v : delta.position) a.value(v);
+        for (auto &v : delta.normal) a.value(v);
+    });
+    a.array(level.morph_ranges, 12,
+            [&](auto &range) { a.value(range.weight), a.value(range.first), a.value(range.count); });
+    a.array(level.copies, 4, number);
+    a.array(level.uvs, 4, number);
+    a.array(level.colours, 1, number);
+    a.array(level.slots, 2, number);
+    a.array(level.indices, 4, number);
+    a.rows(level.surfaces, 37, [&](auto &surface) { walk_surface(a, surface); });
+    a.value(level.switch_distance_m);
+}
+
+template <class Archive, class T>
+void walk_texture(Archive &a, T &texture)
+{
+    a.value(texture.width), a.value(texture.height), a.value(texture.wrap_s), a.value(texture.wrap_t);
+    a.array(texture.rgba, 1, [&](auto &v) { a.value(v); });
+    a.array(texture.keys, 5, [&](auto &key) { a.value(key.zone), a.value(key.key); });
+    a.flag(texture.has_holes);
+}
+
+template <class Archive, class Tmpl>
+void walk_template(Archive &a, Tmpl &tmpl)
+{
+    a.text(tmpl.name);
+    walk_rig(a, tmpl.rig);
+    a.flag(tmpl.similar_only);
+    a.array(tmpl.zone_names, 8, [&](auto &name) { a.text(name); });
+    a.array(tmpl.zone_colours, 12, [&](auto &colour) {
+        for (auto &v : colour) a.value(v);
+    });
+    a.array(tmpl.zone_ranges, 24, [&](auto &range) {
+        a.value(range.hue_first_deg), a.value(range.hue_last_deg);
+        a.value(range.saturation_first), a.value(range.saturation_last);
+        a.value(range.brightness_first), a.value(range.brightness_last);
+    });
+    a.array(tmpl.zone_clean, 4, [&](auto &v) { a.value(v); });
+    a.rows(tmpl.textures, 27, [&](auto &texture) { walk_texture(a, texture); });
+    a.rows(tmpl.levels, 116, [&](auto &level) { walk_level(a, level); });
+    for (int k = 0; k < 3; ++k) a.value(tmpl.sklsroot.centre[k]);
+    a.value(tmpl.sklsroot.radius);
+    auto &r = tmpl.report;
+    a.value(r.triangles), a.value(r.degenerate), a.value(r.dirty), a.value(r.dirty_zone_sum), a.value(r.coincident);
+    a.value(r.fused_triangles), a.value(r.copies);
+}
+
+}  // namespace claque::model
