@@ -1,0 +1,77 @@
+#include "samples/cli/characters.h"
+
+#include "samples/cli/files.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace cli
+{
+
+using scenes::check;
+
+scenes::Character LoadedCharacter::character() const
+{
+    scenes::Character character;
+    character.tmpl = tmpl.get();
+    if (asset) {
+        const clq_asset_info info = info_of(asset.get());
+        character.has_box = true;
+        std::copy(info.box_first, info.box_first + 3, character.box_first);
+        std::copy(info.box_last, info.box_last + 3, character.box_last);
+    }
+    return character;
+}
+
+bool is_prepared(const std::string &path) { return path.size() > 4 && path.substr(path.size() - 4) == ".clq"; }
+
+scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
+                                  const std::vector<std::string> &hidden)
+{
+    clq_asset *made = nullptr;
+    // A name without folder or ending, and no such file: one of ours.
+    if (path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0) {
+        check(clq_asset_builtin(library.context(), path.c_str(), &made));
+        return scenes::Own<clq_asset>(made);
+    }
+    std::vector<const char *> names;
+    for (const std::string &name : hidden) names.push_back(name.c_str());
+    clq_asset_options options = clq_asset_options_init();
+    options.hidden_nodes = names.data();
+    options.hidden_node_count = static_cast<uint32_t>(names.size());
+    check(clq_asset_load_file(library.context(), path.c_str(), &options, &made), path);
+    return scenes::Own<clq_asset>(made);
+}
+
+LoadedCharacter load_character(scenes::Library &library, const std::string &path,
+                               const std::vector<std::string> &hidden)
+{
+    LoadedCharacter loaded;
+    clq_template *made = nullptr;
+    if (is_prepared(path)) {
+        const std::vector<unsigned char> bytes = read_file(path);
+        check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
+    } else {
+        loaded.asset = load_asset(library, path, hidden);
+        check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
+    }
+    loaded.tmpl.reset(made);
+    return loaded;
+}
+
+clq_asset_info info_of(const clq_asset *asset)
+{
+    clq_asset_info info = {};
+    check(clq_asset_get_info(asset, &info));
+    return info;
+}
+
+clq_template_info info_of(const clq_template *tmpl)
+{
+    clq_template_info info = {};
+    check(clq_template_get_info(tmpl, &info));
+    return info;
+}
+
+}  // namespace cli

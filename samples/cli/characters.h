@@ -1,0 +1,31 @@
+// Characters from the command line: a glTF or GLB file, a prepared file (.clq), or the name of a built-in figure.
+#pragma once
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/library.h"
+#include "samples/scenes/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace cli
+{
+
+struct LoadedCharacter {
+    scenes::Own<clq_asset> asset;  // none for prepared files
+    scenes::Own<clq_template> tmpl;
+    scenes::Character character() const;
+};
+
+bool is_prepared(const std::string &path);
+
+// Both throw Failure with the path in the sentence.
+scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
+                                  const std::vector<std::string> &hidden = {});
+LoadedCharacter load_character(scenes::Library &library, const std::string &path,
+                               const std::vector<std::string> &hidden = {});
+
+clq_asset_info info_of(const clq_asset *asset);
+clq_template_info info_of(const clq_template *tmpl);
+
+}  // namespace cli

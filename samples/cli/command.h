@@ -1,0 +1,21 @@
+// The claque command: one file a subcommand. Each adds itself to the parser; the one that was asked for leaves its work
+// in `chosen`, which runs after parsing is over, so that usage errors and failures stay apart.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace cli
+{
+
+using Work = std::function<void()>;  // throws scenes::Failure
+
+void add_render(CLI::App &app, Work &chosen);
+void add_inspect(CLI::App &app, Work &chosen);
+void add_dump(CLI::App &app, Work &chosen);
+void add_split(CLI::App &app, Work &chosen);
+void add_prepare(CLI::App &app, Work &chosen);
+void add_bench(CLI::App &app, Work &chosen);
+
+}  // namespace cli

@@ -1,0 +1,74 @@
+// claque dump: animated positions as numbers, so that others can check our skinning.
+#include "samples/cli/characters.h"
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/npy.h"
+
+#include <cmath>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+struct DumpArguments {
+    std::string file, clip, out;
+    double time_s = 0;
+};
+
+// A clip by its name, or else by its number.
+uint32_t find_clip(const clq_asset *asset, const DumpArguments &a)
+{
+    if (a.clip.empty()) return CLQ_NONE;
+    const uint32_t count = info_of(asset).clip_count;
+    std::string names;
+    for (uint32_t i = 0; i < count; ++i) {
+        clq_clip_info clip = {};
+        scenes::check(clq_asset_get_clip(asset, i, &clip));
+        if (a.clip == clip.name) return i;
+        names += (i == 0 ? "" : ", ") + std::string(clip.name);
+    }
+    if (a.clip.size() <= 9 && a.clip.find_first_not_of("0123456789") == std::string::npos) {
+        const unsigned long number = std::stoul(a.clip);
+        if (number < count) return static_cast<uint32_t>(number);
+    }
+    throw scenes::Failure(a.file + " has no clip '" + a.clip + "' among its " + std::to_string(count) +
+                          (names.empty() ? "" : " (" + names + ")"));
+}
+
+void dump(const DumpArguments &a)
+{
+    expect_writable(a.out);
+    scenes::Library library(1);
+    const scenes::Own<clq_asset> asset = load_asset(library, a.file);
+    const uint32_t clip = find_clip(asset.get(), a);
+    std::vector<float> xyz(3 * static_cast<size_t>(info_of(asset.get()).vertex_count));
+    scenes::check(clq_asset_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()), a.file);
+    const std::string bytes = npy(xyz, 3);
+    write_whole(a.out, bytes);
+}
+
+}  // namespace
+
+void add_dump(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<DumpArguments>();
+    CLI::App *c = app.add_subcommand(
+        "dump",
+        "Write animated world-space positions of all mesh primitives of the default scene: nodes depth first with "
+        "children in listed order, primitives in order, vertices as in the file; float32 (n, 3), NumPy's .npy 1.0");
+    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen)")->required();
+    CLI::Option *clip =
+        c->add_option("--clip", a->clip, "Name or number; without it the rest pose and default morph weights");
+    c->add_option("--time", a->time_s, "In seconds on the file's own key axis, clamped to the clip")
+        ->check([](const std::string &text) {
+            double value = 0;
+            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "has to be finite";
+        })
+        ->needs(clip);
+    c->add_option("--out", a->out, "The .npy file; - is standard output")->required();
+    c->callback([a, &chosen] { chosen = [a] { dump(*a); }; });
+}
+
+}  // namespace cli

@@ -1,0 +1,21 @@
+// Files in whole: read at once; written beside their place and renamed into it, so that a reader sees all or nothing.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cli
+{
+
+// Throws scenes::Failure, naming the path and the system's reason.
+std::vector<unsigned char> read_file(const std::string &path);
+
+// `path` "-" is standard output. A file that was there before stays as it was unless all goes well.
+void write_whole(const std::string &path, const void *bytes, size_t size_bytes);
+void write_whole(const std::string &path, const std::string &text);
+
+// Fails early what write_whole would fail late: the folder of `path` has to be there and take files.
+void expect_writable(const std::string &path);
+
+}  // namespace cli

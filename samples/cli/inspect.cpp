@@ -1,0 +1,181 @@
+// claque inspect: what a character is made of, as loaded and as split.
+#include "samples/cli/characters.h"
+#include "samples/cli/command.h"
+#include "samples/cli/stage_arguments.h"
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+constexpr const char *topologies[] = {"points",    "lines",          "line loop",   "line strip",
+                                      "triangles", "triangle strip", "triangle fan"};
+
+Json clip_json(const clq_clip_info &clip)
+{
+    return {{"name", clip.name},
+            {"start_s", clip.start_s},
+            {"duration_s", clip.duration_s},
+            {"channels", clip.channel_count}};
+}
+
+Json asset_json(const clq_asset *asset)
+{
+    const clq_asset_info info = info_of(asset);
+    Json json = {{"name", info.name},
+                 {"parts", info.part_count},
+                 {"hidden_parts", info.hidden_part_count},
+                 {"triangles", info.triangle_count},
+                 {"vertices", info.vertex_count},
+                 {"nodes", info.node_count},
+                 {"joints", info.joint_count},
+                 {"max_influences", info.max_influences},
+                 {"morph_targets", info.morph_target_count},
+                 {"materials", info.material_count},
+                 {"images", info.image_count},
+                 {"box_first", info.box_first},
+                 {"box_last", info.box_last}};
+    json["part_list"] = Json::array();
+    for (uint32_t i = 0; i < info.part_count; ++i) {
+        clq_asset_part part = {};
+        scenes::check(clq_asset_get_part(asset, i, &part));
+        json["part_list"].push_back({{"name", part.name},
+                                     {"node", part.node_name},
+                                     {"material", part.material_name},
+                                     {"topology", part.topology < 7 ? topologies[part.topology] : "?"},
+                                     {"triangles", part.triangle_count},
+                                     {"vertices", part.vertex_count},
+                                     {"influences", part.influence_count},
+                                     {"morph_targets", part.morph_target_count},
+                                     {"skinned", part.skinned != 0},
+                                     {"hidden", part.hidden != 0}});
+    }
+    json["clips"] = Json::array();
+    for (uint32_t i = 0; i < info.clip_count; ++i) {
+        clq_clip_info clip = {};
+        scenes::check(clq_asset_get_clip(asset, i, &clip));
+        json["clips"].push_back(clip_json(clip));
+    }
+    json["warnings"] = Json::array();
+    for (uint32_t i = 0; i < info.warning_count; ++i) json["warnings"].push_back(clq_asset_get_warning(asset, i));
+    return json;
+}
+
+Json template_json(const clq_template *tmpl)
+{
+    const clq_template_info info = info_of(tmpl);
+    Json json = {{"name", info.name},
+                 {"triangles", info.triangle_count},
+                 {"clean", info.clean_count},
+                 {"dirty", info.dirty_count},
+                 {"dirty_zone_mean", info.dirty_zone_mean},
+                 {"coincident", info.coincident_count},
+                 {"fused_triangles", info.fused_triangle_count},
+                 {"vertices", info.vertex_count},
+                 {"fused_vertices", info.fused_vertex_count},
+                 {"joints", info.joint_count},
+                 {"max_influences", info.max_influences},
+                 {"textures", info.texture_count},
+                 {"surfaces", info.surface_count},
+                 {"sklsroot_centre", info.sklsroot_centre},
+                 {"sklsroot_radius", info.sklsroot_radius},
+                 {"bytes", info.bytes}};
+    json["zones"] = Json::array();
+    for (uint32_t i = 0; i < info.zone_count; ++i) {
+        clq_zone_info zone = {};
+        scenes::check(clq_template_get_zone(tmpl, i, &zone));
+        json["zones"].push_back({{"name", zone.name}, {"clean", zone.clean_count}, {"colour", zone.colour}});
+    }
+    json["clips"] = Json::array();
+    for (uint32_t i = 0; i < info.clip_count; ++i) {
+        clq_clip_info clip = {};
+        scenes::check(clq_template_get_clip(tmpl, i, &clip));
+        json["clips"].push_back(clip_json(clip));
+    }
+    return json;
+}
+
+void print_rows(const Json &rows, const char *heading)
+{
+    if (rows.empty()) return;
+    std::cout << heading << "\n";
+    for (const Json &row : rows) {
+        std::cout << "  ";
+        for (const auto &[key, value] : row.items()) {
+            if (value.is_boolean()) {
+                if (value.get<bool>()) std::cout << key << "  ";
+            } else if (key == "name") std::cout << value.get<std::string>() << ":  ";
+            else if (value.is_string() && !value.get<std::string>().empty())
+                std::cout << key << " '" << value.get<std::string>() << "'  ";
+            else if (!value.is_string() && !value.is_array()) std::cout << key << " " << value << "  ";
+        }
+        std::cout << "\n";
+    }
+}
+
+void print_text(const Json &report)
+{
+    std::cout << report["file"].get<std::string>() << "\n" << std::setprecision(4);
+    for (const char *form : {"loaded", "split"}) {
+        if (!report.contains(form)) continue;
+        const Json &json = report[form];
+        std::cout << form << "\n";
+        for (const auto &[key, value] : json.items())
+            if (!value.is_array() || (!value.empty() && value[0].is_number()))
+                std::cout << "  " << key << " " << value << "\n";
+    }
+    if (report.contains("loaded")) {
+        print_rows(report["loaded"]["part_list"], "parts");
+        print_rows(report["loaded"]["clips"], "clips");
+        for (const Json &warning : report["loaded"]["warnings"])
+            std::cout << "warning: " << warning.get<std::string>() << "\n";
+    }
+    if (report.contains("split")) {
+        print_rows(report["split"]["zones"], "zones");
+        if (!report.contains("loaded")) print_rows(report["split"]["clips"], "clips");
+    }
+    if (report.contains("not_split")) std::cout << "not split: " << report["not_split"].get<std::string>() << "\n";
+}
+
+struct InspectArguments {
+    std::string file;
+    std::vector<std::string> hidden;
+    bool json = false;
+};
+
+void inspect(const InspectArguments &a)
+{
+    scenes::Library library(1);
+    Json report = {{"file", a.file}};
+    if (is_prepared(a.file)) report["split"] = template_json(load_character(library, a.file).tmpl.get());
+    else {
+        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden);
+        report["loaded"] = asset_json(asset.get());
+        clq_template *made = nullptr;
+        if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
+            report["split"] = template_json(scenes::Own<clq_template>(made).get());
+        else report["not_split"] = clq_last_error();  // points and lines load, but are nothing to split
+    }
+    if (a.json) std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    else print_text(report);
+}
+
+}  // namespace
+
+void add_inspect(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<InspectArguments>();
+    CLI::App *c = app.add_subcommand("inspect", "Say what a character is made of");
+    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen)")->required();
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+        ->expected(1)
+        ->take_all();
+    c->add_flag("--json", a->json, "As JSON");
+    c->callback([a, &chosen] { chosen = [a] { inspect(*a); }; });
+}
+
+}  // namespace cli

@@ -1,0 +1,82 @@
+#include "samples/cli/png.h"
+
+#include "samples/scenes/check.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+void append(png_structp writer, png_bytep bytes, size_t size_bytes)
+{
+    auto &file = *static_cast<std::vector<unsigned char> *>(png_get_io_ptr(writer));
+    file.insert(file.end(), bytes, bytes + size_bytes);
+}
+
+// libpng leaves by longjmp: nothing here has a destructor.
+bool encode(png_structp writer, png_infop info, const uint8_t *rgb, int width, int height, png_textp texts, int count)
+{
+    if (setjmp(png_jmpbuf(writer))) return false;
+    png_set_IHDR(writer, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(writer, 6);
+    png_set_text(writer, info, texts, count);
+    png_write_info(writer, info);
+    for (int y = 0; y < height; ++y)
+        png_write_row(writer, rgb + 3 * static_cast<size_t>(width) * static_cast<size_t>(y));
+    png_write_end(writer, info);
+    return true;
+}
+
+uint32_t big_endian(const unsigned char *p)
+{
+    return static_cast<uint32_t>(p[0]) << 24 | static_cast<uint32_t>(p[1]) << 16 | static_cast<uint32_t>(p[2]) << 8 |
+           p[3];
+}
+
+}  // namespace
+
+std::vector<unsigned char> png(const uint8_t *rgb, int width, int height, const Words &words)
+{
+    std::vector<unsigned char> file;
+    std::vector<png_text> texts;
+    for (const auto &[key, value] : words) {
+        png_text text = {};
+        text.compression = PNG_TEXT_COMPRESSION_NONE;
+        text.key = const_cast<char *>(key.c_str());
+        text.text = const_cast<char *>(value.c_str());
+        text.text_length = value.size();
+        texts.push_back(text);
+    }
+    png_structp writer =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, [](png_structp, const char *) {});
+    png_infop info = writer ? png_create_info_struct(writer) : nullptr;
+    bool done = false;
+    if (info) {
+        png_set_write_fn(writer, &file, append, nullptr);
+        done = encode(writer, info, rgb, width, height, texts.data(), static_cast<int>(texts.size()));
+    }
+    png_destroy_write_struct(&writer, &info);
+    if (!done) throw scenes::Failure("libpng could not encode the picture");
+    return file;
+}
+
+bool is_whole_png(const std::string &path, int width, int height)
+{
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    unsigned char head[24], tail[12];
+    if (!file || std::fread(head, 1, sizeof head, file.get()) != sizeof head) return false;
+    if (std::fseek(file.get(), -12, SEEK_END) != 0 || std::fread(tail, 1, sizeof tail, file.get()) != sizeof tail)
+        return false;
+    return png_sig_cmp(head, 0, 8) == 0 && big_endian(head + 16) == static_cast<uint32_t>(width) &&
+           big_endian(head + 20) == static_cast<uint32_t>(height) && std::memcmp(tail + 4, "IEND", 4) == 0;
+}
+
+}  // namespace cli

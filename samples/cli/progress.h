@@ -1,0 +1,30 @@
+// One line that says how far it has come, on a terminal only: in a pipe or a log it says nothing.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace cli
+{
+
+class Progress
+{
+public:
+    explicit Progress(std::string doing);
+    ~Progress();  // leaves the line empty
+
+    void phase(const std::string &what);
+    void step(size_t done, size_t of);
+    // A last line that stays.
+    void conclude(const std::string &sentence);
+
+private:
+    void show(const std::string &text, bool at_once);
+
+    std::string doing_;
+    bool terminal_;
+    bool shown_ = false;
+    std::chrono::steady_clock::time_point start_, last_;
+};
+
+}  // namespace cli

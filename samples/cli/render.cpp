@@ -1,0 +1,246 @@
+// claque render: one picture, or a sequence, of a scene.
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/png.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/sequence.h"
+#include "samples/cli/stage_arguments.h"
+#include "samples/cli/stopwatch.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <optional>
+
+namespace cli
+{
+namespace
+{
+
+struct RenderArguments {
+    StageArguments stage;
+    double time_s = 2.0, fps = 25.0;
+    std::string frames, out, json;
+    FrameRange range;
+    bool again = false;
+};
+
+struct Frame {
+    int number;  // -1: the one picture of --time
+    double time_s;
+    std::string path;
+};
+
+std::vector<Frame> planned(const RenderArguments &a)
+{
+    if (a.frames.empty()) return {{-1, a.time_s, a.out}};
+    std::vector<Frame> frames;
+    for (int number : frames_of(a.range)) frames.push_back({number, number / a.fps, frame_path(a.out, number)});
+    return frames;
+}
+
+bool finished(const RenderArguments &a, const scenes::StageOptions &options, const Frame &frame)
+{
+    return frame.number >= 0 && !a.again && frame.path != "-" &&
+           is_whole_png(frame.path, options.width, options.height);
+}
+
+Words words_about(const scenes::StageOptions &options, const scenes::Stage &stage, double time_s)
+{
+    char time[32];
+    std::snprintf(time, sizeof time, "%.6g", time_s);
+    return {{"Software", "claque " + version()},
+            {"Description", options.scene + ", " + std::to_string(options.casting.count) + " individuals, seed " +
+                                std::to_string(options.casting.seed) + ", time " + time + " s"},
+            {"Source", stage.context_name()}};
+}
+
+Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame &frame)
+{
+    const Stopwatch updating;
+    stage.update(frame.time_s);
+    const double update_ms = updating.ms();
+    const Stopwatch setting;
+    stage.draw_setting();
+    stage.gl().Finish();
+    const double setting_ms = setting.ms();
+    const Stopwatch drawing;
+    const clq_draw_stats drawn = stage.draw_crowd();
+    const double draw_ms = drawing.ms();
+    const std::vector<uint8_t> &rgb = stage.read();
+    if (frame.path == "-") write_whole("-", rgb.data(), rgb.size());
+    else {
+        const std::vector<unsigned char> file =
+            png(rgb.data(), options.width, options.height, words_about(options, stage, frame.time_s));
+        write_whole(frame.path, file.data(), file.size());
+    }
+    const clq_view_stats seen = stage.view_stats();
+    Json report;
+    if (frame.number >= 0) report["frame"] = frame.number;
+    report["time_s"] = frame.time_s;
+    if (frame.path != "-") report["file"] = frame.path;
+    report["picture_hash"] = hex(scenes::hash_of(rgb));
+    report["list_hash"] = hex(stage.view_hash());
+    report["update_ms"] = update_ms;
+    report["setting_ms"] = setting_ms;
+    report["draw_ms"] = draw_ms;
+    report["drawn"] = {{"individuals", drawn.individuals},
+                       {"draws", drawn.draws},
+                       {"triangles_seen", seen.triangles},
+                       {"triangles_sent", drawn.triangles},
+                       {"vertices_sent", drawn.vertices}};
+    report["counters"] = counters(stage.crowd_stats());
+    return report;
+}
+
+// One second of updates at 50 Hz, which is the fastest rung, and a few pictures: the rates that are really reached and
+// what a frame costs once caches are warm.
+Json measure(scenes::Stage &stage, clq_crowd *crowd, double from_s)
+{
+    constexpr int updates = 50;
+    stage.update(from_s);
+    scenes::check(clq_crowd_reset_bands(crowd));
+    Times update, draw;
+    for (int k = 1; k <= updates; ++k) {
+        stop_if_asked();
+        const Stopwatch updating;
+        stage.update(from_s + k / static_cast<double>(updates));
+        update.ms.push_back(updating.ms());
+        if (k % 10 != 0) continue;
+        stage.draw_setting();
+        stage.gl().Finish();
+        const Stopwatch drawing;
+        stage.draw_crowd();
+        draw.ms.push_back(drawing.ms());
+    }
+    const clq_crowd_stats stats = stage.crowd_stats();
+    return {{"from_s", from_s},
+            {"updates", updates},
+            {"updates_hz", updates},
+            {"bands", rates(stats)},
+            {"update_ms", {{"minimum", update.minimum()}, {"median", update.median()}}},
+            {"draw_ms", {{"minimum", draw.minimum()}, {"median", draw.median()}}},
+            {"counters", counters(stats)}};
+}
+
+Json about(const RenderArguments &a, const scenes::StageOptions &options)
+{
+    Json report;
+    report["claque"] = version();
+    report["scene"] = options.scene;
+    if (!a.stage.file.empty()) report["file"] = a.stage.file;
+    report["count"] = options.casting.count;
+    report["seed"] = options.casting.seed;
+    report["size_px"] = {options.width, options.height};
+    report["camera"] = a.stage.camera;
+    report["variety"] = a.stage.variety;
+    report["cache"] = a.stage.cache;
+    report["threads"] = thread_count(a.stage);
+    return report;
+}
+
+void render(const RenderArguments &a)
+{
+    Progress progress("claque");
+    expect_writable(frame_path(a.out, 0));
+    if (!a.json.empty()) expect_writable(a.json);
+
+    scenes::Library library(thread_count(a.stage));
+    LoadedCharacter loaded;
+    scenes::StageOptions options = stage_options(a.stage, loaded);
+    std::vector<Frame> frames;
+    Json report = about(a, options);
+    report["skipped"] = Json::array();
+    for (Frame &frame : planned(a)) {
+        if (finished(a, options, frame)) report["skipped"].push_back(frame.number);
+        else frames.push_back(std::move(frame));
+    }
+
+    std::optional<scenes::Stage> stage;
+    report["frames"] = Json::array();
+    for (size_t i = 0; i < frames.size(); ++i) {
+        stop_if_asked();
+        if (!stage) {
+            progress.phase("preparing");
+            if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden);
+            options = stage_options(a.stage, loaded);
+            stage.emplace(library, options);
+            report["context"] = stage->context_name();
+        }
+        report["frames"].push_back(draw(*stage, options, frames[i]));
+        progress.step(i + 1, frames.size());
+    }
+    if (!a.json.empty()) {
+        progress.phase("measuring rates");
+        if (stage) report["measured"] = measure(*stage, stage->scene().crowd(), frames.back().time_s);
+        report["warnings"] = library.warnings();
+        write_whole(a.json, report.dump(2) + "\n");
+    }
+    progress.conclude(a.out + ": " + std::to_string(options.casting.count) + " individuals, " +
+                      std::to_string(frames.size()) + " drawn" + (stage ? " with " + stage->context_name() : ""));
+}
+
+void check_usage(RenderArguments &a)
+{
+    if (!a.frames.empty()) {
+        const std::string wrong = read_range(a.frames, a.range);
+        if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
+        if (a.out != "-" && !is_frame_pattern(a.out))
+            throw CLI::ValidationError("--out", "a sequence needs one place for the number, like frame-%05d.png");
+    } else if (a.out != "-" && a.out.find('%') != std::string::npos)
+        throw CLI::ValidationError("--out", "a place for a number needs --frames");
+    if (!std::isfinite(a.time_s)) throw CLI::ValidationError("--time", "has to be finite");
+    if (!(a.fps > 0 && a.fps <= 1e6)) throw CLI::ValidationError("--fps", "has to be above 0");
+    if (a.out == "-" && a.json == "-")
+        throw CLI::ValidationError("--json", "standard output takes the pictures already");
+    if (a.out == "-" && isatty(STDOUT_FILENO) == 1)
+        throw CLI::ValidationError("--out", "raw pixels are not for a terminal; send them to a file or an encoder");
+}
+
+}  // namespace
+
+void add_render(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<RenderArguments>();
+    CLI::App *c = app.add_subcommand("render", "Draw a scene, one picture or a sequence");
+    std::string scene_names;
+    for (const scenes::SceneEntry &entry : scenes::scene_entries())
+        scene_names += std::string(scene_names.empty() ? "" : "; ") + entry.name + ": " + entry.about;
+    CLI::Option *file =
+        c->add_option("FILE", a->stage.file, "Stand this character (glTF, GLB, prepared .clq) on a ground");
+    c->add_option("--scene", a->stage.scene, "A scene of the built-in figure (default plaza). " + scene_names)
+        ->excludes(file);
+    c->add_option("--count", a->stage.count, "Individuals (default 400, of a FILE 12)")->check(CLI::Range(1, 1000000));
+    add_stage_options(*c, a->stage);
+    c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
+        ->check(CLI::IsMember(variety_names()))
+        ->capture_default_str();
+    c->add_option("--cache", a->stage.cache, "What is kept from frame to frame; never changes the picture")
+        ->check(CLI::IsMember(cache_names()))
+        ->capture_default_str();
+    CLI::Option *time = c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
+    c->add_option("--frames", a->frames, "A sequence, first to last; frame k shows k / fps seconds")
+        ->type_name("A:B")
+        ->excludes(time);
+    c->add_option("--stride", a->range.stride, "Only every so many frames")
+        ->check(CLI::Range(1, 1000000))
+        ->needs("--frames");
+    c->add_option("--fps", a->fps, "Frames a second of a sequence")->capture_default_str()->needs("--frames");
+    c->add_flag("--again", a->again, "Draw frames that are finished once more")->needs("--frames");
+    c->add_option("--out", a->out, "PNG; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
+        ->required();
+    c->add_option("--json", a->json, "Write counts, rates and times here; - is standard output");
+    c->callback([a, &chosen] {
+        if (!a->stage.scene.empty()) {
+            std::vector<std::string> names;
+            for (const scenes::SceneEntry &entry : scenes::scene_entries()) names.push_back(entry.name);
+            const std::string wrong = CLI::IsMember(names)(a->stage.scene);
+            if (!wrong.empty()) throw CLI::ValidationError("--scene", wrong);
+        }
+        check_usage(*a);
+        chosen = [a] { render(*a); };
+    });
+}
+
+}  // namespace cli

@@ -1,0 +1,77 @@
+// claque split: which triangles are clean and which dirty, in numbers and as a picture over the zone map.
+#include "samples/cli/characters.h"
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/png.h"
+#include "samples/cli/stage_arguments.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+struct SplitArguments {
+    std::string file, picture;
+    std::vector<std::string> hidden;
+    uint32_t texture = 0, scale = 2;
+};
+
+void write_picture(const clq_template *tmpl, const SplitArguments &a)
+{
+    uint32_t width = 0, height = 0;
+    scenes::check(clq_template_split_picture(tmpl, a.texture, a.scale, nullptr, 0, &width, &height), a.file);
+    std::vector<uint8_t> rgb(3 * static_cast<size_t>(width) * height);
+    scenes::check(clq_template_split_picture(tmpl, a.texture, a.scale, rgb.data(), rgb.size(), &width, &height),
+                  a.file);
+    const std::vector<unsigned char> file =
+        png(rgb.data(), static_cast<int>(width), static_cast<int>(height), {{"Software", "claque " + version()}});
+    write_whole(a.picture, file.data(), file.size());
+}
+
+void split(const SplitArguments &a)
+{
+    if (!a.picture.empty()) expect_writable(a.picture);
+    scenes::Library library(1);
+    const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
+    const clq_template_info info = info_of(loaded.tmpl.get());
+    if (!a.picture.empty()) write_picture(loaded.tmpl.get(), a);
+    if (a.picture == "-") return;
+    const double share = info.triangle_count > 0 ? 100.0 * info.dirty_count / info.triangle_count : 0;
+    std::printf("triangles   %u\nclean       %u\ndirty       %u (%.1f %%), %.2f zones each on average\n",
+                info.triangle_count, info.clean_count, info.dirty_count, share,
+                static_cast<double>(info.dirty_zone_mean));
+    std::printf("fused       %u triangles, %u vertices for %u\ncoincident  %u\n", info.fused_triangle_count,
+                info.fused_vertex_count, info.vertex_count, info.coincident_count);
+    std::printf("zones       %u\n", info.zone_count);
+    for (uint32_t i = 0; i < info.zone_count; ++i) {
+        clq_zone_info zone = {};
+        scenes::check(clq_template_get_zone(loaded.tmpl.get(), i, &zone));
+        std::printf("  %-24s %u clean\n", zone.name, zone.clean_count);
+    }
+    for (const std::string &warning : library.warnings()) std::printf("warning: %s\n", warning.c_str());
+}
+
+}  // namespace
+
+void add_split(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<SplitArguments>();
+    CLI::App *c = app.add_subcommand("split", "Report clean and dirty triangles, and draw them over the zone map");
+    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen)")->required();
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+        ->expected(1)
+        ->take_all();
+    CLI::Option *picture =
+        c->add_option("--picture", a->picture, "PNG of the triangles over the zones, dirty ones marked");
+    c->add_option("--texture", a->texture, "Which texture to draw")->capture_default_str()->needs(picture);
+    c->add_option("--scale", a->scale, "Pixels a texel")
+        ->check(CLI::Range(1, 16))
+        ->capture_default_str()
+        ->needs(picture);
+    c->callback([a, &chosen] { chosen = [a] { split(*a); }; });
+}
+
+}  // namespace cli

@@ -1,0 +1,156 @@
+#include "samples/cli/stage_arguments.h"
+
+#include <thread>
+
+namespace cli
+{
+namespace
+{
+
+constexpr int largest_side_px = 16384;
+
+// "1024x768" in two numbers; the sentence for CLI11 where it is none.
+std::string read_size(const std::string &text, int &width, int &height)
+{
+    const size_t x = text.find('x');
+    const auto number = [](const std::string &digits) {
+        if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos)
+            return 0;
+        return std::stoi(digits);
+    };
+    width = x == std::string::npos ? 0 : number(text.substr(0, x));
+    height = x == std::string::npos ? 0 : number(text.substr(x + 1));
+    if (width >= 1 && height >= 1 && width <= largest_side_px && height <= largest_side_px) return {};
+    return "'" + text + "' is no size like 1024x768, each side 1 to " + std::to_string(largest_side_px);
+}
+
+}  // namespace
+
+void add_stage_options(CLI::App &command, StageArguments &a)
+{
+    command
+        .add_option("--hide", a.hidden, "Leave out the node of this name and what hangs on it (FILE only; may repeat)")
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [&a](const std::string &text) {
+                const std::string wrong = read_size(text, a.width, a.height);
+                if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
+            },
+            "Of the picture in pixels (default 1024x768)")
+        ->type_name("WxH");
+    command.add_option("--camera", a.camera, "Which view of the scene")
+        ->check(CLI::IsMember({"overview", "close"}))
+        ->capture_default_str();
+    command.add_option("--context", a.context, "Where OpenGL comes from; any: OSMesa if it is there, else EGL")
+        ->check(CLI::IsMember({"any", "osmesa", "egl"}))
+        ->capture_default_str();
+    command.add_option("--format", a.format, "Of the drawing surface")
+        ->check(CLI::IsMember({"rgba8888", "rgb565"}))
+        ->capture_default_str();
+    command.add_option("--cache-mib", a.budget_mib, "Bound of the caches in MiB (0: 1024)")
+        ->check(CLI::Range(0, 1 << 20));
+    command.add_option("--seed", a.seed, "Of everything that is drawn by lot")->capture_default_str();
+    command
+        .add_option("--threads", a.threads, "For the update, through oneTBB; may exceed the cores (default: the cores)")
+        ->check(CLI::Range(1, 256));
+}
+
+int thread_count(const StageArguments &a)
+{
+    if (a.threads > 0) return a.threads;
+    const unsigned cores = std::thread::hardware_concurrency();
+    return cores > 256 ? 256 : cores > 0 ? static_cast<int>(cores) : 1;
+}
+
+scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacter &loaded)
+{
+    scenes::StageOptions options;
+    options.scene = !a.file.empty() ? "parade" : !a.scene.empty() ? a.scene : "plaza";
+    options.character = loaded.tmpl ? loaded.character() : scenes::Character();
+    options.casting.count = a.count > 0 ? a.count : a.file.empty() ? 400 : 12;
+    options.casting.seed = a.seed;
+    options.casting.cache = cache_named(a.cache);
+    options.casting.cache_budget_bytes = a.budget_mib << 20;
+    options.shot = a.camera == "close" ? scenes::Shot::close : scenes::Shot::overview;
+    options.width = a.width > 0 ? a.width : 1024;
+    options.height = a.height > 0 ? a.height : 768;
+    options.context = a.context == "osmesa" ? contexts::Kind::osmesa
+                      : a.context == "egl"  ? contexts::Kind::egl
+                                            : contexts::Kind::any;
+    options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
+    options.variety = variety_named(a.variety);
+    return options;
+}
+
+const std::vector<std::string> &variety_names()
+{
+    static const std::vector<std::string> names = {"per-zone", "binned", "fused"};
+    return names;
+}
+
+const std::vector<std::string> &cache_names()
+{
+    static const std::vector<std::string> names = {"none", "animation", "full"};
+    return names;
+}
+
+clq_variety variety_named(const std::string &name)
+{
+    return name == "per-zone" ? CLQ_VARIETY_PER_ZONE : name == "binned" ? CLQ_VARIETY_BINNED : CLQ_VARIETY_FUSED;
+}
+
+clq_cache_mode cache_named(const std::string &name)
+{
+    return name == "none" ? CLQ_CACHE_NONE : name == "animation" ? CLQ_CACHE_ANIMATION : CLQ_CACHE_FULL;
+}
+
+Json counters(const clq_crowd_stats &s)
+{
+    return {{"actors", s.actor_count},
+            {"visible", s.visible},
+            {"culled", s.actor_count - s.visible},
+            {"due", s.due},
+            {"animated", s.animated},
+            {"skinned", s.skinned},
+            {"palettes_from_cache", s.palette_served},
+            {"vertices_from_cache", s.vertices_served},
+            {"skinned_when_drawn", s.on_demand},
+            {"evicted", s.evicted},
+            {"cache_bytes", s.cache_bytes},
+            {"cache_budget_bytes", s.cache_budget_bytes},
+            {"actor_bytes", s.actor_bytes}};
+}
+
+Json rates(const clq_crowd_stats &s)
+{
+    Json bands = Json::array();
+    for (const clq_band &band : s.bands) {
+        if (band.actor_frames == 0) continue;
+        bands.push_back({{"distance_first_m", band.distance_first},
+                         {"distance_last_m", band.distance_last},
+                         {"actor_frames", band.actor_frames},
+                         {"actor_seconds", band.seconds},
+                         {"animated", band.animated},
+                         {"rate_hz", band.seconds > 0 ? static_cast<double>(band.animated) / band.seconds : 0.0}});
+    }
+    return bands;
+}
+
+std::string hex(uint64_t hash)
+{
+    constexpr char digits[] = "0123456789abcdef";
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(hash >> shift) & 15];
+    return text;
+}
+
+std::string version()
+{
+    return std::to_string(CLQ_VERSION_MAJOR) + "." + std::to_string(CLQ_VERSION_MINOR) + "." +
+           std::to_string(CLQ_VERSION_PATCH);
+}
+
+}  // namespace cli

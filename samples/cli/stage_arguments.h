@@ -1,0 +1,45 @@
+// The options that `render` and `bench` share, and what they say in words and JSON.
+#pragma once
+
+#include "samples/cli/characters.h"
+#include "samples/scenes/stage.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace cli
+{
+
+using Json = nlohmann::ordered_json;
+
+struct StageArguments {
+    std::string file, scene;  // one or neither
+    std::vector<std::string> hidden;
+    std::string size = "1024x768", camera = "overview", context = "any", format = "rgba8888";
+    std::string variety = "fused", cache = "full";
+    uint32_t count = 0;  // 0: not given
+    uint64_t seed = 1, budget_mib = 0;
+    int threads = 0;  // 0: as many as cores
+
+    int width = 0, height = 0;  // from `size`
+};
+
+// Everything but the scene's own argument, the file and `count`.
+void add_stage_options(CLI::App &command, StageArguments &arguments);
+
+int thread_count(const StageArguments &arguments);
+
+// `loaded` has to live as long as the stage that is made from this.
+scenes::StageOptions stage_options(const StageArguments &arguments, const LoadedCharacter &loaded);
+
+clq_variety variety_named(const std::string &name);
+clq_cache_mode cache_named(const std::string &name);
+const std::vector<std::string> &variety_names();
+const std::vector<std::string> &cache_names();
+
+Json counters(const clq_crowd_stats &stats);
+Json rates(const clq_crowd_stats &stats);
+std::string hex(uint64_t hash);
+std::string version();
+
+}  // namespace cli

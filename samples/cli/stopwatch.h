@@ -1,0 +1,38 @@
+// Times in milliseconds.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace cli
+{
+
+class Stopwatch
+{
+public:
+    double ms() const
+    {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// What repeats are worth quoting: the minimum is the machine's best, the median what a user sees.
+struct Times {
+    std::vector<double> ms;
+
+    double minimum() const { return ms.empty() ? 0 : *std::min_element(ms.begin(), ms.end()); }
+    double median() const
+    {
+        if (ms.empty()) return 0;
+        std::vector<double> sorted = ms;
+        std::sort(sorted.begin(), sorted.end());
+        const size_t middle = sorted.size() / 2;
+        return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+    }
+};
+
+}  // namespace cli

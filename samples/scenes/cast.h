@@ -1,0 +1,48 @@
+// The individuals of a scene: their crowd, their ids and where they are.
+#pragma once
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/library.h"
+
+#include <vector>
+
+namespace scenes
+{
+
+// What is asked of any scene.
+struct Casting {
+    uint32_t count = 400;  // [1, 1 000 000]
+    uint64_t seed = 1;
+    clq_cache_mode cache = CLQ_CACHE_FULL;
+    uint64_t cache_budget_bytes = 0;  // 0: claque's own
+};
+
+class Cast
+{
+public:
+    Cast(Library &library, const Casting &casting);
+
+    struct Part {
+        clq_template *tmpl;
+        clq_place place;
+        clq_play play;
+    };
+    // Adds an individual with colours of its own; its number is the count before.
+    void enter(const Part &part);
+    // Sends everybody to `places()`.
+    void move();
+
+    clq_crowd *crowd() const { return crowd_.get(); }
+    std::vector<clq_place> &places() { return places_; }
+    const std::vector<clq_place> &places() const { return places_; }
+
+private:
+    Own<clq_crowd> crowd_;
+    std::vector<clq_actor> actors_;
+    std::vector<clq_place> places_;
+};
+
+// A place on level ground, looking along (facing_x, facing_z), which need not be of length 1; characters look along +z.
+clq_place stand(double x, double y, double z, double facing_x, double facing_z, float scale);
+
+}  // namespace scenes

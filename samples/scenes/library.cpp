@@ -1,0 +1,28 @@
+#include "samples/scenes/library.h"
+
+namespace scenes
+{
+
+Library::Library(int threads) : tasks_(threads)
+{
+    clq_context_def def = clq_context_def_init();
+    def.tasks = tasks_.hook();
+    def.log.user = this;
+    def.log.write = [](void *user, clq_log_level level, const char *text) {
+        if (level != CLQ_LOG_WARNING) return;
+        Library *self = static_cast<Library *>(user);
+        const std::lock_guard<std::mutex> lock(self->mutex_);
+        self->warnings_.emplace_back(text);
+    };
+    clq_context *made = nullptr;
+    check(clq_context_create(&def, &made));
+    context_.reset(made);
+}
+
+std::vector<std::string> Library::warnings() const
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return warnings_;
+}
+
+}  // namespace scenes

@@ -1,0 +1,29 @@
+// One clq_context with threads, its warnings collected.
+#pragma once
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/tasks_tbb.h"
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace scenes
+{
+
+class Library
+{
+public:
+    explicit Library(int threads);
+
+    clq_context *context() const { return context_.get(); }
+    std::vector<std::string> warnings() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::string> warnings_;
+    TbbTasks tasks_;
+    Own<clq_context> context_;
+};
+
+}  // namespace scenes

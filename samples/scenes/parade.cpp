@@ -1,0 +1,176 @@
+// Rows of one character, whatever it is, scaled to the size of a person, coloured apart and playing its clips in turn.
+#include "samples/scenes/light.h"
+#include "samples/scenes/lot.h"
+#include "samples/scenes/scene.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/sky.h"
+#include "samples/scenes/stone.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenes
+{
+namespace
+{
+
+constexpr double size_m = 1.75;  // the longest side of a character, once scaled
+
+// A character in metres: how much room it takes round its Reference Point.
+struct Extent {
+    double scale = 1;
+    double ground = 0;       // its lowest point, scaled
+    double height = size_m;  // above that
+    double middle_x = 0, middle_z = 0;
+    double half_x = 0.4, half_z = 0.4;
+};
+
+Extent extent_of(const Character &character, const clq_template_info &info)
+{
+    Extent e;
+    double first[3], last[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const double centre = info.sklsroot_centre[axis], radius = info.sklsroot_radius;
+        // Prepared files have no box. Their Reference Point is most often on the ground.
+        first[axis] = character.has_box ? character.box_first[axis] : centre - radius;
+        last[axis] = character.has_box ? character.box_last[axis] : centre + radius;
+        if (!character.has_box && axis == 1 && first[axis] < 0 && last[axis] > 0) first[axis] = 0;
+    }
+    const double longest = std::max({last[0] - first[0], last[1] - first[1], last[2] - first[2]});
+    e.scale = longest > 0 && std::isfinite(longest) ? size_m / longest : 1;
+    e.ground = first[1] * e.scale;
+    e.height = (last[1] - first[1]) * e.scale;
+    e.middle_x = (first[0] + last[0]) / 2 * e.scale;
+    e.middle_z = (first[2] + last[2]) / 2 * e.scale;
+    e.half_x = (last[0] - first[0]) / 2 * e.scale;
+    e.half_z = (last[2] - first[2]) / 2 * e.scale;
+    return e;
+}
+
+class Parade final : public Scene
+{
+public:
+    Parade(Library &library, const Casting &casting, const Character &character)
+        : seed_(casting.seed), character_(character), cast_(library, casting), sky_(casting.seed, Sky::Land::plain)
+    {
+        if (!character_.tmpl) take_citizen(library);
+        check(clq_template_get_info(character_.tmpl, &info_));
+        extent_ = extent_of(character_, info_);
+        columns_ = std::max(1, static_cast<int>(std::ceil(std::sqrt(casting.count * 1.35))));
+        rows_ = (static_cast<int>(casting.count) + columns_ - 1) / columns_;
+        across_ = std::max(0.75, 2.3 * extent_.half_x);
+        deep_ = std::max(1.0, 2.2 * extent_.half_z);
+        for (uint32_t i = 0; i < casting.count; ++i) enter(i, casting.count);
+        lay_ground();
+    }
+
+    clq_crowd *crowd() const override { return cast_.crowd(); }
+    std::vector<clq_template *> templates() const override { return {character_.tmpl}; }
+
+    clq_camera camera(Shot shot, double aspect, double) const override
+    {
+        constexpr double fov_deg = 32, half_fov = fov_deg / 2 * 0.017453292519943295;
+        const double half_high = std::sin(half_fov) / std::cos(half_fov), half_wide = half_high * aspect;
+        const bool all = shot == Shot::overview;
+        const int columns = all ? columns_ : std::min(columns_, 3), rows = all ? rows_ : 1;
+        const double wide = (columns - 1) * across_ / 2 + extent_.half_x + 0.25;
+        const double back = (rows - 1) * deep_;
+        const double high = extent_.height / 2;
+        // Far enough that the first row fits in width and a person in height; higher over deeper crowds.
+        const double near_row = std::max(wide / half_wide, (high + 0.2) / half_high) + extent_.half_z;
+        const double rise = high + 0.12 * near_row + 0.30 * back;
+        const double eye[3] = {0, rise, near_row * 1.06 + back * 0.16};
+        const double target[3] = {0, high * 0.92, -back * 0.42};
+        return look(eye, target, fov_deg, aspect, 0.05, 60 * (near_row + back) + 100);
+    }
+
+    void place(double) override {}
+
+    void prepare(const Gl &gl) override
+    {
+        plaster_.emplace(gl, plaster(seed_), true);
+        shadows_.prepare(gl);
+    }
+
+    void draw_setting(const Gl &g, const Eye &eye) const override
+    {
+        sky_.draw(g, eye);
+        shine(g, light_, eye);
+        plaster_->use();
+        ground_.draw(g);
+        shadows_.draw(g);
+    }
+
+private:
+    void take_citizen(Library &library)
+    {
+        clq_template *made = nullptr;
+        check(clq_template_builtin(library.context(), "citizen", &made));
+        citizen_.reset(made);
+        character_.tmpl = made;
+        character_.has_box = true;
+        const float first[3] = {-0.35f, 0.0f, -0.2f}, last[3] = {0.35f, 1.75f, 0.2f};
+        std::copy(first, first + 3, character_.box_first);
+        std::copy(last, last + 3, character_.box_last);
+    }
+
+    clq_play play(uint32_t who) const
+    {
+        clq_play play = {};
+        play.clip = info_.clip_count > 0 ? who % info_.clip_count : CLQ_NONE;
+        play.speed = static_cast<float>(lot_between(seed_, who, Lot::speed, 0.9, 1.1));
+        clq_clip_info clip = {};
+        if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)
+            play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * clip.duration_s);
+        return play;
+    }
+
+    void enter(uint32_t who, uint32_t count)
+    {
+        const int row = static_cast<int>(who) / columns_, column = static_cast<int>(who) % columns_;
+        const int here = std::min(columns_, static_cast<int>(count) - row * columns_);  // the last row is centred too
+        const double x =
+            (column - (here - 1) * 0.5) * across_ + (row % 2 == 1 && here == columns_ ? across_ * 0.25 : 0);
+        const double z = -row * deep_;
+        clq_place place =
+            stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
+        cast_.enter({character_.tmpl, place, play(who)});
+        const float rx = static_cast<float>(extent_.half_x * 1.25 + 0.12),
+                    rz = static_cast<float>(extent_.half_z * 1.25 + 0.12);
+        shadows_.ring(static_cast<float>(x) + 0.05f, 0, static_cast<float>(z) - 0.06f, rx, rz);
+    }
+
+    void lay_ground()
+    {
+        const Rgb colour = {0.70f, 0.69f, 0.66f};
+        const float half = static_cast<float>(40 + 4 * (columns_ * across_ + rows_ * deep_)), cell = half / 24;
+        for (int row = 0; row < 48; ++row)
+            for (int column = 0; column < 48; ++column) {
+                const float x = -half + cell * static_cast<float>(column), z = -half + cell * static_cast<float>(row);
+                ground_.quad({Vec3{x, 0, z + cell}, {x + cell, 0, z + cell}, {x + cell, 0, z}, {x, 0, z}}, colour);
+            }
+    }
+
+    uint64_t seed_;
+    Own<clq_template> citizen_;
+    Character character_;
+    Cast cast_;
+    clq_template_info info_ = {};
+    Extent extent_;
+    int columns_ = 1, rows_ = 1;
+    double across_ = 1, deep_ = 1;
+    Daylight light_;
+    Sky sky_;
+    Geometry ground_ = Geometry(plaster_metres);
+    std::optional<Texture> plaster_;
+    Shadows shadows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character)
+{
+    return std::make_unique<Parade>(library, casting, character);
+}
+
+}  // namespace scenes

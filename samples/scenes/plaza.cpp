@@ -1,0 +1,165 @@
+// Citizens on a Roman plaza: rings of talkers, an audience before its speaker, walkers round them all.
+#include "samples/scenes/light.h"
+#include "samples/scenes/lot.h"
+#include "samples/scenes/plaza_buildings.h"
+#include "samples/scenes/scene.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/sky.h"
+#include "samples/scenes/stone.h"
+
+#include <algorithm>
+
+namespace scenes
+{
+namespace
+{
+
+// What the built-in citizen's walk clip covers at speed 1 and scale 1, so that feet do not slide.
+constexpr double citizen_walk_m_per_s = 1.30;
+constexpr float citizen_height_m = 1.75f, citizen_shadow_width_m = 0.95f;
+
+class Plaza final : public Scene
+{
+public:
+    Plaza(Library &library, const Casting &casting)
+        : seed_(casting.seed),
+          layout_(lay_out_plaza(casting.count, casting.seed, citizen_walk_m_per_s)),
+          citizen_(builtin(library)),
+          cast_(library, casting),
+          sky_(casting.seed, Sky::Land::hills)
+    {
+        for (const Standing &s : layout_.standing) enter(s);
+        for (const Walking &w : layout_.walking) enter(w);
+        pave(ground_, layout_, casting.seed);
+        build(stone_, layout_, casting.seed);
+        rims();
+    }
+
+    clq_crowd *crowd() const override { return cast_.crowd(); }
+    std::vector<clq_template *> templates() const override { return {citizen_.get()}; }
+
+    clq_camera camera(Shot shot, double aspect, double) const override
+    {
+        const double size = layout_.half_z / 16.5;
+        if (shot == Shot::close)
+            return look({layout_.close_eye[0], 1.62, layout_.close_eye[1]},
+                        {layout_.close_target[0], 1.27, layout_.close_target[1]}, 44, aspect, 0.25, 400 * size);
+        return look({0, 1.7 + 7.0 * size, layout_.half_z + 17.5 * size}, {0, 0.4, -2.2 * size}, 42, aspect, 0.5,
+                    400 * size);
+    }
+
+    void place(double time_s) override
+    {
+        const size_t first = layout_.standing.size();
+        for (size_t i = 0; i < layout_.walking.size(); ++i) {
+            clq_place &place = cast_.places()[first + i];
+            place = walked(layout_.walking[i], time_s, place.scale);
+        }
+        if (!layout_.walking.empty() || !placed_) cast_.move();
+        placed_ = true;
+    }
+
+    void prepare(const Gl &gl) override
+    {
+        flagstones_.emplace(gl, flagstones(seed_), true);
+        plaster_.emplace(gl, plaster(seed_), true);
+        shadows_.prepare(gl);
+    }
+
+    void draw_setting(const Gl &g, const Eye &eye) const override
+    {
+        sky_.draw(g, eye);
+        shine(g, light_, eye);
+        flagstones_->use();
+        ground_.draw(g);
+        g.Enable(gl::cull_face);
+        plaster_->use();
+        stone_.draw(g);
+        shadows_.cast(cast_.places(), light_.to_sun, citizen_height_m, citizen_shadow_width_m);
+        shadows_.draw(g);
+    }
+
+private:
+    static Own<clq_template> builtin(Library &library)
+    {
+        clq_template *made = nullptr;
+        check(clq_template_builtin(library.context(), "citizen", &made));
+        return Own<clq_template>(made);
+    }
+
+    float size_of(size_t who) const { return static_cast<float>(lot_between(seed_, who, Lot::size, 0.94, 1.06)); }
+
+    clq_play play(const char *clip, double speed, size_t who) const
+    {
+        clq_play play = {};
+        play.clip = clq_template_find_clip(citizen_.get(), clip);
+        play.speed = static_cast<float>(speed);
+        clq_clip_info info = {};
+        if (play.clip != CLQ_NONE && clq_template_get_clip(citizen_.get(), play.clip, &info) == CLQ_OK)
+            play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * info.duration_s);
+        return play;
+    }
+
+    const char *clip_of(Standing::Role role, size_t who) const
+    {
+        const double share = lot(seed_, who, Lot::clip);
+        if (role == Standing::Role::speaker) return "cheer";
+        if (role == Standing::Role::listener) return share < 0.60 ? "applaud" : share < 0.86 ? "cheer" : "stand";
+        return share < 0.90 ? "stand" : "applaud";
+    }
+
+    void enter(const Standing &s)
+    {
+        const size_t who = cast_.places().size();
+        const double speed = lot_between(seed_, who, Lot::speed, 0.9, 1.1);
+        cast_.enter({citizen_.get(), stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(who)),
+                     play(clip_of(s.role, who), speed, who)});
+    }
+
+    void enter(const Walking &w)
+    {
+        const size_t who = cast_.places().size();
+        const float size = size_of(who);
+        // All in a lane go at one pace; short people take more steps for it.
+        const double speed = std::abs(layout_.lanes[w.lane].speed) / (citizen_walk_m_per_s * size);
+        cast_.enter({citizen_.get(), walked(w, 0, size), play("walk", speed, who)});
+    }
+
+    clq_place walked(const Walking &w, double time_s, float size) const
+    {
+        const Lane &lane = layout_.lanes[w.lane];
+        const Step step = lane.way.at(w.start + lane.speed * time_s);
+        const double way = lane.speed < 0 ? -1 : 1;
+        return stand(step.x, 0, step.z, way * step.dx, way * step.dz, size);
+    }
+
+    void rims()
+    {
+        const float r = static_cast<float>(layout_.fountain_radius) + 0.35f;
+        shadows_.ring(static_cast<float>(layout_.fountain[0]) + 0.3f, 0,
+                      static_cast<float>(layout_.fountain[1]) - 0.35f, r * 1.45f, r * 1.45f);
+        shadows_.ring(static_cast<float>(layout_.rostra[0]) + 0.25f, 0, static_cast<float>(layout_.rostra[1]) - 0.3f,
+                      static_cast<float>(layout_.rostra_half[0]) * 1.6f,
+                      static_cast<float>(layout_.rostra_half[1]) * 1.7f);
+    }
+
+    uint64_t seed_;
+    PlazaLayout layout_;
+    Own<clq_template> citizen_;
+    Cast cast_;
+    bool placed_ = false;
+    Daylight light_;
+    Sky sky_;
+    Geometry ground_, stone_ = Geometry(plaster_metres);
+    std::optional<Texture> flagstones_, plaster_;
+    mutable Shadows shadows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_plaza(Library &library, const Casting &casting, const Character &)
+{
+    return std::make_unique<Plaza>(library, casting);
+}
+
+}  // namespace scenes

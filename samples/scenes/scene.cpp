@@ -1,0 +1,26 @@
+#include "samples/scenes/scene.h"
+
+namespace scenes
+{
+
+const std::vector<SceneEntry> &scene_entries()
+{
+    static const std::vector<SceneEntry> entries = {
+        {"plaza", "citizens on a Roman plaza: talking, walking, applauding a speaker", make_plaza},
+        {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade},
+    };
+    return entries;
+}
+
+std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const Casting &casting,
+                                  const Character &character)
+{
+    std::string names;
+    for (const SceneEntry &entry : scene_entries()) {
+        if (name == entry.name) return entry.make(library, casting, character);
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    throw Failure("there is no scene '" + name + "'; there are: " + names);
+}
+
+}  // namespace scenes

@@ -1,0 +1,60 @@
+// A scene: people in a place, seen by a camera in daylight. Shared by the claque command, tests and benchmarks, so that
+// a figure, a stored picture and a test show the same thing. Everything in it is a function of its casting and the
+// time: any frame can be made by itself.
+#pragma once
+
+#include "samples/scenes/cast.h"
+#include "samples/scenes/eye.h"
+#include "samples/scenes/gl.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scenes
+{
+
+enum class Shot { overview, close };
+
+// A character that came from a file. Without a box (prepared files carry none) scenes go by the template's sphere.
+struct Character {
+    clq_template *tmpl = nullptr;
+    bool has_box = false;
+    float box_first[3] = {0, 0, 0}, box_last[3] = {0, 0, 0};
+};
+
+class Scene
+{
+public:
+    virtual ~Scene() = default;
+
+    virtual clq_crowd *crowd() const = 0;
+    virtual std::vector<clq_template *> templates() const = 0;
+    virtual clq_camera camera(Shot shot, double aspect, double time_s) const = 0;
+
+    // Puts those who move where they are at this time; before clq_crowd_update.
+    virtual void place(double time_s) = 0;
+
+    // Brings textures to the current context, which must be current again when the scene ends.
+    virtual void prepare(const Gl &gl) = 0;
+    // Draws all but the crowd into a cleared picture, and leaves the lights on for it.
+    virtual void draw_setting(const Gl &gl, const Eye &eye) const = 0;
+};
+
+struct SceneEntry {
+    const char *name;
+    const char *about;
+    std::unique_ptr<Scene> (*make)(Library &library, const Casting &casting, const Character &character);
+};
+
+// Every scene there is.
+const std::vector<SceneEntry> &scene_entries();
+
+// Throws Failure, naming what there is, where none has this name. character.tmpl null: the built-in citizen.
+std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const Casting &casting,
+                                  const Character &character);
+
+std::unique_ptr<Scene> make_plaza(Library &library, const Casting &casting, const Character &character);
+std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character);
+
+}  // namespace scenes

@@ -1,0 +1,95 @@
+#include "samples/scenes/sky.h"
+
+#include <cmath>
+
+namespace scenes
+{
+namespace
+{
+
+constexpr double two_pi = 6.283185307179586;
+constexpr Rgb zenith = {0.27f, 0.47f, 0.74f}, middle = {0.52f, 0.69f, 0.86f}, haze = {0.86f, 0.88f, 0.88f};
+constexpr int sides = 96;
+
+Rgb mix(Rgb a, Rgb b, float t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
+
+Rgb sky_at(double height)  // the sine of the angle above the horizon
+{
+    if (height <= 0) return haze;
+    const float t = static_cast<float>(std::sqrt(height));
+    return t < 0.45f ? mix(haze, middle, t / 0.45f) : mix(middle, zenith, (t - 0.45f) / 0.55f);
+}
+
+// One strip right round, from `low` to `high` above the horizon (sines), each a function of the side.
+template <class Low, class High>
+void strip(Geometry &g, Low low, High high, Rgb low_colour, Rgb high_colour)
+{
+    uint32_t last_low = 0, last_high = 0;
+    for (int side = 0; side <= sides; ++side) {
+        const double turn = two_pi * side / sides;
+        const auto at = [&](double y, Rgb colour) {
+            const double level = std::sqrt(1 - y * y);
+            return g.add({static_cast<float>(level * std::sin(turn)), static_cast<float>(y),
+                          static_cast<float>(level * std::cos(turn))},
+                         {0, 1, 0}, 0, 0, colour);
+        };
+        const uint32_t a = at(low(side), low_colour), b = at(high(side), high_colour);
+        if (side > 0) {
+            g.triangle(last_low, a, b);
+            g.triangle(last_low, b, last_high);
+        }
+        last_low = a;
+        last_high = b;
+    }
+}
+
+// Rolling heights that close upon themselves.
+double hill(uint64_t seed, int side, double height, int waves)
+{
+    double sum = 0;
+    for (int octave = 0; octave < 4; ++octave) {
+        const double shift =
+            static_cast<double>((seed * 37 + static_cast<uint64_t>(octave) * 101) % 360) * (two_pi / 360);
+        sum += std::sin(two_pi * side / sides * (waves * (octave + 1) + octave) + shift) / (1.4 * octave + 1);
+    }
+    return height * (1 + 0.38 * sum);
+}
+
+}  // namespace
+
+Sky::Sky(uint64_t seed, Land land)
+{
+    const double steps[] = {-0.999, -0.05, 0.0, 0.02, 0.05, 0.1, 0.16, 0.24, 0.34, 0.46, 0.6, 0.76, 0.9, 0.9999};
+    for (size_t i = 0; i + 1 < sizeof steps / sizeof *steps; ++i)
+        strip(
+            dome_, [&](int) { return steps[i]; }, [&](int) { return steps[i + 1]; }, sky_at(steps[i]),
+            sky_at(steps[i + 1]));
+    if (land == Land::plain) return;
+    const auto ground = [](int) { return -0.06; };
+    strip(dome_, ground, [&](int s) { return hill(seed + 1, s, 0.062, 3); }, {0.72f, 0.78f, 0.80f},
+          {0.64f, 0.72f, 0.78f});
+    strip(dome_, ground, [&](int s) { return hill(seed + 5, s, 0.036, 5); }, {0.62f, 0.68f, 0.60f},
+          {0.52f, 0.61f, 0.56f});
+}
+
+void Sky::draw(const Gl &g, const Eye &eye) const
+{
+    g.MatrixMode(gl::projection);
+    g.LoadMatrixf(eye.projection);
+    g.MatrixMode(gl::modelview);
+    // A sphere of radius 1 may lie before the near plane: ten metres is beyond all of ours.
+    float far_away[16];
+    for (int i = 0; i < 16; ++i) far_away[i] = i < 12 ? eye.rotation[i] * 10.0f : eye.rotation[i];
+    g.LoadMatrixf(far_away);
+    g.Disable(gl::lighting);
+    g.Disable(gl::depth_test);
+    g.Disable(gl::cull_face);
+    g.Disable(gl::texture_2d);
+    g.DepthMask(0);
+    dome_.draw(g);
+    g.DepthMask(1);
+    g.Enable(gl::depth_test);
+    g.DepthFunc(gl::lequal);
+}
+
+}  // namespace scenes

@@ -1,0 +1,105 @@
+#include "samples/scenes/stage.h"
+
+namespace scenes
+{
+
+Stage::Stage(Library &library, const StageOptions &options) : library_(library), options_(options)
+{
+    std::string why_not;
+    offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not);
+    if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
+    if (!load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
+        throw Failure("this OpenGL context lacks " + why_not);
+    scene_ = make_scene(options.scene, library, options.casting, options.character);
+    scene_->prepare(gl_);
+    clq_view *view = nullptr;
+    check(clq_view_create(scene_->crowd(), &view));
+    view_.reset(view);
+    use_variety(options.variety);
+}
+
+Stage::~Stage()
+{
+    // Textures go with what holds them, and need their context for it.
+    if (offscreen_) offscreen_->make_current();
+}
+
+void Stage::use_variety(clq_variety variety)
+{
+    renderer_.reset();
+    clq_renderer_def def = clq_renderer_def_init();
+    def.get_proc_address = offscreen_->get_proc_address();
+    def.user = offscreen_->user();
+    def.variety = variety;
+    clq_renderer *made = nullptr;
+    check(clq_renderer_create(library_.context(), &def, &made));
+    renderer_.reset(made);
+    for (clq_template *tmpl : scene_->templates()) check(clq_renderer_prepare(made, tmpl));
+}
+
+void Stage::update(double time_s)
+{
+    scene_->place(time_s);
+    const double aspect = static_cast<double>(options_.width) / options_.height;
+    const clq_camera camera = scene_->camera(options_.shot, aspect, time_s);
+    eye_ = eye_of(camera);
+    check(clq_view_look(view_.get(), &camera));
+    clq_view *views[] = {view_.get()};
+    check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
+}
+
+void Stage::draw_setting()
+{
+    gl_.Viewport(0, 0, options_.width, options_.height);
+    gl_.DepthMask(1);
+    gl_.ClearColor(0, 0, 0, 1);
+    gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
+    scene_->draw_setting(gl_, eye_);
+}
+
+clq_draw_stats Stage::draw_crowd()
+{
+    clq_draw_stats stats = {};
+    check(clq_renderer_draw(renderer_.get(), view_.get(), &stats));
+    gl_.Finish();
+    return stats;
+}
+
+const std::vector<uint8_t> &Stage::read()
+{
+    offscreen_->read_rgb(rgb_);
+    return rgb_;
+}
+
+const std::vector<uint8_t> &Stage::picture(double time_s)
+{
+    update(time_s);
+    draw_setting();
+    draw_crowd();
+    return read();
+}
+
+clq_crowd_stats Stage::crowd_stats() const
+{
+    clq_crowd_stats stats = {};
+    check(clq_crowd_get_stats(scene_->crowd(), &stats));
+    return stats;
+}
+
+clq_view_stats Stage::view_stats() const
+{
+    clq_view_stats stats = {};
+    check(clq_view_get_stats(view_.get(), &stats));
+    return stats;
+}
+
+uint64_t Stage::view_hash() const { return clq_view_hash(view_.get()); }
+
+uint64_t hash_of(const std::vector<uint8_t> &bytes)
+{
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (const uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
+    return hash;
+}
+
+}  // namespace scenes

@@ -1,0 +1,65 @@
+// A scene in a GL context of its own: library, scene, view and renderer in the order in which they need each other.
+// One frame is update, draw, read; each may be timed by itself.
+#pragma once
+
+#include "samples/contexts/offscreen.h"
+#include "samples/scenes/scene.h"
+
+namespace scenes
+{
+
+struct StageOptions {
+    std::string scene = "plaza";
+    Casting casting;
+    Character character;
+    Shot shot = Shot::overview;
+    int width = 1024, height = 768;
+    contexts::Kind context = contexts::Kind::any;
+    contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
+    clq_variety variety = CLQ_VARIETY_FUSED;
+};
+
+class Stage
+{
+public:
+    // Throws Failure. Its context is current afterwards.
+    Stage(Library &library, const StageOptions &options);
+    ~Stage();
+    Stage(const Stage &) = delete;
+    Stage &operator=(const Stage &) = delete;
+
+    // Everything that costs no GL: who is where, and clq_crowd_update.
+    void update(double time_s);
+    void draw_setting();
+    // The crowd alone, waiting for GL before and after, so that it can be timed.
+    clq_draw_stats draw_crowd();
+    // A whole frame; three bytes a pixel, top row first, valid until the next.
+    const std::vector<uint8_t> &picture(double time_s);
+    const std::vector<uint8_t> &read();
+
+    // Another strategy for the same crowd in the same context.
+    void use_variety(clq_variety variety);
+
+    clq_crowd_stats crowd_stats() const;
+    clq_view_stats view_stats() const;
+    uint64_t view_hash() const;
+    const std::string &context_name() const { return offscreen_->name(); }
+    const Scene &scene() const { return *scene_; }
+    const Gl &gl() const { return gl_; }
+
+private:
+    Library &library_;
+    StageOptions options_;
+    std::unique_ptr<contexts::Offscreen> offscreen_;
+    Gl gl_;
+    std::unique_ptr<Scene> scene_;
+    Own<clq_view> view_;
+    Own<clq_renderer> renderer_;
+    Eye eye_ = {};
+    std::vector<uint8_t> rgb_;
+};
+
+// A fingerprint of bytes (FNV-1a, 64 bits), for pictures.
+uint64_t hash_of(const std::vector<uint8_t> &bytes);
+
+}  // namespace scenes

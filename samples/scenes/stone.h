@@ -1,0 +1,18 @@
+// Pictures of stone, drawn by code.
+#pragma once
+
+#include "samples/scenes/texture.h"
+
+namespace scenes
+{
+
+constexpr float flagstone_metres = 8.0f;  // what one repeat of the flagstones covers
+constexpr float plaster_metres = 4.0f;
+
+// Travertine slabs in courses of about a metre, joints between, each slab with a tone of its own. Repeats.
+Image flagstones(uint64_t seed);
+
+// Weathered plaster or ashlar without joints: light, to be multiplied with a colour. Repeats.
+Image plaster(uint64_t seed);
+
+}  // namespace scenes

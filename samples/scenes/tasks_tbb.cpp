@@ -1,0 +1,41 @@
+#include "samples/scenes/tasks_tbb.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace scenes
+{
+
+struct TbbTasks::Arena {
+    explicit Arena(int threads)
+        : control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads)), arena(threads)
+    {
+    }
+    tbb::global_control control;
+    tbb::task_arena arena;
+};
+
+TbbTasks::TbbTasks(int threads) : arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr) {}
+TbbTasks::~TbbTasks() = default;
+
+clq_tasks TbbTasks::hook()
+{
+    clq_tasks hook = {};
+    if (!arena_) return hook;
+    hook.user = arena_.get();
+    hook.run = [](void *user, uint32_t count, void (*job)(void *, uint32_t), void *job_data) {
+        static_cast<Arena *>(user)->arena.execute([&] {
+            // One task each: claque has cut its work into pieces that are worth one already.
+            tbb::parallel_for(
+                tbb::blocked_range<uint32_t>(0, count, 1),
+                [&](const tbb::blocked_range<uint32_t> &range) {
+                    for (uint32_t i = range.begin(); i != range.end(); ++i) job(job_data, i);
+                },
+                tbb::simple_partitioner());
+        });
+    };
+    return hook;
+}
+
+}  // namespace scenes
