@@ -14,31 +14,34 @@ using math::F4;
 namespace
 {
 
-F4 transform(const Columns &a, float x, float y, float z) { return a.c[0] * x + a.c[1] * y + a.c[2] * z; }
+// Written out, not looped over, so that columns stay in registers at any optimisation.
+F4 transform(const Columns &a, F4 v)
+{
+    return a.c[0] * math::splat(v[0]) + a.c[1] * math::splat(v[1]) + a.c[2] * math::splat(v[2]);
+}
 
-// The same steps as math::affine_of(Trs), kept in registers.
+// The same steps as math::affine_of(Trs).
 Columns columns_of(const math::Trs &trs)
 {
     const glm::mat3 r = glm::mat3_cast(trs.rotation);
-    Columns out;
-    for (int k = 0; k < 3; ++k) out.c[k] = F4{r[k].x, r[k].y, r[k].z, 0} * trs.scale[k];
-    out.c[3] = F4{trs.translation.x, trs.translation.y, trs.translation.z, 0};
-    return out;
+    const glm::vec3 &s = trs.scale, &t = trs.translation;
+    return {{F4{r[0].x, r[0].y, r[0].z, 0} * s.x, F4{r[1].x, r[1].y, r[1].z, 0} * s.y,
+             F4{r[2].x, r[2].y, r[2].z, 0} * s.z, F4{t.x, t.y, t.z, 0}}};
 }
 
 Columns mul(const Columns &a, const Columns &b)
 {
-    Columns out;
-    for (int k = 0; k < 4; ++k) out.c[k] = transform(a, b.c[k][0], b.c[k][1], b.c[k][2]);
-    out.c[3] += a.c[3];
-    return out;
+    return {{transform(a, b.c[0]), transform(a, b.c[1]), transform(a, b.c[2]), transform(a, b.c[3]) + a.c[3]}};
 }
 
 void mul_to_affine(const Columns &a, const float *b, float *out)
 {
+    const F4 last = math::load4(b + 8);
     // Each store's fourth lane is overwritten by the next.
-    for (int k = 0; k < 3; ++k) math::store4(out + 3 * k, transform(a, b[3 * k], b[3 * k + 1], b[3 * k + 2]));
-    math::store3(out + 9, transform(a, b[9], b[10], b[11]) + a.c[3]);
+    math::store4(out, transform(a, math::load4(b)));
+    math::store4(out + 3, transform(a, math::load4(b + 3)));
+    math::store4(out + 6, transform(a, math::load4(b + 6)));
+    math::store3(out + 9, transform(a, F4{last[1], last[2], last[3], 0}) + a.c[3]);
 }
 
 void apply(const PoseJob &job, const model::Channel &channel, KeyPlace place)

@@ -11,55 +11,76 @@ namespace
 
 using math::F4;
 
-// K influences; 0 means any number, counted at run time.
-template <uint32_t K>
+// Columns of a blended matrix. Written out, not looped over, so that they stay in registers at any optimisation.
 struct Blended {
-    F4 c[4];
-    Blended(const math::Affine *palette, const uint16_t *joints, const float *weights, uint32_t influences, int columns)
+    F4 x, y, z, t;
+
+    Blended(const math::Affine &a)
+        : x(math::load4(a.c)), y(math::load4(a.c + 3)), z(math::load4(a.c + 6)), t(math::load4(a.c + 9))
     {
-        const uint32_t count = K ? K : influences;
-        const float *first = palette[joints[0]].c;
-        for (int i = 0; i < columns; ++i) c[i] = math::load4(first + 3 * i);
-        if (count == 1) return;
-        const F4 w0 = math::splat(weights[0]);
-        for (int i = 0; i < columns; ++i) c[i] = c[i] * w0;
-        for (uint32_t k = 1; k < count; ++k) {
-            const float *next = palette[joints[k]].c;
-            const F4 w = math::splat(weights[k]);
-            for (int i = 0; i < columns; ++i) c[i] = c[i] + math::load4(next + 3 * i) * w;
-        }
     }
-    F4 direction(const float *d) const
+    void weigh(float weight)
     {
-        return c[0] * math::splat(d[0]) + c[1] * math::splat(d[1]) + c[2] * math::splat(d[2]);
+        const F4 w = math::splat(weight);
+        x = x * w, y = y * w, z = z * w, t = t * w;
     }
+    void add(const math::Affine &a, float weight)
+    {
+        const F4 w = math::splat(weight);
+        x = x + math::load4(a.c) * w;
+        y = y + math::load4(a.c + 3) * w;
+        z = z + math::load4(a.c + 6) * w;
+        t = t + math::load4(a.c + 9) * w;
+    }
+    F4 direction(const float *d) const { return x * math::splat(d[0]) + y * math::splat(d[1]) + z * math::splat(d[2]); }
 };
 
+// K influences; 0 means `influences`, which is more than 1.
+template <uint32_t K>
+__attribute__((always_inline)) inline Blended blend(const math::Affine *palette, const uint16_t *joints,
+                                                    const float *weights, uint32_t influences)
+{
+    Blended m(palette[joints[0]]);
+    if constexpr (K == 1) return m;
+    m.weigh(weights[0]);
+    if constexpr (K == 0)
+        for (uint32_t k = 1; k < influences; ++k) m.add(palette[joints[k]], weights[k]);
+    if constexpr (K > 1) m.add(palette[joints[1]], weights[1]);
+    if constexpr (K > 2) m.add(palette[joints[2]], weights[2]);
+    if constexpr (K > 3) m.add(palette[joints[3]], weights[3]);
+    return m;
+}
+
+// One vertex; all is by value, so that what is stored cannot be what is read next.
 template <uint32_t K, bool OwnNormalMatrices>
-void run_kernel(const Run &run)
+__attribute__((always_inline)) inline void vertex(const Run &run, size_t v, F4 &position, F4 &normal)
 {
     const uint32_t stride = K ? K : run.influences;
-    const uint16_t *joints = run.joints;
-    const float *weights = run.weights, *p = run.positions, *n = run.normals;
-    float *out_p = run.out_positions, *out_n = run.out_normals;
-    for (uint32_t v = 0; v < run.count; ++v) {
-        const Blended<K> m(run.palette, joints, weights, stride, 4);
-        const F4 position = m.direction(p) + m.c[3];
-        F4 normal;
-        if constexpr (OwnNormalMatrices) {
-            normal = Blended<K>(run.normal_palette, joints, weights, stride, 3).direction(n);
-        } else {
-            normal = m.direction(n);
-        }
-        if (v + 1 < run.count) {
-            math::store4(out_p, position);
-            math::store4(out_n, normal);
-        } else {
-            math::store3(out_p, position);
-            math::store3(out_n, normal);
-        }
-        joints += stride, weights += stride, p += 3, n += 3, out_p += 3, out_n += 3;
+    const uint16_t *joints = run.joints + v * stride;
+    const float *weights = run.weights + v * stride, *n = run.normals + 3 * v;
+    const Blended m = blend<K>(run.palette, joints, weights, stride);
+    position = m.direction(run.positions + 3 * v) + m.t;
+    if constexpr (OwnNormalMatrices) {
+        normal = blend<K>(run.normal_palette, joints, weights, stride).direction(n);
+    } else {
+        normal = m.direction(n);
     }
+}
+
+template <uint32_t K, bool OwnNormalMatrices>
+void run_kernel(const Run run)
+{
+    if (run.count == 0) return;
+    F4 position, normal;
+    const size_t last = run.count - 1;
+    for (size_t v = 0; v < last; ++v) {
+        vertex<K, OwnNormalMatrices>(run, v, position, normal);
+        math::store4(run.out_positions + 3 * v, position);
+        math::store4(run.out_normals + 3 * v, normal);
+    }
+    vertex<K, OwnNormalMatrices>(run, last, position, normal);
+    math::store3(run.out_positions + 3 * last, position);
+    math::store3(run.out_normals + 3 * last, normal);
 }
 
 template <uint32_t K>

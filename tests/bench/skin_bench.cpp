@@ -1,0 +1,100 @@
+// ns a vertex for positions and normals, 1000 characters of 650 vertices, beside the textbook's loop in the same
+// binary: quote ratios of one run.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "lib/skin/skin.h"
+
+namespace
+{
+
+using namespace claque;
+
+constexpr uint32_t vertex_count = 650, joint_count = 33, character_count = 1000;
+
+struct Crowd {
+    explicit Crowd(uint32_t influences) : level(std::pmr::get_default_resource())
+    {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<float> real(-1, 1);
+        level.source_count = level.vertex_count = vertex_count;
+        level.runs.push_back({0, vertex_count, influences, 0});
+        for (uint32_t v = 0; v < vertex_count; ++v) {
+            for (int k = 0; k < 3; ++k) level.positions.push_back(real(random)), level.normals.push_back(real(random));
+            for (uint32_t i = 0; i < influences; ++i) {
+                level.joints.push_back(uint16_t(random() % joint_count));
+                level.weights.push_back(1.0f / float(influences));
+            }
+        }
+        palettes.resize(character_count * joint_count + 1);
+        for (math::Affine &a : palettes)
+            for (float &x : a.c) x = real(random);
+        out.resize(size_t(character_count) * 6 * vertex_count);
+    }
+    model::Level level;
+    std::vector<math::Affine> palettes;
+    std::vector<float> out;
+};
+
+void count(benchmark::State &state)
+{
+    const double vertices = double(state.iterations()) * character_count * vertex_count;
+    state.counters["ns/vertex"] =
+        benchmark::Counter(vertices * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void skin(benchmark::State &state, skin::Kernel kernel)
+{
+    Crowd crowd{uint32_t(state.range(0))};
+    for (auto _ : state) {
+        for (uint32_t c = 0; c < character_count; ++c) {
+            skin::SkinJob job;
+            job.level = &crowd.level;
+            job.palette = {crowd.palettes.data() + c * joint_count, joint_count};
+            job.kernel = kernel;
+            float *out = crowd.out.data() + size_t(c) * 6 * vertex_count;
+            job.out_positions = {out, 3 * vertex_count};
+            job.out_normals = {out + 3 * vertex_count, 3 * vertex_count};
+            job.run();
+        }
+        benchmark::ClobberMemory();
+    }
+    count(state);
+}
+
+// For each influence: matrix times vertex, times weight, summed. 4 x 4 matrices, as most write it.
+void textbook(benchmark::State &state)
+{
+    Crowd crowd{uint32_t(state.range(0))};
+    const uint32_t influences = uint32_t(state.range(0));
+    std::vector<glm::mat4> matrices;
+    for (const math::Affine &a : crowd.palettes) matrices.push_back(math::mat4_of(a));
+    for (auto _ : state) {
+        for (uint32_t c = 0; c < character_count; ++c) {
+            const glm::mat4 *palette = matrices.data() + c * joint_count;
+            float *out = crowd.out.data() + size_t(c) * 6 * vertex_count;
+            for (uint32_t v = 0; v < vertex_count; ++v) {
+                const float *p = crowd.level.positions.data() + 3 * v, *n = crowd.level.normals.data() + 3 * v;
+                glm::vec4 position(0), normal(0);
+                for (uint32_t i = 0; i < influences; ++i) {
+                    const glm::mat4 &m = palette[crowd.level.joints[v * influences + i]];
+                    const float w = crowd.level.weights[v * influences + i];
+                    position += w * (m * glm::vec4(p[0], p[1], p[2], 1));
+                    normal += w * (m * glm::vec4(n[0], n[1], n[2], 0));
+                }
+                for (int k = 0; k < 3; ++k) out[3 * v + k] = position[k], out[3 * (vertex_count + v) + k] = normal[k];
+            }
+        }
+        benchmark::ClobberMemory();
+    }
+    count(state);
+}
+
+BENCHMARK_CAPTURE(skin, vector, skin::Kernel::vector)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(skin, scalar, skin::Kernel::scalar)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
+BENCHMARK(textbook)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
+
+}  // namespace
