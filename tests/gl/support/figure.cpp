@@ -143,6 +143,13 @@ Figure take_figure(std::unique_ptr<model::Template> tmpl)
             figure.positions.push_back(level.positions[3 * source + c]);
             figure.normals.push_back(level.normals[3 * source + c]);
         }
+    measure(figure);
+    figure.tmpl = std::move(tmpl);
+    return figure;
+}
+
+void measure(Figure &figure)
+{
     glm::vec3 low(1e30f), high(-1e30f);
     for (size_t i = 0; i < figure.positions.size(); i += 3) {
         const glm::vec3 p(figure.positions[i], figure.positions[i + 1], figure.positions[i + 2]);
@@ -150,8 +157,6 @@ Figure take_figure(std::unique_ptr<model::Template> tmpl)
     }
     figure.centre = 0.5f * (low + high);
     figure.radius = std::max(0.5f * glm::length(high - low), 1e-6f);
-    figure.tmpl = std::move(tmpl);
-    return figure;
 }
 
 Mesh sheet(uint32_t cells, float waves)

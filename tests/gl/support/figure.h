@@ -1,5 +1,4 @@
-// A template with vertices to draw, for tests: made by hand here (so that drawing is tested apart from meshsplit), or
-// from a template that meshsplit has made, in its bind pose.
+// A template with vertices to draw, for tests: made by hand here, so that drawing is tested apart from meshsplit.
 #pragma once
 
 #include "lib/draw/draw_list.h"
@@ -38,8 +37,11 @@ struct Figure {
 // Splits by the simplest conservative rule that there is: a triangle touches every zone in the box round its texels.
 Figure make_figure(const Mesh &mesh, const ZoneMap &map);
 
-// The bind pose of what meshsplit made.
+// The template's own positions, copies added.
 Figure take_figure(std::unique_ptr<model::Template> tmpl);
+
+// Fills in the centre and radius of the box round its positions.
+void measure(Figure &figure);
 
 // A sheet of cells x cells quads in the xy plane from -1 to 1, with waves in z; uv from 0 to 1.
 Mesh sheet(uint32_t cells, float waves);

@@ -1,0 +1,49 @@
+// The law of zones on sheets that meshsplit splits: awkward keys, wraps and image sizes.
+#include "tests/gl/support/law_fixture.h"
+#include "tests/gl/support/split.h"
+
+namespace gltest
+{
+namespace
+{
+
+using SplitLaw = LawTest;
+
+// Keys of a file, as awkward as they come: from 0 on, or up to 255, with gaps of 1; or wide apart.
+std::vector<uint8_t> awkward_keys(uint32_t count, int first, int step)
+{
+    std::vector<uint8_t> keys;
+    for (uint32_t i = 0; i < count; ++i) keys.push_back(static_cast<uint8_t>(first + int(i) * step));
+    return keys;
+}
+
+TEST_P(SplitLaw, HoldsForKeysFromNoughtWithGapsOfOne)
+{
+    for (const uint32_t zones : {2u, 8u, 10u, 16u, 48u})
+        for (const std::vector<uint8_t> &keys :
+             {awkward_keys(zones, 0, 1), awkward_keys(zones, 256 - int(zones), 1), awkward_keys(zones, 255, -5)}) {
+            SCOPED_TRACE(testing::Message() << zones << " zones from key " << int(keys[0]));
+            hold(split_figure(model_of(sheet(9, 0.2f), torture_map(128, zones, 3), keys, model::Wrap::repeat)), 0);
+        }
+}
+
+TEST_P(SplitLaw, HoldsForWrappedAndClampedTextures)
+{
+    Mesh mesh = sheet(7, 0.2f);
+    for (glm::vec2 &uv : mesh.uvs) uv = 2.7f * uv - glm::vec2(0.83f, 0.61f);
+    for (const model::Wrap wrap : {model::Wrap::repeat, model::Wrap::clamp, model::Wrap::mirror}) {
+        SCOPED_TRACE(testing::Message() << "wrap " << int(wrap));
+        hold(split_figure(model_of(mesh, torture_map(64, 8, 3), awkward_keys(8, 0, 1), wrap)), 0);
+    }
+}
+
+TEST_P(SplitLaw, HoldsForImagesThatHaveToBeResized)
+{
+    hold(split_figure(model_of(sheet(7, 0.2f), torture_map(100, 8, 3), awkward_keys(8, 1, 9), model::Wrap::repeat)), 0);
+    hold(split_figure(model_of(sheet(7, 0.2f), torture_map(1, 1, 1), awkward_keys(1, 0, 1), model::Wrap::repeat)), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(On, SplitLaw, testing::ValuesIn(two_targets), name_of_target);
+
+}  // namespace
+}  // namespace gltest

@@ -1,0 +1,49 @@
+#include "tests/gl/support/law.h"
+
+#include <gtest/gtest.h>
+
+namespace gltest
+{
+
+Law::Law(contexts::Offscreen &context, const Figure &figure)
+    : context_(context), figure_(figure), colours_(zone_colours(figure.tmpl->zone_count()))
+{
+    struct Place {
+        const char *name;
+        float distance_radii, turn_rad, tilt_rad;
+    };
+    constexpr Place places[] = {
+        {"near", 0.9f, 0.3f, 0.2f}, {"whole", 2.6f, -0.5f, 0.4f}, {"far", 30, 0.7f, 0}, {"edge-on", 2.6f, 1.53f, 0}};
+    const float aspect = float(context.width()) / float(context.height());
+    for (const Place &place : places) {
+        View view;
+        view.name = place.name;
+        view.camera = camera_on(figure, place.distance_radii, place.turn_rad, place.tilt_rad, aspect);
+        view.plain = draw_plain(context, figure, view.camera, colours_.data());
+        view.forwards = draw_ids(context, figure, view.camera, Order::forwards);
+        view.backwards = draw_ids(context, figure, view.camera, Order::backwards);
+        const Comparison itself = compare(view.plain, view.plain, view.forwards, view.backwards);
+        EXPECT_GT(itself.covered, 0u) << view.name;
+        covered_ += itself.covered;
+        ties_ += itself.ties;
+        views_.push_back(std::move(view));
+    }
+}
+
+void Law::hold(const passes::RendererOptions &options) const
+{
+    passes::Renderer renderer(std::pmr::get_default_resource(), options);
+    const auto opened = renderer.open(context_.get_proc_address(), context_.user());
+    ASSERT_TRUE(opened.ok()) << opened.text;
+    const auto prepared = renderer.prepare(*figure_.tmpl);
+    ASSERT_TRUE(prepared.ok()) << prepared.text;
+    for (const View &view : views_) {
+        const Picture variety = draw(context_, renderer, list_of(figure_, view.camera, colours_.data()));
+        const Comparison c = compare(view.plain, variety, view.forwards, view.backwards);
+        EXPECT_EQ(c.wrong, 0u) << view.name << ": of " << c.covered << " pixels";
+        EXPECT_EQ(c.holes, 0u) << view.name << ": of " << c.covered << " pixels";
+    }
+    renderer.destroy();
+}
+
+}  // namespace gltest

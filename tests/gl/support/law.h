@@ -1,0 +1,48 @@
+// The law of zones over four views of a figure (SPEC 2).
+#pragma once
+
+#include "tests/gl/support/pictures.h"
+
+namespace gltest
+{
+
+// One context that the law is held in.
+struct Target {
+    contexts::Kind kind;
+    contexts::PixelFormat format;
+    const char *name;
+};
+constexpr Target all_targets[] = {
+    {contexts::Kind::osmesa, contexts::PixelFormat::rgba8888, "OsmesaRgba8888"},
+    {contexts::Kind::osmesa, contexts::PixelFormat::rgb565, "OsmesaRgb565"},
+    {contexts::Kind::egl, contexts::PixelFormat::rgba8888, "EglRgba8888"},
+    {contexts::Kind::egl, contexts::PixelFormat::rgb565, "EglRgb565"},
+};
+constexpr Target two_targets[] = {all_targets[0], all_targets[1]};
+
+// What the plain and id pictures of four views show, drawn once for a figure: near, whole, far, edge-on.
+class Law
+{
+public:
+    Law(contexts::Offscreen &context, const Figure &figure);
+
+    // Adds test failures where a renderer's pictures differ or have holes.
+    void hold(const passes::RendererOptions &options) const;
+
+    uint64_t covered() const { return covered_; }  // pixels of all views
+    uint64_t ties() const { return ties_; }        // of them, left out because different triangles tie in depth
+
+private:
+    struct View {
+        const char *name;
+        Camera camera;
+        Picture plain, forwards, backwards;
+    };
+    contexts::Offscreen &context_;
+    const Figure &figure_;
+    std::vector<uint8_t> colours_;
+    std::vector<View> views_;
+    uint64_t covered_ = 0, ties_ = 0;
+};
+
+}  // namespace gltest

@@ -1,0 +1,15 @@
+// Figures by the library's own way in: models split by meshsplit, posed and skinned.
+#pragma once
+
+#include "tests/gl/support/figure.h"
+
+namespace gltest
+{
+
+// A model of one rigid part whose image carries `map` as the keys given, one a zone.
+model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<uint8_t> &keys, model::Wrap wrap);
+
+// Splits it; white, so that zones' colours show pure. In the pose of `clip` (model::none: at rest) at `time_s`.
+Figure split_figure(const model::Model &model, uint32_t clip = model::none, double time_s = 0);
+
+}  // namespace gltest
