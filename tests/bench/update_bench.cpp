@@ -1,0 +1,123 @@
+// A whole update on one core: individuals of 33 joints and 650 vertices of 2 influences, everybody due; and a crowd of
+// which one in five is seen, at the rates of the law.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "lib/frame/frame.h"
+#include "lib/math/slerp.h"
+
+namespace
+{
+
+using namespace claque;
+
+void add_rig(model::Rig &rig, std::mt19937 &random)
+{
+    std::uniform_real_distribution<float> real(-0.2f, 0.2f);
+    const uint32_t joints = 33, keys = 34;
+    for (uint32_t k = 0; k < keys; ++k) rig.times.push_back(float(k) / 30);
+    for (uint32_t i = 0; i < joints; ++i) {
+        rig.parents.push_back(i == 0 ? model::none : (i - 1) / 2);
+        math::Trs trs;
+        trs.translation = glm::vec3(real(random), real(random), real(random));
+        rig.rest.push_back(trs);
+        rig.node_names.emplace_back("");
+        rig.palette.push_back({i, math::affine_of(trs)});
+        model::Channel channel;
+        channel.node = i;
+        channel.path = model::Path::rotation;
+        channel.component_count = 4;
+        channel.key_count = keys;
+        channel.first_value = uint32_t(rig.values.size());
+        rig.channels.push_back(channel);
+        for (uint32_t k = 0; k < keys; ++k) {
+            const glm::quat q = math::unit_quat(1, 0.4 * std::sin(k * 0.19 + i), 0.3 * std::cos(k * 0.19), 0.1);
+            rig.values.insert(rig.values.end(), {q.x, q.y, q.z, q.w});
+        }
+    }
+    model::Clip clip;
+    clip.channel_count = joints;
+    clip.duration_s = rig.times.back();
+    rig.clips.push_back(clip);
+    rig.clip_names.emplace_back("walk");
+}
+
+std::unique_ptr<model::Template> make_template()
+{
+    auto out = std::make_unique<model::Template>(std::pmr::get_default_resource());
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> real(-1, 1);
+    add_rig(out->rig, random);
+    out->levels.emplace_back(std::pmr::get_default_resource());
+    model::Level &level = out->levels.back();
+    level.source_count = level.vertex_count = 650;
+    level.runs.push_back({0, 650, 2, 0});
+    for (uint32_t v = 0; v < 650; ++v) {
+        for (int k = 0; k < 3; ++k) level.positions.push_back(real(random)), level.normals.push_back(real(random));
+        for (int i = 0; i < 2; ++i) {
+            level.joints.push_back(uint16_t(random() % 33));
+            level.weights.push_back(0.5f);
+        }
+    }
+    out->sklsroot.radius = 2;
+    return out;
+}
+
+struct Scene {
+    Scene(uint32_t count, double field_m, const animcache::Settings &settings)
+        : tmpl(make_template()),
+          crowd(std::pmr::get_default_resource()),
+          frame(std::pmr::get_default_resource(), settings),
+          view(std::pmr::get_default_resource())
+    {
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> real(-field_m, field_m);
+        for (uint32_t i = 0; i < count; ++i) {
+            crowd::Place place;
+            place.position = glm::dvec3(real(random), 0, real(random));
+            crowd::Play play;
+            play.clip = 0;
+            play.phase_s = float(i) * 0.137f;
+            crowd.create(*tmpl, place, play, i);
+        }
+    }
+    void update(double time_s)
+    {
+        frame::View *views[1] = {&view};
+        frame::update(crowd, frame, {views, 1}, time_s, base::Jobs());
+    }
+    std::unique_ptr<model::Template> tmpl;
+    crowd::Crowd crowd;
+    frame::Frame frame;
+    frame::View view;
+};
+
+void everybody_due(benchmark::State &state)
+{
+    animcache::Settings settings;
+    settings.period = {0, 0, 1, 2};
+    Scene scene(1000, 50, settings);
+    scene.view.camera = frame::look_at({0, 10, 120}, {0, 0, 0}, {0, 1, 0}, 1.2f, 1.5f, 0.1f, 1000);
+    double t = 0;
+    for (auto _ : state) scene.update(t += 0.0167);
+    state.counters["individuals/ms"] = benchmark::Counter(
+        double(state.iterations()) * scene.frame.stats().animated * 1e-3, benchmark::Counter::kIsRate);
+}
+
+void one_in_five_seen(benchmark::State &state)
+{
+    Scene scene(uint32_t(state.range(0)), 100, animcache::Settings());
+    scene.view.camera = frame::look_at({0, 2, 0}, {0, 2, -1}, {0, 1, 0}, 0.9f, 1.5f, 0.1f, 1000);
+    double t = 0;
+    for (auto _ : state) scene.update(t += 0.0167);
+    state.counters["seen"] = scene.frame.stats().visible;
+    state.counters["due"] = scene.frame.stats().due;
+}
+
+BENCHMARK(everybody_due)->Unit(benchmark::kMillisecond);
+BENCHMARK(one_in_five_seen)->Arg(2000)->Arg(6000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
