@@ -1,0 +1,139 @@
+// Prepared files: what is loaded is what was saved, and nothing else is loaded.
+#include "lib/model/template_file.h"
+
+#include "models.h"
+
+#include "lib/base/error.h"
+#include "lib/base/hash.h"
+#include "lib/model/template_check.h"
+
+#include <gtest/gtest.h>
+
+namespace claque::test
+{
+
+namespace
+{
+
+using Bytes = std::pmr::vector<uint8_t>;
+
+// A bit of everything: zones, dirty triangles, copies, clips, morphs, colours.
+model::Model everything()
+{
+    model::Model m = torture(3, 0, 40);
+    m.images[0] = key_image(4, 4, [](uint32_t x, uint32_t y) { return uint8_t((x + y) % 3 * 40); });
+    m.parts[0] = sheet_part(1, 1);
+    m.parts[0].colours.assign(4, {1, 2, 3, 4});
+    m.rig.morph_sets.push_back({0, 0, 1});
+    m.rig.rest_weights = {0.5f};
+    m.parts[0].morph_set = 0;
+    m.parts[0].morphs.resize(1);
+    m.parts[0].morphs[0].positions.assign(4, glm::vec3(0, 0, 1));
+    m.rig.clips.push_back({0, 1, 0, 1});
+    m.rig.clip_names.emplace_back("grow");
+    m.rig.times = {0, 1};
+    m.rig.values = {0, 0, 0, 1, 2, 3};
+    m.rig.channels.push_back({0, model::Path::translation, model::Interpolation::linear, 3, 0, 2, 0});
+    return m;
+}
+
+Bytes saved(const model::Template &tmpl)
+{
+    Bytes bytes;
+    model::save(tmpl, bytes);
+    return bytes;
+}
+
+// CLQ_OK, or why it was refused.
+clq_status outcome(const Bytes &bytes)
+{
+    model::Template out(std::pmr::get_default_resource());
+    try {
+        model::load(bytes.data(), bytes.size(), out);
+    } catch (const base::Error &error) {
+        return error.status();
+    }
+    model::check(out);
+    return CLQ_OK;
+}
+
+void forge_hash(Bytes &bytes)
+{
+    const uint64_t hash = base::fnv(base::fnv_start, bytes.data() + 32, bytes.size() - 32);
+    for (size_t i = 0; i < 8; ++i) bytes[24 + i] = uint8_t(hash >> (8 * i));
+}
+
+}  // namespace
+
+TEST(TemplateFile, saved_loaded_and_saved_again_is_the_same_bytes)
+{
+    for (const model::Model &m : {everything(), torture(16, 3, 5)}) {
+        const Bytes first = saved(*built(m));
+        model::Template loaded(std::pmr::get_default_resource());
+        model::load(first.data(), first.size(), loaded);
+        EXPECT_EQ(saved(loaded), first);
+        EXPECT_EQ(loaded.report.triangles, built(m)->report.triangles);
+        EXPECT_EQ(loaded.name, "sheet");
+    }
+}
+
+TEST(TemplateFile, is_refused_when_cut_at_any_byte_or_longer)
+{
+    Bytes bytes = saved(*built(everything()));
+    for (size_t size = 0; size < bytes.size(); ++size)
+        ASSERT_EQ(outcome(Bytes(bytes.begin(), bytes.begin() + ptrdiff_t(size))), CLQ_FORMAT) << size;
+    bytes.push_back(0);
+    EXPECT_EQ(outcome(bytes), CLQ_FORMAT);
+}
+
+TEST(TemplateFile, is_refused_when_any_byte_is_changed)
+{
+    const Bytes bytes = saved(*built(everything()));
+    for (size_t i = 0; i < bytes.size(); ++i) {
+        Bytes changed = bytes;
+        changed[i] ^= uint8_t(1 + base::mix(i) % 255);
+        ASSERT_EQ(outcome(changed), CLQ_FORMAT) << i;
+    }
+}
+
+TEST(TemplateFile, cut_short_with_a_forged_hash_is_refused)
+{
+    const Bytes bytes = saved(*built(everything()));
+    for (size_t size = 33; size < bytes.size(); ++size) {
+        Bytes cut(bytes.begin(), bytes.begin() + ptrdiff_t(size));
+        for (size_t i = 0; i < 8; ++i) cut[16 + i] = uint8_t((size - 32) >> (8 * i));
+        forge_hash(cut);
+        ASSERT_EQ(outcome(cut), CLQ_FORMAT) << size;
+    }
+}
+
+TEST(TemplateFile, changed_with_a_forged_hash_is_refused_or_safe)
+{
+    const Bytes bytes = saved(*built(everything()));
+    size_t refused = 0;
+    for (size_t i = 32; i < bytes.size(); ++i)
+        for (const uint8_t value : {uint8_t(0xff), uint8_t(0x80), uint8_t(0), uint8_t(bytes[i] + 1)}) {
+            Bytes changed = bytes;
+            changed[i] = value;
+            forge_hash(changed);
+            const clq_status status = outcome(changed);  // what is loaded passes check()
+            ASSERT_TRUE(status == CLQ_OK || status == CLQ_FORMAT) << i;
+            refused += status == CLQ_FORMAT;
+        }
+    EXPECT_GT(refused, bytes.size() / 2);
+}
+
+TEST(TemplateFile, of_another_version_is_refused_by_number)
+{
+    Bytes bytes = saved(*built(everything()));
+    bytes[8] = 99;
+    model::Template out(std::pmr::get_default_resource());
+    try {
+        model::load(bytes.data(), bytes.size(), out);
+        FAIL();
+    } catch (const base::Error &error) {
+        EXPECT_NE(std::string(error.what()).find("version 99"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace claque::test
