@@ -1,0 +1,135 @@
+#include "lib/asset/accessor.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+constexpr uint64_t most_bytes = 1ull << 48;
+
+unsigned long long big(uint64_t n) { return n; }
+
+struct Type {
+    const char *name;
+    uint32_t width, columns;
+};
+constexpr Type types[] = {{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1}, {"VEC4", 4, 1},
+                          {"MAT2", 4, 2},   {"MAT3", 9, 3}, {"MAT4", 16, 4}};
+
+Component component_of(const View &view)
+{
+    const uint64_t code = view.integer(0, 0xffffffffu);
+    for (const Component c :
+         {Component::i8, Component::u8, Component::i16, Component::u16, Component::u32, Component::f32})
+        if (static_cast<uint64_t>(c) == code) return c;
+    return Component::unknown;
+}
+
+// Columns of matrices start at multiples of 4 bytes.
+uint64_t column_bytes(const Accessor &a)
+{
+    const uint64_t raw = uint64_t(bytes_of(a.component)) * (a.width / a.columns);
+    return a.columns == 1 ? raw : (raw + 3) / 4 * 4;
+}
+
+}  // namespace
+
+uint32_t bytes_of(Component component)
+{
+    switch (component) {
+        case Component::i8:
+        case Component::u8:
+            return 1;
+        case Component::i16:
+        case Component::u16:
+            return 2;
+        case Component::u32:
+        case Component::f32:
+            return 4;
+        case Component::unknown:
+            break;
+    }
+    return 0;
+}
+
+Accessors::Accessors(const View &document, const Buffers &buffers, Budget &budget) : buffers_(buffers), budget_(budget)
+{
+    const View list = document["accessors"];
+    accessors_.reserve(list.count());
+    for (size_t i = 0; i < list.count(); ++i) parse(list.at(i));
+}
+
+void Accessors::check_range(const Accessor &a, uint32_t view_index, uint64_t offset, uint64_t count, uint64_t element,
+                            uint64_t align, const char *what) const
+{
+    const BufferView &view = buffers_.view(view_index);
+    const uint64_t stride = view.stride ? view.stride : element;
+    if (stride < element)
+        fail(CLQ_FORMAT, "%s %s: elements of %llu bytes stand %llu apart", a.path.c_str(), what, big(element),
+             big(stride));
+    // offset < 2^48, count < 2^32, stride < 2^8: no overflow.
+    const uint64_t end = offset + stride * (count - 1) + element;
+    if (end > view.length)
+        fail(CLQ_FORMAT, "%s %s: ends at byte %llu of buffer view %u, which has %llu", a.path.c_str(), what, big(end),
+             view_index, big(view.length));
+    if (offset % align != 0 || (offset + view.offset) % align != 0)
+        fail(CLQ_FORMAT, "%s %s: starts at byte %llu of a view at byte %llu: no multiple of %llu", a.path.c_str(), what,
+             big(offset), big(view.offset), big(align));
+}
+
+void Accessors::parse(const View &view)
+{
+    Accessor out;
+    out.path = view.path();
+    const std::string &type = view["type"].text();
+    for (const Type &known : types)
+        if (type == known.name) out.width = known.width, out.columns = known.columns;
+    out.component = component_of(view["componentType"]);
+    out.count = static_cast<uint32_t>(view["count"].integer(1, 0xffffffffu));
+    out.normalized = view["normalized"].boolean_or(false);
+    if (out.normalized && (out.component == Component::f32 || out.component == Component::u32))
+        fail(CLQ_FORMAT, "%s: floats and 32-bit integers cannot be normalized", out.path.c_str());
+    out.view = view["bufferView"].index_or_none(buffers_.view_count(), "buffer view");
+    out.offset = view["byteOffset"].integer_or(0, 0, most_bytes);
+    const bool known = out.width != 0 && out.component != Component::unknown;
+    const uint64_t align = out.columns > 1 ? 4 : bytes_of(out.component);
+    if (known && out.view != 0xffffffffu)
+        check_range(out, out.view, out.offset, out.count, column_bytes(out) * out.columns, align, "values");
+    if (view["sparse"].exists()) parse_sparse(view["sparse"], out);
+    if (known && out.sparse.count)
+        check_range(out, out.sparse.value_view, out.sparse.value_offset, out.sparse.count,
+                    column_bytes(out) * out.columns, align, "sparse values");
+    accessors_.push_back(std::move(out));
+}
+
+void Accessors::parse_sparse(const View &view, Accessor &out) const
+{
+    Sparse &sparse = out.sparse;
+    const View indices = view["indices"], values = view["values"];
+    sparse.count = static_cast<uint32_t>(view["count"].integer(1, out.count));
+    sparse.index_view = indices["bufferView"].index(buffers_.view_count(), "buffer view");
+    sparse.index_offset = indices["byteOffset"].integer_or(0, 0, most_bytes);
+    sparse.index_type = component_of(indices["componentType"]);
+    sparse.value_view = values["bufferView"].index(buffers_.view_count(), "buffer view");
+    sparse.value_offset = values["byteOffset"].integer_or(0, 0, most_bytes);
+    const Component t = sparse.index_type;
+    if (t != Component::u8 && t != Component::u16 && t != Component::u32)
+        fail(CLQ_FORMAT, "%s.indices.componentType is none of 5121, 5123 and 5125", view.path().c_str());
+    if (buffers_.view(sparse.index_view).stride || buffers_.view(sparse.value_view).stride)
+        fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", view.path().c_str());
+    check_range(out, sparse.index_view, sparse.index_offset, sparse.count, bytes_of(t), bytes_of(t), "sparse indices");
+}
+
+const Accessor &Accessors::wanted(uint32_t index, uint32_t width, const std::string &who) const
+{
+    const Accessor &a = accessors_[index];
+    if (a.width != width || (a.columns > 1) != (width == 16) || a.component == Component::unknown)
+        fail(CLQ_FORMAT, "%s needs elements of %u components: %s has others, or an unknown type", who.c_str(), width,
+             a.path.c_str());
+    return a;
+}
+
+}  // namespace claque::asset

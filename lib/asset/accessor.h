@@ -1,0 +1,67 @@
+// Accessors: typed rows of numbers in buffer views. All ranges of all accessors are checked once, in 64 bits, when the
+// file is opened; reading then only looks at values.
+#pragma once
+
+#include <vector>
+
+#include "lib/asset/buffers.h"
+
+namespace claque::asset
+{
+
+enum class Component : uint16_t { unknown = 0, i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+
+struct Sparse {
+    uint32_t count = 0;
+    uint32_t index_view = 0, value_view = 0;
+    uint64_t index_offset = 0, value_offset = 0;
+    Component index_type = Component::u16;
+};
+
+struct Accessor {
+    std::string path;             // where it stands in the file, for messages
+    uint32_t view = 0xffffffffu;  // none: zeros
+    uint64_t offset = 0;
+    uint32_t count = 0;
+    Component component = Component::unknown;
+    uint32_t width = 0;    // components an element: 1 to 4, 9, 16; 0 where the type is not known
+    uint32_t columns = 1;  // of a matrix; each starts at a multiple of 4 bytes
+    bool normalized = false;
+    Sparse sparse;
+};
+
+class Accessors
+{
+public:
+    Accessors(const View &document, const Buffers &buffers, Budget &budget);
+
+    size_t count() const { return accessors_.size(); }
+    const Accessor &at(uint32_t index) const { return accessors_[index]; }
+
+    // An index of an accessor in the file, refused where out of range.
+    uint32_t reference(const View &view) const { return view.index(accessors_.size(), "accessor"); }
+
+    // All components in a row as floats, finite; normalised integers in [0, 1] or [-1, 1]. Refused unless elements
+    // have `width` components; `who` wants them.
+    std::vector<float> floats(uint32_t index, uint32_t width, const std::string &who) const;
+
+    // Unsigned integers, not normalised.
+    std::vector<uint32_t> integers(uint32_t index, uint32_t width, const std::string &who) const;
+
+private:
+    void parse(const View &accessor);
+    void parse_sparse(const View &sparse, Accessor &out) const;
+    void check_range(const Accessor &accessor, uint32_t view, uint64_t offset, uint64_t count, uint64_t element,
+                     uint64_t align, const char *what) const;
+    const Accessor &wanted(uint32_t index, uint32_t width, const std::string &who) const;
+    template <class Out, class Read>
+    std::vector<Out> decode(const Accessor &accessor, const std::string &who, const Read &read) const;
+
+    const Buffers &buffers_;
+    Budget &budget_;
+    std::vector<Accessor> accessors_;
+};
+
+uint32_t bytes_of(Component component);  // 0 for unknown
+
+}  // namespace claque::asset

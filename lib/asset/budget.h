@@ -1,0 +1,49 @@
+// What a file may make us allocate: within the caller's limit, and within a small multiple of the bytes it brought.
+#pragma once
+
+#include <cstdint>
+
+#include "lib/base/error.h"
+
+namespace claque::asset
+{
+
+// Counts geometry, clips and buffers against both rules, images against the caller's limit alone (their own rule is in
+// image.h). Nothing is given back: what is counted is kept, or is as large as something that is.
+class Budget
+{
+public:
+    static constexpr uint64_t always_allowed = 8ull << 20;
+    static constexpr uint64_t multiple = 40;
+
+    explicit Budget(uint64_t limit_bytes) : limit_(limit_bytes) {}
+
+    // Bytes that came in: the file itself, external buffers.
+    void bring(uint64_t bytes) { allowed_ += multiple * bytes; }
+
+    // Throws base::Error (CLQ_LIMIT), naming `what`.
+    void take(uint64_t bytes, const char *what)
+    {
+        take_image(bytes, what);
+        if (bytes > allowed_ - taken_)
+            base::fail(CLQ_LIMIT, "%s would take %llu bytes: more than %llu times what the file holds", what,
+                       static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(multiple));
+        taken_ += bytes;
+    }
+
+    void take_image(uint64_t bytes, const char *what)
+    {
+        if (bytes > limit_ - all_)
+            base::fail(CLQ_LIMIT, "%s would take %llu bytes: the limit of %llu bytes for one file is reached", what,
+                       static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(limit_));
+        all_ += bytes;
+    }
+
+    uint64_t left() const { return limit_ - all_; }
+
+private:
+    uint64_t limit_ = 0, all_ = 0;
+    uint64_t allowed_ = always_allowed, taken_ = 0;
+};
+
+}  // namespace claque::asset

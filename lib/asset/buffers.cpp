@@ -1,0 +1,106 @@
+#include "lib/asset/buffers.h"
+
+#include "lib/asset/file.h"
+#include "lib/asset/uri.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+constexpr uint64_t most_bytes = 1ull << 48;
+
+unsigned long long big(uint64_t n) { return n; }
+
+}  // namespace
+
+Buffers::Buffers(const View &document, const Container &container, const LoadOptions &options, Budget &budget)
+    : options_(options)
+{
+    const View buffers = document["buffers"], views = document["bufferViews"];
+    stored_.reserve(buffers.count());
+    for (size_t i = 0; i < buffers.count(); ++i) load(buffers.at(i), i, container, budget);
+    views_.reserve(views.count());
+    for (size_t i = 0; i < views.count(); ++i) check_view(views.at(i));
+}
+
+std::vector<uint8_t> Buffers::fetch(const std::string &uri, const std::string &who, Budget &budget) const
+{
+    if (is_data_uri(uri)) {
+        budget.take(data_uri_bound(uri), who.c_str());
+        return decode_data_uri(uri);
+    }
+    const std::string path = decode_relative_path(uri);
+    if (options_.base_folder.empty())
+        fail(CLQ_IO, "%s needs the file '%s', and no folder was given to look in", who.c_str(), path.c_str());
+    const std::vector<uint8_t> bytes = read_file(options_.base_folder + "/" + path, budget.left());
+    budget.bring(bytes.size());
+    budget.take(bytes.size(), who.c_str());
+    return bytes;
+}
+
+void Buffers::load_from_uri(const View &buffer, Buffer &out, Budget &budget)
+{
+    const std::string &uri = buffer["uri"].text();
+    for (size_t i = 0; i < stored_.size() && !uri.empty() && !out.bytes.data; ++i)
+        if (stored_[i].first == uri) out.bytes = {stored_[i].second.data(), stored_[i].second.size()};
+    if (!out.bytes.data) {
+        // A data URI is its own name; it is not worth keeping twice.
+        stored_.emplace_back(is_data_uri(uri) ? std::string() : uri, fetch(uri, buffer.path(), budget));
+        out.bytes = {stored_.back().second.data(), stored_.back().second.size()};
+    }
+    if (out.bytes.size < out.length)
+        fail(CLQ_FORMAT, "%s says %llu bytes, its data has %llu", buffer.path().c_str(), big(out.length),
+             big(out.bytes.size));
+}
+
+void Buffers::load(const View &buffer, size_t index, const Container &container, Budget &budget)
+{
+    buffer.object();
+    Buffer out;
+    out.length = buffer["byteLength"].integer(1, most_bytes);
+    if (buffer["uri"].exists()) {
+        load_from_uri(buffer, out, budget);
+    } else if (index == 0 && container.has_binary) {
+        if (container.binary_size < out.length)
+            fail(CLQ_FORMAT, "%s says %llu bytes, the GLB's binary chunk has %zu", buffer.path().c_str(),
+                 big(out.length), container.binary_size);
+        if (container.binary_size - out.length > 3)
+            warnings_.push_back(base::text_of("the GLB's binary chunk has %llu bytes that no buffer holds",
+                                              big(container.binary_size - out.length)));
+        out.bytes = {container.binary, container.binary_size};
+    }
+    out.bytes.size = out.length;
+    buffers_.push_back(out);
+}
+
+void Buffers::check_view(const View &view)
+{
+    BufferView out;
+    out.buffer = view["buffer"].index(buffers_.size(), "buffer");
+    out.offset = view["byteOffset"].integer_or(0, 0, most_bytes);
+    out.length = view["byteLength"].integer(1, most_bytes);
+    out.stride = static_cast<uint32_t>(view["byteStride"].integer_or(0, 4, 252));
+    if (out.stride % 4 != 0) fail(CLQ_FORMAT, "%s.byteStride is %u: no multiple of 4", view.path().c_str(), out.stride);
+    if (out.offset + out.length > buffers_[out.buffer].length)
+        fail(CLQ_FORMAT, "%s ends at byte %llu of buffer %u, which has %llu", view.path().c_str(),
+             big(out.offset + out.length), out.buffer, big(buffers_[out.buffer].length));
+    const View extensions = view["extensions"];
+    out.meshopt = extensions["EXT_meshopt_compression"].exists() || extensions["KHR_meshopt_compression"].exists();
+    views_.push_back(out);
+}
+
+Bytes Buffers::bytes(uint32_t index, const std::string &who) const
+{
+    const BufferView &view = views_[index];
+    const Buffer &buffer = buffers_[view.buffer];
+    if (!buffer.bytes.data && view.meshopt)
+        fail(CLQ_UNSUPPORTED, "%s is compressed with EXT_meshopt_compression", who.c_str());
+    if (!buffer.bytes.data) fail(CLQ_FORMAT, "%s needs buffer %u, which came without data", who.c_str(), view.buffer);
+    return {buffer.bytes.data + view.offset, view.length};
+}
+
+}  // namespace claque::asset

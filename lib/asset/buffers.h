@@ -1,0 +1,61 @@
+// A file's buffers and the views into them: where bytes come from, and which of them may be read.
+#pragma once
+
+#include <vector>
+
+#include "lib/asset/budget.h"
+#include "lib/asset/glb.h"
+#include "lib/asset/gltf.h"
+#include "lib/asset/json_view.h"
+
+namespace claque::asset
+{
+
+struct Bytes {
+    const uint8_t *data = nullptr;
+    uint64_t size = 0;
+};
+
+struct BufferView {
+    uint32_t buffer = 0;
+    uint64_t offset = 0, length = 0;
+    uint32_t stride = 0;   // 0: elements lie side by side
+    bool meshopt = false;  // its bytes are compressed and its buffer may be an empty stand-in
+};
+
+// Reads all buffers that have data when it is made; views are checked against them. Everything throws base::Error.
+class Buffers
+{
+public:
+    Buffers(const View &document, const Container &container, const LoadOptions &options, Budget &budget);
+
+    size_t view_count() const { return views_.size(); }
+    const BufferView &view(uint32_t index) const { return views_[index]; }
+
+    // The bytes of a view. Refused where its buffer came without data; `who` wants them.
+    Bytes bytes(uint32_t view, const std::string &who) const;
+
+    // The bytes that a URI stands for, read now; `budget` pays.
+    std::vector<uint8_t> fetch(const std::string &uri, const std::string &who, Budget &budget) const;
+
+private:
+    struct Buffer {
+        uint64_t length = 0;  // as declared
+        Bytes bytes;          // data null: none came
+    };
+
+    void load(const View &buffer, size_t index, const Container &container, Budget &budget);
+    void load_from_uri(const View &buffer, Buffer &out, Budget &budget);
+    void check_view(const View &view);
+
+    const LoadOptions &options_;
+    std::vector<Buffer> buffers_;
+    std::vector<std::pair<std::string, std::vector<uint8_t>>> stored_;  // by URI: none is read twice
+    std::vector<BufferView> views_;
+    std::vector<std::string> warnings_;
+
+public:
+    const std::vector<std::string> &warnings() const { return warnings_; }
+};
+
+}  // namespace claque::asset

@@ -1,0 +1,14 @@
+// Whole files into memory, regular ones only: a name from a stranger's file may be a folder, a pipe or a device.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace claque::asset
+{
+
+// Throws base::Error: CLQ_IO (not there, not readable, not a regular file), CLQ_LIMIT (larger than limit_bytes).
+std::vector<uint8_t> read_file(const std::string &path, uint64_t limit_bytes);
+
+}  // namespace claque::asset

@@ -1,0 +1,43 @@
+#include "lib/asset/gltf.h"
+
+#include "lib/asset/gltf_build.h"
+#include "lib/asset/gltf_head.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+// What is left to find wrong is the file's fault, not the caller's.
+void check_as_format(const model::Model &model)
+{
+    try {
+        model::check(model);
+    } catch (const base::Error &error) {
+        fail(CLQ_FORMAT, "%s", error.what());
+    }
+}
+
+}  // namespace
+
+model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options)
+{
+    if (size == 0) fail(CLQ_FORMAT, "the file is empty");
+    Budget budget(options.memory_limit_bytes);
+    budget.bring(size);
+    const Container container = open_container(bytes, size);
+    const nlohmann::json document = parse_json(container.json, container.json_size, budget.left());
+    const View root(&document, "");
+    check_head(root);
+    File file(root, container, options, budget);
+    model::Model model;
+    build_model(file, model);
+    model.warnings = std::move(file.warnings);
+    check_as_format(model);
+    return model;
+}
+
+}  // namespace claque::asset

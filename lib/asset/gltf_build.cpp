@@ -1,0 +1,189 @@
+#include "lib/asset/gltf_build.h"
+
+#include <algorithm>
+
+#include "lib/asset/gltf_clip.h"
+#include "lib/asset/gltf_mesh.h"
+#include "lib/asset/gltf_skin.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+class Builder
+{
+public:
+    Builder(File &file, model::Model &model)
+        : file_(file),
+          model_(model),
+          tree_(read_nodes(file)),
+          skins_(read_skins(file, tree_)),
+          materials_(file),
+          meshes_(read_meshes(file, materials_)),
+          palette_(model.rig)
+    {
+        places_.node.assign(tree_.nodes.size(), none);
+        places_.morph_set.assign(tree_.nodes.size(), none);
+    }
+
+    void run()
+    {
+        check_weights();
+        shown_ = tree_.shown();
+        add_nodes(shown_);
+        add_joint_trees();
+        hide();
+        for (const uint32_t node : shown_)
+            if (tree_.nodes[node].mesh != none) add_mesh(node);
+        TargetCounts targets;
+        for (const FileNode &node : tree_.nodes)
+            targets.push_back(node.mesh == none ? 0 : meshes_[node.mesh].target_count);
+        read_clips(file_, tree_, targets, places_, model_.rig);
+        std::vector<bool> used(materials_.count(), false);
+        for (const model::Part &part : model_.parts)
+            if (!part.hidden) used[part.material] = true;
+        materials_.finish(used, model_);
+    }
+
+private:
+    void check_weights() const
+    {
+        for (size_t i = 0; i < tree_.nodes.size(); ++i) {
+            const FileNode &node = tree_.nodes[i];
+            if (node.mesh == none || node.morph_weights.empty()) continue;
+            if (node.morph_weights.size() != meshes_[node.mesh].target_count)
+                fail(CLQ_FORMAT, "nodes[%zu].weights has %zu numbers, its mesh has %u morph targets", i,
+                     node.morph_weights.size(), meshes_[node.mesh].target_count);
+        }
+    }
+
+    void add_nodes(const std::vector<uint32_t> &order)
+    {
+        model::Rig &rig = model_.rig;
+        file_.budget.take(order.size() * (sizeof(math::Trs) + sizeof(std::pmr::string) + 8), "the rig");
+        for (const uint32_t i : order) {
+            const FileNode &node = tree_.nodes[i];
+            places_.node[i] = rig.node_count();
+            rig.parents.push_back(node.parent == none ? none : places_.node[node.parent]);
+            rig.rest.push_back(node.rest);
+            rig.node_names.emplace_back(node.name.c_str());
+        }
+    }
+
+    // Joints may stand outside the scene; they have their place in the world all the same.
+    void add_joint_trees()
+    {
+        for (const uint32_t node : shown_) {
+            if (tree_.nodes[node].skin == none) continue;
+            for (const uint32_t joint : skins_[tree_.nodes[node].skin].joints)
+                if (places_.node[joint] == none) add_nodes(tree_.below({tree_.root_of(joint)}));
+        }
+    }
+
+    void hide()
+    {
+        const std::vector<std::string> &names = file_.options.hidden_nodes;
+        hidden_.assign(tree_.nodes.size(), false);
+        if (names.empty()) return;
+        for (const uint32_t i : shown_) {
+            const FileNode &node = tree_.nodes[i];
+            hidden_[i] = (node.parent != none && hidden_[node.parent]) ||
+                         std::find(names.begin(), names.end(), node.name) != names.end();
+        }
+        for (const std::string &name : names)
+            if (model_.rig.find_node(name) == none)
+                file_.warn(base::text_of("no node is named '%.100s': nothing to hide", name.c_str()));
+    }
+
+    uint32_t add_morph_set(uint32_t node)
+    {
+        const Mesh &mesh = meshes_[tree_.nodes[node].mesh];
+        const std::vector<float> &own = tree_.nodes[node].morph_weights;
+        const std::vector<float> &weights = own.empty() ? mesh.morph_weights : own;
+        model::Rig &rig = model_.rig;
+        places_.morph_set[node] = static_cast<uint32_t>(rig.morph_sets.size());
+        model::MorphSet set;
+        set.node = places_.node[node];
+        set.first_weight = static_cast<uint32_t>(rig.rest_weights.size());
+        set.target_count = mesh.target_count;
+        file_.budget.take(sizeof set + 4ull * weights.size(), "morph weights");
+        rig.morph_sets.push_back(set);
+        rig.rest_weights.insert(rig.rest_weights.end(), weights.begin(), weights.end());
+        return places_.morph_set[node];
+    }
+
+    void add_mesh(uint32_t node)
+    {
+        const FileNode &from = tree_.nodes[node];
+        const Mesh &mesh = meshes_[from.mesh];
+        const uint32_t morph_set = mesh.target_count ? add_morph_set(node) : none;
+        std::vector<uint32_t> entries;
+        if (from.skin != none) entries = entries_of(skins_[from.skin]);
+        for (const Primitive &primitive : mesh.primitives) {
+            file_.budget.take(bytes_of(primitive.part) + 8 * primitive.part.positions.size(), "a mesh on its nodes");
+            model::Part part = primitive.part;
+            part.name = mesh.name.empty() ? from.name : mesh.name;
+            part.node = places_.node[node];
+            part.hidden = hidden_[node];
+            part.morph_set = morph_set;
+            if (from.skin != none && !primitive.has_joints)
+                file_.warn(
+                    base::text_of("nodes[%u] '%.60s' has a skin, a primitive of its mesh has no joints: it "
+                                  "moves with the node",
+                                  node, from.name.c_str()));
+            if (from.skin != none && primitive.has_joints) bind(part, entries, node);
+            else hang(part);
+            model_.parts.push_back(std::move(part));
+        }
+    }
+
+    std::vector<uint32_t> entries_of(const Skin &skin)
+    {
+        file_.budget.take(skin.joints.size() * 3 * sizeof(model::PaletteEntry), "the matrix palette");
+        std::vector<uint32_t> out;
+        out.reserve(skin.joints.size());
+        for (size_t i = 0; i < skin.joints.size(); ++i)
+            out.push_back(palette_.entry(places_.node[skin.joints[i]], skin.inverse_binds[i]));
+        return out;
+    }
+
+    static void bind(model::Part &part, const std::vector<uint32_t> &entries, uint32_t node)
+    {
+        part.skinned = true;
+        for (size_t i = 0; i < part.joints.size(); ++i) {
+            uint32_t &joint = part.joints[i];
+            if (joint >= entries.size())
+                fail(CLQ_FORMAT, "vertex %zu of a mesh on nodes[%u] names joint %u, its skin has %zu",
+                     i / part.influence_count, node, joint, entries.size());
+            joint = entries[joint];
+        }
+    }
+
+    void hang(model::Part &part)
+    {
+        part.influence_count = 1;
+        part.joints.assign(part.positions.size(), palette_.entry(part.node, math::Affine()));
+        part.weights.assign(part.positions.size(), 1.0f);
+    }
+
+    File &file_;
+    model::Model &model_;
+    const NodeTree tree_;
+    const std::vector<Skin> skins_;
+    Materials materials_;
+    const std::vector<Mesh> meshes_;
+    Palette palette_;
+    RigPlaces places_;
+    std::vector<uint32_t> shown_;
+    std::vector<bool> hidden_;
+};
+
+}  // namespace
+
+void build_model(File &file, model::Model &model) { Builder(file, model).run(); }
+
+}  // namespace claque::asset

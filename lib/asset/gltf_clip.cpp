@@ -1,0 +1,212 @@
+#include "lib/asset/gltf_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace claque::asset
+{
+
+using base::fail;
+using model::Channel;
+using model::Interpolation;
+using model::Path;
+
+namespace
+{
+
+class ClipReader
+{
+public:
+    ClipReader(File &file, const NodeTree &tree, const TargetCounts &targets, const RigPlaces &places, model::Rig &rig)
+        : file_(file), tree_(tree), targets_(targets), places_(places), rig_(rig)
+    {
+    }
+
+    void read(const View &animation, size_t number)
+    {
+        animation.object();
+        const View channels = animation["channels"], samplers = animation["samplers"];
+        for (const View *list : {&channels, &samplers})
+            if (list->count() == 0) fail(CLQ_FORMAT, "%s is missing or empty", list->path().c_str());
+        model::Clip clip;
+        clip.first_channel = static_cast<uint32_t>(rig_.channels.size());
+        std::set<std::pair<uint32_t, Path>> taken;
+        for (size_t i = 0; i < channels.count(); ++i) read_channel(channels.at(i), samplers, taken);
+        clip.channel_count = static_cast<uint32_t>(rig_.channels.size()) - clip.first_channel;
+        settle_span(clip);
+        rig_.clips.push_back(clip);
+        rig_.clip_names.emplace_back(animation["name"].text_or("").c_str());
+        if (rig_.clip_names.back().empty()) rig_.clip_names.back() = "clip " + std::to_string(number);
+    }
+
+private:
+    struct Sampler {
+        View view;
+        uint32_t input = 0, output = 0;
+        Interpolation interpolation = Interpolation::linear;
+    };
+
+    void settle_span(model::Clip &clip) const
+    {
+        float first = 0, last = 0;
+        for (uint32_t i = 0; i < clip.channel_count; ++i) {
+            const Channel &channel = rig_.channels[clip.first_channel + i];
+            const float begin = rig_.times[channel.first_time];
+            const float end = rig_.times[channel.first_time + channel.key_count - 1];
+            first = i == 0 ? begin : std::min(first, begin);
+            last = i == 0 ? end : std::max(last, end);
+        }
+        clip.start_s = first;
+        clip.duration_s = last - first;
+    }
+
+    Sampler sampler_of(const View &view) const
+    {
+        Sampler out;
+        out.view = view;
+        view.object();
+        out.input = file_.accessors.reference(view["input"]);
+        out.output = file_.accessors.reference(view["output"]);
+        const std::string way = view["interpolation"].text_or("LINEAR");
+        if (way == "STEP") out.interpolation = Interpolation::step;
+        if (way == "CUBICSPLINE") out.interpolation = Interpolation::cubic_spline;
+        if (way != "STEP" && way != "LINEAR" && way != "CUBICSPLINE")
+            fail(CLQ_FORMAT, "%s.interpolation is '%.40s': STEP, LINEAR and CUBICSPLINE are known", view.path().c_str(),
+                 way.c_str());
+        return out;
+    }
+
+    // False for what the format lets other extensions animate.
+    bool path_of(const View &view, Path &out)
+    {
+        const std::string &name = view.text();
+        if (name == "translation") return out = Path::translation, true;
+        if (name == "rotation") return out = Path::rotation, true;
+        if (name == "scale") return out = Path::scale, true;
+        if (name == "weights") return out = Path::morph_weights, true;
+        file_.warn(base::text_of("%s is '%.40s': not animated", view.path().c_str(), name.c_str()));
+        return false;
+    }
+
+    void read_channel(const View &view, const View &samplers, std::set<std::pair<uint32_t, Path>> &taken)
+    {
+        view.object();
+        const uint32_t number = view["sampler"].index(samplers.count(), "sampler");
+        const View target = view["target"];
+        target.object();
+        Path path{};
+        if (!path_of(target["path"], path)) return;
+        const uint32_t node = target["node"].index_or_none(tree_.nodes.size(), "node");
+        if (node == none) return;  // legal: an extension may say what is meant
+        if (!taken.insert({node, path}).second)
+            fail(CLQ_FORMAT, "%s: another channel of the same clip moves the same", target.path().c_str());
+        Channel channel;
+        channel.path = path;
+        channel.component_count = static_cast<uint16_t>(components(node, path, target));
+        read_keys(sampler_of(samplers.at(number)), channel);
+        channel.node = path == Path::morph_weights ? places_.morph_set[node] : places_.node[node];
+        if (channel.node != none) rig_.channels.push_back(channel);
+        if (tree_.nodes[node].has_matrix)
+            file_.warn(base::text_of("%s moves a node that has a matrix: moved as its translation, rotation and scale",
+                                     target.path().c_str()));
+    }
+
+    uint32_t components(uint32_t node, Path path, const View &target) const
+    {
+        if (path == Path::rotation) return 4;
+        if (path != Path::morph_weights) return 3;
+        if (targets_[node] == 0)
+            fail(CLQ_FORMAT, "%s animates morph weights of a node without morph targets", target.path().c_str());
+        return targets_[node];
+    }
+
+    void read_keys(const Sampler &sampler, Channel &channel)
+    {
+        channel.interpolation = sampler.interpolation;
+        channel.first_time = times_at(sampler, channel.key_count);
+        const bool cubic = channel.interpolation == Interpolation::cubic_spline;
+        if (cubic && channel.key_count < 2)
+            fail(CLQ_FORMAT, "%s: a cubic spline has 2 keys at least", sampler.view.path().c_str());
+        channel.first_value = values_at(sampler, channel);
+    }
+
+    // Samplers of one file mostly share their times, and all channels of a sampler its values: each is kept once.
+    uint32_t times_at(const Sampler &sampler, uint32_t &key_count)
+    {
+        const Accessor &accessor = file_.accessors.at(sampler.input);
+        key_count = accessor.count;
+        const auto [place, is_new] = times_.emplace(sampler.input, static_cast<uint32_t>(rig_.times.size()));
+        if (!is_new) return place->second;
+        const std::string who = sampler.view["input"].path();
+        if (accessor.component != Component::f32) fail(CLQ_FORMAT, "%s: key times are not floats", who.c_str());
+        const std::vector<float> times = file_.accessors.floats(sampler.input, 1, who);
+        for (size_t i = 0; i < times.size(); ++i)
+            if (times[i] < 0 || (i > 0 && times[i] <= times[i - 1]))
+                fail(CLQ_FORMAT, "%s: key time number %zu is %g: times start at 0 or later and ascend", who.c_str(), i,
+                     static_cast<double>(times[i]));
+        grow(rig_.times, times, who);
+        return place->second;
+    }
+
+    uint32_t values_at(const Sampler &sampler, const Channel &channel)
+    {
+        const auto key = std::make_tuple(sampler.output, channel.path, channel.interpolation, channel.component_count);
+        const std::string who = sampler.view["output"].path();
+        const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
+        const bool morphs = channel.path == Path::morph_weights;
+        const uint64_t wanted = groups * channel.key_count * (morphs ? channel.component_count : 1);
+        if (file_.accessors.at(sampler.output).count != wanted)
+            fail(CLQ_FORMAT, "%s has %u elements instead of %llu for %u keys", who.c_str(),
+                 file_.accessors.at(sampler.output).count, static_cast<unsigned long long>(wanted), channel.key_count);
+        const auto [place, is_new] = values_.emplace(key, static_cast<uint32_t>(rig_.values.size()));
+        if (!is_new) return place->second;
+        std::vector<float> values = file_.accessors.floats(sampler.output, morphs ? 1 : channel.component_count, who);
+        if (channel.path == Path::rotation) make_unit(values, groups == 3, who);
+        grow(rig_.values, values, who);
+        return place->second;
+    }
+
+    // Tangents of splines are no rotations and stay as they are.
+    static void make_unit(std::vector<float> &values, bool cubic, const std::string &who)
+    {
+        for (size_t i = cubic ? 4 : 0; i < values.size(); i += cubic ? 12 : 4) {
+            double sum = 0;
+            for (size_t k = 0; k < 4; ++k)
+                sum += static_cast<double>(values[i + k]) * static_cast<double>(values[i + k]);
+            const double length = std::sqrt(sum);
+            if (!(std::fabs(length - 1) < 0.1))
+                fail(CLQ_FORMAT, "%s: rotation number %zu has length %g instead of 1", who.c_str(), i / 4, length);
+            for (size_t k = 0; k < 4; ++k)
+                values[i + k] = static_cast<float>(static_cast<double>(values[i + k]) / length);
+        }
+    }
+
+    void grow(model::Array<float> &to, const std::vector<float> &from, const std::string &who)
+    {
+        if (to.size() + from.size() > 0xffffffffull) fail(CLQ_LIMIT, "%s: too many keys", who.c_str());
+        file_.budget.take(2 * sizeof(float) * from.size(), who.c_str());
+        to.insert(to.end(), from.begin(), from.end());
+    }
+
+    File &file_;
+    const NodeTree &tree_;
+    const TargetCounts &targets_;
+    const RigPlaces &places_;
+    model::Rig &rig_;
+    std::map<uint32_t, uint32_t> times_;
+    std::map<std::tuple<uint32_t, Path, Interpolation, uint16_t>, uint32_t> values_;
+};
+
+}  // namespace
+
+void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, const RigPlaces &places, model::Rig &rig)
+{
+    ClipReader reader(file, tree, targets, places, rig);
+    const View list = file.root["animations"];
+    for (size_t i = 0; i < list.count(); ++i) reader.read(list.at(i), i);
+}
+
+}  // namespace claque::asset

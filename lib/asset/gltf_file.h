@@ -1,0 +1,43 @@
+// An opened glTF file: what all its readers share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/asset/accessor.h"
+#include "lib/asset/buffers.h"
+#include "lib/asset/json_view.h"
+
+namespace claque::asset
+{
+
+constexpr uint32_t none = model::none;
+
+struct File {
+    File(const View &document, const Container &container, const LoadOptions &wanted, Budget &shared)
+        : root(document),
+          options(wanted),
+          budget(shared),
+          buffers(document, container, wanted, shared),
+          accessors(document, buffers, shared)
+    {
+        for (const std::string &text : buffers.warnings()) warn(text);
+    }
+    File(const File &) = delete;
+    File &operator=(const File &) = delete;
+
+    // Kept to a number that a person reads; a hostile file could fill memory with them.
+    void warn(std::string text)
+    {
+        if (warnings.size() < 64) warnings.push_back(std::move(text));
+    }
+
+    View root;
+    const LoadOptions &options;
+    Budget &budget;
+    Buffers buffers;
+    Accessors accessors;
+    std::vector<std::string> warnings;
+};
+
+}  // namespace claque::asset

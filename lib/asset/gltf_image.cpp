@@ -1,0 +1,44 @@
+#include "lib/asset/gltf_image.h"
+
+#include "lib/asset/image.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+std::string name_of(const View &view)
+{
+    std::string name = view["name"].text_or("");
+    return name.empty() ? view.path() : name;
+}
+
+model::Image decode(File &file, const View &view, const uint8_t *bytes, uint64_t size)
+{
+    ImageLimits limits;
+    limits.max_px = file.options.max_image_px;
+    limits.max_bytes = file.budget.left();
+    model::Image image = decode_image(bytes, size, name_of(view), limits);
+    file.budget.take_image(image.rgba.size(), view.path().c_str());
+    return image;
+}
+
+}  // namespace
+
+model::Image read_image(File &file, uint32_t index)
+{
+    const View view = file.root["images"].at(index);
+    if (view["bufferView"].exists()) {
+        const uint32_t buffer_view = view["bufferView"].index(file.buffers.view_count(), "buffer view");
+        const Bytes bytes = file.buffers.bytes(buffer_view, view.path());
+        return decode(file, view, bytes.data, bytes.size);
+    }
+    const std::string &uri = view["uri"].text();
+    const std::vector<uint8_t> bytes = file.buffers.fetch(uri, view.path(), file.budget);
+    return decode(file, view, bytes.data(), bytes.size());
+}
+
+}  // namespace claque::asset

@@ -1,0 +1,208 @@
+#include "lib/asset/gltf_material.h"
+
+#include <cmath>
+
+#include "lib/asset/gltf_image.h"
+#include "lib/asset/material_zones.h"
+#include "lib/asset/srgb.h"
+#include "lib/asset/zone_extras.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+using model::Material;
+
+namespace
+{
+
+model::Wrap wrap_of(const View &view)
+{
+    switch (view.integer_or(10497, 0, 0xffff)) {
+        case 10497:
+            return model::Wrap::repeat;
+        case 33071:
+            return model::Wrap::clamp;
+        case 33648:
+            return model::Wrap::mirror;
+        default:
+            break;
+    }
+    fail(CLQ_FORMAT, "%s is none of 10497, 33071 and 33648", view.path().c_str());
+}
+
+UvTransform transform_of(const View &view)
+{
+    UvTransform out;
+    if (!view.exists()) return out;
+    float offset[2] = {0, 0}, scale[2] = {1, 1};
+    if (view["offset"].exists()) view["offset"].numbers(offset, 2);
+    if (view["scale"].exists()) view["scale"].numbers(scale, 2);
+    const float angle = view["rotation"].real_or(0), c = std::cos(angle), s = std::sin(angle);
+    // v points down: turning coordinates counter-clockwise, as they are seen, is this way round.
+    const float m[6] = {scale[0] * c, -scale[0] * s, scale[1] * s, scale[1] * c, offset[0], offset[1]};
+    for (int k = 0; k < 6; ++k) out.m[k] = m[k];
+    return out;
+}
+
+// Sections that are not otherwise read must be what they are called all the same.
+void check_objects(const View &list)
+{
+    for (size_t i = 0; i < list.count(); ++i) list.at(i).object();
+}
+
+void check_textures(const File &file)
+{
+    const View textures = file.root["textures"];
+    check_objects(file.root["samplers"]);
+    for (size_t i = 0; i < textures.count(); ++i) {
+        textures.at(i).object();
+        textures.at(i)["source"].index_or_none(file.root["images"].count(), "image");
+        textures.at(i)["sampler"].index_or_none(file.root["samplers"].count(), "sampler");
+    }
+    const View images = file.root["images"];
+    for (size_t i = 0; i < images.count(); ++i) {
+        images.at(i).object();
+        images.at(i)["bufferView"].index_or_none(file.buffers.view_count(), "buffer view");
+    }
+}
+
+}  // namespace
+
+Materials::Materials(File &file) : file_(file)
+{
+    check_textures(file);
+    const View list = file.root["materials"];
+    for (size_t i = 0; i < list.count(); ++i) read(list.at(i));
+}
+
+void Materials::read(const View &view)
+{
+    Material out;
+    UvUse use;
+    view.object();
+    out.name = view["name"].text_or("");
+    if (out.name.empty()) out.name = "material " + std::to_string(materials_.size());
+    out.double_sided = view["doubleSided"].boolean_or(false);
+    // The old way to say it, still found in files that offer nothing newer.
+    const View glossy = view["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    const bool is_glossy = glossy.exists() && !view["pbrMetallicRoughness"].exists();
+    const View look = is_glossy ? glossy : view["pbrMetallicRoughness"];
+    const View factor = look[is_glossy ? "diffuseFactor" : "baseColorFactor"];
+    if (factor.exists()) factor.numbers(out.base_colour.data(), 4);
+    for (size_t k = 0; k < 3; ++k) out.base_colour[k] = encoded(out.base_colour[k]);
+    out.base_colour[3] = std::fmin(std::fmax(out.base_colour[3], 0.0f), 1.0f);
+    const View texture = look[is_glossy ? "diffuseTexture" : "baseColorTexture"];
+    if (texture.exists()) read_texture(texture, out, use);
+    read_alpha(view, out);
+    materials_.push_back(out);
+    uv_uses_.push_back(use);
+    views_.push_back(view);
+}
+
+void Materials::read_texture(const View &info, Material &out, UvUse &use)
+{
+    const View texture = file_.root["textures"].at(info["index"].index(file_.root["textures"].count(), "texture"));
+    out.image = image_source(texture);
+    if (out.image == none) return;
+    const uint32_t sampler = texture["sampler"].index_or_none(file_.root["samplers"].count(), "sampler");
+    if (sampler != none) {
+        out.wrap_s = wrap_of(file_.root["samplers"].at(sampler)["wrapS"]);
+        out.wrap_t = wrap_of(file_.root["samplers"].at(sampler)["wrapT"]);
+    }
+    const View transform = info["extensions"]["KHR_texture_transform"];
+    use.has_texture = true;
+    use.set = static_cast<uint32_t>(info["texCoord"].integer_or(0, 0, 1000));
+    use.set = static_cast<uint32_t>(transform["texCoord"].integer_or(use.set, 0, 1000));
+    use.transform = transform_of(transform);
+}
+
+uint32_t Materials::image_source(const View &texture)
+{
+    const uint32_t source = texture["source"].index_or_none(file_.root["images"].count(), "image");
+    if (source != none) return source;
+    const View extensions = texture["extensions"];
+    for (const char *name : {"EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds", "EXT_texture_avif"})
+        if (extensions[name].exists())
+            fail(CLQ_UNSUPPORTED, "%s has an image by %s only, and no PNG or JPEG beside it", texture.path().c_str(),
+                 name);
+    file_.warn(base::text_of("%s has no image: shown without", texture.path().c_str()));
+    return none;
+}
+
+void Materials::read_alpha(const View &view, Material &out)
+{
+    const std::string mode = view["alphaMode"].text_or("OPAQUE");
+    out.alpha_cutoff = view["alphaCutoff"].real_or(0.5f);
+    if (mode == "MASK") out.alpha_mode = model::AlphaMode::mask;
+    if (mode == "BLEND") file_.warn(base::text_of("material '%s' is see-through: drawn opaque", out.name.c_str()));
+    if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
+        file_.warn(
+            base::text_of("material '%s' has the alpha mode '%.40s': drawn opaque", out.name.c_str(), mode.c_str()));
+}
+
+uint32_t Materials::reference(const View &view)
+{
+    if (view.exists()) return view.index(views_.size(), "material");
+    if (default_ == none) {
+        default_ = static_cast<uint32_t>(materials_.size());
+        materials_.emplace_back();
+        materials_.back().name = "default";
+        uv_uses_.emplace_back();
+    }
+    return default_;
+}
+
+uint32_t Materials::without_texture(uint32_t material)
+{
+    const auto [place, is_new] = bare_.emplace(material, static_cast<uint32_t>(materials_.size()));
+    if (is_new) {
+        Material bare = materials_[material];
+        bare.image = none;
+        materials_.push_back(bare);
+        uv_uses_.emplace_back();
+    }
+    return place->second;
+}
+
+void Materials::decode_images(const std::vector<bool> &used, model::Model &model)
+{
+    std::map<uint32_t, uint32_t> decoded;  // by image of the file
+    for (size_t i = 0; i < materials_.size(); ++i) {
+        uint32_t &image = materials_[i].image;
+        if (image == none) continue;
+        if (!used[i]) {
+            image = none;
+            continue;
+        }
+        const auto [place, is_new] = decoded.emplace(image, static_cast<uint32_t>(model.images.size()));
+        if (is_new) {
+            model.images.push_back(read_image(file_, image));
+            sources_.push_back(image);
+        }
+        image = place->second;
+    }
+}
+
+void Materials::mark_keyed(const std::vector<bool> &used, model::Model &model)
+{
+    const auto add = [&](model::Image &image, const View &extras) {
+        const std::vector<model::Zone> zones = read_zone_extras(extras);
+        if (zones.empty()) return;
+        image.alpha = model::AlphaMeaning::zone_keys;
+        add_keyed_zones(model.zones, zones, extras.path());
+    };
+    for (size_t k = 0; k < sources_.size(); ++k) add(model.images[k], file_.root["images"].at(sources_[k])["extras"]);
+    for (size_t i = 0; i < views_.size(); ++i)
+        if (used[i] && materials_[i].image != none) add(model.images[materials_[i].image], views_[i]["extras"]);
+}
+
+void Materials::finish(const std::vector<bool> &used, model::Model &model)
+{
+    decode_images(used, model);
+    mark_keyed(used, model);
+    model.materials = std::move(materials_);
+    add_material_zones(used, model);
+}
+
+}  // namespace claque::asset

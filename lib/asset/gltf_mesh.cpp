@@ -1,0 +1,204 @@
+#include "lib/asset/gltf_mesh.h"
+
+#include "lib/asset/gltf_influences.h"
+#include "lib/asset/srgb.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+using model::Part;
+
+namespace
+{
+
+std::vector<glm::vec3> vec3s(const std::vector<float> &values)
+{
+    std::vector<glm::vec3> out(values.size() / 3);
+    for (size_t i = 0; i < out.size(); ++i) out[i] = glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+    return out;
+}
+
+class PrimitiveReader
+{
+public:
+    PrimitiveReader(File &file, Materials &materials, const View &view)
+        : file_(file), materials_(materials), view_(view), attributes_(view["attributes"])
+    {
+    }
+
+    // Whether there is something to show: primitives without positions are legal and empty.
+    bool read(Primitive &out)
+    {
+        attributes_.object();
+        Part &part = out.part;
+        part.topology = static_cast<model::Topology>(view_["mode"].integer_or(4, 0, 6));
+        part.material = materials_.reference(view_["material"]);
+        if (!attributes_["POSITION"].exists()) {
+            file_.warn(base::text_of("%s has no positions: left out", view_.path().c_str()));
+            return false;
+        }
+        refuse_compression();
+        part.positions = vec3s(attribute("POSITION", 3));
+        if (attributes_["NORMAL"].exists()) part.normals = vec3s(attribute("NORMAL", 3));
+        read_uvs(part);
+        read_colours(part);
+        read_indices(part);
+        read_targets(part);
+        out.has_joints = read_influences(file_, attributes_, part);
+        return true;
+    }
+
+private:
+    void refuse_compression() const
+    {
+        const View draco = view_["extensions"]["KHR_draco_mesh_compression"];
+        const uint32_t positions = file_.accessors.reference(attributes_["POSITION"]);
+        if (draco.exists() && file_.accessors.at(positions).view == none)
+            fail(CLQ_UNSUPPORTED, "%s is compressed with KHR_draco_mesh_compression", view_.path().c_str());
+    }
+
+    std::vector<float> attribute(const char *name, uint32_t width) const
+    {
+        const View view = attributes_[name];
+        std::vector<float> out = file_.accessors.floats(file_.accessors.reference(view), width, view.path());
+        check_count(out.size() / width, view);
+        return out;
+    }
+
+    void check_count(size_t count, const View &view) const
+    {
+        const size_t vertices = file_.accessors.at(file_.accessors.reference(attributes_["POSITION"])).count;
+        if (count != vertices)
+            fail(CLQ_FORMAT, "%s has %zu elements, the primitive has %zu positions", view.path().c_str(), count,
+                 vertices);
+    }
+
+    void read_uvs(Part &part)
+    {
+        const UvUse use = materials_.uv_use(part.material);
+        if (!use.has_texture) return;
+        const std::string name = "TEXCOORD_" + std::to_string(use.set);
+        if (!attributes_[name.c_str()].exists()) {
+            file_.warn(base::text_of("%s lacks the %s that its texture asks for: shown without the texture",
+                                     view_.path().c_str(), name.c_str()));
+            part.material = materials_.without_texture(part.material);
+            return;
+        }
+        const std::vector<float> values = attribute(name.c_str(), 2);
+        part.uvs.resize(values.size() / 2);
+        for (size_t i = 0; i < part.uvs.size(); ++i)
+            part.uvs[i] = use.transform.applied(glm::vec2(values[2 * i], values[2 * i + 1]));
+    }
+
+    void read_colours(Part &part) const
+    {
+        const View view = attributes_["COLOR_0"];
+        if (!view.exists()) return;
+        const bool opaque = file_.accessors.at(file_.accessors.reference(view)).width == 3;
+        const uint32_t width = opaque ? 3 : 4;
+        const std::vector<float> values = attribute("COLOR_0", width);
+        part.colours.resize(values.size() / width);
+        for (size_t i = 0; i < part.colours.size(); ++i) {
+            const float *c = &values[width * i];
+            part.colours[i] = {byte_of(encoded(c[0])), byte_of(encoded(c[1])), byte_of(encoded(c[2])),
+                               opaque ? uint8_t(255) : byte_of(c[3])};
+        }
+    }
+
+    void read_indices(Part &part) const
+    {
+        const View view = view_["indices"];
+        if (!view.exists()) return;
+        const uint32_t index = file_.accessors.reference(view);
+        const uint32_t buffer_view = file_.accessors.at(index).view;
+        if (buffer_view != none && file_.buffers.view(buffer_view).stride)
+            fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", view.path().c_str());
+        part.indices = file_.accessors.integers(index, 1, view.path());
+        for (size_t i = 0; i < part.indices.size(); ++i)
+            if (part.indices[i] >= part.positions.size())
+                fail(CLQ_FORMAT, "%s: index number %zu is %u, the primitive has %zu vertices", view.path().c_str(), i,
+                     part.indices[i], part.positions.size());
+    }
+
+    std::vector<glm::vec3> deltas(const View &view) const
+    {
+        if (!view.exists()) return {};
+        const std::vector<float> values = file_.accessors.floats(file_.accessors.reference(view), 3, view.path());
+        check_count(values.size() / 3, view);
+        return vec3s(values);
+    }
+
+    void read_targets(Part &part) const
+    {
+        const View targets = view_["targets"];
+        for (size_t i = 0; i < targets.count(); ++i) {
+            const View target = targets.at(i);
+            target.object();
+            if (target["NORMAL"].exists() && part.normals.empty())
+                fail(CLQ_FORMAT, "%s.NORMAL moves normals that the primitive does not have", target.path().c_str());
+            part.morphs.push_back({deltas(target["POSITION"]), deltas(target["NORMAL"])});
+        }
+    }
+
+    File &file_;
+    Materials &materials_;
+    const View view_, attributes_;
+};
+
+void read_weights(const View &view, Mesh &mesh)
+{
+    const View weights = view["weights"];
+    mesh.morph_weights.assign(mesh.target_count, 0);
+    if (!weights.exists()) return;
+    if (weights.count() != mesh.target_count)
+        fail(CLQ_FORMAT, "%s has %zu numbers for %u morph targets", weights.path().c_str(), weights.count(),
+             mesh.target_count);
+    weights.numbers(mesh.morph_weights.data(), mesh.target_count);
+}
+
+Mesh read_mesh(const View &view, File &file, Materials &materials)
+{
+    Mesh mesh;
+    view.object();
+    mesh.name = view["name"].text_or("");
+    const View primitives = view["primitives"];
+    if (!primitives.exists()) fail(CLQ_FORMAT, "%s is missing", primitives.path().c_str());
+    for (size_t i = 0; i < primitives.count(); ++i) {
+        const View primitive_view = primitives.at(i);
+        const size_t targets = primitive_view["targets"].count();
+        if (i > 0 && targets != mesh.target_count)
+            fail(CLQ_FORMAT, "%s has %zu morph targets, the primitive before it has %u", primitive_view.path().c_str(),
+                 targets, mesh.target_count);
+        if (targets > 0xffff) fail(CLQ_LIMIT, "%s has %zu morph targets", primitive_view.path().c_str(), targets);
+        mesh.target_count = static_cast<uint32_t>(targets);
+        Primitive primitive;
+        if (!PrimitiveReader(file, materials, primitive_view).read(primitive)) continue;
+        file.budget.take(bytes_of(primitive.part), primitive_view.path().c_str());
+        mesh.primitives.push_back(std::move(primitive));
+    }
+    read_weights(view, mesh);
+    return mesh;
+}
+
+}  // namespace
+
+uint64_t bytes_of(const Part &part)
+{
+    uint64_t floats = 3 * (part.positions.size() + part.normals.size()) + 2 * part.uvs.size() + part.colours.size() +
+                      part.indices.size() + part.joints.size() + part.weights.size();
+    for (const model::MorphTarget &target : part.morphs)
+        floats += 3 * (target.positions.size() + target.normals.size());
+    return sizeof(Part) + part.morphs.size() * sizeof(model::MorphTarget) + 4 * floats;
+}
+
+std::vector<Mesh> read_meshes(File &file, Materials &materials)
+{
+    const View list = file.root["meshes"];
+    std::vector<Mesh> meshes;
+    meshes.reserve(list.count());
+    for (size_t i = 0; i < list.count(); ++i) meshes.push_back(read_mesh(list.at(i), file, materials));
+    return meshes;
+}
+
+}  // namespace claque::asset

@@ -1,0 +1,32 @@
+// Skins to palette entries: which matrices a character's vertices ask for.
+#pragma once
+
+#include <map>
+
+#include "lib/asset/gltf_nodes.h"
+
+namespace claque::asset
+{
+
+struct Skin {
+    std::vector<uint32_t> joints;  // nodes of the file
+    std::vector<math::Affine> inverse_binds;
+};
+
+// All skins of the file, checked. A skin without inverse bind matrices has identities.
+std::vector<Skin> read_skins(File &file, const NodeTree &tree);
+
+// Entries of rig.palette, each (node, inverse bind) once, however many skins and parts ask for it.
+class Palette
+{
+public:
+    explicit Palette(model::Rig &rig) : rig_(rig) {}
+    uint32_t entry(uint32_t rig_node, const math::Affine &inverse_bind);
+
+private:
+    using Key = std::pair<uint32_t, std::array<float, 12>>;
+    model::Rig &rig_;
+    std::map<Key, uint32_t> places_;
+};
+
+}  // namespace claque::asset

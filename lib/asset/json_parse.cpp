@@ -1,0 +1,66 @@
+// The way to the JSON parser: it is asked only for what a pass over the bytes found to be small and shallow enough.
+#include "lib/asset/json_view.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+constexpr uint32_t deepest = 128;
+// Of one parsed value in its worst place: a node of a member map, or an array's slot while the array grows.
+constexpr uint64_t value_bytes = 200;
+
+struct Scan {
+    uint64_t values = 0;
+    uint64_t string_bytes = 0;
+};
+
+// Counts what a parser would make values of. Wrong syntax is not its business, but it may not be misled by any.
+Scan scan(const uint8_t *bytes, size_t size)
+{
+    Scan out;
+    uint32_t depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < size; ++i) {
+        const uint8_t c = bytes[i];
+        if (quoted) {
+            ++out.string_bytes;
+            if (c == '\\') ++i;
+            if (c == '"') quoted = false;
+        } else if (c == '"') {
+            quoted = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > deepest) fail(CLQ_LIMIT, "the JSON is nested more than %u deep at byte %zu", deepest, i);
+            ++out.values;
+        } else if (c == ']' || c == '}') {
+            if (depth > 0) --depth;
+        } else if (c == ',') {
+            ++out.values;
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+nlohmann::json parse_json(const uint8_t *bytes, size_t size, uint64_t memory_bytes)
+{
+    const Scan found = scan(bytes, size);
+    const uint64_t estimate = found.values * value_bytes + 2 * found.string_bytes;
+    if (estimate > memory_bytes)
+        fail(CLQ_LIMIT, "the JSON of %zu bytes would take about %llu bytes of %llu allowed", size,
+             static_cast<unsigned long long>(estimate), static_cast<unsigned long long>(memory_bytes));
+    try {
+        return nlohmann::json::parse(bytes, bytes + size);
+    } catch (const nlohmann::json::exception &error) {
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the first word is for programs.
+        std::string text = error.what();
+        if (const size_t end = text.find("] "); text[0] == '[' && end != std::string::npos) text.erase(0, end + 2);
+        fail(CLQ_FORMAT, "the JSON is broken: %.300s", text.c_str());
+    }
+}
+
+}  // namespace claque::asset

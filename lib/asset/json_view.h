@@ -1,0 +1,64 @@
+// Checked access to a glTF file's JSON: every read says what it expects, and a refusal says where in the file it was,
+// as 'animations[3].channels[0].target.node'.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lib/base/error.h"
+
+namespace claque::asset
+{
+
+// Points into a parsed document, which must outlive it. A View may be of something absent: exists() tells; reading it
+// is refused as a missing property. All reads throw base::Error (CLQ_FORMAT).
+class View
+{
+public:
+    View() = default;
+    View(const nlohmann::json *value, std::string path) : value_(value), path_(std::move(path)) {}
+
+    bool exists() const { return value_ != nullptr; }
+    bool is_object() const { return value_ && value_->is_object(); }
+    const std::string &path() const { return path_; }
+
+    // A member of an object; absent where the object has none of that name, or is itself absent.
+    View operator[](const char *key) const;
+
+    // Elements of an array; 0 where the array is absent.
+    size_t count() const;
+    View at(size_t index) const;
+
+    const nlohmann::json &object() const;  // refused unless it is an object
+    const std::string &text() const;
+    bool boolean() const;
+    double number() const;
+    float real() const;                                     // a number that fits a float
+    uint64_t integer(uint64_t first, uint64_t last) const;  // a whole number in [first, last]
+    uint32_t index(size_t count, const char *what) const;   // a whole number below count: a reference to a `what`
+    void numbers(float *out, size_t count) const;           // an array of exactly so many numbers
+
+    // The same with an answer for what is absent.
+    std::string text_or(const char *otherwise) const { return exists() ? text() : otherwise; }
+    bool boolean_or(bool otherwise) const { return exists() ? boolean() : otherwise; }
+    float real_or(float otherwise) const { return exists() ? real() : otherwise; }
+    uint64_t integer_or(uint64_t otherwise, uint64_t first, uint64_t last) const
+    {
+        return exists() ? integer(first, last) : otherwise;
+    }
+    uint32_t index_or_none(size_t count, const char *what) const { return exists() ? index(count, what) : 0xffffffffu; }
+
+private:
+    const nlohmann::json &value() const;
+    [[noreturn]] void refuse(const char *expected) const;
+
+    const nlohmann::json *value_ = nullptr;
+    std::string path_;
+};
+
+// Text to a document, after a pass of our own over the bytes: nesting at most 128 deep, and an estimate of the parsed
+// size within `memory_bytes`, so that the parser is never asked for more. Throws base::Error (CLQ_FORMAT, CLQ_LIMIT).
+nlohmann::json parse_json(const uint8_t *bytes, size_t size, uint64_t memory_bytes);
+
+}  // namespace claque::asset

@@ -1,0 +1,23 @@
+// glTF's colours are linear, glColor's are not: the sRGB transfer curve between them (IEC 61966-2-1).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace claque::asset
+{
+
+// [0, 1] to [0, 1]; values outside are clamped.
+inline float encoded(float linear)
+{
+    const double x = linear < 0 ? 0 : linear > 1 ? 1 : static_cast<double>(linear);
+    return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+inline uint8_t byte_of(float unit)
+{
+    const float x = unit < 0 ? 0 : unit > 1 ? 1 : unit;
+    return static_cast<uint8_t>(x * 255 + 0.5f);
+}
+
+}  // namespace claque::asset
