@@ -126,6 +126,19 @@ TEST_F(HostState, OfAHostileHostDoesNotSpoilThePicture)
         }
 }
 
+TEST_F(HostState, OfEdgeFlagsLeftOnDoesNotSpoilAWireframe)
+{
+    const Figure figure = small_figure();
+    const auto renderer = make_renderer_of(figure);
+    constexpr gl::Enum line = 0x1B01;
+    host_->PolygonMode(gl::front_and_back, line);
+    const Picture calm = draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    const std::vector<uint8_t> no_edges(figure.tmpl->levels[0].vertex_count, 0);
+    host_->ask<void (*)(int32_t, const void *)>("glEdgeFlagPointer")(1, no_edges.data());
+    host_->EnableClientState(gl::edge_flag_array);
+    EXPECT_EQ(draw(*context_, *renderer, list_of(figure, whole_view(figure))), calm);
+}
+
 // Colours have to reach the materials whatever the host had following them; emission and highlights are the host's.
 TEST_F(HostState, OfAHostileHostDoesNotSpoilThePictureUnderLight)
 {

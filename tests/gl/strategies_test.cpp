@@ -147,13 +147,6 @@ TEST_F(Strategies, AgreeOnMirroredAndDoubleSidedOnes)
     expect_same(figure, list);
 }
 
-TEST_F(Strategies, AgreeOnMoreVerticesThanShortIndicesReach)
-{
-    const Figure figure = make_figure(sheet(260, 0.2f), torture_map(256, 4, 3));
-    ASSERT_GT(figure.tmpl->levels[0].source_count, 65536u);
-    expect_same(figure);
-}
-
 TEST_F(Strategies, AgreeWithThePapersEqualTest)
 {
     const Figure figure = small_figure();
