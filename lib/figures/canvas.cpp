@@ -23,17 +23,17 @@ float cross2(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
 void cover(const Mesh &mesh, const std::vector<glm::vec3> &normals, const Face &face, std::vector<Cover> &covers)
 {
-    glm::vec2 st[3];
-    for (size_t k = 0; k < 3; ++k) st[k] = face.corners[k].st * static_cast<float>(size);
-    const float area = cross2(st[1] - st[0], st[2] - st[0]);
+    glm::vec2 uv[3];
+    for (size_t k = 0; k < 3; ++k) uv[k] = face.corners[k].uv * static_cast<float>(size);
+    const float area = cross2(uv[1] - uv[0], uv[2] - uv[0]);
     if (std::fabs(area) < 1e-6f) return;
-    const glm::vec2 low = glm::min(st[0], glm::min(st[1], st[2])), high = glm::max(st[0], glm::max(st[1], st[2]));
+    const glm::vec2 low = glm::min(uv[0], glm::min(uv[1], uv[2])), high = glm::max(uv[0], glm::max(uv[1], uv[2]));
     const int x0 = std::max(0, static_cast<int>(low.x)), x1 = std::min(size - 1, static_cast<int>(high.x) + 1);
     const int y0 = std::max(0, static_cast<int>(low.y)), y1 = std::min(size - 1, static_cast<int>(high.y) + 1);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
             const glm::vec2 c(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-            const float a = cross2(st[1] - c, st[2] - c) / area, b = cross2(st[2] - c, st[0] - c) / area;
+            const float a = cross2(uv[1] - c, uv[2] - c) / area, b = cross2(uv[2] - c, uv[0] - c) / area;
             const float d = 1 - a - b;
             if (a < -1e-4f || b < -1e-4f || d < -1e-4f) continue;
             const auto blend = [&](const auto &of) {
@@ -47,7 +47,7 @@ void cover(const Mesh &mesh, const std::vector<glm::vec3> &normals, const Face &
             out.texel.chart = face.chart;
             out.texel.region = first.region;
             out.texel.side = first.side;
-            out.texel.st = c / static_cast<float>(size);
+            out.texel.st = face.corners[0].st * a + face.corners[1].st * b + face.corners[2].st * d;
         }
 }
 
@@ -55,14 +55,18 @@ void cover(const Mesh &mesh, const std::vector<glm::vec3> &normals, const Face &
 void shade(const Openness &openness, std::vector<Cover> &covers)
 {
     constexpr int pitch = 4;
-    std::vector<float> sampled(covers.size(), -1);
+    struct Sample {
+        float value = -1;
+        Chart chart = Chart::head;
+    };
+    std::vector<Sample> sampled(covers.size());
     for (int y = 0; y < size; y += pitch)
         for (int x = 0; x < size; x += pitch) {
             // The first covered texel of each cell and chart stands for the cell.
             for (int i = 0; i < pitch * pitch; ++i) {
                 const size_t k = at(x + i % pitch, y + i / pitch);
                 if (!covers[k].covered) continue;
-                sampled[at(x, y)] = openness(covers[k].texel.position, covers[k].texel.normal);
+                sampled[at(x, y)] = {openness(covers[k].texel.position, covers[k].texel.normal), covers[k].texel.chart};
                 break;
             }
         }
@@ -75,12 +79,12 @@ void shade(const Openness &openness, std::vector<Cover> &covers)
                 for (int dx = -1; dx <= 1; ++dx) {
                     const int cx = x / pitch + dx, cy = y / pitch + dy;
                     if (cx < 0 || cy < 0 || cx >= size / pitch || cy >= size / pitch) continue;
-                    const float value = sampled[at(cx * pitch, cy * pitch)];
-                    if (value < 0 || covers[at(x, y)].texel.chart != c.texel.chart) continue;
+                    const Sample &sample = sampled[at(cx * pitch, cy * pitch)];
+                    if (sample.value < 0 || sample.chart != c.texel.chart) continue;
                     const float ux = (static_cast<float>(x) + 0.5f) / pitch - (static_cast<float>(cx) + 0.5f);
                     const float uy = (static_cast<float>(y) + 0.5f) / pitch - (static_cast<float>(cy) + 0.5f);
                     const float w = std::max(0.0f, 1.5f - std::fabs(ux)) * std::max(0.0f, 1.5f - std::fabs(uy));
-                    sum += w * value;
+                    sum += w * sample.value;
                     weight += w;
                 }
             c.texel.openness = weight > 0 ? sum / weight : 1;

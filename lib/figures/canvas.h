@@ -15,7 +15,7 @@ struct Texel {
     Chart chart = Chart::head;
     Region region = Region::torso;
     Side side = Side::left;
-    glm::vec2 st;        // texture coordinate
+    glm::vec2 st;        // in the chart's own units
     float openness = 1;  // 1: sees the whole sky round its normal, 0: nothing
 };
 

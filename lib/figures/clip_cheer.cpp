@@ -28,7 +28,7 @@ Pose cheer_at(float phase)
         reach_hand(pose, side, low + (high - low) * up + glm::vec3(0, 0.03f * beat, 0),
                    glm::vec3(0.9f, -0.35f, -0.25f));
         curl_hand(pose, side, 0.85f);
-        stand_on(pose, side, {{left * 0.022f, 0}, heels, 1, 0, 5});
+        stand_on(pose, side, {0.022f, 0, heels, 1, 0, 5});
     }
     drape(pose);
     return pose;

@@ -26,7 +26,7 @@ Pose stand_at(float phase)
         hang_arm(pose, side, 1.5f + 1.2f * s * wave(phase, 1, 0.2f), 9 + 0.8f * breath + 1.0f * s * weight,
                  15 + 3 * wave(phase, 1, side == Side::left ? 0.3f : 0.65f), 12);
         curl_hand(pose, side, 0.16f + 0.03f * wave(phase, 1, 0.5f));
-        stand_on(pose, side, {{s * 0.012f, side == Side::left ? 0.016f : -0.010f}, 0, 1, 0, 5});
+        stand_on(pose, side, {0.012f, side == Side::left ? 0.016f : -0.010f, 0, 1, 0, 5});
     }
     drape(pose, -1.2f * weight);
     return pose;

@@ -34,19 +34,20 @@ Footing footing(float phase)
 {
     Footing f;
     f.yaw_deg = 2;
-    const float x = -0.028f;
+    f.outwards = -0.028f;
     if (phase < carry_end) {
-        f.place = {x, ahead_m - stride_m * phase};
+        f.ahead = ahead_m - stride_m * phase;
         f.heel_up_deg = phase < 0.30f ? strike_deg * (1 - smooth(-0.05f, 0.11f, phase)) / (1 - smooth(-0.05f, 0.11f, 0))
                                       : leave_deg * smooth(0.33f, 0.72f, phase) / smooth(0.33f, 0.72f, carry_end);
-        f.toes_flat = 1 - 0.35f * smooth(0.56f, carry_end, phase);
         return f;
     }
     const float t = (phase - carry_end) / (1 - carry_end), length = 1 - carry_end;
-    f.place = {x, hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t)};
-    f.heel_up_deg = hermite(leave_deg, 60, strike_deg, 6, t);
-    f.toes_flat = 0.65f * (1 - smooth(0, 0.5f, t));
-    f.lift = 0.050f * std::sin(pi * t) * std::sin(pi * t);
+    f.ahead = hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t);
+    f.heel_up_deg = hermite(leave_deg, 66, strike_deg, 50, t);
+    f.toes_flat = 1 - smooth(0, 0.55f, t);
+    // High enough for the tips of the toes, which hang while the foot is steep.
+    const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
+    f.lift = 0.085f * std::sin(toes_deg * pi / 180) + 0.024f * std::sin(pi * t);
     return f;
 }
 

@@ -42,13 +42,13 @@ model::Part part_of(const Mesh &mesh)
     std::map<std::tuple<uint32_t, float, float>, uint32_t> made;
     for (const Face &face : mesh.faces)
         for (const Corner &corner : face.corners) {
-            const auto [at, fresh] = made.try_emplace({corner.point, corner.st.x, corner.st.y},
+            const auto [at, fresh] = made.try_emplace({corner.point, corner.uv.x, corner.uv.y},
                                                       static_cast<uint32_t>(part.positions.size()));
             part.indices.push_back(at->second);
             if (!fresh) continue;
             part.positions.push_back(mesh.points[corner.point].position);
             part.normals.push_back(normals[corner.point]);
-            part.uvs.push_back(corner.st);
+            part.uvs.push_back(corner.uv);
             const Binding &binding = bindings[corner.point];
             part.joints.insert(part.joints.end(), binding.bones.begin(), binding.bones.end());
             part.weights.insert(part.weights.end(), binding.weights.begin(), binding.weights.end());

@@ -60,7 +60,7 @@ struct Digit {
 };
 
 const std::array<Digit, 2> digits = {{
-    {Region::fingers,
+    {Region::index,
      0.030f,
      {{{0.082f, 0.031f, 0.002f}, {0.130f, 0.031f, -0.002f}, {0.174f, 0.029f, -0.014f}}},
      {0.0115f, 0.0095f},
@@ -100,7 +100,7 @@ private:
         const glm::vec3 position = wrist + arm_direction() * p.along + arm_thumbward() * p.across + arm_dorsal() * p.up;
         const uint32_t index = mesh_.add(mirrored(position, side_), region, side_);
         st_.resize(mesh_.points.size());
-        st_[index] = glm::vec2(p.across + shift, p.along);
+        st_[index] = glm::vec2(p.along, p.across + shift);
         return index;
     }
 
@@ -148,16 +148,21 @@ private:
             if (k > 0) sew(before, ring);
             before = ring;
         }
+        // A blunt end: two points side by side.
         const HandPoint tip = digit.centres[2];
-        const float r = 0.006f;
-        const uint32_t a = point({tip.along - r * 0.3f, tip.across, tip.up + r}, digit.region, digit.chart_shift);
-        const uint32_t b = point({tip.along, tip.across, tip.up - r * 0.6f}, digit.region, digit.chart_shift);
+        const float half = 0.55f * digit.radii[1];
+        const auto end = [&](float wide) {
+            return point(
+                {tip.along + wide * half * digit.spread.along, tip.across + wide * half * digit.spread.across, tip.up},
+                digit.region, digit.chart_shift);
+        };
+        const uint32_t a = end(-1), b = end(1);
         face(before[0], before[1], a);
-        face(before[1], before[2], a);
+        face(before[1], b, a);
+        face(before[1], before[2], b);
         face(before[2], before[3], b);
-        face(before[3], before[0], b);
-        face(before[0], a, b);
-        face(a, before[2], b);
+        face(before[3], a, b);
+        face(before[3], before[0], a);
     }
 
     Mesh &mesh_;

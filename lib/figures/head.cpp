@@ -14,89 +14,94 @@ using Meridian = std::vector<glm::vec3>;
 
 // From the middle of the face to the nape, left half.
 const std::array<Meridian, 8> meridians = {{
-    {{0, 1.405f, 0.046f},
-     {0, 1.497f, 0.046f},
-     {0, 1.517f, 0.086f},    // under the chin
-     {0, 1.530f, 0.104f},    // chin
-     {0, 1.548f, 0.097f},    // furrow below the lip
-     {0, 1.557f, 0.106f},    // lower lip
-     {0, 1.5635f, 0.1015f},  // mouth
-     {0, 1.571f, 0.1075f},   // upper lip
-     {0, 1.583f, 0.103f},    // below the nose
-     {0, 1.592f, 0.129f},    // tip
-     {0, 1.616f, 0.117f},    // bridge
-     {0, 1.637f, 0.1025f},   // root of the nose
-     {0, 1.653f, 0.109f},    // between the brows
-     {0, 1.690f, 0.106f},
-     {0, 1.713f, 0.101f},  // hairline
-     {0, 1.730f, 0.099f},
-     {0, 1.750f, 0.062f}},
-    {{0.026f, 1.405f, 0.040f},
-     {0.022f, 1.499f, 0.044f},
-     {0.019f, 1.519f, 0.083f},
-     {0.019f, 1.532f, 0.099f},
-     {0.014f, 1.556f, 0.1015f},
-     {0.015f, 1.5635f, 0.0985f},
-     {0.012f, 1.5715f, 0.1045f},
-     {0.013f, 1.584f, 0.100f},
-     {0.0165f, 1.592f, 0.106f},  // wing of the nose
-     {0.0095f, 1.615f, 0.105f},
-     {0.0150f, 1.635f, 0.0905f},  // inner corner of the eye
-     {0.0190f, 1.653f, 0.105f},
-     {0.021f, 1.690f, 0.104f},
-     {0.022f, 1.714f, 0.099f},
-     {0.023f, 1.730f, 0.096f},
-     {0.026f, 1.749f, 0.058f}},
-    {{0.046f, 1.41f, 0.022f},
-     {0.040f, 1.503f, 0.036f},
-     {0.036f, 1.525f, 0.071f},
-     {0.035f, 1.538f, 0.086f},
-     {0.0265f, 1.5635f, 0.0885f},  // corner of the mouth
-     {0.0290f, 1.588f, 0.0890f},
+    {{0, 1.408f, 0.0880f},  // just inside the neckline of the tunic
+
+     {0, 1.497f, 0.044f},
+     {0, 1.517f, 0.082f},    // under the chin
+     {0, 1.530f, 0.1025f},   // chin
+     {0, 1.548f, 0.0960f},   // furrow below the lip
+     {0, 1.557f, 0.1045f},   // lower lip
+     {0, 1.5635f, 0.1005f},  // mouth
+     {0, 1.571f, 0.1065f},   // upper lip
+     {0, 1.583f, 0.1030f},   // below the nose
+     {0, 1.589f, 0.1215f},
+     {0, 1.597f, 0.1245f},  // tip
+     {0, 1.617f, 0.1145f},  // bridge
+     {0, 1.637f, 0.1015f},  // root of the nose
+     {0, 1.653f, 0.1085f},  // between the brows
+     {0, 1.690f, 0.1055f},
+     {0, 1.714f, 0.0985f},  // hairline
+     {0, 1.728f, 0.0940f},
+     {0, 1.753f, 0.0520f}},
+    {{0.0500f, 1.424f, 0.0740f},
+
+     {0.022f, 1.499f, 0.042f},
+     {0.019f, 1.519f, 0.079f},
+     {0.019f, 1.532f, 0.0980f},
+     {0.014f, 1.556f, 0.1005f},
+     {0.015f, 1.5635f, 0.0975f},
+     {0.012f, 1.5715f, 0.1035f},
+     {0.0125f, 1.585f, 0.0990f},
+     {0.0160f, 1.594f, 0.1055f},  // wing of the nose
+     {0.0095f, 1.616f, 0.1040f},
+     {0.0150f, 1.635f, 0.0900f},  // inner corner of the eye
+     {0.0190f, 1.653f, 0.1040f},
+     {0.021f, 1.690f, 0.1030f},
+     {0.023f, 1.722f, 0.0940f},
+
+     {0.025f, 1.751f, 0.0480f}},
+    {{0.0750f, 1.446f, 0.0300f},
+     {0.040f, 1.502f, 0.030f},
+     {0.034f, 1.525f, 0.068f},
+     {0.0335f, 1.538f, 0.0850f},
+     {0.0265f, 1.5640f, 0.0880f},  // corner of the mouth
+     {0.0285f, 1.589f, 0.0890f},
      {0.0310f, 1.616f, 0.0865f},   // below the eye
      {0.0315f, 1.6345f, 0.0895f},  // eye
      {0.0330f, 1.655f, 0.0985f},   // brow
-     {0.037f, 1.690f, 0.096f},
-     {0.039f, 1.715f, 0.089f},
-     {0.041f, 1.730f, 0.085f},
-     {0.043f, 1.746f, 0.052f}},
-    {{0.060f, 1.415f, -0.005f},
-     {0.050f, 1.511f, 0.026f},
-     {0.049f, 1.533f, 0.058f},
-     {0.052f, 1.566f, 0.0680f},
+     {0.037f, 1.690f, 0.0950f},
+     {0.040f, 1.722f, 0.0840f},
+
+     {0.040f, 1.747f, 0.0430f}},
+    {{0.0890f, 1.460f, -0.0100f},
+     {0.0500f, 1.504f, 0.014f},
+     {0.0460f, 1.532f, 0.052f},
+     {0.0500f, 1.564f, 0.0670f},
      {0.0560f, 1.602f, 0.0745f},  // cheekbone
      {0.0480f, 1.634f, 0.0790f},  // outer corner of the eye
      {0.0530f, 1.654f, 0.0820f},
-     {0.058f, 1.690f, 0.076f},
-     {0.060f, 1.714f, 0.070f},
-     {0.059f, 1.736f, 0.045f}},
-    {{0.064f, 1.42f, -0.030f},
-     {0.0600f, 1.529f, 0.012f},  // angle of the jaw
-     {0.0665f, 1.565f, 0.028f},
-     {0.0700f, 1.608f, 0.042f},
-     {0.0695f, 1.648f, 0.048f},  // temple
-     {0.0755f, 1.694f, 0.042f},
-     {0.066f, 1.730f, 0.026f}},
-    {{0.060f, 1.43f, -0.058f},
-     {0.0600f, 1.545f, -0.022f},
-     {0.0735f, 1.600f, -0.006f},
-     {0.0785f, 1.648f, -0.004f},
-     {0.0790f, 1.694f, -0.006f},
-     {0.062f, 1.735f, -0.008f}},
-    {{0.042f, 1.44f, -0.088f},
-     {0.046f, 1.535f, -0.063f},
-     {0.060f, 1.572f, -0.068f},
-     {0.070f, 1.636f, -0.074f},
-     {0.065f, 1.696f, -0.070f},
-     {0.048f, 1.736f, -0.048f}},
-    {{0, 1.445f, -0.098f},
-     {0, 1.538f, -0.073f},
+     {0.0580f, 1.690f, 0.0745f},
+     {0.0570f, 1.716f, 0.0650f},
+     {0.0520f, 1.738f, 0.0360f}},
+    {{0.0910f, 1.462f, -0.0280f},
+     {0.0560f, 1.498f, -0.012f},
+     {0.0570f, 1.530f, 0.010f},  // angle of the jaw
+     {0.0650f, 1.566f, 0.026f},
+     {0.0700f, 1.608f, 0.041f},
+     {0.0695f, 1.648f, 0.047f},  // temple
+     {0.0730f, 1.692f, 0.040f},
+     {0.0590f, 1.732f, 0.020f}},
+    {{0.0740f, 1.454f, -0.0700f},
+     {0.0550f, 1.506f, -0.038f},
+     {0.0600f, 1.556f, -0.018f},
+     {0.0730f, 1.600f, -0.008f},
+     {0.0775f, 1.648f, -0.006f},
+     {0.0760f, 1.694f, -0.008f},
+     {0.0550f, 1.737f, -0.010f}},
+    {{0.0500f, 1.445f, -0.0960f},
+     {0.0410f, 1.525f, -0.062f},
+     {0.0560f, 1.572f, -0.068f},
+     {0.0680f, 1.636f, -0.074f},
+     {0.0620f, 1.698f, -0.068f},
+     {0.0430f, 1.738f, -0.046f}},
+    {{0, 1.450f, -0.1015f},
+     {0, 1.530f, -0.072f},
      {0, 1.570f, -0.086f},
-     {0, 1.634f, -0.107f},
-     {0, 1.696f, -0.099f},
-     {0, 1.738f, -0.062f}},
+     {0, 1.634f, -0.106f},
+     {0, 1.697f, -0.096f},
+     {0, 1.740f, -0.060f}},
 }};
-const glm::vec3 crown(0, 1.757f, -0.006f);
+const glm::vec3 crown(0, 1.7585f, -0.006f);
 
 // 0 in the middle of the face, 0.5 at the nape: like the angle, but with most of the room for the face, and made of
 // divisions only.
@@ -122,14 +127,14 @@ float upwards(glm::vec3 p)
 
 void add_ear(Mesh &mesh, Side side)
 {
-    const std::array<glm::vec3, 8> table = {{{0.0770f, 1.590f, 0.004f},
-                                             {0.0855f, 1.602f, -0.013f},
-                                             {0.0955f, 1.630f, -0.023f},
-                                             {0.0935f, 1.652f, -0.012f},
-                                             {0.0760f, 1.645f, 0.008f},
-                                             {0.0790f, 1.618f, -0.004f},  // the hollow
-                                             {0.0680f, 1.600f, -0.028f},  // behind, inside the head
-                                             {0.0700f, 1.648f, -0.030f}}};
+    const std::array<glm::vec3, 8> table = {{{0.0690f, 1.586f, 0.003f},
+                                             {0.0810f, 1.600f, -0.012f},
+                                             {0.0890f, 1.628f, -0.022f},
+                                             {0.0870f, 1.650f, -0.014f},
+                                             {0.0755f, 1.652f, 0.007f},
+                                             {0.0775f, 1.619f, -0.005f},  // the hollow
+                                             {0.0660f, 1.598f, -0.028f},  // behind, inside the head
+                                             {0.0680f, 1.648f, -0.030f}}};
     std::array<Corner, 8> c;
     for (size_t i = 0; i < table.size(); ++i)
         c[i] = {mesh.add(mirrored(table[i], side), Region::head, side), glm::vec2(-table[i].z, table[i].y)};
@@ -138,8 +143,8 @@ void add_ear(Mesh &mesh, Side side)
     const Winding winding = winding_of(side);
     for (const auto &f : std::vector<std::array<int, 3>>{
              {0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}, {1, 6, 2}, {6, 7, 2}, {7, 3, 2}})
-        mesh.face(chart, winding, c[static_cast<size_t>(f[0])], c[static_cast<size_t>(f[2])],
-                  c[static_cast<size_t>(f[1])]);
+        mesh.face(chart, winding, c[static_cast<size_t>(f[0])], c[static_cast<size_t>(f[1])],
+                  c[static_cast<size_t>(f[2])]);
 }
 
 }  // namespace
@@ -150,10 +155,12 @@ void add_head(Mesh &mesh)
     // The right half first, mirrored, then the left; the middle ones are shared.
     std::array<std::array<Chain, 8>, 2> halves;
     for (size_t m = 0; m < meridians.size(); ++m)
-        for (const glm::vec3 p : meridians[m]) {
+        for (const glm::vec3 &p : meridians[m]) {
             const bool middle = m == 0 || m == 7;
-            const uint32_t left = mesh.add(p, Region::head);
-            const uint32_t right = middle ? left : mesh.add(mirrored(p, Side::right), Region::head);
+            const Region region =
+                &p == &meridians[m].front() ? Region::torso : Region::head;  // the lowest go with the cloth
+            const uint32_t left = mesh.add(p, region);
+            const uint32_t right = middle ? left : mesh.add(mirrored(p, Side::right), region, Side::right);
             halves[0][m].push_back({left, glm::vec2(around(p), upwards(p))});
             halves[1][m].push_back({right, glm::vec2(-around(p), upwards(p))});
         }

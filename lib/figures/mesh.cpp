@@ -110,7 +110,7 @@ void unwrap(Mesh &mesh)
             if (f.chart == chart)
                 for (Corner &corner : f.corners) {
                     const glm::vec2 local = (corner.st - low) / (high - low);
-                    corner.st = (origin + glm::vec2(local.x, 1 - local.y) * room) / size;
+                    corner.uv = (origin + glm::vec2(local.x, 1 - local.y) * room) / size;
                 }
     }
 }

@@ -13,7 +13,7 @@ namespace claque::figures
 {
 
 // Which bones may move a point.
-enum class Region : uint8_t { head, torso, skirt, sleeve, arm, palm, fingers, thumb, leg, foot };
+enum class Region : uint8_t { head, torso, skirt, sleeve, arm, palm, fingers, index, thumb, leg, foot };
 
 struct Point {
     glm::vec3 position;
@@ -21,10 +21,11 @@ struct Point {
     Side side = Side::left;  // of regions that exist twice
 };
 
-// `st` is in the chart's own units; unwrap() fits them into its rectangle.
+// `st` is in the chart's own units; unwrap() makes `uv` of them, the place in the texture.
 struct Corner {
     uint32_t point = 0;
     glm::vec2 st = glm::vec2(0);
+    glm::vec2 uv = glm::vec2(0);
 };
 using Chain = std::vector<Corner>;
 
@@ -68,7 +69,7 @@ public:
 // The points of a ring as a chain whose s runs from 0 to 1, the first repeated at the end (the chart's seam).
 Chain ring_chain(const std::vector<uint32_t> &ring, float t);
 
-// Fits each chart's corners into its rectangle; afterwards `st` is the texture coordinate.
+// Fits each chart's corners into its rectangle.
 void unwrap(Mesh &mesh);
 
 }  // namespace claque::figures

@@ -32,7 +32,7 @@ float to_neckline(glm::vec3 p)
 {
     static const glm::vec3 line[] = {{0, 1.424f, 0.086f},
                                      {0.050f, 1.440f, 0.070f},
-                                     {0.080f, 1.482f, -0.020f},
+                                     {0.086f, 1.472f, -0.022f},
                                      {0.052f, 1.458f, -0.098f},
                                      {0, 1.462f, -0.104f}};
     p.x = std::fabs(p.x);
@@ -47,11 +47,11 @@ bool on_belt(glm::vec3 p)
     return p.y > belt_low - 0.001f && p.y < belt_high + 0.002f && r.x * r.x + r.y * r.y < 1;
 }
 
-// The two stripes of a citizen's tunic, from the shoulders to the hem.
-bool on_stripe(glm::vec3 p, glm::vec3 n)
+// The two stripes of a citizen's tunic, from the shoulders to the hem, along the weave: by the column of the cloth.
+bool on_stripe(const Texel &t)
 {
-    const float middle = p.y > belt_low ? 0.082f : 0.082f + 0.03f * (belt_low - p.y);
-    return std::fabs(std::fabs(p.x) - middle) < 0.0105f && std::fabs(n.z) > 0.25f;
+    const float column = std::fabs(t.chart == Chart::tunic_front ? t.st.x : t.st.x - 7);
+    return column > 0.98f && column < 1.27f;
 }
 
 Paint belt(glm::vec3 p)
@@ -68,30 +68,37 @@ Paint belt(glm::vec3 p)
     return {g, Zone::belt};
 }
 
+// A fold's light: a bright ridge beside a dark furrow, from noise in [0, 1).
+float furrow(float noise)
+{
+    const float x = noise * 2 - 1;
+    return x * (1.25f - 0.5f * x * x) - 0.45f * spot(x + 0.30f, 0.22f);
+}
+
 // Light and dark of cloth that falls from the shoulders and is gathered at the belt.
 float folds(glm::vec3 p, glm::vec3 n)
 {
     const float a = around(p);
-    float g = 226;
+    float g = 222;
     if (p.y < belt_low) {
         const float down = (belt_low - p.y) / (belt_low - hem);
-        const float wander = 0.30f * (grain(a * 2, p.y * 5, 11) - 0.5f);
-        const float broad = grain((a + wander) * 4.6f / (0.75f + 0.4f * down), p.y * 1.6f, 12);
-        const float fine = grain((a + wander) * 13, p.y * 2.4f, 13);
-        g += (56 * (broad - 0.55f)) * soft_step(0, 0.3f, down) + 30 * (fine - 0.5f) * (1 - 0.5f * down);
-        g -= 62 * spot(p.y - belt_low, 0.030f);  // shadow of the belt
-        g -= 12 * soft_step(0.55f, 1.0f, down);
+        const float wander = 0.22f * (grain(a * 2, p.y * 5, 11) - 0.5f);
+        const float broad = grain((a + wander) * 5.2f / (0.8f + 0.3f * down), p.y * 1.3f, 12);
+        const float fine = grain((a + wander) * 15, p.y * 2.2f, 13);
+        g += 34 * furrow(broad) * soft_step(-0.05f, 0.35f, down) + 18 * furrow(fine) * (1 - 0.75f * down);
+        g -= 66 * spot(p.y - belt_low, 0.026f);  // shadow of the belt
         return g;
     }
     const float up = p.y - 1.05f;
-    const float pleat = grain(a * 12 + 0.6f * grain(a * 4, p.y * 9, 14), p.y * 5, 15);
-    g += 52 * (pleat - 0.5f) * soft_step(0.16f, 0.0f, up);                 // gathered above the belt
-    g -= 70 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up);  // underside of the overhang
+    const float pleat = grain(a * 11 + 0.5f * grain(a * 4, p.y * 9, 14), p.y * 4, 15);
+    g += 30 * furrow(pleat) * soft_step(0.19f, 0.01f, up);                 // gathered above the belt
+    g -= 74 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up);  // underside of the overhang
+    g -= 26 * spot(up, 0.022f);
     const float sag = std::fabs(p.x);
-    const float swing = p.y + (p.z > 0 ? -2.4f : -1.2f) * sag * sag + 0.010f * grain(p.x * 30, p.y * 10, 16);
-    const float hang = grain(swing * 17, 3.0f + sag * 2, 17);
-    g += 34 * (hang - 0.5f) * soft_step(0.03f, 0.12f, up) * soft_step(0.42f, 0.33f, up);
-    g -= 18 * spot(p.x, 0.05f) * spot(p.y - 1.26f, 0.12f) * (p.z > 0 ? 1.0f : 0.4f);
+    const float swing = p.y + (p.z > 0 ? -3.2f : -1.6f) * sag * sag + 0.016f * grain(p.x * 26, p.y * 9, 16);
+    const float hang = grain(swing * 15, 3.0f + sag * 3, 17);
+    g += 24 * furrow(hang) * soft_step(0.05f, 0.16f, up) * soft_step(0.42f, 0.33f, up);
+    g -= 16 * spot(p.x, 0.05f) * spot(p.y - 1.26f, 0.12f) * (p.z > 0 ? 1.0f : 0.4f);
     g += 10 * spot(sag - 0.085f, 0.06f) * spot(p.y - 1.31f, 0.07f);
     return g;
 }
@@ -100,7 +107,7 @@ float sleeve_folds(glm::vec3 p, float along)
 {
     const glm::vec3 from = glm::vec3(std::fabs(p.x), p.y, p.z) - skeleton().joint(Bone::upper_arm);
     const float round = glm::dot(from, arm_dorsal()) * 12 + p.z * 16;
-    const float g = 224 + 44 * (grain(round * 2.2f, along * 7, 18) - 0.5f);
+    const float g = 222 + 26 * furrow(grain(round * 2.2f, along * 7, 18));
     return g - 26 * spot(glm::dot(from, arm_dorsal()) + 0.08f, 0.04f);
 }
 
@@ -123,7 +130,7 @@ Paint paint_cloth(const Texel &t)
     const float neck = to_neckline(p);
     if (neck < 0.017f) return {g - 40 * spot(neck, 0.005f), Zone::border};
     if (p.y < hem + 0.040f) return {g - 36 * spot(p.y - hem - 0.040f, 0.004f), Zone::border};
-    if (on_stripe(p, t.normal)) return {g, Zone::border};
+    if (on_stripe(t)) return {g, Zone::border};
     return {g, Zone::tunic};
 }
 

@@ -13,8 +13,8 @@ namespace
 float hairline(glm::vec3 p)
 {
     static const glm::vec2 line[] = {{-0.085f, 1.556f}, {-0.060f, 1.562f}, {-0.036f, 1.580f}, {-0.030f, 1.636f},
-                                     {-0.012f, 1.655f}, {0.008f, 1.648f},  {0.010f, 1.604f},  {0.026f, 1.610f},
-                                     {0.033f, 1.655f},  {0.050f, 1.694f},  {0.070f, 1.706f},  {0.100f, 1.704f}};
+                                     {-0.012f, 1.655f}, {0.008f, 1.650f},  {0.012f, 1.622f},  {0.024f, 1.624f},
+                                     {0.034f, 1.662f},  {0.050f, 1.694f},  {0.070f, 1.706f},  {0.100f, 1.704f}};
     const float jag = grain(p.x * 160 + 40, p.z * 120, 1) - 0.5f;
     return profile(line, p.z) + jag * (p.z > 0.04f ? 0.010f : 0.006f);
 }
@@ -26,10 +26,10 @@ Paint hair(glm::vec3 p)
     const float round = dx / (std::fabs(dx) + std::fabs(dz) + 0.01f) + (dz < 0 ? 2 : 0);
     const float far = std::sqrt(dx * dx + dz * dz) + 0.9f * (1.76f - p.y);
     const float wave = 0.22f * (grain(far * 40, round * 3, 2) - 0.5f);
-    const float lock = grain((round + wave) * 11, far * 26, 3);
-    const float strand = grain((round + wave) * 46, far * 34, 4);
+    const float lock = grain((round + wave) * 9, far * 22, 3);
+    const float strand = grain((round + wave * 0.6f) * 64, far * 14, 4);
     const float edge = soft_step(0, 0.022f, p.y - hairline(p));
-    return {128 + 72 * lock + 50 * strand - 34 * (1 - edge) + 18 * soft_step(1.70f, 1.75f, p.y), Zone::hair};
+    return {112 + 74 * lock + 82 * strand - 34 * (1 - edge) + 18 * soft_step(1.70f, 1.75f, p.y), Zone::hair};
 }
 
 struct Eye {
@@ -45,14 +45,14 @@ Eye eye_at(glm::vec2 q)
     const float u = (q.x - eye_centre.x) / eye_half;
     const float arch = std::max(0.0f, 1 - u * u);
     const float tilt = 0.0010f * u;
-    const float upper = eye_centre.y + tilt + 0.0064f * std::sqrt(arch) * (1 - 0.12f * u);
+    const float upper = eye_centre.y + tilt + 0.0058f * std::sqrt(arch) * (1 - 0.12f * u);
     const float lower = eye_centre.y + tilt - 0.0044f * arch;
     return {std::fabs(u) < 1 ? std::min(upper - q.y, q.y - lower) : -1, upper, lower};
 }
 
 Paint eyeball(glm::vec2 q, const Eye &eye)
 {
-    const glm::vec2 d = q - (eye_centre + glm::vec2(-0.0004f, 0.0008f));
+    const glm::vec2 d = q - (eye_centre + glm::vec2(-0.0004f, 0.0006f));
     const float r = std::sqrt(d.x * d.x + d.y * d.y);
     float grey = 236 - 60 * spot(eye.upper - q.y, 0.0035f) - 40 * soft_step(0.008f, 0.014f, std::fabs(d.x));
     if (r < 0.0062f) grey = r < 0.0026f ? 22 : r < 0.0050f ? 104 + 30 * soft_step(0, -0.004f, d.y) : 58;
@@ -69,7 +69,7 @@ bool is_brow(glm::vec2 q)
 
 // Positive inside, in metres; upper and lower lip meet at the line of the mouth.
 constexpr float mouth_half = 0.0265f;
-float mouth_line(float x) { return 1.5634f + 0.0008f * x / mouth_half * x / mouth_half; }
+float mouth_line(float x) { return 1.5634f + 0.0016f * x / mouth_half * x / mouth_half; }
 
 bool is_lip(glm::vec2 q)
 {
@@ -91,14 +91,14 @@ float face_shade(glm::vec2 q, glm::vec3 n)
     g -= 26 * spot(q, {0.0320f, 1.6440f}, {0.022f, 0.0075f});                        // under the brow
     g -= 22 * spot(q, {0.0310f, 1.6235f}, {0.016f, 0.0070f});                        // under the eye
     g -= 20 * spot(q, {0.0135f, 1.606f}, {0.0070f, 0.022f});                         // side of the nose
-    g -= 22 * spot(q, {0.0560f, 1.572f}, {0.018f, 0.028f});                          // hollow of the cheek
+    g -= 14 * spot(q, {0.0560f, 1.572f}, {0.018f, 0.028f});                          // hollow of the cheek
     g -= 46 * spot(to_segment(q, {0.0185f, 1.5985f}, {0.0190f, 1.5885f}), 0.0032f);  // wing of the nose
-    g -= 30 * spot(to_segment(q, {0.0200f, 1.5900f}, {0.0320f, 1.5665f}), 0.0050f);  // fold to the mouth
+    g -= 20 * spot(to_segment(q, {0.0200f, 1.5900f}, {0.0320f, 1.5665f}), 0.0050f);  // fold to the mouth
     g -= 26 * spot(q, {0, 1.5785f}, {0.0036f, 0.0065f});                             // groove of the upper lip
     g -= 50 * spot(q, {0, 1.5800f}, {0.0150f, 0.0050f}) * soft_step(0.3f, -0.4f, n.y);
-    g -= 34 * spot(q, {0, 1.5490f}, {0.0180f, 0.0055f});                          // below the lower lip
-    g -= 24 * spot(q, {0.0285f, 1.5620f}, {0.0060f, 0.0070f});                    // corner of the mouth
-    g -= 12 * spot(q, {0.0f, 1.538f}, {0.06f, 0.040f});                           // shaven beard
+    g -= 24 * spot(q, {0, 1.5490f}, {0.0180f, 0.0055f});                          // below the lower lip
+    g -= 14 * spot(q, {0.0285f, 1.5620f}, {0.0060f, 0.0070f});                    // corner of the mouth
+    g -= 8 * spot(q, {0.0f, 1.538f}, {0.06f, 0.040f});                            // shaven beard
     g -= 14 * spot(to_segment(q, {0.0020f, 1.672f}, {0.036f, 1.675f}), 0.0022f);  // lines of the forehead
     g -= 20 * spot(to_segment(q, {0.0060f, 1.657f}, {0.0052f, 1.646f}), 0.0020f);
     return g;
@@ -139,11 +139,12 @@ Paint paint_head(const Texel &t)
         return {216 - 80 * hollow - 18 * rim, Zone::skin};
     }
     if (p.y > 1.54f && p.y > hairline(p)) return hair(p);
-    if (p.z > 0.045f && p.y > 1.515f) return face(p, t.normal);
-    float g = 220;
+    if (p.z > 0.030f && p.y > 1.512f) return face(p, t.normal);
+    float g =
+        226 - 8 * spot(glm::vec2(std::fabs(p.x), p.y), {0.0f, 1.538f}, {0.06f, 0.040f}) * soft_step(0, 0.03f, p.z);
     if (p.y < 1.53f) {  // neck: windpipe and the muscles beside it
         const float side = std::fabs(p.x);
-        g -= 26 * spot(to_segment({side, p.y}, {0.018f, 1.43f}, {0.055f, 1.53f}) - 0.008f, 0.010f);
+        g -= 16 * spot(to_segment({side, p.y}, {0.014f, 1.44f}, {0.052f, 1.53f}) - 0.010f, 0.014f);
         g += 10 * spot(glm::vec2(side, p.y), {0, 1.47f}, {0.012f, 0.016f});
     }
     // A breath of shadow where hair meets skin.

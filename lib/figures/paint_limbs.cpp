@@ -23,7 +23,7 @@ Paint arm(const Texel &t)
     g -= 22 * spot(glm::vec2(along, up), {0.300f, 0.01f}, {0.025f, 0.02f}) * soft_step(0, -0.03f, ahead);
     g -= 16 * spot(up + 0.2f * (along - 0.36f), 0.007f) * soft_step(0.32f, 0.40f, along);  // edge of the muscles
     g -= 14 * soft_step(-0.01f, -0.03f, up);
-    g -= 18 * spot(along - 0.535f, 0.006f) * soft_step(0.01f, -0.01f, up);  // crease of the wrist
+    g -= 10 * spot(along - 0.535f, 0.006f) * soft_step(0.01f, -0.01f, up);  // crease of the wrist
     return {g, Zone::skin};
 }
 
@@ -40,8 +40,8 @@ Paint leg(const Texel &t)
     }
     float g = 224;
     if (front) {
-        g -= 26 * spot(to_segment(glm::vec2(x, p.y), {-0.024f, 0.515f}, {-0.020f, 0.455f}), 0.010f);  // round the knee
-        g -= 26 * spot(to_segment(glm::vec2(x, p.y), {0.024f, 0.515f}, {0.020f, 0.455f}), 0.010f);
+        g -= 15 * spot(to_segment(glm::vec2(x, p.y), {-0.024f, 0.515f}, {-0.020f, 0.455f}), 0.014f);  // round the knee
+        g -= 15 * spot(to_segment(glm::vec2(x, p.y), {0.024f, 0.515f}, {0.020f, 0.455f}), 0.014f);
         g -= 24 * spot(glm::vec2(x, p.y), {0, 0.448f}, {0.018f, 0.008f});
         g += 16 * spot(glm::vec2(x, p.y), {0, 0.492f}, {0.020f, 0.026f});
         g += 12 * spot(x + 0.004f, 0.010f) * soft_step(0.44f, 0.38f, p.y);  // shin
@@ -62,36 +62,39 @@ Paint paint_limb(const Texel &t) { return t.chart == Chart::arm || t.chart == Ch
 Paint paint_hand(const Texel &t)
 {
     const glm::vec3 from = left_of(t) - skeleton().joint(Bone::hand);
-    const float along = glm::dot(from, arm_direction()), across = from.z;
+    const glm::vec2 at(glm::dot(from, arm_direction()), from.z);
     const bool back = t.chart == Chart::hand_back || t.chart == Chart::hand_back_r;
-    float g = back ? 226 : 216;
-    const bool finger = t.region == Region::fingers && along > 0.084f;
-    if (finger) {
-        const float narrow = 1 - 1.6f * (along - 0.09f);
-        const float ring = std::fabs(across + 0.0215f * narrow), middle = std::fabs(across + 0.0015f * narrow);
-        const float near = std::min(ring, middle);
-        g -= 96 * spot(near, 0.0042f) * soft_step(0.086f, 0.100f, along);
-        for (const float joint : {0.128f, 0.152f}) g -= (back ? 22.0f : 34.0f) * spot(along - joint, 0.0045f);
+    float g = back ? 226 : 214;
+    const auto nail = [&](glm::vec2 centre, glm::vec2 radii) {
+        const float d = spot(at, centre, radii);
+        if (back && d > 0.25f) g = 244;
+    };
+    if (t.region == Region::thumb) {
+        nail({0.097f, 0.067f}, {0.010f, 0.009f});
+        return {g - 20 * spot(at.x + 0.6f * at.y - 0.108f, 0.006f), Zone::skin};
+    }
+    if (t.region == Region::index) {
+        nail({0.164f, 0.030f}, {0.009f, 0.007f});
+        for (const float joint : {0.112f, 0.136f}) g -= 22 * spot(at.x - joint, 0.0045f);
+        return {g, Zone::skin};
+    }
+    if (at.x > 0.086f) {  // three fingers side by side
+        const float narrow = 1 - 1.6f * (at.x - 0.09f);
+        const float near = std::min(std::fabs(at.y + 0.0215f * narrow), std::fabs(at.y + 0.0015f * narrow));
+        g -= 78 * spot(near, 0.0045f) * soft_step(0.088f, 0.104f, at.x);
+        for (const float joint : {0.126f, 0.150f}) g -= 20 * spot(at.x - joint + 0.1f * at.y, 0.0050f);
+        nail({0.148f, -0.030f}, {0.008f, 0.007f});
+        nail({0.163f, -0.012f}, {0.009f, 0.007f});
+        nail({0.170f, 0.006f}, {0.009f, 0.007f});
     }
     if (back) {
         for (const float knuckle : {-0.032f, -0.012f, 0.009f, 0.031f}) {
-            g += 14 * spot(glm::vec2(along, across), {0.090f, knuckle}, {0.010f, 0.008f});
-            g -= 16 * spot(across - 0.5f * knuckle - knuckle * 5 * along, 0.0035f) * spot(along - 0.05f, 0.035f);
-        }
-        for (const glm::vec2 nail :
-             {glm::vec2(0.154f, -0.030f), {0.166f, -0.011f}, {0.172f, 0.008f}, {0.163f, 0.030f}}) {
-            const float d = spot(glm::vec2(along, across), nail, {0.0085f, 0.0065f});
-            if (d > 0.15f) g = d > 0.4f ? 250 : 190;
+            g += 14 * spot(at, {0.088f, knuckle}, {0.010f, 0.008f});
+            g -= 14 * spot(at.y - knuckle * (0.45f + 5 * at.x), 0.0040f) * spot(at.x - 0.055f, 0.030f);
         }
     } else {
-        g -= 36 * spot(to_segment(glm::vec2(along, across), {0.030f, -0.004f}, {0.075f, 0.034f}), 0.0035f);
-        g -= 32 * spot(to_segment(glm::vec2(along, across), {0.070f, -0.036f}, {0.082f, 0.020f}), 0.0035f);
-        g -= 26 * spot(to_segment(glm::vec2(along, across), {0.055f, -0.034f}, {0.068f, 0.030f}), 0.0030f);
-    }
-    if (t.region == Region::thumb) {
-        const glm::vec2 d = glm::vec2(along, across) - glm::vec2(0.094f, 0.067f);
-        if (back && d.x * d.x + d.y * d.y < 0.00006f) g = 248;
-        g -= 22 * spot(along + across - 0.135f, 0.005f);
+        g -= 30 * spot(to_segment(at, {0.030f, -0.004f}, {0.072f, 0.030f}), 0.0040f);
+        g -= 26 * spot(to_segment(at, {0.068f, -0.036f}, {0.080f, 0.020f}), 0.0040f);
     }
     return {g, Zone::skin};
 }
@@ -103,12 +106,11 @@ Paint paint_foot(const Texel &t)
     const float x = p.x - 0.092f - 0.10f * p.z, z = p.z;
     if (p.y < 0.0155f)
         return {178 - 40 * spot(p.y - 0.0155f, 0.003f) + 20 * grain(x * 200, z * 200, 41), Zone::sandals};
-    const bool heel = z < -0.044f && p.y < 0.060f;
-    const bool across_toes = std::fabs(z - 0.112f - 0.25f * x) < 0.010f;
-    const bool across_instep = std::fabs(z - 0.052f) < 0.009f;
-    const bool side = std::fabs(z - 0.010f + 0.9f * (p.y - 0.05f)) < 0.008f;
-    const bool tie = std::fabs(x + 0.004f + 0.06f * (z - 0.05f)) < 0.0065f && z < 0.150f && z > 0.02f;
-    if (heel || across_toes || across_instep || side || tie)
+    const bool heel = z < -0.040f && p.y < 0.050f;
+    const bool across_toes = std::fabs(z - 0.112f - 0.25f * x) < 0.012f;
+    const bool across_instep = std::fabs(z - 0.050f) < 0.011f;
+    const bool tie = std::fabs(x + 0.004f + 0.06f * (z - 0.05f)) < 0.0080f && z < 0.150f && z > 0.02f;
+    if (heel || across_toes || across_instep || tie)
         return {208 + 26 * grain(x * 300, z * 300, 42) - (tie ? 0 : 14), Zone::sandals};
     float g = 222;
     if (z > 0.118f) {  // toes

@@ -37,13 +37,14 @@ glm::quat lean(glm::vec3 to)
 void stand_on(Pose &pose, Side side, const Footing &f)
 {
     const glm::vec3 rest_ankle = flip(skeleton().joint(Bone::foot), side);
-    const glm::vec3 ball = flip(glm::vec3(0.098f, 0.0f, 0.118f), side), heel = flip(heel_point, side);
+    // Heels are raised about the joint of the toes, so that the toes stay exactly where they are.
+    const glm::vec3 ball = flip(skeleton().joint(Bone::toes), side), heel = flip(heel_point, side);
     const glm::vec3 pivot = f.heel_up_deg > 0 ? ball : heel;
     const glm::quat outwards = yaw(side == Side::left ? f.yaw_deg : -f.yaw_deg);
     const glm::quat foot = outwards * pitch(f.heel_up_deg);
     const glm::vec3 centre = rest_ankle * glm::vec3(1, 0, 1);
     const glm::vec3 ankle = centre + outwards * (pivot - centre + pitch(f.heel_up_deg) * (rest_ankle - pivot)) +
-                            glm::vec3(f.place.x, f.lift, f.place.y);
+                            flip(glm::vec3(f.outwards, f.lift, f.ahead), side);
     const glm::vec3 knee = outwards * glm::vec3(side == Side::left ? 0.10f : -0.10f, 0, 1);
     pose.reach(on(side, Bone::thigh), on(side, Bone::shin), on(side, Bone::foot), ankle, knee, glm::vec3(0, 0, 1));
     pose.set_world(on(side, Bone::foot), foot);

@@ -9,11 +9,11 @@ namespace claque::figures
 
 // A foot by its sole: where it would stand flat, and how it rolls from there.
 struct Footing {
-    glm::vec2 place = glm::vec2(0);  // shift from the rest pose in x and z, flat on the ground
-    float heel_up_deg = 0;           // raised about the ball; negative: toes raised about the heel
-    float toes_flat = 1;             // 1: the toes stay level while the heel rises, 0: they follow the foot
-    float lift = 0;                  // of the whole foot
-    float yaw_deg = 0;               // toes outwards, beyond the rest pose
+    float outwards = 0, ahead = 0;  // shift from the rest pose, flat on the ground
+    float heel_up_deg = 0;          // raised about the ball; negative: toes raised about the heel
+    float toes_flat = 1;            // 1: the toes stay level while the heel rises, 0: they follow the foot
+    float lift = 0;                 // of the whole foot
+    float yaw_deg = 0;              // toes outwards, beyond the rest pose
 };
 
 // Turns thigh, shin, foot and toes so that the foot is there; the pelvis has to be placed before.

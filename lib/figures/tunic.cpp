@@ -1,6 +1,6 @@
 // A knee-length tunic: rows of fourteen columns from the hem over the belt and the cloth that is drawn over it up to
 // the armpits, a yoke over the shoulders with a wide neck, and sleeves sewn to its armholes.
-#include <cmath>
+#include <map>
 
 #include "lib/figures/parts.h"
 #include "lib/figures/skeleton.h"
@@ -28,18 +28,17 @@ const std::array<float, columns> folds = {
     {-0.9f, 1.0f, -0.6f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.9f, 0.8f, -0.9f, 1.0f, -0.7f, 0.8f}};
 
 struct Row {
-    float y, side, front, back, ahead, fold;
+    float y, side, front, back, ahead, fold, dip;
 };
 
-const std::array<Row, 8> rows = {{
-    {0.508f, 0.232f, 0.182f, 0.192f, 0.000f, 0.024f},  // hem
-    {0.690f, 0.212f, 0.162f, 0.178f, 0.000f, 0.016f},
-    {0.870f, 0.186f, 0.138f, 0.158f, 0.000f, 0.007f},  // hips
-    {1.012f, 0.160f, 0.114f, 0.116f, 0.000f, 0.002f},  // lower edge of the belt
-    {1.056f, 0.158f, 0.114f, 0.112f, 0.000f, 0.000f},  // upper edge, behind the overhang
-    {1.050f, 0.181f, 0.142f, 0.130f, 0.000f, 0.006f},  // overhang
-    {1.130f, 0.184f, 0.142f, 0.136f, -0.002f, 0.005f},
-    {1.270f, 0.178f, 0.132f, 0.132f, -0.008f, 0.003f},
+const std::array<Row, 7> rows = {{
+    {0.510f, 0.230f, 0.180f, 0.192f, 0.000f, 0.034f, 0.005f},  // hem
+    {0.690f, 0.211f, 0.160f, 0.178f, 0.000f, 0.022f, 0.000f},
+    {0.870f, 0.186f, 0.138f, 0.158f, 0.000f, 0.009f, 0.000f},  // hips
+    {1.012f, 0.158f, 0.114f, 0.116f, 0.000f, 0.002f, 0.000f},  // lower edge of the belt
+    {1.060f, 0.156f, 0.114f, 0.112f, 0.000f, 0.000f, 0.000f},  // upper edge, behind the overhang
+    {1.054f, 0.170f, 0.140f, 0.132f, 0.000f, 0.012f, 0.010f},  // overhang
+    {1.200f, 0.169f, 0.138f, 0.138f, -0.005f, 0.008f, 0.000f},
 }};
 
 // Armpit row and the row above it, columns 0 to 7 on the left; then the seam on the shoulder from neck to arm.
@@ -60,7 +59,7 @@ const std::array<glm::vec3, 8> upper = {{{0, 1.424f, 0.086f},
                                          {0.052f, 1.458f, -0.098f},
                                          {0, 1.462f, -0.104f}}};
 const std::array<glm::vec3, 3> shoulder_seam = {
-    {{0.080f, 1.482f, -0.020f}, {0.130f, 1.472f, -0.022f}, {0.184f, 1.462f, -0.016f}}};
+    {{0.086f, 1.472f, -0.022f}, {0.134f, 1.464f, -0.022f}, {0.184f, 1.456f, -0.016f}}};
 
 struct SleeveRow {
     float along;
@@ -79,7 +78,8 @@ Ring add_row(Mesh &mesh, const Row &row)
         const size_t half = static_cast<size_t>(k <= 7 ? k : columns - k);
         const glm::vec2 d = directions[half];
         const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
-        const glm::vec3 p(d.x * row.side * fold, row.y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
+        const float y = row.y + row.dip * folds[static_cast<size_t>((k + 3) % columns)];
+        const glm::vec3 p(d.x * row.side * fold, y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
         ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? Region::skirt : Region::torso, side);
     }
     return ring;
@@ -104,6 +104,19 @@ Chain span(const Ring &ring, int first, int count, float t)
     return chain;
 }
 
+// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+Chain doubled(Mesh &mesh, Chain chain)
+{
+    std::map<uint32_t, uint32_t> twins;
+    for (Corner &corner : chain) {
+        const Point point = mesh.points[corner.point];
+        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
+        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
+        corner.point = at->second;
+    }
+    return chain;
+}
+
 void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 5> &armhole)
 {
     const std::array<float, 6> places = {0, 0.26f, 0.5f, 0.66f, 0.86f, 1};
@@ -118,7 +131,7 @@ void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 5> &armhole)
         before = next;
     }
     const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.13f, side), Region::sleeve, side);
-    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), before, {inside, glm::vec2(-1, 0)});
+    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
 }
 
 }  // namespace
@@ -142,7 +155,8 @@ void add_tunic(Mesh &mesh)
                  span(rings[r + 1], 4, 7, heights[r + 1]), Along::s);
     }
     const uint32_t inside = mesh.add(glm::vec3(0, 0.78f, 0), Region::skirt);
-    mesh.fan(Chart::tunic_inside, Winding::reversed, span(rings[0], 0, columns + 1, 0), {inside, glm::vec2(-1, 1)});
+    mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
+             {inside, glm::vec2(-1, 1)});
 
     const Ring high = add_row(mesh, upper);
     const Ring &low = rings.back();

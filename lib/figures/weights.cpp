@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
+#include <tuple>
 
 namespace claque::figures
 {
@@ -113,7 +115,7 @@ void head(Dense &w, glm::vec3 p)
 {
     // The throat goes with the head later than the nape.
     const float y = p.y + 0.25f * p.z;
-    chain(w, 1, {{Bone::chest, step(1.40f, 1.475f, y)}, {Bone::neck, step(1.485f, 1.555f, y)}, {Bone::head, 0}});
+    chain(w, 1, {{Bone::chest, step(1.445f, 1.500f, y)}, {Bone::neck, step(1.485f, 1.555f, y)}, {Bone::head, 0}});
 }
 
 Dense weights_of(const Point &point)
@@ -138,6 +140,7 @@ Dense weights_of(const Point &point)
         case Region::palm:
             arm(w, p, point.side);
             break;
+        case Region::index:
         case Region::fingers:
             fingers(w, p, point.side);
             break;
@@ -158,10 +161,17 @@ bool smoothed(Region region) { return region == Region::torso || region == Regio
 
 void smooth(const Mesh &mesh, std::vector<Dense> &dense)
 {
+    // Points that share a place are one here, or the surface would tear between them.
+    std::map<std::tuple<float, float, float>, uint32_t> places;
+    std::vector<uint32_t> welded;
+    for (uint32_t i = 0; i < mesh.points.size(); ++i) {
+        const glm::vec3 p = mesh.points[i].position;
+        welded.push_back(places.try_emplace({p.x, p.y, p.z}, i).first->second);
+    }
     std::vector<std::vector<uint32_t>> neighbours(mesh.points.size());
     for (const Face &f : mesh.faces)
         for (size_t k = 0; k < 3; ++k) {
-            const uint32_t a = f.corners[k].point, b = f.corners[(k + 1) % 3].point;
+            const uint32_t a = welded[f.corners[k].point], b = welded[f.corners[(k + 1) % 3].point];
             neighbours[a].push_back(b);
             neighbours[b].push_back(a);
         }
@@ -175,6 +185,7 @@ void smooth(const Mesh &mesh, std::vector<Dense> &dense)
             dense[i][b] = kept * before[i][b] + (1 - kept) * sum / static_cast<float>(neighbours[i].size());
         }
     }
+    for (size_t i = 0; i < dense.size(); ++i) dense[i] = dense[welded[i]];
 }
 
 Binding strongest(const Dense &w)
