@@ -28,13 +28,6 @@ Component component_of(const View &view)
     return Component::unknown;
 }
 
-// Columns of matrices start at multiples of 4 bytes.
-uint64_t column_bytes(const Accessor &a)
-{
-    const uint64_t raw = uint64_t(bytes_of(a.component)) * (a.width / a.columns);
-    return a.columns == 1 ? raw : (raw + 3) / 4 * 4;
-}
-
 }  // namespace
 
 uint32_t bytes_of(Component component)
@@ -62,22 +55,30 @@ Accessors::Accessors(const View &document, const Buffers &buffers, Budget &budge
     for (size_t i = 0; i < list.count(); ++i) parse(list.at(i));
 }
 
-void Accessors::check_range(const Accessor &a, uint32_t view_index, uint64_t offset, uint64_t count, uint64_t element,
-                            uint64_t align, const char *what) const
+Accessors::Row Accessors::row_of(const Accessor &a, uint64_t count)
+{
+    const uint64_t unit = bytes_of(a.component), column = unit * (a.width / a.columns);
+    if (a.columns == 1) return {count, column, column, unit};
+    const uint64_t padded = (column + 3) / 4 * 4;
+    return {count, padded * (a.columns - 1) + column, padded * a.columns, unit};
+}
+
+void Accessors::check_range(const Accessor &a, uint32_t view_index, uint64_t offset, const Row &row,
+                            const char *what) const
 {
     const BufferView &view = buffers_.view(view_index);
-    const uint64_t stride = view.stride ? view.stride : element;
-    if (stride < element)
-        fail(CLQ_FORMAT, "%s %s: elements of %llu bytes stand %llu apart", a.path.c_str(), what, big(element),
+    const uint64_t stride = view.stride ? view.stride : row.stride;
+    if (stride < row.bytes)
+        fail(CLQ_FORMAT, "%s %s: elements of %llu bytes stand %llu apart", a.path.c_str(), what, big(row.bytes),
              big(stride));
     // offset < 2^48, count < 2^32, stride < 2^8: no overflow.
-    const uint64_t end = offset + stride * (count - 1) + element;
+    const uint64_t end = offset + stride * (row.count - 1) + row.bytes;
     if (end > view.length)
         fail(CLQ_FORMAT, "%s %s: ends at byte %llu of buffer view %u, which has %llu", a.path.c_str(), what, big(end),
              view_index, big(view.length));
-    if (offset % align != 0 || (offset + view.offset) % align != 0)
+    if (offset % row.unit != 0 || (offset + view.offset) % row.unit != 0)
         fail(CLQ_FORMAT, "%s %s: starts at byte %llu of a view at byte %llu: no multiple of %llu", a.path.c_str(), what,
-             big(offset), big(view.offset), big(align));
+             big(offset), big(view.offset), big(row.unit));
 }
 
 void Accessors::parse(const View &view)
@@ -95,13 +96,13 @@ void Accessors::parse(const View &view)
     out.view = view["bufferView"].index_or_none(buffers_.view_count(), "buffer view");
     out.offset = view["byteOffset"].integer_or(0, 0, most_bytes);
     const bool known = out.width != 0 && out.component != Component::unknown;
-    const uint64_t align = out.columns > 1 ? 4 : bytes_of(out.component);
-    if (known && out.view != 0xffffffffu)
-        check_range(out, out.view, out.offset, out.count, column_bytes(out) * out.columns, align, "values");
+    if (out.columns > 1 && out.offset % 4 != 0)
+        fail(CLQ_FORMAT, "%s: matrices start at byte %llu: no multiple of 4", out.path.c_str(), big(out.offset));
+    if (known && out.view != 0xffffffffu) check_range(out, out.view, out.offset, row_of(out, out.count), "values");
     if (view["sparse"].exists()) parse_sparse(view["sparse"], out);
     if (known && out.sparse.count)
-        check_range(out, out.sparse.value_view, out.sparse.value_offset, out.sparse.count,
-                    column_bytes(out) * out.columns, align, "sparse values");
+        check_range(out, out.sparse.value_view, out.sparse.value_offset, row_of(out, out.sparse.count),
+                    "sparse values");
     accessors_.push_back(std::move(out));
 }
 
@@ -120,7 +121,16 @@ void Accessors::parse_sparse(const View &view, Accessor &out) const
         fail(CLQ_FORMAT, "%s.indices.componentType is none of 5121, 5123 and 5125", view.path().c_str());
     if (buffers_.view(sparse.index_view).stride || buffers_.view(sparse.value_view).stride)
         fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", view.path().c_str());
-    check_range(out, sparse.index_view, sparse.index_offset, sparse.count, bytes_of(t), bytes_of(t), "sparse indices");
+    const uint64_t unit = bytes_of(t);
+    check_range(out, sparse.index_view, sparse.index_offset, {sparse.count, unit, unit, unit}, "sparse indices");
+}
+
+bool Accessors::has_data(uint32_t index) const
+{
+    const Accessor &a = accessors_[index];
+    const auto there = [&](uint32_t view) { return buffers_.has_data(view); };
+    return (a.view == 0xffffffffu || there(a.view)) &&
+           (a.sparse.count == 0 || (there(a.sparse.index_view) && there(a.sparse.value_view)));
 }
 
 const Accessor &Accessors::wanted(uint32_t index, uint32_t width, const std::string &who) const

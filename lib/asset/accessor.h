@@ -38,6 +38,9 @@ public:
     size_t count() const { return accessors_.size(); }
     const Accessor &at(uint32_t index) const { return accessors_[index]; }
 
+    // Whether all that it reads came with the file: a buffer may be a stand-in without bytes.
+    bool has_data(uint32_t index) const;
+
     // An index of an accessor in the file, refused where out of range.
     uint32_t reference(const View &view) const { return view.index(accessors_.size(), "accessor"); }
 
@@ -51,8 +54,12 @@ public:
 private:
     void parse(const View &accessor);
     void parse_sparse(const View &sparse, Accessor &out) const;
-    void check_range(const Accessor &accessor, uint32_t view, uint64_t offset, uint64_t count, uint64_t element,
-                     uint64_t align, const char *what) const;
+    // How elements lie: the last one ends after `bytes`, though columns of matrices before it are padded.
+    struct Row {
+        uint64_t count, bytes, stride, unit;
+    };
+    static Row row_of(const Accessor &accessor, uint64_t count);
+    void check_range(const Accessor &accessor, uint32_t view, uint64_t offset, const Row &row, const char *what) const;
     const Accessor &wanted(uint32_t index, uint32_t width, const std::string &who) const;
     template <class Out, class Read>
     std::vector<Out> decode(const Accessor &accessor, const std::string &who, const Read &read) const;

@@ -32,6 +32,8 @@ public:
     size_t view_count() const { return views_.size(); }
     const BufferView &view(uint32_t index) const { return views_[index]; }
 
+    bool has_data(uint32_t view) const { return buffers_[views_[view].buffer].bytes.data != nullptr; }
+
     // The bytes of a view. Refused where its buffer came without data; `who` wants them.
     Bytes bytes(uint32_t view, const std::string &who) const;
 

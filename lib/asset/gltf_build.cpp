@@ -23,7 +23,8 @@ public:
           tree_(read_nodes(file)),
           skins_(read_skins(file, tree_)),
           materials_(file),
-          meshes_(read_meshes(file, materials_)),
+          shown_(tree_.shown()),
+          meshes_(read_meshes(file, materials_, shown_meshes())),
           palette_(model.rig)
     {
         places_.node.assign(tree_.nodes.size(), none);
@@ -33,7 +34,6 @@ public:
     void run()
     {
         check_weights();
-        shown_ = tree_.shown();
         add_nodes(shown_);
         add_joint_trees();
         hide();
@@ -50,6 +50,14 @@ public:
     }
 
 private:
+    std::vector<bool> shown_meshes() const
+    {
+        std::vector<bool> out(file_.root["meshes"].count(), false);
+        for (const uint32_t node : shown_)
+            if (tree_.nodes[node].mesh != none) out[tree_.nodes[node].mesh] = true;
+        return out;
+    }
+
     void check_weights() const
     {
         for (size_t i = 0; i < tree_.nodes.size(); ++i) {
@@ -175,10 +183,10 @@ private:
     const NodeTree tree_;
     const std::vector<Skin> skins_;
     Materials materials_;
+    const std::vector<uint32_t> shown_;  // nodes, depth first
     const std::vector<Mesh> meshes_;
     Palette palette_;
     RigPlaces places_;
-    std::vector<uint32_t> shown_;
     std::vector<bool> hidden_;
 };
 

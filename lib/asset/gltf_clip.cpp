@@ -30,7 +30,7 @@ public:
         animation.object();
         const View channels = animation["channels"], samplers = animation["samplers"];
         for (const View *list : {&channels, &samplers})
-            if (list->count() == 0) fail(CLQ_FORMAT, "%s is missing or empty", list->path().c_str());
+            if (!list->exists()) fail(CLQ_FORMAT, "%s is missing", list->path().c_str());
         model::Clip clip;
         clip.first_channel = static_cast<uint32_t>(rig_.channels.size());
         std::set<std::pair<uint32_t, Path>> taken;
@@ -123,50 +123,81 @@ private:
         return targets_[node];
     }
 
+    // Key times as the rig holds them. Two keys at one time are legal nowhere but found; the first of them counts.
+    struct Times {
+        uint32_t first = 0;
+        std::vector<uint32_t> kept;  // which keys count; empty: all
+    };
+
     void read_keys(const Sampler &sampler, Channel &channel)
     {
+        const uint32_t listed = file_.accessors.at(sampler.input).count;
         channel.interpolation = sampler.interpolation;
-        channel.first_time = times_at(sampler, channel.key_count);
-        const bool cubic = channel.interpolation == Interpolation::cubic_spline;
-        if (cubic && channel.key_count < 2)
+        if (channel.interpolation == Interpolation::cubic_spline && listed < 2)
             fail(CLQ_FORMAT, "%s: a cubic spline has 2 keys at least", sampler.view.path().c_str());
-        channel.first_value = values_at(sampler, channel);
+        const Times &times = times_of(sampler);
+        channel.first_time = times.first;
+        channel.key_count = times.kept.empty() ? listed : static_cast<uint32_t>(times.kept.size());
+        channel.first_value = values_of(sampler, channel, listed, times.kept);
     }
 
     // Samplers of one file mostly share their times, and all channels of a sampler its values: each is kept once.
-    uint32_t times_at(const Sampler &sampler, uint32_t &key_count)
+    const Times &times_of(const Sampler &sampler)
     {
-        const Accessor &accessor = file_.accessors.at(sampler.input);
-        key_count = accessor.count;
-        const auto [place, is_new] = times_.emplace(sampler.input, static_cast<uint32_t>(rig_.times.size()));
+        const auto [place, is_new] = times_.emplace(sampler.input, Times());
         if (!is_new) return place->second;
         const std::string who = sampler.view["input"].path();
-        if (accessor.component != Component::f32) fail(CLQ_FORMAT, "%s: key times are not floats", who.c_str());
-        const std::vector<float> times = file_.accessors.floats(sampler.input, 1, who);
-        for (size_t i = 0; i < times.size(); ++i)
-            if (times[i] < 0 || (i > 0 && times[i] <= times[i - 1]))
+        if (file_.accessors.at(sampler.input).component != Component::f32)
+            fail(CLQ_FORMAT, "%s: key times are not floats", who.c_str());
+        const std::vector<float> listed = file_.accessors.floats(sampler.input, 1, who);
+        std::vector<float> times;
+        std::vector<uint32_t> kept;
+        for (size_t i = 0; i < listed.size(); ++i) {
+            if (listed[i] < 0 || (i > 0 && listed[i] < listed[i - 1]))
                 fail(CLQ_FORMAT, "%s: key time number %zu is %g: times start at 0 or later and ascend", who.c_str(), i,
-                     static_cast<double>(times[i]));
+                     static_cast<double>(listed[i]));
+            if (i > 0 && listed[i] == listed[i - 1]) continue;
+            times.push_back(listed[i]);
+            kept.push_back(static_cast<uint32_t>(i));
+        }
+        place->second.first = static_cast<uint32_t>(rig_.times.size());
+        if (kept.size() < listed.size()) {
+            file_.warn(base::text_of("%s: %zu keys have the time of the one before: left out", who.c_str(),
+                                     listed.size() - kept.size()));
+            place->second.kept = std::move(kept);
+        }
         grow(rig_.times, times, who);
         return place->second;
     }
 
-    uint32_t values_at(const Sampler &sampler, const Channel &channel)
+    uint32_t values_of(const Sampler &sampler, const Channel &channel, uint32_t listed,
+                       const std::vector<uint32_t> &kept)
     {
-        const auto key = std::make_tuple(sampler.output, channel.path, channel.interpolation, channel.component_count);
         const std::string who = sampler.view["output"].path();
         const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
         const bool morphs = channel.path == Path::morph_weights;
-        const uint64_t wanted = groups * channel.key_count * (morphs ? channel.component_count : 1);
+        const uint64_t wanted = groups * listed * (morphs ? channel.component_count : 1);
         if (file_.accessors.at(sampler.output).count != wanted)
             fail(CLQ_FORMAT, "%s has %u elements instead of %llu for %u keys", who.c_str(),
-                 file_.accessors.at(sampler.output).count, static_cast<unsigned long long>(wanted), channel.key_count);
+                 file_.accessors.at(sampler.output).count, static_cast<unsigned long long>(wanted), listed);
+        const auto key = std::make_tuple(sampler.output, kept.empty() ? none : sampler.input, channel.path,
+                                         channel.interpolation, channel.component_count);
         const auto [place, is_new] = values_.emplace(key, static_cast<uint32_t>(rig_.values.size()));
         if (!is_new) return place->second;
         std::vector<float> values = file_.accessors.floats(sampler.output, morphs ? 1 : channel.component_count, who);
         if (channel.path == Path::rotation) make_unit(values, groups == 3, who);
+        if (!kept.empty()) values = picked(values, kept, groups * channel.component_count);
         grow(rig_.values, values, who);
         return place->second;
+    }
+
+    static std::vector<float> picked(const std::vector<float> &values, const std::vector<uint32_t> &keys, size_t width)
+    {
+        std::vector<float> out;
+        out.reserve(keys.size() * width);
+        for (const uint32_t key : keys)
+            out.insert(out.end(), values.begin() + key * width, values.begin() + (key + 1) * width);
+        return out;
     }
 
     // Tangents of splines are no rotations and stay as they are.
@@ -196,8 +227,8 @@ private:
     const TargetCounts &targets_;
     const RigPlaces &places_;
     model::Rig &rig_;
-    std::map<uint32_t, uint32_t> times_;
-    std::map<std::tuple<uint32_t, Path, Interpolation, uint16_t>, uint32_t> values_;
+    std::map<uint32_t, Times> times_;  // by accessor
+    std::map<std::tuple<uint32_t, uint32_t, Path, Interpolation, uint16_t>, uint32_t> values_;
 };
 
 }  // namespace

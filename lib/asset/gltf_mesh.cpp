@@ -27,6 +27,22 @@ public:
     {
     }
 
+    // Whether everything that it names is there to be read.
+    bool has_data() const
+    {
+        const auto there = [&](const View &view) {
+            return !view.exists() || file_.accessors.has_data(file_.accessors.reference(view));
+        };
+        const auto all_there = [&](const View &attributes) {
+            for (const auto &member : attributes.object().items())
+                if (!there(attributes[member.key().c_str()])) return false;
+            return true;
+        };
+        bool good = there(view_["indices"]) && all_there(attributes_);
+        for (size_t i = 0; i < view_["targets"].count(); ++i) good = all_there(view_["targets"].at(i)) && good;
+        return good;
+    }
+
     // Whether there is something to show: primitives without positions are legal and empty.
     bool read(Primitive &out)
     {
@@ -157,7 +173,7 @@ void read_weights(const View &view, Mesh &mesh)
     weights.numbers(mesh.morph_weights.data(), mesh.target_count);
 }
 
-Mesh read_mesh(const View &view, File &file, Materials &materials)
+Mesh read_mesh(const View &view, File &file, Materials &materials, bool shown)
 {
     Mesh mesh;
     view.object();
@@ -173,7 +189,9 @@ Mesh read_mesh(const View &view, File &file, Materials &materials)
         if (targets > 0xffff) fail(CLQ_LIMIT, "%s has %zu morph targets", primitive_view.path().c_str(), targets);
         mesh.target_count = static_cast<uint32_t>(targets);
         Primitive primitive;
-        if (!PrimitiveReader(file, materials, primitive_view).read(primitive)) continue;
+        PrimitiveReader reader(file, materials, primitive_view);
+        if (!shown && !reader.has_data()) continue;
+        if (!reader.read(primitive)) continue;
         file.budget.take(bytes_of(primitive.part), primitive_view.path().c_str());
         mesh.primitives.push_back(std::move(primitive));
     }
@@ -192,12 +210,12 @@ uint64_t bytes_of(const Part &part)
     return sizeof(Part) + part.morphs.size() * sizeof(model::MorphTarget) + 4 * floats;
 }
 
-std::vector<Mesh> read_meshes(File &file, Materials &materials)
+std::vector<Mesh> read_meshes(File &file, Materials &materials, const std::vector<bool> &shown)
 {
     const View list = file.root["meshes"];
     std::vector<Mesh> meshes;
     meshes.reserve(list.count());
-    for (size_t i = 0; i < list.count(); ++i) meshes.push_back(read_mesh(list.at(i), file, materials));
+    for (size_t i = 0; i < list.count(); ++i) meshes.push_back(read_mesh(list.at(i), file, materials, shown[i]));
     return meshes;
 }
 

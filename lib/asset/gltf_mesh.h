@@ -19,8 +19,8 @@ struct Mesh {
     std::vector<float> morph_weights;  // target_count of them
 };
 
-// All meshes of the file, used or not, and so all of them checked.
-std::vector<Mesh> read_meshes(File &file, Materials &materials);
+// All meshes of the file, shown or not, and so all of them checked; those that are not shown may lack their data.
+std::vector<Mesh> read_meshes(File &file, Materials &materials, const std::vector<bool> &shown);
 
 // What a part's arrays take.
 uint64_t bytes_of(const model::Part &part);

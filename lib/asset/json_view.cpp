@@ -79,7 +79,7 @@ uint64_t View::integer(uint64_t first, uint64_t last) const
     const double x = number();
     if (x != std::floor(x)) fail(CLQ_FORMAT, "%s is %g instead of a whole number", path_.c_str(), x);
     if (!(x >= static_cast<double>(first) && x <= static_cast<double>(last)))
-        fail(CLQ_FORMAT, "%s is %.0f: it must be from %llu to %llu", path_.c_str(), x,
+        fail(CLQ_FORMAT, "%s is %.17g: it must be from %llu to %llu", path_.c_str(), x,
              static_cast<unsigned long long>(first), static_cast<unsigned long long>(last));
     return static_cast<uint64_t>(x);
 }
