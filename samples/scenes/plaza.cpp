@@ -14,8 +14,8 @@ namespace scenes
 namespace
 {
 
-// What the built-in citizen's walk clip covers at speed 1 and scale 1, so that feet do not slide.
-constexpr double citizen_walk_m_per_s = 1.30;
+// What the built-in citizen covers in one cycle of its walk clip at scale 1, so that feet do not slide.
+constexpr double citizen_stride_m = 1.24;
 constexpr float citizen_height_m = 1.75f, citizen_shadow_width_m = 0.95f;
 
 class Plaza final : public Scene
@@ -23,8 +23,9 @@ class Plaza final : public Scene
 public:
     Plaza(Library &library, const Casting &casting)
         : seed_(casting.seed),
-          layout_(lay_out_plaza(casting.count, casting.seed, citizen_walk_m_per_s)),
           citizen_(builtin(library)),
+          walk_speed_(walk_speed(citizen_.get())),
+          layout_(lay_out_plaza(casting.count, casting.seed, walk_speed_)),
           cast_(library, casting),
           sky_(casting.seed, Sky::Land::hills)
     {
@@ -87,6 +88,13 @@ private:
         return Own<clq_template>(made);
     }
 
+    static double walk_speed(const clq_template *citizen)
+    {
+        clq_clip_info walk = {};
+        check(clq_template_get_clip(citizen, clq_template_find_clip(citizen, "walk"), &walk));
+        return citizen_stride_m / static_cast<double>(walk.duration_s);
+    }
+
     float size_of(size_t who) const { return static_cast<float>(lot_between(seed_, who, Lot::size, 0.94, 1.06)); }
 
     clq_play play(const char *clip, double speed, size_t who) const
@@ -121,7 +129,7 @@ private:
         const size_t who = cast_.places().size();
         const float size = size_of(who);
         // All in a lane go at one pace; short people take more steps for it.
-        const double speed = std::abs(layout_.lanes[w.lane].speed) / (citizen_walk_m_per_s * size);
+        const double speed = std::abs(layout_.lanes[w.lane].speed) / (walk_speed_ * size);
         cast_.enter({citizen_.get(), walked(w, 0, size), play("walk", speed, who)});
     }
 
@@ -144,8 +152,9 @@ private:
     }
 
     uint64_t seed_;
-    PlazaLayout layout_;
     Own<clq_template> citizen_;
+    double walk_speed_;  // metres a second of the walk clip at speed and scale 1
+    PlazaLayout layout_;
     Cast cast_;
     bool placed_ = false;
     Daylight light_;

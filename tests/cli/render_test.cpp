@@ -1,0 +1,147 @@
+// render and bench: pictures that are the same however they are made, files that are whole or not there.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using Render = Drawing;
+using Json = nlohmann::json;
+
+TEST_F(Render, a_picture_is_a_png_of_the_size_that_was_asked_for)
+{
+    render({"--out", path("a.png")});
+    const std::string png = file_text(path("a.png"));
+    ASSERT_GT(png.size(), 500u);
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    EXPECT_EQ(static_cast<unsigned char>(png[19]), 96);
+    EXPECT_EQ(static_cast<unsigned char>(png[23]), 72);
+    EXPECT_NE(png.find("Mesa"), std::string::npos) << "the picture says which context it was made with";
+    EXPECT_EQ(left(), (std::vector<std::string>{"a.png"}));
+}
+
+TEST_F(Render, the_same_frame_alone_and_in_a_sequence_has_the_same_bytes)
+{
+    render({"--frames", "0:6", "--stride", "3", "--out", path("s-%05d.png")});
+    EXPECT_EQ(left(), (std::vector<std::string>{"s-00000.png", "s-00003.png", "s-00006.png"}));
+    render({"--time", "0.24", "--out", path("alone.png")});
+    EXPECT_EQ(file_text(path("alone.png")), file_text(path("s-00006.png")));
+    EXPECT_NE(file_text(path("s-00000.png")), file_text(path("s-00006.png")));
+}
+
+TEST_F(Render, a_sequence_skips_what_is_finished_and_mends_what_is_not)
+{
+    render({"--frames", "0:2", "--out", path("s-%05d.png")});
+    const std::string first = file_text(path("s-00000.png")), last = file_text(path("s-00002.png"));
+    // A frame that is whole stays although it is another picture; one that was cut is drawn again.
+    std::filesystem::copy_file(path("s-00002.png"), path("s-00000.png"),
+                               std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(path("s-00001.png"), std::ios::binary) << last.substr(0, last.size() / 2);
+    std::filesystem::remove(path("s-00002.png"));
+    render({"--frames", "0:2", "--out", path("s-%05d.png"), "--json", path("s.json")});
+    EXPECT_EQ(file_text(path("s-00000.png")), last);
+    EXPECT_EQ(file_text(path("s-00002.png")), last);
+    const Json report = Json::parse(file_text(path("s.json")));
+    EXPECT_EQ(report["skipped"], Json({0}));
+    EXPECT_EQ(report["frames"].size(), 2u);
+    render({"--frames", "0:2", "--again", "--out", path("s-%05d.png")});
+    EXPECT_EQ(file_text(path("s-00000.png")), first);
+}
+
+TEST_F(Render, the_raw_stream_has_three_bytes_a_pixel_and_nothing_else)
+{
+    const Outcome one = claque({"render", "--count", "9", "--size", "50x30", "--time", "0.04", "--out", "-"});
+    ASSERT_EQ(one.code, 0) << one.err;
+    EXPECT_EQ(one.out.size(), 50u * 30u * 3u);
+    EXPECT_EQ(one.err, "");
+    const Outcome three = claque({"render", "--count", "9", "--size", "50x30", "--frames", "0:2", "--out", "-"});
+    ASSERT_EQ(three.out.size(), 3 * one.out.size());
+    EXPECT_EQ(three.out.substr(one.out.size(), one.out.size()), one.out) << "frame 1 is that of 0.04 s";
+}
+
+TEST_F(Render, threads_do_not_change_the_picture)
+{
+    const std::string one = picture_hash({"--threads", "1"});
+    EXPECT_EQ(one.size(), 16u);
+    for (const char *threads : {"2", "4", "7"}) EXPECT_EQ(picture_hash({"--threads", threads}), one) << threads;
+    EXPECT_NE(picture_hash({"--threads", "1", "--seed", "2"}), one) << "a check that cannot fail is none";
+}
+
+TEST_F(Render, caches_and_varieties_do_not_change_the_picture)
+{
+    const std::string plain = picture_hash({});
+    for (const char *cache : {"none", "animation", "full"})
+        for (const char *variety : {"per-zone", "binned", "fused"})
+            EXPECT_EQ(picture_hash({"--cache", cache, "--variety", variety}), plain) << cache << " " << variety;
+    EXPECT_EQ(picture_hash({"--cache-mib", "1"}), plain);
+}
+
+TEST_F(Render, osmesa_and_egl_draw_the_same_picture)
+{
+    for (const char *kind : {"osmesa", "egl"})
+        if (!why_no_context(kind).empty()) GTEST_SKIP() << why_no_context(kind);
+    EXPECT_EQ(picture_hash({"--context", "osmesa"}), picture_hash({"--context", "egl"}));
+}
+
+TEST_F(Render, the_report_counts_who_is_there_and_who_is_seen)
+{
+    render({"--out", path("a.png"), "--json", path("a.json")});
+    const Json report = Json::parse(file_text(path("a.json")));
+    const Json &counters = report["frames"][0]["counters"];
+    EXPECT_EQ(counters["actors"], 30);
+    EXPECT_GT(counters["visible"].get<int>(), 20);
+    EXPECT_EQ(counters["visible"].get<int>() + counters["culled"].get<int>(), 30);
+    EXPECT_EQ(report["frames"][0]["drawn"]["individuals"], counters["visible"]);
+    ASSERT_FALSE(report["measured"]["bands"].empty());
+    for (const Json &band : report["measured"]["bands"]) {
+        EXPECT_GE(band["rate_hz"].get<double>(), 0.0);
+        EXPECT_LE(band["rate_hz"].get<double>(), 51.0) << "no rung is faster than 50 Hz";
+    }
+    EXPECT_NE(report["context"].get<std::string>().find("Mesa"), std::string::npos);
+}
+
+TEST_F(Render, a_picture_that_fails_leaves_the_one_before_it)
+{
+    std::ofstream(path("a.png")) << "before";
+    const Outcome outcome = claque({"render", path("none.glb"), "--out", path("a.png"), "--json", path("a.json")});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(file_text(path("a.png")), "before");
+    EXPECT_EQ(left(), (std::vector<std::string>{"a.png"}));
+}
+
+TEST_F(Render, both_cameras_and_both_formats_show_something_else)
+{
+    const std::string overview = picture_hash({});
+    EXPECT_NE(picture_hash({"--camera", "close"}), overview);
+    EXPECT_NE(picture_hash({"--format", "rgb565"}), overview);
+}
+
+TEST_F(Render, a_character_of_a_file_is_drawn_as_its_prepared_self)
+{
+    const std::string fox = std::string(CLAQUE_ASSETS_DIR) + "/animals/khronos/Fox.glb";
+    if (!std::filesystem::exists(fox)) GTEST_SKIP() << fox << " is not there";
+    render({fox, "--out", path("fox.png")});
+    EXPECT_GT(std::filesystem::file_size(path("fox.png")), 500u);
+}
+
+TEST_F(Render, bench_has_a_run_for_each_of_its_matrix_and_one_hash)
+{
+    const Outcome outcome = claque(
+        {"bench", "plaza", "--count", "5,9", "--frames", "2", "--size", "64x48", "--cache", "none,full", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json report = Json::parse(outcome.out);
+    ASSERT_EQ(report["runs"].size(), 2u * 2u * 3u);
+    for (const Json &run : report["runs"]) {
+        EXPECT_GT(run["draw_ms"]["minimum"].get<double>(), 0.0);
+        EXPECT_LE(run["draw_ms"]["minimum"].get<double>(), run["draw_ms"]["median"].get<double>());
+        EXPECT_EQ(run["picture_hash"], report["runs"][run["count"] == 5 ? 0 : 6]["picture_hash"]);
+    }
+    EXPECT_NE(report["runs"][0]["picture_hash"], report["runs"][6]["picture_hash"]);
+}
+
+}  // namespace
+}  // namespace cli_test

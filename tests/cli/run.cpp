@@ -1,0 +1,115 @@
+#include "tests/cli/run.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+extern char **environ;
+
+namespace cli_test
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+fs::path new_folder()
+{
+    std::string name = (fs::temp_directory_path() / "claque-cli-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder could be made");
+    return name;
+}
+
+}  // namespace
+
+std::string file_text(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+Outcome claque(const std::vector<std::string> &arguments)
+{
+    const fs::path folder = new_folder();
+    const std::string out = folder / "out", err = folder / "err";
+    std::vector<char *> argv = {const_cast<char *>(CLAQUE_COMMAND)};
+    for (const std::string &argument : arguments) argv.push_back(const_cast<char *>(argument.c_str()));
+    argv.push_back(nullptr);
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
+    pid_t child = 0;
+    Outcome outcome;
+    int state = 0;
+    if (posix_spawn(&child, CLAQUE_COMMAND, &actions, nullptr, argv.data(), environ) == 0 &&
+        waitpid(child, &state, 0) == child && WIFEXITED(state))
+        outcome.code = WEXITSTATUS(state);
+    posix_spawn_file_actions_destroy(&actions);
+    outcome.out = file_text(out);
+    outcome.err = file_text(err);
+    fs::remove_all(folder);
+    return outcome;
+}
+
+Command::Command() : folder_(new_folder()) {}
+
+Command::~Command()
+{
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> Command::left() const
+{
+    std::vector<std::string> names;
+    for (const auto &entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string why_no_context(const std::string &kind)
+{
+    static std::map<std::string, std::string> known;
+    const auto found = known.find(kind);
+    if (found != known.end()) return found->second;
+    const Outcome tried = claque({"render", "--count", "1", "--size", "8x8", "--context", kind, "--out", "/dev/null"});
+    return known[kind] = tried.err.find("no OpenGL context") == std::string::npos ? "" : tried.err;
+}
+
+void Drawing::SetUp()
+{
+    const std::string why = why_no_context("any");
+    if (!why.empty()) GTEST_SKIP() << why;
+}
+
+void Drawing::render(std::vector<std::string> arguments) const
+{
+    arguments.insert(arguments.begin(), {"render", "--count", "30", "--size", "96x72"});
+    const Outcome done = claque(arguments);
+    ASSERT_EQ(done.code, 0) << done.err;
+    EXPECT_EQ(done.err, "") << "a command that is not on a terminal says nothing when all is well";
+}
+
+std::string Drawing::picture_hash(std::vector<std::string> arguments) const
+{
+    const std::string json = path("hash.json");
+    arguments.insert(arguments.end(), {"--out", path("hash.png"), "--json", json});
+    render(arguments);
+    const nlohmann::json report = nlohmann::json::parse(file_text(json), nullptr, false);
+    EXPECT_FALSE(report.is_discarded());
+    return report.is_discarded() ? "" : report["frames"][0]["picture_hash"].get<std::string>();
+}
+
+}  // namespace cli_test

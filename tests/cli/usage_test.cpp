@@ -1,0 +1,116 @@
+// Exit codes and what is said with them: 0 done, 1 failed with one sentence, 2 used wrongly.
+#include <algorithm>
+#include <fstream>
+
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using Usage = Command;
+
+size_t lines(const std::string &text) { return static_cast<size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+TEST_F(Usage, help_is_there_for_every_command_and_costs_nothing)
+{
+    for (const char *command : {"render", "inspect", "dump", "split", "prepare", "bench"}) {
+        const Outcome help = claque({command, "--help"});
+        EXPECT_EQ(help.code, 0) << command;
+        EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;
+        EXPECT_EQ(help.err, "") << command;
+    }
+    EXPECT_EQ(claque({"--help"}).code, 0);
+    EXPECT_EQ(claque({"--version"}).out.substr(0, 7), "claque ");
+}
+
+TEST_F(Usage, wrong_arguments_are_code_2)
+{
+    const std::string out = path("x.png");
+    const std::vector<std::vector<std::string>> wrong = {
+        {},
+        {"paint"},
+        {"render"},
+        {"render", "--out", out, "--size", "12"},
+        {"render", "--out", out, "--size", "0x5"},
+        {"render", "--out", out, "--size", "99999x5"},
+        {"render", "--out", out, "--count", "0"},
+        {"render", "--out", out, "--count", "-3"},
+        {"render", "--out", out, "--variety", "gaudy"},
+        {"render", "--out", out, "--cache", "some"},
+        {"render", "--out", out, "--context", "metal"},
+        {"render", "--out", out, "--camera", "hidden"},
+        {"render", "--out", out, "--scene", "moon"},
+        {"render", "--out", out, "--threads", "0"},
+        {"render", "--out", out, "--time", "inf"},
+        {"render", "--out", out, "--time", "soon"},
+        {"render", "--out", out, "--frames", "1:2"},
+        {"render", "--out", path("x-%05d.png"), "--frames", "5:2"},
+        {"render", "--out", path("x-%05d.png"), "--frames", "five"},
+        {"render", "--out", path("x-%05d-%05d.png"), "--frames", "0:1"},
+        {"render", "--out", path("x-%s.png"), "--frames", "0:1"},
+        {"render", "--out", path("x-%05d.png")},
+        {"render", "--out", out, "--stride", "2"},
+        {"render", "a.glb", "--scene", "plaza", "--out", out},
+        {"inspect"},
+        {"dump", "citizen"},
+        {"dump", "citizen", "--time", "1", "--out", path("x.npy")},
+        {"split", "citizen", "--picture", out, "--scale", "99"},
+        {"prepare", "citizen"},
+        {"bench"},
+        {"bench", "plaza", "--count", "1,x"},
+    };
+    for (const std::vector<std::string> &arguments : wrong) {
+        std::string line;
+        for (const std::string &argument : arguments) line += argument + " ";
+        const Outcome outcome = claque(arguments);
+        EXPECT_EQ(outcome.code, 2) << line << "\n" << outcome.err;
+        EXPECT_NE(outcome.err, "") << line;
+        EXPECT_EQ(outcome.out, "") << line;
+    }
+    EXPECT_TRUE(left().empty());
+}
+
+TEST_F(Usage, what_fails_says_why_in_one_sentence)
+{
+    const std::string bad = path("bad.glb"), clq = path("bad.clq");
+    for (const std::string &file : {bad, clq}) std::ofstream(file) << "this is no character";
+    const std::vector<std::vector<std::string>> failing = {
+        {"render", path("none.glb"), "--out", path("x.png")},
+        {"render", bad, "--out", path("x.png")},
+        {"render", clq, "--out", path("x.png")},
+        {"render", "--count", "3", "--out", path("no/such/folder/x.png")},
+        {"inspect", path("none.glb")},
+        {"inspect", bad},
+        {"inspect", "senator"},
+        {"dump", bad, "--out", path("x.npy")},
+        {"dump", "citizen", "--clip", "dance", "--out", path("x.npy")},
+        {"dump", "citizen", "--clip", "99", "--out", path("x.npy")},
+        {"dump", "citizen", "--out", path("no/x.npy")},
+        {"split", bad, "--picture", path("x.png")},
+        {"split", "citizen", "--picture", path("x.png"), "--texture", "7"},
+        {"prepare", bad, "--out", path("x.clq")},
+        {"bench", path("none.glb")},
+    };
+    for (const std::vector<std::string> &arguments : failing) {
+        std::string line;
+        for (const std::string &argument : arguments) line += argument + " ";
+        const Outcome outcome = claque(arguments);
+        EXPECT_EQ(outcome.code, 1) << line;
+        EXPECT_EQ(lines(outcome.err), 1u) << line << "\n" << outcome.err;
+        EXPECT_EQ(outcome.err.substr(0, 8), "claque: ") << line;
+        EXPECT_EQ(outcome.out, "") << line;
+    }
+    EXPECT_EQ(left(), (std::vector<std::string>{"bad.clq", "bad.glb"})) << "nothing is left of what failed";
+}
+
+TEST_F(Usage, a_clip_that_is_not_there_is_answered_with_those_that_are)
+{
+    const Outcome outcome = claque({"dump", "citizen", "--clip", "dance", "--out", path("x.npy")});
+    for (const char *clip : {"dance", "stand", "walk", "applaud", "cheer"})
+        EXPECT_NE(outcome.err.find(clip), std::string::npos) << clip;
+}
+
+}  // namespace
+}  // namespace cli_test
