@@ -35,7 +35,13 @@ public:
 
 private:
     float real(float first, float last) { return std::uniform_real_distribution<float>(first, last)(random_); }
-    glm::quat turn() { return math::unit_quat(1, real(-1, 1), real(-1, 1), real(-1, 1)); }
+    // In braces, whose order is fixed: compilers differ in the order of a call's arguments.
+    glm::vec3 vector(float size) { return glm::vec3{real(-size, size), real(-size, size), real(-size, size)}; }
+    glm::quat turn()
+    {
+        const glm::vec3 v = vector(1);
+        return math::unit_quat(1, v.x, v.y, v.z);
+    }
 
     std::vector<float> keys(int count, float step)
     {
@@ -49,15 +55,15 @@ private:
         for (uint32_t i = 0; i < def_.nodes; ++i) {
             out_.rig.parents.push_back(i == 0 ? model::none : (i - 1) / 2);
             math::Trs trs;
-            trs.translation = glm::vec3(real(-0.3f, 0.3f), real(0, 0.4f), real(-0.3f, 0.3f));
+            trs.translation = vector(0.3f);
             trs.rotation = turn();
             trs.scale = def_.shape == Shape::similar ? glm::vec3(real(0.8f, 1.1f))
-                                                     : glm::vec3(real(0.7f, 1.2f), 1, real(0.7f, 1.2f));
+                                                     : glm::vec3{real(0.7f, 1.2f), 1, real(0.7f, 1.2f)};
             out_.rig.rest.push_back(trs);
             out_.rig.node_names.emplace_back("node");
             math::Trs bind;
             bind.rotation = turn();
-            bind.translation = glm::vec3(real(-1, 1), real(-1, 1), real(-1, 1));
+            bind.translation = vector(1);
             out_.rig.palette.push_back({i, math::affine_of(bind)});
         }
         if (!def_.morphs) return;
