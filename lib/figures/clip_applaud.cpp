@@ -46,7 +46,7 @@ Pose applaud_at(float phase)
         const float left = side == Side::left ? 1.0f : -1.0f;
         pose.set(side, Bone::clavicle, roll(3) * yaw(-8 + 3 * apart));
         clap(pose, side, apart, glm::vec3(0, 1.245f + 0.006f * sway, 0.345f));
-        curl_hand(pose, side, -0.07f + 0.14f * apart);
+        curl_hand(pose, side, -0.055f + 0.12f * apart);
         stand_on(pose, side, {0.016f, left * 0.010f, 0, 1, 0, 6});
     }
     drape(pose);

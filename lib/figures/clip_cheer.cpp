@@ -27,7 +27,7 @@ Pose cheer_at(float phase)
         const glm::vec3 low(0.345f, 1.665f, 0.135f), high(0.265f, 1.930f, 0.070f);
         reach_hand(pose, side, low + (high - low) * up + glm::vec3(0, 0.03f * beat, 0),
                    glm::vec3(0.9f, -0.35f, -0.25f));
-        curl_hand(pose, side, 0.85f);
+        curl_hand(pose, side, 1);
         stand_on(pose, side, {0.022f, 0, heels, 1, 0, 5});
     }
     drape(pose);

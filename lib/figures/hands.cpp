@@ -67,8 +67,8 @@ const std::array<Digit, 2> digits = {{
      {0, 1, 0}},
     {Region::thumb,
      0.036f,
-     {{{0.022f, 0.026f, -0.008f}, {0.066f, 0.058f, -0.014f}, {0.104f, 0.070f, -0.019f}}},
-     {0.0165f, 0.0125f},
+     {{{0.030f, 0.017f, -0.008f}, {0.066f, 0.055f, -0.014f}, {0.104f, 0.070f, -0.019f}}},
+     {0.0140f, 0.0125f},
      {-0.6f, 0.8f, 0}},
 }};
 
@@ -148,21 +148,23 @@ private:
             if (k > 0) sew(before, ring);
             before = ring;
         }
-        // A blunt end: two points side by side.
+        // A blunt end: two points on the side of the nail, one below.
         const HandPoint tip = digit.centres[2];
-        const float half = 0.55f * digit.radii[1];
-        const auto end = [&](float wide) {
-            return point(
-                {tip.along + wide * half * digit.spread.along, tip.across + wide * half * digit.spread.across, tip.up},
-                digit.region, digit.chart_shift);
+        const float half = 0.50f * digit.radii[1];
+        const auto end = [&](float wide, float back, float high) {
+            return point({tip.along + wide * half * digit.spread.along - back,
+                          tip.across + wide * half * digit.spread.across, tip.up + high * half},
+                         digit.region, digit.chart_shift);
         };
-        const uint32_t a = end(-1), b = end(1);
+        const uint32_t a = end(-1, 0, 0.7f), b = end(1, 0, 0.7f), c = end(0, 0.003f, -1.0f);
         face(before[0], before[1], a);
         face(before[1], b, a);
         face(before[1], before[2], b);
-        face(before[2], before[3], b);
-        face(before[3], a, b);
-        face(before[3], before[0], a);
+        face(before[2], c, b);
+        face(before[2], before[3], c);
+        face(before[3], before[0], c);
+        face(before[0], a, c);
+        face(a, b, c);
     }
 
     Mesh &mesh_;

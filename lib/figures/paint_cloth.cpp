@@ -107,7 +107,7 @@ float sleeve_folds(glm::vec3 p, float along)
 {
     const glm::vec3 from = glm::vec3(std::fabs(p.x), p.y, p.z) - skeleton().joint(Bone::upper_arm);
     const float round = glm::dot(from, arm_dorsal()) * 12 + p.z * 16;
-    const float g = 222 + 26 * furrow(grain(round * 2.2f, along * 7, 18));
+    const float g = 222 + 26 * furrow(grain(round * 2.4f + along * 2, along * 3, 18));
     return g - 26 * spot(glm::dot(from, arm_dorsal()) + 0.08f, 0.04f);
 }
 

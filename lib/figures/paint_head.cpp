@@ -19,17 +19,23 @@ float hairline(glm::vec3 p)
     return profile(line, p.z) + jag * (p.z > 0.04f ? 0.010f : 0.006f);
 }
 
+// Comma-shaped locks in rows that overlap like tiles, combed from the crown outwards.
 Paint hair(glm::vec3 p)
 {
-    // Locks comb forward from the crown: strands run along lines through it.
     const float dx = p.x, dz = p.z + 0.02f;
-    const float round = dx / (std::fabs(dx) + std::fabs(dz) + 0.01f) + (dz < 0 ? 2 : 0);
+    const float round = dx / (std::fabs(dx) + std::fabs(dz) + 0.004f);
     const float far = std::sqrt(dx * dx + dz * dz) + 0.9f * (1.76f - p.y);
-    const float wave = 0.22f * (grain(far * 40, round * 3, 2) - 0.5f);
-    const float lock = grain((round + wave) * 9, far * 22, 3);
-    const float strand = grain((round + wave * 0.6f) * 64, far * 14, 4);
-    const float edge = soft_step(0, 0.022f, p.y - hairline(p));
-    return {112 + 74 * lock + 82 * strand - 34 * (1 - edge) + 18 * soft_step(1.70f, 1.75f, p.y), Zone::hair};
+    const float v = far * 34 + 0.8f * grain(round * 5 + 9, far * 9, 2);
+    const float row = std::floor(v), down = v - row;
+    const float bend = 0.42f * down * down * (grain(row * 0.7f, round * 2 + 5, 5) > 0.5f ? 1.0f : -1.0f);
+    const float u = (dz < 0 ? 40 + round : round) * 8.5f + 0.5f * row + bend + 0.35f * grain(row * 3.1f, 7, 6);
+    const float across = u - std::floor(u);
+    const float shade = grain(std::floor(u) * 1.7f, row * 2.3f, 3);
+    const float strand = grain(u * 6, v * 0.8f, 4);
+    const float round_lock = 1 - 4 * (across - 0.5f) * (across - 0.5f);
+    const float edge = soft_step(0, 0.016f, p.y - hairline(p));
+    const float g = 118 + 62 * round_lock + 34 * (1 - down) + 30 * (shade - 0.5f) + 42 * strand - 26 * (1 - edge);
+    return {g, Zone::hair};
 }
 
 struct Eye {
@@ -142,10 +148,10 @@ Paint paint_head(const Texel &t)
     if (p.z > 0.030f && p.y > 1.512f) return face(p, t.normal);
     float g =
         226 - 8 * spot(glm::vec2(std::fabs(p.x), p.y), {0.0f, 1.538f}, {0.06f, 0.040f}) * soft_step(0, 0.03f, p.z);
-    if (p.y < 1.53f) {  // neck: windpipe and the muscles beside it
-        const float side = std::fabs(p.x);
-        g -= 16 * spot(to_segment({side, p.y}, {0.014f, 1.44f}, {0.052f, 1.53f}) - 0.010f, 0.014f);
-        g += 10 * spot(glm::vec2(side, p.y), {0, 1.47f}, {0.012f, 0.016f});
+    {  // neck: windpipe and the muscles beside it
+        const float side = std::fabs(p.x), low = soft_step(1.520f, 1.490f, p.y);
+        g -= 16 * spot(to_segment({side, p.y}, {0.014f, 1.44f}, {0.050f, 1.53f}) - 0.010f, 0.014f) * low;
+        g += 10 * spot(glm::vec2(side, p.y), {0, 1.47f}, {0.012f, 0.016f}) * low;
     }
     // A breath of shadow where hair meets skin.
     return {g - 30 * spot(hairline(p) - p.y, 0.008f) * (p.y > 1.54f ? 1 : 0), Zone::skin};

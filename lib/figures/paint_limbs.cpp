@@ -18,13 +18,12 @@ Paint arm(const Texel &t)
 {
     const glm::vec3 from = left_of(t) - skeleton().joint(Bone::upper_arm);
     const float along = glm::dot(from, arm_direction()), up = glm::dot(from, arm_dorsal()), ahead = from.z;
-    float g = 226 + 10 * soft_step(-0.02f, 0.03f, up);
-    g -= 30 * spot(along - 0.300f, 0.012f) * soft_step(0.0f, 0.03f, ahead);  // crook of the elbow
-    g -= 22 * spot(glm::vec2(along, up), {0.300f, 0.01f}, {0.025f, 0.02f}) * soft_step(0, -0.03f, ahead);
-    g -= 16 * spot(up + 0.2f * (along - 0.36f), 0.007f) * soft_step(0.32f, 0.40f, along);  // edge of the muscles
+    float g = 10 * soft_step(-0.02f, 0.03f, up);
+    g -= 24 * spot(along - 0.300f, 0.014f) * soft_step(0.0f, 0.03f, ahead);  // crook of the elbow
+    g -= 20 * spot(glm::vec2(along, up), {0.300f, 0.01f}, {0.025f, 0.02f}) * soft_step(0, -0.03f, ahead);
+    g -= 12 * spot(up + 0.2f * (along - 0.36f), 0.010f) * soft_step(0.32f, 0.40f, along);  // between the muscles
     g -= 14 * soft_step(-0.01f, -0.03f, up);
-    g -= 10 * spot(along - 0.535f, 0.006f) * soft_step(0.01f, -0.01f, up);  // crease of the wrist
-    return {g, Zone::skin};
+    return {226 + g * soft_step(0.540f, 0.490f, along), Zone::skin};
 }
 
 Paint leg(const Texel &t)
@@ -64,7 +63,7 @@ Paint paint_hand(const Texel &t)
     const glm::vec3 from = left_of(t) - skeleton().joint(Bone::hand);
     const glm::vec2 at(glm::dot(from, arm_direction()), from.z);
     const bool back = t.chart == Chart::hand_back || t.chart == Chart::hand_back_r;
-    float g = back ? 226 : 214;
+    float g = back ? 226 : 226 - 12 * soft_step(0, 0.04f, at.x);
     const auto nail = [&](glm::vec2 centre, glm::vec2 radii) {
         const float d = spot(at, centre, radii);
         if (back && d > 0.25f) g = 244;
@@ -81,7 +80,7 @@ Paint paint_hand(const Texel &t)
     if (at.x > 0.086f) {  // three fingers side by side
         const float narrow = 1 - 1.6f * (at.x - 0.09f);
         const float near = std::min(std::fabs(at.y + 0.0215f * narrow), std::fabs(at.y + 0.0015f * narrow));
-        g -= 78 * spot(near, 0.0045f) * soft_step(0.088f, 0.104f, at.x);
+        g -= 58 * spot(near, 0.0040f) * soft_step(0.088f, 0.104f, at.x);
         for (const float joint : {0.126f, 0.150f}) g -= 20 * spot(at.x - joint + 0.1f * at.y, 0.0050f);
         nail({0.148f, -0.030f}, {0.008f, 0.007f});
         nail({0.163f, -0.012f}, {0.009f, 0.007f});
@@ -157,7 +156,10 @@ Paint paint_citizen(const Texel &t)
             paint = paint_cloth(t);
             break;
     }
-    const float shade = 0.50f + 0.50f * soft_step(0.05f, 0.95f, t.openness);
+    // The roots of the fingers lie inside the palm, where nothing is open: no soot on hands.
+    const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
+    const float open = hand ? std::max(t.openness, 0.72f) : t.openness;
+    const float shade = 0.50f + 0.50f * soft_step(0.05f, 0.95f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;
 }

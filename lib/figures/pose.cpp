@@ -15,6 +15,12 @@ glm::quat turn(glm::vec3 axis, float degrees)
     return glm::quat(std::cos(half), v.x, v.y, v.z);
 }
 
+glm::quat between(glm::vec3 from, glm::vec3 to)
+{
+    const glm::vec3 a = glm::normalize(from), b = glm::normalize(to), axis = glm::cross(a, b);
+    return glm::normalize(glm::quat(1 + glm::dot(a, b), axis.x, axis.y, axis.z));
+}
+
 glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second)
 {
     const auto frame = [](glm::vec3 first, glm::vec3 second) {

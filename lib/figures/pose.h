@@ -15,6 +15,9 @@ inline glm::quat pitch(float degrees) { return turn({1, 0, 0}, degrees); }  // f
 inline glm::quat yaw(float degrees) { return turn({0, 1, 0}, degrees); }    // to the figure's left
 inline glm::quat roll(float degrees) { return turn({0, 0, 1}, degrees); }   // raises what is on the left
 
+// The shortest turn of one direction into another; not for opposite ones.
+glm::quat between(glm::vec3 from, glm::vec3 to);
+
 // The same turn seen in a mirror: for the right side.
 inline glm::quat mirrored(glm::quat q) { return glm::quat(q.w, q.x, -q.y, -q.z); }
 

@@ -25,12 +25,7 @@ Slope thigh_slope(const Pose &pose, Side side)
     return {d.z / down, (side == Side::left ? d.x : -d.x) / down};
 }
 
-glm::quat lean(glm::vec3 to)
-{
-    const glm::vec3 from(0, -1, 0), unit = glm::normalize(to);
-    const glm::vec3 axis = glm::cross(from, unit);
-    return glm::normalize(glm::quat(1 + glm::dot(from, unit), axis.x, axis.y, axis.z));
-}
+glm::quat lean(glm::vec3 to) { return between(glm::vec3(0, -1, 0), to); }
 
 }  // namespace
 
@@ -75,10 +70,15 @@ void hang_arm(Pose &pose, Side side, float forward, float out, float elbow, floa
 void curl_hand(Pose &pose, Side side, float curl)
 {
     const glm::vec3 axis = -arm_thumbward();  // carries the fingers towards the palm
-    pose.set(side, Bone::fingers, turn(axis, 84 * curl));
-    pose.set(side, Bone::fingertips, turn(axis, 96 * curl));
-    pose.set(side, Bone::thumb,
-             turn(arm_direction(), 40 * curl) * turn(axis, 34 * curl) * turn(arm_dorsal(), 30 * curl));
+    pose.set(side, Bone::fingers, turn(axis, 80 * curl));
+    pose.set(side, Bone::fingertips, turn(axis, 122 * curl));
+    // The thumb comes to lie across the bent fingers.
+    const auto in_hand = [](float along, float across, float up) {
+        return arm_direction() * along + arm_thumbward() * across + arm_dorsal() * up;
+    };
+    const glm::vec3 open = in_hand(0.076f, 0.042f, -0.013f), closed = in_hand(0.066f, -0.024f, -0.036f);
+    const float share = curl > 0 ? curl : 0;
+    pose.set(side, Bone::thumb, between(open, open * (1 - share) + closed * share));
 }
 
 void reach_hand(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole)

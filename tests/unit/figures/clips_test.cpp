@@ -63,13 +63,14 @@ TEST_P(Clip, ends_as_it_begins_and_as_fast)
     const int n = frames(c);
     const Posed first = pose(c, 0), last = pose(c, float(n) * frame_s);
     const Posed after = pose(c, frame_s), before = pose(c, float(n - 1) * frame_s);
-    const Posed second = pose(c, 2 * frame_s);
+    const Posed second = pose(c, 2 * frame_s), earlier = pose(c, float(n - 2) * frame_s);
     for (size_t v = 0; v < first.vertices.size(); ++v) {
         EXPECT_LT(glm::distance(first.vertices[v], last.vertices[v]), 1e-5f);
         const glm::vec3 in = first.vertices[v] - before.vertices[v], out = after.vertices[v] - first.vertices[v];
-        const glm::vec3 next = second.vertices[v] - after.vertices[v];
-        // Over the join the speed changes as little as between other frames of a lively motion.
-        EXPECT_LT(glm::distance(in, out), std::max(0.012f, 3 * glm::distance(out, next))) << "vertex " << v;
+        const glm::vec3 next = second.vertices[v] - after.vertices[v], past = before.vertices[v] - earlier.vertices[v];
+        // Over the join the speed changes no more than it does beside it.
+        const float usual = std::max(glm::distance(past, in), glm::distance(out, next));
+        EXPECT_LT(glm::distance(in, out), 0.004f + 1.5f * usual) << "vertex " << v;
     }
 }
 
@@ -118,7 +119,7 @@ TEST_P(Clip, keeps_other_joints_inside_human_limits)
                             {"neck", 25},      {"head", 30},      {"clavicle_l", 30},    {"clavicle_r", 30},
                             {"hand_l", 75},    {"hand_r", 75},    {"thigh_l", 60},       {"thigh_r", 60},
                             {"foot_l", 50},    {"foot_r", 50},    {"toes_l", 60},        {"toes_r", 60},
-                            {"fingers_l", 90}, {"fingers_r", 90}, {"fingertips_l", 110}, {"fingertips_r", 110},
+                            {"fingers_l", 90}, {"fingers_r", 90}, {"fingertips_l", 130}, {"fingertips_r", 130},
                             {"thumb_l", 60},   {"thumb_r", 60}};
     const uint32_t c = clip(GetParam());
     for (int k = 0; k <= frames(c); ++k) {
@@ -168,7 +169,7 @@ TEST(Feet, go_back_with_the_ground_while_walking)
     for (int k = 0; k < n; ++k) {
         const Posed now = pose(c, float(k) * frame_s), next = pose(c, float(k + 1) * frame_s);
         for (size_t v = 0; v < now.vertices.size(); ++v) {
-            if (now.vertices[v].y > 0.004f || next.vertices[v].y > 0.004f) continue;
+            if (now.vertices[v].y > 0.002f || next.vertices[v].y > 0.002f) continue;
             const glm::vec3 d = next.vertices[v] - now.vertices[v];
             EXPECT_NEAR(d.z, speed, 0.010f) << "vertex " << v << " at frame " << k;
             EXPECT_NEAR(d.x, 0, 0.006f);
