@@ -1,5 +1,7 @@
 #include <claque/assets.h>
 
+#include <memory>
+
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/boundary.h"
 #include "lib/asset/file.h"
