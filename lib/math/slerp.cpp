@@ -22,29 +22,38 @@ D2 arc_weights(D2 f, double x)
     return f * step(1.0 / 3, 1.0 / 3, step(1.0 / 10, 2.0 / 5, step(1.0 / 21, 3.0 / 7, sum)));
 }
 
+// A quaternion in double, two numbers at a time.
 struct Quad {
-    double w, x, y, z;
+    D2 wx, yz;
 };
 
-Quad mix(const Quad &a, const Quad &b, double p, double q)
+Quad quad_of(const glm::quat &q) { return {D2{q.w, q.x}, D2{q.y, q.z}}; }
+
+double dot(const Quad &a, const Quad &b)
 {
-    return {p * a.w + q * b.w, p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
+    const D2 sum = a.wx * b.wx + a.yz * b.yz;
+    return sum[0] + sum[1];
+}
+
+Quad mix(const Quad &a, const Quad &b, double p, double q) { return {p * a.wx + q * b.wx, p * a.yz + q * b.yz}; }
+
+glm::quat unit_of(const Quad &q)
+{
+    const double square = dot(q, q);
+    if (!(square > 0)) return glm::quat(1, 0, 0, 0);
+    const double s = 1 / std::sqrt(square);
+    const D2 wx = q.wx * s, yz = q.yz * s;
+    return glm::quat(float(wx[0]), float(wx[1]), float(yz[0]), float(yz[1]));
 }
 
 }  // namespace
 
-glm::quat unit_quat(double w, double x, double y, double z)
-{
-    const double square = w * w + x * x + y * y + z * z;
-    if (!(square > 0)) return glm::quat(1, 0, 0, 0);
-    const double s = 1 / std::sqrt(square);
-    return glm::quat(float(w * s), float(x * s), float(y * s), float(z * s));
-}
+glm::quat unit_quat(double w, double x, double y, double z) { return unit_of({D2{w, x}, D2{y, z}}); }
 
 glm::quat slerp(const glm::quat &first, const glm::quat &second, double f)
 {
-    Quad a{first.w, first.x, first.y, first.z}, b{second.w, second.x, second.y, second.z};
-    double cosine = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
+    Quad a = quad_of(first), b = quad_of(second);
+    double cosine = dot(a, b);
     if (cosine < 0) {
         b = mix(a, b, 0, -1);
         cosine = -cosine;
@@ -60,8 +69,7 @@ glm::quat slerp(const glm::quat &first, const glm::quat &second, double f)
         f = far_half ? 2 * f - 1 : 2 * f;
     }
     const D2 weights = arc_weights(D2{1 - f, f}, cosine - 1);
-    const Quad q = mix(a, b, weights[0], weights[1]);
-    return unit_quat(q.w, q.x, q.y, q.z);
+    return unit_of(mix(a, b, weights[0], weights[1]));
 }
 
 }  // namespace claque::math

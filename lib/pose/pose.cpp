@@ -15,9 +15,9 @@ namespace
 {
 
 // Written out, not looped over, so that columns stay in registers at any optimisation.
-F4 transform(const Columns &a, F4 v)
+F4 transform(const Columns &a, float x, float y, float z)
 {
-    return a.c[0] * math::splat(v[0]) + a.c[1] * math::splat(v[1]) + a.c[2] * math::splat(v[2]);
+    return a.c[0] * math::splat(x) + a.c[1] * math::splat(y) + a.c[2] * math::splat(z);
 }
 
 // The same steps as math::affine_of(Trs).
@@ -29,19 +29,23 @@ Columns columns_of(const math::Trs &trs)
              F4{r[2].x, r[2].y, r[2].z, 0} * s.z, F4{t.x, t.y, t.z, 0}}};
 }
 
-Columns mul(const Columns &a, const Columns &b)
+// parent * columns_of(trs), whose columns are not put together for it.
+Columns mul(const Columns &parent, const math::Trs &trs)
 {
-    return {{transform(a, b.c[0]), transform(a, b.c[1]), transform(a, b.c[2]), transform(a, b.c[3]) + a.c[3]}};
+    const glm::mat3 r = glm::mat3_cast(trs.rotation);
+    const glm::vec3 x = r[0] * trs.scale.x, y = r[1] * trs.scale.y, z = r[2] * trs.scale.z;
+    const glm::vec3 &t = trs.translation;
+    return {{transform(parent, x.x, x.y, x.z), transform(parent, y.x, y.y, y.z), transform(parent, z.x, z.y, z.z),
+             transform(parent, t.x, t.y, t.z) + parent.c[3]}};
 }
 
 void mul_to_affine(const Columns &a, const float *b, float *out)
 {
-    const F4 last = math::load4(b + 8);
     // Each store's fourth lane is overwritten by the next.
-    math::store4(out, transform(a, math::load4(b)));
-    math::store4(out + 3, transform(a, math::load4(b + 3)));
-    math::store4(out + 6, transform(a, math::load4(b + 6)));
-    math::store3(out + 9, transform(a, F4{last[1], last[2], last[3], 0}) + a.c[3]);
+    math::store4(out, transform(a, b[0], b[1], b[2]));
+    math::store4(out + 3, transform(a, b[3], b[4], b[5]));
+    math::store4(out + 6, transform(a, b[6], b[7], b[8]));
+    math::store3(out + 9, transform(a, b[9], b[10], b[11]) + a.c[3]);
 }
 
 void apply(const PoseJob &job, const model::Channel &channel, KeyPlace place)
@@ -104,9 +108,8 @@ void PoseJob::run() const
 {
     sample(*this);
     for (uint32_t i = 0; i < rig->node_count(); ++i) {
-        const Columns local = columns_of(locals[i]);
         const uint32_t parent = rig->parents[i];
-        globals[i] = parent == model::none ? local : mul(globals[parent], local);
+        globals[i] = parent == model::none ? columns_of(locals[i]) : mul(globals[parent], locals[i]);
     }
     for (size_t i = 0; i < rig->palette.size(); ++i)
         mul_to_affine(globals[rig->palette[i].node], rig->palette[i].inverse_bind.c, palette.data[i].c);
