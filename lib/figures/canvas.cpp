@@ -126,7 +126,6 @@ model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &pa
     model::Image image;
     image.width = image.height = size;
     image.alpha = model::AlphaMeaning::zone_keys;
-    image.name = "citizen";
     image.rgba.assign(size_t(4) * size * size, 255);
     for (size_t i = 0; i < covers.size(); ++i) {
         if (!covers[i].covered) continue;

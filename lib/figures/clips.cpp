@@ -66,12 +66,4 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
     rig.clip_names.emplace_back(maker.name);
 }
 
-void add_clips(model::Rig &rig)
-{
-    add_clip(rig, {"stand", 180, stand_at});
-    add_clip(rig, {"walk", 33, walk_at});
-    add_clip(rig, {"applaud", 72, applaud_at});
-    add_clip(rig, {"cheer", 60, cheer_at});
-}
-
 }  // namespace claque::figures

@@ -1,4 +1,4 @@
-// The citizen's clips: 30 keys a second, straight between them, closed loops.
+// Clips of the built-in figures: 30 keys a second, straight between them, closed loops.
 #pragma once
 
 #include "lib/figures/pose.h"
@@ -23,8 +23,6 @@ Pose cheer_at(float phase);
 
 // Adds a clip: rotations of every node that ever turns, and the pelvis' translation.
 void add_clip(model::Rig &rig, const ClipMaker &maker);
-
-void add_clips(model::Rig &rig);  // stand, walk, applaud, cheer
 
 // A wave of the phase, `cycles` whole turns a clip, starting at `at` of a turn: closes by itself.
 float wave(float phase, int cycles, float at = 0);

@@ -32,19 +32,19 @@ struct Row {
 };
 
 const std::array<Row, 7> rows = {{
-    {0.510f, 0.230f, 0.180f, 0.192f, 0.000f, 0.034f, 0.005f},  // hem
-    {0.690f, 0.211f, 0.160f, 0.178f, 0.000f, 0.022f, 0.000f},
-    {0.870f, 0.186f, 0.138f, 0.158f, 0.000f, 0.009f, 0.000f},  // hips
-    {1.012f, 0.158f, 0.114f, 0.116f, 0.000f, 0.002f, 0.000f},  // lower edge of the belt
-    {1.060f, 0.156f, 0.114f, 0.112f, 0.000f, 0.000f, 0.000f},  // upper edge, behind the overhang
-    {1.054f, 0.170f, 0.140f, 0.132f, 0.000f, 0.012f, 0.010f},  // overhang
-    {1.200f, 0.169f, 0.138f, 0.138f, -0.005f, 0.008f, 0.000f},
+    {0.510f, 0.215f, 0.174f, 0.184f, 0.000f, 0.032f, 0.006f},  // hem
+    {0.690f, 0.203f, 0.156f, 0.174f, 0.000f, 0.022f, 0.000f},
+    {0.870f, 0.184f, 0.136f, 0.158f, 0.000f, 0.009f, 0.000f},  // hips
+    {1.012f, 0.156f, 0.113f, 0.116f, 0.000f, 0.002f, 0.000f},  // lower edge of the belt
+    {1.060f, 0.154f, 0.113f, 0.112f, 0.000f, 0.000f, 0.000f},  // upper edge, behind the overhang
+    {1.054f, 0.169f, 0.139f, 0.131f, 0.000f, 0.012f, 0.010f},  // overhang
+    {1.195f, 0.163f, 0.134f, 0.127f, -0.003f, 0.008f, 0.000f},
 }};
 
 // Armpit row and the row above it, columns 0 to 7 on the left; then the seam on the shoulder from neck to arm.
-const std::array<glm::vec3, 8> armpit = {{{0, 1.362f, 0.116f},
-                                          {0.060f, 1.362f, 0.116f},
-                                          {0.115f, 1.364f, 0.100f},
+const std::array<glm::vec3, 8> armpit = {{{0, 1.342f, 0.120f},
+                                          {0.060f, 1.340f, 0.126f},
+                                          {0.115f, 1.346f, 0.108f},
                                           {0.158f, 1.352f, 0.062f},
                                           {0.160f, 1.350f, -0.070f},
                                           {0.115f, 1.364f, -0.122f},
