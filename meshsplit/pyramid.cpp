@@ -1,6 +1,8 @@
 #include "meshsplit/pyramid.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 
 namespace claque::meshsplit
 {
@@ -42,6 +44,7 @@ public:
     const Share &texel(uint32_t x, uint32_t y)
     {
         gather(x_.box(x), y_.box(y), shares_);
+        if (shares_.size() == 1) return shares_[0];
         uint64_t most = 0;
         for (const Share &share : shares_) most = std::max(most, share.area);
         size_t tied = 0;
@@ -54,14 +57,17 @@ private:
     void gather(Axis::Range xs, Axis::Range ys, std::vector<Share> &shares) const
     {
         shares.clear();
-        for (uint32_t y = y_.first(ys); y < y_.end(ys); ++y)
-            for (uint32_t x = x_.first(xs); x < x_.end(xs); ++x) {
+        const uint32_t x_first = x_.first(xs), x_end = x_.end(xs), y_end = y_.end(ys);
+        for (uint32_t y = y_.first(ys); y < y_end; ++y) {
+            const uint64_t height = y_.overlap(ys, y);
+            for (uint32_t x = x_first; x < x_end; ++x) {
                 const size_t at = size_t(y) * map_.width + x;
-                const uint64_t area = x_.overlap(xs, x) * y_.overlap(ys, y);
+                const uint64_t area = x_.overlap(xs, x) * height;
                 Share &share = share_of(map_.zones[at], shares);
                 share.area += area;
                 for (size_t k = 0; k < 3; ++k) share.rgb[k] += area * map_.rgb[3 * at + k];
             }
+        }
     }
 
     static Share &share_of(uint16_t zone, std::vector<Share> &shares)
@@ -92,6 +98,21 @@ private:
     std::vector<Share> shares_, around_;
 };
 
+// What resampling gives where all four texels are of one zone, which is nearly everywhere: the mean of the four.
+bool average_four(const ZoneMap &map, uint32_t x, uint32_t y, ZoneMap &out)
+{
+    const size_t a = 2 * (size_t(y) * map.width + x), b = a + map.width;
+    const uint16_t zone = map.zones[a];
+    if (map.zones[a + 1] != zone || map.zones[b] != zone || map.zones[b + 1] != zone) return false;
+    const size_t at = size_t(y) * out.width + x;
+    out.zones[at] = zone;
+    for (size_t k = 0; k < 3; ++k) {
+        const uint32_t sum = map.rgb[3 * a + k] + map.rgb[3 * a + 3 + k] + map.rgb[3 * b + k] + map.rgb[3 * b + 3 + k];
+        out.rgb[3 * at + k] = static_cast<uint8_t>((sum + 2) / 4);
+    }
+    return true;
+}
+
 uint32_t fitting_side(uint32_t side, uint32_t max_px)
 {
     uint32_t p = 1;
@@ -101,23 +122,23 @@ uint32_t fitting_side(uint32_t side, uint32_t max_px)
 
 bool power_of_two(uint32_t v) { return (v & (v - 1)) == 0; }
 
-// For each texel of a column the nearest covered row; `none` where the column has none.
+// For each texel the nearest covered row of its column; `none` where the column has none.
 std::vector<uint32_t> nearest_rows(const ZoneMap &map, const std::vector<uint8_t> &covered)
 {
-    std::vector<uint32_t> rows(covered.size(), model::none);
-    for (uint32_t x = 0; x < map.width; ++x) {
-        uint32_t last = model::none;
-        for (uint32_t y = 0; y < map.height; ++y) {
-            if (covered[size_t(y) * map.width + x]) last = y;
-            rows[size_t(y) * map.width + x] = last;
+    std::vector<uint32_t> rows(covered.size(), model::none), last(map.width, model::none);
+    for (uint32_t y = 0; y < map.height; ++y)
+        for (uint32_t x = 0; x < map.width; ++x) {
+            const size_t at = size_t(y) * map.width + x;
+            if (covered[at]) last[x] = y;
+            rows[at] = last[x];
         }
-        last = model::none;
-        for (uint32_t y = map.height; y-- > 0;) {
+    std::fill(last.begin(), last.end(), model::none);
+    for (uint32_t y = map.height; y-- > 0;)
+        for (uint32_t x = 0; x < map.width; ++x) {
             uint32_t &row = rows[size_t(y) * map.width + x];
-            if (row == y) last = y;
-            if (last != model::none && (row == model::none || last - y < y - row)) row = last;
+            if (row == y) last[x] = y;
+            if (last[x] != model::none && (row == model::none || last[x] - y < y - row)) row = last[x];
         }
-    }
     return rows;
 }
 
@@ -162,8 +183,10 @@ ZoneMap resample(const ZoneMap &map, uint32_t width, uint32_t height)
 {
     ZoneMap out(width, height);
     Resampler resampler(map, width, height);
+    const bool halved = map.width == 2 * width && map.height == 2 * height;
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
+            if (halved && average_four(map, x, y, out)) continue;
             const Share &share = resampler.texel(x, y);
             const size_t at = size_t(y) * width + x;
             out.zones[at] = share.zone;
@@ -178,11 +201,11 @@ ZoneMap halve(const ZoneMap &map) { return resample(map, std::max(1u, map.width 
 void dilate(ZoneMap &map, const std::vector<uint8_t> &covered)
 {
     const std::vector<uint32_t> rows = nearest_rows(map, covered);
-    const ZoneMap before = map;
     std::vector<int64_t> gap(map.width);
     Envelope envelope;
     for (uint32_t y = 0; y < map.height; ++y) {
         const size_t row = size_t(y) * map.width;
+        if (std::memchr(covered.data() + row, 0, map.width) == nullptr) continue;
         for (uint32_t x = 0; x < map.width; ++x)
             gap[x] = rows[row + x] == model::none ? -1 : std::abs(int64_t(rows[row + x]) - int64_t(y));
         envelope.build(gap);
@@ -193,8 +216,9 @@ void dilate(ZoneMap &map, const std::vector<uint8_t> &covered)
             if (covered[row + x]) continue;
             const size_t column = static_cast<size_t>(envelope.column(i));
             const size_t from = size_t(rows[row + column]) * map.width + column;
-            map.zones[row + x] = before.zones[from];
-            for (size_t k = 0; k < 3; ++k) map.rgb[3 * (row + x) + k] = before.rgb[3 * from + k];
+            // What is covered is never written, so it is still as it was.
+            map.zones[row + x] = map.zones[from];
+            for (size_t k = 0; k < 3; ++k) map.rgb[3 * (row + x) + k] = map.rgb[3 * from + k];
         }
     }
 }
@@ -211,6 +235,11 @@ ZoneMap unfold(const ZoneMap &map, bool mirror_s, bool mirror_t)
             for (size_t k = 0; k < 3; ++k) out.rgb[3 * to + k] = map.rgb[3 * from + k];
         }
     return out;
+}
+
+bool fits(const ZoneMap &map, uint32_t max_px)
+{
+    return map.width == fitting_side(map.width, max_px) && map.height == fitting_side(map.height, max_px);
 }
 
 ZoneMap fit(const ZoneMap &map, uint32_t max_px)

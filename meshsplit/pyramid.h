@@ -26,5 +26,6 @@ ZoneMap unfold(const ZoneMap &map, bool mirror_s, bool mirror_t);
 // Powers of two, none above max_px: sides that are none are resampled to the next above (or to max_px), sides that are
 // too large are halved step by step.
 ZoneMap fit(const ZoneMap &map, uint32_t max_px);
+bool fits(const ZoneMap &map, uint32_t max_px);  // fit() would change nothing
 
 }  // namespace claque::meshsplit

@@ -129,7 +129,9 @@ ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mes
     if (plan.image == none) return map;
     if (plan.wrap_s == Wrap::mirror || plan.wrap_t == Wrap::mirror)
         map = unfold(map, plan.wrap_s == Wrap::mirror, plan.wrap_t == Wrap::mirror);
-    fill_gutters(plan, charts_of(mesh, plan_index), map);
+    // Gutters matter to changes of size and where there is more than one zone to mistake for another.
+    const bool plain = plan.zone != none && !plan.masked && fits(map, max_px);
+    if (!plain) fill_gutters(plan, charts_of(mesh, plan_index), map);
     return fit(map, max_px);
 }
 
