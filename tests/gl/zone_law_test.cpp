@@ -15,7 +15,7 @@ TEST_P(ZoneLaw, HoldsOnSquaresFinerThanTriangles)
 {
     for (const uint32_t zones : {1u, 2u, 8u, 10u, 16u, 48u}) {
         SCOPED_TRACE(testing::Message() << zones << " zones");
-        hold(make_figure(sheet(9, 0.2f), torture_map(128, zones, 3)), 0,
+        hold(make_figure(sheet(9, 0.2f), torture_map(128, zones, 3)),
              {passes::ColourFormat::ubyte, passes::ColourFormat::real});
     }
 }

@@ -18,9 +18,16 @@ protected:
         if (!context_) GTEST_SKIP() << why;
     }
 
-    // All strategies. `most_ties_share` of the covered pixels may tie in depth.
-    void hold(const Figure &figure, double most_ties_share,
-              std::initializer_list<passes::ColourFormat> formats = {passes::ColourFormat::ubyte})
+    // Of all pixels that a test covers, `most_ties_share_` may tie in depth.
+    void TearDown() override
+    {
+        RecordProperty("ties", std::to_string(ties_) + " of " + std::to_string(covered_) + " pixels");
+        EXPECT_LE(double(ties_), most_ties_share_ * double(covered_))
+            << ties_ << " of " << covered_ << " pixels tie in depth";
+    }
+
+    // All strategies.
+    void hold(const Figure &figure, std::initializer_list<passes::ColourFormat> formats = {passes::ColourFormat::ubyte})
     {
         const Law law(*context_, figure);
         for (const passes::Strategy strategy :
@@ -33,12 +40,10 @@ protected:
                 law.hold(options);
             }
         covered_ += law.covered(), ties_ += law.ties();
-        RecordProperty("ties", std::to_string(ties_) + " of " + std::to_string(covered_) + " pixels");
-        EXPECT_LE(double(law.ties()), most_ties_share * double(law.covered()))
-            << law.ties() << " of " << law.covered() << " pixels tie in depth";
     }
 
     std::unique_ptr<contexts::Offscreen> context_;
+    double most_ties_share_ = 0;
     uint64_t covered_ = 0, ties_ = 0;
 };
 
