@@ -13,14 +13,16 @@ namespace claque::reference
 // The folder of real characters, with a slash behind it; "" where it does not exist.
 std::string assets_folder();
 
-// Paths of all .gltf and .glb files below that folder except those in hostile/, sorted. Never empty: where there are no
-// assets it holds one "", so that a test for each file is there to say that it was skipped.
-std::vector<std::string> asset_files();
+// Paths of the .gltf and .glb files below that folder, sorted, except those in hostile/: what has to load, and what is
+// refused for a reason. Never empty: where there are no assets they hold one "", so that a test is there to say that it
+// was skipped.
+std::vector<std::string> loadable_files();
+std::vector<std::string> refused_files();
 
 // Letters, digits and underscores only, as names of test cases must be.
 std::string case_name(const std::string &file);
 
-// What claque does not read, and says so.
+// What claque does not read, and says so; asset_files.cpp gives the reasons.
 struct Refusal {
     const char *file;
     clq_status status;

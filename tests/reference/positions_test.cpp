@@ -76,7 +76,6 @@ std::array<double, 7> times_of(const Clip &clip)
 
 TEST_P(PositionsOfRealFiles, AreThoseOfTheReferenceInEveryPose)
 {
-    if (refusal_of(GetParam())) GTEST_SKIP() << "refused on purpose; see the case for refusals";
     ASSERT_EQ(CLQ_OK, load()) << clq_last_error();
     const Character character = load_character(path());
     clq_asset_info info;
@@ -97,7 +96,6 @@ TEST_P(PositionsOfRealFiles, AreThoseOfTheReferenceInEveryPose)
 
 TEST_P(PositionsOfRealFiles, ClipsStartAndEndWhereTheReferenceSays)
 {
-    if (refusal_of(GetParam())) GTEST_SKIP() << "refused on purpose; see the case for refusals";
     ASSERT_EQ(CLQ_OK, load()) << clq_last_error();
     const Character character = load_character(path());
     for (size_t i = 0; i < character.clips.size(); ++i) {
@@ -112,16 +110,20 @@ TEST_P(PositionsOfRealFiles, ClipsStartAndEndWhereTheReferenceSays)
     }
 }
 
-TEST_P(PositionsOfRealFiles, WhatCannotBeReadIsRefusedByName)
+using RefusedRealFiles = PositionsOfRealFiles;
+
+TEST_P(RefusedRealFiles, AreRefusedForTheReasonThatHoldsForThem)
 {
     const Refusal *refusal = refusal_of(GetParam());
-    if (!refusal) GTEST_SKIP() << "loads";
     EXPECT_EQ(refusal->status, load()) << clq_last_error();
     EXPECT_EQ(nullptr, asset_.get());
     EXPECT_NE(std::string::npos, std::string(clq_last_error()).find(refusal->named)) << clq_last_error();
 }
 
-INSTANTIATE_TEST_SUITE_P(Assets, PositionsOfRealFiles, testing::ValuesIn(asset_files()),
+INSTANTIATE_TEST_SUITE_P(Assets, PositionsOfRealFiles, testing::ValuesIn(loadable_files()),
+                         [](const auto &parameter) { return case_name(parameter.param); });
+
+INSTANTIATE_TEST_SUITE_P(Assets, RefusedRealFiles, testing::ValuesIn(refused_files()),
                          [](const auto &parameter) { return case_name(parameter.param); });
 
 }  // namespace

@@ -38,7 +38,7 @@ protected:
 
     Character character_;
     double size_ = 0;
-    std::vector<Triangle> triangles_;
+    Triangles triangles_;
     std::vector<bool> used_;
     std::vector<Pose> poses_;
 };
@@ -102,25 +102,29 @@ TEST_F(MatchingOfARealCharacter, ATurnedAMissingAndAStretchedTriangleAreNoticed)
 {
     const std::vector<Vec3> &at = poses_[0].expected.positions;
     std::vector<Facet> facets;
-    for (const Triangle &t : triangles_) facets.push_back(facet(at[t[0]], at[t[1]], at[t[2]]));
+    for (const Triangle &t : triangles_.all) facets.push_back(facet(at[t[0]], at[t[1]], at[t[2]]));
     const double distance = tolerance * size_;
-    EXPECT_TRUE(match(facets, facets, distance).same);
+    EXPECT_TRUE(match(facets, triangles_.has_area, facets, distance).same);
 
     std::vector<Facet> turned = facets;
     const auto large = std::max_element(facets.begin(), facets.end(),
                                         [](const Facet &a, const Facet &b) { return length(a.area) < length(b.area); });
     const size_t chosen = static_cast<size_t>(large - facets.begin());
     turned[chosen].area = turned[chosen].area * -1;
-    EXPECT_EQ(1u, match(facets, turned, distance).turned);
-    EXPECT_EQ(1u, match(facets, turned, distance).missing);
+    EXPECT_EQ(1u, match(facets, triangles_.has_area, turned, distance).turned);
+    EXPECT_EQ(1u, match(facets, triangles_.has_area, turned, distance).missing);
 
     std::vector<Facet> stretched = facets;
     stretched[chosen].area = stretched[chosen].area * 1.2;
-    EXPECT_EQ(1u, match(facets, stretched, distance).strays);
+    EXPECT_EQ(1u, match(facets, triangles_.has_area, stretched, distance).strays);
+
+    std::vector<Facet> twice = facets;
+    twice.push_back(facets[chosen]);
+    EXPECT_FALSE(match(facets, triangles_.has_area, twice, distance).same);
 
     std::vector<Facet> fewer = facets;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(chosen));
-    EXPECT_EQ(1u, match(facets, fewer, distance).missing);
+    EXPECT_EQ(1u, match(facets, triangles_.has_area, fewer, distance).missing);
 }
 
 TEST(TrianglesOfAPart, FollowTheSpecificationForStripsFansAndMirroredNodes)
@@ -132,11 +136,11 @@ TEST(TrianglesOfAPart, FollowTheSpecificationForStripsFansAndMirroredNodes)
     part.indices = {0, 1, 2, 3};
     part.mode = 5;
     character.parts = {part};
-    EXPECT_EQ((std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}), triangles_of(character, 1));
+    EXPECT_EQ((std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}), triangles_of(character, 1).all);
     character.parts[0].mode = 6;
-    EXPECT_EQ((std::vector<Triangle>{{1, 2, 0}, {2, 3, 0}}), triangles_of(character, 1));
+    EXPECT_EQ((std::vector<Triangle>{{1, 2, 0}, {2, 3, 0}}), triangles_of(character, 1).all);
     character.nodes[0].scale = {-1, 1, 1};
-    EXPECT_EQ((std::vector<Triangle>{{1, 0, 2}, {2, 0, 3}}), triangles_of(character, 1));
+    EXPECT_EQ((std::vector<Triangle>{{1, 0, 2}, {2, 0, 3}}), triangles_of(character, 1).all);
 }
 
 TEST(NormalLimit, IsTheSlackAloneWhereNothingIsStretched)

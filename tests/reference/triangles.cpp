@@ -1,6 +1,7 @@
 #include "triangles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "grid.h"
 
@@ -45,10 +46,10 @@ bool alike(const Facet &a, const Facet &b, double distance)
 
 }  // namespace
 
-std::vector<Triangle> triangles_of(const Character &character, double size)
+Triangles triangles_of(const Character &character, double size)
 {
     const std::vector<Vec3> positions = evaluate(character, rest, 0).positions;
-    std::vector<Triangle> triangles;
+    Triangles triangles;
     size_t first = 0;
     for (const Part &part : character.parts) {
         const bool mirrored = is_mirrored(character, part);
@@ -56,18 +57,19 @@ std::vector<Triangle> triangles_of(const Character &character, double size)
             Triangle triangle{first + corner[0], first + corner[1], first + corner[2]};
             if (mirrored) std::swap(triangle[1], triangle[2]);
             const Facet f = facet(positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]);
-            if (length(f.area) > 1e-10 * size * size) triangles.push_back(triangle);
+            triangles.all.push_back(triangle);
+            triangles.has_area.push_back(length(f.area) > 1e-10 * size * size);
         }
         first += part.positions.size();
     }
     return triangles;
 }
 
-std::vector<bool> vertices_of(const std::vector<Triangle> &triangles, size_t vertex_count)
+std::vector<bool> vertices_of(const Triangles &triangles, size_t vertex_count)
 {
     std::vector<bool> used(vertex_count, false);
-    for (const Triangle &triangle : triangles)
-        for (const size_t v : triangle) used[v] = true;
+    for (size_t i = 0; i < triangles.all.size(); ++i)
+        for (const size_t v : triangles.all[i]) used[v] = used[v] || triangles.has_area[i];
     return used;
 }
 
@@ -76,7 +78,8 @@ Facet facet(const Vec3 &a, const Vec3 &b, const Vec3 &c)
     return {(a + b + c) * (1.0 / 3), cross(b - a, c - a) * 0.5};
 }
 
-SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<Facet> &actual, double distance)
+SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<bool> &required,
+                      const std::vector<Facet> &actual, double distance)
 {
     SurfaceMatching result;
     std::vector<Vec3> centres;
@@ -93,8 +96,8 @@ SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<Face
         result.strays += has_partner ? 0 : 1;
         result.turned += !has_partner && has_turned ? 1 : 0;
     }
-    result.missing = static_cast<size_t>(std::count(found.begin(), found.end(), false));
-    result.same = result.strays == 0 && result.missing == 0;
+    for (size_t i = 0; i < found.size(); ++i) result.missing += required[i] && !found[i] ? 1 : 0;
+    result.same = result.strays == 0 && result.missing == 0 && actual.size() <= expected.size();
     result.text = std::to_string(expected.size()) + " triangles expected, " + std::to_string(actual.size()) +
                   " there: " + std::to_string(result.strays) + " stray (" + std::to_string(result.turned) +
                   " with the front behind), " + std::to_string(result.missing) + " missing";

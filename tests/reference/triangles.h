@@ -13,12 +13,16 @@ namespace claque::reference
 
 using Triangle = std::array<size_t, 3>;  // vertices of the character, counter-clockwise from the front
 
-// Lists, strips and fans of all parts, without those that have no area in the rest pose. Where a rigid part's node
-// mirrors, its front is the other side, as glTF has it.
-std::vector<Triangle> triangles_of(const Character &character, double size);
+struct Triangles {
+    std::vector<Triangle> all;
+    std::vector<bool> has_area;  // of each, in the rest pose: splitting may drop those that have none
+};
 
-// For each vertex, whether one of them has it.
-std::vector<bool> vertices_of(const std::vector<Triangle> &triangles, size_t vertex_count);
+// Lists, strips and fans of all parts. Where a rigid part's node mirrors, its front is the other side, as glTF has it.
+Triangles triangles_of(const Character &character, double size);
+
+// For each vertex, whether a triangle with an area has it.
+std::vector<bool> vertices_of(const Triangles &triangles, size_t vertex_count);
 
 struct Facet {
     Vec3 centre;
@@ -34,9 +38,10 @@ struct SurfaceMatching {
     std::string text;
 };
 
-// Every facet has one like it in the other set: centres within `distance`, areas within what moving corners that far
-// can change.
-SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<Facet> &actual, double distance);
+// Every actual facet has one like it among those expected, every required one has been found, and there are no more
+// than expected. Alike: centres within `distance`, areas within what moving corners that far can change.
+SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<bool> &required,
+                      const std::vector<Facet> &actual, double distance);
 
 }  // namespace claque::reference
 
