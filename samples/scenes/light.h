@@ -8,9 +8,9 @@ namespace scenes
 {
 
 struct Daylight {
-    Vec3 to_sun = {-0.45f, 0.75f, 0.50f};
-    Rgb sun = {0.66f, 0.60f, 0.49f};
-    Rgb sky = {0.36f, 0.38f, 0.43f};     // from everywhere
+    Vec3 to_sun = {-0.50f, 0.66f, 0.56f};
+    Rgb sun = {0.70f, 0.65f, 0.55f};
+    Rgb sky = {0.38f, 0.40f, 0.44f};     // from everywhere
     Rgb bounce = {0.13f, 0.11f, 0.09f};  // from the side away from the sun
 };
 

@@ -32,6 +32,7 @@ public:
         for (const Standing &s : layout_.standing) enter(s);
         for (const Walking &w : layout_.walking) enter(w);
         pave(ground_, layout_, casting.seed);
+        grow(field_, layout_, casting.seed);
         build(stone_, layout_, casting.seed);
         rims();
     }
@@ -44,9 +45,9 @@ public:
         const double size = layout_.half_z / 16.5;
         if (shot == Shot::close)
             return look({layout_.close_eye[0], 1.62, layout_.close_eye[1]},
-                        {layout_.close_target[0], 1.27, layout_.close_target[1]}, 44, aspect, 0.25, 400 * size);
-        return look({0, 1.7 + 7.0 * size, layout_.half_z + 17.5 * size}, {0, 0.4, -2.2 * size}, 42, aspect, 0.5,
-                    400 * size);
+                        {layout_.close_target[0], 1.27, layout_.close_target[1]}, 44, aspect, 0.25, 700 + 300 * size);
+        return look({0, 1.6 + 9.4 * size, layout_.half_z + 18.5 * size}, {0, 0.2, -2.0 * size}, 37, aspect, 0.5,
+                    700 + 300 * size);
     }
 
     void place(double time_s) override
@@ -71,6 +72,8 @@ public:
     {
         sky_.draw(g, eye);
         shine(g, light_, eye);
+        g.Disable(gl::texture_2d);
+        field_.draw(g);
         flagstones_->use();
         ground_.draw(g);
         g.Enable(gl::cull_face);
@@ -159,7 +162,7 @@ private:
     bool placed_ = false;
     Daylight light_;
     Sky sky_;
-    Geometry ground_, stone_ = Geometry(plaster_metres);
+    Geometry ground_, field_, stone_ = Geometry(plaster_metres);
     std::optional<Texture> flagstones_, plaster_;
     mutable Shadows shadows_;
 };

@@ -52,6 +52,12 @@ struct Site {
     }
 };
 
+// Seen from below.
+void ceiling(Geometry &g, const Site &s, float half, float y, float back, float front)
+{
+    s.quad(g, {Vec3{-half, y, back}, {half, y, back}, {half, y, front}, {-half, y, front}}, shade);
+}
+
 void colonnade(Geometry &g, const Site &s, float length)
 {
     const float half = length / 2, steps = 0.36f, depth = 3.4f, high = 4.3f, top = steps + high;
@@ -68,7 +74,7 @@ void colonnade(Geometry &g, const Site &s, float length)
     s.box(g, -half, half, top, top + 0.38f, -0.85f, -0.08f, marble);
     s.box(g, -half, half, top + 0.38f, top + 0.75f, -0.80f, -0.14f, ochre);
     s.box(g, -half - 0.2f, half + 0.2f, top + 0.75f, top + 0.95f, -1.0f, 0.18f, marble);
-    s.quad(g, {Vec3{-half, top, wall}, {half, top, wall}, {half, top, -0.85f}, {-half, top, -0.85f}}, shade);
+    ceiling(g, s, half, top, wall, -0.1f);
     s.quad(g,
            {Vec3{-half - 0.3f, top + 0.93f, 0.3f},
             {half + 0.3f, top + 0.93f, 0.3f},
@@ -90,6 +96,7 @@ void temple(Geometry &g, const Site &s)
     s.box(g, -half + 0.5f, half - 0.5f, steps, top, -9, -4.6f, ochre * 0.8f);
     s.box(g, -1.3f, 1.3f, steps, steps + 4.2f, -4.65f, -4.55f, {0.30f, 0.24f, 0.17f});
     s.box(g, -1.55f, 1.55f, steps + 4.2f, steps + 4.5f, -4.7f, -4.45f, marble);
+    ceiling(g, s, half, top, -9, 0.0f);
     s.box(g, -half, half, top, top + 0.9f, -9, 0.0f, marble);
     s.box(g, -half - 0.3f, half + 0.3f, top + 0.9f, top + 1.15f, -9, 0.35f, marble);
     const float eaves = top + 1.15f, ridge = eaves + 2.1f;
@@ -144,29 +151,51 @@ void cypresses(Geometry &g, const PlazaLayout &layout, uint64_t seed)
     }
 }
 
+// A level sheet of square cells, each corner's colour by lot or by rule.
+template <class Colour>
+void sheet(Geometry &g, float half_x, float half_z, float cell, float y, float texture_metres, Colour colour)
+{
+    const int columns = static_cast<int>(2 * half_x / cell) + 1, rows = static_cast<int>(2 * half_z / cell) + 1;
+    const uint32_t wide = static_cast<uint32_t>(columns) + 1;
+    uint32_t first = 0;
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column <= columns; ++column) {
+            const float x = half_x * static_cast<float>(2 * column - columns) / static_cast<float>(columns);
+            const float z = half_z * static_cast<float>(2 * row - rows) / static_cast<float>(rows);
+            const uint64_t who = static_cast<uint64_t>(row) * 4096 + static_cast<uint64_t>(column);
+            const uint32_t added =
+                g.add({x, y, z}, {0, 1, 0}, x / texture_metres, z / texture_metres, colour(x, z, who));
+            if (row == 0 && column == 0) first = added;
+        }
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const uint32_t a = first + static_cast<uint32_t>(row) * wide + static_cast<uint32_t>(column);
+            g.triangle(a, a + wide, a + wide + 1);
+            g.triangle(a, a + wide + 1, a + 1);
+        }
+}
+
 }  // namespace
 
 void pave(Geometry &ground, const PlazaLayout &layout, uint64_t seed)
 {
-    const float half_x = static_cast<float>(layout.half_x) + 60, half_z = static_cast<float>(layout.half_z) + 60;
-    const float cell = 2.5f;
-    const int columns = static_cast<int>(2 * half_x / cell) + 1, rows = static_cast<int>(2 * half_z / cell) + 1;
-    for (int row = 0; row <= rows; ++row)
-        for (int column = 0; column <= columns; ++column) {
-            const float x = -half_x + cell * static_cast<float>(column), z = -half_z + cell * static_cast<float>(row);
-            const uint64_t who = static_cast<uint64_t>(row) * 4096 + static_cast<uint64_t>(column);
-            const bool outside = std::abs(x) > layout.half_x + 6 || std::abs(z) > layout.half_z + 6;
-            const Rgb colour = outside ? Rgb{0.80f, 0.76f, 0.62f} : Rgb{1.0f, 0.98f, 0.94f};
-            ground.add({x, 0, z}, {0, 1, 0}, x / flagstone_metres, z / flagstone_metres,
-                       colour * static_cast<float>(lot_between(seed, who, Lot::tone, 0.88, 1.0)));
-        }
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const uint32_t a = static_cast<uint32_t>(row * (columns + 1) + column),
-                           wide = static_cast<uint32_t>(columns) + 1;
-            ground.triangle(a, a + wide, a + wide + 1);
-            ground.triangle(a, a + wide + 1, a + 1);
-        }
+    const float half_x = static_cast<float>(layout.half_x) + 5, half_z = static_cast<float>(layout.half_z) + 24;
+    sheet(ground, half_x, half_z, 2.5f, 0, flagstone_metres, [&](float, float, uint64_t who) {
+        return Rgb{1.0f, 0.985f, 0.95f} * static_cast<float>(lot_between(seed, who, Lot::tone, 0.90, 1.0));
+    });
+}
+
+void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed)
+{
+    constexpr Rgb grass = {0.50f, 0.53f, 0.33f}, far_away = {0.66f, 0.72f, 0.62f};
+    const float half = static_cast<float>(std::max(layout.half_x, layout.half_z)) + 260;
+    sheet(field, half, half, 11.0f, -0.08f, plaster_metres, [&](float x, float z, uint64_t who) {
+        const float t = std::min(1.0f, std::sqrt(x * x + z * z) / half);
+        const float tone = static_cast<float>(lot_between(seed, who, Lot::tone, 0.85, 1.1)) * (1 - t) + t;
+        return Rgb{grass.r + (far_away.r - grass.r) * t, grass.g + (far_away.g - grass.g) * t,
+                   grass.b + (far_away.b - grass.b) * t} *
+               tone;
+    });
 }
 
 void build(Geometry &g, const PlazaLayout &layout, uint64_t seed)
@@ -176,7 +205,7 @@ void build(Geometry &g, const PlazaLayout &layout, uint64_t seed)
     temple(g, {0, -hz - 3.0f, 1, 0, 0, 1});
     for (float side : {-1.0f, 1.0f}) {
         if (wing > 3) colonnade(g, {side * (hx + 4.5f - (wing + 4.5f) / 2), -hz - 0.9f, 1, 0, 0, 1}, wing + 4.5f);
-        colonnade(g, {side * (hx + 0.9f), -3.0f, 0, -side, -side, 0}, 2 * hz - 4.0f);
+        colonnade(g, {side * (hx + 0.9f), -3.0f, 0, side, -side, 0}, 2 * hz - 4.0f);
     }
     fountain(g, static_cast<float>(layout.fountain[0]), static_cast<float>(layout.fountain[1]),
              static_cast<float>(layout.fountain_radius));

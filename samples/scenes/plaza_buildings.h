@@ -10,6 +10,9 @@ namespace scenes
 // The paving, with broad stains in its colours; texture coordinates are repeats of the flagstones.
 void pave(Geometry &ground, const PlazaLayout &layout, uint64_t seed);
 
+// The country round it, seen between and beyond buildings.
+void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed);
+
 // Colonnades on three sides, a temple at the back, cypresses behind it, a fountain and the speaker's platform.
 void build(Geometry &stone, const PlazaLayout &layout, uint64_t seed);
 

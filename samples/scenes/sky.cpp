@@ -9,12 +9,14 @@ namespace
 
 constexpr double two_pi = 6.283185307179586;
 constexpr Rgb zenith = {0.27f, 0.47f, 0.74f}, middle = {0.52f, 0.69f, 0.86f}, haze = {0.86f, 0.88f, 0.88f};
+constexpr Rgb land = {0.60f, 0.66f, 0.57f};
 constexpr int sides = 96;
 
 Rgb mix(Rgb a, Rgb b, float t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
 
 Rgb sky_at(double height)  // the sine of the angle above the horizon
 {
+    if (height <= -0.02) return land;
     if (height <= 0) return haze;
     const float t = static_cast<float>(std::sqrt(height));
     return t < 0.45f ? mix(haze, middle, t / 0.45f) : mix(middle, zenith, (t - 0.45f) / 0.55f);
@@ -59,7 +61,7 @@ double hill(uint64_t seed, int side, double height, int waves)
 
 Sky::Sky(uint64_t seed, Land land)
 {
-    const double steps[] = {-0.999, -0.05, 0.0, 0.02, 0.05, 0.1, 0.16, 0.24, 0.34, 0.46, 0.6, 0.76, 0.9, 0.9999};
+    const double steps[] = {-0.999, -0.05, -0.02, 0.0, 0.02, 0.05, 0.1, 0.16, 0.24, 0.34, 0.46, 0.6, 0.76, 0.9, 0.9999};
     for (size_t i = 0; i + 1 < sizeof steps / sizeof *steps; ++i)
         strip(
             dome_, [&](int) { return steps[i]; }, [&](int) { return steps[i + 1]; }, sky_at(steps[i]),

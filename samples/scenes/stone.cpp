@@ -94,15 +94,15 @@ Image flagstones(uint64_t seed)
             const double to_joint = std::min({to_course, along - first, stones.ends[slab] - along}) * flagstone_metres;
             const uint64_t id = static_cast<uint64_t>(row) * 64 + slab;
 
-            double tone = 0.80 + 0.13 * (lot(seed, id, Lot::tone) - 0.5) + 0.10 * (clouds(u, v) - 0.5);
+            double tone = 0.86 + 0.13 * (lot(seed, id, Lot::tone) - 0.5) + 0.10 * (clouds(u, v) - 0.5);
             tone += 0.055 * (bands(u, v) - 0.5) + 0.045 * (fine(u, v) - 0.5);
             if (pits(u, v) > 0.86) tone -= 0.06;
             const double worn = smooth(std::clamp(to_joint / 0.05, 0.0, 1.0));   // edges are a little darker
             const double open = smooth(std::clamp(to_joint / 0.014, 0.0, 1.0));  // the joint itself, in metres
             tone *= (0.93 + 0.07 * worn) * (0.55 + 0.45 * open);
             const double warm = 0.035 * (lot(seed, id, Lot::grain) - 0.3);
-            put(image, static_cast<size_t>(y) * side + static_cast<size_t>(x), tone * (1.03 + warm), tone * 0.975,
-                tone * (0.885 - warm));
+            put(image, static_cast<size_t>(y) * side + static_cast<size_t>(x), tone * (1.01 + warm), tone * 0.975,
+                tone * (0.915 - warm));
         }
     }
     return image;
