@@ -11,7 +11,7 @@ Pose stand_at(float phase)
     const float breath = wave(phase, 2, 0.1f);
     const float weight = wave(phase, 1);  // on the left leg where positive
     pose.shift_pelvis(
-        {0.022f * weight, -0.012f - 0.004f * weight * weight + 0.001f * breath, 0.004f * wave(phase, 1, 0.3f)});
+        {0.022f * weight, -0.005f - 0.003f * weight * weight + 0.001f * breath, 0.004f * wave(phase, 1, 0.3f)});
     pose.set(Bone::pelvis, roll(2.2f * weight) * yaw(2.0f * wave(phase, 1, 0.1f)));
     pose.set(Bone::spine, roll(-1.4f * weight) * pitch(1.0f));
     pose.set(Bone::spine_upper, roll(-1.2f * weight) * pitch(-0.6f - 0.5f * breath));

@@ -12,11 +12,11 @@ namespace
 
 using Meridian = std::vector<glm::vec3>;
 
-// From the middle of the face to the nape, left half.
-const std::array<Meridian, 8> meridians = {{
-    {{0, 1.408f, 0.0880f},  // just inside the neckline of the tunic
+// From the middle of the face to the nape, left half; each starts from a point of the neckline.
+constexpr std::array<size_t, 8> starts = {0, 1, 1, 2, 2, 2, 3, 4};
 
-     {0, 1.497f, 0.044f},
+const std::array<Meridian, 8> meridians = {{
+    {{0, 1.497f, 0.044f},
      {0, 1.517f, 0.082f},    // under the chin
      {0, 1.530f, 0.1025f},   // chin
      {0, 1.548f, 0.0960f},   // furrow below the lip
@@ -33,9 +33,7 @@ const std::array<Meridian, 8> meridians = {{
      {0, 1.714f, 0.0985f},  // hairline
      {0, 1.728f, 0.0940f},
      {0, 1.753f, 0.0520f}},
-    {{0.0500f, 1.424f, 0.0740f},
-
-     {0.022f, 1.499f, 0.042f},
+    {{0.022f, 1.499f, 0.042f},
      {0.019f, 1.519f, 0.079f},
      {0.019f, 1.532f, 0.0980f},
      {0.014f, 1.556f, 0.1005f},
@@ -50,8 +48,7 @@ const std::array<Meridian, 8> meridians = {{
      {0.023f, 1.722f, 0.0940f},
 
      {0.025f, 1.751f, 0.0480f}},
-    {{0.0750f, 1.446f, 0.0300f},
-     {0.040f, 1.502f, 0.030f},
+    {{0.040f, 1.502f, 0.030f},
      {0.034f, 1.525f, 0.068f},
      {0.0335f, 1.538f, 0.0850f},
      {0.0265f, 1.5640f, 0.0880f},  // corner of the mouth
@@ -63,8 +60,7 @@ const std::array<Meridian, 8> meridians = {{
      {0.040f, 1.722f, 0.0840f},
 
      {0.040f, 1.747f, 0.0430f}},
-    {{0.0890f, 1.460f, -0.0100f},
-     {0.0500f, 1.504f, 0.014f},
+    {{0.0500f, 1.504f, 0.014f},
      {0.0460f, 1.532f, 0.052f},
      {0.0500f, 1.564f, 0.0670f},
      {0.0560f, 1.602f, 0.0745f},  // cheekbone
@@ -73,33 +69,25 @@ const std::array<Meridian, 8> meridians = {{
      {0.0580f, 1.690f, 0.0745f},
      {0.0570f, 1.716f, 0.0650f},
      {0.0520f, 1.738f, 0.0360f}},
-    {{0.0910f, 1.462f, -0.0280f},
-     {0.0560f, 1.498f, -0.012f},
+    {{0.0560f, 1.498f, -0.012f},
      {0.0570f, 1.530f, 0.010f},  // angle of the jaw
      {0.0650f, 1.566f, 0.026f},
      {0.0700f, 1.608f, 0.041f},
      {0.0695f, 1.648f, 0.047f},  // temple
      {0.0730f, 1.692f, 0.040f},
      {0.0590f, 1.732f, 0.020f}},
-    {{0.0740f, 1.454f, -0.0700f},
-     {0.0550f, 1.506f, -0.038f},
+    {{0.0550f, 1.506f, -0.038f},
      {0.0600f, 1.556f, -0.018f},
      {0.0730f, 1.600f, -0.008f},
      {0.0775f, 1.648f, -0.006f},
      {0.0760f, 1.694f, -0.008f},
      {0.0550f, 1.737f, -0.010f}},
-    {{0.0500f, 1.445f, -0.0960f},
-     {0.0410f, 1.525f, -0.062f},
+    {{0.0410f, 1.525f, -0.062f},
      {0.0560f, 1.572f, -0.068f},
      {0.0680f, 1.636f, -0.074f},
      {0.0620f, 1.698f, -0.068f},
      {0.0430f, 1.738f, -0.046f}},
-    {{0, 1.450f, -0.1015f},
-     {0, 1.530f, -0.072f},
-     {0, 1.570f, -0.086f},
-     {0, 1.634f, -0.106f},
-     {0, 1.697f, -0.096f},
-     {0, 1.740f, -0.060f}},
+    {{0, 1.530f, -0.072f}, {0, 1.570f, -0.086f}, {0, 1.634f, -0.106f}, {0, 1.697f, -0.096f}, {0, 1.740f, -0.060f}},
 }};
 const glm::vec3 crown(0, 1.7585f, -0.006f);
 
@@ -154,16 +142,18 @@ void add_head(Mesh &mesh)
     const uint32_t top = mesh.add(crown, Region::head);
     // The right half first, mirrored, then the left; the middle ones are shared.
     std::array<std::array<Chain, 8>, 2> halves;
-    for (size_t m = 0; m < meridians.size(); ++m)
-        for (const glm::vec3 &p : meridians[m]) {
-            const bool middle = m == 0 || m == 7;
-            const Region region =
-                &p == &meridians[m].front() ? Region::torso : Region::head;  // the lowest go with the cloth
-            const uint32_t left = mesh.add(p, region);
-            const uint32_t right = middle ? left : mesh.add(mirrored(p, Side::right), region, Side::right);
-            halves[0][m].push_back({left, glm::vec2(around(p), upwards(p))});
-            halves[1][m].push_back({right, glm::vec2(-around(p), upwards(p))});
-        }
+    const auto add = [&](size_t m, glm::vec3 p, Region region) {
+        const uint32_t left = mesh.add(p, region);
+        const uint32_t right = p.x == 0 ? left : mesh.add(mirrored(p, Side::right), region, Side::right);
+        halves[0][m].push_back({left, glm::vec2(around(p), upwards(p))});
+        halves[1][m].push_back({right, glm::vec2(-around(p), upwards(p))});
+    };
+    for (size_t m = 0; m < meridians.size(); ++m) {
+        if (m > 0 && starts[m] == starts[m - 1])
+            for (auto &half : halves) half[m].push_back(half[m - 1].front());
+        else add(m, neckline[starts[m]], Region::torso);  // goes with the cloth
+        for (const glm::vec3 &p : meridians[m]) add(m, p, Region::head);
+    }
     for (const Side side : {Side::left, Side::right}) {
         auto &half = halves[side == Side::left ? 0 : 1];
         for (size_t m = 0; m + 1 < half.size(); ++m) {

@@ -3,6 +3,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/painters.h"
+#include "lib/figures/parts.h"
 #include "lib/figures/skeleton.h"
 
 namespace claque::figures
@@ -30,14 +31,10 @@ float to_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b)
 
 float to_neckline(glm::vec3 p)
 {
-    static const glm::vec3 line[] = {{0, 1.424f, 0.086f},
-                                     {0.050f, 1.440f, 0.070f},
-                                     {0.086f, 1.472f, -0.022f},
-                                     {0.052f, 1.458f, -0.098f},
-                                     {0, 1.462f, -0.104f}};
     p.x = std::fabs(p.x);
     float least = 1;
-    for (size_t i = 0; i + 1 < 5; ++i) least = std::min(least, to_segment(p, line[i], line[i + 1]));
+    for (size_t i = 0; i + 1 < neckline.size(); ++i)
+        least = std::min(least, to_segment(p, neckline[i], neckline[i + 1]));
     return least;
 }
 

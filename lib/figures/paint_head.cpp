@@ -98,7 +98,7 @@ float face_shade(glm::vec2 q, glm::vec3 n)
     g -= 22 * spot(q, {0.0310f, 1.6235f}, {0.016f, 0.0070f});                        // under the eye
     g -= 20 * spot(q, {0.0135f, 1.606f}, {0.0070f, 0.022f});                         // side of the nose
     g -= 14 * spot(q, {0.0560f, 1.572f}, {0.018f, 0.028f});                          // hollow of the cheek
-    g -= 46 * spot(to_segment(q, {0.0185f, 1.5985f}, {0.0190f, 1.5885f}), 0.0032f);  // wing of the nose
+    g -= 32 * spot(to_segment(q, {0.0185f, 1.5985f}, {0.0190f, 1.5885f}), 0.0036f);  // wing of the nose
     g -= 20 * spot(to_segment(q, {0.0200f, 1.5900f}, {0.0320f, 1.5665f}), 0.0050f);  // fold to the mouth
     g -= 26 * spot(q, {0, 1.5785f}, {0.0036f, 0.0065f});                             // groove of the upper lip
     g -= 50 * spot(q, {0, 1.5800f}, {0.0150f, 0.0050f}) * soft_step(0.3f, -0.4f, n.y);

@@ -7,7 +7,14 @@
 namespace claque::figures
 {
 
-void add_head(Mesh &mesh);            // head and neck, hair and ears; open below the neckline
+// Where skin ends and the tunic begins, left half: in front, its corner, on the shoulder, the corner behind, the nape.
+inline const std::array<glm::vec3, 5> neckline = {{{0, 1.424f, 0.086f},
+                                                   {0.050f, 1.440f, 0.070f},
+                                                   {0.086f, 1.472f, -0.022f},
+                                                   {0.052f, 1.458f, -0.098f},
+                                                   {0, 1.462f, -0.104f}}};
+
+void add_head(Mesh &mesh);  // head and neck, hair and ears; open at the neckline, whose points it shares with the tunic
 void add_tunic(Mesh &mesh);           // with sleeves and belt; closed inside, open at the neck
 void add_arm(Mesh &mesh, Side side);  // from inside the sleeve to the wrist, and the hand
 void add_leg(Mesh &mesh, Side side);  // from inside the skirt to the sole

@@ -50,16 +50,15 @@ const std::array<glm::vec3, 8> armpit = {{{0, 1.342f, 0.120f},
                                           {0.115f, 1.364f, -0.122f},
                                           {0.058f, 1.362f, -0.132f},
                                           {0, 1.362f, -0.128f}}};
-const std::array<glm::vec3, 8> upper = {{{0, 1.424f, 0.086f},
-                                         {0.050f, 1.440f, 0.070f},
+const std::array<glm::vec3, 8> upper = {{neckline[0],
+                                         neckline[1],
                                          {0.108f, 1.434f, 0.066f},
                                          {0.172f, 1.404f, 0.056f},
                                          {0.174f, 1.404f, -0.072f},
                                          {0.108f, 1.440f, -0.098f},
-                                         {0.052f, 1.458f, -0.098f},
-                                         {0, 1.462f, -0.104f}}};
-const std::array<glm::vec3, 3> shoulder_seam = {
-    {{0.086f, 1.472f, -0.022f}, {0.134f, 1.464f, -0.022f}, {0.184f, 1.456f, -0.016f}}};
+                                         neckline[3],
+                                         neckline[4]}};
+const std::array<glm::vec3, 3> shoulder_seam = {{neckline[2], {0.134f, 1.464f, -0.022f}, {0.184f, 1.456f, -0.016f}}};
 
 struct SleeveRow {
     float along;

@@ -56,7 +56,7 @@ void shoulder(Dense &w, glm::vec3 p, Side side)
     const float along = glm::dot(q - joint, arm_direction());
     trunk(w, p, (1 - arm) * (1 - 0.75f * out));
     give(w, on(side, Bone::clavicle), (1 - arm) * 0.75f * out);
-    chain(w, arm, {{on(side, Bone::upper_arm), 0.35f * step(0.19f, 0.31f, along)}, {on(side, Bone::forearm), 0}});
+    chain(w, arm, {{on(side, Bone::upper_arm), 0.12f * step(0.19f, 0.31f, along)}, {on(side, Bone::forearm), 0}});
 }
 
 void skirt(Dense &w, glm::vec3 p)
