@@ -19,14 +19,17 @@ struct Ink {
 };
 
 constexpr Ink clean_line = {90, 90, 90, 0.45};
-constexpr Ink dirty_fill = {230, 20, 30, 0.40};
+constexpr Ink dirty_fill = {230, 20, 30, 0.30};
 constexpr Ink dirty_line = {180, 0, 10, 0.95};
 
-// Hues a golden section of the circle apart: neighbours in number are far apart in colour.
+// Hues a golden section apart, so that neighbours in number are far apart in colour, between yellow and violet: red is
+// for dirty triangles.
 math::Rgb8 zone_colour(size_t index)
 {
+    const double turns = 0.55 + 0.6180339887 * double(index);
     double rgb[3];
-    math::hsb_to_rgb(210.0 + 222.492 * double(index), index % 2 ? 0.42 : 0.26, index % 3 == 2 ? 0.82 : 0.96, rgb);
+    math::hsb_to_rgb(50 + 230 * (turns - std::floor(turns)), index % 2 ? 0.38 : 0.20, index % 3 == 2 ? 0.84 : 0.97,
+                     rgb);
     return math::rgb8_of(rgb);
 }
 

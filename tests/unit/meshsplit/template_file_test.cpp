@@ -5,7 +5,9 @@
 
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
-#include "lib/model/template_check.h"
+#include "lib/pose/pose.h"
+#include "meshsplit/picture.h"
+#include "meshsplit/vertex_cloud.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +46,36 @@ Bytes saved(const model::Template &tmpl)
     return bytes;
 }
 
+// Reads everything that posing, skinning and drawing read; a sanitizer or a crash says what was out of range.
+double use(const model::Template &tmpl)
+{
+    double sum = 0;
+    pose::Workspace workspace(tmpl.rig);
+    for (uint32_t clip = 0; clip <= tmpl.rig.clips.size(); ++clip)
+        for (const double time : {0.0, 0.3, 7.0}) {
+            const auto palette = workspace.pose(clip < tmpl.rig.clips.size() ? clip : model::none, time);
+            for (const model::Level &level : tmpl.levels) {
+                const meshsplit::VertexCloud cloud(level, tmpl.rig);
+                for (uint32_t v = 0; v < level.source_count; ++v)
+                    sum += double(cloud.skinned(v, palette.data, workspace.weights().data).x);
+            }
+        }
+    for (uint32_t texture = 0; texture < tmpl.textures.size(); ++texture)
+        sum += meshsplit::split_picture(tmpl, texture, 1)[0];
+    for (const model::Level &level : tmpl.levels)
+        for (const model::Surface &surface : level.surfaces)
+            for (uint32_t i = 0; i < surface.fused.count; ++i) {
+                const uint32_t v = level.indices[surface.fused.first + i];
+                const uint32_t source = v < level.source_count ? v : level.copies[v - level.source_count];
+                sum += double(level.positions[3 * source]) + double(level.uvs[2 * v]);
+                sum += tmpl.textures[surface.texture].keys[level.slots[v] / 2].key;
+                if (!level.colours.empty()) sum += level.colours[4 * v];
+            }
+    for (const model::Texture &texture : tmpl.textures)
+        for (const model::ZoneKey &key : texture.keys) sum += double(tmpl.zone_colours[key.zone][0]);
+    return sum;
+}
+
 // CLQ_OK, or why it was refused.
 clq_status outcome(const Bytes &bytes)
 {
@@ -53,7 +85,8 @@ clq_status outcome(const Bytes &bytes)
     } catch (const base::Error &error) {
         return error.status();
     }
-    model::check(out);
+    volatile const double read = use(out);
+    (void)read;
     return CLQ_OK;
 }
 
@@ -116,7 +149,7 @@ TEST(TemplateFile, changed_with_a_forged_hash_is_refused_or_safe)
             Bytes changed = bytes;
             changed[i] = value;
             forge_hash(changed);
-            const clq_status status = outcome(changed);  // what is loaded passes check()
+            const clq_status status = outcome(changed);
             ASSERT_TRUE(status == CLQ_OK || status == CLQ_FORMAT) << i;
             refused += status == CLQ_FORMAT;
         }
