@@ -24,33 +24,33 @@ D2 arc_weights(D2 f, double x)
 
 // A quaternion in double, two numbers at a time.
 struct Quad {
-    D2 wx, yz;
+    D2 xy, zw;
 };
 
-Quad quad_of(const glm::quat &q) { return {D2{q.w, q.x}, D2{q.y, q.z}}; }
+Quad quad_of(const float xyzw[4]) { return {D2{xyzw[0], xyzw[1]}, D2{xyzw[2], xyzw[3]}}; }
 
 double dot(const Quad &a, const Quad &b)
 {
-    const D2 sum = a.wx * b.wx + a.yz * b.yz;
+    const D2 sum = a.xy * b.xy + a.zw * b.zw;
     return sum[0] + sum[1];
 }
 
-Quad mix(const Quad &a, const Quad &b, double p, double q) { return {p * a.wx + q * b.wx, p * a.yz + q * b.yz}; }
+Quad mix(const Quad &a, const Quad &b, double p, double q) { return {p * a.xy + q * b.xy, p * a.zw + q * b.zw}; }
 
 glm::quat unit_of(const Quad &q)
 {
     const double square = dot(q, q);
     if (!(square > 0)) return glm::quat(1, 0, 0, 0);
     const double s = 1 / std::sqrt(square);
-    const D2 wx = q.wx * s, yz = q.yz * s;
-    return glm::quat(float(wx[0]), float(wx[1]), float(yz[0]), float(yz[1]));
+    const D2 xy = q.xy * s, zw = q.zw * s;
+    return glm::quat(float(zw[1]), float(xy[0]), float(xy[1]), float(zw[0]));
 }
 
 }  // namespace
 
-glm::quat unit_quat(double w, double x, double y, double z) { return unit_of({D2{w, x}, D2{y, z}}); }
+glm::quat unit_quat(double w, double x, double y, double z) { return unit_of({D2{x, y}, D2{z, w}}); }
 
-glm::quat slerp(const glm::quat &first, const glm::quat &second, double f)
+glm::quat slerp(const float first[4], const float second[4], double f)
 {
     Quad a = quad_of(first), b = quad_of(second);
     double cosine = dot(a, b);

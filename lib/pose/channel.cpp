@@ -86,8 +86,7 @@ glm::quat sample_rotation(const model::Rig &rig, const model::Channel &channel, 
     const float *a = value_at(rig, channel, place.key);
     if (place.f == 0 || channel.interpolation == model::Interpolation::step) return unit_at(a);
     const float *b = value_at(rig, channel, place.key + 1);
-    if (channel.interpolation == model::Interpolation::linear)
-        return math::slerp(glm::quat(a[3], a[0], a[1], a[2]), glm::quat(b[3], b[0], b[1], b[2]), place.f);
+    if (channel.interpolation == model::Interpolation::linear) return math::slerp(a, b, place.f);
     const Hermite h(place.f, step_after(rig, channel, place.key));
     double q[4];
     for (int i = 0; i < 4; ++i) q[i] = h.v0 * a[i] + h.m0 * a[4 + i] + h.v1 * b[i] + h.m1 * b[i - 4];

@@ -20,23 +20,33 @@ F4 transform(const Columns &a, float x, float y, float z)
     return a.c[0] * math::splat(x) + a.c[1] * math::splat(y) + a.c[2] * math::splat(z);
 }
 
-// The same steps as math::affine_of(Trs).
+// The same steps as math::affine_of(Trs), in plain numbers.
+struct Axes {
+    float xx, xy, xz, yx, yy, yz, zx, zy, zz;
+    explicit Axes(const math::Trs &trs)
+    {
+        const float x = trs.rotation.x, y = trs.rotation.y, z = trs.rotation.z, w = trs.rotation.w;
+        const glm::vec3 &s = trs.scale;
+        xx = (1 - 2 * (y * y + z * z)) * s.x, xy = 2 * (x * y + w * z) * s.x, xz = 2 * (x * z - w * y) * s.x;
+        yx = 2 * (x * y - w * z) * s.y, yy = (1 - 2 * (x * x + z * z)) * s.y, yz = 2 * (y * z + w * x) * s.y;
+        zx = 2 * (x * z + w * y) * s.z, zy = 2 * (y * z - w * x) * s.z, zz = (1 - 2 * (x * x + y * y)) * s.z;
+    }
+};
+
 Columns columns_of(const math::Trs &trs)
 {
-    const glm::mat3 r = glm::mat3_cast(trs.rotation);
-    const glm::vec3 &s = trs.scale, &t = trs.translation;
-    return {{F4{r[0].x, r[0].y, r[0].z, 0} * s.x, F4{r[1].x, r[1].y, r[1].z, 0} * s.y,
-             F4{r[2].x, r[2].y, r[2].z, 0} * s.z, F4{t.x, t.y, t.z, 0}}};
+    const Axes a(trs);
+    const glm::vec3 &t = trs.translation;
+    return {{F4{a.xx, a.xy, a.xz, 0}, F4{a.yx, a.yy, a.yz, 0}, F4{a.zx, a.zy, a.zz, 0}, F4{t.x, t.y, t.z, 0}}};
 }
 
 // parent * columns_of(trs), whose columns are not put together for it.
 Columns mul(const Columns &parent, const math::Trs &trs)
 {
-    const glm::mat3 r = glm::mat3_cast(trs.rotation);
-    const glm::vec3 x = r[0] * trs.scale.x, y = r[1] * trs.scale.y, z = r[2] * trs.scale.z;
+    const Axes a(trs);
     const glm::vec3 &t = trs.translation;
-    return {{transform(parent, x.x, x.y, x.z), transform(parent, y.x, y.y, y.z), transform(parent, z.x, z.y, z.z),
-             transform(parent, t.x, t.y, t.z) + parent.c[3]}};
+    return {{transform(parent, a.xx, a.xy, a.xz), transform(parent, a.yx, a.yy, a.yz),
+             transform(parent, a.zx, a.zy, a.zz), transform(parent, t.x, t.y, t.z) + parent.c[3]}};
 }
 
 void mul_to_affine(const Columns &a, const float *b, float *out)

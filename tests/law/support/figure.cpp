@@ -163,18 +163,40 @@ private:
         level.morph_ranges.push_back(range);
     }
 
-    // Every vertex of many poses, with a margin for those between.
+    // Round every vertex of many poses, a little larger for those between.
     void sphere()
     {
         pose::Workspace workspace(out_.rig);
-        float radius = 0;
-        for (uint32_t c = 0; c < out_.rig.clips.size(); ++c)
-            for (int k = 0; k <= 40; ++k) {
-                const auto palette =
-                    workspace.pose(c, out_.rig.clips[c].start_s + out_.rig.clips[c].duration_s * k / 40);
-                for (const math::Affine &m : palette) radius = std::max(radius, glm::length(m.column(3)) + 6.0f);
-            }
-        out_.sklsroot = {glm::vec3(0), radius};
+        float square = 0;
+        for (const model::Level &level : out_.levels) {
+            square = std::max(square, farthest(level, workspace, model::none, 0));
+            for (uint32_t c = 0; c < out_.rig.clips.size(); ++c)
+                for (int k = 0; k <= 100; ++k) {
+                    const model::Clip &clip = out_.rig.clips[c];
+                    square = std::max(square, farthest(level, workspace, c, clip.start_s + clip.duration_s * k / 100));
+                }
+        }
+        out_.sklsroot = {glm::vec3(0), 1.1f * std::sqrt(square)};
+    }
+
+    static float farthest(const model::Level &level, pose::Workspace &workspace, uint32_t clip, double time_s)
+    {
+        std::vector<float> positions(3 * level.vertex_count), normals(positions.size());
+        skin::SkinJob job;
+        job.level = &level;
+        job.palette = workspace.pose(clip, time_s);
+        job.morph_weights = workspace.weights();
+        std::vector<float> scratch(skin::scratch_floats(level, job.palette.count, job.normals));
+        job.scratch = base::Span<float>(scratch);
+        job.out_positions = base::Span<float>(positions);
+        job.out_normals = base::Span<float>(normals);
+        job.run();
+        float square = 0;
+        for (uint32_t v = 0; v < level.vertex_count; ++v) {
+            const float *p = positions.data() + 3 * v;
+            square = std::max(square, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        }
+        return square;
     }
 
     const FigureDef &def_;

@@ -183,6 +183,21 @@ TEST_F(CachesTest, AVictimOfAnotherTemplateMakesRoomToo)
     EXPECT_EQ(caches.counters().bytes, caches.settings().budget_bytes);
 }
 
+TEST_F(CachesTest, EveryStrandWorksInMemoryOfItsOwn)
+{
+    ScratchPool pool(std::pmr::get_default_resource(), 5);
+    Sizes sizes = sizes_of(*figure_);
+    pool.reserve(sizes_of(*small_));
+    pool.reserve(sizes);
+    pool.reserve(sizes_of(*small_));  // a smaller wish shrinks nothing
+    for (uint32_t i = 0; i + 1 < 5; ++i) {
+        const Scratch a = pool.strand(i), b = pool.strand(i + 1);
+        EXPECT_GE(b.locals - a.locals, std::ptrdiff_t(sizes.nodes));
+        EXPECT_GE(b.globals - a.globals, std::ptrdiff_t(sizes.nodes));
+        EXPECT_GE(b.floats - a.floats, std::ptrdiff_t(sizes.scratch_floats));
+    }
+}
+
 TEST_F(CachesTest, AllMemoryIsGivenBack)
 {
     CountingMemory memory;

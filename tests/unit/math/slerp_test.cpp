@@ -31,6 +31,12 @@ void reference(const glm::quat &a, const glm::quat &b, double t, double out[4])
     for (int i = 0; i < 4; ++i) out[i] /= std::sqrt(square);
 }
 
+glm::quat slerp(const glm::quat &a, const glm::quat &b, double f)
+{
+    const float x[4] = {a.x, a.y, a.z, a.w}, y[4] = {b.x, b.y, b.z, b.w};
+    return math::slerp(x, y, f);
+}
+
 glm::quat random_unit(std::mt19937 &random)
 {
     std::normal_distribution<double> normal;
