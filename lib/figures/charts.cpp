@@ -55,19 +55,19 @@ model::Zone zone_of(Zone zone)
     const int key = key_of(zone);
     switch (zone) {
         case Zone::skin:
-            return make("skin", key, {0.86f, 0.65f, 0.52f}, {14, 30, 0.28f, 0.52f, 0.60f, 0.96f});
+            return make("skin", key, {0.86f, 0.65f, 0.52f}, {16, 28, 0.34f, 0.52f, 0.58f, 0.95f});
         case Zone::hair:
             return make("hair", key, {0.33f, 0.23f, 0.16f}, {12, 38, 0.15f, 0.62f, 0.12f, 0.52f});
         case Zone::eyes:
             return make("eyes", key, {0.93f, 0.91f, 0.87f}, {20, 220, 0.02f, 0.12f, 0.88f, 1.00f});
         case Zone::lips:
-            return make("lips", key, {0.74f, 0.45f, 0.40f}, {2, 16, 0.32f, 0.52f, 0.52f, 0.82f});
+            return make("lips", key, {0.74f, 0.45f, 0.40f}, {4, 15, 0.38f, 0.50f, 0.55f, 0.78f});
         case Zone::tunic:
-            return make("tunic", key, {0.93f, 0.88f, 0.77f}, {8, 60, 0.05f, 0.62f, 0.58f, 1.00f});
+            return make("tunic", key, {0.93f, 0.88f, 0.77f}, {12, 54, 0.04f, 0.52f, 0.58f, 1.00f});
         case Zone::belt:
             return make("belt", key, {0.42f, 0.26f, 0.15f}, {12, 34, 0.40f, 0.72f, 0.24f, 0.55f});
         case Zone::border:
-            return make("border", key, {0.60f, 0.16f, 0.14f}, {320, 40, 0.45f, 0.85f, 0.30f, 0.80f});
+            return make("border", key, {0.60f, 0.16f, 0.14f}, {330, 36, 0.50f, 0.82f, 0.30f, 0.68f});
         case Zone::sandals:
             break;
     }

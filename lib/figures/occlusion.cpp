@@ -13,7 +13,7 @@ namespace
 
 constexpr float cell_size = 0.04f;
 constexpr float reach_m = 0.16f;
-constexpr int ray_count = 24;
+constexpr int ray_count = 16;
 
 // Directions spread over the half sphere round +z, denser near it (cosine law), by the golden angle.
 std::array<glm::vec3, ray_count> make_rays()
