@@ -7,7 +7,9 @@ namespace
 
 // One rounding for all strategies and both formats, or their pictures would differ by a bit.
 constexpr uint8_t product(uint8_t a, uint8_t b) { return static_cast<uint8_t>((2 * a * b + 255) / 510); }
-constexpr float real_of(uint8_t value) { return static_cast<float>(value) / 255.0f; }
+// As Mesa reads 8-bit colour arrays. Its glColor4ub divides instead, an ulp apart, which lighting and rounding turn
+// into other pixels now and then: so a current colour is given as floats, whatever the arrays are.
+constexpr float real_of(uint8_t value) { return static_cast<float>(value) * (1.0f / 255.0f); }
 
 const uint8_t *rgb_of(const Individual &who, const ZoneTest &test) { return who.zone_rgb + 3 * test.zone; }
 
@@ -116,8 +118,6 @@ void Canvas::use_zone_colour(const Individual &who, const ZoneTest &test)
               : fill_with_zone<RealColours>(who, test, scratch_.real);
         ubyte ? gl_.ColorPointer(4, gl::unsigned_byte, 0, scratch_.ubyte.data())
               : gl_.ColorPointer(4, gl::real, 0, scratch_.real.data());
-    } else if (ubyte) {
-        gl_.Color4ub(rgb[0], rgb[1], rgb[2], 255);
     } else {
         gl_.Color4f(real_of(rgb[0]), real_of(rgb[1]), real_of(rgb[2]), 1.0f);
     }
