@@ -93,8 +93,8 @@ float folds(glm::vec3 p, glm::vec3 n)
     g -= 26 * spot(up, 0.022f);
     const float sag = std::fabs(p.x);
     const float swing = p.y + (p.z > 0 ? -3.2f : -1.6f) * sag * sag + 0.016f * grain(p.x * 26, p.y * 9, 16);
-    const float hang = grain(swing * 15, 3.0f + sag * 3, 17);
-    g += 24 * furrow(hang) * soft_step(0.05f, 0.16f, up) * soft_step(0.42f, 0.33f, up);
+    const float hang = 0.55f * grain(swing * 16, 3.0f + sag * 3, 17) + 0.45f * grain(swing * 34, 5.0f + sag * 5, 19);
+    g += 32 * furrow(hang) * soft_step(0.05f, 0.16f, up) * soft_step(0.42f, 0.33f, up);
     g -= 16 * spot(p.x, 0.05f) * spot(p.y - 1.26f, 0.12f) * (p.z > 0 ? 1.0f : 0.4f);
     g += 10 * spot(sag - 0.085f, 0.06f) * spot(p.y - 1.31f, 0.07f);
     return g;
