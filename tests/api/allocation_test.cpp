@@ -222,12 +222,12 @@ TEST_F(Allocation, a_renderer_fails_cleanly_and_drawing_allocates_nothing)
     make_crowd(50);
     ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
     std::string why_not;
-    const auto screen = make_offscreen(Kind::any, 64, 64, PixelFormat::rgba8888, why_not);
+    const auto screen = contexts::make_offscreen(contexts::Kind::any, 64, 64, contexts::PixelFormat::rgba8888, why_not);
     if (!screen) GTEST_SKIP() << "no software GL here: " << why_not;
     ASSERT_TRUE(screen->make_current());
     clq_renderer_def def = clq_renderer_def_init();
     def.get_proc_address = screen->get_proc_address();
-    def.user = screen->get_proc_address_user();
+    def.user = screen->user();
     // Only the host's allocator may fail here: what GL itself allocates is not ours to test.
     fail_each(
         "clq_renderer_create and prepare", fm::Reach::host_only, 1,
