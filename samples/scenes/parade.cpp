@@ -4,7 +4,6 @@
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
-#include "samples/scenes/stone.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +50,7 @@ class Parade final : public Scene
 {
 public:
     Parade(Library &library, const Casting &casting, const Character &character)
-        : seed_(casting.seed), character_(character), cast_(library, casting), sky_(casting.seed, Sky::Land::plain)
+        : seed_(casting.seed), character_(character), cast_(library, casting), sky_(casting.seed, Sky::Land::studio)
     {
         if (!character_.tmpl) take_citizen(library);
         check(clq_template_get_info(character_.tmpl, &info_));
@@ -69,39 +68,56 @@ public:
 
     clq_camera camera(Shot shot, double aspect, double) const override
     {
-        constexpr double fov_deg = 32, half_fov = fov_deg / 2 * 0.017453292519943295;
-        const double half_high = std::sin(half_fov) / std::cos(half_fov), half_wide = half_high * aspect;
         const bool all = shot == Shot::overview;
-        const int columns = all ? columns_ : std::min(columns_, 3), rows = all ? rows_ : 1;
-        const double wide = (columns - 1) * across_ / 2 + extent_.half_x + 0.25;
-        const double back = (rows - 1) * deep_;
-        const double high = extent_.height / 2;
-        // Far enough that the first row fits in width and a person in height; higher over deeper crowds.
-        const double near_row = std::max(wide / half_wide, (high + 0.2) / half_high) + extent_.half_z;
-        const double rise = high + 0.12 * near_row + 0.30 * back;
-        const double eye[3] = {0, rise, near_row * 1.06 + back * 0.16};
-        const double target[3] = {0, high * 0.92, -back * 0.42};
-        return look(eye, target, fov_deg, aspect, 0.05, 60 * (near_row + back) + 100);
+        return frame(all ? rows_ : 1, all ? columns_ : std::min(columns_, 3), aspect);
     }
 
     void place(double) override {}
 
-    void prepare(const Gl &gl) override
-    {
-        plaster_.emplace(gl, plaster(seed_), true);
-        shadows_.prepare(gl);
-    }
+    void prepare(const Gl &gl) override { shadows_.prepare(gl); }
 
     void draw_setting(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
         shine(g, light_, eye);
-        plaster_->use();
+        g.Disable(gl::lighting);
         ground_.draw(g);
         shadows_.draw(g);
     }
 
 private:
+    // Looks down on so many rows from the front, near enough that they fill the picture and far enough that all of them
+    // are in it.
+    clq_camera frame(int rows, int columns, double aspect) const
+    {
+        constexpr double fov_deg = 30, fill = 0.86;
+        const double half_fov = fov_deg / 2 * 0.017453292519943295;
+        const double tall = fill * std::sin(half_fov) / std::cos(half_fov), wide = tall * aspect;
+        const double pitch = rows > 1 ? 0.30 : 0.10, fy = -std::sin(pitch), fz = -std::cos(pitch);
+        const double half_x = (columns - 1) * across_ / 2 + extent_.half_x, back = (rows - 1) * deep_ + extent_.half_z;
+        double y = extent_.height / 2, z = -back / 2, distance = 1;
+        for (int round = 0; round < 8; ++round) {
+            double top = -1e9, bottom = 1e9;
+            distance = 0.1;
+            for (int corner = 0; corner < 4; ++corner) {
+                const double py = (corner & 1 ? extent_.height : 0.0) - y,
+                             pz = (corner & 2 ? -back : extent_.half_z) - z;
+                const double up = py * -fz + pz * fy, ahead = py * fy + pz * fz;
+                distance = std::max({distance, std::abs(up) / tall - ahead, half_x / wide - ahead});
+            }
+            for (int corner = 0; corner < 4; ++corner) {
+                const double py = (corner & 1 ? extent_.height : 0.0) - y,
+                             pz = (corner & 2 ? -back : extent_.half_z) - z;
+                const double slope = (py * -fz + pz * fy) / (distance + py * fy + pz * fz);
+                top = std::max(top, slope);
+                bottom = std::min(bottom, slope);
+            }
+            y += (top + bottom) / 2 * distance;  // so that as much is free above as below
+        }
+        return look({0, y - fy * distance, z - fz * distance}, {0, y, z}, fov_deg, aspect, distance * 0.02,
+                    distance * 40 + 100);
+    }
+
     void take_citizen(Library &library)
     {
         clq_template *made = nullptr;
@@ -142,12 +158,29 @@ private:
 
     void lay_ground()
     {
-        const Rgb colour = {0.70f, 0.69f, 0.66f};
-        const float half = static_cast<float>(40 + 4 * (columns_ * across_ + rows_ * deep_)), cell = half / 24;
-        for (int row = 0; row < 48; ++row)
-            for (int column = 0; column < 48; ++column) {
-                const float x = -half + cell * static_cast<float>(column), z = -half + cell * static_cast<float>(row);
-                ground_.quad({Vec3{x, 0, z + cell}, {x + cell, 0, z + cell}, {x + cell, 0, z}, {x, 0, z}}, colour);
+        constexpr Rgb near = {0.60f, 0.59f, 0.57f};
+        constexpr int cells = 64;
+        const double reach = 3 + 1.2 * (columns_ * across_ + rows_ * deep_), half = 40 * reach;
+        // Cells grow outwards, so that the fade into the backdrop is smooth near and cheap far away.
+        const auto line = [&](int i) {
+            const double t = 2.0 * i / cells - 1;
+            return half * t * t * t;
+        };
+        const Rgb far = Sky::backdrop;
+        for (int row = 0; row <= cells; ++row)
+            for (int column = 0; column <= cells; ++column) {
+                const double x = line(column), z = line(row);
+                const double t = std::min(1.0, std::sqrt(x * x + z * z) / (4 * reach));
+                const float k = static_cast<float>(t * t * (3 - 2 * t));
+                ground_.add(
+                    {static_cast<float>(x), 0, static_cast<float>(z)}, {0, 1, 0}, 0, 0,
+                    {near.r + (far.r - near.r) * k, near.g + (far.g - near.g) * k, near.b + (far.b - near.b) * k});
+            }
+        for (uint32_t row = 0; row < cells; ++row)
+            for (uint32_t column = 0; column < cells; ++column) {
+                const uint32_t a = row * (cells + 1) + column, below = a + cells + 1;
+                ground_.triangle(a, below, below + 1);
+                ground_.triangle(a, below + 1, a + 1);
             }
     }
 
@@ -161,8 +194,7 @@ private:
     double across_ = 1, deep_ = 1;
     Daylight light_;
     Sky sky_;
-    Geometry ground_ = Geometry(plaster_metres);
-    std::optional<Texture> plaster_;
+    Geometry ground_;
     Shadows shadows_;
 };
 

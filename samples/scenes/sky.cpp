@@ -61,17 +61,30 @@ double hill(uint64_t seed, int side, double height, int waves)
 
 Sky::Sky(uint64_t seed, Land land)
 {
+    if (land == Land::studio) {
+        studio();
+        return;
+    }
     const double steps[] = {-0.999, -0.05, -0.02, 0.0, 0.02, 0.05, 0.1, 0.16, 0.24, 0.34, 0.46, 0.6, 0.76, 0.9, 0.9999};
     for (size_t i = 0; i + 1 < sizeof steps / sizeof *steps; ++i)
         strip(
             dome_, [&](int) { return steps[i]; }, [&](int) { return steps[i + 1]; }, sky_at(steps[i]),
             sky_at(steps[i + 1]));
-    if (land == Land::plain) return;
     const auto ground = [](int) { return -0.06; };
-    strip(dome_, ground, [&](int s) { return hill(seed + 1, s, 0.062, 3); }, {0.72f, 0.78f, 0.80f},
+    strip(dome_, ground, [&](int s) { return hill(seed + 1, s, 0.040, 3); }, {0.72f, 0.78f, 0.80f},
           {0.64f, 0.72f, 0.78f});
-    strip(dome_, ground, [&](int s) { return hill(seed + 5, s, 0.036, 5); }, {0.62f, 0.68f, 0.60f},
+    strip(dome_, ground, [&](int s) { return hill(seed + 5, s, 0.016, 5); }, {0.62f, 0.68f, 0.60f},
           {0.52f, 0.61f, 0.56f});
+}
+
+// A backdrop as photographers have it.
+void Sky::studio()
+{
+    const auto at = [](double y) { return [y](int) { return y; }; };
+    const Rgb top = backdrop * 0.62f;
+    strip(dome_, at(-0.999), at(0.0), backdrop, backdrop);
+    strip(dome_, at(0.0), at(0.45), backdrop, top);
+    strip(dome_, at(0.45), at(0.9999), top, top);
 }
 
 void Sky::draw(const Gl &g, const Eye &eye) const
