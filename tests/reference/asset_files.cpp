@@ -1,4 +1,4 @@
-#include "asset_files.h"
+#include "tests/reference/asset_files.h"
 
 #include <algorithm>
 #include <array>

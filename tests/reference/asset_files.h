@@ -1,6 +1,5 @@
 // Which real files the reference is held against.
-#ifndef CLAQUE_TESTS_REFERENCE_ASSET_FILES_H
-#define CLAQUE_TESTS_REFERENCE_ASSET_FILES_H
+#pragma once
 
 #include <claque/base.h>
 
@@ -33,5 +32,3 @@ struct Refusal {
 const Refusal *refusal_of(const std::string &file);
 
 }  // namespace claque::reference
-
-#endif

@@ -1,4 +1,4 @@
-#include "comparison.h"
+#include "tests/reference/comparison.h"
 
 #include <algorithm>
 #include <limits>

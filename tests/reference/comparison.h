@@ -1,11 +1,10 @@
 // What "the same shape" means: every vertex within a tenth of a thousandth of the character's size.
-#ifndef CLAQUE_TESTS_REFERENCE_COMPARISON_H
-#define CLAQUE_TESTS_REFERENCE_COMPARISON_H
+#pragma once
 
 #include <string>
 #include <vector>
 
-#include "gltf_reference.h"
+#include "tests/reference/gltf_reference.h"
 
 namespace claque::reference
 {
@@ -29,5 +28,3 @@ struct Comparison {
 Comparison compare(const std::vector<Vec3> &expected, const std::vector<float> &actual, double size);
 
 }  // namespace claque::reference
-
-#endif

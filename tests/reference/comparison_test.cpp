@@ -1,12 +1,12 @@
 // The comparison is worth something only if it fails: real characters are damaged in the ways that loaders and
 // skinning go wrong, and each time it has to notice.
-#include "comparison.h"
+#include "tests/reference/comparison.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "asset_files.h"
+#include "tests/reference/asset_files.h"
 
 namespace claque::reference
 {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "asset_files.h"
-#include "comparison.h"
+#include "tests/reference/asset_files.h"
+#include "tests/reference/comparison.h"
 
 namespace claque::reference
 {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gltf_reference.h"
+#include "tests/reference/gltf_reference.h"
 
 namespace claque::reference
 {

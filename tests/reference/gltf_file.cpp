@@ -1,4 +1,4 @@
-#include "gltf_file.h"
+#include "tests/reference/gltf_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 // A glTF 2.0 file's JSON, buffers and accessors, for trusted test files only: what is wrong throws whatever the
 // standard library or nlohmann-json throws. Part of the reference; see gltf_reference.h.
-#ifndef CLAQUE_TESTS_REFERENCE_GLTF_FILE_H
-#define CLAQUE_TESTS_REFERENCE_GLTF_FILE_H
+#pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,5 +34,3 @@ private:
 };
 
 }  // namespace claque::reference
-
-#endif

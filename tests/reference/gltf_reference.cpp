@@ -1,9 +1,9 @@
-#include "gltf_reference.h"
+#include "tests/reference/gltf_reference.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "gltf_file.h"
+#include "tests/reference/gltf_file.h"
 
 namespace claque::reference
 {

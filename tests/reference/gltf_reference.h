@@ -10,14 +10,13 @@
 //
 // The order of vertices is that of `claque dump`: the default scene (scene 0 if none is named, all root nodes if there
 // are no scenes), nodes depth first with children in listed order, primitives in order, vertices as in the file.
-#ifndef CLAQUE_TESTS_REFERENCE_GLTF_REFERENCE_H
-#define CLAQUE_TESTS_REFERENCE_GLTF_REFERENCE_H
+#pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "matrix.h"
+#include "tests/reference/matrix.h"
 
 namespace claque::reference
 {
@@ -101,5 +100,3 @@ constexpr size_t rest = static_cast<size_t>(-1);
 Shape evaluate(const Character &character, size_t clip, double time_s);
 
 }  // namespace claque::reference
-
-#endif

@@ -1,13 +1,12 @@
 // Which points are near another.
-#ifndef CLAQUE_TESTS_REFERENCE_GRID_H
-#define CLAQUE_TESTS_REFERENCE_GRID_H
+#pragma once
 
 #include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
 
-#include "matrix.h"
+#include "tests/reference/matrix.h"
 
 namespace claque::reference
 {
@@ -56,5 +55,3 @@ private:
 };
 
 }  // namespace claque::reference
-
-#endif

@@ -1,7 +1,6 @@
 // The arithmetic of the reference: double vectors, quaternions and 4x4 matrices, written out so that no mistake can be
 // shared with the library's own (no GLM, no lib/math). Column vectors; entry (row, column) is at [4 * column + row].
-#ifndef CLAQUE_TESTS_REFERENCE_MATRIX_H
-#define CLAQUE_TESTS_REFERENCE_MATRIX_H
+#pragma once
 
 #include <array>
 #include <cmath>
@@ -149,5 +148,3 @@ inline Mat4 compose(const Vec3 &translation, const Quat &rotation, const Vec3 &s
 }
 
 }  // namespace claque::reference
-
-#endif

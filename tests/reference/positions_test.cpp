@@ -7,8 +7,8 @@
 #include <cmath>
 #include <memory>
 
-#include "asset_files.h"
-#include "comparison.h"
+#include "tests/reference/asset_files.h"
+#include "tests/reference/comparison.h"
 
 namespace claque::reference
 {

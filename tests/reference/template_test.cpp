@@ -8,12 +8,12 @@
 #include <array>
 #include <memory>
 
-#include "asset_files.h"
-#include "comparison.h"
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
-#include "trajectories.h"
-#include "triangles.h"
+#include "tests/reference/asset_files.h"
+#include "tests/reference/comparison.h"
+#include "tests/reference/trajectories.h"
+#include "tests/reference/triangles.h"
 
 namespace claque::reference
 {

@@ -1,9 +1,9 @@
-#include "trajectories.h"
+#include "tests/reference/trajectories.h"
 
 #include <cmath>
 #include <sstream>
 
-#include "grid.h"
+#include "tests/reference/grid.h"
 
 namespace claque::reference
 {

@@ -1,12 +1,11 @@
 // Splitting reorders, repeats and drops vertices, so split vertices are known by where they go: a split vertex is held
 // to be a file's vertex if it is with it in every one of several poses.
-#ifndef CLAQUE_TESTS_REFERENCE_TRAJECTORIES_H
-#define CLAQUE_TESTS_REFERENCE_TRAJECTORIES_H
+#pragma once
 
 #include <string>
 #include <vector>
 
-#include "gltf_reference.h"
+#include "tests/reference/gltf_reference.h"
 
 namespace claque::reference
 {
@@ -40,5 +39,3 @@ constexpr double normal_slack = 1.0 / 57.29577951308232;  // one degree
 Matching match(const std::vector<Pose> &poses, const std::vector<bool> &used, double distance);
 
 }  // namespace claque::reference
-
-#endif

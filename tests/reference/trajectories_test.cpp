@@ -1,13 +1,13 @@
 // The matching of split vertices has to fail as well, on each kind of damage that splitting can do.
-#include "trajectories.h"
+#include "tests/reference/trajectories.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "asset_files.h"
-#include "comparison.h"
-#include "triangles.h"
+#include "tests/reference/asset_files.h"
+#include "tests/reference/comparison.h"
+#include "tests/reference/triangles.h"
 
 namespace claque::reference
 {

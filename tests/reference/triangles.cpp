@@ -1,9 +1,9 @@
-#include "triangles.h"
+#include "tests/reference/triangles.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "grid.h"
+#include "tests/reference/grid.h"
 
 namespace claque::reference
 {

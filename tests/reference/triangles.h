@@ -1,12 +1,11 @@
 // The triangles of a file with their front sides, and whether two sets of triangles are the same surface.
-#ifndef CLAQUE_TESTS_REFERENCE_TRIANGLES_H
-#define CLAQUE_TESTS_REFERENCE_TRIANGLES_H
+#pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "gltf_reference.h"
+#include "tests/reference/gltf_reference.h"
 
 namespace claque::reference
 {
@@ -44,5 +43,3 @@ SurfaceMatching match(const std::vector<Facet> &expected, const std::vector<bool
                       const std::vector<Facet> &actual, double distance);
 
 }  // namespace claque::reference
-
-#endif
