@@ -67,6 +67,27 @@ TEST(PeriodLaw, RatesReachedFollowTheSquaredDistanceInEveryBand)
     EXPECT_NEAR(double(scene.frame.stats().bands[7].animated) / scene.frame.stats().bands[7].seconds, 4, 0.15);
 }
 
+TEST(PeriodLaw, ComingIntoViewAndJumpsOfTimeAreNoRates)
+{
+    Scene scene;
+    const glm::dvec3 eye(0, 1.7, 60), ahead(0, 1, 0), behind(0, 1, 90);
+    const auto measured = [&] {
+        double seconds = 0;
+        uint64_t animated = 0;
+        for (const frame::Band &band : scene.frame.stats().bands) seconds += band.seconds, animated += band.animated;
+        return seconds > 0 || animated > 0;
+    };
+    for (int i = 0; i < 6; ++i) scene.look(0, eye, i % 2 ? behind : ahead), scene.update(i * 0.1);
+    scene.look(0, eye, ahead);
+    for (const double time_s : {5.0, 10.0, 3.0}) scene.update(time_s);
+    EXPECT_FALSE(measured());
+    EXPECT_GT(scene.frame.stats().bands[7].actor_frames, 0u);
+    scene.update(3.1);
+    EXPECT_TRUE(measured());
+    scene.frame.reset_bands();
+    EXPECT_FALSE(measured());
+}
+
 TEST(PeriodLaw, NoFrameCarriesABurst)
 {
     SceneDef def;

@@ -46,6 +46,19 @@ TEST(Pose, AgreesWithASecondEvaluationInDoubleForEveryKindOfKey)
     }
 }
 
+TEST(Pose, ChannelsMayShareKeyTimesAndEndAtDifferentOnes)
+{
+    const auto figure = make_figure();
+    model::Rig &rig = figure->rig;
+    for (uint32_t i = 1; i < 6; ++i) {
+        rig.channels[i].first_time = rig.channels[0].first_time;
+        rig.channels[i].key_count = i % 2 ? 10 : 34;
+    }
+    model::check(rig);
+    Workspace workspace(rig);
+    for (int i = -2; i < 60; ++i) expect_like_reference(rig, workspace, clip_walk, i * 0.0203);
+}
+
 TEST(Pose, IsTheSameWhateverWasAskedBefore)
 {
     const auto figure = make_figure();
