@@ -64,7 +64,9 @@ void Buffers::load(const View &buffer, size_t index, const Container &container,
     out.length = buffer["byteLength"].integer(1, most_bytes);
     if (buffer["uri"].exists()) {
         load_from_uri(buffer, out, budget);
-    } else if (index == 0 && container.has_binary) {
+    } else if (index == 0 && container.is_glb) {
+        if (!container.has_binary)
+            fail(CLQ_FORMAT, "%s is the GLB's binary chunk, and there is none", buffer.path().c_str());
         if (container.binary_size < out.length)
             fail(CLQ_FORMAT, "%s says %llu bytes, the GLB's binary chunk has %zu", buffer.path().c_str(),
                  big(out.length), container.binary_size);
@@ -99,7 +101,9 @@ Bytes Buffers::bytes(uint32_t index, const std::string &who) const
     const Buffer &buffer = buffers_[view.buffer];
     if (!buffer.bytes.data && view.meshopt)
         fail(CLQ_UNSUPPORTED, "%s is compressed with EXT_meshopt_compression", who.c_str());
-    if (!buffer.bytes.data) fail(CLQ_FORMAT, "%s needs buffer %u, which came without data", who.c_str(), view.buffer);
+    if (!buffer.bytes.data)
+        fail(CLQ_UNSUPPORTED, "%s needs buffer %u, whose data the file leaves to the application: not supported",
+             who.c_str(), view.buffer);
     return {buffer.bytes.data + view.offset, view.length};
 }
 

@@ -38,6 +38,7 @@ Container open_container(const uint8_t *bytes, size_t size)
         return out;
     }
     check_header(bytes, size);
+    out.is_glb = true;
     size_t at = 12;
     for (size_t chunk = 0; at < size; ++chunk) {
         if (size - at < 8) fail(CLQ_FORMAT, "the header of GLB chunk %zu is cut off", chunk);

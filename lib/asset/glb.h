@@ -13,7 +13,7 @@ struct Container {
     size_t json_size = 0;
     const uint8_t *binary = nullptr;
     size_t binary_size = 0;
-    bool has_binary = false;
+    bool is_glb = false, has_binary = false;
 };
 
 // Decides by the first four bytes: GLB, or all of it is JSON. Throws base::Error (CLQ_FORMAT; CLQ_UNSUPPORTED for

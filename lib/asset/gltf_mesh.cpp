@@ -27,9 +27,14 @@ public:
     {
     }
 
-    // Whether everything that it names is there to be read.
+    // Whether everything that it names is there to be read. References are checked in any case.
     bool has_data() const
     {
+        const View indices = view_["indices"];
+        const uint32_t index_view =
+            indices.exists() ? file_.accessors.at(file_.accessors.reference(indices)).view : none;
+        if (index_view != none && file_.buffers.view(index_view).stride)
+            fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", indices.path().c_str());
         const auto there = [&](const View &view) {
             return !view.exists() || file_.accessors.has_data(file_.accessors.reference(view));
         };
@@ -38,7 +43,7 @@ public:
                 if (!there(attributes[member.key().c_str()])) return false;
             return true;
         };
-        bool good = there(view_["indices"]) && all_there(attributes_);
+        bool good = all_there(attributes_) && there(indices);
         for (size_t i = 0; i < view_["targets"].count(); ++i) good = all_there(view_["targets"].at(i)) && good;
         return good;
     }
@@ -126,11 +131,7 @@ private:
     {
         const View view = view_["indices"];
         if (!view.exists()) return;
-        const uint32_t index = file_.accessors.reference(view);
-        const uint32_t buffer_view = file_.accessors.at(index).view;
-        if (buffer_view != none && file_.buffers.view(buffer_view).stride)
-            fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", view.path().c_str());
-        part.indices = file_.accessors.integers(index, 1, view.path());
+        part.indices = file_.accessors.integers(file_.accessors.reference(view), 1, view.path());
         for (size_t i = 0; i < part.indices.size(); ++i)
             if (part.indices[i] >= part.positions.size())
                 fail(CLQ_FORMAT, "%s: index number %zu is %u, the primitive has %zu vertices", view.path().c_str(), i,
@@ -190,7 +191,7 @@ Mesh read_mesh(const View &view, File &file, Materials &materials, bool shown)
         mesh.target_count = static_cast<uint32_t>(targets);
         Primitive primitive;
         PrimitiveReader reader(file, materials, primitive_view);
-        if (!shown && !reader.has_data()) continue;
+        if (!reader.has_data() && !shown) continue;
         if (!reader.read(primitive)) continue;
         file.budget.take(bytes_of(primitive.part), primitive_view.path().c_str());
         mesh.primitives.push_back(std::move(primitive));
