@@ -4,6 +4,7 @@
 #include <claque/view.h>
 
 #include "lib/api/handles.h"
+#include "lib/base/error.h"
 #include "lib/frame/frame.h"
 
 // The crowd and all its views are one thing to memory and to the BUSY rule.
