@@ -66,6 +66,9 @@ TEST(Pyramid, ties_go_to_the_zone_of_the_larger_neighbourhood_then_to_the_lower_
     // The middle box is half 9, half 4; all around is 9.
     map.zones[2 * 6 + 2] = map.zones[3 * 6 + 3] = 4;
     EXPECT_EQ(meshsplit::halve(map).zones[1 * 3 + 1], 9);
+    ZoneMap right(6, 2);
+    right.zones = {7, 7, 4, 9, 9, 9, 7, 7, 4, 9, 9, 9};
+    EXPECT_EQ(meshsplit::halve(right).zones[1], 9) << "the neighbourhood reaches to both sides";
     ZoneMap two(2, 1);
     two.zones = {5, 3};
     EXPECT_EQ(meshsplit::halve(two).zones[0], 3);

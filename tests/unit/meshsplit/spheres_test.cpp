@@ -123,6 +123,30 @@ TEST(Spheres, hold_morph_targets_at_their_weights)
     EXPECT_LE(tmpl->sklsroot.radius, std::sqrt(25.5f) * 1.01f);
 }
 
+TEST(Spheres, hold_what_bulges_out_between_two_poses)
+{
+    model::Model m = empty_model();
+    m.parts.push_back(sheet_part(1, 1));
+    m.parts[0].material = model::none;
+    for (auto &p : m.parts[0].positions) p.x = p.x * 0.1f + 2;
+    m.rig.clips.push_back({0, 1, 0, 1 / 60.0f});
+    m.rig.clip_names.emplace_back("whirl");
+    m.rig.times = {0, 1 / 60.0f};
+    m.rig.values = {0, 0, 0, 1, 0, 0, std::sqrt(0.75f), 0.5f};  // 120 degrees about z
+    m.rig.channels.push_back({0, model::Path::rotation, model::Interpolation::linear, 4, 0, 2, 0});
+    const auto tmpl = built(m);
+    pose::Workspace workspace(tmpl->rig);
+    const model::Level &level = tmpl->levels[0];
+    for (int step = 0; step <= 100; ++step) {
+        const auto palette = workspace.pose(0, step / 6000.0);
+        for (uint32_t v = 0; v < level.source_count; ++v) {
+            const float *p = &level.positions[3 * v];
+            const glm::vec3 at = math::point(palette[0], {p[0], p[1], p[2]});
+            ASSERT_LE(glm::distance(at, tmpl->sklsroot.centre), tmpl->sklsroot.radius) << step;
+        }
+    }
+}
+
 TEST(Spheres, clips_are_looked_at_at_their_keys_and_sixty_times_a_second)
 {
     const model::Model m = arm(model::Interpolation::linear);

@@ -5,11 +5,14 @@
 
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
+#include "lib/model/template_check.h"
 #include "lib/pose/pose.h"
 #include "meshsplit/picture.h"
 #include "meshsplit/vertex_cloud.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 namespace claque::test
 {
@@ -154,6 +157,38 @@ TEST(TemplateFile, changed_with_a_forged_hash_is_refused_or_safe)
             refused += status == CLQ_FORMAT;
         }
     EXPECT_GT(refused, bytes.size() / 2);
+}
+
+TEST(TemplateFile, a_template_that_would_read_out_of_range_is_refused)
+{
+    const std::vector<void (*)(model::Template &)> breaks = {
+        [](model::Template &t) { t.levels[0].joints[1] = 9; },
+        [](model::Template &t) { t.levels[0].indices[0] = t.levels[0].source_count; },
+        [](model::Template &t) { t.levels[0].indices.back() = t.levels[0].vertex_count; },
+        [](model::Template &t) { t.levels[0].copies[0] = t.levels[0].source_count; },
+        [](model::Template &t) { t.levels[0].slots[0] = 6; },
+        [](model::Template &t) { t.levels[0].runs[0].count += 1; },
+        [](model::Template &t) { t.levels[0].morph_deltas[0].vertex = 4; },
+        [](model::Template &t) { t.levels[0].morph_ranges[0].weight = 1; },
+        [](model::Template &t) { t.levels[0].surfaces[0].texture = 1; },
+        [](model::Template &t) { t.levels[0].surfaces[0].fused.count += 3; },
+        [](model::Template &t) { t.levels[0].uvs[3] = std::numeric_limits<float>::infinity(); },
+        [](model::Template &t) { t.levels[0].colours.pop_back(); },
+        [](model::Template &t) { t.textures[0].rgba[3] = 1; },
+        [](model::Template &t) { t.textures[0].keys[0].zone = 3; },
+        [](model::Template &t) { t.textures[0].rgba.pop_back(); },
+        [](model::Template &t) { t.rig.palette[0].node = 1; },
+        [](model::Template &t) { t.rig.channels[0].first_value = 1; },
+        [](model::Template &t) { t.zone_colours.pop_back(); },
+        [](model::Template &t) { t.levels.clear(); },
+    };
+    for (size_t i = 0; i < breaks.size(); ++i) {
+        const auto tmpl = built(everything());
+        model::check(*tmpl);
+        breaks[i](*tmpl);
+        EXPECT_THROW(model::check(*tmpl), base::Error) << i;
+        EXPECT_EQ(outcome(saved(*tmpl)), CLQ_FORMAT) << i;
+    }
 }
 
 TEST(TemplateFile, of_another_version_is_refused_by_number)
