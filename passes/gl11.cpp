@@ -77,7 +77,6 @@ void load_vertices(Loader &want, Gl11 &t)
     want(t.TexCoordPointer, "glTexCoordPointer");
     want(t.ColorPointer, "glColorPointer");
     want(t.DrawElements, "glDrawElements");
-    want(t.Color4ub, "glColor4ub");
     want(t.Color4f, "glColor4f");
 }
 

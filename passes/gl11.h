@@ -112,7 +112,6 @@ struct Gl11 {
     void(CLAQUE_GL_CALL *TexCoordPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
     void(CLAQUE_GL_CALL *ColorPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
     void(CLAQUE_GL_CALL *DrawElements)(Enum mode, int32_t count, Enum type, const void *indices) = nullptr;
-    void(CLAQUE_GL_CALL *Color4ub)(uint8_t r, uint8_t g, uint8_t b, uint8_t a) = nullptr;
     void(CLAQUE_GL_CALL *Color4f)(float r, float g, float b, float a) = nullptr;
 };
 

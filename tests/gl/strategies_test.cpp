@@ -176,6 +176,23 @@ TEST_F(Strategies, AgreeOnIndividualsOfTheirOwnColoursBehindEachOther)
     expect_same(figure, list);
 }
 
+// Under light of one half, odd multiples of 17 on odd multiples of 15 come to lie exactly between two values of a
+// pixel: an ulp between the ways that GL is given a colour becomes another pixel.
+TEST_F(Strategies, AgreeWhereAPixelIsOneUlpFromAnother)
+{
+    constexpr gl::Enum light_model_ambient = 0x0B53;
+    const float half[4] = {0.5f, 0.5f, 0.5f, 1};
+    host_->LightModelfv(light_model_ambient, half);
+    host_->Enable(lighting);
+    const Figure figure = small_figure();
+    model::Array<uint8_t> &rgba = figure.tmpl->textures[0].rgba;
+    for (size_t i = 0; i < rgba.size(); ++i)
+        if (i % 4 != 3) rgba[i] = static_cast<uint8_t>(15 * (2 * (i / 4 % 9) + 1));
+    std::vector<uint8_t> colours;
+    for (uint32_t c = 0; c < 24; ++c) colours.push_back(static_cast<uint8_t>(17 * (2 * (c % 8) + 1)));
+    expect_same(figure, list_of(figure, whole_view(figure), colours.data()));
+}
+
 TEST_F(Strategies, GiveTheSamePixelsWithOsmesaAndEgl)
 {
     const Figure figure = with_vertex_colours();

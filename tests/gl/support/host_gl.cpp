@@ -15,6 +15,7 @@ HostGl::HostGl(const contexts::Offscreen &context) : get_(context.get_proc_addre
     want(Viewport, "glViewport");
     want(GetError, "glGetError");
     want(Finish, "glFinish");
+    want(Color4ub, "glColor4ub");
     want(Lightfv, "glLightfv");
     want(LightModelfv, "glLightModelfv");
     want(Materialfv, "glMaterialfv");

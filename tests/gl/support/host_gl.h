@@ -17,6 +17,7 @@ struct HostGl : claque::passes::Gl11 {
     void (*Viewport)(int32_t x, int32_t y, int32_t width, int32_t height) = nullptr;
     Enum (*GetError)() = nullptr;
     void (*Finish)() = nullptr;
+    void (*Color4ub)(uint8_t r, uint8_t g, uint8_t b, uint8_t a) = nullptr;
     void (*Lightfv)(Enum light, Enum name, const float *values) = nullptr;
     void (*LightModelfv)(Enum name, const float *values) = nullptr;
     void (*Materialfv)(Enum face, Enum name, const float *values) = nullptr;

@@ -101,7 +101,6 @@ void add_drawing(Table &t)
     add<&Gl11::TexCoordPointer>(t, "glTexCoordPointer");
     add<&Gl11::ColorPointer>(t, "glColorPointer");
     add<&Gl11::DrawElements>(t, "glDrawElements");
-    add<&Gl11::Color4ub>(t, "glColor4ub");
     add<&Gl11::Color4f>(t, "glColor4f");
 }
 
