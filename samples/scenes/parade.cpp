@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr double size_m = 1.75;  // the longest side of a character, once scaled
+constexpr double fov_deg = 30, half_fov = fov_deg / 2 * 0.017453292519943295;
 
 // A character in metres: how much room it takes round its Reference Point.
 struct Extent {
@@ -55,10 +56,9 @@ public:
         if (!character_.tmpl) take_citizen(library);
         check(clq_template_get_info(character_.tmpl, &info_));
         extent_ = extent_of(character_, info_);
-        columns_ = std::max(1, static_cast<int>(std::ceil(std::sqrt(casting.count * 1.35))));
-        rows_ = (static_cast<int>(casting.count) + columns_ - 1) / columns_;
         across_ = std::max(0.75, 2.3 * extent_.half_x);
         deep_ = std::max(1.0, 2.2 * extent_.half_z);
+        line_up(static_cast<int>(casting.count));
         for (uint32_t i = 0; i < casting.count; ++i) enter(i, casting.count);
         lay_ground();
     }
@@ -86,36 +86,58 @@ public:
     }
 
 private:
+    // As many columns as let the camera come nearest.
+    void line_up(int count)
+    {
+        constexpr double usual_aspect = 4.0 / 3.0;
+        double nearest = 0;
+        for (int columns = 1; columns <= count && columns < 4 * std::sqrt(count) + 2; ++columns) {
+            const int rows = (count + columns - 1) / columns;
+            if (rows > columns + 1) continue;  // whoever stands far behind is not seen
+            const double distance = fit(rows, columns, usual_aspect).distance;
+            if (nearest > 0 && distance >= nearest) continue;
+            nearest = distance;
+            columns_ = columns;
+            rows_ = rows;
+        }
+    }
+
+    struct Fit {
+        double distance, target_y, target_z, fy, fz;  // f: the way the eye looks
+    };
+
     // Looks down on so many rows from the front, near enough that they fill the picture and far enough that all of them
     // are in it.
+    Fit fit(int rows, int columns, double aspect) const
+    {
+        constexpr double fill = 0.88;
+        const double tall = fill * std::sin(half_fov) / std::cos(half_fov), wide = tall * aspect;
+        const double pitch = rows > 1 ? 0.36 : 0.10;
+        const double half_x =
+            (columns - 1) * across_ / 2 + (rows > 1 && columns > 1 ? across_ * 0.25 : 0) + extent_.half_x;
+        const double back = (rows - 1) * deep_ + extent_.half_z;
+        Fit f = {1, extent_.height / 2, -back / 2, -std::sin(pitch), -std::cos(pitch)};
+        for (int round = 0; round < 8; ++round) {
+            double top = -1e9, bottom = 1e9, next = 0.1;
+            for (int corner = 0; corner < 4; ++corner) {
+                const double py = (corner & 1 ? extent_.height : 0.0) - f.target_y;
+                const double pz = (corner & 2 ? -back : extent_.half_z) - f.target_z;
+                const double up = pz * f.fy - py * f.fz, ahead = py * f.fy + pz * f.fz;
+                next = std::max({next, std::abs(up) / tall - ahead, half_x / wide - ahead});
+                top = std::max(top, up / (f.distance + ahead));
+                bottom = std::min(bottom, up / (f.distance + ahead));
+            }
+            if (round > 0) f.target_y += (top + bottom) / 2 * f.distance;  // as much is free above as below
+            f.distance = next;
+        }
+        return f;
+    }
+
     clq_camera frame(int rows, int columns, double aspect) const
     {
-        constexpr double fov_deg = 30, fill = 0.86;
-        const double half_fov = fov_deg / 2 * 0.017453292519943295;
-        const double tall = fill * std::sin(half_fov) / std::cos(half_fov), wide = tall * aspect;
-        const double pitch = rows > 1 ? 0.30 : 0.10, fy = -std::sin(pitch), fz = -std::cos(pitch);
-        const double half_x = (columns - 1) * across_ / 2 + extent_.half_x, back = (rows - 1) * deep_ + extent_.half_z;
-        double y = extent_.height / 2, z = -back / 2, distance = 1;
-        for (int round = 0; round < 8; ++round) {
-            double top = -1e9, bottom = 1e9;
-            distance = 0.1;
-            for (int corner = 0; corner < 4; ++corner) {
-                const double py = (corner & 1 ? extent_.height : 0.0) - y,
-                             pz = (corner & 2 ? -back : extent_.half_z) - z;
-                const double up = py * -fz + pz * fy, ahead = py * fy + pz * fz;
-                distance = std::max({distance, std::abs(up) / tall - ahead, half_x / wide - ahead});
-            }
-            for (int corner = 0; corner < 4; ++corner) {
-                const double py = (corner & 1 ? extent_.height : 0.0) - y,
-                             pz = (corner & 2 ? -back : extent_.half_z) - z;
-                const double slope = (py * -fz + pz * fy) / (distance + py * fy + pz * fz);
-                top = std::max(top, slope);
-                bottom = std::min(bottom, slope);
-            }
-            y += (top + bottom) / 2 * distance;  // so that as much is free above as below
-        }
-        return look({0, y - fy * distance, z - fz * distance}, {0, y, z}, fov_deg, aspect, distance * 0.02,
-                    distance * 40 + 100);
+        const Fit f = fit(rows, columns, aspect);
+        return look({0, f.target_y - f.fy * f.distance, f.target_z - f.fz * f.distance}, {0, f.target_y, f.target_z},
+                    fov_deg, aspect, f.distance * 0.02, f.distance * 40 + 100);
     }
 
     void take_citizen(Library &library)
@@ -151,8 +173,10 @@ private:
         clq_place place =
             stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
         cast_.enter({character_.tmpl, place, play(who)});
-        const float rx = static_cast<float>(extent_.half_x * 1.25 + 0.12),
-                    rz = static_cast<float>(extent_.half_z * 1.25 + 0.12);
+        // Arms that the rest pose spreads throw no shadow to speak of.
+        const double body = std::max(extent_.half_z, 0.22 * extent_.height);
+        const float rx = static_cast<float>(std::min(extent_.half_x, body) * 1.25 + 0.12);
+        const float rz = static_cast<float>(std::min(extent_.half_z, std::max(extent_.half_x, body)) * 1.25 + 0.12);
         shadows_.ring(static_cast<float>(x) + 0.05f, 0, static_cast<float>(z) - 0.06f, rx, rz);
     }
 

@@ -20,7 +20,7 @@ public:
     {
         plan_.half_x = 13.5 * size;
         plan_.half_z = 16.5 * size;
-        const double street = wide_street_ ? 4.1 : 2.2;  // the walkers' lanes, along the edge
+        const double street = wide_street_ ? 4.4 : 2.55;  // the walkers' lanes, along the edge
         inner_x_ = plan_.half_x - street;
         inner_z_ = plan_.half_z - street;
         lay_lanes(walk_speed);
