@@ -128,7 +128,15 @@ TEST(Spheres, hold_what_bulges_out_between_two_poses)
     model::Model m = empty_model();
     m.parts.push_back(sheet_part(1, 1));
     m.parts[0].material = model::none;
-    for (auto &p : m.parts[0].positions) p.x = p.x * 0.1f + 2;
+    for (auto &p : m.parts[0].positions) p = p * 0.1f + glm::vec3(2, 0, 0);
+    // Something far off on the other side, so that the sphere's middle is behind the axis of the whirl.
+    m.rig.parents.push_back(model::none);
+    m.rig.rest.push_back(math::Trs());
+    m.rig.node_names.emplace_back("still");
+    m.rig.palette.push_back({1, math::Affine()});
+    m.parts.push_back(m.parts[0]);
+    for (auto &p : m.parts[1].positions) p = (p - glm::vec3(2, 0, 0)) + glm::vec3(-2, -3.46f, 0);
+    m.parts[1].joints.assign(4, 1);
     m.rig.clips.push_back({0, 1, 0, 1 / 60.0f});
     m.rig.clip_names.emplace_back("whirl");
     m.rig.times = {0, 1 / 60.0f};
@@ -141,7 +149,7 @@ TEST(Spheres, hold_what_bulges_out_between_two_poses)
         const auto palette = workspace.pose(0, step / 6000.0);
         for (uint32_t v = 0; v < level.source_count; ++v) {
             const float *p = &level.positions[3 * v];
-            const glm::vec3 at = math::point(palette[0], {p[0], p[1], p[2]});
+            const glm::vec3 at = math::point(palette[level.joints[v]], {p[0], p[1], p[2]});
             ASSERT_LE(glm::distance(at, tmpl->sklsroot.centre), tmpl->sklsroot.radius) << step;
         }
     }
