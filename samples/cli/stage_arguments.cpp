@@ -129,12 +129,13 @@ Json rates(const clq_crowd_stats &s)
     Json bands = Json::array();
     for (const clq_band &band : s.bands) {
         if (band.actor_frames == 0) continue;
-        bands.push_back({{"distance_first_m", band.distance_first},
-                         {"distance_last_m", band.distance_last},
-                         {"actor_frames", band.actor_frames},
-                         {"actor_seconds", band.seconds},
-                         {"animated", band.animated},
-                         {"rate_hz", band.seconds > 0 ? static_cast<double>(band.animated) / band.seconds : 0.0}});
+        bands.push_back(
+            {{"distance_first_m", band.distance_first},
+             {"distance_last_m", band.distance_last > band.distance_first ? Json(band.distance_last) : Json()},
+             {"actor_frames", band.actor_frames},
+             {"actor_seconds", band.seconds},
+             {"animated", band.animated},
+             {"rate_hz", band.seconds > 0 ? static_cast<double>(band.animated) / band.seconds : 0.0}});
     }
     return bands;
 }

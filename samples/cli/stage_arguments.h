@@ -38,7 +38,7 @@ const std::vector<std::string> &variety_names();
 const std::vector<std::string> &cache_names();
 
 Json counters(const clq_crowd_stats &stats);
-Json rates(const clq_crowd_stats &stats);
+Json rates(const clq_crowd_stats &stats);  // the last band has no end: null
 std::string hex(uint64_t hash);
 std::string version();
 

@@ -30,11 +30,17 @@ Extent extent_of(const Character &character, const clq_template_info &info)
     Extent e;
     double first[3], last[3];
     for (int axis = 0; axis < 3; ++axis) {
-        const double centre = info.sklsroot_centre[axis], radius = info.sklsroot_radius;
-        // Prepared files have no box. Their Reference Point is most often on the ground.
-        first[axis] = character.has_box ? character.box_first[axis] : centre - radius;
-        last[axis] = character.has_box ? character.box_last[axis] : centre + radius;
-        if (!character.has_box && axis == 1 && first[axis] < 0 && last[axis] > 0) first[axis] = 0;
+        if (character.has_box) {
+            first[axis] = character.box_first[axis];
+            last[axis] = character.box_last[axis];
+            continue;
+        }
+        // Prepared files have no box but a sphere of all poses: most who fill it are upright and slimmer than it, and
+        // have their Reference Point on the ground.
+        const double centre = info.sklsroot_centre[axis], radius = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.35);
+        first[axis] = centre - radius;
+        last[axis] = centre + radius;
+        if (axis == 1 && std::abs(first[axis]) < 0.3 * radius) first[axis] = 0;
     }
     const double longest = std::max({last[0] - first[0], last[1] - first[1], last[2] - first[2]});
     e.scale = longest > 0 && std::isfinite(longest) ? size_m / longest : 1;

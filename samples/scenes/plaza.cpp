@@ -46,7 +46,7 @@ public:
         if (shot == Shot::close)
             return look({layout_.close_eye[0], 1.62, layout_.close_eye[1]},
                         {layout_.close_target[0], 1.27, layout_.close_target[1]}, 44, aspect, 0.25, 700 + 300 * size);
-        return look({0, 1.6 + 7.9 * size, layout_.half_z + 18.0 * size}, {0, 2.3, -2.0 * size}, 37, aspect, 0.5,
+        return look({0, 1.6 + 7.9 * size, layout_.half_z + 19.6 * size}, {0, 2.3, -2.0 * size}, 37, aspect, 0.5,
                     700 + 300 * size);
     }
 
