@@ -10,13 +10,6 @@ constexpr float diagonal = 0.70710678f;
 const glm::vec3 shoulder(0.172f, 1.425f, -0.012f);
 constexpr float upper_arm_length = 0.295f, forearm_length = 0.250f;
 
-struct Row {
-    Bone bone;
-    int parent;
-    const char *name;
-    glm::vec3 joint;
-};
-
 glm::vec3 along_arm(float metres) { return shoulder + arm_direction() * metres; }
 
 Skeleton make()

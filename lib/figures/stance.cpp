@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lib/figures/mesh.h"
+
 namespace claque::figures
 {
 
@@ -11,8 +13,6 @@ namespace
 {
 
 constexpr glm::vec3 heel_point(0.090f, 0, -0.072f);  // where the sole touches, left foot
-
-glm::vec3 flip(glm::vec3 p, Side side) { return glm::vec3(side == Side::left ? p.x : -p.x, p.y, p.z); }
 
 // Slopes of a thigh in the pelvis: how far it leads ahead and outwards for each metre down.
 struct Slope {
@@ -31,15 +31,15 @@ glm::quat lean(glm::vec3 to) { return between(glm::vec3(0, -1, 0), to); }
 
 void stand_on(Pose &pose, Side side, const Footing &f)
 {
-    const glm::vec3 rest_ankle = flip(skeleton().joint(Bone::foot), side);
+    const glm::vec3 rest_ankle = mirrored(skeleton().joint(Bone::foot), side);
     // Heels are raised about the joint of the toes, so that the toes stay exactly where they are.
-    const glm::vec3 ball = flip(skeleton().joint(Bone::toes), side), heel = flip(heel_point, side);
+    const glm::vec3 ball = mirrored(skeleton().joint(Bone::toes), side), heel = mirrored(heel_point, side);
     const glm::vec3 pivot = f.heel_up_deg > 0 ? ball : heel;
     const glm::quat outwards = yaw(side == Side::left ? f.yaw_deg : -f.yaw_deg);
     const glm::quat foot = outwards * pitch(f.heel_up_deg);
     const glm::vec3 centre = rest_ankle * glm::vec3(1, 0, 1);
     const glm::vec3 ankle = centre + outwards * (pivot - centre + pitch(f.heel_up_deg) * (rest_ankle - pivot)) +
-                            flip(glm::vec3(f.outwards, f.lift, f.ahead), side);
+                            mirrored(glm::vec3(f.outwards, f.lift, f.ahead), side);
     const glm::vec3 knee = outwards * glm::vec3(side == Side::left ? 0.10f : -0.10f, 0, 1);
     pose.reach(on(side, Bone::thigh), on(side, Bone::shin), on(side, Bone::foot), ankle, knee, glm::vec3(0, 0, 1));
     pose.set_world(on(side, Bone::foot), foot);
@@ -83,8 +83,8 @@ void curl_hand(Pose &pose, Side side, float curl)
 
 void reach_hand(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole)
 {
-    pose.reach(on(side, Bone::upper_arm), on(side, Bone::forearm), on(side, Bone::hand), flip(wrist, side),
-               flip(pole, side), glm::vec3(0, 0, -1));
+    pose.reach(on(side, Bone::upper_arm), on(side, Bone::forearm), on(side, Bone::hand), mirrored(wrist, side),
+               mirrored(pole, side), glm::vec3(0, 0, -1));
 }
 
 }  // namespace claque::figures

@@ -19,7 +19,7 @@ struct Footing {
 // Turns thigh, shin, foot and toes so that the foot is there; the pelvis has to be placed before.
 void stand_on(Pose &pose, Side side, const Footing &footing);
 
-// Lets the skirt follow the thighs, never through them. After the legs.
+// Lets the skirt follow the thighs, so that they do not come through it. After the legs.
 void drape(Pose &pose, float sway_deg = 0);
 
 // An arm that hangs at the side. Degrees; forward and out from hanging, elbow bent.
@@ -28,6 +28,7 @@ void hang_arm(Pose &pose, Side side, float forward, float out, float elbow, floa
 // 0: flat, 1: fist.
 void curl_hand(Pose &pose, Side side, float curl);
 
+// Puts the wrist on a point; the elbow points along `pole`. Both given for the left side, mirrored on the right.
 void reach_hand(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole);
 
 }  // namespace claque::figures

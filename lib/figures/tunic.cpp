@@ -133,32 +133,10 @@ void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 5> &armhole)
     mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
 }
 
-}  // namespace
-
-void add_tunic(Mesh &mesh)
+// Chest, back and shoulders above the row of the armpits, which lies at height `t` of the charts; then the sleeves.
+void add_yoke(Mesh &mesh, const Ring &low, float t)
 {
-    std::vector<Ring> rings;
-    std::vector<float> heights;
-    float t = 0;
-    for (size_t r = 0; r < rows.size(); ++r) {
-        rings.push_back(add_row(mesh, rows[r]));
-        if (r > 0) t += rows[r].y > rows[r - 1].y ? rows[r].y - rows[r - 1].y : 0.02f;
-        heights.push_back(t);
-    }
-    rings.push_back(add_row(mesh, armpit));
-    heights.push_back(t += 0.095f);
-    for (size_t r = 0; r + 1 < rings.size(); ++r) {
-        mesh.sew(Chart::tunic_front, Winding::as_given, span(rings[r], -4, 9, heights[r]),
-                 span(rings[r + 1], -4, 9, heights[r + 1]), Along::s);
-        mesh.sew(Chart::tunic_back, Winding::as_given, span(rings[r], 4, 7, heights[r]),
-                 span(rings[r + 1], 4, 7, heights[r + 1]), Along::s);
-    }
-    const uint32_t inside = mesh.add(glm::vec3(0, 0.78f, 0), Region::skirt);
-    mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
-             {inside, glm::vec2(-1, 1)});
-
     const Ring high = add_row(mesh, upper);
-    const Ring &low = rings.back();
     mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -3, 7, t), span(high, -3, 7, t + 0.065f), Along::s);
     mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 4, 7, t), span(high, 4, 7, t + 0.075f), Along::s);
     for (const Side side : {Side::left, Side::right}) {
@@ -182,6 +160,32 @@ void add_tunic(Mesh &mesh)
         };
         add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 3), at(low, 3), at(low, 4)});
     }
+}
+
+}  // namespace
+
+void add_tunic(Mesh &mesh)
+{
+    std::vector<Ring> rings;
+    std::vector<float> heights;
+    float t = 0;
+    for (size_t r = 0; r < rows.size(); ++r) {
+        rings.push_back(add_row(mesh, rows[r]));
+        if (r > 0) t += rows[r].y > rows[r - 1].y ? rows[r].y - rows[r - 1].y : 0.02f;
+        heights.push_back(t);
+    }
+    rings.push_back(add_row(mesh, armpit));
+    heights.push_back(t += 0.095f);
+    for (size_t r = 0; r + 1 < rings.size(); ++r) {
+        mesh.sew(Chart::tunic_front, Winding::as_given, span(rings[r], -4, 9, heights[r]),
+                 span(rings[r + 1], -4, 9, heights[r + 1]), Along::s);
+        mesh.sew(Chart::tunic_back, Winding::as_given, span(rings[r], 4, 7, heights[r]),
+                 span(rings[r + 1], 4, 7, heights[r + 1]), Along::s);
+    }
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.78f, 0), Region::skirt);
+    mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
+             {inside, glm::vec2(-1, 1)});
+    add_yoke(mesh, rings.back(), t);
 }
 
 }  // namespace claque::figures
