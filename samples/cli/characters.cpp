@@ -11,6 +11,39 @@ namespace cli
 
 using scenes::check;
 
+namespace
+{
+
+// The mean box of a few clips, each at its middle: rest poses spread their arms, and people do not stand like that.
+void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::Character &character)
+{
+    constexpr uint32_t most = 8;
+    const uint32_t clips = std::min(info.clip_count, most);
+    if (clips == 0 || info.vertex_count == 0) return;
+    std::vector<float> xyz(3 * static_cast<size_t>(info.vertex_count));
+    double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
+    for (uint32_t i = 0; i < clips; ++i) {
+        clq_clip_info clip = {};
+        check(clq_asset_get_clip(asset, i, &clip));
+        check(clq_asset_positions(asset, i, clip.start_s + clip.duration_s / 2, xyz.data(), xyz.size()));
+        for (size_t axis = 0; axis < 3; ++axis) {
+            float low = xyz[axis], high = xyz[axis];
+            for (size_t v = axis; v < xyz.size(); v += 3) {
+                low = std::min(low, xyz[v]);
+                high = std::max(high, xyz[v]);
+            }
+            first[axis] += static_cast<double>(low) / clips;
+            last[axis] += static_cast<double>(high) / clips;
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        character.box_first[axis] = static_cast<float>(first[axis]);
+        character.box_last[axis] = static_cast<float>(last[axis]);
+    }
+}
+
+}  // namespace
+
 scenes::Character LoadedCharacter::character() const
 {
     scenes::Character character;
@@ -20,6 +53,7 @@ scenes::Character LoadedCharacter::character() const
         character.has_box = true;
         std::copy(info.box_first, info.box_first + 3, character.box_first);
         std::copy(info.box_last, info.box_last + 3, character.box_last);
+        if (info.hidden_part_count == 0) take_posed_box(asset.get(), info, character);
     }
     return character;
 }

@@ -57,6 +57,7 @@ void Geometry::box(Vec3 a, Vec3 b, Rgb colour)
     quad({Vec3{b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}}, colour);
     quad({Vec3{a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}}, colour);
     quad({Vec3{a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}, {a.x, b.y, a.z}}, colour);
+    if (a.y > 0) quad({Vec3{a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}}, colour);
 }
 
 void Geometry::turned(float x, float z, const std::vector<Ring> &rings, int sides, Rgb colour)

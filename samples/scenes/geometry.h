@@ -36,7 +36,7 @@ public:
 
     // Corners counter-clockwise seen from outside.
     void quad(const std::array<Vec3, 4> &corners, Rgb colour);
-    // Without its bottom, which lies on something.
+    // Without a bottom where it stands on the ground.
     void box(Vec3 first, Vec3 last, Rgb colour);
     // Turned about the upright axis through (x, z): rings of (radius, height) from the bottom up, smooth between.
     struct Ring {

@@ -40,8 +40,10 @@ Extent extent_of(const Character &character, const clq_template_info &info)
         const double centre = info.sklsroot_centre[axis], radius = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.35);
         first[axis] = centre - radius;
         last[axis] = centre + radius;
-        if (axis == 1 && std::abs(first[axis]) < 0.3 * radius) first[axis] = 0;
     }
+    // Most stand on y = 0; what reaches a little lower is a blade, a tail or a jump. Others stand on their lowest
+    // point.
+    if (std::abs(first[1]) < 0.15 * (last[1] - first[1])) first[1] = 0;
     const double longest = std::max({last[0] - first[0], last[1] - first[1], last[2] - first[2]});
     e.scale = longest > 0 && std::isfinite(longest) ? size_m / longest : 1;
     e.ground = first[1] * e.scale;

@@ -96,7 +96,6 @@ void temple(Geometry &g, const Site &s)
     s.box(g, -half + 0.5f, half - 0.5f, steps, top, -9, -4.6f, ochre * 0.8f);
     s.box(g, -1.3f, 1.3f, steps, steps + 4.2f, -4.65f, -4.55f, {0.30f, 0.24f, 0.17f});
     s.box(g, -1.55f, 1.55f, steps + 4.2f, steps + 4.5f, -4.7f, -4.45f, marble);
-    ceiling(g, s, half, top, -9, 0.0f);
     s.box(g, -half, half, top, top + 0.9f, -9, 0.0f, marble);
     s.box(g, -half - 0.3f, half + 0.3f, top + 0.9f, top + 1.15f, -9, 0.35f, marble);
     const float eaves = top + 1.15f, ridge = eaves + 2.1f;

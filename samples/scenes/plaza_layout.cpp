@@ -28,9 +28,9 @@ public:
         plan_.fountain[0] = -0.42 * inner_x_;
         plan_.fountain[1] = -0.45 * inner_z_;
         plan_.rostra[0] = 0.42 * inner_x_;
-        plan_.rostra[1] = inner_z_ - 1.3;
+        plan_.rostra[1] = inner_z_ - 2.5;  // its steps end where walkers pass
         plan_.rostra_half[0] = 1.6;
-        plan_.rostra_half[1] = 1.1;
+        plan_.rostra_half[1] = 1.55;
         plan_.rostra_height = 0.9;
         plan_.close_eye[0] = -0.12 * inner_x_;
         plan_.close_eye[1] = inner_z_ - 0.9;
@@ -100,8 +100,9 @@ private:
 
     void speaker()
     {
-        add(plan_.rostra[0], plan_.rostra_height, plan_.rostra[1], plan_.rostra[0] - 0.5, plan_.rostra[1] - 5,
-            Standing::Role::speaker);
+        // Back from the edge, so that the shadow falls on the platform.
+        add(plan_.rostra[0] - 0.2, plan_.rostra_height, plan_.rostra[1] + 0.35, plan_.rostra[0] - 0.5,
+            plan_.rostra[1] - 5, Standing::Role::speaker);
     }
 
     void walkers()
@@ -124,7 +125,7 @@ private:
     {
         uint32_t wanted = std::min(left(), count_ * 30 / 100);
         uint64_t draw = 0;
-        for (double radius = 3.3; wanted > 0 && radius < 0.9 * inner_z_; radius += 1.02)
+        for (double radius = 3.6; wanted > 0 && radius < 0.9 * inner_z_; radius += 1.02)
             for (double at = -1.05 * radius; at < 1.0 * radius && wanted > 0; at += 0.98, ++draw) {
                 const double angle = (at + lot_between(seed_, draw, Lot::place_x, -0.2, 0.2)) / radius - 0.15;
                 const double r = radius + lot_between(seed_, draw, Lot::radius, -0.22, 0.22);
@@ -177,7 +178,7 @@ private:
         const double fx = x - plan_.fountain[0], fz = z - plan_.fountain[1], basin = plan_.fountain_radius + 0.75;
         if (fx * fx + fz * fz < basin * basin) return false;
         if (std::abs(x - plan_.rostra[0]) < plan_.rostra_half[0] + 0.6 &&
-            std::abs(z - plan_.rostra[1]) < plan_.rostra_half[1] + 0.6)
+            std::abs(z - plan_.rostra[1]) < plan_.rostra_half[1] + 1.3)
             return false;
         // The close camera keeps a clear view: a wedge before it, out to its two groups.
         const double ex = x - plan_.close_eye[0], ez = z - plan_.close_eye[1];
