@@ -9,14 +9,14 @@ namespace
 
 constexpr double two_pi = 6.283185307179586;
 constexpr Rgb zenith = {0.27f, 0.47f, 0.74f}, middle = {0.52f, 0.69f, 0.86f}, haze = {0.86f, 0.88f, 0.88f};
-constexpr Rgb land = {0.60f, 0.66f, 0.57f};
+constexpr Rgb country = {0.60f, 0.66f, 0.57f};
 constexpr int sides = 96;
 
 Rgb mix(Rgb a, Rgb b, float t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
 
 Rgb sky_at(double height)  // the sine of the angle above the horizon
 {
-    if (height <= -0.02) return land;
+    if (height <= -0.02) return country;
     if (height <= 0) return haze;
     const float t = static_cast<float>(std::sqrt(height));
     return t < 0.45f ? mix(haze, middle, t / 0.45f) : mix(middle, zenith, (t - 0.45f) / 0.55f);
