@@ -15,7 +15,6 @@ const uint8_t *rgb_of(const Individual &who, const ZoneTest &test) { return who.
 
 struct UbyteColours {
     using Colour = Ubyte4;
-    static constexpr gl::Enum type = gl::unsigned_byte;
     static Colour make(const uint8_t *rgb, uint8_t alpha, float) { return {rgb[0], rgb[1], rgb[2], alpha}; }
     static void tint(Colour &colour, const uint8_t *by)
     {
@@ -25,7 +24,6 @@ struct UbyteColours {
 
 struct RealColours {
     using Colour = Real4;
-    static constexpr gl::Enum type = gl::real;
     static Colour make(const uint8_t *rgb, uint8_t, float alpha)
     {
         return {real_of(rgb[0]), real_of(rgb[1]), real_of(rgb[2]), alpha};

@@ -9,6 +9,8 @@ namespace contexts
 std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not);
 std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not);
 
+void tell_leak_checker();
+
 // Opens the first library of a null-ended list and keeps it for the life of the process: drivers do not like to be
 // unloaded. Null if there is none.
 void *open_library(const char *const *names);

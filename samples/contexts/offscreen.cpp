@@ -98,6 +98,7 @@ std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, Pixe
                   " pixels; each side must be 1 to " + std::to_string(largest_side_px);
         return nullptr;
     }
+    tell_leak_checker();
     std::unique_ptr<Offscreen> made;
     std::string osmesa_why, egl_why;
     if (kind != Kind::egl) made = make_osmesa(width, height, format, osmesa_why);

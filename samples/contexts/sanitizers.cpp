@@ -1,0 +1,26 @@
+// Mesa keeps a little memory of each OSMesa context for good. A build with a leak checker is told so here, where the
+// drivers are opened, so that its other findings stay readable; everywhere else this file is empty.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define CLAQUE_LEAK_CHECKER 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+#define CLAQUE_LEAK_CHECKER 1
+#endif
+
+#if defined(CLAQUE_LEAK_CHECKER)
+extern "C" __attribute__((visibility("default"))) const char *__lsan_default_suppressions();
+const char *__lsan_default_suppressions()
+{
+    return "leak:libOSMesa\nleak:libEGL\nleak:swrast_dri\nleak:libgallium\nleak:libGLX_mesa\n";
+}
+#endif
+
+namespace contexts
+{
+
+// Called by make_offscreen, so that the linker takes this file along.
+void tell_leak_checker() {}
+
+}  // namespace contexts
