@@ -29,8 +29,8 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     Budget budget(options.memory_limit_bytes);
     budget.bring(size);
     const Container container = open_container(bytes, size);
-    const nlohmann::json document = parse_json(container.json, container.json_size, budget.left());
-    const View root(&document, "");
+    const Document document(container.json, container.json_size, budget.left());
+    const View root = document.root();
     check_head(root);
     File file(root, container, options, budget);
     model::Model model;

@@ -44,9 +44,28 @@ Scan scan(const uint8_t *bytes, size_t size)
     return out;
 }
 
+// Empties a value from its leaves up; no deeper than `deepest`.
+void dismantle(nlohmann::json &value) noexcept
+{
+    if (auto *array = value.get_ptr<nlohmann::json::array_t *>()) {
+        for (nlohmann::json &element : *array) dismantle(element);
+        array->clear();
+    } else if (auto *object = value.get_ptr<nlohmann::json::object_t *>()) {
+        for (auto &member : *object) dismantle(member.second);
+        object->clear();
+    }
+}
+
+void parse(const uint8_t *bytes, size_t size, nlohmann::json &out)
+{
+    // Into a value that outlives a failure, where nlohmann::json::parse would destroy its own.
+    nlohmann::detail::json_sax_dom_parser<nlohmann::json> builder(out, true);
+    nlohmann::json::sax_parse(bytes, bytes + size, &builder);
+}
+
 }  // namespace
 
-nlohmann::json parse_json(const uint8_t *bytes, size_t size, uint64_t memory_bytes)
+Document::Document(const uint8_t *bytes, size_t size, uint64_t memory_bytes)
 {
     const Scan found = scan(bytes, size);
     const uint64_t estimate = found.values * value_bytes + 2 * found.string_bytes;
@@ -54,13 +73,19 @@ nlohmann::json parse_json(const uint8_t *bytes, size_t size, uint64_t memory_byt
         fail(CLQ_LIMIT, "the JSON of %zu bytes would take about %llu bytes of %llu allowed", size,
              static_cast<unsigned long long>(estimate), static_cast<unsigned long long>(memory_bytes));
     try {
-        return nlohmann::json::parse(bytes, bytes + size);
+        parse(bytes, size, root_);
     } catch (const nlohmann::json::exception &error) {
+        dismantle(root_);
         // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the first word is for programs.
         std::string text = error.what();
         if (const size_t end = text.find("] "); text[0] == '[' && end != std::string::npos) text.erase(0, end + 2);
         fail(CLQ_FORMAT, "the JSON is broken: %.300s", text.c_str());
+    } catch (...) {
+        dismantle(root_);
+        throw;
     }
 }
+
+Document::~Document() { dismantle(root_); }
 
 }  // namespace claque::asset

@@ -57,8 +57,22 @@ private:
     std::string path_;
 };
 
-// Text to a document, after a pass of our own over the bytes: nesting at most 128 deep, and an estimate of the parsed
-// size within `memory_bytes`, so that the parser is never asked for more. Throws base::Error (CLQ_FORMAT, CLQ_LIMIT).
-nlohmann::json parse_json(const uint8_t *bytes, size_t size, uint64_t memory_bytes);
+// A parsed text. Taking it apart asks for no memory: nlohmann's own destructor does, and would end the process where
+// there is none, so leaves go first.
+class Document
+{
+public:
+    // After a pass of our own over the bytes: nesting at most 128 deep, and an estimate of the parsed size within
+    // `memory_bytes`, so that the parser is never asked for more. Throws base::Error (CLQ_FORMAT, CLQ_LIMIT).
+    Document(const uint8_t *bytes, size_t size, uint64_t memory_bytes);
+    ~Document();
+    Document(const Document &) = delete;
+    Document &operator=(const Document &) = delete;
+
+    View root() const { return View(&root_, ""); }
+
+private:
+    nlohmann::json root_;
+};
 
 }  // namespace claque::asset
