@@ -42,7 +42,11 @@ function(claque_test name)
     target_link_libraries(${name} PRIVATE claque_flags ${ARG_LIBRARIES} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE
         CLAQUE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAQUE_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets")
-    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${ARG_ENVIRONMENT}" ${ARG_PROPERTIES})
+    set(properties TIMEOUT ${ARG_TIMEOUT} ${ARG_PROPERTIES})
+    if(ARG_ENVIRONMENT)
+        list(APPEND properties ENVIRONMENT ${ARG_ENVIRONMENT})
+    endif()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()
 
 # A library from whole rooms: <name> shared with only clq_* exported, <name>_static beside it.

@@ -48,6 +48,13 @@ inline void require(const base::Status &status)
     if (!status.ok()) base::fail(status.code, "%s", status.text);
 }
 
+inline void require_array(const void *array, uint32_t count, const char *what)
+{
+    if (count && !array) base::fail(CLQ_ARGUMENT, "%s is NULL with a count of %u", what, count);
+}
+
+inline const char *name_of(const char *name) { return name ? name : ""; }
+
 // A def made by another version of the header has another size.
 template <class Def>
 void require_size(const Def *def, const char *init)

@@ -67,7 +67,7 @@ TEST_P(Golden_picture, is_as_it_was_accepted)
 }
 
 INSTANTIATE_TEST_SUITE_P(scenes, Golden_picture, testing::ValuesIn(goldens),
-                         [](const auto &info) { return std::string(info.index ? "plaza_close" : "plaza"); });
+                         [](const auto &golden) { return std::string(golden.index ? "plaza_close" : "plaza"); });
 
 TEST(comparator, sees_one_pixel_of_one_step)
 {
