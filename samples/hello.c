@@ -62,12 +62,12 @@ int main(void)
     check(clq_renderer_prepare(renderer, citizen));
     check(clq_view_create(crowd, &view));
     clq_camera camera;
-    const double eye[3] = {0, 2.6, 6.5}, target[3] = {0, 0.8, -2.5};
+    const double eye[3] = {0, 2.9, 4.2}, target[3] = {0, 0.7, -2.5};
     const float up[3] = {0, 1, 0};
     check(clq_camera_look_at(&camera, eye, target, up, 0.75f, (float)WIDTH / HEIGHT, 0.1f, 100.0f));
     check(clq_view_look(view, &camera));
     check(clq_crowd_update(crowd, 2.5, &view, 1));
-    clear_colour(0.55f, 0.65f, 0.8f, 1), clear(DEPTH_AND_COLOUR);
+    clear_colour(0.72f, 0.66f, 0.56f, 1), clear(DEPTH_AND_COLOUR);
     check(clq_renderer_draw(renderer, view, NULL));
     finish();
     /* ---------------------------------------------------------------- */

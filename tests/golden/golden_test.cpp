@@ -20,6 +20,9 @@ const struct Golden {
     {"plaza-close", "--scene plaza --count 400 --camera close --size 320x240 --time 1.5"},
 };
 
+// What CTest shows of a case.
+void PrintTo(const Golden &golden, std::ostream *out) { *out << golden.name; }
+
 std::string text_of(const std::string &path)
 {
     std::ifstream file(path);
