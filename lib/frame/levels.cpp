@@ -24,6 +24,7 @@ void Update::look_at_row(uint32_t row)
     const crowd::Actor &actor = crowd.actor(row);
     Row &out = frame.rows_[row];
     const bool was_seen = out.seen.visible && out.generation == actor.generation;
+    if (out.generation != actor.generation) out.seen = Seen();  // of whoever had the row before
     out.generation = actor.generation;
     float nearest = -1;
     for (uint32_t v = 0; v < views.count; ++v) {

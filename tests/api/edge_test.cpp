@@ -1,0 +1,101 @@
+// What lies at the edges of the C API: reused rows, lists that are drawn late, tasks that call back, values just
+// outside their limits.
+#include <claque/claque.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "tests/api/small_template.h"
+
+namespace
+{
+
+struct Calls {
+    clq_crowd *crowd = nullptr;
+    clq_status reset = CLQ_OK;
+};
+
+// A host whose tasks call what they must not.
+void run_and_meddle(void *user, uint32_t count, void (*job)(void *, uint32_t), void *data)
+{
+    Calls &calls = *static_cast<Calls *>(user);
+    calls.reset = clq_crowd_reset_bands(calls.crowd);
+    for (uint32_t i = 0; i < count; ++i) job(data, i);
+}
+
+class Edge : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        clq_context_def def = clq_context_def_init();
+        def.tasks = {&calls_, run_and_meddle};
+        ASSERT_EQ(clq_context_create(&def, &context_), CLQ_OK);
+        ASSERT_EQ(clq_template_build(context_, &small_.def, &tmpl_), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(clq_crowd_create(context_, nullptr, &crowd_), CLQ_OK);
+        ASSERT_EQ(clq_view_create(crowd_, &view_), CLQ_OK);
+        calls_.crowd = crowd_;
+        clq_camera camera;
+        const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
+        const float up[3] = {0, 1, 0};
+        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
+        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+    }
+    void TearDown() override
+    {
+        clq_crowd_destroy(crowd_);
+        clq_template_destroy(tmpl_);
+        EXPECT_EQ(clq_context_destroy(context_), CLQ_OK) << clq_last_error();
+    }
+    clq_actor add(double x)
+    {
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = tmpl_;
+        def.play.clip = 0;
+        def.place.position[0] = x;
+        clq_actor actor = {0, 0};
+        EXPECT_EQ(clq_actor_create(crowd_, &def, &actor), CLQ_OK) << clq_last_error();
+        return actor;
+    }
+    void colour(clq_actor actor, float red)
+    {
+        const float rgb[6] = {red, 0, 0, red, 0, 0};
+        EXPECT_EQ(clq_actor_set_colours(crowd_, actor, rgb, 2), CLQ_OK) << clq_last_error();
+    }
+    clq_status build() const
+    {
+        clq_template *tmpl = nullptr;
+        const clq_status status = clq_template_build(context_, &small_.def, &tmpl);
+        clq_template_destroy(tmpl);
+        return status;
+    }
+
+    SmallTemplate small_;
+    Calls calls_;
+    clq_context *context_ = nullptr;
+    clq_template *tmpl_ = nullptr;
+    clq_crowd *crowd_ = nullptr;
+    clq_view *view_ = nullptr;
+};
+
+const double far_away = 1e6;
+const float nan_value = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+TEST_F(Edge, somebody_new_has_not_been_seen_even_where_another_stood)
+{
+    const clq_actor first = add(0);
+    ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
+    ASSERT_EQ(clq_actor_destroy(crowd_, first), CLQ_OK);
+    const clq_actor second = add(far_away);
+    ASSERT_EQ(second.index1, first.index1) << "the row is used again, or this shows nothing";
+    ASSERT_EQ(clq_crowd_update(crowd_, 2.0, &view_, 1), CLQ_OK);
+    clq_actor_info info;
+    ASSERT_EQ(clq_actor_get_info(crowd_, second, &info), CLQ_OK);
+    EXPECT_EQ(info.visible, 0);
+    EXPECT_EQ(info.period_s, 0.0f);
+    EXPECT_EQ(info.shown_s, 0.0);
+}
