@@ -1,5 +1,5 @@
-// The colours of the individuals of one template: 8-bit RGB, a row of zone_count each, in chunks that never move, so
-// that a draw list may point at them.
+// The colours of the individuals of one template: 8-bit RGB, a row of zone_count each, in chunks that never move: a
+// new individual's colours cost no copy of the others'.
 #pragma once
 
 #include "lib/model/template.h"

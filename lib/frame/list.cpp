@@ -25,6 +25,27 @@ draw::Item Update::item_of(const EyeOf &eye, const Listed &listed) const
     return item;
 }
 
+namespace
+{
+
+// Within what reserve() made room for: what is copied first does not move.
+void keep_colours(View &view)
+{
+    if (view.grown.capacity() > view.colours.capacity()) {
+        view.colours.swap(view.grown);
+        model::Array<uint8_t>(view.grown.get_allocator()).swap(view.grown);
+    }
+    view.colours.clear();
+    for (draw::Item &item : view.list.items) {
+        if (!item.zone_rgb) continue;
+        const size_t first = view.colours.size();
+        view.colours.insert(view.colours.end(), item.zone_rgb, item.zone_rgb + 3 * size_t(item.tmpl->zone_count()));
+        item.zone_rgb = view.colours.data() + first;
+    }
+}
+
+}  // namespace
+
 void Update::list_view(uint32_t v)
 {
     View &view = *views[v];
@@ -46,6 +67,7 @@ void Update::list_view(uint32_t v)
     std::copy(std::begin(view.camera.projection), std::end(view.camera.projection), view.list.projection);
     const EyeOf eye(view.camera);
     for_slices(static_cast<uint32_t>(listed.size()), [&](uint32_t i) { view.list.items[i] = item_of(eye, listed[i]); });
+    keep_colours(view);
 }
 
 void Update::list()

@@ -37,6 +37,7 @@ private:
 
     float distance_if_seen(const EyeOf &eye, uint32_t row) const;
     void look_at_row(uint32_t row);
+    size_t colour_bytes() const;  // of all individuals that have their own
     void list_view(uint32_t view);
     draw::Item item_of(const EyeOf &eye, const Listed &listed) const;
     uint32_t band_of(float distance) const;

@@ -19,13 +19,17 @@ Camera look_at(const glm::dvec3 &eye, const glm::dvec3 &target, const glm::vec3 
 
 // list.server points into the view: a View stays where it is.
 struct View {
-    explicit View(std::pmr::memory_resource *memory) : list(memory), server(memory) {}
+    explicit View(std::pmr::memory_resource *memory) : list(memory), server(memory), colours(memory), grown(memory) {}
     View(const View &) = delete;
     View &operator=(const View &) = delete;
 
     Camera camera;               // for the next update
     draw::DrawList list;         // of the last update
     animcache::OnDemand server;  // skins at draw time who found no room in the caches
+
+    // Own colours of those in the list, as the update found them: a host may change them, or give the memory to
+    // another individual, before it draws. `grown` is the next list's memory where this one's is too small.
+    model::Array<uint8_t> colours, grown;
 };
 
 // Of the list with all matrices, colours and vertices: equal lists draw equal pictures. Asks the server for what no

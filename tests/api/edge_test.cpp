@@ -99,3 +99,22 @@ TEST_F(Edge, somebody_new_has_not_been_seen_even_where_another_stood)
     EXPECT_EQ(info.period_s, 0.0f);
     EXPECT_EQ(info.shown_s, 0.0);
 }
+
+TEST_F(Edge, a_list_keeps_the_colours_that_its_update_found)
+{
+    const clq_actor actor = add(0);
+    colour(actor, 1);
+    ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
+    const uint64_t list = clq_view_hash(view_);
+    colour(actor, 0.5f);
+    EXPECT_EQ(clq_view_hash(view_), list) << "colours set after the update";
+    ASSERT_EQ(clq_actor_destroy(crowd_, actor), CLQ_OK);
+    for (int i = 0; i < 600; ++i) colour(add(far_away), 0.25f);
+    EXPECT_EQ(clq_view_hash(view_), list) << "another individual took over the memory";
+    ASSERT_NE(clq_crowd_update(crowd_, std::numeric_limits<double>::infinity(), &view_, 1), CLQ_OK);
+    EXPECT_EQ(clq_view_hash(view_), list) << "an update that failed";
+    const clq_actor again = add(0);
+    colour(again, 0.5f);
+    ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
+    EXPECT_NE(clq_view_hash(view_), list) << "the next update shows them";
+}
