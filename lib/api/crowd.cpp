@@ -139,6 +139,7 @@ clq_status clq_crowd_reset_bands(clq_crowd *crowd)
 {
     return api::boundary("clq_crowd_reset_bands", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
         crowd->frame.reset_bands();
     });
 }

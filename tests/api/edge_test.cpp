@@ -118,3 +118,11 @@ TEST_F(Edge, a_list_keeps_the_colours_that_its_update_found)
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
     EXPECT_NE(clq_view_hash(view_), list) << "the next update shows them";
 }
+
+TEST_F(Edge, counters_cannot_be_reset_by_a_task_of_an_update)
+{
+    add(0);
+    ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
+    EXPECT_EQ(calls_.reset, CLQ_BUSY);
+    EXPECT_EQ(clq_crowd_reset_bands(crowd_), CLQ_OK);
+}
