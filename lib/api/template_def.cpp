@@ -49,6 +49,21 @@ void add_joints(const clq_template_def &def, model::Model &model)
     }
 }
 
+void check_zone(const clq_zone_def &zone, uint32_t index)
+{
+    const char *name = name_of(zone.name);
+    if (zone.key > 255) fail(CLQ_ARGUMENT, "zone %u '%s' has key %u: keys are 0 to 255", index, name, zone.key);
+    const auto within = [](float x, float last) { return x >= 0 && x <= last; };
+    for (const float c : zone.colour)
+        if (!within(c, 1))
+            fail(CLQ_ARGUMENT, "zone %u '%s' has a colour with a channel of %g: 0 to 1 is wanted", index, name,
+                 static_cast<double>(c));
+    const clq_hsb_range &r = zone.range;
+    if (!within(r.hue_first_deg, 360) || !within(r.hue_last_deg, 360) || !within(r.saturation_first, 1) ||
+        !within(r.saturation_last, 1) || !within(r.brightness_first, 1) || !within(r.brightness_last, 1))
+        fail(CLQ_ARGUMENT, "zone %u '%s' has a range that leaves [0, 360] degrees or [0, 1]", index, name);
+}
+
 void add_looks(const clq_template_def &def, model::Model &model)
 {
     require_array(def.images, def.image_count, "images");
@@ -70,8 +85,7 @@ void add_looks(const clq_template_def &def, model::Model &model)
     }
     for (uint32_t i = 0; i < def.zone_count; ++i) {
         const clq_zone_def &zone = def.zones[i];
-        if (zone.key > 255)
-            fail(CLQ_ARGUMENT, "zone %u '%s' has key %u: keys are 0 to 255", i, name_of(zone.name), zone.key);
+        check_zone(zone, i);
         model::Zone made;
         made.name = name_of(zone.name);
         made.key = static_cast<uint8_t>(zone.key);

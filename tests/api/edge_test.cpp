@@ -126,3 +126,21 @@ TEST_F(Edge, counters_cannot_be_reset_by_a_task_of_an_update)
     EXPECT_EQ(calls_.reset, CLQ_BUSY);
     EXPECT_EQ(clq_crowd_reset_bands(crowd_), CLQ_OK);
 }
+
+TEST_F(Edge, zones_outside_their_limits_are_refused_when_they_are_given)
+{
+    const clq_zone_def good = small_.zones[0];
+    for (const float bad : {-0.5f, 2.0f, nan_value}) {
+        small_.zones[0].colour[1] = bad;
+        EXPECT_EQ(build(), CLQ_ARGUMENT) << "colour " << bad;
+        EXPECT_NE(std::string(clq_last_error()).find("cloth"), std::string::npos) << clq_last_error();
+        small_.zones[0] = good;
+        small_.zones[0].range.brightness_last = bad;
+        EXPECT_EQ(build(), CLQ_ARGUMENT) << "brightness " << bad;
+        small_.zones[0] = good;
+    }
+    small_.zones[0].range.hue_first_deg = 361;
+    EXPECT_EQ(build(), CLQ_ARGUMENT);
+    small_.zones[0] = good;
+    EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
+}
