@@ -72,6 +72,11 @@ private:
         if (!part.joints || !part.weights)
             fail(CLQ_ARGUMENT, "skinned part %u '%s' lacks joints or weights", index, made.name.c_str());
         const size_t count = static_cast<size_t>(part.influence_count) * part.vertex_count;
+        // Here and not in model::check: entries of rigid parts stand behind the host's own, which it cannot name.
+        for (size_t i = 0; i < count; ++i)
+            if (part.joints[i] >= def_.joint_count)
+                fail(CLQ_ARGUMENT, "vertex %zu of part %u '%s' names joint %u of %u", i / part.influence_count, index,
+                     made.name.c_str(), part.joints[i], def_.joint_count);
         made.influence_count = part.influence_count;
         made.joints.assign(part.joints, part.joints + count);
         made.weights.assign(part.weights, part.weights + count);

@@ -144,3 +144,22 @@ TEST_F(Edge, zones_outside_their_limits_are_refused_when_they_are_given)
     small_.zones[0] = good;
     EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
 }
+
+TEST_F(Edge, a_joint_beyond_the_hosts_own_is_refused_beside_rigid_parts_too)
+{
+    // A rigid part brings a matrix of its own, which stands where joint 2 would.
+    clq_part_def parts[2] = {small_.parts[0], small_.parts[0]};
+    uint32_t joints[20];
+    std::memcpy(joints, small_.parts[0].joints, sizeof joints);
+    parts[0].joints = joints;
+    parts[1].influence_count = 0;
+    parts[1].joints = nullptr;
+    parts[1].weights = nullptr;
+    parts[1].node = 1;
+    small_.def.part_count = 2;
+    small_.def.parts = parts;
+    EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
+    joints[3] = 2;
+    EXPECT_EQ(build(), CLQ_ARGUMENT);
+    EXPECT_NE(std::string(clq_last_error()).find("joint 2 of 2"), std::string::npos) << clq_last_error();
+}
