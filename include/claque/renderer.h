@@ -67,8 +67,8 @@ CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_
 
 /* Brings a template's textures to GL; once per template, before the first draw that shows it. Again is harmless.
  * The template is held until the renderer goes.
- * Fails: LIMIT (texture too large for this GL), KEY_RESOLUTION (names the zones), OUT_OF_MEMORY; nothing is changed
- * then. */
+ * Fails: ARGUMENT (a template of another context), LIMIT (texture too large for this GL), KEY_RESOLUTION (names the
+ * zones), GL_STATE (what would spoil the upload, by name), GL_MISSING, OUT_OF_MEMORY; nothing is changed then. */
 CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
 
 typedef struct clq_draw_stats {

@@ -1,6 +1,7 @@
 #include <claque/renderer.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
@@ -37,17 +38,19 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     return options;
 }
 
-// A strategy that cannot tell a template's zones apart gives way to another: say so.
-void report_fallback(const clq_renderer &renderer, const clq_template &tmpl)
+// A strategy that cannot tell a template's zones apart gives way to another: say so. Asks for no memory, which could
+// fail when everything is done.
+void report_fallback(const clq_renderer &renderer, const clq_template &tmpl) noexcept
 {
     if (renderer.asked != passes::Strategy::fused || renderer.renderer.strategy_of(tmpl) == renderer.asked) return;
     size_t most = 0;
     for (const model::Texture &texture : tmpl.textures) most = std::max(most, texture.keys.size());
-    renderer.context->log.warn(
-        base::text_of("template '%s' is drawn binned instead of fused: its %zu zones are more than "
-                      "one draw can tell apart on this target",
-                      tmpl.name.c_str(), most)
-            .c_str());
+    char text[512];
+    std::snprintf(text, sizeof text,
+                  "template '%.300s' is drawn binned instead of fused: its %zu zones are more than one draw can tell "
+                  "apart on this target",
+                  tmpl.name.c_str(), most);
+    renderer.context->log.warn(text);
 }
 
 void end(clq_renderer *renderer)
