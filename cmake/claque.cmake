@@ -76,6 +76,9 @@ function(claque_libraries name)
     target_compile_definitions(${name}_static INTERFACE CLAQUE_STATIC=1)
     set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
         LINK_DEPENDS ${PROJECT_SOURCE_DIR}/lib/api/exports.map)
-    target_link_options(${name} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/api/exports.map -Wl,--no-undefined)
+    target_link_options(${name} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/api/exports.map)
+    if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")  # whose run time the program brings
+        target_link_options(${name} PRIVATE -Wl,--no-undefined)
+    endif()
     install(TARGETS ${name} ${name}_static EXPORT claque)
 endfunction()
