@@ -22,7 +22,7 @@ typedef struct clq_node_def {
     const char *name; /* may be NULL */
     uint32_t parent;  /* index of an earlier node, or CLQ_NONE */
     float translation[3];
-    float rotation_xyzw[4]; /* unit; all zero means no rotation */
+    float rotation_xyzw[4]; /* unit within 0.001; all zero means no rotation */
     float scale[3];         /* all zero means 1, 1, 1 */
 } clq_node_def;
 

@@ -20,6 +20,17 @@ bool all_zero(const float *values, int count)
     return true;
 }
 
+// Any other length would scale what hangs on the node, and its normals and spheres would not know.
+glm::quat unit_rotation(const float *q, uint32_t node, const char *name)
+{
+    double square = 0;
+    for (int k = 0; k < 4; ++k) square += static_cast<double>(q[k]) * q[k];
+    const double length = std::sqrt(square);
+    if (!(std::fabs(length - 1) <= 1e-3))
+        fail(CLQ_ARGUMENT, "node %u '%s' has a rotation of length %g instead of 1", node, name, length);
+    return glm::quat(q[3], q[0], q[1], q[2]);
+}
+
 void add_nodes(const clq_template_def &def, model::Model &model)
 {
     require_array(def.nodes, def.node_count, "nodes");
@@ -28,7 +39,7 @@ void add_nodes(const clq_template_def &def, model::Model &model)
         math::Trs trs;
         trs.translation = glm::vec3(node.translation[0], node.translation[1], node.translation[2]);
         const float *q = node.rotation_xyzw;
-        if (!all_zero(q, 4)) trs.rotation = glm::quat(q[3], q[0], q[1], q[2]);
+        if (!all_zero(q, 4)) trs.rotation = unit_rotation(q, i, name_of(node.name));
         if (!all_zero(node.scale, 3)) trs.scale = glm::vec3(node.scale[0], node.scale[1], node.scale[2]);
         model.rig.parents.push_back(node.parent);
         model.rig.rest.push_back(trs);
@@ -98,6 +109,10 @@ void add_looks(const clq_template_def &def, model::Model &model)
         model::Material made;
         made.name = name_of(material.name);
         const float *c = material.base_colour;
+        for (const float x : {c[0], c[1], c[2], c[3], material.alpha_cutoff})
+            if (!std::isfinite(x))
+                fail(CLQ_ARGUMENT, "material %u '%s' has a colour or an alpha_cutoff that is not finite", i,
+                     name_of(material.name));
         if (!all_zero(c, 4)) made.base_colour = {c[0], c[1], c[2], c[3]};
         made.image = material.image;
         made.wrap_s = static_cast<model::Wrap>(material.wrap_s);

@@ -163,3 +163,28 @@ TEST_F(Edge, a_joint_beyond_the_hosts_own_is_refused_beside_rigid_parts_too)
     EXPECT_EQ(build(), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("joint 2 of 2"), std::string::npos) << clq_last_error();
 }
+
+TEST_F(Edge, a_rotation_that_would_scale_its_node_is_refused)
+{
+    float *q = small_.nodes[1].rotation_xyzw;
+    q[1] = 0.6f, q[3] = 0.8f;
+    EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
+    q[3] = 0.9f;
+    EXPECT_EQ(build(), CLQ_ARGUMENT);
+    EXPECT_NE(std::string(clq_last_error()).find("tip"), std::string::npos) << clq_last_error();
+    q[3] = nan_value;
+    EXPECT_EQ(build(), CLQ_ARGUMENT);
+    q[1] = q[3] = 0;
+    EXPECT_EQ(build(), CLQ_OK) << "all zero means none";
+}
+
+TEST_F(Edge, materials_that_are_no_numbers_are_refused)
+{
+    small_.materials[0].base_colour[2] = nan_value;
+    EXPECT_EQ(build(), CLQ_ARGUMENT);
+    small_.materials[0].base_colour[2] = 0;
+    small_.materials[0].alpha_cutoff = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(build(), CLQ_ARGUMENT);
+    small_.materials[0].alpha_cutoff = 0.5f;
+    EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
+}
