@@ -27,6 +27,8 @@ int main(void)
     unsigned char (*make_current)(void *, void *, unsigned, int, int);
     *(void **)&create = dlsym(library, "OSMesaCreateContextExt");
     *(void **)&make_current = dlsym(library, "OSMesaMakeCurrent");
+    void (*destroy)(void *);
+    *(void **)&destroy = dlsym(library, "OSMesaDestroyContext");
     *(void **)&osmesa_get = dlsym(library, "OSMesaGetProcAddress");
     void *mesa = create(GL_RGBA, 24, 8, 0, NULL);
     if (!mesa || !make_current(mesa, pixels, GL_UNSIGNED_BYTE, WIDTH, HEIGHT)) return 1;
@@ -79,6 +81,7 @@ int main(void)
         for (int x = 0; x < WIDTH; ++x) fwrite(pixels + 4 * (y * WIDTH + x), 1, 3, file);
     fclose(file);
     clq_renderer_destroy(renderer);
+    destroy(mesa);
     clq_template_destroy(citizen);
     clq_crowd_destroy(crowd);
     check(clq_context_destroy(context));

@@ -3,6 +3,7 @@
 
 #include <claque/base.h>
 
+#include <cstring>
 #include <new>
 #include <stdexcept>
 
@@ -54,6 +55,16 @@ inline void require_array(const void *array, uint32_t count, const char *what)
 }
 
 inline const char *name_of(const char *name) { return name ? name : ""; }
+
+// The number in a host's enum: C lets it be any, and C++ may not even look at one that is not of the enum.
+template <class Enum>
+unsigned number_of(const Enum &value)
+{
+    static_assert(sizeof(Enum) == sizeof(unsigned), "C hosts pass enums as int");
+    unsigned number;
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
 
 // A def made by another version of the header has another size.
 template <class Def>

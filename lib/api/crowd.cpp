@@ -13,7 +13,7 @@ namespace
 animcache::Settings settings_of(const clq_crowd_def &def)
 {
     using api::require;
-    require(def.cache == CLQ_CACHE_FULL || def.cache == CLQ_CACHE_ANIMATION || def.cache == CLQ_CACHE_NONE,
+    require(api::number_of(def.cache) <= CLQ_CACHE_NONE,
             "cache is none of CLQ_CACHE_FULL, CLQ_CACHE_ANIMATION, CLQ_CACHE_NONE");
     if (!(def.period_near_s >= 0 && def.period_near_s <= 1))
         base::fail(CLQ_ARGUMENT, "period_near_s is %g: 0 to 1 is wanted", static_cast<double>(def.period_near_s));

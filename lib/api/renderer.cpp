@@ -26,10 +26,10 @@ namespace
 passes::RendererOptions options_of(const clq_renderer_def &def)
 {
     using api::require;
-    require(static_cast<unsigned>(def.variety) <= CLQ_VARIETY_PER_ZONE, "variety is none of CLQ_VARIETY_...");
-    require(static_cast<unsigned>(def.guard) <= CLQ_GUARD_NONE, "guard is none of CLQ_GUARD_...");
-    require(static_cast<unsigned>(def.colours) <= CLQ_COLOUR_FLOAT, "colours is none of CLQ_COLOUR_...");
-    require(static_cast<unsigned>(def.key_test) <= CLQ_KEY_EQUAL, "key_test is none of CLQ_KEY_...");
+    require(api::number_of(def.variety) <= CLQ_VARIETY_PER_ZONE, "variety is none of CLQ_VARIETY_...");
+    require(api::number_of(def.guard) <= CLQ_GUARD_NONE, "guard is none of CLQ_GUARD_...");
+    require(api::number_of(def.colours) <= CLQ_COLOUR_FLOAT, "colours is none of CLQ_COLOUR_...");
+    require(api::number_of(def.key_test) <= CLQ_KEY_EQUAL, "key_test is none of CLQ_KEY_...");
     passes::RendererOptions options;
     options.strategy = static_cast<passes::Strategy>(def.variety);
     options.guard = static_cast<passes::Guard>(def.guard);

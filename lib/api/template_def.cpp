@@ -86,6 +86,8 @@ void add_looks(const clq_template_def &def, model::Model &model)
             !image.rgba)
             fail(CLQ_ARGUMENT, "image %u '%s' is %u x %u pixels: 1 to 16384 and an array are wanted", i,
                  name_of(image.name), image.width_px, image.height_px);
+        if (number_of(image.alpha) > 1)
+            fail(CLQ_ARGUMENT, "image %u '%s' has an alpha meaning that is none", i, name_of(image.name));
         model::Image made;
         made.name = name_of(image.name);
         made.width = image.width_px;
@@ -106,6 +108,8 @@ void add_looks(const clq_template_def &def, model::Model &model)
     }
     for (uint32_t i = 0; i < def.material_count; ++i) {
         const clq_material_def &material = def.materials[i];
+        if (number_of(material.wrap_s) > 2 || number_of(material.wrap_t) > 2 || number_of(material.alpha_mode) > 1)
+            fail(CLQ_ARGUMENT, "material %u '%s' has a wrap or alpha mode that is none", i, name_of(material.name));
         model::Material made;
         made.name = name_of(material.name);
         const float *c = material.base_colour;
@@ -117,8 +121,6 @@ void add_looks(const clq_template_def &def, model::Model &model)
         made.image = material.image;
         made.wrap_s = static_cast<model::Wrap>(material.wrap_s);
         made.wrap_t = static_cast<model::Wrap>(material.wrap_t);
-        if (static_cast<unsigned>(material.wrap_s) > 2 || static_cast<unsigned>(material.wrap_t) > 2)
-            fail(CLQ_ARGUMENT, "material %u '%s' has a wrap mode that is none", i, name_of(material.name));
         made.alpha_mode = material.alpha_mode == CLQ_ALPHA_MASK ? model::AlphaMode::mask : model::AlphaMode::opaque;
         made.alpha_cutoff = material.alpha_cutoff;
         made.double_sided = material.double_sided != 0;
@@ -131,7 +133,7 @@ void add_channel(const clq_channel_def &channel, model::Model &model, uint32_t c
 {
     if (channel.key_count == 0 || !channel.times_s || !channel.values)
         fail(CLQ_ARGUMENT, "channel %u of clip %u has no keys", index, clip);
-    if (static_cast<unsigned>(channel.path) > 3 || static_cast<unsigned>(channel.interpolation) > 2)
+    if (number_of(channel.path) > 3 || number_of(channel.interpolation) > 2)
         fail(CLQ_ARGUMENT, "channel %u of clip %u has a path or interpolation that is none", index, clip);
     model::Channel made;
     made.path = static_cast<model::Path>(channel.path);

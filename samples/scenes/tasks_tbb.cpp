@@ -12,6 +12,13 @@ struct TbbTasks::Arena {
         : control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads)), arena(threads)
     {
     }
+    // Workers are gone before the program ends: a thread that is still on its way out then confuses leak checkers.
+    ~Arena()
+    {
+        arena.terminate();
+        tbb::finalize(scheduler, std::nothrow);
+    }
+    tbb::task_scheduler_handle scheduler{tbb::attach{}};
     tbb::global_control control;
     tbb::task_arena arena;
 };
