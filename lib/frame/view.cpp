@@ -55,12 +55,17 @@ Camera look_at(const glm::dvec3 &eye, const glm::dvec3 &target, const glm::vec3 
     const glm::dvec3 side = glm::cross(glm::dvec3(up), back);
     if (!(square(side) > 1e-12 * square(glm::dvec3(up)))) base::fail(CLQ_ARGUMENT, "up lies along the line of sight");
 
+    const double scale = 1 / math::tan(fov_y_rad / 2.0), n = z_near, f = z_far;
+    for (const double x : {scale, scale / aspect})
+        if (!std::isfinite(static_cast<float>(x)))
+            base::fail(CLQ_ARGUMENT, "%g rad at aspect %g is narrower than a projection's numbers reach",
+                       double(fov_y_rad), double(aspect));
+
     Camera camera;
     const glm::dvec3 right = unit(side);
     camera.eye = eye;
     camera.rotation = quat_of(right, glm::cross(back, right), back);
     for (float &x : camera.projection) x = 0;
-    const double scale = 1 / math::tan(fov_y_rad / 2.0), n = z_near, f = z_far;
     camera.projection[0] = float(scale / aspect);
     camera.projection[5] = float(scale);
     camera.projection[10] = float((f + n) / (n - f));

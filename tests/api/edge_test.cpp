@@ -188,3 +188,14 @@ TEST_F(Edge, materials_that_are_no_numbers_are_refused)
     small_.materials[0].alpha_cutoff = 0.5f;
     EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
 }
+
+TEST_F(Edge, a_view_too_narrow_for_its_projection_is_refused)
+{
+    clq_camera camera;
+    const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
+    const float up[3] = {0, 1, 0};
+    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-44f, 1, 0.1f, 100), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1, 1e-42f, 0.1f, 100), CLQ_ARGUMENT);
+    ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-6f, 1, 0.1f, 100), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(clq_view_look(view_, &camera), CLQ_OK) << clq_last_error();
+}
