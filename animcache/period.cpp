@@ -21,7 +21,8 @@ double period_s(uint32_t rung) { return rung == 0 ? 0 : 1 / rates[rung]; }
 double period_s(const PeriodLaw &law, double distance)
 {
     const double near2 = double(law.d_near) * law.d_near, far2 = double(law.d_far) * law.d_far;
-    const double x = (distance * distance - near2) / (far2 - near2);
+    // Clamped here, or a distance beyond float's range times a span of nothing would be no number and no period.
+    const double x = std::clamp((distance * distance - near2) / (far2 - near2), 0.0, 1.0);
     const double t = law.near_s + (double(law.far_s) - law.near_s) * x;
     return std::clamp(t, double(law.near_s), double(law.far_s));
 }

@@ -199,3 +199,26 @@ TEST_F(Edge, a_view_too_narrow_for_its_projection_is_refused)
     ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-6f, 1, 0.1f, 100), CLQ_OK) << clq_last_error();
     EXPECT_EQ(clq_view_look(view_, &camera), CLQ_OK) << clq_last_error();
 }
+
+TEST_F(Edge, who_is_farther_than_float_reaches_has_the_far_period)
+{
+    clq_crowd_def def = clq_crowd_def_init();
+    def.period_near_s = def.period_far_s = 0.1f;
+    clq_crowd_destroy(crowd_);
+    crowd_ = nullptr;
+    ASSERT_EQ(clq_crowd_create(context_, &def, &crowd_), CLQ_OK);
+    ASSERT_EQ(clq_view_create(crowd_, &view_), CLQ_OK);
+    calls_.crowd = crowd_;
+    clq_camera camera = {};  // a perspective without a far plane
+    camera.rotation_xyzw[3] = camera.projection[0] = camera.projection[5] = 1;
+    camera.projection[10] = camera.projection[11] = -1, camera.projection[14] = -0.2f;
+    ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK) << clq_last_error();
+    const clq_actor actor = add(0);
+    const clq_place place = {{0, 0, -1e100}, {0, 0, 0, 1}, 1};
+    ASSERT_EQ(clq_crowd_place(crowd_, &actor, &place, 1), CLQ_OK);
+    ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
+    clq_actor_info info;
+    ASSERT_EQ(clq_actor_get_info(crowd_, actor, &info), CLQ_OK);
+    ASSERT_EQ(info.visible, 1);
+    EXPECT_NEAR(info.period_s, 0.1f, 1e-6f);
+}
