@@ -146,8 +146,8 @@ CLQ_API uint32_t clq_crowd_actor_count(const clq_crowd *crowd);
 /* One frame: places, culls, finds who is due, animates and skins them, and makes each view's draw list (S0 4.2, S1 4).
  *   time_s   the host's clock; may jump, also back. What is shown is a function of it and the distances
  *   views    [view_count] of this crowd; the others' lists become empty
- * Fails: ARGUMENT, BUSY, OUT_OF_MEMORY; crowd and lists are then as they were. Threads: the crowd's writer; spreads
- * over the context's tasks. GL: none. */
+ * Fails: ARGUMENT, LIMIT, BUSY, OUT_OF_MEMORY; crowd and lists are then as they were. Threads: the crowd's writer;
+ * spreads over the context's tasks. GL: none. */
 CLQ_API clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *views, uint32_t view_count);
 
 /* Share of the update work that fell to actors at one distance. */

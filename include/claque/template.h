@@ -77,7 +77,7 @@ typedef struct clq_material_def {
 typedef struct clq_morph_def {
     const float *positions;
     const float *normals;
-    float rest_weight;
+    float rest_weight; /* parts on one node share their weights: the first part's are taken */
 } clq_morph_def;
 
 /* A triangle mesh. Skinned: joints and weights; rigid: hangs on `node` and has neither. */
