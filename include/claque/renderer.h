@@ -81,7 +81,8 @@ typedef struct clq_draw_stats {
 /* Draws a view's list as the last update left it. The crowd is not changed.
  *   out_stats   may be NULL
  * Fails: ARGUMENT (a template that is not prepared, by name), GL_STATE (what would spoil the picture, by name),
- * GL_MISSING, BUSY; nothing is drawn or changed then. */
+ * GL_MISSING, BUSY; nothing is drawn or changed then. OUT_OF_MEMORY: somebody whom no cache holds found no room to be
+ * skinned in; all others are drawn. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
 /* Ends a renderer, its context being current; NULL is ignored. */

@@ -168,8 +168,11 @@ CLQ_API void clq_template_destroy(clq_template *tmpl);
 CLQ_API clq_status clq_template_save(const clq_template *tmpl,
                                      int (*write)(void *user, const void *bytes, size_t size_bytes), void *user);
 
-/* Loads what clq_template_save wrote. The bytes may be anything: a file that is cut, changed or of another version is
- * FORMAT. bytes   not kept Fails: FORMAT, OUT_OF_MEMORY. Threads: any. GL: none. */
+/* Loads what clq_template_save wrote. The bytes may be anything: a file that is cut, changed or of another version
+ * is FORMAT.
+ *   bytes   [size_bytes], not kept
+ *   out     [owner: host, until clq_template_destroy]
+ * Fails: ARGUMENT (NULL), FORMAT, OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_load(clq_context *context, const void *bytes, size_t size_bytes, clq_template **out);
 
 /* What the split came to (S1 3). */
