@@ -70,15 +70,15 @@ clq_status clq_crowd_place(clq_crowd *crowd, const clq_actor *actors, const clq_
     return api::boundary("clq_crowd_place", [&] {
         api::require(crowd && ((actors && places) || count == 0), "crowd, actors or places is NULL");
         const api::Busy busy(crowd);
-        std::pmr::vector<crowd::Id> ids(&crowd->context->memory);
-        std::pmr::vector<crowd::Place> wanted(&crowd->context->memory);
-        ids.reserve(count);
-        wanted.reserve(count);
+        crowd->placed_ids.clear();
+        crowd->placed.clear();
+        crowd->placed_ids.reserve(count);
+        crowd->placed.reserve(count);
         for (uint32_t i = 0; i < count; ++i) {
-            ids.push_back(api::id_of(actors[i]));
-            wanted.push_back(api::place_of(places[i]));
+            crowd->placed_ids.push_back(api::id_of(actors[i]));
+            crowd->placed.push_back(api::place_of(places[i]));
         }
-        crowd->crowd.place(ids.data(), wanted.data(), count);
+        crowd->crowd.place(crowd->placed_ids.data(), crowd->placed.data(), count);
     });
 }
 

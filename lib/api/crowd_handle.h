@@ -15,7 +15,9 @@ struct clq_crowd {
           frame(&owner->memory, settings),
           held(&owner->memory),
           views(&owner->memory),
-          asked(&owner->memory)
+          asked(&owner->memory),
+          placed_ids(&owner->memory),
+          placed(&owner->memory)
     {
     }
     ~clq_crowd();
@@ -26,7 +28,10 @@ struct clq_crowd {
     std::pmr::vector<clq_template *> held;  // every template it has used
     std::pmr::vector<clq_view *> views;
     std::pmr::vector<claque::frame::View *> asked;  // of the update that runs
-    std::atomic<bool> busy{false};                  // while an update runs, or a draw that skins on demand
+    // Of the call that places: hosts do so every frame, and a frame asks for no memory once it has grown.
+    std::pmr::vector<claque::crowd::Id> placed_ids;
+    std::pmr::vector<claque::crowd::Place> placed;
+    std::atomic<bool> busy{false};  // while an update runs, or a draw that skins on demand
 };
 
 struct clq_view {

@@ -86,6 +86,7 @@ protected:
         def.seed = static_cast<uint64_t>(i);
         clq_actor actor;
         const clq_status status = clq_actor_create(crowd_, &def, &actor);
+        if (status == CLQ_OK && first_.index1 == 0) first_ = actor;
         return status != CLQ_OK ? status : clq_actor_draw_colours(crowd_, actor, nullptr, 0);
     }
 
@@ -94,6 +95,7 @@ protected:
     clq_template *tmpl_ = nullptr;
     clq_crowd *crowd_ = nullptr;
     clq_view *view_ = nullptr;
+    clq_actor first_ = {0, 0};
 };
 
 std::vector<char> bytes_of(const std::string &path)
@@ -184,13 +186,21 @@ TEST_F(Allocation, an_update_fails_cleanly_at_every_allocation_and_the_next_one_
     clq_template_destroy(old);
 }
 
-TEST_F(Allocation, an_update_without_news_allocates_nothing)
+TEST_F(Allocation, frames_that_place_and_update_allocate_nothing)
 {
     make_crowd(100);
-    for (int frame = 0; frame < 3; ++frame) ASSERT_EQ(clq_crowd_update(crowd_, 0.02 * frame, &view_, 1), CLQ_OK);
+    const std::vector<clq_actor> actors(1, first_);
+    const std::vector<clq_place> places(1, clq_place{{0, 0, 0}, {0, 0, 0, 1}, 1});
+    const auto frame = [&](int number) {
+        return clq_crowd_place(crowd_, actors.data(), places.data(), 1) == CLQ_OK &&
+               clq_crowd_update(crowd_, 0.02 * number, &view_, 1) == CLQ_OK;
+    };
+    for (int number = 0; number < 3; ++number) ASSERT_TRUE(frame(number)) << clq_last_error();
     fm::arm(0, fm::Reach::everything);
-    for (int frame = 3; frame < 30; ++frame) clq_crowd_update(crowd_, 0.02 * frame, &view_, 1);
+    bool good = true;
+    for (int number = 3; number < 30; ++number) good = frame(number) && good;
     EXPECT_EQ(fm::disarm(), 0u);
+    EXPECT_TRUE(good);
 }
 
 TEST_F(Allocation, loading_the_smallest_asset_fails_cleanly_at_every_allocation_and_a_larger_one_at_a_stride)
