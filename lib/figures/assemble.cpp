@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "lib/figures/occlusion.h"
-#include "lib/figures/weights.h"
 
 namespace claque::figures
 {
@@ -13,10 +12,10 @@ namespace
 {
 
 // One vertex for each point and place in the texture; normals are the point's, so that seams do not show.
-model::Part part_of(const Mesh &mesh)
+model::Part part_of(const Mesh &mesh, Weigher weigher)
 {
     const std::vector<glm::vec3> normals = mesh.smooth_normals();
-    const std::vector<Binding> bindings = bind(mesh);
+    const std::vector<Binding> bindings = bind(mesh, weigher);
     model::Part part;
     part.skinned = true;
     part.node = 0;
@@ -45,22 +44,22 @@ model::Model assemble(const Figure &figure)
 {
     Mesh mesh;
     figure.add_pieces(mesh);
-    unwrap(mesh);
+    unwrap(mesh, figure.layout);
     const Occlusion occlusion(mesh);
     model::Model model;
     model.name = figure.name;
     add_skeleton(model.rig);
     for (const ClipMaker &clip : figure.clips) add_clip(model.rig, clip);
-    model.zones = figure.zones;
+    model.zones = zones_of(figure.zones);
     model.images.push_back(paint(
-        mesh, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p, n); }, figure.painter));
+        mesh, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p, n); }, figure.painter, figure.zones));
     model.images[0].name = figure.name;
     model::Material material;
     material.name = figure.name;
     material.image = 0;
     material.wrap_s = material.wrap_t = model::Wrap::clamp;
     model.materials.push_back(material);
-    model.parts.push_back(part_of(mesh));
+    model.parts.push_back(part_of(mesh, figure.weigher));
     model.parts[0].name = figure.name;
     model::check(model);
     return model;

@@ -5,6 +5,7 @@
 
 #include "lib/figures/clips.h"
 #include "lib/figures/painters.h"
+#include "lib/figures/weights.h"
 
 namespace claque::figures
 {
@@ -13,8 +14,10 @@ struct Figure {
     const char *name = "";
     void (*add_pieces)(Mesh &) = nullptr;  // body and dress, from parts.h
     Painter painter;
-    std::vector<model::Zone> zones;
+    Layout layout;
+    Zones zones;
     std::vector<ClipMaker> clips;
+    Weigher weigher = nullptr;  // of regions of its own; may be null
 };
 
 // Throws base::Error should the figure break a rule of model::check.

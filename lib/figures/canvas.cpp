@@ -117,7 +117,7 @@ void fill_gutters(std::vector<Cover> &covers, std::vector<uint8_t> &rgba)
 
 }  // namespace
 
-model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter)
+model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter, const Zones &zones)
 {
     const std::vector<glm::vec3> normals = mesh.smooth_normals();
     std::vector<Cover> covers(size_t(size) * size);
@@ -132,7 +132,7 @@ model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &pa
         const Paint p = painter(covers[i].texel);
         const uint8_t grey = static_cast<uint8_t>(std::clamp(p.luminance, 0.0f, 255.0f) + 0.5f);
         for (size_t k = 0; k < 3; ++k) image.rgba[4 * i + k] = grey;
-        image.rgba[4 * i + 3] = key_of(p.zone);
+        image.rgba[4 * i + 3] = key_of(zones, p.zone);
     }
     fill_gutters(covers, image.rgba);
     return image;

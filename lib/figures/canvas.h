@@ -30,6 +30,6 @@ using Painter = std::function<Paint(const Texel &)>;
 using Openness = std::function<float(glm::vec3 position, glm::vec3 normal)>;
 
 // `mesh` is unwrapped. Deterministic; no texel is left without a key.
-model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter);
+model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter, const Zones &zones);
 
 }  // namespace claque::figures

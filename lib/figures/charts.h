@@ -1,7 +1,9 @@
 // Where each piece of the surface lies in the texture, and what the texture means by its keys.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "lib/model/model.h"
 
@@ -10,8 +12,19 @@ namespace claque::figures
 
 constexpr int texture_size = 512;
 
-enum class Zone : uint8_t { skin, hair, eyes, lips, tunic, belt, border, sandals };
-constexpr int zone_count = 8;
+// `outer`: what is worn over the tunic: toga, stola and palla, cloak.
+enum class Zone : uint8_t { skin, hair, eyes, lips, tunic, belt, border, sandals, outer, jewellery };
+
+// A zone of one figure; its key follows from its place in the figure's list.
+struct FigureZone {
+    Zone zone = Zone::skin;
+    std::array<float, 3> colour = {1, 1, 1};  // by default
+    model::HsbRange range;                    // what individuals' colours are drawn from
+};
+using Zones = std::vector<FigureZone>;  // at most ten
+
+std::vector<model::Zone> zones_of(const Zones &zones);
+uint8_t key_of(const Zones &zones, Zone zone);  // throws base::Error where the figure has none
 
 // Pieces that exist twice are named for the figure's own left; the right one follows it.
 enum class Chart : uint8_t {
@@ -36,9 +49,14 @@ enum class Chart : uint8_t {
     foot,
     foot_r,
     sole,
-    sole_r
+    sole_r,
+    own  // the first of those that a figure names for itself
 };
-constexpr int chart_count = 22;
+constexpr int shared_chart_count = static_cast<int>(Chart::own), own_chart_count = 24;
+constexpr int chart_count = shared_chart_count + own_chart_count;
+
+// A chart of the figure's own: `constexpr Chart hood = own_chart(0);`. Of pairs the right one is the next.
+constexpr Chart own_chart(int number) { return static_cast<Chart>(shared_chart_count + number); }
 
 enum class Side : int8_t { right = -1, left = 1 };
 
@@ -51,9 +69,12 @@ constexpr Chart on(Side side, Chart left)
 struct ChartRect {
     int x, y, width, height;
 };
-ChartRect rect_of(Chart chart);
 
-uint8_t key_of(Zone zone);
-model::Zone zone_of(Zone zone);  // name, key, colour by default, and what colours are drawn from
+// Where a figure's charts lie in its texture; those it does not name must have no faces.
+struct Placed {
+    Chart chart;
+    ChartRect rect;
+};
+using Layout = std::vector<Placed>;
 
 }  // namespace claque::figures

@@ -2,6 +2,8 @@
 // three dimensions, bound to one skeleton, with clips of its own. Start-up only; the same bytes on every call.
 #pragma once
 
+#include <vector>
+
 #include "lib/model/model.h"
 
 namespace claque::figures
@@ -12,5 +14,11 @@ namespace claque::figures
 // eyes, lips, tunic, belt, border, sandals), and the clips stand, walk, applaud and cheer.
 // Throws base::Error, should the made model break a rule of model::check.
 model::Model citizen();
+
+struct Builtin {
+    const char *name;
+    model::Model (*make)();
+};
+const std::vector<Builtin> &builtins();
 
 }  // namespace claque::figures

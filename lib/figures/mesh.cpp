@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lib/base/error.h"
+
 namespace claque::figures
 {
 
@@ -93,16 +95,16 @@ Chain ring_chain(const std::vector<uint32_t> &ring, float t)
     return chain;
 }
 
-void unwrap(Mesh &mesh)
+void unwrap(Mesh &mesh, const Layout &layout)
 {
     constexpr float gutter = 2;
-    for (int c = 0; c < chart_count; ++c) {
-        const Chart chart = static_cast<Chart>(c);
+    std::array<bool, chart_count> placed{};
+    for (const auto &[chart, rect] : layout) {
+        placed[static_cast<size_t>(chart)] = true;
         glm::vec2 low(1e9f), high(-1e9f);
         for (const Face &f : mesh.faces)
             if (f.chart == chart)
                 for (const Corner &corner : f.corners) low = min(low, corner.st), high = max(high, corner.st);
-        const ChartRect rect = rect_of(chart);
         const glm::vec2 origin(static_cast<float>(rect.x) + gutter, static_cast<float>(rect.y) + gutter);
         const glm::vec2 room(static_cast<float>(rect.width) - 2 * gutter, static_cast<float>(rect.height) - 2 * gutter);
         const float size = static_cast<float>(texture_size);
@@ -113,6 +115,10 @@ void unwrap(Mesh &mesh)
                     corner.uv = (origin + glm::vec2(local.x, 1 - local.y) * room) / size;
                 }
     }
+    for (const Face &f : mesh.faces)
+        if (!placed[static_cast<size_t>(f.chart)])
+            base::fail(CLQ_ARGUMENT, "chart %d has faces and no place in the figure's texture",
+                       static_cast<int>(f.chart));
 }
 
 }  // namespace claque::figures

@@ -13,7 +13,9 @@ namespace claque::figures
 {
 
 // Which bones may move a point.
-enum class Region : uint8_t { head, torso, skirt, sleeve, arm, palm, fingers, index, thumb, leg, foot };
+// A gown is a skirt that reaches below the knees; `own` and what follows it a figure explains by its weigher.
+enum class Region : uint8_t { head, torso, skirt, gown, sleeve, arm, palm, fingers, index, thumb, leg, foot, own };
+constexpr Region own_region(int number) { return static_cast<Region>(static_cast<int>(Region::own) + number); }
 
 struct Point {
     glm::vec3 position;
@@ -69,7 +71,7 @@ public:
 // The points of a ring as a chain whose s runs from 0 to 1, the first repeated at the end (the chart's seam).
 Chain ring_chain(const std::vector<uint32_t> &ring, float t);
 
-// Fits each chart's corners into its rectangle.
-void unwrap(Mesh &mesh);
+// Fits each chart's corners into its rectangle. Throws base::Error where a chart with faces has none.
+void unwrap(Mesh &mesh, const Layout &layout);
 
 }  // namespace claque::figures

@@ -6,13 +6,15 @@
 #include <map>
 #include <tuple>
 
+#include "lib/base/error.h"
+
 namespace claque::figures
 {
 
 namespace
 {
 
-using Dense = std::array<float, bone_count>;
+using Dense = BoneWeights;
 
 float step(float from, float to, float x)
 {
@@ -20,14 +22,9 @@ float step(float from, float to, float x)
     return t * t * (3 - 2 * t);
 }
 
-void give(Dense &w, Bone bone, float weight) { w[static_cast<size_t>(bone)] += weight; }
+}  // namespace
 
-// Hands `share` down a chain: at each joint the part beyond it goes on to the next bone.
-struct Link {
-    Bone bone;
-    float share;  // of what reaches this bone, how much passes on to the next
-};
-void chain(Dense &w, float whole, std::initializer_list<Link> links)
+void chain(BoneWeights &w, float whole, std::initializer_list<Link> links)
 {
     for (const Link &link : links) {
         give(w, link.bone, whole * (1 - link.share));
@@ -35,7 +32,7 @@ void chain(Dense &w, float whole, std::initializer_list<Link> links)
     }
 }
 
-void trunk(Dense &w, glm::vec3 p, float whole)
+void weigh_trunk(BoneWeights &w, glm::vec3 p, float whole)
 {
     chain(w, whole,
           {{Bone::pelvis, step(0.97f, 1.09f, p.y)},
@@ -45,7 +42,7 @@ void trunk(Dense &w, glm::vec3 p, float whole)
 }
 
 // Torso and sleeve: trunk, then collar bone, then upper arm, by how far out the point lies.
-void shoulder(Dense &w, glm::vec3 p, Side side)
+void weigh_shoulder(BoneWeights &w, glm::vec3 p, Side side, float whole)
 {
     const glm::vec3 q = mirrored(p, side);
     const glm::vec3 joint = skeleton().joint(Bone::upper_arm);
@@ -54,31 +51,46 @@ void shoulder(Dense &w, glm::vec3 p, Side side)
     const float arm = step(-0.055f, 0.075f, glm::dot(q - joint, arm_direction()) - 0.25f * (1.40f - q.y)) *
                       step(1.20f, 1.34f, q.y + (q.x > 0.2f ? 1 : 0));
     const float along = glm::dot(q - joint, arm_direction());
-    trunk(w, p, (1 - arm) * (1 - 0.75f * out));
-    give(w, on(side, Bone::clavicle), (1 - arm) * 0.75f * out);
-    chain(w, arm, {{on(side, Bone::upper_arm), 0.12f * step(0.19f, 0.31f, along)}, {on(side, Bone::forearm), 0}});
+    weigh_trunk(w, p, whole * (1 - arm) * (1 - 0.75f * out));
+    give(w, on(side, Bone::clavicle), whole * (1 - arm) * 0.75f * out);
+    chain(w, whole * arm,
+          {{on(side, Bone::upper_arm), 0.12f * step(0.19f, 0.31f, along)}, {on(side, Bone::forearm), 0}});
 }
 
-void skirt(Dense &w, glm::vec3 p)
-{
-    const float hang = step(1.02f, 0.80f, p.y);
-    trunk(w, p, 1 - hang);
-    const float left = step(-0.13f, 0.13f, p.x), front = step(-0.12f, 0.12f, p.z);
-    give(w, Bone::skirt_front, hang * left * front);
-    give(w, Bone::skirt_front_r, hang * (1 - left) * front);
-    give(w, Bone::skirt_back, hang * left * (1 - front));
-    give(w, Bone::skirt_back_r, hang * (1 - left) * (1 - front));
-}
-
-void arm(Dense &w, glm::vec3 p, Side side)
+void weigh_arm(BoneWeights &w, glm::vec3 p, Side side, float whole)
 {
     const glm::vec3 d = arm_direction();
     const float along = glm::dot(mirrored(p, side) - skeleton().joint(Bone::upper_arm), d);
-    chain(w, 1,
+    chain(w, whole,
           {{on(side, Bone::upper_arm), step(0.240f, 0.345f, along)},
            {on(side, Bone::forearm), step(0.515f, 0.572f, along)},
            {on(side, Bone::hand), 0}});
 }
+
+namespace
+{
+
+// From the belt down a quarter of the cloth follows each of four bones; `below` of it the shins instead.
+void hang_cloth(BoneWeights &w, glm::vec3 p, float whole, float below)
+{
+    const float hang = step(1.02f, 0.80f, p.y);
+    weigh_trunk(w, p, whole * (1 - hang));
+    const float left = step(-0.13f, 0.13f, p.x), front = step(-0.12f, 0.12f, p.z);
+    const float above = whole * hang * (1 - below);
+    give(w, Bone::skirt_front, above * left * front);
+    give(w, Bone::skirt_front_r, above * (1 - left) * front);
+    give(w, Bone::skirt_back, above * left * (1 - front));
+    give(w, Bone::skirt_back_r, above * (1 - left) * (1 - front));
+    give(w, Bone::shin, whole * hang * below * left);
+    give(w, Bone::shin_r, whole * hang * below * (1 - left));
+}
+
+}  // namespace
+
+void weigh_gown(BoneWeights &w, glm::vec3 p, float whole) { hang_cloth(w, p, whole, step(0.56f, 0.40f, p.y)); }
+
+namespace
+{
 
 void fingers(Dense &w, glm::vec3 p, Side side)
 {
@@ -118,8 +130,9 @@ void head(Dense &w, glm::vec3 p)
     chain(w, 1, {{Bone::chest, step(1.445f, 1.500f, y)}, {Bone::neck, step(1.485f, 1.555f, y)}, {Bone::head, 0}});
 }
 
-Dense weights_of(const Point &point)
+Dense weights_of(const Point &point, Weigher weigher)
 {
+    if (point.region >= Region::own) return weigher(point);
     Dense w{};
     const glm::vec3 p = point.position;
     const Side side = p.x >= 0 ? Side::left : Side::right;
@@ -128,17 +141,20 @@ Dense weights_of(const Point &point)
             head(w, p);
             break;
         case Region::torso:
-            shoulder(w, p, side);
+            weigh_shoulder(w, p, side, 1);
             break;
         case Region::skirt:
-            skirt(w, p);
+            hang_cloth(w, p, 1, 0);
+            break;
+        case Region::gown:
+            weigh_gown(w, p, 1);
             break;
         case Region::sleeve:
-            shoulder(w, p, point.side);
+            weigh_shoulder(w, p, point.side, 1);
             break;
         case Region::arm:
         case Region::palm:
-            arm(w, p, point.side);
+            weigh_arm(w, p, point.side, 1);
             break;
         case Region::index:
         case Region::fingers:
@@ -153,11 +169,17 @@ Dense weights_of(const Point &point)
         case Region::foot:
             foot(w, p, point.side);
             break;
+        default:
+            break;
     }
     return w;
 }
 
-bool smoothed(Region region) { return region == Region::torso || region == Region::sleeve || region == Region::skirt; }
+bool smoothed(Region region)
+{
+    return region == Region::torso || region == Region::sleeve || region == Region::skirt || region >= Region::own ||
+           region == Region::gown;
+}
 
 void smooth(const Mesh &mesh, std::vector<Dense> &dense)
 {
@@ -206,10 +228,14 @@ Binding strongest(const Dense &w)
 
 }  // namespace
 
-std::vector<Binding> bind(const Mesh &mesh)
+std::vector<Binding> bind(const Mesh &mesh, Weigher weigher)
 {
     std::vector<Dense> dense;
-    for (const Point &point : mesh.points) dense.push_back(weights_of(point));
+    for (const Point &point : mesh.points) {
+        if (point.region >= Region::own && !weigher)
+            base::fail(CLQ_ARGUMENT, "a point has a region of the figure's own, and the figure no weigher");
+        dense.push_back(weights_of(point, weigher));
+    }
     smooth(mesh, dense);
     std::vector<Binding> bindings;
     for (const Dense &w : dense) bindings.push_back(strongest(w));

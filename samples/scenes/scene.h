@@ -14,7 +14,8 @@
 namespace scenes
 {
 
-enum class Shot { overview, close };
+// `path`: along the scene's recorded camera path, where it has one; else as overview.
+enum class Shot { overview, close, path };
 
 // A character that came from a file. Without a box (prepared files carry none) scenes go by the template's sphere.
 struct Character {

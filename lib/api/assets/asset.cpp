@@ -85,9 +85,12 @@ clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset *
 {
     return api::boundary("clq_asset_builtin", [&] {
         api::require(context && name && out, "context, name or out is NULL");
-        if (std::string_view(name) != "citizen")
-            base::fail(CLQ_ARGUMENT, "there is no built-in figure '%s'; there is: citizen", name);
-        *out = finish(context, figures::citizen());
+        std::string names;
+        for (const figures::Builtin &figure : figures::builtins()) {
+            if (std::string_view(name) == figure.name) return void(*out = finish(context, figure.make()));
+            names += std::string(names.empty() ? "" : ", ") + figure.name;
+        }
+        base::fail(CLQ_ARGUMENT, "there is no built-in figure '%s'; there are: %s", name, names.c_str());
     });
 }
 

@@ -1,0 +1,85 @@
+// A Roman theatre as its description says: rows of seats on circles, gangways, stage, and who sits where. The audience
+// sits on the side of -z and looks towards the stage, which is on the side of +z; the origin is the middle of the
+// orchestra's floor. Angles are about the upright axis, 0 behind the middle of the audience (along -z), positive
+// towards +x. Metres and degrees.
+#pragma once
+
+#include <claque/template.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scenes
+{
+
+// A class of the audience: which template it wears, how many there are, and what its colours are drawn from.
+struct SocialClass {
+    std::string name;
+    std::string figure;  // of clq_template_builtin
+    uint32_t count = 0;
+    struct Dye {
+        std::string zone;
+        clq_hsb_range range;
+    };
+    std::vector<Dye> dyes;  // zones that it does not name keep the template's own range
+};
+
+struct SeatRow {
+    double radius_m = 0;                 // of the front edge of its seats
+    double depth_m = 0;                  // from there to the riser of the next row, or to a walkway's outer edge
+    double seat_y_m = 0;                 // height of its seats
+    double step_y_m = 0;                 // where the feet of those who sit here stand: seat_y_m less the rise
+    double first_deg = 0, last_deg = 0;  // its sweep
+    std::string who;                     // name of a class; empty: nobody sits here
+};
+
+// Stairs that cut through rows [first_row, last_row].
+struct Gangway {
+    double at_deg = 0, width_m = 0;
+    size_t first_row = 0, last_row = 0;
+};
+
+// A level walkway (praecinctio) between two blocks of rows.
+struct Walkway {
+    double inner_m = 0, outer_m = 0, y_m = 0;
+};
+
+struct StageHouse {
+    double front_z_m = 0;  // edge of the stage towards the orchestra
+    double depth_m = 0, half_width_m = 0, floor_y_m = 0;
+    double wall_height_m = 0;  // of the scaenae frons above the stage's floor
+};
+
+struct Theatre {
+    std::string name;
+    double orchestra_radius_m = 0;
+    double seat_width_m = 0;
+    std::vector<SeatRow> rows;  // from the orchestra outwards
+    std::vector<Gangway> gangways;
+    std::vector<Walkway> walkways;
+    StageHouse stage;
+    std::vector<SocialClass> classes;
+    double facing_noise_deg = 0;  // greatest turn away from the stage
+};
+
+// One seat: the middle of its front edge, at the height of the seat, and the way a sitter looks.
+struct Seat {
+    size_t row = 0;
+    double angle_deg = 0;
+    double x = 0, y = 0, z = 0;
+    double facing_x = 0, facing_z = 0;
+    double step_y = 0;
+};
+
+// Reads a description; `where` names it in sentences. Throws Failure where it is no TOML, lacks something, or makes no
+// sense (rows that overlap, gangways that leave no seats, more people of a class than seats), with the row and numbers.
+Theatre read_theatre(const std::string &toml, const std::string &where);
+
+// The description that comes with claque (odeon.toml beside this header).
+const std::string &odeon_description();
+
+// All seats, row by row, by rising angle; none within a gangway.
+std::vector<Seat> seats_of(const Theatre &theatre);
+
+}  // namespace scenes
