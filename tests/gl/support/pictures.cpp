@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <map>
 
 namespace gltest
 {
@@ -17,17 +19,21 @@ using claque::draw::Item;
 // GL as a plain program would have it: nothing on but depth, matrices and arrays of the figure.
 constexpr gl::Enum lighting = 0x0B50, dither = 0x0BD0;
 
-void plain_state(const HostGl &host, const Figure &figure, const Camera &camera)
+void plain_state(const HostGl &host, const float (&projection)[16])
 {
     for (const gl::Enum what : {gl::blend, gl::alpha_test, gl::texture_2d, lighting, dither}) host.Disable(what);
     host.Enable(gl::depth_test);
     host.DepthFunc(gl::lequal);
     host.MatrixMode(gl::projection);
-    host.LoadMatrixf(camera.projection);
+    host.LoadMatrixf(projection);
     host.MatrixMode(gl::modelview);
-    host.LoadMatrixf(camera.model_view);
     host.EnableClientState(gl::vertex_array);
-    host.VertexPointer(3, gl::real, 0, figure.positions.data());
+}
+
+void place(const HostGl &host, const Individual &individual)
+{
+    host.LoadMatrixf(individual.model_view);
+    host.VertexPointer(3, gl::real, 0, individual.positions);
 }
 
 void end_plain_state(const HostGl &host)
@@ -102,6 +108,27 @@ void use_texture(const HostGl &host, const model::Level &level, const model::Tex
     host.AlphaFunc(gl::gequal, 0.5f);
 }
 
+// Uploads each texture in its zones' colours once; all are gone with it.
+class Uploads
+{
+public:
+    explicit Uploads(const HostGl &host) : host_(host) {}
+    ~Uploads()
+    {
+        for (const auto &[key, name] : names_) host_.DeleteTextures(1, &name);
+    }
+    uint32_t of(const model::Texture &texture, const uint8_t *zone_rgb)
+    {
+        const auto [at, fresh] = names_.try_emplace({&texture, zone_rgb}, 0);
+        if (fresh) at->second = upload(host_, texture, coloured_texels(texture, zone_rgb));
+        return at->second;
+    }
+
+private:
+    const HostGl &host_;
+    std::map<std::pair<const model::Texture *, const uint8_t *>, uint32_t> names_;
+};
+
 Picture begin(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb)
 {
     host.Viewport(0, 0, context.width(), context.height());
@@ -126,17 +153,31 @@ Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, flo
     return camera;
 }
 
-DrawList list_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+Individual individual_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+{
+    Individual individual = {figure.tmpl.get(), figure.positions.data(), figure.normals.data(), zone_rgb, {}};
+    std::copy_n(camera.model_view, 16, individual.model_view);
+    return individual;
+}
+
+DrawList list_of(const std::vector<Individual> &individuals, const float (&projection)[16])
 {
     DrawList list(std::pmr::get_default_resource());
-    Item item;
-    item.tmpl = figure.tmpl.get();
-    item.vertices = {figure.positions.data(), figure.normals.data()};
-    item.zone_rgb = zone_rgb;
-    std::copy_n(camera.model_view, 16, item.model_view);
-    std::copy_n(camera.projection, 16, list.projection);
-    list.items.push_back(item);
+    for (const Individual &individual : individuals) {
+        Item item;
+        item.tmpl = individual.tmpl;
+        item.vertices = {individual.positions, individual.normals};
+        item.zone_rgb = individual.zone_rgb;
+        std::copy_n(individual.model_view, 16, item.model_view);
+        list.items.push_back(item);
+    }
+    std::copy_n(projection, 16, list.projection);
     return list;
+}
+
+DrawList list_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+{
+    return list_of({individual_of(figure, camera, zone_rgb)}, camera.projection);
 }
 
 Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const DrawList &list)
@@ -149,21 +190,91 @@ Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const Dra
     return picture;
 }
 
-Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &individuals,
+                   const float (&projection)[16])
 {
     const HostGl host(context);
     Picture picture = begin(context, host, background);
-    plain_state(host, figure, camera);
-    const model::Level &level = figure.tmpl->levels[0];
-    for (const model::Surface &surface : level.surfaces) {
-        const model::Texture &texture = figure.tmpl->textures[surface.texture];
-        const uint32_t name = upload(host, texture, coloured_texels(texture, zone_rgb));
-        use_texture(host, level, texture);
-        set_culling(host, surface);
-        host.Color4ub(255, 255, 255, 255);
-        const std::vector<uint32_t> indices = triangles_of(level, surface);
-        host.DrawElements(gl::triangles, int32_t(indices.size()), gl::unsigned_int, indices.data());
-        host.DeleteTextures(1, &name);
+    plain_state(host, projection);
+    Uploads uploads(host);
+    for (const Individual &individual : individuals) {
+        place(host, individual);
+        const model::Level &level = individual.tmpl->levels[0];
+        for (const model::Surface &surface : level.surfaces) {
+            const model::Texture &texture = individual.tmpl->textures[surface.texture];
+            const uint32_t name = uploads.of(texture, individual.zone_rgb);
+            use_texture(host, level, texture);
+            host.BindTexture(gl::texture_2d, name);
+            set_culling(host, surface);
+            host.Color4ub(255, 255, 255, 255);
+            const std::vector<uint32_t> indices = triangles_of(level, surface);
+            host.DrawElements(gl::triangles, int32_t(indices.size()), gl::unsigned_int, indices.data());
+        }
+    }
+    context.read_rgb(picture);
+    end_plain_state(host);
+    return picture;
+}
+
+Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+{
+    return draw_plain(context, {individual_of(figure, camera, zone_rgb)}, camera.projection);
+}
+
+namespace
+{
+
+struct Triangle {
+    const Individual *individual;
+    const model::Surface *surface;
+    std::array<uint32_t, 3> corners;
+};
+
+std::vector<Triangle> all_triangles(const std::vector<Individual> &individuals)
+{
+    std::vector<Triangle> all;
+    for (const Individual &individual : individuals)
+        for (const model::Surface &surface : individual.tmpl->levels[0].surfaces) {
+            const std::vector<uint32_t> indices = triangles_of(individual.tmpl->levels[0], surface);
+            for (size_t i = 0; i < indices.size(); i += 3)
+                all.push_back({&individual, &surface, {indices[i], indices[i + 1], indices[i + 2]}});
+        }
+    return all;
+}
+
+// 16 bits as RGB565 keeps them; what is above fills bits that only RGBA8888 has.
+void colour_by(const HostGl &host, uint32_t id)
+{
+    const uint32_t more = id >> 16;
+    host.Color4ub(uint8_t((id >> 11 & 31) << 3 | (more & 7)), uint8_t((id >> 5 & 63) << 2 | (more >> 3 & 3)),
+                  uint8_t((id & 31) << 3 | (more >> 5 & 7)), 255);
+}
+
+}  // namespace
+
+Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &individuals,
+                 const float (&projection)[16], Order order)
+{
+    const HostGl host(context);
+    constexpr uint8_t black[3] = {0, 0, 0};
+    Picture picture = begin(context, host, black);
+    plain_state(host, projection);
+    const std::vector<Triangle> all = all_triangles(individuals);
+    Uploads uploads(host);
+    const Individual *last = nullptr;
+    static const std::vector<uint8_t> white(3 * 256, 255);
+    for (size_t k = 0; k < all.size(); ++k) {
+        const size_t i = order == Order::forwards ? k : all.size() - 1 - k;
+        const Triangle &t = all[i];
+        if (t.individual != last) place(host, *t.individual);
+        last = t.individual;
+        const model::Texture &texture = t.individual->tmpl->textures[t.surface->texture];
+        const uint32_t name = uploads.of(texture, white.data());
+        use_texture(host, t.individual->tmpl->levels[0], texture);
+        host.BindTexture(gl::texture_2d, name);
+        set_culling(host, *t.surface);
+        colour_by(host, static_cast<uint32_t>(i + 1));
+        host.DrawElements(gl::triangles, 3, gl::unsigned_int, t.corners.data());
     }
     context.read_rgb(picture);
     end_plain_state(host);
@@ -172,63 +283,7 @@ Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Cam
 
 Picture draw_ids(contexts::Offscreen &context, const Figure &figure, const Camera &camera, Order order)
 {
-    const HostGl host(context);
-    constexpr uint8_t black[3] = {0, 0, 0};
-    Picture picture = begin(context, host, black);
-    plain_state(host, figure, camera);
-    const model::Level &level = figure.tmpl->levels[0];
-    struct Triangle {
-        const model::Surface *surface;
-        std::array<uint32_t, 3> corners;
-    };
-    std::vector<Triangle> all;
-    std::vector<uint32_t> names;
-    for (const model::Surface &surface : level.surfaces) {
-        const std::vector<uint32_t> indices = triangles_of(level, surface);
-        for (size_t i = 0; i < indices.size(); i += 3)
-            all.push_back({&surface, {indices[i], indices[i + 1], indices[i + 2]}});
-        const model::Texture &texture = figure.tmpl->textures[surface.texture];
-        const std::vector<uint8_t> white(3 * figure.tmpl->zone_count(), 255);
-        names.push_back(upload(host, texture, coloured_texels(texture, white.data())));
-    }
-    for (size_t k = 0; k < all.size(); ++k) {
-        const size_t i = order == Order::forwards ? k : all.size() - 1 - k;
-        const Triangle &t = all[i];
-        use_texture(host, level, figure.tmpl->textures[t.surface->texture]);
-        host.BindTexture(gl::texture_2d, names[size_t(t.surface - level.surfaces.data())]);
-        set_culling(host, *t.surface);
-        const uint32_t id = static_cast<uint32_t>(i + 1);  // 16 bits, as RGB565 keeps them
-        host.Color4ub(uint8_t(id >> 11 << 3), uint8_t((id >> 5 & 63) << 2), uint8_t((id & 31) << 3), 255);
-        host.DrawElements(gl::triangles, 3, gl::unsigned_int, t.corners.data());
-    }
-    context.read_rgb(picture);
-    host.DeleteTextures(int32_t(names.size()), names.data());
-    end_plain_state(host);
-    return picture;
-}
-
-Comparison compare(const Picture &plain, const Picture &variety, const Picture &forwards, const Picture &backwards)
-{
-    Comparison result;
-    for (size_t i = 0; i < plain.size(); i += 3) {
-        const auto same = [i](const uint8_t *a, const Picture &b) { return std::memcmp(a, &b[i], 3) == 0; };
-        const bool covered = !same(background, plain), tie = !same(&forwards[i], backwards);
-        result.covered += covered;
-        result.holes += covered && same(background, variety);
-        result.ties += covered && tie;
-        result.wrong += !tie && !same(&plain[i], variety);
-    }
-    return result;
-}
-
-Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const Figure &figure,
-                    const Camera &camera)
-{
-    const std::vector<uint8_t> colours = zone_colours(figure.tmpl->zone_count());
-    const DrawList list = list_of(figure, camera, colours.data());
-    return compare(draw_plain(context, figure, camera, colours.data()), draw(context, renderer, list),
-                   draw_ids(context, figure, camera, Order::forwards),
-                   draw_ids(context, figure, camera, Order::backwards));
+    return draw_ids(context, {individual_of(figure, camera, nullptr)}, camera.projection, order);
 }
 
 }  // namespace gltest

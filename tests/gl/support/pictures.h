@@ -6,6 +6,8 @@
 #include "tests/gl/support/figure.h"
 #include "tests/gl/support/host_gl.h"
 
+#include <vector>
+
 namespace gltest
 {
 
@@ -21,7 +23,16 @@ Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, flo
 
 using Picture = std::vector<uint8_t>;  // RGB, top row first
 
-// One individual of the figure, in its place.
+// A template's skinned vertices in their place. Points to what others keep.
+struct Individual {
+    const model::Template *tmpl;
+    const float *positions, *normals;
+    const uint8_t *zone_rgb;
+    float model_view[16];
+};
+Individual individual_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb);
+
+claque::draw::DrawList list_of(const std::vector<Individual> &individuals, const float (&projection)[16]);
 claque::draw::DrawList list_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb = nullptr);
 
 constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it as it is; no zone colour is near
@@ -30,10 +41,15 @@ constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it as it is; no z
 Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const claque::draw::DrawList &list);
 
 // Every triangle once, in one draw a surface, unlit, the texture's RGB being each texel's zone's colour.
+Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &individuals,
+                   const float (&projection)[16]);
 Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Camera &camera, const uint8_t *zone_rgb);
 
 // Every triangle in a flat colour of its own, in list order or against it: where the two differ, depths tie.
+// Of more than 65 535 triangles RGB565 would not tell all apart.
 enum class Order { forwards, backwards };
+Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &individuals,
+                 const float (&projection)[16], Order order);
 Picture draw_ids(contexts::Offscreen &context, const Figure &figure, const Camera &camera, Order order);
 
 struct Comparison {

@@ -1,0 +1,35 @@
+// Pixel by pixel: what differs, what is missing, and what may differ because depths tie.
+#include "tests/gl/support/pictures.h"
+
+#include <cstring>
+
+namespace gltest
+{
+
+using claque::draw::DrawList;
+
+Comparison compare(const Picture &plain, const Picture &variety, const Picture &forwards, const Picture &backwards)
+{
+    Comparison result;
+    for (size_t i = 0; i < plain.size(); i += 3) {
+        const auto same = [i](const uint8_t *a, const Picture &b) { return std::memcmp(a, &b[i], 3) == 0; };
+        const bool covered = !same(background, plain), tie = !same(&forwards[i], backwards);
+        result.covered += covered;
+        result.holes += covered && same(background, variety);
+        result.ties += covered && tie;
+        result.wrong += !tie && !same(&plain[i], variety);
+    }
+    return result;
+}
+
+Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const Figure &figure,
+                    const Camera &camera)
+{
+    const std::vector<uint8_t> colours = zone_colours(figure.tmpl->zone_count());
+    const DrawList list = list_of(figure, camera, colours.data());
+    return compare(draw_plain(context, figure, camera, colours.data()), draw(context, renderer, list),
+                   draw_ids(context, figure, camera, Order::forwards),
+                   draw_ids(context, figure, camera, Order::backwards));
+}
+
+}  // namespace gltest
