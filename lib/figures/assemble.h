@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lib/figures/clips.h"
+#include "lib/figures/clips/clips.h"
 #include "lib/figures/painters.h"
 #include "lib/figures/weights.h"
 

@@ -2,7 +2,7 @@
 // thighs, arms that hang.
 #pragma once
 
-#include "lib/figures/pose.h"
+#include "lib/figures/clips/pose.h"
 
 namespace claque::figures
 {

@@ -1,4 +1,4 @@
-#include "lib/figures/stance.h"
+#include "lib/figures/clips/stance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lib/figures/clips.h"
+#include "lib/figures/clips/clips.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

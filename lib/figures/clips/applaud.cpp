@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "lib/figures/clips.h"
-#include "lib/figures/stance.h"
+#include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/stance.h"
 
 namespace claque::figures
 {

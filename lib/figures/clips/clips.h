@@ -1,7 +1,7 @@
 // Clips of the built-in figures: 30 keys a second, straight between them, closed loops.
 #pragma once
 
-#include "lib/figures/pose.h"
+#include "lib/figures/clips/pose.h"
 #include "lib/model/rig.h"
 
 namespace claque::figures

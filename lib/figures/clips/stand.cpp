@@ -1,6 +1,6 @@
 // Standing about: breath, weight from one leg to the other and back, a look to either side.
-#include "lib/figures/clips.h"
-#include "lib/figures/stance.h"
+#include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/stance.h"
 
 namespace claque::figures
 {

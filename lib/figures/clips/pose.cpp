@@ -1,4 +1,4 @@
-#include "lib/figures/pose.h"
+#include "lib/figures/clips/pose.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Both arms up, one fist after the other thrust at the sky, heels off the ground with every thrust.
 #include <cmath>
 
-#include "lib/figures/clips.h"
-#include "lib/figures/stance.h"
+#include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/stance.h"
 
 namespace claque::figures
 {
