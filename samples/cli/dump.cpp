@@ -58,7 +58,7 @@ void add_dump(CLI::App &app, Work &chosen)
         "dump",
         "Write animated world-space positions of all mesh primitives of the default scene: nodes depth first with "
         "children in listed order, primitives in order, vertices as in the file; float32 (n, 3), NumPy's .npy 1.0");
-    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen)")->required();
+    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen, patrician ...)")->required();
     CLI::Option *clip =
         c->add_option("--clip", a->clip, "Name or number; without it the rest pose and default morph weights");
     c->add_option("--time", a->time_s, "In seconds on the file's own key axis, clamped to the clip")

@@ -170,7 +170,8 @@ void add_inspect(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<InspectArguments>();
     CLI::App *c = app.add_subcommand("inspect", "Say what a character is made of");
-    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen)")->required();
+    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+        ->required();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();

@@ -35,7 +35,7 @@ void add_prepare(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<PrepareArguments>();
     CLI::App *c = app.add_subcommand("prepare", "Read and split a character once; render takes the result as FILE");
-    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen)")->required();
+    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen, patrician ...)")->required();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();

@@ -207,8 +207,9 @@ void add_render(CLI::App &app, Work &chosen)
     std::string scene_names;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         scene_names += std::string(scene_names.empty() ? "" : "; ") + entry.name + ": " + entry.about;
-    CLI::Option *file =
-        c->add_option("FILE", a->stage.file, "Stand this character (glTF, GLB, prepared .clq) on a ground");
+    CLI::Option *file = c->add_option("FILE", a->stage.file,
+                                      "Stand this character on a ground: glTF, GLB, prepared .clq, or a built-in "
+                                      "figure's name (citizen, patrician ...)");
     c->add_option("--scene", a->stage.scene, "A scene of the built-in figure (default plaza). " + scene_names)
         ->excludes(file);
     c->add_option("--count", a->stage.count, "Individuals (default 400, of a FILE 12)")->check(CLI::Range(1, 1000000));

@@ -60,7 +60,8 @@ void add_split(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<SplitArguments>();
     CLI::App *c = app.add_subcommand("split", "Report clean and dirty triangles, and draw them over the zone map");
-    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen)")->required();
+    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+        ->required();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();
