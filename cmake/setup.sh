@@ -6,7 +6,7 @@ set -eu
 packages='
 g++ cmake ninja-build make git pkg-config clang-format
 libglm-dev libopenmesh-dev nlohmann-json3-dev libstb-dev
-libtbb-dev libcli11-dev libpng-dev
+libtbb-dev libcli11-dev libpng-dev libtomlplusplus-dev
 libgtest-dev libbenchmark-dev
 libosmesa6 libegl1 libgl1-mesa-dri
 '

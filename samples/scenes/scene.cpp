@@ -6,8 +6,8 @@ namespace scenes
 const std::vector<SceneEntry> &scene_entries()
 {
     static const std::vector<SceneEntry> entries = {
-        {"plaza", "citizens on a Roman plaza: talking, walking, applauding a speaker", make_plaza},
-        {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade},
+        {"plaza", "citizens on a Roman plaza: talking, walking, applauding a speaker", make_plaza, 400},
+        {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 400},
     };
     return entries;
 }

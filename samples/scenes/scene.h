@@ -46,6 +46,7 @@ struct SceneEntry {
     const char *name;
     const char *about;
     std::unique_ptr<Scene> (*make)(Library &library, const Casting &casting, const Character &character);
+    uint32_t default_count;  // of individuals, where nobody asks for a number
 };
 
 // Every scene there is.

@@ -27,7 +27,7 @@ struct SocialClass {
 
 struct SeatRow {
     double radius_m = 0;                 // of the front edge of its seats
-    double depth_m = 0;                  // from there to the riser of the next row, or to a walkway's outer edge
+    double depth_m = 0;                  // from there to the riser of the next row, or to a walkway's inner edge
     double seat_y_m = 0;                 // height of its seats
     double step_y_m = 0;                 // where the feet of those who sit here stand: seat_y_m less the rise
     double first_deg = 0, last_deg = 0;  // its sweep

@@ -1,0 +1,142 @@
+// A theatre from its description (S1 2: seats on circular layers with a radius and an angle of their own).
+#include "samples/scenes/odeon/described.h"
+#include "samples/scenes/odeon/theatre.h"
+#include "samples/scenes/odeon/theatre_sense.h"
+
+namespace scenes
+{
+namespace
+{
+
+constexpr Limits radius_m = {1, 200}, height_m = {-50, 100}, turn_deg = {-180, 180}, fraction = {0, 1};
+constexpr Limits row_number = {1, 100}, people = {0, 100000};
+
+void read_rows(Described rows, Theatre &theatre)
+{
+    const uint32_t count = rows.whole("count", row_number);
+    const double depth = rows.number("depth_m", {0.7, 3}), rise = rows.number("rise_m", {0.40, 0.46});
+    SeatRow row;
+    row.radius_m = rows.number("radius_m", radius_m);
+    row.depth_m = depth;
+    row.seat_y_m = rows.number("seat_y_m", height_m);
+    const auto [first, last] = rows.pair("sweep_deg", turn_deg);
+    if (!(first < last))
+        rows.refuse("has a sweep from " + show(first) + " to " + show(last) + " degrees, which goes backwards",
+                    "sweep_deg");
+    row.first_deg = first;
+    row.last_deg = last;
+    if (rows.has("who")) row.who = rows.text("who");
+    rows.done();
+    if (theatre.rows.size() + count > row_number.last)
+        rows.refuse("would make row " + show(double(theatre.rows.size() + count)) + "; there may be " +
+                    show(row_number.last));
+    for (uint32_t i = 0; i < count; ++i) {
+        row.step_y_m = row.seat_y_m - rise;
+        theatre.rows.push_back(row);
+        row.radius_m += depth;
+        row.seat_y_m += rise;
+    }
+}
+
+void read_gangways(Described gangways, Theatre &theatre)
+{
+    Gangway gangway;
+    gangway.width_m = gangways.number("width_m", {0.4, 10});
+    const auto [first, last] = gangways.pair("rows", {1, double(theatre.rows.size())});
+    if (!(first <= last) || first != double(size_t(first)) || last != double(size_t(last)))
+        gangways.refuse(
+            "goes from row " + show(first) + " to row " + show(last) + "; it needs two whole numbers, the lower first",
+            "rows");
+    gangway.first_row = static_cast<size_t>(first) - 1;
+    gangway.last_row = static_cast<size_t>(last) - 1;
+    for (const double at : gangways.numbers("at_deg", turn_deg)) {
+        gangway.at_deg = at;
+        theatre.gangways.push_back(gangway);
+    }
+    gangways.done();
+}
+
+clq_hsb_range read_range(Described dye)
+{
+    const auto hue = dye.pair("hue", {0, 360}), saturation = dye.pair("saturation", fraction),
+               brightness = dye.pair("brightness", fraction);
+    if (saturation[0] > saturation[1]) dye.refuse("has its saturation the wrong way round", "saturation");
+    if (brightness[0] > brightness[1]) dye.refuse("has its brightness the wrong way round", "brightness");
+    dye.done();
+    return {static_cast<float>(hue[0]),        static_cast<float>(hue[1]),        static_cast<float>(saturation[0]),
+            static_cast<float>(saturation[1]), static_cast<float>(brightness[0]), static_cast<float>(brightness[1])};
+}
+
+void read_class(Described described_class, Theatre &theatre)
+{
+    SocialClass made;
+    made.name = described_class.text("name");
+    made.figure = described_class.text("figure");
+    made.count = described_class.whole("count", people);
+    if (described_class.has("dyes"))
+        for (auto &[zone, dye] : described_class.table("dyes", "class '" + made.name + "'")
+                                     .named_tables("dye of class '" + made.name + "' for"))
+            made.dyes.push_back({zone, read_range(dye)});
+    described_class.done();
+    for (const SocialClass &other : theatre.classes)
+        if (other.name == made.name) described_class.refuse("is a second class '" + made.name + "'", "name");
+    const char *const figures[] = {"citizen", "patrician", "decurion", "plebeian"};
+    for (const char *figure : figures)
+        if (made.figure == figure) {
+            theatre.classes.push_back(std::move(made));
+            return;
+        }
+    described_class.refuse(
+        "wears '" + made.figure + "', which is no figure; there are: citizen, patrician, decurion, plebeian", "figure");
+}
+
+void read_stage(Described stage, Theatre &theatre)
+{
+    theatre.stage.front_z_m = stage.number("front_z_m", {0, 200});
+    theatre.stage.depth_m = stage.number("depth_m", {0.5, 50});
+    theatre.stage.half_width_m = stage.number("half_width_m", {1, 200});
+    theatre.stage.floor_y_m = stage.number("floor_y_m", {0, 5});
+    theatre.stage.wall_height_m = stage.number("wall_height_m", {0, 60});
+    stage.done();
+}
+
+void read_audience(Described &all, Theatre &theatre)
+{
+    if (!all.has("audience"))
+        all.refuse("says nothing about its audience: it needs [audience] and at least one [[audience.classes]]");
+    Described audience = all.table("audience", "[audience]");
+    theatre.facing_noise_deg = audience.number("facing_noise_deg", {0, 20});
+    for (Described &one : audience.tables("classes", "[[audience.classes]]")) read_class(one, theatre);
+    if (theatre.classes.empty()) audience.refuse("names nobody: it needs at least one [[audience.classes]]");
+    audience.done();
+}
+
+}  // namespace
+
+Theatre read_theatre(const std::string &text, const std::string &where)
+{
+    const toml::table table = described(text, where);
+    Described all(table, where, "the theatre");
+    Theatre theatre;
+    theatre.name = all.text("name");
+    Described orchestra = all.table("orchestra", "[orchestra]"), seats = all.table("seats", "[seats]");
+    theatre.orchestra_radius_m = orchestra.number("radius_m", radius_m);
+    orchestra.done();
+    theatre.seat_width_m = seats.number("width_m", {0.64, 2});
+    seats.done();
+    for (Described &rows : all.tables("rows", "[[rows]]")) read_rows(rows, theatre);
+    if (theatre.rows.empty()) all.refuse("has no seats: it needs at least one [[rows]]");
+    for (Described &one : all.tables("walkways", "[[walkways]]")) {
+        theatre.walkways.push_back(
+            {one.number("inner_m", radius_m), one.number("outer_m", radius_m), one.number("y_m", height_m)});
+        one.done();
+    }
+    for (Described &one : all.tables("gangways", "[[gangways]]")) read_gangways(one, theatre);
+    read_stage(all.table("stage", "[stage]"), theatre);
+    read_audience(all, theatre);
+    all.done();
+    expect_sense(theatre, where);
+    return theatre;
+}
+
+}  // namespace scenes
