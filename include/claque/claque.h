@@ -9,6 +9,7 @@
 #include <claque/base.h>
 #include <claque/context.h>
 #include <claque/crowd.h>
+#include <claque/group.h>
 #include <claque/renderer.h>
 #include <claque/template.h>
 #include <claque/view.h>

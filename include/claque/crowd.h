@@ -21,6 +21,12 @@ typedef struct clq_actor {
     uint32_t generation;
 } clq_actor;
 
+/* A group of actors, an id by value like theirs: see claque/group.h. */
+typedef struct clq_group {
+    uint32_t index1;
+    uint32_t generation;
+} clq_group;
+
 /* What is kept from frame to frame (S1 4). It changes what a frame costs, never what it shows. */
 typedef enum clq_cache_mode {
     CLQ_CACHE_FULL = 0,      /* matrix palettes, and skinned positions and normals */
@@ -131,6 +137,7 @@ CLQ_API clq_status clq_actor_draw_colours(clq_crowd *crowd, clq_actor actor, con
 typedef struct clq_actor_info {
     const clq_template *tmpl;
     clq_place place;
+    clq_group group; /* that it is a member of, and in whose space its place is given; {0, 0}: none */
     clq_play play;
     uint64_t seed;
     int32_t visible; /* 1: seen by a view in the last update */
@@ -162,6 +169,9 @@ typedef struct clq_band {
 
 typedef struct clq_crowd_stats {
     uint32_t actor_count;
+    uint32_t groups;          /* that have members */
+    uint32_t groups_visible;  /* of these, enabled and met by a view of the last update */
+    uint32_t tested;          /* actors without a group, and members of visible groups: whose own spheres were tested */
     uint32_t visible;         /* in the last update, in any view */
     uint32_t due;             /* of these, whose pose was due */
     uint32_t animated;        /* poses evaluated */

@@ -19,6 +19,17 @@ crowd::Place place_of(const clq_place &place)
     return out;
 }
 
+clq_place place_of(const crowd::Place &place)
+{
+    clq_place out{};
+    for (int k = 0; k < 3; ++k) out.position[k] = place.position[k];
+    const glm::quat &q = place.orientation;
+    out.orientation_xyzw[0] = q.x, out.orientation_xyzw[1] = q.y;
+    out.orientation_xyzw[2] = q.z, out.orientation_xyzw[3] = q.w;
+    out.scale = place.scale;
+    return out;
+}
+
 crowd::Play play_of(const clq_play &play) { return {play.clip, play.start_s, play.speed, play.phase_s}; }
 
 }  // namespace claque::api
@@ -116,16 +127,13 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
     return api::boundary("clq_actor_get_info", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
-        const crowd::Place &place = crowd->crowd.place_of(row);
         const crowd::Play &play = crowd->crowd.play_of(row);
         const frame::Seen seen = crowd->frame.seen(crowd->crowd, row);
         clq_actor_info info{};
         info.tmpl = static_cast<const clq_template *>(&crowd->crowd.template_of(row));
-        for (int k = 0; k < 3; ++k) info.place.position[k] = place.position[k];
-        const glm::quat &q = place.orientation;
-        info.place.orientation_xyzw[0] = q.x, info.place.orientation_xyzw[1] = q.y;
-        info.place.orientation_xyzw[2] = q.z, info.place.orientation_xyzw[3] = q.w;
-        info.place.scale = place.scale;
+        info.place = api::place_of(crowd->crowd.place_of(row));
+        if (const uint32_t group = crowd->crowd.group_of(row); group != model::none)
+            info.group = {group + 1, crowd->crowd.group(group).generation};
         info.play = {play.clip, play.start_s, play.speed, play.phase_s};
         info.seed = crowd->crowd.actor(row).seed;
         info.visible = seen.visible;

@@ -115,6 +115,9 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         const frame::Stats &stats = crowd->frame.stats();
         clq_crowd_stats result{};
         result.actor_count = crowd->crowd.actor_count();
+        result.groups = stats.groups;
+        result.groups_visible = stats.groups_seen;
+        result.tested = stats.tested;
         result.visible = stats.visible;
         result.due = stats.due;
         result.animated = stats.animated;

@@ -61,7 +61,9 @@ private:
 };
 
 crowd::Place place_of(const clq_place &place);
+clq_place place_of(const crowd::Place &place);
 crowd::Play play_of(const clq_play &play);
 inline crowd::Id id_of(clq_actor actor) { return {actor.index1, actor.generation}; }
+inline crowd::Id id_of(clq_group group) { return {group.index1, group.generation}; }
 
 }  // namespace claque::api

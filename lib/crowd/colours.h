@@ -20,6 +20,7 @@ public:
     uint8_t *row(uint32_t slot) const { return chunks_[slot / chunk_rows] + size_t(slot % chunk_rows) * stride_; }
     uint32_t stride() const { return stride_; }
     uint64_t bytes() const;
+    size_t colour_bytes() const { return size_t(used_) * stride_; }  // of all slots that ever were taken
 
 private:
     static constexpr uint32_t chunk_rows = 256;

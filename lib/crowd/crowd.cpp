@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/crowd/reserve.h"
 
 namespace claque::crowd
 {
@@ -14,25 +15,6 @@ namespace
 {
 
 constexpr uint32_t max_rows = 1u << 28;
-
-// Grown by half, ahead of a commit: may throw, changes nothing that can be seen.
-template <class Column>
-void reserve_one(Column &column)
-{
-    if (column.size() == column.capacity()) column.reserve(column.size() + column.size() / 2 + 16);
-}
-
-Place checked(const Place &place)
-{
-    const glm::quat &q = place.orientation;
-    const double length = std::sqrt(double(q.w) * q.w + double(q.x) * q.x + double(q.y) * q.y + double(q.z) * q.z);
-    for (int k = 0; k < 3; ++k)
-        if (!std::isfinite(place.position[k])) fail(CLQ_ARGUMENT, "coordinate %d of a position is not finite", k);
-    if (!(std::fabs(length - 1) <= 1e-3)) fail(CLQ_ARGUMENT, "an orientation has length %g instead of 1", length);
-    if (!std::isfinite(place.scale) || place.scale == 0)
-        fail(CLQ_ARGUMENT, "a scale is %g: it must be finite and not 0", double(place.scale));
-    return place;
-}
 
 Play checked(const Play &play, const model::Template &tmpl)
 {
@@ -47,7 +29,14 @@ Play checked(const Play &play, const model::Template &tmpl)
 }  // namespace
 
 Crowd::Crowd(std::pmr::memory_resource *memory, uint64_t seed)
-    : seed_(seed), templates_(memory), colours_(memory), actors_(memory), places_(memory), plays_(memory)
+    : seed_(seed),
+      templates_(memory),
+      colours_(memory),
+      actors_(memory),
+      places_(memory),
+      groups_of_(memory),
+      groups_(memory),
+      plays_(memory)
 {
 }
 
@@ -76,6 +65,7 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
         if (actors_.size() >= max_rows) fail(CLQ_LIMIT, "a crowd holds at most %u actors", max_rows);
         reserve_one(actors_);
         reserve_one(places_);
+        reserve_one(groups_of_);
         reserve_one(plays_);
     }
     if (index == templates_.size()) {
@@ -93,6 +83,7 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
         row = static_cast<uint32_t>(actors_.size());
         actors_.emplace_back();
         places_.emplace_back();
+        groups_of_.push_back(model::none);
         plays_.emplace_back();
     } else {
         first_free_ = actors_[row].tmpl;
@@ -102,12 +93,14 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
     places_[row] = placed;
     plays_[row] = playing;
     ++alive_;
+    ++structure_version_;
     return id_of(row);
 }
 
 void Crowd::destroy(Id id)
 {
     const uint32_t row = row_of(id);
+    leave(row);
     Actor &actor = actors_[row];
     if (actor.colours != model::none) colours_[actor.tmpl].give_back(actor.colours);
     actor = Actor{first_free_, actor.generation + 1, 0, 0, model::none};
@@ -116,6 +109,7 @@ void Crowd::destroy(Id id)
     // A row whose generations are used up stays empty, so that no old id comes to life again.
     if (actor.generation != 0xfffffffeu) first_free_ = row;
     --alive_;
+    ++structure_version_;
 }
 
 void Crowd::play(Id id, const Play &play)
@@ -131,7 +125,11 @@ void Crowd::place(const Id *ids, const Place *places, uint32_t count)
         row_of(ids[i]);
         checked(places[i]);
     }
-    for (uint32_t i = 0; i < count; ++i) places_[ids[i].index1 - 1] = places[i];
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t row = ids[i].index1 - 1;
+        places_[row] = places[i];
+        if (groups_of_[row] != model::none) groups_[groups_of_[row]].version = next_version_++;
+    }
 }
 
 const uint8_t *Crowd::zone_rgb(uint32_t row) const
@@ -140,10 +138,18 @@ const uint8_t *Crowd::zone_rgb(uint32_t row) const
     return actor.colours == model::none ? nullptr : colours_[actor.tmpl].row(actor.colours);
 }
 
+size_t Crowd::colour_bytes() const
+{
+    size_t bytes = 0;
+    for (const ColourTable &table : colours_) bytes += table.colour_bytes();
+    return bytes;
+}
+
 uint64_t Crowd::bytes() const
 {
     uint64_t sum = actors_.capacity() * sizeof(Actor) + places_.capacity() * sizeof(Place) +
-                   plays_.capacity() * sizeof(Play) + templates_.capacity() * sizeof(void *) +
+                   plays_.capacity() * sizeof(Play) + groups_of_.capacity() * sizeof(uint32_t) +
+                   groups_.capacity() * sizeof(Group) + templates_.capacity() * sizeof(void *) +
                    colours_.capacity() * sizeof(ColourTable);
     for (const ColourTable &table : colours_) sum += table.bytes();
     return sum;

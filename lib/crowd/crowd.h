@@ -7,6 +7,7 @@
 
 #include "lib/base/span.h"
 #include "lib/crowd/colours.h"
+#include "lib/crowd/place.h"
 #include "lib/model/template.h"
 
 namespace claque::crowd
@@ -15,12 +16,6 @@ namespace claque::crowd
 struct Id {
     uint32_t index1 = 0;  // row + 1; 0 is nobody
     uint32_t generation = 0;
-};
-
-struct Place {
-    glm::dvec3 position = glm::dvec3(0);            // of the Reference Point
-    glm::quat orientation = glm::quat(1, 0, 0, 0);  // unit within 0.001
-    float scale = 1;                                // finite, not 0; negative mirrors
 };
 
 struct Play {
@@ -37,6 +32,15 @@ struct Actor {
     uint64_t seed = 0;
     uint64_t play_version = 0;       // new for every play of every individual: no two states share one
     uint32_t colours = model::none;  // slot in its template's colour table; none: the template's own
+};
+
+// Actors that are tested and moved together: a vehicle with its occupants, a flock, a block of seats (S0 4.3, 8).
+struct Group {
+    Place place;              // of the group's space in the world
+    uint32_t generation = 0;  // odd while it exists
+    uint32_t members = 0;
+    bool enabled = true;   // the members of a disabled group are nowhere to be seen
+    uint64_t version = 0;  // new whenever the group's sphere may have changed
 };
 
 class Crowd
@@ -56,8 +60,16 @@ public:
     // count 0: the template's own ranges. Drawn by (seed of crowd, seed of actor, zone): repeatable.
     void draw_colours(Id id, const model::HsbRange *ranges, uint32_t count);
 
+    Id create_group(const Place &place);
+    void destroy_group(Id id);  // its members stay where they are in the world
+    void place_group(Id id, const Place &place);
+    void enable_group(Id id, bool enabled);
+    // `place`: in the group's space, or null: it stays where it is in the world. Group none: it leaves.
+    void join(Id id, Id group, const Place *place);
+
     bool has_template(const model::Template &tmpl) const;
-    uint32_t row_of(Id id) const;  // throws CLQ_STALE_ID
+    uint32_t row_of(Id id) const;        // throws CLQ_STALE_ID
+    uint32_t group_row_of(Id id) const;  // likewise
 
     uint32_t actor_count() const { return alive_; }
     uint32_t row_count() const { return static_cast<uint32_t>(actors_.size()); }         // rows of the gone included
@@ -69,11 +81,23 @@ public:
     // Columns, by row.
     bool alive(uint32_t row) const { return actors_[row].generation & 1; }
     const Actor &actor(uint32_t row) const { return actors_[row]; }
-    const Place &place_of(uint32_t row) const { return places_[row]; }
+    const Place &place_of(uint32_t row) const { return places_[row]; }  // in its group's space, where it has one
+    Place world_place_of(uint32_t row) const
+    {
+        return groups_of_[row] == model::none ? places_[row] : composed(groups_[groups_of_[row]].place, places_[row]);
+    }
+    uint32_t group_of(uint32_t row) const { return groups_of_[row]; }  // its row, or none
     const Play &play_of(uint32_t row) const { return plays_[row]; }
     Id id_of(uint32_t row) const { return {row + 1, actors_[row].generation}; }
     const model::Template &template_of(uint32_t row) const { return *templates_[actors_[row].tmpl]; }
     const uint8_t *zone_rgb(uint32_t row) const;  // 3 a zone, or null: the template's own
+    // Rows of groups, those of the gone included.
+    uint32_t group_count() const { return static_cast<uint32_t>(groups_.size()); }
+    const Group &group(uint32_t row) const { return groups_[row]; }
+    Id group_id_of(uint32_t row) const { return {row + 1, groups_[row].generation}; }
+    uint64_t structure_version() const { return structure_version_; }  // new with every actor or member come or gone
+    size_t colour_bytes() const;                                       // at most, of all individuals' own colours
+
     base::Span<const model::Template *const> templates() const
     {
         return {templates_.data(), static_cast<uint32_t>(templates_.size())};
@@ -81,15 +105,20 @@ public:
 
 private:
     uint32_t colour_slot(uint32_t row);  // its own, made when it has none; may throw
+    void leave(uint32_t row);            // keeps its place as numbers
 
     uint64_t seed_;
     uint64_t next_version_ = 1;
+    uint64_t structure_version_ = 1;
     uint32_t alive_ = 0;
-    uint32_t first_free_ = model::none;  // chain of rows through Actor::tmpl
+    uint32_t first_free_ = model::none;        // chain of rows through Actor::tmpl
+    uint32_t first_free_group_ = model::none;  // chain of rows through Group::members
     std::pmr::vector<const model::Template *> templates_;
     std::pmr::vector<ColourTable> colours_;  // by template
     std::pmr::vector<Actor> actors_;
     std::pmr::vector<Place> places_;
+    std::pmr::vector<uint32_t> groups_of_;
+    std::pmr::vector<Group> groups_;
     std::pmr::vector<Play> plays_;
 };
 

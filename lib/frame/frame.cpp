@@ -8,7 +8,16 @@ namespace claque::frame
 {
 
 Frame::Frame(std::pmr::memory_resource *memory, const animcache::Settings &settings)
-    : settings_(settings), caches_(memory, settings), rows_(memory), view_distances_(memory), listed_(memory)
+    : settings_(settings),
+      caches_(memory, settings),
+      rows_(memory),
+      groups_(memory),
+      blocks_(memory),
+      candidates_(memory),
+      block_seen_(memory),
+      view_distances_(memory),
+      visible_(memory),
+      listed_(memory)
 {
     stats_.cache_budget_bytes = settings.budget_bytes;
     reset_bands();
@@ -17,21 +26,21 @@ Frame::Frame(std::pmr::memory_resource *memory, const animcache::Settings &setti
 Seen Frame::seen(const crowd::Crowd &crowd, uint32_t row) const
 {
     if (row >= rows_.size() || rows_[row].generation != crowd.actor(row).generation) return Seen();
-    return rows_[row].seen;
+    Seen seen = rows_[row].seen;
+    seen.visible = seen.visible && rows_[row].update == update_;
+    return seen;
 }
 
-size_t Update::colour_bytes() const
+bool Frame::group_seen(const crowd::Crowd &crowd, uint32_t group) const
 {
-    size_t bytes = 0;
-    for (uint32_t row = 0; row < crowd.row_count(); ++row)
-        if (crowd.zone_rgb(row)) bytes += 3 * size_t(crowd.template_of(row).zone_count());
-    return bytes;
+    return group < groups_.size() && update_ > 0 && groups_[group].update == update_ &&
+           groups_[group].generation == crowd.group(group).generation;
 }
 
 void Update::reserve()
 {
     const uint32_t rows = crowd.row_capacity();  // grows in steps, so that this does
-    const size_t colours = colour_bytes();
+    const size_t colours = crowd.colour_bytes();
     for (View *view : views) {
         view->list.items.reserve(rows);
         view->server.reserve(crowd.templates());
@@ -39,10 +48,14 @@ void Update::reserve()
             view->grown.reserve(colours + colours / 2);
     }
     frame.view_distances_.reserve(size_t(views.count) * rows);
-    frame.view_distances_.resize(size_t(views.count) * crowd.row_count());
+    frame.blocks_.follow(crowd);
+    frame.block_seen_.assign(size_t(views.count) * frame.blocks_.blocks().count, 0);
+    frame.candidates_.reserve(rows);
+    frame.visible_.reserve(rows);
     frame.listed_.reserve(rows);
     frame.caches_.reserve(rows, crowd.templates());
     if (frame.rows_.size() < rows) frame.rows_.resize(rows);
+    if (frame.groups_.size() < crowd.group_count()) frame.groups_.resize(crowd.group_count());
 }
 
 void Update::find_due()

@@ -5,6 +5,7 @@
 #include "lib/base/services.h"
 #include "lib/base/status.h"
 #include "lib/crowd/crowd.h"
+#include "lib/frame/blocks.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/view.h"
 
@@ -28,13 +29,16 @@ public:
     void reset_bands();
     // Nothing was seen of a row that was filled after the last update.
     Seen seen(const crowd::Crowd &crowd, uint32_t row) const;
+    // Whether any view of the last update met the group's sphere; false where it was disabled or empty.
+    bool group_seen(const crowd::Crowd &crowd, uint32_t group) const;
 
 private:
     friend struct Update;
 
     // One row of the crowd, as the last update found it.
     struct Row {
-        Seen seen;
+        Seen seen;                // visible: in the update of that number
+        uint64_t update = 0;      // the last that looked at this row
         uint32_t generation = 0;  // of the individual that this is about
         uint32_t level = 0;
         float distance = 0;   // eyeDistance: to the nearest eye that sees it, world units
@@ -46,14 +50,24 @@ private:
         float distance;
         uint32_t row;
     };
+    struct GroupRow {
+        uint64_t update = 0;  // the last that saw it
+        uint32_t generation = 0;
+    };
 
     animcache::Settings settings_;
     animcache::Caches caches_;
     Stats stats_;
     double last_time_s_ = 0;
     bool has_last_time_ = false;
+    uint64_t update_ = 0;  // number of the present or last one
     std::pmr::vector<Row> rows_;
-    std::pmr::vector<float> view_distances_;  // [view][row], world units; negative: not seen
+    std::pmr::vector<GroupRow> groups_;
+    Blocks blocks_;
+    std::pmr::vector<uint32_t> candidates_;   // rows that no group keeps out of every view
+    std::pmr::vector<uint8_t> block_seen_;    // [view][block]
+    std::pmr::vector<float> view_distances_;  // [view][candidate], world units; negative: not seen
+    std::pmr::vector<uint32_t> visible_;      // candidates that a view sees, one a request, in their order
     std::pmr::vector<Listed> listed_;         // of one view
 };
 

@@ -19,16 +19,18 @@ uint32_t level_at(const model::Template &tmpl, float distance_m)
 
 }  // namespace
 
-void Update::look_at_row(uint32_t row)
+void Update::look_at(uint32_t candidate)
 {
+    const uint32_t row = frame.candidates_[candidate];
     const crowd::Actor &actor = crowd.actor(row);
     Row &out = frame.rows_[row];
-    const bool was_seen = out.seen.visible && out.generation == actor.generation;
+    const bool was_seen = out.seen.visible && out.generation == actor.generation && out.update + 1 == frame.update_;
     if (out.generation != actor.generation) out.seen = Seen();  // of whoever had the row before
     out.generation = actor.generation;
+    out.update = frame.update_;
     float nearest = -1;
     for (uint32_t v = 0; v < views.count; ++v) {
-        const float distance = frame.view_distances_[size_t(v) * crowd.row_count() + row];
+        const float distance = frame.view_distances_[size_t(v) * frame.candidates_.size() + candidate];
         if (distance >= 0 && (nearest < 0 || distance < nearest)) nearest = distance;
     }
     out.seen.visible = nearest >= 0;
@@ -45,11 +47,15 @@ void Update::look_at_row(uint32_t row)
 
 void Update::choose_levels_and_periods()
 {
-    for_slices(crowd.row_count(), [this](uint32_t row) { look_at_row(row); });
+    const uint32_t count = static_cast<uint32_t>(frame.candidates_.size());
+    for_slices(count, [this](uint32_t i) { look_at(i); });
+    frame.visible_.clear();
     std::pmr::vector<animcache::Request> &requests = frame.caches_.begin();
-    for (uint32_t row = 0; row < crowd.row_count(); ++row) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t row = frame.candidates_[i];
         const Row &found = frame.rows_[row];
         if (!found.seen.visible) continue;
+        frame.visible_.push_back(i);
         const crowd::Play &play = crowd.play_of(row);
         animcache::Request request;
         request.tmpl = &crowd.template_of(row);

@@ -10,7 +10,7 @@ namespace claque::frame
 
 draw::Item Update::item_of(const EyeOf &eye, const Listed &listed) const
 {
-    const crowd::Place &place = crowd.place_of(listed.row);
+    const crowd::Place place = crowd.world_place_of(listed.row);
     draw::Item item;
     item.tmpl = &crowd.template_of(listed.row);
     item.level = frame.rows_[listed.row].level;
@@ -49,12 +49,13 @@ void keep_colours(View &view)
 void Update::list_view(uint32_t v)
 {
     View &view = *views[v];
-    const float *distances = frame.view_distances_.data() + size_t(v) * crowd.row_count();
+    const float *distances = frame.view_distances_.data() + size_t(v) * frame.candidates_.size();
     std::pmr::vector<Listed> &listed = frame.listed_;
     listed.clear();
-    for (const animcache::Request &request : frame.caches_.requests())
-        if (distances[request.row] >= 0)
-            listed.push_back({crowd.actor(request.row).tmpl, distances[request.row], request.row});
+    for (const uint32_t i : frame.visible_) {
+        const uint32_t row = frame.candidates_[i];
+        if (distances[i] >= 0) listed.push_back({crowd.actor(row).tmpl, distances[i], row});
+    }
     std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
         if (a.tmpl != b.tmpl) return a.tmpl < b.tmpl;
         if (a.distance != b.distance) return a.distance < b.distance;

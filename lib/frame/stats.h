@@ -17,6 +17,9 @@ struct Band {
 };
 
 struct Stats {
+    uint32_t groups = 0;           // that have members
+    uint32_t groups_seen = 0;      // of these, enabled and met by a view
+    uint32_t tested = 0;           // actors without a group, and members of groups seen
     uint32_t visible = 0;          // in any view
     uint32_t due = 0;              // of these, whose palette held was not that of their tick
     uint32_t animated = 0;         // poses evaluated

@@ -23,6 +23,7 @@ struct Update {
     const base::Jobs &jobs;
 
     void reserve();                    // reserve.cpp: memory for all that follows; throws std::bad_alloc
+    void cull_groups();                // cull.cpp: Group Bspheres against each view's frustum; who is left
     void place_and_cull();             // cull.cpp: Reference Points relative to each eye, spheres against its frustum
     void choose_levels_and_periods();  // levels.cpp: eyeDistance, level, rate and tick of who is visible
     void find_due();                   // update.cpp: whose pose or vertices are not those of their tick
@@ -35,9 +36,9 @@ private:
     using Row = Frame::Row;
     using Listed = Frame::Listed;
 
+    bool sees(const EyeOf &eye, const Block &block) const;
     float distance_if_seen(const EyeOf &eye, uint32_t row) const;
-    void look_at_row(uint32_t row);
-    size_t colour_bytes() const;  // of all individuals that have their own
+    void look_at(uint32_t candidate);
     void list_view(uint32_t view);
     draw::Item item_of(const EyeOf &eye, const Listed &listed) const;
     uint32_t band_of(float distance) const;

@@ -42,6 +42,7 @@ base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *co
         return base::Status::bad(CLQ_LIMIT, "an update of %u actors is more than can be addressed",
                                  crowd.actor_count());
     }
+    update.cull_groups();
     update.place_and_cull();
     update.choose_levels_and_periods();
     update.find_due();

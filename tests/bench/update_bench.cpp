@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "lib/frame/frame.h"
 #include "lib/math/slerp.h"
@@ -117,7 +118,35 @@ void one_in_five_seen(benchmark::State &state)
     state.counters["due"] = scene.frame.stats().due;
 }
 
+// A crowd behind the eye, in as many groups as the second number says: what an actor out of view costs.
+void out_of_view(benchmark::State &state)
+{
+    Scene scene(0, 1, animcache::Settings());
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> real(-300, 300);
+    const int64_t groups = state.range(1);
+    std::vector<crowd::Id> ids;
+    for (int64_t g = 0; g < groups; ++g) ids.push_back(scene.crowd.create_group(crowd::Place()));
+    for (int64_t i = 0; i < state.range(0); ++i) {
+        crowd::Place place;
+        place.position = glm::dvec3(real(random), 0, 900 + real(random));
+        const crowd::Id id = scene.crowd.create(*scene.tmpl, place, crowd::Play(), uint64_t(i));
+        if (groups) scene.crowd.join(id, ids[size_t(i % groups)], nullptr);
+    }
+    scene.view.camera = frame::look_at({0, 2, 0}, {0, 2, -1}, {0, 1, 0}, 0.9f, 1.5f, 0.1f, 1000);
+    double t = 0;
+    for (auto _ : state) scene.update(t += 0.0167);
+    state.counters["ns/actor"] = benchmark::Counter(double(state.iterations()) * double(state.range(0)) * 1e-9,
+                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
 BENCHMARK(everybody_due)->Unit(benchmark::kMillisecond);
 BENCHMARK(one_in_five_seen)->Arg(2000)->Arg(6000)->Unit(benchmark::kMillisecond);
+BENCHMARK(out_of_view)
+    ->Args({1000, 0})
+    ->Args({10000, 0})
+    ->Args({100000, 0})
+    ->Args({100000, 100})
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/base/error.h"
+#include "lib/crowd/crowd.h"
+#include "lib/math/slerp.h"
+#include "tests/law/support/figure.h"
+#include "tests/law/support/host.h"
+
+namespace claque::crowd
+{
+
+using namespace testing_support;
+
+namespace
+{
+
+Place somewhere(double k)
+{
+    Place place;
+    place.position = glm::dvec3(3 * k - 7, 0.5 * k, 1e5 + k);
+    place.orientation = math::unit_quat(1, 0.3 * k, -0.7, 0.1 * k);
+    place.scale = k < 0 ? -0.75f : 1.25f;
+    return place;
+}
+
+void expect_same(const Place &a, const Place &b, double metres = 1e-6)
+{
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a.position[k], b.position[k], metres);
+    const float dot = glm::dot(a.orientation, b.orientation);
+    EXPECT_NEAR(std::fabs(dot), 1, 1e-5f);
+    EXPECT_NEAR(a.scale, b.scale, 1e-5f);
+}
+
+class GroupTest : public testing::Test
+{
+protected:
+    Id add(const Place &place = Place()) { return crowd_.create(*figure_, place, Play(), 1); }
+    template <class Call>
+    clq_status refused(const Call &call)
+    {
+        const uint64_t before = crowd_.fingerprint();
+        try {
+            call();
+        } catch (const base::Error &error) {
+            EXPECT_EQ(crowd_.fingerprint(), before);
+            return error.status();
+        }
+        return CLQ_OK;
+    }
+    CountingMemory memory_;
+    std::unique_ptr<model::Template> figure_ = make_figure(FigureDef());
+    Crowd crowd_{&memory_, 7};
+};
+
+}  // namespace
+
+TEST(Places, ComposeAsMatricesDoAndRelativeUndoesIt)
+{
+    for (const double a : {-2.0, 0.5, 3.0})
+        for (const double b : {-1.0, 1.0, 2.5}) {
+            const Place outer = somewhere(a), inner = somewhere(b), world = composed(outer, inner);
+            const glm::dvec3 p(0.3, -0.2, 0.9);
+            const auto at = [](const Place &place, const glm::dvec3 &x) {
+                return place.position + glm::dquat(place.orientation) * (x * double(place.scale));
+            };
+            const glm::dvec3 twice = at(outer, at(inner, p)), once = at(world, p);
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(twice[k], once[k], 0.02) << "float turns at 100 km";
+            expect_same(relative(outer, world), inner, 0.03);
+        }
+}
+
+TEST_F(GroupTest, JoiningAndLeavingWithoutAPlaceKeepsAnActorWhereItIs)
+{
+    const Id actor = add(somewhere(1)), group = crowd_.create_group(somewhere(-2));
+    crowd_.join(actor, group, nullptr);
+    EXPECT_EQ(crowd_.group(0).members, 1u);
+    expect_same(crowd_.world_place_of(0), somewhere(1), 1e-6);
+    crowd_.place_group(group, somewhere(4));
+    const Place moved = crowd_.world_place_of(0);
+    EXPECT_GT(std::fabs(moved.position.x - somewhere(1).position.x), 1);
+    crowd_.join(actor, Id(), nullptr);
+    EXPECT_EQ(crowd_.group_of(0), model::none);
+    EXPECT_EQ(crowd_.group(0).members, 0u);
+    expect_same(crowd_.place_of(0), moved);
+}
+
+TEST_F(GroupTest, EndingAGroupLeavesItsMembersWhereTheyAre)
+{
+    const Id group = crowd_.create_group(somewhere(2));
+    std::vector<Place> before;
+    for (int i = 0; i < 5; ++i) {
+        const Place place = somewhere(i);
+        crowd_.join(add(), group, &place);
+        before.push_back(crowd_.world_place_of(uint32_t(i)));
+    }
+    crowd_.destroy_group(group);
+    for (uint32_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(crowd_.group_of(i), model::none);
+        expect_same(crowd_.place_of(i), before[i], 0);
+    }
+    EXPECT_EQ(refused([&] { crowd_.destroy_group(group); }), CLQ_STALE_ID);
+    const Id again = crowd_.create_group(Place());
+    EXPECT_EQ(again.index1, group.index1);
+    EXPECT_EQ(refused([&] { crowd_.place_group(group, Place()); }), CLQ_STALE_ID) << "an old id stays stale";
+}
+
+TEST_F(GroupTest, AnActorThatIsDestroyedIsNoMemberAnyMore)
+{
+    const Id group = crowd_.create_group(Place()), actor = add();
+    crowd_.join(actor, group, nullptr);
+    crowd_.destroy(actor);
+    EXPECT_EQ(crowd_.group(0).members, 0u);
+    add();
+    EXPECT_EQ(crowd_.group_of(0), model::none) << "the row's next owner is in no group";
+}
+
+TEST_F(GroupTest, RefusesWhatIsWrongAndChangesNothing)
+{
+    const Id group = crowd_.create_group(Place()), actor = add();
+    Place bad;
+    bad.scale = 0;
+    EXPECT_EQ(refused([&] { crowd_.place_group(group, bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd_.create_group(bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd_.join(actor, group, &bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd_.join(Id{9, 1}, group, nullptr); }), CLQ_STALE_ID);
+    EXPECT_EQ(refused([&] { crowd_.join(actor, Id{9, 1}, nullptr); }), CLQ_STALE_ID);
+    EXPECT_EQ(refused([&] { crowd_.enable_group(Id{1, 2}, false); }), CLQ_STALE_ID);
+    memory_.refuse_all(true);
+    bool thrown = false;
+    for (int i = 0; i < 100 && !thrown; ++i) {
+        const uint64_t before = crowd_.fingerprint();
+        try {
+            crowd_.create_group(Place());
+        } catch (const std::bad_alloc &) {
+            thrown = true;
+            EXPECT_EQ(crowd_.fingerprint(), before);
+        }
+    }
+    EXPECT_TRUE(thrown);
+}
+
+TEST_F(GroupTest, ShowsInTheFingerprint)
+{
+    const Id group = crowd_.create_group(Place()), actor = add();
+    uint64_t last = crowd_.fingerprint();
+    const auto changes = [&](const auto &call) {
+        call();
+        const bool changed = crowd_.fingerprint() != last;
+        last = crowd_.fingerprint();
+        return changed;
+    };
+    EXPECT_TRUE(changes([&] { crowd_.join(actor, group, nullptr); }));
+    EXPECT_TRUE(changes([&] { crowd_.enable_group(group, false); }));
+    EXPECT_TRUE(changes([&] { crowd_.place_group(group, somewhere(1)); }));
+    EXPECT_TRUE(changes([&] { crowd_.destroy_group(group); }));
+}
+
+}  // namespace claque::crowd

@@ -1,0 +1,171 @@
+// Groups: what they change is what a frame costs, and where their members are; never what is shown of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/base/error.h"
+#include "lib/math/slerp.h"
+#include "tests/law/support/scene.h"
+
+namespace claque::frame
+{
+
+using namespace testing_support;
+
+namespace
+{
+
+crowd::Place group_place(uint32_t g)
+{
+    crowd::Place place;
+    place.position = glm::dvec3(8.0 * g - 16, 0.5 * g, -6.0 * g);
+    place.orientation = math::unit_quat(1, 0.1 * g, 0.7 * g - 1, -0.05 * g);
+    place.scale = g == 3 ? -0.8f : 0.7f + 0.2f * float(g);
+    return place;
+}
+
+// Two thirds of everybody in five groups; the twin's actors stand by themselves where the members are.
+struct Twins {
+    Scene grouped, alone;
+    std::vector<crowd::Id> groups;
+
+    explicit Twins(const SceneDef &def = {}) : grouped(def), alone(def)
+    {
+        for (uint32_t g = 0; g < 5; ++g) groups.push_back(grouped.crowd.create_group(group_place(g)));
+        for (uint32_t i = 0; i < grouped.ids.size(); ++i) {
+            if (i % 3 == 0) continue;
+            const crowd::Place place = grouped.crowd.place_of(i);
+            grouped.crowd.join(grouped.ids[i], groups[i % 5], &place);
+        }
+        follow();
+    }
+    void follow()
+    {
+        for (uint32_t i = 0; i < grouped.ids.size(); ++i) {
+            const crowd::Place place = grouped.crowd.world_place_of(i);
+            alone.crowd.place(&alone.ids[i], &place, 1);
+        }
+    }
+    void look(const glm::dvec3 &eye, const glm::dvec3 &target)
+    {
+        grouped.look(0, eye, target);
+        alone.look(0, eye, target);
+    }
+};
+
+}  // namespace
+
+TEST(Group, MembersAreShownAsIfTheyStoodThereByThemselvesFromEverywhere)
+{
+    Twins twins;
+    uint32_t skipped = 0;
+    for (int turn = 0; turn < 48; ++turn) {
+        const double a = turn * 0.1309;
+        twins.look(glm::dvec3(std::cos(3 * a) * 9, 1.5, -12), glm::dvec3(20 * std::sin(a), 1, -12 + 20 * std::cos(a)));
+        EXPECT_EQ(twins.grouped.update(1 + 0.1 * turn), twins.alone.update(1 + 0.1 * turn)) << turn;
+        skipped += 80 - twins.grouped.frame.stats().tested;
+    }
+    EXPECT_GT(skipped, 200u) << "some groups were out of view with all their members";
+}
+
+TEST(Group, MovesItsMembersWithIt)
+{
+    Twins twins;
+    twins.grouped.update(1);
+    for (int step = 1; step < 20; ++step) {
+        crowd::Place place = group_place(2);
+        place.position += glm::dvec3(0.4 * step, 0, -step);
+        place.orientation = math::unit_quat(1, 0, 0.2 * step, 0.02 * step);
+        twins.grouped.crowd.place_group(twins.groups[2], place);
+        twins.follow();
+        EXPECT_EQ(twins.grouped.update(1 + 0.04 * step), twins.alone.update(1 + 0.04 * step)) << step;
+    }
+}
+
+TEST(Group, SphereFollowsMembersThatMoveInsideItOrLeave)
+{
+    Twins twins;
+    twins.grouped.update(1);
+    for (uint32_t i = 1; i < twins.grouped.ids.size(); i += 3) {
+        crowd::Place place = twins.grouped.crowd.place_of(i);
+        place.position.x += 30;
+        twins.grouped.crowd.place(&twins.grouped.ids[i], &place, 1);
+        if (i % 2) twins.grouped.crowd.join(twins.grouped.ids[i], crowd::Id(), nullptr);
+    }
+    twins.follow();
+    for (int turn = 0; turn < 24; ++turn) {
+        const double a = turn * 0.2618;
+        twins.look(glm::dvec3(0, 2, 0), glm::dvec3(std::sin(a), 2, std::cos(a)));
+        EXPECT_EQ(twins.grouped.update(2 + turn), twins.alone.update(2 + turn)) << turn;
+    }
+}
+
+TEST(Group, ThatIsDisabledShowsNobodyAndCostsNoTestAndComesBackWhereItsClocksAre)
+{
+    Twins twins;
+    twins.grouped.update(1);
+    const uint32_t tested = twins.grouped.frame.stats().tested;
+    const auto members = [&](uint32_t g) { return twins.grouped.crowd.group(g).members; };
+    twins.grouped.crowd.enable_group(twins.groups[1], false);
+    twins.grouped.update(1.5);
+    EXPECT_EQ(twins.grouped.frame.stats().tested, tested - members(1));
+    EXPECT_FALSE(twins.grouped.frame.group_seen(twins.grouped.crowd, 1));
+    EXPECT_TRUE(twins.grouped.frame.group_seen(twins.grouped.crowd, 2));
+    for (const draw::Item &item : twins.grouped.views[0]->list.items)
+        EXPECT_NE(twins.grouped.crowd.group_of(item.actor_index), 1u);
+    for (uint32_t row = 0; row < twins.grouped.crowd.row_count(); ++row) {
+        if (twins.grouped.crowd.group_of(row) == 1) {
+            EXPECT_FALSE(twins.grouped.frame.seen(twins.grouped.crowd, row).visible);
+        }
+    }
+    twins.grouped.crowd.enable_group(twins.groups[1], true);
+    EXPECT_EQ(twins.grouped.update(2.25), twins.alone.update(2.25));
+}
+
+TEST(Group, ThatNoViewMeetsCostsItsMembersNothing)
+{
+    Twins twins;
+    crowd::Place away;
+    away.position = glm::dvec3(0, 0, 5000);
+    for (const crowd::Id group : twins.groups) twins.grouped.crowd.place_group(group, away);
+    twins.grouped.update(1);
+    EXPECT_EQ(twins.grouped.frame.stats().tested, 27u) << "those without a group";
+    EXPECT_EQ(twins.grouped.frame.stats().groups, 5u);
+    EXPECT_EQ(twins.grouped.frame.stats().groups_seen, 0u);
+}
+
+TEST(Group, IsSeenByAnyOfSeveralViews)
+{
+    Twins twins;
+    twins.grouped.add_view(glm::dvec3(0, 2, 40), glm::dvec3(0, 2, 80));
+    crowd::Place behind;
+    behind.position = glm::dvec3(0, 0, 90);
+    twins.grouped.crowd.place_group(twins.groups[4], behind);
+    twins.grouped.update(1);
+    EXPECT_TRUE(twins.grouped.frame.group_seen(twins.grouped.crowd, 4));
+    EXPECT_FALSE(twins.grouped.views[1]->list.items.empty());
+    for (const draw::Item &item : twins.grouped.views[1]->list.items)
+        EXPECT_EQ(twins.grouped.crowd.group_of(item.actor_index), 4u);
+}
+
+TEST(Group, FramesAskForNoMemoryWhileGroupsMove)
+{
+    CountingMemory memory;
+    SceneDef def;
+    def.memory = &memory;
+    Twins twins(def);
+    const auto move = [&](int i) {
+        crowd::Place place = group_place(i % 5);
+        place.position.x += i;
+        twins.grouped.crowd.place_group(twins.groups[i % 5], place);
+        twins.grouped.crowd.place(&twins.grouped.ids[1], &place, 1);
+        twins.grouped.crowd.enable_group(twins.groups[2], i % 2);
+        twins.grouped.update(2 + 0.1 * i);
+    };
+    for (int i = 0; i < 30; ++i) move(i);  // caches grow for who comes into view
+    const uint64_t before = memory.allocations();
+    for (int i = 0; i < 30; ++i) move(i);
+    EXPECT_EQ(memory.allocations(), before);
+}
+
+}  // namespace claque::frame
