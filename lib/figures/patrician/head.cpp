@@ -1,0 +1,131 @@
+// A woman's head from the shared one: narrower jaw, neck and nose, a shorter chin, fuller lips; the scalp is raised to
+// the high dressing of the Flavian court, a bank of curls over the brow and a coiled bun behind. With earrings.
+#include <cmath>
+
+#include "lib/figures/brush.h"
+#include "lib/figures/patrician/patrician.h"
+
+namespace claque::figures::patrician
+{
+
+namespace
+{
+
+// Lower face: what lies below the eyes is a little shorter.
+float height(glm::vec3 p)
+{
+    static const glm::vec2 heights[] = {{1.490f, 1.490f},   {1.517f, 1.5250f},  {1.530f, 1.5375f},
+                                        {1.5635f, 1.5680f}, {1.5970f, 1.6005f}, {1.6345f, 1.6345f}};
+    const float ahead = soft_step(-0.03f, 0.05f, p.z);
+    return p.y + (profile(heights, p.y) - p.y) * ahead;
+}
+
+glm::vec3 womans(glm::vec3 p)
+{
+    const float x = std::fabs(p.x), nose = spot(glm::vec2(x, p.y), {0, 1.598f}, {0.034f, 0.040f});
+    glm::vec3 q = p;
+    q.x *= 0.965f * (1 - 0.13f * soft_step(1.600f, 1.535f, p.y) * soft_step(-0.03f, 0.04f, p.z));
+    if (p.z > 0.098f && x < 0.020f && p.y > 1.58f && p.y < 1.63f) q.x *= 0.84f;  // wings of the nose
+    if (x < 0.013f) q.z -= 0.0065f * nose * soft_step(0.100f, 0.122f, p.z);
+    q.z -= 0.0030f * spot(glm::vec2(x, p.y), {0.012f, 1.655f}, {0.040f, 0.020f});  // no ridge over the eyes
+    q.z += 0.0020f * spot(glm::vec2(x, p.y), {0.045f, 1.600f}, {0.030f, 0.030f});  // full cheeks
+    q.z += 0.0016f * spot(glm::vec2(x, p.y), {0, 1.564f}, {0.024f, 0.014f});       // and lips
+    q.z -= 0.0050f * spot(glm::vec2(x, p.y), {0, 1.528f}, {0.050f, 0.024f});       // small chin
+    q.y = height(p);
+    const float neck = soft_step(1.560f, 1.505f, p.y + 0.45f * p.z);  // the nape reaches higher than the throat
+    q.x *= 1 - 0.12f * neck;
+    q.z = q.z + (-0.020f - q.z) * 0.16f * neck;
+    return q;
+}
+
+// Raises the scalp: highest over the brow, wide over the temples, drawn back tight behind.
+glm::vec3 dressed(glm::vec3 p)
+{
+    const float hair = soft_step(1.694f, 1.724f, p.y + 0.35f * std::max(0.0f, 0.055f - p.z));
+    const float front = soft_step(-0.030f, 0.045f, p.z);
+    const float top = soft_step(1.728f, 1.746f, p.y);
+    glm::vec3 q = p;
+    q.y += hair * front * (0.030f + 0.020f * top) + hair * (1 - front) * 0.012f;
+    q.z += hair * front * (0.007f - 0.004f * top);
+    q.x *= 1 + hair * (0.06f + 0.10f * front * (1 - top));
+    const float temple =
+        spot(glm::vec2(p.z, p.y), {0.010f, 1.668f}, {0.060f, 0.050f}) * soft_step(0.05f, 0.07f, std::fabs(p.x));
+    q.x *= 1 + 0.10f * temple;
+    return q;
+}
+
+void shape(Mesh &mesh)
+{
+    for (Point &point : mesh.points) {
+        const Side side = point.position.x >= 0 ? Side::left : Side::right;
+        const glm::vec3 p = mirrored(point.position, side);
+        bool hem = false;
+        for (size_t i = 0; i < neckline.size(); ++i)
+            if (p == neckline[i]) point.position = mirrored(bodice_neckline[i], side), hem = true;
+        if (!hem) point.position = mirrored(dressed(womans(p)), side);
+    }
+}
+
+// More of the chart for the face, less for hair and neck.
+glm::vec2 spread(glm::vec2 st)
+{
+    static const glm::vec2 across[] = {{0, 0}, {0.24f, 0.30f}, {0.34f, 0.40f}, {0.50f, 0.50f}};
+    static const glm::vec2 up[] = {{1.30f, 1.30f}, {1.50f, 1.43f}, {1.535f, 1.48f}, {1.665f, 1.70f}, {1.90f, 1.86f}};
+    return glm::vec2(st.x < 0 ? -profile(across, -st.x) : profile(across, st.x), profile(up, st.y));
+}
+
+void add_bun(Mesh &mesh)
+{
+    const glm::vec3 centre(0, 1.712f, -0.088f), back = glm::vec3(0, 0.18f, -0.984f), up(0, 0.984f, 0.18f);
+    struct Ring {
+        float out, radius, st;
+    };
+    Chain before;
+    Chain last;
+    for (const Ring r : {Ring{-0.012f, 0.054f, 1.0f}, Ring{0.040f, 0.056f, 0.72f}, Ring{0.066f, 0.032f, 0.36f}}) {
+        Chain next;
+        const std::vector<uint32_t> ring = add_ring(mesh, Region::head, Side::left, 7, centre + back * r.out,
+                                                    {-1, 0, 0}, up, {r.radius, r.radius, r.radius, r.radius});
+        for (size_t i = 0; i <= ring.size(); ++i) {
+            const float angle = 6.28318531f * static_cast<float>(i) / static_cast<float>(ring.size());
+            next.push_back({ring[i % ring.size()], r.st * glm::vec2(-std::sin(angle), -std::cos(angle))});
+        }
+        if (!before.empty()) mesh.sew(bun, Winding::as_given, before, next, Along::s);
+        before = next;
+    }
+    before.pop_back();
+    mesh.cap(bun, Winding::as_given, before);
+}
+
+void add_earring(Mesh &mesh, Side side)
+{
+    const glm::vec3 lobe(0.0790f, 1.590f, 0.000f);
+    const auto at = [&](glm::vec3 d) { return mesh.add(mirrored(lobe + d, side), Region::head, side); };
+    const uint32_t top = at({0, 0.004f, 0}), bottom = at({0.002f, -0.036f, 0});
+    const std::array<uint32_t, 3> ring = {at({0.0075f, -0.022f, 0}), at({-0.005f, -0.022f, 0.007f}),
+                                          at({-0.005f, -0.022f, -0.007f})};
+    const Chart chart = on(side, earring);
+    for (size_t i = 0; i < 3; ++i) {
+        const float s = static_cast<float>(i);
+        const Corner a = {ring[i], {s, 0}}, b = {ring[(i + 1) % 3], {s + 1, 0}};
+        const Winding turned = side == Side::left ? Winding::reversed : Winding::as_given;
+        mesh.face(chart, turned, a, b, {top, {s + 0.5f, 1}});
+        mesh.face(chart, winding_of(side), a, b, {bottom, {s + 0.5f, -1}});
+    }
+}
+
+}  // namespace
+
+void add_lady_head(Mesh &mesh)
+{
+    add_head(mesh);
+    shape(mesh);
+    for (Face &face : mesh.faces)
+        if (face.chart == Chart::head)
+            for (Corner &corner : face.corners) corner.st = spread(corner.st);
+    add_bun(mesh);
+    add_earring(mesh, Side::left);
+    add_earring(mesh, Side::right);
+}
+
+}  // namespace claque::figures::patrician

@@ -1,0 +1,60 @@
+// The palla's upper part: a broad band of gathered cloth in a loop from the right hip over the left shoulder and
+// slantwise down the back. Its edges lie in the dress, so that it has no inside.
+#include <glm/geometric.hpp>
+
+#include "lib/figures/patrician/patrician.h"
+
+namespace claque::figures::patrician
+{
+
+namespace
+{
+
+// Where the band runs: its edge towards neck and right, a ridge, another, the edge towards arm and left.
+struct Station {
+    std::array<glm::vec3, 4> across;
+};
+
+const std::array<Station, 10> stations = {{
+    // right hip, where the loop begins and ends
+    {{{{-0.146f, 1.100f, 0.030f}, {-0.172f, 1.062f, 0.020f}, {-0.182f, 0.995f, 0.010f}, {-0.174f, 0.940f, 0.010f}}}},
+    {{{{-0.080f, 1.150f, 0.096f}, {-0.094f, 1.104f, 0.134f}, {-0.112f, 1.030f, 0.144f}, {-0.126f, 0.965f, 0.116f}}}},
+    {{{{-0.012f, 1.215f, 0.100f}, {-0.006f, 1.170f, 0.148f}, {0.000f, 1.090f, 0.162f}, {0.002f, 1.010f, 0.124f}}}},
+    {{{{0.036f, 1.300f, 0.132f}, {0.062f, 1.276f, 0.178f}, {0.096f, 1.230f, 0.156f}, {0.120f, 1.170f, 0.070f}}}},
+    {{{{0.066f, 1.400f, 0.096f}, {0.084f, 1.394f, 0.128f}, {0.126f, 1.376f, 0.110f}, {0.158f, 1.350f, 0.052f}}}},
+    {{{{0.088f, 1.450f, -0.010f}, {0.108f, 1.480f, -0.018f}, {0.146f, 1.478f, -0.020f}, {0.180f, 1.440f, -0.016f}}}},
+    {{{{0.048f, 1.420f, -0.092f}, {0.070f, 1.412f, -0.126f}, {0.122f, 1.390f, -0.126f}, {0.160f, 1.364f, -0.080f}}}},
+    {{{{-0.010f, 1.330f, -0.108f}, {0.012f, 1.300f, -0.146f}, {0.070f, 1.240f, -0.146f}, {0.122f, 1.160f, -0.070f}}}},
+    {{{{-0.070f, 1.220f, -0.084f}, {-0.060f, 1.184f, -0.136f}, {-0.030f, 1.100f, -0.150f}, {0.010f, 1.010f, -0.124f}}}},
+    {{{{-0.120f, 1.150f, -0.050f},
+       {-0.136f, 1.106f, -0.090f},
+       {-0.134f, 1.020f, -0.118f},
+       {-0.126f, 0.950f, -0.108f}}}},
+}};
+
+}  // namespace
+
+void add_palla(Mesh &mesh)
+{
+    std::vector<std::array<uint32_t, 4>> points;
+    for (const Station &station : stations) {
+        points.emplace_back();
+        for (size_t k = 0; k < 4; ++k) {
+            const glm::vec3 p = station.across[k];
+            points.back()[k] = mesh.add(p, p.y < 1.03f ? Region::gown : Region::torso);
+        }
+    }
+    float along = 0;
+    for (size_t i = 0; i < stations.size(); ++i) {
+        const size_t next = (i + 1) % stations.size();
+        const float length = glm::distance(stations[i].across[1], stations[next].across[1]);
+        for (size_t k = 0; k + 1 < 4; ++k) {
+            const float a = static_cast<float>(k), b = static_cast<float>(k + 1);
+            mesh.sew(palla, Winding::reversed, {{points[i][k], {along, a}}, {points[next][k], {along + length, a}}},
+                     {{points[i][k + 1], {along, b}}, {points[next][k + 1], {along + length, b}}}, Along::s);
+        }
+        along += length;
+    }
+}
+
+}  // namespace claque::figures::patrician

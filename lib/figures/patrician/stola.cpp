@@ -1,0 +1,196 @@
+// The stola: twelve columns of cloth from the ankles over hips and the girdle under the breast to the armpits, with a
+// yoke and short sleeves. From the palla's edge to the waist the same surface is the palla, which lies on top there.
+#include <map>
+
+#include "lib/figures/patrician/patrician.h"
+#include "lib/figures/skeleton.h"
+
+namespace claque::figures::patrician
+{
+
+namespace
+{
+
+constexpr int columns = 12;  // 0 in front, 3 at the left side, 6 at the back
+
+const std::array<glm::vec2, 7> directions = {
+    {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
+
+const std::array<float, columns> folds = {
+    {-0.9f, 1.0f, -0.5f, 0.8f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.9f}};
+
+struct Row {
+    float y, side, front, back, ahead, fold;
+    float slant;  // how much higher the left is than the right
+};
+
+// Rows stand close about the knees, where a sitter's cloth turns.
+const std::array<Row, 9> rows = {{
+    {0.040f, 0.222f, 0.172f, 0.180f, 0.000f, 0.034f, 0},  // hem
+    {0.240f, 0.200f, 0.152f, 0.168f, 0.000f, 0.026f, 0},
+    {0.380f, 0.188f, 0.142f, 0.158f, 0.000f, 0.018f, 0},
+    {0.490f, 0.184f, 0.138f, 0.156f, 0.000f, 0.012f, 0},
+    {0.590f, 0.184f, 0.136f, 0.156f, 0.000f, 0.008f, 0},
+    {0.715f, 0.207f, 0.158f, 0.180f, 0.000f, 0.016f, 0.075f},  // the palla's lower edge
+    {0.900f, 0.196f, 0.136f, 0.166f, -0.004f, 0.006f, 0.010f},
+    {1.070f, 0.158f, 0.124f, 0.118f, -0.004f, 0.006f, 0.030f},  // its upper edge
+    {1.196f, 0.136f, 0.104f, 0.098f, -0.006f, 0.003f, 0},       // girdle
+}};
+
+const std::array<glm::vec3, 7> bust = {{{0, 1.276f, 0.118f},
+                                        {0.074f, 1.274f, 0.158f},
+                                        {0.130f, 1.276f, 0.088f},
+                                        {0.150f, 1.276f, -0.004f},
+                                        {0.126f, 1.280f, -0.088f},
+                                        {0.070f, 1.284f, -0.118f},
+                                        {0, 1.284f, -0.112f}}};
+const std::array<glm::vec3, 7> armpit = {{{0, 1.340f, 0.116f},
+                                          {0.070f, 1.340f, 0.134f},
+                                          {0.134f, 1.346f, 0.068f},
+                                          {0.148f, 1.336f, -0.006f},
+                                          {0.134f, 1.352f, -0.086f},
+                                          {0.068f, 1.362f, -0.122f},
+                                          {0, 1.362f, -0.120f}}};
+const std::array<glm::vec3, 7> upper = {{bodice_neckline[0],
+                                         bodice_neckline[1],
+                                         {0.153f, 1.408f, 0.050f},
+                                         {0, 0, 0},  // the armhole
+                                         {0.155f, 1.410f, -0.070f},
+                                         bodice_neckline[3],
+                                         bodice_neckline[4]}};
+const std::array<glm::vec3, 3> shoulder_seam = {
+    {bodice_neckline[2], {0.138f, 1.458f, -0.022f}, {0.172f, 1.446f, -0.016f}}};
+
+struct SleeveRow {
+    float along;
+    Girth girth;  // front, back, below, above
+};
+const std::array<SleeveRow, 2> sleeve_rows = {
+    {{0.100f, {0.052f, 0.054f, 0.062f, 0.043f}}, {0.255f, {0.058f, 0.058f, 0.072f, 0.042f}}}};
+
+using Ring = std::array<uint32_t, columns>;
+
+Side side_of(int column) { return column <= 6 ? Side::left : Side::right; }
+size_t half_of(int column) { return static_cast<size_t>(column <= 6 ? column : columns - column); }
+
+Ring add_row(Mesh &mesh, const Row &row)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k) {
+        const Side side = side_of(k);
+        const glm::vec2 d = directions[half_of(k)];
+        const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
+        const float across = mirrored(glm::vec3(d.x, 0, 0), side).x;
+        const glm::vec3 p(d.x * row.side * fold, row.y + row.slant * across,
+                          row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
+        ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? Region::gown : Region::torso, side);
+    }
+    return ring;
+}
+
+Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k)
+        if (half[half_of(k)].y > 0)
+            ring[static_cast<size_t>(k)] = mesh.add(mirrored(half[half_of(k)], side_of(k)), Region::torso, side_of(k));
+    return ring;
+}
+
+// Columns from `first` for `count`, left to right for whoever looks at them.
+Chain span(const Ring &ring, int first, int count, float t)
+{
+    Chain chain;
+    for (int k = first; k < first + count; ++k)
+        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
+    return chain;
+}
+
+// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+Chain doubled(Mesh &mesh, Chain chain)
+{
+    std::map<uint32_t, uint32_t> twins;
+    for (Corner &corner : chain) {
+        const Point point = mesh.points[corner.point];
+        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
+        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
+        corner.point = at->second;
+    }
+    return chain;
+}
+
+void sew_rows(Mesh &mesh, Chart front, Chart back, const Ring &low, const Ring &high, glm::vec2 t)
+{
+    mesh.sew(front, Winding::as_given, span(low, -3, 7, t.x), span(high, -3, 7, t.y), Along::s);
+    mesh.sew(back, Winding::as_given, span(low, 3, 7, t.x), span(high, 3, 7, t.y), Along::s);
+}
+
+void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 6> &armhole)
+{
+    const std::array<float, 7> places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
+    Chain before;
+    for (size_t i = 0; i < 7; ++i) before.push_back({armhole[i % 6], glm::vec2(places[i], 0)});
+    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
+    for (const SleeveRow &row : sleeve_rows) {
+        const Chain next = ring_chain(add_ring(mesh, Region::sleeve, side, 6, shoulder + arm_direction() * row.along,
+                                               -arm_dorsal(), arm_thumbward(), row.girth),
+                                      -row.along);
+        mesh.sew(on(side, Chart::sleeve), winding_of(side), before, next, Along::s);
+        before = next;
+    }
+    const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.14f, side), Region::sleeve, side);
+    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
+}
+
+void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
+{
+    const bool left = side == Side::left;
+    std::array<uint32_t, 3> seam{};
+    for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
+    const auto chain = [&](float first, float last, float height) {
+        Chain c;
+        for (size_t i = 0; i < 3; ++i) {
+            const float x = first + (last - first) * static_cast<float>(i) / 2;
+            c.push_back({seam[left ? i : 2 - i], glm::vec2(x, height)});
+        }
+        return c;
+    };
+    const auto at = [left](const Ring &ring, int k) {
+        return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
+    };
+    // Seen from outside both run to the right: in front from the neck outwards on the left side.
+    if (left) {
+        mesh.sew(bodice_front, Winding::as_given, span(high, 1, 2, t), chain(1, 2, t + 0.09f), Along::s);
+        mesh.sew(bodice_back, Winding::as_given, span(high, 4, 2, t), chain(4, 5, t + 0.08f), Along::s);
+    } else {
+        mesh.sew(bodice_front, Winding::as_given, span(high, -2, 2, t), chain(-2, -1, t + 0.09f), Along::s);
+        mesh.sew(bodice_back, Winding::as_given, span(high, 7, 2, t), chain(7, 8, t + 0.08f), Along::s);
+    }
+    add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)});
+}
+
+}  // namespace
+
+void add_stola(Mesh &mesh)
+{
+    constexpr size_t waist = 7;  // from here up it is the bodice
+    std::vector<Ring> rings;
+    std::vector<float> heights;
+    for (const Row &row : rows) rings.push_back(add_row(mesh, row)), heights.push_back(row.y);
+    rings.push_back(add_row(mesh, bust)), heights.push_back(1.290f);
+    rings.push_back(add_row(mesh, armpit)), heights.push_back(1.365f);
+    for (size_t r = 0; r + 1 < rings.size(); ++r)
+        sew_rows(mesh, r < waist ? gown_front : bodice_front, r < waist ? gown_back : bodice_back, rings[r],
+                 rings[r + 1], {heights[r], heights[r + 1]});
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.30f, 0), Region::gown);
+    mesh.fan(gown_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
+             {inside, glm::vec2(-1, 1)});
+    const Ring high = add_row(mesh, upper);
+    constexpr float t = 1.440f;
+    mesh.sew(bodice_front, Winding::as_given, span(rings.back(), -2, 5, heights.back()), span(high, -2, 5, t),
+             Along::s);
+    mesh.sew(bodice_back, Winding::as_given, span(rings.back(), 4, 5, heights.back()), span(high, 4, 5, t), Along::s);
+    for (const Side side : {Side::left, Side::right}) add_shoulder(mesh, side, rings.back(), high, t);
+}
+
+}  // namespace claque::figures::patrician
