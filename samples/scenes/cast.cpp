@@ -16,19 +16,31 @@ Cast::Cast(Library &library, const Casting &casting)
     crowd_.reset(made);
 }
 
-void Cast::enter(const Part &part)
+clq_actor Cast::add(const Part &part, uint64_t seed)
 {
     clq_actor_def def = clq_actor_def_init();
     def.tmpl = part.tmpl;
     def.place = part.place;
     def.play = part.play;
-    def.seed = actors_.size();
+    def.seed = seed;
     clq_actor actor = {};
     check(clq_actor_create(crowd_.get(), &def, &actor));
     actors_.push_back(actor);
     places_.push_back(part.place);
-    check(clq_actor_draw_colours(crowd_.get(), actor, nullptr, 0));
+    return actor;
 }
+
+void Cast::enter(const Part &part)
+{
+    check(clq_actor_draw_colours(crowd_.get(), add(part, actors_.size()), nullptr, 0));
+}
+
+void Cast::enter(const Part &part, uint64_t seed, const std::vector<clq_hsb_range> &dyes)
+{
+    check(clq_actor_draw_colours(crowd_.get(), add(part, seed), dyes.data(), static_cast<uint32_t>(dyes.size())));
+}
+
+void Cast::play(size_t who, const clq_play &play) { check(clq_actor_play(crowd_.get(), actors_[who], &play)); }
 
 void Cast::move()
 {

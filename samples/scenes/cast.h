@@ -11,10 +11,11 @@ namespace scenes
 
 // What is asked of any scene.
 struct Casting {
-    uint32_t count = 400;  // [1, 1 000 000]
+    uint32_t count = 400;  // [1, 1 000 000]; 0, odeon: as many as its description says
     uint64_t seed = 1;
     clq_cache_mode cache = CLQ_CACHE_FULL;
     uint64_t cache_budget_bytes = 0;  // 0: claque's own
+    std::string theatre_file;         // odeon: a description of the user's; empty: the one that comes with claque
 };
 
 class Cast
@@ -29,6 +30,10 @@ public:
     };
     // Adds an individual with colours of its own; its number is the count before.
     void enter(const Part &part);
+    // The same with a seed and ranges of colours (one a zone of its template) of its own.
+    void enter(const Part &part, uint64_t seed, const std::vector<clq_hsb_range> &dyes);
+    // Another clip for number `who`.
+    void play(size_t who, const clq_play &play);
     // Sends everybody to `places()`.
     void move();
 
@@ -37,6 +42,8 @@ public:
     const std::vector<clq_place> &places() const { return places_; }
 
 private:
+    clq_actor add(const Part &part, uint64_t seed);
+
     Own<clq_crowd> crowd_;
     std::vector<clq_actor> actors_;
     std::vector<clq_place> places_;

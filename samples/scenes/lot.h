@@ -24,7 +24,11 @@ enum class Lot : uint32_t {
     slab,
     tone,
     grain,
-    tree
+    tree,
+    seat,
+    temper,
+    act,
+    gradient
 };
 
 inline uint64_t lot_bits(uint64_t seed, uint64_t who, Lot purpose)

@@ -7,6 +7,7 @@ const std::vector<SceneEntry> &scene_entries()
 {
     static const std::vector<SceneEntry> entries = {
         {"plaza", "citizens on a Roman plaza: talking, walking, applauding a speaker", make_plaza, 400},
+        {"odeon", "three classes of Roman society in a theatre", make_odeon, 1020},
         {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 400},
     };
     return entries;

@@ -57,6 +57,7 @@ std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, con
                                   const Character &character);
 
 std::unique_ptr<Scene> make_plaza(Library &library, const Casting &casting, const Character &character);
+std::unique_ptr<Scene> make_odeon(Library &library, const Casting &casting, const Character &character);
 std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character);
 
 }  // namespace scenes

@@ -1,0 +1,115 @@
+#include "samples/scenes/odeon/audience.h"
+
+#include <cmath>
+
+namespace scenes
+{
+namespace
+{
+
+Manners manners_of(const std::string &figure)
+{
+    return figure == "decurion" ? Manners::grave : figure == "patrician" ? Manners::gracious : Manners::hearty;
+}
+
+// A little below the exact speed: a clip that does not close must not begin again at its end by rounding.
+float rounded_down(double speed) { return std::nextafter(static_cast<float>(speed), 0.0f); }
+
+}  // namespace
+
+Audience::Audience(Library &library, const Theatre &theatre, const Casting &casting)
+    : seats_(seats_of(theatre)),
+      sitters_(seat_people(theatre, seats_, casting.count, casting.seed)),
+      cast_(library, casting)
+{
+    std::vector<std::vector<clq_hsb_range>> dyes;
+    for (const SocialClass &one : theatre.classes) {
+        figure_of_.push_back(figure(library, one.figure));
+        dyes.push_back(dyes_of(one, figures_[figure_of_.back()]));
+    }
+    for (const Sitter &sitter : sitters_) {
+        const Figure &worn = figures_[figure_of_[sitter.social_class]];
+        Member member;
+        member.seed = casting.seed;
+        member.who = sitter.seat;
+        member.x = seats_[sitter.seat].x;
+        member.z = seats_[sitter.seat].z;
+        member.manners = manners_of(theatre.classes[sitter.social_class].figure);
+        member.duration_s = worn.duration_s;
+        members_.push_back(member);
+        clq_play still = {};
+        still.clip = worn.clips[0];
+        still.speed = 1;
+        cast_.enter({worn.tmpl.get(), sitter.place, still}, sitter.seat, dyes[sitter.social_class]);
+    }
+    playing_.resize(members_.size());
+}
+
+size_t Audience::figure(Library &library, const std::string &name)
+{
+    for (size_t i = 0; i < figures_.size(); ++i)
+        if (figures_[i].name == name) return i;
+    Figure made;
+    made.name = name;
+    clq_template *tmpl = nullptr;
+    if (clq_template_builtin(library.context(), name.c_str(), &tmpl) != CLQ_OK)
+        check(clq_template_builtin(library.context(), "citizen", &tmpl));
+    made.tmpl.reset(tmpl);
+    for (size_t a = 0; a < act_count; ++a) {
+        const char *clip = clip_name(static_cast<Act>(a));
+        made.clips[a] = clq_template_find_clip(tmpl, clip);
+        if (made.clips[a] == CLQ_NONE) made.clips[a] = clq_template_find_clip(tmpl, "stand");
+        clq_clip_info info = {};
+        if (made.clips[a] != CLQ_NONE) check(clq_template_get_clip(tmpl, made.clips[a], &info));
+        if (!(info.duration_s > 0)) throw Failure("the figure '" + name + "' has no clip '" + clip + "' to play");
+        made.duration_s[a] = static_cast<double>(info.duration_s);
+    }
+    figures_.push_back(std::move(made));
+    return figures_.size() - 1;
+}
+
+std::vector<clq_hsb_range> Audience::dyes_of(const SocialClass &one, const Figure &worn) const
+{
+    clq_template_info info = {};
+    check(clq_template_get_info(worn.tmpl.get(), &info));
+    std::vector<clq_hsb_range> ranges;
+    std::string names;
+    for (uint32_t zone = 0; zone < info.zone_count; ++zone) {
+        clq_zone_info found = {};
+        check(clq_template_get_zone(worn.tmpl.get(), zone, &found));
+        ranges.push_back(found.range);
+        names += (names.empty() ? "" : ", ") + std::string(found.name);
+    }
+    for (const SocialClass::Dye &dye : one.dyes) {
+        const uint32_t zone = clq_template_find_zone(worn.tmpl.get(), dye.zone.c_str());
+        if (zone == CLQ_NONE) continue;
+        if (zone == CLQ_NONE)
+            throw Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" + worn.name +
+                          "' has no such zone; there are: " + names);
+        ranges[zone] = dye.range;
+    }
+    return ranges;
+}
+
+void Audience::act(double time_s)
+{
+    for (size_t i = 0; i < members_.size(); ++i) {
+        Playing &now = playing_[i];
+        if (now.begin_s <= time_s && time_s < now.end_s) continue;
+        now = playing_at(members_[i], time_s);
+        clq_play play = {};
+        play.clip = figures_[figure_of_[sitters_[i].social_class]].clips[static_cast<size_t>(now.act)];
+        play.start_s = now.begin_s;
+        play.speed = rounded_down(now.speed);
+        cast_.play(i, play);
+    }
+}
+
+std::vector<clq_template *> Audience::templates() const
+{
+    std::vector<clq_template *> all;
+    for (const Figure &figure : figures_) all.push_back(figure.tmpl.get());
+    return all;
+}
+
+}  // namespace scenes

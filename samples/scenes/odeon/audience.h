@@ -1,0 +1,45 @@
+// The audience: individuals on their seats in the colours of their class, each with its programme.
+#pragma once
+
+#include "samples/scenes/cast.h"
+#include "samples/scenes/odeon/programme.h"
+#include "samples/scenes/odeon/seating.h"
+
+namespace scenes
+{
+
+class Audience
+{
+public:
+    Audience(Library &library, const Theatre &theatre, const Casting &casting);
+
+    // Lets everybody play what the programme has at this time.
+    void act(double time_s);
+
+    clq_crowd *crowd() const { return cast_.crowd(); }
+    std::vector<clq_template *> templates() const;
+    const std::vector<clq_place> &places() const { return cast_.places(); }
+    const std::vector<Seat> &seats() const { return seats_; }
+    const std::vector<Sitter> &sitters() const { return sitters_; }
+    const std::vector<Member> &members() const { return members_; }
+
+private:
+    struct Figure {
+        std::string name;
+        Own<clq_template> tmpl;
+        std::array<uint32_t, act_count> clips;
+        std::array<double, act_count> duration_s;
+    };
+    size_t figure(Library &library, const std::string &name);
+    std::vector<clq_hsb_range> dyes_of(const SocialClass &one, const Figure &figure) const;
+
+    std::vector<Seat> seats_;
+    std::vector<Sitter> sitters_;
+    std::vector<Figure> figures_;
+    std::vector<size_t> figure_of_;  // of each class
+    std::vector<Member> members_;
+    std::vector<Playing> playing_;
+    Cast cast_;
+};
+
+}  // namespace scenes

@@ -1,0 +1,53 @@
+// What somebody in the audience does: an endless row of clips, drawn by lot, that is a function of who it is and the
+// time alone, so that any moment can be made by itself. Seated clips begin and end in one pose; they change at their
+// ends only. Applause and laughter spread: their odds follow noise over place and time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace scenes
+{
+
+enum class Act : uint8_t {
+    sit,
+    lean,
+    look,
+    talk,
+    applaud,
+    cheer,
+    laugh,
+    wave,
+    rise,
+    stand,
+    stand_applaud,
+    stand_cheer,
+    stand_wave,
+    stand_laugh,
+    sit_down
+};
+constexpr size_t act_count = 15, seated_count = 8;  // the first of them are seated
+
+const char *clip_name(Act act);
+
+enum class Manners : uint8_t { grave, gracious, hearty };  // of a decurion, a patrician, a plebeian
+
+struct Member {
+    uint64_t seed = 0, who = 0;
+    double x = 0, z = 0;  // of the seat, metres
+    Manners manners = Manners::grave;
+    std::array<double, act_count> duration_s = {};  // of its figure's clips, each above 0
+};
+
+// One clip from its first pose to its last.
+struct Playing {
+    Act act = Act::sit;
+    double begin_s = 0, end_s = 0;
+    double speed = 1;
+};
+
+// What it plays at a time: begin_s <= time_s < end_s.
+Playing playing_at(const Member &member, double time_s);
+
+}  // namespace scenes
