@@ -97,6 +97,12 @@ std::vector<unsigned char> read_file(const std::string &path)
     return bytes;
 }
 
+std::string text_of(const std::string &path)
+{
+    const std::vector<unsigned char> bytes = read_file(path);
+    return std::string(bytes.begin(), bytes.end());
+}
+
 void write_whole(const std::string &path, const void *bytes, size_t size_bytes)
 {
     if (path == "-") return write_to_stdout(bytes, size_bytes);

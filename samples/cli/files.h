@@ -10,6 +10,7 @@ namespace cli
 
 // Throws scenes::Failure, naming the path and the system's reason.
 std::vector<unsigned char> read_file(const std::string &path);
+std::string text_of(const std::string &path);
 
 // `path` "-" is standard output. A file that was there before stays as it was unless all goes well.
 void write_whole(const std::string &path, const void *bytes, size_t size_bytes);

@@ -23,6 +23,7 @@ struct RenderArguments {
     double time_s = 2.0, fps = 25.0;
     std::string frames, out, json;
     FrameRange range;
+    bool whole_path = false;  // frames up to its last key frame
     bool again = false;
 };
 
@@ -32,11 +33,13 @@ struct Frame {
     std::string path;
 };
 
-std::vector<Frame> planned(const RenderArguments &a)
+std::vector<Frame> planned(const RenderArguments &a, const scenes::StageOptions &options)
 {
     if (a.frames.empty()) return {{-1, a.time_s, a.out}};
     std::vector<Frame> frames;
-    for (int number : frames_of(a.range)) frames.push_back({number, number / a.fps, frame_path(a.out, number)});
+    FrameRange range = a.range;
+    if (a.whole_path) range.last = static_cast<int>(options.path->last_s() * a.fps);
+    for (int number : frames_of(range)) frames.push_back({number, number / a.fps, frame_path(a.out, number)});
     return frames;
 }
 
@@ -51,8 +54,8 @@ Words words_about(const scenes::StageOptions &options, const scenes::Stage &stag
     char time[32];
     std::snprintf(time, sizeof time, "%.6g", time_s);
     return {{"Software", "claque " + version()},
-            {"Description", options.scene + ", " + std::to_string(options.casting.count) + " individuals, seed " +
-                                std::to_string(options.casting.seed) + ", time " + time + " s"},
+            {"Description", options.scene + ", " + std::to_string(stage.crowd_stats().actor_count) +
+                                " individuals, seed " + std::to_string(options.casting.seed) + ", time " + time + " s"},
             {"Source", stage.context_name()}};
 }
 
@@ -130,10 +133,13 @@ Json about(const RenderArguments &a, const scenes::StageOptions &options)
     report["claque"] = version();
     report["scene"] = options.scene;
     if (!a.stage.file.empty()) report["file"] = a.stage.file;
-    report["count"] = options.casting.count;
     report["seed"] = options.casting.seed;
     report["size_px"] = {options.width, options.height};
-    report["camera"] = a.stage.camera;
+    report["camera"] = options.shot == scenes::Shot::path    ? "path"
+                       : options.shot == scenes::Shot::close ? "close"
+                                                             : "overview";
+    if (!a.stage.path.empty()) report["path"] = a.stage.path;
+    if (!a.stage.theatre.empty()) report["theatre"] = a.stage.theatre;
     report["variety"] = a.stage.variety;
     report["cache"] = a.stage.cache;
     report["threads"] = thread_count(a.stage);
@@ -152,7 +158,7 @@ void render(const RenderArguments &a)
     std::vector<Frame> frames;
     Json report = about(a, options);
     report["skipped"] = Json::array();
-    for (Frame &frame : planned(a)) {
+    for (Frame &frame : planned(a, options)) {
         if (finished(a, options, frame)) report["skipped"].push_back(frame.number);
         else frames.push_back(std::move(frame));
     }
@@ -166,6 +172,7 @@ void render(const RenderArguments &a)
             if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden);
             options = stage_options(a.stage, loaded);
             stage.emplace(library, options);
+            report["count"] = stage->crowd_stats().actor_count;
             report["context"] = stage->context_name();
         }
         report["frames"].push_back(draw(*stage, options, frames[i]));
@@ -177,14 +184,21 @@ void render(const RenderArguments &a)
         report["warnings"] = library.warnings();
         write_whole(a.json, report.dump(2) + "\n");
     }
-    progress.conclude(a.out + ": " + std::to_string(options.casting.count) + " individuals, " +
-                      std::to_string(frames.size()) + " drawn" + (stage ? " with " + stage->context_name() : ""));
+    progress.conclude(
+        a.out + ": " + std::to_string(frames.size()) + " drawn" +
+        (stage ? ", " + std::to_string(stage->crowd_stats().actor_count) + " individuals, " + stage->context_name()
+               : ""));
 }
 
 void check_usage(RenderArguments &a)
 {
+    check_stage_usage(a.stage);
     if (!a.frames.empty()) {
-        const std::string wrong = read_range(a.frames, a.range);
+        if (a.stage.camera.empty() && has_path(a.stage)) a.stage.camera = "path";
+        a.whole_path = a.frames == "all";
+        if (a.whole_path && a.stage.camera != "path")
+            throw CLI::ValidationError("--frames", "all is for cameras that follow a path");
+        const std::string wrong = a.whole_path ? "" : read_range(a.frames, a.range);
         if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
         if (a.out != "-" && !is_frame_pattern(a.out))
             throw CLI::ValidationError("--out", "a sequence needs one place for the number, like frame-%05d.png");
@@ -210,9 +224,11 @@ void add_render(CLI::App &app, Work &chosen)
     CLI::Option *file = c->add_option("FILE", a->stage.file,
                                       "Stand this character on a ground: glTF, GLB, prepared .clq, or a built-in "
                                       "figure's name (citizen, patrician ...)");
-    c->add_option("--scene", a->stage.scene, "A scene of the built-in figure (default plaza). " + scene_names)
+    c->add_option("--scene", a->stage.scene, "A scene of built-in figures (default plaza). " + scene_names)
         ->excludes(file);
-    c->add_option("--count", a->stage.count, "Individuals (default 400, of a FILE 12)")->check(CLI::Range(1, 1000000));
+    c->add_option("--count", a->stage.count,
+                  "Individuals (default 400, of a FILE 12, of the odeon what its description says)")
+        ->check(CLI::Range(1, 1000000));
     add_stage_options(*c, a->stage);
     c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
         ->check(CLI::IsMember(variety_names()))
@@ -221,8 +237,9 @@ void add_render(CLI::App &app, Work &chosen)
         ->check(CLI::IsMember(cache_names()))
         ->capture_default_str();
     CLI::Option *time = c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
-    c->add_option("--frames", a->frames, "A sequence, first to last; frame k shows k / fps seconds")
-        ->type_name("A:B")
+    c->add_option("--frames", a->frames,
+                  "A sequence, first to last, or all of a camera path; frame k shows k / fps seconds")
+        ->type_name("A:B|all")
         ->excludes(time);
     c->add_option("--stride", a->range.stride, "Only every so many frames")
         ->check(CLI::Range(1, 1000000))

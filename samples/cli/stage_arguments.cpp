@@ -1,5 +1,7 @@
 #include "samples/cli/stage_arguments.h"
 
+#include "samples/cli/files.h"
+
 #include <thread>
 
 namespace cli
@@ -41,9 +43,14 @@ void add_stage_options(CLI::App &command, StageArguments &a)
             },
             "Of the picture in pixels (default 1024x768)")
         ->type_name("WxH");
-    command.add_option("--camera", a.camera, "Which view of the scene")
-        ->check(CLI::IsMember({"overview", "close"}))
-        ->capture_default_str();
+    command
+        .add_option("--camera", a.camera,
+                    "Which view of the scene (default overview, or path where --path is given or the scene has its own "
+                    "and frames are asked for)")
+        ->check(CLI::IsMember({"overview", "close", "path"}));
+    command.add_option("--path", a.path, "Camera path to follow instead of the scene's own (TOML)")->type_name("FILE");
+    command.add_option("--theatre", a.theatre, "Description of the odeon instead of the built-in one (TOML)")
+        ->type_name("FILE");
     command.add_option("--context", a.context, "Where OpenGL comes from; any: OSMesa if it is there, else EGL")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
@@ -65,16 +72,42 @@ int thread_count(const StageArguments &a)
     return cores > 256 ? 256 : cores > 0 ? static_cast<int>(cores) : 1;
 }
 
+std::string scene_of(const StageArguments &a)
+{
+    return !a.file.empty() ? "parade" : !a.scene.empty() ? a.scene : !a.theatre.empty() ? "odeon" : "plaza";
+}
+
+bool has_path(const StageArguments &a) { return !a.path.empty() || scenes::recorded_path(scene_of(a)); }
+
+void check_stage_usage(const StageArguments &a)
+{
+    if (!a.path.empty() && !a.camera.empty() && a.camera != "path")
+        throw CLI::ValidationError("--path", "the camera " + a.camera + " follows no path");
+    if (a.camera == "path" && !has_path(a))
+        throw CLI::ValidationError("--camera", "the scene " + scene_of(a) + " has no path of its own; --path FILE has");
+    if (!a.theatre.empty() && scene_of(a) != "odeon")
+        throw CLI::ValidationError("--theatre", "the scene " + scene_of(a) + " is no theatre; odeon is");
+}
+
 scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacter &loaded)
 {
     scenes::StageOptions options;
-    options.scene = !a.file.empty() ? "parade" : !a.scene.empty() ? a.scene : "plaza";
+    options.scene = scene_of(a);
     options.character = loaded.tmpl ? loaded.character() : scenes::Character();
-    options.casting.count = a.count > 0 ? a.count : a.file.empty() ? 400 : 12;
+    options.casting.count = a.count > 0                ? a.count
+                            : options.scene == "odeon" ? 0  // as many as its description says
+                            : a.file.empty()           ? 400
+                                                       : 12;
+    options.casting.theatre_file = a.theatre;
     options.casting.seed = a.seed;
     options.casting.cache = cache_named(a.cache);
     options.casting.cache_budget_bytes = a.budget_mib << 20;
-    options.shot = a.camera == "close" ? scenes::Shot::close : scenes::Shot::overview;
+    options.shot = a.camera == "close"                     ? scenes::Shot::close
+                   : a.camera == "path" || !a.path.empty() ? scenes::Shot::path
+                                                           : scenes::Shot::overview;
+    if (!a.path.empty()) options.path.emplace(text_of(a.path), a.path);
+    else if (options.shot == scenes::Shot::path)
+        options.path.emplace(*scenes::recorded_path(options.scene), options.scene + "/path.toml");
     options.width = a.width > 0 ? a.width : 1024;
     options.height = a.height > 0 ? a.height : 768;
     options.context = a.context == "osmesa" ? contexts::Kind::osmesa

@@ -15,7 +15,9 @@ using Json = nlohmann::ordered_json;
 struct StageArguments {
     std::string file, scene;  // one or neither
     std::vector<std::string> hidden;
-    std::string size = "1024x768", camera = "overview", context = "any", format = "rgba8888";
+    std::string path, theatre;              // files
+    std::string size = "1024x768", camera;  // camera empty: not given
+    std::string context = "any", format = "rgba8888";
     std::string variety = "fused", cache = "full";
     uint32_t count = 0;  // 0: not given
     uint64_t seed = 1, budget_mib = 0;
@@ -29,7 +31,13 @@ void add_stage_options(CLI::App &command, StageArguments &arguments);
 
 int thread_count(const StageArguments &arguments);
 
-// `loaded` has to live as long as the stage that is made from this.
+// The scene that is meant, and whether its camera is moved along a path: one of its own, or --path.
+std::string scene_of(const StageArguments &arguments);
+bool has_path(const StageArguments &arguments);
+// Throws CLI::ValidationError where options do not go together, before anything is read.
+void check_stage_usage(const StageArguments &arguments);
+
+// Reads the files that options name. `loaded` has to live as long as the stage that is made from this.
 scenes::StageOptions stage_options(const StageArguments &arguments, const LoadedCharacter &loaded);
 
 clq_variety variety_named(const std::string &name);

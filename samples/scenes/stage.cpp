@@ -5,6 +5,8 @@ namespace scenes
 
 Stage::Stage(Library &library, const StageOptions &options) : library_(library), options_(options)
 {
+    if (options_.shot == Shot::path && !options_.path)
+        throw Failure("the scene '" + options_.scene + "' is asked for by a camera path, and has none");
     std::string why_not;
     offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not);
     if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
@@ -24,24 +26,33 @@ Stage::~Stage()
     if (offscreen_) offscreen_->make_current();
 }
 
+void Stage::make_current()
+{
+    if (!offscreen_->make_current()) throw Failure("the OpenGL context could not be made current");
+}
+
 void Stage::use_variety(clq_variety variety)
 {
-    renderer_.reset();
-    clq_renderer_def def = clq_renderer_def_init();
-    def.get_proc_address = offscreen_->get_proc_address();
-    def.user = offscreen_->user();
-    def.variety = variety;
-    clq_renderer *made = nullptr;
-    check(clq_renderer_create(library_.context(), &def, &made));
-    renderer_.reset(made);
-    for (clq_template *tmpl : scene_->templates()) check(clq_renderer_prepare(made, tmpl));
+    Own<clq_renderer> &renderer = renderers_.at(static_cast<size_t>(variety));
+    if (!renderer) {
+        clq_renderer_def def = clq_renderer_def_init();
+        def.get_proc_address = offscreen_->get_proc_address();
+        def.user = offscreen_->user();
+        def.variety = variety;
+        clq_renderer *made = nullptr;
+        check(clq_renderer_create(library_.context(), &def, &made));
+        renderer.reset(made);
+        for (clq_template *tmpl : scene_->templates()) check(clq_renderer_prepare(made, tmpl));
+    }
+    renderer_ = renderer.get();
 }
 
 void Stage::update(double time_s)
 {
     scene_->place(time_s);
     const double aspect = static_cast<double>(options_.width) / options_.height;
-    const clq_camera camera = scene_->camera(options_.shot, aspect, time_s);
+    const clq_camera camera = options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
+                                                          : scene_->camera(options_.shot, aspect, time_s);
     eye_ = eye_of(camera);
     check(clq_view_look(view_.get(), &camera));
     clq_view *views[] = {view_.get()};
@@ -60,7 +71,7 @@ void Stage::draw_setting()
 clq_draw_stats Stage::draw_crowd()
 {
     clq_draw_stats stats = {};
-    check(clq_renderer_draw(renderer_.get(), view_.get(), &stats));
+    check(clq_renderer_draw(renderer_, view_.get(), &stats));
     gl_.Finish();
     return stats;
 }

@@ -3,7 +3,11 @@
 #pragma once
 
 #include "samples/contexts/offscreen.h"
+#include "samples/scenes/camera_path.h"
 #include "samples/scenes/scene.h"
+
+#include <array>
+#include <optional>
 
 namespace scenes
 {
@@ -13,6 +17,7 @@ struct StageOptions {
     Casting casting;
     Character character;
     Shot shot = Shot::overview;
+    std::optional<CameraPath> path;  // of Shot::path, which needs one
     int width = 1024, height = 768;
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
@@ -22,7 +27,7 @@ struct StageOptions {
 class Stage
 {
 public:
-    // Throws Failure. Its context is current afterwards.
+    // Throws Failure, also where Shot::path is asked for and there is none. Its context is current afterwards.
     Stage(Library &library, const StageOptions &options);
     ~Stage();
     Stage(const Stage &) = delete;
@@ -37,8 +42,11 @@ public:
     const std::vector<uint8_t> &picture(double time_s);
     const std::vector<uint8_t> &read();
 
-    // Another strategy for the same crowd in the same context.
+    // Another strategy for the same crowd in the same context, from the next draw. What it needs is kept, so that
+    // changing to and fro costs nothing.
     void use_variety(clq_variety variety);
+    // Where there are several stages in turn.
+    void make_current();
 
     clq_crowd_stats crowd_stats() const;
     clq_view_stats view_stats() const;
@@ -46,6 +54,7 @@ public:
     const std::string &context_name() const { return offscreen_->name(); }
     const Scene &scene() const { return *scene_; }
     const Gl &gl() const { return gl_; }
+    const std::optional<CameraPath> &path() const { return options_.path; }
 
 private:
     Library &library_;
@@ -54,7 +63,8 @@ private:
     Gl gl_;
     std::unique_ptr<Scene> scene_;
     Own<clq_view> view_;
-    Own<clq_renderer> renderer_;
+    std::array<Own<clq_renderer>, 3> renderers_;  // by variety; made when first used
+    clq_renderer *renderer_ = nullptr;            // one of them
     Eye eye_ = {};
     std::vector<uint8_t> rgb_;
 };

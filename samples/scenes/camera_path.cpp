@@ -1,0 +1,171 @@
+#include "samples/scenes/camera_path.h"
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/eye.h"
+#include "samples/scenes/odeon/described.h"
+
+#include <cmath>
+
+namespace scenes
+{
+
+const std::string &odeon_path();  // odeon/path.toml, brought by the build
+
+namespace
+{
+
+using Point = std::array<double, 3>;
+
+constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120};
+constexpr double least_m = 0.01;  // from the eye to what it looks at
+
+double distance(const Point &a, const Point &b)
+{
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    return std::sqrt(x * x + y * y + z * z);
+}
+
+// `look` has no upright for views within about two degrees of straight up or down.
+bool is_upright(const Viewpoint &v)
+{
+    const double x = v.target[0] - v.eye[0], z = v.target[2] - v.eye[2];
+    return std::sqrt(x * x + z * z) > 0.035 * distance(v.eye, v.target);
+}
+
+Point point(Described &key, const char *name)
+{
+    const std::vector<double> numbers = key.numbers(name, anywhere);
+    if (numbers.size() != 3)
+        key.refuse(
+            "has '" + std::string(name) + "' of " + std::to_string(numbers.size()) + " numbers instead of 3, [x, y, z]",
+            name);
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+KeyFrame read_key(Described &d)
+{
+    KeyFrame key;
+    key.time_s = d.number("time_s", film);
+    key.view.eye = point(d, "eye");
+    key.view.target = point(d, "target");
+    key.view.fov_deg = d.number("fov_deg", angle);
+    d.done();
+    if (distance(key.view.eye, key.view.target) < least_m)
+        d.refuse("looks at where it stands: eye and target are " + show(distance(key.view.eye, key.view.target)) +
+                 " m apart");
+    if (!is_upright(key.view)) d.refuse("looks straight up or down, where nothing says which way is upright");
+    return key;
+}
+
+std::vector<KeyFrame> read_keys(Described &path)
+{
+    std::vector<KeyFrame> keys;
+    for (Described &d : path.tables("keys", "key frame")) {
+        const KeyFrame key = read_key(d);
+        if (!keys.empty() && !(key.time_s > keys.back().time_s))
+            d.refuse("is at " + show(key.time_s) + " s, which is not after the one before it, at " +
+                     show(keys.back().time_s) + " s");
+        keys.push_back(key);
+    }
+    if (keys.size() < 2)
+        path.refuse("a camera path needs at least 2 key frames ([[keys]]), and there are " +
+                    std::to_string(keys.size()));
+    return keys;
+}
+
+std::vector<PathSection> read_sections(Described &path, double first_s, double last_s)
+{
+    std::vector<PathSection> sections;
+    for (Described &d : path.tables("sections", "section")) {
+        PathSection s;
+        s.name = d.text("name");
+        s.first_s = d.number("first_s", film);
+        s.last_s = d.number("last_s", film);
+        d.done();
+        const std::string span = "'" + s.name + "' from " + show(s.first_s) + " to " + show(s.last_s) + " s ";
+        if (s.name.empty()) d.refuse("has no name");
+        if (!(s.last_s > s.first_s)) d.refuse(span + "ends before it begins");
+        if (s.first_s < first_s || s.last_s > last_s)
+            d.refuse(span + "is not within the key frames, which are from " + show(first_s) + " to " + show(last_s) +
+                     " s");
+        if (!sections.empty() && s.first_s < sections.back().last_s)
+            d.refuse(span + "begins before the one before it ends, at " + show(sections.back().last_s) + " s");
+        sections.push_back(s);
+    }
+    if (sections.size() > 16)
+        path.refuse("a camera path has at most 16 sections, and there are " + std::to_string(sections.size()));
+    return sections;
+}
+
+// Cubic through four values at four times with the middle two at 0 and 1: Catmull and Rom's tangents for uneven times
+// (those of the parabola through three neighbours), so that speed has no jump at a key. Ends are at rest.
+double between(const double (&t)[4], const double (&v)[4], double time)
+{
+    const double h = t[2] - t[1], u = (time - t[1]) / h;
+    const double slope = (v[2] - v[1]) / h;
+    const double before = t[1] > t[0] ? (v[1] - v[0]) / (t[1] - t[0]) : 0;
+    const double after = t[3] > t[2] ? (v[3] - v[2]) / (t[3] - t[2]) : 0;
+    const double m1 = t[1] > t[0] ? (before * h + slope * (t[1] - t[0])) / (t[2] - t[0]) : 0;
+    const double m2 = t[3] > t[2] ? (slope * (t[3] - t[2]) + after * h) / (t[3] - t[1]) : 0;
+    const double u2 = u * u, u3 = u2 * u;
+    return (2 * u3 - 3 * u2 + 1) * v[1] + (u3 - 2 * u2 + u) * h * m1 + (3 * u2 - 2 * u3) * v[2] + (u3 - u2) * h * m2;
+}
+
+}  // namespace
+
+CameraPath::CameraPath(const std::string &toml, const std::string &where)
+{
+    const toml::table table = described(toml, where);
+    Described path(table, where, "");
+    near_m_ = path.number("near_m", {0.001, 1e4});
+    far_m_ = path.number("far_m", {0.001, 1e6});
+    if (!(far_m_ > near_m_)) path.refuse("far_m = " + show(far_m_) + " is not beyond near_m = " + show(near_m_));
+    keys_ = read_keys(path);
+    sections_ = read_sections(path, first_s(), last_s());
+    path.done();
+    // Between key frames a camera may still cross its own target, or swing over it.
+    for (size_t k = 0; k + 1 < keys_.size(); ++k)
+        for (int step = 1; step < 64; ++step) {
+            const double time = keys_[k].time_s + (keys_[k + 1].time_s - keys_[k].time_s) * step / 64;
+            const Viewpoint v = at(time);
+            if (distance(v.eye, v.target) < least_m || !is_upright(v))
+                throw Failure(where + ": between key frame " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
+                              ", at " + show(time) +
+                              " s, the camera looks straight up or down, or stands on its target");
+        }
+}
+
+Viewpoint CameraPath::at(double time_s) const
+{
+    if (!(time_s > first_s())) return keys_.front().view;
+    if (time_s >= last_s()) return keys_.back().view;
+    size_t k = 0;
+    while (keys_[k + 1].time_s <= time_s) ++k;
+    const KeyFrame &a = keys_[k], &b = keys_[k + 1];
+    const KeyFrame &before = k > 0 ? keys_[k - 1] : a, &after = k + 2 < keys_.size() ? keys_[k + 2] : b;
+    const double t[4] = {before.time_s, a.time_s, b.time_s, after.time_s};
+    const auto cubic = [&](auto &&value) {
+        const double v[4] = {value(before.view), value(a.view), value(b.view), value(after.view)};
+        return between(t, v, time_s);
+    };
+    Viewpoint v;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        v.eye[axis] = cubic([axis](const Viewpoint &at) { return at.eye[axis]; });
+        v.target[axis] = cubic([axis](const Viewpoint &at) { return at.target[axis]; });
+    }
+    // Angles never go beyond those of their two key frames.
+    const double u = (time_s - a.time_s) / (b.time_s - a.time_s);
+    v.fov_deg = a.view.fov_deg + (b.view.fov_deg - a.view.fov_deg) * u * u * (3 - 2 * u);
+    return v;
+}
+
+clq_camera CameraPath::camera(double time_s, double aspect) const
+{
+    const Viewpoint v = at(time_s);
+    return look({v.eye[0], v.eye[1], v.eye[2]}, {v.target[0], v.target[1], v.target[2]}, v.fov_deg, aspect, near_m_,
+                far_m_);
+}
+
+const std::string *recorded_path(const std::string &scene) { return scene == "odeon" ? &odeon_path() : nullptr; }
+
+}  // namespace scenes
