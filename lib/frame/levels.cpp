@@ -43,6 +43,9 @@ void Update::look_at(uint32_t candidate)
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
     out.seen.period_s = static_cast<float>(animcache::period_s(rung));
     out.seen.shown_s = animcache::tick_s(rung, time_s, base::hash(crowd.seed(), id, base::Purpose::cache_phase));
+    // A clip that has begun shows nothing of before its beginning, which would be the end of a round it never played.
+    const double begun_s = crowd.play_of(row).start_s;
+    if (begun_s <= time_s && out.seen.shown_s < begun_s) out.seen.shown_s = begun_s;
 }
 
 void Update::choose_levels_and_periods()
