@@ -1,6 +1,8 @@
 #include "lib/skin/skin.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include "lib/skin/kernel.h"
 
@@ -53,18 +55,51 @@ void fill_copies(const model::Level &level, float *out)
 
 }  // namespace
 
-Kernel default_kernel()
+bool can_run(Kernel kernel)
+{
+    static const bool wide = can_run_wide();
+    return kernel != Kernel::wide || wide;
+}
+
+namespace
+{
+
+Kernel chosen_kernel()
 {
 #ifdef CLAQUE_SCALAR
     return Kernel::scalar;
 #else
-    return Kernel::vector;
+    const char *named = std::getenv("CLAQUE_SIMD");
+    const std::string_view name = named ? named : "";
+    if (name == "scalar") return Kernel::scalar;
+    if (name == "128") return Kernel::vector;
+    return can_run(Kernel::wide) ? Kernel::wide : Kernel::vector;
 #endif
 }
 
+}  // namespace
+
+Kernel default_kernel()
+{
+    static const Kernel kernel = chosen_kernel();
+    return kernel;
+}
+
+namespace
+{
+
+// Aligned matrices for the wide kernel, and the room to align them.
+size_t wide_floats(size_t palette_count, Normals normals)
+{
+    return wide_matrix_floats * palette_count * (normals == Normals::by_own_matrices ? 2 : 1) + 8;
+}
+
+}  // namespace
+
 size_t scratch_floats(const model::Level &level, size_t palette_count, Normals normals)
 {
-    return normal_floats(palette_count, normals) + (level.morph_ranges.empty() ? 0 : 6 * size_t(level.source_count));
+    return wide_floats(palette_count, normals) + normal_floats(palette_count, normals) +
+           (level.morph_ranges.empty() ? 0 : 6 * size_t(level.source_count));
 }
 
 base::Status SkinJob::check() const
@@ -85,19 +120,30 @@ void SkinJob::run() const
 {
     const float *positions = level->positions.data(), *bind_normals = level->normals.data();
     const math::Affine *normal_palette = nullptr;
+    float *spare = scratch.data + wide_floats(palette.count, normals);
     if (normals == Normals::by_own_matrices) {
-        math::Affine *matrices = reinterpret_cast<math::Affine *>(scratch.data);
+        math::Affine *matrices = reinterpret_cast<math::Affine *>(spare);
         for (uint32_t i = 0; i < palette.count; ++i) matrices[i] = math::normal_matrix(palette[i]);
         normal_palette = matrices;
     }
     if (morphs_active(*this)) {
-        float *morphed = scratch.data + normal_floats(palette.count, normals);
+        float *morphed = spare + normal_floats(palette.count, normals);
         morph(*this, morphed, morphed + 3 * size_t(level->source_count));
         positions = morphed;
         bind_normals = morphed + 3 * size_t(level->source_count);
     }
+    float *wide = nullptr;
+    const size_t wide_count = wide_matrix_floats * palette.count;
+    const bool runs_wide = kernel == Kernel::wide && can_run(Kernel::wide);
+    if (runs_wide) {
+        wide = reinterpret_cast<float *>((reinterpret_cast<uintptr_t>(scratch.data) + 31) & ~uintptr_t(31));
+        widen(palette, wide);
+        if (normal_palette) widen({normal_palette, palette.count}, wide + wide_count);
+    }
     for (const model::InfluenceRun &part : level->runs) {
         Run run;
+        run.wide_palette = wide;
+        run.wide_normal_palette = normal_palette ? wide + wide_count : nullptr;
         run.count = part.count;
         run.influences = part.influences;
         run.positions = positions + 3 * size_t(part.first);
@@ -108,7 +154,9 @@ void SkinJob::run() const
         run.normal_palette = normal_palette;
         run.out_positions = out_positions.data + 3 * size_t(part.first);
         run.out_normals = out_normals.data + 3 * size_t(part.first);
-        kernel == Kernel::vector ? run_vector(run) : run_scalar(run);
+        if (kernel == Kernel::scalar) run_scalar(run);
+        else if (runs_wide) run_wide(run);
+        else run_vector(run);
     }
     fill_copies(*level, out_positions.data);
     fill_copies(*level, out_normals.data);

@@ -48,10 +48,13 @@ void count(benchmark::State &state)
 
 void skin(benchmark::State &state, skin::Kernel kernel)
 {
+    if (!skin::can_run(kernel)) return state.SkipWithError("this processor has no AVX2");
     Crowd crowd{uint32_t(state.range(0))};
+    std::vector<float> scratch(skin::scratch_floats(crowd.level, joint_count, skin::Normals::by_palette));
     for (auto _ : state) {
         for (uint32_t c = 0; c < character_count; ++c) {
             skin::SkinJob job;
+            job.scratch = base::Span<float>(scratch);
             job.level = &crowd.level;
             job.palette = {crowd.palettes.data() + c * joint_count, joint_count};
             job.kernel = kernel;
@@ -93,6 +96,7 @@ void textbook(benchmark::State &state)
     count(state);
 }
 
+BENCHMARK_CAPTURE(skin, wide, skin::Kernel::wide)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(skin, vector, skin::Kernel::vector)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(skin, scalar, skin::Kernel::scalar)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK(textbook)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);

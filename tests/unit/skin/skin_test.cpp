@@ -113,17 +113,50 @@ TEST_P(Skin, AgreesWithTheTextbookSumInDouble)
     }
 }
 
-TEST_P(Skin, ScalarAndVectorKernelsGiveTheSameBits)
+TEST_P(Skin, AllKernelsGiveTheSameBits)
 {
+    if (!can_run(Kernel::wide)) GTEST_LOG_(INFO) << "this processor has no AVX2: the wide kernel is not run";
     for (int i = 0; i < 50; ++i) {
         const auto palette = workspace_->pose(uint32_t(i) % 4, i * 0.021);
         for (const model::Level &level : figure_->levels) {
             const Result a = run(level, palette, workspace_->weights(), how_, Kernel::scalar);
-            const Result b = run(level, palette, workspace_->weights(), how_, Kernel::vector);
-            ASSERT_EQ(std::memcmp(a.positions.data(), b.positions.data(), 4 * a.positions.size()), 0);
-            ASSERT_EQ(std::memcmp(a.normals.data(), b.normals.data(), 4 * a.normals.size()), 0);
+            for (const Kernel kernel : {Kernel::vector, Kernel::wide}) {
+                const Result b = run(level, palette, workspace_->weights(), how_, kernel);
+                ASSERT_EQ(std::memcmp(a.positions.data(), b.positions.data(), 4 * a.positions.size()), 0);
+                ASSERT_EQ(std::memcmp(a.normals.data(), b.normals.data(), 4 * a.normals.size()), 0);
+            }
         }
     }
+}
+
+// Every length of a run, so that the last vertices of the wide kernel are met alone and in pairs.
+TEST(SkinRuns, OfAnyLengthAndNumberOfInfluencesAreTheSameInAllKernels)
+{
+    std::vector<math::Affine> palette(9);
+    uint32_t n = 0;
+    for (math::Affine &a : palette)
+        for (float &x : a.c) x = float(std::sin(double(++n)));
+    for (const Normals how : {Normals::by_palette, Normals::by_own_matrices})
+        for (uint32_t influences = 1; influences <= 6; ++influences)
+            for (uint32_t count = 0; count < 9; ++count) {
+                model::Level level(std::pmr::get_default_resource());
+                level.source_count = level.vertex_count = count;
+                level.runs.push_back({0, count, influences, 0});
+                for (uint32_t i = 0; i < 3 * count; ++i) {
+                    level.positions.push_back(float(std::sin(0.7 * double(++n))));
+                    level.normals.push_back(float(std::cos(0.3 * double(++n))));
+                }
+                for (uint32_t i = 0; i < influences * count; ++i) {
+                    level.joints.push_back(uint16_t(++n * 5 % 8));
+                    level.weights.push_back(1.0f / float(influences + i % 3));
+                }
+                const Result a = run(level, {palette.data(), 8}, {}, how, Kernel::scalar);
+                for (const Kernel kernel : {Kernel::vector, Kernel::wide}) {
+                    const Result b = run(level, {palette.data(), 8}, {}, how, kernel);
+                    ASSERT_EQ(std::memcmp(a.positions.data(), b.positions.data(), 4 * a.positions.size()), 0);
+                    ASSERT_EQ(std::memcmp(a.normals.data(), b.normals.data(), 4 * a.normals.size()), 0);
+                }
+            }
 }
 
 TEST_P(Skin, MorphTargetsOfNoWeightCostNothingAndShowNothing)
