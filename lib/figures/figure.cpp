@@ -73,14 +73,13 @@ model::Model citizen()
     figure.painter = paint_citizen;
     figure.layout = citizen_layout();
     figure.zones = citizen_zones();
-    figure.clips = {
-        {"stand", 180, stand_at}, {"walk", 33, walk_at}, {"applaud", 72, applaud_at}, {"cheer", 60, cheer_at}};
+    figure.clips = figure_clips();
     return assemble(figure);
 }
 
 const std::vector<Builtin> &builtins()
 {
-    static const std::vector<Builtin> all = {{"citizen", citizen}};
+    static const std::vector<Builtin> all = {{"citizen", citizen}, {"patrician", patrician_woman}};
     return all;
 }
 

@@ -1,8 +1,8 @@
 // Standing and clapping in front of the chest, six claps a loop.
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/grip.h"
 #include "lib/figures/clips/stance.h"
 
 namespace claque::figures
@@ -12,19 +12,13 @@ namespace
 {
 
 constexpr int claps = 6;
-constexpr float touching = 0.0205f;  // half the distance of the hands' middle planes when the palms meet
 
-void clap(Pose &pose, Side side, float apart, glm::vec3 middle)
+void clap(Pose &pose, Side side, const Grip &grip)
 {
-    // Fingers up and ahead, palm towards the other hand; apart, the hands open like a book.
-    const float open = 18 * apart;
-    const glm::quat spread = yaw(open * 0.6f) * roll(-open * 0.4f);
-    const glm::vec3 along = spread * glm::normalize(glm::vec3(0, 0.66f, 0.75f));
-    const glm::vec3 back = spread * glm::vec3(1, 0, 0);
-    const glm::vec3 wrist = middle + glm::vec3(touching + 0.115f * apart, 0, 0) - glm::vec3(0, 0.66f, 0.75f) * 0.07f;
-    reach_hand(pose, side, wrist, glm::vec3(0.85f, -0.75f, -0.30f));
-    glm::quat hand = carry(arm_direction(), arm_dorsal(), along, back);
+    reach_hand(pose, side, grip.wrist, grip.pole);
+    glm::quat hand = carry(arm_direction(), arm_dorsal(), grip.along, grip.back);
     pose.set_world(on(side, Bone::hand), side == Side::left ? hand : mirrored(hand));
+    curl_hand(pose, side, grip.curl);
 }
 
 }  // namespace
@@ -45,8 +39,7 @@ Pose applaud_at(float phase)
     for (const Side side : {Side::left, Side::right}) {
         const float left = side == Side::left ? 1.0f : -1.0f;
         pose.set(side, Bone::clavicle, roll(3) * yaw(-8 + 3 * apart));
-        clap(pose, side, apart, glm::vec3(0, 1.245f + 0.006f * sway, 0.345f));
-        curl_hand(pose, side, -0.055f + 0.12f * apart);
+        clap(pose, side, clapping(apart, glm::vec3(0, 1.245f + 0.006f * sway, 0.345f)));
         stand_on(pose, side, {0.016f, left * 0.010f, 0, 1, 0, 6});
     }
     drape(pose);

@@ -16,7 +16,65 @@ bool turns(const std::vector<Pose> &poses, Bone bone)
     return false;
 }
 
+bool moves(const std::vector<Pose> &poses, Bone bone)
+{
+    if (bone == Bone::pelvis) return true;
+    for (const Pose &pose : poses)
+        if (pose.shift(bone) != glm::vec3(0)) return true;
+    return false;
+}
+
+void add_translation(model::Rig &rig, const std::vector<Pose> &poses, Bone bone, model::Channel channel)
+{
+    channel.node = static_cast<uint32_t>(bone);
+    channel.path = model::Path::translation;
+    channel.component_count = 3;
+    channel.first_value = static_cast<uint32_t>(rig.values.size());
+    for (const Pose &pose : poses) {
+        const glm::vec3 p = skeleton().offset(bone) + pose.shift(bone);
+        rig.values.insert(rig.values.end(), {p.x, p.y, p.z});
+    }
+    rig.channels.push_back(channel);
+}
+
+void add_rotation(model::Rig &rig, const std::vector<Pose> &poses, Bone bone, model::Channel channel)
+{
+    channel.node = static_cast<uint32_t>(bone);
+    channel.path = model::Path::rotation;
+    channel.component_count = 4;
+    channel.first_value = static_cast<uint32_t>(rig.values.size());
+    glm::quat before(1, 0, 0, 0);
+    for (const Pose &pose : poses) {
+        glm::quat q = pose.local(bone);
+        if (glm::dot(before, q) < 0) q = -q;  // the short way from key to key
+        rig.values.insert(rig.values.end(), {q.x, q.y, q.z, q.w});
+        before = q;
+    }
+    rig.channels.push_back(channel);
+}
+
 }  // namespace
+
+const std::vector<ClipMaker> &figure_clips()
+{
+    static const std::vector<ClipMaker> all = {{"stand", 180, stand_at},
+                                               {"walk", 33, walk_at},
+                                               {"applaud", 72, applaud_at},
+                                               {"cheer", 60, cheer_at},
+                                               {"sit", 210, sit_at},
+                                               {"sit_lean", 270, sit_lean_at},
+                                               {"sit_look", 240, sit_look_at},
+                                               {"sit_talk", 255, sit_talk_at},
+                                               {"sit_applaud", 165, sit_applaud_at},
+                                               {"sit_cheer", 135, sit_cheer_at},
+                                               {"sit_laugh", 150, sit_laugh_at},
+                                               {"sit_wave", 120, sit_wave_at},
+                                               {"rise", 54, rise_at, Ending::open},
+                                               {"sit_down", 63, sit_down_at, Ending::open},
+                                               {"stand_wave", 120, stand_wave_at},
+                                               {"stand_laugh", 150, stand_laugh_at}};
+    return all;
+}
 
 float wave(float phase, int cycles, float at) { return std::sin(2 * pi * (static_cast<float>(cycles) * phase + at)); }
 
@@ -25,7 +83,8 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
     std::vector<Pose> poses;
     for (int k = 0; k < maker.frames; ++k)
         poses.push_back(maker.pose_at(static_cast<float>(k) / static_cast<float>(maker.frames)));
-    poses.push_back(poses.front());  // the last key is the first one, to the bit
+    // The last key of a loop is the first one, to the bit.
+    poses.push_back(maker.ending == Ending::closed ? poses.front() : maker.pose_at(1));
 
     model::Clip clip;
     clip.first_channel = static_cast<uint32_t>(rig.channels.size());
@@ -35,32 +94,10 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
     channel.key_count = static_cast<uint32_t>(poses.size());
     for (int k = 0; k <= maker.frames; ++k) rig.times.push_back(static_cast<float>(k) / keys_per_second);
 
-    channel.node = static_cast<uint32_t>(Bone::pelvis);
-    channel.path = model::Path::translation;
-    channel.component_count = 3;
-    channel.first_value = static_cast<uint32_t>(rig.values.size());
-    for (const Pose &pose : poses) {
-        const glm::vec3 p = skeleton().offset(Bone::pelvis) + pose.pelvis_shift();
-        rig.values.insert(rig.values.end(), {p.x, p.y, p.z});
-    }
-    rig.channels.push_back(channel);
-
-    channel.path = model::Path::rotation;
-    channel.component_count = 4;
-    for (int b = 0; b < bone_count; ++b) {
-        const Bone bone = static_cast<Bone>(b);
-        if (!turns(poses, bone)) continue;
-        channel.node = static_cast<uint32_t>(b);
-        channel.first_value = static_cast<uint32_t>(rig.values.size());
-        glm::quat before(1, 0, 0, 0);
-        for (const Pose &pose : poses) {
-            glm::quat q = pose.local(bone);
-            if (glm::dot(before, q) < 0) q = -q;  // the short way from key to key
-            rig.values.insert(rig.values.end(), {q.x, q.y, q.z, q.w});
-            before = q;
-        }
-        rig.channels.push_back(channel);
-    }
+    for (int b = 0; b < bone_count; ++b)
+        if (moves(poses, static_cast<Bone>(b))) add_translation(rig, poses, static_cast<Bone>(b), channel);
+    for (int b = 0; b < bone_count; ++b)
+        if (turns(poses, static_cast<Bone>(b))) add_rotation(rig, poses, static_cast<Bone>(b), channel);
     clip.channel_count = static_cast<uint32_t>(rig.channels.size()) - clip.first_channel;
     rig.clips.push_back(clip);
     rig.clip_names.emplace_back(maker.name);

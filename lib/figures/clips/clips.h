@@ -1,5 +1,7 @@
-// Clips of the built-in figures: 30 keys a second, straight between them, closed loops.
+// Clips of the built-in figures: 30 keys a second, straight between them.
 #pragma once
+
+#include <vector>
 
 #include "lib/figures/clips/pose.h"
 #include "lib/model/rig.h"
@@ -9,19 +11,47 @@ namespace claque::figures
 
 constexpr int keys_per_second = 30;
 
-// A clip as a function of its phase, 0 <= phase < 1, and of nothing else: so it closes.
+// Where seated clips expect the seat: its top, and its front edge behind the feet, which stand on the ground.
+constexpr float seat_height_m = 0.43f;
+constexpr float seat_edge_m = -0.14f;
+
+enum class Ending : uint8_t {
+    closed,  // the last key is the first one
+    open     // a movement from one pose to another
+};
+
+// A clip as a function of its phase, 0 <= phase < 1 (<= 1 where it is open), and of nothing else: so it closes.
 struct ClipMaker {
     const char *name;
     int frames;  // length in thirtieths of a second
     Pose (*pose_at)(float phase);
+    Ending ending = Ending::closed;
 };
+
+// Every built-in figure's, in this order.
+const std::vector<ClipMaker> &figure_clips();
 
 Pose stand_at(float phase);
 Pose walk_at(float phase);
 Pose applaud_at(float phase);
 Pose cheer_at(float phase);
+// Seated ones begin and end in sit_at(0).
+Pose sit_at(float phase);
+Pose sit_lean_at(float phase);
+Pose sit_look_at(float phase);
+Pose sit_talk_at(float phase);
+Pose sit_applaud_at(float phase);
+Pose sit_cheer_at(float phase);
+Pose sit_laugh_at(float phase);
+Pose sit_wave_at(float phase);
+// From sit_at(0) to stand_at(0), and back.
+Pose rise_at(float phase);
+Pose sit_down_at(float phase);
+// Begin and end in stand_at(0).
+Pose stand_wave_at(float phase);
+Pose stand_laugh_at(float phase);
 
-// Adds a clip: rotations of every node that ever turns, and the pelvis' translation.
+// Adds a clip: translations of the pelvis and of every node that ever leaves its place, rotations of all that turn.
 void add_clip(model::Rig &rig, const ClipMaker &maker);
 
 // A wave of the phase, `cycles` whole turns a clip, starting at `at` of a turn: closes by itself.

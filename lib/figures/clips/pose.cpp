@@ -31,7 +31,17 @@ glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 t
     return glm::normalize(glm::quat_cast(frame(to, to_second) * glm::transpose(frame(from, from_second))));
 }
 
-Pose::Pose() { locals_.fill(glm::quat(1, 0, 0, 0)); }
+glm::quat part(glm::quat from, glm::quat to, float share)
+{
+    if (glm::dot(from, to) < 0) to = -to;
+    return glm::normalize(from * (1 - share) + to * share);
+}
+
+Pose::Pose()
+{
+    locals_.fill(glm::quat(1, 0, 0, 0));
+    shifts_.fill(glm::vec3(0));
+}
 
 glm::quat Pose::world(Bone bone) const
 {
@@ -47,7 +57,7 @@ glm::vec3 Pose::joint(Bone bone) const
     for (int b = index_of(bone); b >= 0; b = skeleton().parents[static_cast<size_t>(b)]) {
         const Bone at = static_cast<Bone>(b);
         if (at != bone) p = local(at) * p;
-        p += skeleton().offset(at) + (at == Bone::pelvis ? shift_ : glm::vec3(0));
+        p += skeleton().offset(at) + shift(at);
     }
     return p;
 }

@@ -24,20 +24,25 @@ inline glm::quat mirrored(glm::quat q) { return glm::quat(q.w, q.x, -q.y, -q.z);
 // The rotation that carries two directions (not parallel, the first exactly) to two others.
 glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second);
 
+// On the shorter way from one to another.
+glm::quat part(glm::quat from, glm::quat to, float share);
+
 class Pose
 {
 public:
     Pose();
 
     glm::quat local(Bone bone) const { return locals_[static_cast<size_t>(bone)]; }
-    glm::vec3 pelvis_shift() const { return shift_; }
+    glm::vec3 shift(Bone bone) const { return shifts_[static_cast<size_t>(bone)]; }
     void set(Bone bone, glm::quat rotation) { locals_[static_cast<size_t>(bone)] = rotation; }
     // Of the left bone; mirrored on the right.
     void set(Side side, Bone left, glm::quat rotation)
     {
         set(on(side, left), side == Side::left ? rotation : mirrored(rotation));
     }
-    void shift_pelvis(glm::vec3 metres) { shift_ = metres; }
+    // Off the place where the joint is in its parent.
+    void set_shift(Bone bone, glm::vec3 metres) { shifts_[static_cast<size_t>(bone)] = metres; }
+    void shift_pelvis(glm::vec3 metres) { set_shift(Bone::pelvis, metres); }
 
     glm::quat world(Bone bone) const;
     glm::vec3 joint(Bone bone) const;  // in model space
@@ -49,7 +54,7 @@ public:
 
 private:
     std::array<glm::quat, bone_count> locals_;
-    glm::vec3 shift_ = glm::vec3(0);
+    std::array<glm::vec3, bone_count> shifts_;
 };
 
 }  // namespace claque::figures

@@ -40,7 +40,7 @@ void stand_on(Pose &pose, Side side, const Footing &f)
     const glm::vec3 centre = rest_ankle * glm::vec3(1, 0, 1);
     const glm::vec3 ankle = centre + outwards * (pivot - centre + pitch(f.heel_up_deg) * (rest_ankle - pivot)) +
                             mirrored(glm::vec3(f.outwards, f.lift, f.ahead), side);
-    const glm::vec3 knee = outwards * glm::vec3(side == Side::left ? 0.10f : -0.10f, 0, 1);
+    const glm::vec3 knee = outwards * glm::vec3(side == Side::left ? f.knee_out : -f.knee_out, 0, 1);
     pose.reach(on(side, Bone::thigh), on(side, Bone::shin), on(side, Bone::foot), ankle, knee, glm::vec3(0, 0, 1));
     pose.set_world(on(side, Bone::foot), foot);
     if (f.heel_up_deg > 0) pose.set(on(side, Bone::toes), pitch(-f.heel_up_deg * f.toes_flat));

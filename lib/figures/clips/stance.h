@@ -14,6 +14,7 @@ struct Footing {
     float toes_flat = 1;            // 1: the toes stay level while the heel rises, 0: they follow the foot
     float lift = 0;                 // of the whole foot
     float yaw_deg = 0;              // toes outwards, beyond the rest pose
+    float knee_out = 0.10f;         // how far the knee points outwards for each metre ahead
 };
 
 // Turns thigh, shin, foot and toes so that the foot is there; the pelvis has to be placed before.

@@ -1,0 +1,31 @@
+// How a movement starts, holds and stops: shares of it over a clip's phase.
+#pragma once
+
+#include <cmath>
+
+#include "lib/figures/clips/pose.h"
+
+namespace claque::figures
+{
+
+// 0 up to `from`, 1 after `to`, without a jerk at either (no acceleration there).
+inline float ease(float from, float to, float x)
+{
+    const float t = (x - from) / (to - from);
+    return t <= 0 ? 0 : t >= 1 ? 1 : t * t * t * (10 + t * (6 * t - 15));
+}
+
+// Up between `from` and `full`, down again between `until` and `to`.
+inline float hold(float phase, float from, float full, float until, float to)
+{
+    return ease(from, full, phase) * (1 - ease(until, to, phase));
+}
+
+// `cycles` swells from 0 to 1 and back.
+inline float swell(float phase, int cycles = 1)
+{
+    const float s = std::sin(pi * static_cast<float>(cycles) * phase);
+    return s * s;
+}
+
+}  // namespace claque::figures

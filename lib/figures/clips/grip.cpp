@@ -1,0 +1,67 @@
+#include "lib/figures/clips/grip.h"
+
+#include <glm/geometric.hpp>
+
+#include "lib/figures/clips/stance.h"
+#include "lib/figures/mesh.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+glm::vec3 turned(glm::vec3 from, glm::vec3 to, float share)
+{
+    return glm::normalize(glm::normalize(from) * (1 - share) + glm::normalize(to) * share);
+}
+
+// Half of the part of a turn that is about `axis`.
+glm::quat half_twist(glm::quat q, glm::vec3 axis)
+{
+    if (q.w < 0) q = -q;
+    const glm::vec3 about = axis * glm::dot(glm::vec3(q.x, q.y, q.z), axis);
+    const glm::quat twist = glm::normalize(glm::quat(q.w, about.x, about.y, about.z));
+    return glm::normalize(glm::quat(twist.w + 1, twist.x, twist.y, twist.z));
+}
+
+}  // namespace
+
+Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc)
+{
+    Grip grip;
+    grip.wrist = from.wrist + (to.wrist - from.wrist) * share + arc * (4 * share * (1 - share));
+    grip.along = turned(from.along, to.along, share);
+    grip.back = turned(from.back, to.back, share);
+    grip.pole = turned(from.pole, to.pole, share);
+    grip.curl = from.curl + (to.curl - from.curl) * share;
+    return grip;
+}
+
+Grip clapping(float apart, glm::vec3 middle)
+{
+    constexpr float touching = 0.0205f;  // half the distance of the hands' middle planes when the palms meet
+    const float open = 18 * apart;
+    const glm::quat spread = yaw(open * 0.6f) * roll(-open * 0.4f);
+    Grip grip;
+    grip.along = spread * glm::normalize(glm::vec3(0, 0.66f, 0.75f));
+    grip.back = spread * glm::vec3(1, 0, 0);
+    grip.wrist = middle + glm::vec3(touching + 0.115f * apart, 0, 0) - glm::vec3(0, 0.66f, 0.75f) * 0.07f;
+    grip.pole = glm::vec3(0.85f, -0.75f, -0.30f);
+    grip.curl = -0.055f + 0.12f * apart;
+    return grip;
+}
+
+void take(Pose &pose, Side side, const Grip &grip)
+{
+    reach_hand(pose, side, grip.wrist, grip.pole);
+    glm::quat hand = carry(arm_direction(), arm_dorsal(), grip.along, grip.back);
+    if (side == Side::right) hand = mirrored(hand);
+    const Bone forearm = on(side, Bone::forearm);
+    const glm::quat in_forearm = glm::conjugate(pose.world(forearm)) * hand;
+    pose.set(forearm, glm::normalize(pose.local(forearm) * half_twist(in_forearm, mirrored(arm_direction(), side))));
+    pose.set_world(on(side, Bone::hand), hand);
+    curl_hand(pose, side, grip.curl);
+}
+
+}  // namespace claque::figures

@@ -1,0 +1,27 @@
+// Where a hand is and how it is held, always told for the left one.
+#pragma once
+
+#include "lib/figures/clips/pose.h"
+
+namespace claque::figures
+{
+
+struct Grip {
+    glm::vec3 wrist;
+    glm::vec3 along;  // from the wrist to the fingers
+    glm::vec3 back;   // out of the back of the hand
+    glm::vec3 pole;   // where the elbow points
+    float curl = 0;   // 0: flat, 1: fist
+};
+
+// On the way from one to another; in the middle the wrist is `arc` metres off the straight line.
+Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc = glm::vec3(0));
+
+// A hand before the chest that claps with its mirror image; they meet in `middle` where `apart` is 0, fingers up and
+// ahead, and open like a book up to 1.
+Grip clapping(float apart, glm::vec3 middle);
+
+// Reaches with arm, hand and fingers. The forearm takes half of the hand's turn about it, as its two bones do.
+void take(Pose &pose, Side side, const Grip &grip);
+
+}  // namespace claque::figures
