@@ -20,15 +20,15 @@ public:
 
     void expect() const
     {
+        for (size_t i = 0; i < theatre_.walkways.size(); ++i) walkway(i);
         for (size_t i = 0; i < theatre_.rows.size(); ++i) {
             row_before(i);
             step(i);
             stage(i);
             gangways(i);
         }
-        for (size_t i = 0; i < theatre_.walkways.size(); ++i) walkway(i);
-        seats();
         classes();
+        seats();
     }
 
 private:

@@ -1,0 +1,136 @@
+// The audience as a crowd: the same frame however it is reached, and neighbours that do not move alike.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "samples/scenes/eye.h"
+#include "samples/scenes/odeon/audience.h"
+
+namespace
+{
+
+using namespace scenes;
+
+const Theatre &odeon()
+{
+    static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    return theatre;
+}
+
+// Seen from the stage, without GL.
+class House
+{
+public:
+    explicit House(uint32_t count = 300) : library_(1), audience_(library_, odeon(), casting(count))
+    {
+        clq_view *made = nullptr;
+        check(clq_view_create(audience_.crowd(), &made));
+        view_.reset(made);
+    }
+    uint64_t at(double time_s)
+    {
+        const clq_camera camera = look({0, 9, 8}, {0, 4, -10}, 65, 4.0 / 3.0, 0.3, 500);
+        check(clq_view_look(view_.get(), &camera));
+        audience_.act(time_s);
+        clq_view *views[] = {view_.get()};
+        check(clq_crowd_update(audience_.crowd(), time_s, views, 1));
+        return clq_view_hash(view_.get());
+    }
+    Audience &audience() { return audience_; }
+
+private:
+    static Casting casting(uint32_t count)
+    {
+        Casting casting;
+        casting.count = count;
+        return casting;
+    }
+    Library library_;
+    Audience audience_;
+    Own<clq_view> view_;
+};
+
+TEST(audience, a_frame_is_the_same_however_it_is_reached)
+{
+    House forward, backward;
+    const std::vector<double> times = {0.0, 1.3, 2.6, 7.9, 33.1, 250.0};
+    std::vector<uint64_t> there, back;
+    for (size_t i = 0; i < times.size(); ++i) there.push_back(forward.at(times[i]));
+    for (size_t i = times.size(); i-- > 0;) back.insert(back.begin(), backward.at(times[i]));
+    EXPECT_EQ(there, back);
+    House alone;
+    EXPECT_EQ(alone.at(times[3]), there[3]);
+    EXPECT_NE(there[3], there[4]);
+}
+
+TEST(audience, equal_castings_make_equal_crowds)
+{
+    House one, other, fewer(299);
+    EXPECT_EQ(clq_crowd_fingerprint(one.audience().crowd()), clq_crowd_fingerprint(other.audience().crowd()));
+    EXPECT_NE(clq_crowd_fingerprint(one.audience().crowd()), clq_crowd_fingerprint(fewer.audience().crowd()));
+}
+
+TEST(audience, wears_three_figures_with_every_clip)
+{
+    House house;
+    EXPECT_EQ(house.audience().templates().size(), 3u);
+    EXPECT_EQ(clq_crowd_actor_count(house.audience().crowd()), 300u);
+}
+
+TEST(audience, neighbours_do_not_move_alike)
+{
+    Library library(1);
+    const Audience audience(library, odeon(), [] {
+        Casting casting;
+        casting.count = 1020;
+        return casting;
+    }());
+    const auto alike = [&](size_t a, size_t b, double t) {
+        const Playing p = playing_at(audience.members()[a], t), q = playing_at(audience.members()[b], t);
+        return p.act == q.act && std::abs((t - p.begin_s) * p.speed - (t - q.begin_s) * q.speed) < 0.1;
+    };
+    size_t pairs = 0, once = 0;
+    for (size_t i = 1; i < audience.members().size(); ++i) {
+        bool always = true;
+        for (const double t : {2.0, 9.0, 30.0}) {
+            const bool same = alike(i - 1, i, t);
+            always = always && same;
+            once += same;
+            ++pairs;
+        }
+        EXPECT_FALSE(always) << i;
+    }
+    EXPECT_LT(once, pairs / 50);
+}
+
+// Far away poses are renewed four times a second: what they show of a clip is never of before its beginning.
+TEST(audience, nobody_shows_the_end_of_a_clip_that_has_just_begun)
+{
+    Theatre theatre = odeon();
+    Library library(1);
+    Casting casting;
+    casting.count = 1020;
+    Audience audience(library, theatre, casting);
+    clq_view *made = nullptr;
+    check(clq_view_create(audience.crowd(), &made));
+    const Own<clq_view> view(made);
+    const clq_camera camera = look({0, 40, 70}, {0, 4, -10}, 65, 4.0 / 3.0, 0.3, 500);
+    check(clq_view_look(view.get(), &camera));
+    uint32_t begun = 0;
+    for (double t = 0; t < 3; t += 0.04) {
+        audience.act(t);
+        clq_view *views[] = {view.get()};
+        check(clq_crowd_update(audience.crowd(), t, views, 1));
+        for (uint32_t i = 0; i < 1020; ++i) {
+            clq_actor_info info = {};
+            const clq_actor actor = {i + 1, 1};
+            check(clq_actor_get_info(audience.crowd(), actor, &info));
+            if (!info.visible) continue;
+            EXPECT_GE(info.shown_s, info.play.start_s);
+            begun += t - info.play.start_s < 0.1;
+        }
+    }
+    EXPECT_GT(begun, 100u);
+}
+
+}  // namespace

@@ -1,0 +1,190 @@
+// People sit on their seats with their feet on the stone, and nobody is inside anybody.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "samples/scenes/odeon/audience.h"
+#include "samples/scenes/odeon/theatre_sense.h"
+#include "tests/scenes/body.h"
+
+namespace
+{
+
+using namespace scenes;
+using bodies::Body;
+using bodies::Capsule;
+
+const std::vector<std::string> figures = {"decurion", "patrician", "plebeian"};
+
+const Theatre &odeon()
+{
+    static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    return theatre;
+}
+
+Body &body(const std::string &figure)
+{
+    static std::map<std::string, std::unique_ptr<Body>> made;
+    std::unique_ptr<Body> &found = made[figure];
+    if (!found) found = std::make_unique<Body>(figure);
+    return *found;
+}
+
+// Where a sitter meets the stone, above its figure's own ground: under the hips, and under each foot.
+struct Contact {
+    double hips = 9, left = 9, right = 9;
+};
+
+Contact contact(const Body &posed)
+{
+    Contact c;
+    for (const glm::dvec3 &p : posed.vertices()) {
+        if (p.z > -0.52 && p.z < -0.28 && std::abs(p.x) < 0.2 && p.y > 0.2) c.hips = std::min(c.hips, p.y);
+        if (p.z > -0.12) (p.x > 0 ? c.left : c.right) = std::min(p.x > 0 ? c.left : c.right, p.y);
+    }
+    return c;
+}
+
+void expect_on_the_stone(const std::string &figure, float smallest, float tallest)
+{
+    Body &one = body(figure);
+    Seat seat;
+    seat.y = 5.0;
+    seat.step_y = 5.0 - sitting_height_m;
+    seat.facing_z = 1;
+    for (size_t act = 0; act < seated_count; ++act) {
+        const uint32_t clip = one.clip(clip_name(static_cast<Act>(act)));
+        for (double t = 0; t < one.duration_s(clip); t += 0.1) {
+            one.pose(clip, t);
+            const Contact met = contact(one);
+            for (const float scale : {smallest, 1.0f, tallest}) {
+                const double ground = sit_down(seat, 0, scale).position[1];
+                const auto at = [&](double y) { return ground + static_cast<double>(scale) * y; };
+                const std::string when = figure + " " + clip_name(static_cast<Act>(act)) + " at " + std::to_string(t);
+                EXPECT_NEAR(at(met.hips), seat.y, 0.03) << when << ", scale " << scale;
+                EXPECT_NEAR(at(met.left), seat.step_y, 0.015) << when << ", scale " << scale;
+                EXPECT_NEAR(at(met.right), seat.step_y, 0.015) << when << ", scale " << scale;
+            }
+        }
+    }
+}
+
+struct Posed {
+    std::vector<glm::dvec3> vertices;
+    std::vector<Capsule> capsules;
+};
+
+Posed posed(const Member &member, const std::string &figure, const clq_place &place, double time_s)
+{
+    Body &one = body(figure);
+    const Playing now = playing_at(member, time_s);
+    one.pose(one.clip(clip_name(now.act)), (time_s - now.begin_s) * now.speed);
+    Posed out;
+    for (const glm::dvec3 &p : one.vertices()) out.vertices.push_back(bodies::placed(place, p));
+    for (Capsule c : one.capsules()) {
+        c.from = bodies::placed(place, c.from);
+        c.to = bodies::placed(place, c.to);
+        c.radius *= static_cast<double>(place.scale);
+        out.capsules.push_back(c);
+    }
+    return out;
+}
+
+// The deepest that a vertex of one lies in a limb of the other, in metres; negative where none does.
+double overlap(const Posed &a, const Posed &b)
+{
+    double deepest = -1;
+    for (const glm::dvec3 &p : a.vertices)
+        for (const Capsule &c : b.capsules) deepest = std::max(deepest, bodies::depth(c, p));
+    for (const glm::dvec3 &p : b.vertices)
+        for (const Capsule &c : a.capsules) deepest = std::max(deepest, bodies::depth(c, p));
+    return deepest;
+}
+
+struct Crush {
+    double deepest = -1;
+    uint32_t pairs = 0, inside = 0;
+    std::string who;
+};
+
+// Everybody of every `stride`th seat with those beside and behind, in theatres whose seats and rows may be narrower.
+Crush crush(const Theatre &theatre, size_t stride, const std::vector<double> &times)
+{
+    const std::vector<Seat> seats = seats_of(theatre);
+    const std::vector<Sitter> people = seat_people(theatre, seats, 0, 1);
+    const auto member = [&](const Sitter &s) {
+        Member m;
+        m.seed = 1;
+        m.who = s.seat;
+        m.x = seats[s.seat].x;
+        m.z = seats[s.seat].z;
+        const std::string &figure = theatre.classes[s.social_class].figure;
+        m.manners = figure == "decurion" ? Manners::grave : figure == "patrician" ? Manners::gracious : Manners::hearty;
+        for (size_t a = 0; a < act_count; ++a)
+            m.duration_s[a] = body(figure).duration_s(body(figure).clip(clip_name(static_cast<Act>(a))));
+        return m;
+    };
+    Crush found;
+    for (size_t i = 0; i < people.size(); i += stride)
+        for (size_t k = 0; k < people.size(); ++k) {
+            const Seat &a = seats[people[i].seat], &b = seats[people[k].seat];
+            if (i == k || b.row < a.row || b.row > a.row + 1 || std::hypot(a.x - b.x, a.z - b.z) > 1.1) continue;
+            for (const double t : times) {
+                const double deep = overlap(
+                    posed(member(people[i]), theatre.classes[people[i].social_class].figure, people[i].place, t),
+                    posed(member(people[k]), theatre.classes[people[k].social_class].figure, people[k].place, t));
+                ++found.pairs;
+                found.inside += deep > 0;
+                if (deep <= found.deepest) continue;
+                found.deepest = deep;
+                found.who = "seats " + std::to_string(people[i].seat) + " and " + std::to_string(people[k].seat) +
+                            " at " + std::to_string(t);
+            }
+        }
+    return found;
+}
+
+TEST(bodies, a_decurion_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_stone("decurion", 0.97f, 1.03f); }
+TEST(bodies, a_patrician_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_stone("patrician", 0.93f, 0.98f); }
+TEST(bodies, a_plebeian_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_stone("plebeian", 0.97f, 1.03f); }
+
+TEST(bodies, nobody_is_inside_anybody)
+{
+    const Crush found = crush(odeon(), 9, {2.0, 11.7, 23.4, 58.0});
+    EXPECT_GT(found.pairs, 1000u);
+    EXPECT_LE(found.deepest, 0.0) << found.who << ", " << found.inside << " of " << found.pairs;
+}
+
+TEST(bodies, the_test_finds_people_who_sit_fifteen_centimetres_too_near)
+{
+    Theatre narrow = odeon();
+    narrow.seat_width_m -= 0.15;
+    EXPECT_GT(crush(narrow, 40, {2.0}).inside, 5u);
+}
+
+TEST(bodies, clips_that_follow_each_other_join)
+{
+    for (const std::string &figure : figures) {
+        Body &one = body(figure);
+        const auto vertices = [&](Act act, bool end) {
+            const uint32_t clip = one.clip(clip_name(act));
+            one.pose(clip, end ? one.duration_s(clip) : 0.0);
+            return one.vertices();
+        };
+        const std::vector<glm::dvec3> seat = vertices(Act::sit, false), up = vertices(Act::stand, false);
+        for (size_t a = 0; a < act_count; ++a) {
+            const Act act = static_cast<Act>(a);
+            const bool seated = a < seated_count;
+            const std::vector<glm::dvec3> begin = vertices(act, false), end = vertices(act, true);
+            for (size_t v = 0; v < seat.size(); ++v) {
+                const glm::dvec3 from = seated || act == Act::rise ? seat[v] : up[v];
+                const glm::dvec3 to = seated || act == Act::sit_down ? seat[v] : up[v];
+                ASSERT_LT(glm::length(begin[v] - from), 0.01) << figure << " " << clip_name(act) << " begins";
+                ASSERT_LT(glm::length(end[v] - to), 0.01) << figure << " " << clip_name(act) << " ends";
+            }
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,51 @@
+// A built-in figure as a body in the world: its vertices, and capsules in its limbs.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "lib/figures/figure.h"
+#include "lib/pose/pose.h"
+#include "samples/scenes/check.h"
+
+namespace bodies
+{
+
+struct Capsule {
+    glm::dvec3 from, to;
+    double radius;
+    const char *name;
+};
+
+// Of the vertex `p`: how deep it lies inside; negative outside.
+double depth(const Capsule &capsule, const glm::dvec3 &p);
+
+class Body
+{
+public:
+    explicit Body(const std::string &figure);
+
+    uint32_t clip(const std::string &name) const;
+    double duration_s(uint32_t clip) const;
+    void pose(uint32_t clip, double time_s);
+
+    // In the figure's own space, of the last pose.
+    const std::vector<glm::dvec3> &vertices() const { return vertices_; }
+    std::vector<Capsule> capsules() const;
+
+private:
+    glm::dvec3 joint(const char *name) const;
+
+    claque::model::Model model_;
+    claque::pose::Workspace workspace_;
+    scenes::Own<clq_context> context_;
+    scenes::Own<clq_asset> asset_;
+    std::vector<float> xyz_;
+    std::vector<glm::dvec3> vertices_;
+};
+
+// From the figure's space to the world.
+glm::dvec3 placed(const clq_place &place, const glm::dvec3 &p);
+
+}  // namespace bodies

@@ -1,0 +1,123 @@
+// Programmes: a function of seed, individual and time; whole clips, one after the other; most of them quiet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "samples/scenes/odeon/programme.h"
+
+namespace
+{
+
+using namespace scenes;
+
+Member member(uint64_t who, Manners manners = Manners::hearty)
+{
+    Member m;
+    m.seed = 7;
+    m.who = who;
+    m.x = 0.65 * static_cast<double>(who % 40);
+    m.z = -8 - 0.78 * static_cast<double>(who / 40);
+    m.manners = manners;
+    m.duration_s = {4.0, 5.2, 6.1, 5.0, 3.1, 2.9, 3.3, 2.6, 1.7, 4.4, 2.4, 2.2, 2.8, 3.0, 1.8};
+    return m;
+}
+
+bool up(Act act) { return act >= Act::stand && act <= Act::stand_laugh; }
+
+void expect_same(const Playing &a, const Playing &b)
+{
+    EXPECT_EQ(a.act, b.act);
+    EXPECT_EQ(a.begin_s, b.begin_s);
+    EXPECT_EQ(a.end_s, b.end_s);
+    EXPECT_EQ(a.speed, b.speed);
+}
+
+TEST(programme, is_made_of_whole_clips_one_after_the_other)
+{
+    for (uint64_t who = 0; who < 50; ++who) {
+        const Member m = member(who);
+        Playing now = playing_at(m, -100);
+        EXPECT_TRUE(now.begin_s <= -100 && -100 < now.end_s);
+        while (now.end_s < 200) {
+            EXPECT_NEAR((now.end_s - now.begin_s) * now.speed, m.duration_s[static_cast<size_t>(now.act)], 1e-9);
+            const Playing next = playing_at(m, now.end_s + 1e-6);
+            EXPECT_NEAR(next.begin_s, now.end_s, 1e-9);
+            expect_same(playing_at(m, (now.begin_s + now.end_s) / 2), now);
+            now = next;
+        }
+    }
+}
+
+TEST(programme, rises_before_it_stands_and_sits_down_after)
+{
+    uint32_t risen = 0;
+    for (uint64_t who = 0; who < 400; ++who) {
+        const Member m = member(who);
+        Act before = playing_at(m, 0).act;
+        for (double t = playing_at(m, 0).end_s + 1e-6; t < 300; t = playing_at(m, t).end_s + 1e-6) {
+            const Act act = playing_at(m, t).act;
+            EXPECT_EQ(up(act) || act == Act::sit_down, up(before) || before == Act::rise);
+            risen += act == Act::rise;
+            before = act;
+        }
+    }
+    EXPECT_GT(risen, 100u);
+}
+
+TEST(programme, speeds_stay_near_one)
+{
+    for (uint64_t who = 0; who < 300; ++who)
+        for (double t = 0; t < 400; t += 31) {
+            const double speed = playing_at(member(who), t).speed;
+            EXPECT_GT(speed, 0.84);
+            EXPECT_LT(speed, 1.16);
+        }
+}
+
+TEST(programme, is_known_at_any_time)
+{
+    for (const double t : {-1e7, -0.001, 0.0, 1e7, 3e9}) {
+        const Playing now = playing_at(member(3), t);
+        EXPECT_TRUE(now.begin_s <= t && t < now.end_s) << t;
+    }
+}
+
+TEST(programme, most_sit_quietly_and_a_few_stand)
+{
+    std::map<Act, uint32_t> seen;
+    uint32_t all = 0, quiet = 0, standing = 0;
+    for (uint64_t who = 0; who < 1000; ++who)
+        for (double t = 0; t < 300; t += 7.3) {
+            const Act act = playing_at(member(who, static_cast<Manners>(who % 3)), t).act;
+            ++seen[act];
+            ++all;
+            quiet += act <= Act::talk;
+            standing += act >= Act::rise;
+        }
+    EXPECT_EQ(seen.size(), act_count) << "every clip is played by somebody";
+    EXPECT_GT(quiet, all * 55 / 100);
+    EXPECT_LT(quiet, all * 85 / 100);
+    EXPECT_GT(standing, all * 1 / 100);
+    EXPECT_LT(standing, all * 7 / 100);
+}
+
+TEST(programme, neighbours_applaud_together_more_than_strangers)
+{
+    double together = 0, strangers = 0, applauding = 0, samples = 0;
+    for (double t = 0; t < 400; t += 5)
+        for (uint64_t who = 0; who + 1 < 400; ++who) {
+            if (who % 40 == 39) continue;
+            const bool here = playing_at(member(who), t).act == Act::applaud;
+            const bool beside = playing_at(member(who + 1), t).act == Act::applaud;
+            const bool later = playing_at(member(who + 1), t + 1000).act == Act::applaud;
+            together += here && beside;
+            strangers += here && later;
+            applauding += here;
+            ++samples;
+        }
+    EXPECT_GT(applauding / samples, 0.05);
+    EXPECT_GT(together, 1.5 * strangers);
+}
+
+}  // namespace

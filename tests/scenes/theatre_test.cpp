@@ -1,0 +1,178 @@
+// Descriptions of theatres that make no sense are refused by one sentence with file, line or row, and the numbers.
+#include <gtest/gtest.h>
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/odeon/theatre.h"
+
+namespace
+{
+
+using namespace scenes;
+
+std::string refusal(const std::string &toml)
+{
+    try {
+        read_theatre(toml, "mine.toml");
+    } catch (const Failure &failure) {
+        return failure.what();
+    }
+    return "read";
+}
+
+// The description that comes with claque with the first `was` after `after` changed.
+std::string changed(const std::string &after, const std::string &was, const std::string &is)
+{
+    std::string text = odeon_description();
+    const size_t from = text.find(after), at = text.find(was, from);
+    EXPECT_NE(at, std::string::npos) << was;
+    return text.replace(at, was.size(), is);
+}
+
+void expect_refused(const std::string &toml, const std::vector<std::string> &words)
+{
+    const std::string sentence = refusal(toml);
+    EXPECT_EQ(sentence.rfind("mine.toml:", 0), 0u) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    for (const std::string &word : words) EXPECT_NE(sentence.find(word), std::string::npos) << word << ": " << sentence;
+}
+
+const std::string lower = "ima cavea", middle = "lower half", upper = "upper half", walkway = "[[walkways]]",
+                  stairs = "[[gangways]]", dyes = "[[audience.classes]]";
+
+}  // namespace
+
+TEST(theatre, the_description_that_comes_with_claque_is_read)
+{
+    const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    ASSERT_EQ(theatre.rows.size(), 18u);
+    EXPECT_DOUBLE_EQ(theatre.rows[1].radius_m, 7.68);
+    EXPECT_NEAR(theatre.rows[8].seat_y_m, 4.30, 1e-9);
+    EXPECT_NEAR(theatre.rows[8].step_y_m, 3.87, 1e-9);
+    EXPECT_EQ(theatre.rows[17].who, "plebeians");
+    ASSERT_EQ(theatre.gangways.size(), 10u);
+    EXPECT_EQ(theatre.gangways[9].first_row, 9u);
+    ASSERT_EQ(theatre.classes.size(), 3u);
+    EXPECT_EQ(theatre.classes[1].figure, "patrician");
+    ASSERT_EQ(theatre.classes[2].dyes.size(), 2u);
+    for (const SocialClass &one : theatre.classes) EXPECT_EQ(one.count, 340u);
+}
+
+TEST(theatre, what_is_no_toml_is_refused_with_its_line)
+{
+    expect_refused("name = \"x\"\nthis is no key\n", {"mine.toml:2:", "no TOML"});
+    expect_refused(std::string("name = \"\x01\""), {"no TOML"});
+}
+
+TEST(theatre, what_is_missing_is_named)
+{
+    expect_refused("", {"'name'"});
+    expect_refused(changed("[orchestra]", "radius_m = 6.2", ""), {"[orchestra]", "lacks 'radius_m'"});
+    expect_refused(changed(middle, "depth_m = 0.78", ""), {"[[rows]] 2", "lacks 'depth_m'"});
+    expect_refused(changed(dyes, "figure = \"decurion\"", ""), {"[[audience.classes]] 1", "lacks 'figure'"});
+}
+
+TEST(theatre, without_a_description_of_its_audience_is_refused)
+{
+    const std::string text = odeon_description();
+    expect_refused(text.substr(0, text.find("[audience]")), {"audience", "[[audience.classes]]"});
+    expect_refused(text.substr(0, text.find(dyes)), {"names nobody"});
+}
+
+TEST(theatre, without_seats_is_refused)
+{
+    const std::string text = odeon_description();
+    expect_refused(text.substr(0, text.find("[[rows]]")) + text.substr(text.find("[[walkways]]")), {"no seats"});
+}
+
+TEST(theatre, an_unknown_key_is_named_with_those_there_are)
+{
+    expect_refused(changed(lower, "sweep_deg", "sweep"), {"lacks 'sweep_deg'"});
+    expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.43\nslope = 3"),
+                   {"unknown key 'slope'", "depth_m", ":24:"});
+    expect_refused("colour = 1\n" + odeon_description(), {"mine.toml:1:", "unknown key 'colour'"});
+}
+
+TEST(theatre, wrong_types_are_named)
+{
+    expect_refused(changed(lower, "radius_m = 6.9", "radius_m = \"wide\""), {"'radius_m'", "a text", "number"});
+    expect_refused(changed(lower, "count = 9", "count = 9.5"), {"'count'", "whole"});
+    expect_refused(changed(lower, "who = \"decurions\"", "who = 3"), {"'who'", "a whole number", "text"});
+    expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 0.0, 97.0]"), {"'sweep_deg'", "[first, last]"});
+    expect_refused("audience = 1\n" + odeon_description().substr(0, odeon_description().find("[audience]")),
+                   {"'audience'", "table"});
+    expect_refused(changed(dyes, "{ hue = [340.0, 50.0], saturation = [0.40, 0.80], brightness = [0.50, 0.70] }", "2"),
+                   {"'tunic'", "table"});
+}
+
+TEST(theatre, numbers_that_are_not_finite_or_absurd_are_refused)
+{
+    expect_refused(changed(lower, "radius_m = 6.9", "radius_m = inf"), {"'radius_m' = inf", "not finite"});
+    expect_refused(changed(lower, "seat_y_m = 0.86", "seat_y_m = nan"), {"'seat_y_m'", "not finite"});
+    expect_refused(changed(lower, "radius_m = 6.9", "radius_m = 1e9"), {"1e+09", "1 to 200"});
+    expect_refused(changed("[seats]", "width_m = 0.65", "width_m = 0"), {"'width_m' = 0", "0.64"});
+    expect_refused(changed("[seats]", "width_m = 0.65", "width_m = -1"), {"'width_m' = -1"});
+    expect_refused(changed(lower, "count = 9", "count = 0"), {"'count' = 0"});
+    expect_refused(changed(lower, "count = 9", "count = -9"), {"'count' = -9"});
+    expect_refused(changed(lower, "count = 9", "count = 9000000000000"), {"'count' = 9e+12"});
+    expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.9"), {"'rise_m' = 0.9", "0.46"});
+    expect_refused(changed(lower, "[-97.0, 97.0]", "[-197.0, 97.0]"), {"-197", "-180 to 180"});
+    expect_refused(changed(lower, "[-97.0, 97.0]", "[97.0, -97.0]"), {"97 to -97", "backwards"});
+    expect_refused(changed(dyes, "saturation = [0.40, 0.80]", "saturation = [0.40, 1.80]"), {"1.8", "0 to 1"});
+    expect_refused(changed(dyes, "saturation = [0.40, 0.80]", "saturation = [0.80, 0.40]"), {"wrong way round"});
+}
+
+TEST(theatre, rows_that_overlap_are_refused_with_their_numbers)
+{
+    expect_refused(changed(upper, "radius_m = 19.6", "radius_m = 19.1"),
+                   {"row 14", "row 15", "overlap", "19.6", "19.1"});
+    expect_refused(changed(lower, "depth_m = 0.78", "depth_m = 0.98"), {"walkway 1", "row 8", "13.92", "14.74"});
+}
+
+TEST(theatre, rows_that_descend_are_refused)
+{
+    expect_refused(changed(upper, "seat_y_m = 7.74", "seat_y_m = 6.0"), {"row 15", "6 m", "row 14", "7.31"});
+}
+
+TEST(theatre, a_row_without_a_step_for_its_feet_is_refused)
+{
+    expect_refused(changed(upper, "seat_y_m = 7.74", "seat_y_m = 8.0"), {"row 15", "step", "7.57", "7.31"});
+    expect_refused(changed(upper, "radius_m = 19.6", "radius_m = 20.2"),
+                   {"row 14", "row 15", "19.6", "20.2", "walkway"});
+    expect_refused(changed(middle, "radius_m = 15.7", "radius_m = 15.1"), {"row 10", "0.4 m of stone", "15"});
+    expect_refused(changed(lower, "radius_m = 6.9", "radius_m = 6.3"), {"row 1", "6.3", "6.2"});
+    expect_refused(changed(walkway, "y_m = 4.30", "y_m = 5.30"), {"row 10", "5.16", "5.3"});
+}
+
+TEST(theatre, a_walkway_through_seats_is_refused)
+{
+    expect_refused(changed(walkway, "inner_m = 13.92", "inner_m = 13.5"), {"walkway", "13.5", "13.92"});
+    expect_refused(changed(walkway, "outer_m = 15.0", "outer_m = 13.0"), {"walkway 1", "13.92", "13 m"});
+}
+
+TEST(theatre, gangways_that_make_no_sense_are_refused)
+{
+    expect_refused(changed(stairs, "-64.6", "-120.0"), {"gangway 1", "-120", "row 1", "-97"});
+    expect_refused(changed(stairs, "rows = [1, 9]", "rows = [1, 19]"), {"19", "1 to 18"});
+    expect_refused(changed(stairs, "rows = [1, 9]", "rows = [9, 1]"), {"row 9 to row 1"});
+    expect_refused(changed(stairs, "width_m = 0.85", "width_m = 8.0"), {"no seats", "row 1", "0.65"});
+    expect_refused(changed(stairs, "width_m = 0.85", "width_m = -1.0"), {"'width_m' = -1"});
+}
+
+TEST(theatre, a_row_on_the_stage_is_refused)
+{
+    expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 170.0]"), {"row 1", "170", "stage", "5.2"});
+}
+
+TEST(theatre, unknown_classes_and_figures_are_refused_with_their_row)
+{
+    expect_refused(changed(upper, "who = \"plebeians\"", "who = \"slaves\""), {"row 15", "'slaves'"});
+    expect_refused(changed(dyes, "figure = \"decurion\"", "figure = \"emperor\""), {"'emperor'", "patrician"});
+    expect_refused(changed("women of", "name = \"patricians\"", "name = \"decurions\""), {"second class 'decurions'"});
+}
+
+TEST(theatre, more_people_than_seats_are_refused_with_both_numbers)
+{
+    expect_refused(changed(dyes, "count = 340", "count = 391"), {"391 decurions", "390 seats", "rows 1, 2"});
+    EXPECT_EQ(refusal(changed(dyes, "count = 340", "count = 390")), "read");
+    expect_refused(changed(lower, "who = \"decurions\"", ""), {"340 decurions", "no row is theirs"});
+}
