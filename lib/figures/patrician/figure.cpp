@@ -59,11 +59,11 @@ Zones patrician_zones()
         {Zone::hair, {0.36f, 0.22f, 0.13f}, {14, 38, 0.38f, 0.72f, 0.16f, 0.66f}},
         {Zone::eyes, {0.95f, 0.93f, 0.90f}, {20, 220, 0.02f, 0.10f, 0.92f, 1.00f}},
         {Zone::lips, {0.80f, 0.38f, 0.36f}, {350, 10, 0.46f, 0.62f, 0.66f, 0.86f}},
-        {Zone::tunic, {0.62f, 0.24f, 0.30f}, {0, 360, 0.40f, 0.72f, 0.62f, 0.90f}},
+        {Zone::tunic, {0.62f, 0.24f, 0.30f}, {322, 150, 0.40f, 0.66f, 0.60f, 0.90f}},
         {Zone::belt, {0.85f, 0.62f, 0.20f}, {30, 60, 0.50f, 0.80f, 0.50f, 0.86f}},
-        {Zone::border, {0.90f, 0.66f, 0.22f}, {0, 360, 0.50f, 0.80f, 0.45f, 0.80f}},
+        {Zone::border, {0.90f, 0.66f, 0.22f}, {332, 48, 0.45f, 0.78f, 0.42f, 0.80f}},
         {Zone::sandals, {0.70f, 0.42f, 0.24f}, {8, 44, 0.45f, 0.72f, 0.40f, 0.75f}},
-        {Zone::outer, {0.24f, 0.34f, 0.62f}, {0, 360, 0.44f, 0.80f, 0.55f, 0.90f}},
+        {Zone::outer, {0.24f, 0.34f, 0.62f}, {170, 20, 0.42f, 0.74f, 0.46f, 0.86f}},
         {Zone::jewellery, {0.96f, 0.78f, 0.30f}, {40, 50, 0.55f, 0.72f, 0.88f, 1.00f}},
     };
 }
@@ -78,8 +78,7 @@ model::Model patrician_woman()
     figure.painter = paint_patrician;
     figure.layout = patrician_layout();
     figure.zones = patrician_zones();
-    figure.clips = {
-        {"stand", 180, stand_at}, {"walk", 33, walk_at}, {"applaud", 72, applaud_at}, {"cheer", 60, cheer_at}};
+    figure.clips = figure_clips();
     return assemble(figure);
 }
 

@@ -14,8 +14,13 @@ namespace
 // Lower face: what lies below the eyes is a little shorter.
 float height(glm::vec3 p)
 {
-    static const glm::vec2 heights[] = {{1.490f, 1.490f},   {1.517f, 1.5250f},  {1.530f, 1.5375f},
-                                        {1.5635f, 1.5680f}, {1.5970f, 1.6005f}, {1.6345f, 1.6345f}};
+    static const glm::vec2 heights[] = {{1.490f, 1.490f},
+                                        {1.517f, 1.5250f},
+                                        {1.530f, 1.5375f},
+                                        {1.5635f, 1.5680f},
+                                        {1.5970f, 1.6005f},
+                                        {1.6345f, 1.6345f},
+                                        {2, 2}};
     const float ahead = soft_step(-0.03f, 0.05f, p.z);
     return p.y + (profile(heights, p.y) - p.y) * ahead;
 }
@@ -24,7 +29,7 @@ glm::vec3 womans(glm::vec3 p)
 {
     const float x = std::fabs(p.x), nose = spot(glm::vec2(x, p.y), {0, 1.598f}, {0.034f, 0.040f});
     glm::vec3 q = p;
-    q.x *= 0.965f * (1 - 0.13f * soft_step(1.600f, 1.535f, p.y) * soft_step(-0.03f, 0.04f, p.z));
+    q.x *= 0.965f * (1 - 0.17f * soft_step(1.610f, 1.535f, p.y) * soft_step(-0.03f, 0.04f, p.z));
     if (p.z > 0.098f && x < 0.020f && p.y > 1.58f && p.y < 1.63f) q.x *= 0.84f;  // wings of the nose
     if (x < 0.013f) q.z -= 0.0065f * nose * soft_step(0.100f, 0.122f, p.z);
     q.z -= 0.0030f * spot(glm::vec2(x, p.y), {0.012f, 1.655f}, {0.040f, 0.020f});  // no ridge over the eyes
@@ -34,7 +39,6 @@ glm::vec3 womans(glm::vec3 p)
     q.y = height(p);
     const float neck = soft_step(1.560f, 1.505f, p.y + 0.45f * p.z);  // the nape reaches higher than the throat
     q.x *= 1 - 0.12f * neck;
-    q.z = q.z + (-0.020f - q.z) * 0.16f * neck;
     return q;
 }
 
@@ -45,7 +49,7 @@ glm::vec3 dressed(glm::vec3 p)
     const float front = soft_step(-0.030f, 0.045f, p.z);
     const float top = soft_step(1.728f, 1.746f, p.y);
     glm::vec3 q = p;
-    q.y += hair * front * (0.030f + 0.020f * top) + hair * (1 - front) * 0.012f;
+    q.y += hair * front * (0.024f + 0.014f * top) + hair * (1 - front) * 0.012f;
     q.z += hair * front * (0.007f - 0.004f * top);
     q.x *= 1 + hair * (0.06f + 0.10f * front * (1 - top));
     const float temple =
@@ -54,15 +58,49 @@ glm::vec3 dressed(glm::vec3 p)
     return q;
 }
 
+// The citizen's points under the chin and hers: a clear edge of the jaw, a slender throat, the pit between the collar
+// bones.
+struct Moved {
+    glm::vec3 from, to;
+};
+const std::array<Moved, 13> throat = {{
+    {{0, 1.497f, 0.044f}, {0, 1.466f, 0.044f}},
+    {{0.022f, 1.499f, 0.042f}, {0.022f, 1.468f, 0.040f}},
+    {{0.040f, 1.502f, 0.030f}, {0.038f, 1.474f, 0.024f}},
+    {{0.0500f, 1.504f, 0.014f}, {0.047f, 1.482f, 0.006f}},
+    {{0, 1.517f, 0.082f}, {0, 1.520f, 0.046f}},
+    {{0.019f, 1.519f, 0.079f}, {0.018f, 1.521f, 0.045f}},
+    {{0.034f, 1.525f, 0.068f}, {0.031f, 1.527f, 0.042f}},
+    {{0, 1.530f, 0.1025f}, {0, 1.5315f, 0.0975f}},
+    {{0.019f, 1.532f, 0.0980f}, {0.016f, 1.5325f, 0.0940f}},
+    {{0.0335f, 1.538f, 0.0850f}, {0.0285f, 1.5400f, 0.0805f}},
+    {{0.0460f, 1.532f, 0.052f}, {0.0420f, 1.538f, 0.050f}},
+    {{0.0560f, 1.498f, -0.012f}, {0.049f, 1.492f, -0.016f}},
+    {{0.0570f, 1.530f, 0.010f}, {0.0510f, 1.534f, 0.008f}},
+}};
+
+// Small and close to the head; hair covers the upper rim.
+glm::vec3 small_ear(glm::vec3 p)
+{
+    const glm::vec3 q = womans(p), root(0.0660f, 1.590f, 0);
+    return glm::vec3(root.x + (q.x - root.x) * 0.66f, root.y + (q.y - root.y) * 0.80f, q.z);
+}
+
 void shape(Mesh &mesh)
 {
-    for (Point &point : mesh.points) {
+    std::vector<uint8_t> ear(mesh.points.size(), 0);
+    for (const Face &face : mesh.faces)
+        for (const Corner &corner : face.corners) ear[corner.point] = face.chart != Chart::head;
+    for (size_t i = 0; i < mesh.points.size(); ++i) {
+        Point &point = mesh.points[i];
         const Side side = point.position.x >= 0 ? Side::left : Side::right;
         const glm::vec3 p = mirrored(point.position, side);
-        bool hem = false;
-        for (size_t i = 0; i < neckline.size(); ++i)
-            if (p == neckline[i]) point.position = mirrored(bodice_neckline[i], side), hem = true;
-        if (!hem) point.position = mirrored(dressed(womans(p)), side);
+        glm::vec3 to = ear[i] ? small_ear(p) : dressed(womans(p));
+        for (const Moved &moved : throat)
+            if (p == moved.from) to = moved.to;
+        for (size_t k = 0; k < neckline.size(); ++k)
+            if (p == neckline[k]) to = bodice_neckline[k];
+        point.position = mirrored(to, side);
     }
 }
 
@@ -70,19 +108,20 @@ void shape(Mesh &mesh)
 glm::vec2 spread(glm::vec2 st)
 {
     static const glm::vec2 across[] = {{0, 0}, {0.24f, 0.30f}, {0.34f, 0.40f}, {0.50f, 0.50f}};
-    static const glm::vec2 up[] = {{1.30f, 1.30f}, {1.50f, 1.43f}, {1.535f, 1.48f}, {1.665f, 1.70f}, {1.90f, 1.86f}};
+    static const glm::vec2 up[] = {{1.44f, 1.370f},  {1.50f, 1.455f}, {1.535f, 1.490f},
+                                   {1.665f, 1.680f}, {1.74f, 1.790f}, {1.90f, 1.900f}};
     return glm::vec2(st.x < 0 ? -profile(across, -st.x) : profile(across, st.x), profile(up, st.y));
 }
 
 void add_bun(Mesh &mesh)
 {
-    const glm::vec3 centre(0, 1.712f, -0.088f), back = glm::vec3(0, 0.18f, -0.984f), up(0, 0.984f, 0.18f);
+    const glm::vec3 centre(0, 1.712f, -0.078f), back(0, 0.40f, -0.917f), up(0, 0.917f, 0.40f);
     struct Ring {
         float out, radius, st;
     };
     Chain before;
     Chain last;
-    for (const Ring r : {Ring{-0.012f, 0.054f, 1.0f}, Ring{0.040f, 0.056f, 0.72f}, Ring{0.066f, 0.032f, 0.36f}}) {
+    for (const Ring r : {Ring{-0.024f, 0.054f, 1.0f}, Ring{0.042f, 0.055f, 0.72f}, Ring{0.066f, 0.032f, 0.36f}}) {
         Chain next;
         const std::vector<uint32_t> ring = add_ring(mesh, Region::head, Side::left, 7, centre + back * r.out,
                                                     {-1, 0, 0}, up, {r.radius, r.radius, r.radius, r.radius});
@@ -90,11 +129,11 @@ void add_bun(Mesh &mesh)
             const float angle = 6.28318531f * static_cast<float>(i) / static_cast<float>(ring.size());
             next.push_back({ring[i % ring.size()], r.st * glm::vec2(-std::sin(angle), -std::cos(angle))});
         }
-        if (!before.empty()) mesh.sew(bun, Winding::as_given, before, next, Along::s);
+        if (!before.empty()) mesh.sew(bun, Winding::reversed, before, next, Along::s);
         before = next;
     }
     before.pop_back();
-    mesh.cap(bun, Winding::as_given, before);
+    mesh.cap(bun, Winding::reversed, before);
 }
 
 void add_earring(Mesh &mesh, Side side)

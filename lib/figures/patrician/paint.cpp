@@ -74,7 +74,7 @@ Paint plain(const Texel &t)
     if (t.chart == bun) return paint_bun(t);
     if (t.chart == palla) return paint_palla(t);
     if (t.chart == earring || t.chart == on(Side::right, earring)) return earring_of(t);
-    return on_gown_palla(t) ? paint_gown_palla(t) : paint_stola(t);
+    return is_mantle(t) ? paint_mantle(t) : paint_stola(t);
 }
 
 }  // namespace

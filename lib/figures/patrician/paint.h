@@ -12,13 +12,16 @@ namespace patrician
 Paint paint_lady_head(const Texel &texel);  // face, neck, ears, and hair by the next
 Paint paint_hair(const Texel &texel);
 Paint paint_bun(const Texel &texel);
-Paint paint_stola(const Texel &texel);       // gown, bodice, sleeves
-Paint paint_palla(const Texel &texel);       // the band over the shoulder
-Paint paint_gown_palla(const Texel &texel);  // where the gown's surface is the palla
-bool on_gown_palla(const Texel &texel);
+Paint paint_stola(const Texel &texel);   // gown, bodice, sleeves
+Paint paint_palla(const Texel &texel);   // the band over the shoulder
+Paint paint_mantle(const Texel &texel);  // where gown, bodice and left sleeve are covered by the palla
+bool is_mantle(const Texel &texel);
 
 // Light and dark of a fold from noise in [0, 1): a bright ridge beside a dark furrow.
 float crease(float noise);
+
+// Noise round the body, `count` features in all, without a seam behind.
+float round_grain(float around, int count, float y, uint64_t layer);
 
 // Round the body like an angle, 0 in front, 4 at the back, negative on the right.
 float around_body(glm::vec3 p);

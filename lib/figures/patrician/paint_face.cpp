@@ -142,7 +142,6 @@ Paint paint_lady_head(const Texel &t)
 {
     const glm::vec3 p = t.position;
     if (t.chart != Chart::head) {
-        if (p.y > 1.634f) return paint_hair(t);
         const float hollow = spot(glm::vec2(p.z, p.y), {-0.004f, 1.618f}, {0.012f, 0.018f});
         return {222 - 60 * hollow, Zone::skin};
     }

@@ -11,29 +11,38 @@ namespace claque::figures::patrician
 namespace
 {
 
-float lower_edge(glm::vec3 p) { return 0.715f + 0.075f * p.x / 0.2f * 0.2f; }
+float lower_edge(glm::vec3 p) { return 0.610f + 0.32f * p.x; }
 float upper_edge(glm::vec3 p) { return 1.070f + 0.030f * p.x; }
+
+// Above the waist: below the line from the right hip to the left shoulder, before and behind.
+bool thrown_over(glm::vec3 p)
+{
+    const glm::vec2 hip(-0.172f, 1.055f), shoulder(0.095f, 1.450f), to = shoulder - hip;
+    return to.x * (p.y - hip.y) - to.y * (p.x - hip.x) < 0;
+}
 
 }  // namespace
 
-bool on_gown_palla(const Texel &t)
+bool is_mantle(const Texel &t)
 {
-    if (t.chart != gown_front && t.chart != gown_back && t.chart != bodice_front && t.chart != bodice_back)
-        return false;
     const glm::vec3 p = t.position;
-    return p.y > lower_edge(p) - 0.002f && p.y < upper_edge(p) + 0.004f;
+    if (t.chart == gown_front || t.chart == gown_back) return p.y > lower_edge(p) - 0.002f;
+    if (t.chart == bodice_front || t.chart == bodice_back) return p.y < upper_edge(p) + 0.004f || thrown_over(p);
+    return t.chart == Chart::sleeve || t.chart == palla;
 }
 
-Paint paint_gown_palla(const Texel &t)
+Paint paint_mantle(const Texel &t)
 {
     const glm::vec3 p = t.position;
-    const float a = around_body(p), low = p.y - lower_edge(p);
-    // Swags: folds hang in bows between the hips, lower on the right.
-    const float bow = (p.z > 0 ? 0.045f : 0.030f) * std::min(a * a, 4.0f);
-    const float line = p.y - bow - 0.10f * p.x + 0.02f * grain(a * 3, p.y * 6, 121);
-    float g = 222 + 30 * crease(grain(line * 15, a * 0.7f + 9, 122)) + 14 * crease(grain(line * 38, a * 1.6f + 9, 123));
-    g -= 30 * spot(upper_edge(p) - p.y, 0.012f);
-    if (low < 0.030f) return {g + 8 - 40 * spot(low - 0.030f, 0.005f), Zone::border};
+    // Folds hang in bows from the left shoulder to the right hip, flatter towards the hem.
+    static const glm::vec2 slopes[] = {{0.55f, 0.30f}, {0.80f, 0.40f}, {1.05f, 0.80f}, {1.30f, 1.40f}};
+    const float sag = 1.1f * (p.x + 0.02f) * (p.x + 0.02f);
+    const float line = p.y - profile(slopes, p.y) * p.x - sag + 0.03f * grain(p.x * 9 + p.z * 7, p.y * 6, 121);
+    const float across = p.x * 4 + p.z * 3 + 9;
+    float g = 222 + 34 * crease(grain(line * 13, across, 122)) + 16 * crease(grain(line * 36, across * 1.7f, 123));
+    const float low = p.y - lower_edge(p);
+    if (t.chart != gown_front && t.chart != gown_back) return {g, Zone::outer};
+    if (low < 0.022f) return {g + 8 - 40 * spot(low - 0.022f, 0.004f), Zone::border};
     return {g, Zone::outer};
 }
 
@@ -45,7 +54,7 @@ Paint paint_palla(const Texel &t)
     float g = 224 + 34 * crease(grain(along * 2.2f, (across + wander) * 2.6f, 125)) +
               18 * crease(grain(along * 4, (across + wander) * 6.5f, 126));
     g -= 26 * spot(across, 0.25f) + 26 * spot(across - 3, 0.25f);
-    if (across > 2.72f) return {g + 8 - 30 * spot(across - 2.72f, 0.05f), Zone::border};
+    if (across < 0.34f) return {g + 14, Zone::border};
     return {g, Zone::outer};
 }
 

@@ -25,6 +25,13 @@ float around_body(glm::vec3 p)
     return p.x < 0 ? -quarters : quarters;
 }
 
+float round_grain(float around, int count, float y, uint64_t layer)
+{
+    const float n = static_cast<float>(count), x = (around + 4) / 8 * n;
+    const float join = soft_step(n - 1, n, x);
+    return grain(x, y, layer) * (1 - join) + grain(x - n, y, layer) * join;
+}
+
 namespace
 {
 
@@ -49,10 +56,9 @@ float to_neckline(glm::vec3 p)
 float skirt(glm::vec3 p)
 {
     const float a = around_body(p);
-    const float down = (0.72f - p.y) / 0.68f;
-    const float wander = 0.20f * (grain(a * 2, p.y * 4, 111) - 0.5f);
-    const float broad = grain((a + wander) * 4.6f / (0.85f + 0.2f * down), p.y * 1.1f, 112);
-    const float fine = grain((a + wander) * 13, p.y * 1.6f, 113);
+    const float wander = 0.25f * (round_grain(a, 14, p.y * 4, 111) - 0.5f);
+    const float broad = round_grain(a + wander, 34, p.y * 1.1f, 112),
+                fine = round_grain(a + wander, 96, p.y * 1.6f, 113);
     float g = 224 + 32 * crease(broad) + 18 * crease(fine);
     g -= 60 * spot(p.y - 0.045f, 0.03f) * 0.5f;
     return g;
@@ -61,7 +67,7 @@ float skirt(glm::vec3 p)
 float bodice(glm::vec3 p)
 {
     const float a = around_body(p), up = p.y - girdle;
-    const float pleat = grain(a * 12 + 0.5f * grain(a * 4, p.y * 9, 114), p.y * 5, 115);
+    const float pleat = round_grain(a + 0.05f * round_grain(a, 32, p.y * 9, 114), 96, p.y * 5, 115);
     float g = 226 + 30 * crease(pleat) * soft_step(0.12f, 0.0f, std::fabs(up));
     if (p.z > 0) {  // soft round of the breasts, and the valley
         const glm::vec2 q(std::fabs(p.x), p.y);

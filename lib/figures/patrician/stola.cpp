@@ -30,8 +30,8 @@ const std::array<Row, 9> rows = {{
     {0.240f, 0.200f, 0.152f, 0.168f, 0.000f, 0.026f, 0},
     {0.380f, 0.188f, 0.142f, 0.158f, 0.000f, 0.018f, 0},
     {0.490f, 0.184f, 0.138f, 0.156f, 0.000f, 0.012f, 0},
-    {0.590f, 0.184f, 0.136f, 0.156f, 0.000f, 0.008f, 0},
-    {0.715f, 0.207f, 0.158f, 0.180f, 0.000f, 0.016f, 0.075f},  // the palla's lower edge
+    {0.545f, 0.184f, 0.136f, 0.156f, 0.000f, 0.008f, 0.20f},
+    {0.610f, 0.206f, 0.160f, 0.178f, 0.000f, 0.016f, 0.32f},  // the palla's lower edge
     {0.900f, 0.196f, 0.136f, 0.166f, -0.004f, 0.006f, 0.010f},
     {1.070f, 0.158f, 0.124f, 0.118f, -0.004f, 0.006f, 0.030f},  // its upper edge
     {1.196f, 0.136f, 0.104f, 0.098f, -0.006f, 0.003f, 0},       // girdle
@@ -80,7 +80,7 @@ Ring add_row(Mesh &mesh, const Row &row)
         const Side side = side_of(k);
         const glm::vec2 d = directions[half_of(k)];
         const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
-        const float across = mirrored(glm::vec3(d.x, 0, 0), side).x;
+        const float across = mirrored(glm::vec3(d.x * row.side, 0, 0), side).x;
         const glm::vec3 p(d.x * row.side * fold, row.y + row.slant * across,
                           row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
         ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? Region::gown : Region::torso, side);
@@ -147,25 +147,20 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
     const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
     for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
-    const auto chain = [&](float first, float last, float height) {
+    // Seen from outside, to the right: from the neck to the arm, or from the arm to the neck.
+    const auto chain = [&](int first, float height, bool outwards) {
         Chain c;
-        for (size_t i = 0; i < 3; ++i) {
-            const float x = first + (last - first) * static_cast<float>(i) / 2;
-            c.push_back({seam[left ? i : 2 - i], glm::vec2(x, height)});
-        }
+        for (size_t i = 0; i < 3; ++i)
+            c.push_back(
+                {seam[outwards ? i : 2 - i], glm::vec2(static_cast<float>(first) + static_cast<float>(i) / 2, height)});
         return c;
     };
     const auto at = [left](const Ring &ring, int k) {
         return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
     };
-    // Seen from outside both run to the right: in front from the neck outwards on the left side.
-    if (left) {
-        mesh.sew(bodice_front, Winding::as_given, span(high, 1, 2, t), chain(1, 2, t + 0.09f), Along::s);
-        mesh.sew(bodice_back, Winding::as_given, span(high, 4, 2, t), chain(4, 5, t + 0.08f), Along::s);
-    } else {
-        mesh.sew(bodice_front, Winding::as_given, span(high, -2, 2, t), chain(-2, -1, t + 0.09f), Along::s);
-        mesh.sew(bodice_back, Winding::as_given, span(high, 7, 2, t), chain(7, 8, t + 0.08f), Along::s);
-    }
+    const int front = left ? 1 : -2, back = left ? 4 : 7;
+    mesh.sew(bodice_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
+    mesh.sew(bodice_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
     add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)});
 }
 
