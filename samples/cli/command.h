@@ -12,10 +12,12 @@ namespace cli
 using Work = std::function<void()>;  // throws scenes::Failure
 
 void add_render(CLI::App &app, Work &chosen);
+void add_sheet(CLI::App &app, Work &chosen);
 void add_inspect(CLI::App &app, Work &chosen);
 void add_dump(CLI::App &app, Work &chosen);
 void add_split(CLI::App &app, Work &chosen);
 void add_prepare(CLI::App &app, Work &chosen);
 void add_bench(CLI::App &app, Work &chosen);
+void add_plot(CLI::App &app, Work &chosen);
 
 }  // namespace cli

@@ -42,11 +42,13 @@ int main(int argc, char **argv)
     app.failure_message(CLI::FailureMessage::simple);
     cli::Work chosen;
     cli::add_render(app, chosen);
+    cli::add_sheet(app, chosen);
     cli::add_inspect(app, chosen);
     cli::add_dump(app, chosen);
     cli::add_split(app, chosen);
     cli::add_prepare(app, chosen);
     cli::add_bench(app, chosen);
+    cli::add_plot(app, chosen);
 
     const int parsed = parse(app, argc, argv);
     if (parsed != 0) return parsed < 0 ? 0 : parsed;

@@ -218,13 +218,14 @@ void add_render(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<RenderArguments>();
     CLI::App *c = app.add_subcommand("render", "Draw a scene, one picture or a sequence");
-    std::string scene_names;
+    std::string abouts;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
-        scene_names += std::string(scene_names.empty() ? "" : "; ") + entry.name + ": " + entry.about;
+        abouts += std::string(abouts.empty() ? "" : "; ") + entry.name + ": " + entry.about;
     CLI::Option *file = c->add_option("FILE", a->stage.file,
                                       "Stand this character on a ground: glTF, GLB, prepared .clq, or a built-in "
                                       "figure's name (citizen, patrician ...)");
-    c->add_option("--scene", a->stage.scene, "A scene of built-in figures (default plaza). " + scene_names)
+    c->add_option("--scene", a->stage.scene, "A scene of built-in figures (default plaza). " + abouts)
+        ->check(scene_names())
         ->excludes(file);
     c->add_option("--count", a->stage.count,
                   "Individuals (default 400, of a FILE 12, of the odeon what its description says)")
@@ -250,12 +251,6 @@ void add_render(CLI::App &app, Work &chosen)
         ->required();
     c->add_option("--json", a->json, "Write counts, rates and times here; - is standard output");
     c->callback([a, &chosen] {
-        if (!a->stage.scene.empty()) {
-            std::vector<std::string> names;
-            for (const scenes::SceneEntry &entry : scenes::scene_entries()) names.push_back(entry.name);
-            const std::string wrong = CLI::IsMember(names)(a->stage.scene);
-            if (!wrong.empty()) throw CLI::ValidationError("--scene", wrong);
-        }
         check_usage(*a);
         chosen = [a] { render(*a); };
     });

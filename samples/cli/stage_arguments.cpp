@@ -41,7 +41,7 @@ void add_stage_options(CLI::App &command, StageArguments &a)
                 const std::string wrong = read_size(text, a.width, a.height);
                 if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
             },
-            "Of the picture in pixels (default 1024x768)")
+            "Of the picture in pixels (default " + std::to_string(a.width) + "x" + std::to_string(a.height) + ")")
         ->type_name("WxH");
     command
         .add_option("--camera", a.camera,
@@ -63,6 +63,13 @@ void add_stage_options(CLI::App &command, StageArguments &a)
     command
         .add_option("--threads", a.threads, "For the update, through oneTBB; may exceed the cores (default: the cores)")
         ->check(CLI::Range(1, 256));
+}
+
+CLI::IsMember scene_names()
+{
+    std::vector<std::string> names;
+    for (const scenes::SceneEntry &entry : scenes::scene_entries()) names.push_back(entry.name);
+    return CLI::IsMember(names);
 }
 
 int thread_count(const StageArguments &a)
@@ -94,10 +101,11 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     scenes::StageOptions options;
     options.scene = scene_of(a);
     options.character = loaded.tmpl ? loaded.character() : scenes::Character();
-    options.casting.count = a.count > 0                ? a.count
-                            : options.scene == "odeon" ? 0  // as many as its description says
-                            : a.file.empty()           ? 400
-                                                       : 12;
+    options.casting.count = a.count;
+    // A theatre's description says for itself how many there are.
+    if (a.count == 0 && a.theatre.empty())
+        for (const scenes::SceneEntry &entry : scenes::scene_entries())
+            if (options.scene == entry.name) options.casting.count = entry.default_count;
     options.casting.theatre_file = a.theatre;
     options.casting.seed = a.seed;
     options.casting.cache = cache_named(a.cache);
@@ -108,8 +116,8 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     if (!a.path.empty()) options.path.emplace(text_of(a.path), a.path);
     else if (options.shot == scenes::Shot::path)
         options.path.emplace(*scenes::recorded_path(options.scene), options.scene + "/path.toml");
-    options.width = a.width > 0 ? a.width : 1024;
-    options.height = a.height > 0 ? a.height : 768;
+    options.width = a.width;
+    options.height = a.height;
     options.context = a.context == "osmesa" ? contexts::Kind::osmesa
                       : a.context == "egl"  ? contexts::Kind::egl
                                             : contexts::Kind::any;

@@ -15,19 +15,22 @@ using Json = nlohmann::ordered_json;
 struct StageArguments {
     std::string file, scene;  // one or neither
     std::vector<std::string> hidden;
-    std::string path, theatre;              // files
-    std::string size = "1024x768", camera;  // camera empty: not given
+    std::string path, theatre;  // files
+    std::string camera;         // empty: not given
     std::string context = "any", format = "rgba8888";
     std::string variety = "fused", cache = "full";
     uint32_t count = 0;  // 0: not given
     uint64_t seed = 1, budget_mib = 0;
     int threads = 0;  // 0: as many as cores
 
-    int width = 0, height = 0;  // from `size`
+    int width = 1024, height = 768;
 };
 
 // Everything but the scene's own argument, the file and `count`.
 void add_stage_options(CLI::App &command, StageArguments &arguments);
+
+// Accepts the name of a scene.
+CLI::IsMember scene_names();
 
 int thread_count(const StageArguments &arguments);
 

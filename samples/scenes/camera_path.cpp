@@ -84,6 +84,8 @@ std::vector<PathSection> read_sections(Described &path, double first_s, double l
         d.done();
         const std::string span = "'" + s.name + "' from " + show(s.first_s) + " to " + show(s.last_s) + " s ";
         if (s.name.empty()) d.refuse("has no name");
+        for (const PathSection &other : sections)
+            if (other.name == s.name) d.refuse("has the name '" + s.name + "' of another one");
         if (!(s.last_s > s.first_s)) d.refuse(span + "ends before it begins");
         if (s.first_s < first_s || s.last_s > last_s)
             d.refuse(span + "is not within the key frames, which are from " + show(first_s) + " to " + show(last_s) +

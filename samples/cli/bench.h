@@ -1,0 +1,31 @@
+// What `bench` measures, and how it is said.
+#pragma once
+
+#include "samples/cli/stage_arguments.h"
+
+namespace cli
+{
+
+struct BenchArguments {
+    StageArguments stage;
+    std::string subject;
+    std::vector<uint32_t> counts = {100, 500, 1000};
+    std::vector<std::string> varieties = variety_names(), caches = cache_names();
+    int frames = 25;
+    bool json = false, markdown = false;
+};
+
+// A crowd of each size, frame by frame from the same camera. "runs": one per count, cache and variety.
+Json bench_by_count(const BenchArguments &arguments);
+void print_counts(const Json &report);
+
+// The sections of a camera path (S1 7). "sections": who is in view; "runs": one per section, cache and variety.
+Json bench_along_path(const BenchArguments &arguments);
+void print_sections(const Json &report);
+// The same as a paragraph and a table for a README.
+std::string markdown_of(const Json &report);
+
+// Throws scenes::Failure unless `now` is what the variants before it drew; `what` names what was drawn.
+void expect_same_picture(std::string &before, const std::string &now, const std::string &what);
+
+}  // namespace cli

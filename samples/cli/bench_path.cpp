@@ -1,0 +1,227 @@
+// claque bench along a camera path, in the manner of S1 7: each section by cache and by variety. Every frame is drawn in
+// all variants, one right after the other in turning order, so that what else the machine does hits them alike. Each
+// cache has a crowd of its own. Frames come in bursts, 1/25 s apart, spread over the section; before a burst each crowd
+// is updated once, unmeasured, a frame's time before, so that its caches hold what they would hold on the way.
+#include "samples/cli/bench.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/machine.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/stopwatch.h"
+
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+constexpr double frame_s = 1 / 25.0;
+constexpr int burst_frames = 5;
+
+struct Mean {
+    double sum = 0;
+    size_t count = 0;
+    void add(double value)
+    {
+        sum += value;
+        ++count;
+    }
+    double value() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
+};
+
+// One cache and one variety over one section.
+struct Variant {
+    Times update, setting, draw, frame;
+    Mean draws, triangles_sent, vertices_sent, animated, skinned;
+};
+
+// One cache: a crowd and a context of its own, whatever the variety.
+struct Rival {
+    std::string cache;
+    std::unique_ptr<scenes::Stage> stage;
+    std::vector<Variant> variants;  // by variety
+};
+
+struct Seen {
+    uint32_t least = UINT32_MAX, most = 0;
+    Mean people, triangles;
+    void note(const clq_view_stats &view)
+    {
+        least = std::min(least, view.visible);
+        most = std::max(most, view.visible);
+        people.add(view.visible);
+        triangles.add(view.triangles);
+    }
+};
+
+Json spread(const Times &times) { return {{"minimum", times.minimum()}, {"median", times.median()}}; }
+
+std::vector<std::vector<double>> bursts_of(const scenes::PathSection &section, int frames)
+{
+    const int count = (frames + burst_frames - 1) / burst_frames;
+    std::vector<std::vector<double>> bursts;
+    for (int b = 0; b < count; ++b) {
+        const int here = frames * (b + 1) / count - frames * b / count;
+        const double middle = section.first_s + (section.last_s - section.first_s) * (b + 0.5) / count;
+        bursts.emplace_back();
+        for (int f = 0; f < here; ++f) bursts.back().push_back(middle + (f - (here - 1) * 0.5) * frame_s);
+    }
+    return bursts;
+}
+
+class Race
+{
+public:
+    Race(const BenchArguments &a, scenes::Library &library, Progress &progress) : a_(a)
+    {
+        const LoadedCharacter nobody;
+        for (const std::string &cache : a.caches) {
+            progress.phase("preparing, cache " + cache);
+            StageArguments arguments = a.stage;
+            arguments.cache = cache;
+            const scenes::StageOptions options = stage_options(arguments, nobody);
+            rivals_.push_back({cache, std::make_unique<scenes::Stage>(library, options), {}});
+            // First draws of a renderer cost more than any later one.
+            rivals_.back().stage->update(options.path->first_s());
+            for (const std::string &variety : a.varieties) {
+                rivals_.back().stage->use_variety(variety_named(variety));
+                rivals_.back().stage->draw_setting();
+                rivals_.back().stage->draw_crowd();
+            }
+        }
+    }
+
+    const scenes::Stage &stage() const { return *rivals_.front().stage; }
+
+    void begin(const std::string &section)
+    {
+        section_ = section;
+        seen_ = {};
+        hashes_.clear();
+        for (Rival &rival : rivals_) rival.variants.assign(a_.varieties.size(), {});
+    }
+
+    void burst(const std::vector<double> &times_s)
+    {
+        for (Rival &rival : rivals_) {
+            rival.stage->make_current();
+            rival.stage->update(times_s.front() - frame_s);
+        }
+        for (const double time_s : times_s) {
+            stop_if_asked();
+            std::string hash;
+            for (size_t i = 0; i < rivals_.size(); ++i) frame(rivals_[(i + turn_) % rivals_.size()], time_s, hash);
+            hashes_.insert(hashes_.end(), hash.begin(), hash.end());
+            seen_.note(stage().view_stats());
+            ++turn_;
+        }
+    }
+
+    Json section_report(const scenes::PathSection &section) const
+    {
+        return {{"name", section.name},
+                {"first_s", section.first_s},
+                {"last_s", section.last_s},
+                {"people", {{"minimum", seen_.least}, {"mean", seen_.people.value()}, {"maximum", seen_.most}}},
+                {"triangles", seen_.triangles.value()},
+                {"pictures_hash", hex(scenes::hash_of(hashes_))}};
+    }
+
+    void report_runs(Json &runs) const
+    {
+        for (const Rival &rival : rivals_)
+            for (size_t v = 0; v < a_.varieties.size(); ++v) {
+                const Variant &variant = rival.variants[v];
+                runs.push_back({{"section", section_},
+                                {"cache", rival.cache},
+                                {"variety", a_.varieties[v]},
+                                {"update_ms", spread(variant.update)},
+                                {"setting_ms", spread(variant.setting)},
+                                {"draw_ms", spread(variant.draw)},
+                                {"frame_ms", spread(variant.frame)},
+                                {"draws", variant.draws.value()},
+                                {"triangles_sent", variant.triangles_sent.value()},
+                                {"vertices_sent", variant.vertices_sent.value()},
+                                {"animated", variant.animated.value()},
+                                {"skinned", variant.skinned.value()}});
+            }
+    }
+
+private:
+    // One update, which is the same for every variety, and a picture in each.
+    void frame(Rival &rival, double time_s, std::string &hash)
+    {
+        scenes::Stage &stage = *rival.stage;
+        stage.make_current();
+        const Stopwatch updating;
+        stage.update(time_s);
+        const double update_ms = updating.ms();
+        const clq_crowd_stats stats = stage.crowd_stats();
+        for (size_t i = 0; i < a_.varieties.size(); ++i) {
+            const size_t v = (i + turn_) % a_.varieties.size();
+            Variant &variant = rival.variants[v];
+            stage.use_variety(variety_named(a_.varieties[v]));
+            const Stopwatch setting;
+            stage.draw_setting();
+            stage.gl().Finish();
+            const double setting_ms = setting.ms();
+            const Stopwatch drawing;
+            const clq_draw_stats drawn = stage.draw_crowd();
+            const double draw_ms = drawing.ms();
+            variant.update.ms.push_back(update_ms);
+            variant.setting.ms.push_back(setting_ms);
+            variant.draw.ms.push_back(draw_ms);
+            variant.frame.ms.push_back(update_ms + setting_ms + draw_ms);
+            variant.draws.add(drawn.draws);
+            variant.triangles_sent.add(static_cast<double>(drawn.triangles));
+            variant.vertices_sent.add(static_cast<double>(drawn.vertices));
+            variant.animated.add(stats.animated);
+            variant.skinned.add(stats.skinned);
+            expect_same_picture(hash, hex(scenes::hash_of(stage.read())),
+                                "section '" + section_ + "' at " + std::to_string(time_s) + " s with cache " +
+                                    rival.cache + " and variety " + a_.varieties[v]);
+        }
+    }
+
+    const BenchArguments &a_;
+    std::vector<Rival> rivals_;
+    std::string section_;
+    Seen seen_;
+    std::vector<uint8_t> hashes_;  // of every picture of the section
+    size_t turn_ = 0;
+};
+
+}  // namespace
+
+Json bench_along_path(const BenchArguments &a)
+{
+    Progress progress("claque bench");
+    scenes::Library library(thread_count(a.stage));
+    Race race(a, library, progress);
+    const std::vector<scenes::PathSection> &sections = race.stage().path()->sections();
+    if (sections.empty()) throw scenes::Failure(a.stage.path + ": the camera path has no sections to measure");
+    Json report = {{"claque", version()},
+                   {"scene", scene_of(a.stage)},
+                   {"count", race.stage().crowd_stats().actor_count},
+                   {"size_px", {a.stage.width, a.stage.height}},
+                   {"threads", thread_count(a.stage)},
+                   {"context", race.stage().context_name()},
+                   {"machine", machine()},
+                   {"frames", a.frames},
+                   {"burst_frames", std::min(a.frames, burst_frames)}};
+    report["sections"] = Json::array();
+    report["runs"] = Json::array();
+    for (const scenes::PathSection &section : sections) {
+        race.begin(section.name);
+        const std::vector<std::vector<double>> bursts = bursts_of(section, a.frames);
+        for (size_t b = 0; b < bursts.size(); ++b) {
+            race.burst(bursts[b]);
+            progress.step(report["sections"].size() * bursts.size() + b + 1, sections.size() * bursts.size());
+        }
+        report["sections"].push_back(race.section_report(section));
+        race.report_runs(report["runs"]);
+    }
+    return report;
+}
+
+}  // namespace cli

@@ -1,0 +1,111 @@
+// A bench along a path as tables: one for a terminal, one for a README.
+#include "samples/cli/bench.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace cli
+{
+namespace
+{
+
+std::string with_digits(double value, int digits)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+// Three digits that say something.
+std::string figure(double ms) { return with_digits(ms, ms < 9.995 ? 2 : ms < 99.95 ? 1 : 0); }
+
+std::string spread(const Json &times)
+{
+    return figure(times["minimum"].get<double>()) + " / " + figure(times["median"].get<double>());
+}
+
+std::string people(const Json &section)
+{
+    const Json &p = section["people"];
+    return with_digits(p["mean"].get<double>(), 0) + " (" + std::to_string(p["minimum"].get<unsigned>()) + " to " +
+           std::to_string(p["maximum"].get<unsigned>()) + ")";
+}
+
+std::string words(const Json &report, const char *name) { return report[name].get<std::string>(); }
+
+std::string conditions(const Json &report)
+{
+    return std::to_string(report["size_px"][0].get<int>()) + " x " + std::to_string(report["size_px"][1].get<int>()) +
+           ", " + std::to_string(report["threads"].get<int>()) + " threads, " + words(report, "context") + ", " +
+           words(report["machine"], "processor") + " with " +
+           std::to_string(report["machine"]["cores"].get<unsigned>()) + " cores";
+}
+
+const Json *run_of(const Json &report, const std::string &section, const std::string &cache, const std::string &variety)
+{
+    for (const Json &run : report["runs"])
+        if (words(run, "section") == section && words(run, "cache") == cache && words(run, "variety") == variety)
+            return &run;
+    return nullptr;
+}
+
+// What runs of a section have, in the order in which it first appears.
+std::vector<std::string> different(const Json &report, const char *name)
+{
+    std::vector<std::string> found;
+    for (const Json &run : report["runs"])
+        if (std::find(found.begin(), found.end(), words(run, name)) == found.end()) found.push_back(words(run, name));
+    return found;
+}
+
+}  // namespace
+
+void print_sections(const Json &report)
+{
+    std::printf("%s, %u people, %s, %d frames a section\n", words(report, "scene").c_str(),
+                report["count"].get<unsigned>(), conditions(report).c_str(), report["frames"].get<int>());
+    for (const Json &section : report["sections"]) {
+        const std::string name = words(section, "name");
+        std::printf("\n%s: %s people in view, %.0f triangles, pictures %s\n", name.c_str(), people(section).c_str(),
+                    section["triangles"].get<double>(), words(section, "pictures_hash").c_str());
+        std::printf("%-10s %-9s %17s %17s %17s %17s %9s %9s %9s\n", "cache", "variety", "update ms", "setting ms",
+                    "draw ms", "frame ms", "animated", "draws", "sent");
+        for (const Json &r : report["runs"])
+            if (words(r, "section") == name)
+                std::printf("%-10s %-9s %17s %17s %17s %17s %9.0f %9.0f %9.0f\n", words(r, "cache").c_str(),
+                            words(r, "variety").c_str(), spread(r["update_ms"]).c_str(),
+                            spread(r["setting_ms"]).c_str(), spread(r["draw_ms"]).c_str(),
+                            spread(r["frame_ms"]).c_str(), r["animated"].get<double>(), r["draws"].get<double>(),
+                            r["triangles_sent"].get<double>());
+    }
+    std::printf("\nTimes are minimum / median.\n");
+}
+
+std::string markdown_of(const Json &report)
+{
+    const std::vector<std::string> caches = different(report, "cache"), varieties = different(report, "variety");
+    std::string text = "Measured with `claque bench " + words(report, "scene") + " --frames " +
+                       std::to_string(report["frames"].get<int>()) + "`: " + conditions(report) + ". " +
+                       std::to_string(report["count"].get<unsigned>()) +
+                       " people; every frame is drawn in all variants, which give the same picture, by hash. "
+                       "Milliseconds a frame, minimum / median; *update* is the library, *draw* the renderer with GL, "
+                       "*setting* all that is not people.\n\n| section | people in view | caches | update | animated |";
+    for (const std::string &variety : varieties) text += " draw " + variety + " |";
+    text += " setting | frames a second, " + varieties.back() + " |\n|---|---|---|---|---|";
+    for (size_t i = 0; i < varieties.size(); ++i) text += "---|";
+    text += "---|---|\n";
+    for (const Json &section : report["sections"])
+        for (const std::string &cache : caches) {
+            const std::string name = words(section, "name");
+            const Json &last = *run_of(report, name, cache, varieties.back());
+            text += "| " + name + " | " + people(section) + " | " + cache + " | " + spread(last["update_ms"]) + " | " +
+                    with_digits(last["animated"].get<double>(), 0) + " |";
+            for (const std::string &variety : varieties)
+                text += " " + spread((*run_of(report, name, cache, variety))["draw_ms"]) + " |";
+            text += " " + spread(last["setting_ms"]) + " | " +
+                    with_digits(1000 / last["frame_ms"]["median"].get<double>(), 1) + " |\n";
+        }
+    return text;
+}
+
+}  // namespace cli
