@@ -48,7 +48,8 @@ CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, c
  * walk, applaud, cheer; sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave (4 to 9 s, loops
  * that begin and end in one pose and so may follow one another; the seat's top is 0.43 m above the feet, its front edge
  * 0.14 m behind the origin); rise and sit_down (2 s, once, from that pose to the beginning of stand and back);
- * stand_wave, stand_laugh (begin and end as stand). Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. */
+ * stand_wave, stand_laugh, stand_applaud, stand_cheer (begin and end as stand).
+ * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
 CLQ_API void clq_asset_destroy(clq_asset *asset);
 

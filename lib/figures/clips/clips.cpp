@@ -72,7 +72,9 @@ const std::vector<ClipMaker> &figure_clips()
                                                {"rise", 54, rise_at, Ending::open},
                                                {"sit_down", 63, sit_down_at, Ending::open},
                                                {"stand_wave", 120, stand_wave_at},
-                                               {"stand_laugh", 150, stand_laugh_at}};
+                                               {"stand_laugh", 150, stand_laugh_at},
+                                               {"stand_applaud", 150, stand_applaud_at},
+                                               {"stand_cheer", 120, stand_cheer_at}};
     return all;
 }
 

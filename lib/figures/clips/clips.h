@@ -50,6 +50,8 @@ Pose sit_down_at(float phase);
 // Begin and end in stand_at(0).
 Pose stand_wave_at(float phase);
 Pose stand_laugh_at(float phase);
+Pose stand_applaud_at(float phase);
+Pose stand_cheer_at(float phase);
 
 // Adds a clip: translations of the pelvis and of every node that ever leaves its place, rotations of all that turn.
 void add_clip(model::Rig &rig, const ClipMaker &maker);

@@ -149,9 +149,9 @@ private:
 
 const char *clip_name(Act act)
 {
-    constexpr const char *names[act_count] = {"sit",       "sit_lean",  "sit_look",   "sit_talk",    "sit_applaud",
-                                              "sit_cheer", "sit_laugh", "sit_wave",   "rise",        "stand",
-                                              "applaud",   "cheer",     "stand_wave", "stand_laugh", "sit_down"};
+    constexpr const char *names[act_count] = {
+        "sit",  "sit_lean", "sit_look",      "sit_talk",    "sit_applaud", "sit_cheer",   "sit_laugh", "sit_wave",
+        "rise", "stand",    "stand_applaud", "stand_cheer", "stand_wave",  "stand_laugh", "sit_down"};
     return names[static_cast<size_t>(act)];
 }
 

@@ -1,0 +1,42 @@
+// Applauding and cheering on one's feet for a while: out of `stand`, into the loops of applaud and cheer, and back.
+#include <cmath>
+
+#include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/ease.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+// Bone by bone: the feet of the three stances are within a centimetre, and the legs between them keep them there.
+Pose between_poses(const Pose &from, const Pose &to, float share)
+{
+    Pose pose;
+    for (int b = 0; b < bone_count; ++b) {
+        const Bone bone = static_cast<Bone>(b);
+        pose.set(bone, part(from.local(bone), to.local(bone), share));
+        pose.set_shift(bone, from.shift(bone) + (to.shift(bone) - from.shift(bone)) * share);
+    }
+    return pose;
+}
+
+float loop(float phase, int loops)
+{
+    return phase * static_cast<float>(loops) - std::floor(phase * static_cast<float>(loops));
+}
+
+}  // namespace
+
+Pose stand_applaud_at(float phase)
+{
+    return between_poses(stand_at(phase), applaud_at(loop(phase, 2)), hold(phase, 0.02f, 0.18f, 0.82f, 0.98f));
+}
+
+Pose stand_cheer_at(float phase)
+{
+    return between_poses(stand_at(phase), cheer_at(loop(phase, 2)), hold(phase, 0.02f, 0.22f, 0.78f, 0.98f));
+}
+
+}  // namespace claque::figures
