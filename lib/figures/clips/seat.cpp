@@ -18,8 +18,8 @@ constexpr glm::vec3 hips_on_seat(0, seat_height_m + 0.072f, -0.400f);  // middle
 // How the quarters of the skirt lie against the thighs of a sitter, left side: the lap's cloth sinks towards the knees
 // and is pushed up and out by the thighs' outer sides, what is below the thighs comes up to them, and both are drawn in
 // at the hem, since a skirt is wider than the thighs together.
-constexpr float lap_deg = 8.3f, lap_up_deg = 10, below_deg = -5, inwards_deg = 5;
-constexpr glm::vec3 lap_shift(0.020f, 0, -0.030f), below_shift(0, -0.010f, -0.050f);
+constexpr float lap_deg = 7.5f, lap_up_deg = 10, below_deg = -5, lap_in_deg = 8, below_in_deg = 3;
+constexpr glm::vec3 lap_shift(0.036f, 0, -0.030f), below_shift(0, -0.010f, -0.050f);
 
 void put_hips(Pose &pose, glm::vec3 hips, glm::quat pelvis)
 {
@@ -57,8 +57,8 @@ void drape_lap(Pose &pose)
         if (raised == 0) continue;
         // About the bone's own axes, as it hangs: Y runs along the thigh.
         const auto own = [side](glm::quat left) { return side == Side::left ? left : mirrored(left); };
-        const glm::quat lap = roll(-inwards_deg) * yaw(-lap_up_deg) * pitch(lap_deg);
-        const glm::quat below = roll(-inwards_deg) * pitch(below_deg);
+        const glm::quat lap = roll(-lap_in_deg) * yaw(-lap_up_deg) * pitch(lap_deg);
+        const glm::quat below = roll(-below_in_deg) * pitch(below_deg);
         const Bone front = on(side, Bone::skirt_front), back = on(side, Bone::skirt_back);
         pose.set(front, part(pose.local(front), thigh * own(lap), raised));
         pose.set(back, part(pose.local(back), thigh * own(below), raised));
