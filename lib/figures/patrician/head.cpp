@@ -120,7 +120,6 @@ void add_bun(Mesh &mesh)
         float out, radius, st;
     };
     Chain before;
-    Chain last;
     for (const Ring r : {Ring{-0.024f, 0.054f, 1.0f}, Ring{0.042f, 0.055f, 0.72f}, Ring{0.066f, 0.032f, 0.36f}}) {
         Chain next;
         const std::vector<uint32_t> ring = add_ring(mesh, Region::head, Side::left, 7, centre + back * r.out,
@@ -129,7 +128,8 @@ void add_bun(Mesh &mesh)
             const float angle = 6.28318531f * static_cast<float>(i) / static_cast<float>(ring.size());
             next.push_back({ring[i % ring.size()], r.st * glm::vec2(-std::sin(angle), -std::cos(angle))});
         }
-        if (!before.empty()) mesh.sew(bun, Winding::reversed, before, next, Along::s);
+        for (size_t i = 0; i + 1 < before.size(); ++i)
+            mesh.sew(bun, Winding::reversed, {before[i], before[i + 1]}, {next[i], next[i + 1]}, Along::s);
         before = next;
     }
     before.pop_back();

@@ -14,9 +14,10 @@ namespace
 float lower_edge(glm::vec3 p) { return 0.610f + 0.32f * p.x; }
 float upper_edge(glm::vec3 p) { return 1.070f + 0.030f * p.x; }
 
-// Above the waist: below the line from the right hip to the left shoulder, before and behind.
+// Above the waist: behind, below the line from the right hip to the left shoulder; in front, towards the left arm.
 bool thrown_over(glm::vec3 p)
 {
+    if (p.z > -0.005f) return p.x > 0.100f;
     const glm::vec2 hip(-0.172f, 1.055f), shoulder(0.095f, 1.450f), to = shoulder - hip;
     return to.x * (p.y - hip.y) - to.y * (p.x - hip.x) < 0;
 }

@@ -25,12 +25,11 @@ struct Row {
 };
 
 // Rows stand close about the knees, where a sitter's cloth turns.
-const std::array<Row, 9> rows = {{
+const std::array<Row, 8> rows = {{
     {0.040f, 0.222f, 0.172f, 0.180f, 0.000f, 0.034f, 0},  // hem
     {0.240f, 0.200f, 0.152f, 0.168f, 0.000f, 0.026f, 0},
-    {0.380f, 0.188f, 0.142f, 0.158f, 0.000f, 0.018f, 0},
-    {0.490f, 0.184f, 0.138f, 0.156f, 0.000f, 0.012f, 0},
-    {0.545f, 0.184f, 0.136f, 0.156f, 0.000f, 0.008f, 0.20f},
+    {0.370f, 0.188f, 0.142f, 0.158f, 0.000f, 0.018f, 0},
+    {0.520f, 0.184f, 0.136f, 0.156f, 0.000f, 0.012f, 0.20f},
     {0.610f, 0.206f, 0.160f, 0.178f, 0.000f, 0.016f, 0.32f},  // the palla's lower edge
     {0.900f, 0.196f, 0.136f, 0.166f, -0.004f, 0.006f, 0.010f},
     {1.070f, 0.158f, 0.124f, 0.118f, -0.004f, 0.006f, 0.030f},  // its upper edge
@@ -168,7 +167,7 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
 
 void add_stola(Mesh &mesh)
 {
-    constexpr size_t waist = 7;  // from here up it is the bodice
+    constexpr size_t waist = 6;  // from here up it is the bodice
     std::vector<Ring> rings;
     std::vector<float> heights;
     for (const Row &row : rows) rings.push_back(add_row(mesh, row)), heights.push_back(row.y);
