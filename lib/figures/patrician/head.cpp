@@ -29,7 +29,7 @@ glm::vec3 womans(glm::vec3 p)
 {
     const float x = std::fabs(p.x), nose = spot(glm::vec2(x, p.y), {0, 1.598f}, {0.034f, 0.040f});
     glm::vec3 q = p;
-    q.x *= 0.965f * (1 - 0.17f * soft_step(1.610f, 1.535f, p.y) * soft_step(-0.03f, 0.04f, p.z));
+    q.x *= 0.965f * (1 - 0.23f * soft_step(1.612f, 1.538f, p.y) * soft_step(-0.03f, 0.04f, p.z));
     if (p.z > 0.098f && x < 0.020f && p.y > 1.58f && p.y < 1.63f) q.x *= 0.84f;  // wings of the nose
     if (x < 0.013f) q.z -= 0.0065f * nose * soft_step(0.100f, 0.122f, p.z);
     q.z -= 0.0030f * spot(glm::vec2(x, p.y), {0.012f, 1.655f}, {0.040f, 0.020f});  // no ridge over the eyes
@@ -38,7 +38,7 @@ glm::vec3 womans(glm::vec3 p)
     q.z -= 0.0050f * spot(glm::vec2(x, p.y), {0, 1.528f}, {0.050f, 0.024f});       // small chin
     q.y = height(p);
     const float neck = soft_step(1.560f, 1.505f, p.y + 0.45f * p.z);  // the nape reaches higher than the throat
-    q.x *= 1 - 0.12f * neck;
+    q.x *= 1 - 0.24f * neck;
     return q;
 }
 
@@ -49,9 +49,9 @@ glm::vec3 dressed(glm::vec3 p)
     const float front = soft_step(-0.030f, 0.045f, p.z);
     const float top = soft_step(1.728f, 1.746f, p.y);
     glm::vec3 q = p;
-    q.y += hair * front * (0.024f + 0.014f * top) + hair * (1 - front) * 0.012f;
+    q.y += hair * front * (0.018f + 0.013f * top) + hair * (1 - front) * 0.012f;
     q.z += hair * front * (0.007f - 0.004f * top);
-    q.x *= 1 + hair * (0.06f + 0.10f * front * (1 - top));
+    q.x *= 1 + hair * (0.06f + front * (0.10f - 0.03f * top));
     const float temple =
         spot(glm::vec2(p.z, p.y), {0.010f, 1.668f}, {0.060f, 0.050f}) * soft_step(0.05f, 0.07f, std::fabs(p.x));
     q.x *= 1 + 0.10f * temple;
@@ -67,16 +67,16 @@ const std::array<Moved, 13> throat = {{
     {{0, 1.497f, 0.044f}, {0, 1.466f, 0.044f}},
     {{0.022f, 1.499f, 0.042f}, {0.022f, 1.468f, 0.040f}},
     {{0.040f, 1.502f, 0.030f}, {0.038f, 1.474f, 0.024f}},
-    {{0.0500f, 1.504f, 0.014f}, {0.047f, 1.482f, 0.006f}},
+    {{0.0500f, 1.504f, 0.014f}, {0.0410f, 1.482f, 0.006f}},
     {{0, 1.517f, 0.082f}, {0, 1.520f, 0.046f}},
     {{0.019f, 1.519f, 0.079f}, {0.018f, 1.521f, 0.045f}},
     {{0.034f, 1.525f, 0.068f}, {0.031f, 1.527f, 0.042f}},
     {{0, 1.530f, 0.1025f}, {0, 1.5315f, 0.0975f}},
     {{0.019f, 1.532f, 0.0980f}, {0.016f, 1.5325f, 0.0940f}},
     {{0.0335f, 1.538f, 0.0850f}, {0.0285f, 1.5400f, 0.0805f}},
-    {{0.0460f, 1.532f, 0.052f}, {0.0420f, 1.538f, 0.050f}},
-    {{0.0560f, 1.498f, -0.012f}, {0.049f, 1.492f, -0.016f}},
-    {{0.0570f, 1.530f, 0.010f}, {0.0510f, 1.534f, 0.008f}},
+    {{0.0460f, 1.532f, 0.052f}, {0.0385f, 1.539f, 0.050f}},
+    {{0.0560f, 1.498f, -0.012f}, {0.0425f, 1.490f, -0.016f}},
+    {{0.0570f, 1.530f, 0.010f}, {0.0490f, 1.540f, 0.010f}},
 }};
 
 // Small and close to the head; hair covers the upper rim.

@@ -50,18 +50,18 @@ bool is_brow(glm::vec2 q)
     return q.x > 0.0130f && q.x < 0.0520f && std::fabs(q.y - profile(middle, q.x)) < half;
 }
 
-constexpr float mouth_half = 0.0232f, mouth_y = 1.5680f;
+constexpr float mouth_half = 0.0218f, mouth_y = 1.5680f;
 float mouth_line(float x)
 {
-    return mouth_y + 0.0018f * (x / mouth_half) * (x / mouth_half) - 0.0010f * spot(x, 0.005f);
+    return mouth_y + 0.0026f * (x / mouth_half) * (x / mouth_half) - 0.0010f * spot(x, 0.006f);
 }
 
 bool is_lip(glm::vec2 q)
 {
     const float u = q.x / mouth_half;
     if (u > 1) return false;
-    const float top = mouth_y + 0.0092f * (1 - u * u) - 0.0020f * spot(q.x, 0.0062f) + 0.0016f * u * u;
-    const float bottom = mouth_y - 0.0108f * std::sqrt(1 - u * u) * (1 - 0.25f * u) + 0.0016f * u * u;
+    const float top = mouth_y + 0.0092f * (1 - u * u) - 0.0020f * spot(q.x, 0.0062f) + 0.0022f * u * u;
+    const float bottom = mouth_y - 0.0108f * std::sqrt(1 - u * u) * (1 - 0.25f * u) + 0.0022f * u * u;
     return q.y < top && q.y > bottom;
 }
 
@@ -78,7 +78,7 @@ float skin_of_face(glm::vec2 q, glm::vec3 n)
     g -= 10 * spot(q, {0.0300f, 1.6220f}, {0.016f, 0.0060f});                        // under the eye
     g -= 14 * spot(q, {0.0125f, 1.608f}, {0.0060f, 0.022f});                         // side of the nose
     g -= 12 * spot(q, {0.0560f, 1.574f}, {0.020f, 0.026f});                          // hollow of the cheek
-    g -= 20 * spot(to_segment(q, {0.0150f, 1.6015f}, {0.0155f, 1.5935f}), 0.0032f);  // wing of the nose
+    g -= 14 * spot(to_segment(q, {0.0145f, 1.6000f}, {0.0150f, 1.5945f}), 0.0042f);  // wing of the nose
     g -= 16 * spot(q, {0, 1.5835f}, {0.0032f, 0.0060f});                             // groove of the upper lip
     g -= 30 * spot(q, {0, 1.5870f}, {0.0130f, 0.0045f}) * soft_step(0.3f, -0.4f, n.y);
     g -= 22 * spot(q, {0, 1.5545f}, {0.0160f, 0.0050f});        // below the lower lip

@@ -15,7 +15,10 @@ float hair_edge(glm::vec3 p)
                                       {-0.006f, 1.630f}, {0.014f, 1.620f},  {0.024f, 1.624f},  {0.036f, 1.644f},
                                       {0.050f, 1.662f},  {0.070f, 1.675f},  {0.095f, 1.690f},  {0.106f, 1.696f}};
     const float jag = grain(p.x * 190 + 40, p.z * 150, 101) - 0.5f;
-    return profile(sides, p.z) + 0.003f * jag;
+    // Over the brow ringlets lap over the edge.
+    const float lap = std::fabs(p.x) * 68 + 0.5f - std::floor(std::fabs(p.x) * 68 + 0.5f) - 0.5f;
+    const float scallop = 0.0055f * (1 - 4 * lap * lap) * soft_step(0.050f, 0.075f, p.z);
+    return profile(sides, p.z) + 0.002f - scallop + 0.003f * jag;
 }
 
 namespace
@@ -32,7 +35,7 @@ float curls(float u, float v)
     const float r = std::sqrt(x * x + y * y), size = 0.24f + 0.10f * other;
     const float lit = 0.55f + 0.45f * (y * 1.6f - x * 0.6f);  // light from above
     const float strand = grain(across * 5 + y * 9, v * 6 - x * 9, 103);
-    return 150 + 26 * (own - 0.5f) + 74 * spot(r - size, 0.24f) * lit - 44 * spot(r, 0.15f) -
+    return 192 + 26 * (own - 0.5f) + 74 * spot(r - size, 0.24f) * lit - 44 * spot(r, 0.15f) -
            40 * soft_step(0.40f, 0.62f, r) + 40 * (strand - 0.5f);
 }
 
@@ -59,7 +62,7 @@ Paint paint_hair(const Texel &t)
     const float wave = 0.12f * std::sin(p.z * 160);
     const float strand = grain((turn + wave) * 22, p.z * 16, 104);
     const float lock = grain((turn + wave) * 7, p.z * 10, 105);
-    return {156 + 58 * strand + 44 * lock - 22 * (1 - edge) - 70 * spot(back, 0.012f), Zone::hair};
+    return {178 + 50 * strand + 44 * lock - 22 * (1 - edge) - 70 * spot(back, 0.012f), Zone::hair};
 }
 
 Paint paint_bun(const Texel &t)
@@ -74,7 +77,7 @@ Paint paint_bun(const Texel &t)
     const float along = angle * (4 + 4 * std::floor(coil));
     const float plait = std::fabs(std::fmod(std::fabs(along + (across > 0.5f ? across : 1 - across) * 2), 1.0f) - 0.5f);
     const float round = 1 - 4 * (across - 0.5f) * (across - 0.5f);
-    return {110 + 92 * round + 50 * plait + 24 * (grain(angle * 40, r * 40, 106) - 0.5f), Zone::hair};
+    return {136 + 84 * round + 50 * plait + 24 * (grain(angle * 40, r * 40, 106) - 0.5f), Zone::hair};
 }
 
 }  // namespace claque::figures::patrician
