@@ -79,7 +79,8 @@ model::Model citizen()
 
 const std::vector<Builtin> &builtins()
 {
-    static const std::vector<Builtin> all = {{"citizen", citizen}, {"patrician", patrician_woman}};
+    static const std::vector<Builtin> all = {
+        {"citizen", citizen}, {"patrician", patrician_woman}, {"decurion", decurion_man}};
     return all;
 }
 

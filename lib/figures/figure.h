@@ -27,6 +27,10 @@ model::Model citizen();
 // hair dressed high. Ten zones: the citizen's, outer (the palla) and jewellery.
 model::Model patrician_woman();
 
+// A decurion: an older, stout town councillor in a toga to the shins over a tunic. Nine zones: the citizen's without
+// the belt, outer (the toga) and jewellery (a signet ring).
+model::Model decurion_man();
+
 struct Builtin {
     const char *name;
     model::Model (*make)();

@@ -1,0 +1,52 @@
+// The balteus, a roll of gathered cloth in a loop from under the right arm over the left shoulder and slantwise down
+// the back, and the lappet that hangs down the left front. Their edges lie in the dress: neither has an inside.
+#include <glm/geometric.hpp>
+
+#include "lib/figures/decurion/decurion.h"
+
+namespace claque::figures::decurion
+{
+
+namespace
+{
+
+// From the edge towards neck and right over two ridges to the edge towards arm and left.
+using Station = std::array<glm::vec3, 4>;
+
+const std::array<Station, 10> stations = {{
+    // right side, where the loop begins and ends
+    {{{-0.164f, 1.190f, 0.006f}, {-0.196f, 1.162f, 0.004f}, {-0.210f, 1.102f, 0.004f}, {-0.186f, 1.040f, 0.004f}}},
+    {{{-0.112f, 1.218f, 0.090f}, {-0.140f, 1.188f, 0.134f}, {-0.150f, 1.126f, 0.146f}, {-0.128f, 1.060f, 0.120f}}},
+    {{{-0.012f, 1.278f, 0.122f}, {-0.006f, 1.252f, 0.176f}, {0.004f, 1.186f, 0.196f}, {0.010f, 1.116f, 0.166f}}},
+    {{{0.040f, 1.346f, 0.110f}, {0.062f, 1.328f, 0.164f}, {0.106f, 1.266f, 0.154f}, {0.122f, 1.190f, 0.098f}}},
+    {{{0.060f, 1.404f, 0.088f}, {0.084f, 1.400f, 0.134f}, {0.134f, 1.372f, 0.120f}, {0.166f, 1.340f, 0.050f}}},
+    {{{0.088f, 1.450f, -0.010f}, {0.106f, 1.494f, -0.018f}, {0.152f, 1.490f, -0.020f}, {0.190f, 1.440f, -0.016f}}},
+    {{{0.046f, 1.424f, -0.098f}, {0.072f, 1.418f, -0.138f}, {0.128f, 1.394f, -0.134f}, {0.168f, 1.350f, -0.076f}}},
+    {{{-0.015f, 1.350f, -0.116f}, {0.006f, 1.326f, -0.160f}, {0.064f, 1.262f, -0.162f}, {0.118f, 1.180f, -0.088f}}},
+    {{{-0.076f, 1.262f, -0.088f}, {-0.070f, 1.234f, -0.148f}, {-0.038f, 1.164f, -0.164f}, {0, 1.096f, -0.128f}}},
+    {{{-0.130f, 1.214f, -0.054f}, {-0.152f, 1.186f, -0.100f}, {-0.156f, 1.124f, -0.120f}, {-0.136f, 1.050f, -0.096f}}},
+}};
+
+}  // namespace
+
+void add_balteus(Mesh &mesh)
+{
+    std::vector<std::array<uint32_t, 4>> points;
+    for (const Station &station : stations) {
+        points.emplace_back();
+        for (size_t k = 0; k < 4; ++k) points.back()[k] = mesh.add(station[k], Region::torso);
+    }
+    float along = 0;
+    for (size_t i = 0; i < stations.size(); ++i) {
+        const size_t next = (i + 1) % stations.size();
+        const float length = glm::distance(stations[i][1], stations[next][1]);
+        for (size_t k = 0; k + 1 < 4; ++k) {
+            const float a = static_cast<float>(k), b = static_cast<float>(k + 1);
+            mesh.sew(balteus, Winding::reversed, {{points[i][k], {along, a}}, {points[next][k], {along + length, a}}},
+                     {{points[i][k + 1], {along, b}}, {points[next][k + 1], {along + length, b}}}, Along::s);
+        }
+        along += length;
+    }
+}
+
+}  // namespace claque::figures::decurion

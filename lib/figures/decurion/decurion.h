@@ -1,0 +1,42 @@
+// The pieces of the decurion: an older, well-fed town councillor in a tunic and a toga to the shins, whose bordered
+// fold hangs before the thighs and whose roll runs from the right side to the left shoulder.
+#pragma once
+
+#include "lib/figures/parts.h"
+
+namespace claque::figures::decurion
+{
+
+// Charts of his own; of pairs the right one is the next.
+constexpr Chart toga_front = own_chart(0), toga_back = own_chart(1), toga_inside = own_chart(2);
+constexpr Chart chest_front = own_chart(3), chest_back = own_chart(4);
+constexpr Chart balteus = own_chart(5);  // the roll across the breast, over the left shoulder and down the back
+constexpr Chart lappet = own_chart(6);   // what hangs from the left shoulder down the front
+
+constexpr Region hanging = own_region(0);  // the lappet
+
+// How high the lower edge of the sinus, the toga's great fold, hangs at each of twelve columns, and how far it stands
+// out from the cloth below. 0 in front, 3 at the left side, 6 at the back, where there is none.
+struct SinusEdge {
+    float y, out;
+};
+constexpr int columns = 12;
+inline const std::array<SinusEdge, columns> sinus = {{{0.655f, 0.032f},
+                                                      {0.705f, 0.030f},
+                                                      {0.790f, 0.028f},
+                                                      {0.870f, 0.020f},
+                                                      {0.840f, 0.004f},
+                                                      {0.800f, 0.000f},
+                                                      {0.770f, 0.000f},
+                                                      {0.740f, 0.006f},
+                                                      {0.715f, 0.018f},
+                                                      {0.675f, 0.026f},
+                                                      {0.632f, 0.032f},
+                                                      {0.628f, 0.034f}}};
+
+void add_aged_head(Mesh &mesh);  // the shared head, made an old man's
+void add_toga(Mesh &mesh);       // the cloth from the shins to the shoulders, with what shows of the tunic; sleeves
+void add_balteus(Mesh &mesh);    // with the lappet
+void add_limbs(Mesh &mesh);      // arms, and of the legs what shows
+
+}  // namespace claque::figures::decurion

@@ -1,0 +1,93 @@
+#include "lib/figures/figure.h"
+#include "lib/figures/assemble.h"
+#include "lib/figures/decurion/decurion.h"
+#include "lib/figures/decurion/paint.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+using namespace decurion;
+
+void add_pieces(Mesh &mesh)
+{
+    add_aged_head(mesh);
+    add_toga(mesh);
+    add_balteus(mesh);
+    add_limbs(mesh);
+}
+
+// The lappet hangs from the shoulder: the chest above, the quarters of the cloth below, nothing of the arm.
+BoneWeights weigh(const Point &point)
+{
+    BoneWeights w{};
+    weigh_gown(w, point.position, 1);
+    return w;
+}
+
+const Layout &decurion_layout()
+{
+    static const Layout layout = {
+        {Chart::head, {0, 0, 304, 240}},
+        {Chart::hand_back, {304, 0, 104, 54}},
+        {Chart::hand_back_r, {408, 0, 104, 54}},
+        {Chart::hand_palm, {304, 54, 104, 54}},
+        {Chart::hand_palm_r, {408, 54, 104, 54}},
+        {Chart::arm, {304, 108, 104, 52}},
+        {Chart::arm_r, {408, 108, 104, 52}},
+        {Chart::sleeve, {304, 160, 104, 52}},
+        {Chart::sleeve_r, {408, 160, 104, 52}},
+        {Chart::ear, {304, 212, 44, 28}},
+        {Chart::ear_r, {348, 212, 44, 28}},
+        {Chart::sleeve_inside, {392, 212, 60, 28}},
+        {Chart::sleeve_inside_r, {452, 212, 60, 28}},
+        {toga_front, {0, 240, 144, 272}},
+        {toga_back, {144, 240, 116, 272}},
+        {chest_front, {260, 240, 112, 104}},
+        {chest_back, {372, 240, 112, 104}},
+        {decurion::balteus, {260, 344, 224, 56}},
+        {decurion::lappet, {484, 240, 28, 160}},
+        {Chart::foot, {260, 400, 56, 112}},
+        {Chart::foot_r, {316, 400, 56, 112}},
+        {Chart::sole, {372, 400, 14, 112}},
+        {Chart::sole_r, {386, 400, 14, 112}},
+        {Chart::leg, {400, 400, 56, 56}},
+        {Chart::leg_r, {456, 400, 56, 56}},
+        {toga_inside, {400, 456, 112, 56}},
+    };
+    return layout;
+}
+
+Zones decurion_zones()
+{
+    return {
+        {Zone::skin, {0.85f, 0.62f, 0.50f}, {12, 24, 0.34f, 0.50f, 0.66f, 0.94f}},
+        {Zone::hair, {0.78f, 0.76f, 0.72f}, {24, 42, 0.02f, 0.26f, 0.34f, 0.98f}},
+        {Zone::eyes, {0.92f, 0.89f, 0.84f}, {20, 220, 0.02f, 0.10f, 0.86f, 0.98f}},
+        {Zone::lips, {0.70f, 0.42f, 0.37f}, {4, 15, 0.36f, 0.48f, 0.55f, 0.75f}},
+        {Zone::tunic, {0.62f, 0.16f, 0.20f}, {215, 45, 0.40f, 0.80f, 0.50f, 0.85f}},
+        {Zone::border, {0.50f, 0.10f, 0.36f}, {265, 20, 0.55f, 0.80f, 0.45f, 0.75f}},
+        {Zone::sandals, {0.50f, 0.14f, 0.10f}, {0, 26, 0.50f, 0.80f, 0.26f, 0.60f}},
+        {Zone::outer, {0.96f, 0.90f, 0.76f}, {315, 58, 0.06f, 0.66f, 0.70f, 1.00f}},
+        {Zone::jewellery, {0.96f, 0.78f, 0.30f}, {40, 50, 0.55f, 0.72f, 0.85f, 1.00f}},
+    };
+}
+
+}  // namespace
+
+model::Model decurion_man()
+{
+    Figure figure;
+    figure.name = "decurion";
+    figure.add_pieces = add_pieces;
+    figure.painter = paint_decurion;
+    figure.layout = decurion_layout();
+    figure.zones = decurion_zones();
+    figure.clips = figure_clips();
+    figure.weigher = weigh;
+    return assemble(figure);
+}
+
+}  // namespace claque::figures

@@ -1,0 +1,30 @@
+// What the decurion looks like close up; each painter answers for its own charts, before the shadows of openness.
+#pragma once
+
+#include "lib/figures/painters.h"
+
+namespace claque::figures
+{
+
+namespace decurion
+{
+
+Paint paint_aged_head(const Texel &texel);  // face, neck, ears, and hair by the next
+Paint paint_aged_hair(const Texel &texel);
+Paint paint_tunic(const Texel &texel);    // what shows on breast and right arm
+Paint paint_toga(const Texel &texel);     // the cloth round the body, the left sleeve
+Paint paint_balteus(const Texel &texel);  // the roll over the shoulder, the lappet
+Paint paint_shoe(const Texel &texel);
+bool is_toga(const Texel &texel);
+
+// Light and dark of a fold from noise in [0, 1): a bright ridge beside a dark furrow.
+float crease(float noise);
+
+// The height above which hair grows.
+float hair_edge(glm::vec3 p);
+
+}  // namespace decurion
+
+Paint paint_decurion(const Texel &texel);
+
+}  // namespace claque::figures

@@ -1,0 +1,113 @@
+// The toga: a heavy cloth whose folds hang in bows from the left shoulder to the right hip, fall straight below, and
+// whose curved edge carries a woven border.
+#include <glm/vec3.hpp>
+
+#include "lib/figures/brush.h"
+#include "lib/figures/decurion/decurion.h"
+#include "lib/figures/decurion/paint.h"
+
+namespace claque::figures::decurion
+{
+
+float crease(float noise)
+{
+    const float x = noise * 2 - 1;
+    return x * (1.25f - 0.5f * x * x) - 0.45f * spot(x + 0.30f, 0.22f);
+}
+
+namespace
+{
+
+constexpr float hem = 0.115f, hem_border = 0.030f, sinus_border = 0.040f;
+constexpr float edge_t = 0.660f;  // of the chart: the row of the sinus's edge
+
+bool round_legs(const Texel &t) { return t.chart == toga_front || t.chart == toga_back; }
+
+// Above the waist: below the line from the right hip to the left shoulder, before and behind.
+bool thrown_over(glm::vec3 p)
+{
+    const glm::vec2 hip(-0.190f, 1.120f), shoulder(0.095f, 1.450f), to = shoulder - hip;
+    return to.x * (p.y - hip.y) - to.y * (p.x - hip.x) < 0;
+}
+
+// The column of the cloth as a real number: the height of the sinus's edge there, and how far the fold stands out.
+SinusEdge edge_at(const Texel &t)
+{
+    const float k = t.st.x + columns;
+    const size_t low = static_cast<size_t>(k) % columns, high = (low + 1) % columns;
+    const float f = k - std::floor(k);
+    return {sinus[low].y + (sinus[high].y - sinus[low].y) * f, sinus[low].out + (sinus[high].out - sinus[low].out) * f};
+}
+
+// Straight folds of the part that falls to the shins, broader towards the hem.
+float fall(const Texel &t)
+{
+    const glm::vec3 p = t.position;
+    const float a = t.st.x + 0.5f * (grain(t.st.x * 2 + 9, p.y * 4, 331) - 0.5f);
+    const float slant = p.z > 0 ? 0.9f * (p.y - hem) * (p.x + 0.05f) : 0.0f;  // drawn to the left shoulder
+    const float broad = grain((a - 3 * slant) * 1.5f + 40, p.y * 1.2f, 332),
+                fine = grain((a - 3 * slant) * 4 + 90, p.y * 1.8f, 333);
+    return 220 + 40 * crease(broad) + 20 * crease(fine);
+}
+
+// Bows: level at the deepest place, steeper towards the left shoulder.
+float bows(glm::vec3 p)
+{
+    if (p.z > 0) {
+        const float x = p.x + 0.10f;
+        const float sag = x > 0 ? 1.9f * x * x + 0.55f * x : 2.6f * x * x;
+        const float line = p.y - sag + 0.030f * grain(p.x * 9 + 30, p.y * 7, 334);
+        const float across = p.x * 3 + 9;
+        return 220 + 42 * crease(grain(line * 15, across, 335)) + 20 * crease(grain(line * 40, across * 1.7f, 336));
+    }
+    const float line = p.y - 0.75f * p.x - 1.2f * p.x * p.x + 0.030f * grain(p.x * 9 + 60, p.y * 6, 337);
+    const float across = p.x * 3 + 19;
+    return 220 + 34 * crease(grain(line * 11, across, 338)) + 18 * crease(grain(line * 30, across * 1.7f, 339));
+}
+
+}  // namespace
+
+bool is_toga(const Texel &t)
+{
+    if (round_legs(t)) return true;
+    if (t.chart == chest_front || t.chart == chest_back) return thrown_over(t.position);
+    return t.chart == Chart::sleeve || t.chart == toga_inside || t.chart == Chart::sleeve_inside;
+}
+
+Paint paint_toga(const Texel &t)
+{
+    const glm::vec3 p = t.position;
+    if (t.chart == toga_inside || t.chart == Chart::sleeve_inside) return {112, Zone::outer};
+    if (t.chart == Chart::sleeve) {
+        const float round = (p.y - p.x) * 8 + p.z * 15;
+        return {218 + 32 * crease(grain(round * 1.6f + 30, p.x * 5, 340)) +
+                    16 * crease(grain(round * 4 + 30, p.x * 7, 341)),
+                Zone::outer};
+    }
+    if (!round_legs(t)) return {bows(p), Zone::outer};
+    const SinusEdge edge = edge_at(t);
+    const float shown = soft_step(0.002f, 0.014f, edge.out);  // of the sinus's edge
+    const float up = p.y - edge.y;
+    if (t.st.y >= edge_t - 0.0005f) {
+        const float g = bows(p);
+        if (shown > 0.5f && up < sinus_border) return {g + 6 - 44 * spot(up - sinus_border, 0.004f), Zone::border};
+        return {g + 14 * spot(up - 0.06f, 0.05f) * shown, Zone::outer};
+    }
+    float g = fall(t) - 74 * shown * spot(std::min(0.0f, up), 0.090f);
+    if (p.y < hem + hem_border) return {g + 6 - 40 * spot(p.y - hem - hem_border, 0.004f), Zone::border};
+    return {g, Zone::outer};
+}
+
+Paint paint_balteus(const Texel &t)
+{
+    // Folds run along the roll, which is twisted a little.
+    const float along = t.st.x, across = t.st.y;
+    const float wander = 0.6f * (grain(along * 5, across, 342) - 0.5f) + 0.5f * along;
+    float g = 222 + 40 * crease(grain(along * 2.2f, (across + wander) * 2.4f + 20, 343)) +
+              20 * crease(grain(along * 4, (across + wander) * 6 + 20, 344));
+    g -= 30 * spot(across, 0.30f) + 30 * spot(across - 3, 0.30f);
+    if (across < 0.42f) return {g + 16, Zone::border};
+    return {g, Zone::outer};
+}
+
+}  // namespace claque::figures::decurion

@@ -1,0 +1,220 @@
+// The toga round the body and what shows of the tunic: twelve columns of cloth from the shins over the fold that hangs
+// before the thighs, the belly and the armpits to the yoke. On the left the toga covers shoulder and upper arm.
+#include <cmath>
+#include <map>
+
+#include "lib/figures/decurion/decurion.h"
+#include "lib/figures/skeleton.h"
+
+namespace claque::figures::decurion
+{
+
+namespace
+{
+
+const std::array<glm::vec2, 7> directions = {
+    {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
+
+const std::array<float, columns> folds = {
+    {-0.7f, 1.0f, -0.6f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.8f}};
+
+// Half widths of the body and its cloth by height: the belly is widest a hand below the waist.
+struct Girths {
+    float y, side, front, back, fold;
+};
+const std::array<Girths, 11> girths = {{
+    {0.115f, 0.212f, 0.168f, 0.180f, 0.034f},
+    {0.250f, 0.200f, 0.156f, 0.170f, 0.026f},
+    {0.390f, 0.194f, 0.150f, 0.164f, 0.018f},
+    {0.490f, 0.192f, 0.148f, 0.164f, 0.012f},
+    {0.640f, 0.198f, 0.156f, 0.170f, 0.010f},
+    {0.780f, 0.206f, 0.168f, 0.178f, 0.008f},
+    {0.900f, 0.208f, 0.180f, 0.174f, 0.006f},
+    {1.000f, 0.202f, 0.190f, 0.158f, 0.004f},
+    {1.080f, 0.192f, 0.186f, 0.142f, 0.002f},
+    {1.160f, 0.180f, 0.168f, 0.132f, 0.000f},
+    {1.230f, 0.172f, 0.148f, 0.128f, 0.000f},
+}};
+
+const std::array<glm::vec3, 7> breast = {{{0, 1.282f, 0.132f},
+                                          {0.076f, 1.280f, 0.138f},
+                                          {0.140f, 1.280f, 0.084f},
+                                          {0.165f, 1.282f, -0.006f},
+                                          {0.142f, 1.286f, -0.086f},
+                                          {0.078f, 1.290f, -0.126f},
+                                          {0, 1.290f, -0.122f}}};
+const std::array<glm::vec3, 7> armpit = {{{0, 1.345f, 0.118f},
+                                          {0.072f, 1.345f, 0.126f},
+                                          {0.146f, 1.350f, 0.066f},
+                                          {0.162f, 1.340f, -0.006f},
+                                          {0.148f, 1.354f, -0.082f},
+                                          {0.070f, 1.364f, -0.130f},
+                                          {0, 1.364f, -0.128f}}};
+const std::array<glm::vec3, 7> upper = {{neckline[0],
+                                         neckline[1],
+                                         {0.164f, 1.410f, 0.056f},
+                                         {0, 0, 0},  // the armhole
+                                         {0.166f, 1.412f, -0.072f},
+                                         neckline[3],
+                                         neckline[4]}};
+const std::array<glm::vec3, 3> shoulder_seam = {{neckline[2], {0.138f, 1.466f, -0.022f}, {0.180f, 1.456f, -0.016f}}};
+
+struct SleeveRow {
+    float along;
+    Girth girth;  // front, back, below, above
+};
+const std::array<SleeveRow, 2> tunic_sleeve = {
+    {{0.098f, {0.064f, 0.064f, 0.074f, 0.055f}}, {0.245f, {0.072f, 0.070f, 0.086f, 0.053f}}}};
+const std::array<SleeveRow, 2> toga_sleeve = {
+    {{0.105f, {0.074f, 0.078f, 0.084f, 0.064f}}, {0.300f, {0.092f, 0.096f, 0.118f, 0.058f}}}};
+
+using Ring = std::array<uint32_t, columns>;
+
+Side side_of(int column) { return column <= 6 ? Side::left : Side::right; }
+size_t half_of(int column) { return static_cast<size_t>(column <= 6 ? column : columns - column); }
+
+Girths girths_at(float y)
+{
+    for (size_t i = 1; i < girths.size(); ++i)
+        if (y <= girths[i].y) {
+            const Girths &a = girths[i - 1], &b = girths[i];
+            const float t = (y - a.y) / (b.y - a.y);
+            return {y, a.side + (b.side - a.side) * t, a.front + (b.front - a.front) * t,
+                    a.back + (b.back - a.back) * t, a.fold + (b.fold - a.fold) * t};
+        }
+    return girths.back();
+}
+
+glm::vec3 on_cloth(int column, float y, float out)
+{
+    const Girths g = girths_at(y);
+    const glm::vec2 d = directions[half_of(column)];
+    const float fold = folds[static_cast<size_t>(column)] * g.fold + out;
+    return mirrored(glm::vec3(d.x * (g.side + fold), y, d.y * ((d.y > 0 ? g.front : g.back) + fold)), side_of(column));
+}
+
+template <class HeightAndOut>
+Ring add_row(Mesh &mesh, HeightAndOut at)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k) {
+        const SinusEdge e = at(static_cast<size_t>(k));
+        ring[static_cast<size_t>(k)] =
+            mesh.add(on_cloth(k, e.y, e.out), e.y < 1.03f ? Region::gown : Region::torso, side_of(k));
+    }
+    return ring;
+}
+
+Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k)
+        if (half[half_of(k)].y > 0)
+            ring[static_cast<size_t>(k)] = mesh.add(mirrored(half[half_of(k)], side_of(k)), Region::torso, side_of(k));
+    return ring;
+}
+
+// Columns from `first` for `count`, left to right for whoever looks at them.
+Chain span(const Ring &ring, int first, int count, float t)
+{
+    Chain chain;
+    for (int k = first; k < first + count; ++k)
+        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
+    return chain;
+}
+
+// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+Chain doubled(Mesh &mesh, Chain chain)
+{
+    std::map<uint32_t, uint32_t> twins;
+    for (Corner &corner : chain) {
+        const Point point = mesh.points[corner.point];
+        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
+        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
+        corner.point = at->second;
+    }
+    return chain;
+}
+
+void sew_rows(Mesh &mesh, Chart front, Chart back, const Ring &low, const Ring &high, glm::vec2 t)
+{
+    mesh.sew(front, Winding::as_given, span(low, -3, 7, t.x), span(high, -3, 7, t.y), Along::s);
+    mesh.sew(back, Winding::as_given, span(low, 3, 7, t.x), span(high, 3, 7, t.y), Along::s);
+}
+
+void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 6> &armhole)
+{
+    const std::array<float, 7> places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
+    Chain before;
+    for (size_t i = 0; i < 7; ++i) before.push_back({armhole[i % 6], glm::vec2(places[i], 0)});
+    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
+    for (const SleeveRow &row : side == Side::left ? toga_sleeve : tunic_sleeve) {
+        const Chain next = ring_chain(add_ring(mesh, Region::sleeve, side, 6, shoulder + arm_direction() * row.along,
+                                               -arm_dorsal(), arm_thumbward(), row.girth),
+                                      -row.along);
+        mesh.sew(on(side, Chart::sleeve), winding_of(side), before, next, Along::s);
+        before = next;
+    }
+    const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.14f, side), Region::sleeve, side);
+    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
+}
+
+void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
+{
+    const bool left = side == Side::left;
+    std::array<uint32_t, 3> seam{};
+    for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
+    // Seen from outside, to the right: from the neck to the arm, or from the arm to the neck.
+    const auto chain = [&](int first, float height, bool outwards) {
+        Chain c;
+        for (size_t i = 0; i < 3; ++i)
+            c.push_back(
+                {seam[outwards ? i : 2 - i], glm::vec2(static_cast<float>(first) + static_cast<float>(i) / 2, height)});
+        return c;
+    };
+    const auto at = [left](const Ring &ring, int k) {
+        return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
+    };
+    const int front = left ? 1 : -2, back = left ? 4 : 7;
+    mesh.sew(chest_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
+    mesh.sew(chest_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
+    add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)});
+}
+
+}  // namespace
+
+void add_toga(Mesh &mesh)
+{
+    const auto level = [](float y) { return [y](size_t) { return SinusEdge{y, 0}; }; };
+    // Where the fold stands out, the cloth below begins behind it, a little higher than its edge.
+    const auto behind = [](size_t k) {
+        return SinusEdge{sinus[k].y - 0.055f + 0.067f * std::min(1.0f, sinus[k].out / 0.030f), -0.006f};
+    };
+    const auto edge = [](size_t k) { return sinus[k]; };
+    const auto above = [](size_t k) { return SinusEdge{0.900f + 0.10f * (sinus[k].y - 0.70f), 0.4f * sinus[k].out}; };
+    std::vector<Ring> rings;
+    std::vector<float> heights = {0.115f, 0.250f, 0.390f, 0.490f, 0.600f, 0.660f, 0.880f, 1.030f, 1.040f};
+    for (const float y : {0.115f, 0.250f, 0.390f, 0.490f}) rings.push_back(add_row(mesh, level(y)));
+    rings.push_back(add_row(mesh, behind));
+    rings.push_back(add_row(mesh, edge));
+    rings.push_back(add_row(mesh, above));
+    rings.push_back(add_row(mesh, level(1.040f)));
+    const size_t waist = rings.size() - 1;
+    heights.resize(rings.size());
+    rings.push_back(add_row(mesh, level(1.165f))), heights.push_back(1.165f);
+    rings.push_back(add_row(mesh, breast)), heights.push_back(1.290f);
+    rings.push_back(add_row(mesh, armpit)), heights.push_back(1.365f);
+    for (size_t r = 0; r + 1 < rings.size(); ++r)
+        sew_rows(mesh, r < waist ? toga_front : chest_front, r < waist ? toga_back : chest_back, rings[r], rings[r + 1],
+                 {heights[r], heights[r + 1]});
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.36f, 0), Region::gown);
+    mesh.fan(toga_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
+             {inside, glm::vec2(-1, 1)});
+    const Ring high = add_row(mesh, upper);
+    constexpr float t = 1.440f;
+    mesh.sew(chest_front, Winding::as_given, span(rings.back(), -2, 5, heights.back()), span(high, -2, 5, t), Along::s);
+    mesh.sew(chest_back, Winding::as_given, span(rings.back(), 4, 5, heights.back()), span(high, 4, 5, t), Along::s);
+    for (const Side side : {Side::left, Side::right}) add_shoulder(mesh, side, rings.back(), high, t);
+}
+
+}  // namespace claque::figures::decurion
