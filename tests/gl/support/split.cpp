@@ -8,12 +8,10 @@
 
 namespace gltest
 {
-namespace
-{
 
-void skin_level(Figure &figure, uint32_t clip, double time_s)
+void skin(const model::Template &tmpl, uint32_t clip, double time_s, std::vector<float> &positions,
+          std::vector<float> &normals)
 {
-    const model::Template &tmpl = *figure.tmpl;
     const model::Level &level = tmpl.levels[0];
     claque::pose::Workspace workspace(tmpl.rig);
     claque::skin::SkinJob job;
@@ -23,15 +21,13 @@ void skin_level(Figure &figure, uint32_t clip, double time_s)
     job.normals = claque::skin::normals_of(tmpl);
     std::vector<float> scratch(claque::skin::scratch_floats(level, job.palette.count, job.normals));
     job.scratch = claque::base::Span<float>(scratch);
-    figure.positions.resize(3 * size_t(level.vertex_count));
-    figure.normals.resize(3 * size_t(level.vertex_count));
-    job.out_positions = claque::base::Span<float>(figure.positions);
-    job.out_normals = claque::base::Span<float>(figure.normals);
+    positions.resize(3 * size_t(level.vertex_count));
+    normals.resize(3 * size_t(level.vertex_count));
+    job.out_positions = claque::base::Span<float>(positions);
+    job.out_normals = claque::base::Span<float>(normals);
     if (const auto status = job.check(); !status.ok()) throw std::runtime_error(status.text);
     job.run();
 }
-
-}  // namespace
 
 model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<uint8_t> &keys, model::Wrap wrap)
 {
@@ -76,7 +72,7 @@ Figure split_figure(const model::Model &source, uint32_t clip, double time_s)
     whiten(*tmpl);
     Figure figure;
     figure.tmpl = std::move(tmpl);
-    skin_level(figure, clip, time_s);
+    skin(*figure.tmpl, clip, time_s, figure.positions, figure.normals);
     measure(figure);
     return figure;
 }

@@ -12,4 +12,8 @@ model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<ui
 // Splits it; white, so that zones' colours show pure. In the pose of `clip` (model::none: at rest) at `time_s`.
 Figure split_figure(const model::Model &model, uint32_t clip = model::none, double time_s = 0);
 
+// Positions and normals of level 0, copies included, in a pose.
+void skin(const model::Template &tmpl, uint32_t clip, double time_s, std::vector<float> &positions,
+          std::vector<float> &normals);
+
 }  // namespace gltest

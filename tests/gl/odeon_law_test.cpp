@@ -1,0 +1,136 @@
+// The law of zones on the odeon: its people, in their seats and poses, through its own cameras. The crowd is asked who
+// is where and plays what; the pictures are made of the figures' own models, drawn plainly.
+#include <cstring>
+
+#include "lib/figures/figure.h"
+#include "lib/math/place.h"
+#include "lib/pose/clock.h"
+#include "samples/scenes/scene.h"
+#include "tests/gl/support/law_fixture.h"
+#include "tests/gl/support/split.h"
+
+namespace gltest
+{
+namespace
+{
+
+constexpr int width = 480, height = 360;
+
+struct Person {
+    const model::Template *tmpl = nullptr;
+    std::vector<float> positions, normals;
+    clq_place place = {};
+};
+
+class OdeonLaw : public LawTest
+{
+protected:
+    void SetUp() override
+    {
+        std::string why;
+        context_ = contexts::make_offscreen(GetParam().kind, width, height, GetParam().format, why);
+        if (!context_) GTEST_SKIP() << why;
+        scenes::Casting casting;
+        casting.count = 0;
+        scene_ = scenes::make_scene("odeon", library_, casting, scenes::Character());
+        for (clq_template *tmpl : scene_->templates()) looks_.push_back(split(tmpl));
+    }
+
+    // The model of the same name, split anew.
+    Figure split(const clq_template *tmpl)
+    {
+        clq_template_info info = {};
+        scenes::check(clq_template_get_info(tmpl, &info));
+        for (const claque::figures::Builtin &builtin : claque::figures::builtins())
+            if (std::strcmp(builtin.name, info.name) == 0) return split_figure(builtin.make());
+        ADD_FAILURE() << "no built-in figure is called " << info.name;
+        return Figure();
+    }
+
+    Person person(uint32_t index, double time_s)
+    {
+        clq_actor_info info = {};
+        scenes::check(clq_actor_get_info(scene_->crowd(), {index + 1, 1}, &info));
+        Person person;
+        const std::vector<clq_template *> templates = scene_->templates();
+        for (size_t i = 0; i < templates.size(); ++i)
+            if (templates[i] == info.tmpl) person.tmpl = looks_[i].tmpl.get();
+        const model::Rig &rig = person.tmpl->rig;
+        skin(*person.tmpl, info.play.clip,
+             claque::pose::clip_time({info.play.start_s, info.play.speed, info.play.phase_s}, rig.clips[info.play.clip],
+                                     time_s),
+             person.positions, person.normals);
+        person.place = info.place;
+        return person;
+    }
+
+    // Holds all strategies against the plain picture of every `step`th person.
+    void hold(scenes::Shot shot, double time_s, uint32_t step)
+    {
+        scene_->place(time_s);
+        const clq_camera camera = scene_->camera(shot, double(width) / height, time_s);
+        const float *q = camera.rotation_xyzw;
+        const glm::dmat3 world_to_eye = claque::math::rotation_of(glm::quat(q[3], q[0], q[1], q[2]));
+        std::vector<Person> people;
+        for (uint32_t i = 0; i < clq_crowd_actor_count(scene_->crowd()); i += step) people.push_back(person(i, time_s));
+        const std::vector<uint8_t> colours = zone_colours(16);
+        std::vector<Individual> individuals;
+        for (const Person &p : people) {
+            Individual one = {p.tmpl, p.positions.data(), p.normals.data(), colours.data(), {}};
+            const float *o = p.place.orientation_xyzw;
+            const auto place =
+                claque::math::eye_place(world_to_eye, glm::dvec3(camera.eye[0], camera.eye[1], camera.eye[2]),
+                                        glm::dvec3(p.place.position[0], p.place.position[1], p.place.position[2]),
+                                        glm::quat(o[3], o[0], o[1], o[2]), double(p.place.scale));
+            claque::math::store_matrix(place, one.model_view);
+            individuals.push_back(one);
+        }
+        hold(individuals, camera.projection);
+    }
+
+    void hold(const std::vector<Individual> &individuals, const float (&projection)[16])
+    {
+        const Picture plain = draw_plain(*context_, individuals, projection);
+        const Picture forwards = draw_ids(*context_, individuals, projection, Order::forwards);
+        const Picture backwards = draw_ids(*context_, individuals, projection, Order::backwards);
+        for (const passes::Strategy strategy :
+             {passes::Strategy::fused, passes::Strategy::binned, passes::Strategy::per_zone}) {
+            SCOPED_TRACE(testing::Message() << "strategy " << int(strategy));
+            passes::RendererOptions options;
+            options.strategy = strategy;
+            passes::Renderer renderer(std::pmr::get_default_resource(), options);
+            const auto opened = renderer.open(context_->get_proc_address(), context_->user());
+            ASSERT_TRUE(opened.ok()) << opened.text;
+            for (const Figure &figure : looks_) ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+            const Picture variety = draw(*context_, renderer, list_of(individuals, projection));
+            const Comparison c = compare(plain, variety, forwards, backwards);
+            EXPECT_GT(c.covered, uint32_t(width * height / 8));
+            EXPECT_EQ(c.wrong, 0u) << "of " << c.covered << " pixels";
+            EXPECT_EQ(c.holes, 0u) << "of " << c.covered << " pixels";
+            covered_ += c.covered, ties_ += c.ties;
+            renderer.destroy();
+        }
+    }
+
+    scenes::Library library_{1};
+    std::unique_ptr<scenes::Scene> scene_;
+    std::vector<Figure> looks_;
+};
+
+}  // namespace
+
+TEST_P(OdeonLaw, HoldsOnEverybodyFromTheStage)
+{
+    most_ties_share_ = 1e-5;
+    hold(scenes::Shot::overview, 4.3, 1);
+}
+
+TEST_P(OdeonLaw, HoldsOnThoseWhoAreNear)
+{
+    most_ties_share_ = 1e-5;
+    hold(scenes::Shot::close, 9.7, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(On, OdeonLaw, testing::Values(all_targets[0]), name_of_target);
+
+}  // namespace gltest
