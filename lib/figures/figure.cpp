@@ -80,7 +80,7 @@ model::Model citizen()
 const std::vector<Builtin> &builtins()
 {
     static const std::vector<Builtin> all = {
-        {"citizen", citizen}, {"patrician", patrician_woman}, {"decurion", decurion_man}};
+        {"citizen", citizen}, {"patrician", patrician_woman}, {"decurion", decurion_man}, {"plebeian", plebeian_man}};
     return all;
 }
 

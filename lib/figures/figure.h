@@ -31,6 +31,10 @@ model::Model patrician_woman();
 // the belt, outer (the toga) and jewellery (a signet ring).
 model::Model decurion_man();
 
+// A plebeian: a lean young working man in an exomis, right shoulder bare, girded with a rope above bare knees, his cloak
+// folded over the left shoulder. Nine zones: the citizen's and outer (the cloak).
+model::Model plebeian_man();
+
 struct Builtin {
     const char *name;
     model::Model (*make)();

@@ -1,0 +1,232 @@
+// The exomis as twelve columns of cloth from the hem above the knees over the rope to the armpits and shoulders. What is
+// bare of breast and back is the same surface; where the cloth ends is painted. The left shoulder has a cap of a sleeve,
+// the right one runs on into the arm.
+#include <map>
+
+#include "lib/figures/plebeian/plebeian.h"
+#include "lib/figures/skeleton.h"
+
+namespace claque::figures::plebeian
+{
+
+namespace
+{
+
+constexpr int columns = 12;  // 0 in front, 3 at the left side, 6 at the back
+
+const std::array<glm::vec2, 7> directions = {
+    {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
+
+// How far each column stands out where the cloth falls in folds, in parts of the row's fold.
+const std::array<float, columns> folds = {
+    {-0.8f, 1.0f, -0.7f, 0.9f, -0.8f, 0.9f, -0.7f, 1.0f, -0.9f, 0.8f, -0.6f, 0.9f}};
+
+struct Row {
+    float y, side, front, back, ahead, fold, dip;
+};
+
+const std::array<Row, 7> rows = {{
+    {0.590f, 0.212f, 0.168f, 0.180f, 0.000f, 0.030f, 0.010f},  // hem
+    {0.725f, 0.202f, 0.152f, 0.170f, 0.000f, 0.018f, 0.000f},
+    {0.880f, 0.180f, 0.130f, 0.150f, 0.000f, 0.008f, 0.000f},  // hips
+    {1.016f, 0.146f, 0.108f, 0.108f, 0.000f, 0.002f, 0.000f},  // below the rope
+    {1.056f, 0.146f, 0.108f, 0.106f, 0.000f, 0.000f, 0.000f},  // above it, behind the overhang
+    {1.046f, 0.162f, 0.132f, 0.122f, 0.000f, 0.016f, 0.014f},  // overhang
+    {1.195f, 0.152f, 0.122f, 0.114f, -0.003f, 0.008f, 0.000f},
+}};
+
+using Half = std::array<glm::vec3, 7>;
+
+// Row of the armpits and the one above it, columns 0 to 6; the left side is dressed, the right one bare.
+const Half armpit_left = {{{0, 1.338f, 0.112f},
+                           {0.072f, 1.338f, 0.124f},
+                           {0.136f, 1.346f, 0.074f},
+                           {0.152f, 1.336f, -0.006f},
+                           {0.138f, 1.352f, -0.088f},
+                           {0.070f, 1.362f, -0.124f},
+                           {0, 1.362f, -0.116f}}};
+const Half armpit_right = {{{0, 0, 0},
+                            {0.068f, 1.332f, 0.120f},
+                            {0.132f, 1.346f, 0.066f},
+                            {0.146f, 1.330f, -0.008f},
+                            {0.132f, 1.350f, -0.080f},
+                            {0.068f, 1.360f, -0.118f},
+                            {0, 0, 0}}};
+const Half upper_left = {{neckline[0],
+                          neckline[1],
+                          {0.152f, 1.410f, 0.054f},
+                          {0, 0, 0},  // the armhole
+                          {0.154f, 1.410f, -0.070f},
+                          neckline[3],
+                          neckline[4]}};
+const Half upper_right = {
+    {{0, 0, 0}, neckline[1], {0.146f, 1.412f, 0.048f}, {0, 0, 0}, {0.150f, 1.412f, -0.064f}, neckline[3], {0, 0, 0}}};
+const std::array<glm::vec3, 3> seam_left = {{neckline[2], {0.136f, 1.466f, -0.022f}, {0.176f, 1.454f, -0.016f}}};
+const std::array<glm::vec3, 3> seam_right = {{neckline[2], {0.132f, 1.456f, -0.022f}, {0.168f, 1.448f, -0.016f}}};
+
+struct CuffRow {
+    float along;
+    Girth girth;  // front, back, below, above
+};
+const std::array<CuffRow, 2> cap_rows = {
+    {{0.100f, {0.060f, 0.060f, 0.066f, 0.052f}}, {0.200f, {0.064f, 0.062f, 0.076f, 0.049f}}}};
+const CuffRow deltoid = {0.092f, {0.051f, 0.052f, 0.046f, 0.051f}};
+
+using Ring = std::array<uint32_t, columns>;
+
+Side side_of(int column) { return column <= 6 ? Side::left : Side::right; }
+size_t half_of(int column) { return static_cast<size_t>(column <= 6 ? column : columns - column); }
+
+Ring add_row(Mesh &mesh, const Row &row)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k) {
+        const glm::vec2 d = directions[half_of(k)];
+        const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
+        const float y = row.y + row.dip * folds[static_cast<size_t>((k + 5) % columns)];
+        const glm::vec3 p(d.x * row.side * fold, y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
+        ring[static_cast<size_t>(k)] =
+            mesh.add(mirrored(p, side_of(k)), row.y < 1.03f ? Region::skirt : Region::torso, side_of(k));
+    }
+    return ring;
+}
+
+// The head's point where there is one: no edge shows on bare skin.
+uint32_t shared(Mesh &mesh, glm::vec3 p, Side side)
+{
+    for (uint32_t i = 0; i < mesh.points.size(); ++i)
+        if (mesh.points[i].position == p) return i;
+    return mesh.add(p, Region::torso, side);
+}
+
+Ring add_row(Mesh &mesh, const Half &left, const Half &right)
+{
+    Ring ring{};
+    for (int k = 0; k < columns; ++k) {
+        const glm::vec3 p = (side_of(k) == Side::left ? left : right)[half_of(k)];
+        if (p.y > 0) ring[static_cast<size_t>(k)] = shared(mesh, mirrored(p, side_of(k)), side_of(k));
+    }
+    return ring;
+}
+
+// Columns from `first` for `count`, left to right for whoever looks at them.
+Chain span(const Ring &ring, int first, int count, float t)
+{
+    Chain chain;
+    for (int k = first; k < first + count; ++k)
+        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
+    return chain;
+}
+
+// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+Chain doubled(Mesh &mesh, Chain chain)
+{
+    std::map<uint32_t, uint32_t> twins;
+    for (Corner &corner : chain) {
+        const Point point = mesh.points[corner.point];
+        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
+        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
+        corner.point = at->second;
+    }
+    return chain;
+}
+
+void sew_rows(Mesh &mesh, const Ring &low, const Ring &high, float t_low, float t_high)
+{
+    mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -3, 7, t_low), span(high, -3, 7, t_high), Along::s);
+    mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 3, 7, t_low), span(high, 3, 7, t_high), Along::s);
+}
+
+using Armhole = std::array<uint32_t, 6>;  // from behind over the shoulder to the front and below
+
+Chain around(const Armhole &armhole)
+{
+    const std::array<float, 7> places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
+    Chain chain;
+    for (size_t i = 0; i < 7; ++i) chain.push_back({armhole[i % 6], glm::vec2(places[i], 0)});
+    return chain;
+}
+
+Chain add_cuff(Mesh &mesh, Side side, const CuffRow &row)
+{
+    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
+    return ring_chain(add_ring(mesh, Region::sleeve, side, 6, shoulder + arm_direction() * row.along, -arm_dorsal(),
+                               arm_thumbward(), row.girth),
+                      -row.along);
+}
+
+void add_cap_sleeve(Mesh &mesh, const Armhole &armhole)
+{
+    Chain before = around(armhole);
+    for (const CuffRow &row : cap_rows) {
+        const Chain next = add_cuff(mesh, Side::left, row);
+        mesh.sew(Chart::sleeve, Winding::as_given, before, next, Along::s);
+        before = next;
+    }
+    const glm::vec3 deep = skeleton().joint(Bone::upper_arm) + arm_direction() * 0.13f;
+    mesh.fan(Chart::sleeve_inside, Winding::as_given, doubled(mesh, before),
+             {mesh.add(deep, Region::sleeve), glm::vec2(-1, 0)});
+    add_arm(mesh, Side::left);
+}
+
+void add_bare_shoulder(Mesh &mesh, const Armhole &armhole)
+{
+    const Chain muscle = add_cuff(mesh, Side::right, deltoid);
+    mesh.sew(Chart::sleeve_r, winding_of(Side::right), around(armhole), muscle, Along::s);
+    // The arm begins with a ring of six.
+    const uint32_t first = static_cast<uint32_t>(mesh.points.size());
+    add_arm(mesh, Side::right);
+    const Chain arm = ring_chain({first, first + 1, first + 2, first + 3, first + 4, first + 5}, -0.170f);
+    mesh.sew(Chart::sleeve_r, winding_of(Side::right), muscle, arm, Along::s);
+}
+
+// From the row of the armpits, at height `t` of the charts, to the top of the shoulder; returns the armhole.
+Armhole add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
+{
+    const bool left = side == Side::left;
+    std::array<uint32_t, 3> seam{};
+    for (size_t i = 0; i < 3; ++i) seam[i] = shared(mesh, mirrored((left ? seam_left : seam_right)[i], side), side);
+    // Seen from outside, to the right: from the neck to the arm, or from the arm to the neck.
+    const auto chain = [&](int first, float height, bool outwards) {
+        Chain c;
+        for (size_t i = 0; i < 3; ++i)
+            c.push_back(
+                {seam[outwards ? i : 2 - i], glm::vec2(static_cast<float>(first) + static_cast<float>(i) / 2, height)});
+        return c;
+    };
+    const auto at = [left](const Ring &ring, int k) {
+        return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
+    };
+    const int front = left ? 1 : -2, back = left ? 4 : 7;
+    mesh.sew(Chart::tunic_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
+    mesh.sew(Chart::tunic_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
+    return {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)};
+}
+
+}  // namespace
+
+void add_exomis(Mesh &mesh)
+{
+    std::vector<Ring> rings;
+    std::vector<float> heights;
+    float t = 0.59f;
+    for (size_t r = 0; r < rows.size(); ++r) {
+        rings.push_back(add_row(mesh, rows[r]));
+        if (r > 0) t += rows[r].y > rows[r - 1].y ? rows[r].y - rows[r - 1].y : 0.02f;
+        heights.push_back(t);
+    }
+    rings.push_back(add_row(mesh, armpit_left, armpit_right));
+    heights.push_back(t += 0.15f);
+    for (size_t r = 0; r + 1 < rings.size(); ++r) sew_rows(mesh, rings[r], rings[r + 1], heights[r], heights[r + 1]);
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.82f, 0), Region::skirt);
+    mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
+             {inside, glm::vec2(-1, 1)});
+    const Ring &low = rings.back(), high = add_row(mesh, upper_left, upper_right);
+    const float top = t + 0.075f;
+    mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -2, 5, t), span(high, -2, 5, top), Along::s);
+    mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 4, 5, t), span(high, 4, 5, top), Along::s);
+    add_cap_sleeve(mesh, add_shoulder(mesh, Side::left, low, high, top));
+    add_bare_shoulder(mesh, add_shoulder(mesh, Side::right, low, high, top));
+}
+
+}  // namespace claque::figures::plebeian
