@@ -15,6 +15,8 @@ using namespace scenes;
 using bodies::Body;
 using bodies::Capsule;
 
+constexpr double touch_m = 0.015;  // sleeves of neighbours may be pressed so far
+
 const std::vector<std::string> figures = {"decurion", "patrician", "plebeian"};
 
 const Theatre &odeon()
@@ -31,7 +33,7 @@ Body &body(const std::string &figure)
     return *found;
 }
 
-// Where a sitter meets the stone, above its figure's own ground: under the hips, and under each foot.
+// Where a sitter meets the stone, above its figure's own ground: under hips and thighs, and under each foot.
 struct Contact {
     double hips = 9, left = 9, right = 9;
 };
@@ -40,7 +42,7 @@ Contact contact(const Body &posed)
 {
     Contact c;
     for (const glm::dvec3 &p : posed.vertices()) {
-        if (p.z > -0.52 && p.z < -0.28 && std::abs(p.x) < 0.2 && p.y > 0.2) c.hips = std::min(c.hips, p.y);
+        if (p.z > -0.52 && p.z < -0.17 && std::abs(p.x) < 0.2 && p.y > 0.2) c.hips = std::min(c.hips, p.y);
         if (p.z > -0.12) (p.x > 0 ? c.left : c.right) = std::min(p.x > 0 ? c.left : c.right, p.y);
     }
     return c;
@@ -58,7 +60,7 @@ void expect_on_the_stone(const std::string &figure, float smallest, float talles
         for (double t = 0; t < one.duration_s(clip); t += 0.1) {
             one.pose(clip, t);
             const Contact met = contact(one);
-            for (const float scale : {smallest, 1.0f, tallest}) {
+            for (const float scale : {smallest, (smallest + tallest) / 2, tallest}) {
                 const double ground = sit_down(seat, 0, scale).position[1];
                 const auto at = [&](double y) { return ground + static_cast<double>(scale) * y; };
                 const std::string when = figure + " " + clip_name(static_cast<Act>(act)) + " at " + std::to_string(t);
@@ -91,14 +93,24 @@ Posed posed(const Member &member, const std::string &figure, const clq_place &pl
     return out;
 }
 
-// The deepest that a vertex of one lies in a limb of the other, in metres; negative where none does.
-double overlap(const Posed &a, const Posed &b)
+// How deep a vertex of one lies in a limb of another, in metres; negative where none does.
+struct Overlap {
+    double depth = -1;
+    const char *limb = "";
+};
+
+Overlap overlap(const Posed &a, const Posed &b)
 {
-    double deepest = -1;
-    for (const glm::dvec3 &p : a.vertices)
-        for (const Capsule &c : b.capsules) deepest = std::max(deepest, bodies::depth(c, p));
-    for (const glm::dvec3 &p : b.vertices)
-        for (const Capsule &c : a.capsules) deepest = std::max(deepest, bodies::depth(c, p));
+    Overlap deepest;
+    const auto look = [&](const Posed &of, const Posed &in) {
+        for (const glm::dvec3 &p : of.vertices)
+            for (const Capsule &c : in.capsules) {
+                const double depth = bodies::depth(c, p);
+                if (depth > deepest.depth) deepest = {depth, c.name};
+            }
+    };
+    look(a, b);
+    look(b, a);
     return deepest;
 }
 
@@ -113,33 +125,28 @@ Crush crush(const Theatre &theatre, size_t stride, const std::vector<double> &ti
 {
     const std::vector<Seat> seats = seats_of(theatre);
     const std::vector<Sitter> people = seat_people(theatre, seats, 0, 1);
-    const auto member = [&](const Sitter &s) {
-        Member m;
-        m.seed = 1;
-        m.who = s.seat;
-        m.x = seats[s.seat].x;
-        m.z = seats[s.seat].z;
-        const std::string &figure = theatre.classes[s.social_class].figure;
-        m.manners = figure == "decurion" ? Manners::grave : figure == "patrician" ? Manners::gracious : Manners::hearty;
-        for (size_t a = 0; a < act_count; ++a)
-            m.duration_s[a] = body(figure).duration_s(body(figure).clip(clip_name(static_cast<Act>(a))));
-        return m;
-    };
+    std::vector<Member> members = members_of(theatre, seats, people, 1);
+    const auto figure = [&](size_t i) { return theatre.classes[people[i].social_class].figure; };
+    for (size_t i = 0; i < people.size(); ++i)
+        for (size_t act = 0; act < act_count; ++act)
+            members[i].duration_s[act] =
+                body(figure(i)).duration_s(body(figure(i)).clip(clip_name(static_cast<Act>(act))));
     Crush found;
     for (size_t i = 0; i < people.size(); i += stride)
         for (size_t k = 0; k < people.size(); ++k) {
             const Seat &a = seats[people[i].seat], &b = seats[people[k].seat];
             if (i == k || b.row < a.row || b.row > a.row + 1 || std::hypot(a.x - b.x, a.z - b.z) > 1.1) continue;
             for (const double t : times) {
-                const double deep = overlap(
-                    posed(member(people[i]), theatre.classes[people[i].social_class].figure, people[i].place, t),
-                    posed(member(people[k]), theatre.classes[people[k].social_class].figure, people[k].place, t));
+                const Overlap deep = overlap(posed(members[i], figure(i), people[i].place, t),
+                                             posed(members[k], figure(k), people[k].place, t));
                 ++found.pairs;
-                found.inside += deep > 0;
-                if (deep <= found.deepest) continue;
-                found.deepest = deep;
+                found.inside += deep.depth > touch_m;
+                if (deep.depth <= found.deepest) continue;
+                found.deepest = deep.depth;
                 found.who = "seats " + std::to_string(people[i].seat) + " and " + std::to_string(people[k].seat) +
-                            " at " + std::to_string(t);
+                            " at " + std::to_string(t) + " s, in the " + deep.limb + " (" +
+                            clip_name(playing_at(members[i], t).act) + ", " + clip_name(playing_at(members[k], t).act) +
+                            ")";
             }
         }
     return found;
@@ -151,9 +158,9 @@ TEST(bodies, a_plebeian_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_
 
 TEST(bodies, nobody_is_inside_anybody)
 {
-    const Crush found = crush(odeon(), 9, {2.0, 11.7, 23.4, 58.0});
-    EXPECT_GT(found.pairs, 1000u);
-    EXPECT_LE(found.deepest, 0.0) << found.who << ", " << found.inside << " of " << found.pairs;
+    const Crush found = crush(odeon(), 3, {2.0, 11.7, 23.4, 58.0, 77.1});
+    EXPECT_GT(found.pairs, 3000u);
+    EXPECT_LE(found.deepest, touch_m) << found.who << ", " << found.inside << " of " << found.pairs;
 }
 
 TEST(bodies, the_test_finds_people_who_sit_fifteen_centimetres_too_near)
@@ -180,8 +187,11 @@ TEST(bodies, clips_that_follow_each_other_join)
             for (size_t v = 0; v < seat.size(); ++v) {
                 const glm::dvec3 from = seated || act == Act::rise ? seat[v] : up[v];
                 const glm::dvec3 to = seated || act == Act::sit_down ? seat[v] : up[v];
-                ASSERT_LT(glm::length(begin[v] - from), 0.01) << figure << " " << clip_name(act) << " begins";
-                ASSERT_LT(glm::length(end[v] - to), 0.01) << figure << " " << clip_name(act) << " ends";
+                // Cloth may still swing a little where somebody has just risen.
+                ASSERT_LT(glm::length(begin[v] - from), act == Act::sit_down ? 0.04 : 0.01)
+                    << figure << " " << clip_name(act) << " begins";
+                ASSERT_LT(glm::length(end[v] - to), act == Act::rise ? 0.04 : 0.01)
+                    << figure << " " << clip_name(act) << " ends";
             }
         }
     }

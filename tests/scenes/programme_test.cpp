@@ -18,6 +18,7 @@ Member member(uint64_t who, Manners manners = Manners::hearty)
     m.who = who;
     m.x = 0.65 * static_cast<double>(who % 40);
     m.z = -8 - 0.78 * static_cast<double>(who / 40);
+    m.aside_m = who % 7 == 0 ? 9 : 0.1 * static_cast<double>(who % 3);
     m.manners = manners;
     m.duration_s = {4.0, 5.2, 6.1, 5.0, 3.1, 2.9, 3.3, 2.6, 1.7, 4.4, 2.4, 2.2, 2.8, 3.0, 1.8};
     return m;
@@ -63,6 +64,16 @@ TEST(programme, rises_before_it_stands_and_sits_down_after)
         }
     }
     EXPECT_GT(risen, 100u);
+}
+
+TEST(programme, who_sits_right_behind_somebody_neither_rises_nor_leans_forward)
+{
+    for (uint64_t who = 0; who < 400; ++who)
+        for (double t = 0; t < 300; t += 5) {
+            const Act act = playing_at(member(who), t).act;
+            EXPECT_FALSE(act >= Act::rise && member(who).aside_m < aside_to_rise_m);
+            EXPECT_FALSE(act == Act::lean && member(who).aside_m < aside_to_lean_m);
+        }
 }
 
 TEST(programme, speeds_stay_near_one)

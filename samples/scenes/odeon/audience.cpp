@@ -1,5 +1,6 @@
 #include "samples/scenes/odeon/audience.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scenes
@@ -12,14 +13,48 @@ Manners manners_of(const std::string &figure)
     return figure == "decurion" ? Manners::grave : figure == "patrician" ? Manners::gracious : Manners::hearty;
 }
 
+// Sideways from each seat to the nearest of the row in front that is taken; 9 where none is near.
+double aside_of(const std::vector<Seat> &seats, const std::vector<bool> &taken, size_t seat)
+{
+    const Seat &own = seats[seat];
+    double nearest = 9;
+    for (size_t other = seat; other-- > 0 && seats[other].row + 1 >= own.row;) {
+        if (!taken[other] || seats[other].row == own.row) continue;
+        const double dx = seats[other].x - own.x, dz = seats[other].z - own.z;
+        const double ahead = dx * own.facing_x + dz * own.facing_z;
+        if (ahead < 1.2) nearest = std::min(nearest, std::abs(dx * own.facing_z - dz * own.facing_x));
+    }
+    return nearest;
+}
+
 // A little below the exact speed: a clip that does not close must not begin again at its end by rounding.
 float rounded_down(double speed) { return std::nextafter(static_cast<float>(speed), 0.0f); }
 
 }  // namespace
 
+std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &seats,
+                               const std::vector<Sitter> &sitters, uint64_t seed)
+{
+    std::vector<bool> taken(seats.size(), false);
+    for (const Sitter &sitter : sitters) taken[sitter.seat] = true;
+    std::vector<Member> members;
+    for (const Sitter &sitter : sitters) {
+        Member member;
+        member.seed = seed;
+        member.who = sitter.seat;
+        member.x = seats[sitter.seat].x;
+        member.z = seats[sitter.seat].z;
+        member.aside_m = aside_of(seats, taken, sitter.seat);
+        member.manners = manners_of(theatre.classes[sitter.social_class].figure);
+        members.push_back(member);
+    }
+    return members;
+}
+
 Audience::Audience(Library &library, const Theatre &theatre, const Casting &casting)
     : seats_(seats_of(theatre)),
       sitters_(seat_people(theatre, seats_, casting.count, casting.seed)),
+      members_(members_of(theatre, seats_, sitters_, casting.seed)),
       cast_(library, casting)
 {
     std::vector<std::vector<clq_hsb_range>> dyes;
@@ -27,16 +62,10 @@ Audience::Audience(Library &library, const Theatre &theatre, const Casting &cast
         figure_of_.push_back(figure(library, one.figure));
         dyes.push_back(dyes_of(one, figures_[figure_of_.back()]));
     }
-    for (const Sitter &sitter : sitters_) {
+    for (size_t i = 0; i < sitters_.size(); ++i) {
+        const Sitter &sitter = sitters_[i];
         const Figure &worn = figures_[figure_of_[sitter.social_class]];
-        Member member;
-        member.seed = casting.seed;
-        member.who = sitter.seat;
-        member.x = seats_[sitter.seat].x;
-        member.z = seats_[sitter.seat].z;
-        member.manners = manners_of(theatre.classes[sitter.social_class].figure);
-        member.duration_s = worn.duration_s;
-        members_.push_back(member);
+        members_[i].duration_s = worn.duration_s;
         clq_play still = {};
         still.clip = worn.clips[0];
         still.speed = 1;

@@ -8,6 +8,10 @@
 namespace scenes
 {
 
+// Each sitter as a programme sees it, but for the lengths of its clips.
+std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &seats,
+                               const std::vector<Sitter> &sitters, uint64_t seed);
+
 class Audience
 {
 public:
@@ -35,9 +39,9 @@ private:
 
     std::vector<Seat> seats_;
     std::vector<Sitter> sitters_;
+    std::vector<Member> members_;
     std::vector<Figure> figures_;
     std::vector<size_t> figure_of_;  // of each class
-    std::vector<Member> members_;
     std::vector<Playing> playing_;
     Cast cast_;
 };

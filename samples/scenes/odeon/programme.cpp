@@ -84,7 +84,7 @@ private:
         // Some are restless, some talkative, some hold still.
         const double restless = lot_between(m_.seed, m_.who, Lot::temper, 0.4, 1.8);
         const double talkative = lot_between(m_.seed, m_.who + 0x100000u, Lot::temper, 0.3, 2.0);
-        weights[1] *= restless;
+        weights[1] *= m_.aside_m < aside_to_lean_m ? 0 : restless;
         weights[2] *= restless;
         weights[3] *= talkative;
         weights[4] += 22 * mood.applause;
@@ -105,7 +105,7 @@ private:
     bool stand_up(const Mood &mood)
     {
         const double ready = rise_odds[static_cast<size_t>(m_.manners)];
-        if (draw() >= ready * (0.012 + 0.22 * mood.ovation)) return false;
+        if (m_.aside_m < aside_to_rise_m || draw() >= ready * (0.05 + 0.35 * mood.ovation)) return false;
         constexpr Act ovation[] = {Act::stand_applaud, Act::stand_applaud, Act::stand_cheer, Act::stand_wave};
         constexpr Act else_[] = {Act::stand, Act::stand_wave, Act::stand_laugh, Act::stand_applaud};
         const Act(&choice)[4] = mood.ovation > 0.1 ? ovation : else_;
@@ -129,6 +129,7 @@ private:
         double least = 1e9;
         for (size_t i = 0; i < 4; ++i) {
             const Act act = static_cast<Act>((first + i) % 4);
+            if (act == Act::lean && m_.aside_m < aside_to_lean_m) continue;
             double missing = left() - duration(act);
             if (missing > 0) missing = std::min(missing, std::abs(missing - shortest_s_));
             if (std::abs(missing) >= least - 1e-9) continue;

@@ -36,9 +36,13 @@ enum class Manners : uint8_t { grave, gracious, hearty };  // of a decurion, a p
 struct Member {
     uint64_t seed = 0, who = 0;
     double x = 0, z = 0;  // of the seat, metres
+    // Sideways to the nearest who sits in the row in front. Who rises or leans forward needs room for head and chest.
+    double aside_m = 9;
     Manners manners = Manners::grave;
     std::array<double, act_count> duration_s = {};  // of its figure's clips, each above 0
 };
+
+constexpr double aside_to_rise_m = 0.42, aside_to_lean_m = 0.18;
 
 // One clip from its first pose to its last.
 struct Playing {

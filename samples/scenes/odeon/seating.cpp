@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double radians = 0.017453292519943295;
-constexpr double noise_cell_m = 2.8;         // about four seats
+constexpr double noise_cell_m = 4.0;         // about six seats
 constexpr double feet_to_hips_m = 0.40;      // level, of a sitter of scale 1
 constexpr double share_of_feet = 1.0 / 3.0;  // of what a tall or short sitter does not fit the seat; hips the rest
 
