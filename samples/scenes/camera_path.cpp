@@ -16,7 +16,7 @@ namespace
 
 using Point = std::array<double, 3>;
 
-constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120};
+constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120}, depth = {0.001, 1e6};
 constexpr double least_m = 0.01;  // from the eye to what it looks at
 
 double distance(const Point &a, const Point &b)
@@ -42,14 +42,17 @@ Point point(Described &key, const char *name)
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-KeyFrame read_key(Described &d)
+KeyFrame read_key(Described &d, double far_m)
 {
     KeyFrame key;
     key.time_s = d.number("time_s", film);
     key.view.eye = point(d, "eye");
     key.view.target = point(d, "target");
     key.view.fov_deg = d.number("fov_deg", angle);
+    key.view.near_m = d.number("near_m", depth);
     d.done();
+    if (!(key.view.near_m < far_m))
+        d.refuse("has near_m = " + show(key.view.near_m) + ", which is not below far_m = " + show(far_m));
     if (distance(key.view.eye, key.view.target) < least_m)
         d.refuse("looks at where it stands: eye and target are " + show(distance(key.view.eye, key.view.target)) +
                  " m apart");
@@ -57,11 +60,11 @@ KeyFrame read_key(Described &d)
     return key;
 }
 
-std::vector<KeyFrame> read_keys(Described &path)
+std::vector<KeyFrame> read_keys(Described &path, double far_m)
 {
     std::vector<KeyFrame> keys;
     for (Described &d : path.tables("keys", "key frame")) {
-        const KeyFrame key = read_key(d);
+        const KeyFrame key = read_key(d, far_m);
         if (!keys.empty() && !(key.time_s > keys.back().time_s))
             d.refuse("is at " + show(key.time_s) + " s, which is not after the one before it, at " +
                      show(keys.back().time_s) + " s");
@@ -119,10 +122,8 @@ CameraPath::CameraPath(const std::string &toml, const std::string &where)
 {
     const toml::table table = described(toml, where);
     Described path(table, where, "");
-    near_m_ = path.number("near_m", {0.001, 1e4});
-    far_m_ = path.number("far_m", {0.001, 1e6});
-    if (!(far_m_ > near_m_)) path.refuse("far_m = " + show(far_m_) + " is not beyond near_m = " + show(near_m_));
-    keys_ = read_keys(path);
+    far_m_ = path.number("far_m", depth);
+    keys_ = read_keys(path, far_m_);
     sections_ = read_sections(path, first_s(), last_s());
     path.done();
     // Between key frames a camera may still cross its own target, or swing over it.
@@ -155,16 +156,17 @@ Viewpoint CameraPath::at(double time_s) const
         v.eye[axis] = cubic([axis](const Viewpoint &at) { return at.eye[axis]; });
         v.target[axis] = cubic([axis](const Viewpoint &at) { return at.target[axis]; });
     }
-    // Angles never go beyond those of their two key frames.
-    const double u = (time_s - a.time_s) / (b.time_s - a.time_s);
-    v.fov_deg = a.view.fov_deg + (b.view.fov_deg - a.view.fov_deg) * u * u * (3 - 2 * u);
+    // What has limits never goes beyond its two key frames.
+    const double u = (time_s - a.time_s) / (b.time_s - a.time_s), eased = u * u * (3 - 2 * u);
+    v.fov_deg = a.view.fov_deg + (b.view.fov_deg - a.view.fov_deg) * eased;
+    v.near_m = a.view.near_m + (b.view.near_m - a.view.near_m) * eased;
     return v;
 }
 
 clq_camera CameraPath::camera(double time_s, double aspect) const
 {
     const Viewpoint v = at(time_s);
-    return look({v.eye[0], v.eye[1], v.eye[2]}, {v.target[0], v.target[1], v.target[2]}, v.fov_deg, aspect, near_m_,
+    return look({v.eye[0], v.eye[1], v.eye[2]}, {v.target[0], v.target[1], v.target[2]}, v.fov_deg, aspect, v.near_m,
                 far_m_);
 }
 

@@ -14,6 +14,7 @@ namespace scenes
 struct Viewpoint {
     std::array<double, 3> eye, target;  // metres
     double fov_deg = 0;                 // the whole upright angle
+    double near_m = 0;                  // nothing nearer is drawn; the farther it is, the finer is depth
 };
 
 struct KeyFrame {
@@ -46,7 +47,7 @@ public:
 private:
     std::vector<KeyFrame> keys_;
     std::vector<PathSection> sections_;
-    double near_m_ = 0, far_m_ = 0;
+    double far_m_ = 0;
 };
 
 // The path that comes with a scene; null where it has none.
