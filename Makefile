@@ -4,13 +4,14 @@ BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 
-.PHONY: help setup build run test test-asan test-tsan test-scalar bench golden-accept install check format clean
+.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept install check format clean
 
 help:
-	@echo "make run        install what is missing, build, render the plaza into out/"
+	@echo "make run        install what is missing, build, render the odeon into out/"
+	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
-	@echo "make bench      figures: caches by variety by number of people, skinning, poses"
+	@echo "make bench      figures: caches by variety along the odeon's path and on the plaza, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 
@@ -24,9 +25,23 @@ build: setup
 
 run: build
 	@mkdir -p out
-	$(CLAQUE) render --scene plaza --count 400 --size 1024x768 --out out/crowd.png --json out/crowd.json
-	$(CLAQUE) render --scene plaza --count 400 --size 1024x768 --camera close --out out/crowd-close.png
+	$(CLAQUE) render --scene odeon --size 1024x768 --out out/odeon.png --json out/odeon.json
+	$(CLAQUE) render --scene odeon --size 1024x768 --camera close --out out/odeon-close.png
+	$(CLAQUE) sheet --scene odeon --size 640x480 --out out/odeon-sheet.png
+	$(CLAQUE) variety patrician --out out/odeon-variety.png
 	@ls -l out
+
+# Frames go straight into the encoder; the film is there once it is whole.
+video: build
+	@command -v ffmpeg > /dev/null || { echo "make video needs ffmpeg: apt-get install ffmpeg" >&2; exit 1; }
+	@mkdir -p out
+	@rm -f out/odeon.part.mp4 out/odeon.failed
+	{ $(CLAQUE) render --scene odeon --frames all --size 1024x768 --out - || touch out/odeon.failed; } | \
+	    ffmpeg -loglevel error -nostats -y -f rawvideo -pix_fmt rgb24 -s 1024x768 -r 25 -i - \
+	    -c:v libx264 -crf 18 -preset fast -pix_fmt yuv420p -movflags +faststart out/odeon.part.mp4
+	@if [ -e out/odeon.failed ]; then rm -f out/odeon.failed out/odeon.part.mp4; exit 1; fi
+	@mv out/odeon.part.mp4 out/odeon.mp4
+	@ls -l out/odeon.mp4
 
 test: build
 	ctest --preset $(PRESET) -j $(JOBS)
@@ -37,11 +52,16 @@ test-asan test-tsan test-scalar: test-%:
 
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
+	@mkdir -p out
+	$(CLAQUE) bench odeon --save out/odeon-bench.json
+	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
 	$(CLAQUE) bench plaza
 
 golden-accept: build
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --size 320x240 --time 1.5 --out tests/golden/plaza.png
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --camera close --size 320x240 --time 1.5 --out tests/golden/plaza-close.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --size 320x240 --time 1.5 --out tests/golden/odeon.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --camera close --size 320x240 --time 1.5 --out tests/golden/odeon-close.png
 
 install: build
 	@cmake --install $(BUILD)

@@ -3,6 +3,7 @@
 #include "samples/cli/bench.h"
 
 #include "samples/cli/command.h"
+#include "samples/cli/files.h"
 
 #include <iostream>
 #include <memory>
@@ -23,8 +24,10 @@ namespace
 
 void bench(const BenchArguments &a)
 {
+    if (!a.save.empty()) expect_writable(a.save);
     const bool along_path = a.stage.camera == "path";
     const Json report = along_path ? bench_along_path(a) : bench_by_count(a);
+    if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << markdown_of(report);
     else if (along_path) print_sections(report);
@@ -69,6 +72,7 @@ void add_bench(CLI::App &app, Work &chosen)
     add_stage_options(*c, a->stage);
     CLI::Option *json = c->add_flag("--json", a->json, "As JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path: as a table for a README")->excludes(json);
+    c->add_option("--save", a->save, "Write the JSON here as well")->excludes(json);
     c->callback([a, count, &chosen] {
         choose_scene(*a);
         if (a->stage.camera != "path" && a->markdown)

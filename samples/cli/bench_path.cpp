@@ -2,6 +2,7 @@
 // all variants, one right after the other in turning order, so that what else the machine does hits them alike. Each
 // cache has a crowd of its own. Frames come in bursts, 1/25 s apart, spread over the section; before a burst each crowd
 // is updated once, unmeasured, a frame's time before, so that its caches hold what they would hold on the way.
+#include "samples/cli/agreement.h"
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/machine.h"
@@ -9,7 +10,6 @@
 #include "samples/cli/stopwatch.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 
 namespace cli
@@ -29,50 +29,6 @@ struct Mean {
         ++count;
     }
     double value() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
-};
-
-// Where surfaces cross, two of them may have one and the same depth in a pixel, to the last bit of the depth buffer; the
-// later one is seen there, and varieties draw in different order. More than one such pixel in so many is no such thing.
-constexpr size_t pixels_a_tie = 50000;
-
-// One frame's pictures: of one variety the same with every cache, and of all varieties the same but for depth ties.
-class Agreement
-{
-public:
-    // `what` names it in the sentence.
-    void begin(const std::string &what)
-    {
-        what_ = what;
-        reference_.clear();
-        hashes_.clear();
-    }
-    void check(const std::vector<uint8_t> &rgb, const std::string &cache, const std::string &variety)
-    {
-        const std::string hash = hex(scenes::hash_of(rgb)), with = " with cache " + cache + " and variety " + variety;
-        if (reference_.empty()) {
-            reference_ = rgb;
-            first_ = hash;
-        }
-        expect_same_picture(hashes_[variety], hash, what_ + with);
-        if (hash == first_) return;
-        size_t differ = 0;
-        for (size_t i = 0; i < rgb.size(); i += 3)
-            differ += !std::equal(rgb.begin() + static_cast<std::ptrdiff_t>(i),
-                                  rgb.begin() + static_cast<std::ptrdiff_t>(i) + 3,
-                                  reference_.begin() + static_cast<std::ptrdiff_t>(i));
-        if (differ * pixels_a_tie > rgb.size() / 3)
-            throw scenes::Failure("the picture of " + what_ + with + " differs in " + std::to_string(differ) +
-                                  " pixels, so the times mean nothing");
-        most_ties_ = std::max(most_ties_, differ);
-    }
-    const std::string &hash() const { return first_; }
-    size_t most_ties() const { return most_ties_; }
-
-private:
-    std::string what_, first_;
-    std::vector<uint8_t> reference_;
-    std::map<std::string, std::string> hashes_;  // by variety
-    size_t most_ties_ = 0;
 };
 
 // One cache and one variety over one section.
