@@ -3,6 +3,7 @@
 // the right one runs on into the arm.
 #include <map>
 
+#include "lib/figures/brush.h"
 #include "lib/figures/plebeian/plebeian.h"
 #include "lib/figures/skeleton.h"
 
@@ -26,13 +27,13 @@ struct Row {
 };
 
 const std::array<Row, 7> rows = {{
-    {0.590f, 0.212f, 0.168f, 0.180f, 0.000f, 0.030f, 0.010f},  // hem
-    {0.725f, 0.202f, 0.152f, 0.170f, 0.000f, 0.018f, 0.000f},
-    {0.880f, 0.180f, 0.130f, 0.150f, 0.000f, 0.008f, 0.000f},  // hips
+    {0.590f, 0.188f, 0.154f, 0.166f, 0.000f, 0.026f, 0.010f},  // hem
+    {0.725f, 0.184f, 0.144f, 0.162f, 0.000f, 0.016f, 0.000f},
+    {0.880f, 0.170f, 0.126f, 0.146f, 0.000f, 0.008f, 0.000f},  // hips
     {1.016f, 0.146f, 0.108f, 0.108f, 0.000f, 0.002f, 0.000f},  // below the rope
     {1.056f, 0.146f, 0.108f, 0.106f, 0.000f, 0.000f, 0.000f},  // above it, behind the overhang
-    {1.046f, 0.162f, 0.132f, 0.122f, 0.000f, 0.016f, 0.014f},  // overhang
-    {1.195f, 0.152f, 0.122f, 0.114f, -0.003f, 0.008f, 0.000f},
+    {1.040f, 0.155f, 0.122f, 0.117f, 0.000f, 0.012f, 0.014f},  // overhang
+    {1.195f, 0.147f, 0.120f, 0.113f, -0.003f, 0.008f, 0.000f},
 }};
 
 using Half = std::array<glm::vec3, 7>;
@@ -86,7 +87,7 @@ Ring add_row(Mesh &mesh, const Row &row)
         const float y = row.y + row.dip * folds[static_cast<size_t>((k + 5) % columns)];
         const glm::vec3 p(d.x * row.side * fold, y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
         ring[static_cast<size_t>(k)] =
-            mesh.add(mirrored(p, side_of(k)), row.y < 1.03f ? Region::skirt : Region::torso, side_of(k));
+            mesh.add(mirrored(p, side_of(k)), row.y < 1.03f ? short_skirt : Region::torso, side_of(k));
     }
     return ring;
 }
@@ -205,6 +206,18 @@ Armhole add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, f
 
 }  // namespace
 
+BoneWeights weigh_skirt(const Point &point)
+{
+    const glm::vec3 p = point.position;
+    const Side side = p.x >= 0 ? Side::left : Side::right;
+    const float out = soft_step(0.03f, 0.11f, std::fabs(p.x)), down = soft_step(0.96f, 0.80f, p.y);
+    const float with_thigh = 0.85f * out * down;
+    BoneWeights w{};
+    weigh_gown(w, p, 1 - with_thigh);
+    give(w, on(side, Bone::thigh), with_thigh);
+    return w;
+}
+
 void add_exomis(Mesh &mesh)
 {
     std::vector<Ring> rings;
@@ -218,7 +231,7 @@ void add_exomis(Mesh &mesh)
     rings.push_back(add_row(mesh, armpit_left, armpit_right));
     heights.push_back(t += 0.15f);
     for (size_t r = 0; r + 1 < rings.size(); ++r) sew_rows(mesh, rings[r], rings[r + 1], heights[r], heights[r + 1]);
-    const uint32_t inside = mesh.add(glm::vec3(0, 0.82f, 0), Region::skirt);
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.82f, 0), short_skirt);
     mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});
     const Ring &low = rings.back(), high = add_row(mesh, upper_left, upper_right);

@@ -62,6 +62,7 @@ model::Model plebeian_man()
     figure.layout = plebeian_layout();
     figure.zones = plebeian_zones();
     figure.clips = figure_clips();
+    figure.weigher = plebeian::weigh_skirt;
     return assemble(figure);
 }
 

@@ -35,7 +35,8 @@ float thickness(glm::vec3 p)
     const float tuft = base::unit(base::mix(static_cast<uint64_t>(static_cast<int64_t>(p.x * 9000)) * 77 +
                                             static_cast<uint64_t>(static_cast<int64_t>(p.y * 9000)) * 3 +
                                             static_cast<uint64_t>(static_cast<int64_t>(p.z * 9000))));
-    return inside * (0.010f + 0.013f * tuft);
+    const float behind = 1 - 0.5f * soft_step(-0.05f, -0.10f, p.z) * soft_step(1.58f, 1.62f, p.y);
+    return inside * behind * (0.008f + 0.018f * tuft);
 }
 
 glm::vec3 haired(glm::vec3 p, glm::vec3 q, Side side)

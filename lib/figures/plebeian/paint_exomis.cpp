@@ -100,8 +100,8 @@ float trunk_skin(glm::vec3 p)
     const glm::vec2 q(-p.x, p.y);
     float g = 226;
     if (p.z > 0) {
-        g -= 30 * spot(to_segment(q, {0.008f, 1.418f}, {0.110f, 1.444f}) - 0.004f, 0.009f);  // below the collar bone
-        g += 12 * spot(to_segment(q, {0.012f, 1.428f}, {0.120f, 1.452f}), 0.007f);
+        g -= 16 * spot(to_segment(q, {0.016f, 1.412f}, {0.110f, 1.436f}), 0.016f);  // below the collar bone
+        g += 8 * spot(to_segment(q, {0.012f, 1.428f}, {0.120f, 1.450f}), 0.010f);
         g -= 14 * spot(q, {0, 1.408f}, {0.012f, 0.014f});                           // pit of the throat
         g -= 18 * spot(q.x, 0.012f) * soft_step(1.43f, 1.38f, p.y);                 // breast bone
         g -= 28 * spot(to_segment(q, {0.020f, 1.306f}, {0.104f, 1.312f}), 0.014f);  // below the breast

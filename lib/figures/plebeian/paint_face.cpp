@@ -72,21 +72,20 @@ Paint lips(glm::vec2 q)
     return {g - 18 * soft_step(0.6f, 1.0f, q.x / mouth_half), Zone::lips};
 }
 
-// How thick the beard is, 0 to 1; about the edge of the jaw, the chin and the upper lip, thin on the cheeks.
+// How thick the beard is, 0 to 1: from the whiskers along the edge of the jaw to the chin, and on the upper lip; thin
+// everywhere, since he is young.
 float beard(glm::vec3 p)
 {
-    static const glm::vec2 upper[] = {{-0.02f, 1.600f}, {0.020f, 1.600f}, {0.045f, 1.568f},
-                                      {0.066f, 1.548f}, {0.085f, 1.547f}, {0.2f, 1.547f}};
+    static const glm::vec2 upper[] = {{-0.010f, 1.560f}, {0.004f, 1.606f}, {0.024f, 1.612f}, {0.040f, 1.576f},
+                                      {0.060f, 1.552f},  {0.082f, 1.546f}, {0.200f, 1.547f}};
     const glm::vec2 q(std::fabs(p.x), p.y);
-    float thick = soft_step(0.004f, -0.012f, p.y - profile(upper, p.z)) * soft_step(0.000f, 0.016f, p.z);
-    thick *= soft_step(1.494f, 1.520f, p.y + 0.05f * p.z);
-    const float mouth = std::max(q.x / 0.030f, std::fabs(p.y - 1.558f) / 0.014f);
-    thick *= soft_step(0.75f, 1.05f, mouth);
-    const float lip =
-        spot(to_segment(q, {0.004f, 1.5765f}, {0.0260f, 1.5690f}), 0.0065f) * soft_step(0.0f, 0.004f, q.x + 0.001f);
-    const float corner = spot(to_segment(q, {0.0270f, 1.5670f}, {0.0255f, 1.5480f}), 0.0060f);
-    const float under = spot(q, {0, 1.5485f}, {0.0085f, 0.0070f});
-    return std::max({thick, 0.95f * lip, 0.8f * corner, 0.8f * under});
+    float thick = soft_step(0.006f, -0.014f, p.y - profile(upper, p.z)) * soft_step(-0.012f, 0.020f, p.z);
+    thick *= soft_step(1.496f, 1.524f, p.y + 0.05f * p.z);
+    thick *= soft_step(0.75f, 1.05f, std::max(q.x / 0.030f, std::fabs(p.y - 1.558f) / 0.014f));
+    const float lip = spot(to_segment(q, {0.0040f, 1.5762f}, {0.0255f, 1.5695f}), 0.0060f);
+    const float corner = spot(to_segment(q, {0.0275f, 1.5660f}, {0.0265f, 1.5460f}), 0.0075f);
+    const float under = spot(q, {0, 1.5480f}, {0.0080f, 0.0066f});
+    return std::max({0.84f * thick, 0.86f * lip, 0.58f * corner, 0.70f * under});
 }
 
 float skin_of_face(glm::vec2 q, glm::vec3 n)
@@ -151,9 +150,8 @@ Paint paint_lean_head(const Texel &t)
     if (paint.zone != Zone::skin) return paint;
     // Single hairs where the beard is thin, a shade of stubble about them.
     const float thick = beard(p), hairs = grain(p.x * 700, p.y * 520 + p.z * 400, 213);
-    if (thick * 1.10f > 0.30f + 0.62f * hairs)
-        return {158 + 66 * grain(p.x * 620 + 9, p.y * 330 + p.z * 300, 214), Zone::hair};
-    paint.luminance -= 44 * thick + 34 * spot(above, 0.010f) * (p.y > 1.53f ? 1.0f : 0.0f);
+    if (thick > 0.34f + 0.62f * hairs) return {196 + 58 * grain(p.x * 620 + 9, p.y * 330 + p.z * 300, 214), Zone::hair};
+    paint.luminance -= 62 * thick + 34 * spot(above, 0.010f) * (p.y > 1.53f ? 1.0f : 0.0f);
     return paint;
 }
 
