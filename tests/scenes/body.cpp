@@ -59,6 +59,8 @@ glm::dvec3 Body::joint(const char *name) const
     return claque::math::point(workspace_.global(model_.rig.find_node(name)), glm::vec3(0));
 }
 
+glm::dvec3 Body::hips() const { return 0.5 * (joint("thigh_l") + joint("thigh_r")); }
+
 std::vector<Capsule> Body::capsules() const
 {
     const glm::dvec3 head = joint("head");

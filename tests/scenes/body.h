@@ -33,6 +33,7 @@ public:
     // In the figure's own space, of the last pose.
     const std::vector<glm::dvec3> &vertices() const { return vertices_; }
     std::vector<Capsule> capsules() const;
+    glm::dvec3 hips() const;  // between the joints of the thighs
 
 private:
     glm::dvec3 joint(const char *name) const;

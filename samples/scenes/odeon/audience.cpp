@@ -81,13 +81,11 @@ size_t Audience::figure(Library &library, const std::string &name)
     Figure made;
     made.name = name;
     clq_template *tmpl = nullptr;
-    if (clq_template_builtin(library.context(), name.c_str(), &tmpl) != CLQ_OK)
-        check(clq_template_builtin(library.context(), "citizen", &tmpl));
+    check(clq_template_builtin(library.context(), name.c_str(), &tmpl));
     made.tmpl.reset(tmpl);
     for (size_t a = 0; a < act_count; ++a) {
         const char *clip = clip_name(static_cast<Act>(a));
         made.clips[a] = clq_template_find_clip(tmpl, clip);
-        if (made.clips[a] == CLQ_NONE) made.clips[a] = clq_template_find_clip(tmpl, "stand");
         clq_clip_info info = {};
         if (made.clips[a] != CLQ_NONE) check(clq_template_get_clip(tmpl, made.clips[a], &info));
         if (!(info.duration_s > 0)) throw Failure("the figure '" + name + "' has no clip '" + clip + "' to play");
@@ -111,7 +109,6 @@ std::vector<clq_hsb_range> Audience::dyes_of(const SocialClass &one, const Figur
     }
     for (const SocialClass::Dye &dye : one.dyes) {
         const uint32_t zone = clq_template_find_zone(worn.tmpl.get(), dye.zone.c_str());
-        if (zone == CLQ_NONE) continue;
         if (zone == CLQ_NONE)
             throw Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" + worn.name +
                           "' has no such zone; there are: " + names);
