@@ -27,9 +27,9 @@ struct Row {
 };
 
 const std::array<Row, 7> rows = {{
-    {0.590f, 0.188f, 0.154f, 0.166f, 0.000f, 0.026f, 0.010f},  // hem
-    {0.725f, 0.184f, 0.144f, 0.162f, 0.000f, 0.016f, 0.000f},
-    {0.880f, 0.170f, 0.126f, 0.146f, 0.000f, 0.008f, 0.000f},  // hips
+    {0.590f, 0.170f, 0.128f, 0.140f, 0.000f, 0.018f, 0.008f},  // hem
+    {0.725f, 0.174f, 0.130f, 0.150f, 0.000f, 0.012f, 0.000f},
+    {0.880f, 0.167f, 0.122f, 0.146f, 0.000f, 0.008f, 0.000f},  // hips
     {1.016f, 0.146f, 0.108f, 0.108f, 0.000f, 0.002f, 0.000f},  // below the rope
     {1.056f, 0.146f, 0.108f, 0.106f, 0.000f, 0.000f, 0.000f},  // above it, behind the overhang
     {1.040f, 0.155f, 0.122f, 0.117f, 0.000f, 0.012f, 0.014f},  // overhang
@@ -211,7 +211,7 @@ BoneWeights weigh_skirt(const Point &point)
     const glm::vec3 p = point.position;
     const Side side = p.x >= 0 ? Side::left : Side::right;
     const float out = soft_step(0.03f, 0.11f, std::fabs(p.x)), down = soft_step(0.96f, 0.80f, p.y);
-    const float with_thigh = 0.85f * out * down;
+    const float with_thigh = 0.60f * out * down;
     BoneWeights w{};
     weigh_gown(w, p, 1 - with_thigh);
     give(w, on(side, Bone::thigh), with_thigh);

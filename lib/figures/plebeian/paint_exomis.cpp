@@ -132,7 +132,7 @@ float shoulder_skin(glm::vec3 p)
 Paint paint_exomis(const Texel &t)
 {
     const glm::vec3 p = t.position;
-    if (t.chart == Chart::tunic_inside || t.chart == Chart::sleeve_inside) return {112, Zone::tunic};
+    if (t.chart == Chart::tunic_inside || t.chart == Chart::sleeve_inside) return {150, Zone::tunic};
     if (t.chart == Chart::sleeve_r) return {shoulder_skin(p), Zone::skin};
     const float inside = inside_cloth(t);
     if (inside < 0) return {trunk_skin(p) - 70 * spot(inside, 0.014f), Zone::skin};
