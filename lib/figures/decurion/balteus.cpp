@@ -1,5 +1,5 @@
 // The balteus, a roll of gathered cloth in a loop from under the right arm over the left shoulder and slantwise down
-// the back, and the lappet that hangs down the left front. Their edges lie in the dress: neither has an inside.
+// the back, and the umbo, cloth that is drawn out from under it and falls before the belly. Their edges lie in the dress: neither has an inside.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/decurion/decurion.h"
@@ -15,17 +15,37 @@ using Station = std::array<glm::vec3, 4>;
 
 const std::array<Station, 10> stations = {{
     // right side, where the loop begins and ends
-    {{{-0.164f, 1.190f, 0.006f}, {-0.196f, 1.162f, 0.004f}, {-0.210f, 1.102f, 0.004f}, {-0.186f, 1.040f, 0.004f}}},
-    {{{-0.112f, 1.218f, 0.090f}, {-0.140f, 1.188f, 0.134f}, {-0.150f, 1.126f, 0.146f}, {-0.128f, 1.060f, 0.120f}}},
-    {{{-0.012f, 1.278f, 0.122f}, {-0.006f, 1.252f, 0.176f}, {0.004f, 1.186f, 0.196f}, {0.010f, 1.116f, 0.166f}}},
+    {{{-0.168f, 1.198f, 0.006f}, {-0.206f, 1.176f, 0.004f}, {-0.228f, 1.122f, 0.004f}, {-0.198f, 1.078f, 0.004f}}},
+    {{{-0.112f, 1.222f, 0.090f}, {-0.144f, 1.196f, 0.142f}, {-0.158f, 1.138f, 0.160f}, {-0.136f, 1.082f, 0.136f}}},
+    {{{-0.012f, 1.278f, 0.122f}, {-0.006f, 1.252f, 0.176f}, {0.004f, 1.190f, 0.204f}, {0.010f, 1.122f, 0.182f}}},
     {{{0.040f, 1.346f, 0.110f}, {0.062f, 1.328f, 0.164f}, {0.106f, 1.266f, 0.154f}, {0.122f, 1.190f, 0.098f}}},
     {{{0.060f, 1.404f, 0.088f}, {0.084f, 1.400f, 0.134f}, {0.134f, 1.372f, 0.120f}, {0.166f, 1.340f, 0.050f}}},
     {{{0.088f, 1.450f, -0.010f}, {0.106f, 1.494f, -0.018f}, {0.152f, 1.490f, -0.020f}, {0.190f, 1.440f, -0.016f}}},
     {{{0.046f, 1.424f, -0.098f}, {0.072f, 1.418f, -0.138f}, {0.128f, 1.394f, -0.134f}, {0.168f, 1.350f, -0.076f}}},
     {{{-0.015f, 1.350f, -0.116f}, {0.006f, 1.326f, -0.160f}, {0.064f, 1.262f, -0.162f}, {0.118f, 1.180f, -0.088f}}},
-    {{{-0.076f, 1.262f, -0.088f}, {-0.070f, 1.234f, -0.148f}, {-0.038f, 1.164f, -0.164f}, {0, 1.096f, -0.128f}}},
-    {{{-0.130f, 1.214f, -0.054f}, {-0.152f, 1.186f, -0.100f}, {-0.156f, 1.124f, -0.120f}, {-0.136f, 1.050f, -0.096f}}},
+    {{{-0.076f, 1.262f, -0.088f}, {-0.070f, 1.236f, -0.152f}, {-0.040f, 1.172f, -0.170f}, {0, 1.108f, -0.132f}}},
+    {{{-0.132f, 1.216f, -0.056f}, {-0.158f, 1.192f, -0.108f}, {-0.166f, 1.136f, -0.130f}, {-0.140f, 1.078f, -0.100f}}},
 }};
+
+// From above; each row from the middle of the body to its left.
+const std::array<Station, 4> pouch = {{
+    {{{0.030f, 1.215f, 0.142f}, {0.070f, 1.235f, 0.156f}, {0.122f, 1.255f, 0.128f}, {0.156f, 1.270f, 0.040f}}},
+    {{{0.018f, 1.110f, 0.176f}, {0.060f, 1.100f, 0.226f}, {0.146f, 1.105f, 0.174f}, {0.174f, 1.120f, 0.074f}}},
+    {{{0.038f, 0.975f, 0.186f}, {0.074f, 0.955f, 0.230f}, {0.148f, 0.960f, 0.180f}, {0.182f, 0.980f, 0.096f}}},
+    {{{0.066f, 0.850f, 0.170f}, {0.094f, 0.825f, 0.190f}, {0.140f, 0.825f, 0.156f}, {0.170f, 0.850f, 0.110f}}},
+}};
+
+void add_umbo(Mesh &mesh)
+{
+    std::vector<Chain> rows;
+    for (const Station &station : pouch) {
+        rows.emplace_back();
+        for (size_t k = 0; k < 4; ++k)
+            rows.back().push_back({mesh.add(station[k], station[k].y < 1.03f ? Region::gown : wrap),
+                                   {static_cast<float>(k), station[1].y}});
+    }
+    for (size_t r = 0; r + 1 < rows.size(); ++r) mesh.sew(umbo, Winding::as_given, rows[r + 1], rows[r], Along::s);
+}
 
 }  // namespace
 
@@ -34,7 +54,7 @@ void add_balteus(Mesh &mesh)
     std::vector<std::array<uint32_t, 4>> points;
     for (const Station &station : stations) {
         points.emplace_back();
-        for (size_t k = 0; k < 4; ++k) points.back()[k] = mesh.add(station[k], Region::torso);
+        for (size_t k = 0; k < 4; ++k) points.back()[k] = mesh.add(station[k], wrap);
     }
     float along = 0;
     for (size_t i = 0; i < stations.size(); ++i) {
@@ -47,6 +67,7 @@ void add_balteus(Mesh &mesh)
         }
         along += length;
     }
+    add_umbo(mesh);
 }
 
 }  // namespace claque::figures::decurion

@@ -11,9 +11,10 @@ namespace claque::figures::decurion
 constexpr Chart toga_front = own_chart(0), toga_back = own_chart(1), toga_inside = own_chart(2);
 constexpr Chart chest_front = own_chart(3), chest_back = own_chart(4);
 constexpr Chart balteus = own_chart(5);  // the roll across the breast, over the left shoulder and down the back
-constexpr Chart lappet = own_chart(6);   // what hangs from the left shoulder down the front
+constexpr Chart umbo = own_chart(6);     // the pouch that is drawn out over the roll
 
-constexpr Region hanging = own_region(0);  // the lappet
+// Cloth round the trunk, which reaches out as far as an arm and must not follow it.
+constexpr Region wrap = own_region(0);
 
 // How high the lower edge of the sinus, the toga's great fold, hangs at each of twelve columns, and how far it stands
 // out from the cloth below. 0 in front, 3 at the left side, 6 at the back, where there is none.
@@ -36,7 +37,7 @@ inline const std::array<SinusEdge, columns> sinus = {{{0.655f, 0.032f},
 
 void add_aged_head(Mesh &mesh);  // the shared head, made an old man's
 void add_toga(Mesh &mesh);       // the cloth from the shins to the shoulders, with what shows of the tunic; sleeves
-void add_balteus(Mesh &mesh);    // with the lappet
-void add_limbs(Mesh &mesh);      // arms, and of the legs what shows
+void add_balteus(Mesh &mesh);    // with the umbo
+void add_limbs(Mesh &mesh);      // arms; feet without legs, which nobody sees
 
 }  // namespace claque::figures::decurion

@@ -1,4 +1,7 @@
 #include "lib/figures/figure.h"
+
+#include <algorithm>
+
 #include "lib/figures/assemble.h"
 #include "lib/figures/decurion/decurion.h"
 #include "lib/figures/decurion/paint.h"
@@ -19,11 +22,13 @@ void add_pieces(Mesh &mesh)
     add_limbs(mesh);
 }
 
-// The lappet hangs from the shoulder: the chest above, the quarters of the cloth below, nothing of the arm.
-BoneWeights weigh(const Point &point)
+// Like the body below it, which is nowhere wider than this.
+BoneWeights weigh_wrap(const Point &point)
 {
+    constexpr float body = 0.195f;
     BoneWeights w{};
-    weigh_gown(w, point.position, 1);
+    const glm::vec3 p(std::clamp(point.position.x, -body, body), point.position.y, point.position.z);
+    weigh_shoulder(w, p, p.x >= 0 ? Side::left : Side::right, 1);
     return w;
 }
 
@@ -45,17 +50,15 @@ const Layout &decurion_layout()
         {Chart::sleeve_inside_r, {452, 212, 60, 28}},
         {toga_front, {0, 240, 144, 272}},
         {toga_back, {144, 240, 116, 272}},
-        {chest_front, {260, 240, 112, 104}},
-        {chest_back, {372, 240, 112, 104}},
-        {decurion::balteus, {260, 344, 224, 56}},
-        {decurion::lappet, {484, 240, 28, 160}},
-        {Chart::foot, {260, 400, 56, 112}},
-        {Chart::foot_r, {316, 400, 56, 112}},
-        {Chart::sole, {372, 400, 14, 112}},
-        {Chart::sole_r, {386, 400, 14, 112}},
-        {Chart::leg, {400, 400, 56, 56}},
-        {Chart::leg_r, {456, 400, 56, 56}},
-        {toga_inside, {400, 456, 112, 56}},
+        {chest_front, {260, 240, 126, 112}},
+        {chest_back, {386, 240, 126, 112}},
+        {decurion::balteus, {260, 352, 252, 56}},
+        {Chart::foot, {260, 408, 54, 104}},
+        {Chart::foot_r, {314, 408, 54, 104}},
+        {Chart::sole, {368, 408, 14, 104}},
+        {Chart::sole_r, {382, 408, 14, 104}},
+        {umbo, {396, 408, 60, 72}},
+        {toga_inside, {396, 480, 116, 32}},
     };
     return layout;
 }
@@ -86,7 +89,7 @@ model::Model decurion_man()
     figure.layout = decurion_layout();
     figure.zones = decurion_zones();
     figure.clips = figure_clips();
-    figure.weigher = weigh;
+    figure.weigher = weigh_wrap;
     return assemble(figure);
 }
 

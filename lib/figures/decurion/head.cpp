@@ -17,7 +17,7 @@ glm::vec3 aged(glm::vec3 p)
     const glm::vec2 front(x, p.y);
     const float ahead = soft_step(-0.03f, 0.05f, p.z);
     glm::vec3 q = p;
-    q.x *= 1.02f + 0.15f * ahead * soft_step(1.612f, 1.550f, p.y);  // jowls
+    q.x *= 1.03f + 0.17f * ahead * soft_step(1.612f, 1.550f, p.y);  // jowls
     q.y -= 0.006f * spot(front, {0.046f, 1.536f}, {0.030f, 0.026f}) * ahead;
     q.z += 0.006f * spot(front, {0.040f, 1.532f}, {0.034f, 0.030f}) * ahead;
     q.z += 0.004f * spot(front, {0.048f, 1.600f}, {0.026f, 0.020f});  // cheekbones
@@ -34,7 +34,7 @@ glm::vec3 aged(glm::vec3 p)
     q.y -= 0.0030f * spot(front, {0.040f, 1.655f}, {0.026f, 0.014f});
     q.z -= 0.0050f * spot(front, {0.0310f, 1.6345f}, {0.018f, 0.013f}) * ahead;  // sockets
     q.z += 0.0020f * spot(front, {0.0310f, 1.6150f}, {0.020f, 0.012f}) * ahead;  // bags below them
-    q.y -= 0.0030f * spot(front, {0.0265f, 1.5640f}, {0.014f, 0.012f}) * ahead;  // corners of the mouth
+    q.y -= 0.0016f * spot(front, {0.0265f, 1.5640f}, {0.014f, 0.012f}) * ahead;  // corners of the mouth
     q.z -= 0.0020f * spot(front, {0, 1.5640f}, {0.024f, 0.012f});
     q.z += 0.0050f * spot(front, {0, 1.5300f}, {0.030f, 0.016f}) * ahead;  // chin
     // Double chin and thick neck.

@@ -1,4 +1,4 @@
-// Stout arms and hands from the shared ones; of the legs only the shins, which show below the hem, and the feet.
+// Stout arms from the shared ones, with the shared hands; of the legs only what shows below the hem is made.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/decurion/decurion.h"
@@ -22,15 +22,11 @@ glm::vec3 stout(const Point &point)
     return mirrored(axis + (p - axis) * grow, point.side);
 }
 
-void add_shin(Mesh &mesh, Side side)
+void add_boot(Mesh &mesh, Side side)
 {
-    const glm::vec3 ex(1, 0, 0), ez(0, 0, 1);
-    const std::vector<uint32_t> top = add_ring(mesh, Region::leg, side, 8, {0.093f, 0.300f, -0.010f}, ex, ez,
-                                               {0.042f, 0.058f, 0.052f, 0.050f}),
-                                ankle = add_ring(mesh, Region::leg, side, 8, {0.092f, 0.105f, -0.018f}, ex, ez,
-                                                 {0.039f, 0.039f, 0.037f, 0.038f});
-    mesh.sew(on(side, Chart::leg), winding_of(side), ring_chain(ankle, 0.105f), ring_chain(top, 0.300f), Along::s);
-    add_foot(mesh, side, ankle);
+    add_foot(mesh, side,
+             add_ring(mesh, Region::leg, side, 8, {0.092f, 0.210f, -0.016f}, {1, 0, 0}, {0, 0, 1},
+                      {0.038f, 0.042f, 0.038f, 0.038f}));
 }
 
 }  // namespace
@@ -42,7 +38,7 @@ void add_limbs(Mesh &mesh)
         add_arm(mesh, side);
         for (size_t i = first; i < mesh.points.size(); ++i)
             if (mesh.points[i].region == Region::arm) mesh.points[i].position = stout(mesh.points[i]);
-        add_shin(mesh, side);
+        add_boot(mesh, side);
     }
 }
 

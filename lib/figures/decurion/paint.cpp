@@ -53,8 +53,6 @@ Paint plain(const Texel &t)
         case Chart::hand_palm:
         case Chart::hand_palm_r:
             return old_hand(t);
-        case Chart::leg:
-        case Chart::leg_r:
         case Chart::foot:
         case Chart::foot_r:
         case Chart::sole:
@@ -63,7 +61,7 @@ Paint plain(const Texel &t)
         default:
             break;
     }
-    if (t.chart == balteus || t.chart == lappet) return paint_balteus(t);
+    if (t.chart == balteus || t.chart == umbo) return paint_balteus(t);
     return is_toga(t) ? paint_toga(t) : paint_tunic(t);
 }
 
@@ -76,7 +74,8 @@ Paint paint_decurion(const Texel &t)
     Paint paint = decurion::plain(t);
     // The roots of the fingers lie inside the palm: no soot on hands.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
-    const float open = hand ? std::max(t.openness, 0.74f) : t.openness;
+    const bool loose = t.chart == decurion::balteus || t.chart == decurion::umbo;  // whose edges lie in the dress
+    const float open = std::max(t.openness, hand ? 0.74f : loose ? 0.35f : 0.0f);
     const float shade = 0.50f + 0.50f * soft_step(0.05f, 0.93f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;

@@ -55,7 +55,7 @@ bool is_brow(glm::vec3 p)
 }
 
 constexpr float mouth_half = 0.0275f, mouth_y = 1.5620f;
-float mouth_line(float x) { return mouth_y - 0.0026f * (x / mouth_half) * (x / mouth_half); }
+float mouth_line(float x) { return mouth_y - 0.0010f * (x / mouth_half) * (x / mouth_half); }
 
 bool is_lip(glm::vec2 q)
 {
@@ -102,13 +102,14 @@ float wrinkles(glm::vec2 q, float x)
     g -= 46 * spot(to_segment(q, {0.0062f, 1.661f}, {0.0050f, 1.644f}), 0.0022f);  // frown
     g -= 26 * spot(to_segment(q, {0.0000f, 1.640f}, {0.0090f, 1.6385f}), 0.0020f);
     // Crow's feet.
-    g -= 36 * spot(to_segment(q, {0.0490f, 1.6335f}, {0.0620f, 1.6400f}), 0.0018f);
-    g -= 40 * spot(to_segment(q, {0.0490f, 1.6315f}, {0.0635f, 1.6310f}), 0.0018f);
-    g -= 34 * spot(to_segment(q, {0.0480f, 1.6290f}, {0.0610f, 1.6215f}), 0.0018f);
+    g -= 0.7f * 36 * spot(to_segment(q, {0.0490f, 1.6335f}, {0.0620f, 1.6400f}), 0.0018f);
+    g -= 0.7f * 40 * spot(to_segment(q, {0.0490f, 1.6315f}, {0.0635f, 1.6310f}), 0.0018f);
+    g -= 0.7f * 34 * spot(to_segment(q, {0.0480f, 1.6290f}, {0.0610f, 1.6215f}), 0.0018f);
     // Bags: a furrow round the lower lid's swelling.
     const glm::vec2 d = (q - glm::vec2(0.0315f, 1.6280f)) / glm::vec2(0.0185f, 0.0130f);
     const float ring = std::sqrt(d.x * d.x + d.y * d.y);
-    if (q.y < 1.6280f) g += -40 * spot(ring - 1, 0.16f) + 10 * spot(ring - 0.72f, 0.20f);
+    if (q.y < 1.6280f)
+        g += (-30 * spot(ring - 1, 0.24f) + 8 * spot(ring - 0.70f, 0.25f)) * soft_step(1.6285f, 1.6230f, q.y);
     // From the nose to the mouth, from the mouth's corners down, and a second fold in the cheek.
     const float fold = std::min(to_segment(q, {0.0225f, 1.5960f}, {0.0350f, 1.5760f}),
                                 to_segment(q, {0.0350f, 1.5760f}, {0.0385f, 1.5580f}));

@@ -23,11 +23,15 @@ constexpr float edge_t = 0.660f;  // of the chart: the row of the sinus's edge
 
 bool round_legs(const Texel &t) { return t.chart == toga_front || t.chart == toga_back; }
 
-// Above the waist: below the line from the right hip to the left shoulder, before and behind.
-bool thrown_over(glm::vec3 p)
+// Above the waist the toga is what lies below the roll, under the middle of which it ends.
+bool thrown_over(const Texel &t)
 {
-    const glm::vec2 hip(-0.190f, 1.120f), shoulder(0.095f, 1.450f), to = shoulder - hip;
-    return to.x * (p.y - hip.y) - to.y * (p.x - hip.x) < 0;
+    static const glm::vec2 front[] = {{-0.20f, 1.120f}, {-0.145f, 1.150f}, {0, 1.215f},
+                                      {0.084f, 1.295f}, {0.109f, 1.386f},  {0.130f, 1.550f}};
+    static const glm::vec2 back[] = {{-0.20f, 1.120f}, {-0.154f, 1.155f}, {-0.054f, 1.200f},
+                                     {0.035f, 1.294f}, {0.100f, 1.405f},  {0.130f, 1.550f}};
+    const glm::vec3 p = t.position;
+    return p.y < (t.chart == chest_front ? profile(front, p.x) : profile(back, p.x));
 }
 
 // The column of the cloth as a real number: the height of the sinus's edge there, and how far the fold stands out.
@@ -65,12 +69,23 @@ float bows(glm::vec3 p)
     return 220 + 34 * crease(grain(line * 11, across, 338)) + 18 * crease(grain(line * 30, across * 1.7f, 339));
 }
 
+// The front turns from bows to straight folds at the sinus's edge, the back by and by.
+float draped(const Texel &t)
+{
+    const glm::vec3 p = t.position;
+    // Folds of front and back meet at the sides, where they are shallow.
+    const float depth = p.y < 0.7f ? 1.0f : 0.2f + 0.8f * soft_step(0.01f, 0.08f, std::fabs(p.z));
+    float g = t.chart == toga_front && t.st.y < edge_t ? fall(t) : bows(p);
+    if (t.chart == toga_back) g += (fall(t) - g) * soft_step(1.02f, 0.55f, p.y);
+    return 220 + (g - 220) * depth;
+}
+
 }  // namespace
 
 bool is_toga(const Texel &t)
 {
     if (round_legs(t)) return true;
-    if (t.chart == chest_front || t.chart == chest_back) return thrown_over(t.position);
+    if (t.chart == chest_front || t.chart == chest_back) return thrown_over(t);
     return t.chart == Chart::sleeve || t.chart == toga_inside || t.chart == Chart::sleeve_inside;
 }
 
@@ -84,22 +99,31 @@ Paint paint_toga(const Texel &t)
                     16 * crease(grain(round * 4 + 30, p.x * 7, 341)),
                 Zone::outer};
     }
-    if (!round_legs(t)) return {bows(p), Zone::outer};
+    if (!round_legs(t)) return {draped(t), Zone::outer};
     const SinusEdge edge = edge_at(t);
     const float shown = soft_step(0.002f, 0.014f, edge.out);  // of the sinus's edge
     const float up = p.y - edge.y;
     if (t.st.y >= edge_t - 0.0005f) {
-        const float g = bows(p);
-        if (shown > 0.5f && up < sinus_border) return {g + 6 - 44 * spot(up - sinus_border, 0.004f), Zone::border};
+        const float g = draped(t);
+        const float border = sinus_border * soft_step(0.004f, 0.022f, edge.out);
+        if (border > 0.003f && up < border) return {g + 6 - 44 * spot(up - border, 0.004f), Zone::border};
         return {g + 14 * spot(up - 0.06f, 0.05f) * shown, Zone::outer};
     }
-    float g = fall(t) - 74 * shown * spot(std::min(0.0f, up), 0.090f);
+    float g = draped(t) - 74 * shown * spot(std::min(0.0f, up), 0.090f);
     if (p.y < hem + hem_border) return {g + 6 - 40 * spot(p.y - hem - hem_border, 0.004f), Zone::border};
     return {g, Zone::outer};
 }
 
 Paint paint_balteus(const Texel &t)
 {
+    if (t.chart == umbo) {
+        const glm::vec3 p = t.position;
+        const float across = t.st.x + 0.5f * (grain(t.st.x * 2 + 20, p.y * 8, 345) - 0.5f),
+                    sag = 0.9f * (across - 1.5f) * (across - 1.5f);
+        const float g = 222 + 36 * crease(grain((p.y * 16 - sag) + 40, across, 346)) +
+                        18 * crease(grain(across * 6 + 30, p.y * 6, 347));
+        return {g - 30 * soft_step(0.88f, 0.83f, p.y), Zone::outer};
+    }
     // Folds run along the roll, which is twisted a little.
     const float along = t.st.x, across = t.st.y;
     const float wander = 0.6f * (grain(along * 5, across, 342) - 0.5f) + 0.5f * along;

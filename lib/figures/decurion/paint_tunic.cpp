@@ -52,8 +52,10 @@ Paint paint_tunic(const Texel &t)
         222 + 20 * crease(grain(swing * 16, 3.0f + sag * 3, 353)) + 16 * crease(grain(swing * 36, 5.0f + sag * 5, 354));
     const float neck = to_neckline(p);
     if (neck < 0.012f) return {g - 40 * spot(neck, 0.004f), Zone::border};
-    const float stripe = std::fabs(p.x + 0.072f) - 0.020f;  // of the clavus
-    if (stripe < 0 && p.y < 1.462f) return {g - 30 * spot(stripe, 0.003f), Zone::border};
+    // The broad stripe runs along the weave: by the column of the cloth.
+    const float column = t.chart == chest_front ? t.st.x + 1 : t.st.x - 7;
+    const float stripe = std::fabs(column) - 0.28f;
+    if (stripe < 0) return {g - 30 * spot(stripe, 0.05f), Zone::border};
     return {g - 24 * spot(neck - 0.014f, 0.006f), Zone::tunic};
 }
 
@@ -70,8 +72,7 @@ Paint paint_shoe(const Texel &t)
         if (from_edge < 0.0045f) g = 246 - 26 * spot(from_edge, 0.002f);
         else g -= 46 * spot(from_edge - 0.0060f, 0.0025f);
     };
-    if (p.y > 0.075f)
-        for (const float band : {0.098f, 0.140f, 0.182f}) thong(std::fabs(p.y - band - 0.02f * p.z));
+    if (p.y > 0.072f) thong(std::fabs(p.y - 0.098f - 0.02f * p.z));
     else if (p.z > 0.02f) thong(std::min(std::fabs(p.z - 0.066f - 0.55f * x), std::fabs(p.z - 0.066f + 0.55f * x)));
     const float knot = std::sqrt(x * x + (p.y - 0.100f) * (p.y - 0.100f));
     if (p.z > 0 && knot < 0.010f) g = 250 - 60 * spot(knot - 0.009f, 0.002f);

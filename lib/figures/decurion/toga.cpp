@@ -1,6 +1,6 @@
 // The toga round the body and what shows of the tunic: twelve columns of cloth from the shins over the fold that hangs
 // before the thighs, the belly and the armpits to the yoke. On the left the toga covers shoulder and upper arm.
-#include <cmath>
+#include <algorithm>
 #include <map>
 
 #include "lib/figures/decurion/decurion.h"
@@ -16,24 +16,24 @@ const std::array<glm::vec2, 7> directions = {
     {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
 
 const std::array<float, columns> folds = {
-    {-0.7f, 1.0f, -0.6f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.8f}};
+    {-0.7f, 1.2f, -0.7f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.8f}};
 
 // Half widths of the body and its cloth by height: the belly is widest a hand below the waist.
 struct Girths {
     float y, side, front, back, fold;
 };
 const std::array<Girths, 11> girths = {{
-    {0.115f, 0.212f, 0.168f, 0.180f, 0.034f},
-    {0.250f, 0.200f, 0.156f, 0.170f, 0.026f},
-    {0.390f, 0.194f, 0.150f, 0.164f, 0.018f},
-    {0.490f, 0.192f, 0.148f, 0.164f, 0.012f},
-    {0.640f, 0.198f, 0.156f, 0.170f, 0.010f},
-    {0.780f, 0.206f, 0.168f, 0.178f, 0.008f},
-    {0.900f, 0.208f, 0.180f, 0.174f, 0.006f},
-    {1.000f, 0.202f, 0.190f, 0.158f, 0.004f},
-    {1.080f, 0.192f, 0.186f, 0.142f, 0.002f},
-    {1.160f, 0.180f, 0.168f, 0.132f, 0.000f},
-    {1.230f, 0.172f, 0.148f, 0.128f, 0.000f},
+    {0.115f, 0.216f, 0.172f, 0.184f, 0.042f},
+    {0.250f, 0.203f, 0.158f, 0.172f, 0.034f},
+    {0.390f, 0.196f, 0.152f, 0.166f, 0.024f},
+    {0.490f, 0.194f, 0.150f, 0.166f, 0.016f},
+    {0.640f, 0.200f, 0.160f, 0.172f, 0.010f},
+    {0.780f, 0.210f, 0.176f, 0.180f, 0.008f},
+    {0.900f, 0.214f, 0.196f, 0.176f, 0.006f},
+    {1.000f, 0.211f, 0.208f, 0.162f, 0.004f},
+    {1.080f, 0.203f, 0.202f, 0.148f, 0.002f},
+    {1.160f, 0.190f, 0.180f, 0.138f, 0.000f},
+    {1.230f, 0.178f, 0.154f, 0.130f, 0.000f},
 }};
 
 const std::array<glm::vec3, 7> breast = {{{0, 1.282f, 0.132f},
@@ -63,10 +63,11 @@ struct SleeveRow {
     float along;
     Girth girth;  // front, back, below, above
 };
-const std::array<SleeveRow, 2> tunic_sleeve = {
-    {{0.098f, {0.064f, 0.064f, 0.074f, 0.055f}}, {0.245f, {0.072f, 0.070f, 0.086f, 0.053f}}}};
-const std::array<SleeveRow, 2> toga_sleeve = {
-    {{0.105f, {0.074f, 0.078f, 0.084f, 0.064f}}, {0.300f, {0.092f, 0.096f, 0.118f, 0.058f}}}};
+using Sleeve = std::vector<SleeveRow>;
+const Sleeve tunic_sleeve = {{0.098f, {0.064f, 0.064f, 0.074f, 0.055f}}, {0.245f, {0.074f, 0.072f, 0.088f, 0.053f}}};
+const Sleeve toga_sleeve = {{0.105f, {0.076f, 0.080f, 0.086f, 0.066f}},
+                            {0.215f, {0.090f, 0.096f, 0.112f, 0.066f}},
+                            {0.325f, {0.094f, 0.104f, 0.138f, 0.060f}}};
 
 using Ring = std::array<uint32_t, columns>;
 
@@ -99,8 +100,7 @@ Ring add_row(Mesh &mesh, HeightAndOut at)
     Ring ring{};
     for (int k = 0; k < columns; ++k) {
         const SinusEdge e = at(static_cast<size_t>(k));
-        ring[static_cast<size_t>(k)] =
-            mesh.add(on_cloth(k, e.y, e.out), e.y < 1.03f ? Region::gown : Region::torso, side_of(k));
+        ring[static_cast<size_t>(k)] = mesh.add(on_cloth(k, e.y, e.out), e.y < 1.03f ? Region::gown : wrap, side_of(k));
     }
     return ring;
 }
