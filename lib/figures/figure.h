@@ -9,13 +9,14 @@
 namespace claque::figures
 {
 
-// Every figure has the same sixteen clips, in this order, with their lengths in seconds:
+// Every figure has the same eighteen clips, in this order, with their lengths in seconds:
 //   stand 6, walk 1.1, applaud 2.4, cheer 2; sit 7, sit_lean 9, sit_look 8, sit_talk 8.5, sit_applaud 5.5,
-//   sit_cheer 4.5, sit_laugh 5, sit_wave 4; rise 1.8, sit_down 2.1; stand_wave 4, stand_laugh 5.
+//   sit_cheer 4.5, sit_laugh 5, sit_wave 4; rise 2, sit_down 2.1; stand_wave 4, stand_laugh 5,
+//   stand_applaud 5, stand_cheer 4.
 // Seated ones expect a seat whose top is 0.43 m above the ground that the feet stand on and whose front edge is 0.14 m
 // behind the origin, and stay within 0.31 m to either side. Each begins and ends in the same neutral pose, so that any
 // of them may follow any other at phase 0. rise and sit_down are no loops: the one goes from that pose to the beginning
-// of stand, where stand_wave and stand_laugh begin and end too, the other back.
+// of stand, where the stand_* clips begin and end too, the other back.
 
 // A Roman citizen in a girded tunic: 1.75 m tall (in metres, Y up, facing +Z, standing on y = 0, the origin between
 // the feet), about 1040 triangles, 33 nodes, one 512 x 512 image whose alpha holds the keys of eight zones (skin, hair,

@@ -7,12 +7,25 @@
 namespace claque::figures
 {
 
+namespace
+{
+
+float beat_at(float phase) { return 0.5f + 0.5f * wave(phase, 4, -0.25f); }  // 1: up on the toes
+
+}  // namespace
+
+float cheer_heels_deg(float phase)
+{
+    const float beat = beat_at(phase);
+    return 13 * beat * beat;
+}
+
 Pose cheer_at(float phase)
 {
     Pose pose;
-    const float beat = 0.5f + 0.5f * wave(phase, 4, -0.25f);  // 1: up on the toes
-    const float sway = wave(phase, 2, -0.125f);               // 1: the left fist is up
-    const float heels = 13 * beat * beat;
+    const float beat = beat_at(phase);
+    const float sway = wave(phase, 2, -0.125f);  // 1: the left fist is up
+    const float heels = cheer_heels_deg(phase);
     pose.shift_pelvis({0.008f * sway, -0.034f + 0.048f * beat, 0.010f});
     pose.set(Bone::pelvis, roll(1.5f * sway) * pitch(1.0f));
     pose.set(Bone::spine, roll(-1.2f * sway) * pitch(-2.0f));

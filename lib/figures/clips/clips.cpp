@@ -69,7 +69,7 @@ const std::vector<ClipMaker> &figure_clips()
                                                {"sit_cheer", 135, sit_cheer_at},
                                                {"sit_laugh", 150, sit_laugh_at},
                                                {"sit_wave", 120, sit_wave_at},
-                                               {"rise", 54, rise_at, Ending::open},
+                                               {"rise", 60, rise_at, Ending::open},
                                                {"sit_down", 63, sit_down_at, Ending::open},
                                                {"stand_wave", 120, stand_wave_at},
                                                {"stand_laugh", 150, stand_laugh_at},

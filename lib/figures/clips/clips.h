@@ -35,6 +35,7 @@ Pose stand_at(float phase);
 Pose walk_at(float phase);
 Pose applaud_at(float phase);
 Pose cheer_at(float phase);
+float cheer_heels_deg(float phase);  // how far the heels are off the ground
 // Seated ones begin and end in sit_at(0).
 Pose sit_at(float phase);
 Pose sit_lean_at(float phase);

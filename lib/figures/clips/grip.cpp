@@ -27,13 +27,14 @@ glm::quat half_twist(glm::quat q, glm::vec3 axis)
 
 }  // namespace
 
-Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc)
+Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc, float tuck)
 {
+    const float middle = 4 * share * (1 - share);
     Grip grip;
-    grip.wrist = from.wrist + (to.wrist - from.wrist) * share + arc * (4 * share * (1 - share));
+    grip.wrist = from.wrist + (to.wrist - from.wrist) * share + arc * middle;
     grip.along = turned(from.along, to.along, share);
     grip.back = turned(from.back, to.back, share);
-    grip.pole = turned(from.pole, to.pole, share);
+    grip.pole = turned(from.pole, to.pole, share) + glm::vec3(-0.3f, -1, 0) * (tuck * middle);
     grip.curl = from.curl + (to.curl - from.curl) * share;
     return grip;
 }

@@ -14,8 +14,9 @@ struct Grip {
     float curl = 0;   // 0: flat, 1: fist
 };
 
-// On the way from one to another; in the middle the wrist is `arc` metres off the straight line.
-Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc = glm::vec3(0));
+// On the way from one to another; in the middle the wrist is `arc` metres off the straight line, and the elbow hangs the
+// more the greater `tuck` is, where it would point far out to the side.
+Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc = glm::vec3(0), float tuck = 0);
 
 // A hand before the chest that claps with its mirror image; they meet in `middle` where `apart` is 0, fingers up and
 // ahead, and open like a book up to 1.

@@ -6,6 +6,7 @@
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"
 #include "lib/figures/clips/stance.h"
+#include "lib/figures/mesh.h"
 
 namespace claque::figures
 {
@@ -21,6 +22,36 @@ struct Progress {
 };
 
 glm::vec3 hips_of(const Pose &pose) { return (pose.joint(Bone::thigh) + pose.joint(Bone::thigh_r)) * 0.5f; }
+
+// A hand on its thigh where this goes, sliding up it by `slide` metres, as arms are no longer than they are.
+Grip carried(const Pose &sat, const Pose &pose, Side side, float slide)
+{
+    const Bone thigh = on(side, Bone::thigh);
+    const glm::quat turned = pose.world(thigh) * glm::conjugate(sat.world(thigh));
+    const auto along_with = [side, turned](glm::vec3 left) { return mirrored(turned * mirrored(left, side), side); };
+    Grip grip = in_lap(side);
+    grip.wrist.z -= slide;
+    const glm::vec3 joint = mirrored(sat.joint(thigh), side);
+    grip.wrist = mirrored(pose.joint(thigh), side) + along_with(grip.wrist - joint);
+    grip.along = along_with(grip.along);
+    grip.back = along_with(grip.back);
+    return grip;
+}
+
+// A hand that hangs from its shoulder as it does in `stood`.
+Grip hanging(const Pose &stood, const Pose &pose, Side side)
+{
+    const Bone arm = on(side, Bone::upper_arm), elbow = on(side, Bone::forearm), hand = on(side, Bone::hand);
+    const glm::quat turned = stood.world(hand);
+    const glm::vec3 shoulder = stood.joint(arm), wrist = stood.joint(hand);
+    Grip grip;
+    grip.wrist = mirrored(pose.joint(arm) + wrist - shoulder, side);
+    grip.along = mirrored(turned * mirrored(arm_direction(), side), side);
+    grip.back = mirrored(turned * mirrored(arm_dorsal(), side), side);
+    grip.pole = mirrored(stood.joint(elbow) - (shoulder + wrist) * 0.5f, side);
+    grip.curl = 0.16f;
+    return grip;
+}
 
 Pose on_the_way(const Progress &at)
 {
@@ -43,13 +74,17 @@ Pose on_the_way(const Progress &at)
         stand_on(pose, side, {0.012f, side == Side::left ? 0.016f : -0.010f, 0, 1, 0, 5, knee});
     }
     drape_lap(pose);
-    // The hands push on the thighs, which take them along, and then hang.
-    Pose pushing = pose;
+    // The hands push on the thighs, which take them along, go round them, and hang.
+    Pose reaching = pose;
+    const float settled = ease(0.5f, 1, at.arms);
     for (const Side side : {Side::left, Side::right}) {
-        take(pushing, side, in_lap(side));
-        for (const Bone bone :
-             {Bone::upper_arm, Bone::forearm, Bone::hand, Bone::fingers, Bone::fingertips, Bone::thumb})
-            pose.set(on(side, bone), part(pushing.local(on(side, bone)), stood.local(on(side, bone)), at.arms));
+        take(reaching, side,
+             mix(carried(sat, pose, side, 0.10f * at.up), hanging(stood, pose, side), at.arms, {0.05f, 0.02f, 0}));
+        for (const Bone left :
+             {Bone::upper_arm, Bone::forearm, Bone::hand, Bone::fingers, Bone::fingertips, Bone::thumb}) {
+            const Bone bone = on(side, left);
+            pose.set(bone, part(reaching.local(bone), stood.local(bone), settled));
+        }
     }
     return pose;
 }
@@ -59,14 +94,14 @@ Pose on_the_way(const Progress &at)
 Pose rise_at(float phase)
 {
     return on_the_way({ease(0.20f, 0.78f, phase), ease(0.28f, 0.96f, phase), hold(phase, 0.02f, 0.42f, 0.40f, 0.86f),
-                       ease(0.30f, 0.90f, phase)});
+                       ease(0.36f, 0.98f, phase)});
 }
 
 Pose sit_down_at(float phase)
 {
     const float back = 1 - phase;
-    return on_the_way({ease(0.22f, 0.84f, back), ease(0.26f, 0.97f, back), hold(back, 0.03f, 0.40f, 0.38f, 0.88f),
-                       ease(0.16f, 0.80f, back)});
+    return on_the_way({ease(0.20f, 0.80f, back), ease(0.27f, 0.96f, back), hold(back, 0.03f, 0.40f, 0.38f, 0.88f),
+                       ease(0.34f, 0.97f, back)});
 }
 
 }  // namespace claque::figures

@@ -19,7 +19,7 @@ constexpr glm::vec3 hips_on_seat(0, seat_height_m + 0.072f, -0.400f);  // middle
 // and is pushed up and out by the thighs' outer sides, what is below the thighs comes up to them, and both are drawn in
 // at the hem, since a skirt is wider than the thighs together.
 constexpr float lap_deg = 7.5f, lap_up_deg = 10, below_deg = -5, lap_in_deg = 8, below_in_deg = 3;
-constexpr glm::vec3 lap_shift(0.036f, 0, -0.030f), below_shift(0, -0.010f, -0.050f);
+constexpr glm::vec3 lap_shift(0.036f, 0, -0.030f), below_shift(0, 0.010f, -0.050f);
 
 void put_hips(Pose &pose, glm::vec3 hips, glm::quat pelvis)
 {
@@ -53,8 +53,7 @@ void drape_lap(Pose &pose)
     drape(pose);
     for (const Side side : {Side::left, Side::right}) {
         const glm::quat thigh = pose.local(on(side, Bone::thigh));
-        const float raised = ease(-0.90f, -0.35f, (thigh * glm::vec3(0, -1, 0)).y);
-        if (raised == 0) continue;
+        const float raised = ease(-0.97f, -0.12f, (pose.world(on(side, Bone::thigh)) * glm::vec3(0, -1, 0)).y);
         // About the bone's own axes, as it hangs: Y runs along the thigh.
         const auto own = [side](glm::quat left) { return side == Side::left ? left : mirrored(left); };
         const glm::quat lap = roll(-lap_in_deg) * yaw(-lap_up_deg) * pitch(lap_deg);
@@ -76,8 +75,8 @@ void drape_lap(Pose &pose)
 Grip in_lap(Side side)
 {
     if (side == Side::left)
-        return {{0.148f, 0.612f, -0.120f}, {-0.10f, -0.08f, 1}, {0.22f, 1, 0.10f}, {0.50f, -0.3f, -0.7f}, 0.10f};
-    return {{0.144f, 0.612f, -0.145f}, {-0.24f, -0.08f, 1}, {0.16f, 1, 0.10f}, {0.55f, -0.3f, -0.6f}, 0.14f};
+        return {{0.148f, 0.607f, -0.120f}, {-0.10f, -0.05f, 1}, {0.22f, 1, 0.10f}, {0.50f, -0.3f, -0.7f}, 0.03f};
+    return {{0.144f, 0.604f, -0.145f}, {-0.24f, -0.06f, 1}, {0.16f, 1, 0.10f}, {0.52f, -0.3f, -0.6f}, 0.05f};
 }
 
 Pose seated(const Posture &posture, const Grip &left, const Grip &right)

@@ -24,7 +24,7 @@ Pose sit_applaud_at(float phase)
     const float s = through > 0 && through < static_cast<float>(claps) ? std::sin(pi * through) : 0;
     // Before the first clap and after the last one the hands come together from further away.
     const float ends = 1 - hold(phase, first - 0.05f, first, last, last + 0.05f);
-    const float apart = s * s + ends;
+    const float apart = s * s + 0.8f * ends;
     body.breath = wave(phase, 2) * (1 - up);
     body.tilt += 4 * up;
     body.bend += -5 * up + 0.8f * up * (1 - s * s);
@@ -32,9 +32,10 @@ Pose sit_applaud_at(float phase)
     body.nod += -3 * up + 2.5f * up * wave(phase, 4);
     body.cock = 2.5f * wave(phase, 2) * up;
     body.shrug_l = body.shrug_r = 3 * up;
-    const Grip clap = clapping(apart, glm::vec3(0, 0.845f, -0.055f));
+    Grip clap = clapping(apart, glm::vec3(0, 0.845f, -0.055f));
+    clap.pole = glm::vec3(0.40f, -1, -0.15f);  // neighbours sit close
     const glm::vec3 arc(0.02f, 0, 0.03f);
-    return seated(body, mix(in_lap(Side::left), clap, up, arc), mix(in_lap(Side::right), clap, up, arc));
+    return seated(body, mix(in_lap(Side::left), clap, up, arc, 0.3f), mix(in_lap(Side::right), clap, up, arc, 0.3f));
 }
 
 }  // namespace claque::figures

@@ -12,8 +12,8 @@ namespace
 Grip raised(float thrust)
 {
     const Grip low = {
-        {0.225f, 1.190f, -0.200f}, {0.05f, 0.98f, 0.10f}, {0.55f, 0.05f, -0.83f}, {0.60f, -0.5f, 0.75f}, 1};
-    const Grip high = {{0.205f, 1.475f, -0.285f}, {0.02f, 1, 0.05f}, {0.55f, 0.05f, -0.83f}, {0.60f, -0.3f, 0.75f}, 1};
+        {0.205f, 1.190f, -0.200f}, {0.05f, 0.98f, 0.10f}, {0.55f, 0.05f, -0.83f}, {0.30f, -0.8f, 0.75f}, 1};
+    const Grip high = {{0.198f, 1.475f, -0.285f}, {0.02f, 1, 0.05f}, {0.55f, 0.05f, -0.83f}, {0.30f, -0.6f, 0.75f}, 1};
     return mix(low, high, thrust);
 }
 
@@ -35,8 +35,8 @@ Pose sit_cheer_at(float phase)
     body.shrug_l = 10 * up + 9 * left;
     body.shrug_r = 10 * up + 9 * right;
     const glm::vec3 arc(0.02f, 0, 0.16f);
-    return seated(body, mix(in_lap(Side::left), raised(left), up, arc),
-                  mix(in_lap(Side::right), raised(right), up, arc));
+    return seated(body, mix(in_lap(Side::left), raised(left), up, arc, 2),
+                  mix(in_lap(Side::right), raised(right), up, arc, 2));
 }
 
 }  // namespace claque::figures

@@ -23,7 +23,8 @@ Pose sit_laugh_at(float phase)
     // Three slaps while bent over.
     const float slap = hold(phase, 0.42f, 0.46f, 0.68f, 0.72f) * swell((phase - 0.44f) / 0.27f, 3);
     Grip right = in_lap(Side::right);
-    right.wrist += glm::vec3(0.012f, 0.125f, -0.045f) * slap;
+    right.wrist += glm::vec3(0.004f, 0.125f, -0.045f) * slap;
+    right.pole += glm::vec3(-0.15f, 0, 0) * slap;
     right.along += glm::vec3(0, 0.40f, 0) * slap;
     return seated(body, in_lap(Side::left), right);
 }

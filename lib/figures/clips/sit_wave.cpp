@@ -20,12 +20,12 @@ Pose sit_wave_at(float phase)
     body.nod -= 6 * up;
     body.cock = 3 * up;
     body.shrug_r = 9 * up;
-    const Grip waving = {{0.200f + 0.040f * to_and_fro, 1.215f - 0.008f * to_and_fro * to_and_fro, -0.130f},
-                         {0.04f + 0.38f * to_and_fro, 1, 0.12f},
+    const Grip waving = {{0.186f + 0.034f * to_and_fro, 1.215f - 0.008f * to_and_fro * to_and_fro, -0.130f},
+                         {0.02f + 0.34f * to_and_fro, 1, 0.12f},
                          {0.10f, 0.10f, -1},
-                         {0.45f, -0.8f, 0.4f},
+                         {0.30f, -1, 0.4f},
                          0.03f};
-    return seated(body, in_lap(Side::left), mix(in_lap(Side::right), waving, up, glm::vec3(0.01f, 0, 0.09f)));
+    return seated(body, in_lap(Side::left), mix(in_lap(Side::right), waving, up, glm::vec3(0.01f, 0, 0.09f), 1.5f));
 }
 
 }  // namespace claque::figures

@@ -1,4 +1,4 @@
-// The citizen posed by a few lines that share nothing with the library's own evaluation but the data.
+// Built-in figures posed by a few lines that share nothing with the library's own evaluation but the data.
 #pragma once
 
 #include <cmath>
@@ -28,15 +28,14 @@ struct Posed {
 inline uint32_t clip(const std::string &name) { return citizen().rig.find_clip(name); }
 inline uint32_t node(const std::string &name) { return citizen().rig.find_node(name); }
 
-inline void read(const claque::model::Channel &c, uint32_t key, float *out)
+inline void read(const claque::model::Rig &rig, const claque::model::Channel &c, uint32_t key, float *out)
 {
-    for (uint32_t k = 0; k < c.component_count; ++k)
-        out[k] = citizen().rig.values[c.first_value + key * c.component_count + k];
+    for (uint32_t k = 0; k < c.component_count; ++k) out[k] = rig.values[c.first_value + key * c.component_count + k];
 }
 
-inline Posed pose(uint32_t clip_index, float time_s)
+inline Posed pose(const Model &figure, uint32_t clip_index, float time_s)
 {
-    const auto &rig = citizen().rig;
+    const auto &rig = figure.rig;
     const size_t n = rig.parents.size();
     Posed out;
     std::vector<vec3> shift(n);
@@ -52,8 +51,8 @@ inline Posed pose(uint32_t clip_index, float time_s)
             const float from = rig.times[c.first_time + key], to = rig.times[c.first_time + key + 1];
             const float t = std::fmin(1.0f, std::fmax(0.0f, (time_s - from) / (to - from)));
             float a[4], b[4];
-            read(c, key, a);
-            read(c, key + 1, b);
+            read(rig, c, key, a);
+            read(rig, c, key + 1, b);
             if (c.path == claque::model::Path::translation)
                 shift[c.node] = vec3(a[0], a[1], a[2]) * (1 - t) + vec3(b[0], b[1], b[2]) * t;
             else out.local[c.node] = glm::slerp(quat(a[3], a[0], a[1], a[2]), quat(b[3], b[0], b[1], b[2]), t);
@@ -64,7 +63,7 @@ inline Posed pose(uint32_t clip_index, float time_s)
         out.world.push_back(root ? out.local[i] : out.world[p] * out.local[i]);
         out.joints.push_back(root ? shift[i] : out.joints[p] + out.world[p] * shift[i]);
     }
-    const auto &part = citizen().parts[0];
+    const auto &part = figure.parts[0];
     for (size_t v = 0; v < part.positions.size(); ++v) {
         vec3 sum(0);
         for (size_t k = 0; k < 4; ++k) {
@@ -77,16 +76,32 @@ inline Posed pose(uint32_t clip_index, float time_s)
     return out;
 }
 
+inline Posed pose(uint32_t clip_index, float time_s) { return pose(citizen(), clip_index, time_s); }
+
 // The bone that moves a vertex most.
-inline uint32_t owner(size_t vertex)
+inline uint32_t owner(const Model &figure, size_t vertex)
 {
-    const auto &part = citizen().parts[0];
-    return citizen().rig.palette[part.joints[4 * vertex]].node;
+    return figure.rig.palette[figure.parts[0].joints[4 * vertex]].node;
 }
+inline uint32_t owner(size_t vertex) { return owner(citizen(), vertex); }
+
+constexpr float frame_s = 1.0f / 30;
+inline int frames(const Model &figure, uint32_t c) { return int(figure.rig.clips[c].duration_s * 30 + 0.5f); }
+inline int frames(uint32_t c) { return frames(citizen(), c); }
 
 inline float degrees(float radians) { return radians * 57.29578f; }
 inline float angle(quat q) { return degrees(2 * std::acos(std::fmin(1.0f, std::fabs(q.w)))); }
 
-constexpr const char *clip_names[] = {"stand", "walk", "applaud", "cheer"};
+constexpr const char *clip_names[] = {"stand",       "walk",          "applaud",    "cheer",       "sit",
+                                      "sit_lean",    "sit_look",      "sit_talk",   "sit_applaud", "sit_cheer",
+                                      "sit_laugh",   "sit_wave",      "rise",       "sit_down",    "stand_wave",
+                                      "stand_laugh", "stand_applaud", "stand_cheer"};
+// On the feet, in place.
+constexpr const char *standing_clips[] = {"stand",       "applaud",       "cheer",      "stand_wave",
+                                          "stand_laugh", "stand_applaud", "stand_cheer"};
+constexpr const char *seated_clips[] = {"sit",         "sit_lean",  "sit_look",  "sit_talk",
+                                        "sit_applaud", "sit_cheer", "sit_laugh", "sit_wave"};
+// From the seat to the feet or back: the two that are no loops.
+constexpr const char *ways[] = {"rise", "sit_down"};
 
 }  // namespace puppet

@@ -1,0 +1,172 @@
+// Seated clips against the seat they are made for: its top at 0.43 m, its front edge 0.14 m behind the origin.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "lib/figures/clips/clips.h"
+#include "puppet.h"
+
+using claque::figures::seat_edge_m;
+using claque::figures::seat_height_m;
+using puppet::citizen;
+using puppet::clip;
+using puppet::frame_s;
+using puppet::frames;
+using puppet::node;
+using puppet::pose;
+using puppet::Posed;
+using puppet::vec3;
+
+namespace
+{
+
+float furthest(const Posed &a, const Posed &b)
+{
+    float most = 0;
+    for (size_t v = 0; v < a.vertices.size(); ++v) most = std::max(most, glm::distance(a.vertices[v], b.vertices[v]));
+    return most;
+}
+
+Posed at_end(const char *name) { return pose(clip(name), float(frames(clip(name))) * frame_s); }
+
+// How deep a point is inside the stone, by the shorter way out; negative outside.
+float depth_in_seat(vec3 p) { return std::min(seat_height_m - p.y, seat_edge_m - p.z); }
+
+// Lowest of what lies between belt and knee at rest and is over the seat now.
+float lowest_over_seat(const Posed &p)
+{
+    const auto &rest = citizen().parts[0].positions;
+    float y = 1e9f;
+    for (size_t v = 0; v < rest.size(); ++v)
+        if (rest[v].y > 0.60f && rest[v].y < 0.95f && std::fabs(rest[v].x) < 0.30f && p.vertices[v].z < seat_edge_m)
+            y = std::min(y, p.vertices[v].y);
+    return y;
+}
+
+class Seated : public testing::TestWithParam<const char *>
+{
+protected:
+    // Keys and what lies between them.
+    template <typename Check>
+    void always(Check check) const
+    {
+        const uint32_t c = clip(GetParam());
+        for (int k = 0; k <= 2 * frames(c); ++k) {
+            SCOPED_TRACE("half frame " + std::to_string(k));
+            check(pose(c, float(k) * frame_s / 2));
+            if (HasFailure()) return;
+        }
+    }
+};
+
+class Planted : public Seated
+{
+};
+
+}  // namespace
+
+TEST_P(Seated, begins_and_ends_in_the_one_neutral_pose)
+{
+    const Posed neutral = pose(clip("sit"), 0);
+    EXPECT_LT(furthest(pose(clip(GetParam()), 0), neutral), 2e-4f);
+    EXPECT_LT(furthest(at_end(GetParam()), neutral), 2e-4f);
+}
+
+TEST_P(Seated, moves)
+{
+    const uint32_t c = clip(GetParam());
+    const Posed neutral = pose(c, 0);
+    float most = 0;
+    for (int k = 0; k < frames(c); k += 3) most = std::max(most, furthest(pose(c, float(k) * frame_s), neutral));
+    EXPECT_GT(most, 0.02f);
+}
+
+TEST_P(Seated, rests_on_the_seat)
+{
+    always([](const Posed &p) {
+        EXPECT_GT(lowest_over_seat(p), seat_height_m - 0.025f);
+        EXPECT_LT(lowest_over_seat(p), seat_height_m + 0.030f);
+        EXPECT_NEAR(p.joints[node("pelvis")].z, -0.40f, 0.06f);
+    });
+}
+
+TEST_P(Seated, keeps_to_its_own_seat)
+{
+    always([](const Posed &p) {
+        for (size_t v = 0; v < p.vertices.size(); ++v) EXPECT_LE(std::fabs(p.vertices[v].x), 0.31f) << "vertex " << v;
+        for (const vec3 q : p.vertices)
+            EXPECT_TRUE(q.z > -0.58f || q.y > 0.60f) << "where the toes of those behind are";
+    });
+}
+
+TEST_P(Seated, keeps_the_knees_together_as_far_as_a_gown_needs)
+{
+    always([](const Posed &p) {
+        EXPECT_LT(glm::distance(p.joints[node("shin_l")], p.joints[node("shin_r")]), 0.30f);
+        for (const char *leg : {"thigh_l", "thigh_r"}) {
+            const vec3 d = p.joints[node(leg) + 2] - p.joints[node(leg)];  // to the knee of the same side
+            EXPECT_NEAR(d.y, 0, 0.06f) << "thighs lie level";
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Citizen, Seated, testing::ValuesIn(puppet::seated_clips),
+                         [](const auto &clip_info) { return std::string(clip_info.param); });
+
+TEST_P(Planted, goes_nowhere_through_the_stone)
+{
+    always([](const Posed &p) {
+        for (size_t v = 0; v < p.vertices.size(); ++v)
+            EXPECT_LT(depth_in_seat(p.vertices[v]), 0.025f)
+                << "vertex " << v << " at " << p.vertices[v].y << ", " << p.vertices[v].z;
+    });
+}
+
+TEST_P(Planted, keeps_both_feet_flat_where_they_stand)
+{
+    const Posed standing = pose(clip("stand"), 0);
+    always([&standing](const Posed &p) {
+        for (size_t v = 0; v < p.vertices.size(); ++v)
+            EXPECT_TRUE(standing.vertices[v].y > 0.02f || glm::distance(p.vertices[v], standing.vertices[v]) < 0.015f);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Citizen, Planted, testing::ValuesIn(puppet::seated_clips),
+                         [](const auto &clip_info) { return std::string(clip_info.param); });
+
+INSTANTIATE_TEST_SUITE_P(Ways, Planted, testing::ValuesIn(puppet::ways),
+                         [](const auto &clip_info) { return std::string(clip_info.param); });
+
+TEST(Rising, begins_seated_and_ends_where_stand_begins)
+{
+    EXPECT_LT(furthest(pose(clip("rise"), 0), pose(clip("sit"), 0)), 1e-3f);
+    EXPECT_LT(furthest(at_end("rise"), pose(clip("stand"), 0)), 1e-3f);
+}
+
+TEST(Rising, sitting_down_goes_the_other_way)
+{
+    EXPECT_LT(furthest(pose(clip("sit_down"), 0), pose(clip("stand"), 0)), 1e-3f);
+    EXPECT_LT(furthest(at_end("sit_down"), pose(clip("sit"), 0)), 1e-3f);
+}
+
+TEST(Rising, brings_the_weight_over_the_feet_before_the_hips_leave_the_seat)
+{
+    for (const char *name : puppet::ways) {
+        const uint32_t c = clip(name);
+        const float seated = pose(clip("sit"), 0).joints[node("pelvis")].y;
+        for (int k = 0; k <= frames(c); ++k) {
+            const Posed p = pose(c, float(k) * frame_s);
+            const float lifted = p.joints[node("pelvis")].y - seated;
+            if (lifted < 0.05f || lifted > 0.20f) continue;
+            EXPECT_GT(p.joints[node("neck")].z, -0.08f) << name << " at frame " << k << ": nobody can rise like that";
+        }
+    }
+}
+
+TEST(Standing, may_be_followed_by_a_wave_a_laugh_or_an_ovation)
+{
+    for (const char *name : {"stand_wave", "stand_laugh", "stand_applaud", "stand_cheer"}) {
+        EXPECT_LT(furthest(pose(clip(name), 0), pose(clip("stand"), 0)), 1e-4f) << name;
+        EXPECT_LT(furthest(at_end(name), pose(clip("stand"), 0)), 1e-4f) << name;
+    }
+}
