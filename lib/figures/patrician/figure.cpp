@@ -78,6 +78,7 @@ model::Model patrician_woman()
     figure.painter = paint_patrician;
     figure.layout = patrician_layout();
     figure.zones = patrician_zones();
+    figure.weigher = weigh_heavy_cloth;
     figure.clips = figure_clips();
     return assemble(figure);
 }

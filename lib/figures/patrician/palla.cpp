@@ -17,8 +17,8 @@ struct Station {
 
 const std::array<Station, 14> stations = {{
     // left, tucked behind the roll at the waist
-    {{{{0.040f, 1.100f, 0.112f}, {0.062f, 1.090f, 0.146f}, {0.104f, 1.090f, 0.136f}, {0.118f, 1.090f, 0.072f}}}},
-    {{{{0.044f, 1.205f, 0.096f}, {0.064f, 1.205f, 0.134f}, {0.102f, 1.200f, 0.124f}, {0.110f, 1.200f, 0.048f}}}},
+    {{{{0.040f, 1.100f, 0.098f}, {0.062f, 1.090f, 0.146f}, {0.104f, 1.090f, 0.136f}, {0.118f, 1.090f, 0.072f}}}},
+    {{{{0.044f, 1.205f, 0.080f}, {0.064f, 1.205f, 0.134f}, {0.102f, 1.200f, 0.124f}, {0.110f, 1.200f, 0.048f}}}},
     {{{{0.050f, 1.285f, 0.134f}, {0.070f, 1.288f, 0.176f}, {0.112f, 1.280f, 0.146f}, {0.134f, 1.285f, 0.044f}}}},
     {{{{0.070f, 1.400f, 0.094f}, {0.086f, 1.394f, 0.128f}, {0.126f, 1.376f, 0.110f}, {0.138f, 1.350f, 0.050f}}}},
     // the shoulder
@@ -48,7 +48,7 @@ void add_palla(Mesh &mesh)
         points.emplace_back();
         for (size_t k = 0; k < 4; ++k) {
             const glm::vec3 p = station.across[k];
-            points.back()[k] = mesh.add(p, p.y < 1.03f ? Region::gown : Region::torso);
+            points.back()[k] = mesh.add(p, p.y < 1.03f ? heavy_cloth : Region::torso);
         }
     }
     float along = 0;

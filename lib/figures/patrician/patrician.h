@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/figures/parts.h"
+#include "lib/figures/weights.h"
 
 namespace claque::figures::patrician
 {
@@ -21,11 +22,15 @@ inline const std::array<glm::vec3, 5> bodice_neckline = {{{0, 1.388f, 0.1040f},
                                                           {0.058f, 1.444f, -0.092f},
                                                           {0, 1.440f, -0.0990f}}};
 
+constexpr Region heavy_cloth = own_region(0);  // gown and palla below the waist
+
 constexpr float hand_size = 0.90f, foot_size = 0.90f;  // of the citizen's
 
 void add_lady_head(Mesh &mesh);  // the shared head, made a woman's, with hair, bun and earrings
 void add_stola(Mesh &mesh);      // the gown with the palla's lower part, bodice and sleeves
 void add_palla(Mesh &mesh);      // the part that is thrown over the left shoulder
 void add_limbs(Mesh &mesh);      // slender arms; feet without legs, which nobody sees
+
+BoneWeights weigh_heavy_cloth(const Point &point);
 
 }  // namespace claque::figures::patrician

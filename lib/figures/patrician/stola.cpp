@@ -26,11 +26,11 @@ struct Row {
 
 // Rows stand close about the knees, where a sitter's cloth turns.
 const std::array<Row, 8> rows = {{
-    {0.040f, 0.222f, 0.172f, 0.180f, 0.000f, 0.034f, 0},  // hem
-    {0.240f, 0.200f, 0.152f, 0.168f, 0.000f, 0.026f, 0},
-    {0.370f, 0.188f, 0.142f, 0.158f, 0.000f, 0.018f, 0},
-    {0.520f, 0.184f, 0.136f, 0.156f, 0.000f, 0.012f, 0.20f},
-    {0.610f, 0.206f, 0.160f, 0.178f, 0.000f, 0.016f, 0.32f},  // the palla's lower edge
+    {0.040f, 0.222f, 0.172f, 0.164f, 0.000f, 0.034f, 0},  // hem
+    {0.240f, 0.200f, 0.152f, 0.144f, 0.000f, 0.026f, 0},
+    {0.370f, 0.186f, 0.142f, 0.126f, 0.000f, 0.018f, 0},
+    {0.520f, 0.176f, 0.136f, 0.132f, 0.000f, 0.012f, 0.20f},
+    {0.610f, 0.206f, 0.160f, 0.170f, 0.000f, 0.016f, 0.32f},  // the palla's lower edge
     {0.900f, 0.196f, 0.136f, 0.166f, -0.004f, 0.006f, 0.010f},
     {1.070f, 0.158f, 0.124f, 0.118f, -0.004f, 0.006f, 0.030f},  // its upper edge
     {1.196f, 0.136f, 0.104f, 0.098f, -0.006f, 0.003f, 0},       // girdle
@@ -82,7 +82,7 @@ Ring add_row(Mesh &mesh, const Row &row)
         const float across = mirrored(glm::vec3(d.x * row.side, 0, 0), side).x;
         const glm::vec3 p(d.x * row.side * fold, row.y + row.slant * across,
                           row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
-        ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? Region::gown : Region::torso, side);
+        ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? heavy_cloth : Region::torso, side);
     }
     return ring;
 }
@@ -176,7 +176,7 @@ void add_stola(Mesh &mesh)
     for (size_t r = 0; r + 1 < rings.size(); ++r)
         sew_rows(mesh, r < waist ? gown_front : bodice_front, r < waist ? gown_back : bodice_back, rings[r],
                  rings[r + 1], {heights[r], heights[r + 1]});
-    const uint32_t inside = mesh.add(glm::vec3(0, 0.30f, 0), Region::gown);
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.30f, 0), heavy_cloth);
     mesh.fan(gown_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});
     const Ring high = add_row(mesh, upper);
