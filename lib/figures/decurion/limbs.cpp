@@ -25,7 +25,7 @@ glm::vec3 stout(const Point &point)
 void add_boot(Mesh &mesh, Side side)
 {
     add_foot(mesh, side,
-             add_ring(mesh, Region::leg, side, 8, {0.092f, 0.210f, -0.016f}, {1, 0, 0}, {0, 0, 1},
+             add_ring(mesh, Region::leg, side, 8, {0.092f, 0.165f, -0.018f}, {1, 0, 0}, {0, 0, 1},
                       {0.038f, 0.042f, 0.038f, 0.038f}));
 }
 

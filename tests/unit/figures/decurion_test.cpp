@@ -166,7 +166,7 @@ TEST(Decurion, is_closed_but_for_edges_that_are_hidden)
         if (edges.count({edge.second, edge.first})) continue;
         const auto [x, y, z] = edge.first;
         const glm::vec3 at(std::fabs(x), y, z);
-        const bool under_toga = std::fabs(y - 0.210f) < 0.001f && at.x < 0.14f;
+        const bool under_toga = std::fabs(y - 0.165f) < 0.001f && at.x < 0.14f;
         const bool in_sleeve = glm::distance(at, glm::vec3(0.292f, 1.305f, -0.012f)) < 0.07f;
         const bool in_palm = glm::distance(at, glm::vec3(0.60f, 1.00f, 0.02f)) < 0.07f;
         const bool ear = at.x > 0.060f && y > 1.57f && y < 1.67f;
