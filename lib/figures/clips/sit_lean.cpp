@@ -14,8 +14,8 @@ Grip between_knees(Side side)
 {
     if (side == Side::left)
         return {
-            {0.066f, 0.640f, 0.175f}, {-0.45f, -0.50f, 0.75f}, {0.72f, 0.55f, 0.45f}, {0.75f, -0.35f, -0.3f}, 0.32f};
-    return {{0.070f, 0.615f, 0.165f}, {-0.40f, -0.55f, 0.75f}, {0.75f, 0.55f, 0.45f}, {0.75f, -0.35f, -0.3f}, 0.30f};
+            {0.066f, 0.622f, 0.185f}, {-0.45f, -0.50f, 0.75f}, {0.72f, 0.55f, 0.45f}, {0.75f, -0.35f, -0.3f}, 0.32f};
+    return {{0.070f, 0.600f, 0.175f}, {-0.40f, -0.55f, 0.75f}, {0.75f, 0.55f, 0.45f}, {0.75f, -0.35f, -0.3f}, 0.30f};
 }
 
 }  // namespace
@@ -25,9 +25,9 @@ Pose sit_lean_at(float phase)
     Posture body;
     const float lean = hold(phase, 0.05f, 0.24f, 0.74f, 0.93f);
     body.breath = wave(phase, 2) * (1 - 0.5f * lean);
-    body.tilt += 24 * lean;
-    body.bend += 12 * lean + 1.5f * lean * wave(phase, 2);
-    body.nod -= 3 * lean;
+    body.tilt += 27 * lean;
+    body.bend += 14 * lean + 1.0f * lean * wave(phase, 2);
+    body.nod += 4 * lean;
     body.look = 10 * hold(phase, 0.32f, 0.40f, 0.50f, 0.60f) - 6 * hold(phase, 0.55f, 0.62f, 0.72f, 0.80f);
     body.cock = 3 * hold(phase, 0.40f, 0.50f, 0.60f, 0.70f);
     const glm::vec3 up(0.01f, 0.05f, 0);
