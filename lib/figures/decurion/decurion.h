@@ -15,6 +15,8 @@ constexpr Chart umbo = own_chart(6);     // the pouch that is drawn out over the
 
 // Cloth round the trunk, which reaches out as far as an arm and must not follow it.
 constexpr Region wrap = own_region(0);
+// Cloth below the sinus, which parts between the shins in a stride.
+constexpr Region skirts = own_region(1);
 
 // How high the lower edge of the sinus, the toga's great fold, hangs at each of twelve columns, and how far it stands
 // out from the cloth below. 0 in front, 3 at the left side, 6 at the back, where there is none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/figures/assemble.h"
+#include "lib/figures/brush.h"
 #include "lib/figures/decurion/decurion.h"
 #include "lib/figures/decurion/paint.h"
 
@@ -22,12 +23,17 @@ void add_pieces(Mesh &mesh)
     add_limbs(mesh);
 }
 
-// Like the body below it, which is nowhere wider than this.
-BoneWeights weigh_wrap(const Point &point)
+BoneWeights weigh(const Point &point)
 {
-    constexpr float body = 0.195f;
     BoneWeights w{};
-    const glm::vec3 p(std::clamp(point.position.x, -body, body), point.position.y, point.position.z);
+    glm::vec3 p = point.position;
+    if (point.region == skirts) {
+        p.x *= 1 + 0.9f * soft_step(0.45f, 0.25f, p.y);  // each half its own shin's, but for a narrow strip
+        weigh_gown(w, p, 1);
+        return w;
+    }
+    constexpr float body = 0.195f;  // nowhere wider, where the cloth is
+    p.x = std::clamp(p.x, -body, body);
     weigh_shoulder(w, p, p.x >= 0 ? Side::left : Side::right, 1);
     return w;
 }
@@ -73,7 +79,7 @@ Zones decurion_zones()
         {Zone::tunic, {0.62f, 0.16f, 0.20f}, {215, 45, 0.40f, 0.80f, 0.50f, 0.85f}},
         {Zone::border, {0.50f, 0.10f, 0.36f}, {265, 20, 0.55f, 0.80f, 0.45f, 0.75f}},
         {Zone::sandals, {0.50f, 0.14f, 0.10f}, {0, 26, 0.50f, 0.80f, 0.26f, 0.60f}},
-        {Zone::outer, {0.96f, 0.90f, 0.76f}, {315, 58, 0.06f, 0.66f, 0.70f, 1.00f}},
+        {Zone::outer, {0.96f, 0.90f, 0.76f}, {315, 58, 0.06f, 0.64f, 0.78f, 1.00f}},
         {Zone::jewellery, {0.96f, 0.78f, 0.30f}, {40, 50, 0.55f, 0.72f, 0.85f, 1.00f}},
     };
 }
@@ -89,7 +95,7 @@ model::Model decurion_man()
     figure.layout = decurion_layout();
     figure.zones = decurion_zones();
     figure.clips = figure_clips();
-    figure.weigher = weigh_wrap;
+    figure.weigher = weigh;
     return assemble(figure);
 }
 

@@ -51,7 +51,7 @@ float fall(const Texel &t)
     const float slant = p.z > 0 ? 0.9f * (p.y - hem) * (p.x + 0.05f) : 0.0f;  // drawn to the left shoulder
     const float broad = grain((a - 3 * slant) * 1.5f + 40, p.y * 1.2f, 332),
                 fine = grain((a - 3 * slant) * 4 + 90, p.y * 1.8f, 333);
-    return 220 + 40 * crease(broad) + 20 * crease(fine);
+    return 226 + 46 * crease(broad) + 26 * crease(fine);
 }
 
 // Bows: level at the deepest place, steeper towards the left shoulder.
@@ -62,11 +62,11 @@ float bows(glm::vec3 p)
         const float sag = x > 0 ? 1.9f * x * x + 0.55f * x : 2.6f * x * x;
         const float line = p.y - sag + 0.030f * grain(p.x * 9 + 30, p.y * 7, 334);
         const float across = p.x * 3 + 9;
-        return 220 + 42 * crease(grain(line * 15, across, 335)) + 20 * crease(grain(line * 40, across * 1.7f, 336));
+        return 226 + 48 * crease(grain(line * 15, across, 335)) + 26 * crease(grain(line * 40, across * 1.7f, 336));
     }
     const float line = p.y - 0.75f * p.x - 1.2f * p.x * p.x + 0.030f * grain(p.x * 9 + 60, p.y * 6, 337);
     const float across = p.x * 3 + 19;
-    return 220 + 34 * crease(grain(line * 11, across, 338)) + 18 * crease(grain(line * 30, across * 1.7f, 339));
+    return 226 + 44 * crease(grain(line * 11, across, 338)) + 24 * crease(grain(line * 30, across * 1.7f, 339));
 }
 
 // The front turns from bows to straight folds at the sinus's edge, the back by and by.
@@ -77,7 +77,7 @@ float draped(const Texel &t)
     const float depth = p.y < 0.7f ? 1.0f : 0.2f + 0.8f * soft_step(0.01f, 0.08f, std::fabs(p.z));
     float g = t.chart == toga_front && t.st.y < edge_t ? fall(t) : bows(p);
     if (t.chart == toga_back) g += (fall(t) - g) * soft_step(1.02f, 0.55f, p.y);
-    return 220 + (g - 220) * depth;
+    return 226 + (g - 226) * depth;
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ Paint paint_toga(const Texel &t)
     if (t.chart == toga_inside || t.chart == Chart::sleeve_inside) return {112, Zone::outer};
     if (t.chart == Chart::sleeve) {
         const float round = (p.y - p.x) * 8 + p.z * 15;
-        return {218 + 32 * crease(grain(round * 1.6f + 30, p.x * 5, 340)) +
+        return {224 + 32 * crease(grain(round * 1.6f + 30, p.x * 5, 340)) +
                     16 * crease(grain(round * 4 + 30, p.x * 7, 341)),
                 Zone::outer};
     }

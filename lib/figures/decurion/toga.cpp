@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "lib/figures/brush.h"
 #include "lib/figures/decurion/decurion.h"
 #include "lib/figures/skeleton.h"
 
@@ -89,7 +90,9 @@ Girths girths_at(float y)
 glm::vec3 on_cloth(int column, float y, float out)
 {
     const Girths g = girths_at(y);
-    const glm::vec2 d = directions[half_of(column)];
+    glm::vec2 d = directions[half_of(column)];
+    // Towards the hem two columns come together before the shins, which would tread out of the cloth between them.
+    if (half_of(column) == 1) d += glm::vec2(-0.31f, 0.08f) * soft_step(0.49f, 0.20f, y);
     const float fold = folds[static_cast<size_t>(column)] * g.fold + out;
     return mirrored(glm::vec3(d.x * (g.side + fold), y, d.y * ((d.y > 0 ? g.front : g.back) + fold)), side_of(column));
 }
@@ -100,7 +103,11 @@ Ring add_row(Mesh &mesh, HeightAndOut at)
     Ring ring{};
     for (int k = 0; k < columns; ++k) {
         const SinusEdge e = at(static_cast<size_t>(k));
-        ring[static_cast<size_t>(k)] = mesh.add(on_cloth(k, e.y, e.out), e.y < 1.03f ? Region::gown : wrap, side_of(k));
+        ring[static_cast<size_t>(k)] = mesh.add(on_cloth(k, e.y, e.out),
+                                                e.y < 0.45f   ? skirts
+                                                : e.y < 1.03f ? Region::gown
+                                                              : wrap,
+                                                side_of(k));
     }
     return ring;
 }
@@ -207,7 +214,7 @@ void add_toga(Mesh &mesh)
     for (size_t r = 0; r + 1 < rings.size(); ++r)
         sew_rows(mesh, r < waist ? toga_front : chest_front, r < waist ? toga_back : chest_back, rings[r], rings[r + 1],
                  {heights[r], heights[r + 1]});
-    const uint32_t inside = mesh.add(glm::vec3(0, 0.36f, 0), Region::gown);
+    const uint32_t inside = mesh.add(glm::vec3(0, 0.36f, 0), skirts);
     mesh.fan(toga_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});
     const Ring high = add_row(mesh, upper);
