@@ -1,10 +1,13 @@
 // The odeon: three classes of Roman society in a theatre on a bright day (S1 7, S2 5.3).
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/audience.h"
+#include "samples/scenes/odeon/cavea.h"
+#include "samples/scenes/odeon/frons.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
+#include "samples/scenes/stone.h"
 
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -14,9 +17,10 @@ namespace scenes
 namespace
 {
 
-// Afternoon: the sun stands over the stage house, to the audience's right, and lights their faces.
+// The sun stands over the stage house and lights the faces of those who look at it.
 constexpr Daylight afternoon = {
-    {-0.42f, 0.60f, 0.68f}, {0.78f, 0.70f, 0.56f}, {0.36f, 0.38f, 0.43f}, {0.14f, 0.12f, 0.09f}};
+    {-0.30f, 0.62f, 0.72f}, {0.76f, 0.69f, 0.57f}, {0.37f, 0.39f, 0.43f}, {0.13f, 0.11f, 0.09f}};
+constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
 
 Theatre theatre_of(const Casting &casting)
 {
@@ -32,21 +36,16 @@ class Odeon final : public Scene
 {
 public:
     Odeon(Library &library, const Casting &casting)
-        : theatre_(theatre_of(casting)), audience_(library, theatre_, casting), sky_(casting.seed, Sky::Land::hills)
+        : seed_(casting.seed),
+          theatre_(theatre_of(casting)),
+          audience_(library, theatre_, casting),
+          sky_(casting.seed, Sky::Land::hills)
     {
-        for (const SeatRow &row : theatre_.rows) {
-            const float r = float(row.radius_m), y = float(row.seat_y_m), s = float(row.step_y_m),
-                        d = float(row.depth_m);
-            for (double a = row.first_deg; a < row.last_deg; a += 2) {
-                const auto p = [&](float radius, float h, double at) {
-                    at *= 0.0174532925;
-                    return Vec3{radius * float(std::sin(at)), h, -radius * float(std::cos(at))};
-                };
-                stone_.quad({p(r, s, a), p(r, s, a + 2), p(r, y, a + 2), p(r, y, a)}, {0.8f, 0.77f, 0.7f});
-                stone_.quad({p(r, y, a), p(r, y, a + 2), p(r + d, y, a + 2), p(r + d, y, a)}, {0.85f, 0.82f, 0.75f});
-            }
-        }
-        stone_.disc(0, 0, 0, 15, 40, {0.7f, 0.65f, 0.6f});
+        build_cavea(stone_, theatre_, seed_);
+        build_stage(stone_, theatre_);
+        const float reach = static_cast<float>(theatre_.rows.back().radius_m + theatre_.rows.back().depth_m);
+        ground_.disc(0, 0, 0, reach, 96, paving);
+        touch();
     }
 
     clq_crowd *crowd() const override { return audience_.crowd(); }
@@ -54,26 +53,55 @@ public:
 
     clq_camera camera(Shot shot, double aspect, double) const override
     {
-        if (shot == Shot::close) return look({-1.6, 2.75, -4.6}, {-3.4, 2.35, -8.4}, 46, aspect, 0.2, 600);
-        return look({0, 11.0, 9.0}, {0, 4.4, -10}, 58, aspect, 0.3, 900);
+        if (shot == Shot::close) return look({-2.3, 5.75, -9.6}, {-4.4, 5.35, -14.2}, 48, aspect, 0.2, 600);
+        return look({-2.4, 12.4, 9.4}, {0.3, 4.2, -9}, 62, aspect, 0.3, 900);
     }
 
     void place(double time_s) override { audience_.act(time_s); }
 
-    void prepare(const Gl &) override {}
+    void prepare(const Gl &gl) override
+    {
+        flagstones_.emplace(gl, flagstones(seed_), true);
+        plaster_.emplace(gl, plaster(seed_), true);
+        shadows_.prepare(gl);
+    }
 
     void draw_setting(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
         shine(g, afternoon, eye);
+        g.Enable(gl::cull_face);
+        flagstones_->use();
+        ground_.draw(g);
+        plaster_->use();
         stone_.draw(g);
+        shadows_.draw(g);
     }
 
 private:
+    // A soft rim where hips and feet touch the stone.
+    void touch()
+    {
+        for (const Sitter &sitter : audience_.sitters()) {
+            const Seat &seat = audience_.seats()[sitter.seat];
+            const float s = sitter.scale;
+            const auto out = [&](double metres) {  // from the edge of the seat, away from the stage
+                return Vec3{static_cast<float>(seat.x - seat.facing_x * metres), 0,
+                            static_cast<float>(seat.z - seat.facing_z * metres)};
+            };
+            const Vec3 hips = out(0.30), feet = out(-0.16);
+            shadows_.ring(hips.x, static_cast<float>(seat.y), hips.z, 0.34f * s, 0.34f * s);
+            shadows_.ring(feet.x, static_cast<float>(seat.step_y), feet.z, 0.27f * s, 0.27f * s);
+        }
+    }
+
+    uint64_t seed_;
     Theatre theatre_;
     Audience audience_;
     Sky sky_;
-    Geometry stone_;
+    Geometry ground_ = Geometry(flagstone_metres), stone_ = Geometry(plaster_metres);
+    Shadows shadows_;
+    std::optional<Texture> flagstones_, plaster_;
 };
 
 }  // namespace

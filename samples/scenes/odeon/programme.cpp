@@ -105,7 +105,7 @@ private:
     bool stand_up(const Mood &mood)
     {
         const double ready = rise_odds[static_cast<size_t>(m_.manners)];
-        if (m_.aside_m < aside_to_rise_m || draw() >= ready * (0.05 + 0.35 * mood.ovation)) return false;
+        if (m_.aside_m < aside_to_rise_m || draw() >= ready * (0.13 + 0.35 * mood.ovation)) return false;
         constexpr Act ovation[] = {Act::stand_applaud, Act::stand_applaud, Act::stand_cheer, Act::stand_wave};
         constexpr Act else_[] = {Act::stand, Act::stand_wave, Act::stand_laugh, Act::stand_applaud};
         const Act(&choice)[4] = mood.ovation > 0.1 ? ovation : else_;

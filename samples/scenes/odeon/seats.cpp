@@ -13,9 +13,23 @@ constexpr double radians = 0.017453292519943295;
 // Hips stay square on the stone: nobody turns further towards the stage than this from the middle of the orchestra.
 constexpr double greatest_turn_deg = 6;
 
-struct Wedge {
-    double first_deg, last_deg;
-};
+// Towards the middle of the stage's front, as far as one turns on a seat that looks to the middle of the orchestra.
+void face_the_stage(Seat &seat, double stage_z)
+{
+    const double out = std::sqrt(seat.x * seat.x + seat.z * seat.z);
+    const double inward_x = -seat.x / out, inward_z = -seat.z / out;
+    const double to_x = -seat.x, to_z = stage_z - seat.z, distance = std::sqrt(to_x * to_x + to_z * to_z);
+    double s = (inward_z * to_x - inward_x * to_z) / distance, c = (inward_x * to_x + inward_z * to_z) / distance;
+    const double most = std::sin(greatest_turn_deg * radians);
+    if (std::abs(s) > most || c < 0) {
+        s = s < 0 ? -most : most;
+        c = std::cos(greatest_turn_deg * radians);
+    }
+    seat.facing_x = inward_x * c + inward_z * s;
+    seat.facing_z = inward_z * c - inward_x * s;
+}
+
+}  // namespace
 
 std::vector<Wedge> wedges_of(const Theatre &theatre, size_t row_number)
 {
@@ -36,24 +50,6 @@ std::vector<Wedge> wedges_of(const Theatre &theatre, size_t row_number)
     if (from < row.last_deg) wedges.push_back({from, row.last_deg});
     return wedges;
 }
-
-// Towards the middle of the stage's front, as far as one turns on a seat that looks to the middle of the orchestra.
-void face_the_stage(Seat &seat, double stage_z)
-{
-    const double out = std::sqrt(seat.x * seat.x + seat.z * seat.z);
-    const double inward_x = -seat.x / out, inward_z = -seat.z / out;
-    const double to_x = -seat.x, to_z = stage_z - seat.z, distance = std::sqrt(to_x * to_x + to_z * to_z);
-    double s = (inward_z * to_x - inward_x * to_z) / distance, c = (inward_x * to_x + inward_z * to_z) / distance;
-    const double most = std::sin(greatest_turn_deg * radians);
-    if (std::abs(s) > most || c < 0) {
-        s = s < 0 ? -most : most;
-        c = std::cos(greatest_turn_deg * radians);
-    }
-    seat.facing_x = inward_x * c + inward_z * s;
-    seat.facing_z = inward_z * c - inward_x * s;
-}
-
-}  // namespace
 
 std::vector<Seat> seats_of(const Theatre &theatre)
 {

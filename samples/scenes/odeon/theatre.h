@@ -79,6 +79,12 @@ Theatre read_theatre(const std::string &toml, const std::string &where);
 // The description that comes with claque (odeon.toml beside this header).
 const std::string &odeon_description();
 
+// What the gangways leave of a row, by rising angle.
+struct Wedge {
+    double first_deg = 0, last_deg = 0;
+};
+std::vector<Wedge> wedges_of(const Theatre &theatre, size_t row);
+
 // All seats, row by row, by rising angle; none within a gangway.
 std::vector<Seat> seats_of(const Theatre &theatre);
 

@@ -1,0 +1,243 @@
+#include "samples/scenes/odeon/cavea.h"
+
+#include "samples/scenes/lot.h"
+#include "samples/scenes/stone.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenes
+{
+namespace
+{
+
+constexpr double radians = 0.017453292519943295;
+constexpr Rgb marble = {0.93f, 0.89f, 0.81f}, wall = {0.84f, 0.77f, 0.66f};
+constexpr double undercut_m = 0.05, lip_m = 0.13;  // of a seat's front, for the heels
+constexpr double stair_run_m = 0.27, stair_rise_m = 0.22;
+constexpr double gallery_m = 1.3, gallery_wall_m = 2.7, gallery_thick_m = 0.8;
+
+// A corner of a profile in the plane through the axis. shade: how much of the sky it sees, 1 all.
+struct Corner {
+    double radius, y, shade;
+};
+using Profile = std::vector<Corner>;
+
+class Mason
+{
+public:
+    Mason(Geometry &stone, uint64_t seed) : stone_(stone), seed_(seed) {}
+
+    // Sweeps a profile, which goes up and outwards as the audience's feet would, in blocks that each have a tone.
+    void sweep(const Profile &profile, double first_deg, double last_deg, double block_m, Rgb colour)
+    {
+        const double length = (last_deg - first_deg) * radians * profile.front().radius;
+        const int blocks = std::max(1, static_cast<int>(length / block_m + 0.5));
+        const double each = (last_deg - first_deg) / blocks;
+        for (int block = 0; block < blocks; ++block) {
+            const Rgb tone = colour * static_cast<float>(lot_between(seed_, blocks_++, Lot::slab, 0.93, 1.04));
+            const int steps = std::max(1, static_cast<int>(each / 3.5 + 0.999));
+            for (int step = 0; step < steps; ++step) {
+                const double from = first_deg + each * (block + static_cast<double>(step) / steps);
+                band(profile, from, from + each / steps, tone);
+            }
+        }
+    }
+
+    // The face in which a profile ends at an angle, down to `foot`; side -1 looks to falling angles.
+    void end(const Profile &profile, double at_deg, int side, double foot, Rgb colour)
+    {
+        for (size_t i = 0; i + 1 < profile.size(); ++i) {
+            const Corner &a = profile[i], &b = profile[i + 1];
+            if (b.radius - a.radius < 1e-6) continue;
+            const std::array<Vec3, 4> face = {at(a.radius, foot, at_deg), at(b.radius, foot, at_deg),
+                                              at(b.radius, b.y, at_deg), at(a.radius, a.y, at_deg)};
+            if (side < 0) stone_.quad({face[1], face[0], face[3], face[2]}, colour);
+            else stone_.quad(face, colour);
+        }
+    }
+
+    static Vec3 at(double radius, double y, double angle_deg)
+    {
+        return {static_cast<float>(radius * std::sin(angle_deg * radians)), static_cast<float>(y),
+                static_cast<float>(-radius * std::cos(angle_deg * radians))};
+    }
+
+private:
+    void band(const Profile &profile, double from_deg, double to_deg, Rgb colour)
+    {
+        double along = 0;
+        for (size_t i = 0; i + 1 < profile.size(); ++i) {
+            const Corner &a = profile[i], &b = profile[i + 1];
+            const double out = b.radius - a.radius, up = b.y - a.y, length = std::sqrt(out * out + up * up);
+            if (length < 1e-9) continue;
+            uint32_t corners[4];
+            for (int k = 0; k < 4; ++k) {
+                const Corner &c = k < 2 ? a : b;
+                const double angle = k == 0 || k == 3 ? from_deg : to_deg;
+                const Vec3 outwards = at(1, 0, angle);
+                const float n = static_cast<float>(-up / length);
+                corners[k] = stone_.add(at(c.radius, c.y, angle),
+                                        {outwards.x * n, static_cast<float>(out / length), outwards.z * n},
+                                        static_cast<float>(angle * radians * profile.front().radius) / plaster_metres,
+                                        static_cast<float>(c.radius + along + (k < 2 ? 0 : up)) / plaster_metres,
+                                        colour * static_cast<float>(c.shade));
+            }
+            stone_.triangle(corners[0], corners[1], corners[2]);
+            stone_.triangle(corners[0], corners[2], corners[3]);
+            along += up;
+        }
+    }
+
+    Geometry &stone_;
+    uint64_t seed_, blocks_ = 0;
+};
+
+class Cavea
+{
+public:
+    Cavea(Geometry &stone, const Theatre &theatre, uint64_t seed) : theatre_(theatre), mason_(stone, seed) {}
+
+    void build()
+    {
+        for (size_t i = 0; i < theatre_.rows.size(); ++i) {
+            if (front_of(i) < theatre_.rows[i].radius_m - 1e-6) step(i);
+            for (const Wedge &wedge : wedges_of(theatre_, i))
+                mason_.sweep(seats(i), wedge.first_deg, wedge.last_deg, 1.3, marble);
+            ends(i);
+            for (const Gangway &gangway : theatre_.gangways)
+                if (i >= gangway.first_row && i <= gangway.last_row) stairs(i, gangway);
+        }
+        for (const Walkway &walkway : theatre_.walkways) floor(walkway);
+        gallery();
+    }
+
+private:
+    const SeatRow &row(size_t i) const { return theatre_.rows[i]; }
+    double sweep_first() const { return theatre_.rows.front().first_deg; }
+
+    // Where the stone before a row's seats begins: at the row before, at a walkway, or at the orchestra.
+    double front_of(size_t i) const
+    {
+        double front = i == 0 ? theatre_.orchestra_radius_m : row(i - 1).radius_m + row(i - 1).depth_m;
+        for (const Walkway &walkway : theatre_.walkways)
+            if (walkway.inner_m < row(i).radius_m) front = std::max(front, walkway.outer_m);
+        return front;
+    }
+    double floor_before(size_t i) const
+    {
+        double y = 0;
+        for (const Walkway &walkway : theatre_.walkways)
+            if (walkway.inner_m < row(i).radius_m) y = walkway.y_m;
+        return y;
+    }
+
+    Profile seats(size_t i) const
+    {
+        const SeatRow &r = row(i);
+        const double back = r.radius_m + r.depth_m + undercut_m;
+        return {{r.radius_m + undercut_m, r.step_y_m, 0.55},
+                {r.radius_m + undercut_m, r.seat_y_m - lip_m, 0.74},
+                {r.radius_m, r.seat_y_m - 0.55 * lip_m, 0.90},
+                {r.radius_m, r.seat_y_m - 0.012, 0.98},
+                {r.radius_m + 0.012, r.seat_y_m, 1.0},
+                {r.radius_m + 0.55 * r.depth_m, r.seat_y_m, 0.98},
+                {back, r.seat_y_m, 0.66}};
+    }
+
+    // Podium and the step on which the feet of the first row stand.
+    void step(size_t i)
+    {
+        const double front = front_of(i), y = row(i).step_y_m, below = floor_before(i);
+        const Profile podium = {{front + 0.04, below, 0.62},      {front + 0.04, y - 0.14, 0.86},
+                                {front - 0.03, y - 0.10, 0.92},   {front - 0.03, y, 1.0},
+                                {row(i).radius_m - 0.2, y, 0.97}, {row(i).radius_m + undercut_m, y, 0.66}};
+        mason_.sweep(podium, row(i).first_deg, row(i).last_deg, 1.7, marble * 0.97f);
+        for (const int side : {-1, 1})
+            mason_.end(podium, side < 0 ? row(i).first_deg : row(i).last_deg, side, 0, wall * 0.92f);
+        for (const Gangway &gangway : theatre_.gangways)
+            if (gangway.first_row <= i && gangway.last_row >= i) climb(gangway, front, below, y);
+    }
+
+    void climb(const Gangway &gangway, double front, double from, double to)
+    {
+        const int steps = std::max(1, static_cast<int>((to - from) / stair_rise_m + 0.999));
+        for (int k = 1; k < steps; ++k)
+            block(gangway, front - stair_run_m * (steps - k), front + 0.1, from, from + (to - from) * k / steps);
+    }
+
+    // Two treads a row: the seat's own height, and half a rise more before the next row.
+    void stairs(size_t i, const Gangway &gangway)
+    {
+        const SeatRow &r = row(i);
+        const double half = (r.seat_y_m - r.step_y_m) / 2, run = r.depth_m / 2;
+        block(gangway, r.radius_m - run, r.radius_m + 0.1, r.step_y_m, r.step_y_m + half);
+        block(gangway, r.radius_m, r.radius_m + r.depth_m + undercut_m, r.step_y_m, r.seat_y_m);
+    }
+
+    void block(const Gangway &gangway, double front, double back, double foot, double top)
+    {
+        const double half_deg = gangway.width_m / 2 / front / radians;
+        const double first = gangway.at_deg - half_deg, last = gangway.at_deg + half_deg;
+        const Profile tread = {
+            {front, foot, 0.66}, {front, top - 0.01, 0.92}, {front + 0.01, top, 1.0}, {back, top, 0.82}};
+        mason_.sweep(tread, first, last, 3, marble * 0.93f);
+        mason_.end(tread, first, -1, foot, marble * 0.72f);
+        mason_.end(tread, last, 1, foot, marble * 0.72f);
+    }
+
+    void ends(size_t i)
+    {
+        for (const int side : {-1, 1})
+            mason_.end(seats(i), side < 0 ? row(i).first_deg : row(i).last_deg, side, 0, wall * 0.92f);
+    }
+
+    void floor(const Walkway &walkway)
+    {
+        const double first = theatre_.rows.front().first_deg, last = theatre_.rows.front().last_deg;
+        const Profile paving = {{walkway.inner_m - 0.01, walkway.y_m, 0.97},
+                                {walkway.outer_m - 0.4, walkway.y_m, 0.95},
+                                {walkway.outer_m + 0.05, walkway.y_m, 0.62}};
+        mason_.sweep(paving, first, last, 1.9, marble * 0.90f);
+        for (const int side : {-1, 1}) mason_.end(paving, side < 0 ? first : last, side, 0, wall * 0.92f);
+    }
+
+    // Behind the last row: a way, and a wall with pilasters and a cornice.
+    void gallery()
+    {
+        const SeatRow &last = theatre_.rows.back();
+        const double edge = last.radius_m + last.depth_m, in = edge + gallery_m, out = in + gallery_thick_m;
+        const double y = last.seat_y_m, top = y + gallery_wall_m;
+        const Profile way = {{edge, y, 0.96}, {in - 0.4, y, 0.9}, {in, y, 0.6}};
+        const Profile face = {{in, y, 0.62}, {in, y + 0.5, 0.85}, {in, top - 0.3, 0.98}};
+        const Profile cornice = {{in, top - 0.3, 0.7},
+                                 {in - 0.14, top - 0.2, 0.9},
+                                 {in - 0.18, top - 0.06, 1},
+                                 {in - 0.18, top, 1.04},
+                                 {out, top, 1}};
+        const Profile back = {{out, top, 1}, {out, 0, 0.7}};
+        mason_.sweep(way, last.first_deg, last.last_deg, 1.6, marble * 0.9f);
+        mason_.sweep(face, last.first_deg, last.last_deg, 1.2, wall);
+        mason_.sweep(cornice, last.first_deg, last.last_deg, 1.5, marble);
+        mason_.sweep(back, last.first_deg, last.last_deg, 1.6, wall * 0.95f);
+        const Profile pilaster = {{in - 0.12, y, 0.7}, {in - 0.12, y + 0.3, 0.95}, {in - 0.12, top - 0.28, 1.05}};
+        for (double at = last.first_deg + 2; at < last.last_deg - 1; at += 6) {
+            mason_.sweep(pilaster, at, at + 1.1, 1, marble);
+            for (const int side : {-1, 1})
+                mason_.end({{in - 0.12, top - 0.28, 1}, {in, top - 0.28, 1}}, side < 0 ? at : at + 1.1, side, y,
+                           wall * 0.8f);
+        }
+        const Profile whole = {{edge, y, 1}, {in, y, 1}, {in + 1e-3, top, 1}, {out, top, 1}};
+        for (const int side : {-1, 1})
+            mason_.end(whole, side < 0 ? last.first_deg : last.last_deg, side, 0, wall * 0.92f);
+    }
+
+    const Theatre &theatre_;
+    Mason mason_;
+};
+
+}  // namespace
+
+void build_cavea(Geometry &stone, const Theatre &theatre, uint64_t seed) { Cavea(stone, theatre, seed).build(); }
+
+}  // namespace scenes
