@@ -223,6 +223,16 @@ CLQ_API clq_status clq_template_split_picture(const clq_template *tmpl, uint32_t
                                               uint8_t *out_rgb, size_t capacity_bytes, uint32_t *out_width_px,
                                               uint32_t *out_height_px);
 
+/* What a texture holds, rows from the one at v = 0: the light and dark that an individual's colours are multiplied
+ * with, and where each zone lies (S1 Fig. 6).
+ *   out_rgb          [3 * width * height], or NULL
+ *   out_zones        [width * height] indices for clq_template_get_zone, CLQ_NONE in holes; or NULL
+ *   capacity_texels  width * height that the arrays have room for; with both NULL only the size is asked for
+ * Fails: ARGUMENT (also when capacity is too small). Threads: any. GL: none. */
+CLQ_API clq_status clq_template_get_texture(const clq_template *tmpl, uint32_t texture, uint8_t *out_rgb,
+                                            uint32_t *out_zones, size_t capacity_texels, uint32_t *out_width_px,
+                                            uint32_t *out_height_px);
+
 #ifdef __cplusplus
 }
 #endif

@@ -28,21 +28,26 @@ std::string read_size(const std::string &text, int &width, int &height)
 
 }  // namespace
 
+void add_size_option(CLI::App &command, int &width, int &height)
+{
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [&width, &height](const std::string &text) {
+                const std::string wrong = read_size(text, width, height);
+                if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
+            },
+            "Of the picture in pixels (default " + std::to_string(width) + "x" + std::to_string(height) + ")")
+        ->type_name("WxH");
+}
+
 void add_stage_options(CLI::App &command, StageArguments &a)
 {
     command
         .add_option("--hide", a.hidden, "Leave out the node of this name and what hangs on it (FILE only; may repeat)")
         ->expected(1)
         ->take_all();
-    command
-        .add_option_function<std::string>(
-            "--size",
-            [&a](const std::string &text) {
-                const std::string wrong = read_size(text, a.width, a.height);
-                if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
-            },
-            "Of the picture in pixels (default " + std::to_string(a.width) + "x" + std::to_string(a.height) + ")")
-        ->type_name("WxH");
+    add_size_option(command, a.width, a.height);
     command
         .add_option("--camera", a.camera,
                     "Which view of the scene (default overview, or path where --path is given or the scene has its own "

@@ -29,6 +29,9 @@ struct StageArguments {
 // Everything but the scene's own argument, the file and `count`.
 void add_stage_options(CLI::App &command, StageArguments &arguments);
 
+// --size WxH, into the two numbers, which hold the default before.
+void add_size_option(CLI::App &command, int &width, int &height);
+
 // Accepts the name of a scene.
 CLI::IsMember scene_names();
 

@@ -1,0 +1,162 @@
+#include "samples/cli/portraits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli
+{
+
+using scenes::check;
+namespace gl = scenes::gl;
+
+namespace
+{
+
+constexpr double fov_deg = 20, half_fov = fov_deg / 2 * 0.017453292519943295;
+constexpr double person_m = 1.75;
+constexpr double beside_m = 0.10, above_m = 0.12, below_m = 0.16;  // of backdrop round a person
+
+}  // namespace
+
+Portraits::Portraits(scenes::Library &library, const LoadedCharacter &loaded, uint64_t seed)
+    : library_(library), loaded_(loaded), seed_(seed), sky_(1, scenes::Sky::Land::studio)
+{
+    measure();
+    furnish();
+}
+
+Portraits::~Portraits()
+{
+    // Textures go with what holds them, and need their context for it.
+    if (offscreen_) offscreen_->make_current();
+}
+
+// Standing still where there is a clip of this name, else as the first clip begins, else as modelled.
+clq_play Portraits::pose() const
+{
+    clq_play play = {};
+    play.clip = clq_template_find_clip(loaded_.tmpl.get(), "stand");
+    if (play.clip == CLQ_NONE && info_of(loaded_.tmpl.get()).clip_count > 0) play.clip = 0;
+    return play;
+}
+
+void Portraits::measure()
+{
+    const clq_template_info info = info_of(loaded_.tmpl.get());
+    double low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        // Prepared files have no box but a sphere of all poses, which upright people fill only in part.
+        const double reach = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.40);
+        low[axis] = info.sklsroot_centre[axis] - reach;
+        high[axis] = info.sklsroot_centre[axis] + reach;
+    }
+    if (loaded_.asset) {
+        const clq_asset_info asset = info_of(loaded_.asset.get());
+        std::copy(asset.box_first, asset.box_first + 3, low);
+        std::copy(asset.box_last, asset.box_last + 3, high);
+        const clq_play play = pose();
+        if (asset.hidden_part_count == 0 && play.clip != CLQ_NONE && asset.vertex_count > 0) {
+            clq_clip_info clip = {};
+            check(clq_asset_get_clip(loaded_.asset.get(), play.clip, &clip));
+            std::vector<float> xyz(3 * static_cast<size_t>(asset.vertex_count));
+            check(clq_asset_positions(loaded_.asset.get(), play.clip, clip.start_s, xyz.data(), xyz.size()));
+            for (size_t axis = 0; axis < 3; ++axis) low[axis] = high[axis] = xyz[axis];
+            for (size_t i = 0; i < xyz.size(); ++i) {
+                low[i % 3] = std::min(low[i % 3], static_cast<double>(xyz[i]));
+                high[i % 3] = std::max(high[i % 3], static_cast<double>(xyz[i]));
+            }
+        }
+    }
+    const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    stature_.scale = longest > 0 && std::isfinite(longest) ? person_m / longest : 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        stature_.first[axis] = low[axis] * stature_.scale;
+        stature_.last[axis] = high[axis] * stature_.scale;
+    }
+}
+
+double Portraits::aspect() const
+{
+    return (stature_.last[0] - stature_.first[0] + 2 * beside_m) /
+           (stature_.last[1] - stature_.first[1] + above_m + below_m);
+}
+
+void Portraits::furnish()
+{
+    const float y = static_cast<float>(stature_.first[1]), half = 30;
+    ground_.quad({{{-half, y, half}, {half, y, half}, {half, y, -half}, {-half, y, -half}}}, {0.60f, 0.59f, 0.57f});
+}
+
+void Portraits::resize(int width, int height)
+{
+    renderer_.reset();
+    shadows_.reset();
+    width_ = width;
+    height_ = height;
+    std::string why_not;
+    offscreen_ = contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why_not);
+    if (!offscreen_) throw scenes::Failure("no OpenGL context: " + why_not);
+    if (!scenes::load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
+        throw scenes::Failure("this OpenGL context lacks " + why_not);
+    clq_renderer_def def = clq_renderer_def_init();
+    def.get_proc_address = offscreen_->get_proc_address();
+    def.user = offscreen_->user();
+    clq_renderer *made = nullptr;
+    check(clq_renderer_create(library_.context(), &def, &made));
+    renderer_.reset(made);
+    check(clq_renderer_prepare(made, loaded_.tmpl.get()));
+    shadows_ = std::make_unique<scenes::Shadows>();
+    const auto middle = [this](int axis) { return (stature_.first[axis] + stature_.last[axis]) / 2; };
+    const auto half = [this](int axis) { return (stature_.last[axis] - stature_.first[axis]) / 2; };
+    // Arms that the pose spreads throw no shadow to speak of.
+    const double wide = std::min(half(0), std::max(half(2), 0.22)) * 1.3 + 0.10, deep = half(2) * 1.3 + 0.10;
+    shadows_->ring(static_cast<float>(middle(0)), static_cast<float>(stature_.first[1]),
+                   static_cast<float>(middle(2)) - 0.02f, static_cast<float>(wide), static_cast<float>(deep));
+    shadows_->prepare(gl_);
+}
+
+clq_camera Portraits::camera() const
+{
+    const double low = stature_.first[1] - below_m, high = stature_.last[1] + above_m;
+    const double wide = stature_.last[0] - stature_.first[0] + 2 * beside_m;
+    const double shape = static_cast<double>(width_) / height_;
+    const double seen = std::max(high - low, wide / shape), tangent = std::sin(half_fov) / std::cos(half_fov);
+    const double away = seen / 2 / tangent + stature_.last[2];
+    const double x = (stature_.first[0] + stature_.last[0]) / 2, y = (low + high) / 2;
+    const double eye[3] = {x, y + 0.12 * away, stature_.last[2] + away * 0.992}, target[3] = {x, y, 0};
+    return scenes::look(eye, target, fov_deg, shape, away * 0.05, away * 12 + 60);
+}
+
+const std::vector<uint8_t> &Portraits::picture(uint32_t who)
+{
+    scenes::Casting casting;
+    casting.count = 1;
+    casting.seed = seed_;
+    scenes::Cast cast(library_, casting);
+    clq_play play = pose();
+    // A fifth of a turn, so that the breast and a side are seen.
+    cast.enter({loaded_.tmpl.get(), scenes::stand(0, 0, 0, 0.34, 0.94, static_cast<float>(stature_.scale)), play}, who,
+               {});
+    clq_view *made = nullptr;
+    check(clq_view_create(cast.crowd(), &made));
+    const scenes::Own<clq_view> view(made);
+    const clq_camera seen = camera();
+    check(clq_view_look(made, &seen));
+    check(clq_crowd_update(cast.crowd(), 0, &made, 1));
+    const scenes::Eye eye = scenes::eye_of(seen);
+    gl_.Viewport(0, 0, width_, height_);
+    gl_.DepthMask(1);
+    gl_.ClearColor(0, 0, 0, 1);
+    gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
+    sky_.draw(gl_, eye);
+    scenes::shine(gl_, light_, eye);
+    gl_.Disable(gl::lighting);
+    ground_.draw(gl_);
+    shadows_->draw(gl_);
+    gl_.Enable(gl::lighting);
+    check(clq_renderer_draw(renderer_.get(), made, nullptr));
+    offscreen_->read_rgb(rgb_);
+    return rgb_;
+}
+
+}  // namespace cli

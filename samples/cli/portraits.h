@@ -1,0 +1,62 @@
+// Individuals of one template, each by itself before a studio's backdrop, all in the same pose and from the same side,
+// so that only their colours differ.
+#pragma once
+
+#include "samples/cli/characters.h"
+#include "samples/contexts/offscreen.h"
+#include "samples/scenes/gl.h"
+#include "samples/scenes/light.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/sky.h"
+
+#include <memory>
+#include <vector>
+
+namespace cli
+{
+
+// How much room a character takes in the pose that it is shown in, in metres; Y up.
+struct Stature {
+    double scale = 1;  // of the character, so that its longest side is a person's height
+    double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
+};
+
+class Portraits
+{
+public:
+    // Throws scenes::Failure where no context can be had. `loaded` has to outlive it.
+    Portraits(scenes::Library &library, const LoadedCharacter &loaded, uint64_t seed);
+    ~Portraits();
+    Portraits(const Portraits &) = delete;
+    Portraits &operator=(const Portraits &) = delete;
+
+    // Width by height of what is seen, at best.
+    double aspect() const;
+    void resize(int width, int height);
+    const std::string &context_name() const { return offscreen_->name(); }
+
+    // Three bytes a pixel, top row first, valid until the next. resize() comes first.
+    const std::vector<uint8_t> &picture(uint32_t who);
+
+private:
+    clq_play pose() const;
+    void measure();
+    void furnish();
+    clq_camera camera() const;
+
+    scenes::Library &library_;
+    const LoadedCharacter &loaded_;
+    uint64_t seed_;
+    int width_ = 1, height_ = 1;
+    Stature stature_;
+    scenes::Sky sky_;
+    scenes::Daylight light_;
+    scenes::Geometry ground_;
+    std::unique_ptr<contexts::Offscreen> offscreen_;
+    scenes::Gl gl_;
+    std::unique_ptr<scenes::Shadows> shadows_;
+    scenes::Own<clq_renderer> renderer_;
+    std::vector<uint8_t> rgb_;
+};
+
+}  // namespace cli

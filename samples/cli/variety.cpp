@@ -1,0 +1,212 @@
+// claque variety: one template in many colourings, beside the light and dark that its texture holds and the map of its
+// zones (S1 3, Fig. 6).
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/letters.h"
+#include "samples/cli/png.h"
+#include "samples/cli/portraits.h"
+#include "samples/cli/stage_arguments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34}, quiet = {120, 116, 110};
+constexpr int margin_px = 16, gap_px = 2;
+
+struct VarietyArguments {
+    std::string file, out;
+    std::vector<std::string> hidden;
+    uint32_t count = 12, texture = 0;
+    uint64_t seed = 1;
+    int width = 1280, height = 800;
+};
+
+struct Sheet {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgb;
+    std::vector<uint32_t> zones;
+};
+
+Sheet sheet_of(const clq_template *tmpl, uint32_t texture, const std::string &file)
+{
+    Sheet s;
+    scenes::check(clq_template_get_texture(tmpl, texture, nullptr, nullptr, 0, &s.width, &s.height), file);
+    s.zones.resize(static_cast<size_t>(s.width) * s.height);
+    s.rgb.resize(3 * s.zones.size());
+    scenes::check(
+        clq_template_get_texture(tmpl, texture, s.rgb.data(), s.zones.data(), s.zones.size(), &s.width, &s.height),
+        file);
+    return s;
+}
+
+// Hues apart by the golden angle, in two tones, so that neighbours in the list differ.
+Ink zone_ink(uint32_t zone)
+{
+    const double turn = 0.02 + 0.6180339887498949 * zone, hue = 6 * (turn - std::floor(turn));
+    const double bright = zone % 2 == 0 ? 0.92 : 0.70, grey = zone % 3 == 2 ? 0.45 : 0.18;
+    const auto channel = [&](double at) {
+        const double away = std::abs(std::fmod(hue - at + 9, 6.0) - 3);
+        const double full = std::clamp(2 - away, 0.0, 1.0);
+        return static_cast<uint8_t>(255 * bright * (grey + (1 - grey) * full) + 0.5);
+    };
+    return {channel(0), channel(2), channel(4)};
+}
+
+struct Box {
+    int x, y, width, height;
+};
+
+// The texels that fall on a pixel, as [first, last).
+struct Run {
+    uint32_t first, last;
+};
+Run texels(int at, int pixels, uint32_t size)
+{
+    const uint64_t n = static_cast<uint64_t>(pixels), i = static_cast<uint64_t>(at);
+    const uint32_t first = static_cast<uint32_t>(i * size / n);
+    return {first, std::max(first + 1, static_cast<uint32_t>((i + 1) * size / n))};
+}
+
+void draw_light(Board &board, const Sheet &s, Box box)
+{
+    for (int y = 0; y < box.height; ++y)
+        for (int x = 0; x < box.width; ++x) {
+            const Run across = texels(x, box.width, s.width), down = texels(y, box.height, s.height);
+            uint32_t sum[3] = {0, 0, 0};
+            for (uint32_t v = down.first; v < down.last; ++v)
+                for (uint32_t u = across.first; u < across.last; ++u)
+                    for (size_t k = 0; k < 3; ++k) sum[k] += s.rgb[3 * (static_cast<size_t>(v) * s.width + u) + k];
+            const uint32_t n = (across.last - across.first) * (down.last - down.first);
+            const auto mean = [&](int k) { return static_cast<uint8_t>((sum[k] + n / 2) / n); };
+            board.dot(box.x + x, box.y + y, {mean(0), mean(1), mean(2)});
+        }
+}
+
+void draw_zones(Board &board, const Sheet &s, Box box)
+{
+    for (int y = 0; y < box.height; ++y)
+        for (int x = 0; x < box.width; ++x) {
+            const uint32_t u = texels(x, box.width, s.width).first, v = texels(y, box.height, s.height).first;
+            const uint32_t zone = s.zones[static_cast<size_t>(v) * s.width + u];
+            board.dot(box.x + x, box.y + y, zone == CLQ_NONE ? paper : zone_ink(zone));
+        }
+}
+
+// The zones that this texture shows, in two columns; those that find no room are counted in the last line.
+void draw_key(Board &board, const clq_template *tmpl, const Sheet &s, Box box)
+{
+    std::vector<uint32_t> shown(s.zones);
+    std::sort(shown.begin(), shown.end());
+    shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+    if (!shown.empty() && shown.back() == CLQ_NONE) shown.pop_back();
+    const int scale = box.width >= 300 ? 2 : 1, line = (letter_height + 4) * scale, half = box.width / 2;
+    const int lines = box.height / line;
+    const size_t room = static_cast<size_t>(std::max(0, 2 * lines));
+    const size_t fit = shown.size() <= room ? shown.size() : room > 0 ? room - 1 : 0;
+    const auto corner = [&](size_t i) {
+        const int down = static_cast<int>(i) / 2, across = static_cast<int>(i) % 2;
+        return Box{box.x + across * half, box.y + down * line, 0, 0};
+    };
+    for (size_t i = 0; i < fit; ++i) {
+        clq_zone_info zone = {};
+        scenes::check(clq_template_get_zone(tmpl, shown[i], &zone));
+        const Box at = corner(i);
+        board.fill(at.x, at.y, letter_height * scale, letter_height * scale, zone_ink(shown[i]));
+        const int most = (half - 10 * scale) / (letter_width * scale);
+        board.write(at.x + 10 * scale, at.y, scale, std::string(zone.name).substr(0, static_cast<size_t>(most)), ink);
+    }
+    if (fit < shown.size() && room > 0)
+        board.write(corner(fit).x, corner(fit).y, scale, "and " + std::to_string(shown.size() - fit) + " more", quiet);
+}
+
+// As many columns as let the people be largest.
+struct Grid {
+    int columns = 1, rows = 1, width = 1, height = 1;
+};
+Grid grid_for(uint32_t count, const Box &box, double aspect)
+{
+    Grid best;
+    double largest = 0;
+    for (int columns = 1; columns <= static_cast<int>(count); ++columns) {
+        const int rows = (static_cast<int>(count) + columns - 1) / columns;
+        const Grid grid = {columns, rows, (box.width + gap_px) / columns - gap_px,
+                           (box.height + gap_px) / rows - gap_px};
+        const double size = std::min(static_cast<double>(grid.height), grid.width / aspect);
+        if (size > largest) largest = size, best = grid;
+    }
+    return best;
+}
+
+void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &box)
+{
+    const Grid grid = grid_for(count, box, portraits.aspect());
+    if (grid.width < 8 || grid.height < 8)
+        throw scenes::Failure(std::to_string(count) + " people find no room in a picture of " +
+                              std::to_string(board.width()) + " x " + std::to_string(board.height()));
+    portraits.resize(grid.width, grid.height);
+    for (uint32_t who = 0; who < count; ++who) {
+        stop_if_asked();
+        const int column = static_cast<int>(who) % grid.columns, row = static_cast<int>(who) / grid.columns;
+        board.paste(box.x + column * (grid.width + gap_px), box.y + row * (grid.height + gap_px), grid.width,
+                    grid.height, portraits.picture(who));
+    }
+}
+
+void draw_variety(const VarietyArguments &a)
+{
+    expect_writable(a.out);
+    scenes::Library library(1);
+    const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
+    const clq_template *tmpl = loaded.tmpl.get();
+    const Sheet sheet = sheet_of(tmpl, a.texture, a.file);
+    Board board(a.width, a.height, paper);
+    const int side = std::min(a.width * 3 / 10, (a.height - 4 * margin_px) * 2 / 5);
+    const int tall =
+        std::max(1, static_cast<int>(static_cast<uint64_t>(side) * sheet.height / std::max(sheet.width, sheet.height)));
+    const int wide =
+        std::max(1, static_cast<int>(static_cast<uint64_t>(side) * sheet.width / std::max(sheet.width, sheet.height)));
+    const Box light = {margin_px, margin_px, wide, tall}, zones = {margin_px, 2 * margin_px + tall, wide, tall};
+    draw_light(board, sheet, light);
+    draw_zones(board, sheet, zones);
+    const int key_y = zones.y + tall + margin_px;
+    draw_key(board, tmpl, sheet, {margin_px, key_y, side, a.height - margin_px - key_y});
+    Portraits portraits(library, loaded, a.seed);
+    const int left = 2 * margin_px + side;
+    draw_people(board, portraits, a.count, {left, margin_px, a.width - margin_px - left, a.height - 2 * margin_px});
+    if (a.out == "-") return write_whole(a.out, board.rgb().data(), board.rgb().size());
+    const std::string name = info_of(tmpl).name;
+    const std::vector<unsigned char> file =
+        png(board.rgb().data(), a.width, a.height,
+            {{"Software", "claque " + version()},
+             {"Description", "Colourings of one template: " + (name.empty() ? a.file : name)},
+             {"Source", portraits.context_name()}});
+    write_whole(a.out, file.data(), file.size());
+}
+
+}  // namespace
+
+void add_variety(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<VarietyArguments>();
+    CLI::App *c = app.add_subcommand("variety", "Draw one character in many colourings beside its texture and zones");
+    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+        ->required();
+    c->add_option("--out", a->out, "PNG; - streams raw RGB, rows from the top")->required();
+    c->add_option("--count", a->count, "Individuals")->capture_default_str()->check(CLI::Range(1, 400));
+    c->add_option("--seed", a->seed, "Of the colours that are drawn by lot")->capture_default_str();
+    add_size_option(*c, a->width, a->height);
+    c->add_option("--texture", a->texture, "Which texture to show")->capture_default_str();
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+        ->expected(1)
+        ->take_all();
+    c->callback([a, &chosen] { chosen = [a] { draw_variety(*a); }; });
+}
+
+}  // namespace cli
