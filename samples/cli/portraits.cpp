@@ -81,10 +81,29 @@ double Portraits::aspect() const
            (stature_.last[1] - stature_.first[1] + above_m + below_m);
 }
 
+// A floor that fades into the backdrop.
 void Portraits::furnish()
 {
-    const float y = static_cast<float>(stature_.first[1]), half = 30;
-    ground_.quad({{{-half, y, half}, {half, y, half}, {half, y, -half}, {-half, y, -half}}}, {0.60f, 0.59f, 0.57f});
+    constexpr scenes::Rgb near = {0.60f, 0.59f, 0.57f}, far = scenes::Sky::backdrop;
+    constexpr float radii[] = {0.9f, 1.5f, 2.2f, 3.0f, 4.0f, 40}, shares[] = {0, 0.2f, 0.5f, 0.8f, 1, 1};
+    constexpr uint32_t sides = 48, rings = 6;
+    const float y = static_cast<float>(stature_.first[1]);
+    const uint32_t middle = ground_.add({0, y, 0}, {0, 1, 0}, 0, 0, near);
+    for (uint32_t ring = 0; ring < rings; ++ring)
+        for (uint32_t i = 0; i < sides; ++i) {
+            const float angle = 6.28318531f * static_cast<float>(i) / sides, k = shares[ring];
+            ground_.add({radii[ring] * std::cos(angle), y, -radii[ring] * std::sin(angle)}, {0, 1, 0}, 0, 0,
+                        {near.r + (far.r - near.r) * k, near.g + (far.g - near.g) * k, near.b + (far.b - near.b) * k});
+        }
+    for (uint32_t i = 0; i < sides; ++i) {
+        const uint32_t next = (i + 1) % sides;
+        ground_.triangle(middle, middle + 1 + i, middle + 1 + next);
+        for (uint32_t ring = 0; ring + 1 < rings; ++ring) {
+            const uint32_t inner = middle + 1 + ring * sides, outer = inner + sides;
+            ground_.triangle(inner + i, outer + i, outer + next);
+            ground_.triangle(inner + i, outer + next, inner + next);
+        }
+    }
 }
 
 void Portraits::resize(int width, int height)
