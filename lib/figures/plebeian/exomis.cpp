@@ -26,12 +26,11 @@ struct Row {
     float y, side, front, back, ahead, fold, dip;
 };
 
-const std::array<Row, 7> rows = {{
+const std::array<Row, 6> rows = {{
     {0.590f, 0.170f, 0.128f, 0.140f, 0.000f, 0.018f, 0.008f},  // hem
     {0.725f, 0.174f, 0.130f, 0.150f, 0.000f, 0.012f, 0.000f},
     {0.880f, 0.167f, 0.122f, 0.146f, 0.000f, 0.008f, 0.000f},  // hips
-    {1.016f, 0.146f, 0.108f, 0.108f, 0.000f, 0.002f, 0.000f},  // below the rope
-    {1.056f, 0.146f, 0.108f, 0.106f, 0.000f, 0.000f, 0.000f},  // above it, behind the overhang
+    {1.056f, 0.142f, 0.106f, 0.104f, 0.000f, 0.000f, 0.000f},  // above the rope, behind the overhang
     {1.040f, 0.155f, 0.122f, 0.117f, 0.000f, 0.012f, 0.014f},  // overhang
     {1.195f, 0.147f, 0.120f, 0.113f, -0.003f, 0.008f, 0.000f},
 }};
