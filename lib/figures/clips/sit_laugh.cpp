@@ -22,11 +22,14 @@ Pose sit_laugh_at(float phase)
     body.shrug_l = body.shrug_r = 4 * mirth + 2.5f * shake;
     // Three slaps while bent over.
     const float slap = hold(phase, 0.42f, 0.46f, 0.68f, 0.72f) * swell((phase - 0.44f) / 0.27f, 3);
-    Grip right = in_lap(Side::right);
+    Grip left = in_lap(Side::left), right = in_lap(Side::right);
+    // Bent over, the elbows would stick out into the neighbours.
+    left.pole.x -= 0.22f * over;
+    right.pole.x -= 0.15f * over;
     right.wrist += glm::vec3(0.004f, 0.125f, -0.045f) * slap;
     right.pole += glm::vec3(-0.15f, 0, 0) * slap;
     right.along += glm::vec3(0, 0.40f, 0) * slap;
-    return seated(body, in_lap(Side::left), right);
+    return seated(body, left, right);
 }
 
 }  // namespace claque::figures

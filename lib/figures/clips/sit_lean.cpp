@@ -14,8 +14,8 @@ Grip between_knees(Side side)
 {
     if (side == Side::left)
         return {
-            {0.066f, 0.622f, 0.185f}, {-0.45f, -0.50f, 0.75f}, {0.72f, 0.55f, 0.45f}, {0.75f, -0.35f, -0.3f}, 0.32f};
-    return {{0.070f, 0.600f, 0.175f}, {-0.40f, -0.55f, 0.75f}, {0.75f, 0.55f, 0.45f}, {0.75f, -0.35f, -0.3f}, 0.30f};
+            {0.066f, 0.622f, 0.185f}, {-0.45f, -0.50f, 0.75f}, {0.72f, 0.55f, 0.45f}, {0.62f, -0.45f, -0.4f}, 0.32f};
+    return {{0.070f, 0.600f, 0.175f}, {-0.40f, -0.55f, 0.75f}, {0.75f, 0.55f, 0.45f}, {0.62f, -0.45f, -0.4f}, 0.30f};
 }
 
 }  // namespace
@@ -31,8 +31,8 @@ Pose sit_lean_at(float phase)
     body.look = 10 * hold(phase, 0.32f, 0.40f, 0.50f, 0.60f) - 6 * hold(phase, 0.55f, 0.62f, 0.72f, 0.80f);
     body.cock = 3 * hold(phase, 0.40f, 0.50f, 0.60f, 0.70f);
     const glm::vec3 up(0.01f, 0.05f, 0);
-    return seated(body, mix(in_lap(Side::left), between_knees(Side::left), lean, up),
-                  mix(in_lap(Side::right), between_knees(Side::right), lean, up));
+    return seated(body, mix(in_lap(Side::left), between_knees(Side::left), lean, up, 0.2f),
+                  mix(in_lap(Side::right), between_knees(Side::right), lean, up, 0.2f));
 }
 
 }  // namespace claque::figures

@@ -33,9 +33,9 @@ Posed at_end(const char *name) { return pose(clip(name), float(frames(clip(name)
 float depth_in_seat(vec3 p) { return std::min(seat_height_m - p.y, seat_edge_m - p.z); }
 
 // Lowest of what lies between belt and knee at rest and is over the seat now.
-float lowest_over_seat(const Posed &p)
+float lowest_over_seat(const Posed &p, const puppet::Model &figure = citizen())
 {
-    const auto &rest = citizen().parts[0].positions;
+    const auto &rest = figure.parts[0].positions;
     float y = 1e9f;
     for (size_t v = 0; v < rest.size(); ++v)
         if (rest[v].y > 0.60f && rest[v].y < 0.95f && std::fabs(rest[v].x) < 0.30f && p.vertices[v].z < seat_edge_m)
@@ -168,5 +168,25 @@ TEST(Standing, may_be_followed_by_a_wave_a_laugh_or_an_ovation)
     for (const char *name : {"stand_wave", "stand_laugh", "stand_applaud", "stand_cheer"}) {
         EXPECT_LT(furthest(pose(clip(name), 0), pose(clip("stand"), 0)), 1e-4f) << name;
         EXPECT_LT(furthest(at_end(name), pose(clip("stand"), 0)), 1e-4f) << name;
+    }
+}
+
+// Togas and stolas are wider than a tunic, but a seat is 0.65 m wide for everybody.
+TEST(Everybody, sits_on_a_seat_of_his_own)
+{
+    for (const auto &builtin : claque::figures::builtins()) {
+        const auto figure = builtin.make();
+        for (const char *name : puppet::seated_clips) {
+            const uint32_t c = figure.rig.find_clip(name);
+            for (int k = 0; k < puppet::frames(figure, c); k += 3) {
+                SCOPED_TRACE(std::string(builtin.name) + ' ' + name + " at frame " + std::to_string(k));
+                const Posed p = pose(figure, c, float(k) * frame_s);
+                ASSERT_NEAR(lowest_over_seat(p, figure), seat_height_m, 0.025f);
+                for (const vec3 q : p.vertices) {
+                    ASSERT_LE(std::fabs(q.x), 0.325f);
+                    ASSERT_TRUE(q.z > -0.59f || q.y > 0.60f) << "where the toes of those behind are";
+                }
+            }
+        }
     }
 }
