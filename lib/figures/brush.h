@@ -63,4 +63,11 @@ inline float grain(float x, float y, uint64_t layer)
            (value(i, k + 1) * (1 - u) + value(i + 1, k + 1) * u) * v;
 }
 
+// Light and dark of a cloth's fold from noise in [0, 1): a bright ridge beside a dark furrow.
+inline float crease(float noise)
+{
+    const float x = noise * 2 - 1;
+    return x * (1.25f - 0.5f * x * x) - 0.45f * spot(x + 0.30f, 0.22f);
+}
+
 }  // namespace claque::figures

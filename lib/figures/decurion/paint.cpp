@@ -75,7 +75,7 @@ Paint paint_decurion(const Texel &t)
     // The roots of the fingers lie inside the palm: no soot on hands.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const bool loose = t.chart == decurion::balteus || t.chart == decurion::umbo;  // whose edges lie in the dress
-    const float open = std::max(t.openness, hand ? 0.74f : loose ? 0.35f : 0.0f);
+    const float open = std::max(t.openness, hand ? 0.74f : paint.zone == Zone::sandals ? 0.5f : loose ? 0.35f : 0.0f);
     const float shade = 0.54f + 0.46f * soft_step(0.05f, 0.90f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;

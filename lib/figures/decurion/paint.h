@@ -17,9 +17,6 @@ Paint paint_balteus(const Texel &texel);  // the roll over the shoulder, the lap
 Paint paint_shoe(const Texel &texel);
 bool is_toga(const Texel &texel);
 
-// Light and dark of a fold from noise in [0, 1): a bright ridge beside a dark furrow.
-float crease(float noise);
-
 // The height above which hair grows.
 float hair_edge(glm::vec3 p);
 

@@ -25,7 +25,7 @@ Eye eye_at(glm::vec2 q)
     const float u = (q.x - eye_centre.x) / eye_half;
     const float arch = std::max(0.0f, 1 - u * u);
     const float tilt = -0.0008f * u;  // the outer corner has sunk
-    const float upper = eye_centre.y + tilt + 0.0050f * std::sqrt(arch) * (1 - 0.22f * u);
+    const float upper = eye_centre.y + tilt + 0.0046f * std::sqrt(arch) * (1 - 0.26f * u);
     const float lower = eye_centre.y + tilt - 0.0044f * arch;
     return {std::fabs(u) < 1 ? std::min(upper - q.y, q.y - lower) : -1, upper, lower};
 }
@@ -34,8 +34,8 @@ Paint eyeball(glm::vec2 q, const Eye &eye)
 {
     const glm::vec2 d = q - (eye_centre + glm::vec2(-0.0004f, 0.0004f));
     const float r = std::sqrt(d.x * d.x + d.y * d.y);
-    float grey = 228 - 70 * spot(eye.upper - q.y, 0.0036f) - 50 * soft_step(0.007f, 0.014f, std::fabs(d.x));
-    const float iris = 108 + 40 * soft_step(0.001f, -0.004f, d.y);
+    float grey = 222 - 80 * spot(eye.upper - q.y, 0.0036f) - 50 * soft_step(0.007f, 0.014f, std::fabs(d.x));
+    const float iris = 74 + 40 * soft_step(0.001f, -0.004f, d.y);
     grey += (iris - grey) * soft_step(0.0064f, 0.0054f, r);
     grey -= 36 * spot(r - 0.0056f, 0.0011f);
     grey += (20 - grey) * soft_step(0.0030f, 0.0021f, r);
@@ -146,8 +146,8 @@ Paint face(glm::vec3 p, glm::vec3 n)
     float g = relief(q, n) + wrinkles(q, p.x) + blotches(p);
     if (std::fabs(q.x - eye_centre.x) < eye_half + 0.0015f) {
         const float above = q.y - eye.upper, below = eye.lower - q.y;
-        if (above > -0.0006f) g += (80 - g) * soft_step(0.0020f, 0.0008f, above);
-        g -= 44 * spot(above - 0.0046f, 0.0018f) * (above > 0.0014f ? 1 : 0);  // the lid hangs over its crease
+        if (above > -0.0006f) g += (62 - g) * soft_step(0.0024f, 0.0009f, above);
+        g -= 54 * spot(above - 0.0044f, 0.0020f) * (above > 0.0014f ? 1 : 0);  // the lid hangs over its crease
         if (below > -0.0005f) g -= 60 * soft_step(0.0016f, 0.0004f, below);
     }
     if (spot(q, {0.0078f, 1.5835f}, {0.0050f, 0.0030f}) > 0.25f && n.y < 0.25f) g = 84;  // nostril

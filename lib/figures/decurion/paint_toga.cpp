@@ -9,12 +9,6 @@
 namespace claque::figures::decurion
 {
 
-float crease(float noise)
-{
-    const float x = noise * 2 - 1;
-    return x * (1.25f - 0.5f * x * x) - 0.45f * spot(x + 0.30f, 0.22f);
-}
-
 namespace
 {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "lib/figures/figure.h"
+#include "puppet.h"
 
 using namespace claque;
 
@@ -189,6 +189,31 @@ TEST(Decurion, keeps_weights_alike_wherever_vertices_share_a_place)
         };
         for (uint32_t bone = 0; bone < 33; ++bone)
             EXPECT_NEAR(total(v, bone), total(at->second, bone), 1e-5f) << "seam would tear at vertex " << v;
+    }
+}
+
+// Raised arms lift the cloth below the armpits by a hand; what lies further down stays with the trunk in every pose.
+TEST(Decurion, tears_no_cloth_in_any_clip)
+{
+    for (const char *name : puppet::clip_names) {
+        const uint32_t clip = decurion().rig.find_clip(name);
+        ASSERT_LT(clip, decurion().rig.clips.size()) << name;
+        for (int frame = 0; frame < puppet::frames(decurion(), clip); frame += 6) {
+            const puppet::Posed posed = puppet::pose(decurion(), clip, float(frame) * puppet::frame_s);
+            float longest = 0;
+            glm::vec3 where(0);
+            for (const auto &t : model::triangles_of(part()))
+                for (size_t k = 0; k < 3; ++k) {
+                    const uint32_t a = t[k], b = t[(k + 1) % 3];
+                    const float rest = glm::distance(part().positions[a], part().positions[b]);
+                    const float grown = glm::distance(posed.vertices[a], posed.vertices[b]) - rest;
+                    const bool trunk = part().positions[a].y < 1.30f && part().positions[a].y > 0.95f &&
+                                       std::fabs(part().positions[a].x) < 0.24f;
+                    if (trunk && grown > longest) longest = grown, where = part().positions[a];
+                }
+            EXPECT_LT(longest, 0.16f) << name << " frame " << frame << " near " << where.x << ' ' << where.y << ' '
+                                      << where.z;
+        }
     }
 }
 
