@@ -14,6 +14,8 @@ namespace
 constexpr double radians = 0.017453292519943295;
 constexpr Rgb marble = {0.93f, 0.89f, 0.81f}, wall = {0.84f, 0.77f, 0.66f};
 constexpr double undercut_m = 0.05, lip_m = 0.13;  // of a seat's front, for the heels
+// Paving reaches a little below the stone that it meets, so that there is no crack and no tie in depth.
+constexpr double below_m = 0.004;
 constexpr double stair_run_m = 0.27, stair_rise_m = 0.22;
 constexpr double gallery_m = 1.3, gallery_wall_m = 2.7, gallery_thick_m = 0.8;
 
@@ -135,14 +137,12 @@ private:
     Profile seats(size_t i) const
     {
         const SeatRow &r = row(i);
-        const double back = r.radius_m + r.depth_m + undercut_m;
-        return {{r.radius_m + undercut_m, r.step_y_m, 0.55},
-                {r.radius_m + undercut_m, r.seat_y_m - lip_m, 0.74},
-                {r.radius_m, r.seat_y_m - 0.55 * lip_m, 0.90},
-                {r.radius_m, r.seat_y_m - 0.012, 0.98},
-                {r.radius_m + 0.012, r.seat_y_m, 1.0},
-                {r.radius_m + 0.55 * r.depth_m, r.seat_y_m, 0.98},
-                {back, r.seat_y_m, 0.66}};
+        const bool more = i + 1 < theatre_.rows.size() && front_of(i + 1) < r.radius_m + r.depth_m + 1e-6;
+        const double back = r.radius_m + r.depth_m + (more ? undercut_m : 0);
+        return {{r.radius_m + undercut_m, r.step_y_m, 0.55},   {r.radius_m + undercut_m, r.seat_y_m - lip_m, 0.74},
+                {r.radius_m, r.seat_y_m - 0.55 * lip_m, 0.90}, {r.radius_m, r.seat_y_m - 0.012, 0.98},
+                {r.radius_m + 0.012, r.seat_y_m, 1.0},         {r.radius_m + 0.55 * r.depth_m, r.seat_y_m, 0.98},
+                {back, r.seat_y_m, more ? 0.66 : 0.97}};
     }
 
     // Podium and the step on which the feet of the first row stand.
@@ -195,9 +195,9 @@ private:
     void floor(const Walkway &walkway)
     {
         const double first = theatre_.rows.front().first_deg, last = theatre_.rows.front().last_deg;
-        const Profile paving = {{walkway.inner_m - 0.01, walkway.y_m, 0.97},
-                                {walkway.outer_m - 0.4, walkway.y_m, 0.95},
-                                {walkway.outer_m + 0.05, walkway.y_m, 0.62}};
+        const double y = walkway.y_m - below_m;
+        const Profile paving = {
+            {walkway.inner_m - 0.1, y, 0.97}, {walkway.outer_m - 0.4, y, 0.95}, {walkway.outer_m + 0.05, y, 0.62}};
         mason_.sweep(paving, first, last, 1.9, marble * 0.90f);
         for (const int side : {-1, 1}) mason_.end(paving, side < 0 ? first : last, side, 0, wall * 0.92f);
     }
@@ -208,7 +208,7 @@ private:
         const SeatRow &last = theatre_.rows.back();
         const double edge = last.radius_m + last.depth_m, in = edge + gallery_m, out = in + gallery_thick_m;
         const double y = last.seat_y_m, top = y + gallery_wall_m;
-        const Profile way = {{edge, y, 0.96}, {in - 0.4, y, 0.9}, {in, y, 0.6}};
+        const Profile way = {{edge - 0.1, y - below_m, 0.96}, {in - 0.4, y - below_m, 0.9}, {in, y - below_m, 0.6}};
         const Profile face = {{in, y, 0.62}, {in, y + 0.5, 0.85}, {in, top - 0.3, 0.98}};
         const Profile cornice = {{in, top - 0.3, 0.7},
                                  {in - 0.14, top - 0.2, 0.9},

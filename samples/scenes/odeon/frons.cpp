@@ -27,12 +27,13 @@ public:
     void build()
     {
         stage();
-        stone_.box({-half_ - 1, 0, back_}, {half_ + 1, top_, back_ + 1.2f}, ochre);
+        wall();
         wings();
         const float high = top_ - floor_;
         storey(floor_, high * 0.53f, 1.5f, granite, red);
         storey(floor_ + high * 0.53f, high * 0.40f, 1.2f, marble, ochre);
-        stone_.box({-half_ - 1.2f, top_ - high * 0.07f, back_ - 0.9f}, {half_ + 1.2f, top_, back_ + 1.4f}, marble);
+        const float cornice = top_ - high * 0.07f;
+        stone_.box({-half_ - 1.2f, cornice, back_ - 0.9f}, {half_ + 1.2f, top_, back_ + 1.45f}, marble);
         doors();
         roof();
     }
@@ -114,19 +115,35 @@ private:
         for (const float side : {-1.0f, 1.0f}) door(side * 0.525f * half_, 0.7f, 2.6f);
     }
 
+    // The wall, with pilasters and windows behind.
+    void wall()
+    {
+        const float under = top_ - 0.3f, behind = back_ + 1.2f;
+        stone_.box({-half_ - 1, 0, back_}, {half_ + 1, under, behind}, travertine);
+        stone_.box({-half_, floor_, back_ - 0.02f}, {half_, under, back_}, ochre);
+        const int bays = 9;
+        for (int bay = 0; bay <= bays; ++bay) {
+            const float x = (half_ + 0.6f) * (-1 + 2 * static_cast<float>(bay) / bays);
+            stone_.box({x - 0.35f, 0, behind}, {x + 0.35f, under, behind + 0.18f}, marble);
+            if (bay == bays) break;
+            const float middle = x + (half_ + 0.6f) / bays, sill = floor_ + 0.55f * (top_ - floor_);
+            stone_.box({middle - 0.55f, sill, behind}, {middle + 0.55f, sill + 1.7f, behind + 0.03f}, bronze);
+        }
+    }
+
+    // Tiles that fall away from the stage.
     void roof()
     {
-        const float y = top_, z0 = back_ - 1.4f, z1 = back_ + 1.8f;
-        stone_.quad({Vec3{-half_ - 1.4f, y + 0.9f, z0},
-                     {half_ + 1.4f, y + 0.9f, z0},
-                     {half_ + 1.4f, y, z1},
-                     {-half_ - 1.4f, y, z1}},
-                    tile);
-        stone_.quad({Vec3{half_ + 1.4f, y + 0.78f, z0},
-                     {-half_ - 1.4f, y + 0.78f, z0},
-                     {-half_ - 1.4f, y + 0.9f, z0},
-                     {half_ + 1.4f, y + 0.9f, z0}},
-                    tile * 0.8f);
+        const float left = -half_ - 1.3f, right = half_ + 1.3f, z0 = back_ - 1.0f, z1 = back_ + 1.9f;
+        const float ridge = top_ + 1.0f, eaves = top_ + 0.06f;
+        stone_.quad({Vec3{right, ridge, z0}, {left, ridge, z0}, {left, eaves, z1}, {right, eaves, z1}}, tile);
+        stone_.quad({Vec3{left, eaves, z1}, {left, ridge, z0}, {right, ridge, z0}, {right, eaves, z1}}, tile * 0.5f);
+        stone_.quad({Vec3{right, top_, z0}, {left, top_, z0}, {left, ridge, z0}, {right, ridge, z0}}, marble);
+        for (const float x : {left, right}) {
+            const Vec3 a = {x, top_, z0}, b = {x, top_, z1}, c = {x, eaves, z1}, d = {x, ridge, z0};
+            if (x > 0) stone_.quad({b, a, d, c}, marble);
+            else stone_.quad({a, b, c, d}, marble);
+        }
     }
 
     Geometry &stone_;

@@ -3,8 +3,8 @@
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
 #include "samples/scenes/odeon/frons.h"
+#include "samples/scenes/odeon/touch.h"
 #include "samples/scenes/scene.h"
-#include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
 #include "samples/scenes/stone.h"
 
@@ -19,7 +19,7 @@ namespace
 
 // The sun stands over the stage house and lights the faces of those who look at it.
 constexpr Daylight afternoon = {
-    {-0.30f, 0.62f, 0.72f}, {0.76f, 0.69f, 0.57f}, {0.37f, 0.39f, 0.43f}, {0.13f, 0.11f, 0.09f}};
+    {-0.30f, 0.62f, 0.72f}, {0.82f, 0.74f, 0.60f}, {0.39f, 0.41f, 0.45f}, {0.13f, 0.11f, 0.09f}};
 constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
 
 Theatre theatre_of(const Casting &casting)
@@ -39,13 +39,13 @@ public:
         : seed_(casting.seed),
           theatre_(theatre_of(casting)),
           audience_(library, theatre_, casting),
+          shadows_(audience_.seats(), audience_.sitters()),
           sky_(casting.seed, Sky::Land::hills)
     {
         build_cavea(stone_, theatre_, seed_);
         build_stage(stone_, theatre_);
         const float reach = static_cast<float>(theatre_.rows.back().radius_m + theatre_.rows.back().depth_m);
-        ground_.disc(0, 0, 0, reach, 96, paving);
-        touch();
+        ground_.disc(0, 0, 0, reach + 8, 96, paving);
     }
 
     clq_crowd *crowd() const override { return audience_.crowd(); }
@@ -53,7 +53,7 @@ public:
 
     clq_camera camera(Shot shot, double aspect, double) const override
     {
-        if (shot == Shot::close) return look({-2.3, 5.75, -9.6}, {-4.4, 5.35, -14.2}, 48, aspect, 0.2, 600);
+        if (shot == Shot::close) return look({-2.3, 6.15, -9.5}, {-4.3, 5.15, -14}, 49, aspect, 0.2, 600);
         return look({-2.4, 12.4, 9.4}, {0.3, 4.2, -9}, 62, aspect, 0.3, 900);
     }
 
@@ -79,28 +79,12 @@ public:
     }
 
 private:
-    // A soft rim where hips and feet touch the stone.
-    void touch()
-    {
-        for (const Sitter &sitter : audience_.sitters()) {
-            const Seat &seat = audience_.seats()[sitter.seat];
-            const float s = sitter.scale;
-            const auto out = [&](double metres) {  // from the edge of the seat, away from the stage
-                return Vec3{static_cast<float>(seat.x - seat.facing_x * metres), 0,
-                            static_cast<float>(seat.z - seat.facing_z * metres)};
-            };
-            const Vec3 hips = out(0.30), feet = out(-0.16);
-            shadows_.ring(hips.x, static_cast<float>(seat.y), hips.z, 0.34f * s, 0.34f * s);
-            shadows_.ring(feet.x, static_cast<float>(seat.step_y), feet.z, 0.27f * s, 0.27f * s);
-        }
-    }
-
     uint64_t seed_;
     Theatre theatre_;
     Audience audience_;
+    TouchShadows shadows_;
     Sky sky_;
     Geometry ground_ = Geometry(flagstone_metres), stone_ = Geometry(plaster_metres);
-    Shadows shadows_;
     std::optional<Texture> flagstones_, plaster_;
 };
 
