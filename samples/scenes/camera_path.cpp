@@ -16,8 +16,9 @@ namespace
 
 using Point = std::array<double, 3>;
 
-constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120}, depth = {0.001, 1e6};
-constexpr double least_m = 0.01;  // from the eye to what it looks at
+constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120}, depth = {0.001, 1e6},
+                 nearest = {0.001, 5};  // the sky is drawn ten metres away
+constexpr double least_m = 0.01;        // from the eye to what it looks at
 
 double distance(const Point &a, const Point &b)
 {
@@ -49,7 +50,7 @@ KeyFrame read_key(Described &d, double far_m)
     key.view.eye = point(d, "eye");
     key.view.target = point(d, "target");
     key.view.fov_deg = d.number("fov_deg", angle);
-    key.view.near_m = d.number("near_m", depth);
+    key.view.near_m = d.number("near_m", nearest);
     d.done();
     if (!(key.view.near_m < far_m))
         d.refuse("has near_m = " + show(key.view.near_m) + ", which is not below far_m = " + show(far_m));

@@ -15,7 +15,7 @@ size_t lines(const std::string &text) { return static_cast<size_t>(std::count(te
 
 TEST_F(Usage, help_is_there_for_every_command_and_costs_nothing)
 {
-    for (const char *command : {"render", "inspect", "dump", "split", "prepare", "bench"}) {
+    for (const char *command : {"render", "sheet", "inspect", "dump", "split", "prepare", "bench", "plot"}) {
         const Outcome help = claque({command, "--help"});
         EXPECT_EQ(help.code, 0) << command;
         EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;
@@ -60,6 +60,23 @@ TEST_F(Usage, wrong_arguments_are_code_2)
         {"prepare", "citizen"},
         {"bench"},
         {"bench", "plaza", "--count", "1,x"},
+        {"bench", "odeon", "--count", "10,20"},
+        {"bench", "odeon", "--cache", "some"},
+        {"bench", "odeon", "--variety", "gaudy"},
+        {"bench", "odeon", "--frames", "0"},
+        {"bench", "odeon", "--json", "--markdown"},
+        {"bench", "odeon", "--camera", "close", "--path", "p.toml"},
+        {"bench", "plaza", "--markdown"},
+        {"bench", "plaza", "--camera", "path"},
+        {"render", "--out", out, "--camera", "path"},
+        {"render", "--out", out, "--theatre", "t.toml", "--scene", "plaza"},
+        {"render", "--out", path("x-%05d.png"), "--frames", "all"},
+        {"sheet"},
+        {"sheet", "--out", out, "--scene", "plaza"},
+        {"sheet", "--out", out, "--camera", "close"},
+        {"sheet", "--out", "-", "--json", "-"},
+        {"plot"},
+        {"plot", "b.json"},
     };
     for (const std::vector<std::string> &arguments : wrong) {
         std::string line;
@@ -75,7 +92,8 @@ TEST_F(Usage, wrong_arguments_are_code_2)
 TEST_F(Usage, what_fails_says_why_in_one_sentence)
 {
     const std::string bad = path("bad.glb"), clq = path("bad.clq");
-    for (const std::string &file : {bad, clq}) std::ofstream(file) << "this is no character";
+    const std::string toml = path("bad.toml");
+    for (const std::string &file : {bad, clq, toml}) std::ofstream(file) << "this is no character";
     const std::vector<std::vector<std::string>> failing = {
         {"render", path("none.glb"), "--out", path("x.png")},
         {"render", bad, "--out", path("x.png")},
@@ -92,6 +110,16 @@ TEST_F(Usage, what_fails_says_why_in_one_sentence)
         {"split", "citizen", "--picture", path("x.png"), "--texture", "7"},
         {"prepare", bad, "--out", path("x.clq")},
         {"bench", path("none.glb")},
+        {"bench", "odeon", "--path", path("none.toml")},
+        {"render", "--scene", "odeon", "--theatre", toml, "--out", path("x.png")},
+        {"render", "--scene", "odeon", "--theatre", path("none.toml"), "--out", path("x.png")},
+        {"render", "--theatre", toml, "--out", path("x.png")},
+        {"render", "--path", toml, "--out", path("x.png")},
+        {"render", "--path", path("none.toml"), "--out", path("x.png")},
+        {"sheet", "--path", toml, "--out", path("x.png")},
+        {"sheet", "--out", path("no/x.png")},
+        {"plot", path("none.json"), "--out", path("x.svg")},
+        {"plot", toml, "--out", path("x.svg")},
     };
     for (const std::vector<std::string> &arguments : failing) {
         std::string line;
@@ -102,7 +130,7 @@ TEST_F(Usage, what_fails_says_why_in_one_sentence)
         EXPECT_EQ(outcome.err.substr(0, 8), "claque: ") << line;
         EXPECT_EQ(outcome.out, "") << line;
     }
-    EXPECT_EQ(left(), (std::vector<std::string>{"bad.clq", "bad.glb"})) << "nothing is left of what failed";
+    EXPECT_EQ(left(), (std::vector<std::string>{"bad.clq", "bad.glb", "bad.toml"})) << "nothing is left of what failed";
 }
 
 TEST_F(Usage, a_clip_that_is_not_there_is_answered_with_those_that_are)
