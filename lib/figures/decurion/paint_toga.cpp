@@ -111,12 +111,13 @@ Paint paint_toga(const Texel &t)
 Paint paint_balteus(const Texel &t)
 {
     if (t.chart == umbo) {
+        // It falls in folds that lean after it and run out below.
         const glm::vec3 p = t.position;
-        const float across = t.st.x + 0.5f * (grain(t.st.x * 2 + 20, p.y * 8, 345) - 0.5f),
-                    sag = 0.9f * (across - 1.5f) * (across - 1.5f);
-        const float g = 222 + 36 * crease(grain((p.y * 16 - sag) + 40, across, 346)) +
-                        18 * crease(grain(across * 6 + 30, p.y * 6, 347));
-        return {g - 30 * soft_step(0.88f, 0.83f, p.y), Zone::outer};
+        const float across = t.st.x + 0.35f * (grain(t.st.x * 2 + 20, p.y * 7, 345) - 0.5f);
+        const float low = soft_step(0.95f, 0.82f, p.y);
+        const float g =
+            44 * crease(grain(across * 2.6f + 40, p.y * 3, 346)) + 24 * crease(grain(across * 6 + 30, p.y * 4, 347));
+        return {226 + g * (1 - 0.6f * low) - 12 * low, Zone::outer};
     }
     // Folds run along the roll, which is twisted a little.
     const float along = t.st.x, across = t.st.y;
