@@ -50,6 +50,7 @@ glm::vec3 dressed(glm::vec3 p)
     const float top = soft_step(1.728f, 1.746f, p.y);
     glm::vec3 q = p;
     q.y += hair * front * (0.018f + 0.013f * top) + hair * (1 - front) * 0.012f;
+    q.y += 0.013f * hair * top * spot(p.x, 0.060f);
     q.z += hair * front * (0.007f - 0.004f * top);
     q.x *= 1 + hair * (0.06f + front * (0.10f - 0.03f * top));
     const float temple =

@@ -52,7 +52,9 @@ Paint paint_hair(const Texel &t)
     if (back < 0 && t.chart == Chart::head) {
         const float round = p.x / (std::fabs(p.x) + std::max(p.z + 0.01f, 0.0f) + 0.01f);
         const float up = p.y + 0.6f * std::max(0.0f, 0.09f - p.z);
-        return {curls(round * 6.5f, up * 46) - 24 * (1 - edge), Zone::hair};
+        // Light lies on the crest, shade at the roots and beside the temples.
+        const float crest = 30 * spot(p.y - 1.755f, 0.055f) - 26 * soft_step(1.735f, 1.690f, p.y);
+        return {curls(round * 6.5f, up * 46) + crest - 24 * (1 - edge), Zone::hair};
     }
     // Strands run to the bun.
     const float dx = p.x, dy = p.y - 1.712f;

@@ -59,8 +59,9 @@ float skirt(glm::vec3 p)
     const float wander = 0.25f * (round_grain(a, 14, p.y * 4, 111) - 0.5f);
     const float broad = round_grain(a + wander, 34, p.y * 1.1f, 112),
                 fine = round_grain(a + wander, 96, p.y * 1.6f, 113);
-    float g = 224 + 32 * crease(broad) + 18 * crease(fine);
-    g -= 60 * spot(p.y - 0.045f, 0.03f) * 0.5f;
+    float g = 224 + 42 * crease(broad) + 18 * crease(fine);
+    g -= 30 * spot(p.y - 0.045f, 0.03f);
+    if (p.z > 0.05f) g -= 20 * spot(p.x, 0.045f) * soft_step(0.10f, 0.25f, p.y);  // between the legs
     return g;
 }
 

@@ -21,19 +21,20 @@ const std::array<float, columns> folds = {
 
 struct Row {
     float y, side, front, back, ahead, fold;
-    float slant;  // how much higher the left is than the right
+    float slant;   // how much higher the left is than the right, as a slope
+    float valley;  // how far the middle of the front lies back, between the legs
 };
 
 // Rows stand close about the knees, where a sitter's cloth turns.
 const std::array<Row, 8> rows = {{
-    {0.040f, 0.222f, 0.172f, 0.164f, 0.000f, 0.034f, 0},  // hem
-    {0.240f, 0.200f, 0.152f, 0.144f, 0.000f, 0.026f, 0},
-    {0.370f, 0.186f, 0.142f, 0.126f, 0.000f, 0.018f, 0},
-    {0.520f, 0.176f, 0.136f, 0.132f, 0.000f, 0.012f, 0.20f},
-    {0.610f, 0.206f, 0.160f, 0.170f, 0.000f, 0.016f, 0.32f},  // the palla's lower edge
-    {0.900f, 0.196f, 0.136f, 0.166f, -0.004f, 0.006f, 0.010f},
-    {1.070f, 0.158f, 0.124f, 0.118f, -0.004f, 0.006f, 0.030f},  // its upper edge
-    {1.196f, 0.136f, 0.104f, 0.098f, -0.006f, 0.003f, 0},       // girdle
+    {0.040f, 0.222f, 0.172f, 0.164f, 0.000f, 0.032f, 0, 0.006f},  // hem
+    {0.240f, 0.200f, 0.156f, 0.144f, 0.000f, 0.022f, 0, 0.022f},
+    {0.370f, 0.188f, 0.148f, 0.126f, 0.000f, 0.012f, 0, 0.036f},
+    {0.520f, 0.182f, 0.142f, 0.132f, 0.000f, 0.008f, 0.20f, 0.040f},
+    {0.610f, 0.198f, 0.160f, 0.170f, 0.000f, 0.010f, 0.32f, 0.034f},  // the palla's lower edge
+    {0.900f, 0.196f, 0.136f, 0.166f, -0.004f, 0.006f, 0.010f, 0.008f},
+    {1.070f, 0.158f, 0.124f, 0.118f, -0.004f, 0.006f, 0.030f, 0},  // its upper edge
+    {1.196f, 0.136f, 0.104f, 0.098f, -0.006f, 0.003f, 0, 0},       // girdle
 }};
 
 const std::array<glm::vec3, 7> bust = {{{0, 1.276f, 0.118f},
@@ -81,7 +82,7 @@ Ring add_row(Mesh &mesh, const Row &row)
         const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
         const float across = mirrored(glm::vec3(d.x * row.side, 0, 0), side).x;
         const glm::vec3 p(d.x * row.side * fold, row.y + row.slant * across,
-                          row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
+                          row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold - (k == 0 ? row.valley : 0));
         ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? heavy_cloth : Region::torso, side);
     }
     return ring;
