@@ -103,7 +103,7 @@ public:
     void build()
     {
         for (size_t i = 0; i < theatre_.rows.size(); ++i) {
-            if (front_of(i) < theatre_.rows[i].radius_m - 1e-6) step(i);
+            if (row(i).step_y_m > floor_before(i) + 0.01 && front_of(i) < row(i).radius_m - 1e-6) step(i);
             for (const Wedge &wedge : wedges_of(theatre_, i))
                 mason_.sweep(seats(i), wedge.first_deg, wedge.last_deg, 1.3, marble);
             ends(i);

@@ -53,8 +53,7 @@ public:
 
     clq_camera camera(Shot shot, double aspect, double) const override
     {
-        if (shot == Shot::close) return look({-2.3, 6.15, -9.5}, {-4.3, 5.15, -14}, 49, aspect, 0.2, 600);
-        return look({-2.4, 12.4, 9.4}, {0.3, 4.2, -9}, 62, aspect, 0.3, 900);
+        return shot == Shot::close ? few_rows(aspect) : house(aspect);
     }
 
     void place(double time_s) override { audience_.act(time_s); }
@@ -79,6 +78,28 @@ public:
     }
 
 private:
+    // From above the stage, before its wall: the whole house.
+    clq_camera house(double aspect) const
+    {
+        const SeatRow &last = theatre_.rows.back();
+        const double back = theatre_.stage.front_z_m + theatre_.stage.depth_m;
+        return look({-2.4, last.seat_y_m + 3.4, back - 0.8}, {0.3, last.seat_y_m * 0.465, last.radius_m * -0.41}, 62,
+                    aspect, 0.3, 900);
+    }
+
+    // Hovers over the rows before a walkway, where two classes meet; before the middle row where there is none.
+    clq_camera few_rows(double aspect) const
+    {
+        size_t number = theatre_.rows.size() / 2;
+        if (!theatre_.walkways.empty())
+            for (size_t i = 0; i < theatre_.rows.size(); ++i)
+                if (theatre_.rows[i].radius_m < theatre_.walkways.front().inner_m) number = i;
+        const SeatRow &row = theatre_.rows[number];
+        const double before = row.radius_m - 3.37, behind = row.radius_m + 1.5;
+        return look({-0.235 * before, row.seat_y_m + 1.85, -0.972 * before},
+                    {-0.294 * behind, row.seat_y_m + 0.85, -0.956 * behind}, 49, aspect, 0.2, 600);
+    }
+
     uint64_t seed_;
     Theatre theatre_;
     Audience audience_;
