@@ -127,6 +127,28 @@ TEST_F(Templates, a_writer_that_refuses_is_an_io_error)
     clq_template_destroy(tmpl);
 }
 
+TEST_F(Templates, a_texture_tells_its_texels_and_their_zones)
+{
+    SmallTemplate small;
+    clq_template *tmpl = nullptr;
+    ASSERT_EQ(clq_template_build(context_, &small.def, &tmpl), CLQ_OK);
+    uint32_t width = 0, height = 0;
+    ASSERT_EQ(clq_template_get_texture(tmpl, 0, nullptr, nullptr, 0, &width, &height), CLQ_OK);
+    EXPECT_EQ(width, 8u);
+    EXPECT_EQ(height, 8u);
+    std::vector<uint8_t> rgb(3 * 64, 7);
+    std::vector<uint32_t> zones(64, 77);
+    EXPECT_EQ(clq_template_get_texture(tmpl, 0, rgb.data(), zones.data(), 63, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(rgb, std::vector<uint8_t>(3 * 64, 7)) << "nothing is written on failure";
+    EXPECT_EQ(clq_template_get_texture(tmpl, 1, rgb.data(), zones.data(), 64, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_template_get_texture(nullptr, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_ARGUMENT);
+    ASSERT_EQ(clq_template_get_texture(tmpl, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
+    EXPECT_EQ(rgb, std::vector<uint8_t>(3 * 64, 255));
+    for (size_t i = 0; i < 64; ++i) EXPECT_EQ(zones[i], i % 8 < 4 ? 0u : 1u) << "texel " << i;
+    EXPECT_EQ(clq_template_get_texture(tmpl, 0, nullptr, zones.data(), 64, &width, &height), CLQ_OK);
+    clq_template_destroy(tmpl);
+}
+
 TEST_F(Templates, the_split_picture_is_as_large_as_said)
 {
     SmallTemplate small;

@@ -131,6 +131,14 @@ Chain doubled(Mesh &mesh, Chain chain)
     return chain;
 }
 
+Ring twin(Mesh &mesh, const Ring &ring)
+{
+    Ring made{};
+    const Chain chain = doubled(mesh, span(ring, 0, columns, 0));
+    for (size_t k = 0; k < made.size(); ++k) made[k] = chain[k].point;
+    return made;
+}
+
 void sew_rows(Mesh &mesh, const Ring &low, const Ring &high, float t_low, float t_high)
 {
     mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -3, 7, t_low), span(high, -3, 7, t_high), Along::s);
@@ -229,7 +237,9 @@ void add_exomis(Mesh &mesh)
     }
     rings.push_back(add_row(mesh, armpit_left, armpit_right));
     heights.push_back(t += 0.15f);
-    for (size_t r = 0; r + 1 < rings.size(); ++r) sew_rows(mesh, rings[r], rings[r + 1], heights[r], heights[r + 1]);
+    constexpr size_t fold = 3;  // where the overhang turns back down
+    for (size_t r = 0; r + 1 < rings.size(); ++r)
+        sew_rows(mesh, r == fold ? twin(mesh, rings[r]) : rings[r], rings[r + 1], heights[r], heights[r + 1]);
     const uint32_t inside = mesh.add(glm::vec3(0, 0.82f, 0), short_skirt);
     mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});

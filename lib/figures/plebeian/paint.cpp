@@ -42,7 +42,9 @@ Paint paint_plebeian(const Texel &t)
     // The roots of the fingers lie inside the palm, where nothing is open: no soot on hands.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const float open = hand ? std::max(t.openness, 0.72f) : t.openness;
-    const float shade = 0.60f + 0.40f * soft_step(0.05f, 0.90f, open);
+    // Cloth is seen where the arms covered it when they rise: less shadow there than skin may have.
+    const float deepest = paint.zone == Zone::tunic ? 0.74f : 0.60f;
+    const float shade = deepest + (1 - deepest) * soft_step(0.05f, 0.90f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;
 }

@@ -78,7 +78,7 @@ float bodice(glm::vec3 p, glm::vec3 n)
     const float a = around(p), up = p.y - 1.045f;
     const float pleat = grain(a * 10 + 0.6f * grain(a * 4, p.y * 9, 226), p.y * 4, 227);
     float g = 220 + 32 * furrow(pleat) * soft_step(0.18f, 0.01f, up);
-    g -= 74 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up) + 24 * spot(up, 0.022f);
+    g -= 60 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up) + 14 * spot(up, 0.022f);
     const glm::vec2 from(0.115f - p.x, 1.475f - p.y);
     const float ray = from.x / (from.y + 0.10f), far = std::sqrt(from.x * from.x + from.y * from.y);
     const float pull = grain(ray * 9 + 0.7f * grain(ray * 5, far * 7, 228), far * 3 + (p.z > 0 ? 0.0f : 9.0f), 229);

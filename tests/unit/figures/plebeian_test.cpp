@@ -1,0 +1,278 @@
+// The plebeian: what every built-in figure has to be, and what makes him another man than the citizen.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "puppet.h"
+
+using namespace claque;
+
+namespace
+{
+
+const model::Model &plebeian()
+{
+    static const model::Model made = figures::plebeian_man();
+    return made;
+}
+const model::Part &part() { return plebeian().parts[0]; }
+
+using Place = std::tuple<float, float, float>;
+Place place(uint32_t v) { return {part().positions[v].x, part().positions[v].y, part().positions[v].z}; }
+
+uint8_t key_at(glm::vec2 uv)
+{
+    return plebeian().images[0].rgba[4 * (size_t(uv.y * 512) * 512 + size_t(uv.x * 512)) + 3];
+}
+uint8_t key_of(const std::string &zone)
+{
+    for (const model::Zone &z : plebeian().zones)
+        if (z.name == zone) return z.key;
+    return 255;
+}
+
+// Calls with the index of every texel whose centre lies inside the triangle.
+template <class Visit>
+void texels(const std::array<uint32_t, 3> &t, Visit visit)
+{
+    glm::vec2 p[3];
+    for (size_t k = 0; k < 3; ++k) p[k] = part().uvs[t[k]] * 512.0f;
+    const auto cross2 = [](glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; };
+    const float area = cross2(p[1] - p[0], p[2] - p[0]);
+    if (area == 0) return;
+    const glm::vec2 low = min(p[0], min(p[1], p[2])), high = max(p[0], max(p[1], p[2]));
+    for (int y = int(low.y); y <= std::min(511, int(high.y)); ++y)
+        for (int x = int(low.x); x <= std::min(511, int(high.x)); ++x) {
+            const glm::vec2 c(float(x) + 0.5f, float(y) + 0.5f);
+            const float a = cross2(p[1] - c, p[2] - c) / area, b = cross2(p[2] - c, p[0] - c) / area;
+            constexpr float inside = 1e-3f;
+            if (a > inside && b > inside && 1 - a - b > inside) visit(size_t(y) * 512 + size_t(x));
+        }
+}
+
+// The colour key of the surface nearest to a point.
+uint8_t nearest_key(glm::vec3 at)
+{
+    float least = 1e9f;
+    uint8_t key = 0;
+    for (const auto &t : model::triangles_of(part())) {
+        const glm::vec3 middle = (part().positions[t[0]] + part().positions[t[1]] + part().positions[t[2]]) / 3.0f;
+        if (glm::distance(middle, at) >= least) continue;
+        least = glm::distance(middle, at);
+        key = key_at((part().uvs[t[0]] + part().uvs[t[1]] + part().uvs[t[2]]) / 3.0f);
+    }
+    return key;
+}
+
+float lowest_of(const model::Model &model, const std::string &zone)
+{
+    uint8_t key = 255;
+    for (const model::Zone &z : model.zones)
+        if (z.name == zone) key = z.key;
+    float low = 1e9f;
+    const model::Part &p = model.parts[0];
+    for (const auto &t : model::triangles_of(p)) {
+        const glm::vec2 middle = (p.uvs[t[0]] + p.uvs[t[1]] + p.uvs[t[2]]) / 3.0f;
+        for (const uint32_t v : t) {
+            const glm::vec2 uv = (p.uvs[v] * 0.9f + middle * 0.1f) * 512.0f;  // just inside
+            if (model.images[0].rgba[4 * (size_t(uv.y) * 512 + size_t(uv.x)) + 3] == key)
+                low = std::min(low, p.positions[v].y);
+        }
+    }
+    return low;
+}
+
+}  // namespace
+
+TEST(Plebeian, is_a_figure_that_can_be_asked_for_by_name)
+{
+    bool found = false;
+    for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "plebeian";
+    EXPECT_TRUE(found);
+    EXPECT_NO_THROW(model::check(plebeian()));
+}
+
+TEST(Plebeian, has_about_1040_triangles_33_bones_and_at_most_4_influences)
+{
+    ASSERT_EQ(plebeian().parts.size(), 1u);
+    EXPECT_GE(model::triangles_of(part()).size(), 950u);
+    EXPECT_LE(model::triangles_of(part()).size(), 1100u);
+    EXPECT_EQ(part().influence_count, 4u);
+    EXPECT_EQ(plebeian().rig.node_count(), 33u);
+    EXPECT_EQ(plebeian().rig.node_names, puppet::citizen().rig.node_names) << "clips are shared";
+    EXPECT_EQ(plebeian().rig.clip_names, puppet::citizen().rig.clip_names);
+    for (size_t v = 0; v < part().positions.size(); ++v) {
+        float sum = 0;
+        for (size_t k = 0; k < 4; ++k) sum += part().weights[4 * v + k];
+        EXPECT_NEAR(sum, 1, 1e-5f);
+    }
+}
+
+TEST(Plebeian, has_no_degenerate_triangle_and_normals_that_agree)
+{
+    size_t against = 0;
+    for (const auto &t : model::triangles_of(part())) {
+        const glm::vec3 a = part().positions[t[0]];
+        const glm::vec3 n = glm::cross(part().positions[t[1]] - a, part().positions[t[2]] - a);
+        EXPECT_GT(glm::length(n), 2e-6f) << "near " << a.x << ' ' << a.y << ' ' << a.z;
+        for (const uint32_t v : t) against += glm::dot(n, part().normals[v]) < 0;
+    }
+    EXPECT_LE(against, 16u) << "a few corners of thin fingers and ears may look away";
+}
+
+// Open are the legs inside the skirt, the left arm inside the sleeve, the roots of thumbs and index fingers inside the
+// palm, the ears' edges against the head, and the cloak's edges, which lie in the tunic.
+TEST(Plebeian, is_closed_but_for_edges_that_are_hidden)
+{
+    struct Edge {
+        int count = 0;
+        uint32_t vertex = 0;
+    };
+    std::map<std::pair<Place, Place>, Edge> edges;
+    for (const auto &t : model::triangles_of(part()))
+        for (size_t k = 0; k < 3; ++k) {
+            Edge &edge = edges[{place(t[k]), place(t[(k + 1) % 3])}];
+            ++edge.count;
+            edge.vertex = t[k];
+        }
+    for (const auto &[edge, use] : edges) {
+        EXPECT_EQ(use.count, 1) << "an edge is used twice the same way";
+        if (edges.count({edge.second, edge.first})) continue;
+        const auto [x, y, z] = edge.first;
+        const glm::vec3 at(std::fabs(x), y, z);
+        const bool under_skirt = y > 0.70f && y < 0.80f && at.x < 0.17f;
+        const bool in_sleeve = x > 0 && glm::distance(at, glm::vec3(0.292f, 1.305f, -0.012f)) < 0.06f;
+        const bool in_palm = glm::distance(at, glm::vec3(0.60f, 1.00f, 0.02f)) < 0.07f;
+        const bool ear = at.x > 0.058f && y > 1.575f && y < 1.66f;
+        const bool cloak = key_at(part().uvs[use.vertex]) == key_of("outer") && x > 0;
+        EXPECT_TRUE(under_skirt || in_sleeve || in_palm || ear || cloak) << "open at " << x << ' ' << y << ' ' << z;
+    }
+}
+
+TEST(Plebeian, keeps_weights_and_normals_alike_where_bare_skin_has_a_seam)
+{
+    std::map<Place, uint32_t> first;
+    int neck = 0;
+    for (uint32_t v = 0; v < part().positions.size(); ++v) {
+        const auto [at, fresh] = first.try_emplace(place(v), v);
+        if (fresh) continue;
+        const auto total = [](uint32_t vertex, uint32_t bone) {
+            float sum = 0;
+            for (size_t k = 0; k < 4; ++k)
+                if (part().joints[4 * vertex + k] == bone) sum += part().weights[4 * vertex + k];
+            return sum;
+        };
+        for (uint32_t bone = 0; bone < 33; ++bone)
+            EXPECT_NEAR(total(v, bone), total(at->second, bone), 1e-5f) << "seam would tear at vertex " << v;
+        const glm::vec3 p = part().positions[v];
+        if (p.y < 1.41f || p.y > 1.48f || p.x > 0.1f || p.x < -0.1f) continue;
+        EXPECT_LT(glm::distance(part().normals[v], part().normals[at->second]), 1e-4f) << "neck at vertex " << v;
+        ++neck;
+    }
+    EXPECT_GT(neck, 4);
+}
+
+TEST(Plebeian, is_bare_on_the_right_breast_and_shoulder_and_dressed_on_the_left)
+{
+    EXPECT_EQ(nearest_key({-0.10f, 1.39f, 0.10f}), key_of("skin"));
+    EXPECT_EQ(nearest_key({-0.22f, 1.40f, 0.0f}), key_of("skin"));
+    EXPECT_EQ(nearest_key({-0.11f, 1.40f, -0.11f}), key_of("skin"));
+    EXPECT_EQ(nearest_key({0.25f, 1.39f, 0.0f}), key_of("tunic"));
+    EXPECT_EQ(nearest_key({0.08f, 1.30f, 0.16f}), key_of("outer"));
+    EXPECT_EQ(nearest_key({-0.10f, 1.15f, 0.10f}), key_of("tunic"));
+}
+
+TEST(Plebeian, wears_his_hem_above_the_knee_unlike_the_citizen)
+{
+    EXPECT_FLOAT_EQ(lowest_of(plebeian(), "sandals"), 0);
+    EXPECT_GT(lowest_of(plebeian(), "border"), 0.56f);
+    EXPECT_LT(lowest_of(puppet::citizen(), "border"), 0.53f);
+}
+
+TEST(Plebeian, has_plainer_colours_than_a_citizen)
+{
+    for (const model::Zone &z : plebeian().zones) {
+        if (z.name != "tunic" && z.name != "outer" && z.name != "border") continue;
+        EXPECT_GE(z.range.saturation_first, 0.05f) << z.name;
+        EXPECT_LE(z.range.saturation_last, 0.35f) << z.name;
+        EXPECT_GE(z.range.brightness_first, 0.35f) << z.name;
+        EXPECT_LE(z.range.brightness_last, 0.70f) << z.name;
+    }
+}
+
+TEST(PlebeianTexture, shows_all_nine_zones_on_triangles_that_do_not_overlap)
+{
+    std::set<std::string> names;
+    for (const model::Zone &z : plebeian().zones) names.insert(z.name);
+    EXPECT_EQ(names,
+              (std::set<std::string>{"skin", "hair", "eyes", "lips", "tunic", "belt", "border", "sandals", "outer"}));
+    const std::vector<uint8_t> &pixels = plebeian().images[0].rgba;
+    std::vector<uint8_t> taken(512 * 512, 0);
+    std::map<int, int> shown;
+    int overlaps = 0;
+    for (const auto &t : model::triangles_of(part()))
+        texels(t, [&](size_t i) {
+            overlaps += taken[i];
+            taken[i] = 1;
+            ++shown[pixels[4 * i + 3]];
+        });
+    EXPECT_EQ(overlaps, 0);
+    EXPECT_EQ(shown.size(), plebeian().zones.size());
+    for (const model::Zone &z : plebeian().zones) EXPECT_GT(shown[z.key], 60) << z.name;
+}
+
+TEST(PlebeianTexture, is_grey_and_mostly_bright)
+{
+    const std::vector<uint8_t> &pixels = plebeian().images[0].rgba;
+    size_t bright = 0;
+    for (size_t i = 0; i < pixels.size(); i += 4) {
+        ASSERT_TRUE(pixels[i] == pixels[i + 1] && pixels[i] == pixels[i + 2]);
+        bright += pixels[i] >= 150;
+    }
+    EXPECT_GT(bright, pixels.size() / 4 * 7 / 10);
+}
+
+TEST(Plebeian, is_made_of_the_same_bytes_every_time)
+{
+    const model::Model again = figures::plebeian_man();
+    const auto same = [](const auto &x, const auto &y) {
+        return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
+    };
+    EXPECT_EQ(plebeian().images[0].rgba, again.images[0].rgba);
+    EXPECT_TRUE(same(part().positions, again.parts[0].positions));
+    EXPECT_TRUE(same(part().normals, again.parts[0].normals));
+    EXPECT_TRUE(same(part().uvs, again.parts[0].uvs));
+    EXPECT_TRUE(same(part().weights, again.parts[0].weights));
+}
+
+// No edge of the surface is stretched to more than a few times its length: nothing tears.
+TEST(Plebeian, does_not_tear_in_any_clip)
+{
+    for (uint32_t c = 0; c < plebeian().rig.clips.size(); ++c)
+        for (int k = 0; k < puppet::frames(plebeian(), c); k += 6) {
+            const puppet::Posed p = puppet::pose(plebeian(), c, float(k) * puppet::frame_s);
+            for (const auto &t : model::triangles_of(part()))
+                for (size_t i = 0; i < 3; ++i) {
+                    const uint32_t a = t[i], b = t[(i + 1) % 3];
+                    const float rest = glm::distance(part().positions[a], part().positions[b]);
+                    EXPECT_LT(glm::distance(p.vertices[a], p.vertices[b]), 2.6f * rest + 0.035f)
+                        << plebeian().rig.clip_names[c] << " frame " << k << " near " << part().positions[a].x << ' '
+                        << part().positions[a].y << ' ' << part().positions[a].z;
+                }
+        }
+}
+
+// Seats are 0.65 m wide: no part of a sitter reaches into his neighbour's.
+TEST(Plebeian, keeps_to_his_seat)
+{
+    for (const char *name : puppet::seated_clips) {
+        const uint32_t c = plebeian().rig.find_clip(name);
+        ASSERT_NE(c, model::none) << name;
+        for (int k = 0; k < puppet::frames(plebeian(), c); k += 5)
+            for (const glm::vec3 v : puppet::pose(plebeian(), c, float(k) * puppet::frame_s).vertices)
+                EXPECT_LT(std::fabs(v.x), 0.325f) << name << " frame " << k << " at height " << v.y;
+    }
+}
