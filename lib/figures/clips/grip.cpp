@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/stance.h"
 #include "lib/figures/mesh.h"
 
@@ -63,6 +64,35 @@ void take(Pose &pose, Side side, const Grip &grip)
     pose.set(forearm, glm::normalize(pose.local(forearm) * half_twist(in_forearm, mirrored(arm_direction(), side))));
     pose.set_world(on(side, Bone::hand), hand);
     curl_hand(pose, side, grip.curl);
+}
+
+Grip held(const Pose &pose, Side side)
+{
+    const Bone hand = on(side, Bone::hand);
+    const glm::quat turned = pose.world(hand);
+    const glm::vec3 shoulder = pose.joint(on(side, Bone::upper_arm)), wrist = pose.joint(hand);
+    Grip grip;
+    grip.wrist = mirrored(wrist, side);
+    grip.along = mirrored(turned * mirrored(arm_direction(), side), side);
+    grip.back = mirrored(turned * mirrored(arm_dorsal(), side), side);
+    grip.pole = mirrored(pose.joint(on(side, Bone::forearm)) - (shoulder + wrist) * 0.5f, side);
+    grip.curl = 0.16f;
+    return grip;
+}
+
+void bring(Pose &pose, Side side, const Grip &to, float share, glm::vec3 arc, float tuck)
+{
+    const Pose before = pose;
+    take(pose, side, mix(held(before, side), to, share, arc, tuck));
+    settle(pose, before, side, 1 - ease(0, 0.3f, share));
+}
+
+void settle(Pose &pose, const Pose &as, Side side, float share)
+{
+    for (const Bone left : {Bone::upper_arm, Bone::forearm, Bone::hand, Bone::fingers, Bone::fingertips, Bone::thumb}) {
+        const Bone bone = on(side, left);
+        pose.set(bone, part(pose.local(bone), as.local(bone), share));
+    }
 }
 
 }  // namespace claque::figures

@@ -38,21 +38,6 @@ Grip carried(const Pose &sat, const Pose &pose, Side side, float slide)
     return grip;
 }
 
-// A hand that hangs from its shoulder as it does in `stood`.
-Grip hanging(const Pose &stood, const Pose &pose, Side side)
-{
-    const Bone arm = on(side, Bone::upper_arm), elbow = on(side, Bone::forearm), hand = on(side, Bone::hand);
-    const glm::quat turned = stood.world(hand);
-    const glm::vec3 shoulder = stood.joint(arm), wrist = stood.joint(hand);
-    Grip grip;
-    grip.wrist = mirrored(pose.joint(arm) + wrist - shoulder, side);
-    grip.along = mirrored(turned * mirrored(arm_direction(), side), side);
-    grip.back = mirrored(turned * mirrored(arm_dorsal(), side), side);
-    grip.pole = mirrored(stood.joint(elbow) - (shoulder + wrist) * 0.5f, side);
-    grip.curl = 0.16f;
-    return grip;
-}
-
 Pose on_the_way(const Progress &at)
 {
     const Pose stood = stand_at(0);
@@ -75,16 +60,12 @@ Pose on_the_way(const Progress &at)
     }
     drape_lap(pose);
     // The hands push on the thighs, which take them along, go round them, and hang.
-    Pose reaching = pose;
-    const float settled = ease(0.5f, 1, at.arms);
     for (const Side side : {Side::left, Side::right}) {
-        take(reaching, side,
-             mix(carried(sat, pose, side, 0.10f * at.up), hanging(stood, pose, side), at.arms, {0.05f, 0.02f, 0}));
-        for (const Bone left :
-             {Bone::upper_arm, Bone::forearm, Bone::hand, Bone::fingers, Bone::fingertips, Bone::thumb}) {
-            const Bone bone = on(side, left);
-            pose.set(bone, part(reaching.local(bone), stood.local(bone), settled));
-        }
+        const Bone shoulder = on(side, Bone::upper_arm);
+        Grip hanging = held(stood, side);
+        hanging.wrist += mirrored(pose.joint(shoulder) - stood.joint(shoulder), side);
+        take(pose, side, mix(carried(sat, pose, side, 0.10f * at.up), hanging, at.arms, {0.05f, 0.02f, 0}));
+        settle(pose, stood, side, ease(0.5f, 1, at.arms));
     }
     return pose;
 }

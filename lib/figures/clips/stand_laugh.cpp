@@ -18,17 +18,17 @@ Pose stand_laugh_at(float phase)
     more(Bone::chest, pitch(-4 * back + 8 * over - 1.2f * shake));
     more(Bone::neck, pitch(-9 * back - 6 * over));
     more(Bone::head, pitch(-10 * back - 4 * over + 1.2f * shake) * yaw(6 * back - 6 * over));
-    for (const Side side : {Side::left, Side::right})
-        pose.set(on(side, Bone::clavicle),
-                 pose.local(on(side, Bone::clavicle)) *
-                     (side == Side::left ? roll(4 * mirth + 2.5f * shake) : mirrored(roll(4 * mirth + 2.5f * shake))));
-    const Pose hanging = pose;
+    const float shrug = 4 * mirth + 2.5f * shake;
+    for (const Side side : {Side::left, Side::right}) {
+        const Bone clavicle = on(side, Bone::clavicle), arm = on(side, Bone::upper_arm);
+        const float raised = side == Side::left ? shrug : -shrug;
+        pose.set(clavicle, pose.local(clavicle) * roll(raised));
+        pose.set(arm, roll(-raised) * pose.local(arm));  // shoulders go up, arms hang on
+    }
     const float belly = hold(phase, 0.10f, 0.36f, 0.78f, 0.97f);
-    take(pose, Side::right,
-         {{0.130f, 1.130f, 0.215f}, {-0.95f, 0.05f, 0.05f}, {0.15f, 0.10f, 1}, {0.9f, -0.3f, -0.3f}, 0.08f});
-    for (const Bone bone :
-         {Bone::upper_arm_r, Bone::forearm_r, Bone::hand_r, Bone::fingers_r, Bone::fingertips_r, Bone::thumb_r})
-        pose.set(bone, part(hanging.local(bone), pose.local(bone), belly));
+    const Grip on_belly = {
+        {0.130f, 1.120f, 0.215f}, {-0.95f, 0.05f, 0.05f}, {0.15f, 0.10f, 1}, {0.45f, -0.8f, -0.45f}, 0.08f};
+    bring(pose, Side::right, on_belly, belly, {0, 0, 0.06f}, 0.3f);
     return pose;
 }
 
