@@ -237,9 +237,10 @@ void add_exomis(Mesh &mesh)
     }
     rings.push_back(add_row(mesh, armpit_left, armpit_right));
     heights.push_back(t += 0.15f);
-    constexpr size_t fold = 3;  // where the overhang turns back down
+    constexpr size_t fold = 3;  // from here the overhang falls to its lip, the next row, with an edge at either
     for (size_t r = 0; r + 1 < rings.size(); ++r)
-        sew_rows(mesh, r == fold ? twin(mesh, rings[r]) : rings[r], rings[r + 1], heights[r], heights[r + 1]);
+        sew_rows(mesh, r == fold || r == fold + 1 ? twin(mesh, rings[r]) : rings[r], rings[r + 1], heights[r],
+                 heights[r + 1]);
     const uint32_t inside = mesh.add(glm::vec3(0, 0.82f, 0), short_skirt);
     mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});

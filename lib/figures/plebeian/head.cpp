@@ -36,7 +36,7 @@ float thickness(glm::vec3 p)
                                             static_cast<uint64_t>(static_cast<int64_t>(p.y * 9000)) * 3 +
                                             static_cast<uint64_t>(static_cast<int64_t>(p.z * 9000))));
     const float behind = 1 - 0.5f * soft_step(-0.05f, -0.10f, p.z) * soft_step(1.58f, 1.62f, p.y);
-    return inside * behind * (0.008f + 0.018f * tuft);
+    return inside * behind * (0.006f + 0.022f * tuft);
 }
 
 glm::vec3 haired(glm::vec3 p, glm::vec3 q, Side side)

@@ -36,13 +36,10 @@ float inside_cloth(const Texel &t)
     return ((p.z > 0 ? profile(front, p.x) : profile(back, p.x)) + wave - p.y) * 0.75f;
 }
 
-// Two strands laid round each other, knotted in front with hanging ends.
-bool on_rope(glm::vec3 p)
-{
-    const glm::vec2 r(p.x / 0.158f, p.z / 0.116f);
-    return p.y > rope_low && p.y < rope_high && r.x * r.x + r.y * r.y < 1;
-}
+// The charts' heights are those of the figure up to the fold over the rope, and go on from there over the cloth.
+bool on_rope(const Texel &t) { return t.st.y > rope_low && t.st.y < rope_high + 0.004f; }
 
+// Two strands laid round each other.
 Paint rope(glm::vec3 p)
 {
     const float height = (p.y - rope_low) / (rope_high - rope_low);
@@ -78,7 +75,7 @@ float bodice(glm::vec3 p, glm::vec3 n)
     const float a = around(p), up = p.y - 1.045f;
     const float pleat = grain(a * 10 + 0.6f * grain(a * 4, p.y * 9, 226), p.y * 4, 227);
     float g = 220 + 32 * furrow(pleat) * soft_step(0.18f, 0.01f, up);
-    g -= 60 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up) + 14 * spot(up, 0.022f);
+    g -= 60 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up) + 8 * spot(up, 0.018f);
     const glm::vec2 from(0.115f - p.x, 1.475f - p.y);
     const float ray = from.x / (from.y + 0.10f), far = std::sqrt(from.x * from.x + from.y * from.y);
     const float pull = grain(ray * 9 + 0.7f * grain(ray * 5, far * 7, 228), far * 3 + (p.z > 0 ? 0.0f : 9.0f), 229);
@@ -142,8 +139,8 @@ Paint paint_exomis(const Texel &t)
         paint.luminance += weave;
         return paint;
     }
-    if (on_rope(p)) return rope(p);
-    const float g = weave + (p.y < rope_low ? skirt(p) : bodice(p, t.normal));
+    if (on_rope(t)) return rope(p);
+    const float g = weave + (t.st.y < rope_low ? skirt(p) : bodice(p, t.normal));
     const float ragged = 0.004f * grain(around(p) * 40, 2, 232);
     const float up = p.y - hem - 0.016f - ragged;
     if (inside < 0.013f) return {g + 10 - 44 * spot(inside - 0.013f, 0.004f), Zone::border};
