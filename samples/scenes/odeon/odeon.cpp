@@ -17,9 +17,9 @@ namespace scenes
 namespace
 {
 
-// The sun stands over the stage house and lights the faces of those who look at it.
+// The sun stands over the stage house and lights the faces of those who look at it; their stone lights the stage.
 constexpr Daylight afternoon = {
-    {-0.30f, 0.62f, 0.72f}, {0.82f, 0.74f, 0.60f}, {0.39f, 0.41f, 0.45f}, {0.13f, 0.11f, 0.09f}};
+    {-0.30f, 0.62f, 0.72f}, {0.82f, 0.74f, 0.60f}, {0.39f, 0.41f, 0.45f}, {0.26f, 0.23f, 0.18f}};
 constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
 
 Theatre theatre_of(const Casting &casting)
