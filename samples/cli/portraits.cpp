@@ -14,6 +14,7 @@ namespace
 
 constexpr double fov_deg = 20, half_fov = fov_deg / 2 * 0.017453292519943295;
 constexpr double person_m = 1.75;
+constexpr double turn_x = 0.34, turn_z = 0.94;                     // where people look: breast and a side are seen
 constexpr double beside_m = 0.10, above_m = 0.12, below_m = 0.16;  // of backdrop round a person
 
 }  // namespace
@@ -31,12 +32,22 @@ Portraits::~Portraits()
     if (offscreen_) offscreen_->make_current();
 }
 
-// Standing still where there is a clip of this name, else as the first clip begins, else as modelled.
+// Standing about where a clip's name says so, else as the first clip begins, else as modelled.
 clq_play Portraits::pose() const
 {
     clq_play play = {};
     play.clip = clq_template_find_clip(loaded_.tmpl.get(), "stand");
-    if (play.clip == CLQ_NONE && info_of(loaded_.tmpl.get()).clip_count > 0) play.clip = 0;
+    const uint32_t count = info_of(loaded_.tmpl.get()).clip_count;
+    for (const char *word : {"idle", "stand"})
+        for (uint32_t i = 0; i < count && play.clip == CLQ_NONE; ++i) {
+            clq_clip_info clip = {};
+            check(clq_template_get_clip(loaded_.tmpl.get(), i, &clip));
+            std::string name = clip.name;
+            for (char &letter : name)
+                if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+            if (name.find(word) != std::string::npos) play.clip = i;
+        }
+    if (play.clip == CLQ_NONE && count > 0) play.clip = 0;
     return play;
 }
 
@@ -69,9 +80,14 @@ void Portraits::measure()
     }
     const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
     stature_.scale = longest > 0 && std::isfinite(longest) ? person_m / longest : 1;
+    const auto middle = [&](int axis) { return (low[axis] + high[axis]) / 2 * stature_.scale; };
+    const auto half = [&](int axis) { return (high[axis] - low[axis]) / 2 * stature_.scale; };
+    const double turned[] = {turn_z * middle(0) + turn_x * middle(2), middle(1),
+                             turn_z * middle(2) - turn_x * middle(0)};
+    const double reach[] = {turn_z * half(0) + turn_x * half(2), half(1), turn_z * half(2) + turn_x * half(0)};
     for (int axis = 0; axis < 3; ++axis) {
-        stature_.first[axis] = low[axis] * stature_.scale;
-        stature_.last[axis] = high[axis] * stature_.scale;
+        stature_.first[axis] = turned[axis] - reach[axis];
+        stature_.last[axis] = turned[axis] + reach[axis];
     }
 }
 
@@ -85,14 +101,15 @@ double Portraits::aspect() const
 void Portraits::furnish()
 {
     constexpr scenes::Rgb near = {0.60f, 0.59f, 0.57f}, far = scenes::Sky::backdrop;
-    constexpr float radii[] = {0.9f, 1.5f, 2.2f, 3.0f, 4.0f, 40}, shares[] = {0, 0.2f, 0.5f, 0.8f, 1, 1};
+    constexpr float ahead = 1.2f;  // the middle of the floor, towards the eye
+    constexpr float radii[] = {2.0f, 2.6f, 3.3f, 4.1f, 5.0f, 40}, shares[] = {0, 0.2f, 0.5f, 0.8f, 1, 1};
     constexpr uint32_t sides = 48, rings = 6;
     const float y = static_cast<float>(stature_.first[1]);
-    const uint32_t middle = ground_.add({0, y, 0}, {0, 1, 0}, 0, 0, near);
+    const uint32_t middle = ground_.add({0, y, ahead}, {0, 1, 0}, 0, 0, near);
     for (uint32_t ring = 0; ring < rings; ++ring)
         for (uint32_t i = 0; i < sides; ++i) {
             const float angle = 6.28318531f * static_cast<float>(i) / sides, k = shares[ring];
-            ground_.add({radii[ring] * std::cos(angle), y, -radii[ring] * std::sin(angle)}, {0, 1, 0}, 0, 0,
+            ground_.add({radii[ring] * std::cos(angle), y, ahead - radii[ring] * std::sin(angle)}, {0, 1, 0}, 0, 0,
                         {near.r + (far.r - near.r) * k, near.g + (far.g - near.g) * k, near.b + (far.b - near.b) * k});
         }
     for (uint32_t i = 0; i < sides; ++i) {
@@ -128,7 +145,7 @@ void Portraits::resize(int width, int height)
     const auto middle = [this](int axis) { return (stature_.first[axis] + stature_.last[axis]) / 2; };
     const auto half = [this](int axis) { return (stature_.last[axis] - stature_.first[axis]) / 2; };
     // Arms that the pose spreads throw no shadow to speak of.
-    const double wide = std::min(half(0), std::max(half(2), 0.22)) * 1.3 + 0.10, deep = half(2) * 1.3 + 0.10;
+    const double wide = std::min(half(0), std::max(half(2), 0.22)) * 1.15 + 0.10, deep = half(2) * 1.15 + 0.10;
     shadows_->ring(static_cast<float>(middle(0)), static_cast<float>(stature_.first[1]),
                    static_cast<float>(middle(2)) - 0.02f, static_cast<float>(wide), static_cast<float>(deep));
     shadows_->prepare(gl_);
@@ -152,10 +169,8 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who)
     casting.count = 1;
     casting.seed = seed_;
     scenes::Cast cast(library_, casting);
-    clq_play play = pose();
-    // A fifth of a turn, so that the breast and a side are seen.
-    cast.enter({loaded_.tmpl.get(), scenes::stand(0, 0, 0, 0.34, 0.94, static_cast<float>(stature_.scale)), play}, who,
-               {});
+    const clq_place place = scenes::stand(0, 0, 0, turn_x, turn_z, static_cast<float>(stature_.scale));
+    cast.enter({loaded_.tmpl.get(), place, pose()}, who, {});
     clq_view *made = nullptr;
     check(clq_view_create(cast.crowd(), &made));
     const scenes::Own<clq_view> view(made);

@@ -15,7 +15,7 @@
 namespace cli
 {
 
-// How much room a character takes in the pose that it is shown in, in metres; Y up.
+// How much room a character takes in the pose and the turn that it is shown in, in metres; Y up.
 struct Stature {
     double scale = 1;  // of the character, so that its longest side is a person's height
     double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};

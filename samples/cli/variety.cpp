@@ -102,27 +102,28 @@ void draw_zones(Board &board, const Sheet &s, Box box)
         }
 }
 
-// The zones that this texture shows, in two columns; those that find no room are counted in the last line.
+// The zones that this texture shows, in two columns where one is too short; those that find no room are counted in the last line.
 void draw_key(Board &board, const clq_template *tmpl, const Sheet &s, Box box)
 {
     std::vector<uint32_t> shown(s.zones);
     std::sort(shown.begin(), shown.end());
     shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
     if (!shown.empty() && shown.back() == CLQ_NONE) shown.pop_back();
-    const int scale = box.width >= 240 ? 2 : 1, line = (letter_height + 4) * scale, half = box.width / 2;
-    const int lines = box.height / line;
-    const size_t room = static_cast<size_t>(std::max(0, 2 * lines));
+    const int scale = box.width >= 240 ? 2 : 1, line = (letter_height + 4) * scale,
+              lines = std::max(0, box.height / line);
+    const int columns = static_cast<int>(shown.size()) <= lines ? 1 : 2, wide = box.width / columns;
+    const size_t room = static_cast<size_t>(columns * lines);
     const size_t fit = shown.size() <= room ? shown.size() : room > 0 ? room - 1 : 0;
     const auto corner = [&](size_t i) {
-        const int down = static_cast<int>(i) / 2, across = static_cast<int>(i) % 2;
-        return Box{box.x + across * half, box.y + down * line, 0, 0};
+        const int down = static_cast<int>(i) / columns, across = static_cast<int>(i) % columns;
+        return Box{box.x + across * wide, box.y + down * line, 0, 0};
     };
     for (size_t i = 0; i < fit; ++i) {
         clq_zone_info zone = {};
         scenes::check(clq_template_get_zone(tmpl, shown[i], &zone));
         const Box at = corner(i);
         board.fill(at.x, at.y, letter_height * scale, letter_height * scale, zone_ink(shown[i]));
-        const int most = (half - 10 * scale) / (letter_width * scale);
+        const int most = (wide - 10 * scale) / (letter_width * scale);
         board.write(at.x + 10 * scale, at.y, scale, std::string(zone.name).substr(0, static_cast<size_t>(most)), ink);
     }
     if (fit < shown.size() && room > 0)
