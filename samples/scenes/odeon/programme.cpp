@@ -19,9 +19,9 @@ constexpr size_t most_acts = 64;
 using Weights = std::array<double, seated_count>;
 
 //                         sit   lean look talk applaud cheer laugh wave
-constexpr Weights odds[] = {{5.0, 1.6, 2.0, 1.8, 0.20, 0.02, 0.15, 0.02},   // grave
-                            {4.0, 1.8, 2.2, 2.8, 0.20, 0.04, 0.30, 0.10},   // gracious
-                            {3.2, 2.4, 2.4, 2.2, 0.20, 0.12, 0.40, 0.16}};  // hearty
+constexpr Weights odds[] = {{3.4, 1.8, 2.4, 2.2, 0.20, 0.02, 0.15, 0.02},   // grave
+                            {2.8, 2.0, 2.4, 3.0, 0.20, 0.04, 0.30, 0.10},   // gracious
+                            {2.2, 2.6, 2.6, 2.4, 0.20, 0.12, 0.40, 0.16}};  // hearty
 // How far each goes where all around applaud or laugh, and how readily it stands up.
 constexpr double cheer_odds[] = {1.0, 1.6, 6.0}, laugh_odds[] = {5.0, 9.0, 10.0}, rise_odds[] = {0.5, 0.6, 1.6};
 
