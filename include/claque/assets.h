@@ -44,8 +44,9 @@ CLQ_API clq_status clq_asset_load(clq_context *context, const void *bytes, size_
 CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, const clq_asset_options *options,
                                        clq_asset **out);
 
-/* A figure that needs no file: "citizen" (a Roman citizen, about 1040 triangles, 33 nodes, 8 zones). Clips: stand,
- * walk, applaud, cheer; sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave (4 to 9 s, loops
+/* A figure that needs no file: "citizen" (a man in a girded tunic, 8 zones), "patrician" (a rich woman in stola and
+ * palla, 10 zones), "decurion" (an older man in a toga, 9 zones), "plebeian" (a young working man in an exomis, 9
+ * zones); each of about 1040 triangles on one skeleton of 33 nodes. Clips: stand, walk, applaud, cheer; sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave (4 to 9 s, loops
  * that begin and end in one pose and so may follow one another; the seat's top is 0.43 m above the feet, its front edge
  * 0.14 m behind the origin); rise and sit_down (2 s, once, from that pose to the beginning of stand and back);
  * stand_wave, stand_laugh, stand_applaud, stand_cheer (begin and end as stand).
