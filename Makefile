@@ -38,7 +38,7 @@ video: build
 	@rm -f out/odeon.part.mp4 out/odeon.failed
 	{ $(CLAQUE) render --scene odeon --frames all --size 1024x768 --out - || touch out/odeon.failed; } | \
 	    ffmpeg -loglevel error -nostats -y -f rawvideo -pix_fmt rgb24 -s 1024x768 -r 25 -i - \
-	    -c:v libx264 -crf 18 -preset fast -pix_fmt yuv420p -movflags +faststart out/odeon.part.mp4
+	    -c:v libx264 -crf 21 -preset fast -pix_fmt yuv420p -movflags +faststart out/odeon.part.mp4
 	@if [ -e out/odeon.failed ]; then rm -f out/odeon.failed out/odeon.part.mp4; exit 1; fi
 	@mv out/odeon.part.mp4 out/odeon.mp4
 	@ls -l out/odeon.mp4
