@@ -171,6 +171,18 @@ TEST(Standing, may_be_followed_by_a_wave_a_laugh_or_an_ovation)
     }
 }
 
+// Rows stand as close as they sit; raised arms may overlap a neighbour's a little, no more.
+TEST(Standing, keeps_the_arms_to_its_own_place_in_the_row)
+{
+    for (const char *name :
+         {"rise", "sit_down", "stand", "stand_wave", "stand_laugh", "stand_applaud", "stand_cheer"}) {
+        const uint32_t c = clip(name);
+        for (int k = 0; k <= frames(c); ++k)
+            for (const vec3 q : pose(c, float(k) * frame_s).vertices)
+                ASSERT_LT(std::fabs(q.x), 0.37f) << name << " at frame " << k;
+    }
+}
+
 // Togas and stolas are wider than a tunic, but a seat is 0.65 m wide for everybody.
 TEST(Everybody, sits_on_a_seat_of_his_own)
 {
