@@ -1,10 +1,24 @@
-// Sitting still, as far as people do: breath, a little weight from one side to the other, a glance.
+// Sitting still, as far as people do: breath, a little weight from one side to the other, a glance, the hands
+// now on the thighs and now together.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"
 
 namespace claque::figures
 {
+
+namespace
+{
+
+// Hands laid one over the other in the lap.
+Grip folded(Side side)
+{
+    if (side == Side::left)
+        return {{0.112f, 0.611f, -0.165f}, {-0.80f, -0.10f, 0.60f}, {0.12f, 1, 0.30f}, {0.50f, -0.4f, -0.6f}, 0.10f};
+    return {{0.108f, 0.638f, -0.170f}, {-0.80f, -0.14f, 0.55f}, {0.10f, 1, 0.25f}, {0.50f, -0.4f, -0.6f}, 0.12f};
+}
+
+}  // namespace
 
 Pose sit_at(float phase)
 {
@@ -21,7 +35,10 @@ Pose sit_at(float phase)
     Grip left = in_lap(Side::left), right = in_lap(Side::right);
     left.curl += 0.05f * swell(phase, 3);
     right.curl += 0.06f * swell(phase, 2);
-    return seated(body, left, right);
+    const float fold = hold(phase, 0.26f, 0.40f, 0.76f, 0.90f);
+    const glm::vec3 over(0, 0.03f, 0);
+    return seated(body, mix(left, folded(Side::left), ease(0, 0.85f, fold), over),
+                  mix(right, folded(Side::right), ease(0.15f, 1, fold), over * 1.5f));
 }
 
 }  // namespace claque::figures
