@@ -1,4 +1,7 @@
-/* clq_context: what a host lends to claque. Everything else is made from one and must be gone before it goes. */
+/* clq_context: what a host lends to claque. Everything else is made from one and must be gone before it goes.
+ *
+ * Skinning uses the widest vectors that the processor has. The environment may say less, for measuring: CLAQUE_SIMD is
+ * scalar, 128 or 256, read once. All give the same bits. Nothing else of the environment is read. */
 #ifndef CLAQUE_CONTEXT_H
 #define CLAQUE_CONTEXT_H
 

@@ -22,6 +22,10 @@ struct Person {
     clq_place place = {};
 };
 
+// Layers of cloth go through one another, and from the stage a step of the depth buffer is a tenth of a millimetre: along
+// such lines different triangles tie. 12 of 199 000 pixels from the stage, 6 of 312 000 near, when this was written.
+constexpr double ties_of_cloth = 1e-4;
+
 class OdeonLaw : public LawTest
 {
 protected:
@@ -121,13 +125,13 @@ protected:
 
 TEST_P(OdeonLaw, HoldsOnEverybodyFromTheStage)
 {
-    most_ties_share_ = 1e-5;
+    most_ties_share_ = ties_of_cloth;
     hold(scenes::Shot::overview, 4.3, 1);
 }
 
 TEST_P(OdeonLaw, HoldsOnThoseWhoAreNear)
 {
-    most_ties_share_ = 1e-5;
+    most_ties_share_ = ties_of_cloth;
     hold(scenes::Shot::close, 9.7, 1);
 }
 

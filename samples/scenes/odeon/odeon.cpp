@@ -84,7 +84,7 @@ private:
         const SeatRow &last = theatre_.rows.back();
         const double back = theatre_.stage.front_z_m + theatre_.stage.depth_m;
         return look({-2.4, last.seat_y_m + 3.4, back - 0.8}, {0.3, last.seat_y_m * 0.465, last.radius_m * -0.41}, 62,
-                    aspect, 0.3, 900);
+                    aspect, 1.5, 900);
     }
 
     // Hovers over the rows before a walkway, where two classes meet; before the middle row where there is none.
