@@ -1,7 +1,7 @@
 // A bench along a path as tables: one for a terminal, one for a README.
 #include "samples/cli/bench.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 
 namespace cli
@@ -58,6 +58,15 @@ std::vector<std::string> different(const Json &report, const char *name)
     return found;
 }
 
+// What is left to say of "the same picture".
+std::string ties(const Json &report)
+{
+    unsigned most = 0;
+    for (const Json &section : report["sections"]) most = std::max(most, section["depth_ties"].get<unsigned>());
+    if (most == 0) return ", by hash";
+    return " (varieties differ in " + std::to_string(most) + " pixels at most, where crossing surfaces have one depth)";
+}
+
 }  // namespace
 
 void print_sections(const Json &report)
@@ -66,8 +75,9 @@ void print_sections(const Json &report)
                 report["count"].get<unsigned>(), conditions(report).c_str(), report["frames"].get<int>());
     for (const Json &section : report["sections"]) {
         const std::string name = words(section, "name");
-        std::printf("\n%s: %s people in view, %.0f triangles, pictures %s\n", name.c_str(), people(section).c_str(),
-                    section["triangles"].get<double>(), words(section, "pictures_hash").c_str());
+        std::printf("\n%s: %s people in view, %.0f triangles, pictures %s, %u depth ties\n", name.c_str(),
+                    people(section).c_str(), section["triangles"].get<double>(),
+                    words(section, "pictures_hash").c_str(), section["depth_ties"].get<unsigned>());
         std::printf("%-10s %-9s %17s %17s %17s %17s %9s %9s %9s\n", "cache", "variety", "update ms", "setting ms",
                     "draw ms", "frame ms", "animated", "draws", "sent");
         for (const Json &r : report["runs"])
@@ -87,7 +97,8 @@ std::string markdown_of(const Json &report)
     std::string text = "Measured with `claque bench " + words(report, "scene") + " --frames " +
                        std::to_string(report["frames"].get<int>()) + "`: " + conditions(report) + ". " +
                        std::to_string(report["count"].get<unsigned>()) +
-                       " people; every frame is drawn in all variants, which give the same picture, by hash. "
+                       " people; every frame is drawn in all variants, which give the same picture" + ties(report) +
+                       ". "
                        "Milliseconds a frame, minimum / median; *update* is the library, *draw* the renderer with GL, "
                        "*setting* all that is not people.\n\n| section | people in view | caches | update | animated |";
     for (const std::string &variety : varieties) text += " draw " + variety + " |";

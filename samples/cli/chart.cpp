@@ -43,11 +43,13 @@ std::string text_at(double x, double y, const char *kind, const std::string &tex
     return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" class=\"" + kind + "\">" + escaped(text) + "</text>\n";
 }
 
+// The name of a pattern: of a colour, or of the text's for the legend.
+std::string pattern(Fill fill, const std::string &of) { return (fill == Fill::hatched ? "hatched" : "dotted") + of; }
+
 std::string fill_of(Fill fill, size_t colour)
 {
     const size_t c = colour % std::size(palette);
-    if (fill == Fill::solid) return palette[c];
-    return "url(#" + std::string(fill == Fill::hatched ? "hatched" : "dotted") + std::to_string(c) + ")";
+    return fill == Fill::solid ? palette[c] : "url(#" + pattern(fill, std::to_string(c)) + ")";
 }
 
 std::string bar(double x, double y, double width, double height, Fill fill, size_t colour)
@@ -57,19 +59,21 @@ std::string bar(double x, double y, double width, double height, Fill fill, size
            palette[colour % std::size(palette)] + "\"/>\n";
 }
 
+std::string patterns_of(const std::string &name, const std::string &paint)
+{
+    return "<pattern id=\"" + pattern(Fill::hatched, name) +
+           "\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect "
+           "width=\"2\" height=\"5\" " +
+           paint + "/></pattern>\n<pattern id=\"" + pattern(Fill::dotted, name) +
+           "\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><circle cx=\"2.5\" cy=\"2.5\" r=\"1.4\" " +
+           paint + "/></pattern>\n";
+}
+
 std::string patterns()
 {
-    std::string text = "<defs>\n";
-    for (size_t c = 0; c < std::size(palette); ++c) {
-        const std::string n = std::to_string(c), colour = palette[c];
-        text += "<pattern id=\"hatched" + n +
-                "\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
-                "<rect width=\"2\" height=\"5\" fill=\"" +
-                colour + "\"/></pattern>\n<pattern id=\"dotted" + n +
-                "\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><circle cx=\"2.5\" cy=\"2.5\" r=\"1.4\" "
-                "fill=\"" +
-                colour + "\"/></pattern>\n";
-    }
+    std::string text = "<defs>\n" + patterns_of("ink", "class=\"ink\"");
+    for (size_t c = 0; c < std::size(palette); ++c)
+        text += patterns_of(std::to_string(c), "fill=\"" + std::string(palette[c]) + "\"");
     return text + "</defs>\n";
 }
 
@@ -87,12 +91,16 @@ constexpr const char *style =
     ".ground { fill: #ffffff; stroke: #d0d7de; }\n"
     ".grid { stroke: #d8dee4; }\n"
     ".axis { stroke: #57606a; }\n"
+    ".ink { fill: #24292f; }\n"
+    ".rim { stroke: #24292f; }\n"
     "@media (prefers-color-scheme: dark) {\n"
     "text { fill: #e6edf3; }\n"
     ".detail, .quiet, .tick, .unit { fill: #a9b3be; }\n"
     ".ground { fill: #161b22; stroke: #3d444d; }\n"
     ".grid { stroke: #30363d; }\n"
     ".axis { stroke: #a9b3be; }\n"
+    ".ink { fill: #e6edf3; }\n"
+    ".rim { stroke: #e6edf3; }\n"
     "}\n"
     "</style>\n";
 
@@ -100,14 +108,18 @@ std::string legend(const Chart &chart, double y)
 {
     std::string text;
     double x = left_px;
-    const auto entry = [&](Fill fill, size_t colour, const std::string &name) {
-        text += bar(x, y, 14, 11, fill, colour) + text_at(x + 20, y + 10, "legend", name);
-        x += 34 + 7.4 * static_cast<double>(name.size());
+    const auto name = [&](const std::string &swatch, const std::string &words) {
+        text += swatch + text_at(x + 20, y + 10, "legend", words);
+        x += 34 + 7.4 * static_cast<double>(words.size());
     };
-    for (size_t c = 0; c < chart.colours.size(); ++c) entry(Fill::solid, c, chart.colours[c]);
+    for (size_t c = 0; c < chart.colours.size(); ++c) name(bar(x, y, 14, 11, Fill::solid, c), chart.colours[c]);
     x += 16;
-    for (const Cluster &cluster : chart.panels.front().clusters)
-        if (!cluster.name.empty()) entry(cluster.fill, 0, cluster.name);
+    for (const Cluster &cluster : chart.panels.front().clusters) {
+        const std::string fill =
+            cluster.fill == Fill::solid ? "ink rim\"" : "rim\" fill=\"url(#" + pattern(cluster.fill, "ink") + ")\"";
+        name("<rect x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"14\" height=\"11\" class=\"" + fill + "/>\n",
+             cluster.name);
+    }
     return text;
 }
 

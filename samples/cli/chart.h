@@ -11,7 +11,7 @@ namespace cli
 enum class Fill { solid, hatched, dotted };
 
 struct Cluster {
-    std::string name;  // in the legend; empty: not named there
+    std::string name;  // in the legend, which is that of the first panel
     Fill fill = Fill::solid;
 };
 
