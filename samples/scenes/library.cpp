@@ -19,6 +19,17 @@ Library::Library(int threads) : tasks_(threads)
     context_.reset(made);
 }
 
+clq_template *Library::builtin(const std::string &name)
+{
+    Own<clq_template> &figure = figures_[name];
+    if (!figure) {
+        clq_template *made = nullptr;
+        check(clq_template_builtin(context(), name.c_str(), &made));
+        figure.reset(made);
+    }
+    return figure.get();
+}
+
 std::vector<std::string> Library::warnings() const
 {
     const std::lock_guard<std::mutex> lock(mutex_);

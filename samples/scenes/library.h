@@ -4,6 +4,7 @@
 #include "samples/scenes/check.h"
 #include "samples/scenes/tasks_tbb.h"
 
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ public:
     explicit Library(int threads);
 
     clq_context *context() const { return context_.get(); }
+    // A built-in figure, made when it is first asked for; lives as long as the library. From one thread at a time.
+    clq_template *builtin(const std::string &name);
     std::vector<std::string> warnings() const;
 
 private:
@@ -24,6 +27,7 @@ private:
     std::vector<std::string> warnings_;
     TbbTasks tasks_;
     Own<clq_context> context_;
+    std::map<std::string, Own<clq_template>> figures_;
 };
 
 }  // namespace scenes

@@ -150,10 +150,7 @@ private:
 
     void take_citizen(Library &library)
     {
-        clq_template *made = nullptr;
-        check(clq_template_builtin(library.context(), "citizen", &made));
-        citizen_.reset(made);
-        character_.tmpl = made;
+        character_.tmpl = library.builtin("citizen");
         character_.has_box = true;
         const float first[3] = {-0.35f, 0.0f, -0.2f}, last[3] = {0.35f, 1.75f, 0.2f};
         std::copy(first, first + 3, character_.box_first);
@@ -217,7 +214,6 @@ private:
     }
 
     uint64_t seed_;
-    Own<clq_template> citizen_;
     Character character_;
     Cast cast_;
     clq_template_info info_ = {};

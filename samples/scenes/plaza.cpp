@@ -23,8 +23,8 @@ class Plaza final : public Scene
 public:
     Plaza(Library &library, const Casting &casting)
         : seed_(casting.seed),
-          citizen_(builtin(library)),
-          walk_speed_(walk_speed(citizen_.get())),
+          citizen_(library.builtin("citizen")),
+          walk_speed_(walk_speed(citizen_)),
           layout_(lay_out_plaza(casting.count, casting.seed, walk_speed_)),
           cast_(library, casting),
           sky_(casting.seed, Sky::Land::hills)
@@ -38,7 +38,7 @@ public:
     }
 
     clq_crowd *crowd() const override { return cast_.crowd(); }
-    std::vector<clq_template *> templates() const override { return {citizen_.get()}; }
+    std::vector<clq_template *> templates() const override { return {citizen_}; }
 
     clq_camera camera(Shot shot, double aspect, double) const override
     {
@@ -84,13 +84,6 @@ public:
     }
 
 private:
-    static Own<clq_template> builtin(Library &library)
-    {
-        clq_template *made = nullptr;
-        check(clq_template_builtin(library.context(), "citizen", &made));
-        return Own<clq_template>(made);
-    }
-
     static double walk_speed(const clq_template *citizen)
     {
         clq_clip_info walk = {};
@@ -103,10 +96,10 @@ private:
     clq_play play(const char *clip, double speed, size_t who) const
     {
         clq_play play = {};
-        play.clip = clq_template_find_clip(citizen_.get(), clip);
+        play.clip = clq_template_find_clip(citizen_, clip);
         play.speed = static_cast<float>(speed);
         clq_clip_info info = {};
-        if (play.clip != CLQ_NONE && clq_template_get_clip(citizen_.get(), play.clip, &info) == CLQ_OK)
+        if (play.clip != CLQ_NONE && clq_template_get_clip(citizen_, play.clip, &info) == CLQ_OK)
             play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * info.duration_s);
         return play;
     }
@@ -123,7 +116,7 @@ private:
     {
         const size_t who = cast_.places().size();
         const double speed = lot_between(seed_, who, Lot::speed, 0.9, 1.1);
-        cast_.enter({citizen_.get(), stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(who)),
+        cast_.enter({citizen_, stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(who)),
                      play(clip_of(s.role, who), speed, who)});
     }
 
@@ -133,7 +126,7 @@ private:
         const float size = size_of(who);
         // All in a lane go at one pace; short people take more steps for it.
         const double speed = std::abs(layout_.lanes[w.lane].speed) / (walk_speed_ * size);
-        cast_.enter({citizen_.get(), walked(w, 0, size), play("walk", speed, who)});
+        cast_.enter({citizen_, walked(w, 0, size), play("walk", speed, who)});
     }
 
     clq_place walked(const Walking &w, double time_s, float size) const
@@ -155,8 +148,8 @@ private:
     }
 
     uint64_t seed_;
-    Own<clq_template> citizen_;
-    double walk_speed_;  // metres a second of the walk clip at speed and scale 1
+    clq_template *citizen_;  // of the library
+    double walk_speed_;      // metres a second of the walk clip at speed and scale 1
     PlazaLayout layout_;
     Cast cast_;
     bool placed_ = false;

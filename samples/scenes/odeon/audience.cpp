@@ -69,7 +69,7 @@ Audience::Audience(Library &library, const Theatre &theatre, const Casting &cast
         clq_play still = {};
         still.clip = worn.clips[0];
         still.speed = 1;
-        cast_.enter({worn.tmpl.get(), sitter.place, still}, sitter.seat, dyes[sitter.social_class]);
+        cast_.enter({worn.tmpl, sitter.place, still}, sitter.seat, dyes[sitter.social_class]);
     }
     playing_.resize(members_.size());
 }
@@ -80,9 +80,7 @@ size_t Audience::figure(Library &library, const std::string &name)
         if (figures_[i].name == name) return i;
     Figure made;
     made.name = name;
-    clq_template *tmpl = nullptr;
-    check(clq_template_builtin(library.context(), name.c_str(), &tmpl));
-    made.tmpl.reset(tmpl);
+    clq_template *tmpl = made.tmpl = library.builtin(name);
     for (size_t a = 0; a < act_count; ++a) {
         const char *clip = clip_name(static_cast<Act>(a));
         made.clips[a] = clq_template_find_clip(tmpl, clip);
@@ -98,17 +96,17 @@ size_t Audience::figure(Library &library, const std::string &name)
 std::vector<clq_hsb_range> Audience::dyes_of(const SocialClass &one, const Figure &worn) const
 {
     clq_template_info info = {};
-    check(clq_template_get_info(worn.tmpl.get(), &info));
+    check(clq_template_get_info(worn.tmpl, &info));
     std::vector<clq_hsb_range> ranges;
     std::string names;
     for (uint32_t zone = 0; zone < info.zone_count; ++zone) {
         clq_zone_info found = {};
-        check(clq_template_get_zone(worn.tmpl.get(), zone, &found));
+        check(clq_template_get_zone(worn.tmpl, zone, &found));
         ranges.push_back(found.range);
         names += (names.empty() ? "" : ", ") + std::string(found.name);
     }
     for (const SocialClass::Dye &dye : one.dyes) {
-        const uint32_t zone = clq_template_find_zone(worn.tmpl.get(), dye.zone.c_str());
+        const uint32_t zone = clq_template_find_zone(worn.tmpl, dye.zone.c_str());
         if (zone == CLQ_NONE)
             throw Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" + worn.name +
                           "' has no such zone; there are: " + names);
@@ -134,7 +132,7 @@ void Audience::act(double time_s)
 std::vector<clq_template *> Audience::templates() const
 {
     std::vector<clq_template *> all;
-    for (const Figure &figure : figures_) all.push_back(figure.tmpl.get());
+    for (const Figure &figure : figures_) all.push_back(figure.tmpl);
     return all;
 }
 

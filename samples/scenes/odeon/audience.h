@@ -30,7 +30,7 @@ public:
 private:
     struct Figure {
         std::string name;
-        Own<clq_template> tmpl;
+        clq_template *tmpl = nullptr;  // of the library
         std::array<uint32_t, act_count> clips;
         std::array<double, act_count> duration_s;
     };

@@ -3,6 +3,7 @@
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
 #include "samples/scenes/odeon/frons.h"
+#include "samples/scenes/odeon/orchestra.h"
 #include "samples/scenes/odeon/touch.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/sky.h"
@@ -40,7 +41,8 @@ public:
           theatre_(theatre_of(casting)),
           audience_(library, theatre_, casting),
           shadows_(audience_.seats(), audience_.sitters()),
-          sky_(casting.seed, Sky::Land::hills)
+          sky_(casting.seed, Sky::Land::hills),
+          orchestra_(theatre_, casting.seed)
     {
         build_cavea(stone_, theatre_, seed_);
         build_stage(stone_, theatre_);
@@ -62,6 +64,7 @@ public:
     {
         flagstones_.emplace(gl, flagstones(seed_), true);
         plaster_.emplace(gl, plaster(seed_), true);
+        orchestra_.prepare(gl);
         shadows_.prepare(gl);
     }
 
@@ -72,6 +75,7 @@ public:
         g.Enable(gl::cull_face);
         flagstones_->use();
         ground_.draw(g);
+        orchestra_.draw(g);
         plaster_->use();
         stone_.draw(g);
         shadows_.draw(g);
@@ -105,6 +109,7 @@ private:
     Audience audience_;
     TouchShadows shadows_;
     Sky sky_;
+    Orchestra orchestra_;
     Geometry ground_ = Geometry(flagstone_metres), stone_ = Geometry(plaster_metres);
     std::optional<Texture> flagstones_, plaster_;
 };

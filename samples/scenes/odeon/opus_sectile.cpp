@@ -1,0 +1,126 @@
+#include "samples/scenes/odeon/opus_sectile.h"
+
+#include "samples/scenes/lot.h"
+#include "samples/scenes/odeon/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace scenes
+{
+namespace
+{
+
+struct Marble {
+    double r, g, b;
+    double veins;  // how strongly they differ from the ground
+};
+// Imperial porphyry, giallo antico, green serpentine, pavonazzetto, grey granite.
+constexpr Marble porphyry = {0.47, 0.22, 0.22, 0.16}, giallo = {0.86, 0.67, 0.39, 0.18};
+constexpr Marble serpentine = {0.31, 0.43, 0.35, 0.26}, white = {0.90, 0.87, 0.81, 0.20};
+constexpr Marble granite = {0.62, 0.60, 0.58, 0.12};
+
+// One cut piece: what it is of, which it is, and how near its edge is, as a fraction of the floor's radius.
+struct Piece {
+    Marble marble;
+    uint64_t id;
+    double to_edge;
+};
+
+constexpr int spokes = 72;  // of the rim's ring of wedges
+constexpr double rim = 0.965, wedges = 0.875, line = 0.85;
+
+// Rings round the floor: a white rim, wedges of two colours in turn, a line of porphyry.
+Piece ring(double x, double y, double radius)
+{
+    const double edge = std::min({std::abs(radius - rim), std::abs(radius - wedges), std::abs(radius - line)});
+    // The angle over a full turn without a library's arc functions: exact at the diagonals, even enough between.
+    const double slant = x / (std::abs(x) + std::abs(y));
+    const double turn = (y >= 0 ? 1 - slant : 3 + slant) / 4;
+    const double along = turn * spokes, nearest = std::floor(along + 0.5);
+    const uint64_t spoke = static_cast<uint64_t>(along);
+    if (radius >= rim) return {white, 4000 + spoke / 3, edge};
+    if (radius < wedges) return {porphyry, 4200 + spoke / 3, edge};
+    // A wedge narrows inwards to a point: giallo between serpentine.
+    const double inwards = (rim - radius) / (rim - wedges);
+    const double off = std::abs(along - std::floor(along) - 0.5) * 2;  // 0 on its middle, 1 where two meet
+    const double side = (1 - inwards) - off;
+    const double to_side = std::abs(side) * radius * 2.2 / spokes;
+    if (side > 0) return {giallo, 4400 + spoke, std::min(edge, to_side)};
+    return {serpentine, 4600 + static_cast<uint64_t>(nearest), std::min(edge, to_side)};
+}
+
+// A panel in coordinates of its own, -1 to 1: a round or a square in a square, framed by white bands.
+Piece panel(double x, double y, int column, int row, double unit)
+{
+    const uint64_t id = static_cast<uint64_t>((row + 64) * 128 + column + 64) * 4;
+    const double square = std::max(std::abs(x), std::abs(y));
+    if (square > 0.84) return {white, id, std::min(1.0 - std::min(std::abs(x), std::abs(y)), square - 0.84) * unit};
+    const bool round = ((column + row) & 1) == 0;
+    const bool warm = ((column - row) / 2 & 1) == 0;
+    if (round) {
+        const double out = std::sqrt(x * x + y * y);
+        if (out < 0.56) return {warm ? porphyry : serpentine, id + 1, (0.56 - out) * unit};
+        if (out < 0.70) return {white, id + 2, std::min(out - 0.56, 0.70 - out) * unit};
+        return {warm ? giallo : granite, id + 3, std::min(out - 0.70, 0.84 - square) * unit};
+    }
+    const double diamond = std::abs(x) + std::abs(y);
+    if (square < 0.36) return {granite, id + 1, (0.36 - square) * unit};
+    if (diamond < 0.84) return {giallo, id + 2, std::min((0.84 - diamond) * 0.7, square - 0.36) * unit};
+    return {warm ? porphyry : serpentine, id + 3, std::min((diamond - 0.84) * 0.7, 0.84 - square) * unit};
+}
+
+Piece piece_at(double x, double y, int panels)
+{
+    const double radius = std::sqrt(x * x + y * y);
+    if (radius >= line) return ring(x, y, radius);
+    const double unit = 1.0 / panels;  // half a panel
+    const double across = x / unit / 2 + 0.5, up = y / unit / 2 + 0.5;
+    const double column = std::floor(across), row = std::floor(up);
+    Piece piece =
+        panel((across - column) * 2 - 1, (up - row) * 2 - 1, static_cast<int>(column), static_cast<int>(row), unit);
+    piece.to_edge = std::min(piece.to_edge, line - radius);
+    return piece;
+}
+
+// The stone itself: clouds, and veins where a noise crosses zero; each piece turned and toned its own way.
+void shade(const Piece &piece, uint64_t seed, double x, double y, double fine, double (&rgb)[3])
+{
+    const double tone = lot_between(seed, piece.id, Lot::tone, 0.93, 1.06);
+    const double slide = 50 * lot(seed, piece.id, Lot::slab);
+    const double vein = gradient_noise(seed + 11, x * 9 + slide, y * 7 - slide);
+    const double drawn = std::max(0.0, 1 - std::abs(vein) * 9);
+    const double light = tone * (1 + 0.06 * fine + 0.10 * vein - piece.marble.veins * 0.55 * drawn);
+    const double joint = 0.74 + 0.26 * std::clamp(piece.to_edge / 0.0022, 0.0, 1.0);
+    rgb[0] += piece.marble.r * light * joint;
+    rgb[1] += piece.marble.g * light * joint;
+    rgb[2] += piece.marble.b * light * joint;
+}
+
+}  // namespace
+
+Image opus_sectile(uint64_t seed, int panels)
+{
+    constexpr int side = 1024, samples = 2;
+    Image image;
+    image.side_px = side;
+    image.rgba.reserve(static_cast<size_t>(4) * side * side);
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            double rgb[3] = {0, 0, 0};
+            const double fine = gradient_noise(seed + 12, column * 0.31, row * 0.31);
+            for (int k = 0; k < samples * samples; ++k) {
+                const double x = (column + (k % samples + 0.5) / samples) / side * 2 - 1;
+                const double y = (row + (k / samples + 0.5) / samples) / side * 2 - 1;
+                shade(piece_at(x, y, panels), seed, x, y, fine, rgb);
+            }
+            for (const double channel : rgb)
+                image.rgba.push_back(
+                    static_cast<uint8_t>(std::clamp(channel / (samples * samples), 0.0, 1.0) * 255.0 + 0.5));
+            image.rgba.push_back(255);
+        }
+    return image;
+}
+
+}  // namespace scenes

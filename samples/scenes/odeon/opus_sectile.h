@@ -1,0 +1,13 @@
+// A floor of coloured marbles cut to shapes (opus sectile), drawn by code: panels of circles and squares within rings.
+#pragma once
+
+#include "samples/scenes/texture.h"
+
+namespace scenes
+{
+
+// A round floor that fills the picture: its rim touches the picture's edges. The corners beyond are white marble.
+// panels: how many lie across the floor.
+Image opus_sectile(uint64_t seed, int panels);
+
+}  // namespace scenes
