@@ -49,6 +49,9 @@ public:
     void draw(const Gl &gl) const;
     void clear();
 
+    const std::vector<SceneryVertex> &vertices() const { return vertices_; }
+    const std::vector<uint32_t> &indices() const { return indices_; }  // three a triangle
+
 private:
     float per_metre_;
     std::vector<SceneryVertex> vertices_;

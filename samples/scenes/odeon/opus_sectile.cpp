@@ -4,6 +4,7 @@
 #include "samples/scenes/odeon/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -16,10 +17,11 @@ struct Marble {
     double r, g, b;
     double veins;  // how strongly they differ from the ground
 };
-// Imperial porphyry, giallo antico, green serpentine, pavonazzetto, grey granite.
-constexpr Marble porphyry = {0.47, 0.22, 0.22, 0.16}, giallo = {0.86, 0.67, 0.39, 0.18};
-constexpr Marble serpentine = {0.31, 0.43, 0.35, 0.26}, white = {0.90, 0.87, 0.81, 0.20};
-constexpr Marble granite = {0.62, 0.60, 0.58, 0.12};
+// Imperial porphyry, giallo antico, green serpentine, pavonazzetto, grey granite: worn and dusty, so that the floor stays
+// behind the people above it.
+constexpr Marble porphyry = {0.56, 0.36, 0.33, 0.14}, giallo = {0.84, 0.70, 0.48, 0.16};
+constexpr Marble serpentine = {0.44, 0.51, 0.43, 0.22}, white = {0.87, 0.83, 0.75, 0.20};
+constexpr Marble granite = {0.66, 0.63, 0.59, 0.12};
 
 // One cut piece: what it is of, which it is, and how near its edge is, as a fraction of the floor's radius.
 struct Piece {
@@ -28,7 +30,9 @@ struct Piece {
     double to_edge;
 };
 
-constexpr int spokes = 72;  // of the rim's ring of wedges
+constexpr int side_px = 1024;
+constexpr double joint_fade = 0.0022;  // of the floor's radius: how wide a joint darkens
+constexpr int spokes = 72;             // of the rim's ring of wedges
 constexpr double rim = 0.965, wedges = 0.875, line = 0.85;
 
 // Rings round the floor: a white rim, wedges of two colours in turn, a line of porphyry.
@@ -48,7 +52,7 @@ Piece ring(double x, double y, double radius)
     const double side = (1 - inwards) - off;
     const double to_side = std::abs(side) * radius * 2.2 / spokes;
     if (side > 0) return {giallo, 4400 + spoke, std::min(edge, to_side)};
-    return {serpentine, 4600 + static_cast<uint64_t>(nearest), std::min(edge, to_side)};
+    return {serpentine, 4600 + static_cast<uint64_t>(nearest) % spokes, std::min(edge, to_side)};
 }
 
 // A panel in coordinates of its own, -1 to 1: a round or a square in a square, framed by white bands.
@@ -84,41 +88,48 @@ Piece piece_at(double x, double y, int panels)
     return piece;
 }
 
-// The stone itself: clouds, and veins where a noise crosses zero; each piece turned and toned its own way.
-void shade(const Piece &piece, uint64_t seed, double x, double y, double fine, double (&rgb)[3])
+// How light a stone is at a texel: clouds, veins where a noise crosses zero, wear; each piece toned its own way.
+double stone(const Piece &piece, uint64_t seed, double x, double y, uint64_t texel)
 {
     const double tone = lot_between(seed, piece.id, Lot::tone, 0.93, 1.06);
     const double slide = 50 * lot(seed, piece.id, Lot::slab);
     const double vein = gradient_noise(seed + 11, x * 9 + slide, y * 7 - slide);
     const double drawn = std::max(0.0, 1 - std::abs(vein) * 9);
-    const double light = tone * (1 + 0.06 * fine + 0.10 * vein - piece.marble.veins * 0.55 * drawn);
-    const double joint = 0.74 + 0.26 * std::clamp(piece.to_edge / 0.0022, 0.0, 1.0);
-    rgb[0] += piece.marble.r * light * joint;
-    rgb[1] += piece.marble.g * light * joint;
-    rgb[2] += piece.marble.b * light * joint;
+    const double worn = gradient_noise(seed + 13, x * 3, y * 3);
+    const double grain = lot(seed, texel, Lot::grain) - 0.5;
+    return tone * (1 + 0.05 * grain + 0.10 * vein + 0.09 * worn - piece.marble.veins * 0.55 * drawn);
+}
+
+// The mean over the texel of the pieces' colours and joints; noise is taken once, for it is smooth.
+std::array<uint8_t, 4> texel(uint64_t seed, int panels, int column, int row)
+{
+    constexpr int samples = 2, all = samples * samples;
+    double rgb[3] = {0, 0, 0}, light = 1;
+    for (int k = 0; k < all; ++k) {
+        const double x = (column + (k % samples + 0.5) / samples) / side_px * 2 - 1;
+        const double y = (row + (k / samples + 0.5) / samples) / side_px * 2 - 1;
+        const Piece piece = piece_at(x, y, panels);
+        if (k == 0)
+            light = stone(piece, seed, x, y, static_cast<uint64_t>(row) * side_px + static_cast<uint64_t>(column));
+        const double joint = 0.74 + 0.26 * std::clamp(piece.to_edge / joint_fade, 0.0, 1.0);
+        const double ground[3] = {piece.marble.r, piece.marble.g, piece.marble.b};
+        for (int channel = 0; channel < 3; ++channel) rgb[channel] += ground[channel] * joint / all;
+    }
+    const auto byte = [](double v) { return static_cast<uint8_t>(std::clamp(v, 0.0, 1.0) * 255.0 + 0.5); };
+    return {byte(rgb[0] * light), byte(rgb[1] * light), byte(rgb[2] * light), 255};
 }
 
 }  // namespace
 
 Image opus_sectile(uint64_t seed, int panels)
 {
-    constexpr int side = 1024, samples = 2;
     Image image;
-    image.side_px = side;
-    image.rgba.reserve(static_cast<size_t>(4) * side * side);
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            double rgb[3] = {0, 0, 0};
-            const double fine = gradient_noise(seed + 12, column * 0.31, row * 0.31);
-            for (int k = 0; k < samples * samples; ++k) {
-                const double x = (column + (k % samples + 0.5) / samples) / side * 2 - 1;
-                const double y = (row + (k / samples + 0.5) / samples) / side * 2 - 1;
-                shade(piece_at(x, y, panels), seed, x, y, fine, rgb);
-            }
-            for (const double channel : rgb)
-                image.rgba.push_back(
-                    static_cast<uint8_t>(std::clamp(channel / (samples * samples), 0.0, 1.0) * 255.0 + 0.5));
-            image.rgba.push_back(255);
+    image.side_px = side_px;
+    image.rgba.reserve(static_cast<size_t>(4) * side_px * side_px);
+    for (int row = 0; row < side_px; ++row)
+        for (int column = 0; column < side_px; ++column) {
+            const std::array<uint8_t, 4> rgba = texel(seed, panels, column, row);
+            image.rgba.insert(image.rgba.end(), rgba.begin(), rgba.end());
         }
     return image;
 }
