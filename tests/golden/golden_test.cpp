@@ -18,6 +18,8 @@ const struct Golden {
 } goldens[] = {
     {"plaza", "--scene plaza --count 400 --size 320x240 --time 1.5"},
     {"plaza-close", "--scene plaza --count 400 --camera close --size 320x240 --time 1.5"},
+    {"odeon", "--scene odeon --size 320x240 --time 1.5"},
+    {"odeon-close", "--scene odeon --camera close --size 320x240 --time 1.5"},
 };
 
 // What CTest shows of a case.
@@ -69,8 +71,11 @@ TEST_P(Golden_picture, is_as_it_was_accepted)
                                      << ". If the change is meant: make golden-accept";
 }
 
-INSTANTIATE_TEST_SUITE_P(scenes, Golden_picture, testing::ValuesIn(goldens),
-                         [](const auto &golden) { return std::string(golden.index ? "plaza_close" : "plaza"); });
+INSTANTIATE_TEST_SUITE_P(scenes, Golden_picture, testing::ValuesIn(goldens), [](const auto &golden) {
+    std::string name = golden.param.name;
+    for (char &c : name) c = c == '-' ? '_' : c;
+    return name;
+});
 
 TEST(comparator, sees_one_pixel_of_one_step)
 {
