@@ -24,7 +24,29 @@ typedef struct clq_node_def {
     float translation[3];
     float rotation_xyzw[4]; /* unit within 0.001; all zero means no rotation */
     float scale[3];         /* all zero means 1, 1, 1 */
+    /* S0 5.2: [metres] from this distance on the node and all below it are not evaluated. Rigid parts on them must have
+     * ended there, and one on a node that is left must begin there; the weights of skinned vertices go to the nearest
+     * node that is left. 0: never. */
+    float deactivation_m;
 } clq_node_def;
+
+typedef enum clq_dof_kind {
+    CLQ_DOF_ROTATION = 0,    /* a turn about axis, radians */
+    CLQ_DOF_TRANSLATION = 1, /* a shift along axis, model units */
+    CLQ_DOF_MORPH = 2        /* added to the weight of a morph target of the node's parts */
+} clq_dof_kind;
+
+/* A degree of freedom of a node (S0 3): a number that control mechanisms write, see claque/behave.h. It acts between the
+ * node's rotation and its scale, on top of the clip, in the order of the list. */
+typedef struct clq_dof_def {
+    const char *name; /* may be NULL */
+    uint32_t node;
+    clq_dof_kind kind;
+    uint32_t morph_target; /* CLQ_DOF_MORPH: which one */
+    float axis[3];         /* unit within 0.001, in the node's own frame; unused for CLQ_DOF_MORPH */
+    float first, last;     /* its range: first <= last */
+    float rest;            /* within the range: where it is when nobody writes it */
+} clq_dof_def;
 
 /* A matrix that vertices may follow: the node's, times inverse_bind (column-major, 16 floats; NULL: identity). */
 typedef struct clq_joint_def {
@@ -97,6 +119,9 @@ typedef struct clq_part_def {
     const uint32_t *indices;
     uint32_t morph_count;
     const clq_morph_def *morphs;
+    /* S0 5.1: [metres] the distances from the eye at which this part is drawn, first <= d < last. Levels of detail of one
+     * piece are several parts with adjoining ranges; each piece may have its own. last 0: no end. */
+    float lod_first_m, lod_last_m;
 } clq_part_def;
 
 typedef enum clq_path {
@@ -142,6 +167,8 @@ typedef struct clq_template_def {
     uint32_t clip_count;
     const clq_clip_def *clips;
     uint32_t max_texture_px; /* larger images are reduced, keys unmixed; 0: 1024 */
+    uint32_t dof_count;
+    const clq_dof_def *dofs;
 } clq_template_def;
 
 static inline clq_template_def clq_template_def_init(void)
@@ -186,9 +213,12 @@ typedef struct clq_template_info {
     uint32_t fused_triangle_count;
     float dirty_zone_mean; /* zones that a dirty triangle touches, on average */
     uint32_t max_influences;
-    float sklsroot_centre[3]; /* S0 4.1: holds every vertex in every pose of every clip */
-    float sklsroot_radius;
-    uint64_t bytes; /* held in memory */
+    float sklsroot_centre[3]; /* S0 4.1: holds every vertex of every level in every pose of every clip, with every */
+    float sklsroot_radius;    /* degree of freedom anywhere in its range */
+    uint32_t dof_count;
+    uint32_t level_count; /* of detail: distances at which any part or node changes, and the finest */
+    uint32_t part_count;  /* of the finest level, that are culled one by one (S0 4.2) */
+    uint64_t bytes;       /* held in memory */
 } clq_template_info;
 
 typedef struct clq_clip_info {
@@ -196,6 +226,20 @@ typedef struct clq_clip_info {
     float start_s, duration_s;
     uint32_t channel_count;
 } clq_clip_info;
+
+typedef struct clq_dof_info {
+    const char *name;
+    uint32_t node;
+    clq_dof_kind kind;
+    float first, last, rest;
+} clq_dof_info;
+
+/* One level of detail of the whole template: what all parts and nodes come to between two distances (S0 5). */
+typedef struct clq_level_info {
+    float first_m; /* it serves from here on, up to the next one's */
+    uint32_t triangle_count, vertex_count, part_count;
+    uint32_t node_count; /* that are evaluated */
+} clq_level_info;
 
 typedef struct clq_zone_info {
     const char *name;
@@ -208,11 +252,14 @@ typedef struct clq_zone_info {
 CLQ_API clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *out);
 CLQ_API clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_clip_info *out);
 CLQ_API clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zone_info *out);
+CLQ_API clq_status clq_template_get_dof(const clq_template *tmpl, uint32_t dof, clq_dof_info *out);
+CLQ_API clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_level_info *out);
 
 /* Index of what has this name, or CLQ_NONE. Threads: any. */
 CLQ_API uint32_t clq_template_find_clip(const clq_template *tmpl, const char *name);
 CLQ_API uint32_t clq_template_find_zone(const clq_template *tmpl, const char *name);
 CLQ_API uint32_t clq_template_find_node(const clq_template *tmpl, const char *name);
+CLQ_API uint32_t clq_template_find_dof(const clq_template *tmpl, const char *name);
 
 /* A picture of a texture's triangles over its zones, dirty ones marked (S1 Figs. 4 and 5).
  *   scale          pixels a texel [1, 16]

@@ -118,6 +118,9 @@ clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *ou
         info.max_influences = max_influences(level);
         for (int k = 0; k < 3; ++k) info.sklsroot_centre[k] = tmpl->sklsroot.centre[k];
         info.sklsroot_radius = tmpl->sklsroot.radius;
+        info.dof_count = static_cast<uint32_t>(tmpl->rig.dofs.size());
+        info.level_count = static_cast<uint32_t>(tmpl->levels.size());
+        info.part_count = static_cast<uint32_t>(level.parts.size());
         info.bytes = bytes_of(*tmpl);
         *out = info;
     });
@@ -148,6 +151,46 @@ clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zo
         info.clean_count = zone < tmpl->zone_clean.size() ? tmpl->zone_clean[zone] : 0;
         *out = info;
     });
+}
+
+clq_status clq_template_get_dof(const clq_template *tmpl, uint32_t dof, clq_dof_info *out)
+{
+    return api::boundary("clq_template_get_dof", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        const model::Rig &rig = tmpl->rig;
+        if (dof >= rig.dofs.size())
+            base::fail(CLQ_ARGUMENT, "degree of freedom %u of %zu of template '%s'", dof, rig.dofs.size(),
+                       tmpl->name.c_str());
+        const model::Dof &d = rig.dofs[dof];
+        const uint32_t node = d.kind == model::DofKind::morph ? rig.morph_sets[d.node].node : d.node;
+        *out = {rig.dof_names[dof].c_str(), node, static_cast<clq_dof_kind>(d.kind), d.first, d.last, d.rest};
+    });
+}
+
+clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_level_info *out)
+{
+    return api::boundary("clq_template_get_level", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        if (level >= tmpl->levels.size())
+            base::fail(CLQ_ARGUMENT, "level %u of %zu of template '%s'", level, tmpl->levels.size(),
+                       tmpl->name.c_str());
+        const model::Level &l = tmpl->levels[level];
+        clq_level_info info{};
+        info.first_m = l.switch_distance_m;
+        for (const model::Surface &surface : l.surfaces) {
+            info.triangle_count += surface.dirty.count / 3;
+            for (const model::Bin &bin : surface.clean) info.triangle_count += bin.range.count / 3;
+        }
+        info.vertex_count = l.source_count;
+        info.part_count = static_cast<uint32_t>(l.parts.size());
+        info.node_count = l.active.empty() ? tmpl->rig.node_count() : static_cast<uint32_t>(l.nodes.size());
+        *out = info;
+    });
+}
+
+uint32_t clq_template_find_dof(const clq_template *tmpl, const char *name)
+{
+    return tmpl && name ? tmpl->rig.find_dof(name) : CLQ_NONE;
 }
 
 uint32_t clq_template_find_clip(const clq_template *tmpl, const char *name)

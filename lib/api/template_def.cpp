@@ -13,53 +13,6 @@ using base::fail;
 namespace
 {
 
-bool all_zero(const float *values, int count)
-{
-    for (int i = 0; i < count; ++i)
-        if (values[i] != 0) return false;
-    return true;
-}
-
-// Any other length would scale what hangs on the node, and its normals and spheres would not know.
-glm::quat unit_rotation(const float *q, uint32_t node, const char *name)
-{
-    double square = 0;
-    for (int k = 0; k < 4; ++k) square += static_cast<double>(q[k]) * q[k];
-    const double length = std::sqrt(square);
-    if (!(std::fabs(length - 1) <= 1e-3))
-        fail(CLQ_ARGUMENT, "node %u '%s' has a rotation of length %g instead of 1", node, name, length);
-    return glm::quat(q[3], q[0], q[1], q[2]);
-}
-
-void add_nodes(const clq_template_def &def, model::Model &model)
-{
-    require_array(def.nodes, def.node_count, "nodes");
-    for (uint32_t i = 0; i < def.node_count; ++i) {
-        const clq_node_def &node = def.nodes[i];
-        math::Trs trs;
-        trs.translation = glm::vec3(node.translation[0], node.translation[1], node.translation[2]);
-        const float *q = node.rotation_xyzw;
-        if (!all_zero(q, 4)) trs.rotation = unit_rotation(q, i, name_of(node.name));
-        if (!all_zero(node.scale, 3)) trs.scale = glm::vec3(node.scale[0], node.scale[1], node.scale[2]);
-        model.rig.parents.push_back(node.parent);
-        model.rig.rest.push_back(trs);
-        model.rig.node_names.emplace_back(name_of(node.name));
-    }
-}
-
-void add_joints(const clq_template_def &def, model::Model &model)
-{
-    require_array(def.joints, def.joint_count, "joints");
-    for (uint32_t i = 0; i < def.joint_count; ++i) {
-        model::PaletteEntry entry;
-        entry.node = def.joints[i].node;
-        if (const float *m = def.joints[i].inverse_bind)
-            for (int k = 0; k < 4; ++k)
-                entry.inverse_bind.set_column(k, glm::vec3(m[4 * k], m[4 * k + 1], m[4 * k + 2]));
-        model.rig.palette.push_back(entry);
-    }
-}
-
 void check_zone(const clq_zone_def &zone, uint32_t index)
 {
     const char *name = name_of(zone.name);
@@ -117,7 +70,7 @@ void add_looks(const clq_template_def &def, model::Model &model)
             if (!std::isfinite(x))
                 fail(CLQ_ARGUMENT, "material %u '%s' has a colour or an alpha_cutoff that is not finite", i,
                      name_of(material.name));
-        if (!all_zero(c, 4)) made.base_colour = {c[0], c[1], c[2], c[3]};
+        if (c[0] != 0 || c[1] != 0 || c[2] != 0 || c[3] != 0) made.base_colour = {c[0], c[1], c[2], c[3]};
         made.image = material.image;
         made.wrap_s = static_cast<model::Wrap>(material.wrap_s);
         made.wrap_t = static_cast<model::Wrap>(material.wrap_t);
@@ -207,6 +160,7 @@ model::Model model_of(const clq_template_def &def)
     add_joints(def, model);
     add_looks(def, model);
     add_parts(def, model);
+    add_dofs(def, model);
     add_clips(def, model);
     return model;
 }

@@ -13,6 +13,14 @@ struct Vertices {
     const float *normals = nullptr;
 };
 
+// What a host does round the drawing of one individual (S0 7.1): before() may bind a texture of its own, and says so by
+// returning 1; whatever else it leaves behind in GL reaches neither this individual nor the next.
+struct Hooks {
+    int32_t (*before)(void *user, uint32_t actor_index1, uint32_t actor_generation) = nullptr;  // may be null
+    void (*after)(void *user, uint32_t actor_index1, uint32_t actor_generation) = nullptr;      // may be null
+    void *user = nullptr;
+};
+
 struct Item {
     const model::Template *tmpl = nullptr;
     uint32_t level = 0;
@@ -22,6 +30,14 @@ struct Item {
     float model_view[16];               // column-major: actor's space to eye space, made in double relative to the eye
     float eye_distance_m = 0;
     bool mirrored = false;  // an odd number of negative scales: front faces turn round
+
+    uint64_t parts = ~uint64_t(0);  // bit k: part k of the level is drawn (S0 4.2 phase 3)
+    // Of a template of rigid parts alone, whose parts GL's matrix stack is to place (S0 6.2.2, fTrack): for each node
+    // that the level evaluates its matrix relative to its parent. Then `vertices` is not asked for. Null: place nothing.
+    const math::Affine *locals = nullptr;
+    const Hooks *hooks = nullptr;  // or null
+    uint32_t generation = 0;       // of the actor, with actor_index
+    bool shadow_only = false;      // seen by nobody but its shadow: kept alive, not drawn
 };
 
 // Serves vertices of items that no cache holds, at draw time, into memory of its own that is good until the next call.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,10 @@ struct Part {
     uint32_t material = none;
     Topology topology = Topology::triangles;
     bool hidden = false;  // kept for dump, left out of the Template
+
+    // S0 5.1: at which distances from the eye it is drawn, first <= d < last. A geometry in several levels of detail is
+    // several parts with adjoining ranges.
+    float lod_first_m = 0, lod_last_m = std::numeric_limits<float>::infinity();
 
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  // one per vertex, or empty: flat normals are made where the format wants it

@@ -1,6 +1,7 @@
 #include "lib/model/rig.h"
 
 #include <cmath>
+#include <limits>
 
 #include "lib/base/error.h"
 
@@ -85,6 +86,40 @@ void check_channel(const Rig &rig, const Channel &channel, size_t index)
             fail(CLQ_ARGUMENT, "key times of channel %zu do not ascend at key %u", index, k);
 }
 
+void check_deactivations(const Rig &rig)
+{
+    if (rig.deactivation_m.empty()) return;
+    if (rig.deactivation_m.size() != rig.node_count())
+        fail(CLQ_ARGUMENT, "%u nodes have %zu deactivation distances", rig.node_count(), rig.deactivation_m.size());
+    for (uint32_t i = 0; i < rig.node_count(); ++i)
+        if (!(rig.deactivation_m[i] > 0))
+            fail(CLQ_ARGUMENT, "node %u '%s' is deactivated from %g m on: more than 0 is wanted", i,
+                 rig.node_names[i].c_str(), static_cast<double>(rig.deactivation_m[i]));
+}
+
+void check_dof(const Rig &rig, const Dof &dof, size_t index)
+{
+    const char *name = rig.dof_names[index].c_str();
+    if (dof.kind > DofKind::morph)
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of kind %u", index, name, unsigned(dof.kind));
+    const bool morphs = dof.kind == DofKind::morph;
+    const size_t owners = morphs ? rig.morph_sets.size() : rig.parents.size();
+    if (dof.node >= owners)
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of %s %u of %zu", index, name, morphs ? "morph set" : "node",
+             dof.node, owners);
+    if (morphs && dof.target >= rig.morph_sets[dof.node].target_count)
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of morph target %u of %u", index, name, dof.target,
+             rig.morph_sets[dof.node].target_count);
+    const glm::vec3 &a = dof.axis;
+    const float length2 = a.x * a.x + a.y * a.y + a.z * a.z;
+    if (!morphs && !(length2 > 0.998f && length2 < 1.002f))
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' has an axis of length %g: a unit one is wanted", index, name,
+             std::sqrt(static_cast<double>(length2)));
+    if (!std::isfinite(dof.first) || !std::isfinite(dof.last) || !(dof.first <= dof.rest && dof.rest <= dof.last))
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' rests at %g in a range from %g to %g", index, name,
+             static_cast<double>(dof.rest), static_cast<double>(dof.first), static_cast<double>(dof.last));
+}
+
 }  // namespace
 
 Rig::Rig(const Rig &other, std::pmr::memory_resource *memory)
@@ -98,12 +133,21 @@ Rig::Rig(const Rig &other, std::pmr::memory_resource *memory)
       clip_names(copy_of(other.clip_names, memory)),
       channels(copy_of(other.channels, memory)),
       times(copy_of(other.times, memory)),
-      values(copy_of(other.values, memory))
+      values(copy_of(other.values, memory)),
+      deactivation_m(copy_of(other.deactivation_m, memory)),
+      dofs(copy_of(other.dofs, memory)),
+      dof_names(copy_of(other.dof_names, memory))
 {
 }
 
 uint32_t Rig::find_node(std::string_view name) const { return find(node_names, name); }
 uint32_t Rig::find_clip(std::string_view name) const { return find(clip_names, name); }
+uint32_t Rig::find_dof(std::string_view name) const { return find(dof_names, name); }
+
+float Rig::deactivation_of(uint32_t node) const
+{
+    return deactivation_m.empty() ? std::numeric_limits<float>::infinity() : deactivation_m[node];
+}
 
 void check(const Rig &rig)
 {
@@ -126,6 +170,10 @@ void check(const Rig &rig)
             fail(CLQ_ARGUMENT, "clip %zu '%s' has no proper length", i, rig.clip_names[i].c_str());
     }
     for (size_t i = 0; i < rig.channels.size(); ++i) check_channel(rig, rig.channels[i], i);
+    check_deactivations(rig);
+    if (rig.dofs.size() != rig.dof_names.size())
+        fail(CLQ_ARGUMENT, "%zu degrees of freedom have %zu names", rig.dofs.size(), rig.dof_names.size());
+    for (size_t i = 0; i < rig.dofs.size(); ++i) check_dof(rig, rig.dofs[i], i);
 }
 
 }  // namespace claque::model

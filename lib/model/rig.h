@@ -56,6 +56,20 @@ struct MorphSet {
     uint32_t target_count = 0;
 };
 
+enum class DofKind : uint8_t { rotation = 0, translation = 1, morph = 2 };
+
+// One degree of freedom of a node (S0 3): a number that control mechanisms write. It is applied to the node's own
+// transform, at rest or as a clip has it, between its rotation and its scale: a turn about `axis`, or a shift along it,
+// in the order of the list. A morph one is added to the weight of one target of the node's morph set.
+struct Dof {
+    uint32_t node = 0;  // morph: the index of the morph set instead, see MorphSet
+    DofKind kind = DofKind::rotation;
+    uint32_t target = 0;                  // morph: of the set
+    glm::vec3 axis = glm::vec3(0, 1, 0);  // unit, in the node's own frame
+    float first = 0, last = 0;            // its range, first <= last: radians, model units, or weight
+    float rest = 0;                       // within the range: where it is when nobody writes it
+};
+
 struct Rig {
     explicit Rig(std::pmr::memory_resource *memory = std::pmr::get_default_resource())
         : parents(memory),
@@ -68,7 +82,10 @@ struct Rig {
           clip_names(memory),
           channels(memory),
           times(memory),
-          values(memory)
+          values(memory),
+          deactivation_m(memory),
+          dofs(memory),
+          dof_names(memory)
     {
     }
     Rig(const Rig &other, std::pmr::memory_resource *memory);
@@ -93,9 +110,19 @@ struct Rig {
     Array<float> times;
     Array<float> values;
 
+    // S0 5.2: the distance from which a node and all below it are not evaluated any more; infinity: never. One a node,
+    // or empty: never for all.
+    Array<float> deactivation_m;
+
+    Array<Dof> dofs;
+    Array<std::pmr::string> dof_names;  // one each, may be empty strings
+
     uint32_t node_count() const { return static_cast<uint32_t>(parents.size()); }
     uint32_t find_node(std::string_view name) const;  // none if there is none
     uint32_t find_clip(std::string_view name) const;
+    uint32_t find_dof(std::string_view name) const;
+    // Infinity where it never stops.
+    float deactivation_of(uint32_t node) const;
 };
 
 // Throws base::Error (CLQ_ARGUMENT, naming the first broken rule) unless every index, order and length above holds and

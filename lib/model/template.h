@@ -59,14 +59,41 @@ struct Bin {
 
 // What one texture and one sidedness cover: the unit of drawing. Most characters have one.
 struct Surface {
-    explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory) {}
+    explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory), part_firsts(memory) {}
     uint32_t texture = 0;
     bool double_sided = false;
     Array<Bin> clean;          // triangles of one zone, one bin a zone that has any
     IndexRange dirty;          // triangles of several zones, once each (source vertices): S1's passes
     Array<Bin> dirty_by_zone;  // for each zone, ascending: the dirty triangles that touch it (source vertices)
     IndexRange fused;          // clean triangles once; dirty ones once per zone touched, ascending; own vertices
+
+    // Where the parts of the level begin in each of these ranges, whose triangles stand part by part: the ranges in the
+    // order clean bins, dirty, dirty_by_zone bins, fused; for each, level.parts.size() + 1 places within it, from 0 to
+    // its count. Empty where the level has one part.
+    Array<uint32_t> part_firsts;
 };
+
+struct Sphere {
+    glm::vec3 centre = glm::vec3(0);
+    float radius = 0;
+};
+
+// The vertices of one part that one palette entry has a hand in, as they lie before that entry moves them.
+struct PartSphere {
+    uint32_t entry = 0;
+    Sphere bind;  // morph targets included, each at the most that its weight may be
+};
+
+// What is drawn or left out by itself (S0 4.1, 4.2 phase 3): rigid geometry on one node, or a skinned part. In a pose it
+// lies inside the hull of its spheres as their entries move them: these are the leaves of the Internal Bspheres.
+struct LevelPart {
+    uint32_t node = 0;  // that it hangs on; of a skinned part the lowest node above all that moves it
+    uint32_t first_sphere = 0, sphere_count = 0;  // of Level::part_spheres
+    uint32_t triangles = 0;
+};
+
+constexpr uint32_t max_level_parts =
+    64;  // so that a set of them is one number; a model with more has some drawn together
 
 struct Level {
     explicit Level(std::pmr::memory_resource *memory)
@@ -82,7 +109,12 @@ struct Level {
           colours(memory),
           slots(memory),
           indices(memory),
-          surfaces(memory)
+          surfaces(memory),
+          active(memory),
+          nodes(memory),
+          entries(memory),
+          parts(memory),
+          part_spheres(memory)
     {
     }
     uint32_t source_count = 0;
@@ -105,12 +137,23 @@ struct Level {
     Array<uint32_t> indices;
     Array<Surface> surfaces;
 
-    float switch_distance_m = 0;  // room for the LOD chain: this level serves from here on
+    float switch_distance_m = 0;  // this level serves from here on, up to the next one's; the first from 0
+
+    // S0 5.2: what is left of the skeleton at this level. Levels with equal nodes and entries have equal `skeletal`, and
+    // share poses.
+    uint32_t skeletal = 0;    // the first level that evaluates these nodes and entries
+    Array<uint8_t> active;    // one a node: whether it is evaluated; empty, all three: everything is
+    Array<uint32_t> nodes;    // those that are, ascending, so parents first
+    Array<uint32_t> entries;  // of the palette that this level's vertices, or a later one's of equal skeletal, ask for
+
+    Array<LevelPart> parts;  // at most max_level_parts, at least one where there are triangles
+    Array<PartSphere> part_spheres;
 };
 
-struct Sphere {
-    glm::vec3 centre = glm::vec3(0);
-    float radius = 0;
+// In every pose that the Sklsroot Bsphere holds.
+struct NodeReach {
+    float distance = 0;  // of the node's origin from sklsroot.centre
+    float stretch = 1;   // that lengths in the node's frame undergo
 };
 
 struct SplitReport {
@@ -132,7 +175,8 @@ struct Template {
           zone_ranges(memory),
           zone_clean(memory),
           textures(memory),
-          levels(memory)
+          levels(memory),
+          node_reach(memory)
     {
     }
     Template(const Template &) = delete;
@@ -150,7 +194,11 @@ struct Template {
     Array<Texture> textures;
     Array<Level> levels;  // at least one, finest first
 
-    Sphere sklsroot;  // S0 4.1: holds every vertex of every level in every pose of every clip, in the actor's own space
+    Sphere
+        sklsroot;  // S0 4.1: holds every vertex of every level in every pose of every clip with the degrees of freedom
+                   // anywhere in their ranges, in the actor's own space
+    Array<NodeReach>
+        node_reach;  // per node: where it gets to in all these poses, so that what is attached to it can be held
     SplitReport report;
 
     uint32_t zone_count() const { return static_cast<uint32_t>(zone_names.size()); }

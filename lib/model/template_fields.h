@@ -36,12 +36,26 @@ void walk_rig(Archive &a, R &rig)
     });
     a.array(rig.times, 4, [&](auto &v) { a.value(v); });
     a.array(rig.values, 4, [&](auto &v) { a.value(v); });
+    a.array(rig.deactivation_m, 4, [&](auto &v) { a.value(v); });
+    a.array(rig.dofs, 33, [&](auto &dof) {
+        a.value(dof.node), a.value(dof.kind), a.value(dof.target);
+        for (int k = 0; k < 3; ++k) a.value(dof.axis[k]);
+        a.value(dof.first), a.value(dof.last), a.value(dof.rest);
+    });
+    a.array(rig.dof_names, 8, [&](auto &name) { a.text(name); });
 }
 
 template <class Archive, class Range>
 void walk_range(Archive &a, Range &range)
 {
     a.value(range.first), a.value(range.count);
+}
+
+template <class Archive, class S>
+void walk_sphere(Archive &a, S &sphere)
+{
+    for (int k = 0; k < 3; ++k) a.value(sphere.centre[k]);
+    a.value(sphere.radius);
 }
 
 template <class Archive, class S>
@@ -53,6 +67,7 @@ void walk_surface(Archive &a, S &surface)
     walk_range(a, surface.dirty);
     a.array(surface.dirty_by_zone, 12, bin);
     walk_range(a, surface.fused);
+    a.array(surface.part_firsts, 4, [&](auto &v) { a.value(v); });
 }
 
 template <class Archive, class L>
@@ -79,8 +94,16 @@ void walk_level(Archive &a, L &level)
     a.array(level.colours, 1, number);
     a.array(level.slots, 2, number);
     a.array(level.indices, 4, number);
-    a.rows(level.surfaces, 37, [&](auto &surface) { walk_surface(a, surface); });
+    a.rows(level.surfaces, 45, [&](auto &surface) { walk_surface(a, surface); });
     a.value(level.switch_distance_m);
+    a.value(level.skeletal);
+    a.array(level.active, 1, number);
+    a.array(level.nodes, 4, number);
+    a.array(level.entries, 4, number);
+    a.array(level.parts, 16, [&](auto &part) {
+        a.value(part.node), a.value(part.first_sphere), a.value(part.sphere_count), a.value(part.triangles);
+    });
+    a.array(level.part_spheres, 20, [&](auto &sphere) { a.value(sphere.entry), walk_sphere(a, sphere.bind); });
 }
 
 template <class Archive, class T>
@@ -109,9 +132,9 @@ void walk_template(Archive &a, Tmpl &tmpl)
     });
     a.array(tmpl.zone_clean, 4, [&](auto &v) { a.value(v); });
     a.rows(tmpl.textures, 27, [&](auto &texture) { walk_texture(a, texture); });
-    a.rows(tmpl.levels, 116, [&](auto &level) { walk_level(a, level); });
-    for (int k = 0; k < 3; ++k) a.value(tmpl.sklsroot.centre[k]);
-    a.value(tmpl.sklsroot.radius);
+    a.rows(tmpl.levels, 160, [&](auto &level) { walk_level(a, level); });
+    walk_sphere(a, tmpl.sklsroot);
+    a.array(tmpl.node_reach, 8, [&](auto &reach) { a.value(reach.distance), a.value(reach.stretch); });
     auto &r = tmpl.report;
     a.value(r.triangles), a.value(r.degenerate), a.value(r.dirty), a.value(r.dirty_zone_sum), a.value(r.coincident);
     a.value(r.fused_triangles), a.value(r.copies);

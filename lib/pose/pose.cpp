@@ -84,15 +84,39 @@ void sample(const PoseJob &job)
     std::copy(rig.rest_weights.begin(), rig.rest_weights.end(), job.weights.data);
     if (job.clip == model::none) return;
     const model::Clip &clip = rig.clips[job.clip];
+    const uint8_t *active = job.level && !job.level->active.empty() ? job.level->active.data() : nullptr;
     // Channels often share their key times: what was found for the last serves the next.
     const model::Channel *last = nullptr;
     KeyPlace place;
     for (uint32_t i = 0; i < clip.channel_count; ++i) {
         const model::Channel &channel = rig.channels[clip.first_channel + i];
+        if (active && channel.path != model::Path::morph_weights && !active[channel.node]) continue;
         if (!last || channel.first_time != last->first_time || channel.key_count != last->key_count)
             place = find_key(rig.times.data() + channel.first_time, channel.key_count, job.time_s);
         apply(job, channel, place);
         last = &channel;
+    }
+}
+
+// S0 3: what the degrees of freedom add to the nodes' own transforms. One at zero adds nothing, to the bit.
+void apply_dofs(const PoseJob &job)
+{
+    const model::Rig &rig = *job.rig;
+    for (size_t i = 0; i < rig.dofs.size(); ++i) {
+        const model::Dof &dof = rig.dofs[i];
+        const float value = job.dofs ? job.dofs[i] : dof.rest;
+        if (value == 0) continue;
+        if (dof.kind == model::DofKind::morph) {
+            job.weights[rig.morph_sets[dof.node].first_weight + dof.target] += value;
+            continue;
+        }
+        math::Trs &local = job.locals[dof.node];
+        if (dof.kind == model::DofKind::translation) {
+            local.translation = local.translation + local.rotation * (dof.axis * value);
+        } else {
+            const float half = value * 0.5f, s = std::sin(half);
+            local.rotation = local.rotation * glm::quat(std::cos(half), dof.axis.x * s, dof.axis.y * s, dof.axis.z * s);
+        }
     }
 }
 
@@ -117,12 +141,21 @@ base::Status PoseJob::check() const
 void PoseJob::run() const
 {
     sample(*this);
-    for (uint32_t i = 0; i < rig->node_count(); ++i) {
-        const uint32_t parent = rig->parents[i];
-        globals[i] = parent == model::none ? columns_of(locals[i]) : mul(globals[parent], locals[i]);
+    if (!rig->dofs.empty()) apply_dofs(*this);
+    const auto place = [this](uint32_t node) {
+        const uint32_t parent = rig->parents[node];
+        globals[node] = parent == model::none ? columns_of(locals[node]) : mul(globals[parent], locals[node]);
+    };
+    const auto fill = [this](uint32_t entry) {
+        mul_to_affine(globals[rig->palette[entry].node], rig->palette[entry].inverse_bind.c, palette.data[entry].c);
+    };
+    if (level && !level->active.empty()) {
+        for (const uint32_t node : level->nodes) place(node);
+        for (const uint32_t entry : level->entries) fill(entry);
+        return;
     }
-    for (size_t i = 0; i < rig->palette.size(); ++i)
-        mul_to_affine(globals[rig->palette[i].node], rig->palette[i].inverse_bind.c, palette.data[i].c);
+    for (uint32_t i = 0; i < rig->node_count(); ++i) place(i);
+    for (uint32_t i = 0; i < rig->palette.size(); ++i) fill(i);
 }
 
 Workspace::Workspace(const model::Rig &rig)

@@ -4,7 +4,7 @@
 #include "lib/base/span.h"
 #include "lib/base/status.h"
 #include "lib/math/simd.h"
-#include "lib/model/rig.h"
+#include "lib/model/template.h"
 
 #include <vector>
 
@@ -15,8 +15,10 @@ namespace claque::pose
 struct PoseJob {
     // in
     const model::Rig *rig = nullptr;
-    uint32_t clip = model::none;  // none: the rest pose and the rest weights
-    double time_s = 0;            // on the clip's own axis, from start_s on; clamped to each channel's own keys
+    uint32_t clip = model::none;          // none: the rest pose and the rest weights
+    double time_s = 0;                    // on the clip's own axis, from start_s on; clamped to each channel's own keys
+    const float *dofs = nullptr;          // [rig.dofs.size()], on top of the clip; null: all at rest
+    const model::Level *level = nullptr;  // only what is left of the skeleton there (S0 5.2); null: everything
 
     // scratch; what is left in it: locals to parents, and globals in model space
     base::Span<math::Trs> locals;       // [node_count]

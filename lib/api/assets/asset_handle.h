@@ -33,6 +33,7 @@ private:
     void add_clips(const model::Model &model);
 
     std::vector<clq_node_def> nodes_;
+    std::vector<clq_dof_def> dofs_;
     std::vector<clq_joint_def> joints_;
     std::deque<std::array<float, 16>> inverse_binds_;
     std::vector<clq_image_def> images_;

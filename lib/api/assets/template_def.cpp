@@ -1,5 +1,7 @@
 #include "lib/api/assets/asset_handle.h"
 
+#include <cmath>
+
 namespace claque::api
 {
 
@@ -42,6 +44,8 @@ TemplateDef::TemplateDef(const model::Model &model) : def(clq_template_def_init(
     def.parts = parts_.data();
     def.clip_count = static_cast<uint32_t>(clips_.size());
     def.clips = clips_.data();
+    def.dof_count = static_cast<uint32_t>(dofs_.size());
+    def.dofs = dofs_.data();
 }
 
 void TemplateDef::add_rig(const model::Model &model)
@@ -57,7 +61,21 @@ void TemplateDef::add_rig(const model::Model &model)
         if (t.scale == glm::vec3(0)) node.scale[0] = 1e-20f;
         node.rotation_xyzw[0] = t.rotation.x, node.rotation_xyzw[1] = t.rotation.y;
         node.rotation_xyzw[2] = t.rotation.z, node.rotation_xyzw[3] = t.rotation.w;
+        const float deactivation_m = rig.deactivation_of(i);
+        node.deactivation_m = std::isfinite(deactivation_m) ? deactivation_m : 0;
         nodes_.push_back(node);
+    }
+    for (uint32_t i = 0; i < rig.dofs.size(); ++i) {
+        const model::Dof &d = rig.dofs[i];
+        const bool morphs = d.kind == model::DofKind::morph;
+        dofs_.push_back({rig.dof_names[i].c_str(),
+                         morphs ? rig.morph_sets[d.node].node : d.node,
+                         static_cast<clq_dof_kind>(d.kind),
+                         d.target,
+                         {d.axis.x, d.axis.y, d.axis.z},
+                         d.first,
+                         d.last,
+                         d.rest});
     }
     for (const model::PaletteEntry &entry : rig.palette) {
         const float *c = entry.inverse_bind.c;
@@ -115,6 +133,8 @@ void TemplateDef::add_part(const model::Model &model, const model::Part &part)
     out.influence_count = part.influence_count;
     out.joints = part.joints.data();
     out.weights = part.weights.data();
+    out.lod_first_m = part.lod_first_m;
+    if (std::isfinite(part.lod_last_m)) out.lod_last_m = part.lod_last_m;
     out.index_count = static_cast<uint32_t>(indices_.back().size());
     out.indices = indices_.back().data();
     if (!part.morphs.empty()) {

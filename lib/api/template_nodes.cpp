@@ -1,0 +1,95 @@
+// The articulated structure of a host's own arrays: nodes, joints, degrees of freedom (S0 3).
+#include <cmath>
+#include <limits>
+
+#include "lib/api/boundary.h"
+#include "lib/api/template_parts.h"
+
+namespace claque::api
+{
+
+using base::fail;
+
+namespace
+{
+
+bool all_zero(const float *values, int count)
+{
+    for (int i = 0; i < count; ++i)
+        if (values[i] != 0) return false;
+    return true;
+}
+
+// Any other length would scale what hangs on the node, and its normals and spheres would not know.
+glm::quat unit_rotation(const float *q, uint32_t node, const char *name)
+{
+    double square = 0;
+    for (int k = 0; k < 4; ++k) square += static_cast<double>(q[k]) * q[k];
+    const double length = std::sqrt(square);
+    if (!(std::fabs(length - 1) <= 1e-3))
+        fail(CLQ_ARGUMENT, "node %u '%s' has a rotation of length %g instead of 1", node, name, length);
+    return glm::quat(q[3], q[0], q[1], q[2]);
+}
+
+uint32_t morph_set_of(const model::Rig &rig, uint32_t node, uint32_t dof)
+{
+    for (uint32_t i = 0; i < rig.morph_sets.size(); ++i)
+        if (rig.morph_sets[i].node == node) return i;
+    fail(CLQ_ARGUMENT, "degree of freedom %u is of a morph target of node %u, which has no morphed part", dof, node);
+}
+
+}  // namespace
+
+void add_nodes(const clq_template_def &def, model::Model &model)
+{
+    require_array(def.nodes, def.node_count, "nodes");
+    for (uint32_t i = 0; i < def.node_count; ++i) {
+        const clq_node_def &node = def.nodes[i];
+        math::Trs trs;
+        trs.translation = glm::vec3(node.translation[0], node.translation[1], node.translation[2]);
+        const float *q = node.rotation_xyzw;
+        if (!all_zero(q, 4)) trs.rotation = unit_rotation(q, i, name_of(node.name));
+        if (!all_zero(node.scale, 3)) trs.scale = glm::vec3(node.scale[0], node.scale[1], node.scale[2]);
+        model.rig.parents.push_back(node.parent);
+        model.rig.rest.push_back(trs);
+        model.rig.node_names.emplace_back(name_of(node.name));
+        if (node.deactivation_m < 0 || !std::isfinite(node.deactivation_m))
+            fail(CLQ_ARGUMENT, "node %u '%s' is deactivated from %g m on", i, name_of(node.name),
+                 static_cast<double>(node.deactivation_m));
+        model.rig.deactivation_m.push_back(node.deactivation_m > 0 ? node.deactivation_m
+                                                                   : std::numeric_limits<float>::infinity());
+    }
+}
+
+void add_joints(const clq_template_def &def, model::Model &model)
+{
+    require_array(def.joints, def.joint_count, "joints");
+    for (uint32_t i = 0; i < def.joint_count; ++i) {
+        model::PaletteEntry entry;
+        entry.node = def.joints[i].node;
+        if (const float *m = def.joints[i].inverse_bind)
+            for (int k = 0; k < 4; ++k)
+                entry.inverse_bind.set_column(k, glm::vec3(m[4 * k], m[4 * k + 1], m[4 * k + 2]));
+        model.rig.palette.push_back(entry);
+    }
+}
+
+void add_dofs(const clq_template_def &def, model::Model &model)
+{
+    require_array(def.dofs, def.dof_count, "degrees of freedom");
+    for (uint32_t i = 0; i < def.dof_count; ++i) {
+        const clq_dof_def &dof = def.dofs[i];
+        if (number_of(dof.kind) > 2)
+            fail(CLQ_ARGUMENT, "degree of freedom %u '%s' has a kind that is none", i, name_of(dof.name));
+        model::Dof made;
+        made.kind = static_cast<model::DofKind>(dof.kind);
+        made.node = dof.kind == CLQ_DOF_MORPH ? morph_set_of(model.rig, dof.node, i) : dof.node;
+        made.target = dof.morph_target;
+        if (dof.kind != CLQ_DOF_MORPH) made.axis = glm::vec3(dof.axis[0], dof.axis[1], dof.axis[2]);
+        made.first = dof.first, made.last = dof.last, made.rest = dof.rest;
+        model.rig.dofs.push_back(made);
+        model.rig.dof_names.emplace_back(name_of(dof.name));
+    }
+}
+
+}  // namespace claque::api
