@@ -1,0 +1,54 @@
+// Behaviour of one actor at one moment (S0 5.3, 7.1): what its control mechanisms write into its degrees of freedom, which
+// clip it plays, where its Skeleton Root is. Functions of time, seed and commands; nothing here keeps anything, allocates
+// or throws. A host's own mechanisms are called from here, so actors that have some are for one thread.
+#pragma once
+
+#include "lib/crowd/crowd.h"
+
+namespace claque::behave
+{
+
+// Calls of mechanisms, by kind as in crowd::MechanismKind, since they were set to 0.
+struct Counts {
+    uint64_t calls[6] = {0, 0, 0, 0, 0, 0};
+    uint64_t writes = 0;  // of degrees of freedom
+};
+
+// The level of each of an actor's mechanisms at a distance, four bits a use in the order of its chain; 15: off.
+//   distance_m   effective: priority and the view's screen size are in it already
+//   level        of the template: what is left of the skeleton
+using Levels = uint64_t;
+constexpr uint32_t off = 15;
+Levels levels_of(const crowd::Crowd &crowd, uint32_t row, float distance_m, const model::Level &level) noexcept;
+
+inline uint32_t level_at(Levels levels, uint32_t use) { return static_cast<uint32_t>(levels >> (4 * use)) & 15; }
+
+// Whether one of its mechanisms is the host's, and whether one of these keeps a memory.
+bool has_host(const crowd::Crowd &crowd, uint32_t row) noexcept;
+bool has_memory(const crowd::Crowd &crowd, uint32_t row) noexcept;
+
+struct Moment {
+    double time_s = 0;  // the tick that is shown
+    Levels levels = 0;
+    const model::Level *level = nullptr;  // of the template
+    float distance = 0;                   // to the eye, world units: told to the host
+    bool seen = true;                     // told to the host
+};
+
+// Runs an actor's mechanisms, the lowest priority first. `dofs`: [rig.dofs.size()], set to rest first; every value stays
+// within its range.
+void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Span<float> dofs,
+         Counts &counts) noexcept;
+
+// What it plays: its own, or what the last of its idle mechanisms that is not off has drawn.
+crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept;
+
+// Where its Skeleton Root is in the Reference Point's space, and how it is turned; scale 1. Without the ground.
+crowd::Place root_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
+
+// A path alone. `round` in [0, duration_s).
+crowd::Place place_on(const crowd::RootPath &path, double round_s) noexcept;
+// No point of it is farther from the origin: an upper bound that is tight.
+float reach_of(const crowd::RootPath &path);
+
+}  // namespace claque::behave
