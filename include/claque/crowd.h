@@ -27,6 +27,34 @@ typedef struct clq_group {
     uint32_t generation;
 } clq_group;
 
+/* An object that an actor holds, an id by value: see clq_actor_attach. */
+typedef struct clq_attached {
+    uint32_t index1;
+    uint32_t generation;
+} clq_attached;
+
+/* Called by clq_renderer_draw before and after one individual is drawn (S0 7.1), on its thread, with its context current.
+ * before() may bind a two-dimensional texture of the host's own, with the template's zone keys in its alpha, and returns 1 to
+ * have it used in place of the template's; else 0. What lights, fog or material it sets act on this individual. Nothing
+ * that either leaves in GL reaches the next. They may call nothing of claque. Either may be NULL. */
+typedef struct clq_actor_hooks {
+    int32_t (*before)(void *user, clq_actor actor);
+    void (*after)(void *user, clq_actor actor);
+    void *user;
+} clq_actor_hooks;
+
+/* How actors are culled (S0 4). The picture is the same. */
+typedef enum clq_cull_mode {
+    CLQ_CULL_ACTOR = 0,      /* in three phases, behaviour between them, for who is left (S0 4.2) */
+    CLQ_CULL_TRADITIONAL = 1 /* everything is computed for everybody, and culled last: for comparison */
+} clq_cull_mode;
+
+/* Where rigid parts get their matrices (S0 6.2.2, fTrack). The picture is the same but for GL's own rounding. */
+typedef enum clq_placement {
+    CLQ_PLACE_VERTICES = 0, /* claque moves the vertices */
+    CLQ_PLACE_MATRICES = 1  /* GL's matrix stack does, for templates of rigid parts alone; others as above */
+} clq_placement;
+
 /* What is kept from frame to frame (S1 4). It changes what a frame costs, never what it shows. */
 typedef enum clq_cache_mode {
     CLQ_CACHE_FULL = 0,      /* matrix palettes, and skinned positions and normals */
@@ -45,6 +73,14 @@ typedef struct clq_crowd_def {
     float distance_far;    /* [> distance_near]. Default 50 m */
     float metres_per_unit; /* [> 0] of world positions; distances above are in units. Default 1 */
     uint64_t seed;         /* of everything that is drawn by lot in this crowd */
+    clq_cull_mode cull;
+    clq_placement placement;
+    /* S0 5: an actor's level of detail follows its effective distance: eyeDistance times 1 - priority, times how much
+     * smaller than at home a thing looks in the view (clq_view_set_height). */
+    float lod_scale; /* [>= 0] times every effective distance; 0 everything at its finest. Default 1 */
+    float
+        lod_hysteresis; /* [0, 1) share of a switch distance that must be passed on the way back. Default 0: none, so that
+                             what is shown has no memory */
 } clq_crowd_def;
 
 static inline clq_crowd_def clq_crowd_def_init(void)
@@ -59,6 +95,10 @@ static inline clq_crowd_def clq_crowd_def_init(void)
     def.distance_far = 50.0f;
     def.metres_per_unit = 1.0f;
     def.seed = 0;
+    def.cull = CLQ_CULL_ACTOR;
+    def.placement = CLQ_PLACE_VERTICES;
+    def.lod_scale = 1.0f;
+    def.lod_hysteresis = 0.0f;
     return def;
 }
 
@@ -134,6 +174,39 @@ CLQ_API clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, cons
 CLQ_API clq_status clq_actor_draw_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges,
                                           uint32_t zone_count);
 
+/* Adds an individual like another one: its template, clip, colours, mechanisms with their commands, way of the Skeleton
+ * Root, group, priority, hooks, ground; not what is attached to it (S0 7.1). Nothing of the template is copied.
+ *   place   in the other's group, if it has one; NULL: the other's own
+ *   seed    of its draws by lot from now on; its colours are those of the other until they are drawn anew
+ * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
+CLQ_API clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_place *place, uint64_t seed,
+                                   clq_actor *out);
+
+/* S0 5: raises the detail of who matters: 0 as its distance says ... 1 always the finest. Of levels of detail and
+ * behaviour; the update rate does not follow it. Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, float priority);
+
+/* Attaches an object of the host's scene to a node (S0 4.3): the actor's bounding spheres grow so that they hold it, in
+ * every pose, and shrink when it goes. Claque draws nothing for it; clq_actor_get_node says where it is.
+ *   centre, radius   of the object's bounding sphere in the node's frame
+ *   out              may be NULL
+ * Ends with the actor. Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3],
+                                    float radius, clq_attached *out);
+CLQ_API clq_status clq_actor_detach(clq_crowd *crowd, clq_attached attached);
+
+/* Where a node is in the world: column-major, to be multiplied from the left.
+ *   time_s   the pose of this moment, evaluated anew; NaN: the pose that the last update showed (its tick), which is
+ *            rigidly carried by the Reference Point and the Skeleton Root as they were then
+ * Of an actor that the last update did not see, NaN gives the pose of its time at the finest level.
+ * Host mechanisms are not run for it. Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_get_node(clq_crowd *crowd, clq_actor actor, uint32_t node, double time_s,
+                                      double out_matrix[16]);
+
+/* Callbacks round the drawing of one actor; copied. NULL: none. Fails: STALE_ID, OUT_OF_MEMORY. Threads: the crowd's
+ * writer. */
+CLQ_API clq_status clq_actor_set_hooks(clq_crowd *crowd, clq_actor actor, const clq_actor_hooks *hooks);
+
 typedef struct clq_actor_info {
     const clq_template *tmpl;
     clq_place place;
@@ -143,6 +216,12 @@ typedef struct clq_actor_info {
     int32_t visible; /* 1: seen by a view in the last update */
     float period_s;  /* of the last update in which it was seen */
     double shown_s;  /* time of the pose it showed then */
+    float priority;
+    float eye_distance; /* of the last update that saw it: from its Skeleton Root to the nearest eye, world units */
+    uint32_t level;     /* of detail, then */
+    float
+        refpoint_radius; /* S0 4.1: of its bounding spheres now, at scale 1, with its way and what is attached to it */
+    float sklsroot_radius;
 } clq_actor_info;
 
 CLQ_API clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor_info *out);

@@ -36,7 +36,12 @@ Crowd::Crowd(std::pmr::memory_resource *memory, uint64_t seed)
       places_(memory),
       groups_of_(memory),
       groups_(memory),
-      plays_(memory)
+      plays_(memory),
+      extents_(memory),
+      extras_of_(memory),
+      extras_(memory),
+      attached_(memory),
+      behaviours_(memory)
 {
 }
 
@@ -55,19 +60,45 @@ bool Crowd::has_template(const model::Template &tmpl) const
     return std::find(templates_.begin(), templates_.end(), &tmpl) != templates_.end();
 }
 
+void Crowd::reserve_row()
+{
+    if (first_free_ != model::none) return;
+    if (actors_.size() >= max_rows) fail(CLQ_LIMIT, "a crowd holds at most %u actors", max_rows);
+    reserve_one(actors_);
+    reserve_one(places_);
+    reserve_one(groups_of_);
+    reserve_one(plays_);
+    reserve_one(extents_);
+    reserve_one(extras_of_);
+    behaviours_.reserve_row();
+}
+
+uint32_t Crowd::take_row()
+{
+    ++alive_;
+    ++structure_version_;
+    if (first_free_ != model::none) {
+        const uint32_t row = first_free_;
+        first_free_ = actors_[row].tmpl;
+        return row;
+    }
+    actors_.emplace_back();
+    places_.emplace_back();
+    groups_of_.push_back(model::none);
+    plays_.emplace_back();
+    extents_.emplace_back();
+    extras_of_.push_back(model::none);
+    behaviours_.push_row();
+    return static_cast<uint32_t>(actors_.size() - 1);
+}
+
 Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &play, uint64_t seed)
 {
     const Place placed = checked(place);
     const Play playing = checked(play, tmpl);
     const uint32_t index =
         static_cast<uint32_t>(std::find(templates_.begin(), templates_.end(), &tmpl) - templates_.begin());
-    if (first_free_ == model::none) {
-        if (actors_.size() >= max_rows) fail(CLQ_LIMIT, "a crowd holds at most %u actors", max_rows);
-        reserve_one(actors_);
-        reserve_one(places_);
-        reserve_one(groups_of_);
-        reserve_one(plays_);
-    }
+    reserve_row();
     if (index == templates_.size()) {
         reserve_one(templates_);
         reserve_one(colours_);
@@ -78,45 +109,102 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
         templates_.push_back(&tmpl);
         colours_.emplace_back(templates_.get_allocator().resource(), tmpl.zone_count());
     }
-    uint32_t row = first_free_;
-    if (row == model::none) {
-        row = static_cast<uint32_t>(actors_.size());
-        actors_.emplace_back();
-        places_.emplace_back();
-        groups_of_.push_back(model::none);
-        plays_.emplace_back();
-    } else {
-        first_free_ = actors_[row].tmpl;
-    }
-    Actor &actor = actors_[row];
-    actor = Actor{index, actor.generation + 1, seed, next_version_++, model::none};
+    const uint32_t row = take_row();
+    actors_[row] = Actor{index, actors_[row].generation + 1, seed, next_version_++, model::none};
     places_[row] = placed;
     plays_[row] = playing;
-    ++alive_;
-    ++structure_version_;
+    extents_[row].priority = 0;
+    measure(row);
     return id_of(row);
+}
+
+Id Crowd::clone(Id id, const Place *place, uint64_t seed)
+{
+    const uint32_t from = row_of(id);
+    const Place placed = checked(place ? *place : places_[from]);
+    const Id made = create(template_of(from), placed, plays_[from], seed);
+    const uint32_t row = made.index1 - 1;
+    try {
+        behaviours_.copy_row(from, row);
+        if (const Extra *extra = extra_of(from)) {
+            const Extra like = *extra;
+            Extra &own = extras_[extra_slot(row)];
+            own.hooks = like.hooks;
+            own.most_up = like.most_up, own.most_down = like.most_down;
+        }
+        if (const uint8_t *rgb = zone_rgb(from)) {
+            const uint32_t slot = colour_slot(row);
+            ColourTable &table = colours_[actors_[row].tmpl];
+            std::copy(rgb, rgb + table.stride(), table.row(slot));
+        }
+    } catch (...) {
+        destroy(made);
+        throw;
+    }
+    extents_[row].priority = extents_[from].priority;
+    if (groups_of_[from] != model::none) {
+        groups_of_[row] = groups_of_[from];
+        ++groups_[groups_of_[row]].members;
+        ++structure_version_;
+    }
+    measure(row);
+    return made;
 }
 
 void Crowd::destroy(Id id)
 {
     const uint32_t row = row_of(id);
     leave(row);
+    behaviours_.clear_row(row);
+    clear_extra(row);
     Actor &actor = actors_[row];
     if (actor.colours != model::none) colours_[actor.tmpl].give_back(actor.colours);
     actor = Actor{first_free_, actor.generation + 1, 0, 0, model::none};
     places_[row] = Place();
     plays_[row] = Play();
+    extents_[row] = Extent();
     // A row whose generations are used up stays empty, so that no old id comes to life again.
     if (actor.generation != 0xfffffffeu) first_free_ = row;
     --alive_;
     ++structure_version_;
 }
 
+void Crowd::use(Id id, const Use &use)
+{
+    const uint32_t row = row_of(id);
+    if (use.mechanism >= behaviours_.mechanism_count())
+        fail(CLQ_ARGUMENT, "mechanism %u of %u", use.mechanism + 1, behaviours_.mechanism_count());
+    const model::Template *tmpl = behaviours_.mechanism(use.mechanism).tmpl;
+    if (tmpl != &template_of(row))
+        fail(CLQ_ARGUMENT, "mechanism %u is of template '%s', the actor of '%s'", use.mechanism + 1,
+             tmpl ? tmpl->name.c_str() : "(none)", template_of(row).name.c_str());
+    if (!std::isfinite(use.priority) || !std::isfinite(use.phase_s) || !std::isfinite(use.start_s))
+        fail(CLQ_ARGUMENT, "priority, phase and start of a mechanism's use are %g, %g and %g: they must be finite",
+             double(use.priority), double(use.phase_s), use.start_s);
+    behaviours_.use(row, use);
+    new_version(row);
+}
+
+void Crowd::drop(Id id, uint32_t mechanism)
+{
+    const uint32_t row = row_of(id);
+    behaviours_.drop(row, mechanism);
+    new_version(row);
+}
+
+Command &Crowd::command(Id id, uint32_t mechanism)
+{
+    const uint32_t row = row_of(id);
+    Command &command = behaviours_.command(row, mechanism);
+    new_version(row);
+    return command;
+}
+
 void Crowd::play(Id id, const Play &play)
 {
     const uint32_t row = row_of(id);
     plays_[row] = checked(play, template_of(row));
-    actors_[row].play_version = next_version_++;
+    new_version(row);
 }
 
 void Crowd::place(const Id *ids, const Place *places, uint32_t count)
@@ -128,7 +216,7 @@ void Crowd::place(const Id *ids, const Place *places, uint32_t count)
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t row = ids[i].index1 - 1;
         places_[row] = places[i];
-        if (groups_of_[row] != model::none) groups_[groups_of_[row]].version = next_version_++;
+        touch_group(row);
     }
 }
 
@@ -150,7 +238,9 @@ uint64_t Crowd::bytes() const
     uint64_t sum = actors_.capacity() * sizeof(Actor) + places_.capacity() * sizeof(Place) +
                    plays_.capacity() * sizeof(Play) + groups_of_.capacity() * sizeof(uint32_t) +
                    groups_.capacity() * sizeof(Group) + templates_.capacity() * sizeof(void *) +
-                   colours_.capacity() * sizeof(ColourTable);
+                   colours_.capacity() * sizeof(ColourTable) + extents_.capacity() * sizeof(Extent) +
+                   extras_of_.capacity() * sizeof(uint32_t) + extras_.capacity() * sizeof(Extra) +
+                   attached_.capacity() * sizeof(Attached) + behaviours_.bytes();
     for (const ColourTable &table : colours_) sum += table.bytes();
     return sum;
 }

@@ -6,7 +6,9 @@
 #pragma once
 
 #include "lib/base/span.h"
+#include "lib/crowd/behaviours.h"
 #include "lib/crowd/colours.h"
+#include "lib/crowd/extras.h"
 #include "lib/crowd/place.h"
 #include "lib/model/template.h"
 
@@ -60,6 +62,23 @@ public:
     // count 0: the template's own ranges. Drawn by (seed of crowd, seed of actor, zone): repeatable.
     void draw_colours(Id id, const model::HsbRange *ranges, uint32_t count);
 
+    // An individual like another: everything but what is attached to it. `place` null: the other's own.
+    Id clone(Id id, const Place *place, uint64_t seed);
+    void set_priority(Id id, float priority);  // [0, 1]
+    Id attach(Id id, uint32_t node, const model::Sphere &sphere);
+    void detach(Id attached);
+    void set_hooks(Id id, const clq_actor_hooks &hooks);                               // both null: none
+    void set_ground(double (*height)(void *user, const double point[3]), void *user);  // null: none
+    void follow_ground(Id id, float most_up, float most_down);                         // world units; both 0: not
+
+    // Behaviour (S0 5.3, 7.1). Descriptions go to behaviours() directly.
+    Behaviours &behaviours() { return behaviours_; }
+    const Behaviours &behaviours() const { return behaviours_; }
+    void use(Id id, const Use &use);
+    void drop(Id id, uint32_t mechanism);
+    Command &command(Id id, uint32_t mechanism);  // of this use, for the caller to change
+    void move_root(Id id, const RootMotion &motion);
+
     Id create_group(const Place &place);
     void destroy_group(Id id);  // its members stay where they are in the world
     void place_group(Id id, const Place &place);
@@ -90,6 +109,13 @@ public:
     const Play &play_of(uint32_t row) const { return plays_[row]; }
     Id id_of(uint32_t row) const { return {row + 1, actors_[row].generation}; }
     const model::Template &template_of(uint32_t row) const { return *templates_[actors_[row].tmpl]; }
+    const Extent &extent_of(uint32_t row) const { return extents_[row]; }
+    const Extra *extra_of(uint32_t row) const  // or null
+    {
+        return extras_of_[row] == model::none ? nullptr : &extras_[extras_of_[row]];
+    }
+    double (*ground() const)(void *user, const double point[3]) { return ground_; }
+    void *ground_user() const { return ground_user_; }
     const uint8_t *zone_rgb(uint32_t row) const;  // 3 a zone, or null: the template's own
     // Rows of groups, those of the gone included.
     uint32_t group_count() const { return static_cast<uint32_t>(groups_.size()); }
@@ -106,6 +132,14 @@ public:
 private:
     uint32_t colour_slot(uint32_t row);  // its own, made when it has none; may throw
     void leave(uint32_t row);            // keeps its place as numbers
+    void reserve_row();                  // room for one more, may throw
+    uint32_t take_row();
+    void new_version(uint32_t row) { actors_[row].play_version = next_version_++; }  // what it shows may have changed
+    uint32_t extra_slot(uint32_t row);                                               // made when it has none; may throw
+    void clear_extra(uint32_t row);
+    void free_attached(uint32_t index);
+    void measure(uint32_t row);  // its extent, and that of its group
+    void touch_group(uint32_t row);
 
     uint64_t seed_;
     uint64_t next_version_ = 1;
@@ -120,6 +154,14 @@ private:
     std::pmr::vector<uint32_t> groups_of_;
     std::pmr::vector<Group> groups_;
     std::pmr::vector<Play> plays_;
+    std::pmr::vector<Extent> extents_;
+    std::pmr::vector<uint32_t> extras_of_;  // of extras_, or none
+    std::pmr::vector<Extra> extras_;
+    std::pmr::vector<Attached> attached_;
+    uint32_t first_free_extra_ = model::none, first_free_attached_ = model::none;
+    Behaviours behaviours_;
+    double (*ground_)(void *user, const double point[3]) = nullptr;
+    void *ground_user_ = nullptr;
 };
 
 }  // namespace claque::crowd
