@@ -7,6 +7,7 @@ packages='
 g++ cmake ninja-build make git pkg-config clang-format
 libglm-dev libopenmesh-dev nlohmann-json3-dev libstb-dev
 libtbb-dev libcli11-dev libpng-dev libtomlplusplus-dev
+libcairo2-dev fonts-dejavu-core
 libgtest-dev libbenchmark-dev
 libosmesa6 libegl1 libgl1-mesa-dri
 '

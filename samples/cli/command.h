@@ -20,5 +20,6 @@ void add_variety(CLI::App &app, Work &chosen);
 void add_prepare(CLI::App &app, Work &chosen);
 void add_bench(CLI::App &app, Work &chosen);
 void add_plot(CLI::App &app, Work &chosen);
+void add_cost(CLI::App &app, Work &chosen);
 
 }  // namespace cli

@@ -1,0 +1,172 @@
+// What `claque bench --json` measured along a camera path, as a chart in the manner of S1's Fig. 8.
+#include "samples/cli/plot.h"
+#include "samples/scenes/check.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+using charts::BarChart;
+using charts::Fill;
+using charts::Panel;
+
+// A report as it was read, with every access checked: files come from anywhere.
+class Report
+{
+public:
+    Report(const std::string &text, const std::string &name) : name_(name), json_(Json::parse(text, nullptr, false))
+    {
+        if (json_.is_discarded()) refuse("it is no JSON");
+    }
+
+    const Json &root() const { return json_; }
+    const Json &member(const Json &of, const char *name) const
+    {
+        if (!of.is_object() || !of.contains(name)) refuse("it lacks '" + std::string(name) + "'");
+        return of[name];
+    }
+    std::string text(const Json &of, const char *name) const
+    {
+        const Json &found = member(of, name);
+        if (!found.is_string()) refuse("its '" + std::string(name) + "' is no text");
+        return found.get<std::string>();
+    }
+    double number(const Json &of, const char *name) const
+    {
+        const Json &found = member(of, name);
+        if (!found.is_number() || !(found.get<double>() >= 0) || !(found.get<double>() < 1e12))
+            refuse("its '" + std::string(name) + "' is no number from 0 up");
+        return found.get<double>();
+    }
+    const Json &list(const char *name) const
+    {
+        const Json &found = member(json_, name);
+        if (!found.is_array() || found.empty()) refuse("its '" + std::string(name) + "' is no list, or empty");
+        return found;
+    }
+    // Of list `name`, what its members have under `key`, in the order in which it first appears.
+    std::vector<std::string> different(const char *name, const char *key) const
+    {
+        std::vector<std::string> found;
+        for (const Json &one : list(name)) {
+            const std::string now = text(one, key);
+            if (std::find(found.begin(), found.end(), now) == found.end()) found.push_back(now);
+        }
+        return found;
+    }
+    [[noreturn]] void refuse(const std::string &why) const
+    {
+        throw scenes::Failure(name_ + " is nothing that 'claque bench SCENE --json' wrote along a camera path: " + why);
+    }
+
+private:
+    std::string name_;
+    Json json_;
+};
+
+// One value a section, cluster and cache; negative where that was not measured.
+using Measure = double (*)(const Report &, const Json &run);
+
+Panel panel_of(const Report &report, const BarChart &chart, const std::vector<std::string> &varieties, Measure measure)
+{
+    Panel panel;
+    panel.values.assign(chart.groups.size(), std::vector<std::vector<double>>(
+                                                 varieties.size(), std::vector<double>(chart.colours.size(), -1)));
+    for (const Json &run : report.list("runs"))
+        for (size_t g = 0; g < chart.groups.size(); ++g)
+            for (size_t v = 0; v < varieties.size(); ++v)
+                for (size_t c = 0; c < chart.colours.size(); ++c)
+                    if (report.text(run, "section") == chart.groups[g].name &&
+                        report.text(run, "variety") == varieties[v] &&
+                        "caches: " + report.text(run, "cache") == chart.colours[c])
+                        panel.values[g][v][c] = measure(report, run);
+    return panel;
+}
+
+double frames_a_second(const Report &report, const Json &run)
+{
+    const double ms = report.number(report.member(run, "frame_ms"), "median");
+    return ms > 0 ? 1000 / ms : 0;
+}
+
+double update_ms(const Report &report, const Json &run)
+{
+    return report.number(report.member(run, "update_ms"), "median");
+}
+
+// What is left of a frame's time once nothing but the library counted: for the note below.
+std::string library_share(const Report &report, const std::string &variety)
+{
+    double least = 1, most = 0;
+    for (const Json &run : report.list("runs")) {
+        if (report.text(run, "variety") != variety) continue;
+        const double frame = report.number(report.member(run, "frame_ms"), "median");
+        const double share = frame > 0 ? update_ms(report, run) / frame : 0;
+        least = std::min(least, share);
+        most = std::max(most, share);
+    }
+    return std::to_string(std::lround(100 * least)) + " to " + std::to_string(std::lround(100 * most)) + " %";
+}
+
+BarChart chart_of(const Report &report)
+{
+    BarChart chart;
+    const std::string scene = report.text(report.root(), "scene");
+    chart.title = "The " + scene + " along its camera path: what caches and colour varieties cost";
+    chart.subtitle = std::to_string(std::lround(report.number(report.root(), "count"))) + " people, medians of " +
+                     std::to_string(std::lround(report.number(report.root(), "frames"))) +
+                     " frames a section; all bars of a section show the same pictures";
+    for (const std::string &cache : report.different("runs", "cache")) chart.colours.push_back("caches: " + cache);
+    if (chart.colours.size() > 5) report.refuse("it has more than five caches");
+    for (const Json &section : report.list("sections")) {
+        const Json &people = report.member(section, "people");
+        chart.groups.push_back({report.text(section, "name"),
+                                std::to_string(std::lround(report.number(people, "mean"))) + " people in view"});
+    }
+    const std::vector<std::string> measured = report.different("runs", "variety");
+    std::vector<std::string> varieties;
+    for (const char *wanted : {"per-zone", "fused"})
+        if (std::find(measured.begin(), measured.end(), wanted) != measured.end()) varieties.emplace_back(wanted);
+    if (varieties.empty()) varieties.push_back(measured.front());
+
+    Panel frames = panel_of(report, chart, varieties, frames_a_second);
+    frames.title = "Whole frames: library, setting and crowd with GL";
+    frames.unit = "frames a second";
+    for (size_t v = 0; v < varieties.size(); ++v)
+        frames.clusters.push_back({varieties[v], v + 1 < varieties.size() ? Fill::hatched : Fill::solid});
+    chart.panels.push_back(frames);
+
+    Panel update = panel_of(report, chart, {varieties.back()}, update_ms);
+    update.title = "The library's share of them: who is where, poses, skinning";
+    update.unit = "milliseconds a frame";
+    update.clusters.push_back({"", Fill::solid});
+    update.height_px = 150;
+    chart.panels.push_back(update);
+
+    const Json &machine = report.member(report.root(), "machine"), &size = report.member(report.root(), "size_px");
+    if (!size.is_array() || size.size() != 2 || !size[0].is_number() || !size[1].is_number())
+        report.refuse("its 'size_px' is no size");
+    chart.notes.push_back("The library takes " + library_share(report, varieties.back()) + " of a frame (" +
+                          varieties.back() + "). Higher is better above, lower is better below.");
+    chart.notes.push_back(report.text(machine, "processor") + ", " +
+                          std::to_string(std::lround(report.number(machine, "cores"))) + " cores, " +
+                          report.text(report.root(), "context") + ", " + std::to_string(size[0].get<int>()) + " x " +
+                          std::to_string(size[1].get<int>()) + ", claque " + report.text(report.root(), "claque"));
+    return chart;
+}
+
+}  // namespace
+
+charts::BarChart path_chart_of(const std::string &json, const std::string &name)
+{
+    return chart_of(Report(json, name));
+}
+
+}  // namespace cli
