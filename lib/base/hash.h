@@ -19,7 +19,12 @@ enum class Purpose : uint32_t {
     heading = 9,
     size = 10,
     pick = 11,
-    map_class = 12
+    map_class = 12,
+    gaze = 13,
+    expression = 14,
+    blink = 15,
+    phrase = 16,
+    idle = 17
 };
 
 // A strong 64-bit mix (the finaliser of MurmurHash3, by Austin Appleby, public domain constants).

@@ -12,6 +12,11 @@ namespace claque::behave
 struct Counts {
     uint64_t calls[6] = {0, 0, 0, 0, 0, 0};
     uint64_t writes = 0;  // of degrees of freedom
+    void add(const Counts &other)
+    {
+        for (int k = 0; k < 6; ++k) calls[k] += other.calls[k];
+        writes += other.writes;
+    }
 };
 
 // The level of each of an actor's mechanisms at a distance, four bits a use in the order of its chain; 15: off.
@@ -33,6 +38,7 @@ struct Moment {
     const model::Level *level = nullptr;  // of the template
     float distance = 0;                   // to the eye, world units: told to the host
     bool seen = true;                     // told to the host
+    bool wanted = true;                   // false: nobody asks for the degrees of freedom; only memories are kept up
 };
 
 // Runs an actor's mechanisms, the lowest priority first. `dofs`: [rig.dofs.size()], set to rest first; every value stays

@@ -34,7 +34,7 @@ struct PhraseKey {
 };
 
 // Eyes, neck and spine share the turn towards a point (S0 5.3): the spine its share, the neck its share of the rest, the
-// eyes what is left, each within its range; what one cannot take the others do not make up. Absent: none.
+// eyes what is left, each within its range; the spine does not make up for the neck, nor the neck for the eyes. Absent: none.
 struct Gaze {
     uint32_t eye_yaw[2] = {model::none, model::none}, eye_pitch[2] = {model::none, model::none};
     uint32_t neck_yaw = model::none, neck_pitch = model::none, spine_yaw = model::none, spine_pitch = model::none;
@@ -102,12 +102,19 @@ struct Mechanism {
     uint32_t first_dof = 0, dof_count = 0;  // of Behaviours::written(): what it may write; none of a host's: all
 };
 
-// What the host has told one actor's mechanism, and what it had told it before.
-struct Command {
-    glm::vec3 now = glm::vec3(0), before = glm::vec3(0);  // gaze: points in the Reference Point's space
-    uint32_t choice = model::none,
-             choice_before = model::none;  // gaze: 0 a point; expression: a shape; phrase: 0 speaks
-    double at_s = 0;                       // when `now` began
+// Something that the host has told one actor's mechanism.
+struct Order {
+    double at_s = -std::numeric_limits<double>::infinity();  // from when on
+    uint32_t choice = model::none;  // gaze: 0 a point; expression: a shape; phrase: 0 speaks; none: left to itself
+    uint32_t choice_before = model::none;  // expression: what was chosen until then
+    glm::vec3 point = glm::vec3(0);        // gaze: in the Reference Point's space
+    float from_yaw = 0, from_pitch = 0;    // gaze: where it looked until then, in the Skeleton Root's frame
+    float side = 0;  // gaze: the sign of the yaw by which a point in its back is looked at; 0: of the smaller one
+};
+
+// The last thing that it was told, and the one before.
+struct Command : Order {
+    Order before;
 };
 
 // One actor's use of one mechanism. Those of an actor form a chain, the lowest priority first: the later ones have the

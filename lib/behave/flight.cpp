@@ -1,0 +1,147 @@
+#include <cmath>
+
+#include "lib/behave/lot.h"
+#include "lib/behave/path.h"
+#include "lib/math/trig.h"
+
+namespace claque::behave
+{
+
+namespace
+{
+
+// One segment as a Bezier curve.
+struct Piece {
+    glm::dvec3 c[4];
+};
+
+Piece piece_of(const crowd::RootPath &path, uint32_t segment)
+{
+    const uint32_t n = static_cast<uint32_t>(path.positions.size());
+    const auto at = [&](uint32_t i) { return glm::dvec3(path.positions[(segment + i) % n]); };
+    const glm::dvec3 before = at(n - 1), a = at(0), b = at(1), after = at(2);
+    return {{a, a + (b - before) * (1.0 / 6), b - (after - a) * (1.0 / 6), b}};
+}
+
+glm::dvec3 point(const Piece &p, double u)
+{
+    const double v = 1 - u;
+    return p.c[0] * (v * v * v) + p.c[1] * (3 * v * v * u) + p.c[2] * (3 * v * u * u) + p.c[3] * (u * u * u);
+}
+
+glm::dvec3 velocity(const Piece &p, double u)
+{
+    const double v = 1 - u;
+    return (p.c[1] - p.c[0]) * (v * v) + (p.c[2] - p.c[1]) * (2 * v * u) + (p.c[3] - p.c[2]) * (u * u);
+}
+
+// Where a curve stands still, the way it goes on.
+glm::dvec3 onward(const Piece &p, double u)
+{
+    return (p.c[2] - p.c[1] * 2.0 + p.c[0]) * (1 - u) + (p.c[3] - p.c[2] * 2.0 + p.c[1]) * u;
+}
+
+struct Where {
+    uint32_t segment;
+    double u;
+};
+
+// `at` in segments, from anywhere.
+Where where(double at, uint32_t count)
+{
+    double whole = std::floor(at);
+    const double u = at - whole;
+    whole = std::fmod(whole, count);
+    if (whole < 0) whole += count;
+    return {static_cast<uint32_t>(whole) % count, u};
+}
+
+glm::dvec3 velocity_at(const crowd::RootPath &path, double at)
+{
+    const Where w = where(at, static_cast<uint32_t>(path.positions.size()));
+    return velocity(piece_of(path, w.segment), w.u);
+}
+
+// [radians] to the left from one direction to another, seen from above. A turn back has no side, and is none: the nearer
+// to it the less.
+double turned(const glm::dvec3 &from, const glm::dvec3 &to)
+{
+    constexpr double sharp = 2.2;
+    const double angle = math::atan2(from.z * to.x - from.x * to.z, from.x * to.x + from.z * to.z);
+    const double beyond = std::fabs(angle) - sharp;
+    return beyond > 0 ? angle * (1 - ease(beyond, math::pi - sharp)) : angle;
+}
+
+// sin and cos of half an angle in (-pi, pi] from those of the angle.
+struct Half {
+    double sin = 0, cos = 1;
+};
+Half half(double sine, double cosine)
+{
+    const double c = std::sqrt(std::fmax(0.0, (1 + cosine) / 2));
+    if (c > 0.1) return {sine / (2 * c), c};
+    const double s = std::sqrt(std::fmax(0.0, (1 - cosine) / 2));
+    return {sine < 0 ? -s : s, c};
+}
+
+// Yaw about y, then pitch about x, then roll about z; the roll to the left is positive.
+glm::quat heading(const glm::dvec3 &along, double roll)
+{
+    const double level = std::sqrt(along.x * along.x + along.z * along.z);
+    const double length = std::sqrt(level * level + along.y * along.y);
+    if (!(length > 0)) return glm::quat(1, 0, 0, 0);
+    const Half yaw = level > 0 ? half(along.x / level, along.z / level) : Half();
+    const Half pitch = half(along.y / length, level / length);
+    const double rs = -std::sin(roll / 2), rc = std::cos(roll / 2), ps = -pitch.sin, pc = pitch.cos;
+    const double ys = yaw.sin, yc = yaw.cos;
+    return glm::quat(static_cast<float>(yc * pc * rc + ys * ps * rs), static_cast<float>(yc * ps * rc + ys * pc * rs),
+                     static_cast<float>(ys * pc * rc - yc * ps * rs), static_cast<float>(yc * pc * rs - ys * ps * rc));
+}
+
+double length_of(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+// The corners of halves of halves come close to the curve.
+double corners(const Piece &p, int halvings)
+{
+    if (halvings == 0)
+        return std::fmax(std::fmax(length_of(p.c[0]), length_of(p.c[1])),
+                         std::fmax(length_of(p.c[2]), length_of(p.c[3])));
+    const glm::dvec3 ab = (p.c[0] + p.c[1]) * 0.5, bc = (p.c[1] + p.c[2]) * 0.5, cd = (p.c[2] + p.c[3]) * 0.5;
+    const glm::dvec3 abc = (ab + bc) * 0.5, bcd = (bc + cd) * 0.5, middle = (abc + bcd) * 0.5;
+    return std::fmax(corners({{p.c[0], ab, abc, middle}}, halvings - 1),
+                     corners({{middle, bcd, cd, p.c[3]}}, halvings - 1));
+}
+
+}  // namespace
+
+crowd::Place flown(const crowd::RootPath &path, double round_s) noexcept
+{
+    const uint32_t count = static_cast<uint32_t>(path.positions.size());
+    const double each_s = static_cast<double>(path.duration_s) / count, at = round_s / each_s;
+    const Where w = where(at, count);
+    const Piece piece = piece_of(path, w.segment);
+    glm::dvec3 along = velocity(piece, w.u);
+    if (length_of(along) < 1e-9 * length_of(onward(piece, w.u))) along = onward(piece, w.u);
+    // The turn over most of a segment: the curve's own bend jumps where segments meet.
+    constexpr double span = 0.7;
+    double roll = 0;
+    if (path.bank != 0) {
+        const double rate =
+            turned(velocity_at(path, at - span / 2), velocity_at(path, at + span / 2)) / (span * each_s);
+        const double most = static_cast<double>(path.most_bank);
+        roll = std::fmin(std::fmax(static_cast<double>(path.bank) * rate, -most), most);
+    }
+    crowd::Place place;
+    place.position = point(piece, w.u);
+    place.orientation = heading(along, roll);
+    return place;
+}
+
+double flight_reach(const crowd::RootPath &path)
+{
+    double reach = 0;
+    for (uint32_t i = 0; i < path.positions.size(); ++i) reach = std::fmax(reach, corners(piece_of(path, i), 4));
+    return reach;
+}
+
+}  // namespace claque::behave

@@ -1,0 +1,130 @@
+// Gaze: spine, neck and eyes share the turn towards a point (S0 5.3).
+#include <cmath>
+
+#include "lib/behave/mechanisms.h"
+#include "lib/math/place.h"
+#include "lib/math/trig.h"
+
+namespace claque::behave
+{
+
+namespace
+{
+
+constexpr double in_the_back = 2.6;  // [radians] of yaw, on either side
+
+// A turn that has no direction where it is half a circle is given up before: it falls to nothing at pi.
+double let_go(double yaw)
+{
+    const double beyond = std::fabs(yaw) - in_the_back;
+    return beyond > 0 ? yaw * (1 - ease(beyond, math::pi - in_the_back)) : yaw;
+}
+
+// Straight up there is no yaw; it comes smoothly.
+double steady(double yaw, double level, double length) { return yaw * ease(level, 0.17 * length); }
+
+Look towards(const glm::dvec3 &v)
+{
+    const double level = std::sqrt(v.x * v.x + v.z * v.z), length = std::sqrt(level * level + v.y * v.y);
+    if (!(length > 0)) return Look();
+    return {steady(math::atan2(v.x, v.z), level, length), math::atan2(v.y, level)};
+}
+
+Look mixed(const Look &a, const Look &b, double by)
+{
+    return {a.yaw + (b.yaw - a.yaw) * by, a.pitch + (b.pitch - a.pitch) * by};
+}
+
+Look wandering(const crowd::Gaze &gaze, const Lot &lot, double clock_s)
+{
+    const double often = static_cast<double>(gaze.wander_s);
+    if (!(often > 0)) return Look();
+    // Mostly ahead: the sum of two draws.
+    const auto place = [&](int64_t k) {
+        return Look{(lot.unit(k, 0) + lot.unit(k, 1) - 1) * static_cast<double>(gaze.wander_yaw),
+                    (lot.unit(k, 2) + lot.unit(k, 3) - 1) * static_cast<double>(gaze.wander_pitch)};
+    };
+    const Slot slot = uneven_slot_at(clock_s, often, lot);
+    const double turn = std::fmin(static_cast<double>(gaze.turn_s), 0.5 * often);
+    return mixed(place(slot.index - 1), place(slot.index), ease(clock_s - slot.begin_s, turn));
+}
+
+// What is left of a turn, part by part. A part takes its share, as far as its range lets it; below a level that does
+// without it, or on a node that is lost, it is not moved, but takes its share all the same, so that the others do not.
+struct Turn {
+    const model::Rig &rig;
+    Writer &writer;
+    Look rest;
+
+    double share(uint32_t dof, double wanted, bool moves)
+    {
+        if (dof == model::none) return 0;
+        const float taken = held(rig.dofs[dof], static_cast<float>(wanted));
+        if (moves) writer.write(dof, taken, 1);
+        return static_cast<double>(taken);
+    }
+    void take(uint32_t yaw, uint32_t pitch, double part, bool moves, bool tilts)
+    {
+        rest.yaw -= share(yaw, part * rest.yaw, moves);
+        rest.pitch -= share(pitch, part * rest.pitch, tilts);
+    }
+};
+
+bool has(uint32_t a, uint32_t b) { return a != model::none || b != model::none; }
+
+}  // namespace
+
+Look target_of(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const crowd::Order &order,
+               const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
+{
+    if (order.choice == model::none) return wandering(gaze, lot, clock_s);
+    const bool moves = crowd.behaviours().has_root_motion(row);
+    glm::dvec3 p(order.point);
+    if (moves) {
+        const crowd::Place root = root_at(crowd, row, time_s);
+        p = (p - root.position) * math::rotation_of(root.orientation);  // the transpose turns back
+    }
+    Look look = towards(p - glm::dvec3(gaze.eyes));
+    // Who is carried past a point must not turn its head over in one moment; who stands keeps to the side that it chose.
+    if (moves) look.yaw = let_go(look.yaw);
+    else if (std::fabs(look.yaw) > in_the_back && static_cast<double>(order.side) * look.yaw < 0)
+        look.yaw += look.yaw < 0 ? 2 * math::pi : -2 * math::pi;
+    return look;
+}
+
+Look look_at(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const crowd::Command &told,
+             const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
+{
+    const auto under = [&](const crowd::Order &order) {
+        const double by = ease(time_s - order.at_s, static_cast<double>(gaze.turn_s));
+        const Look from{static_cast<double>(order.from_yaw), static_cast<double>(order.from_pitch)};
+        return mixed(from, target_of(gaze, lot, clock_s, order, crowd, row, time_s), by);
+    };
+    if (time_s >= told.at_s) return under(told);
+    if (time_s >= told.before.at_s) return under(told.before);
+    return wandering(gaze, lot, clock_s);
+}
+
+void run(const crowd::Gaze &gaze, const Call &call, Writer &writer) noexcept
+{
+    const Look look = look_at(gaze, call.lot(base::Purpose::gaze), call.clock_s(), call.command(), call.crowd, call.row,
+                              call.moment.time_s);
+    // Each level does without the finest part that is left; the last part without its pitch.
+    const bool eyes = has(gaze.eye_yaw[0], gaze.eye_pitch[0]) || has(gaze.eye_yaw[1], gaze.eye_pitch[1]);
+    const bool neck = has(gaze.neck_yaw, gaze.neck_pitch), spine = has(gaze.spine_yaw, gaze.spine_pitch);
+    const uint32_t parts = uint32_t(eyes) + uint32_t(neck) + uint32_t(spine);
+    const uint32_t left = call.level < parts ? parts - call.level : 1;
+    const bool tilts = call.level < parts;
+    const uint32_t with_neck = uint32_t(spine) + 1, with_eyes = with_neck + uint32_t(neck);
+    Turn turn{*writer.rig, writer, look};
+    turn.take(gaze.spine_yaw, gaze.spine_pitch, static_cast<double>(gaze.spine_share), true, tilts);
+    turn.take(gaze.neck_yaw, gaze.neck_pitch, static_cast<double>(gaze.neck_share), left >= with_neck,
+              tilts && left >= with_neck);
+    if (left < with_eyes) return;
+    for (int k = 0; k < 2; ++k) {
+        turn.share(gaze.eye_yaw[k], turn.rest.yaw, true);
+        turn.share(gaze.eye_pitch[k], turn.rest.pitch, tilts);
+    }
+}
+
+}  // namespace claque::behave

@@ -1,0 +1,19 @@
+#include "lib/behave/mechanisms.h"
+
+namespace claque::behave
+{
+
+void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noexcept
+{
+    const crowd::Id id = call.crowd.id_of(call.row);
+    clq_behaviour_call told{};
+    told.actor = {id.index1, id.generation};
+    told.level = call.level;
+    told.seed = call.crowd.actor(call.row).seed;
+    told.time_s = call.moment.time_s;
+    told.eye_distance = call.moment.distance;
+    told.seen = call.moment.seen;
+    host.run(host.user, &told, &writer);
+}
+
+}  // namespace claque::behave

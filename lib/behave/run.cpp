@@ -1,0 +1,49 @@
+// All mechanisms of one actor, the lowest priority first.
+#include "lib/behave/mechanisms.h"
+
+namespace claque::behave
+{
+
+double change(const Call &call, double t_s, double length_s) noexcept
+{
+    const double share = ease(t_s, length_s);
+    return call.level == 0 ? share : share >= 0.5 ? 1 : 0;
+}
+
+void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Span<float> dofs, Counts &counts) noexcept
+{
+    const model::Rig &rig = crowd.template_of(row).rig;
+    for (uint32_t i = 0; i < dofs.count; ++i) dofs[i] = rig.dofs[i].rest;
+    const crowd::Behaviours &behaviours = crowd.behaviours();
+    Writer writer{&rig, moment.level, dofs, &counts};
+    uint32_t place = 0;
+    for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next, ++place) {
+        const uint32_t level = level_at(moment.levels, place);
+        const Call call{crowd, row, behaviours.use_at(i), level, moment};
+        const crowd::MechanismKind &kind = call.mechanism().kind;
+        const crowd::HostMechanism *host = std::get_if<crowd::HostMechanism>(&kind);
+        if (level == off || (!moment.wanted && !(host && host->memory))) continue;
+        ++counts.calls[kind.index()];
+        if (host) run(*host, call, writer);
+        if (const auto *gaze = std::get_if<crowd::Gaze>(&kind)) run(*gaze, call, writer);
+        if (const auto *expression = std::get_if<crowd::Expression>(&kind)) run(*expression, call, writer);
+        if (const auto *blink = std::get_if<crowd::Blink>(&kind)) run(*blink, call, writer);
+        if (const auto *phrase = std::get_if<crowd::Phrase>(&kind)) run(*phrase, call, writer);
+    }
+}
+
+crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept
+{
+    const crowd::Behaviours &behaviours = crowd.behaviours();
+    const crowd::Use *last = nullptr;
+    const crowd::Idle *idle = nullptr;
+    uint32_t place = 0;
+    for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next, ++place) {
+        const crowd::Use &use = behaviours.use_at(i);
+        const auto *found = std::get_if<crowd::Idle>(&behaviours.mechanism(use.mechanism).kind);
+        if (found && level_at(levels, place) != off) last = &use, idle = found;
+    }
+    return idle ? drawn(*idle, crowd, row, *last, time_s) : crowd.play_of(row);
+}
+
+}  // namespace claque::behave
