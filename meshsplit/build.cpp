@@ -1,10 +1,14 @@
 #include "meshsplit/build.h"
 
 #include "lib/base/error.h"
+#include "meshsplit/level.h"
+#include "meshsplit/levels.h"
 #include "meshsplit/rest.h"
+#include "meshsplit/skeletal.h"
 #include "meshsplit/spheres.h"
-#include "meshsplit/streams.h"
 #include "meshsplit/textures.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 
@@ -20,70 +24,6 @@ void copy_zones(const Looks &looks, model::Template &out)
         out.zone_names.emplace_back(std::string_view(zone.name));
         out.zone_colours.push_back(zone.colour);
         out.zone_ranges.push_back(zone.range);
-    }
-}
-
-void copy_vertices(const Mesh &mesh, model::Level &level)
-{
-    level.source_count = static_cast<uint32_t>(mesh.vertices.size());
-    level.positions.reserve(3 * mesh.vertices.size());
-    level.normals.reserve(3 * mesh.vertices.size());
-    for (const MeshVertex &vertex : mesh.vertices) {
-        for (int k = 0; k < 3; ++k) level.positions.push_back(vertex.position[k]);
-        for (int k = 0; k < 3; ++k) level.normals.push_back(vertex.normal[k]);
-    }
-}
-
-void copy_influences(const Mesh &mesh, model::Level &level)
-{
-    for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        const MeshVertex &vertex = mesh.vertices[v];
-        if (level.runs.empty() || level.runs.back().influences != vertex.influence_count)
-            level.runs.push_back({v, 0, vertex.influence_count, static_cast<uint32_t>(level.joints.size())});
-        ++level.runs.back().count;
-        for (uint32_t i = 0; i < vertex.influence_count; ++i) {
-            const Influence &influence = mesh.influences[vertex.first_influence + i];
-            level.joints.push_back(static_cast<uint16_t>(influence.joint));
-            level.weights.push_back(influence.weight);
-        }
-    }
-}
-
-struct PlacedDelta {
-    uint32_t weight;
-    model::MorphDelta delta;
-};
-
-// Ranges by weight, within one by vertex.
-void copy_morphs(const Mesh &mesh, model::Level &level)
-{
-    std::vector<PlacedDelta> placed;
-    for (uint32_t v = 0; v < mesh.vertices.size(); ++v)
-        for (uint32_t m = 0; m < mesh.vertices[v].morph_count; ++m) {
-            const VertexMorph &morph = mesh.morphs[mesh.vertices[v].first_morph + m];
-            model::MorphDelta delta;
-            delta.vertex = v;
-            for (int k = 0; k < 3; ++k) delta.position[k] = morph.position[k], delta.normal[k] = morph.normal[k];
-            placed.push_back({morph.weight, delta});
-        }
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const PlacedDelta &a, const PlacedDelta &b) { return a.weight < b.weight; });
-    for (const PlacedDelta &p : placed) {
-        if (level.morph_ranges.empty() || level.morph_ranges.back().weight != p.weight)
-            level.morph_ranges.push_back({p.weight, static_cast<uint32_t>(level.morph_deltas.size()), 0});
-        level.morph_deltas.push_back(p.delta);
-        ++level.morph_ranges.back().count;
-    }
-}
-
-// UVs and colours of all vertices, copies included.
-void copy_looks(const Mesh &mesh, model::Level &level)
-{
-    for (uint32_t v = 0; v < level.vertex_count; ++v) {
-        const MeshVertex &vertex = mesh.vertices[v < level.source_count ? v : level.copies[v - level.source_count]];
-        level.uvs.push_back(vertex.uv.x);
-        level.uvs.push_back(vertex.uv.y);
-        if (mesh.has_colours) level.colours.insert(level.colours.end(), vertex.colour.begin(), vertex.colour.end());
     }
 }
 
@@ -104,6 +44,13 @@ void report(const Mesh &mesh, const TriangleZones &zones, model::Template &out)
     }
 }
 
+void check_palette(const model::Model &model, const model::Rig &rig)
+{
+    if (rig.palette.size() > 65536)
+        base::fail(CLQ_LIMIT, "model '%s' has %zu joints: a template takes 65536", model.name.c_str(),
+                   rig.palette.size());
+}
+
 uint32_t texture_limit(uint32_t wanted)
 {
     if (wanted == 0) base::fail(CLQ_ARGUMENT, "a largest texture size of 0 texels");
@@ -112,36 +59,87 @@ uint32_t texture_limit(uint32_t wanted)
     return p;
 }
 
+class Builder
+{
+public:
+    Builder(const model::Model &model, const BuildOptions &options, model::Template &out)
+        : model_(model),
+          looks_(plan_looks(model)),
+          plans_(plan_levels(model)),
+          whole_(merge(model, looks_)),
+          memory_(out.levels.get_allocator().resource()),
+          out_(out)
+    {
+        if (whole_.triangles.empty()) refuse_empty(whole_);
+        out_.name = model.name;
+        out_.rig = model::Rig(model.rig, memory_);
+        copy_zones(looks_, out_);
+        texture_of_ = make_textures(model, looks_, texture_limit(options.max_texture_px), whole_, out_.textures);
+        for (const model::Part &part : model.parts)
+            for (const glm::vec3 &p : part.positions) extent_ = std::max(extent_, glm::length(p));
+    }
+
+    void run()
+    {
+        if (plans_.size() == 1) add_level(whole_);
+        for (size_t k = 0; k < plans_.size() && plans_.size() > 1; ++k) {
+            Mesh mesh = mesh_at(plans_[k]);
+            if (k == 0 && mesh.triangles.empty()) refuse_empty(mesh);
+            add_level(mesh);
+            out_.levels[k].switch_distance_m = plans_[k].distance_m;
+        }
+        std::vector<const std::vector<uint8_t> *> active;
+        for (const LevelPlan &plan : plans_) active.push_back(&plan.active);
+        fill_skeletons(active, out_.rig.palette.size(), out_.levels);
+        out_.similar_only = similar_only(out_.rig);
+    }
+
+private:
+    [[noreturn]] void refuse_empty(const Mesh &mesh) const
+    {
+        base::fail(CLQ_ARGUMENT, "model '%s' has no triangle to draw%s: %zu parts, %u triangles without area",
+                   model_.name.c_str(), plans_.size() > 1 ? " near the eye" : "", model_.parts.size(), mesh.degenerate);
+    }
+
+    Mesh mesh_at(const LevelPlan &plan)
+    {
+        std::vector<uint8_t> used(model_.rig.palette.size());
+        for (const uint32_t p : plan.parts)
+            for (size_t i = 0; i < model_.parts[p].joints.size(); ++i)
+                if (model_.parts[p].weights[i] != 0) used[model_.parts[p].joints[i]] = 1;
+        Selection selection;
+        selection.parts = plan.parts;
+        selection.entries = surviving_entries(out_.rig, plan.active, used, extent_);
+        selection.rig = &out_.rig;
+        check_palette(model_, out_.rig);
+        return merge(model_, looks_, selection);
+    }
+
+    void add_level(Mesh &mesh)
+    {
+        for (MeshSurface &surface : mesh.surfaces) surface.texture = texture_of_[surface.texture];
+        const TriangleZones zones = zones_of_triangles(mesh, out_.textures);
+        fill_level(mesh, zones, out_.rig, out_.levels.emplace_back(memory_));
+        if (out_.levels.size() == 1) report(mesh, zones, out_);
+    }
+
+    const model::Model &model_;
+    const Looks looks_;
+    const std::vector<LevelPlan> plans_;
+    Mesh whole_;  // what is shown at any distance: textures are made for all of it
+    std::pmr::memory_resource *memory_;
+    model::Template &out_;
+    std::vector<uint32_t> texture_of_;  // of each of the planned textures
+    float extent_ = 0;
+};
+
 }  // namespace
 
 void build(const model::Model &model, const BuildOptions &options, model::Template &out)
 {
     model::check(model);
-    if (model.rig.palette.size() > 65536)
-        base::fail(CLQ_LIMIT, "model '%s' has %zu joints: a template takes 65536", model.name.c_str(),
-                   model.rig.palette.size());
-    const Looks looks = plan_looks(model);
-    Mesh mesh = merge(model, looks);
-    if (mesh.triangles.empty())
-        base::fail(CLQ_ARGUMENT, "model '%s' has no triangle to draw: %zu parts, %u triangles without area",
-                   model.name.c_str(), model.parts.size(), mesh.degenerate);
-
-    std::pmr::memory_resource *memory = out.levels.get_allocator().resource();
-    out.name = model.name;
-    out.rig = model::Rig(model.rig, memory);
-    out.similar_only = similar_only(model.rig);
-    copy_zones(looks, out);
-    make_textures(model, looks, texture_limit(options.max_texture_px), mesh, out.textures);
-
-    const TriangleZones zones = zones_of_triangles(mesh, out.textures);
-    out.levels.emplace_back(memory);
-    model::Level &level = out.levels.back();
-    copy_vertices(mesh, level);
-    copy_influences(mesh, level);
-    copy_morphs(mesh, level);
-    make_streams(mesh, zones, level);
-    copy_looks(mesh, level);
-    report(mesh, zones, out);
+    check_palette(model, model.rig);
+    Builder(model, options, out).run();
     out.sklsroot = enclosing_sphere(out);
 }
 

@@ -24,16 +24,16 @@ glm::vec3 without_negative_zero(glm::vec3 v) { return v + glm::vec3(0.0f); }
 class Merger
 {
 public:
-    Merger(const model::Model &model, const Looks &looks) : model_(model), looks_(looks), rest_(rest_palette(model.rig))
+    Merger(const model::Model &model, const Looks &looks, const Selection &selection)
+        : model_(model), looks_(looks), selection_(selection), rest_(rest_palette(*selection.rig))
     {
-        for (const Part &part : model.parts)
-            if (!part.hidden && !part.colours.empty()) mesh_.has_colours = true;
+        for (const uint32_t p : selection.parts)
+            if (!model.parts[p].colours.empty()) mesh_.has_colours = true;
     }
 
     Mesh run()
     {
-        for (const Part &part : model_.parts)
-            if (!part.hidden) add_part(part);
+        for (const uint32_t p : selection_.parts) add_part(p);
         sort_by_influences();
         return std::move(mesh_);
     }
@@ -47,8 +47,9 @@ private:
         uint32_t first_morph = 0, morph_count = 0;
     };
 
-    void add_part(const Part &part)
+    void add_part(uint32_t index)
     {
+        const Part &part = model_.parts[index];
         const auto triangles = model::triangles_of(part);
         if (triangles.empty()) return;
         const Look &look = looks_.of(part);
@@ -62,6 +63,7 @@ private:
                 continue;
             }
             add_triangle(part, look, surface_of(look), triangle);
+            mesh_.triangles.back().part = index;
         }
     }
 
@@ -97,7 +99,7 @@ private:
         for (uint32_t k = 0; k < part.influence_count; ++k) {
             const size_t at = size_t(v) * part.influence_count + k;
             if (part.weights[at] == 0) continue;
-            const uint32_t joint = part.joints[at];
+            const uint32_t joint = selection_.entries[part.joints[at]];
             sum += part.weights[at];
             const auto same =
                 std::find_if(list.begin(), list.end(), [&](const Influence &i) { return i.joint == joint; });
@@ -266,6 +268,7 @@ private:
 
     const model::Model &model_;
     const Looks &looks_;
+    const Selection &selection_;
     const std::vector<math::Affine> rest_;
     Mesh mesh_;
     Interner influence_numbers_, point_numbers_, vertex_numbers_, face_numbers_;
@@ -277,6 +280,20 @@ private:
 
 }  // namespace
 
-Mesh merge(const model::Model &model, const Looks &looks) { return Merger(model, looks).run(); }
+Mesh merge(const model::Model &model, const Looks &looks, const Selection &selection)
+{
+    return Merger(model, looks, selection).run();
+}
+
+Mesh merge(const model::Model &model, const Looks &looks)
+{
+    Selection all;
+    all.rig = &model.rig;
+    for (uint32_t p = 0; p < model.parts.size(); ++p)
+        if (!model.parts[p].hidden) all.parts.push_back(p);
+    all.entries.resize(model.rig.palette.size());
+    std::iota(all.entries.begin(), all.entries.end(), 0u);
+    return merge(model, looks, all);
+}
 
 }  // namespace claque::meshsplit

@@ -1,4 +1,4 @@
-// All visible parts of a model as one welded triangle mesh: vertices equal in every attribute are one, triangles that
+// Visible parts of a model as one welded triangle mesh: vertices equal in every attribute are one, triangles that
 // have no area in any pose are dropped, front faces run counter-clockwise in every pose of a part that hangs mirrored.
 #pragma once
 
@@ -29,6 +29,7 @@ struct MeshVertex {
 struct MeshTriangle {
     std::array<uint32_t, 3> corners = {0, 0, 0};
     uint32_t surface = 0;
+    uint32_t part = 0;  // of the model
 };
 
 struct MeshSurface {
@@ -47,6 +48,15 @@ struct Mesh {
     uint32_t coincident = 0;  // lie on an earlier triangle and tie with it in depth
 };
 
+// What of a model is merged, and for which palette.
+struct Selection {
+    const model::Rig *rig = nullptr;  // the model's, or one whose palette goes on where that ends
+    std::vector<uint32_t> parts;      // of the model, ascending
+    std::vector<uint32_t> entries;    // for each entry of the model's palette the one that vertices follow instead
+};
+
+Mesh merge(const model::Model &model, const Looks &looks, const Selection &selection);
+// All visible parts, as they are.
 Mesh merge(const model::Model &model, const Looks &looks);
 
 }  // namespace claque::meshsplit

@@ -27,13 +27,30 @@ bool uniform_keys(const model::Rig &rig, const model::Channel &channel)
 
 }  // namespace
 
+std::vector<math::Affine> rest_locals(const model::Rig &rig)
+{
+    std::vector<math::Trs> rest(rig.rest.begin(), rig.rest.end());
+    for (const model::Dof &dof : rig.dofs) {
+        if (dof.kind == model::DofKind::morph || dof.rest == 0) continue;
+        math::Trs &local = rest[dof.node];
+        if (dof.kind == model::DofKind::translation) {
+            local.translation += local.rotation * (dof.axis * dof.rest);
+        } else {
+            const float half = 0.5f * dof.rest;
+            local.rotation = local.rotation * glm::quat(std::cos(half), std::sin(half) * dof.axis);
+        }
+    }
+    std::vector<math::Affine> out;
+    for (const math::Trs &trs : rest) out.push_back(math::affine_of(trs));
+    return out;
+}
+
 std::vector<math::Affine> rest_palette(const model::Rig &rig)
 {
+    const std::vector<math::Affine> locals = rest_locals(rig);
     std::vector<math::Affine> global(rig.node_count()), palette;
-    for (uint32_t i = 0; i < rig.node_count(); ++i) {
-        const math::Affine local = math::affine_of(rig.rest[i]);
-        global[i] = rig.parents[i] == model::none ? local : math::mul(global[rig.parents[i]], local);
-    }
+    for (uint32_t i = 0; i < rig.node_count(); ++i)
+        global[i] = rig.parents[i] == model::none ? locals[i] : math::mul(global[rig.parents[i]], locals[i]);
     for (const model::PaletteEntry &entry : rig.palette)
         palette.push_back(math::mul(global[entry.node], entry.inverse_bind));
     return palette;

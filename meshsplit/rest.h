@@ -6,6 +6,9 @@
 namespace claque::meshsplit
 {
 
+// Of each node relative to its parent, at rest, degrees of freedom included.
+std::vector<math::Affine> rest_locals(const model::Rig &rig);
+
 // Of each palette entry in the rest pose: node in model space times inverse bind.
 std::vector<math::Affine> rest_palette(const model::Rig &rig);
 

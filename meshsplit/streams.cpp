@@ -63,8 +63,8 @@ private:
 class StreamMaker
 {
 public:
-    StreamMaker(const Mesh &mesh, const TriangleZones &zones, model::Level &level)
-        : mesh_(mesh), zones_(zones), level_(level)
+    StreamMaker(const Mesh &mesh, const TriangleZones &zones, uint32_t part_count, model::Level &level)
+        : mesh_(mesh), zones_(zones), part_count_(part_count), level_(level)
     {
         level_.slots.assign(level_.source_count, no_slot);
     }
@@ -95,10 +95,12 @@ private:
         model::Surface &surface = level_.surfaces.back();
         surface.texture = mesh_.surfaces[s].texture;
         surface.double_sided = mesh_.surfaces[s].double_sided;
+        part_firsts_.clear();
         add_bins(clean, surface.clean);
         surface.dirty = add_range(dirty);
         add_bins(touching, surface.dirty_by_zone);
         surface.fused = add_fused(clean, dirty);
+        if (part_count_ > 1) surface.part_firsts.assign(part_firsts_.begin(), part_firsts_.end());
     }
 
     void add_bins(const std::vector<std::vector<size_t>> &lists, model::Array<model::Bin> &out)
@@ -110,19 +112,37 @@ private:
     model::IndexRange add_range(const std::vector<size_t> &triangles)
     {
         const uint32_t first = here();
-        for (const size_t t : triangles)
-            for (const uint32_t corner : mesh_.triangles[t].corners) level_.indices.push_back(corner);
+        auto next = triangles.begin();
+        for (uint32_t part = 0; part < part_count_; ++part) {
+            part_firsts_.push_back(here() - first);
+            for (; next != triangles.end() && mesh_.triangles[*next].part == part; ++next)
+                for (const uint32_t corner : mesh_.triangles[*next].corners) level_.indices.push_back(corner);
+        }
+        part_firsts_.push_back(here() - first);
         return {first, here() - first};
     }
 
     model::IndexRange add_fused(const std::vector<std::vector<size_t>> &clean, const std::vector<size_t> &dirty)
     {
         const uint32_t first = here();
-        for (uint32_t z = 0; z < clean.size(); ++z)
-            for (const size_t t : clean[z]) add_slotted(t, z, false);
-        for (const size_t t : dirty)
-            for (uint32_t i = 0; i < zones_.count(t); ++i) add_slotted(t, zones_.of(t)[i], i > 0);
+        std::vector<size_t> next(clean.size());  // of each zone's list
+        size_t next_dirty = 0;
+        for (uint32_t part = 0; part < part_count_; ++part) {
+            part_firsts_.push_back(here() - first);
+            for (uint32_t z = 0; z < clean.size(); ++z)
+                for (; is_next(clean[z], next[z], part); ++next[z]) add_slotted(clean[z][next[z]], z, false);
+            for (; is_next(dirty, next_dirty, part); ++next_dirty) {
+                const size_t t = dirty[next_dirty];
+                for (uint32_t i = 0; i < zones_.count(t); ++i) add_slotted(t, zones_.of(t)[i], i > 0);
+            }
+        }
+        part_firsts_.push_back(here() - first);
         return {first, here() - first};
+    }
+
+    bool is_next(const std::vector<size_t> &triangles, size_t next, uint32_t part) const
+    {
+        return next < triangles.size() && mesh_.triangles[triangles[next]].part == part;
     }
 
     void add_slotted(size_t triangle, uint32_t zone, bool raised)
@@ -154,7 +174,9 @@ private:
 
     const Mesh &mesh_;
     const TriangleZones &zones_;
+    const uint32_t part_count_;
     model::Level &level_;
+    std::vector<uint32_t> part_firsts_;  // of the surface at hand
     std::unordered_map<uint64_t, uint32_t> copies_;
 };
 
@@ -175,9 +197,9 @@ TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Tex
     return out;
 }
 
-void make_streams(const Mesh &mesh, const TriangleZones &zones, model::Level &out)
+void make_streams(const Mesh &mesh, const TriangleZones &zones, uint32_t part_count, model::Level &out)
 {
-    StreamMaker(mesh, zones, out).run();
+    StreamMaker(mesh, zones, part_count, out).run();
 }
 
 }  // namespace claque::meshsplit

@@ -20,7 +20,8 @@ struct TriangleZones {
 // A triangle that can show nothing but holes counts as one of the lowest zone; holes make none dirty.
 TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Texture> &textures);
 
-// Fills vertex_count, copies, slots, indices and surfaces of a level whose source_count is set.
-void make_streams(const Mesh &mesh, const TriangleZones &zones, model::Level &out);
+// Fills vertex_count, copies, slots, indices and surfaces of a level whose source_count is set. Triangles of the mesh
+// stand part by part, and the parts are numbered from 0.
+void make_streams(const Mesh &mesh, const TriangleZones &zones, uint32_t part_count, model::Level &out);
 
 }  // namespace claque::meshsplit

@@ -186,23 +186,20 @@ ZoneMap source_map(const model::Model &model, const TexturePlan &plan)
     return map;
 }
 
-void make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px, Mesh &mesh,
-                   model::Array<model::Texture> &out)
+std::vector<uint32_t> make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px,
+                                    const Mesh &mesh, model::Array<model::Texture> &out)
 {
     std::vector<uint32_t> made(looks.textures.size(), none);
-    std::vector<uint32_t> texture_of;
     for (const MeshSurface &surface : mesh.surfaces) {
         uint32_t &texture = made[surface.texture];
-        if (texture == none) {
-            const TexturePlan &plan = looks.textures[surface.texture];
-            const ZoneMap map = final_map(model, looks, mesh, surface.texture, max_texture_px);
-            texture = static_cast<uint32_t>(out.size());
-            out.emplace_back(out.get_allocator().resource());
-            encode(map, zones_of(map, looks, plan), plan, out.back());
-        }
-        texture_of.push_back(texture);
+        if (texture != none) continue;
+        const TexturePlan &plan = looks.textures[surface.texture];
+        const ZoneMap map = final_map(model, looks, mesh, surface.texture, max_texture_px);
+        texture = static_cast<uint32_t>(out.size());
+        out.emplace_back(out.get_allocator().resource());
+        encode(map, zones_of(map, looks, plan), plan, out.back());
     }
-    for (size_t s = 0; s < mesh.surfaces.size(); ++s) mesh.surfaces[s].texture = texture_of[s];
+    return made;
 }
 
 }  // namespace claque::meshsplit

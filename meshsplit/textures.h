@@ -13,8 +13,9 @@ namespace claque::meshsplit
 // (ARGUMENT) where a texel has a key that no zone declares.
 ZoneMap source_map(const model::Model &model, const TexturePlan &plan);
 
-// Appends one texture for each surface's plan and points the surfaces at them.
-void make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px, Mesh &mesh,
-                   model::Array<model::Texture> &out);
+// Appends one texture for each plan that the mesh's surfaces show; the mesh holds whatever is shown at any distance.
+// Returns the number of each plan's texture, or none.
+std::vector<uint32_t> make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px,
+                                    const Mesh &mesh, model::Array<model::Texture> &out);
 
 }  // namespace claque::meshsplit

@@ -1,0 +1,72 @@
+#include "meshsplit/enclosing.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::meshsplit
+{
+
+namespace
+{
+
+constexpr int core_size = 12, steps = 200;
+
+double reach(const glm::dvec3 &centre, const Ball &ball) { return glm::distance(centre, ball.centre) + ball.radius; }
+
+const Ball &farthest(const glm::dvec3 &centre, const std::vector<Ball> &balls)
+{
+    const Ball *far = &balls[0];
+    double most = reach(centre, *far);
+    for (const Ball &ball : balls) {
+        const double r = reach(centre, ball);
+        if (r > most) most = r, far = &ball;
+    }
+    return *far;
+}
+
+// The centre steps towards the farthest point, ever less.
+glm::dvec3 centre_of(const std::vector<Ball> &balls)
+{
+    glm::dvec3 centre = balls[0].centre;
+    for (int step = 1; step <= steps; ++step) {
+        const Ball &far = farthest(centre, balls);
+        const double way = glm::distance(centre, far.centre);
+        if (way > 0) centre += (far.centre - centre) * ((way + far.radius) / way / (step + 1));
+    }
+    return centre;
+}
+
+glm::dvec3 middle_of(const std::vector<Ball> &balls)
+{
+    glm::dvec3 low = balls[0].centre, high = low;
+    for (const Ball &ball : balls) {
+        low = glm::min(low, ball.centre - ball.radius);
+        high = glm::max(high, ball.centre + ball.radius);
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+// A few of them, found one after the other, decide where the centre is.
+model::Sphere enclosing(const std::vector<Ball> &balls)
+{
+    glm::dvec3 centre = middle_of(balls), best = centre;
+    double least = reach(centre, farthest(centre, balls));
+    std::vector<Ball> core;
+    for (int i = 0; i < core_size; ++i) {
+        core.push_back(farthest(centre, balls));
+        centre = centre_of(core);
+        const double radius = reach(centre, farthest(centre, balls));
+        if (radius < least) least = radius, best = centre;
+    }
+    model::Sphere out;
+    out.centre = glm::vec3(best);
+    const double radius = reach(glm::dvec3(out.centre), farthest(glm::dvec3(out.centre), balls));
+    out.radius = static_cast<float>(radius * (1 + 1e-5) + 2e-6 * glm::length(best));
+    return out;
+}
+
+}  // namespace claque::meshsplit

@@ -1,0 +1,67 @@
+#include "meshsplit/skeletal.h"
+
+#include "meshsplit/rest.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::meshsplit
+{
+
+using model::none;
+
+namespace
+{
+
+constexpr float equal_part = 1e-5f;
+
+float largest(const float *values, size_t count)
+{
+    float most = 0;
+    for (size_t i = 0; i < count; ++i) most = std::max(most, std::fabs(values[i]));
+    return most;
+}
+
+bool equal(const math::Affine &a, const math::Affine &b, float extent)
+{
+    const float axes = std::max(largest(a.c, 9), largest(b.c, 9));
+    const float way = std::max(largest(a.c + 9, 3), largest(b.c + 9, 3)) + axes * extent;
+    for (size_t i = 0; i < 12; ++i)
+        if (!(std::fabs(a.c[i] - b.c[i]) <= equal_part * (i < 9 ? axes : way))) return false;
+    return true;
+}
+
+uint32_t entry_of(model::Rig &rig, uint32_t node, const math::Affine &inverse_bind, float extent)
+{
+    for (uint32_t e = 0; e < rig.palette.size(); ++e)
+        if (rig.palette[e].node == node && equal(rig.palette[e].inverse_bind, inverse_bind, extent)) return e;
+    rig.palette.push_back({node, inverse_bind});
+    return static_cast<uint32_t>(rig.palette.size() - 1);
+}
+
+}  // namespace
+
+std::vector<uint32_t> surviving_entries(model::Rig &rig, const std::vector<uint8_t> &active,
+                                        const std::vector<uint8_t> &used, float extent)
+{
+    const std::vector<math::Affine> locals = rest_locals(rig);
+    std::vector<uint32_t> out;
+    for (uint32_t e = 0; e < used.size(); ++e) {
+        uint32_t node = rig.palette[e].node;
+        if (!used[e] || active[node]) {
+            out.push_back(e);
+            continue;
+        }
+        glm::dmat4 place(math::mat4_of(rig.palette[e].inverse_bind));
+        while (!active[node]) {
+            place = glm::dmat4(math::mat4_of(locals[node])) * place;
+            node = rig.parents[node];
+        }
+        out.push_back(entry_of(rig, node, math::affine_of(glm::mat4(place)), extent));
+    }
+    return out;
+}
+
+}  // namespace claque::meshsplit
