@@ -40,14 +40,18 @@ typedef struct clq_dof_value {
     float value; /* within its range */
 } clq_dof_value;
 
-/* Values that belong together: a smile, a mouth that says O. */
+/* Values that belong together: a smile, a mouth that says O. Each degree of freedom once; those that a shape does not name
+ * stay as mechanisms of less priority leave them, and are gone over to and from smoothly. */
 typedef struct clq_shape {
     uint32_t count;
     const clq_dof_value *values; /* [count] */
 } clq_shape;
 
-/* Degrees of freedom that are CLQ_NONE are left out. The spine takes spine_share of the turn, the neck neck_share of the
- * rest, the eyes what is left, each within its range. Yaw is positive to the actor's left, pitch upwards. */
+/* Degrees of freedom are rotations; CLQ_NONE: left out. The spine takes spine_share of the turn, the neck neck_share of the
+ * rest, the eyes what is left, each within its range. Yaw is positive to the actor's left, pitch upwards. A point in its
+ * back is looked at over the shoulder on whose side it looked before, the left one from straight on; who is carried along
+ * a path lets go of points in its back instead. Each level does without the finest part that is left, eyes, then neck; a
+ * level more than there are parts without the pitch. What a part would take the others do not take in its stead. */
 typedef struct clq_gaze_def {
     uint32_t eye_yaw[2], eye_pitch[2], neck_yaw, neck_pitch, spine_yaw, spine_pitch;
     float neck_share, spine_share; /* [0, 1] */
@@ -57,16 +61,17 @@ typedef struct clq_gaze_def {
     float wander_yaw_rad, wander_pitch_rad; /* [0, pi] how far it wanders */
 } clq_gaze_def;
 
+/* From level 1 on shapes change at once, half-way through the blend; so do lids and mouths. */
 typedef struct clq_expression_def {
     uint32_t shape_count;
-    const clq_shape *shapes;
-    float hold_s;  /* [> 0] about how long each stays, by lot */
-    float blend_s; /* [>= 0] from one to the next; at most hold_s / 2 */
+    const clq_shape *shapes; /* one without values: the face at rest */
+    float hold_s;            /* [> 0] about how long each stays: 0.5 to 1.5 times this, by lot; then another one */
+    float blend_s;           /* [>= 0] from one to the next; at most hold_s / 2 */
 } clq_expression_def;
 
 typedef struct clq_blink_def {
     clq_shape closed; /* lids shut */
-    float period_s;   /* [> close_s] about how often */
+    float period_s;   /* [> close_s] once in each such time, when is drawn by lot */
     float close_s;    /* [> 0] from open to open again */
 } clq_blink_def;
 
@@ -80,15 +85,17 @@ typedef struct clq_phrase_def {
     const clq_shape *shapes;
     uint32_t key_count;
     const clq_phrase_key *keys;
-    float length_s; /* [>= the last key's time] */
-    float pause_s;  /* of about this length before it is said again; negative: said on command only */
-    float blend_s;  /* [>= 0] from one shape to the next */
+    float length_s; /* [> 0, >= the last key's time] then the mouth goes to rest */
+    float pause_s;  /* 0.5 to 1.5 times this passes before it is said again; negative: said on command only */
+    float blend_s;  /* [>= 0] from one shape to the next, and to rest; less where keys are closer together */
 } clq_phrase_def;
 
+/* Actors change their clips at different times, by lot. Clips that begin and end in one pose, and whose lengths divide
+ * slot_s, follow each other without a seam. */
 typedef struct clq_idle_def {
     uint32_t clip_count;
     const uint32_t *clips;
-    float slot_s; /* [> 0] about how long each is played */
+    float slot_s; /* [> 0] how long each is played, from its beginning */
 } clq_idle_def;
 
 /* What a host's mechanism is told. */
@@ -97,8 +104,8 @@ typedef struct clq_behaviour_call {
     uint32_t level;     /* of this mechanism, 0 is the finest */
     uint64_t seed;      /* of the actor */
     double time_s;      /* of the pose: the actor's tick, at or before the time of the update */
-    float eye_distance; /* world units */
-    int32_t seen;       /* 0: it keeps a memory, and runs for an actor that nobody sees */
+    float eye_distance; /* world units; of mechanisms that keep a memory from the Reference Point to the nearest eye */
+    int32_t seen;       /* 1: it passed the second cull phase; of mechanisms that keep a memory always 0 */
 } clq_behaviour_call;
 
 typedef struct clq_dof_writer clq_dof_writer;
@@ -112,7 +119,8 @@ typedef struct clq_host_mechanism_def {
     void (*run)(void *user, const clq_behaviour_call *call, clq_dof_writer *writer);
     void *user;
     /* 0: what it writes is a function of what it is told. 1: it keeps a memory; it then runs in every update for every
-     * actor that uses it, seen or not, with the update's time, and such an actor is due in every frame. */
+     * actor that uses it, seen or not, with the update's time, and such an actor is due in every frame. It is never off:
+     * off_m is 0, and what it writes to nodes that are lost is ignored. */
     int32_t has_memory;
 } clq_host_mechanism_def;
 
@@ -123,7 +131,7 @@ typedef struct clq_mechanism_def {
     /* S0 5.3, [metres] at the actor's effective distance: level k + 1 begins at level_m[k], ascending; 0: no further one.
      * From off_m on the mechanism does not run; 0: never off by itself. It is off where the skeleton has lost every node
      * that it writes, and writes none of those that are lost. */
-    float level_m[3];
+    float level_m[3]; /* those after a 0 are 0 as well */
     float off_m;
     clq_gaze_def gaze; /* that of `kind` is read */
     clq_expression_def expression;
@@ -176,15 +184,18 @@ CLQ_API clq_status clq_actor_use(clq_crowd *crowd, clq_actor actor, const clq_us
 CLQ_API clq_status clq_actor_drop(clq_crowd *crowd, clq_actor actor, clq_mechanism mechanism);
 
 /* Commands of one actor's mechanisms, from at_s on (on the update's clock; times before that show what was commanded
- * before). Fail: STALE_ID, ARGUMENT (no such use, or of another kind), OUT_OF_MEMORY.
+ * before). The last two are remembered; one for an earlier time replaces those that begin later.
+ * Fail: STALE_ID, ARGUMENT (no such use, or of another kind), OUT_OF_MEMORY.
  * gaze: a point in the world (of its group, for a member), kept relative to the Reference Point: it goes where the actor
- * is placed, so ask again when that or the point has moved. NULL: it wanders, or looks straight on. */
+ * is placed, so ask again when that or the point has moved. A point within 5 degrees of the last one, as the actor sees it,
+ * is the same one, and the turn to it goes on: so one that moves can be given anew in every frame. NULL: it wanders, or
+ * looks straight on. */
 CLQ_API clq_status clq_actor_gaze(clq_crowd *crowd, clq_actor actor, clq_mechanism gaze, const double *point,
                                   double at_s);
 /* A shape of an expression, or CLQ_NONE: by lot. */
 CLQ_API clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism expression, uint32_t shape,
                                      double at_s);
-/* Says a phrase, once, from its beginning. */
+/* Says a phrase, once, from its beginning, over what it says by itself. */
 CLQ_API clq_status clq_actor_say(clq_crowd *crowd, clq_actor actor, clq_mechanism phrase, double at_s);
 
 /* A closed way of the Skeleton Root round the Reference Point, in the actor's own space. It is what makes the Refpoint
@@ -193,14 +204,14 @@ typedef struct clq_root_path_def {
     uint32_t struct_bytes;  /* set by clq_root_path_def_init */
     uint32_t count;         /* [>= 2] */
     const float *positions; /* [3 * count] */
-    /* A table: [4 * count] quaternions x y z w, unit within 0.001, and times_s [count], ascending from 0, the last at most
-     * duration_s, where it is back at the first. NULL, both: a flight, which meets the positions at equal times on a
-     * smooth closed curve, looks along it (+z ahead, +y up) and banks into its turns. */
+    /* A table: [4 * count] quaternions x y z w, unit within 0.001, and times_s [count], ascending from 0. At duration_s it
+     * is back at the first; a key of that time must be like the first. NULL, both: a flight, which meets the positions at
+     * equal times on a smooth closed curve, looks along it (+z ahead, +y up) and banks into its turns. */
     const float *rotations_xyzw;
     const float *times_s;
-    float duration_s; /* [> 0] of a round */
-    float bank;       /* flight: [radians] for each radian a second that it turns; 0: never */
-    float most_bank_rad;
+    float duration_s;    /* [> 0] of a round */
+    float bank;          /* flight: [radians] for each radian a second that it turns; 0: never */
+    float most_bank_rad; /* [0, pi] */
 } clq_root_path_def;
 
 static inline clq_root_path_def clq_root_path_def_init(void)

@@ -7,6 +7,7 @@
 #define CLAQUE_CLAQUE_H
 
 #include <claque/base.h>
+#include <claque/behave.h>
 #include <claque/context.h>
 #include <claque/crowd.h>
 #include <claque/group.h>

@@ -1,0 +1,16 @@
+// Descriptions of mechanisms and paths, checked: the first broken rule is thrown as base::Error.
+#pragma once
+
+#include <claque/behave.h>
+
+#include "lib/crowd/mechanism.h"
+
+namespace claque::api
+{
+
+// `written` gets every degree of freedom that it may write, once.
+crowd::Mechanism mechanism_of(const clq_mechanism_def &def, const model::Template &tmpl,
+                              std::pmr::memory_resource *memory, model::Array<uint32_t> &written);
+crowd::RootPath path_of(const clq_root_path_def &def, std::pmr::memory_resource *memory);
+
+}  // namespace claque::api
