@@ -82,7 +82,7 @@ std::pmr::vector<Request> &Caches::begin()
     return requests_;
 }
 
-void Caches::admit()
+void Caches::admit_poses()
 {
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         Entry &entry = entries_[requests_[i].row];
@@ -99,9 +99,13 @@ void Caches::admit()
         Entry &entry = entries_[request.row];
         if (!entry.palette) entry.palette = take(entry, &Entry::palette);
     }
+}
+
+void Caches::admit_vertices()
+{
     for (const Request &request : requests_) {
         Entry &entry = entries_[request.row];
-        if (entry.palette && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
+        if (needs_vertices(request) && entry.palette && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
     }
 }
 

@@ -1,13 +1,14 @@
 #include "animcache/caches.h"
 
+#include "lib/pose/pose.h"
+
 namespace claque::animcache
 {
 
 namespace
 {
 
-// Tasks an update is cut into, whatever the number of threads.
-constexpr uint32_t strands = 64;
+constexpr uint32_t strands = Caches::strand_count;
 
 // A strand's share of n, in order.
 template <class Body>
@@ -28,6 +29,7 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
       animate_(memory),
       skin_(memory),
       victims_(memory),
+      built_(memory),
       scratch_(memory, strands)
 {
 }
@@ -50,27 +52,39 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
     skin_.reserve(row_count);
     victims_.reserve(row_count);
     if (entries_.size() < row_count) entries_.resize(row_count);
+    built_.resize(strands);
 }
 
-void Caches::find_due()
+bool Caches::is_due(const Request &request) const
+{
+    const Entry &entry = entries_[request.row];
+    return settings_.mode == Mode::none || !entry.palette || !(entry.palette_key == request.pose);
+}
+
+void Caches::find_due_poses()
 {
     animate_.clear();
+    for (uint32_t i = 0; i < requests_.size(); ++i) {
+        if (!is_due(requests_[i])) {
+            ++counters_.palette_served;
+            continue;
+        }
+        ++counters_.due;
+        if (entries_[requests_[i].row].palette) animate_.push_back(i);
+    }
+}
+
+void Caches::find_due_vertices()
+{
     skin_.clear();
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         const Request &request = requests_[i];
         const Entry &entry = entries_[request.row];
-        const bool palette_good = settings_.mode != Mode::none && entry.palette && entry.palette_key == request.pose;
-        const bool vertices_good = settings_.mode == Mode::full && entry.vertices &&
-                                   entry.vertices_key == request.pose && entry.vertices_level == request.level;
-        if (palette_good) {
-            ++counters_.palette_served;
-        } else {
-            ++counters_.due;
-            if (entry.palette) animate_.push_back(i);
-        }
+        if (!needs_vertices(request)) continue;
         if (!entry.vertices) {
             ++counters_.on_demand;
-        } else if (vertices_good) {
+        } else if (settings_.mode == Mode::full && entry.vertices_key == request.pose &&
+                   entry.vertices_level == request.level) {
             ++counters_.vertices_served;
         } else {
             skin_.push_back(i);
@@ -78,19 +92,27 @@ void Caches::find_due()
     }
 }
 
+// GL's matrix stack moves rigid parts itself, unless there is no room for their matrices.
+bool Caches::needs_vertices(const Request &request) const
+{
+    return request.drawn && (request.placement == Placement::vertices || !entries_[request.row].palette);
+}
+
 void Caches::animate(const base::Jobs &jobs)
 {
     jobs.for_each(strands, [this](uint32_t strand) {
         const Scratch scratch = scratch_.strand(strand);
+        built_[strand] = 0;
         share(static_cast<uint32_t>(animate_.size()), strand, [&](uint32_t i) {
             const Request &request = requests_[animate_[i]];
             Entry &entry = entries_[request.row];
-            animcache::animate(request, scratch, entry.palette);
+            built_[strand] += animcache::animate(request, scratch, entry.palette);
             entry.palette_key = request.pose;
             entry.animated_at = serial_;
         });
     });
     counters_.animated = static_cast<uint32_t>(animate_.size());
+    for (const uint32_t built : built_) counters_.matrices_built += built;
 }
 
 void Caches::skin(const base::Jobs &jobs)
@@ -106,6 +128,26 @@ void Caches::skin(const base::Jobs &jobs)
         });
     });
     counters_.skinned = static_cast<uint32_t>(skin_.size());
+}
+
+const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const
+{
+    const float *kept = entries_[request.row].palette;
+    if (!kept || request.placement == Placement::vertices) return reinterpret_cast<const math::Affine *>(kept);
+    const Scratch scratch = scratch_.strand(strand);
+    const model::Level &level = request.tmpl->levels[request.level];
+    math::Affine *palette = reinterpret_cast<math::Affine *>(scratch.floats);
+    pose::place_locals(request.tmpl->rig, level, reinterpret_cast<const math::Affine *>(kept), scratch.globals,
+                       palette);
+    products += level.active.empty() ? request.tmpl->rig.node_count() : level.nodes.size();
+    return palette;
+}
+
+const math::Affine *Caches::locals_of(uint32_t row) const
+{
+    const Entry &entry = entries_[row];
+    if (requests_[entry.request].placement != Placement::matrices) return nullptr;
+    return reinterpret_cast<const math::Affine *>(entry.palette);
 }
 
 draw::Vertices Caches::vertices_of(uint32_t row) const

@@ -13,8 +13,9 @@ namespace claque::animcache
 
 struct Counters {
     uint32_t due = 0, animated = 0, skinned = 0, palette_served = 0, vertices_served = 0, on_demand = 0;  // last update
-    uint64_t evicted = 0;  // blocks, ever
-    uint64_t bytes = 0;    // held now
+    uint64_t matrices_built = 0;  // last update: nodes' of those animated
+    uint64_t evicted = 0;         // blocks, ever
+    uint64_t bytes = 0;           // held now
 };
 
 class Caches
@@ -31,14 +32,26 @@ public:
 
     // An update, in this order.
     std::pmr::vector<Request> &begin();  // to be filled with who is seen, ascending by row, within its capacity
-    void admit();                        // finds room, throwing out who is unseen for longest
-    void find_due();
+    void admit_poses();                  // finds room, throwing out who is unseen for longest
+    void find_due_poses();
     void animate(const base::Jobs &jobs);
+    void admit_vertices();  // from here on only for requests that are drawn
+    void find_due_vertices();
     void skin(const base::Jobs &jobs);
+
+    // Between find_due_poses() and animate(): whether a request's pose must be evaluated, here or at draw time.
+    bool is_due(const Request &request) const;
+    std::pmr::vector<Request> &pending() { return requests_; }
 
     // Of a row in the last update's requests; null where there was no room.
     const float *palette_of(uint32_t row) const { return entries_[row].palette; }
     draw::Vertices vertices_of(uint32_t row) const;
+    // The palette of a request's pose, made in the strand's scratch where only nodes' own matrices are kept; then the
+    // products that this took are added. Null: no room. `strand` below strand_count.
+    const math::Affine *palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const;
+    // Of one whose parts GL's matrix stack places; null otherwise.
+    const math::Affine *locals_of(uint32_t row) const;
+    static constexpr uint32_t strand_count = 64;  // tasks an update is cut into, whatever the number of threads
     const Request &request_of(uint32_t row) const { return requests_[entries_[row].request]; }
 
     bool was_animated(uint32_t row) const { return entries_[row].animated_at == serial_; }
@@ -59,6 +72,7 @@ private:
     };
     using Block = float *Entry::*;
 
+    bool needs_vertices(const Request &request) const;
     float *take(const Entry &wanted, Block kind);  // null: no room
     bool evict_one(const Entry &wanted, Block kind, float **taken_over);
     void find_victims();
@@ -75,7 +89,8 @@ private:
     std::pmr::vector<uint32_t> skin_;
     std::pmr::vector<uint32_t> victims_;  // rows, those to leave first at the end
     bool victims_known_ = false;
-    ScratchPool scratch_;
+    std::pmr::vector<uint32_t> built_;  // by strand: matrices
+    mutable ScratchPool scratch_;
 };
 
 }  // namespace claque::animcache

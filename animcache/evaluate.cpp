@@ -13,7 +13,11 @@ namespace
 
 constexpr size_t padding = 4;  // floats: loads of four run over the last matrix
 
-size_t matrix_floats(const model::Template &tmpl) { return 12 * tmpl.rig.palette.size(); }
+// Morph weights lie behind whichever matrices are more.
+size_t matrix_floats(const model::Template &tmpl)
+{
+    return 12 * std::max<size_t>(tmpl.rig.palette.size(), tmpl.rig.node_count());
+}
 
 uint32_t count32(size_t n) { return static_cast<uint32_t>(n); }
 
@@ -32,6 +36,7 @@ Sizes sizes_of(const model::Template &tmpl)
     Sizes sizes;
     sizes.nodes = tmpl.rig.node_count();
     sizes.palette_floats = matrix_floats(tmpl) + tmpl.rig.rest_weights.size() + padding;
+    sizes.scratch_floats = sizes.palette_floats;
     for (const model::Level &level : tmpl.levels) {
         sizes.vertex_floats = std::max(sizes.vertex_floats, 6 * size_t(level.vertex_count) + padding);
         sizes.scratch_floats = std::max(sizes.scratch_floats,
@@ -40,18 +45,23 @@ Sizes sizes_of(const model::Template &tmpl)
     return sizes;
 }
 
-void animate(const Request &request, const Scratch &scratch, float *palette)
+uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
 {
     const model::Rig &rig = request.tmpl->rig;
     pose::PoseJob job;
     job.rig = &rig;
-    job.clip = request.clip;
+    job.clip = request.pose.clip;
     job.time_s = request.pose.clip_time_s;
+    job.dofs = request.dofs;
+    job.level = &request.tmpl->levels[request.level];
     job.locals = {scratch.locals, rig.node_count()};
     job.globals = {scratch.globals, rig.node_count()};
     job.palette = {reinterpret_cast<math::Affine *>(palette), count32(rig.palette.size())};
     job.weights = {palette + matrix_floats(*request.tmpl), count32(rig.rest_weights.size())};
+    if (request.placement == Placement::matrices)
+        return job.run_locals({reinterpret_cast<math::Affine *>(palette), rig.node_count()});
     job.run();
+    return job.level->active.empty() ? rig.node_count() : count32(job.level->nodes.size());
 }
 
 void skin(const Request &request, const float *palette, const Scratch &scratch, float *vertices)

@@ -12,7 +12,21 @@ namespace claque::animcache
 struct PoseKey {
     uint64_t version = 0;  // 0 is no pose
     double clip_time_s = 0;
-    bool operator==(const PoseKey &o) const { return version == o.version && clip_time_s == o.clip_time_s; }
+    double tick_s = 0;              // of what control mechanisms wrote; 0 where there are none
+    uint64_t behaviour_levels = 0;  // of these mechanisms
+    uint32_t clip = model::none;    // what an idle mechanism has drawn differs within one version
+    uint32_t skeletal = 0;          // S0 5.2: what is left of the skeleton
+    bool operator==(const PoseKey &o) const
+    {
+        return version == o.version && clip_time_s == o.clip_time_s && tick_s == o.tick_s &&
+               behaviour_levels == o.behaviour_levels && clip == o.clip && skeletal == o.skeletal;
+    }
+};
+
+// Where the matrices of rigid parts are multiplied (S0 6.2.2, fTrack).
+enum class Placement : uint8_t {
+    vertices = 0,  // here, and vertices moved by them: a palette is kept
+    matrices = 1   // by GL's matrix stack: each node's matrix relative to its parent is kept
 };
 
 // One individual that is seen in this update.
@@ -20,14 +34,17 @@ struct Request {
     const model::Template *tmpl = nullptr;
     uint32_t row = 0;    // in the crowd
     uint32_t level = 0;  // of the template
-    uint32_t clip = model::none;
     PoseKey pose;
+    Placement placement = Placement::vertices;
+    bool drawn = true;  // false: posed for what depends on it, but no view sees it
+    const float *dofs =
+        nullptr;  // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
 };
 
 // Sizes of memory in floats, for one template or the largest of several.
 struct Sizes {
     size_t nodes = 0;
-    size_t palette_floats = 0;  // matrices, then morph weights, then padding
+    size_t palette_floats = 0;  // matrices of the palette, or of the nodes; then morph weights, then padding
     size_t vertex_floats = 0;   // positions and normals of the largest level, copies included (S1 4), and padding
     size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals
     void grow_to(const Sizes &other);
@@ -43,8 +60,8 @@ struct Scratch {
     const Sizes *sizes = nullptr;
 };
 
-// palette: [sizes_of(tmpl).palette_floats]
-void animate(const Request &request, const Scratch &scratch, float *palette);
+// palette: [sizes_of(tmpl).palette_floats]. Returns how many nodes' matrices it built (S0 6.2.2, fCoh).
+uint32_t animate(const Request &request, const Scratch &scratch, float *palette);
 // vertices: [sizes_of(tmpl).vertex_floats]; palette as animate() left it
 void skin(const Request &request, const float *palette, const Scratch &scratch, float *vertices);
 

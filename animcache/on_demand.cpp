@@ -16,7 +16,8 @@ void OnDemand::reserve(base::Span<const model::Template *const> templates)
 
 draw::Vertices OnDemand::serve(const draw::Item &item)
 {
-    const Request &request = caches_->request_of(item.actor_index);
+    Request request = caches_->request_of(item.actor_index);
+    request.placement = Placement::vertices;
     const Scratch scratch = scratch_.strand(0);
     const float *palette = caches_->palette_of(item.actor_index);
     if (!palette) {

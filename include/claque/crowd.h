@@ -248,9 +248,22 @@ typedef struct clq_band {
 
 typedef struct clq_crowd_stats {
     uint32_t actor_count;
-    uint32_t groups;          /* that have members */
-    uint32_t groups_visible;  /* of these, enabled and met by a view of the last update */
-    uint32_t tested;          /* actors without a group, and members of visible groups: whose own spheres were tested */
+    uint32_t groups;         /* that have members */
+    uint32_t groups_visible; /* of these, enabled and met by a view of the last update */
+    uint32_t tested;         /* actors without a group, and members of visible groups: whose own spheres were tested */
+    /* S0 4.2: of these, in any view, who passed the first and the second cull phase, and who of them crossed a frustum's
+     * edge, so that its parts were tested one by one in the third. */
+    uint32_t passed_refpoint, passed_sklsroot, crossing;
+    uint64_t sphere_tests;       /* spheres against frustums, in all phases */
+    uint64_t spheres_built;      /* Internal Bspheres */
+    uint64_t roots_placed;       /* Skeleton Roots */
+    uint64_t distances;          /* from an eye */
+    uint64_t matrices_needed;    /* nodes at the levels of who passed the second phase */
+    uint64_t matrices_built;     /* of these, anew: fCoh is their share (S0 6.2.2) */
+    uint64_t products;           /* of matrices, for who is drawn */
+    uint64_t products_tracked;   /* of these, made by claque and not by GL: fTrack is their share */
+    uint64_t behaviour_calls[6]; /* of mechanisms, by clq_mechanism_kind */
+    uint64_t dof_writes;
     uint32_t visible;         /* in the last update, in any view */
     uint32_t due;             /* of these, whose pose was due */
     uint32_t animated;        /* poses evaluated */

@@ -29,9 +29,25 @@ CLQ_API void clq_view_destroy(clq_view *view);
  * Threads: the crowd's writer. */
 CLQ_API clq_status clq_view_look(clq_view *view, const clq_camera *camera);
 
+/* How high the view's picture is: levels of detail are those for distances in a picture of 768 lines over 60 degrees, and a
+ * zoom lens or a larger picture gets more detail, a smaller one less (S0 5). Default 768; 0: distances as they are.
+ * Fails: ARGUMENT. Threads: the crowd's writer. */
+CLQ_API clq_status clq_view_set_height(clq_view *view, float height_px);
+
+/* Culls by a pyramid that is narrower than the picture's (S0 Fig. 10), to see the culling at work: (0, 1]. Default 1.
+ * Fails: ARGUMENT. Threads: the crowd's writer. */
+CLQ_API clq_status clq_view_set_cull_scale(clq_view *view, float scale);
+
+/* Shadows fall by this much, in world units: whoever's sphere swept along it meets the frustum is alive and posed, though
+ * nobody but its shadow is seen; it is not drawn. Zero: there are no shadows. Default zero.
+ * Fails: ARGUMENT (not finite). Threads: the crowd's writer. */
+CLQ_API clq_status clq_view_set_shadow(clq_view *view, const float fall[3]);
+
 typedef struct clq_view_stats {
     uint32_t visible;   /* individuals in the list */
-    uint32_t triangles; /* of them, each triangle once */
+    uint32_t triangles; /* of them and their levels, each triangle once; parts that phase 3 left out are not counted */
+    uint32_t shadow_only;           /* of the visible: seen by nobody but their shadow */
+    uint32_t parts, parts_left_out; /* of the others (S0 4.2 phase 3) */
 } clq_view_stats;
 
 CLQ_API clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out);

@@ -139,6 +139,11 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
         info.visible = seen.visible;
         info.period_s = seen.period_s;
         info.shown_s = seen.shown_s;
+        info.priority = crowd->crowd.extent_of(row).priority;
+        info.eye_distance = seen.distance;
+        info.level = seen.level;
+        info.refpoint_radius = crowd->crowd.extent_of(row).refpoint;
+        info.sklsroot_radius = crowd->crowd.extent_of(row).sklsroot;
         *out = info;
     });
 }

@@ -10,7 +10,7 @@ using namespace claque;
 namespace
 {
 
-animcache::Settings settings_of(const clq_crowd_def &def)
+frame::Settings settings_of(const clq_crowd_def &def)
 {
     using api::require;
     require(api::number_of(def.cache) <= CLQ_CACHE_NONE,
@@ -26,11 +26,24 @@ animcache::Settings settings_of(const clq_crowd_def &def)
     if (!(def.metres_per_unit > 0) || !std::isfinite(def.metres_per_unit))
         base::fail(CLQ_ARGUMENT, "metres_per_unit is %g: more than 0 is wanted",
                    static_cast<double>(def.metres_per_unit));
-    animcache::Settings settings;
-    settings.mode = static_cast<animcache::Mode>(def.cache);
-    if (def.cache_budget_bytes) settings.budget_bytes = def.cache_budget_bytes;
-    settings.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
-    settings.metres_per_unit = def.metres_per_unit;
+    require(api::number_of(def.cull) <= CLQ_CULL_TRADITIONAL,
+            "cull is neither CLQ_CULL_ACTOR nor CLQ_CULL_TRADITIONAL");
+    require(api::number_of(def.placement) <= CLQ_PLACE_MATRICES,
+            "placement is neither CLQ_PLACE_VERTICES nor CLQ_PLACE_MATRICES");
+    if (!(def.lod_scale >= 0) || !std::isfinite(def.lod_scale))
+        base::fail(CLQ_ARGUMENT, "lod_scale is %g: 0 or more is wanted", static_cast<double>(def.lod_scale));
+    if (!(def.lod_hysteresis >= 0 && def.lod_hysteresis < 1))
+        base::fail(CLQ_ARGUMENT, "lod_hysteresis is %g: 0 to less than 1 is wanted",
+                   static_cast<double>(def.lod_hysteresis));
+    frame::Settings settings;
+    settings.caches.mode = static_cast<animcache::Mode>(def.cache);
+    if (def.cache_budget_bytes) settings.caches.budget_bytes = def.cache_budget_bytes;
+    settings.caches.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
+    settings.caches.metres_per_unit = def.metres_per_unit;
+    settings.cull = static_cast<frame::Cull>(def.cull);
+    settings.placement = static_cast<animcache::Placement>(def.placement);
+    settings.lod_scale = def.lod_scale;
+    settings.lod_hysteresis = def.lod_hysteresis;
     return settings;
 }
 
@@ -118,6 +131,19 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         result.groups = stats.groups;
         result.groups_visible = stats.groups_seen;
         result.tested = stats.tested;
+        result.passed_refpoint = stats.passed_refpoint;
+        result.passed_sklsroot = stats.passed_sklsroot;
+        result.crossing = stats.crossing;
+        result.sphere_tests = stats.sphere_tests;
+        result.spheres_built = stats.spheres_built;
+        result.roots_placed = stats.roots_placed;
+        result.distances = stats.distances;
+        result.matrices_needed = stats.matrices_needed;
+        result.matrices_built = stats.matrices_built;
+        result.products = stats.products;
+        result.products_tracked = stats.products_tracked;
+        for (int k = 0; k < 6; ++k) result.behaviour_calls[k] = stats.behaviour.calls[k];
+        result.dof_writes = stats.behaviour.writes;
         result.visible = stats.visible;
         result.due = stats.due;
         result.animated = stats.animated;

@@ -9,7 +9,7 @@
 
 // The crowd and all its views are one thing to memory and to the BUSY rule.
 struct clq_crowd {
-    clq_crowd(clq_context *owner, const claque::animcache::Settings &settings, uint64_t seed)
+    clq_crowd(clq_context *owner, const claque::frame::Settings &settings, uint64_t seed)
         : context(owner),
           crowd(&owner->memory, seed),
           frame(&owner->memory, settings),

@@ -75,12 +75,54 @@ clq_status clq_view_look(clq_view *view, const clq_camera *camera)
     });
 }
 
+clq_status clq_view_set_height(clq_view *view, float height_px)
+{
+    return api::boundary("clq_view_set_height", [&] {
+        api::require(view != nullptr, "view is NULL");
+        if (!(height_px >= 0) || !std::isfinite(height_px))
+            base::fail(CLQ_ARGUMENT, "a height of %g pixels: 0 or more is wanted", static_cast<double>(height_px));
+        const api::Busy busy(view->crowd);
+        view->view.height_px = height_px;
+    });
+}
+
+clq_status clq_view_set_cull_scale(clq_view *view, float scale)
+{
+    return api::boundary("clq_view_set_cull_scale", [&] {
+        api::require(view != nullptr, "view is NULL");
+        if (!(scale > 0 && scale <= 1))
+            base::fail(CLQ_ARGUMENT, "a culling pyramid of %g times the picture's: more than 0, at most 1 is wanted",
+                       static_cast<double>(scale));
+        const api::Busy busy(view->crowd);
+        view->view.cull_scale = scale;
+    });
+}
+
+clq_status clq_view_set_shadow(clq_view *view, const float fall[3])
+{
+    return api::boundary("clq_view_set_shadow", [&] {
+        api::require(view && fall, "view or fall is NULL");
+        api::require(std::isfinite(fall[0]) && std::isfinite(fall[1]) && std::isfinite(fall[2]),
+                     "the way that shadows fall is not finite");
+        const api::Busy busy(view->crowd);
+        view->view.shadow = glm::vec3(fall[0], fall[1], fall[2]);
+    });
+}
+
 clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
 {
     return api::boundary("clq_view_get_stats", [&] {
         api::require(view && out, "view or out is NULL");
-        out->visible = static_cast<uint32_t>(view->view.list.items.size());
-        out->triangles = static_cast<uint32_t>(frame::triangle_count(view->view.list));
+        clq_view_stats stats{};
+        stats.visible = static_cast<uint32_t>(view->view.list.items.size());
+        stats.triangles = static_cast<uint32_t>(frame::triangle_count(view->view.list));
+        for (const draw::Item &item : view->view.list.items) {
+            stats.shadow_only += item.shadow_only;
+            if (item.shadow_only) continue;
+            const size_t parts = item.tmpl->levels[item.level].parts.size();
+            for (size_t k = 0; k < parts; ++k) ++(item.parts >> k & 1 ? stats.parts : stats.parts_left_out);
+        }
+        *out = stats;
     });
 }
 

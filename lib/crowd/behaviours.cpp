@@ -53,6 +53,10 @@ uint32_t Behaviours::add(Mechanism &&mechanism, base::Span<const uint32_t> writt
     mechanism.first_dof = static_cast<uint32_t>(written_.size());
     mechanism.dof_count = written.count;
     written_.insert(written_.end(), written.begin(), written.end());
+    if (const HostMechanism *host = std::get_if<HostMechanism>(&mechanism.kind)) {
+        any_host_ = true;
+        any_memory_ = any_memory_ || host->memory;
+    }
     mechanisms_.push_back(std::move(mechanism));
     return static_cast<uint32_t>(mechanisms_.size() - 1);
 }

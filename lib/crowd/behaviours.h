@@ -47,9 +47,12 @@ public:
     bool has_root_motion(uint32_t row) const { return motions_[row] != model::none; }
     const RootMotion &root_motion(uint32_t row) const { return root_motions_[motions_[row]]; }
 
+    bool any_host() const { return any_host_; }      // whether there is a mechanism of the host's
+    bool any_memory() const { return any_memory_; }  // and one that keeps a memory
     uint64_t bytes() const;
 
 private:
+    bool any_host_ = false, any_memory_ = false;
     uint32_t find_use(uint32_t row, uint32_t mechanism) const;  // none: it does not
     void link(uint32_t row, uint32_t index);
     void unlink(uint32_t row, uint32_t index);

@@ -94,6 +94,7 @@ public:
     uint32_t row_count() const { return static_cast<uint32_t>(actors_.size()); }         // rows of the gone included
     uint32_t row_capacity() const { return static_cast<uint32_t>(actors_.capacity()); }  // grows in steps
     uint64_t seed() const { return seed_; }
+    std::pmr::memory_resource *memory() const { return actors_.get_allocator().resource(); }
     uint64_t bytes() const;  // held for the individuals
     uint64_t fingerprint() const;
 
@@ -114,6 +115,7 @@ public:
     {
         return extras_of_[row] == model::none ? nullptr : &extras_[extras_of_[row]];
     }
+    size_t hooked_count() const { return extras_.size(); }  // at most, who has callbacks
     double (*ground() const)(void *user, const double point[3]) { return ground_; }
     void *ground_user() const { return ground_user_; }
     const uint8_t *zone_rgb(uint32_t row) const;  // 3 a zone, or null: the template's own

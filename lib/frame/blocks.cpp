@@ -6,12 +6,6 @@
 namespace claque::frame
 {
 
-double refpoint_radius(const model::Template &tmpl)
-{
-    const glm::dvec3 c(tmpl.sklsroot.centre);
-    return std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z) + static_cast<double>(tmpl.sklsroot.radius);
-}
-
 model::Sphere sphere_of(const crowd::Crowd &crowd, const uint32_t *rows, uint32_t count)
 {
     if (count == 0) return model::Sphere();
@@ -27,7 +21,7 @@ model::Sphere sphere_of(const crowd::Crowd &crowd, const uint32_t *rows, uint32_
     for (uint32_t i = 0; i < count; ++i) {
         const crowd::Place &place = crowd.place_of(rows[i]);
         const glm::dvec3 d = place.position - centre;
-        const double own = std::fabs(static_cast<double>(place.scale)) * refpoint_radius(crowd.template_of(rows[i]));
+        const double own = std::fabs(static_cast<double>(place.scale)) * double(crowd.extent_of(rows[i]).refpoint);
         radius = std::max(radius, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) + own);
     }
     sphere.radius = static_cast<float>(radius * (1 + 1e-6));

@@ -38,7 +38,4 @@ private:
 // Holds the Refpoint Bspheres of the rows, however they are turned, in the space that their places are given in.
 model::Sphere sphere_of(const crowd::Crowd &crowd, const uint32_t *rows, uint32_t count);
 
-// The radius round an actor's Reference Point that holds it however it is turned, at scale 1.
-double refpoint_radius(const model::Template &tmpl);
-
 }  // namespace claque::frame

@@ -8,7 +8,7 @@ namespace claque::frame
 // Band 0 is nearer than d_near, the last beyond d_far, the others share the way between equally.
 void Frame::reset_bands()
 {
-    const float near = settings_.period.d_near, far = settings_.period.d_far;
+    const float near = settings_.caches.period.d_near, far = settings_.caches.period.d_far;
     const auto edge = [&](uint32_t k) { return near + (far - near) * float(k) / float(band_count - 2); };
     for (uint32_t i = 0; i < band_count; ++i) {
         stats_.bands[i] = Band();
@@ -28,7 +28,8 @@ void Update::count()
 {
     const animcache::Counters &counters = frame.caches_.counters();
     Stats &stats = frame.stats_;
-    stats.visible = static_cast<uint32_t>(frame.caches_.requests().count);
+    stats.visible = static_cast<uint32_t>(frame.visible_.size());
+    stats.matrices_built = counters.matrices_built;
     stats.due = counters.due;
     stats.animated = counters.animated;
     stats.skinned = counters.skinned;
@@ -42,8 +43,9 @@ void Update::count()
     const double gone = frame.has_last_time_ ? time_s - frame.last_time_s_ : 0;
     const bool passes = gone > 0 && gone < 1;
     for (const animcache::Request &request : frame.caches_.requests()) {
+        if (!request.drawn) continue;
         const Row &row = frame.rows_[request.row];
-        Band &band = stats.bands[band_of(row.distance)];
+        Band &band = stats.bands[band_of(row.seen.distance)];
         ++band.actor_frames;
         if (!passes || !row.steady) continue;
         band.seconds += gone;

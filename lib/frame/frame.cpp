@@ -7,19 +7,25 @@
 namespace claque::frame
 {
 
-Frame::Frame(std::pmr::memory_resource *memory, const animcache::Settings &settings)
+Frame::Frame(std::pmr::memory_resource *memory, const Settings &settings)
     : settings_(settings),
-      caches_(memory, settings),
+      caches_(memory, settings.caches),
       rows_(memory),
       groups_(memory),
       blocks_(memory),
-      candidates_(memory),
+      eyes_(memory),
       block_seen_(memory),
-      view_distances_(memory),
+      tested_(memory),
+      passed_(memory),
+      candidates_(memory),
+      sights_(memory),
+      asked_(memory),
       visible_(memory),
+      dofs_(memory),
+      behaving_(memory),
       listed_(memory)
 {
-    stats_.cache_budget_bytes = settings.budget_bytes;
+    stats_.cache_budget_bytes = settings.caches.budget_bytes;
     reset_bands();
 }
 
@@ -31,6 +37,13 @@ Seen Frame::seen(const crowd::Crowd &crowd, uint32_t row) const
     return seen;
 }
 
+bool Frame::root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Place &out) const
+{
+    if (!seen(crowd, row).visible) return false;
+    out = candidates_[rows_[row].candidate].root;
+    return true;
+}
+
 bool Frame::group_seen(const crowd::Crowd &crowd, uint32_t group) const
 {
     return group < groups_.size() && update_ > 0 && groups_[group].update == update_ &&
@@ -40,14 +53,28 @@ bool Frame::group_seen(const crowd::Crowd &crowd, uint32_t group) const
 void Update::reserve()
 {
     const uint32_t rows = crowd.row_capacity();  // grows in steps, so that this does
+    frame.eyes_.clear();
+    for (const View *view : views) frame.eyes_.emplace_back(*view);
     const size_t colours = crowd.colour_bytes();
     for (View *view : views) {
         view->list.items.reserve(rows);
+        view->hooked.reserve(crowd.hooked_count());
         view->server.reserve(crowd.templates());
         if (std::max(view->colours.capacity(), view->grown.capacity()) < colours)
             view->grown.reserve(colours + colours / 2);
     }
-    frame.view_distances_.reserve(size_t(views.count) * rows);
+    frame.passed_.reserve(size_t(views.count) * rows);
+    frame.sights_.reserve(size_t(views.count) * rows);
+    frame.tested_.reserve(rows);
+    frame.asked_.reserve(rows);
+    frame.behaving_.reserve(rows);
+    frame.most_dofs_ = 0;
+    for (const model::Template *tmpl : crowd.templates())
+        frame.most_dofs_ = std::max(frame.most_dofs_, static_cast<uint32_t>(tmpl->rig.dofs.size()));
+    if (crowd.behaviours().mechanism_count() > 0) {
+        const size_t dofs = (size_t(rows) + 1) * frame.most_dofs_;
+        if (frame.dofs_.size() < dofs) frame.dofs_.resize(dofs);
+    }
     frame.blocks_.follow(crowd);
     frame.block_seen_.assign(size_t(views.count) * frame.blocks_.blocks().count, 0);
     frame.candidates_.reserve(rows);
@@ -60,11 +87,17 @@ void Update::reserve()
 
 void Update::find_due()
 {
-    frame.caches_.admit();
-    frame.caches_.find_due();
+    frame.caches_.admit_poses();
+    frame.caches_.find_due_poses();
 }
 
 void Update::animate() { frame.caches_.animate(jobs); }
-void Update::skin() { frame.caches_.skin(jobs); }
+
+void Update::skin()
+{
+    frame.caches_.admit_vertices();
+    frame.caches_.find_due_vertices();
+    frame.caches_.skin(jobs);
+}
 
 }  // namespace claque::frame

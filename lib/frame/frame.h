@@ -4,31 +4,54 @@
 #include "animcache/caches.h"
 #include "lib/base/services.h"
 #include "lib/base/status.h"
+#include "lib/behave/behave.h"
 #include "lib/crowd/crowd.h"
 #include "lib/frame/blocks.h"
+#include "lib/frame/eye.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/view.h"
+#include "lib/math/frustum.h"
 
 namespace claque::frame
 {
+
+// S0 4: the order of work. The picture is the same.
+enum class Cull : uint8_t { actor = 0, traditional = 1 };
+
+// What a host chooses about updates, beside the caches.
+struct Settings {
+    animcache::Settings caches;
+    Cull cull = Cull::actor;
+    animcache::Placement placement = animcache::Placement::vertices;
+    float lod_scale = 1;       // times every effective distance
+    float lod_hysteresis = 0;  // [0, 1): 0 keeps what is shown a function of time and distance
+};
 
 // What the last update found out about one row of the crowd.
 struct Seen {
     bool visible = false;  // in any view, in the last update
     float period_s = 0;    // of the last update that saw it; 0: every frame
     double shown_s = 0;    // the tick whose pose it showed then
+    float distance = 0;    // eyeDistance then (S0 5): from the Skeleton Root to the nearest eye, world units
+    uint32_t level = 0;    // of detail then
 };
 
 // What updates of one crowd keep and reuse: results, caches, scratch. Give each crowd one, of the same memory.
 class Frame
 {
 public:
-    Frame(std::pmr::memory_resource *memory, const animcache::Settings &settings);
+    Frame(std::pmr::memory_resource *memory, const Settings &settings);
 
     const Stats &stats() const { return stats_; }
     void reset_bands();
     // Nothing was seen of a row that was filled after the last update.
     Seen seen(const crowd::Crowd &crowd, uint32_t row) const;
+    // Where the Skeleton Root of a row was in the world, in the last update if that saw it. False: it did not.
+    bool root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Place &out) const;
+    const Settings &settings() const { return settings_; }
+    double last_time_s() const { return last_time_s_; }  // of the last update; 0 before the first
+    // Of the mechanisms of a row that the last update saw.
+    behave::Levels levels_of(uint32_t row) const { return candidates_[rows_[row].candidate].levels; }
     // Whether any view of the last update met the group's sphere; false where it was disabled or empty.
     bool group_seen(const crowd::Crowd &crowd, uint32_t group) const;
 
@@ -40,9 +63,22 @@ private:
         Seen seen;                // visible: in the update of that number
         uint64_t update = 0;      // the last that looked at this row
         uint32_t generation = 0;  // of the individual that this is about
-        uint32_t level = 0;
-        float distance = 0;   // eyeDistance: to the nearest eye that sees it, world units
-        bool steady = false;  // seen in the update before as well
+        bool steady = false;      // seen in the update before as well
+        uint32_t candidate = 0;
+    };
+    // One row that passed phase 1 in any view.
+    struct Candidate {
+        uint32_t row;
+        float effective_m;  // S0 5: the least of its effective distances
+        uint64_t levels;    // of its control mechanisms
+        crowd::Place root;  // its Skeleton Root in the world, from place_roots() on
+    };
+    // How one view sees one candidate. distance: of its Skeleton Root, world units.
+    struct Sight {
+        float distance;
+        math::Inside inside;  // of the last sphere tested
+        bool shadow_only;     // nothing but what falls from it
+        uint64_t parts;       // bit k: part k of its level
     };
     // One individual in one view, before its Item is written.
     struct Listed {
@@ -55,7 +91,7 @@ private:
         uint32_t generation = 0;
     };
 
-    animcache::Settings settings_;
+    Settings settings_;
     animcache::Caches caches_;
     Stats stats_;
     double last_time_s_ = 0;
@@ -64,11 +100,18 @@ private:
     std::pmr::vector<Row> rows_;
     std::pmr::vector<GroupRow> groups_;
     Blocks blocks_;
-    std::pmr::vector<uint32_t> candidates_;   // rows that no group keeps out of every view
-    std::pmr::vector<uint8_t> block_seen_;    // [view][block]
-    std::pmr::vector<float> view_distances_;  // [view][candidate], world units; negative: not seen
-    std::pmr::vector<uint32_t> visible_;      // candidates that a view sees, one a request, in their order
-    std::pmr::vector<Listed> listed_;         // of one view
+    std::pmr::vector<EyeOf> eyes_;          // one a view
+    std::pmr::vector<uint8_t> block_seen_;  // [view][block]
+    std::pmr::vector<uint32_t> tested_;     // rows that no group keeps out of every view
+    std::pmr::vector<uint8_t> passed_;      // [view][tested]: math::Inside of phase 1
+    std::pmr::vector<Candidate> candidates_;
+    std::pmr::vector<Sight> sights_;       // [view][candidate]
+    std::pmr::vector<uint32_t> asked_;     // candidates, one a request, in their order
+    std::pmr::vector<uint32_t> visible_;   // of these, who is drawn in some view
+    std::pmr::vector<float> dofs_;         // of who is due, written by control mechanisms
+    std::pmr::vector<uint32_t> behaving_;  // requests whose mechanisms run
+    uint32_t most_dofs_ = 0;
+    std::pmr::vector<Listed> listed_;  // of one view
 };
 
 // One frame. time_s: the host's clock; may jump, also back. What is shown is a function of it and of the distances.

@@ -1,4 +1,7 @@
-// S1 4, S0 5: one eyeDistance an individual, to the nearest eye that sees it, gives its level, its rate and its tick.
+// S1 4, S0 5: one eyeDistance an individual, to the nearest eye that sees it, gives its rate and its tick; its effective
+// distance the levels of its geometry, its skeleton and its behaviour.
+#include <algorithm>
+
 #include "lib/base/hash.h"
 #include "lib/frame/steps.h"
 #include "lib/pose/clock.h"
@@ -19,27 +22,49 @@ uint32_t level_at(const model::Template &tmpl, float distance_m)
 
 }  // namespace
 
-void Update::look_at(uint32_t candidate)
+// With hysteresis, who was coarser a moment ago becomes finer only once a share of the way back is behind it.
+uint32_t Update::level_of(const Row &row, uint32_t crowd_row, float effective_m) const
 {
-    const uint32_t row = frame.candidates_[candidate];
+    const model::Template &tmpl = crowd.template_of(crowd_row);
+    const uint32_t level = level_at(tmpl, effective_m);
+    const float hysteresis = frame.settings_.lod_hysteresis;
+    if (hysteresis == 0 || !row.steady || level >= row.seen.level) return level;
+    return std::min(row.seen.level, level_at(tmpl, effective_m / (1 - hysteresis)));
+}
+
+void Update::look_at(uint32_t index)
+{
+    Candidate &candidate = frame.candidates_[index];
+    const uint32_t row = candidate.row;
     const crowd::Actor &actor = crowd.actor(row);
     Row &out = frame.rows_[row];
     const bool was_seen = out.seen.visible && out.generation == actor.generation && out.update + 1 == frame.update_;
     if (out.generation != actor.generation) out.seen = Seen();  // of whoever had the row before
     out.generation = actor.generation;
     out.update = frame.update_;
-    float nearest = -1;
+    out.candidate = index;
+
+    float nearest = -1, effective = -1;
+    const double wish = (1 - double(crowd.extent_of(row).priority)) * double(frame.settings_.lod_scale);
     for (uint32_t v = 0; v < views.count; ++v) {
-        const float distance = frame.view_distances_[size_t(v) * frame.candidates_.size() + candidate];
-        if (distance >= 0 && (nearest < 0 || distance < nearest)) nearest = distance;
+        const Sight &seen = sight(v, index);
+        if (seen.inside == math::Inside::no && !traditional()) continue;
+        const EyeOf &eye = frame.eyes_[v];
+        const float here = static_cast<float>((seen.distance * eye.detail + eye.least) * wish);
+        if (nearest < 0 || seen.distance < nearest) nearest = seen.distance;
+        if (effective < 0 || here < effective) effective = here;
     }
     out.seen.visible = nearest >= 0;
     out.steady = out.seen.visible && was_seen;
     if (!out.seen.visible) return;
 
-    out.distance = nearest;
-    out.level = level_at(crowd.template_of(row), nearest * frame.settings_.metres_per_unit);
-    const uint32_t rung = animcache::rung_of(frame.settings_.period, nearest);
+    candidate.effective_m = effective * frame.settings_.caches.metres_per_unit;
+    out.seen.distance = nearest;
+    out.seen.level = level_of(out, row, candidate.effective_m);
+    candidate.levels =
+        behave::levels_of(crowd, row, candidate.effective_m, crowd.template_of(row).levels[out.seen.level]);
+    const uint32_t rung =
+        behave::has_memory(crowd, row) ? 0 : animcache::rung_of(frame.settings_.caches.period, nearest);
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
     out.seen.period_s = static_cast<float>(animcache::period_s(rung));
     out.seen.shown_s = animcache::tick_s(rung, time_s, base::hash(crowd.seed(), id, base::Purpose::cache_phase));
@@ -48,29 +73,44 @@ void Update::look_at(uint32_t candidate)
     if (begun_s <= time_s && out.seen.shown_s < begun_s) out.seen.shown_s = begun_s;
 }
 
+void Update::request(uint32_t index)
+{
+    const Candidate &candidate = frame.candidates_[index];
+    const uint32_t row = candidate.row;
+    const Row &found = frame.rows_[row];
+    const bool behaves = crowd.behaviours().has_uses(row);
+    const crowd::Play play =
+        behaves ? behave::play_at(crowd, row, found.seen.shown_s, candidate.levels) : crowd.play_of(row);
+    animcache::Request request;
+    request.tmpl = &crowd.template_of(row);
+    request.row = row;
+    request.level = found.seen.level;
+    request.placement =
+        request.tmpl->has_rigid_parts_only() ? frame.settings_.placement : animcache::Placement::vertices;
+    request.pose.version = crowd.actor(row).play_version;
+    request.pose.clip = play.clip;
+    request.pose.skeletal = request.tmpl->levels[found.seen.level].skeletal;
+    if (behaves) {
+        request.pose.tick_s = found.seen.shown_s;
+        request.pose.behaviour_levels = candidate.levels;
+    }
+    if (play.clip != model::none)
+        request.pose.clip_time_s = pose::clip_time({play.start_s, play.speed, play.phase_s},
+                                                   request.tmpl->rig.clips[play.clip], found.seen.shown_s);
+    frame.asked_.push_back(index);
+    frame.caches_.pending().push_back(request);
+}
+
 void Update::choose_levels_and_periods()
 {
     const uint32_t count = static_cast<uint32_t>(frame.candidates_.size());
     for_slices(count, [this](uint32_t i) { look_at(i); });
-    frame.visible_.clear();
-    std::pmr::vector<animcache::Request> &requests = frame.caches_.begin();
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t row = frame.candidates_[i];
-        const Row &found = frame.rows_[row];
-        if (!found.seen.visible) continue;
-        frame.visible_.push_back(i);
-        const crowd::Play &play = crowd.play_of(row);
-        animcache::Request request;
-        request.tmpl = &crowd.template_of(row);
-        request.row = row;
-        request.level = found.level;
-        request.clip = play.clip;
-        request.pose.version = crowd.actor(row).play_version;
-        if (play.clip != model::none)
-            request.pose.clip_time_s = pose::clip_time({play.start_s, play.speed, play.phase_s},
-                                                       request.tmpl->rig.clips[play.clip], found.seen.shown_s);
-        requests.push_back(request);
-    }
+    frame.asked_.clear();
+    frame.caches_.begin();
+    frame.stats_.crossing = frame.stats_.passed_sklsroot = 0;
+    for (uint32_t i = 0; i < count; ++i)
+        if (frame.rows_[frame.candidates_[i].row].seen.visible) request(i);
+    frame.stats_.passed_sklsroot = static_cast<uint32_t>(frame.asked_.size());
 }
 
 }  // namespace claque::frame

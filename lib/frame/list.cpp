@@ -8,19 +8,25 @@
 namespace claque::frame
 {
 
-draw::Item Update::item_of(const EyeOf &eye, const Listed &listed) const
+draw::Item Update::item_of(const EyeOf &eye, uint32_t view, const Listed &listed) const
 {
-    const crowd::Place place = crowd.world_place_of(listed.row);
+    const Row &found = frame.rows_[listed.row];
+    const crowd::Place &place = frame.candidates_[found.candidate].root;
+    const Sight &seen = sight(view, found.candidate);
     draw::Item item;
     item.tmpl = &crowd.template_of(listed.row);
-    item.level = frame.rows_[listed.row].level;
+    item.level = found.seen.level;
     item.actor_index = listed.row;
-    item.vertices = frame.caches_.vertices_of(listed.row);
+    item.generation = crowd.actor(listed.row).generation;
+    item.parts = seen.parts;
+    item.shadow_only = seen.shadow_only;
+    item.locals = frame.caches_.locals_of(listed.row);
+    if (!item.locals) item.vertices = frame.caches_.vertices_of(listed.row);
     item.zone_rgb = crowd.zone_rgb(listed.row);
     math::store_matrix(
         math::eye_place(eye.world_to_eye, eye.eye, place.position, place.orientation, double(place.scale)),
         item.model_view);
-    item.eye_distance_m = listed.distance * frame.settings_.metres_per_unit;
+    item.eye_distance_m = listed.distance * frame.settings_.caches.metres_per_unit;
     item.mirrored = place.scale < 0;
     return item;
 }
@@ -44,17 +50,45 @@ void keep_colours(View &view)
     }
 }
 
+int32_t call_before(void *user, uint32_t index1, uint32_t generation)
+{
+    const clq_actor_hooks &host = static_cast<const Hooked *>(user)->host;
+    return host.before(host.user, clq_actor{index1, generation});
+}
+
+void call_after(void *user, uint32_t index1, uint32_t generation)
+{
+    const clq_actor_hooks &host = static_cast<const Hooked *>(user)->host;
+    host.after(host.user, clq_actor{index1, generation});
+}
+
+// Within what reserve() made room for.
+void keep_hooks(const crowd::Crowd &crowd, View &view)
+{
+    view.hooked.clear();
+    for (draw::Item &item : view.list.items) {
+        const crowd::Extra *extra = crowd.extra_of(item.actor_index);
+        if (!extra || (!extra->hooks.before && !extra->hooks.after)) continue;
+        view.hooked.push_back(Hooked{extra->hooks, {}});
+        Hooked &hooked = view.hooked.back();
+        if (extra->hooks.before) hooked.hooks.before = call_before;
+        if (extra->hooks.after) hooked.hooks.after = call_after;
+        hooked.hooks.user = &hooked;
+        item.hooks = &hooked.hooks;
+    }
+}
+
 }  // namespace
 
 void Update::list_view(uint32_t v)
 {
     View &view = *views[v];
-    const float *distances = frame.view_distances_.data() + size_t(v) * frame.candidates_.size();
     std::pmr::vector<Listed> &listed = frame.listed_;
     listed.clear();
     for (const uint32_t i : frame.visible_) {
-        const uint32_t row = frame.candidates_[i];
-        if (distances[i] >= 0) listed.push_back({crowd.actor(row).tmpl, distances[i], row});
+        const uint32_t row = frame.candidates_[i].row;
+        const Sight &seen = sight(v, i);
+        if (seen.inside != math::Inside::no) listed.push_back({crowd.actor(row).tmpl, seen.distance, row});
     }
     std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
         if (a.tmpl != b.tmpl) return a.tmpl < b.tmpl;
@@ -66,9 +100,11 @@ void Update::list_view(uint32_t v)
     view.list.server = &view.server;
     view.server.attach(frame.caches_);
     std::copy(std::begin(view.camera.projection), std::end(view.camera.projection), view.list.projection);
-    const EyeOf eye(view.camera);
-    for_slices(static_cast<uint32_t>(listed.size()), [&](uint32_t i) { view.list.items[i] = item_of(eye, listed[i]); });
+    const EyeOf &eye = frame.eyes_[v];
+    for_slices(static_cast<uint32_t>(listed.size()),
+               [&](uint32_t i) { view.list.items[i] = item_of(eye, v, listed[i]); });
     keep_colours(view);
+    keep_hooks(crowd, view);
 }
 
 void Update::list()

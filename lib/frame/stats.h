@@ -1,6 +1,8 @@
 // What an update did, for hosts and tests; nothing reads it to decide anything.
 #pragma once
 
+#include "lib/behave/behave.h"
+
 #include <cstdint>
 
 namespace claque::frame
@@ -17,9 +19,20 @@ struct Band {
 };
 
 struct Stats {
-    uint32_t groups = 0;           // that have members
-    uint32_t groups_seen = 0;      // of these, enabled and met by a view
-    uint32_t tested = 0;           // actors without a group, and members of groups seen
+    uint32_t groups = 0;       // that have members
+    uint32_t groups_seen = 0;  // of these, enabled and met by a view
+    uint32_t tested = 0;       // actors without a group, and members of groups seen: phase 1
+    // S0 4.2, in any view: who passed phase 1 and phase 2, and who then crossed a frustum's edge.
+    uint32_t passed_refpoint = 0, passed_sklsroot = 0, crossing = 0;
+    uint64_t sphere_tests = 0;      // against a frustum, all three phases (S0 table 1: NO_04b)
+    uint64_t spheres_built = 0;     // Internal Bspheres (NO_04a)
+    uint64_t roots_placed = 0;      // Skeleton Roots (NO_03)
+    uint64_t distances = 0;         // to an eye (NO_05)
+    uint64_t matrices_needed = 0;   // nodes evaluated at the levels of who was asked for
+    uint64_t matrices_built = 0;    // of these, anew (NO_01; fCoh is their share)
+    uint64_t products = 0;          // of matrices, needed for who is drawn
+    uint64_t products_tracked = 0;  // of these, made here and not by GL (fTrack is their share)
+    behave::Counts behaviour;
     uint32_t visible = 0;          // in any view
     uint32_t due = 0;              // of these, whose palette held was not that of their tick
     uint32_t animated = 0;         // poses evaluated

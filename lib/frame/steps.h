@@ -2,18 +2,9 @@
 #pragma once
 
 #include "lib/frame/frame.h"
-#include "lib/math/frustum.h"
 
 namespace claque::frame
 {
-
-// An eye, ready for many individuals.
-struct EyeOf {
-    explicit EyeOf(const Camera &camera);
-    glm::dvec3 eye;
-    glm::dmat3 world_to_eye;
-    math::Frustum frustum;
-};
 
 struct Update {
     const crowd::Crowd &crowd;
@@ -22,25 +13,45 @@ struct Update {
     double time_s;
     const base::Jobs &jobs;
 
-    void reserve();                    // reserve.cpp: memory for all that follows; throws std::bad_alloc
-    void cull_groups();                // cull.cpp: Group Bspheres against each view's frustum; who is left
-    void place_and_cull();             // cull.cpp: Reference Points relative to each eye, spheres against its frustum
-    void choose_levels_and_periods();  // levels.cpp: eyeDistance, level, rate and tick of who is visible
-    void find_due();                   // update.cpp: whose pose or vertices are not those of their tick
-    void animate();
-    void skin();
+    void reserve();  // frame.cpp: memory for all that follows; throws std::bad_alloc
+
+    // S0 4.2. In traditional mode nobody is rejected before phase 3.
+    void cull_groups();                // groups.cpp: Group Bspheres against each view's frustum; who is left
+    void cull_refpoints();             // cull.cpp: phase 1, Refpoint Bspheres
+    void place_roots();                // roots.cpp: Skeleton Roots of who is left
+    void cull_roots();                 // cull.cpp: phase 2, Sklsroot Bspheres; eyeDistances
+    void choose_levels_and_periods();  // levels.cpp: level, rate and tick of who is left
+    void find_due();                   // frame.cpp: whose pose is not that of its tick
+    void behave();                     // behave.cpp: control mechanisms of who is due write degrees of freedom
+    void animate();                    // frame.cpp: degrees of freedom and clips to matrices
+    void cull_parts();                 // parts.cpp: phase 3, Internal Bspheres
+
+    void skin();   // frame.cpp: vertices of who is drawn
     void list();   // list.cpp: one sorted list a view
     void count();  // counters.cpp
 
 private:
     using Row = Frame::Row;
     using Listed = Frame::Listed;
+    using Candidate = Frame::Candidate;
+    using Sight = Frame::Sight;
 
+    bool traditional() const { return frame.settings_.cull == Cull::traditional; }
     bool sees(const EyeOf &eye, const Block &block) const;
-    float distance_if_seen(const EyeOf &eye, uint32_t row) const;
+    Sight &sight(uint32_t view, uint32_t candidate) const
+    {
+        return frame.sights_[size_t(view) * frame.candidates_.size() + candidate];
+    }
+    glm::dvec3 position_of(uint32_t row) const;
+    void place_root(Candidate &candidate) const;
     void look_at(uint32_t candidate);
+    uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_m) const;
+    void request(uint32_t candidate);
+    void run_memories();
+    const animcache::Request *asked(uint32_t row) const;
+    float *dofs_of(const animcache::Request &request) const;
     void list_view(uint32_t view);
-    draw::Item item_of(const EyeOf &eye, const Listed &listed) const;
+    draw::Item item_of(const EyeOf &eye, uint32_t view, const Listed &listed) const;
     uint32_t band_of(float distance) const;
 
     // A loop over n in slices whose number does not follow the number of threads.

@@ -42,13 +42,17 @@ base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *co
         return base::Status::bad(CLQ_LIMIT, "an update of %u actors is more than can be addressed",
                                  crowd.actor_count());
     }
-    update.cull_groups();
-    update.place_and_cull();
+    update.cull_groups();     // S0 4.3: groups first
+    update.cull_refpoints();  // S0 4.2, steps 1 and 2: Reference Points, first cull phase
+    update.place_roots();     // step 3: Skeleton Roots of who is left
+    update.cull_roots();      // step 4: second cull phase
     update.choose_levels_and_periods();
-    update.find_due();
-    update.animate();
+    update.find_due();    // S1 4: whose pose is that of its tick already is not asked again
+    update.behave();      // step 5: behaviour of who is left gives degrees of freedom,
+    update.animate();     //         and these give matrices
+    update.cull_parts();  // step 6: third cull phase, by Internal Bspheres
     update.skin();
-    update.list();
+    update.list();  // step 7: what is inside, and nothing else
     update.count();
     return base::Status::good();
 }

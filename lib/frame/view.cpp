@@ -79,16 +79,22 @@ uint64_t hash(const draw::DrawList &list)
     uint64_t h = base::fnv(base::fnv_start, list.projection, sizeof list.projection);
     for (const draw::Item &item : list.items) {
         const model::Level &level = item.tmpl->levels[item.level];
-        const draw::Vertices vertices =
-            item.vertices.positions || !list.server ? item.vertices : list.server->serve(item);
+        const bool served = item.vertices.positions || item.locals || !list.server;
+        const draw::Vertices vertices = served ? item.vertices : list.server->serve(item);
         h = base::fnv(h, item.tmpl->name.data(), item.tmpl->name.size());
         h = base::fnv(h, &item.level, sizeof item.level);
         h = base::fnv(h, &item.actor_index, sizeof item.actor_index);
         h = base::fnv(h, item.model_view, sizeof item.model_view);
         h = base::fnv(h, &item.eye_distance_m, sizeof item.eye_distance_m);
-        const unsigned char flags = static_cast<unsigned char>(item.mirrored + 2 * (item.zone_rgb != nullptr));
+        const unsigned char flags = static_cast<unsigned char>(item.mirrored + 2 * (item.zone_rgb != nullptr) +
+                                                               4 * (item.hooks != nullptr) + 8 * item.shadow_only);
         h = base::fnv(h, &flags, 1);
         if (item.zone_rgb) h = base::fnv(h, item.zone_rgb, 3 * size_t(item.tmpl->zone_count()));
+        if (~item.parts) h = base::fnv(h, &item.parts, sizeof item.parts);
+        if (item.locals) {
+            h = base::fnv(h, item.locals, sizeof(math::Affine) * item.tmpl->rig.node_count());
+            continue;
+        }
         h = base::fnv(h, vertices.positions, 3 * sizeof(float) * level.vertex_count);
         h = base::fnv(h, vertices.normals, 3 * sizeof(float) * level.vertex_count);
     }
@@ -99,7 +105,14 @@ uint64_t triangle_count(const draw::DrawList &list)
 {
     uint64_t sum = 0;
     for (const draw::Item &item : list.items) {
-        for (const model::Surface &surface : item.tmpl->levels[item.level].surfaces) {
+        if (item.shadow_only) continue;
+        const model::Level &level = item.tmpl->levels[item.level];
+        if (!level.parts.empty()) {
+            for (uint32_t k = 0; k < level.parts.size(); ++k)
+                if (item.parts >> k & 1) sum += level.parts[k].triangles;
+            continue;
+        }
+        for (const model::Surface &surface : level.surfaces) {
             sum += surface.dirty.count / 3;
             for (const model::Bin &bin : surface.clean) sum += bin.range.count / 3;
         }

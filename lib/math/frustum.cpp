@@ -22,6 +22,27 @@ Frustum frustum_of(const float projection[16])
     return out;
 }
 
+Frustum turned_back(const Frustum &frustum, const glm::dmat3 &turned)
+{
+    Frustum out = frustum;
+    for (int i = 0; i < out.count; ++i) out.planes[i].normal = frustum.planes[i].normal * turned;
+    return out;
+}
+
+Inside test_swept(const Frustum &frustum, const glm::dvec3 &c, double radius, const glm::dvec3 &way)
+{
+    Inside result = Inside::wholly;
+    for (int i = 0; i < frustum.count; ++i) {
+        const Plane &p = frustum.planes[i];
+        const double from = p.normal.x * c.x + p.normal.y * c.y + p.normal.z * c.z + p.offset;
+        const double along = p.normal.x * way.x + p.normal.y * way.y + p.normal.z * way.z;
+        const double to = from + along;
+        if (from < -radius && to < -radius) return Inside::no;
+        if (from < radius || to < radius) result = Inside::crosses;
+    }
+    return result;
+}
+
 Inside test(const Frustum &frustum, const glm::dvec3 &c, double radius)
 {
     Inside result = Inside::wholly;

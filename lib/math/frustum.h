@@ -1,6 +1,7 @@
 // What a projection can show, as planes in eye space, and the sphere test that culling uses (S0 4.2).
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace claque::math
@@ -21,7 +22,13 @@ enum class Inside : unsigned char { no = 0, crosses = 1, wholly = 2 };
 // Of a column-major GL projection, perspective or parallel, from clip space's six bounds (Gribb and Hartmann 2001).
 Frustum frustum_of(const float projection[16]);
 
+// The same planes where the axes are turned: inside is where the frustum of `turned` * p was.
+Frustum turned_back(const Frustum &frustum, const glm::dmat3 &turned);
+
 // `no` is certain; a sphere near an edge outside may be said to cross.
 Inside test(const Frustum &frustum, const glm::dvec3 &centre, double radius);
+
+// Of all that the sphere sweeps on its way by `way`: a shadow's caster. `no` is certain.
+Inside test_swept(const Frustum &frustum, const glm::dvec3 &centre, double radius, const glm::dvec3 &way);
 
 }  // namespace claque::math

@@ -202,6 +202,9 @@ struct Template {
     SplitReport report;
 
     uint32_t zone_count() const { return static_cast<uint32_t>(zone_names.size()); }
+
+    // Whether everything hangs on one node each and nothing morphs, so that GL's matrix stack can place it.
+    bool has_rigid_parts_only() const;
 };
 
 }  // namespace claque::model

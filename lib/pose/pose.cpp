@@ -158,6 +158,51 @@ void PoseJob::run() const
     for (uint32_t i = 0; i < rig->palette.size(); ++i) fill(i);
 }
 
+uint32_t PoseJob::run_locals(base::Span<math::Affine> out) const
+{
+    sample(*this);
+    if (!rig->dofs.empty()) apply_dofs(*this);
+    uint32_t built = 0;
+    const auto build = [&](uint32_t node) {
+        const math::Trs &now = locals[node], &rest = rig->rest[node];
+        built += now.translation != rest.translation || now.rotation != rest.rotation || now.scale != rest.scale;
+        out[node] = math::affine_of(now);
+    };
+    if (level && !level->active.empty())
+        for (const uint32_t node : level->nodes) build(node);
+    else
+        for (uint32_t i = 0; i < rig->node_count(); ++i) build(i);
+    return built;
+}
+
+void place_locals(const model::Rig &rig, const model::Level &level, const math::Affine *locals, Columns *globals,
+                  math::Affine *palette)
+{
+    const auto place = [&](uint32_t node) {
+        const float *c = locals[node].c;
+        const Columns own = {
+            {F4{c[0], c[1], c[2], 0}, F4{c[3], c[4], c[5], 0}, F4{c[6], c[7], c[8], 0}, F4{c[9], c[10], c[11], 0}}};
+        const uint32_t parent = rig.parents[node];
+        if (parent == model::none) {
+            globals[node] = own;
+            return;
+        }
+        const Columns &p = globals[parent];
+        for (int k = 0; k < 4; ++k) globals[node].c[k] = transform(p, c[3 * k], c[3 * k + 1], c[3 * k + 2]);
+        globals[node].c[3] += p.c[3];
+    };
+    const auto fill = [&](uint32_t entry) {
+        mul_to_affine(globals[rig.palette[entry].node], rig.palette[entry].inverse_bind.c, palette[entry].c);
+    };
+    if (level.active.empty()) {
+        for (uint32_t i = 0; i < rig.node_count(); ++i) place(i);
+        for (uint32_t i = 0; i < rig.palette.size(); ++i) fill(i);
+        return;
+    }
+    for (const uint32_t node : level.nodes) place(node);
+    for (const uint32_t entry : level.entries) fill(entry);
+}
+
 Workspace::Workspace(const model::Rig &rig)
     : rig_(&rig),
       locals_(rig.node_count()),

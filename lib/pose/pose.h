@@ -30,7 +30,17 @@ struct PoseJob {
 
     base::Status check() const;  // the first broken rule
     void run() const;            // requires check()
+
+    // Instead of run(): each active node's matrix relative to its parent, for GL's matrix stack; no palette. Returns how
+    // many are not those of the rest pose: the others cost a copy (S0 6.2.2, fCoh).
+    //   out   [node_count]
+    uint32_t run_locals(base::Span<math::Affine> out) const;
 };
+
+// From what run_locals() left to the palette of a level, for who needs to know where rigid parts are (S0 6.2.2).
+//   globals   [node_count]; palette [rig.palette.size()], with one more float of memory behind the last
+void place_locals(const model::Rig &rig, const model::Level &level, const math::Affine *locals, math::Columns *globals,
+                  math::Affine *palette);
 
 // Owns what a PoseJob asks for. For start-up code and tests: it allocates when it is made.
 class Workspace

@@ -68,7 +68,7 @@ std::unique_ptr<model::Template> make_template()
 }
 
 struct Scene {
-    Scene(uint32_t count, double field_m, const animcache::Settings &settings)
+    Scene(uint32_t count, double field_m, const frame::Settings &settings)
         : tmpl(make_template()),
           crowd(std::pmr::get_default_resource()),
           frame(std::pmr::get_default_resource(), settings),
@@ -98,8 +98,8 @@ struct Scene {
 
 void everybody_due(benchmark::State &state)
 {
-    animcache::Settings settings;
-    settings.period = {0, 0, 1, 2};
+    frame::Settings settings;
+    settings.caches.period = {0, 0, 1, 2};
     Scene scene(1000, 50, settings);
     scene.view.camera = frame::look_at({0, 10, 120}, {0, 0, 0}, {0, 1, 0}, 1.2f, 1.5f, 0.1f, 1000);
     double t = 0;
@@ -110,7 +110,7 @@ void everybody_due(benchmark::State &state)
 
 void one_in_five_seen(benchmark::State &state)
 {
-    Scene scene(uint32_t(state.range(0)), 100, animcache::Settings());
+    Scene scene(uint32_t(state.range(0)), 100, frame::Settings());
     scene.view.camera = frame::look_at({0, 2, 0}, {0, 2, -1}, {0, 1, 0}, 0.9f, 1.5f, 0.1f, 1000);
     double t = 0;
     for (auto _ : state) scene.update(t += 0.0167);
@@ -121,7 +121,7 @@ void one_in_five_seen(benchmark::State &state)
 // A crowd behind the eye, in as many groups as the second number says: what an actor out of view costs.
 void out_of_view(benchmark::State &state)
 {
-    Scene scene(0, 1, animcache::Settings());
+    Scene scene(0, 1, frame::Settings());
     std::mt19937 random(3);
     std::uniform_real_distribution<double> real(-300, 300);
     const int64_t groups = state.range(1);

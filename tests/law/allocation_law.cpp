@@ -137,7 +137,7 @@ TEST(AllocationLaw, EverythingIsGivenBackAtTheEnd)
     CountingMemory memory;
     {
         SceneDef def = on(memory);
-        def.settings.budget_bytes = 60000;
+        def.settings.caches.budget_bytes = 60000;
         Scene scene(def);
         for (int i = 0; i < 20; ++i) {
             scene.look(0, glm::dvec3(0, 1.7, 0), glm::dvec3(i - 10, 1, -10));

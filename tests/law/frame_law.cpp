@@ -49,8 +49,8 @@ std::vector<uint64_t> walk(const SceneDef &def, const base::Jobs &jobs = base::J
 SceneDef with(Mode mode, uint64_t budget_bytes)
 {
     SceneDef def;
-    def.settings.mode = mode;
-    def.settings.budget_bytes = budget_bytes;
+    def.settings.caches.mode = mode;
+    def.settings.caches.budget_bytes = budget_bytes;
     return def;
 }
 
@@ -151,7 +151,7 @@ TEST(FrameLaw, ALevelSwitchSkinsAnewFromTheCachedPalette)
 {
     SceneDef def;
     def.actors = 1;
-    def.settings.period = {0.25f, 0.25f, 1, 1000};  // one rate at all distances
+    def.settings.caches.period = {0.25f, 0.25f, 1, 1000};  // one rate at all distances
     Scene scene(def);
     crowd::Place place;
     place.position = glm::dvec3(0, 0, -15);
@@ -186,7 +186,7 @@ TEST(FrameLaw, TenMillionSecondsLaterNothingHasDrifted)
 {
     SceneDef def;
     def.actors = 1;
-    def.settings.period = {0, 0, 1, 2};
+    def.settings.caches.period = {0, 0, 1, 2};
     Scene early(def), late(def);
     crowd::Play play;
     play.clip = clip_walk;

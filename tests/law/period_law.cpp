@@ -107,7 +107,7 @@ TEST(PeriodLaw, NoFrameCarriesABurst)
 TEST(PeriodLaw, APeriodOfNothingMeansEveryFrame)
 {
     SceneDef def;
-    def.settings.period = {0, 0, 5, 50};
+    def.settings.caches.period = {0, 0, 5, 50};
     Scene scene(def);
     line_up(scene, 1, 70);
     for (int i = 0; i < 20; ++i) {

@@ -59,6 +59,7 @@ Scene::Scene(const SceneDef &def) : crowd(def.memory, 42), frame(def.memory, def
 frame::View &Scene::add_view(const glm::dvec3 &eye, const glm::dvec3 &target)
 {
     views.push_back(std::make_unique<frame::View>(def_.memory));
+    views.back()->height_px = 0;  // levels by distance alone
     look(uint32_t(views.size() - 1), eye, target);
     return *views.back();
 }

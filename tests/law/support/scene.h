@@ -12,7 +12,7 @@ namespace claque::testing_support
 
 struct SceneDef {
     uint32_t actors = 80;
-    animcache::Settings settings;
+    frame::Settings settings;
     glm::dvec3 origin = glm::dvec3(0);  // where in the world it all stands
     std::pmr::memory_resource *memory = std::pmr::get_default_resource();
 };

@@ -43,8 +43,9 @@ protected:
         request.tmpl = figure_.get();
         request.row = row;
         request.level = level;
-        request.clip = clip_walk;
-        request.pose = {row + 1, clip_time_s};
+        request.pose.version = row + 1;
+        request.pose.clip_time_s = clip_time_s;
+        request.pose.clip = clip_walk;
         return request;
     }
 
@@ -52,9 +53,11 @@ protected:
     {
         std::pmr::vector<Request> &list = caches.begin();
         list.assign(requests.begin(), requests.end());
-        caches.admit();
-        caches.find_due();
+        caches.admit_poses();
+        caches.find_due_poses();
         caches.animate(base::Jobs());
+        caches.admit_vertices();
+        caches.find_due_vertices();
         caches.skin(base::Jobs());
     }
 
@@ -89,7 +92,7 @@ TEST_F(CachesTest, ANewPlayAtTheSameTimeIsAnotherPose)
     update(caches, {wants(0, 0.1)});
     Request replayed = wants(0, 0.1);
     replayed.pose.version = 77;
-    replayed.clip = clip_sway;
+    replayed.pose.clip = clip_sway;
     update(caches, {replayed});
     EXPECT_EQ(caches.counters().animated, 1u);
 }

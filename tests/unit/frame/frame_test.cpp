@@ -126,7 +126,7 @@ TEST(List, IsByTemplateThenFrontToBackThenByRow)
 TEST(List, DistancesInItemsAreMetres)
 {
     SceneDef def;
-    def.settings.metres_per_unit = 0.01f;
+    def.settings.caches.metres_per_unit = 0.01f;
     Scene scene(def);
     crowd::Place place;
     place.position = glm::dvec3(0, 1.7, -9);

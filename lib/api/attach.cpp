@@ -1,0 +1,79 @@
+// What an actor has beside its clip and place: copies of itself, objects in its hands, callbacks, priority (S0 4.3, 5, 7.1).
+#include <claque/behave.h>
+
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+#include "lib/frame/exact.h"
+
+using namespace claque;
+
+extern "C" {
+
+clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_place *place, uint64_t seed, clq_actor *out)
+{
+    return api::boundary("clq_actor_clone", [&] {
+        api::require(crowd && out, "crowd or out is NULL");
+        const api::Busy busy(crowd);
+        crowd::Place wanted;
+        if (place) wanted = api::place_of(*place);
+        const crowd::Id id = crowd->crowd.clone(api::id_of(actor), place ? &wanted : nullptr, seed);
+        *out = {id.index1, id.generation};
+    });
+}
+
+clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, float priority)
+{
+    return api::boundary("clq_actor_set_priority", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.set_priority(api::id_of(actor), priority);
+    });
+}
+
+clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3], float radius,
+                            clq_attached *out)
+{
+    return api::boundary("clq_actor_attach", [&] {
+        api::require(crowd && centre, "crowd or centre is NULL");
+        const api::Busy busy(crowd);
+        const model::Sphere sphere{glm::vec3(centre[0], centre[1], centre[2]), radius};
+        const crowd::Id id = crowd->crowd.attach(api::id_of(actor), node, sphere);
+        if (out) *out = {id.index1, id.generation};
+    });
+}
+
+clq_status clq_actor_detach(clq_crowd *crowd, clq_attached attached)
+{
+    return api::boundary("clq_actor_detach", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.detach({attached.index1, attached.generation});
+    });
+}
+
+clq_status clq_actor_get_node(clq_crowd *crowd, clq_actor actor, uint32_t node, double time_s, double out_matrix[16])
+{
+    return api::boundary("clq_actor_get_node", [&] {
+        api::require(crowd && out_matrix, "crowd or out_matrix is NULL");
+        const api::Busy busy(crowd);
+        const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
+        const model::Template &tmpl = crowd->crowd.template_of(row);
+        if (node >= tmpl.rig.node_count())
+            base::fail(CLQ_ARGUMENT, "node %u of %u of template '%s'", node, tmpl.rig.node_count(), tmpl.name.c_str());
+        if (std::isinf(time_s)) base::fail(CLQ_ARGUMENT, "time_s is infinite");
+        frame::node_in_world(crowd->crowd, crowd->frame, row, node, time_s, out_matrix);
+    });
+}
+
+clq_status clq_actor_set_hooks(clq_crowd *crowd, clq_actor actor, const clq_actor_hooks *hooks)
+{
+    return api::boundary("clq_actor_set_hooks", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.set_hooks(api::id_of(actor), hooks ? *hooks : clq_actor_hooks{nullptr, nullptr, nullptr});
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,89 @@
+#include "lib/frame/exact.h"
+
+#include "lib/math/place.h"
+#include "lib/pose/clock.h"
+#include "lib/pose/pose.h"
+
+namespace claque::frame
+{
+
+namespace
+{
+
+struct Memory {
+    Memory(const model::Rig &rig, std::pmr::memory_resource *resource)
+        : locals(rig.node_count(), resource),
+          globals(rig.node_count(), resource),
+          palette(rig.palette.size() + 1, resource),
+          weights(rig.rest_weights.size(), resource),
+          dofs(rig.dofs.size(), resource)
+    {
+    }
+    std::pmr::vector<math::Trs> locals;
+    std::pmr::vector<math::Columns> globals;
+    std::pmr::vector<math::Affine> palette;
+    std::pmr::vector<float> weights, dofs;
+};
+
+// A host's mechanism is not run because somebody asks where a hand is.
+behave::Levels without_host(const crowd::Crowd &crowd, uint32_t row, behave::Levels levels)
+{
+    const crowd::Behaviours &behaviours = crowd.behaviours();
+    uint32_t k = 0;
+    for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next, ++k)
+        if (std::holds_alternative<crowd::HostMechanism>(behaviours.mechanism(behaviours.use_at(i).mechanism).kind))
+            levels |= behave::Levels(behave::off) << (4 * k);
+    return levels;
+}
+
+}  // namespace
+
+void node_in_world(const crowd::Crowd &crowd, const Frame &frame, uint32_t row, uint32_t node, double time_s,
+                   double out_matrix[16])
+{
+    const model::Template &tmpl = crowd.template_of(row);
+    const model::Rig &rig = tmpl.rig;
+    const Seen seen = frame.seen(crowd, row);
+    const bool shown = time_s != time_s;
+    const double tick_s = !shown ? time_s : seen.visible ? seen.shown_s : frame.last_time_s();
+    const model::Level &level = tmpl.levels[shown && seen.visible ? seen.level : 0];
+
+    Memory memory(rig, crowd.memory());
+    behave::Moment moment;
+    moment.time_s = tick_s;
+    moment.level = &level;
+    moment.distance = seen.distance;
+    moment.levels = shown && seen.visible ? frame.levels_of(row) : behave::levels_of(crowd, row, 0, level);
+    moment.levels = without_host(crowd, row, moment.levels);
+    behave::Counts uncounted;
+    behave::run(crowd, row, moment, base::Span<float>(memory.dofs), uncounted);
+
+    const crowd::Play play = behave::play_at(crowd, row, tick_s, moment.levels);
+    pose::PoseJob job;
+    job.rig = &rig;
+    job.clip = play.clip;
+    if (play.clip != model::none)
+        job.time_s = pose::clip_time({play.start_s, play.speed, play.phase_s}, rig.clips[play.clip], tick_s);
+    job.dofs = memory.dofs.data();
+    job.locals = base::Span<math::Trs>(memory.locals);
+    job.globals = base::Span<math::Columns>(memory.globals);
+    job.palette = base::Span<math::Affine>(memory.palette);
+    job.weights = base::Span<float>(memory.weights);
+    job.run();
+
+    crowd::Place root;
+    if (!shown || !frame.root_of(crowd, row, root)) {
+        root = crowd.world_place_of(row);
+        if (crowd.behaviours().has_root_motion(row))
+            root = composed(root, behave::root_at(crowd, row, shown ? frame.last_time_s() : time_s));
+    }
+    const glm::dmat3 axes = math::rotation_of(root.orientation) * double(root.scale);
+    for (int k = 0; k < 4; ++k) {
+        const math::F4 &c = memory.globals[node].c[k];
+        const glm::dvec3 column = axes * glm::dvec3(c[0], c[1], c[2]) + (k == 3 ? root.position : glm::dvec3(0));
+        for (int i = 0; i < 3; ++i) out_matrix[4 * k + i] = column[i];
+        out_matrix[4 * k + 3] = k == 3 ? 1 : 0;
+    }
+}
+
+}  // namespace claque::frame
