@@ -155,6 +155,8 @@ TEST_F(Bench, is_said_as_tables_and_drawn_as_a_chart)
     for (const char *word : {"frames a second", "milliseconds a frame", "caches: full", "per-zone", "people in view"})
         EXPECT_NE(chart.find(word), std::string::npos) << word;
     EXPECT_EQ(output({"plot", json, "--out", "-"}), chart);
+    output({"plot", json, "--out", path("chart.png")});
+    EXPECT_EQ(file_text(path("chart.png")).substr(1, 3), "PNG");
 }
 
 TEST_F(Bench, what_it_did_not_write_is_no_chart)

@@ -15,7 +15,7 @@ size_t lines(const std::string &text) { return static_cast<size_t>(std::count(te
 
 TEST_F(Usage, help_is_there_for_every_command_and_costs_nothing)
 {
-    for (const char *command : {"render", "sheet", "inspect", "dump", "split", "prepare", "bench", "plot"}) {
+    for (const char *command : {"render", "sheet", "inspect", "dump", "split", "prepare", "bench", "plot", "cost"}) {
         const Outcome help = claque({command, "--help"});
         EXPECT_EQ(help.code, 0) << command;
         EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;
@@ -77,6 +77,10 @@ TEST_F(Usage, wrong_arguments_are_code_2)
         {"sheet", "--out", "-", "--json", "-"},
         {"plot"},
         {"plot", "b.json"},
+        {"plot", "b.json", "--out", path("x.jpg")},
+        {"cost", "--plot", path("x.gif")},
+        {"cost", "--json", "-", "--plot", "-"},
+        {"cost", "--json", "-", "--markdown"},
     };
     for (const std::vector<std::string> &arguments : wrong) {
         std::string line;
@@ -120,6 +124,10 @@ TEST_F(Usage, what_fails_says_why_in_one_sentence)
         {"sheet", "--out", path("no/x.png")},
         {"plot", path("none.json"), "--out", path("x.svg")},
         {"plot", toml, "--out", path("x.svg")},
+        {"plot", toml, "--out", path("x.png")},
+        {"cost", "--measured", path("none.json")},
+        {"cost", "--measured", toml, "--plot", path("x.png"), "--json", path("x.json")},
+        {"cost", "--plot", path("no/x.png")},
     };
     for (const std::vector<std::string> &arguments : failing) {
         std::string line;

@@ -1,0 +1,99 @@
+// claque cost: its tables, its JSON, measured counts and the plot.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/picture.h"
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using Cost = Command;
+using Json = nlohmann::json;
+
+constexpr const char *counts = R"({"note": "a run by hand", "NO_01": 1180, "NO_02": 100, "NO_03": 80, "NO_04a": 790,
+    "NO_04b": 231, "NO_05": 60, "fTrack": 0.5, "fCoh": 0.25})";
+
+// Of the command with these arguments, which has to go well.
+std::string output(const std::vector<std::string> &arguments)
+{
+    const Outcome done = claque(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_EQ(done.err, "");
+    return done.out;
+}
+
+TEST_F(Cost, all_tables_are_printed_and_what_does_not_follow)
+{
+    const std::string text = output({"cost"});
+    for (const char *words : {"Table 1.", "Table 2.", "Table 3.", "Table 4.", "Table 5.", "Table 6.", "Equation (3)",
+                              "23 100", "21 600", "22 880", "4 206 240", "220", "80 pass the first cull"})
+        EXPECT_NE(text.find(words), std::string::npos) << words;
+    EXPECT_EQ(text, output({"cost"}));
+}
+
+TEST_F(Cost, markdown_has_every_table_too)
+{
+    const std::string text = output({"cost", "--markdown"});
+    EXPECT_NE(text.find("**Table 5. Operations in a frame, actor processing**\n\n|  | printed |"), std::string::npos);
+    EXPECT_NE(text.find("\n- NO_04b of actor processing"), std::string::npos);
+}
+
+TEST_F(Cost, measured_counts_stand_beside_the_paper_s)
+{
+    std::ofstream(path("counts.json")) << counts;
+    const std::string text = output({"cost", "--measured", path("counts.json"), "--json", path("cost.json")});
+    for (const char *words : {"measured", "1 180", "fTrack 0.5, fCoh 0.25", "a run by hand"})
+        EXPECT_NE(text.find(words), std::string::npos) << words;
+    const Json json = Json::parse(file_text(path("cost.json")));
+    const Json &last = json["readings"].back();
+    EXPECT_EQ(last["key"], "measured");
+    EXPECT_EQ(last["counts"]["actor"]["NO_04b"], 231);
+    EXPECT_EQ(json["remarks"].back(), "Measured: a run by hand, fTrack 0.5, fCoh 0.25.");
+    EXPECT_EQ(output({"cost", "--measured", path("counts.json"), "--json", "-"}), file_text(path("cost.json")));
+}
+
+TEST_F(Cost, a_file_that_counts_nothing_is_refused_in_one_sentence)
+{
+    std::ofstream(path("counts.json")) << R"({"NO_01": 4})";
+    const Outcome outcome = claque({"cost", "--measured", path("counts.json"), "--plot", path("x.png")});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err, "claque: " + path("counts.json") + " holds no counts of a run: it lacks 'NO_02'.\n");
+    EXPECT_EQ(left(), std::vector<std::string>{"counts.json"});
+}
+
+TEST_F(Cost, the_plot_shows_four_curves_as_printed_and_four_by_the_order_of_work)
+{
+    output({"cost", "--plot", path("a.png")});
+    output({"cost", "--plot", path("b.png")});
+    EXPECT_EQ(file_text(path("a.png")), file_text(path("b.png")));
+    const Picture picture = picture_of(path("a.png"));
+    ASSERT_EQ(picture.width, 1920);
+    ASSERT_GT(picture.height, 800);
+    for (const std::array<int, 3> &curve :
+         {std::array<int, 3>{0x2f, 0x80, 0xc9}, {0xe0, 0x8a, 0x1e}, {0x3d, 0x9a, 0x5f}, {0xa3, 0x5b, 0xb5}})
+        EXPECT_GT(picture.count_of(curve), 4000) << std::hex << curve[0];
+    EXPECT_EQ(picture.count_of({0xd0, 0x45, 0x4c}), 0) << "nothing was measured";
+}
+
+TEST_F(Cost, the_plot_shows_what_was_measured)
+{
+    std::ofstream(path("counts.json")) << counts;
+    output({"cost", "--measured", path("counts.json"), "--plot", path("a.png")});
+    EXPECT_GT(picture_of(path("a.png")).count_of({0xd0, 0x45, 0x4c}), 1000);
+}
+
+TEST_F(Cost, the_plot_is_svg_where_its_name_says_so)
+{
+    output({"cost", "--plot", path("a.svg")});
+    const std::string svg = output({"cost", "--plot", "-"});
+    EXPECT_EQ(svg, file_text(path("a.svg")));
+    EXPECT_EQ(svg.rfind("<svg", 0), 0u);
+    for (const char *words : {"improvement factor", "AverageCost", "printed: fTrack 1, fCoh 1", "section 4.2"})
+        EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace cli_test

@@ -1,0 +1,93 @@
+// S0's tables as it prints them, typed here from the paper, against what samples/cost computes.
+#include "samples/cost/operations.h"
+#include "samples/cost/readings.h"
+
+#include <gtest/gtest.h>
+
+namespace cost
+{
+namespace
+{
+
+const Scene scene;
+
+void expect_counts(const Counts &computed, const Counts &paper)
+{
+    for (size_t i = 0; i < operation_count; ++i)
+        EXPECT_NEAR(computed[i], paper[i], 1e-9) << name_of(static_cast<Operation>(i));
+}
+
+TEST(Counts, table_2_adds_up)
+{
+    EXPECT_EQ(scene.actors(), 100);
+    EXPECT_EQ(scene.refpoint_crossing(), 50);
+    EXPECT_EQ(scene.root_crossing(), 10);
+}
+
+TEST(Counts, table_4_follows_from_table_2)
+{
+    const Factors f = factors_of(scene);
+    EXPECT_DOUBLE_EQ(f.actors, 100);
+    EXPECT_DOUBLE_EQ(f.refpoint_in, 0.3);
+    EXPECT_DOUBLE_EQ(f.root_out, 0.2);
+    EXPECT_DOUBLE_EQ(f.root_in, 0.2);
+    EXPECT_DOUBLE_EQ(f.root_crossing, 0.08);
+    EXPECT_DOUBLE_EQ(f.check_internal, 0.02);
+    EXPECT_DOUBLE_EQ(f.nodes_per_actor, 40);
+    EXPECT_DOUBLE_EQ(f.spheres_per_actor, 80);
+    EXPECT_DOUBLE_EQ(f.nodes_kept, 0.5);
+}
+
+TEST(Counts, table_5_of_traditional_processing_is_the_paper_s)
+{
+    expect_counts(counts_of_table_5(factors_of(scene), Processing::traditional), {4000, 100, 100, 8200, 460, 4100});
+}
+
+TEST(Counts, table_5_of_actor_processing_is_the_paper_s_but_for_NO_04b)
+{
+    // The paper prints 200.
+    expect_counts(counts_of_table_5(factors_of(scene), Processing::actor), {400, 100, 30, 160, 220, 100});
+}
+
+TEST(Counts, the_printed_reading_is_table_5_as_printed)
+{
+    expect_counts(as_printed().actor_counts, {400, 100, 30, 160, 200, 100});
+    expect_counts(as_printed().traditional_counts, {4000, 100, 100, 8200, 460, 4100});
+}
+
+TEST(Counts, eighty_pass_the_first_cull_and_sixty_the_second)
+{
+    EXPECT_EQ(scene.pass_first_cull(), 80);
+    EXPECT_EQ(scene.pass_second_cull(), 60);
+}
+
+TEST(Counts, by_the_order_of_work_everybody_who_passes_is_counted)
+{
+    // 60 x 20 nodes; 80 roots; 10 x 80 spheres; 100 + 50 + 8 + 2 x 40 tests; 60 distances.
+    expect_counts(counts_by_order_of_work(scene, Processing::actor), {1200, 100, 80, 800, 238, 60});
+    expect_counts(counts_by_order_of_work(scene, Processing::traditional), {4000, 100, 100, 8200, 238, 4100});
+}
+
+TEST(Counts, the_order_of_work_follows_the_scene_and_not_the_paper_s)
+{
+    Scene other;  // 10 actors: 4 outside, 1 within, 5 on the edge
+    other.outside = 4;
+    other.refpoint_within = 1;
+    other.root_outside = 2;
+    other.root_within = 1;
+    other.internal_decided = 1;
+    other.internal_crossing = 1;
+    other.nodes_per_actor = 6;
+    other.spheres_per_actor = 10;
+    expect_counts(counts_by_order_of_work(other, Processing::actor), {4 * 3, 10, 6, 20, 10 + 5 + 1 + 5, 4});
+    expect_counts(counts_of_table_5(factors_of(other), Processing::actor), {3, 10, 1, 10, 10 + 2 + 1 + 5, 10});
+}
+
+TEST(Counts, formulas_in_words_name_the_factors_they_use)
+{
+    EXPECT_STREQ(table_5(no_03, Processing::actor).words, "nActors x fRefpointBsphsIn");
+    EXPECT_STREQ(by_order_of_work(no_03, Processing::actor).words, "B + C");
+}
+
+}  // namespace
+}  // namespace cost
