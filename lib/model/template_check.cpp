@@ -1,8 +1,7 @@
 #include "lib/model/template_check.h"
 
 #include "lib/base/error.h"
-
-#include <cmath>
+#include "lib/model/level_check.h"
 
 namespace claque::model
 {
@@ -11,18 +10,6 @@ using base::fail;
 
 namespace
 {
-
-template <class T>
-void must_be_finite(const T *values, size_t count, const char *what)
-{
-    for (size_t i = 0; i < count; ++i)
-        if (!std::isfinite(values[i])) fail(CLQ_ARGUMENT, "%s: number %zu is not finite", what, i);
-}
-
-void must_count(size_t have, size_t wanted, const char *what)
-{
-    if (have != wanted) fail(CLQ_ARGUMENT, "%s: %zu instead of %zu", what, have, wanted);
-}
 
 void check_motion(const Rig &rig)
 {
@@ -65,91 +52,16 @@ void check_texture(const Template &tmpl, const Texture &texture, size_t index)
             fail(CLQ_ARGUMENT, "texture %zu has key %u, which is none of its zones'", index, texture.rgba[i]);
 }
 
-void check_runs(const Level &level, size_t palette_count)
+void check_spheres(const Template &tmpl)
 {
-    uint64_t vertex = 0;
-    uint32_t influences = 0;
-    for (const InfluenceRun &run : level.runs) {
-        if (run.first != vertex || run.count == 0 || run.influences <= influences)
-            fail(CLQ_ARGUMENT, "runs of influences do not follow each other at vertex %u", run.first);
-        if (uint64_t(run.first_influence) + uint64_t(run.count) * run.influences > level.joints.size())
-            fail(CLQ_ARGUMENT, "the run of influences at vertex %u is out of range", run.first);
-        vertex += run.count;
-        influences = run.influences;
+    must_be_finite(&tmpl.sklsroot.centre.x, 3, "centre of the Sklsroot Bsphere");
+    must_be_finite(&tmpl.sklsroot.radius, 1, "radius of the Sklsroot Bsphere");
+    if (tmpl.sklsroot.radius < 0) fail(CLQ_ARGUMENT, "a Sklsroot Bsphere of negative radius");
+    if (!tmpl.node_reach.empty()) must_count(tmpl.node_reach.size(), tmpl.rig.node_count(), "reaches of nodes");
+    for (const NodeReach &reach : tmpl.node_reach) {
+        must_be_finite(&reach.distance, 2, "reach of a node");
+        if (reach.distance < 0 || reach.stretch < 0) fail(CLQ_ARGUMENT, "a node with a negative reach");
     }
-    if (vertex != level.source_count)
-        fail(CLQ_ARGUMENT, "runs of influences hold %llu of %u vertices", static_cast<unsigned long long>(vertex),
-             level.source_count);
-    must_count(level.weights.size(), level.joints.size(), "weights");
-    must_be_finite(level.weights.data(), level.weights.size(), "weights");
-    for (const uint16_t joint : level.joints)
-        if (joint >= palette_count) fail(CLQ_ARGUMENT, "a vertex follows matrix %u of %zu", joint, palette_count);
-}
-
-void check_morphs(const Level &level, size_t weight_count)
-{
-    for (const MorphRange &range : level.morph_ranges)
-        if (range.weight >= weight_count || uint64_t(range.first) + range.count > level.morph_deltas.size())
-            fail(CLQ_ARGUMENT, "a range of morph deltas of weight %u is out of range", range.weight);
-    for (const MorphDelta &delta : level.morph_deltas) {
-        if (delta.vertex >= level.source_count)
-            fail(CLQ_ARGUMENT, "a morph delta of vertex %u of %u", delta.vertex, level.source_count);
-        must_be_finite(delta.position, 3, "morph delta");
-        must_be_finite(delta.normal, 3, "morph delta");
-    }
-}
-
-void check_vertices(const Level &level)
-{
-    const uint64_t count = uint64_t(level.source_count) + level.copies.size();
-    if (level.source_count == 0 || count != level.vertex_count)
-        fail(CLQ_ARGUMENT, "%u vertices, of which %u are skinned and %zu are copies", level.vertex_count,
-             level.source_count, level.copies.size());
-    must_count(level.positions.size(), size_t(3) * level.source_count, "positions");
-    must_count(level.normals.size(), size_t(3) * level.source_count, "normals");
-    must_count(level.uvs.size(), size_t(2) * level.vertex_count, "texture coordinates");
-    must_count(level.slots.size(), level.vertex_count, "slots");
-    if (!level.colours.empty()) must_count(level.colours.size(), size_t(4) * level.vertex_count, "colours");
-    must_be_finite(level.positions.data(), level.positions.size(), "positions");
-    must_be_finite(level.normals.data(), level.normals.size(), "normals");
-    must_be_finite(level.uvs.data(), level.uvs.size(), "texture coordinates");
-    must_be_finite(&level.switch_distance_m, 1, "switch distance");
-    for (const uint32_t source : level.copies)
-        if (source >= level.source_count) fail(CLQ_ARGUMENT, "a copy of vertex %u of %u", source, level.source_count);
-}
-
-void check_range(const Level &level, const IndexRange &range, uint32_t vertices)
-{
-    if (range.count % 3 != 0 || uint64_t(range.first) + range.count > level.indices.size())
-        fail(CLQ_ARGUMENT, "indices %u to %llu of %zu are no triangles", range.first,
-             static_cast<unsigned long long>(uint64_t(range.first) + range.count), level.indices.size());
-    for (uint32_t i = range.first; i < range.first + range.count; ++i)
-        if (level.indices[i] >= vertices)
-            fail(CLQ_ARGUMENT, "index %u names vertex %u of %u", i, level.indices[i], vertices);
-}
-
-void check_bins(const Level &level, const Array<Bin> &bins, size_t zones)
-{
-    for (size_t i = 0; i < bins.size(); ++i) {
-        if (bins[i].zone_index >= zones || (i > 0 && bins[i].zone_index <= bins[i - 1].zone_index))
-            fail(CLQ_ARGUMENT, "bin %zu is of zone %u of %zu", i, bins[i].zone_index, zones);
-        check_range(level, bins[i].range, level.source_count);
-    }
-}
-
-void check_surface(const Template &tmpl, const Level &level, const Surface &surface)
-{
-    if (surface.texture >= tmpl.textures.size())
-        fail(CLQ_ARGUMENT, "a surface has texture %u of %zu", surface.texture, tmpl.textures.size());
-    const size_t zones = tmpl.textures[surface.texture].keys.size();
-    check_bins(level, surface.clean, zones);
-    check_bins(level, surface.dirty_by_zone, zones);
-    check_range(level, surface.dirty, level.source_count);
-    check_range(level, surface.fused, level.vertex_count);
-    for (uint32_t i = surface.fused.first; i < surface.fused.first + surface.fused.count; ++i)
-        if (level.slots[level.indices[i]] >= 2 * zones)
-            fail(CLQ_ARGUMENT, "vertex %u has slot %u where its texture has %zu zones", level.indices[i],
-                 level.slots[level.indices[i]], zones);
 }
 
 }  // namespace
@@ -159,16 +71,8 @@ void check(const Template &tmpl)
     check_motion(tmpl.rig);
     check_zones(tmpl);
     for (size_t i = 0; i < tmpl.textures.size(); ++i) check_texture(tmpl, tmpl.textures[i], i);
-    if (tmpl.levels.empty()) fail(CLQ_ARGUMENT, "a template without a level");
-    for (const Level &level : tmpl.levels) {
-        check_vertices(level);
-        check_runs(level, tmpl.rig.palette.size());
-        check_morphs(level, tmpl.rig.rest_weights.size());
-        for (const Surface &surface : level.surfaces) check_surface(tmpl, level, surface);
-    }
-    must_be_finite(&tmpl.sklsroot.centre.x, 3, "centre of the Sklsroot Bsphere");
-    must_be_finite(&tmpl.sklsroot.radius, 1, "radius of the Sklsroot Bsphere");
-    if (tmpl.sklsroot.radius < 0) fail(CLQ_ARGUMENT, "a Sklsroot Bsphere of negative radius");
+    check_levels(tmpl);
+    check_spheres(tmpl);
 }
 
 }  // namespace claque::model

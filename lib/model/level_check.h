@@ -1,0 +1,30 @@
+// The rules of the levels of template.h. Part of template_check.h.
+#pragma once
+
+#include "lib/base/error.h"
+#include "lib/model/template.h"
+
+#include <cmath>
+
+namespace claque::model
+{
+
+template <class T>
+void must_be_finite(const T *values, size_t count, const char *what)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (!std::isfinite(values[i])) base::fail(CLQ_ARGUMENT, "%s: number %zu is not finite", what, i);
+}
+
+inline void must_count(size_t have, size_t wanted, const char *what)
+{
+    if (have != wanted) base::fail(CLQ_ARGUMENT, "%s: %zu instead of %zu", what, have, wanted);
+}
+
+// Throw base::Error (CLQ_ARGUMENT) naming the first broken rule. Rig and textures have been checked.
+void check_levels(const Template &tmpl);
+void check_skeleton(const Template &tmpl, size_t level);     // which nodes and entries are left
+void check_parts(const Template &tmpl, const Level &level);  // and their spheres
+void check_part_firsts(const Level &level);                  // of all its surfaces
+
+}  // namespace claque::model

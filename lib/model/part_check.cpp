@@ -1,0 +1,152 @@
+// Rules of skeletal levels and of parts (S0 5.2, 4.1).
+#include "lib/model/level_check.h"
+
+namespace claque::model
+{
+
+using base::fail;
+
+namespace
+{
+
+uint64_t triangles_of(const Level &level)
+{
+    uint64_t indices = 0;
+    for (const Surface &surface : level.surfaces) {
+        for (const Bin &bin : surface.clean) indices += bin.range.count;
+        indices += surface.dirty.count;
+    }
+    return indices / 3;
+}
+
+void check_sphere(const Template &tmpl, const Level &level, const PartSphere &sphere)
+{
+    if (sphere.entry >= tmpl.rig.palette.size())
+        fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u of %zu", sphere.entry, tmpl.rig.palette.size());
+    if (!level.active.empty() && !level.active[tmpl.rig.palette[sphere.entry].node])
+        fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u, whose node has stopped", sphere.entry);
+    must_be_finite(&sphere.bind.centre.x, 3, "centre of a part's sphere");
+    must_be_finite(&sphere.bind.radius, 1, "radius of a part's sphere");
+    if (sphere.bind.radius < 0) fail(CLQ_ARGUMENT, "a part's sphere of negative radius");
+}
+
+void check_part(const Template &tmpl, const Level &level, size_t index)
+{
+    const LevelPart &part = level.parts[index];
+    if (part.node != none && part.node >= tmpl.rig.node_count())
+        fail(CLQ_ARGUMENT, "part %zu hangs on node %u of %u", index, part.node, tmpl.rig.node_count());
+    if (part.sphere_count == 0 || uint64_t(part.first_sphere) + part.sphere_count > level.part_spheres.size())
+        fail(CLQ_ARGUMENT, "part %zu has spheres %u to %llu of %zu", index, part.first_sphere,
+             static_cast<unsigned long long>(uint64_t(part.first_sphere) + part.sphere_count),
+             level.part_spheres.size());
+    for (uint32_t i = 1; i < part.sphere_count; ++i)
+        if (level.part_spheres[part.first_sphere + i].entry <= level.part_spheres[part.first_sphere + i - 1].entry)
+            fail(CLQ_ARGUMENT, "part %zu has spheres of matrices that do not ascend", index);
+}
+
+// Rises by whole triangles from 0 to what the range holds.
+void check_firsts(const uint32_t *firsts, size_t parts, uint32_t count, std::vector<uint64_t> *triangles)
+{
+    if (firsts[0] != 0 || firsts[parts] != count)
+        fail(CLQ_ARGUMENT, "parts take %u to %u of a range of %u indices", firsts[0], firsts[parts], count);
+    for (size_t p = 0; p < parts; ++p) {
+        if (firsts[p + 1] < firsts[p] || firsts[p] % 3 != 0)
+            fail(CLQ_ARGUMENT, "part %zu takes %u to %u of a range of indices", p, firsts[p], firsts[p + 1]);
+        if (triangles) (*triangles)[p] += (firsts[p + 1] - firsts[p]) / 3;
+    }
+}
+
+void check_entries(const Template &tmpl, const Level &level)
+{
+    std::vector<bool> kept(tmpl.rig.palette.size());
+    for (size_t i = 0; i < level.entries.size(); ++i) {
+        const uint32_t entry = level.entries[i];
+        if (entry >= kept.size() || (i > 0 && entry <= level.entries[i - 1]))
+            fail(CLQ_ARGUMENT, "a level asks for matrix %u of %zu, or twice", entry, kept.size());
+        if (!level.active[tmpl.rig.palette[entry].node])
+            fail(CLQ_ARGUMENT, "a level asks for matrix %u, whose node has stopped", entry);
+        kept[entry] = true;
+    }
+    for (const uint16_t joint : level.joints)
+        if (!kept[joint]) fail(CLQ_ARGUMENT, "a vertex follows matrix %u, which its level does not ask for", joint);
+    for (const PartSphere &sphere : level.part_spheres)
+        if (!kept[sphere.entry])
+            fail(CLQ_ARGUMENT, "a part's sphere follows matrix %u, which its level does not ask for", sphere.entry);
+}
+
+void check_nodes(const Template &tmpl, const Level &level)
+{
+    const Rig &rig = tmpl.rig;
+    must_count(level.active.size(), rig.node_count(), "active nodes");
+    size_t kept = 0;
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        if (level.active[i] > 1) fail(CLQ_ARGUMENT, "node %u is active %u times", i, unsigned(level.active[i]));
+        if (!level.active[i]) continue;
+        if (rig.parents[i] != none && !level.active[rig.parents[i]])
+            fail(CLQ_ARGUMENT, "node %u is active below node %u, which is not", i, rig.parents[i]);
+        if (kept >= level.nodes.size() || level.nodes[kept] != i)
+            fail(CLQ_ARGUMENT, "active node %u is not in the list of nodes", i);
+        ++kept;
+    }
+    must_count(level.nodes.size(), kept, "nodes of a level");
+}
+
+}  // namespace
+
+void check_skeleton(const Template &tmpl, size_t index)
+{
+    const Level &level = tmpl.levels[index];
+    if (level.skeletal > index || tmpl.levels[level.skeletal].skeletal != level.skeletal)
+        fail(CLQ_ARGUMENT, "level %zu shares poses with level %u", index, level.skeletal);
+    const Level &first = tmpl.levels[level.skeletal];
+    if (level.active != first.active || level.nodes != first.nodes || level.entries != first.entries)
+        fail(CLQ_ARGUMENT, "levels %zu and %u share poses and have different skeletons", index, level.skeletal);
+    if (index > 0 && level.active == tmpl.levels[index - 1].active && level.skeletal != tmpl.levels[index - 1].skeletal)
+        fail(CLQ_ARGUMENT, "levels %zu and %zu have one skeleton and do not share poses", index - 1, index);
+    if (level.active.empty()) {
+        must_count(level.nodes.size() + level.entries.size(), 0, "nodes and matrices of a whole skeleton");
+        return;
+    }
+    check_nodes(tmpl, level);
+    check_entries(tmpl, level);
+}
+
+void check_parts(const Template &tmpl, const Level &level)
+{
+    if (level.parts.size() > max_level_parts)
+        fail(CLQ_ARGUMENT, "a level of %zu parts: %u are the most", level.parts.size(), max_level_parts);
+    uint64_t triangles = 0;
+    for (const LevelPart &part : level.parts) triangles += part.triangles;
+    must_count(triangles, triangles_of(level), "triangles of all parts");
+    for (size_t p = 0; p < level.parts.size(); ++p) check_part(tmpl, level, p);
+    for (const PartSphere &sphere : level.part_spheres) check_sphere(tmpl, level, sphere);
+}
+
+void check_part_firsts(const Level &level)
+{
+    const size_t parts = level.parts.size();
+    std::vector<uint64_t> triangles(parts);
+    for (const Surface &surface : level.surfaces) {
+        if (parts < 2) {
+            must_count(surface.part_firsts.size(), 0, "places of parts where there is one");
+            continue;
+        }
+        const size_t ranges = surface.clean.size() + surface.dirty_by_zone.size() + 2;
+        must_count(surface.part_firsts.size(), ranges * (parts + 1), "places of parts");
+        const uint32_t *firsts = surface.part_firsts.data();
+        const auto next = [&](uint32_t count, std::vector<uint64_t> *sums) {
+            check_firsts(firsts, parts, count, sums);
+            firsts += parts + 1;
+        };
+        for (const Bin &bin : surface.clean) next(bin.range.count, &triangles);
+        next(surface.dirty.count, &triangles);
+        for (const Bin &bin : surface.dirty_by_zone) next(bin.range.count, nullptr);
+        next(surface.fused.count, nullptr);
+    }
+    for (size_t p = 0; p < parts && parts > 1; ++p)
+        if (triangles[p] != level.parts[p].triangles)
+            fail(CLQ_ARGUMENT, "part %zu has %u triangles, its ranges %llu", p, level.parts[p].triangles,
+                 static_cast<unsigned long long>(triangles[p]));
+}
+
+}  // namespace claque::model

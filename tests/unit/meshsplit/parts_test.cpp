@@ -1,0 +1,265 @@
+// Parts that are drawn or left out by themselves, S0 4.1 and 4.2 phase 3: their places in the index ranges, their spheres.
+#include <gtest/gtest.h>
+
+#include "articulated.h"
+
+#include "lib/model/template_check.h"
+#include "meshsplit/enclosing.h"
+#include "meshsplit/morph_limits.h"
+#include "meshsplit/vertex_cloud.h"
+
+#include <set>
+
+namespace claque::test
+{
+
+namespace
+{
+
+// Parts over a checkerboard of zones, part p at z = p.
+model::Model striped(uint32_t parts)
+{
+    const auto key = [](uint32_t x, uint32_t y) { return uint8_t((x / 5 + y / 7) % 3); };
+    model::Model m = keyed_sheet(1, 1, key_image(32, 32, key), {0, 1, 2});
+    m.materials.push_back(m.materials[0]);
+    m.materials[1].double_sided = true;
+    m.parts.clear();
+    for (uint32_t p = 0; p < parts; ++p) {
+        model::Part part = sheet_part(5 + p % 3, 9);
+        part.material = p % 4 == 3;
+        for (glm::vec3 &v : part.positions) v.z = float(p);
+        m.parts.push_back(part);
+    }
+    return m;
+}
+
+std::vector<model::IndexRange> ranges_of(const model::Surface &surface)
+{
+    std::vector<model::IndexRange> out;
+    for (const model::Bin &bin : surface.clean) out.push_back(bin.range);
+    out.push_back(surface.dirty);
+    for (const model::Bin &bin : surface.dirty_by_zone) out.push_back(bin.range);
+    out.push_back(surface.fused);
+    return out;
+}
+
+float z_of(const model::Level &level, uint32_t index)
+{
+    const uint32_t v = level.indices[index];
+    return level.positions[3 * (v < level.source_count ? v : level.copies[v - level.source_count]) + 2];
+}
+
+// Every part's vertices in a pose lie inside the hull of its spheres: none is farther in any direction.
+void expect_held(const model::Template &tmpl, const model::Level &level, const math::Affine *palette,
+                 const float *weights)
+{
+    const meshsplit::VertexCloud cloud(level, tmpl.rig);
+    const std::vector<uint32_t> corners = corners_of(level);
+    ASSERT_EQ(level.parts.size(), 1u) << "corners are not told apart here";
+    for (int d = 1; d < 27; ++d) {
+        const glm::vec3 axis(float(d % 3 - 1), float(d / 3 % 3 - 1), float(d / 9 - 1));
+        if (axis == glm::vec3(0)) continue;
+        const glm::vec3 unit = glm::normalize(axis);
+        float vertices = -for_ever, spheres = -for_ever;
+        for (const uint32_t v : corners)
+            vertices = std::max(vertices, glm::dot(unit, cloud.skinned(v, palette, weights)));
+        for (const model::PartSphere &sphere : level.part_spheres) {
+            const math::Affine &m = palette[sphere.entry];
+            float stretch = 0;
+            for (int k = 0; k < 3; ++k) stretch = std::max(stretch, glm::length(m.column(k)));
+            spheres =
+                std::max(spheres, glm::dot(unit, math::point(m, sphere.bind.centre)) + stretch * sphere.bind.radius);
+        }
+        EXPECT_LE(vertices, spheres);
+    }
+}
+
+}  // namespace
+
+TEST(Parts, stand_one_after_the_other_in_every_range)
+{
+    const auto tmpl = built(striped(9));
+    const model::Level &level = tmpl->levels[0];
+    ASSERT_EQ(level.parts.size(), 9u);
+    ASSERT_EQ(level.surfaces.size(), 2u);
+    for (const model::Surface &surface : level.surfaces) {
+        EXPECT_GT(surface.dirty_by_zone.size(), 1u);
+        const uint32_t *firsts = surface.part_firsts.data();
+        for (const model::IndexRange &range : ranges_of(surface)) {
+            for (uint32_t p = 0; p < 9; ++p)
+                for (uint32_t i = firsts[p]; i < firsts[p + 1]; ++i) ASSERT_EQ(z_of(level, range.first + i), float(p));
+            EXPECT_EQ(firsts[9], range.count);
+            firsts += 10;
+        }
+        EXPECT_EQ(firsts, surface.part_firsts.data() + surface.part_firsts.size());
+    }
+    model::check(*tmpl);
+}
+
+TEST(Parts, within_the_fused_range_have_clean_triangles_first_and_copies_by_ascending_zone)
+{
+    const auto tmpl = built(striped(6));
+    const model::Level &level = tmpl->levels[0];
+    for (const model::Surface &surface : level.surfaces) {
+        const uint32_t *firsts = surface.part_firsts.data() + surface.part_firsts.size() - 7;
+        for (uint32_t p = 0; p < 6; ++p) {
+            bool dirty = false;
+            std::vector<uint32_t> last;
+            for (uint32_t i = firsts[p]; i < firsts[p + 1]; i += 3) {
+                std::vector<uint32_t> source;
+                uint32_t slot = 0;
+                for (uint32_t k = 0; k < 3; ++k) {
+                    const uint32_t v = level.indices[surface.fused.first + i + k];
+                    source.push_back(v < level.source_count ? v : level.copies[v - level.source_count]);
+                    slot = level.slots[v];
+                }
+                if (slot % 2) {
+                    EXPECT_EQ(source, last) << "a raised copy lies on the triangle before it";
+                    dirty = true;
+                } else if (dirty) {
+                    ASSERT_LT(i + 3, firsts[p + 1]) << "a clean triangle after dirty ones";
+                    const uint32_t next = level.indices[surface.fused.first + i + 3];
+                    EXPECT_EQ(level.slots[next] % 2, 1u) << "a clean triangle after dirty ones";
+                }
+                last = source;
+            }
+        }
+    }
+}
+
+TEST(Parts, that_are_alone_leave_the_ranges_as_they_are)
+{
+    const auto tmpl = built(striped(1));
+    ASSERT_EQ(tmpl->levels[0].parts.size(), 1u);
+    EXPECT_EQ(tmpl->levels[0].parts[0].triangles, 90u);
+    EXPECT_TRUE(tmpl->levels[0].surfaces[0].part_firsts.empty());
+}
+
+TEST(Parts, without_triangles_are_none)
+{
+    Puppet m;
+    m.hang(m.root, "body");
+    m.hang(m.spine, "points").topology = model::Topology::points;
+    m.hang(m.arm, "later", 20);
+    m.hang(m.leg, "shoe");
+    const auto tmpl = built(m);
+    EXPECT_EQ(tmpl->levels[0].parts.size(), 2u);
+    EXPECT_EQ(tmpl->levels[0].parts[1].node, m.leg);
+    EXPECT_EQ(tmpl->levels[1].parts.size(), 3u);
+}
+
+TEST(Parts, beyond_sixty_four_are_drawn_with_their_neighbours)
+{
+    const auto tmpl = built(striped(150));
+    const model::Level &level = tmpl->levels[0];
+    ASSERT_EQ(level.parts.size(), 64u);
+    float last = -1;
+    for (const model::LevelPart &part : level.parts) {
+        const model::Sphere &sphere = level.part_spheres[part.first_sphere].bind;
+        EXPECT_GT(sphere.centre.z, last) << "in their order";
+        last = sphere.centre.z;
+        EXPECT_LE(part.triangles, 3u * 2 * 7 * 9);
+        EXPECT_GE(part.triangles, 2u * 2 * 5 * 9);
+    }
+    model::check(*tmpl);
+}
+
+TEST(Parts, hang_on_the_lowest_node_above_all_that_moves_them)
+{
+    Puppet m;
+    m.hang(m.hand, "glove");
+    m.skin({m.arm, m.hand, m.finger}, "sleeve");
+    m.skin({m.finger, m.leg}, "rope");
+    const uint32_t other = add_node(m, model::none, "other root", {9, 0, 0});
+    m.skin({m.finger, other}, "bridge");
+    const auto tmpl = built(m);
+    ASSERT_EQ(tmpl->levels[0].parts.size(), 4u);
+    EXPECT_EQ(tmpl->levels[0].parts[0].node, m.hand);
+    EXPECT_EQ(tmpl->levels[0].parts[1].node, m.arm);
+    EXPECT_EQ(tmpl->levels[0].parts[2].node, m.root);
+    EXPECT_EQ(tmpl->levels[0].parts[3].node, model::none) << "no node is above two trees";
+    model::check(*tmpl);
+}
+
+TEST(Parts, hang_on_what_is_left_where_nodes_have_stopped)
+{
+    Puppet m;
+    m.skin({m.hand, m.finger}, "glove");
+    m.stop(m.hand, 20);
+    EXPECT_EQ(built(m)->levels[1].parts[0].node, m.arm);
+}
+
+TEST(PartSpheres, hold_their_part_in_every_pose_of_a_clip)
+{
+    Puppet m;
+    m.skin({m.root, m.spine, m.arm, m.hand, m.finger}, "body");
+    m.swing({m.spine, m.arm, m.hand, m.finger});
+    m.stop(m.finger, 20);
+    const auto tmpl = built(m);
+    pose::Workspace workspace(tmpl->rig);
+    for (int i = 0; i <= 200; ++i) {
+        const auto palette = workspace.pose(0, 0.01 * i);
+        for (const model::Level &level : tmpl->levels)
+            expect_held(*tmpl, level, palette.data, workspace.weights().data);
+    }
+    EXPECT_EQ(tmpl->levels[0].part_spheres.size(), 5u);
+    EXPECT_EQ(tmpl->levels[1].part_spheres.size(), 4u);
+}
+
+TEST(PartSpheres, hold_what_morph_targets_move_with_degrees_of_freedom_at_their_ends)
+{
+    Puppet m;
+    model::Part &part = m.hang(m.root, "face", 0, for_ever, 3);
+    m.rig.morph_sets.push_back({m.root, 0, 2});
+    m.rig.rest_weights = {0.5f, 0};
+    part.morph_set = 0;
+    part.morphs.resize(2);
+    for (size_t v = 0; v < part.positions.size(); ++v) {
+        part.morphs[0].positions.emplace_back(0, 0, float(v));
+        part.morphs[1].positions.emplace_back(float(v % 3), 0, 0);
+    }
+    // A spline that swings far beyond its keys.
+    m.rig.clips.push_back({0, 1, 0, 1});
+    m.rig.clip_names.emplace_back("smile");
+    m.rig.times = {0, 1};
+    m.rig.values = {0, 0, 0.2f, 0.1f, 30, -20, 0, 0, 0.4f, 0.3f, 0, 0};
+    m.rig.channels.push_back({0, model::Path::morph_weights, model::Interpolation::cubic_spline, 2, 0, 2, 0});
+    m.rig.dofs.push_back({0, model::DofKind::morph, 1, glm::vec3(0, 1, 0), -2, 3, 0});
+    m.rig.dof_names.resize(1);
+    const auto tmpl = built(m);
+    const model::Level &level = tmpl->levels[0];
+    pose::Workspace workspace(tmpl->rig);
+    float most = 0;
+    for (int i = 0; i <= 100; ++i)
+        for (const float freedom : {-2.0f, 0.0f, 3.0f}) {
+            const auto palette = workspace.pose(0, 0.01 * i);
+            std::vector<float> weights(workspace.weights().begin(), workspace.weights().end());
+            weights[1] += freedom;
+            most = std::max(most, weights[0]);
+            expect_held(*tmpl, level, palette.data, weights.data());
+        }
+    EXPECT_GT(most, 4) << "the spline does swing";
+    const auto limits = meshsplit::morph_limits(tmpl->rig);
+    EXPECT_GE(limits[0].high, most);
+    EXPECT_LT(limits[0].high, most * 1.2f);
+    EXPECT_LE(limits[1].low, -2);
+}
+
+TEST(PartSpheres, are_near_the_smallest)
+{
+    Puppet m;
+    m.hang(m.root, "sheet", 0, for_ever, 8);
+    const auto tmpl = built(m);
+    const model::Sphere &sphere = tmpl->levels[0].part_spheres[0].bind;
+    EXPECT_LT(sphere.radius, 0.5f * std::sqrt(2.0f) * 1.01f);
+    EXPECT_LT(glm::distance(sphere.centre, glm::vec3(0.5f, 0.5f, 0)), 0.01f);
+    // Three of four corners lie on a circle whose centre is far from the middle of their box.
+    const model::Sphere three =
+        meshsplit::enclosing({{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{0, 1, 0}, 0}, {{0.9, 0.9, 0}, 0}});
+    EXPECT_LT(three.radius, 0.5f * std::sqrt(2.0f) * 1.02f);
+    const model::Sphere two = meshsplit::enclosing({{{0, 0, 0}, 1}, {{10, 0, 0}, 3}});
+    EXPECT_NEAR(two.radius, 7, 0.1);
+    EXPECT_NEAR(two.centre.x, 6, 0.1);
+}
+
+}  // namespace claque::test
