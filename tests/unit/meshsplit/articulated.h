@@ -1,6 +1,8 @@
 // Characters of several nodes and parts for the tests of levels, parts and skeletons.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "models.h"
 
 #include "lib/base/error.h"
