@@ -1,5 +1,6 @@
-// Mesa keeps a little memory of each OSMesa context for good. A build with a leak checker is told so here, where the
-// drivers are opened, so that its other findings stay readable; everywhere else this file is empty.
+// Mesa keeps a little memory of each OSMesa context for good, and fontconfig of each font that a chart is lettered with. A
+// build with a leak checker is told so here, where the drivers are opened, so that its other findings stay readable;
+// everywhere else this file is empty.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define CLAQUE_LEAK_CHECKER 1
@@ -13,7 +14,8 @@
 extern "C" __attribute__((visibility("default"))) const char *__lsan_default_suppressions();
 const char *__lsan_default_suppressions()
 {
-    return "leak:libOSMesa\nleak:libEGL\nleak:swrast_dri\nleak:libgallium\nleak:libGLX_mesa\n";
+    return "leak:libOSMesa\nleak:libEGL\nleak:swrast_dri\nleak:libgallium\nleak:libGLX_mesa\n"
+           "leak:libfontconfig\n";
 }
 #endif
 
