@@ -122,12 +122,11 @@ crowd::Place flown(const crowd::RootPath &path, double round_s) noexcept
     const Piece piece = piece_of(path, w.segment);
     glm::dvec3 along = velocity(piece, w.u);
     if (length_of(along) < 1e-9 * length_of(onward(piece, w.u))) along = onward(piece, w.u);
-    // The turn over most of a segment: the curve's own bend jumps where segments meet.
-    constexpr double span = 0.7;
+    // The turn over the length of a segment: the curve's own bend jumps where segments meet.
     double roll = 0;
     if (path.bank != 0) {
         const double rate =
-            turned(velocity_at(path, at - span / 2), velocity_at(path, at + span / 2)) / (span * each_s);
+            turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5)) / each_s;
         const double most = static_cast<double>(path.most_bank);
         roll = std::fmin(std::fmax(static_cast<double>(path.bank) * rate, -most), most);
     }

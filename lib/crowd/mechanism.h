@@ -66,12 +66,12 @@ struct Phrase {
     Array<PhraseKey> keys;
     Array<Shape> shapes;
     Array<DofValue> values;
-    float length_s = 0;  // after the last key the mouth rests
+    float length_s = 0;  // then the mouth goes to rest
     float pause_s = 0;   // of about this length between two rounds; negative: only when the host commands it
     float blend_s = 0.06f;
 };
 
-// Clips by lot, each for about slot_s, in place of what the actor plays. Writes no degree of freedom.
+// Clips by lot, each for slot_s, in place of what the actor plays. Writes no degree of freedom.
 struct Idle {
     explicit Idle(std::pmr::memory_resource *memory) : clips(memory) {}
     Array<uint32_t> clips;

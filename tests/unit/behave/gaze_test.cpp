@@ -1,0 +1,213 @@
+// Gaze: spine, neck and eyes share the turn to a point (S0 5.3).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/behave/command.h"
+#include "stage.h"
+
+namespace claque::behave
+{
+
+using namespace testing_support;
+
+namespace
+{
+
+constexpr double eyes_height = 1.6, eyes_ahead = 0.1;
+
+// A point `yaw` to the left and `pitch` up from between the eyes.
+glm::dvec3 towards(double yaw, double pitch, double distance = 5)
+{
+    return glm::dvec3(0, eyes_height, static_cast<double>(0.1f)) +
+           distance * glm::dvec3(std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw));
+}
+
+void look_at(Stage &stage, uint32_t mechanism, const glm::dvec3 &point, double at_s, uint32_t actor = 0)
+{
+    look(stage.crowd, stage.ids[actor], mechanism, &point, at_s);
+}
+
+}  // namespace
+
+TEST(Gaze, SharesTheTurnAsItsDescriptionSays)
+{
+    Stage stage;
+    const uint32_t g = stage.add(gaze());
+    look_at(stage, g, towards(0.8, -0.4), 10);
+    const std::vector<float> &dofs = stage.at(20);
+    EXPECT_NEAR(dofs[spine_yaw], 0.2 * 0.8, 1e-4);
+    EXPECT_NEAR(dofs[neck_yaw], 0.6 * 0.8 * 0.8, 1e-4);
+    EXPECT_NEAR(dofs[left_yaw], 0.4 * 0.8 * 0.8, 1e-4);
+    EXPECT_EQ(dofs[left_yaw], dofs[right_yaw]);
+    EXPECT_NEAR(dofs[spine_pitch] + dofs[neck_pitch] + dofs[left_pitch], -0.4, 1e-4) << "together they look at it";
+}
+
+TEST(Gaze, HandsDownWhatAPartCannotTakeAndNeverLeavesARange)
+{
+    Stage stage;
+    crowd::Gaze all = gaze();
+    all.spine_share = 0.9f;
+    const uint32_t g = stage.add(all);
+    look_at(stage, g, towards(1.4, 0), 0);
+    const std::vector<float> &dofs = stage.at(5);
+    EXPECT_EQ(dofs[spine_yaw], 0.5f) << "its range ends there";
+    EXPECT_NEAR(dofs[neck_yaw], 0.6 * 0.9, 1e-4) << "its share of what is left";
+    EXPECT_NEAR(dofs[left_yaw], 0.4 * 0.9, 1e-4);
+}
+
+TEST(Gaze, LooksOverTheLeftShoulderAtWhatIsExactlyBehindAndOverTheSameOneWhenItMoves)
+{
+    Stage stage(2);
+    const uint32_t g = stage.add(gaze());
+    const glm::dvec3 behind(0, 1.6, -4);
+    look_at(stage, g, behind, 0);
+    EXPECT_EQ(stage.at(1)[spine_yaw], 0.5f);
+    EXPECT_EQ(stage.at(1)[neck_yaw], 1.2f);
+    EXPECT_EQ(stage.at(1)[left_yaw], 0.7f);
+    look_at(stage, g, towards(-3.0, 0), 2);  // a little to the right of its back
+    for (double t = 2; t < 4; t += 0.01) ASSERT_GT(stage.at(t, neck_yaw), 1.0f) << "no flip at " << t;
+    look_at(stage, g, towards(-0.7, 0), 4, 1);
+    look_at(stage, g, towards(3.0, 0), 6, 1);
+    EXPECT_EQ(stage.at(9, 1)[neck_yaw], -1.2f) << "who looked right looks over the right shoulder";
+}
+
+TEST(Gaze, IsNotANumberNowhereNotAtItsOwnEyesNorStraightUp)
+{
+    Stage stage;
+    const uint32_t g = stage.add(gaze());
+    double t = 0;
+    for (const glm::dvec3 &point : {glm::dvec3(0, 1.6f, 0.1f), glm::dvec3(0, 50, 0.1f), glm::dvec3(0, -50, 0.1f),
+                                    glm::dvec3(1e29, -1e29, 1e29), glm::dvec3(1e-30, 1.6f, 0.1f)}) {
+        look_at(stage, g, point, t += 1);
+        for (const float value : stage.at(t + 0.9)) EXPECT_TRUE(std::isfinite(value));
+    }
+}
+
+TEST(Gaze, TurnsSmoothlyFromWhereItLookedAlsoInTheMiddleOfATurn)
+{
+    Stage stage;
+    crowd::Gaze wanders = gaze();
+    wanders.wander_s = 1;
+    const uint32_t g = stage.add(wanders);
+    look_at(stage, g, towards(0.9, 0.2), 3);
+    look_at(stage, g, towards(-0.9, -0.1), 3.2);
+    // A turn of at most 2 radians in 0.4 s, at its steepest 1.5 times as fast as on average.
+    EXPECT_LT(steepest(stage, 0, 5), 2 / 0.4 * 1.5);
+    EXPECT_GT(steepest(stage, 3.1, 3.6), 1) << "it does turn";
+    look(stage.crowd, stage.ids[0], g, nullptr, 5);
+    EXPECT_LT(steepest(stage, 3.2, 8), 2 / 0.4 * 1.5);
+}
+
+TEST(Gaze, FollowsAPointThatIsGivenAnewInEveryFrame)
+{
+    Stage stage;
+    const uint32_t g = stage.add(gaze());
+    const auto yaw_of = [](int frame) { return 0.3 + 0.01 * frame; };
+    for (int frame = 0; frame < 60; ++frame) {
+        look_at(stage, g, towards(yaw_of(frame), 0), frame / 60.0);
+        const std::vector<float> &dofs = stage.at(frame / 60.0);
+        const double turned = dofs[spine_yaw] + dofs[neck_yaw] + dofs[left_yaw];
+        if (frame == 10) {
+            EXPECT_GT(turned, 0.05) << "a new command does not stop the turn";
+        }
+        if (frame > 30) {
+            EXPECT_NEAR(turned, yaw_of(frame), 1e-4) << "nor does it lag";
+        }
+    }
+}
+
+TEST(Gaze, KeepsAPointWhereItIsWhileThePathCarriesTheEyesPastIt)
+{
+    Stage stage;
+    const uint32_t g = stage.add(gaze());
+    crowd::RootPath ring(std::pmr::get_default_resource());
+    ring.positions = {{10, 0, 0}, {0, 0, 10}, {-10, 0, 0}, {0, 0, -10}};
+    ring.duration_s = 8;
+    crowd::RootMotion motion;
+    motion.path = stage.crowd.behaviours().add(std::move(ring));
+    stage.crowd.move_root(stage.ids[0], motion);
+    look_at(stage, g, glm::dvec3(9.5, 1.6, 0), 0);
+    float least = 9, most = -9;
+    for (int i = 0; i < 1600; ++i) {
+        least = std::min(least, stage.at(i * 0.01, neck_yaw));
+        most = std::max(most, stage.at(i * 0.01, neck_yaw));
+    }
+    EXPECT_GT(most - least, 1.0f) << "the neck follows";
+    // It passes the point at 0.5 m with 8 m/s: 16 rad/s; what is behind is let go of at up to five times that.
+    EXPECT_LT(steepest(stage, 1, 17), 80);
+    // In the open, where nothing is clamped, spine, neck and eyes together point at it.
+    for (double t = 5.5; t < 6.5; t += 0.1) {
+        const crowd::Place root = root_at(stage.crowd, 0, t);
+        const std::vector<float> &dofs = stage.at(t);
+        const double yaw = dofs[spine_yaw] + dofs[neck_yaw] + dofs[left_yaw];
+        const glm::dquat q(root.orientation);
+        const glm::dvec3 p = glm::conjugate(q) * (glm::dvec3(9.5, 1.6, 0) - root.position) - glm::dvec3(0, 1.6, 0.1);
+        const double wanted = std::atan2(p.x, p.z);
+        if (std::fabs(wanted) < 1.2) {
+            EXPECT_NEAR(yaw, wanted, 1e-3) << t;
+        }
+    }
+}
+
+TEST(Gaze, WandersWithinItsBoundsAboutAsOftenAsItSays)
+{
+    Stage stage;
+    crowd::Gaze wanders = gaze();
+    wanders.wander_s = 2;
+    wanders.wander_yaw = 0.5f, wanders.wander_pitch = 0.2f;
+    stage.add(wanders);
+    int rests = 0;
+    bool moved = false;
+    float last = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const std::vector<float> &dofs = stage.at(i * 0.01);
+        ASSERT_LE(std::fabs(dofs[spine_yaw] + dofs[neck_yaw] + dofs[left_yaw]), 0.5001f);
+        ASSERT_LE(std::fabs(dofs[spine_pitch] + dofs[neck_pitch] + dofs[left_pitch]), 0.2001f);
+        const bool moves = dofs[neck_yaw] != last;
+        if (moved && !moves) ++rests;
+        moved = moves, last = dofs[neck_yaw];
+    }
+    EXPECT_NEAR(rests, 500, 50) << "in 1000 s";
+}
+
+TEST(Gaze, LevelsDropEyesThenNeckThenThePitchOfTheSpine)
+{
+    Stage stage;
+    crowd::Mechanism mechanism;
+    mechanism.kind = gaze();
+    mechanism.level_m[0] = 10, mechanism.level_m[1] = 20, mechanism.level_m[2] = 30;
+    mechanism.off_m = 40;
+    const uint32_t g = stage.add(std::move(mechanism));
+    look_at(stage, g, towards(0.8, 0.4), 0);
+    const std::vector<float> near = stage.at(5, 0, 9.9f), no_eyes = stage.at(5, 0, 10), no_neck = stage.at(5, 0, 20),
+                             flat = stage.at(5, 0, 35), gone = stage.at(5, 0, 40);
+    EXPECT_NE(near[left_yaw], 0);
+    EXPECT_EQ(no_eyes[left_yaw], 0);
+    EXPECT_EQ(no_eyes[neck_yaw], near[neck_yaw]) << "the head stays where it was";
+    EXPECT_EQ(no_neck[neck_yaw], 0);
+    EXPECT_EQ(no_neck[spine_pitch], near[spine_pitch]);
+    EXPECT_EQ(flat[spine_pitch], 0);
+    EXPECT_EQ(flat[spine_yaw], near[spine_yaw]);
+    EXPECT_EQ(gone[spine_yaw], 0);
+}
+
+TEST(Gaze, LevelsCountThePartsThatThereAre)
+{
+    Stage stage;
+    crowd::Mechanism mechanism;
+    crowd::Gaze head = gaze();
+    head.spine_yaw = head.spine_pitch = model::none;
+    mechanism.kind = head;
+    mechanism.level_m[0] = 10, mechanism.level_m[1] = 20;
+    const uint32_t g = stage.add(std::move(mechanism));
+    look_at(stage, g, towards(0.5, 0.4), 0);
+    EXPECT_NEAR(stage.at(5)[neck_yaw], 0.6 * 0.5, 1e-4);
+    EXPECT_NE(stage.at(5)[left_yaw], 0);
+    EXPECT_EQ(stage.at(5, 0, 15)[left_yaw], 0);
+    EXPECT_NE(stage.at(5, 0, 15)[neck_pitch], 0);
+    EXPECT_EQ(stage.at(5, 0, 25)[neck_pitch], 0);
+    EXPECT_NE(stage.at(5, 0, 25)[neck_yaw], 0);
+}
+
+}  // namespace claque::behave
