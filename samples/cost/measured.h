@@ -8,6 +8,8 @@
 //     "traditional": { "NO_01": 4000, ... all six ... }
 //   }
 //
+// NO_01: articulations of Skeleton nodes made into matrices; NO_02, NO_03: Reference Points and Skeleton Roots placed;
+// NO_04a: Internal Bspheres recalculated; NO_04b: spheres of any kind tested against a frustum; NO_05: distances to an eye.
 // Counts are means of a frame, from 0 up; shares are from 0 to 1 and mean what S0 6.2.2 says. "traditional" is what the
 // same frames take in traditional mode; without it the scene of Table 2 is counted. Other members are passed over.
 #pragma once

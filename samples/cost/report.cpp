@@ -52,6 +52,16 @@ Json json_of(const Reading &reading)
     return json;
 }
 
+// NO_01 was counted after levels of detail, and Table 6 halves its price for them once more.
+std::string remark_of(const Measured &measured, const Reading &reading)
+{
+    const double full = measured.actor[no_01] + measured.actor[no_02] + measured.actor[no_03];
+    return "Measured: " + measured.note + ", " + text_of(measured.shares) + ". The improvement is " +
+           text_of(Figure{reading.improvement(0, measured.shares), 1}) + " at AverageCost 0 and tends to " +
+           text_of(Figure{reading.limit(), 1}) + ", or to " + text_of(Figure{reading.traditional.behaviour / full, 1}) +
+           " with CO_01a and CO_03a at a whole AverageCost, as what levels of detail drop is not among the counts.";
+}
+
 void append(std::vector<Table> &to, std::vector<Table> tables)
 {
     to.insert(to.end(), std::make_move_iterator(tables.begin()), std::make_move_iterator(tables.end()));
@@ -65,7 +75,7 @@ Report report_of(const Scene &scene, const Measured *measured)
     Report report = {tables_of_scene(scene), remarks_of(scene)};
     append(report.tables, tables_of_counts(readings));
     append(report.tables, tables_of_costs(readings));
-    if (measured) report.remarks.push_back("Measured: " + measured->note + ", " + text_of(measured->shares) + ".");
+    if (measured) report.remarks.push_back(remark_of(*measured, readings.back()));
     return report;
 }
 
