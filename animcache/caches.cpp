@@ -133,10 +133,16 @@ void Caches::skin(const base::Jobs &jobs)
 const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const
 {
     const float *kept = entries_[request.row].palette;
-    if (!kept || request.placement == Placement::vertices) return reinterpret_cast<const math::Affine *>(kept);
+    if (kept && request.placement == Placement::vertices) return reinterpret_cast<const math::Affine *>(kept);
     const Scratch scratch = scratch_.strand(strand);
-    const model::Level &level = request.tmpl->levels[request.level];
     math::Affine *palette = reinterpret_cast<math::Affine *>(scratch.floats);
+    if (!kept) {
+        Request anew = request;
+        anew.placement = Placement::vertices;
+        animcache::animate(anew, scratch, scratch.floats);
+        return palette;
+    }
+    const model::Level &level = request.tmpl->levels[request.level];
     pose::place_locals(request.tmpl->rig, level, reinterpret_cast<const math::Affine *>(kept), scratch.globals,
                        palette);
     products += level.active.empty() ? request.tmpl->rig.node_count() : level.nodes.size();

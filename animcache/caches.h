@@ -46,8 +46,8 @@ public:
     // Of a row in the last update's requests; null where there was no room.
     const float *palette_of(uint32_t row) const { return entries_[row].palette; }
     draw::Vertices vertices_of(uint32_t row) const;
-    // The palette of a request's pose, made in the strand's scratch where only nodes' own matrices are kept; then the
-    // products that this took are added. Null: no room. `strand` below strand_count.
+    // The palette of a request's pose; made in the strand's scratch where there is no room for it, or only nodes' own
+    // matrices are kept: then the products that this took are added. `strand` below strand_count.
     const math::Affine *palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const;
     // Of one whose parts GL's matrix stack places; null otherwise.
     const math::Affine *locals_of(uint32_t row) const;

@@ -219,9 +219,9 @@ typedef struct clq_actor_info {
     float priority;
     float eye_distance; /* of the last update that saw it: from its Skeleton Root to the nearest eye, world units */
     uint32_t level;     /* of detail, then */
-    float
-        refpoint_radius; /* S0 4.1: of its bounding spheres now, at scale 1, with its way and what is attached to it */
-    float sklsroot_radius;
+    clq_place root;     /* where its Skeleton Root was in the world then; else where its Reference Point is */
+    /* S0 4.1: of its bounding spheres now, at scale 1, with its way and what is attached to it. */
+    float refpoint_radius, sklsroot_radius;
 } clq_actor_info;
 
 CLQ_API clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor_info *out);

@@ -142,6 +142,9 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
         info.priority = crowd->crowd.extent_of(row).priority;
         info.eye_distance = seen.distance;
         info.level = seen.level;
+        crowd::Place root;
+        if (!crowd->frame.root_of(crowd->crowd, row, root)) root = crowd->crowd.world_place_of(row);
+        info.root = api::place_of(root);
         info.refpoint_radius = crowd->crowd.extent_of(row).refpoint;
         info.sklsroot_radius = crowd->crowd.extent_of(row).sklsroot;
         *out = info;

@@ -15,12 +15,6 @@ using math::Inside;
 namespace
 {
 
-constexpr uint32_t strands = 64;
-
-struct Found {
-    uint64_t built = 0, tested = 0, crossing = 0, tracked = 0;
-};
-
 // Of the nodes that a level evaluates.
 uint64_t nodes_of(const model::Template &tmpl, const model::Level &level)
 {
@@ -29,52 +23,59 @@ uint64_t nodes_of(const model::Template &tmpl, const model::Level &level)
 
 }  // namespace
 
+// Whether the view sees anything of the individual, and which parts.
+void Update::test_parts(uint32_t view, uint32_t index, const animcache::Request &request, PartsTested &tested) const
+{
+    Sight &seen = sight(view, frame.asked_[index]);
+    const model::Level &level = request.tmpl->levels[request.level];
+    if (level.parts.empty()) return;
+    if (!tested.palette)
+        tested.palette = frame.caches_.palette_for_spheres(request, tested.strand, tested.products_tracked);
+    const EyeOf &eye = frame.eyes_[view];
+    const crowd::Place &root = frame.candidates_[frame.asked_[index]].root;
+    const ToFrustum to{math::rotation_of(root.orientation) * double(root.scale), root.position - eye.eye,
+                       std::fabs(double(root.scale))};
+    const PartsInView inside = parts_in_view(*request.tmpl, level, tested.palette, to, eye.frustum);
+    tested.spheres_built += inside.built;
+    tested.sphere_tests += inside.tested;
+    seen.parts = inside.parts;
+    if (!inside.parts && !seen.shadow_only) seen.inside = Inside::no;
+    else if (seen.inside == Inside::no) seen.inside = Inside::crosses;
+}
+
 void Update::cull_parts()
 {
-    Found found[strands];
+    constexpr uint32_t strands = animcache::Caches::strand_count;
+    PartsTested tested[strands];
     std::pmr::vector<animcache::Request> &requests = frame.caches_.pending();
     const uint32_t count = static_cast<uint32_t>(requests.size());
     jobs.for_each(strands, [&](uint32_t s) {
         const uint32_t first = static_cast<uint32_t>(uint64_t(count) * s / strands);
         const uint32_t last = static_cast<uint32_t>(uint64_t(count) * (s + 1) / strands);
-        Found &sum = found[s];
+        tested[s].strand = s;
         for (uint32_t i = first; i < last; ++i) {
-            animcache::Request &request = requests[i];
-            const Candidate &candidate = frame.candidates_[frame.asked_[i]];
-            const model::Level &level = request.tmpl->levels[request.level];
-            const math::Affine *palette = nullptr;
-            request.drawn = false;
+            tested[s].palette = nullptr;
+            requests[i].drawn = false;
+            bool crosses = false;
             for (uint32_t v = 0; v < views.count; ++v) {
-                Sight &seen = sight(v, frame.asked_[i]);
+                const Sight &seen = sight(v, frame.asked_[i]);
                 if (seen.inside == Inside::no && !traditional()) continue;
-                sum.crossing += seen.inside == Inside::crosses;
-                const bool tests = (seen.inside == Inside::crosses && !seen.shadow_only) || traditional();
-                if (tests && !level.parts.empty()) {
-                    if (!palette) palette = frame.caches_.palette_for_spheres(request, s, sum.tracked);
-                    if (palette) {
-                        const EyeOf &eye = frame.eyes_[v];
-                        const crowd::Place &root = candidate.root;
-                        const ToFrustum to{math::rotation_of(root.orientation) * double(root.scale),
-                                           root.position - eye.eye, std::fabs(double(root.scale))};
-                        const PartsInView inside = parts_in_view(*request.tmpl, level, palette, to, eye.frustum);
-                        sum.built += inside.built, sum.tested += inside.tested;
-                        seen.parts = inside.parts;
-                        if (!inside.parts && !seen.shadow_only) seen.inside = Inside::no;
-                        else if (seen.inside == Inside::no) seen.inside = Inside::crosses;
-                    }
-                }
-                request.drawn = request.drawn || seen.inside != Inside::no;
+                crosses = crosses || seen.inside == Inside::crosses;
+                if ((seen.inside == Inside::crosses && !seen.shadow_only) || traditional())
+                    test_parts(v, i, requests[i], tested[s]);
+                requests[i].drawn = requests[i].drawn || seen.inside != Inside::no;
             }
+            tested[s].crossing += crosses;
         }
     });
     Stats &stats = frame.stats_;
     stats.crossing = 0;
     stats.spheres_built = 0, stats.matrices_needed = stats.products = stats.products_tracked = 0;
-    for (const Found &f : found) {
-        stats.spheres_built += f.built;
-        stats.sphere_tests += f.tested;
-        stats.crossing += static_cast<uint32_t>(f.crossing);
-        stats.products_tracked += f.tracked;
+    for (const PartsTested &t : tested) {
+        stats.spheres_built += t.spheres_built;
+        stats.sphere_tests += t.sphere_tests;
+        stats.crossing += t.crossing;
+        stats.products_tracked += t.products_tracked;
     }
     frame.visible_.clear();
     for (uint32_t i = 0; i < count; ++i) {

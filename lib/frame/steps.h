@@ -6,6 +6,14 @@
 namespace claque::frame
 {
 
+// What one task of phase 3 found.
+struct PartsTested {
+    uint32_t strand = 0;
+    const math::Affine *palette = nullptr;  // of the individual at hand; null until it is needed
+    uint64_t spheres_built = 0, sphere_tests = 0, products_tracked = 0;
+    uint32_t crossing = 0;
+};
+
 struct Update {
     const crowd::Crowd &crowd;
     Frame &frame;
@@ -50,6 +58,7 @@ private:
     void run_memories();
     const animcache::Request *asked(uint32_t row) const;
     float *dofs_of(const animcache::Request &request) const;
+    void test_parts(uint32_t view, uint32_t index, const animcache::Request &request, PartsTested &tested) const;
     void list_view(uint32_t view);
     draw::Item item_of(const EyeOf &eye, uint32_t view, const Listed &listed) const;
     uint32_t band_of(float distance) const;

@@ -22,15 +22,23 @@ void expect_same_picture(std::string &before, const std::string &now, const std:
 namespace
 {
 
+bool of_actors(const BenchArguments &a)
+{
+    for (const scenes::SceneEntry &entry : scenes::scene_entries())
+        if (a.stage.scene == entry.name) return entry.actors;
+    return false;
+}
+
 void bench(const BenchArguments &a)
 {
     if (!a.save.empty()) expect_writable(a.save);
     const bool along_path = a.stage.camera == "path";
-    const Json report = along_path ? bench_along_path(a) : bench_by_count(a);
+    const Json report = along_path ? bench_along_path(a) : of_actors(a) ? bench_actors(a) : bench_by_count(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << markdown_of(report);
     else if (along_path) print_sections(report);
+    else if (of_actors(a)) print_actors(report);
     else print_counts(report);
 }
 
@@ -69,12 +77,22 @@ void add_bench(CLI::App &app, Work &chosen)
     c->add_option("--frames", a->frames, "Measured frames a run, or a section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    CLI::Option *cull = c->add_option("--cull", a->culls, "Of scenes of actors: which modes, with commas")
+                            ->delimiter(',')
+                            ->check(CLI::IsMember({"actor", "traditional"}))
+                            ->capture_default_str();
     add_stage_options(*c, a->stage);
     CLI::Option *json = c->add_flag("--json", a->json, "As JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path: as a table for a README")->excludes(json);
     c->add_option("--save", a->save, "Write the JSON here as well")->excludes(json);
-    c->callback([a, count, &chosen] {
+    c->callback([a, count, cull, &chosen] {
         choose_scene(*a);
+        if (cull->count() > 0 && !of_actors(*a))
+            throw CLI::ValidationError("--cull",
+                                       "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
+        if (of_actors(*a) && count->count() == 0)
+            for (const scenes::SceneEntry &entry : scenes::scene_entries())
+                if (a->stage.scene == entry.name) a->counts = {entry.default_count};
         if (a->stage.camera != "path" && a->markdown)
             throw CLI::ValidationError("--markdown", "is for cameras that follow a path");
         if (a->stage.camera == "path" && count->count() > 0) {

@@ -11,6 +11,7 @@ struct BenchArguments {
     std::string subject;
     std::vector<uint32_t> counts = {100, 500, 1000};
     std::vector<std::string> varieties = variety_names(), caches = cache_names();
+    std::vector<std::string> culls = {"actor", "traditional"};
     std::string save;
     int frames = 25;
     bool json = false, markdown = false;
@@ -25,6 +26,10 @@ Json bench_along_path(const BenchArguments &arguments);
 void print_sections(const Json &report);
 // The same as a paragraph and a table for a README.
 std::string markdown_of(const Json &report);
+
+// Scenes of actors: update and draw in each cull mode, with what every phase was asked (S0 7.2).
+Json bench_actors(const BenchArguments &arguments);
+void print_actors(const Json &report);
 
 // Throws scenes::Failure unless `now` is what the variants before it drew; `what` names what was drawn.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);

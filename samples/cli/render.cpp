@@ -71,6 +71,7 @@ Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame
     const Stopwatch drawing;
     const clq_draw_stats drawn = stage.draw_crowd();
     const double draw_ms = drawing.ms();
+    stage.draw_show();
     const std::vector<uint8_t> &rgb = stage.read();
     if (frame.path == "-") write_whole("-", rgb.data(), rgb.size());
     else {
@@ -237,6 +238,17 @@ void add_render(CLI::App &app, Work &chosen)
     c->add_option("--cache", a->stage.cache, "What is kept from frame to frame; never changes the picture")
         ->check(CLI::IsMember(cache_names()))
         ->capture_default_str();
+    c->add_option("--cull", a->stage.cull,
+                  "Behaviour between the phases, or everything for everybody and culled last (S0 4)")
+        ->check(CLI::IsMember({"actor", "traditional"}))
+        ->capture_default_str();
+    c->add_option("--cull-scale", a->stage.cull_scale,
+                  "Cull by a pyramid of this share of the picture's, and show its edge (S0 Fig. 10)")
+        ->check(CLI::Range(0.01, 1.0));
+    c->add_option(
+         "--show", a->stage.show,
+         "spheres: the actors' bounding spheres (S0 Fig. 2); levels: a colour for each level of detail (S0 Fig. 9)")
+        ->check(CLI::IsMember({"nothing", "spheres", "levels"}));
     CLI::Option *time = c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
     c->add_option("--frames", a->frames,
                   "A sequence, first to last, or all of a camera path; frame k shows k / fps seconds")

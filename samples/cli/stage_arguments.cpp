@@ -62,6 +62,10 @@ void add_stage_options(CLI::App &command, StageArguments &a)
     command.add_option("--format", a.format, "Of the drawing surface")
         ->check(CLI::IsMember({"rgba8888", "rgb565"}))
         ->capture_default_str();
+    command
+        .add_option("--placement", a.placement, "Rigid parts by moved vertices, or by OpenGL's matrix stack (S0 6.2.2)")
+        ->check(CLI::IsMember({"vertices", "matrices"}))
+        ->capture_default_str();
     command.add_option("--cache-mib", a.budget_mib, "Bound of the caches in MiB (0: 1024)")
         ->check(CLI::Range(0, 1 << 20));
     command.add_option("--seed", a.seed, "Of everything that is drawn by lot")->capture_default_str();
@@ -115,6 +119,12 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.casting.seed = a.seed;
     options.casting.cache = cache_named(a.cache);
     options.casting.cache_budget_bytes = a.budget_mib << 20;
+    options.casting.cull = a.cull == "traditional" ? CLQ_CULL_TRADITIONAL : CLQ_CULL_ACTOR;
+    options.casting.placement = a.placement == "matrices" ? CLQ_PLACE_MATRICES : CLQ_PLACE_VERTICES;
+    options.cull_scale = static_cast<float>(a.cull_scale);
+    options.show = a.show == "spheres"  ? scenes::Show::spheres
+                   : a.show == "levels" ? scenes::Show::levels
+                                        : scenes::Show::nothing;
     options.shot = a.camera == "close"                     ? scenes::Shot::close
                    : a.camera == "path" || !a.path.empty() ? scenes::Shot::path
                                                            : scenes::Shot::overview;
@@ -167,7 +177,29 @@ Json counters(const clq_crowd_stats &s)
             {"evicted", s.evicted},
             {"cache_bytes", s.cache_bytes},
             {"cache_budget_bytes", s.cache_budget_bytes},
-            {"actor_bytes", s.actor_bytes}};
+            {"actor_bytes", s.actor_bytes},
+            {"groups", s.groups},
+            {"groups_visible", s.groups_visible},
+            {"tested", s.tested},
+            {"passed_refpoint", s.passed_refpoint},
+            {"passed_sklsroot", s.passed_sklsroot},
+            {"crossing", s.crossing},
+            {"sphere_tests", s.sphere_tests},
+            {"spheres_built", s.spheres_built},
+            {"roots_placed", s.roots_placed},
+            {"distances", s.distances},
+            {"matrices_needed", s.matrices_needed},
+            {"matrices_built", s.matrices_built},
+            {"products", s.products},
+            {"products_tracked", s.products_tracked},
+            {"behaviour_calls",
+             {{"gaze", s.behaviour_calls[CLQ_GAZE]},
+              {"expression", s.behaviour_calls[CLQ_EXPRESSION]},
+              {"blink", s.behaviour_calls[CLQ_BLINK]},
+              {"phrase", s.behaviour_calls[CLQ_PHRASE]},
+              {"idle", s.behaviour_calls[CLQ_IDLE]},
+              {"host", s.behaviour_calls[CLQ_HOST]}}},
+            {"dof_writes", s.dof_writes}};
 }
 
 Json rates(const clq_crowd_stats &s)

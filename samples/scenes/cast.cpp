@@ -11,6 +11,8 @@ Cast::Cast(Library &library, const Casting &casting)
     def.cache = casting.cache;
     def.cache_budget_bytes = casting.cache_budget_bytes;
     def.seed = casting.seed;
+    def.cull = casting.cull;
+    def.placement = casting.placement;
     clq_crowd *made = nullptr;
     check(clq_crowd_create(library.context(), &def, &made));
     crowd_.reset(made);

@@ -15,7 +15,9 @@ struct Casting {
     uint64_t seed = 1;
     clq_cache_mode cache = CLQ_CACHE_FULL;
     uint64_t cache_budget_bytes = 0;  // 0: claque's own
-    std::string theatre_file;         // odeon: a description of the user's; empty: the one that comes with claque
+    clq_cull_mode cull = CLQ_CULL_ACTOR;
+    clq_placement placement = CLQ_PLACE_VERTICES;
+    std::string theatre_file;  // odeon: a description of the user's; empty: the one that comes with claque
 };
 
 class Cast
@@ -38,6 +40,7 @@ public:
     void move();
 
     clq_crowd *crowd() const { return crowd_.get(); }
+    const std::vector<clq_actor> &actors() const { return actors_; }
     std::vector<clq_place> &places() { return places_; }
     const std::vector<clq_place> &places() const { return places_; }
 

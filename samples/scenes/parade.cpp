@@ -72,6 +72,7 @@ public:
     }
 
     clq_crowd *crowd() const override { return cast_.crowd(); }
+    std::vector<clq_actor> actors() const override { return cast_.actors(); }
     std::vector<clq_template *> templates() const override { return {character_.tmpl}; }
 
     clq_camera camera(Shot shot, double aspect, double) const override

@@ -38,6 +38,7 @@ public:
     }
 
     clq_crowd *crowd() const override { return cast_.crowd(); }
+    std::vector<clq_actor> actors() const override { return cast_.actors(); }
     std::vector<clq_template *> templates() const override { return {citizen_}; }
 
     clq_camera camera(Shot shot, double aspect, double) const override

@@ -30,6 +30,8 @@ public:
     virtual ~Scene() = default;
 
     virtual clq_crowd *crowd() const = 0;
+    // Everybody in it, for pictures that show what is known of each; a scene may have nothing to show.
+    virtual std::vector<clq_actor> actors() const { return {}; }
     virtual std::vector<clq_template *> templates() const = 0;
     virtual clq_camera camera(Shot shot, double aspect, double time_s) const = 0;
 
@@ -40,6 +42,8 @@ public:
     virtual void prepare(const Gl &gl) = 0;
     // Draws all but the crowd into a cleared picture, and leaves the lights on for it.
     virtual void draw_setting(const Gl &gl, const Eye &eye) const = 0;
+    // From now on it leaves out what a pyramid of this share of the picture's does not meet, where it culls at all.
+    virtual void cull_by(double) {}
 };
 
 struct SceneEntry {
@@ -47,6 +51,7 @@ struct SceneEntry {
     const char *about;
     std::unique_ptr<Scene> (*make)(Library &library, const Casting &casting, const Character &character);
     uint32_t default_count;  // of individuals, where nobody asks for a number
+    bool actors = false;     // a scene of S0, which is measured in both cull modes
 };
 
 // Every scene there is.
@@ -58,6 +63,7 @@ std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, con
 
 std::unique_ptr<Scene> make_plaza(Library &library, const Casting &casting, const Character &character);
 std::unique_ptr<Scene> make_odeon(Library &library, const Casting &casting, const Character &character);
+std::unique_ptr<Scene> make_vehicle(Library &library, const Casting &casting, const Character &character);
 std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character);
 
 }  // namespace scenes

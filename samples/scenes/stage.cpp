@@ -17,6 +17,9 @@ Stage::Stage(Library &library, const StageOptions &options) : library_(library),
     clq_view *view = nullptr;
     check(clq_view_create(scene_->crowd(), &view));
     view_.reset(view);
+    check(clq_view_set_height(view, static_cast<float>(options.height)));
+    check(clq_view_set_cull_scale(view, options.cull_scale));
+    if (options.cull_scale < 1) scene_->cull_by(static_cast<double>(options.cull_scale));
     use_variety(options.variety);
 }
 
@@ -57,6 +60,9 @@ void Stage::update(double time_s)
     check(clq_view_look(view_.get(), &camera));
     clq_view *views[] = {view_.get()};
     check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
+    if (options_.show != Show::levels) return;
+    tint_by_level(scene_->crowd(), scene_->actors());
+    check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
 }
 
 void Stage::draw_setting()
@@ -76,6 +82,12 @@ clq_draw_stats Stage::draw_crowd()
     return stats;
 }
 
+void Stage::draw_show()
+{
+    if (options_.show == Show::spheres) draw_spheres(gl_, eye_, scene_->crowd(), scene_->actors());
+    if (options_.cull_scale < 1) draw_pyramid(gl_, options_.cull_scale);
+}
+
 const std::vector<uint8_t> &Stage::read()
 {
     offscreen_->read_rgb(rgb_);
@@ -87,6 +99,7 @@ const std::vector<uint8_t> &Stage::picture(double time_s)
     update(time_s);
     draw_setting();
     draw_crowd();
+    draw_show();
     return read();
 }
 

@@ -5,6 +5,7 @@
 #include "samples/contexts/offscreen.h"
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/show.h"
 
 #include <array>
 #include <optional>
@@ -22,6 +23,8 @@ struct StageOptions {
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
     clq_variety variety = CLQ_VARIETY_FUSED;
+    float cull_scale = 1;  // of the culling pyramid, against the picture's (S0 Fig. 10)
+    Show show = Show::nothing;
 };
 
 class Stage
@@ -36,6 +39,8 @@ public:
     // Everything that costs no GL: who is where, and clq_crowd_update.
     void update(double time_s);
     void draw_setting();
+    // What StageOptions::show asks for, over all the rest.
+    void draw_show();
     // The crowd alone, waiting for GL before and after, so that it can be timed.
     clq_draw_stats draw_crowd();
     // A whole frame; three bytes a pixel, top row first, valid until the next.

@@ -21,6 +21,7 @@ public:
     void act(double time_s);
 
     clq_crowd *crowd() const { return cast_.crowd(); }
+    const std::vector<clq_actor> &actors() const { return cast_.actors(); }
     std::vector<clq_template *> templates() const;
     const std::vector<clq_place> &places() const { return cast_.places(); }
     const std::vector<Seat> &seats() const { return seats_; }

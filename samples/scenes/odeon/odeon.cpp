@@ -51,6 +51,7 @@ public:
     }
 
     clq_crowd *crowd() const override { return audience_.crowd(); }
+    std::vector<clq_actor> actors() const override { return audience_.actors(); }
     std::vector<clq_template *> templates() const override { return audience_.templates(); }
 
     clq_camera camera(Shot shot, double aspect, double) const override

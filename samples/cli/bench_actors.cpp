@@ -1,0 +1,139 @@
+// claque bench of scenes of actors (S0 7.2): what an update costs in both cull modes, side by side in one run, with what
+// each phase and each mechanism was asked; the picture apart. And how the cost grows with those who are out of view.
+#include "samples/cli/bench.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/stopwatch.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+struct Rival {
+    std::string cull;
+    std::unique_ptr<scenes::Stage> stage;
+    Times update, draw;
+    clq_draw_stats drawn = {};
+    std::string hash;
+};
+
+double share(uint64_t part, uint64_t whole)
+{
+    return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+Json result_of(const Rival &rival, uint32_t count)
+{
+    const clq_crowd_stats stats = rival.stage->crowd_stats();
+    const clq_view_stats seen = rival.stage->view_stats();
+    return {{"count", count},
+            {"cull", rival.cull},
+            {"update_ms", {{"minimum", rival.update.minimum()}, {"median", rival.update.median()}}},
+            {"draw_ms", {{"minimum", rival.draw.minimum()}, {"median", rival.draw.median()}}},
+            {"draws", rival.drawn.draws},
+            {"triangles_seen", seen.triangles},
+            {"parts", seen.parts},
+            {"parts_left_out", seen.parts_left_out},
+            {"fCoh", share(stats.matrices_built, stats.matrices_needed)},
+            {"fTrack", share(stats.products_tracked, stats.products)},
+            {"counters", counters(stats)},
+            {"picture_hash", rival.hash}};
+}
+
+// Frames in turn, so that both modes meet the same machine.
+void run(std::vector<Rival> &rivals, const BenchArguments &a)
+{
+    for (int frame = 0; frame <= a.frames; ++frame)
+        for (Rival &rival : rivals) {
+            stop_if_asked();
+            rival.stage->make_current();
+            const Stopwatch updating;
+            rival.stage->update(2 + frame / 25.0);
+            const double update_ms = updating.ms();
+            // Pictures are dear and alike: the first and the last of a run.
+            const bool draws = frame <= 1 || frame == a.frames;
+            double draw_ms = 0;
+            if (draws) {
+                rival.stage->draw_setting();
+                rival.stage->gl().Finish();
+                const Stopwatch drawing;
+                rival.drawn = rival.stage->draw_crowd();
+                draw_ms = drawing.ms();
+            }
+            if (frame == 0) continue;
+            rival.update.ms.push_back(update_ms);
+            if (draws) rival.draw.ms.push_back(draw_ms);
+            if (frame == a.frames) rival.hash = hex(scenes::hash_of(rival.stage->read()));
+        }
+}
+
+}  // namespace
+
+Json bench_actors(const BenchArguments &a)
+{
+    Progress progress("claque bench");
+    scenes::Library library(thread_count(a.stage));
+    Json report = {{"claque", version()}, {"kind", "actors"}};
+    report["runs"] = Json::array();
+    for (const uint32_t count : a.counts) {
+        std::vector<Rival> rivals;
+        for (const std::string &cull : a.culls) {
+            StageArguments stage_arguments = a.stage;
+            stage_arguments.count = count;
+            stage_arguments.cull = cull;
+            const scenes::StageOptions options = stage_options(stage_arguments, LoadedCharacter());
+            rivals.push_back({cull, std::make_unique<scenes::Stage>(library, options), {}, {}, {}, {}});
+            report["scene"] = options.scene;
+            report["size_px"] = {options.width, options.height};
+        }
+        run(rivals, a);
+        std::string hash;
+        for (const Rival &rival : rivals) {
+            expect_same_picture(hash, rival.hash, std::to_string(count) + " actors culled in mode " + rival.cull);
+            report["runs"].push_back(result_of(rival, count));
+        }
+        if (rivals.size() == 2) {
+            const double actor = rivals[0].update.median(), traditional = rivals[1].update.median();
+            report["ratios"].push_back({{"count", count},
+                                        {"traditional_to_actor", traditional / actor},
+                                        {"by_minimum", rivals[1].update.minimum() / rivals[0].update.minimum()}});
+        }
+        report["context"] = rivals[0].stage->context_name();
+        progress.step(report["runs"].size(), a.counts.size() * a.culls.size());
+    }
+    report["threads"] = thread_count(a.stage);
+    report["frames"] = a.frames;
+    return report;
+}
+
+void print_actors(const Json &report)
+{
+    std::printf("%s, %d x %d, %d threads, %s, %d frames\n", report["scene"].get<std::string>().c_str(),
+                report["size_px"][0].get<int>(), report["size_px"][1].get<int>(), report["threads"].get<int>(),
+                report["context"].get<std::string>().c_str(), report["frames"].get<int>());
+    std::printf("%7s  %-11s  %9s %9s  %9s %9s  %7s %7s %7s %7s  %8s %6s %6s\n", "actors", "cull", "update ms", "median",
+                "draw ms", "median", "tested", "phase 1", "phase 2", "drawn", "calls", "fCoh", "fTrack");
+    for (const Json &r : report["runs"]) {
+        const Json &c = r["counters"];
+        uint64_t calls = 0;
+        for (const Json &of_kind : c["behaviour_calls"]) calls += of_kind.get<uint64_t>();
+        std::printf("%7u  %-11s  %9.3f %9.3f  %9.2f %9.2f  %7u %7u %7u %7u  %8llu %6.3f %6.3f\n",
+                    r["count"].get<unsigned>(), r["cull"].get<std::string>().c_str(),
+                    r["update_ms"]["minimum"].get<double>(), r["update_ms"]["median"].get<double>(),
+                    r["draw_ms"]["minimum"].get<double>(), r["draw_ms"]["median"].get<double>(),
+                    c["tested"].get<unsigned>(), c["passed_refpoint"].get<unsigned>(),
+                    c["passed_sklsroot"].get<unsigned>(), c["visible"].get<unsigned>(),
+                    static_cast<unsigned long long>(calls), r["fCoh"].get<double>(), r["fTrack"].get<double>());
+    }
+    if (!report.contains("ratios")) return;
+    for (const Json &r : report["ratios"])
+        std::printf(
+            "%u actors: traditional takes %.1f times the update of actor mode by the median, %.1f by the minimum\n",
+            r["count"].get<unsigned>(), r["traditional_to_actor"].get<double>(), r["by_minimum"].get<double>());
+}
+
+}  // namespace cli
