@@ -52,23 +52,44 @@ void tint(const model::Level &level, VertexRange range, typename Format::Colour 
     for (uint32_t v = range.first; v < range.end; ++v) Format::tint(colours[v], &level.colours[4 * v]);
 }
 
-template <class Format>
-void fill_by_slot(const Individual &who, const PreparedTexture &texture, VertexRange range,
-                  Array<typename Format::Colour> &table, Array<typename Format::Colour> &colours)
+// Calls fill(reach) for each part that is drawn, where not all are.
+template <class Fill>
+void for_parts(const Individual &who, uint32_t surface_index, Fill fill)
 {
-    fill_table<Format>(who, texture, table);
-    const uint16_t *slots = who.level->slots.data();
-    for (uint32_t v = range.first; v < range.end; ++v) colours[v] = table[slots[v]];
-    tint<Format>(*who.level, range, colours.data());
+    const uint32_t count = part_count_of(*who.level);
+    const PartReach *reach = who.ready->part_reach.data() + size_t(surface_index) * count;
+    for (uint32_t part = 0; part < count; ++part)
+        if (who.parts >> part & 1) fill(reach[part]);
 }
 
 template <class Format>
-void fill_with_zone(const Individual &who, const ZoneTest &test, Array<typename Format::Colour> &colours)
+void fill_by_slot(const Individual &who, uint32_t surface_index, Array<typename Format::Colour> &table,
+                  Array<typename Format::Colour> &colours)
 {
-    const VertexRange sources = {0, who.level->source_count};
+    fill_table<Format>(who, who.prepared->textures[who.level->surfaces[surface_index].texture], table);
+    const uint16_t *slots = who.level->slots.data();
+    const auto fill = [&](VertexRange range) {
+        for (uint32_t v = range.first; v < range.end; ++v) colours[v] = table[slots[v]];
+        tint<Format>(*who.level, range, colours.data());
+    };
+    if (who.whole()) return fill(who.ready->fused_vertices[surface_index]);
+    for_parts(who, surface_index, [&](const PartReach &reach) {
+        fill(reach.sources);
+        fill(reach.copies);
+    });
+}
+
+template <class Format>
+void fill_with_zone(const Individual &who, uint32_t surface_index, const ZoneTest &test,
+                    Array<typename Format::Colour> &colours)
+{
     const typename Format::Colour colour = Format::make(rgb_of(who, test), 255, 1.0f);
-    for (uint32_t v = sources.first; v < sources.end; ++v) colours[v] = colour;
-    tint<Format>(*who.level, sources, colours.data());
+    const auto fill = [&](VertexRange range) {
+        for (uint32_t v = range.first; v < range.end; ++v) colours[v] = colour;
+        tint<Format>(*who.level, range, colours.data());
+    };
+    if (who.whole()) return fill({0, who.level->source_count});
+    for_parts(who, surface_index, [&](const PartReach &reach) { fill(reach.sources); });
 }
 
 }  // namespace
@@ -87,6 +108,11 @@ void Scratch::reserve(ColourFormat format, uint32_t vertices, uint32_t slots)
     }
 }
 
+void Scratch::reserve_chain(uint32_t depth)
+{
+    if (chain.size() < depth) chain.resize(depth);
+}
+
 void Canvas::place(const Individual &who)
 {
     gl_.LoadMatrixf(who.item->model_view);
@@ -94,26 +120,27 @@ void Canvas::place(const Individual &who)
     gl_.NormalPointer(gl::real, 0, who.vertices.normals);
     gl_.TexCoordPointer(2, gl::real, 0, who.level->uvs.data());
     ++stats_.individuals;
+    stats_.parts += count_of(who.parts);
     stats_.vertices += who.prepared->strategy == Strategy::fused ? who.level->vertex_count : who.level->source_count;
 }
 
 SurfaceState Canvas::state_of(const Individual &who, const model::Surface &surface)
 {
     SurfaceState state;
-    state.texture = who.prepared->textures[surface.texture].name;
+    state.texture = who.own ? *who.own : who.prepared->textures[surface.texture].name;
     state.double_sided = surface.double_sided;
     state.mirrored = who.item->mirrored;
     state.colour_array = !who.level->colours.empty();
     return state;
 }
 
-void Canvas::use_zone_colour(const Individual &who, const ZoneTest &test)
+void Canvas::use_zone_colour(const Individual &who, uint32_t surface_index, const ZoneTest &test)
 {
     const uint8_t *rgb = rgb_of(who, test);
     const bool ubyte = options_.colours == ColourFormat::ubyte;
     if (!who.level->colours.empty()) {
-        ubyte ? fill_with_zone<UbyteColours>(who, test, scratch_.ubyte)
-              : fill_with_zone<RealColours>(who, test, scratch_.real);
+        ubyte ? fill_with_zone<UbyteColours>(who, surface_index, test, scratch_.ubyte)
+              : fill_with_zone<RealColours>(who, surface_index, test, scratch_.real);
         ubyte ? gl_.ColorPointer(4, gl::unsigned_byte, 0, scratch_.ubyte.data())
               : gl_.ColorPointer(4, gl::real, 0, scratch_.real.data());
     } else {
@@ -123,20 +150,25 @@ void Canvas::use_zone_colour(const Individual &who, const ZoneTest &test)
 
 void Canvas::use_slot_colours(const Individual &who, uint32_t surface_index)
 {
-    const PreparedTexture &texture = who.prepared->textures[who.level->surfaces[surface_index].texture];
-    const VertexRange range = who.ready->fused_vertices[surface_index];
     if (options_.colours == ColourFormat::ubyte) {
-        fill_by_slot<UbyteColours>(who, texture, range, scratch_.ubyte_table, scratch_.ubyte);
+        fill_by_slot<UbyteColours>(who, surface_index, scratch_.ubyte_table, scratch_.ubyte);
         gl_.ColorPointer(4, gl::unsigned_byte, 0, scratch_.ubyte.data());
     } else {
-        fill_by_slot<RealColours>(who, texture, range, scratch_.real_table, scratch_.real);
+        fill_by_slot<RealColours>(who, surface_index, scratch_.real_table, scratch_.real);
         gl_.ColorPointer(4, gl::real, 0, scratch_.real.data());
     }
 }
 
-void Canvas::triangles(const Individual &who, model::IndexRange range)
+void Canvas::triangles(const Individual &who, const Stretch &stretch)
 {
-    if (range.count == 0) return;
+    if (!who.whole())
+        for_runs(stretch, who.parts, part_count_of(*who.level),
+                 [&](model::IndexRange run) { draw_elements(who, run); });
+    else if (stretch.range.count != 0) draw_elements(who, stretch.range);
+}
+
+void Canvas::draw_elements(const Individual &who, model::IndexRange range)
+{
     const int32_t count = static_cast<int32_t>(range.count);
     if (who.ready->short_indices.empty())
         gl_.DrawElements(gl::triangles, count, gl::unsigned_int, who.level->indices.data() + range.first);

@@ -4,6 +4,7 @@
 
 #include "lib/draw/draw_list.h"
 #include "passes/gl_state.h"
+#include "passes/parts.h"
 #include "passes/prepared.h"
 
 #include <array>
@@ -14,18 +15,21 @@ namespace claque::passes
 using Ubyte4 = std::array<uint8_t, 4>;
 using Real4 = std::array<float, 4>;
 
-// Colours of one individual at a time, in the format that the renderer was asked for.
+// Of one individual at a time: colours in the format that the renderer was asked for, products of matrices.
 struct Scratch {
     explicit Scratch(std::pmr::memory_resource *memory)
-        : ubyte(memory), ubyte_table(memory), real(memory), real_table(memory)
+        : ubyte(memory), ubyte_table(memory), real(memory), real_table(memory), chain(memory)
     {
     }
-    void reserve(ColourFormat format, uint32_t vertices, uint32_t slots);  // grows only; throws std::bad_alloc
+    // Grow only; throw std::bad_alloc.
+    void reserve(ColourFormat format, uint32_t vertices, uint32_t slots);
+    void reserve_chain(uint32_t depth);
 
     Array<Ubyte4> ubyte;        // one a vertex
     Array<Ubyte4> ubyte_table;  // one a slot, see model::Level::slots
     Array<Real4> real;
     Array<Real4> real_table;
+    Array<math::Affine> chain;  // products of nodes, one a depth: see MatrixWalk
 };
 
 struct Individual {
@@ -35,6 +39,10 @@ struct Individual {
     const PreparedLevel *ready = nullptr;
     const uint8_t *zone_rgb = nullptr;
     draw::Vertices vertices;
+    uint64_t parts = 0;             // of the level, to be drawn now; no others than there are
+    const uint32_t *own = nullptr;  // the texture that its host bound in place of the template's, or null
+
+    bool whole() const { return parts == every_part_of(*level); }
 };
 
 class Canvas
@@ -48,19 +56,28 @@ public:
 
     void place(const Individual &who);  // its matrix and its arrays; colours apart
 
+    // Whether any triangle of the parts that are drawn stands there.
+    static bool any(const Individual &who, const Stretch &stretch)
+    {
+        return who.whole() ? stretch.range.count != 0 : any_of(stretch, who.parts, part_count_of(*who.level));
+    }
+
     // The state that a surface of an individual asks for, without an alpha test.
     static SurfaceState state_of(const Individual &who, const model::Surface &surface);
     void apply(const SurfaceState &wanted) { state_.apply(wanted); }
 
     // One zone's colour for what is drawn next: glColor, or an array where the template has vertex colours.
-    void use_zone_colour(const Individual &who, const ZoneTest &test);
+    void use_zone_colour(const Individual &who, uint32_t surface_index, const ZoneTest &test);
 
     // Every vertex of a surface's fused triangles gets the colour and the threshold of its slot.
     void use_slot_colours(const Individual &who, uint32_t surface_index);
 
-    void triangles(const Individual &who, model::IndexRange range);
+    // One call where all parts are drawn, else one for each run of neighbours.
+    void triangles(const Individual &who, const Stretch &stretch);
 
 private:
+    void draw_elements(const Individual &who, model::IndexRange range);
+
     const Gl11 &gl_;
     const RendererOptions &options_;
     GlState &state_;

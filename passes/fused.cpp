@@ -7,7 +7,8 @@ void draw_fused(Canvas &canvas, const Individual &who)
 {
     for (uint32_t i = 0; i < who.level->surfaces.size(); ++i) {
         const model::Surface &surface = who.level->surfaces[i];
-        if (surface.fused.count == 0) continue;
+        const Stretch all = Stretches(*who.level, surface).fused();
+        if (!Canvas::any(who, all)) continue;
         SurfaceState state = Canvas::state_of(who, surface);
         state.colour_array = true;
         if (surface.dirty.count != 0 || who.prepared->source->textures[surface.texture].has_holes) {
@@ -16,7 +17,7 @@ void draw_fused(Canvas &canvas, const Individual &who)
         }
         canvas.apply(state);
         canvas.use_slot_colours(who, i);
-        canvas.triangles(who, surface.fused);
+        canvas.triangles(who, all);
     }
 }
 

@@ -39,6 +39,11 @@ void load_queries_and_stacks(Loader &want, Gl11 &t)
     want(t.LoadIdentity, "glLoadIdentity");
     want(t.LoadMatrixf, "glLoadMatrixf");
     want(t.LoadMatrixd, "glLoadMatrixd");
+    want(t.MultMatrixf, "glMultMatrixf");
+    want(t.PushMatrix, "glPushMatrix");
+    want(t.PopMatrix, "glPopMatrix");
+    want(t.RenderMode, "glRenderMode");
+    want(t.EndList, "glEndList");
 }
 
 void load_state(Loader &want, Gl11 &t)

@@ -38,6 +38,8 @@ constexpr Enum max_attrib_stack_depth = 0x0D35, max_client_attrib_stack_depth = 
 
 constexpr Enum matrix_mode = 0x0BA0, modelview = 0x1700, projection = 0x1701, texture = 0x1702;
 constexpr Enum modelview_matrix = 0x0BA6, projection_matrix = 0x0BA7, texture_matrix = 0x0BA8;
+constexpr Enum modelview_stack_depth = 0x0BA3, projection_stack_depth = 0x0BA4, texture_stack_depth = 0x0BA5;
+constexpr Enum max_modelview_stack_depth = 0x0D36;
 
 constexpr Enum alpha_test = 0x0BC0, blend = 0x0BE2, colour_logic_op = 0x0BF2, colour_writemask = 0x0C23;
 constexpr Enum cull_face = 0x0B44, depth_test = 0x0B71, normalize = 0x0BA1;
@@ -48,6 +50,7 @@ constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_mod
 constexpr Enum texture_2d = 0x0DE1, proxy_texture_2d = 0x8064, texture_env = 0x2300, texture_env_mode = 0x2200;
 constexpr Enum texture_gen_s = 0x0C60, texture_gen_t = 0x0C61, texture_gen_r = 0x0C62, texture_gen_q = 0x0C63;
 constexpr Enum texture_mag_filter = 0x2800, texture_min_filter = 0x2801, wrap_s = 0x2802, wrap_t = 0x2803;
+constexpr Enum texture_binding_2d = 0x8069;
 constexpr Enum nearest = 0x2600, clamp = 0x2900, repeat = 0x2901, modulate = 0x2100;
 constexpr Enum rgba = 0x1908, rgba8 = 0x8058, texture_width = 0x1000, texture_alpha_size = 0x805F;
 constexpr Enum unpack_swap_bytes = 0x0CF0, unpack_lsb_first = 0x0CF1, unpack_row_length = 0x0CF2;
@@ -62,6 +65,7 @@ constexpr Enum texture_coord_array = 0x8078, edge_flag_array = 0x8079;
 constexpr Bits current_bit = 0x1, polygon_bit = 0x8, pixel_mode_bit = 0x20, lighting_bit = 0x40;
 constexpr Bits depth_buffer_bit = 0x100, enable_bit = 0x2000, colour_buffer_bit = 0x4000, texture_bit = 0x40000;
 constexpr Bits client_pixel_store_bit = 0x1, client_vertex_array_bit = 0x2;
+constexpr Bits all_attrib_bits = 0xfffff, all_client_attrib_bits = 0xffffffff;
 }  // namespace gl
 
 struct Gl11 {
@@ -73,6 +77,8 @@ struct Gl11 {
     void(CLAQUE_GL_CALL *GetIntegerv)(Enum name, int32_t *out) = nullptr;
     void(CLAQUE_GL_CALL *GetDoublev)(Enum name, double *out) = nullptr;
     Bool(CLAQUE_GL_CALL *IsEnabled)(Enum what) = nullptr;
+    int32_t(CLAQUE_GL_CALL *RenderMode)(Enum mode) = nullptr;
+    void(CLAQUE_GL_CALL *EndList)() = nullptr;
 
     void(CLAQUE_GL_CALL *Enable)(Enum what) = nullptr;
     void(CLAQUE_GL_CALL *Disable)(Enum what) = nullptr;
@@ -94,6 +100,9 @@ struct Gl11 {
     void(CLAQUE_GL_CALL *LoadIdentity)() = nullptr;
     void(CLAQUE_GL_CALL *LoadMatrixf)(const float *columns) = nullptr;
     void(CLAQUE_GL_CALL *LoadMatrixd)(const double *columns) = nullptr;
+    void(CLAQUE_GL_CALL *MultMatrixf)(const float *columns) = nullptr;
+    void(CLAQUE_GL_CALL *PushMatrix)() = nullptr;
+    void(CLAQUE_GL_CALL *PopMatrix)() = nullptr;
 
     void(CLAQUE_GL_CALL *GenTextures)(int32_t count, uint32_t *names) = nullptr;
     void(CLAQUE_GL_CALL *DeleteTextures)(int32_t count, const uint32_t *names) = nullptr;

@@ -31,6 +31,13 @@ void default_unpacking(const Gl11 &gl)
 
 }  // namespace
 
+StackPlaces places_of(Guard mode) { return {mode == Guard::full, mode != Guard::none}; }
+
+void disable_arrays(const Gl11 &gl)
+{
+    for (const gl::Enum array : arrays) gl.DisableClientState(array);
+}
+
 StateGuard::StateGuard(const Gl11 &gl, Guard mode) : gl_(gl), mode_(mode)
 {
     if (mode_ == Guard::none) return;
@@ -45,7 +52,7 @@ StateGuard::StateGuard(const Gl11 &gl, Guard mode) : gl_(gl), mode_(mode)
 StateGuard::~StateGuard()
 {
     if (mode_ == Guard::none) {
-        for (const gl::Enum array : arrays) gl_.DisableClientState(array);
+        disable_arrays(gl_);
         return;
     }
     gl_.MatrixMode(gl::texture);

@@ -5,11 +5,14 @@
 //            in left_by_minimal below.
 //   none     left as claque set it is that and what stands in left_by_none.
 //
+// After an individual with hooks (draw::Hooks) all that they may have changed is as before it, texture 0 being bound.
+//
 // Matrices are saved by value: GL 1.1 promises a projection stack of two, and a host may be using both.
 #pragma once
 
 #include "passes/gl11.h"
 #include "passes/options.h"
+#include "passes/preflight.h"
 
 namespace claque::passes
 {
@@ -53,7 +56,7 @@ constexpr Left left_by_minimal[] = {
     {0x0C62, "GL_TEXTURE_GEN_R: off"},
     {0x0C63, "GL_TEXTURE_GEN_Q: off"},
     {0x0DE1, "GL_TEXTURE_2D: on"},
-    {0x8069, "GL_TEXTURE_BINDING_2D: the last surface's texture"},
+    {0x8069, "GL_TEXTURE_BINDING_2D: the last surface's texture, 0 after hooks"},
     {0x2200, "GL_TEXTURE_ENV_MODE: GL_MODULATE"},
     {0x809D, "GL_MULTISAMPLE, where GL has it: off"},
 };
@@ -86,6 +89,9 @@ constexpr Left left_by_none[] = {
     {0x8092, "GL_TEXTURE_COORD_ARRAY_POINTER"},
 };
 
+// Places that it takes on the host's attribute stacks.
+StackPlaces places_of(Guard mode);
+
 // Saves what the mode promises on construction, puts it back on destruction. Preflight has made sure of the stacks.
 class StateGuard
 {
@@ -101,6 +107,9 @@ private:
     int32_t matrix_mode_ = 0;
     double modelview_[16], projection_[16], texture_[16];
 };
+
+// All client arrays off, whatever they were.
+void disable_arrays(const Gl11 &gl);
 
 // The same for bringing textures to GL, always in full.
 class UploadGuard

@@ -22,6 +22,8 @@ struct RendererOptions {
 
 struct DrawStats {
     uint32_t individuals = 0;
+    uint32_t parts = 0;          // of their levels, that were drawn (S0 4.2, phase 3)
+    uint32_t matrices = 0;       // glMultMatrixf calls (S0 6.2.2, fTrack)
     uint32_t draws = 0;          // glDrawElements calls
     uint32_t triangles = 0;      // sent to GL, each pass counted
     uint64_t vertices = 0;       // of the arrays handed to GL, each individual's once

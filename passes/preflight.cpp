@@ -68,21 +68,20 @@ bool contains_word(const char *words, const char *word)
     return false;
 }
 
-base::Status check_stack(const Gl11 &gl, gl::Enum depth, gl::Enum most, const char *name)
+base::Status check_stack(const Gl11 &gl, int32_t places, gl::Enum depth, gl::Enum most, const char *name)
 {
-    if (integer(gl, depth) < integer(gl, most)) return base::Status::good();
-    return base::Status::bad(CLQ_GL_STATE, "the host's %s stack is full (%d of %d), claque needs one slot", name,
-                             integer(gl, depth), integer(gl, most));
+    if (places == 0 || integer(gl, depth) + places <= integer(gl, most)) return base::Status::good();
+    return base::Status::bad(CLQ_GL_STATE, "the host has taken %d of %d places of the %s stack, claque needs %d",
+                             integer(gl, depth), integer(gl, most), name, places);
 }
 
-base::Status check_stacks(const Gl11 &gl, bool attributes, bool client_attributes)
+base::Status check_stacks(const Gl11 &gl, StackPlaces places)
 {
-    base::Status status;
-    if (attributes) status = check_stack(gl, gl::attrib_stack_depth, gl::max_attrib_stack_depth, "glPushAttrib");
-    if (status.ok() && client_attributes)
-        status =
-            check_stack(gl, gl::client_attrib_stack_depth, gl::max_client_attrib_stack_depth, "glPushClientAttrib");
-    return status;
+    base::Status status =
+        check_stack(gl, places.attributes, gl::attrib_stack_depth, gl::max_attrib_stack_depth, "glPushAttrib");
+    if (!status.ok()) return status;
+    return check_stack(gl, places.client, gl::client_attrib_stack_depth, gl::max_client_attrib_stack_depth,
+                       "glPushClientAttrib");
 }
 
 }  // namespace
@@ -126,21 +125,27 @@ base::Status Preflight::check(const Gl11 &gl, bool upload) const
     return base::Status::good();
 }
 
-base::Status Preflight::check_draw(const Gl11 &gl, Guard guard) const
+base::Status Preflight::check_target(const Gl11 &gl) const
 {
     base::Status status = check(gl, false);
     if (!status.ok()) return status;
     if (integer(gl, gl::render_mode) != static_cast<int32_t>(gl::render))
         return base::Status::bad(CLQ_GL_STATE, "the render mode is not GL_RENDER but selection or feedback");
     if (!integer(gl, gl::rgba_mode)) return base::Status::bad(CLQ_GL_STATE, "the target is in colour index mode");
-    return check_stacks(gl, guard == Guard::full, guard != Guard::none);
+    return base::Status::good();
+}
+
+base::Status Preflight::check_draw(const Gl11 &gl, StackPlaces places) const
+{
+    base::Status status = check_target(gl);
+    return status.ok() ? check_stacks(gl, places) : status;
 }
 
 base::Status Preflight::check_upload(const Gl11 &gl) const
 {
     base::Status status = check(gl, true);
     if (!status.ok()) return status;
-    return check_stacks(gl, true, true);
+    return check_stacks(gl, {1, 1});
 }
 
 }  // namespace claque::passes

@@ -12,6 +12,12 @@
 namespace claque::passes
 {
 
+// Places that a draw takes on the attribute stacks.
+struct StackPlaces {
+    int32_t attributes = 0;
+    int32_t client = 0;
+};
+
 class Preflight
 {
 public:
@@ -20,7 +26,8 @@ public:
     base::Status learn(const Gl11 &gl);
 
     // Fails: CLQ_GL_MISSING (no current context), CLQ_GL_STATE (the first thing that would spoil it).
-    base::Status check_draw(const Gl11 &gl, Guard guard) const;
+    base::Status check_draw(const Gl11 &gl, StackPlaces places) const;
+    base::Status check_target(const Gl11 &gl) const;  // the same, the stacks apart
     base::Status check_upload(const Gl11 &gl) const;
 
     bool has_multisample() const { return multisample_; }

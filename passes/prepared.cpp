@@ -1,6 +1,7 @@
 #include "passes/prepared.h"
 
 #include "lib/model/keys.h"
+#include "passes/parts.h"
 
 #include <algorithm>
 
@@ -8,8 +9,6 @@ namespace claque::passes
 {
 namespace
 {
-
-constexpr uint32_t most_short_vertices = 65535;  // index 65535 stays free: it is what primitive restart likes
 
 bool in_range(model::IndexRange range, const model::Level &level)
 {
@@ -24,12 +23,34 @@ bool bins_in_range(const Array<model::Bin> &bins, const model::Level &level, siz
     });
 }
 
+// Rising from 0 to the range's count.
+bool parts_are_sound(const Stretch &stretch, size_t part_count)
+{
+    const uint32_t *firsts = stretch.firsts;
+    if (!firsts) return true;
+    for (size_t part = 0; part < part_count; ++part)
+        if (firsts[part] % 3 != 0 || firsts[part] > firsts[part + 1]) return false;
+    return firsts[0] == 0 && firsts[part_count] == stretch.range.count;
+}
+
+bool parts_are_sound(const model::Surface &surface, const model::Level &level)
+{
+    const size_t parts = level.parts.size();
+    const Stretches stretches(level, surface);
+    if (parts > model::max_level_parts) return false;
+    if (surface.part_firsts.size() != (parts < 2 ? 0 : stretches.count() * (parts + 1))) return false;
+    for (size_t i = 0; i < stretches.count(); ++i)
+        if (!parts_are_sound(stretches[i], parts)) return false;
+    return true;
+}
+
 bool surface_is_sound(const model::Surface &surface, const model::Level &level, const model::Template &source)
 {
     if (surface.texture >= source.textures.size()) return false;
     const size_t zones = source.textures[surface.texture].keys.size();
     return in_range(surface.dirty, level) && in_range(surface.fused, level) &&
-           bins_in_range(surface.clean, level, zones) && bins_in_range(surface.dirty_by_zone, level, zones);
+           bins_in_range(surface.clean, level, zones) && bins_in_range(surface.dirty_by_zone, level, zones) &&
+           parts_are_sound(surface, level);
 }
 
 // Draws hand these arrays to GL, which checks nothing.
@@ -58,7 +79,7 @@ base::Status check_sound(const model::Template &source)
     for (const model::Texture &texture : source.textures)
         if (!texture_is_sound(texture, source)) wrong = "a texture's bytes or keys do not match its size or zones";
     for (const model::Level &level : source.levels)
-        if (!level_is_sound(level, source)) wrong = "a level has an index or array length out of range";
+        if (!level_is_sound(level, source)) wrong = "a level has an index, part or array length out of range";
     if (!wrong) return base::Status::good();
     return base::Status::bad(CLQ_ARGUMENT, "template '%s': %s", source.name.c_str(), wrong);
 }
@@ -110,19 +131,18 @@ void prepare_texture(PreparedTexture &out, const model::Texture &texture, KeyTes
     }
 }
 
-VertexRange reach_of(const model::Level &level, model::IndexRange range)
+// All levels or none: a host chooses the way of placing for a template.
+void prepare_placement(PreparedTemplate &out)
 {
-    VertexRange reach;
-    if (range.count == 0) return reach;
-    const auto first = level.indices.begin() + range.first;
-    const auto bounds = std::minmax_element(first, first + range.count);
-    return {*bounds.first, *bounds.second + 1};
-}
-
-void prepare_level(PreparedLevel &out, const model::Level &level)
-{
-    if (level.vertex_count <= most_short_vertices) out.short_indices.assign(level.indices.begin(), level.indices.end());
-    for (const model::Surface &surface : level.surfaces) out.fused_vertices.push_back(reach_of(level, surface.fused));
+    out.rigid = out.source->has_rigid_parts_only();
+    for (size_t i = 0; i < out.levels.size() && out.rigid; ++i)
+        out.rigid = prepare_rigid(out.levels[i], *out.source, out.source->levels[i]);
+    if (out.rigid) return;
+    for (PreparedLevel &level : out.levels) {
+        level.positions.clear();
+        level.normals.clear();
+        level.steps.clear();
+    }
 }
 
 }  // namespace
@@ -142,8 +162,16 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
             out.zone_rgb.push_back(static_cast<uint8_t>(std::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f));
     for (const model::Texture &texture : source.textures)
         prepare_texture(out.textures.emplace_back(memory), texture, options.key_test);
-    for (const model::Level &level : source.levels) prepare_level(out.levels.emplace_back(memory), level);
+    for (const model::Level &level : source.levels) prepare_ranges(out.levels.emplace_back(memory), level);
+    prepare_placement(out);
     return base::Status::good();
+}
+
+const PreparedTemplate *find(const Array<PreparedTemplate> &templates, const model::Template *tmpl)
+{
+    for (const PreparedTemplate &prepared : templates)
+        if (prepared.source == tmpl) return &prepared;
+    return nullptr;
 }
 
 }  // namespace claque::passes

@@ -31,16 +31,44 @@ struct VertexRange {
     uint32_t first = 0, end = 0;
 };
 
+// Vertices that the triangles of one part of one surface reach.
+struct PartReach {
+    VertexRange sources, copies;
+};
+
+// A node on the way to a part, for GL's matrix stack (S0 6.2.2, fTrack). In the order of a walk down the tree.
+struct MatrixStep {
+    uint32_t node = 0;
+    uint32_t depth = 1;  // of a node that hangs in the actor's own space
+    uint32_t next = 0;   // the step after all that are below this node
+    uint64_t own = 0;    // parts that hang on this node
+    uint64_t below = 0;  // and these with those below it
+};
+
 struct PreparedLevel {
-    explicit PreparedLevel(std::pmr::memory_resource *memory) : short_indices(memory), fused_vertices(memory) {}
+    explicit PreparedLevel(std::pmr::memory_resource *memory)
+        : short_indices(memory),
+          fused_vertices(memory),
+          part_reach(memory),
+          positions(memory),
+          normals(memory),
+          steps(memory)
+    {
+    }
     Array<uint16_t> short_indices;      // as model::Level::indices, or empty: those are used
     Array<VertexRange> fused_vertices;  // per surface: what its fused triangles reach
+    Array<PartReach> part_reach;        // per surface and part; empty where the level has one
+
+    // Where PreparedTemplate::rigid: each vertex, copies included, in the space of the node that its part hangs on.
+    Array<float> positions, normals;
+    Array<MatrixStep> steps;
 };
 
 struct PreparedTemplate {
     explicit PreparedTemplate(std::pmr::memory_resource *memory) : zone_rgb(memory), textures(memory), levels(memory) {}
     const model::Template *source = nullptr;
     Strategy strategy = Strategy::fused;  // the renderer's, or binned where fused cannot tell the zones apart
+    bool rigid = false;                   // GL's matrix stack can place its parts: see draw::Item::locals
     Array<uint8_t> zone_rgb;              // the template's own colours, rounded
     Array<PreparedTexture> textures;
     Array<PreparedLevel> levels;
@@ -51,6 +79,13 @@ struct PreparedTemplate {
 // std::bad_alloc.
 base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &source, const RendererOptions &options,
                                 int alpha_bits);
+
+// Of one level; the first is false where GL cannot place its parts, which leaves `out` as it was.
+bool prepare_rigid(PreparedLevel &out, const model::Template &source, const model::Level &level);
+void prepare_ranges(PreparedLevel &out, const model::Level &level);
+
+// Of the templates prepared, or null.
+const PreparedTemplate *find(const Array<PreparedTemplate> &templates, const model::Template *tmpl);
 
 // The least bits of alpha that GL keeps for the template's textures, and whether it takes their sizes at all.
 // Fails: CLQ_LIMIT, naming the texture's size and GL's. Changes nothing.

@@ -2,7 +2,8 @@
 
 #include "lib/base/error.h"
 #include "passes/guard.h"
-#include "passes/strategies.h"
+#include "passes/hook_frame.h"
+#include "passes/list_drawer.h"
 
 #include <algorithm>
 #include <new>
@@ -11,19 +12,6 @@ namespace claque::passes
 {
 namespace
 {
-
-void draw_individual(Canvas &canvas, const Individual &who)
-{
-    canvas.place(who);
-    switch (who.prepared->strategy) {
-        case Strategy::fused:
-            return draw_fused(canvas, who);
-        case Strategy::binned:
-            return draw_binned(canvas, who);
-        case Strategy::per_zone:
-            return draw_per_zone(canvas, who);
-    }
-}
 
 uint32_t most_slots(const model::Template &tmpl)
 {
@@ -38,6 +26,14 @@ uint32_t most_vertices(const model::Template &tmpl)
 {
     uint32_t most = 0;
     for (const model::Level &level : tmpl.levels) most = std::max(most, level.vertex_count);
+    return most;
+}
+
+uint32_t deepest(const PreparedTemplate &prepared)
+{
+    uint32_t most = 0;
+    for (const PreparedLevel &level : prepared.levels)
+        for (const MatrixStep &step : level.steps) most = std::max(most, step.depth);
     return most;
 }
 
@@ -58,23 +54,16 @@ base::Status Renderer::open(GetProcAddress get_proc_address, void *user)
     return status;
 }
 
-const PreparedTemplate *Renderer::find(const model::Template *tmpl) const
-{
-    for (const PreparedTemplate &prepared : templates_)
-        if (prepared.source == tmpl) return &prepared;
-    return nullptr;
-}
-
 Strategy Renderer::strategy_of(const model::Template &tmpl) const
 {
-    const PreparedTemplate *prepared = find(&tmpl);
+    const PreparedTemplate *prepared = find(templates_, &tmpl);
     return prepared ? prepared->strategy : options_.strategy;
 }
 
 base::Status Renderer::prepare(const model::Template &tmpl)
 {
     if (!open_) return not_open();
-    if (find(&tmpl)) return base::Status::good();
+    if (find(templates_, &tmpl)) return base::Status::good();
     base::Status status = preflight_.check_upload(gl_);
     if (!status.ok()) return status;
     const size_t before = templates_.size();
@@ -100,59 +89,62 @@ base::Status Renderer::add(const model::Template &tmpl)
     status = prepare_without_gl(prepared, tmpl, options_, alpha_bits);
     if (!status.ok()) return status;
     scratch_.reserve(options_.colours, most_vertices(tmpl), most_slots(tmpl));
+    scratch_.reserve_chain(deepest(prepared));
     upload_textures(gl_, prepared);
     return status;
+}
+
+base::Status Renderer::check_item(const draw::DrawList &list, const draw::Item &item,
+                                  const PreparedTemplate &prepared) const
+{
+    if (item.level >= prepared.levels.size())
+        return base::Status::bad(CLQ_ARGUMENT, "actor %u: level %u of template '%s', which has %zu", item.actor_index,
+                                 item.level, item.tmpl->name.c_str(), prepared.levels.size());
+    if (!shows(item)) return base::Status::good();
+    if (item.locals && !prepared.rigid)
+        return base::Status::bad(CLQ_ARGUMENT,
+                                 "actor %u: GL's matrix stack cannot place the template '%s', which is not made of "
+                                 "rigid parts alone",
+                                 item.actor_index, item.tmpl->name.c_str());
+    if (!item.locals && (!item.vertices.positions || !item.vertices.normals) && !list.server)
+        return base::Status::bad(CLQ_ARGUMENT, "actor %u has no vertices and the list no vertex server",
+                                 item.actor_index);
+    return base::Status::good();
 }
 
 base::Status Renderer::check_items(const draw::DrawList &list) const
 {
     const PreparedTemplate *prepared = nullptr;
     for (const draw::Item &item : list.items) {
-        if (!prepared || prepared->source != item.tmpl) prepared = find(item.tmpl);
+        if (item.shadow_only) continue;
+        if (!prepared || prepared->source != item.tmpl) prepared = find(templates_, item.tmpl);
         if (!prepared)
             return base::Status::bad(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer",
                                      item.tmpl ? item.tmpl->name.c_str() : "(none)");
-        if (item.level >= prepared->levels.size())
-            return base::Status::bad(CLQ_ARGUMENT, "actor %u: level %u of template '%s', which has %zu",
-                                     item.actor_index, item.level, item.tmpl->name.c_str(), prepared->levels.size());
-        if ((!item.vertices.positions || !item.vertices.normals) && !list.server)
-            return base::Status::bad(CLQ_ARGUMENT, "actor %u has no vertices and the list no vertex server",
-                                     item.actor_index);
+        if (base::Status status = check_item(list, item, *prepared); !status.ok()) return status;
     }
     return base::Status::good();
+}
+
+StackPlaces Renderer::places_for(const draw::DrawList &list) const
+{
+    StackPlaces places = places_of(options_.guard);
+    const auto hooked = [](const draw::Item &item) { return item.hooks != nullptr; };
+    if (std::any_of(list.items.begin(), list.items.end(), hooked)) {
+        places.attributes += hook_places.attributes;
+        places.client += hook_places.client;
+    }
+    return places;
 }
 
 base::Status Renderer::draw(const draw::DrawList &list, DrawStats *out_stats)
 {
     DrawStats stats;
     base::Status status = open_ ? check_items(list) : not_open();
-    if (status.ok()) status = preflight_.check_draw(gl_, options_.guard);
-    if (status.ok() && !list.items.empty()) status = draw_items(list, stats);
+    if (status.ok()) status = preflight_.check_draw(gl_, places_for(list));
+    if (status.ok() && std::any_of(list.items.begin(), list.items.end(), shows))
+        status = ListDrawer(gl_, preflight_, options_, templates_, scratch_, list, stats).draw();
     if (out_stats) *out_stats = stats;
-    return status;
-}
-
-base::Status Renderer::draw_items(const draw::DrawList &list, DrawStats &stats)
-{
-    const StateGuard guard(gl_, options_.guard);
-    GlState state(gl_, stats);
-    state.begin(list.projection, preflight_.has_multisample());
-    Canvas canvas(gl_, options_, state, scratch_, stats);
-    base::Status status;
-    Individual who;
-    for (const draw::Item &item : list.items) {
-        if (!who.prepared || who.prepared->source != item.tmpl) who.prepared = find(item.tmpl);
-        who.item = &item;
-        who.level = &item.tmpl->levels[item.level];
-        who.ready = &who.prepared->levels[item.level];
-        who.zone_rgb = item.zone_rgb ? item.zone_rgb : who.prepared->zone_rgb.data();
-        who.vertices = item.vertices;
-        if (!who.vertices.positions || !who.vertices.normals) who.vertices = list.server->serve(item);
-        if (who.vertices.positions && who.vertices.normals) draw_individual(canvas, who);
-        else if (status.ok())
-            status =
-                base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no room to skin it at draw time", item.actor_index);
-    }
     return status;
 }
 

@@ -32,9 +32,11 @@ public:
     // How a prepared template is drawn: the strategy asked for, or binned where fused cannot tell its zones apart.
     Strategy strategy_of(const model::Template &tmpl) const;
 
-    // Draws all items in their order; an empty list touches nothing. `out_stats` may be null.
+    // Draws all items in their order; a list that shows nothing touches nothing. `out_stats` may be null.
     // Fails: CLQ_ARGUMENT (a template that is not prepared, by name), CLQ_GL_STATE, CLQ_GL_MISSING; nothing is drawn or
     // changed then. CLQ_OUT_OF_MEMORY: the vertex server had no room for an individual; all others are drawn.
+    // CLQ_GL_STATE also: hooks left what GL 1.1 cannot undo, a program in use for example: their individual is not
+    // drawn, nor is anybody after it if it is still there after the second hook.
     base::Status draw(const draw::DrawList &list, DrawStats *out_stats);
 
     // Deletes the textures; the context must be current. May be opened again afterwards.
@@ -43,10 +45,10 @@ public:
     void abandon();
 
 private:
-    const PreparedTemplate *find(const model::Template *tmpl) const;
     base::Status check_items(const draw::DrawList &list) const;
+    base::Status check_item(const draw::DrawList &list, const draw::Item &item, const PreparedTemplate &prepared) const;
+    StackPlaces places_for(const draw::DrawList &list) const;
     base::Status add(const model::Template &tmpl);
-    base::Status draw_items(const draw::DrawList &list, DrawStats &stats);
 
     RendererOptions options_;
     std::pmr::memory_resource *memory_;

@@ -18,6 +18,9 @@ void draw_binned(Canvas &canvas, const Individual &who);
 void draw_fused(Canvas &canvas, const Individual &who);
 
 // Shared by the first two: a surface's clean bins, each under its zone's colour.
-void draw_clean(Canvas &canvas, const Individual &who, const model::Surface &surface);
+void draw_clean(Canvas &canvas, const Individual &who, uint32_t surface_index);
+
+// The one that the template was prepared for.
+void draw_parts(Canvas &canvas, const Individual &who);
 
 }  // namespace claque::passes

@@ -76,6 +76,8 @@ typedef struct clq_draw_stats {
     uint32_t draws;     /* glDrawElements calls */
     uint32_t triangles; /* sent to GL, each pass counted */
     uint64_t vertices;  /* sent to GL */
+    uint32_t parts;     /* of individuals, that were drawn: those out of view are left out (S0 4.2, phase 3) */
+    uint32_t matrices;  /* glMultMatrixf calls, see clq_placement */
 } clq_draw_stats;
 
 /* Draws a view's list as the last update left it. The crowd is not changed.

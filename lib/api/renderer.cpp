@@ -99,7 +99,8 @@ clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_st
         const api::Busy busy(view->crowd);
         passes::DrawStats stats;
         api::require(renderer->renderer.draw(view->view.list, &stats));
-        if (out_stats) *out_stats = {stats.individuals, stats.draws, stats.triangles, stats.vertices};
+        if (out_stats)
+            *out_stats = {stats.individuals, stats.draws, stats.triangles, stats.vertices, stats.parts, stats.matrices};
     });
 }
 

@@ -26,10 +26,7 @@ HostGl::HostGl(const contexts::Offscreen &context) : get_(context.get_proc_addre
     want(BlendFunc, "glBlendFunc");
     want(LogicOp, "glLogicOp");
     want(PolygonMode, "glPolygonMode");
-    want(PushMatrix, "glPushMatrix");
     want(NewList, "glNewList");
-    want(EndList, "glEndList");
-    want(RenderMode, "glRenderMode");
     want(SelectBuffer, "glSelectBuffer");
     want(IsTexture, "glIsTexture");
 }

@@ -28,10 +28,7 @@ struct HostGl : claque::passes::Gl11 {
     void (*BlendFunc)(Enum source, Enum destination) = nullptr;
     void (*LogicOp)(Enum operation) = nullptr;
     void (*PolygonMode)(Enum face, Enum mode) = nullptr;
-    void (*PushMatrix)() = nullptr;
     void (*NewList)(uint32_t list, Enum mode) = nullptr;
-    void (*EndList)() = nullptr;
-    int32_t (*RenderMode)(Enum mode) = nullptr;
     void (*SelectBuffer)(int32_t size, uint32_t *buffer) = nullptr;
     uint8_t (*IsTexture)(uint32_t name) = nullptr;
 

@@ -82,6 +82,11 @@ void add_state(Table &t)
     add<&Gl11::LoadIdentity>(t, "glLoadIdentity");
     add<&Gl11::LoadMatrixf>(t, "glLoadMatrixf");
     add<&Gl11::LoadMatrixd>(t, "glLoadMatrixd");
+    add<&Gl11::MultMatrixf>(t, "glMultMatrixf");
+    add<&Gl11::PushMatrix>(t, "glPushMatrix");
+    add<&Gl11::PopMatrix>(t, "glPopMatrix");
+    add<&Gl11::RenderMode>(t, "glRenderMode");
+    add<&Gl11::EndList>(t, "glEndList");
 }
 
 void add_drawing(Table &t)

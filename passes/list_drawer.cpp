@@ -1,0 +1,94 @@
+#include "passes/list_drawer.h"
+
+#include "passes/guard.h"
+#include "passes/hook_frame.h"
+#include "passes/matrix_walk.h"
+#include "passes/strategies.h"
+
+#include <algorithm>
+
+namespace claque::passes
+{
+
+bool shows(const draw::Item &item)
+{
+    if (item.shadow_only) return false;
+    const model::Level &level = item.tmpl->levels[item.level];
+    return !level.surfaces.empty() && !level.indices.empty() && (item.parts & every_part_of(level)) != 0;
+}
+
+ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const RendererOptions &options,
+                       const Array<PreparedTemplate> &templates, Scratch &scratch, const draw::DrawList &list,
+                       DrawStats &stats)
+    : gl_(gl),
+      preflight_(preflight),
+      templates_(templates),
+      guard_(options.guard),
+      scratch_(scratch),
+      list_(list),
+      stats_(stats),
+      state_(gl, stats),
+      canvas_(gl, options, state_, scratch, stats)
+{
+}
+
+base::Status ListDrawer::draw()
+{
+    const StateGuard guard(gl_, guard_);
+    state_.begin(list_.projection, preflight_.has_multisample());
+    const auto by_matrices = [](const draw::Item &item) { return item.locals != nullptr; };
+    if (std::any_of(list_.items.begin(), list_.items.end(), by_matrices)) room_ = matrix_room(gl_);
+    base::Status first;
+    Individual who;
+    for (const draw::Item &item : list_.items) {
+        if (!shows(item)) continue;
+        if (!make(item, who)) {
+            if (first.ok())
+                first =
+                    base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no room to skin it at draw time", item.actor_index);
+        } else if (!item.hooks) draw_individual(who);
+        else if (draw_between_hooks(who, first) == Next::stop) break;
+    }
+    return first;
+}
+
+bool ListDrawer::make(const draw::Item &item, Individual &who) const
+{
+    if (!who.prepared || who.prepared->source != item.tmpl) who.prepared = find(templates_, item.tmpl);
+    who.item = &item;
+    who.level = &item.tmpl->levels[item.level];
+    who.ready = &who.prepared->levels[item.level];
+    who.zone_rgb = item.zone_rgb ? item.zone_rgb : who.prepared->zone_rgb.data();
+    who.parts = item.parts & every_part_of(*who.level);
+    who.own = nullptr;
+    who.vertices = item.vertices;
+    if (item.locals) who.vertices = {who.ready->positions.data(), who.ready->normals.data()};
+    else if (!who.vertices.positions || !who.vertices.normals) who.vertices = list_.server->serve(item);
+    return who.vertices.positions && who.vertices.normals;
+}
+
+void ListDrawer::draw_individual(const Individual &who)
+{
+    canvas_.place(who);
+    if (who.item->locals) MatrixWalk(gl_, canvas_, scratch_.chain, stats_, room_).draw(who);
+    else draw_parts(canvas_, who);
+}
+
+ListDrawer::Next ListDrawer::draw_between_hooks(Individual &who, base::Status &first)
+{
+    HookFrame frame(gl_, preflight_, state_, list_, *who.item);
+    const uint32_t room = room_;
+    base::Status status = frame.before();
+    if (status.ok()) {
+        who.own = frame.texture();
+        if (who.item->locals && who.item->hooks->before) room_ = matrix_room(gl_);
+        draw_individual(who);
+    }
+    room_ = room;
+    if (first.ok()) first = status;
+    status = frame.after();
+    if (first.ok()) first = status;
+    return status.ok() ? Next::go_on : Next::stop;
+}
+
+}  // namespace claque::passes

@@ -1,0 +1,81 @@
+#include "passes/matrix_walk.h"
+
+#include "passes/strategies.h"
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace claque::passes
+{
+
+uint32_t matrix_room(const Gl11 &gl)
+{
+    constexpr int32_t most = 30;
+    int32_t taken = 1, all = 32;
+    gl.GetIntegerv(gl::modelview_stack_depth, &taken);
+    gl.GetIntegerv(gl::max_modelview_stack_depth, &all);
+    return static_cast<uint32_t>(std::clamp(all - taken, 0, most));
+}
+
+// The last place is kept for those that take turns in it.
+MatrixWalk::MatrixWalk(const Gl11 &gl, Canvas &canvas, Array<math::Affine> &chain, DrawStats &stats, uint32_t room)
+    : gl_(gl), canvas_(canvas), chain_(chain), stats_(stats), room_(room), nested_(room > 0 ? room - 1 : 0)
+{
+}
+
+void MatrixWalk::draw(const Individual &who)
+{
+    const Array<MatrixStep> &steps = who.ready->steps;
+    for (uint32_t i = 0; i < steps.size();) {
+        const MatrixStep &step = steps[i];
+        if (!(step.below & who.parts)) {
+            i = step.next;
+            continue;
+        }
+        step.depth <= nested_ ? draw_nested(who, step) : draw_multiplied(who, step);
+        ++i;
+    }
+    rise_to(0);
+}
+
+void MatrixWalk::rise_to(uint32_t depth)
+{
+    for (; depth_ > depth; --depth_) gl_.PopMatrix();
+}
+
+void MatrixWalk::descend(const math::Affine &matrix)
+{
+    gl_.PushMatrix();
+    gl_.MultMatrixf(glm::value_ptr(math::mat4_of(matrix)));
+    ++stats_.matrices;
+    ++depth_;
+}
+
+void MatrixWalk::draw_nested(const Individual &who, const MatrixStep &step)
+{
+    rise_to(step.depth - 1);
+    descend(who.item->locals[step.node]);
+    draw_own(who, step);
+}
+
+void MatrixWalk::draw_multiplied(const Individual &who, const MatrixStep &step)
+{
+    const math::Affine &local = who.item->locals[step.node];
+    const uint32_t level = step.depth - nested_ - 1;
+    chain_[level] = level == 0 ? local : math::mul(chain_[level - 1], local);
+    if (!(step.own & who.parts)) return;
+    rise_to(nested_);
+    if (room_ > 0) descend(chain_[level]);
+    else gl_.LoadMatrixf(glm::value_ptr(glm::make_mat4(who.item->model_view) * math::mat4_of(chain_[level])));
+    draw_own(who, step);
+}
+
+void MatrixWalk::draw_own(const Individual &who, const MatrixStep &step)
+{
+    if (!(step.own & who.parts)) return;
+    Individual part = who;
+    part.parts = step.own & who.parts;
+    draw_parts(canvas_, part);
+}
+
+}  // namespace claque::passes

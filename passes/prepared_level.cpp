@@ -1,0 +1,171 @@
+// What is prepared of one level: short indices, what its surfaces and parts reach, and, where all its parts are rigid,
+// its vertices in the spaces of their nodes and the way there (S0 6.2.2).
+#include "passes/parts.h"
+#include "passes/prepared.h"
+
+#include <algorithm>
+
+namespace claque::passes
+{
+namespace
+{
+
+constexpr uint32_t most_short_vertices = 65535;  // index 65535 stays free: it is what primitive restart likes
+
+VertexRange reach_of(const model::Level &level, model::IndexRange range)
+{
+    VertexRange reach;
+    if (range.count == 0) return reach;
+    const auto first = level.indices.begin() + range.first;
+    const auto bounds = std::minmax_element(first, first + range.count);
+    return {*bounds.first, *bounds.second + 1};
+}
+
+void widen(VertexRange &range, uint32_t vertex)
+{
+    if (range.first == range.end) range = {vertex, vertex + 1};
+    range = {std::min(range.first, vertex), std::max(range.end, vertex + 1)};
+}
+
+PartReach reach_of(const model::Level &level, const Stretches &stretches, uint32_t part)
+{
+    PartReach reach;
+    for (size_t s = 0; s < stretches.count(); ++s) {
+        const model::IndexRange share = part_of(stretches[s], part);
+        for (uint32_t i = share.first; i < share.first + share.count; ++i) {
+            const uint32_t vertex = level.indices[i];
+            widen(vertex < level.source_count ? reach.sources : reach.copies, vertex);
+        }
+    }
+    return reach;
+}
+
+// The palette entry that each source vertex follows; empty unless each follows one that there is.
+std::vector<uint32_t> entries_of(const model::Template &source, const model::Level &level)
+{
+    std::vector<uint32_t> entries;
+    for (const model::InfluenceRun &run : level.runs) {
+        if (run.influences != 1 || run.first != entries.size() || run.count > level.source_count - run.first ||
+            uint64_t(run.first_influence) + run.count > level.joints.size())
+            return {};
+        entries.insert(entries.end(), level.joints.begin() + run.first_influence,
+                       level.joints.begin() + run.first_influence + run.count);
+    }
+    const auto is = [&](uint32_t e) {
+        return e < source.rig.palette.size() && source.rig.palette[e].node < source.rig.node_count();
+    };
+    if (entries.size() != level.source_count || !std::all_of(entries.begin(), entries.end(), is)) return {};
+    return entries;
+}
+
+// The node that all vertices of a part follow: none if there are several; of a part without any, the one it says.
+uint32_t node_of(const model::Template &source, const model::Level &level, const std::vector<uint32_t> &entries,
+                 uint32_t part)
+{
+    uint32_t node = model::none;
+    for (const model::Surface &surface : level.surfaces) {
+        const Stretches stretches(level, surface);
+        for (size_t s = 0; s < stretches.count(); ++s) {
+            const model::IndexRange share = part_of(stretches[s], part);
+            for (uint32_t i = share.first; i < share.first + share.count; ++i) {
+                const uint32_t vertex = level.indices[i];
+                const uint32_t from = vertex < level.source_count ? vertex : level.copies[vertex - level.source_count];
+                const uint32_t follows = source.rig.palette[entries[from]].node;
+                if (node != model::none && node != follows) return model::none;
+                node = follows;
+            }
+        }
+    }
+    return node == model::none ? std::min(level.parts[part].node, source.rig.node_count() - 1) : node;
+}
+
+// Nodes with parts on or below them, as a walk from the roots meets them.
+void plan_walk(Array<MatrixStep> &steps, const model::Rig &rig, const std::vector<uint64_t> &own)
+{
+    std::vector<uint64_t> below(own);
+    std::vector<std::vector<uint32_t>> children(rig.node_count() + 1);  // the last: roots
+    for (uint32_t n = rig.node_count(); n-- > 0;) {
+        if (below[n] == 0) continue;
+        const bool root = rig.parents[n] == model::none;
+        if (!root) below[rig.parents[n]] |= below[n];
+        children[root ? rig.node_count() : rig.parents[n]].push_back(n);  // descending, as a stack wants it
+    }
+    struct Waiting {
+        uint32_t node, depth;
+    };
+    std::vector<Waiting> stack;
+    for (const uint32_t n : children.back()) stack.push_back({n, 1});
+    while (!stack.empty()) {
+        const Waiting at = stack.back();
+        stack.pop_back();
+        steps.push_back({at.node, at.depth, 0, own[at.node], below[at.node]});
+        for (const uint32_t n : children[at.node]) stack.push_back({n, at.depth + 1});
+    }
+    const uint32_t count = static_cast<uint32_t>(steps.size());
+    for (uint32_t i = count; i-- > 0;) {
+        uint32_t next = i + 1;
+        while (next < count && steps[next].depth > steps[i].depth) next = steps[next].next;
+        steps[i].next = next;
+    }
+}
+
+void push(Array<float> &array, glm::vec3 v) { array.insert(array.end(), {v.x, v.y, v.z}); }
+
+void place_in_nodes(PreparedLevel &out, const model::Template &source, const model::Level &level,
+                    const std::vector<uint32_t> &entries)
+{
+    out.positions.reserve(3 * size_t(level.vertex_count));
+    out.normals.reserve(3 * size_t(level.vertex_count));
+    for (uint32_t v = 0; v < level.vertex_count; ++v) {
+        const uint32_t from = v < level.source_count ? v : level.copies[v - level.source_count];
+        const math::Affine &bind = source.rig.palette[entries[from]].inverse_bind;
+        const float *p = &level.positions[3 * size_t(from)], *n = &level.normals[3 * size_t(from)];
+        push(out.positions, math::point(bind, glm::vec3(p[0], p[1], p[2])));
+        push(out.normals, math::direction(math::normal_matrix(bind), glm::vec3(n[0], n[1], n[2])));
+    }
+}
+
+bool lengths_match(const model::Template &source, const model::Level &level)
+{
+    const auto is_parent = [&](uint32_t n) {
+        return source.rig.parents[n] == model::none || source.rig.parents[n] < n;
+    };
+    for (uint32_t n = 0; n < source.rig.node_count(); ++n)
+        if (!is_parent(n)) return false;
+    return source.rig.node_count() > 0 && level.positions.size() == 3 * size_t(level.source_count) &&
+           level.normals.size() == level.positions.size() &&
+           level.copies.size() == level.vertex_count - level.source_count &&
+           std::all_of(level.copies.begin(), level.copies.end(), [&](uint32_t c) { return c < level.source_count; });
+}
+
+}  // namespace
+
+void prepare_ranges(PreparedLevel &out, const model::Level &level)
+{
+    if (level.vertex_count <= most_short_vertices) out.short_indices.assign(level.indices.begin(), level.indices.end());
+    for (const model::Surface &surface : level.surfaces) {
+        out.fused_vertices.push_back(reach_of(level, surface.fused));
+        if (part_count_of(level) == 1) continue;
+        const Stretches stretches(level, surface);
+        for (uint32_t part = 0; part < level.parts.size(); ++part)
+            out.part_reach.push_back(reach_of(level, stretches, part));
+    }
+}
+
+bool prepare_rigid(PreparedLevel &out, const model::Template &source, const model::Level &level)
+{
+    if (level.source_count == 0) return level.indices.empty();
+    const std::vector<uint32_t> entries = entries_of(source, level);
+    if (entries.empty() || level.parts.empty() || !lengths_match(source, level)) return false;
+    std::vector<uint64_t> own(source.rig.node_count(), 0);
+    for (uint32_t part = 0; part < level.parts.size(); ++part) {
+        const uint32_t node = node_of(source, level, entries, part);
+        if (node == model::none) return false;
+        own[node] |= uint64_t(1) << part;
+    }
+    plan_walk(out.steps, source.rig, own);
+    place_in_nodes(out, source, level, entries);
+    return true;
+}
+
+}  // namespace claque::passes
