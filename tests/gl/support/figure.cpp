@@ -57,38 +57,73 @@ private:
     std::map<std::pair<uint32_t, uint16_t>, uint32_t> copies_;
 };
 
-model::IndexRange add(model::Level &level, const std::vector<std::array<uint32_t, 3>> &triangles)
-{
-    const model::IndexRange range = {static_cast<uint32_t>(level.indices.size()),
-                                     static_cast<uint32_t>(3 * triangles.size())};
-    for (const auto &t : triangles) level.indices.insert(level.indices.end(), t.begin(), t.end());
-    return range;
-}
+// Triangles with the parts that they belong to.
+struct Pieces {
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<uint32_t> parts;
+    void push_back(const std::array<uint32_t, 3> &triangle, uint32_t part)
+    {
+        triangles.push_back(triangle);
+        parts.push_back(part);
+    }
+};
 
-void add_surface(model::Level &level, const Mesh &mesh, const ZoneMap &map)
+// Part by part, `pieces` one after the other within each.
+class Ranges
+{
+public:
+    Ranges(model::Level &level, model::Surface &surface, uint32_t part_count)
+        : level_(level), surface_(surface), part_count_(part_count)
+    {
+    }
+    model::IndexRange add(std::initializer_list<const Pieces *> pieces)
+    {
+        const uint32_t first = static_cast<uint32_t>(level_.indices.size());
+        const auto here = [&] { return static_cast<uint32_t>(level_.indices.size()) - first; };
+        for (uint32_t part = 0; part < part_count_; ++part) {
+            if (part_count_ > 1) surface_.part_firsts.push_back(here());
+            for (const Pieces *some : pieces)
+                for (size_t i = 0; i < some->parts.size(); ++i)
+                    if (some->parts[i] == part)
+                        level_.indices.insert(level_.indices.end(), some->triangles[i].begin(),
+                                              some->triangles[i].end());
+        }
+        if (part_count_ > 1) surface_.part_firsts.push_back(here());
+        return {first, here()};
+    }
+
+private:
+    model::Level &level_;
+    model::Surface &surface_;
+    uint32_t part_count_;
+};
+
+void add_surface(model::Level &level, const Mesh &mesh, const ZoneMap &map, uint32_t surface_index, Slots &slots)
 {
     model::Surface &surface = level.surfaces.emplace_back(level.indices.get_allocator().resource());
-    std::vector<std::vector<std::array<uint32_t, 3>>> clean(map.zone_count), by_zone(map.zone_count);
-    std::vector<std::array<uint32_t, 3>> dirty, fused_clean, fused_dirty;
-    Slots slots(level);
-    for (const auto &t : mesh.triangles) {
+    std::vector<Pieces> clean(map.zone_count), by_zone(map.zone_count);
+    Pieces dirty, fused_clean, fused_dirty;
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (!mesh.surfaces.empty() && mesh.surfaces[i] != surface_index) continue;
+        const std::array<uint32_t, 3> &t = mesh.triangles[i];
+        const uint32_t part = mesh.parts.empty() ? 0 : mesh.parts[i];
         const std::set<uint32_t> zones = zones_of(mesh, t, map);
         const bool is_clean = zones.size() == 1;
-        if (!is_clean) dirty.push_back(t);
+        if (!is_clean) dirty.push_back(t, part);
         for (const uint32_t zone : zones) {
-            (is_clean ? clean : by_zone)[zone].push_back(t);
+            (is_clean ? clean : by_zone)[zone].push_back(t, part);
             const uint16_t slot = static_cast<uint16_t>(2 * zone + (zone == *zones.begin() ? 0 : 1));
             (is_clean ? fused_clean : fused_dirty)
-                .push_back({slots.vertex(t[0], slot), slots.vertex(t[1], slot), slots.vertex(t[2], slot)});
+                .push_back({slots.vertex(t[0], slot), slots.vertex(t[1], slot), slots.vertex(t[2], slot)}, part);
         }
     }
-    for (uint32_t zone = 0; zone < map.zone_count; ++zone) {
-        if (!clean[zone].empty()) surface.clean.push_back({zone, add(level, clean[zone])});
-        if (!by_zone[zone].empty()) surface.dirty_by_zone.push_back({zone, add(level, by_zone[zone])});
-    }
-    surface.dirty = add(level, dirty);
-    fused_clean.insert(fused_clean.end(), fused_dirty.begin(), fused_dirty.end());
-    surface.fused = add(level, fused_clean);
+    Ranges ranges(level, surface, mesh.part_count);
+    for (uint32_t zone = 0; zone < map.zone_count; ++zone)
+        if (!clean[zone].parts.empty()) surface.clean.push_back({zone, ranges.add({&clean[zone]})});
+    surface.dirty = ranges.add({&dirty});
+    for (uint32_t zone = 0; zone < map.zone_count; ++zone)
+        if (!by_zone[zone].parts.empty()) surface.dirty_by_zone.push_back({zone, ranges.add({&by_zone[zone]})});
+    surface.fused = ranges.add({&fused_clean, &fused_dirty});
 }
 
 void add_texture(model::Template &tmpl, const ZoneMap &map)
@@ -121,7 +156,8 @@ Figure make_figure(const Mesh &mesh, const ZoneMap &map)
     level.source_count = static_cast<uint32_t>(mesh.positions.size());
     for (const glm::vec3 &p : mesh.positions) level.positions.insert(level.positions.end(), {p.x, p.y, p.z});
     for (const glm::vec3 &n : mesh.normals) level.normals.insert(level.normals.end(), {n.x, n.y, n.z});
-    add_surface(level, mesh, map);
+    Slots slots(level);
+    for (uint32_t i = 0; i < mesh.surface_count; ++i) add_surface(level, mesh, map, i, slots);
     level.vertex_count = level.source_count + static_cast<uint32_t>(level.copies.size());
     for (uint32_t v = 0; v < level.vertex_count; ++v) {
         const uint32_t source = v < level.source_count ? v : level.copies[v - level.source_count];

@@ -16,6 +16,9 @@ struct Mesh {
     std::vector<glm::vec2> uvs;
     std::vector<std::array<uint32_t, 3>> triangles;
     std::vector<std::array<uint8_t, 4>> colours;  // or empty
+    // Of each triangle; empty: all 0. Surfaces differ in nothing here but that they are drawn apart.
+    std::vector<uint32_t> parts, surfaces;
+    uint32_t part_count = 1, surface_count = 1;
 };
 
 constexpr uint16_t hole = 0xffff;
@@ -34,6 +37,7 @@ struct Figure {
     float radius = 1;
 };
 
+// One template of one level, whose parts and spheres, influences and rig are left to the caller.
 // Splits by the simplest conservative rule that there is: a triangle touches every zone in the box round its texels.
 Figure make_figure(const Mesh &mesh, const ZoneMap &map);
 

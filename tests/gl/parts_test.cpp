@@ -1,0 +1,176 @@
+// Parts out of view are left out, and nobody sees it (S0 4.2, phases 3 and 7).
+#include "tests/gl/support/fixture.h"
+#include "tests/gl/support/jointed.h"
+#include "tests/gl/support/spy.h"
+
+namespace gltest
+{
+namespace
+{
+
+using claque::draw::DrawList;
+
+class Parts : public GlTest
+{
+protected:
+    static constexpr float aspect = float(width) / float(height);
+
+    Picture draw_with(passes::Renderer &renderer, DrawList list, uint64_t parts)
+    {
+        list.items[0].parts = parts;
+        return draw(*context_, renderer, list);
+    }
+};
+
+TEST_F(Parts, OutOfViewMayBeLeftOutWithoutATraceInThePicture)
+{
+    const Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
+    ASSERT_EQ(puppet_on.parts.size(), 11u);
+    const uint64_t all = (uint64_t(1) << puppet_on.parts.size()) - 1;
+    for (const passes::Strategy strategy : all_strategies) {
+        const auto renderer = make_renderer_of(puppet_on.figure, options_of(strategy));
+        uint32_t partial = 0, drawn = 0;
+        for (uint32_t i = 0; i < 200; ++i) {
+            const Camera camera = hashed_camera(puppet_on.figure, i, aspect);
+            const DrawList list = list_of(puppet_on.figure, camera);
+            const uint64_t in = parts_in(puppet_on, camera);
+            const Picture whole = draw_with(*renderer, list, ~uint64_t(0));
+            EXPECT_TRUE(draw_with(*renderer, list, in) == whole) << "camera " << i << ", parts " << in;
+            partial += in != 0 && in != all;
+            drawn += whole != Picture(whole.size(), 0);
+        }
+        EXPECT_GT(partial, 100u) << "hardly ever anything to leave out";
+        EXPECT_EQ(drawn, 200u);
+    }
+}
+
+TEST_F(Parts, InViewAreMissedWhenLeftOut)
+{
+    const Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
+    const DrawList list = list_of(puppet_on.figure, camera_on(puppet_on.figure, 2.6f, 0, 0.1f, aspect));
+    for (const passes::Strategy strategy : all_strategies) {
+        const auto renderer = make_renderer_of(puppet_on.figure, options_of(strategy));
+        const Picture whole = draw_with(*renderer, list, ~uint64_t(0));
+        for (size_t part = 0; part < puppet_on.parts.size(); ++part)
+            EXPECT_FALSE(draw_with(*renderer, list, ~(uint64_t(1) << part)) == whole) << "part " << part;
+    }
+}
+
+TEST_F(Parts, DrawnOneByOneGiveThePictureOfTheWhole)
+{
+    for (const bool coloured : {false, true}) {
+        Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
+        model::Level &level = puppet_on.figure.tmpl->levels[0];
+        for (uint32_t v = 0; v < level.vertex_count && coloured; ++v) {
+            const uint32_t from = v < level.source_count ? v : level.copies[v - level.source_count];
+            level.colours.insert(level.colours.end(), {uint8_t(from * 7), uint8_t(255 - from), uint8_t(from), 255});
+        }
+        for (const passes::Strategy strategy : all_strategies) {
+            const auto renderer = make_renderer_of(puppet_on.figure, options_of(strategy));
+            for (uint32_t i = 0; i < 10; ++i) {
+                const DrawList whole = list_of(puppet_on.figure, hashed_camera(puppet_on.figure, i, aspect));
+                DrawList one_by_one(std::pmr::get_default_resource());
+                std::copy_n(whole.projection, 16, one_by_one.projection);
+                for (uint32_t part = 0; part < puppet_on.parts.size(); ++part) {
+                    one_by_one.items.push_back(whole.items[0]);
+                    one_by_one.items.back().parts = uint64_t(1) << part;
+                }
+                EXPECT_TRUE(draw(*context_, *renderer, one_by_one) == draw(*context_, *renderer, whole)) << i;
+            }
+        }
+    }
+}
+
+// Runs of neighbours are one call; all parts are as many as without parts.
+TEST_F(Parts, ThatAreNeighboursAreDrawnTogether)
+{
+    const Jointed rope_of_8 = make_jointed(rope(8), torture_map(128, 1, 3));
+    const DrawList list = list_of(rope_of_8.figure, camera_on(rope_of_8.figure, 2.6f, 0, 0, aspect));
+    const model::Level &level = rope_of_8.figure.tmpl->levels[0];
+    Spy spy(*context_);
+    passes::Renderer renderer(std::pmr::get_default_resource(), options_of(passes::Strategy::fused));
+    ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
+    ASSERT_TRUE(renderer.prepare(*rope_of_8.figure.tmpl).ok());
+    // Even parts are of one surface, odd ones of the other: in each, the four have nothing between them.
+    const struct {
+        uint64_t parts;
+        uint32_t draws, shown;
+    } cases[] = {{~uint64_t(0), 2, 8}, {0xff, 2, 8}, {0x0f, 2, 4}, {0x3c, 2, 4}, {0x11, 2, 2},
+                 {0x05, 1, 2},         {0x33, 4, 4}, {0x80, 1, 1}, {0x00, 0, 0}, {~uint64_t(0xff), 0, 0}};
+    for (const auto &c : cases) {
+        DrawList some = list;
+        some.items[0].parts = c.parts;
+        spy.reset();
+        passes::DrawStats stats;
+        ASSERT_TRUE(renderer.draw(some, &stats).ok());
+        EXPECT_EQ(stats.draws, c.draws) << c.parts;
+        EXPECT_EQ(spy.calls["glDrawElements"], c.draws) << c.parts;
+        EXPECT_EQ(stats.parts, c.shown) << c.parts;
+        EXPECT_EQ(stats.individuals, c.shown ? 1u : 0u) << c.parts;
+        uint32_t triangles = 0;
+        for (uint32_t part = 0; part < 8; ++part) triangles += (c.parts >> part & 1) ? level.parts[part].triangles : 0;
+        EXPECT_EQ(stats.triangles, triangles) << c.parts;
+    }
+}
+
+TEST_F(Parts, OfWhoIsKeptForTheShadowAloneAreNotDrawn)
+{
+    const Figure figure = small_figure();
+    const auto renderer = make_renderer_of(figure);
+    const DrawList one = list_of(figure, whole_view(figure));
+    const Picture picture = draw(*context_, *renderer, one);
+    DrawList two = one;
+    two.items.push_back(one.items[0]);
+    two.items[1].model_view[12] += 0.8f;
+    two.items[1].vertices = {};
+    two.items[1].shadow_only = true;
+    EXPECT_EQ(draw(*context_, *renderer, two), picture);
+    passes::DrawStats stats;
+    ASSERT_TRUE(renderer->draw(two, &stats).ok());
+    EXPECT_EQ(stats.individuals, 1u);
+    EXPECT_EQ(stats.parts, 1u);
+}
+
+TEST_F(Parts, OfALevelWithoutTrianglesAskForNothing)
+{
+    Figure figure = small_figure();
+    figure.tmpl->levels.emplace_back(std::pmr::get_default_resource());
+    Spy spy(*context_);
+    passes::Renderer renderer(std::pmr::get_default_resource(), passes::RendererOptions());
+    ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
+    ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+    DrawList list = list_of(figure, whole_view(figure));
+    list.items[0].level = 1;
+    list.items[0].vertices = {};
+    spy.reset();
+    passes::DrawStats stats;
+    const Status status = renderer.draw(list, &stats);
+    EXPECT_TRUE(status.ok()) << status.text;
+    EXPECT_EQ(stats.individuals, 0u);
+    EXPECT_EQ(spy.calls["glPushAttrib"], 0u) << "nothing to draw, nothing to touch";
+}
+
+TEST_F(Parts, WhosePlacesDoNotRiseAreRefused)
+{
+    Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
+    model::Array<uint32_t> &firsts = puppet_on.figure.tmpl->levels[0].surfaces[0].part_firsts;
+    const auto refused = [&](const char *what) {
+        const Status status = make_renderer()->prepare(*puppet_on.figure.tmpl);
+        EXPECT_EQ(status.code, CLQ_ARGUMENT) << what;
+        EXPECT_NE(std::string(status.text).find("part"), std::string::npos) << status.text;
+    };
+    const model::Array<uint32_t> good = firsts;
+    firsts.back() += 3;
+    refused("past the end");
+    firsts = good;
+    firsts[1] = firsts[firsts.size() - 1] + 300;
+    refused("falling");
+    firsts = good;
+    firsts.pop_back();
+    refused("too few");
+    firsts = good;
+    EXPECT_TRUE(make_renderer()->prepare(*puppet_on.figure.tmpl).ok());
+}
+
+}  // namespace
+}  // namespace gltest
