@@ -46,9 +46,12 @@ void Update::look_at(uint32_t index)
 
     float nearest = -1, effective = -1;
     const double wish = (1 - double(crowd.extent_of(row).priority)) * double(frame.settings_.lod_scale);
+    bool any = false;
+    for (uint32_t v = 0; v < views.count; ++v) any = any || sight(v, index).inside != math::Inside::no;
     for (uint32_t v = 0; v < views.count; ++v) {
         const Sight &seen = sight(v, index);
-        if (seen.inside == math::Inside::no && !traditional()) continue;
+        // Traditional mode evaluates who is seen by nobody as well, and who is seen as actor mode does.
+        if (seen.inside == math::Inside::no && (any || !traditional())) continue;
         const EyeOf &eye = frame.eyes_[v];
         const float here = static_cast<float>((seen.distance * eye.detail + eye.least) * wish);
         if (nearest < 0 || seen.distance < nearest) nearest = seen.distance;

@@ -38,7 +38,9 @@ void Update::test_parts(uint32_t view, uint32_t index, const animcache::Request 
     const PartsInView inside = parts_in_view(*request.tmpl, level, tested.palette, to, eye.frustum);
     tested.spheres_built += inside.built;
     tested.sphere_tests += inside.tested;
-    seen.parts = inside.parts;
+    const uint32_t count = static_cast<uint32_t>(level.parts.size());
+    const uint64_t all = count == model::max_level_parts ? ~uint64_t(0) : (uint64_t(1) << count) - 1;
+    seen.parts = inside.parts == all ? ~uint64_t(0) : inside.parts;
     if (!inside.parts && !seen.shadow_only) seen.inside = Inside::no;
     else if (seen.inside == Inside::no) seen.inside = Inside::crosses;
 }

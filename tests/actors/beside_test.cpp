@@ -1,0 +1,194 @@
+// What actors have beside clips: objects in their hands, ground under them, shadows, copies (S0 4.3, 7.1).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/base/error.h"
+#include "lib/frame/exact.h"
+#include "tests/actors/robot.h"
+
+using namespace actors;
+
+namespace
+{
+
+double length(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+glm::dvec3 times(const double (&m)[16], const glm::dvec3 &p)
+{
+    glm::dvec3 out;
+    for (int r = 0; r < 3; ++r) out[r] = m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r];
+    return out;
+}
+
+double flat_at_two(void *, const double *) { return 2; }
+double slope(void *, const double *p) { return 0.1 * p[0]; }
+
+}  // namespace
+
+TEST(Attached, ObjectsEnlargeTheSpheresAndLetThemShrinkAgain)
+{
+    World world;
+    const crowd::Id id = world.add({0, 0, 0});
+    const crowd::Extent before = world.crowd.extent_of(0);
+    const model::Sphere lance{glm::vec3(0.4f, 1.5f, 0), 1.6f};
+    const crowd::Id held = world.crowd.attach(id, hand_left, lance);
+    const crowd::Id small = world.crowd.attach(id, head, {glm::vec3(0, 0.1f, 0), 0.05f});
+    const crowd::Extent with = world.crowd.extent_of(0);
+    EXPECT_GT(with.sklsroot, before.sklsroot + 1);
+    EXPECT_GE(with.refpoint, with.sklsroot);
+
+    // It holds the object in every pose: of the clip, and with the arms anywhere.
+    world.look({0, 1, 8}, {0, 1, 0});
+    const glm::dvec3 centre(world.tmpl->sklsroot.centre);
+    double farthest = 0;
+    for (int k = 0; k < 200; ++k) {
+        world.update(0.017 * k);
+        double m[16];
+        frame::node_in_world(world.crowd, world.frame, 0, hand_left, 0.017 * k, m);
+        farthest = std::max(farthest, length(times(m, glm::dvec3(lance.centre)) - centre) + double(lance.radius));
+    }
+    EXPECT_LE(farthest, double(with.sklsroot));
+
+    world.crowd.detach(held);
+    EXPECT_LT(world.crowd.extent_of(0).sklsroot, before.sklsroot + 0.3f);
+    world.crowd.detach(small);
+    EXPECT_EQ(world.crowd.extent_of(0).sklsroot, before.sklsroot);
+    EXPECT_EQ(world.crowd.extent_of(0).refpoint, before.refpoint);
+    EXPECT_THROW(world.crowd.detach(held), base::Error);
+}
+
+TEST(Attached, AnObjectInViewKeepsItsActorAlive)
+{
+    World world;
+    const crowd::Id id = world.add({0, 0, 0});
+    world.look({0, 30, 60}, {0, 30, 0}, 0.4f);
+    world.update(0);
+    EXPECT_EQ(world.frame.stats().passed_sklsroot, 0u);
+    world.crowd.attach(id, hand_right, {glm::vec3(0, 20, 0), 10});
+    world.update(0);
+    EXPECT_EQ(world.frame.stats().passed_sklsroot, 1u);
+}
+
+TEST(Nodes, AreWhereTheirVerticesAre)
+{
+    World world;
+    const crowd::Id id = world.add({5, 0, -3}, 0.7f);
+    world.look({5, 1, 5}, {5, 1, -3});
+    for (int k = 0; k < 40; ++k) {
+        world.update(0.031 * k);
+        const frame::Seen seen = world.seen(id);
+        ASSERT_TRUE(seen.visible);
+        double shown[16], exact[16];
+        frame::node_in_world(world.crowd, world.frame, 0, arm_left, std::nan(""), shown);
+        frame::node_in_world(world.crowd, world.frame, 0, arm_left, seen.shown_s, exact);
+        for (int i = 0; i < 16; ++i) EXPECT_EQ(shown[i], exact[i]) << i;
+        // The first vertex of the arm's box stands at a corner of the box in the node's frame.
+        const model::Level &level = world.tmpl->levels[0];
+        const draw::Item &item = world.views[0]->list.items[0];
+        double nearest = 1e9;
+        const glm::dvec3 corner = times(shown, {0.6, 0.07, 0.07});
+        for (uint32_t v = 0; v < level.source_count; ++v) {
+            const float *p = item.vertices.positions + 3 * v;
+            const glm::dvec3 at = glm::dvec3(5, 0, -3) + glm::dvec3(turned(0.7f) * glm::vec3(p[0], p[1], p[2]));
+            nearest = std::min(nearest, length(at - corner));
+        }
+        EXPECT_LT(nearest, 1e-5);
+    }
+}
+
+TEST(Shadows, CastersAreKeptAliveByTheSphereTheySweepAndNotDrawn)
+{
+    World world;
+    world.add({0, 12, 0});
+    frame::View &view = world.look({0, 1, 10}, {0, 0, 0}, 0.5f);
+    world.update(0);
+    EXPECT_EQ(view.list.items.size(), 0u);
+    view.shadow = glm::vec3(1, -12, 0);
+    world.update(0);
+    ASSERT_EQ(view.list.items.size(), 1u);
+    EXPECT_TRUE(view.list.items[0].shadow_only);
+    EXPECT_TRUE(world.seen(world.ids[0]).visible);
+    view.shadow = glm::vec3(40, -12, 0);
+    world.update(0);
+    EXPECT_EQ(view.list.items.size(), 1u) << "its sphere crosses the view on the way";
+    view.shadow = glm::vec3(0, 12, 0);
+    world.update(0);
+    EXPECT_EQ(view.list.items.size(), 0u);
+}
+
+TEST(Ground, CarriesWhoFollowsItWithinItsReach)
+{
+    World world;
+    const crowd::Id follows = world.add({0, 0, 0}), stays = world.add({2, 0, 0}), far = world.add({-2, 0, 0});
+    world.crowd.follow_ground(follows, 3, 3);
+    world.crowd.follow_ground(far, 0.5f, 3);
+    world.crowd.set_ground(flat_at_two, nullptr);
+    world.look({0, 2, 9}, {0, 2, 0});
+    world.update(0);
+    crowd::Place root;
+    ASSERT_TRUE(world.frame.root_of(world.crowd, 0, root));
+    EXPECT_EQ(root.position.y, 2);
+    ASSERT_TRUE(world.frame.root_of(world.crowd, stays.index1 - 1, root));
+    EXPECT_EQ(root.position.y, 0);
+    ASSERT_TRUE(world.frame.root_of(world.crowd, far.index1 - 1, root));
+    EXPECT_EQ(root.position.y, 0.5);
+    EXPECT_EQ(world.crowd.extent_of(0).slack, 3.0f);
+
+    crowd::Place place;
+    place.position = {10, 0, 0};
+    world.crowd.set_ground(slope, nullptr);
+    world.crowd.place(&follows, &place, 1);
+    world.views[0]->camera = frame::look_at({10, 2, 9}, {10, 1, 0}, glm::vec3(0, 1, 0), 1, 1.3f, 0.1f, 100);
+    world.update(0.1);
+    ASSERT_TRUE(world.frame.root_of(world.crowd, 0, root));
+    EXPECT_DOUBLE_EQ(root.position.y, 1);
+}
+
+TEST(Clones, AreLikeWhatTheyWereMadeFromAndThenGoTheirOwnWay)
+{
+    World world;
+    const crowd::Id id = world.add({0, 0, 0}, 0.3f, 11);
+    const float red[3] = {1, 0, 0}, blue[3] = {0, 0, 1};
+    world.crowd.set_colours(id, red, 1);
+    world.crowd.set_priority(id, 0.25f);
+    world.crowd.follow_ground(id, 1, 2);
+    crowd::Place group_place;
+    group_place.position = {1, 0, -4};
+    const crowd::Id group = world.crowd.create_group(group_place);
+    world.crowd.join(id, group, nullptr);
+    const crowd::Id attached = world.crowd.attach(id, head, {glm::vec3(0), 5});
+    (void)attached;
+
+    crowd::Place place;
+    place.position = {2, 0, 0};
+    const crowd::Id twin = world.crowd.clone(id, &place, 11);
+    const uint32_t row = twin.index1 - 1;
+    EXPECT_EQ(world.crowd.group_of(row), world.crowd.group_of(0));
+    EXPECT_EQ(world.crowd.group(0).members, 2u);
+    EXPECT_EQ(world.crowd.extent_of(row).priority, 0.25f);
+    EXPECT_EQ(world.crowd.extent_of(row).slack, 2.0f);
+    EXPECT_LT(world.crowd.extent_of(row).sklsroot, world.crowd.extent_of(0).sklsroot) << "what is held is not copied";
+    EXPECT_EQ(world.crowd.zone_rgb(row)[0], 255);
+    world.crowd.set_colours(id, blue, 1);
+    EXPECT_EQ(world.crowd.zone_rgb(row)[0], 255);
+    world.crowd.destroy(id);
+    world.look({2, 1, 6}, {2, 1, -4});
+    world.update(0.3);
+    EXPECT_EQ(world.views[0]->list.items.size(), 1u);
+}
+
+TEST(Clones, OfOneSeedShowTheSamePose)
+{
+    World world;
+    const crowd::Id id = world.add({-1, 0, 0}, 0, 5);
+    crowd::Place place;
+    place.position = {1, 0, 0};
+    world.crowd.clone(id, &place, 5);
+    world.look({0, 1, 3}, {0, 1, 0}, 1.4f);
+    world.frame.reset_bands();
+    world.update(0);
+    ASSERT_EQ(world.views[0]->list.items.size(), 2u);
+    const draw::Vertices a = world.views[0]->list.items[0].vertices, b = world.views[0]->list.items[1].vertices;
+    for (uint32_t i = 0; i < 30; ++i) EXPECT_NEAR(a.positions[i], b.positions[i], 0.2f) << "ticks differ, clips do not";
+}

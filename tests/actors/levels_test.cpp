@@ -1,0 +1,148 @@
+// S0 5: geometry, skeleton and behaviour follow one effective distance of each actor.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "meshsplit/build.h"
+#include "tests/actors/robot.h"
+
+using namespace actors;
+
+namespace
+{
+
+uint32_t level_at(World &world, double distance)
+{
+    world.views[0]->camera =
+        frame::look_at({0, 1, distance}, {0, 1, 0}, glm::vec3(0, 1, 0), 1.0471976f, 1.3f, 0.1f, 2000);
+    world.update(0);
+    return world.seen(world.ids[0]).level;
+}
+
+}  // namespace
+
+TEST(Levels, AllPartsFollowTheActorsOneDistanceEachWithItsOwn)
+{
+    World world;
+    world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    ASSERT_EQ(world.tmpl->levels.size(), 3u);
+    for (const auto &[distance, level] :
+         {std::pair{5.0, 0u}, {18.0, 0u}, {21.0, 1u}, {55.0, 1u}, {62.0, 2u}, {900.0, 2u}})
+        EXPECT_EQ(level_at(world, distance), level) << distance;
+    EXPECT_EQ(world.tmpl->levels[0].parts.size(), 10u);
+    EXPECT_EQ(world.tmpl->levels[1].parts.size(), 8u);
+    EXPECT_EQ(world.tmpl->levels[2].parts.size(), 1u);
+}
+
+TEST(Levels, NodesBeyondTheirDistanceAreNotEvaluated)
+{
+    World world;
+    world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    level_at(world, 5);
+    EXPECT_EQ(world.frame.stats().matrices_built, 10u);
+    level_at(world, 30);
+    EXPECT_EQ(world.frame.stats().matrices_built, 8u);
+    level_at(world, 100);
+    EXPECT_EQ(world.frame.stats().matrices_built, 1u);
+}
+
+TEST(Levels, PriorityRaisesTheDetail)
+{
+    World world;
+    const crowd::Id id = world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    EXPECT_EQ(level_at(world, 100), 2u);
+    world.crowd.set_priority(id, 0.5f);
+    EXPECT_EQ(level_at(world, 100), 1u);
+    world.crowd.set_priority(id, 1);
+    EXPECT_EQ(level_at(world, 1500), 0u);
+}
+
+TEST(Levels, AZoomLensAndALargerPictureGetMoreDetail)
+{
+    World world;
+    world.add({0, 0, 0});
+    frame::View &view = world.look({0, 1, 100}, {0, 1, 0}, 1.0471976f);
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 2u);
+    view.camera = frame::look_at({0, 1, 100}, {0, 1, 0}, glm::vec3(0, 1, 0), 0.15f, 1.3f, 0.1f, 2000);
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 0u) << "a lens of 8.6 degrees shows it as from 13 m";
+    view.camera = frame::look_at({0, 1, 100}, {0, 1, 0}, glm::vec3(0, 1, 0), 1.0471976f, 1.3f, 0.1f, 2000);
+    view.height_px = 768 * 3;
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 1u) << "as from 33 m";
+    view.height_px = 0;
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 2u);
+}
+
+TEST(Levels, AParallelProjectionChoosesBySizeAlone)
+{
+    World world;
+    world.add({0, 0, 0});
+    frame::View &view = world.look({0, 1, 500}, {0, 1, 0});
+    // 768 lines show 16 m: 48 pixels a metre, as from 13.9 m through the lens that distances are for.
+    float parallel[16] = {0.1f, 0, 0, 0, 0, 0.125f, 0, 0, 0, 0, -0.002f, 0, 0, 0, -1, 1};
+    std::copy(parallel, parallel + 16, view.camera.projection);
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 0u);
+    view.camera.projection[5] = 0.02f;  // 100 m
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 2u);
+}
+
+TEST(Levels, HysteresisHoldsTheCoarserLevelOnTheWayBack)
+{
+    frame::Settings settings;
+    settings.lod_hysteresis = 0.2f;
+    World world(settings);
+    world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    EXPECT_EQ(level_at(world, 19), 0u);
+    EXPECT_EQ(level_at(world, 21), 1u);
+    EXPECT_EQ(level_at(world, 19), 1u);
+    EXPECT_EQ(level_at(world, 16.5), 1u);
+    EXPECT_EQ(level_at(world, 15.5), 0u);
+    EXPECT_EQ(level_at(world, 19), 0u);
+}
+
+TEST(Levels, SeveralViewsGetTheDetailOfTheNearest)
+{
+    World world;
+    world.add({0, 0, 0});
+    world.look({0, 1, 200}, {0, 1, 0});
+    world.look({0, 1, 30}, {0, 1, 0});
+    world.update(0);
+    EXPECT_EQ(world.seen(world.ids[0]).level, 1u);
+    EXPECT_EQ(world.views[0]->list.items[0].level, 1u);
+    EXPECT_NEAR(world.seen(world.ids[0]).distance, 30, 0.1);
+}
+
+TEST(Levels, ASwitchOfGeometryAloneKeepsThePose)
+{
+    // Both levels of one skeleton: the robot without deactivations.
+    model::Model model = robot_model();
+    model.rig.deactivation_m.clear();
+    for (model::Part &part : model.parts) {
+        if (part.name == "whole") part.lod_first_m = 30;
+        else part.lod_last_m = 30, part.lod_first_m = 0;
+    }
+    model.parts.erase(std::remove_if(model.parts.begin(), model.parts.end(),
+                                     [](const model::Part &p) { return p.name.find("and hand") != std::string::npos; }),
+                      model.parts.end());
+    World world;
+    world.tmpl = std::make_unique<model::Template>(std::pmr::get_default_resource());
+    meshsplit::build(model, meshsplit::BuildOptions(), *world.tmpl);
+    ASSERT_EQ(world.tmpl->levels.size(), 2u);
+    world.add({0, 0, 0});
+    world.look({0, 1, 29}, {0, 1, 0});
+    level_at(world, 29.9);
+    EXPECT_EQ(world.frame.stats().animated, 1u);
+    level_at(world, 30.1);
+    EXPECT_EQ(world.frame.stats().animated, 0u) << "S1 4: a switch of level skins anew from the palette that is held";
+    EXPECT_EQ(world.frame.stats().skinned, 1u);
+}
