@@ -123,11 +123,9 @@ private:
 
     bool is_taken_over(float distance) const
     {
-        for (size_t i = 0; i < drawn_.size(); ++i)
-            if (model_.parts[drawn_[i]].lod_first_m == distance &&
-                (rigid_nodes_[i] == none || stops_[rigid_nodes_[i]] > distance))
-                return true;
-        return false;
+        // Were it to hang on a stopped node, it would be refused itself.
+        return std::any_of(drawn_.begin(), drawn_.end(),
+                           [&](uint32_t p) { return model_.parts[p].lod_first_m == distance; });
     }
 
     const char *name(uint32_t node) const { return model_.rig.node_names[node].c_str(); }

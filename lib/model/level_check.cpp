@@ -126,9 +126,9 @@ void check_levels(const Template &tmpl)
         check_runs(level, tmpl.rig.palette.size());
         check_morphs(level, tmpl.rig.rest_weights.size());
         for (const Surface &surface : level.surfaces) check_surface(tmpl, level, surface);
-        check_skeleton(tmpl, i);
-        check_part_firsts(level);
         check_parts(tmpl, level);
+        check_part_firsts(level);
+        check_skeleton(tmpl, i);
     }
 }
 

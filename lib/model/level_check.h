@@ -23,7 +23,7 @@ inline void must_count(size_t have, size_t wanted, const char *what)
 
 // Throw base::Error (CLQ_ARGUMENT) naming the first broken rule. Rig and textures have been checked.
 void check_levels(const Template &tmpl);
-void check_skeleton(const Template &tmpl, size_t level);     // which nodes and entries are left
+void check_skeleton(const Template &tmpl, size_t level);  // which nodes and entries are left; check_parts() comes first
 void check_parts(const Template &tmpl, const Level &level);  // and their spheres
 void check_part_firsts(const Level &level);                  // of all its surfaces
 

@@ -19,12 +19,10 @@ uint64_t triangles_of(const Level &level)
     return indices / 3;
 }
 
-void check_sphere(const Template &tmpl, const Level &level, const PartSphere &sphere)
+void check_sphere(const Template &tmpl, const PartSphere &sphere)
 {
     if (sphere.entry >= tmpl.rig.palette.size())
         fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u of %zu", sphere.entry, tmpl.rig.palette.size());
-    if (!level.active.empty() && !level.active[tmpl.rig.palette[sphere.entry].node])
-        fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u, whose node has stopped", sphere.entry);
     must_be_finite(&sphere.bind.centre.x, 3, "centre of a part's sphere");
     must_be_finite(&sphere.bind.radius, 1, "radius of a part's sphere");
     if (sphere.bind.radius < 0) fail(CLQ_ARGUMENT, "a part's sphere of negative radius");
@@ -35,7 +33,10 @@ void check_part(const Template &tmpl, const Level &level, size_t index)
     const LevelPart &part = level.parts[index];
     if (part.node != none && part.node >= tmpl.rig.node_count())
         fail(CLQ_ARGUMENT, "part %zu hangs on node %u of %u", index, part.node, tmpl.rig.node_count());
-    if (part.sphere_count == 0 || uint64_t(part.first_sphere) + part.sphere_count > level.part_spheres.size())
+    const uint64_t first =
+        index == 0 ? 0 : uint64_t(level.parts[index - 1].first_sphere) + level.parts[index - 1].sphere_count;
+    if (part.first_sphere != first || part.sphere_count == 0 ||
+        uint64_t(part.first_sphere) + part.sphere_count > level.part_spheres.size())
         fail(CLQ_ARGUMENT, "part %zu has spheres %u to %llu of %zu", index, part.first_sphere,
              static_cast<unsigned long long>(uint64_t(part.first_sphere) + part.sphere_count),
              level.part_spheres.size());
@@ -119,7 +120,7 @@ void check_parts(const Template &tmpl, const Level &level)
     for (const LevelPart &part : level.parts) triangles += part.triangles;
     must_count(triangles, triangles_of(level), "triangles of all parts");
     for (size_t p = 0; p < level.parts.size(); ++p) check_part(tmpl, level, p);
-    for (const PartSphere &sphere : level.part_spheres) check_sphere(tmpl, level, sphere);
+    for (const PartSphere &sphere : level.part_spheres) check_sphere(tmpl, sphere);
 }
 
 void check_part_firsts(const Level &level)

@@ -245,6 +245,23 @@ TEST(PartSpheres, hold_what_morph_targets_move_with_degrees_of_freedom_at_their_
     EXPECT_LE(limits[1].low, -2);
 }
 
+TEST(PartSpheres, of_a_morph_target_hold_both_ends_of_its_weight_and_little_more)
+{
+    Puppet m;
+    model::Part &part = m.hang(m.root, "face");
+    m.rig.morph_sets.push_back({m.root, 0, 1});
+    m.rig.rest_weights = {0.5f};
+    part.morph_set = 0;
+    part.morphs.resize(1);
+    part.morphs[0].positions.assign(4, glm::vec3(0, 0, 10));
+    m.rig.dofs.push_back({0, model::DofKind::morph, 0, glm::vec3(0, 1, 0), -1, 2, 0});
+    m.rig.dof_names.resize(1);
+    const model::Sphere sphere = built(m)->levels[0].part_spheres[0].bind;
+    EXPECT_NEAR(sphere.centre.z, 10, 0.1) << "weights are from -0.5 to 2.5";
+    EXPECT_GE(sphere.radius, 15 + 0.7f);
+    EXPECT_LT(sphere.radius, 16);
+}
+
 TEST(PartSpheres, are_near_the_smallest)
 {
     Puppet m;
@@ -253,10 +270,9 @@ TEST(PartSpheres, are_near_the_smallest)
     const model::Sphere &sphere = tmpl->levels[0].part_spheres[0].bind;
     EXPECT_LT(sphere.radius, 0.5f * std::sqrt(2.0f) * 1.01f);
     EXPECT_LT(glm::distance(sphere.centre, glm::vec3(0.5f, 0.5f, 0)), 0.01f);
-    // Three of four corners lie on a circle whose centre is far from the middle of their box.
-    const model::Sphere three =
-        meshsplit::enclosing({{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{0, 1, 0}, 0}, {{0.9, 0.9, 0}, 0}});
-    EXPECT_LT(three.radius, 0.5f * std::sqrt(2.0f) * 1.02f);
+    // The middle of its box is not the middle of an equilateral triangle.
+    const model::Sphere even = meshsplit::enclosing({{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{0.5, 0.8660254, 0}, 0}});
+    EXPECT_LT(even.radius, 0.5773503f * 1.03f);
     const model::Sphere two = meshsplit::enclosing({{{0, 0, 0}, 1}, {{10, 0, 0}, 3}});
     EXPECT_NEAR(two.radius, 7, 0.1);
     EXPECT_NEAR(two.centre.x, 6, 0.1);
