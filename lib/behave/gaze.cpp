@@ -20,16 +20,6 @@ double let_go(double yaw)
     return beyond > 0 ? yaw * (1 - ease(beyond, math::pi - in_the_back)) : yaw;
 }
 
-// Straight up there is no yaw; it comes smoothly.
-double steady(double yaw, double level, double length) { return yaw * ease(level, 0.17 * length); }
-
-Look towards(const glm::dvec3 &v)
-{
-    const double level = std::sqrt(v.x * v.x + v.z * v.z), length = std::sqrt(level * level + v.y * v.y);
-    if (!(length > 0)) return Look();
-    return {steady(math::atan2(v.x, v.z), level, length), math::atan2(v.y, level)};
-}
-
 Look mixed(const Look &a, const Look &b, double by)
 {
     return {a.yaw + (b.yaw - a.yaw) * by, a.pitch + (b.pitch - a.pitch) * by};
@@ -84,11 +74,15 @@ Look target_of(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const cr
         const crowd::Place root = root_at(crowd, row, time_s);
         p = (p - root.position) * math::rotation_of(root.orientation);  // the transpose turns back
     }
-    Look look = towards(p - glm::dvec3(gaze.eyes));
+    const glm::dvec3 v = p - glm::dvec3(gaze.eyes);
+    const double level = std::sqrt(v.x * v.x + v.z * v.z), length = std::sqrt(level * level + v.y * v.y);
+    Look look{math::atan2(v.x, v.z), math::atan2(v.y, level)};
     // Who is carried past a point must not turn its head over in one moment; who stands keeps to the side that it chose.
     if (moves) look.yaw = let_go(look.yaw);
     else if (std::fabs(look.yaw) > in_the_back && static_cast<double>(order.side) * look.yaw < 0)
         look.yaw += look.yaw < 0 ? 2 * math::pi : -2 * math::pi;
+    // Straight up there is no yaw; it comes smoothly.
+    look.yaw *= ease(level, 0.17 * length);
     return look;
 }
 

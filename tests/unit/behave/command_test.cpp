@@ -70,6 +70,8 @@ TEST(Command, ShowsAShapeUntilItIsLeftToTheLotAgain)
     EXPECT_EQ(stage.at(40, frown), 1.0f);
     EXPECT_GT(stage.at(40.2, frown), 0.4f);
     EXPECT_GT(stage.at(40.2, smile), 0.3f);
+    EXPECT_NEAR(stage.at(40.2, left_lid), 0.15f, 1e-5) << "between what both shapes say";
+    EXPECT_NEAR(stage.at(40.2, right_lid), 0.2f, 1e-5) << "between what one says and where it rests";
     EXPECT_EQ(stage.at(40.4, smile), 0.8f);
     express(stage.crowd, stage.ids[0], e, model::none, 50);
     EXPECT_LE(steepest(stage, 5, 60), 1.5 * 1.0 / 0.4 * 2) << "two blends at once at most";
@@ -103,6 +105,23 @@ TEST(Command, ForAnEarlierTimeReplacesTheLater)
     EXPECT_EQ(stage.at(15, smile), 0.8f);
     EXPECT_EQ(stage.at(25, smile), 0.0f);
     EXPECT_EQ(stage.at(35, frown), 0.0f);
+    const uint32_t p = stage.add(phrase(-1));
+    for (const double at : {10.0, 30.0, 5.0}) say(stage.crowd, stage.ids[0], p, at);
+    EXPECT_EQ(stage.at(5.2, open_mouth), 1);
+    EXPECT_EQ(stage.at(10.2, open_mouth), 0);
+    EXPECT_EQ(stage.at(30.2, open_mouth), 0);
+}
+
+TEST(Command, KeepsWhatIsBlendingWhenTheNextOneComes)
+{
+    Stage stage;
+    const uint32_t e = stage.add(expression());
+    express(stage.crowd, stage.ids[0], e, 0, 0);
+    express(stage.crowd, stage.ids[0], e, 1, 10);
+    express(stage.crowd, stage.ids[0], e, 2, 10.2);
+    EXPECT_NEAR(stage.at(10.2, smile), 0.4f, 1e-5);
+    EXPECT_NEAR(stage.at(10.2, frown), 0.5f, 1e-5);
+    EXPECT_NEAR(stage.at(10.6, frown), 0, 1e-6);
 }
 
 TEST(Command, IsForOneActorAlone)

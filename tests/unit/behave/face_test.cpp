@@ -98,13 +98,19 @@ TEST(Blink, ShutsBothLidsTogetherAsOftenAsItSays)
     stage.add(blink());
     int blinks = 0;
     bool shut = false;
+    double last = 0, least = 99, most = 0;
     for (int i = 0; i < 500000; ++i) {
         const std::vector<float> &dofs = stage.at(i * 0.002);
         ASSERT_EQ(dofs[left_lid], dofs[right_lid]);
         const bool now = dofs[left_lid] > 1.0f;
-        blinks += now && !shut;
+        if (now && !shut) {
+            if (blinks++) least = std::min(least, i * 0.002 - last), most = std::max(most, i * 0.002 - last);
+            last = i * 0.002;
+        }
         shut = now;
     }
+    EXPECT_LT(least, 2);
+    EXPECT_GT(most, 6);
     EXPECT_NEAR(blinks, 250, 25) << "in 1000 s";
     EXPECT_LT(steepest(stage, 0, 20), 1.0f / (0.35f * 0.15f) * 1.5f);
 }

@@ -70,6 +70,9 @@ TEST(Gaze, LooksOverTheLeftShoulderAtWhatIsExactlyBehindAndOverTheSameOneWhenItM
     look_at(stage, g, towards(-0.7, 0), 4, 1);
     look_at(stage, g, towards(3.0, 0), 6, 1);
     EXPECT_EQ(stage.at(9, 1)[neck_yaw], -1.2f) << "who looked right looks over the right shoulder";
+    look(stage.crowd, stage.ids[1], g, nullptr, 10);
+    look_at(stage, g, towards(3.0, 0), 10.2, 1);
+    EXPECT_EQ(stage.at(12, 1)[neck_yaw], -1.2f) << "also on its way back to the front";
 }
 
 TEST(Gaze, IsNotANumberNowhereNotAtItsOwnEyesNorStraightUp)
@@ -148,6 +151,26 @@ TEST(Gaze, KeepsAPointWhereItIsWhileThePathCarriesTheEyesPastIt)
             EXPECT_NEAR(yaw, wanted, 1e-3) << t;
         }
     }
+}
+
+TEST(Gaze, LetsGoOfWhatComesToLieBehindAndOfWhatItPassesUnder)
+{
+    Stage stage;
+    const uint32_t g = stage.add(gaze());
+    crowd::RootPath ring(std::pmr::get_default_resource());
+    ring.positions = {{10, 0, 0}, {0, 0, 10}, {-10, 0, 0}, {0, 0, -10}};
+    ring.duration_s = 8;
+    crowd::RootMotion motion;
+    motion.path = stage.crowd.behaviours().add(std::move(ring));
+    stage.crowd.move_root(stage.ids[0], motion);
+    look_at(stage, g, glm::dvec3(100, 1.6, 0), 0);
+    // It turns with about 1 rad/s; what comes to lie behind is let go of within half a radian of the turn.
+    EXPECT_LT(steepest(stage, 1, 17), 8);
+    // Right above the way, 4 m over the eyes, which pass under it with 8 m/s.
+    const crowd::Place under = root_at(stage.crowd, 0, 1.2345);
+    const glm::dvec3 eyes = under.position + glm::dquat(under.orientation) * glm::dvec3(0, 1.6f, 0.1f);
+    look_at(stage, g, eyes + glm::dvec3(0, 4, 0), 0);
+    EXPECT_LT(steepest(stage, 0.5, 7.5), 25);
 }
 
 TEST(Gaze, WandersWithinItsBoundsAboutAsOftenAsItSays)

@@ -48,12 +48,11 @@ crowd::RootPath table()
 glm::dvec3 ahead(const crowd::Place &place) { return glm::dquat(place.orientation) * glm::dvec3(0, 0, 1); }
 glm::dvec3 above(const crowd::Place &place) { return glm::dquat(place.orientation) * glm::dvec3(0, 1, 0); }
 
-bool is_finite(const crowd::Place &place)
+bool is_a_place(const crowd::Place &place)
 {
     bool all = true;
     for (int k = 0; k < 3; ++k) all = all && std::isfinite(place.position[k]);
-    for (int k = 0; k < 4; ++k) all = all && std::isfinite(place.orientation[k]);
-    return all;
+    return all && std::fabs(glm::length(place.orientation) - 1) < 1e-5f;
 }
 
 double radians_between(const glm::quat &a, const glm::quat &b)
@@ -86,6 +85,13 @@ TEST(Flight, LooksWhereItGoesWithItsHeadUp)
             EXPECT_NEAR(glm::dot(up, glm::cross(forward, glm::dvec3(0, 1, 0))), 0, 1e-5) << "wings level";
         }
     }
+}
+
+TEST(Flight, LooksWhereItGoesOnWhereItTurnsRound)
+{
+    const crowd::RootPath path = flight({{0, 0, 0}, {3, 0, 4}});
+    EXPECT_NEAR(glm::length(ahead(place_on(path, 0)) - glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(ahead(place_on(path, 4)) + glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
 }
 
 TEST(Flight, BanksToTheInsideOfItsTurnAndNotFurtherThanItMay)
@@ -178,7 +184,7 @@ TEST(Flight, IsNeverNotANumber)
     for (const auto &positions : hard) {
         const crowd::RootPath path = flight(positions);
         EXPECT_TRUE(std::isfinite(reach_of(path)));
-        for (int i = 0; i < 8000; ++i) ASSERT_TRUE(is_finite(place_on(path, i * 0.001))) << i;
+        for (int i = 0; i < 8000; ++i) ASSERT_TRUE(is_a_place(place_on(path, i * 0.001))) << i;
     }
 }
 
