@@ -47,6 +47,10 @@ bool load(Gl &gl, GetProcAddress get, void *user, std::string &missing)
     find("glTexEnvi", gl.TexEnvi);
     find("glTexImage2D", gl.TexImage2D);
     find("glPixelStorei", gl.PixelStorei);
+    find("glFogf", gl.Fogf);
+    find("glFogi", gl.Fogi);
+    find("glFogfv", gl.Fogfv);
+    find("glPolygonOffset", gl.PolygonOffset);
     find("glEnableClientState", gl.EnableClientState);
     find("glDisableClientState", gl.DisableClientState);
     find("glVertexPointer", gl.VertexPointer);

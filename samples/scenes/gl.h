@@ -25,6 +25,8 @@ constexpr unsigned linear = 0x2601, linear_mipmap_linear = 0x2703, repeat = 0x29
 constexpr unsigned unsigned_byte = 0x1401, unsigned_int = 0x1405, float_type = 0x1406, unpack_alignment = 0xCF5;
 constexpr unsigned vertex_array = 0x8074, normal_array = 0x8075, color_array = 0x8076, texcoord_array = 0x8078;
 constexpr unsigned version = 0x1F02;
+constexpr unsigned fog = 0xB60, fog_density = 0xB62, fog_mode = 0xB65, fog_color = 0xB66, exp = 0x800;
+constexpr unsigned polygon_offset_fill = 0x8037;
 }  // namespace gl
 
 struct Gl {
@@ -51,6 +53,10 @@ struct Gl {
     void (*TexEnvi)(unsigned, unsigned, int) = nullptr;
     void (*TexImage2D)(unsigned, int, int, int, int, int, unsigned, unsigned, const void *) = nullptr;
     void (*PixelStorei)(unsigned, int) = nullptr;
+    void (*Fogf)(unsigned, float) = nullptr;
+    void (*Fogi)(unsigned, int) = nullptr;
+    void (*Fogfv)(unsigned, const float *) = nullptr;
+    void (*PolygonOffset)(float, float) = nullptr;
     void (*EnableClientState)(unsigned) = nullptr;
     void (*DisableClientState)(unsigned) = nullptr;
     void (*VertexPointer)(int, unsigned, int, const void *) = nullptr;

@@ -9,6 +9,7 @@ const std::vector<SceneEntry> &scene_entries()
         {"plaza", "citizens on a Roman plaza: talking, walking, applauding a speaker", make_plaza, 400},
         {"odeon", "three classes of Roman society in a theatre", make_odeon, 1020},
         {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 400},
+        {"vehicle", "omnibuses full of people on the streets of a small town, each a group", make_vehicle, 320},
     };
     return entries;
 }

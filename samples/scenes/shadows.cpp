@@ -105,7 +105,7 @@ void Shadows::ring(float x, float y, float z, float half_x, float half_z)
     rims_.triangle(a, c, d);
 }
 
-void Shadows::draw(const Gl &g) const
+void Shadows::draw(const Gl &g, const Geometry &more) const
 {
     if (!image_) return;
     image_->use();
@@ -115,6 +115,7 @@ void Shadows::draw(const Gl &g) const
     g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
     g.DepthMask(0);
     rims_.draw(g);
+    more.draw(g);
     people_.draw(g);
     g.DepthMask(1);
     g.Disable(gl::blend);

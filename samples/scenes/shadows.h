@@ -24,7 +24,9 @@ public:
     // A dark rim round something that stands on the ground.
     void ring(float x, float y, float z, float half_x, float half_z);
     // On top of what is drawn; the view must be set. Leaves blending off.
-    void draw(const Gl &gl) const;
+    void draw(const Gl &gl) const { draw(gl, Geometry()); }
+    // `more`: patches of others that show the blot, u [0.5, 1].
+    void draw(const Gl &gl, const Geometry &more) const;
 
 private:
     void lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, float height_m, float width_m);

@@ -1,0 +1,29 @@
+// The sky over the town: blue that pales towards the horizon, and fair-weather clouds.
+#pragma once
+
+#include "samples/scenes/eye.h"
+#include "samples/scenes/geometry.h"
+#include "samples/scenes/texture.h"
+
+#include <memory>
+
+namespace scenes::town
+{
+
+class Clouds
+{
+public:
+    static constexpr Rgb haze = {0.74f, 0.82f, 0.88f};  // at the horizon, and what distance fades into
+
+    explicit Clouds(uint64_t seed);
+    void prepare(const Gl &gl);
+    // First of all in a frame: covers the whole picture, writes no depth.
+    void draw(const Gl &gl, const Eye &eye) const;
+
+private:
+    uint64_t seed_;
+    Geometry dome_, layer_;
+    std::unique_ptr<Texture> picture_;
+};
+
+}  // namespace scenes::town

@@ -1,0 +1,144 @@
+// One house: walls of bays on a plinth that follows the ground, a roof with eaves, a chimney, a step at the door.
+#include "samples/scenes/town/houses.h"
+
+#include "samples/scenes/lot.h"
+#include "samples/scenes/town/roofs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenes::town
+{
+namespace
+{
+
+constexpr double sunk_m = 0.03;  // into the ground, which bends between the corners
+constexpr Rgb brick = {0.70f, 0.48f, 0.40f}, cap = {0.55f, 0.50f, 0.46f}, step = {0.80f, 0.77f, 0.72f};
+
+class Builder
+{
+public:
+    Builder(Pieces &pieces, const House &house, const Terrain &terrain, uint64_t seed)
+        : pieces_(pieces), h_(house), terrain_(terrain), site_(house.site()), floor_(floor_of(house, terrain))
+    {
+        seed_ = seed + 7919 * house.number;
+        const double share = lot(seed_, 0, Lot::clip);
+        window_ = share < 0.45 ? Bay::shutters : share < 0.8 ? Bay::window : Bay::flowers;
+    }
+
+    void build()
+    {
+        const double a = h_.width_m / 2, o = h_.depth_m / 2;
+        wall(0, {-a, o, a, o});
+        wall(1, {a, o, a, -o});
+        wall(2, {a, -o, -a, -o});
+        wall(3, {-a, -o, -a, o});
+        roof();
+        if (h_.chimney) chimney();
+    }
+
+private:
+    double ground(double along, double out) const
+    {
+        const Point p = site_.ground(along, out);
+        return terrain_.height(p.x, p.z);
+    }
+
+    // One of the four sides, the front is 0.
+    void wall(int side, const Site::Upright &w)
+    {
+        const double da = w.right_along - w.left_along, dout = w.right_out - w.left_out;
+        const int bays = std::max(2, static_cast<int>(std::sqrt(da * da + dout * dout) / 2.9 + 0.5));
+        const int door = side == 0 ? static_cast<int>(lot(seed_, 1, Lot::slab) * bays) : side == 2 ? bays / 2 : -1;
+        for (int bay = 0; bay < bays; ++bay) {
+            const double s = static_cast<double>(bay) / bays, t = static_cast<double>(bay + 1) / bays;
+            const Site::Upright part = {w.left_along + da * s, w.left_out + dout * s, w.left_along + da * t,
+                                        w.left_out + dout * t};
+            Geometry &g = pieces_.on(Layer::facades);
+            const double top = floor_ + House::plinth_m;
+            site_.bay(g, part, ground(part.left_along, part.left_out) - sunk_m,
+                      ground(part.right_along, part.right_out) - sunk_m, top, Bay::plinth, {0.88f, 0.86f, 0.82f}, 3.0);
+            for (int storey = 0; storey < h_.storeys; ++storey) {
+                const double low = top + storey * House::storey_m;
+                site_.bay(g, part, low, low, low + House::storey_m, choose(side, storey, bay, door, bays), h_.walls);
+            }
+            if (bay == door && h_.style != House::Style::barn) doorstep(part, dout == 0);
+        }
+    }
+
+    Bay choose(int side, int storey, int bay, int door, int bays) const
+    {
+        const double share = lot(seed_, static_cast<uint64_t>(side * 64 + storey * 16 + bay), Lot::grain);
+        if (h_.style == House::Style::barn) return side == 0 && bay == bays / 2 ? Bay::gate : Bay::planks;
+        if (storey == 0 && bay == door) return Bay::door;
+        if (storey == 0 && side == 0 && h_.style == House::Style::shop) return Bay::shop;
+        const bool open = side == 0 || (side == 2 ? share < 0.6 : share < 0.42);
+        if (h_.style == House::Style::timber && storey > 0) return open ? Bay::timber_window : Bay::timber;
+        if (!open) return Bay::blank;
+        if (storey == 0 && window_ == Bay::flowers) return Bay::shutters;
+        return window_;
+    }
+
+    void doorstep(const Site::Upright &w, bool level)
+    {
+        if (!level) return;
+        const double middle = (w.left_along + w.right_along) / 2, side = w.left_out > 0 ? 1 : -1, near = w.left_out;
+        const double out = near + side * 0.38, low = std::min(ground(middle, near), ground(middle, out)) - sunk_m;
+        site_.box(pieces_.on(Layer::stone),
+                  {static_cast<float>(middle - 0.75), static_cast<float>(low), static_cast<float>(std::min(near, out))},
+                  {static_cast<float>(middle + 0.75), static_cast<float>(floor_ + House::plinth_m - 0.14),
+                   static_cast<float>(std::max(near, out))},
+                  step, 4);
+    }
+
+    void roof()
+    {
+        const double eaves = floor_ + h_.eaves_height();
+        const bool across =
+            h_.roof == House::Roof::gable_to_street || (h_.roof == House::Roof::hip && h_.depth_m > h_.width_m);
+        ridge_ = across ? Site(h_.at, site_.along()) : site_;
+        const double length = across ? h_.depth_m : h_.width_m, span = across ? h_.width_m : h_.depth_m;
+        const RoofShape shape = {length / 2, span / 2, eaves, h_.pitch, House::eaves_m};
+        if (h_.roof == House::Roof::hip) hip_roof(pieces_.on(Layer::tiles), ridge_, shape, h_.tiles);
+        else {
+            gable_roof(pieces_.on(Layer::tiles), ridge_, shape, h_.tiles);
+            gable_walls(pieces_.on(Layer::facades), ridge_, shape, h_.walls,
+                        h_.style == House::Style::barn ? Bay::planks : Bay::gable);
+        }
+        length_ = length, span_ = span;
+    }
+
+    void chimney()
+    {
+        const double a = (lot(seed_, 2, Lot::gap) < 0.5 ? -0.22 : 0.24) * length_, o = 0.10 * span_;
+        const double top = floor_ + h_.eaves_height() + h_.pitch * span_ / 2 + 0.75;
+        const double low = top - 0.75 - h_.pitch * (o + 0.5);
+        const auto block = [&](double half, double y0, double y1, Rgb colour) {
+            ridge_.box(pieces_.on(Layer::stone),
+                       {static_cast<float>(a - half), static_cast<float>(y0), static_cast<float>(o - half * 0.8)},
+                       {static_cast<float>(a + half), static_cast<float>(y1), static_cast<float>(o + half * 0.8)},
+                       colour, 1.5f);
+        };
+        block(0.42, low, top - 0.12, brick);
+        block(0.50, top - 0.24, top - 0.1, cap);
+        block(0.22, top - 0.1, top + 0.22, brick * 1.15f);
+    }
+
+    Pieces &pieces_;
+    const House &h_;
+    const Terrain &terrain_;
+    uint64_t seed_ = 0;
+    Site site_, ridge_ = Site({0, 0}, {0, 1});
+    double floor_, length_ = 0, span_ = 0;
+    Bay window_ = Bay::window;
+};
+
+}  // namespace
+
+void build_house(Pieces &pieces, const House &house, const Terrain &terrain, uint64_t seed)
+{
+    Builder(pieces, house, terrain, seed).build();
+    pieces.finish(Piece::Kind::house);
+}
+
+}  // namespace scenes::town

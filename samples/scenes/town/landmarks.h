@@ -1,0 +1,20 @@
+// What the town has one of: a church and a town hall on the square, a fountain, market stalls, a bridge over the stream.
+#pragma once
+
+#include "samples/scenes/town/pieces.h"
+#include "samples/scenes/town/site.h"
+#include "samples/scenes/town/sun_shadows.h"
+#include "samples/scenes/town/terrain.h"
+
+namespace scenes::town
+{
+
+// Where they stand on the square, in plan coordinates.
+struct SquarePlan {
+    double church_u, church_v, hall_u, hall_v, fountain_u, fountain_v;
+};
+SquarePlan square_plan(const Plan &plan);
+
+void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed);
+
+}  // namespace scenes::town

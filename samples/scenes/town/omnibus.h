@@ -1,0 +1,47 @@
+// An open motor omnibus: rows of benches on a wooden body, spoked wheels that turn. Its own space: metres, y up, forward
+// +z, the origin on the ground between the axles.
+#pragma once
+
+#include "samples/scenes/geometry.h"
+#include "samples/scenes/town/pieces.h"
+#include "samples/scenes/town/route.h"
+
+#include <array>
+#include <vector>
+
+namespace scenes::town
+{
+
+class Omnibus
+{
+public:
+    // Where the feet of somebody sitting are; all look forward. The first is the driver's.
+    struct Seat {
+        float x, y, z;
+    };
+    static const std::vector<Seat> &seats();
+
+    static constexpr double wheelbase_m = 4.3, half_track_m = 1.06, wheel_radius_m = 0.47;
+    static constexpr double floor_m = 0.64, half_width_m = 1.18, front_m = 3.2, rear_m = -3.75;
+
+    explicit Omnibus(Rgb paint);
+
+    const Geometry &body() const { return body_; }
+    // Round the body, the wheels, and those who sit in it; in its own space.
+    const Sphere &sphere() const { return sphere_; }
+
+    // Draws it where it is; the model-view matrix is the eye's view before, and after.
+    void draw(const Gl &gl, const Eye &eye, const Stance &stance) const;
+    // A soft shadow under it and beside it, away from the sun; blended, for which `blot` must be in use.
+    static void shade(Geometry &shadows, const Stance &stance, Vec3 to_sun);
+
+private:
+    void build_body(Rgb paint);
+    void build_wheels();
+    static void load(const Gl &gl, const Eye &eye, const std::array<float, 16> &model);
+
+    Geometry body_ = Geometry(4.0f), wheel_ = Geometry(4.0f), far_wheel_ = Geometry(4.0f);
+    Sphere sphere_ = {};
+};
+
+}  // namespace scenes::town

@@ -1,0 +1,46 @@
+// Omnibuses with people in them, each a group (S0 4.3: "a vehicle with several occupants"), and people on the square.
+#pragma once
+
+#include "samples/scenes/cast.h"
+#include "samples/scenes/town/omnibus.h"
+#include "samples/scenes/town/town.h"
+
+namespace scenes::town
+{
+
+class Passengers
+{
+public:
+    // Fills omnibuses first, 14 seats each and at most as many as there is room for on the way, then the square.
+    Passengers(Library &library, const Casting &casting, const Town &town);
+
+    clq_crowd *crowd() const { return cast_.crowd(); }
+    std::vector<clq_template *> templates() const { return figures_; }
+    const Cast &cast() const { return cast_; }
+
+    // Drives them to where they are at that time.
+    void drive(double time_s);
+    const std::vector<Stance> &stances() const { return stances_; }
+    const VehiclePath &path() const { return path_; }
+    // Those who stand on the square, for their shadows.
+    const std::vector<clq_place> &standing() const { return standing_; }
+    size_t seated() const { return seated_; }
+
+    static constexpr double metres_a_second = 5.0, spacing_m = 36.0;
+
+private:
+    void board(uint32_t people);
+    void gather(const Town &town, uint32_t people);
+    clq_play play(clq_template *tmpl, const char *const *clips, size_t count, size_t who) const;
+
+    uint64_t seed_;
+    VehiclePath path_;
+    Cast cast_;
+    std::vector<clq_template *> figures_;
+    std::vector<clq_group> groups_;
+    std::vector<Stance> stances_;
+    std::vector<clq_place> standing_;
+    size_t seated_ = 0;
+};
+
+}  // namespace scenes::town

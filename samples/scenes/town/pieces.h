@@ -1,0 +1,69 @@
+// Scenery in pieces: what stands apart has a bounding sphere and is drawn, or left out, by itself. All pieces of one
+// material lie in one pair of vertex and index arrays, so that a picture of the whole takes few calls.
+#pragma once
+
+#include "samples/scenes/eye.h"
+#include "samples/scenes/geometry.h"
+
+#include <array>
+#include <cstddef>
+
+namespace scenes::town
+{
+
+// In the order in which they are drawn: the ground first, what lies on it, what stands on it.
+enum class Layer : uint8_t { land, furrows, paving, cobbles, water, shade, stone, facades, tiles, leaves };
+constexpr size_t layer_count = 10;
+
+struct Sphere {
+    Vec3 centre;
+    float radius;
+};
+
+// Six planes that look inwards.
+class Frustum
+{
+public:
+    // Of the eye's picture; scale < 1: of the part in the middle of it, so much smaller either way.
+    explicit Frustum(const Eye &eye, float scale = 1);
+    bool meets(const Sphere &sphere) const;
+
+private:
+    std::array<std::array<float, 4>, 6> planes_;  // normal of length 1, and the distance of the origin
+};
+
+struct Span {
+    Layer layer;
+    uint32_t first, count;  // indices of its layer
+};
+
+struct Piece {
+    enum class Kind : uint8_t { ground, shade, house, landmark, tree, wood } kind;
+    Sphere sphere;
+    std::vector<Span> spans;
+};
+
+class Pieces
+{
+public:
+    explicit Pieces(const std::array<float, layer_count> &texture_metres);
+
+    // Where to add what is being built; finish() makes one piece of all that came since the last.
+    Geometry &on(Layer layer) { return layers_[static_cast<size_t>(layer)]; }
+    const Geometry &on(Layer layer) const { return layers_[static_cast<size_t>(layer)]; }
+    void finish(Piece::Kind kind);
+
+    const std::vector<Piece> &all() const { return pieces_; }
+    size_t triangles() const;
+    // Which meet a frustum; null: all. Returns how many triangles that is.
+    size_t choose(const Frustum *cull, std::vector<uint8_t> &chosen) const;
+    // Draws the chosen ones of a layer, neighbours in the arrays in one call.
+    void draw(const Gl &gl, Layer layer, const std::vector<uint8_t> &chosen) const;
+
+private:
+    std::vector<Geometry> layers_;
+    std::array<uint32_t, layer_count> done_ = {};
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace scenes::town

@@ -1,0 +1,112 @@
+#include "samples/scenes/town/town.h"
+
+#include "samples/scenes/stone.h"
+#include "samples/scenes/town/ground.h"
+#include "samples/scenes/town/pictures.h"
+
+namespace scenes::town
+{
+namespace
+{
+
+constexpr std::array<float, layer_count> texture_metres = {
+    land_metres, furrows_metres, flagstone_metres, cobbles_metres, water_metres, 1, plaster_metres,
+    3,           tiles_metres,   leaves_metres};
+constexpr float haze_per_m = 0.00030f;
+
+void throw_shadow(SunShadows &shadows, const House &h, const Terrain &terrain)
+{
+    const double floor = floor_of(h, terrain), eaves = floor + h.eaves_height(), ridge = floor + h.ridge_height();
+    const double a = h.width_m / 2, o = h.depth_m / 2, e = House::eaves_m;
+    const Site site = h.site();
+    std::vector<Vec3> points;
+    for (const double s : {-1.0, 1.0})
+        for (const double t : {-1.0, 1.0}) {
+            points.push_back(site.at(s * a, floor, t * o));
+            points.push_back(site.at(s * (a + e), eaves - h.pitch * e, t * (o + e)));
+        }
+    const bool across = h.roof == House::Roof::gable_to_street || (h.roof == House::Roof::hip && h.depth_m > h.width_m);
+    const double length = across ? o : a, span = across ? a : o;
+    const double half = h.roof == House::Roof::hip ? std::max(0.3, length - span) : length + e;
+    for (const double s : {-half, half}) points.push_back(across ? site.at(0, ridge, s) : site.at(s, ridge, 0));
+    shadows.cast(points, floor);
+}
+
+}  // namespace
+
+Town::Town(uint64_t seed)
+    : seed_(seed),
+      plan_(seed),
+      terrain_(plan_, seed),
+      houses_(place_houses(plan_, seed)),
+      trees_(place_trees(plan_, houses_, seed)),
+      pieces_(texture_metres),
+      sky_(seed)
+{
+    SunShadows shadows(pieces_, terrain_, light().to_sun);
+    cover_ground(pieces_, plan_, terrain_, seed);
+    grow_woods(pieces_, plan_, terrain_, seed);
+    for (const House &house : houses_) {
+        build_house(pieces_, house, terrain_, seed);
+        throw_shadow(shadows, house, terrain_);
+    }
+    build_landmarks(pieces_, shadows, plan_, terrain_, seed);
+    for (const Tree &tree : trees_) grow_tree(pieces_, shadows, tree, terrain_, seed);
+}
+
+Daylight Town::light()
+{
+    return {{-0.56f, 0.66f, 0.50f}, {0.78f, 0.73f, 0.62f}, {0.40f, 0.42f, 0.47f}, {0.13f, 0.12f, 0.10f}};
+}
+
+void Town::prepare(const Gl &gl)
+{
+    const auto bring = [&](Layer layer, const Image &image, bool repeats) {
+        pictures_[static_cast<size_t>(layer)] = std::make_unique<Texture>(gl, image, repeats);
+    };
+    bring(Layer::land, land(seed_), true);
+    bring(Layer::furrows, furrows(seed_), true);
+    bring(Layer::paving, flagstones(seed_), true);
+    bring(Layer::cobbles, cobbles(seed_), true);
+    bring(Layer::water, water(seed_), true);
+    bring(Layer::stone, plaster(seed_), true);
+    bring(Layer::facades, facades(seed_), false);
+    bring(Layer::tiles, tiles(seed_), true);
+    bring(Layer::leaves, leaves(seed_), true);
+    sky_.prepare(gl);
+}
+
+size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
+{
+    sky_.draw(g, eye);
+    shine(g, light(), eye);
+    const float haze[4] = {Clouds::haze.r, Clouds::haze.g, Clouds::haze.b, 1};
+    g.Fogfv(gl::fog_color, haze);
+    g.Fogi(gl::fog_mode, gl::exp);
+    g.Fogf(gl::fog_density, haze_per_m);
+    g.Enable(gl::fog);
+    g.Enable(gl::cull_face);
+    const size_t sent = pieces_.choose(cull, chosen_);
+    for (size_t i = 0; i < layer_count; ++i) {
+        const Layer layer = static_cast<Layer>(i);
+        if (layer == Layer::shade) {
+            g.Disable(gl::texture_2d);
+            g.Disable(gl::lighting);
+            g.Enable(gl::blend);
+            g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
+            g.DepthMask(0);
+            g.PolygonOffset(-1, -2);
+            g.Enable(gl::polygon_offset_fill);
+        } else if (pictures_[i]) pictures_[i]->use();
+        pieces_.draw(g, layer, chosen_);
+        if (layer != Layer::shade) continue;
+        g.Disable(gl::polygon_offset_fill);
+        g.DepthMask(1);
+        g.Disable(gl::blend);
+        g.Enable(gl::lighting);
+    }
+    g.Disable(gl::texture_2d);
+    return sent;
+}
+
+}  // namespace scenes::town

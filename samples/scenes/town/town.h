@@ -1,0 +1,51 @@
+// A small town in the country, for crowds that stand, drive and fly in and over it (S0 7: "Performer Town"; the design is
+// our own). A host would keep scenery like this in its scenegraph: it comes in pieces that can be culled one by one.
+#pragma once
+
+#include "samples/scenes/light.h"
+#include "samples/scenes/texture.h"
+#include "samples/scenes/town/clouds.h"
+#include "samples/scenes/town/houses.h"
+#include "samples/scenes/town/landmarks.h"
+#include "samples/scenes/town/pieces.h"
+#include "samples/scenes/town/terrain.h"
+#include "samples/scenes/town/trees.h"
+
+#include <memory>
+
+namespace scenes::town
+{
+
+class Town
+{
+public:
+    explicit Town(uint64_t seed);
+
+    // Metres; the ground as it is drawn.
+    double height(double x, double z) const { return terrain_.height(x, z); }
+    const Plan &plan() const { return plan_; }
+    const Terrain &terrain() const { return terrain_; }
+    const std::vector<House> &houses() const { return houses_; }
+    const std::vector<Tree> &trees() const { return trees_; }
+    const Pieces &pieces() const { return pieces_; }
+    static Daylight light();
+
+    // Brings textures to the current context, which must be current again when the town ends.
+    void prepare(const Gl &gl);
+    // The sky, then the pieces that meet `cull` (null: all), in a cleared picture. Leaves the view, the lights and the
+    // haze on for who is drawn next. Returns how many triangles it sent.
+    size_t draw(const Gl &gl, const Eye &eye, const Frustum *cull = nullptr) const;
+
+private:
+    uint64_t seed_;
+    Plan plan_;
+    Terrain terrain_;
+    std::vector<House> houses_;
+    std::vector<Tree> trees_;
+    Pieces pieces_;
+    Clouds sky_;
+    std::array<std::unique_ptr<Texture>, layer_count> pictures_;
+    mutable std::vector<uint8_t> chosen_;
+};
+
+}  // namespace scenes::town

@@ -1,0 +1,69 @@
+// The scene `town_sky`, S0's application (7.1, 7.2): thousands of flying actors of 13 articulations and 19 degrees of
+// freedom over a small town, their behaviour running, about a fifth of them in view.
+#include "samples/scenes/scene.h"
+#include "samples/scenes/town/flyers.h"
+#include "samples/scenes/town/town.h"
+
+namespace scenes
+{
+namespace
+{
+
+class TownSky final : public Scene
+{
+public:
+    TownSky(Library &library, const Casting &casting)
+        : town_(casting.seed), eye_(over(town_)), flyers_(library, casting, {eye_[0], eye_[1] - 62, eye_[2]})
+    {
+    }
+
+    clq_crowd *crowd() const override { return flyers_.cast().crowd(); }
+    std::vector<clq_actor> actors() const override { return flyers_.cast().actors(); }
+    std::vector<clq_template *> templates() const override { return flyers_.templates(); }
+
+    // overview: among them, high over the fields before the town. close: beside one of them on its way.
+    clq_camera camera(Shot shot, double aspect, double) const override
+    {
+        if (shot == Shot::close) {
+            clq_actor_info info = {};
+            check(clq_actor_get_info(crowd(), actors()[0], &info));
+            const double target[3] = {info.root.position[0], info.root.position[1] + 0.3, info.root.position[2]};
+            const double eye[3] = {target[0] + 2.6, target[1] + 0.9, target[2] + 4.2};
+            return look(eye, target, 46, aspect, 0.3, 5500);
+        }
+        const town::Point middle = town_.plan().at(0, 0);
+        const double target[3] = {middle.x, town_.height(middle.x, middle.z) + 20, middle.z};
+        const double eye[3] = {eye_[0], eye_[1], eye_[2]};
+        return look(eye, target, 58, aspect, 1, 5500);
+    }
+
+    void place(double) override {}
+    void prepare(const Gl &gl) override { town_.prepare(gl); }
+    void draw_setting(const Gl &gl, const Eye &eye) const override
+    {
+        const town::Frustum cull(eye, cull_share_);
+        town_.draw(gl, eye, &cull);
+    }
+    void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
+
+private:
+    static std::array<double, 3> over(const town::Town &town)
+    {
+        const town::Point p = town.plan().at(60, 250);
+        return {p.x, town.height(p.x, p.z) + 62, p.z};
+    }
+
+    town::Town town_;
+    std::array<double, 3> eye_;
+    town::Flyers flyers_;
+    float cull_share_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_town_sky(Library &library, const Casting &casting, const Character &)
+{
+    return std::make_unique<TownSky>(library, casting);
+}
+
+}  // namespace scenes
