@@ -169,8 +169,10 @@ TEST(Gaze, LetsGoOfWhatComesToLieBehindAndOfWhatItPassesUnder)
     // Right above the way, 4 m over the eyes, which pass under it with 8 m/s.
     const crowd::Place under = root_at(stage.crowd, 0, 1.2345);
     const glm::dvec3 eyes = under.position + glm::dquat(under.orientation) * glm::dvec3(0, 1.6f, 0.1f);
-    look_at(stage, g, eyes + glm::dvec3(0, 4, 0), 0);
-    EXPECT_LT(steepest(stage, 0.5, 7.5), 25);
+    for (const double aside : {0.0, 0.02, -0.05}) {
+        look_at(stage, g, eyes + glm::dquat(under.orientation) * glm::dvec3(aside, 4, 0), 0);
+        EXPECT_LT(steepest(stage, 0.5, 7.5), 25) << aside;
+    }
 }
 
 TEST(Gaze, WandersWithinItsBoundsAboutAsOftenAsItSays)
@@ -192,6 +194,15 @@ TEST(Gaze, WandersWithinItsBoundsAboutAsOftenAsItSays)
         moved = moves, last = dofs[neck_yaw];
     }
     EXPECT_NEAR(rests, 500, 50) << "in 1000 s";
+}
+
+TEST(Gaze, WandersSmoothlyAlsoWhenItHasLessTimeThanItTurnsIn)
+{
+    Stage stage;
+    crowd::Gaze wanders = gaze();
+    wanders.wander_s = 0.2f, wanders.turn_s = 5;
+    stage.add(wanders);
+    EXPECT_LT(steepest(stage, 0, 20), 1 / 0.1 * 1.5) << "a turn of 1 radian in half of the time";
 }
 
 TEST(Gaze, LevelsDropEyesThenNeckThenThePitchOfTheSpine)

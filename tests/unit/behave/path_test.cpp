@@ -92,6 +92,7 @@ TEST(Flight, LooksWhereItGoesOnWhereItTurnsRound)
     const crowd::RootPath path = flight({{0, 0, 0}, {3, 0, 4}});
     EXPECT_NEAR(glm::length(ahead(place_on(path, 0)) - glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
     EXPECT_NEAR(glm::length(ahead(place_on(path, 4)) + glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
+    for (double t = 0; t < 8; t += 0.01) EXPECT_GT(above(place_on(path, t)).y, 0.9999) << "a turn back has no side";
 }
 
 TEST(Flight, BanksToTheInsideOfItsTurnAndNotFurtherThanItMay)
