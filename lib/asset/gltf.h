@@ -1,7 +1,7 @@
 // glTF 2.0 and GLB to a Model, or a refusal that a person can act on. The bytes may be anything.
 //
-// What is read: scenes, nodes, meshes with morph targets, skins, animations, base colours and their textures, zone
-// extras. What is not (cameras, lights, the rest of a material) is passed over, and its faults with it.
+// What is read: scenes, nodes, meshes with morph targets, skins, animations, base colours and their textures, extras of
+// zones (zone_extras.h) and of nodes (node_extras.h). What is not (cameras, lights, the rest of a material) is passed over, and its faults with it.
 #pragma once
 
 #include <cstddef>

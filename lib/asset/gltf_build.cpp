@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/asset/gltf_clip.h"
+#include "lib/asset/gltf_freedoms.h"
 #include "lib/asset/gltf_mesh.h"
 #include "lib/asset/gltf_skin.h"
 
@@ -39,6 +40,7 @@ public:
         hide();
         for (const uint32_t node : shown_)
             if (tree_.nodes[node].mesh != none) add_mesh(node);
+        add_freedoms(tree_, places_, model_.rig);
         TargetCounts targets;
         for (const FileNode &node : tree_.nodes)
             targets.push_back(node.mesh == none ? 0 : meshes_[node.mesh].target_count);
@@ -138,6 +140,7 @@ private:
             part.node = places_.node[node];
             part.hidden = hidden_[node];
             part.morph_set = morph_set;
+            if (from.extras) part.lod_first_m = from.extras->lod_first_m, part.lod_last_m = from.extras->lod_last_m;
             if (from.skin != none && !primitive.has_joints)
                 file_.warn(
                     base::text_of("nodes[%u] '%.60s' has a skin, a primitive of its mesh has no joints: it "

@@ -68,6 +68,9 @@ FileNode read_node(const View &view, File &file, size_t node_count)
         node.morph_weights.resize(weights.count());
         weights.numbers(node.morph_weights.data(), node.morph_weights.size());
     }
+    node.extras = read_node_extras(view["extras"], file.budget);
+    if (node.extras && node.extras->has_lod && node.mesh == none)
+        fail(CLQ_FORMAT, "%s.extras.claque.lod_m says when a mesh is drawn: the node has none", view.path().c_str());
     return node;
 }
 

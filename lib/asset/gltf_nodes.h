@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/asset/gltf_file.h"
+#include "lib/asset/node_extras.h"
 #include "lib/math/affine.h"
 
 namespace claque::asset
@@ -17,7 +18,8 @@ struct FileNode {
     math::Trs rest;
     bool has_matrix = false;
     uint32_t mesh = none, skin = none;
-    std::vector<float> morph_weights;  // the node's own; empty: its mesh's
+    std::vector<float> morph_weights;    // the node's own; empty: its mesh's
+    std::unique_ptr<NodeExtras> extras;  // null: none
 };
 
 // Indices of nodes are the file's. Every node has one parent at most and there are no loops, wherever it stands.
