@@ -3,6 +3,7 @@
 #include "lib/base/error.h"
 #include "meshsplit/level.h"
 #include "meshsplit/levels.h"
+#include "meshsplit/reach.h"
 #include "meshsplit/rest.h"
 #include "meshsplit/skeletal.h"
 #include "meshsplit/spheres.h"
@@ -141,6 +142,8 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
     check_palette(model, model.rig);
     Builder(model, options, out).run();
     out.sklsroot = enclosing_sphere(out);
+    const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
+    out.node_reach.assign(reach.begin(), reach.end());
 }
 
 }  // namespace claque::meshsplit

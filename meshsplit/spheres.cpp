@@ -1,6 +1,6 @@
 #include "meshsplit/spheres.h"
 
-#include "lib/pose/pose.h"
+#include "meshsplit/reach.h"
 #include "meshsplit/vertex_cloud.h"
 
 #include <glm/geometric.hpp>
@@ -19,19 +19,6 @@ namespace
 {
 
 constexpr double samples_per_s = 60;
-
-struct PoseAt {
-    uint32_t clip;
-    double time_s;
-};
-
-std::vector<PoseAt> poses_of(const model::Rig &rig)
-{
-    std::vector<PoseAt> poses = {{none, 0}};
-    for (uint32_t clip = 0; clip < rig.clips.size(); ++clip)
-        for (const double time : sample_times(rig, clip)) poses.push_back({clip, time});
-    return poses;
-}
 
 // The smallest sphere round a few points, near enough: the centre steps towards the farthest, ever less.
 glm::dvec3 centre_of(const std::vector<glm::dvec3> &points)
@@ -79,15 +66,20 @@ struct Turn {
 class SphereFinder
 {
 public:
-    explicit SphereFinder(const model::Template &tmpl) : tmpl_(tmpl), poses_(poses_of(tmpl.rig)), workspace_(tmpl.rig)
+    // `left_out`: per level the vertices that are another's to look at, or empty.
+    SphereFinder(const model::Template &tmpl, const std::vector<PoseAt> &poses,
+                 const std::vector<std::vector<uint8_t>> &left_out = {})
+        : tmpl_(tmpl), poses_(poses), workspace_(tmpl.rig)
     {
-        for (const model::Level &level : tmpl.levels) clouds_.emplace_back(level, tmpl.rig);
+        for (size_t i = 0; i < tmpl.levels.size(); ++i)
+            clouds_.emplace_back(tmpl.levels[i], tmpl.rig, left_out.empty() ? nullptr : left_out[i].data());
     }
 
-    model::Sphere run()
+    // Round a given centre, of this radius at least.
+    model::Sphere run(const glm::vec3 &centre, double radius)
     {
-        sphere_.centre = glm::vec3(centre_of(extremes()));
-        radius_ = 0;
+        sphere_.centre = centre;
+        radius_ = radius;
         for (size_t i = 0; i < poses_.size(); ++i) {
             const auto &pose = take(i);
             for (const VertexCloud &cloud : clouds_) grow(cloud, pose);
@@ -97,16 +89,7 @@ public:
         return sphere_;
     }
 
-private:
-    struct Moment {
-        Palette palette;
-        std::vector<float> weights;
-        std::vector<Turn> turns;  // since the pose before; none where it does not lead here
-    };
-    struct Pose {
-        const Moment *before, *here, *after;  // before and after: null where no motion leads there
-    };
-
+    // With degrees of freedom at rest: what stands out most in each of 26 directions.
     std::vector<glm::dvec3> extremes()
     {
         const std::vector<glm::vec3> axes = directions();
@@ -124,21 +107,24 @@ private:
         return points;
     }
 
+private:
+    struct Moment {
+        Palette palette;
+        std::vector<float> weights;
+        std::vector<Turn> turns;  // since the pose before; none where it does not lead here
+    };
+    struct Pose {
+        const Moment *before, *here, *after;  // before and after: null where no motion leads there
+    };
+
     Pose take(size_t i)
     {
         if (i == 0) fill(0);
         if (i + 1 < poses_.size()) fill(i + 1);
         Pose pose{nullptr, &moments_[i % 3], nullptr};
-        if (i > 0 && leads(i - 1)) pose.before = &moments_[(i + 2) % 3];
-        if (leads(i)) pose.after = &moments_[(i + 1) % 3];
+        if (i > 0 && leads(poses_, i - 1)) pose.before = &moments_[(i + 2) % 3];
+        if (leads(poses_, i)) pose.after = &moments_[(i + 1) % 3];
         return pose;
-    }
-
-    // Whether the actor moves from this pose to the next, rather than jumps.
-    bool leads(size_t i) const
-    {
-        return i + 1 < poses_.size() && poses_[i].clip == poses_[i + 1].clip && poses_[i].clip != none &&
-               poses_[i + 1].time_s - poses_[i].time_s > 1e-5;
     }
 
     void fill(size_t i)
@@ -148,7 +134,7 @@ private:
         moment.palette.assign(palette.begin(), palette.end());
         moment.weights.assign(workspace_.weights().begin(), workspace_.weights().end());
         moment.turns.clear();
-        if (i > 0 && leads(i - 1))
+        if (i > 0 && leads(poses_, i - 1))
             for (size_t j = 0; j < moment.palette.size(); ++j)
                 moment.turns.emplace_back(moments_[(i - 1) % 3].palette[j], moment.palette[j]);
     }
@@ -245,6 +231,13 @@ std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
     return out;
 }
 
-model::Sphere enclosing_sphere(const model::Template &tmpl) { return SphereFinder(tmpl).run(); }
+model::Sphere enclosing_sphere(const model::Template &tmpl)
+{
+    SphereFinder all(tmpl, poses_of(tmpl.rig));
+    if (tmpl.rig.dofs.empty()) return all.run(glm::vec3(centre_of(all.extremes())), 0);
+    FreeReach free(tmpl);
+    const glm::vec3 centre(free.centre(all.extremes()));
+    return SphereFinder(tmpl, free.poses(), free.moved()).run(centre, free.radius(glm::dvec3(centre)));
+}
 
 }  // namespace claque::meshsplit

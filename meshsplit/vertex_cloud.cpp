@@ -8,25 +8,29 @@
 namespace claque::meshsplit
 {
 
-VertexCloud::VertexCloud(const model::Level &level, const model::Rig &rig) : level_(&level)
+VertexCloud::VertexCloud(const model::Level &level, const model::Rig &rig, const uint8_t *left_out) : level_(&level)
 {
     for (const model::InfluenceRun &run : level.runs)
         for (uint32_t v = 0; v < run.count; ++v) first_.push_back(run.first_influence + v * run.influences);
     first_.push_back(static_cast<uint32_t>(level.joints.size()));
-    sort_by_joint(rig.palette.size());
+    sort_by_joint(rig.palette.size(), left_out);
     sort_morphs();
     bound(rig.palette.size());
 }
 
-void VertexCloud::sort_by_joint(size_t joint_count)
+void VertexCloud::sort_by_joint(size_t joint_count, const uint8_t *left_out)
 {
+    const auto each = [&](const auto &body) {
+        for (uint32_t v = 0; v < level_->source_count; ++v)
+            if (!left_out || !left_out[v])
+                for (const uint16_t joint : joints(v)) body(v, joint);
+    };
     starts_.assign(joint_count + 1, 0);
-    for (const uint16_t joint : level_->joints) ++starts_[size_t(joint) + 1];
+    each([&](uint32_t, uint16_t joint) { ++starts_[size_t(joint) + 1]; });
     for (size_t j = 0; j < joint_count; ++j) starts_[j + 1] += starts_[j];
     std::vector<uint32_t> next(starts_.begin(), starts_.end() - 1);
-    by_joint_.resize(level_->joints.size());
-    for (uint32_t v = 0; v < level_->source_count; ++v)
-        for (const uint16_t joint : joints(v)) by_joint_[next[joint]++] = v;
+    by_joint_.resize(starts_.back());
+    each([&](uint32_t v, uint16_t joint) { by_joint_[next[joint]++] = v; });
 }
 
 void VertexCloud::sort_morphs()

@@ -10,7 +10,8 @@ namespace claque::meshsplit
 class VertexCloud
 {
 public:
-    VertexCloud(const model::Level &level, const model::Rig &rig);
+    // `left_out`: one a source vertex, those not to be found by entry; or null.
+    VertexCloud(const model::Level &level, const model::Rig &rig, const uint8_t *left_out = nullptr);
 
     bool has(uint32_t joint) const { return starts_[joint + 1] > starts_[joint]; }
     // Every vertex that this entry has a part in.
@@ -36,7 +37,7 @@ private:
         uint32_t weight;
         glm::vec3 position;
     };
-    void sort_by_joint(size_t joint_count);
+    void sort_by_joint(size_t joint_count, const uint8_t *left_out);
     void sort_morphs();
     void bound(size_t joint_count);
     glm::vec3 position(uint32_t vertex) const;

@@ -1,0 +1,136 @@
+#include "meshsplit/reach.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace claque::meshsplit
+{
+
+namespace
+{
+
+constexpr size_t centre_poses = 64;
+
+// How well a pose has been looked at.
+enum class Look : uint8_t { ball, coarse, fine };
+
+struct Candidate {
+    double bound = 0;
+    uint32_t pose = 0;
+    Look look = Look::ball;
+
+    bool operator<(const Candidate &other) const
+    {
+        return bound != other.bound ? bound < other.bound : pose > other.pose;
+    }
+};
+
+}  // namespace
+
+FreeReach::FreeReach(const model::Template &tmpl)
+    : tmpl_(tmpl), free_(tmpl), poser_(tmpl.rig), fill_(tmpl.rig), coarse_(2, tmpl.rig), fine_(3, tmpl.rig)
+{
+    find_poses();
+}
+
+void FreeReach::find_poses()
+{
+    const model::Rig &rig = tmpl_.rig;
+    const std::vector<double> shifts = most_shifts(rig);
+    std::vector<Drift> drifts(rig.node_count());
+    std::vector<float> weights;
+    walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const std::vector<NodeDrift> *since) {
+        double bulge = 0;
+        if (since) {
+            std::fill(drifts.begin(), drifts.end(), Drift());
+            for (const Body &body : free_.bodies)
+                drifts[body.node()].take_in(body.drift(weights.data(), locals.weights.data()));
+            for (uint32_t n = rig.node_count(); n-- > 0;) {
+                if (drifts[n].reach == 0) continue;
+                const Drift drift = (*since)[n].of(drifts[n], shifts[n]);
+                if (rig.parents[n] == model::none) bulge = std::max(bulge, drift.off_line());
+                else drifts[rig.parents[n]].take_in(drift);
+            }
+            bulges_.back() = std::max(bulges_.back(), bulge);
+        }
+        weights = locals.weights;
+        poses_.push_back(at);
+        bulges_.push_back(bulge);
+    });
+}
+
+void FreeReach::look_at(uint32_t pose)
+{
+    poser_.pose(poses_[pose], locals_);
+    fill_.take(locals_);
+}
+
+void FreeReach::own_supports(const Grain &grain, std::vector<Support> &own) const
+{
+    const bool first = own.empty();
+    own.resize(free_.bodies.size());
+    for (size_t b = 0; b < own.size(); ++b)
+        if (first || free_.bodies[b].morphs())
+            free_.bodies[b].support(grain.directions, free_.ranges, locals_.weights.data(), own[b]);
+}
+
+double FreeReach::bound_by(Grain &grain, std::vector<Support> &own, const glm::dvec3 &centre)
+{
+    fill_.ball(free_.bodies, locals_.weights.data(), centre);
+    own_supports(grain, own);
+    fill_.support(grain, free_.bodies, own, all_);
+    return farthest(grain.directions, all_, centre);
+}
+
+glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
+{
+    const Directions &directions = coarse_.directions;
+    Support most(directions.count(), -std::numeric_limits<double>::infinity());
+    const size_t count = std::min(poses_.size(), centre_poses);
+    for (size_t k = 0; k < count && !free_.bodies.empty(); ++k) {
+        look_at(static_cast<uint32_t>(k * poses_.size() / count));
+        bound_by(coarse_, own_coarse_, glm::dvec3(0));
+        for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], all_[i]);
+    }
+    for (const glm::dvec3 &p : points)
+        for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], glm::dot(directions[i], p));
+    // The centre goes towards whatever stands out farthest, ever less.
+    glm::dvec3 out(0);
+    for (size_t i = 0; i < most.size(); ++i) out += directions[i] * (3 * most[i] / double(most.size()));
+    for (int step = 1; step <= 2000; ++step) {
+        size_t far = 0;
+        double distance = -std::numeric_limits<double>::infinity();
+        for (size_t i = 0; i < most.size(); ++i) {
+            const double d = most[i] - glm::dot(directions[i], out);
+            if (d > distance) distance = d, far = i;
+        }
+        out += directions[far] * (distance / double(step + 1));
+    }
+    return out;
+}
+
+double FreeReach::radius(const glm::dvec3 &centre)
+{
+    if (free_.bodies.empty()) return 0;
+    std::priority_queue<Candidate> queue;
+    for (uint32_t i = 0; i < poses_.size(); ++i) {
+        look_at(i);
+        queue.push({fill_.ball(free_.bodies, locals_.weights.data(), centre) + bulges_[i], i, Look::ball});
+    }
+    while (queue.top().look != Look::fine) {
+        Candidate best = queue.top();
+        queue.pop();
+        look_at(best.pose);
+        const bool was_ball = best.look == Look::ball;
+        const double bound = (was_ball ? bound_by(coarse_, own_coarse_, centre) : bound_by(fine_, own_fine_, centre));
+        best.bound = std::min(best.bound, bound + bulges_[best.pose]);
+        best.look = was_ball ? Look::coarse : Look::fine;
+        queue.push(best);
+    }
+    return queue.top().bound;
+}
+
+}  // namespace claque::meshsplit

@@ -1,0 +1,61 @@
+// Directions spread evenly over the sphere, for support functions of convex sets: h(u) = how far the set goes along u.
+// Where h is known in these directions alone, it is bounded in any other: h(v) <= sum of weight * h(u) for every
+// v = sum of weight * u without negative weights, because h is subadditive and positively homogeneous.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace claque::meshsplit
+{
+
+// Three neighbouring directions and the weights, none negative, that make a vector of them.
+struct Blend {
+    std::array<uint16_t, 3> at;
+    std::array<float, 3> weight;
+
+    double of(const double *h) const
+    {
+        return double(weight[0]) * h[at[0]] + double(weight[1]) * h[at[1]] + double(weight[2]) * h[at[2]];
+    }
+};
+
+// The corners of an icosahedron whose triangles were split in four some times: 10 * 4^splits + 2.
+class Directions
+{
+public:
+    explicit Directions(int splits);
+
+    size_t count() const { return units_.size(); }
+    const glm::dvec3 &operator[](size_t i) const { return units_[i]; }
+    Blend find(const glm::dvec3 &v) const;
+
+    // The weights of a unit vector sum up to this at most. A unit vector e between three directions lies on the plane
+    // n.x = d through them after division by the sum of its weights; so the sum is n.e / d <= 1 / d.
+    double most_weight() const { return most_weight_; }
+
+private:
+    struct Face {
+        std::array<uint16_t, 3> corners;
+        std::array<uint16_t, 3> across;  // the face beyond the edge that faces each corner
+        glm::dmat3 weights;              // times v: its weights
+    };
+    using Corners = std::vector<std::array<uint16_t, 3>>;
+
+    Corners icosahedron();
+    Corners split(const Corners &faces);
+    void connect(const Corners &faces);
+    void fill_cells();
+    uint16_t walk(uint16_t face, const glm::dvec3 &v) const;
+
+    std::vector<glm::dvec3> units_;
+    std::vector<Face> faces_;
+    std::vector<uint16_t> cells_;  // of a grid over the sides of a cube: a face close by
+    double most_weight_ = 1;
+};
+
+}  // namespace claque::meshsplit

@@ -1,0 +1,95 @@
+#include "meshsplit/reach_support.h"
+
+#include "lib/math/trig.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::meshsplit
+{
+
+namespace
+{
+
+// Of a turn about a unit axis, transposed: what the turned set shows along u, the set shows along the result.
+glm::dvec3 turned_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angle)
+{
+    const double c = std::cos(angle), s = std::sin(angle);
+    return u * c - glm::cross(axis, u) * s + axis * (glm::dot(axis, u) * (1 - c));
+}
+
+}  // namespace
+
+Map after(const Map &a, const Map &b) { return {a.turn * b.turn, a.turn * b.move + a.move}; }
+
+void take_in(const Directions &directions, const Support &set, const Map &map, Support &out)
+{
+    const glm::dmat3 back = glm::transpose(map.turn);
+    for (size_t i = 0; i < directions.count(); ++i) {
+        const double h = directions.find(back * directions[i]).of(set.data()) + glm::dot(directions[i], map.move);
+        out[i] = std::max(out[i], h);
+    }
+}
+
+double farthest(const Directions &directions, const Support &set, const glm::dvec3 &centre)
+{
+    double most = 0;
+    for (size_t i = 0; i < set.size(); ++i) most = std::max(most, set[i] - glm::dot(directions[i], centre));
+    return most * directions.most_weight();
+}
+
+Freedom::Freedom(const Directions &directions, const model::Dof &dof)
+{
+    if (dof.kind == model::DofKind::rotation) {
+        plan_turns(directions, dof);
+        return;
+    }
+    for (size_t i = 0; i < directions.count(); ++i) {
+        const double along = glm::dot(directions[i], glm::dvec3(dof.axis));
+        shift_.push_back(std::max(along * double(dof.first), along * double(dof.last)));
+    }
+}
+
+// A point at rho from the axis shows a + rho * cos(angle - phi) along a direction square to the axis. Between two angles
+// that lie 2 w apart this is above both ends by rho * (1 - cos w) at most.
+void Freedom::plan_turns(const Directions &directions, const model::Dof &dof)
+{
+    // About half as far apart as the directions are: their distance goes with the square root of their number.
+    const double widest = 1.5 / std::sqrt(double(directions.count()));
+    const double range = std::min(double(dof.last) - double(dof.first), 2 * math::pi);
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(dof.axis));
+    const int steps = static_cast<int>(std::ceil(range / widest));
+    angles_ = size_t(steps) + 1;
+    // An axis that is not quite unit makes a quaternion that is not: its matrix is off by this share.
+    const double slack = 2.5 * std::fabs(glm::dot(glm::dvec3(dof.axis), glm::dvec3(dof.axis)) - 1);
+    const double bulge = slack + (steps > 0 ? 1 - std::cos(0.5 * range / steps) : 0);
+    for (size_t i = 0; i < directions.count(); ++i) {
+        const double along = glm::dot(directions[i], axis);
+        between_.push_back(bulge * std::sqrt(std::max(0.0, 1 - along * along)));
+        for (int k = 0; k <= steps; ++k) {
+            const double angle = double(dof.first) + (steps > 0 ? range * k / steps : 0);
+            turned_.push_back(directions.find(turned_back(directions[i], axis, angle)));
+        }
+    }
+}
+
+void Freedom::spread(double reach, Support &set, Support &scratch) const
+{
+    if (turned_.empty()) {
+        for (size_t i = 0; i < set.size(); ++i) set[i] += shift_[i];
+        return;
+    }
+    scratch = set;
+    const Blend *blend = turned_.data();
+    for (size_t i = 0; i < set.size(); ++i) {
+        double most = blend->of(scratch.data());
+        for (size_t k = 1; k < angles_; ++k) most = std::max(most, blend[k].of(scratch.data()));
+        set[i] = most + between_[i] * reach;
+        blend += angles_;
+    }
+}
+
+}  // namespace claque::meshsplit
