@@ -13,7 +13,8 @@ using claque::draw::DrawList;
 class Parts : public GlTest
 {
 protected:
-    static constexpr float aspect = float(width) / float(height);
+    static constexpr float aspect = 4.0f / 3.0f;
+    void SetUp() override { make_context(160, 120); }
 
     Picture draw_with(passes::Renderer &renderer, DrawList list, uint64_t parts)
     {

@@ -15,10 +15,12 @@ class GlTest : public testing::Test
 protected:
     static constexpr int width = 320, height = 240;
 
-    void SetUp() override
+    void SetUp() override { make_context(width, height); }
+
+    void make_context(int w, int h)
     {
         std::string why;
-        context_ = contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why);
+        context_ = contexts::make_offscreen(contexts::Kind::any, w, h, contexts::PixelFormat::rgba8888, why);
         if (!context_) GTEST_SKIP() << why;
         host_ = std::make_unique<HostGl>(*context_);
     }
