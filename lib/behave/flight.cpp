@@ -1,8 +1,6 @@
 #include <cmath>
 
-#include "lib/behave/lot.h"
 #include "lib/behave/path.h"
-#include "lib/math/trig.h"
 
 namespace claque::behave
 {
@@ -18,8 +16,10 @@ struct Piece {
 Piece piece_of(const crowd::RootPath &path, uint32_t segment)
 {
     const uint32_t n = static_cast<uint32_t>(path.positions.size());
-    const auto at = [&](uint32_t i) { return glm::dvec3(path.positions[(segment + i) % n]); };
-    const glm::dvec3 before = at(n - 1), a = at(0), b = at(1), after = at(2);
+    const uint32_t next = segment + 1 < n ? segment + 1 : 0;
+    const glm::dvec3 a(path.positions[segment]), b(path.positions[next]);
+    const glm::dvec3 before(path.positions[segment > 0 ? segment - 1 : n - 1]);
+    const glm::dvec3 after(path.positions[next + 1 < n ? next + 1 : 0]);
     return {{a, a + (b - before) * (1.0 / 6), b - (after - a) * (1.0 / 6), b}};
 }
 
@@ -46,14 +46,13 @@ struct Where {
     double u;
 };
 
-// `at` in segments, from anywhere.
+// `at` in segments, at most one round before the beginning or behind the end.
 Where where(double at, uint32_t count)
 {
-    double whole = std::floor(at);
-    const double u = at - whole;
-    whole = std::fmod(whole, count);
-    if (whole < 0) whole += count;
-    return {static_cast<uint32_t>(whole) % count, u};
+    if (at < 0) at += count;
+    if (at >= count) at -= count;
+    const uint32_t segment = static_cast<uint32_t>(at) < count ? static_cast<uint32_t>(at) : count - 1;
+    return {segment, at - segment};
 }
 
 glm::dvec3 velocity_at(const crowd::RootPath &path, double at)
@@ -62,14 +61,16 @@ glm::dvec3 velocity_at(const crowd::RootPath &path, double at)
     return velocity(piece_of(path, w.segment), w.u);
 }
 
-// [radians] to the left from one direction to another, seen from above. A turn back has no side, and is none: the nearer
-// to it the less.
+// [radians] to the left from one direction to another, seen from above: the first terms of the angle over its sine, which
+// are right within a hundredth to a sixth of a circle. A turn back has no side, and is none: the nearer to it the less.
 double turned(const glm::dvec3 &from, const glm::dvec3 &to)
 {
-    constexpr double sharp = 2.2;
-    const double angle = math::atan2(from.z * to.x - from.x * to.z, from.x * to.x + from.z * to.z);
-    const double beyond = std::fabs(angle) - sharp;
-    return beyond > 0 ? angle * (1 - ease(beyond, math::pi - sharp)) : angle;
+    const double square = (from.x * from.x + from.z * from.z) * (to.x * to.x + to.z * to.z);
+    if (!(square > 0)) return 0;
+    const double scale = 1 / std::sqrt(square);
+    const double sine = (from.z * to.x - from.x * to.z) * scale;
+    const double less = 1 - (from.x * to.x + from.z * to.z) * scale;
+    return sine * (1 + less * (1.0 / 3 + less * (2.0 / 15)));
 }
 
 // sin and cos of half an angle in (-pi, pi] from those of the angle.
@@ -125,8 +126,7 @@ crowd::Place flown(const crowd::RootPath &path, double round_s) noexcept
     // The turn over the length of a segment: the curve's own bend jumps where segments meet.
     double roll = 0;
     if (path.bank != 0) {
-        const double rate =
-            turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5)) / each_s;
+        const double rate = turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5)) / each_s;
         const double most = static_cast<double>(path.most_bank);
         roll = std::fmin(std::fmax(static_cast<double>(path.bank) * rate, -most), most);
     }
