@@ -12,6 +12,7 @@
 #include <claque/crowd.h>
 #include <claque/group.h>
 #include <claque/renderer.h>
+#include <claque/save.h>
 #include <claque/template.h>
 #include <claque/view.h>
 

@@ -31,7 +31,7 @@ struct clq_crowd {
     // Of the call that places: hosts do so every frame, and a frame asks for no memory once it has grown.
     std::pmr::vector<claque::crowd::Id> placed_ids;
     std::pmr::vector<claque::crowd::Place> placed;
-    std::atomic<bool> busy{false};  // while an update runs, or a draw that skins on demand
+    mutable std::atomic<bool> busy{false};  // while an update runs, or a draw that skins on demand
 };
 
 struct clq_view {
@@ -47,7 +47,7 @@ namespace claque::api
 class Busy
 {
 public:
-    explicit Busy(clq_crowd *crowd) : crowd_(crowd)
+    explicit Busy(const clq_crowd *crowd) : crowd_(crowd)
     {
         if (crowd->busy.exchange(true))
             base::fail(CLQ_BUSY, "another call is at work on this crowd: calls come one at a time");
@@ -57,7 +57,7 @@ public:
     Busy &operator=(const Busy &) = delete;
 
 private:
-    clq_crowd *crowd_;
+    const clq_crowd *crowd_;
 };
 
 crowd::Place place_of(const clq_place &place);

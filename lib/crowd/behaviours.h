@@ -28,6 +28,7 @@ public:
     // Rows.
     void reserve_row();
     void push_row();
+    void pop_row() { first_use_.pop_back(), motions_.pop_back(); }  // a clear one
     void clear_row(uint32_t row);
     void copy_row(uint32_t from, uint32_t to);  // `to` is clear; may throw and then it is still
 

@@ -122,6 +122,7 @@ Id Crowd::clone(Id id, const Place *place, uint64_t seed)
 {
     const uint32_t from = row_of(id);
     const Place placed = checked(place ? *place : places_[from]);
+    const uint32_t rows = row_count();
     const Id made = create(template_of(from), placed, plays_[from], seed);
     const uint32_t row = made.index1 - 1;
     try {
@@ -138,7 +139,7 @@ Id Crowd::clone(Id id, const Place *place, uint64_t seed)
             std::copy(rgb, rgb + table.stride(), table.row(slot));
         }
     } catch (...) {
-        destroy(made);
+        take_back(row, rows);
         throw;
     }
     extents_[row].priority = extents_[from].priority;
@@ -149,6 +150,17 @@ Id Crowd::clone(Id id, const Place *place, uint64_t seed)
     }
     measure(row);
     return made;
+}
+
+void Crowd::take_back(uint32_t row, uint32_t rows_before)
+{
+    const uint32_t generation = actors_[row].generation - 1;
+    destroy(id_of(row));
+    actors_[row].generation = generation;
+    first_free_ = row < rows_before ? row : actors_[row].tmpl;
+    if (row < rows_before) return;
+    actors_.pop_back(), places_.pop_back(), groups_of_.pop_back(), plays_.pop_back();
+    extents_.pop_back(), extras_of_.pop_back(), behaviours_.pop_row();
 }
 
 void Crowd::destroy(Id id)

@@ -95,8 +95,13 @@ public:
     uint32_t row_capacity() const { return static_cast<uint32_t>(actors_.capacity()); }  // grows in steps
     uint64_t seed() const { return seed_; }
     std::pmr::memory_resource *memory() const { return actors_.get_allocator().resource(); }
-    uint64_t bytes() const;  // held for the individuals
-    uint64_t fingerprint() const;
+    uint64_t bytes() const;        // held for the individuals
+    uint64_t fingerprint() const;  // of what save.h writes
+
+    // Takes over what `restored` holds, and gives it what was here (save.h). Callbacks stay: the ground, and the hooks of
+    // actors with the same id in both. No version is one that was here before, so that nothing that was made for this crowd
+    // passes for the restored one's. std::bad_alloc: this is as it was. Same memory.
+    void become(Crowd &restored);
 
     // Columns, by row.
     bool alive(uint32_t row) const { return actors_[row].generation & 1; }
@@ -132,10 +137,14 @@ public:
     }
 
 private:
+    friend class Saver;     // save.cpp
+    friend class Restorer;  // restore.cpp
+
     uint32_t colour_slot(uint32_t row);  // its own, made when it has none; may throw
     void leave(uint32_t row);            // keeps its place as numbers
     void reserve_row();                  // room for one more, may throw
     uint32_t take_row();
+    void take_back(uint32_t row, uint32_t rows_before);  // who was created last, as if it had never been
     void new_version(uint32_t row) { actors_[row].play_version = next_version_++; }  // what it shows may have changed
     uint32_t extra_slot(uint32_t row);                                               // made when it has none; may throw
     void clear_extra(uint32_t row);

@@ -1,48 +1,45 @@
-#include "lib/base/hash.h"
-#include "lib/crowd/crowd.h"
+// Whole states as one number: of a crowd, and of what it depends on in a template.
+#include "lib/crowd/save_archive.h"
 
 namespace claque::crowd
 {
 
-namespace
-{
-
-// Field by field: padding between fields may hold anything.
-template <class T>
-uint64_t add(uint64_t h, const T &value)
-{
-    return base::fnv(h, &value, sizeof value);
-}
-
-}  // namespace
-
 uint64_t Crowd::fingerprint() const
 {
-    uint64_t h = base::fnv_start;
-    h = add(add(add(add(h, seed_), next_version_), alive_), first_free_);
-    for (const model::Template *tmpl : templates_) {
-        h = base::fnv(h, tmpl->name.data(), tmpl->name.size() + 1);
-        h = add(add(h, tmpl->zone_count()), tmpl->rig.node_count());
-    }
-    for (const Group &group : groups_) {
-        h = add(add(add(add(h, group.generation), group.members), group.enabled), group.place.scale);
-        for (int k = 0; k < 3; ++k) h = add(h, group.place.position[k]);
-        for (int k = 0; k < 4; ++k) h = add(h, group.place.orientation[k]);
-    }
-    for (uint32_t row = 0; row < row_count(); ++row) {
-        const Actor &a = actors_[row];
-        const Place &p = places_[row];
-        const Play &c = plays_[row];
-        h = add(add(add(add(h, a.tmpl), a.generation), a.seed), a.play_version);
-        for (int k = 0; k < 3; ++k) h = add(h, p.position[k]);
-        for (int k = 0; k < 4; ++k) h = add(h, p.orientation[k]);
-        h = add(h, groups_of_[row]);
-        h = add(add(add(add(add(h, p.scale), c.clip), c.start_s), c.speed), c.phase_s);
-        const uint8_t *rgb = zone_rgb(row);
-        h = add(h, rgb != nullptr);
-        if (rgb) h = base::fnv(h, rgb, colours_[a.tmpl].stride());
-    }
-    return h;
+    Measure measure;
+    save_contents(*this, measure);
+    return measure.hash;
+}
+
+uint64_t structure_of(const model::Template &tmpl)
+{
+    Measure measure;
+    Writer out(measure);
+    const auto name = [&](const auto &text) { out.array(text, 1, [&](char c) { out.value(c); }); };
+    const model::Rig &rig = tmpl.rig;
+    out.array(rig.parents, 4, [&](uint32_t parent) { out.value(parent); });
+    out.array(rig.node_names, 4, name);
+    out.array(rig.clip_names, 4, name);
+    out.array(rig.clips, 12, [&](const model::Clip &clip) {
+        out.value(clip.start_s), out.value(clip.duration_s), out.value(clip.channel_count);
+    });
+    out.array(rig.dof_names, 4, name);
+    out.array(rig.dofs, 33, [&](const model::Dof &dof) {
+        out.value(dof.node), out.value(dof.kind), out.value(dof.target);
+        for (int k = 0; k < 3; ++k) out.value(dof.axis[k]);
+        out.value(dof.first), out.value(dof.last), out.value(dof.rest);
+    });
+    out.array(tmpl.zone_names, 4, name);
+    out.array(tmpl.levels, 16, [&](const model::Level &level) {
+        out.value(level.switch_distance_m), out.value(level.skeletal);
+        out.value(level.vertex_count), out.count(level.indices.size());
+    });
+    out.array(tmpl.textures, 8,
+              [&](const model::Texture &texture) { out.value(texture.width), out.value(texture.height); });
+    for (int k = 0; k < 3; ++k) out.value(tmpl.sklsroot.centre[k]);
+    out.value(tmpl.sklsroot.radius);
+    out.flush();
+    return measure.hash;
 }
 
 }  // namespace claque::crowd

@@ -29,6 +29,13 @@ Frame::Frame(std::pmr::memory_resource *memory, const Settings &settings)
     reset_bands();
 }
 
+void Frame::forget()
+{
+    std::fill(rows_.begin(), rows_.end(), Row());
+    std::fill(groups_.begin(), groups_.end(), GroupRow());
+    has_last_time_ = false;
+}
+
 Seen Frame::seen(const crowd::Crowd &crowd, uint32_t row) const
 {
     if (row >= rows_.size() || rows_[row].generation != crowd.actor(row).generation) return Seen();

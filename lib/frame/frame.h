@@ -44,6 +44,7 @@ public:
 
     const Stats &stats() const { return stats_; }
     void reset_bands();
+    void forget();  // who was seen: the crowd's state has been replaced. Caches tell states apart by themselves
     // Nothing was seen of a row that was filled after the last update.
     Seen seen(const crowd::Crowd &crowd, uint32_t row) const;
     // Where the Skeleton Root of a row was in the world, in the last update if that saw it. False: it did not.

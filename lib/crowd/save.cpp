@@ -1,0 +1,151 @@
+#include "lib/crowd/save.h"
+
+#include "lib/crowd/save_archive.h"
+#include "lib/crowd/save_fields.h"
+
+namespace claque::crowd
+{
+
+using model::none;
+
+// Walks a crowd's columns; Restorer reads in the same order.
+class Saver
+{
+public:
+    Saver(const Crowd &crowd, Sink &sink) : crowd_(crowd), out_(sink) {}
+
+    void write()
+    {
+        out_.value(crowd_.seed_);
+        templates();
+        behaviours();
+        groups();
+        actors();
+        attached();
+        out_.flush();
+    }
+
+private:
+    void templates()
+    {
+        out_.count(crowd_.templates_.size());
+        for (const model::Template *tmpl : crowd_.templates_) {
+            out_.array(tmpl->name, 1, [&](char c) { out_.value(c); });
+            out_.value(structure_of(*tmpl));
+        }
+    }
+
+    uint32_t number_of(const model::Template *tmpl) const
+    {
+        uint32_t i = 0;
+        while (i < crowd_.templates_.size() && crowd_.templates_[i] != tmpl) ++i;
+        return i;
+    }
+
+    void behaviours()
+    {
+        const Behaviours &from = crowd_.behaviours_;
+        out_.count(from.mechanism_count());
+        for (uint32_t i = 0; i < from.mechanism_count(); ++i) {
+            const Mechanism &m = from.mechanism(i);
+            out_.value(static_cast<uint8_t>(m.kind.index()));
+            out_.value(number_of(m.tmpl));
+            walk_levels(out_, m);
+            std::visit([&](const auto &kind) { walk_kind(out_, kind); }, m.kind);
+        }
+        out_.count(from.path_count());
+        for (uint32_t i = 0; i < from.path_count(); ++i) walk_path(out_, from.path(i));
+    }
+
+    // `next` of a free row: none ends the chain.
+    template <class Next>
+    void free_chain(uint32_t first, const Next &next)
+    {
+        uint32_t n = 0;
+        for (uint32_t i = first; i != none; i = next(i)) ++n;
+        out_.count(n);
+        for (uint32_t i = first; i != none; i = next(i)) out_.value(i);
+    }
+
+    void groups()
+    {
+        out_.count(crowd_.groups_.size());
+        for (const Group &group : crowd_.groups_) {
+            out_.value(group.generation);
+            if (!(group.generation & 1)) continue;
+            walk_place(out_, group.place);
+            out_.flag(group.enabled);
+        }
+        free_chain(crowd_.first_free_group_, [&](uint32_t i) { return crowd_.groups_[i].members; });
+    }
+
+    void actors()
+    {
+        out_.count(crowd_.actors_.size());
+        for (uint32_t row = 0; row < crowd_.row_count(); ++row) {
+            out_.value(crowd_.actors_[row].generation);
+            if (crowd_.alive(row)) actor(row);
+        }
+        free_chain(crowd_.first_free_, [&](uint32_t i) { return crowd_.actors_[i].tmpl; });
+    }
+
+    void actor(uint32_t row)
+    {
+        const Actor &actor = crowd_.actors_[row];
+        out_.value(actor.tmpl), out_.value(actor.seed);
+        out_.value(crowd_.groups_of_[row]);
+        walk_place(out_, crowd_.places_[row]);
+        walk_play(out_, crowd_.plays_[row]);
+        out_.value(crowd_.extents_[row].priority);
+        const Extra *extra = crowd_.extra_of(row);
+        out_.value(extra ? extra->most_up : 0.0f), out_.value(extra ? extra->most_down : 0.0f);
+        const uint8_t *rgb = crowd_.zone_rgb(row);
+        out_.flag(rgb != nullptr);
+        for (uint32_t i = 0; rgb && i < crowd_.colours_[actor.tmpl].stride(); ++i) out_.value(rgb[i]);
+        behaviour(row);
+    }
+
+    void behaviour(uint32_t row)
+    {
+        const Behaviours &from = crowd_.behaviours_;
+        out_.flag(from.has_root_motion(row));
+        if (from.has_root_motion(row)) walk_motion(out_, from.root_motion(row));
+        uint8_t uses = 0;
+        for (uint32_t i = from.first_use(row); i != none; i = from.use_at(i).next) ++uses;
+        out_.value(uses);
+        for (uint32_t i = from.first_use(row); i != none; i = from.use_at(i).next) {
+            walk_use(out_, from.use_at(i));
+            const Command *told = from.command_of(from.use_at(i));
+            out_.flag(told != nullptr);
+            if (told) walk_order(out_, *told), walk_order(out_, told->before);
+        }
+    }
+
+    void attached()
+    {
+        out_.count(crowd_.attached_.size());
+        for (const Attached &attached : crowd_.attached_) {
+            out_.value(attached.generation);
+            if (attached.generation & 1) walk_attached(out_, attached);
+        }
+        free_chain(crowd_.first_free_attached_, [&](uint32_t i) { return crowd_.attached_[i].next; });
+    }
+
+    const Crowd &crowd_;
+    Writer out_;
+};
+
+void save_contents(const Crowd &crowd, Sink &sink) { Saver(crowd, sink).write(); }
+
+void save(const Crowd &crowd, Sink &sink)
+{
+    Measure measure;
+    save_contents(crowd, measure);
+    Writer header(sink);
+    for (const uint8_t byte : save_magic) header.value(byte);
+    header.value(save_version), header.value(uint32_t(0)), header.value(measure.size), header.value(measure.hash);
+    header.flush();
+    save_contents(crowd, sink);
+}
+
+}  // namespace claque::crowd

@@ -1,0 +1,18 @@
+// Rules of a saved crowd that no call checks. Each throws base::Error (CLQ_FORMAT).
+#pragma once
+
+#include "lib/crowd/save_archive.h"
+
+namespace claque::crowd
+{
+
+constexpr size_t header_bytes = 32;
+
+Reader contents_of(const uint8_t *bytes, size_t size);  // behind a header that is right about them
+
+MechanismKind kind_of(uint8_t index, std::pmr::memory_resource *memory);
+
+// Orders as behave::look, express and say leave them: of a point, of a shape, or of nothing.
+void check_order(const Mechanism &mechanism, const Order &order, uint32_t number);
+
+}  // namespace claque::crowd

@@ -1,0 +1,114 @@
+// The fields of a saved crowd's things in the order in which the bytes hold them: one list for writing and reading alike,
+// so that the two cannot differ. Archives are those of save_archive.h; things are const where they are written.
+#pragma once
+
+#include "lib/crowd/crowd.h"
+
+namespace claque::crowd
+{
+
+template <class Archive, class P>
+void walk_place(Archive &a, P &place)
+{
+    for (int k = 0; k < 3; ++k) a.value(place.position[k]);
+    a.value(place.orientation.x), a.value(place.orientation.y), a.value(place.orientation.z);
+    a.value(place.orientation.w), a.value(place.scale);
+}
+
+template <class Archive, class P>
+void walk_play(Archive &a, P &play)
+{
+    a.value(play.clip), a.value(play.start_s), a.value(play.speed), a.value(play.phase_s);
+}
+
+template <class Archive, class U>
+void walk_use(Archive &a, U &use)
+{
+    a.value(use.mechanism), a.value(use.priority), a.value(use.phase_s), a.value(use.start_s);
+}
+
+template <class Archive, class O>
+void walk_order(Archive &a, O &order)
+{
+    a.value(order.at_s), a.value(order.choice), a.value(order.choice_before);
+    for (int k = 0; k < 3; ++k) a.value(order.point[k]);
+    a.value(order.from_yaw), a.value(order.from_pitch), a.value(order.side);
+}
+
+template <class Archive, class M>
+void walk_motion(Archive &a, M &motion)
+{
+    a.value(motion.path), a.value(motion.speed), a.value(motion.phase_s), a.value(motion.start_s);
+}
+
+template <class Archive, class O>
+void walk_attached(Archive &a, O &attached)
+{
+    a.value(attached.row), a.value(attached.node);
+    for (int k = 0; k < 3; ++k) a.value(attached.sphere.centre[k]);
+    a.value(attached.sphere.radius);
+}
+
+template <class Archive, class Values>
+void walk_values(Archive &a, Values &values)
+{
+    a.array(values, 8, [&](auto &v) { a.value(v.dof), a.value(v.value); });
+}
+
+template <class Archive, class Shapes>
+void walk_shapes(Archive &a, Shapes &shapes)
+{
+    a.array(shapes, 8, [&](auto &s) { a.value(s.first), a.value(s.count); });
+}
+
+// Of each kind of mechanism; Mechanism itself has its template as a number, which is no field of it.
+template <class Archive, class Kind>
+void walk_kind(Archive &a, Kind &kind)
+{
+    using K = std::remove_const_t<Kind>;
+    if constexpr (std::is_same_v<K, Gaze>) {
+        for (int k = 0; k < 2; ++k) a.value(kind.eye_yaw[k]), a.value(kind.eye_pitch[k]);
+        a.value(kind.neck_yaw), a.value(kind.neck_pitch), a.value(kind.spine_yaw), a.value(kind.spine_pitch);
+        a.value(kind.neck_share), a.value(kind.spine_share);
+        for (int k = 0; k < 3; ++k) a.value(kind.eyes[k]);
+        a.value(kind.turn_s), a.value(kind.wander_s), a.value(kind.wander_yaw), a.value(kind.wander_pitch);
+    } else if constexpr (std::is_same_v<K, Expression>) {
+        walk_shapes(a, kind.shapes), walk_values(a, kind.values);
+        a.value(kind.hold_s), a.value(kind.blend_s);
+    } else if constexpr (std::is_same_v<K, Blink>) {
+        walk_values(a, kind.closed);
+        a.value(kind.period_s), a.value(kind.close_s);
+    } else if constexpr (std::is_same_v<K, Phrase>) {
+        a.array(kind.keys, 8, [&](auto &key) { a.value(key.time_s), a.value(key.shape); });
+        walk_shapes(a, kind.shapes), walk_values(a, kind.values);
+        a.value(kind.length_s), a.value(kind.pause_s), a.value(kind.blend_s);
+    } else if constexpr (std::is_same_v<K, Idle>) {
+        a.array(kind.clips, 4, [&](auto &clip) { a.value(clip); });
+        a.value(kind.slot_s);
+    } else {
+        static_assert(std::is_same_v<K, HostMechanism>, "every kind is saved");
+        a.flag(kind.memory);
+    }
+}
+
+template <class Archive, class M>
+void walk_levels(Archive &a, M &mechanism)
+{
+    for (auto &level : mechanism.level_m) a.value(level);
+    a.value(mechanism.off_m);
+}
+
+// A path's reach follows from its positions.
+template <class Archive, class P>
+void walk_path(Archive &a, P &path)
+{
+    a.flag(path.flight);
+    a.value(path.duration_s), a.value(path.bank), a.value(path.most_bank);
+    a.array(path.times_s, 4, [&](auto &t) { a.value(t); });
+    a.array(path.positions, 12, [&](auto &p) {
+        for (int k = 0; k < 3; ++k) a.value(p[k]);
+    });
+    a.array(path.rotations, 16, [&](auto &q) { a.value(q.x), a.value(q.y), a.value(q.z), a.value(q.w); });
+}
+
+}  // namespace claque::crowd

@@ -1,0 +1,177 @@
+#include "tests/api/stage.h"
+
+#include <cmath>
+
+Stage::Stage(const clq_context_def *context_def)
+{
+    dofs[nod] = {"nod", 1, CLQ_DOF_ROTATION, 0, {1, 0, 0}, -0.5f, 0.5f, 0};
+    dofs[turn] = {"turn", 1, CLQ_DOF_ROTATION, 0, {0, 1, 0}, -1, 1, 0};
+    dofs[shift] = {"shift", 1, CLQ_DOF_TRANSLATION, 0, {0, 1, 0}, 0, 0.2f, 0};
+    with_dofs.def.dof_count = 3, with_dofs.def.dofs = dofs;
+    with_dofs.def.name = "figure", plain.def.name = "plain";
+    EXPECT_EQ(clq_context_create(context_def, &context), CLQ_OK);
+    EXPECT_EQ(clq_template_build(context, &with_dofs.def, &templates[0]), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(clq_template_build(context, &plain.def, &templates[1]), CLQ_OK) << clq_last_error();
+}
+
+Stage::~Stage()
+{
+    for (clq_crowd *crowd : crowds) clq_crowd_destroy(crowd);
+    for (clq_template *tmpl : templates) clq_template_destroy(tmpl);
+    EXPECT_EQ(clq_context_destroy(context), CLQ_OK) << clq_last_error();
+}
+
+clq_crowd *Stage::new_crowd(const clq_crowd_def *def)
+{
+    clq_crowd *crowd = nullptr;
+    EXPECT_EQ(clq_crowd_create(context, def, &crowd), CLQ_OK) << clq_last_error();
+    crowds.push_back(crowd);
+    return crowd;
+}
+
+clq_mechanism_def Stage::mechanism(uint32_t kind)
+{
+    clq_mechanism_def out = clq_mechanism_def_init();
+    out.kind = static_cast<clq_mechanism_kind>(kind);
+    out.tmpl = templates[0];
+    out.level_m[0] = 15, out.off_m = kind == host ? 0 : 60;
+    out.gaze.neck_yaw = turn, out.gaze.neck_pitch = nod, out.gaze.wander_s = 2;
+    out.expression.shape_count = out.phrase.shape_count = 2;
+    out.expression.shapes = out.phrase.shapes = shapes_;
+    out.blink.closed = shapes_[1];
+    out.phrase.key_count = 2, out.phrase.keys = keys_, out.phrase.length_s = 1, out.phrase.pause_s = 1;
+    out.idle.clip_count = 1, out.idle.clips = &clip_;
+    out.host.run = [](void *, const clq_behaviour_call *call, clq_dof_writer *writer) {
+        clq_dof_write(writer, shift, static_cast<float>(0.1 + 0.1 * std::sin(call->time_s)), 0.5f);
+    };
+    return out;
+}
+
+clq_root_path_def Stage::path(bool flight)
+{
+    clq_root_path_def out = clq_root_path_def_init();
+    out.count = 3, out.positions = positions_, out.duration_s = 4;
+    if (!flight) out.rotations_xyzw = rotations_, out.times_s = times_;
+    return out;
+}
+
+void Stage::set_up(clq_crowd *crowd)
+{
+    clq_actor_def def = clq_actor_def_init();
+    def.tmpl = templates[0];
+    clq_actor first;
+    ASSERT_EQ(clq_actor_create(crowd, &def, &first), CLQ_OK) << clq_last_error();
+    for (uint32_t kind = gaze; kind <= host; ++kind) {
+        const clq_mechanism_def wanted = mechanism(kind);
+        clq_mechanism made;
+        ASSERT_EQ(clq_crowd_add_mechanism(crowd, &wanted, &made), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(made.index1, kind + 1);
+    }
+    for (const bool flight : {true, false}) {
+        const clq_root_path_def wanted = path(flight);
+        clq_root_path made;
+        ASSERT_EQ(clq_crowd_add_root_path(crowd, &wanted, &made), CLQ_OK) << clq_last_error();
+    }
+}
+
+std::vector<clq_actor> Stage::fill(clq_crowd *crowd, uint32_t count, uint64_t seed)
+{
+    std::vector<clq_actor> actors;
+    for (uint32_t i = 0; i < count; ++i) {
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = templates[i % 5 == 4];
+        def.place.position[0] = static_cast<double>(mixed(seed, 3 * i) % 1000) / 50 - 10;
+        def.place.position[2] = -static_cast<double>(mixed(seed, 3 * i + 1) % 1000) / 30 - 2;
+        def.play.clip = i % 3 ? 0 : CLQ_NONE;
+        def.seed = mixed(seed, i);
+        clq_actor made;
+        EXPECT_EQ(clq_actor_create(crowd, &def, &made), CLQ_OK) << clq_last_error();
+        actors.push_back(made);
+    }
+    for (uint32_t step = 0; step < 8 * count; ++step) happen(crowd, actors, seed, step);
+    return actors;
+}
+
+clq_view *Stage::new_view(clq_crowd *crowd, double x)
+{
+    clq_view *view = nullptr;
+    EXPECT_EQ(clq_view_create(crowd, &view), CLQ_OK);
+    clq_camera camera;
+    const double eye[3] = {x, 2, 4}, target[3] = {0, 1, -10};
+    const float up[3] = {0, 1, 0};
+    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 200), CLQ_OK);
+    EXPECT_EQ(clq_view_look(view, &camera), CLQ_OK);
+    return view;
+}
+
+void Stage::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step)
+{
+    const uint64_t lot = mixed(seed ^ 0x57a6e, step);
+    clq_actor &who = actors[(lot >> 8) % actors.size()];
+    const double x = static_cast<double>((lot >> 20) % 200) / 10 - 10, z = -static_cast<double>((lot >> 30) % 300) / 10;
+    const float share = static_cast<float>((lot >> 40) % 1000) / 1000;
+    const clq_place place = {{x, share, z}, {0, 0, 0, 1}, 0.5f + share};
+    clq_actor_info info;
+    ASSERT_EQ(clq_actor_get_info(crowd, who, &info), CLQ_OK) << clq_last_error();
+    const bool figure = info.tmpl == templates[0];
+    const uint32_t kind = (lot >> 50) % 6;
+    const clq_use use = {{kind + 1}, share, share, x};
+    const clq_play play = {0, x, 0.5f + share, share};
+    const clq_root_motion motion = {{static_cast<uint32_t>((lot >> 50) % 3)}, share, 0, x};
+    const float centre[3] = {0, 0.3f, 0};
+    const double point[3] = {x, 1, z};
+    clq_attached attached;
+    clq_group group = {1, 1};
+    clq_status status = CLQ_OK;
+    switch (lot % 14) {
+        case 0:
+            status = clq_crowd_place(crowd, &who, &place, 1);
+            break;
+        case 1:
+            status = clq_actor_play(crowd, who, &play);
+            break;
+        case 2:
+            status = clq_actor_draw_colours(crowd, who, nullptr, 0);
+            break;
+        case 3:
+            status = clq_actor_set_priority(crowd, who, share);
+            break;
+        case 4:
+            status = clq_actor_attach(crowd, who, 1, centre, share, &attached);
+            break;
+        case 5:
+            status = clq_actor_follow_ground(crowd, who, share, 0.5f);
+            break;
+        case 6:
+            status = clq_actor_move_root(crowd, who, &motion);
+            break;
+        case 7:
+            if (step % 9 == 0) status = clq_group_create(crowd, &place, &group);
+            break;
+        case 8:
+            clq_actor_join(crowd, who, group, step % 3 ? nullptr : &place);
+            break;
+        case 9:
+            clq_group_enable(crowd, group, step % 5 != 0), clq_group_place(crowd, group, &place);
+            break;
+        case 10:
+            if (figure) status = clq_actor_use(crowd, who, &use);
+            break;
+        case 11:
+            clq_actor_gaze(crowd, who, {gaze + 1}, step % 4 ? point : nullptr, x);
+            clq_actor_express(crowd, who, {expression + 1}, step % 2, x);
+            clq_actor_say(crowd, who, {phrase + 1}, x);
+            break;
+        case 12: {
+            clq_actor twin;
+            status = clq_actor_clone(crowd, who, &place, lot, &twin);
+            ASSERT_EQ(clq_actor_destroy(crowd, who), CLQ_OK) << clq_last_error();
+            who = twin;
+            break;
+        }
+        default:
+            clq_actor_drop(crowd, who, {kind + 1});
+            clq_actor_detach(crowd, {static_cast<uint32_t>((lot >> 50) % 8) + 1, 1});
+    }
+    EXPECT_EQ(status, CLQ_OK) << clq_last_error();
+}
