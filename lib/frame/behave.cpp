@@ -32,6 +32,7 @@ void Update::run_memories()
         moment.levels = behave::levels_of(crowd, row, distance_m, *moment.level);
         const animcache::Request *request = asked(row);
         float *out = request && request->dofs ? dofs_of(*request) : nowhere;
+        moment.wanted = out != nowhere;
         behave::run(crowd, row, moment, {out, static_cast<uint32_t>(crowd.template_of(row).rig.dofs.size())},
                     frame.stats_.behaviour);
     }
