@@ -1,12 +1,11 @@
 // Parts that are drawn or left out by themselves, S0 4.1 and 4.2 phase 3: their places in the index ranges, their spheres.
 #include <gtest/gtest.h>
 
-#include "articulated.h"
+#include "posed.h"
 
 #include "lib/model/template_check.h"
 #include "meshsplit/enclosing.h"
 #include "meshsplit/morph_limits.h"
-#include "meshsplit/vertex_cloud.h"
 
 #include <set>
 
@@ -47,31 +46,6 @@ float z_of(const model::Level &level, uint32_t index)
 {
     const uint32_t v = level.indices[index];
     return level.positions[3 * (v < level.source_count ? v : level.copies[v - level.source_count]) + 2];
-}
-
-// Every part's vertices in a pose lie inside the hull of its spheres: none is farther in any direction.
-void expect_held(const model::Template &tmpl, const model::Level &level, const math::Affine *palette,
-                 const float *weights)
-{
-    const meshsplit::VertexCloud cloud(level, tmpl.rig);
-    const std::vector<uint32_t> corners = corners_of(level);
-    ASSERT_EQ(level.parts.size(), 1u) << "corners are not told apart here";
-    for (int d = 1; d < 27; ++d) {
-        const glm::vec3 axis(float(d % 3 - 1), float(d / 3 % 3 - 1), float(d / 9 - 1));
-        if (axis == glm::vec3(0)) continue;
-        const glm::vec3 unit = glm::normalize(axis);
-        float vertices = -for_ever, spheres = -for_ever;
-        for (const uint32_t v : corners)
-            vertices = std::max(vertices, glm::dot(unit, cloud.skinned(v, palette, weights)));
-        for (const model::PartSphere &sphere : level.part_spheres) {
-            const math::Affine &m = palette[sphere.entry];
-            float stretch = 0;
-            for (int k = 0; k < 3; ++k) stretch = std::max(stretch, glm::length(m.column(k)));
-            spheres =
-                std::max(spheres, glm::dot(unit, math::point(m, sphere.bind.centre)) + stretch * sphere.bind.radius);
-        }
-        EXPECT_LE(vertices, spheres);
-    }
 }
 
 }  // namespace

@@ -1,50 +1,15 @@
 // Skeletal levels of detail, S0 5.2: nodes that stop, and vertices that move on to what is left.
 #include <gtest/gtest.h>
 
-#include "articulated.h"
+#include "posed.h"
 
 #include "lib/model/template_check.h"
-#include "meshsplit/vertex_cloud.h"
 
 namespace claque::test
 {
 
 namespace
 {
-
-// Corners of all triangles in a pose in which degrees of freedom rest, with what is left of the skeleton at the level.
-std::vector<glm::vec3> posed(const model::Template &tmpl, size_t level_index, uint32_t clip, double time_s)
-{
-    const model::Level &level = tmpl.levels[level_index];
-    const model::Rig &rig = tmpl.rig;
-    std::vector<math::Trs> locals(rig.node_count());
-    std::vector<math::Columns> globals(rig.node_count());
-    std::vector<math::Affine> palette(rig.palette.size() + 1);
-    std::vector<float> weights(rig.rest_weights.size());
-    for (math::Affine &a : palette)
-        for (float &c : a.c) c = std::numeric_limits<float>::quiet_NaN();  // what is not evaluated is not used
-    pose::PoseJob job;
-    job.rig = &rig;
-    job.clip = clip, job.time_s = time_s;
-    job.level = &level;
-    job.locals = base::Span<math::Trs>(locals);
-    job.globals = base::Span<math::Columns>(globals);
-    job.palette = base::Span<math::Affine>(palette);
-    job.weights = base::Span<float>(weights);
-    job.run();
-    const meshsplit::VertexCloud cloud(level, rig);
-    std::vector<glm::vec3> out;
-    for (const uint32_t v : corners_of(level)) out.push_back(cloud.skinned(v, palette.data(), weights.data()));
-    return out;
-}
-
-float largest_difference(const std::vector<glm::vec3> &a, const std::vector<glm::vec3> &b)
-{
-    if (a.size() != b.size() || a.empty()) return for_ever;
-    float most = 0;
-    for (size_t i = 0; i < a.size(); ++i) most = std::max(most, glm::distance(a[i], b[i]));
-    return std::isnan(most) ? for_ever : most;
-}
 
 std::vector<uint32_t> list(const model::Array<uint32_t> &array) { return {array.begin(), array.end()}; }
 
