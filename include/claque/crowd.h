@@ -46,7 +46,8 @@ typedef struct clq_actor_hooks {
 /* How actors are culled (S0 4). The picture is the same. */
 typedef enum clq_cull_mode {
     CLQ_CULL_ACTOR = 0,      /* in three phases, behaviour between them, for who is left (S0 4.2) */
-    CLQ_CULL_TRADITIONAL = 1 /* everything is computed for everybody, and culled last: for comparison */
+    CLQ_CULL_TRADITIONAL = 1 /* everything is computed for everybody in every update, nothing kept, and culled
+                                last: for comparison */
 } clq_cull_mode;
 
 /* Where rigid parts get their matrices (S0 6.2.2, fTrack). The picture is the same but for GL's own rounding. */

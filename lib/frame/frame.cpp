@@ -7,9 +7,21 @@
 namespace claque::frame
 {
 
+namespace
+{
+
+// Traditional processing computes everything in every frame.
+Settings without_caches_if_traditional(Settings settings)
+{
+    if (settings.cull == Cull::traditional) settings.caches.mode = animcache::Mode::none;
+    return settings;
+}
+
+}  // namespace
+
 Frame::Frame(std::pmr::memory_resource *memory, const Settings &settings)
-    : settings_(settings),
-      caches_(memory, settings.caches),
+    : settings_(without_caches_if_traditional(settings)),
+      caches_(memory, settings_.caches),
       rows_(memory),
       groups_(memory),
       blocks_(memory),

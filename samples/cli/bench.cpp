@@ -29,14 +29,20 @@ bool of_actors(const BenchArguments &a)
     return false;
 }
 
+bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
+
 void bench(const BenchArguments &a)
 {
     if (!a.save.empty()) expect_writable(a.save);
     const bool along_path = a.stage.camera == "path";
-    const Json report = along_path ? bench_along_path(a) : of_actors(a) ? bench_actors(a) : bench_by_count(a);
+    const Json report = is_growth(a)   ? bench_growth(a)
+                        : along_path   ? bench_along_path(a)
+                        : of_actors(a) ? bench_actors(a)
+                                       : bench_by_count(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << markdown_of(report);
+    else if (is_growth(a)) print_growth(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
@@ -44,6 +50,7 @@ void bench(const BenchArguments &a)
 
 void choose_scene(BenchArguments &a)
 {
+    if (is_growth(a)) return;
     a.stage.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
@@ -61,7 +68,9 @@ void add_bench(CLI::App &app, Work &chosen)
     auto a = std::make_shared<BenchArguments>();
     CLI::App *c = app.add_subcommand(
         "bench", "Measure update and draw by cache and variety, along a camera path or by number of people");
-    c->add_option("SCENE", a->subject, "A scene's name, or a character's file")->required();
+    c->add_option("SCENE", a->subject,
+                  "A scene's name, or a character's file, or growth: updates of 1000 to 100 000 actors")
+        ->required();
     CLI::Option *count = c->add_option("--count", a->counts, "Numbers of people, with commas; along a path one at most")
                              ->delimiter(',')
                              ->check(CLI::Range(1, 1000000))
@@ -90,6 +99,7 @@ void add_bench(CLI::App &app, Work &chosen)
         if (cull->count() > 0 && !of_actors(*a))
             throw CLI::ValidationError("--cull",
                                        "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
+        if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())
                 if (a->stage.scene == entry.name) a->counts = {entry.default_count};

@@ -31,6 +31,10 @@ std::string markdown_of(const Json &report);
 Json bench_actors(const BenchArguments &arguments);
 void print_actors(const Json &report);
 
+// How an update grows with the number of actors: a chart of lines, with its table in "runs".
+Json bench_growth(const BenchArguments &arguments);
+void print_growth(const Json &report);
+
 // Throws scenes::Failure unless `now` is what the variants before it drew; `what` names what was drawn.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);
 

@@ -14,7 +14,7 @@ namespace
 {
 
 struct Rival {
-    std::string cull;
+    std::string cull, cache;
     std::unique_ptr<scenes::Stage> stage;
     Times update, draw;
     clq_draw_stats drawn = {};
@@ -32,6 +32,7 @@ Json result_of(const Rival &rival, uint32_t count)
     const clq_view_stats seen = rival.stage->view_stats();
     return {{"count", count},
             {"cull", rival.cull},
+            {"cache", rival.cache},
             {"update_ms", {{"minimum", rival.update.minimum()}, {"median", rival.update.median()}}},
             {"draw_ms", {{"minimum", rival.draw.minimum()}, {"median", rival.draw.median()}}},
             {"draws", rival.drawn.draws},
@@ -81,12 +82,19 @@ Json bench_actors(const BenchArguments &a)
     report["runs"] = Json::array();
     for (const uint32_t count : a.counts) {
         std::vector<Rival> rivals;
+        // Actor mode with and without caches, so that it shows what of the gain comes from culling.
+        std::vector<std::pair<std::string, std::string>> modes;
         for (const std::string &cull : a.culls) {
+            if (cull == "actor") modes.push_back({cull, "full"});
+            modes.push_back({cull, "none"});
+        }
+        for (const auto &[cull, cache] : modes) {
             StageArguments stage_arguments = a.stage;
             stage_arguments.count = count;
             stage_arguments.cull = cull;
+            stage_arguments.cache = cache;
             const scenes::StageOptions options = stage_options(stage_arguments, LoadedCharacter());
-            rivals.push_back({cull, std::make_unique<scenes::Stage>(library, options), {}, {}, {}, {}});
+            rivals.push_back({cull, cache, std::make_unique<scenes::Stage>(library, options), {}, {}, {}, {}});
             report["scene"] = options.scene;
             report["size_px"] = {options.width, options.height};
         }
