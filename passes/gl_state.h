@@ -27,6 +27,9 @@ public:
     // apply() sets everything. The host's RGB mask stays, alpha writes are masked.
     void begin(const float *projection, bool has_multisample);
 
+    // Somebody else has set what differs from surface to surface: the next apply() sets everything.
+    void forget() { known_ = false; }
+
     // Issues what differs from the last call. The matrix mode is GL_MODELVIEW and stays so.
     void apply(const SurfaceState &wanted);
 

@@ -95,10 +95,11 @@ void HostileHost::set_matrices() const
 {
     float odd[16];
     for (int i = 0; i < 16; ++i) odd[i] = 0.1f * static_cast<float>(i + 1) + (i % 5 == 0 ? 1.0f : 0.0f);
-    int32_t most = 0;
+    int32_t most = 0, depth = 0;
     host_.GetIntegerv(0x0D38, &most);  // GL_MAX_PROJECTION_STACK_DEPTH
+    host_.GetIntegerv(gl::projection_stack_depth, &depth);
     host_.MatrixMode(gl::projection);
-    for (int32_t depth = 1; depth < most; ++depth) host_.PushMatrix();  // no slot left
+    for (; depth < most; ++depth) host_.PushMatrix();  // no slot left
     host_.LoadMatrixf(odd);
     host_.MatrixMode(gl::modelview);
     host_.LoadMatrixf(odd);
