@@ -4,7 +4,18 @@
  * host's viewport, scissor, lights, fog, clip planes, stencil and shade model, and sets what its picture depends on:
  * blending off, alpha test, depth test GL_LEQUAL with writes, alpha writes masked, face culling, one texture with
  * GL_MODULATE, no texture generation, identity texture matrix, colour material on ambient and diffuse, GL_NORMALIZE,
- * its own matrices. */
+ * its own matrices.
+ *
+ * Hooks (clq_actor_set_hooks) are called round the drawing of their actor; not where it is not drawn. They find the
+ * view's projection, the actor's own model-view matrix, GL_MODELVIEW as the matrix mode, all client arrays off and
+ * texture 0 bound, so that claque's textures are out of their reach. All attributes are pushed round the two. What
+ * before() sets of what claque inherits (above; materials and the RGB mask too) acts on this actor, and is gone after
+ * after(); what claque sets itself it sets anew after each. What one pushes on a stack the other may pop; what is left
+ * over is popped, an open display list, selection or feedback ended. Neither pops what it has not pushed. A texture
+ * bound by before() that is to be used is sampled as it stands: GL_NEAREST in both filters and no mipmaps, or keys mix;
+ * its alpha holds the zone keys of the template's. What GL keeps in no attribute group, such as pixel maps, stays. A
+ * program, buffer or other thing newer than GL 1.1 that before() leaves in use keeps its actor from being drawn, one
+ * that is still in use after after() all that come later; the draw then fails with GL_STATE and their names. */
 #ifndef CLAQUE_RENDERER_H
 #define CLAQUE_RENDERER_H
 
@@ -84,7 +95,7 @@ typedef struct clq_draw_stats {
  *   out_stats   may be NULL
  * Fails: ARGUMENT (a template that is not prepared, by name), GL_STATE (what would spoil the picture, by name),
  * GL_MISSING, BUSY; nothing is drawn or changed then. OUT_OF_MEMORY: somebody whom no cache holds found no room to be
- * skinned in; all others are drawn. */
+ * skinned in; all others are drawn. GL_STATE also for what hooks leave, see above. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
 /* Ends a renderer, its context being current; NULL is ignored. */

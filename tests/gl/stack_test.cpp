@@ -181,6 +181,36 @@ TEST_F(Stack, IsGivenOneMatrixForEachNodeThatHasPartsBelowIt)
     }
 }
 
+// Hooks may take places on it too, and give them back afterwards.
+TEST_F(Stack, IsSharedWithHooks)
+{
+    Jointed jointed = make_jointed(rope(20), torture_map(128, 2, 64));
+    claque::draw::Hooks hooks;
+    hooks.user = host_.get();
+    hooks.before = [](void *user, uint32_t, uint32_t) {
+        const HostGl &host = *static_cast<const HostGl *>(user);
+        int32_t most = 0, depth = 0;
+        host.GetIntegerv(gl::max_modelview_stack_depth, &most);
+        host.GetIntegerv(gl::modelview_stack_depth, &depth);
+        for (; depth < most - 2; ++depth) host.PushMatrix();
+        return int32_t(0);
+    };
+    const auto renderer = make_renderer_of(jointed.figure);
+    const Camera camera = hashed_camera(jointed.figure, 4, aspect);
+    DrawList list = by_matrices(jointed, camera);
+    list.items.push_back(list.items[0]);
+    list.items[0].model_view[12] += 0.5f;
+    const Picture without = draw(*context_, *renderer, list);
+    list.items[0].hooks = &hooks;
+    Differences d;
+    d.add(without, draw(*context_, *renderer, list));
+    expect_close(d);
+    EXPECT_EQ(host_->GetError(), 0u);
+    passes::DrawStats stats;
+    ASSERT_TRUE(renderer->draw(list, &stats).ok());
+    EXPECT_EQ(stats.matrices, 40u) << "one for each part, however few places there are";
+}
+
 TEST_F(Stack, PlacesRigidPartsAlone)
 {
     const Figure skinned = small_figure();
