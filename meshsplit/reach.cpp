@@ -14,6 +14,9 @@ namespace
 
 constexpr size_t centre_poses = 64;
 
+// A sphere that is larger than the smallest by this share is not worth a closer look.
+constexpr double waste = 0.01;
+
 // How well a pose has been looked at.
 enum class Look : uint8_t { ball, coarse, fine };
 
@@ -43,15 +46,17 @@ void FreeReach::find_poses()
     std::vector<Drift> drifts(rig.node_count());
     std::vector<float> weights;
     walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const std::vector<NodeDrift> *since) {
-        double bulge = 0;
+        double bulge = 0, way = std::numeric_limits<double>::infinity();
         if (since) {
+            way = 0;
             std::fill(drifts.begin(), drifts.end(), Drift());
             for (const Body &body : free_.bodies)
                 drifts[body.node()].take_in(body.drift(weights.data(), locals.weights.data()));
             for (uint32_t n = rig.node_count(); n-- > 0;) {
                 if (drifts[n].reach == 0) continue;
                 const Drift drift = (*since)[n].of(drifts[n], shifts[n]);
-                if (rig.parents[n] == model::none) bulge = std::max(bulge, drift.off_line());
+                if (rig.parents[n] == model::none)
+                    bulge = std::max(bulge, drift.off_line()), way = std::max(way, drift.speed);
                 else drifts[rig.parents[n]].take_in(drift);
             }
             bulges_.back() = std::max(bulges_.back(), bulge);
@@ -59,6 +64,7 @@ void FreeReach::find_poses()
         weights = locals.weights;
         poses_.push_back(at);
         bulges_.push_back(bulge);
+        ways_.push_back(way);
     });
 }
 
@@ -112,25 +118,47 @@ glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
     return out;
 }
 
-double FreeReach::radius(const glm::dvec3 &centre)
+// What is known of one pose is known of those beside it too, but for the way between them.
+void FreeReach::tell(uint32_t pose, double bound, std::vector<double> &bounds) const
 {
-    if (free_.bodies.empty()) return 0;
+    const auto lower = [&](size_t i, double way) {
+        if (bound + way + bulges_[i] >= bounds[i]) return false;
+        bounds[i] = bound + way + bulges_[i];
+        return true;
+    };
+    lower(pose, 0);
+    double way = 0;
+    for (size_t i = pose; i > 0 && lower(i - 1, way += ways_[i]);) --i;
+    way = 0;
+    for (size_t i = pose + 1; i < poses_.size() && lower(i, way += ways_[i]);) ++i;
+}
+
+double FreeReach::radius(const glm::dvec3 &centre, double reached)
+{
+    const double enough = reached * (1 + waste);
+    if (free_.bodies.empty()) return reached;
+    std::vector<double> bounds;
     std::priority_queue<Candidate> queue;
     for (uint32_t i = 0; i < poses_.size(); ++i) {
         look_at(i);
-        queue.push({fill_.ball(free_.bodies, locals_.weights.data(), centre) + bulges_[i], i, Look::ball});
+        bounds.push_back(fill_.ball(free_.bodies, locals_.weights.data(), centre) + bulges_[i]);
+        queue.push({bounds[i], i, Look::ball});
     }
-    while (queue.top().look != Look::fine) {
+    while (queue.top().bound > enough) {
         Candidate best = queue.top();
+        if (best.bound <= bounds[best.pose]) {
+            if (best.look == Look::fine) break;
+            look_at(best.pose);
+            const bool was_ball = best.look == Look::ball;
+            const double bound = was_ball ? bound_by(coarse_, own_coarse_, centre) : bound_by(fine_, own_fine_, centre);
+            tell(best.pose, bound, bounds);
+            best.look = was_ball ? Look::coarse : Look::fine;
+        }
+        best.bound = bounds[best.pose];
         queue.pop();
-        look_at(best.pose);
-        const bool was_ball = best.look == Look::ball;
-        const double bound = (was_ball ? bound_by(coarse_, own_coarse_, centre) : bound_by(fine_, own_fine_, centre));
-        best.bound = std::min(best.bound, bound + bulges_[best.pose]);
-        best.look = was_ball ? Look::coarse : Look::fine;
         queue.push(best);
     }
-    return queue.top().bound;
+    return std::max(reached, queue.top().bound);
 }
 
 }  // namespace claque::meshsplit

@@ -21,19 +21,21 @@ public:
     const std::vector<PoseAt> &poses() const { return poses_; }
     // About where the smallest sphere has its centre that holds these vertices and some points besides.
     glm::dvec3 centre(const std::vector<glm::dvec3> &points);
-    // No such vertex is ever farther from `centre`.
-    double radius(const glm::dvec3 &centre);
+    // No such vertex is ever farther from `centre`. `reached`: a distance that some vertex is known to reach.
+    double radius(const glm::dvec3 &centre, double reached);
 
 private:
     void look_at(uint32_t pose);
     double bound_by(Grain &grain, std::vector<Support> &own, const glm::dvec3 &centre);
     void own_supports(const Grain &grain, std::vector<Support> &own) const;
     void find_poses();
+    void tell(uint32_t pose, double bound, std::vector<double> &bounds) const;
 
     const model::Template &tmpl_;
     FreeBodies free_;
     std::vector<PoseAt> poses_;
     std::vector<double> bulges_;  // per pose: how far vertices may stray towards its neighbours
+    std::vector<double> ways_;    // per pose: how far vertices may go since the one before; infinity after a jump
     LocalPoser poser_;
     Locals locals_;
     Fill fill_;

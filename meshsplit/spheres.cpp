@@ -234,10 +234,13 @@ std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
 model::Sphere enclosing_sphere(const model::Template &tmpl)
 {
     SphereFinder all(tmpl, poses_of(tmpl.rig));
-    if (tmpl.rig.dofs.empty()) return all.run(glm::vec3(centre_of(all.extremes())), 0);
+    const std::vector<glm::dvec3> extremes = all.extremes();
+    if (tmpl.rig.dofs.empty()) return all.run(glm::vec3(centre_of(extremes)), 0);
     FreeReach free(tmpl);
-    const glm::vec3 centre(free.centre(all.extremes()));
-    return SphereFinder(tmpl, free.poses(), free.moved()).run(centre, free.radius(glm::dvec3(centre)));
+    const glm::vec3 centre(free.centre(extremes));
+    double reached = 0;
+    for (const glm::dvec3 &p : extremes) reached = std::max(reached, glm::distance(p, glm::dvec3(centre)));
+    return SphereFinder(tmpl, free.poses(), free.moved()).run(centre, free.radius(glm::dvec3(centre), reached));
 }
 
 }  // namespace claque::meshsplit

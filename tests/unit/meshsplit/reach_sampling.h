@@ -1,0 +1,20 @@
+// How far a character gets, by looking: the pose room's own poses, vertices moved in double.
+#pragma once
+
+#include "lib/model/template.h"
+
+#include <vector>
+
+namespace claque::test
+{
+
+struct Sampled {
+    double vertex = 0;            // the largest distance of any vertex of any level
+    std::vector<double> node;     // per node: of its origin
+    std::vector<double> stretch;  // per node: of its longest axis
+};
+
+// Over `count` poses: any clip, any of its times, degrees of freedom anywhere in their ranges, often at an end.
+Sampled sample_reach(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count);
+
+}  // namespace claque::test

@@ -1,0 +1,131 @@
+// Degrees of freedom and clips together never bring a vertex out of the Sklsroot Bsphere (S0 4.1), nor a node farther
+// than its template says.
+#include "meshsplit/reach.h"
+
+#include "reach_rigs.h"
+#include "reach_sampling.h"
+
+#include "lib/base/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace claque::test
+{
+
+using model::DofKind;
+
+namespace
+{
+
+double lot(uint64_t i) { return double(base::unit(base::hash(5, i, base::Purpose::pick))); }
+
+glm::dvec3 any_vector(uint64_t i) { return glm::dvec3(lot(3 * i), lot(3 * i + 1), lot(3 * i + 2)) - 0.5; }
+
+}  // namespace
+
+TEST(Reach, no_vertex_of_a_hundred_thousand_poses_is_outside)
+{
+    for (const FreeModel &free : free_models()) {
+        SCOPED_TRACE(free.name);
+        const auto tmpl = built(free.model);
+        const Sampled sampled = sample_reach(*tmpl, glm::dvec3(tmpl->sklsroot.centre), 100000);
+        EXPECT_LE(sampled.vertex, double(tmpl->sklsroot.radius));
+        ASSERT_EQ(tmpl->node_reach.size(), sampled.node.size());
+        for (size_t n = 0; n < sampled.node.size(); ++n) {
+            EXPECT_LE(sampled.node[n], double(tmpl->node_reach[n].distance)) << n;
+            EXPECT_LE(sampled.stretch[n], double(tmpl->node_reach[n].stretch)) << n;
+        }
+    }
+}
+
+TEST(Reach, nodes_are_not_said_to_go_much_farther_than_they_do)
+{
+    const auto tmpl = built(articulated_actor().model);
+    const Sampled sampled = sample_reach(*tmpl, glm::dvec3(tmpl->sklsroot.centre), 100000);
+    for (size_t n = 0; n < sampled.node.size(); ++n) {
+        EXPECT_LE(double(tmpl->node_reach[n].distance), 1.15 * sampled.node[n] + 0.01) << n;
+        EXPECT_LE(double(tmpl->node_reach[n].stretch), 1.0001) << n;
+    }
+}
+
+TEST(Reach, a_skeleton_root_that_cannot_move_keeps_nearly_the_sphere_of_its_clips)
+{
+    for (FreeModel &free : free_models()) {
+        SCOPED_TRACE(free.name);
+        for (model::Dof &dof : free.model.rig.dofs) dof.first = dof.last = dof.rest = 0;
+        const auto held = built(free.model);
+        free.model.rig.dofs.clear();
+        free.model.rig.dof_names.clear();
+        const auto bare = built(free.model);
+        // Clips of a whirl in one frame get a bulge that is generous where there is no degree of freedom.
+        if (free.name != "whirl") {
+            EXPECT_NEAR(held->sklsroot.radius, bare->sklsroot.radius, 0.05f * bare->sklsroot.radius);
+        }
+        ASSERT_EQ(bare->node_reach.size(), held->node_reach.size());
+        for (size_t n = 0; n < bare->node_reach.size(); ++n)
+            EXPECT_FLOAT_EQ(bare->node_reach[n].stretch, held->node_reach[n].stretch);
+    }
+}
+
+TEST(Reach, the_farther_level_counts_too)
+{
+    for (FreeModel &free : free_models()) {
+        if (free.name != "levels") continue;
+        const auto both = built(free.model);
+        ASSERT_EQ(both->levels.size(), 2u);
+        free.model.parts.pop_back();
+        EXPECT_LT(built(free.model)->sklsroot.radius, 0.97f * both->sklsroot.radius);
+    }
+}
+
+TEST(ReachDirections, any_vector_is_made_of_three_neighbours_without_negative_weights)
+{
+    for (const int splits : {0, 2, 3}) {
+        const meshsplit::Directions directions(splits);
+        EXPECT_EQ(directions.count(), size_t(10 * (1 << (2 * splits)) + 2));
+        for (uint64_t i = 0; i < 20000; ++i) {
+            const glm::dvec3 v = i < directions.count() ? directions[i] : glm::normalize(any_vector(i));
+            const meshsplit::Blend blend = directions.find(v);
+            glm::dvec3 sum(0);
+            double weights = 0;
+            for (size_t k = 0; k < 3; ++k) {
+                ASSERT_GE(blend.weight[k], 0);
+                sum += double(blend.weight[k]) * directions[blend.at[k]];
+                weights += double(blend.weight[k]);
+            }
+            ASSERT_LT(glm::distance(sum, v), 1e-6);
+            ASSERT_LE(weights, directions.most_weight() + 1e-6);
+        }
+    }
+}
+
+TEST(ReachSupport, a_degree_of_freedom_spreads_points_as_far_as_they_go_and_hardly_farther)
+{
+    const meshsplit::Directions directions(3);
+    const glm::vec3 axis = glm::normalize(glm::vec3(1, 2, -0.5f));
+    for (const DofKind kind : {DofKind::rotation, DofKind::translation}) {
+        model::Dof dof;
+        dof.kind = kind, dof.axis = axis, dof.first = -0.7f, dof.last = 1.9f;
+        const glm::dvec3 p(0.3, 0.8, -0.6);
+        meshsplit::Support set, scratch;
+        for (size_t i = 0; i < directions.count(); ++i) set.push_back(glm::dot(directions[i], p));
+        meshsplit::Freedom(directions, dof).spread(glm::length(p), set, scratch);
+        for (size_t i = 0; i < directions.count(); ++i) {
+            double most = -1e9;
+            for (int k = 0; k <= 2000; ++k) {
+                const double x = -0.7 + 2.6 * k / 2000, c = std::cos(x), s = std::sin(x);
+                const glm::dvec3 a(axis), turned = p * c + glm::cross(a, p) * s + a * (glm::dot(a, p) * (1 - c));
+                const glm::dvec3 at = kind == DofKind::rotation ? turned : p + a * x;
+                most = std::max(most, glm::dot(directions[i], at));
+            }
+            ASSERT_GE(set[i], most - 1e-6);
+            ASSERT_LE(set[i], most + 0.004);
+        }
+    }
+}
+
+}  // namespace claque::test
