@@ -104,14 +104,17 @@ Json bench_actors(const BenchArguments &a)
             expect_same_picture(hash, rival.hash, std::to_string(count) + " actors culled in mode " + rival.cull);
             report["runs"].push_back(result_of(rival, count));
         }
-        if (rivals.size() == 2) {
-            const double actor = rivals[0].update.median(), traditional = rivals[1].update.median();
-            report["ratios"].push_back({{"count", count},
-                                        {"traditional_to_actor", traditional / actor},
-                                        {"by_minimum", rivals[1].update.minimum() / rivals[0].update.minimum()}});
-        }
+        if (rivals.back().cull == "traditional")
+            for (const Rival &rival : rivals) {
+                if (rival.cull == "traditional") continue;
+                const Times &slow = rivals.back().update;
+                report["ratios"].push_back({{"count", count},
+                                            {"cache", rival.cache},
+                                            {"traditional_to_actor", slow.median() / rival.update.median()},
+                                            {"by_minimum", slow.minimum() / rival.update.minimum()}});
+            }
         report["context"] = rivals[0].stage->context_name();
-        progress.step(report["runs"].size(), a.counts.size() * a.culls.size());
+        progress.step(report["runs"].size(), a.counts.size() * modes.size());
     }
     report["threads"] = thread_count(a.stage);
     report["frames"] = a.frames;
@@ -123,25 +126,28 @@ void print_actors(const Json &report)
     std::printf("%s, %d x %d, %d threads, %s, %d frames\n", report["scene"].get<std::string>().c_str(),
                 report["size_px"][0].get<int>(), report["size_px"][1].get<int>(), report["threads"].get<int>(),
                 report["context"].get<std::string>().c_str(), report["frames"].get<int>());
-    std::printf("%7s  %-11s  %9s %9s  %9s %9s  %7s %7s %7s %7s  %8s %6s %6s\n", "actors", "cull", "update ms", "median",
-                "draw ms", "median", "tested", "phase 1", "phase 2", "drawn", "calls", "fCoh", "fTrack");
+    std::printf("%7s  %-11s  %-5s  %9s %9s  %9s %9s  %7s %7s %7s %7s  %8s %6s %6s\n", "actors", "cull", "cache",
+                "update ms", "median", "draw ms", "median", "tested", "phase 1", "phase 2", "drawn", "calls", "fCoh",
+                "fTrack");
     for (const Json &r : report["runs"]) {
         const Json &c = r["counters"];
         uint64_t calls = 0;
         for (const Json &of_kind : c["behaviour_calls"]) calls += of_kind.get<uint64_t>();
-        std::printf("%7u  %-11s  %9.3f %9.3f  %9.2f %9.2f  %7u %7u %7u %7u  %8llu %6.3f %6.3f\n",
-                    r["count"].get<unsigned>(), r["cull"].get<std::string>().c_str(),
-                    r["update_ms"]["minimum"].get<double>(), r["update_ms"]["median"].get<double>(),
-                    r["draw_ms"]["minimum"].get<double>(), r["draw_ms"]["median"].get<double>(),
-                    c["tested"].get<unsigned>(), c["passed_refpoint"].get<unsigned>(),
-                    c["passed_sklsroot"].get<unsigned>(), c["visible"].get<unsigned>(),
-                    static_cast<unsigned long long>(calls), r["fCoh"].get<double>(), r["fTrack"].get<double>());
+        std::printf(
+            "%7u  %-11s  %-5s  %9.3f %9.3f  %9.2f %9.2f  %7u %7u %7u %7u  %8llu %6.3f %6.3f\n",
+            r["count"].get<unsigned>(), r["cull"].get<std::string>().c_str(), r["cache"].get<std::string>().c_str(),
+            r["update_ms"]["minimum"].get<double>(), r["update_ms"]["median"].get<double>(),
+            r["draw_ms"]["minimum"].get<double>(), r["draw_ms"]["median"].get<double>(), c["tested"].get<unsigned>(),
+            c["passed_refpoint"].get<unsigned>(), c["passed_sklsroot"].get<unsigned>(), c["visible"].get<unsigned>(),
+            static_cast<unsigned long long>(calls), r["fCoh"].get<double>(), r["fTrack"].get<double>());
     }
     if (!report.contains("ratios")) return;
     for (const Json &r : report["ratios"])
         std::printf(
-            "%u actors: traditional takes %.1f times the update of actor mode by the median, %.1f by the minimum\n",
-            r["count"].get<unsigned>(), r["traditional_to_actor"].get<double>(), r["by_minimum"].get<double>());
+            "%u actors, cache %s: traditional takes %.1f times the update of actor mode by the median, %.1f by the "
+            "minimum\n",
+            r["count"].get<unsigned>(), r["cache"].get<std::string>().c_str(), r["traditional_to_actor"].get<double>(),
+            r["by_minimum"].get<double>());
 }
 
 }  // namespace cli
