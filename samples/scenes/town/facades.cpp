@@ -32,7 +32,7 @@ public:
     Rgb texel(Bay bay, double x, double y, double u, double v) const
     {
         u_ = u, v_ = v;
-        const Rgb wall = plaster(y);
+        const Rgb wall = plaster(x, y);
         switch (bay) {
             case Bay::door:
                 return door(wall, x, y);
@@ -73,10 +73,11 @@ public:
 private:
     static constexpr Box opening = {0.95, 0.85, 2.05, 2.35};
 
-    Rgb plaster(double y) const
+    // The same at all edges of a bay, so that bays join into one wall.
+    Rgb plaster(double x, double y) const
     {
-        const double stain = 0.05 * smooth_step((0.5 - y) / 0.5);
-        const double tone = 0.94 + 0.09 * (broad_(u_, v_) - 0.5) + 0.05 * (fine_(u_, v_) - 0.5) - stain;
+        const double inside = smooth_step(std::min({x, bay_m - x, y, bay_m - y}) / 0.5);
+        const double tone = 0.94 + inside * (0.05 * (broad_(u_, v_) - 0.5)) + 0.04 * (fine_(u_, v_) - 0.5);
         return {static_cast<float>(tone), static_cast<float>(tone * 0.99), static_cast<float>(tone * 0.97)};
     }
 

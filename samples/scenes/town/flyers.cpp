@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double sky_radius_m = 640, lowest_m = 24, highest_m = 150;
-constexpr int way_count = 16;             // shared; each actor goes along one with a clock, size and heading of its own
+constexpr int way_count = 16;  // shared; each actor goes along one with a clock, size and heading of its own
 constexpr double flying_m_per_s = 9;
 constexpr double tau = 2 * 3.14159265358979323846;
 
@@ -115,9 +115,10 @@ void Flyers::describe_mechanisms()
     add(blink);
 
     // "Io Saturnalia": the mouth alone.
-    const clq_dof_value wide[] = {{dof("jaw"), 0.32f}}, round[] = {{dof("jaw"), 0.2f}}, narrow[] = {{dof("jaw"), 0.09f}};
+    const clq_dof_value wide[] = {{dof("jaw"), 0.32f}}, round[] = {{dof("jaw"), 0.2f}},
+                        narrow[] = {{dof("jaw"), 0.09f}};
     const clq_shape mouths[] = {{1, wide}, {1, round}, {1, narrow}};
-    const clq_phrase_key keys[] = {{0, 2},     {0.12f, 1}, {0.5f, CLQ_NONE}, {0.62f, 0}, {0.85f, 1},
+    const clq_phrase_key keys[] = {{0, 2},     {0.12f, 1}, {0.5f, CLQ_NONE}, {0.62f, 0},      {0.85f, 1},
                                    {1.05f, 0}, {1.3f, 2},  {1.42f, 0},       {1.8f, CLQ_NONE}};
     clq_mechanism_def phrase = clq_mechanism_def_init();
     phrase.kind = CLQ_PHRASE, phrase.tmpl = template_;

@@ -3,6 +3,8 @@
 
 #include "samples/scenes/cast.h"
 
+#include <array>
+
 namespace scenes::town
 {
 

@@ -2,6 +2,7 @@
 
 #include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ public:
             case Cover::park:
                 return flat(i, k, Layer::land, lawn, land_metres);
             case Cover::garden:
-                return flat(i, k, Layer::land, garden, land_metres);
+                return plot(i, k);
             case Cover::bank:
                 return flat(i, k, Layer::land, reeds, land_metres);
             case Cover::wood:
@@ -122,18 +123,34 @@ private:
         });
     }
 
+    // Behind the houses: lawns, beds in rows, a yard here and there.
+    void plot(size_t i, size_t k)
+    {
+        const uint64_t who = i * 4096 + k;
+        const double share = lot(seed_, who, Lot::act);
+        const Rgb lawns = blend(garden, {0.70f, 0.72f, 0.40f}, lot(seed_, who, Lot::tone));
+        if (share < 0.30)
+            rows(i, k, Layer::furrows, share < 0.15 ? Rgb{0.70f, 0.62f, 0.46f} : Rgb{0.58f, 0.74f, 0.40f}, 2.2, who);
+        else if (share < 0.40) flat(i, k, Layer::land, sand, land_metres);
+        else flat(i, k, Layer::land, lawns, land_metres);
+    }
+
+    void rows(size_t i, size_t k, Layer layer, Rgb colour, double closer, uint64_t who)
+    {
+        const bool turned = lot(seed_, who, Lot::row) < 0.5;
+        put(i, k, layer, colour, 0.16, [&](size_t column, size_t row) {
+            const double s = u_[column] / furrows_metres * closer, t = v_[row] / furrows_metres * closer;
+            return turned ? Texel{t, s} : Texel{s, t};
+        });
+    }
+
     void field(size_t i, size_t k)
     {
         const uint64_t parcel = plan_.parcel(i, k);
         const double share = lot(seed_, parcel, Lot::tone);
         const Crop &crop = crops[static_cast<size_t>(share * (sizeof crops / sizeof *crops))];
         const Rgb colour = crop.colour * static_cast<float>(lot_between(seed_, parcel, Lot::grain, 0.9, 1.06));
-        const bool turned = lot(seed_, parcel, Lot::row) < 0.5;
-        put(i, k, crop.layer, lot(seed_, parcel, Lot::gap) < 0.22 ? meadow : colour, 0.16,
-            [&](size_t column, size_t row) {
-                const double s = u_[column] / furrows_metres, t = v_[row] / furrows_metres;
-                return turned ? Texel{t, s} : Texel{s, t};
-            });
+        rows(i, k, crop.layer, lot(seed_, parcel, Lot::gap) < 0.22 ? meadow : colour, 1, parcel);
     }
 
     Pieces &pieces_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace scenes::town
 {
@@ -13,7 +14,8 @@ namespace
 {
 
 constexpr double sunk_m = 0.03;  // into the ground, which bends between the corners
-constexpr Rgb brick = {0.70f, 0.48f, 0.40f}, cap = {0.55f, 0.50f, 0.46f}, step = {0.80f, 0.77f, 0.72f};
+constexpr Rgb brick = {0.70f, 0.48f, 0.40f}, cap = {0.55f, 0.50f, 0.46f}, step = {0.80f, 0.77f, 0.72f},
+              plinth_stone = {0.70f, 0.66f, 0.60f};
 
 class Builder
 {
@@ -33,8 +35,12 @@ public:
         wall(1, {a, o, a, -o});
         wall(2, {a, -o, -a, -o});
         wall(3, {-a, -o, -a, o});
-        roof();
+        roof(RoofPart::tiles);
         if (h_.chimney) chimney();
+        pieces_.from_now(Seen::near);
+        roof(RoofPart::edges);
+        if (h_.chimney) chimney_cap();
+        if (door_at_) doorstep(*door_at_);
     }
 
 private:
@@ -50,20 +56,37 @@ private:
         const double da = w.right_along - w.left_along, dout = w.right_out - w.left_out;
         const int bays = std::max(2, static_cast<int>(std::sqrt(da * da + dout * dout) / 2.9 + 0.5));
         const int door = side == 0 ? static_cast<int>(lot(seed_, 1, Lot::slab) * bays) : side == 2 ? bays / 2 : -1;
-        for (int bay = 0; bay < bays; ++bay) {
-            const double s = static_cast<double>(bay) / bays, t = static_cast<double>(bay + 1) / bays;
-            const Site::Upright part = {w.left_along + da * s, w.left_out + dout * s, w.left_along + da * t,
-                                        w.left_out + dout * t};
-            Geometry &g = pieces_.on(Layer::facades);
-            const double top = floor_ + House::plinth_m;
-            site_.bay(g, part, ground(part.left_along, part.left_out) - sunk_m,
-                      ground(part.right_along, part.right_out) - sunk_m, top, Bay::plinth, {0.88f, 0.86f, 0.82f}, 3.0);
-            for (int storey = 0; storey < h_.storeys; ++storey) {
-                const double low = top + storey * House::storey_m;
-                site_.bay(g, part, low, low, low + House::storey_m, choose(side, storey, bay, door, bays), h_.walls);
+        const auto part = [&](double s, double t) {
+            return Site::Upright{w.left_along + da * s, w.left_out + dout * s, w.left_along + da * t,
+                                 w.left_out + dout * t};
+        };
+        plinth(part(0, 0.5));
+        plinth(part(0.5, 1));
+        for (int storey = 0; storey < h_.storeys; ++storey) {
+            const double low = floor_ + House::plinth_m + storey * House::storey_m;
+            for (int bay = 0, next = 0; bay < bays; bay = next) {
+                const Bay shown = choose(side, storey, bay, door, bays);
+                next = bay + 1;  // bare wall is one piece
+                while (shown == Bay::blank && next < bays && choose(side, storey, next, door, bays) == Bay::blank)
+                    ++next;
+                const Site::Upright here = part(static_cast<double>(bay) / bays, static_cast<double>(next) / bays);
+                site_.bay(pieces_.on(Layer::facades), here, low, low, low + House::storey_m, shown, h_.walls);
+                if (shown == Bay::door && side == 0) door_at_ = here;
             }
-            if (bay == door && h_.style != House::Style::barn) doorstep(part, dout == 0);
         }
+    }
+
+    void plinth(const Site::Upright &w)
+    {
+        const double top = floor_ + House::plinth_m;
+        const auto corner = [](double along, double y, double out) {
+            return Vec3{static_cast<float>(along), static_cast<float>(y), static_cast<float>(out)};
+        };
+        site_.face(pieces_.on(Layer::stone),
+                   {corner(w.left_along, ground(w.left_along, w.left_out) - sunk_m, w.left_out),
+                    corner(w.right_along, ground(w.right_along, w.right_out) - sunk_m, w.right_out),
+                    corner(w.right_along, top, w.right_out), corner(w.left_along, top, w.left_out)},
+                   plinth_stone, 4);
     }
 
     Bay choose(int side, int storey, int bay, int door, int bays) const
@@ -79,9 +102,8 @@ private:
         return window_;
     }
 
-    void doorstep(const Site::Upright &w, bool level)
+    void doorstep(const Site::Upright &w)
     {
-        if (!level) return;
         const double middle = (w.left_along + w.right_along) / 2, side = w.left_out > 0 ? 1 : -1, near = w.left_out;
         const double out = near + side * 0.38, low = std::min(ground(middle, near), ground(middle, out)) - sunk_m;
         site_.box(pieces_.on(Layer::stone),
@@ -91,7 +113,7 @@ private:
                   step, 4);
     }
 
-    void roof()
+    void roof(RoofPart part)
     {
         const double eaves = floor_ + h_.eaves_height();
         const bool across =
@@ -99,29 +121,33 @@ private:
         ridge_ = across ? Site(h_.at, site_.along()) : site_;
         const double length = across ? h_.depth_m : h_.width_m, span = across ? h_.width_m : h_.depth_m;
         const RoofShape shape = {length / 2, span / 2, eaves, h_.pitch, House::eaves_m};
-        if (h_.roof == House::Roof::hip) hip_roof(pieces_.on(Layer::tiles), ridge_, shape, h_.tiles);
+        if (h_.roof == House::Roof::hip) hip_roof(pieces_.on(Layer::tiles), ridge_, shape, part, h_.tiles);
         else {
-            gable_roof(pieces_.on(Layer::tiles), ridge_, shape, h_.tiles);
-            gable_walls(pieces_.on(Layer::facades), ridge_, shape, h_.walls,
-                        h_.style == House::Style::barn ? Bay::planks : Bay::gable);
+            gable_roof(pieces_.on(Layer::tiles), ridge_, shape, part, h_.tiles);
+            if (part == RoofPart::tiles)
+                gable_walls(pieces_.on(Layer::facades), ridge_, shape, h_.walls,
+                            h_.style == House::Style::barn ? Bay::planks : Bay::gable);
         }
         length_ = length, span_ = span;
     }
 
+    double chimney_top() const { return floor_ + h_.ridge_height() + 0.75; }
+
     void chimney()
     {
+        const double low = chimney_top() - 0.75 - h_.pitch * (0.10 * span_ + 0.5);
+        block(0.42, low, chimney_top() - 0.12, brick);
+    }
+
+    void chimney_cap() { block(0.50, chimney_top() - 0.24, chimney_top() - 0.1, cap); }
+
+    void block(double half, double y0, double y1, Rgb colour)
+    {
         const double a = (lot(seed_, 2, Lot::gap) < 0.5 ? -0.22 : 0.24) * length_, o = 0.10 * span_;
-        const double top = floor_ + h_.eaves_height() + h_.pitch * span_ / 2 + 0.75;
-        const double low = top - 0.75 - h_.pitch * (o + 0.5);
-        const auto block = [&](double half, double y0, double y1, Rgb colour) {
-            ridge_.box(pieces_.on(Layer::stone),
-                       {static_cast<float>(a - half), static_cast<float>(y0), static_cast<float>(o - half * 0.8)},
-                       {static_cast<float>(a + half), static_cast<float>(y1), static_cast<float>(o + half * 0.8)},
-                       colour, 1.5f);
-        };
-        block(0.42, low, top - 0.12, brick);
-        block(0.50, top - 0.24, top - 0.1, cap);
-        block(0.22, top - 0.1, top + 0.22, brick * 1.15f);
+        ridge_.box(pieces_.on(Layer::stone),
+                   {static_cast<float>(a - half), static_cast<float>(y0), static_cast<float>(o - half * 0.8)},
+                   {static_cast<float>(a + half), static_cast<float>(y1), static_cast<float>(o + half * 0.8)}, colour,
+                   1.5f);
     }
 
     Pieces &pieces_;
@@ -131,6 +157,7 @@ private:
     Site site_, ridge_ = Site({0, 0}, {0, 1});
     double floor_, length_ = 0, span_ = 0;
     Bay window_ = Bay::window;
+    std::optional<Site::Upright> door_at_;
 };
 
 }  // namespace

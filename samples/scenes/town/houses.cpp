@@ -44,10 +44,10 @@ private:
     void fill(const Block &b)
     {
         const double corner = 14;  // what the houses of the other sides are deep
-        row(b, Side::north, b.u0 + 1.2, b.u1 - 1.2, 0.92);
-        row(b, Side::south, b.u0 + 1.2, b.u1 - 1.2, 0.92);
-        row(b, Side::west, b.v0 + corner, b.v1 - corner, 0.85);
-        row(b, Side::east, b.v0 + corner, b.v1 - corner, 0.85);
+        row(b, Side::north, b.u0 + 1.2, b.u1 - 1.2, 0.86);
+        row(b, Side::south, b.u0 + 1.2, b.u1 - 1.2, 0.86);
+        row(b, Side::west, b.v0 + corner, b.v1 - corner, 0.78);
+        row(b, Side::east, b.v0 + corner, b.v1 - corner, 0.78);
     }
 
     // Beyond the outermost streets: few, in gardens.
@@ -55,8 +55,8 @@ private:
     {
         const std::vector<double> &u = plan_.streets_u(), &v = plan_.streets_v();
         const bool in_u = b.u0 > u.front() && b.u1<u.back(), in_v = b.v0> v.front() && b.v1 < v.back();
-        if (in_u) row(b, b.v1 < v.front() ? Side::south : Side::north, b.u0 + 3, b.u1 - 3, 0.48);
-        if (in_v) row(b, b.u1 < u.front() ? Side::east : Side::west, b.v0 + 3, b.v1 - 3, 0.48);
+        if (in_u) row(b, b.v1 < v.front() ? Side::south : Side::north, b.u0 + 3, b.u1 - 3, 0.36);
+        if (in_v) row(b, b.u1 < u.front() ? Side::east : Side::west, b.v0 + 3, b.v1 - 3, 0.36);
     }
 
     void row(const Block &b, Side side, double from, double to, double density)

@@ -118,11 +118,13 @@ void church(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const S
     });
     const RoofShape roof = {13.0, 6.5, y + 8.7, 1.15, 0.4};
     const Site ridge(site.ground(0, -2), site.along());
-    gable_roof(pieces.on(Layer::tiles), ridge, roof, slate);
+    for (const RoofPart part : {RoofPart::tiles, RoofPart::edges})
+        gable_roof(pieces.on(Layer::tiles), ridge, roof, part, slate);
     gable_walls(pieces.on(Layer::facades), ridge, roof, sandstone, Bay::ashlar);
     m.walls(choir, y, {2.4, 3.6}, sandstone,
             [](int, int storey, int bay, int) { return storey == 1 && bay % 2 == 0 ? Bay::arch : Bay::ashlar; });
-    hip_roof(pieces.on(Layer::tiles), Site(site.ground(0, -17.4), site.along()), {3.6, 4, y + 6.3, 1.0, 0.35}, slate);
+    hip_roof(pieces.on(Layer::tiles), Site(site.ground(0, -17.4), site.along()), {3.6, 4, y + 6.3, 1.0, 0.35},
+             RoofPart::tiles, slate);
     for (const double side : {-1.0, 1.0})  // buttresses
         for (int i = 0; i < 4; ++i) {
             const double o = -12.5 + 6.0 * i, a = side * 6.5;
@@ -160,7 +162,8 @@ void town_hall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, cons
         return side == 0 ? (storey == 1 ? Bay::flowers : Bay::window) : Bay::window;
     });
     for (const double band : {3.7, 6.9}) m.box(-13.65, y + band - 0.1, -6.15, 13.65, y + band + 0.12, 6.15, limestone);
-    hip_roof(pieces.on(Layer::tiles), site, {13.5, 6, y + 9.9, 0.75, 0.55}, red_tile);
+    for (const RoofPart part : {RoofPart::tiles, RoofPart::edges})
+        hip_roof(pieces.on(Layer::tiles), site, {13.5, 6, y + 9.9, 0.75, 0.55}, part, red_tile);
     m.walls(turret, y + 12.6, {1.4, 3.0}, ochre,
             [](int, int storey, int, int) { return storey == 1 ? Bay::clock : Bay::blank; });
     m.spire(0, 0, 1.7, y + 17.3, y + 22.5, copper);

@@ -119,8 +119,8 @@ void end_panel(Geometry &g, float feet_z, Rgb paint)
                 g.add(b, normal, b.z * 0.25f, b.y * 0.25f, colour);
                 g.add(c, normal, c.z * 0.25f, c.y * 0.25f, colour);
                 // Forward to back and up, seen from +x, runs counter-clockwise.
-                if ((side > 0) == outside) g.triangle(n, n + 1, n + 2);
-                else g.triangle(n, n + 2, n + 1);
+                if ((side > 0) == outside) g.triangle(n, n + 2, n + 1);
+                else g.triangle(n, n + 1, n + 2);
             }
         }
         for (int i = 0; i + 2 < corners; ++i) {

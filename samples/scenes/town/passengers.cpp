@@ -32,6 +32,9 @@ Passengers::Passengers(Library &library, const Casting &casting, const Town &tow
     for (const char *name : {"citizen", "patrician", "plebeian", "decurion"}) figures_.push_back(library.builtin(name));
     const uint32_t seats = static_cast<uint32_t>(Omnibus::seats().size());
     const uint32_t most = static_cast<uint32_t>(path_.length_m() / spacing_m) * seats;
+    const Block &square = town.plan().square();
+    first_m_ =
+        path_.nearest(town.plan().at(square.u1 + 6, square_plan(town.plan()).fountain_v + 6)) - 2 * metres_a_second;
     // One in eight is on foot; where omnibuses are full, more.
     const uint32_t riding = std::min(most, casting.count < 8 ? casting.count : casting.count - casting.count / 8);
     board(riding);
@@ -109,7 +112,7 @@ void Passengers::gather(const Town &town, uint32_t people)
 void Passengers::drive(double time_s)
 {
     for (size_t i = 0; i < groups_.size(); ++i) {
-        const double start = path_.length_m() * static_cast<double>(i) / static_cast<double>(groups_.size());
+        const double start = first_m_ + path_.length_m() * static_cast<double>(i) / static_cast<double>(groups_.size());
         stances_[i] = path_.place_at(time_s, metres_a_second, start);
         const clq_place place = place_of(stances_[i]);
         check(clq_group_place(crowd(), groups_[i], &place));

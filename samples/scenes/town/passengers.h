@@ -41,6 +41,7 @@ private:
     std::vector<Stance> stances_;
     std::vector<clq_place> standing_;
     size_t seated_ = 0;
+    double first_m_ = 0;  // along the way, at time 0: after 2 s the first omnibus passes the square
 };
 
 }  // namespace scenes::town

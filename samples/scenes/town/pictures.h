@@ -9,7 +9,7 @@ namespace scenes::town
 
 // What one repeat covers.
 constexpr float land_metres = 11.0f, furrows_metres = 12.0f, cobbles_metres = 9.0f, water_metres = 24.0f;
-constexpr float tiles_metres = 3.2f, leaves_metres = 5.0f;
+constexpr float tiles_metres = 3.2f, leaves_metres = 3.0f;
 constexpr double roadway_share = 0.66;  // of a street's width is between the kerbs
 
 Image land(uint64_t seed);     // grass
@@ -27,15 +27,15 @@ enum class Bay : uint8_t {
     window,
     flowers,
     blank,
-    timber,
-    timber_window,
+    gable,
+    plinth,
     arch,
     ashlar,
-    plinth,
-    gate,
-    gable,
     portal,
     clock,
+    timber,
+    timber_window,
+    gate,
     planks
 };
 constexpr int bays_each_way = 4;

@@ -65,18 +65,22 @@ Pieces::Pieces(const std::array<float, layer_count> &texture_metres)
     for (const float metres : texture_metres) layers_.emplace_back(metres);
 }
 
-void Pieces::finish(Piece::Kind kind)
+void Pieces::from_now(Seen seen)
 {
-    Piece piece = {};
-    piece.kind = kind;
     for (size_t i = 0; i < layer_count; ++i) {
         const uint32_t now = static_cast<uint32_t>(layers_[i].indices().size());
-        if (now > done_[i]) piece.spans.push_back({static_cast<Layer>(i), done_[i], now - done_[i]});
+        if (now > done_[i]) open_.push_back({static_cast<Layer>(i), seen_, done_[i], now - done_[i]});
         done_[i] = now;
     }
-    if (piece.spans.empty()) return;
-    piece.sphere = sphere_of(layers_, piece.spans);
-    pieces_.push_back(std::move(piece));
+    seen_ = seen;
+}
+
+void Pieces::finish(Piece::Kind kind)
+{
+    from_now(Seen::always);
+    if (open_.empty()) return;
+    pieces_.push_back({kind, sphere_of(layers_, open_), open_});
+    open_.clear();
 }
 
 size_t Pieces::triangles() const
@@ -86,48 +90,40 @@ size_t Pieces::triangles() const
     return sum;
 }
 
-size_t Pieces::choose(const Frustum *cull, std::vector<uint8_t> &chosen) const
+size_t Pieces::choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const
 {
-    size_t sum = 0;
-    chosen.assign(pieces_.size(), 0);
-    for (size_t i = 0; i < pieces_.size(); ++i) {
-        if (cull && !cull->meets(pieces_[i].sphere)) continue;
-        chosen[i] = 1;
-        for (const Span &span : pieces_[i].spans) sum += span.count / 3;
+    for (std::vector<uint32_t> &indices : choice) indices.clear();
+    for (const Piece &piece : pieces_) {
+        if (cull && !cull->meets(piece.sphere)) continue;
+        const Vec3 &c = piece.sphere.centre;
+        const double x = static_cast<double>(c.x) - eye[0], y = static_cast<double>(c.y) - eye[1];
+        const double z = static_cast<double>(c.z) - eye[2], near = static_cast<double>(near_m + piece.sphere.radius);
+        const Seen hidden = x * x + y * y + z * z < near * near ? Seen::far : Seen::near;
+        for (const Span &span : piece.spans) {
+            if (span.seen == hidden) continue;
+            const size_t layer = static_cast<size_t>(span.layer);
+            const auto first = layers_[layer].indices().begin() + span.first;
+            choice[layer].insert(choice[layer].end(), first, first + span.count);
+        }
     }
+    size_t sum = 0;
+    for (const std::vector<uint32_t> &indices : choice) sum += indices.size() / 3;
     return sum;
 }
 
-void Pieces::draw(const Gl &g, Layer layer, const std::vector<uint8_t> &chosen) const
+void Pieces::draw(const Gl &g, Layer layer, const Choice &choice) const
 {
-    const Geometry &geometry = on(layer);
-    if (geometry.indices().empty()) return;
+    const std::vector<uint32_t> &indices = choice[static_cast<size_t>(layer)];
+    if (indices.empty()) return;
     constexpr int stride = sizeof(SceneryVertex);
-    const SceneryVertex *v = geometry.vertices().data();
+    const SceneryVertex *v = on(layer).vertices().data();
     for (const unsigned array : {gl::vertex_array, gl::normal_array, gl::color_array, gl::texcoord_array})
         g.EnableClientState(array);
     g.VertexPointer(3, gl::float_type, stride, &v->position);
     g.NormalPointer(gl::float_type, stride, &v->normal);
     g.TexCoordPointer(2, gl::float_type, stride, &v->u);
     g.ColorPointer(4, gl::unsigned_byte, stride, v->rgba);
-    uint32_t first = 0, count = 0;
-    const auto send = [&] {
-        if (count > 0)
-            g.DrawElements(gl::triangles, static_cast<int>(count), gl::unsigned_int, geometry.indices().data() + first);
-    };
-    for (size_t i = 0; i < pieces_.size(); ++i) {
-        if (!chosen[i]) continue;
-        for (const Span &span : pieces_[i].spans) {
-            if (span.layer != layer) continue;
-            if (span.first == first + count) {
-                count += span.count;
-                continue;
-            }
-            send();
-            first = span.first, count = span.count;
-        }
-    }
-    send();
+    g.DrawElements(gl::triangles, static_cast<int>(indices.size()), gl::unsigned_int, indices.data());
     for (const unsigned array : {gl::vertex_array, gl::normal_array, gl::color_array, gl::texcoord_array})
         g.DisableClientState(array);
 }

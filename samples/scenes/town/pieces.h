@@ -32,8 +32,13 @@ private:
     std::array<std::array<float, 4>, 6> planes_;  // normal of length 1, and the distance of the origin
 };
 
+// Whether something shows from everywhere, or only from near or from far: fine things, and what stands in for them.
+enum class Seen : uint8_t { always, near, far };
+constexpr float near_m = 115;  // to the surface of a piece's sphere
+
 struct Span {
     Layer layer;
+    Seen seen;
     uint32_t first, count;  // indices of its layer
 };
 
@@ -52,18 +57,24 @@ public:
     Geometry &on(Layer layer) { return layers_[static_cast<size_t>(layer)]; }
     const Geometry &on(Layer layer) const { return layers_[static_cast<size_t>(layer)]; }
     void finish(Piece::Kind kind);
+    // Of what is added from now on, until the piece is finished.
+    void from_now(Seen seen);
 
     const std::vector<Piece> &all() const { return pieces_; }
     size_t triangles() const;
-    // Which meet a frustum; null: all. Returns how many triangles that is.
-    size_t choose(const Frustum *cull, std::vector<uint8_t> &chosen) const;
-    // Draws the chosen ones of a layer, neighbours in the arrays in one call.
-    void draw(const Gl &gl, Layer layer, const std::vector<uint8_t> &chosen) const;
+    // What is to be drawn: the indices of each layer.
+    using Choice = std::array<std::vector<uint32_t>, layer_count>;
+    // Pieces that meet a frustum (null: all), as they are seen from a point. Returns how many triangles that is.
+    size_t choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const;
+    // One call of GL.
+    void draw(const Gl &gl, Layer layer, const Choice &choice) const;
 
 private:
     std::vector<Geometry> layers_;
     std::array<uint32_t, layer_count> done_ = {};
     std::vector<Piece> pieces_;
+    std::vector<Span> open_;  // of the piece that is being built
+    Seen seen_ = Seen::always;
 };
 
 }  // namespace scenes::town

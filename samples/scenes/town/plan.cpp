@@ -196,7 +196,7 @@ Cover Plan::cover(size_t column, size_t row) const
     if (!in_town(u) || !in_town(v)) {
         const double far = std::max(std::abs(u.middle()), std::abs(v.middle()));
         const double share = lot(seed_, parcel(column, row), Lot::tree);
-        return share < (far > 1300 ? 0.55 : far > 420 ? 0.22 : 0.06) ? Cover::wood : Cover::field;
+        return share < (far > 1300 ? 0.46 : far > 420 ? 0.22 : 0.06) ? Cover::wood : Cover::field;
     }
     for (const Block &b : blocks_)
         if (u.middle() > b.u0 && u.middle() < b.u1 && v.middle() > b.v0 && v.middle() < b.v1)

@@ -14,8 +14,11 @@ struct RoofShape {
 
 constexpr double roof_thickness_m = 0.16;
 
-void gable_roof(Geometry &tiles, const Site &site, const RoofShape &shape, Rgb colour);
-void hip_roof(Geometry &tiles, const Site &site, const RoofShape &shape, Rgb colour);
+// The tiles, which show from anywhere; or the undersides and boards, which show from near.
+enum class RoofPart : uint8_t { tiles, edges };
+
+void gable_roof(Geometry &tiles, const Site &site, const RoofShape &shape, RoofPart part, Rgb colour);
+void hip_roof(Geometry &tiles, const Site &site, const RoofShape &shape, RoofPart part, Rgb colour);
 // The walls under the ends of a gable roof.
 void gable_walls(Geometry &facades, const Site &site, const RoofShape &shape, Rgb colour, Bay bay);
 

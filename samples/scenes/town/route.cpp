@@ -101,6 +101,14 @@ Point VehiclePath::point(double metres) const
     return {a.x + t * (b.x - a.x), a.z + t * (b.z - a.z)};
 }
 
+double VehiclePath::nearest(Point p) const
+{
+    size_t best = 0;
+    for (size_t i = 1; i < points_.size(); ++i)
+        if (distance(points_[i], p) < distance(points_[best], p)) best = i;
+    return length_ * static_cast<double>(best) / static_cast<double>(points_.size());
+}
+
 Stance VehiclePath::at(double metres) const
 {
     const Point rear = point(metres - wheelbase_ / 2), front = point(metres + wheelbase_ / 2);

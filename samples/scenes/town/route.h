@@ -32,6 +32,8 @@ public:
         return at(start_m + time_s * metres_a_second);
     }
     Point point(double metres) const;
+    // How far along it the point is that lies nearest.
+    double nearest(Point p) const;
 
     static constexpr double lane_m = 1.45;  // from the middle of the street
 

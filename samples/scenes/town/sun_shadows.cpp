@@ -10,7 +10,7 @@ namespace
 
 constexpr Rgb dark = {0.06f, 0.07f, 0.14f};
 constexpr float darkness = 0.46f, lift_m = 0.012f;
-constexpr double smallest_m2 = 0.02;
+constexpr double smallest_m2 = 0.05;
 
 using Outline = std::vector<Point>;
 

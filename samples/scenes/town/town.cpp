@@ -51,6 +51,7 @@ Town::Town(uint64_t seed)
         throw_shadow(shadows, house, terrain_);
     }
     build_landmarks(pieces_, shadows, plan_, terrain_, seed);
+    plant_hedges(pieces_, plan_, terrain_, houses_, seed);
     for (const Tree &tree : trees_) grow_tree(pieces_, shadows, tree, terrain_, seed);
 }
 
@@ -86,7 +87,7 @@ size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
     g.Fogf(gl::fog_density, haze_per_m);
     g.Enable(gl::fog);
     g.Enable(gl::cull_face);
-    const size_t sent = pieces_.choose(cull, chosen_);
+    const size_t sent = pieces_.choose(cull, eye.position, chosen_);
     for (size_t i = 0; i < layer_count; ++i) {
         const Layer layer = static_cast<Layer>(i);
         if (layer == Layer::shade) {

@@ -45,7 +45,7 @@ private:
     Pieces pieces_;
     Clouds sky_;
     std::array<std::unique_ptr<Texture>, layer_count> pictures_;
-    mutable std::vector<uint8_t> chosen_;
+    mutable Pieces::Choice chosen_;
 };
 
 }  // namespace scenes::town

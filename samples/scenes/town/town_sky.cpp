@@ -1,5 +1,7 @@
 // The scene `town_sky`, S0's application (7.1, 7.2): thousands of flying actors of 13 articulations and 19 degrees of
 // freedom over a small town, their behaviour running, about a fifth of them in view.
+#include <array>
+
 #include "samples/scenes/scene.h"
 #include "samples/scenes/town/flyers.h"
 #include "samples/scenes/town/town.h"
@@ -22,13 +24,19 @@ public:
     std::vector<clq_template *> templates() const override { return flyers_.templates(); }
 
     // overview: among them, high over the fields before the town. close: beside one of them on its way.
-    clq_camera camera(Shot shot, double aspect, double) const override
+    clq_camera camera(Shot shot, double aspect, double time_s) const override
     {
         if (shot == Shot::close) {
-            clq_actor_info info = {};
-            check(clq_actor_get_info(crowd(), actors()[0], &info));
-            const double target[3] = {info.root.position[0], info.root.position[1] + 0.3, info.root.position[2]};
-            const double eye[3] = {target[0] + 2.6, target[1] + 0.9, target[2] + 4.2};
+            double body[16];
+            const uint32_t node = clq_template_find_node(templates()[0], "body");
+            check(clq_actor_get_node(crowd(), actors()[0], node, time_s, body));
+            // Ahead of its face and to its left, as it is turned now.
+            double eye[3], target[3];
+            for (int k = 0; k < 3; ++k) {
+                target[k] = body[12 + k];
+                eye[k] = target[k] + 3.2 * body[8 + k] + 1.8 * body[k];
+            }
+            eye[1] += 0.8;
             return look(eye, target, 46, aspect, 0.3, 5500);
         }
         const town::Point middle = town_.plan().at(0, 0);

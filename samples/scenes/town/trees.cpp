@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr double two_pi = 6.283185307179586;
+constexpr double shaded_m = 620;  // farther trees throw no shadow that anybody sees
 constexpr Rgb bark = {0.42f, 0.34f, 0.27f};
 constexpr Rgb greens[] = {
     {0.42f, 0.60f, 0.26f}, {0.36f, 0.54f, 0.24f}, {0.48f, 0.62f, 0.28f}, {0.40f, 0.52f, 0.20f}, {0.54f, 0.60f, 0.26f}};
@@ -27,15 +28,15 @@ public:
     std::vector<Tree> plant()
     {
         for (const Block &b : plan_.blocks()) {
-            const int wanted = b.kind == Block::Kind::park     ? 30
-                               : b.kind == Block::Kind::houses ? 9
-                               : b.kind == Block::Kind::yards  ? 5
+            const int wanted = b.kind == Block::Kind::park     ? 26
+                               : b.kind == Block::Kind::houses ? 6
+                               : b.kind == Block::Kind::yards  ? 3
                                                                : 0;
             for (int i = 0; i < wanted; ++i) {
                 const uint64_t who = draws_++;
                 const double u = lot_between(seed_, who, Lot::place_x, b.u0 + 4, b.u1 - 4);
                 const double v = lot_between(seed_, who, Lot::place_z, b.v0 + 4, b.v1 - 4);
-                try_at(who, u, v, b.kind == Block::Kind::park);
+                try_at(who, u, v);
             }
         }
         on_square();
@@ -46,17 +47,13 @@ public:
     }
 
 private:
-    void try_at(uint64_t who, double u, double v, bool near_people)
+    void try_at(uint64_t who, double u, double v)
     {
         const double share = lot(seed_, who, Lot::tree);
-        add(who, u, v,
-            share < 0.80  ? Tree::Kind::broad
-            : share < 0.9 ? Tree::Kind::poplar
-                          : Tree::Kind::fir,
-            near_people);
+        add(who, u, v, share < 0.80 ? Tree::Kind::broad : share < 0.9 ? Tree::Kind::poplar : Tree::Kind::fir);
     }
 
-    void add(uint64_t who, double u, double v, Tree::Kind kind, bool near_people)
+    void add(uint64_t who, double u, double v, Tree::Kind kind)
     {
         Tree t = {};
         t.kind = kind;
@@ -64,7 +61,6 @@ private:
         const double size = lot_between(seed_, who, Lot::size, 0.78, 1.2);
         t.height_m = size * (kind == Tree::Kind::broad ? 8.2 : 12.5);
         t.radius_m = size * (kind == Tree::Kind::broad ? 3.3 : kind == Tree::Kind::poplar ? 1.5 : 2.6);
-        t.near_people = near_people;
         for (const House &h : houses_) {
             const double x = t.at.x - h.at.x, z = t.at.z - h.at.z;
             const double out = std::abs(x * h.out.x + z * h.out.z), along = std::abs(x * h.out.z - z * h.out.x);
@@ -81,38 +77,38 @@ private:
     {
         const Block &b = plan_.square();
         for (int i = 0; i < 5; ++i)
-            for (const double u : {b.u0 + 9, b.u1 - 9}) add(draws_++, u, b.v0 + 36 + 9.5 * i, Tree::Kind::broad, true);
+            for (const double u : {b.u0 + 9, b.u1 - 9}) add(draws_++, u, b.v0 + 36 + 9.5 * i, Tree::Kind::broad);
     }
 
     // Poplars on both sides of the roads into the country.
     void avenues()
     {
         const double high = plan_.streets_v()[Plan::high_street], south = plan_.streets_u()[Plan::south_street];
-        for (int i = 0; i < 17; ++i)
+        for (int i = 0; i < 12; ++i)
             for (const double side : {-1.0, 1.0}) {
-                const double out = 200 + 15.0 * i + (side > 0 ? 7 : 0), beside = side * 8.5;
-                if (i < 14) add(draws_++, -out, high + beside, Tree::Kind::poplar, false);
-                if (i > 5) add(draws_++, out + 20, high + beside, Tree::Kind::poplar, false);
-                if (i % 2 == 0) add(draws_++, south + beside, -out, Tree::Kind::broad, false);
-                add(draws_++, south + beside, out, Tree::Kind::poplar, false);
+                const double out = 200 + 17.0 * i + (side > 0 ? 7 : 0), beside = side * 8.5;
+                if (i < 10) add(draws_++, -out, high + beside, Tree::Kind::poplar);
+                if (i > 4) add(draws_++, out + 20, high + beside, Tree::Kind::poplar);
+                if (i % 2 == 0) add(draws_++, south + beside, -out, Tree::Kind::broad);
+                add(draws_++, south + beside, out, Tree::Kind::poplar);
             }
     }
 
     void by_stream()
     {
         const double high = plan_.streets_v()[Plan::high_street];
-        for (int i = 0; i < 64; ++i) {
+        for (int i = 0; i < 40; ++i) {
             const uint64_t who = draws_++;
             const double v = lot_between(seed_, who, Lot::place_z, -420, 520);
             if (std::abs(v - high) < 14) continue;
             const double away = lot_between(seed_, who, Lot::place_x, 9, 24);
-            try_at(who, plan_.stream_u() + (lot(seed_, who, Lot::gap) < 0.5 ? -away : away), v, false);
+            try_at(who, plan_.stream_u() + (lot(seed_, who, Lot::gap) < 0.5 ? -away : away), v);
         }
     }
 
     void between_fields()
     {
-        for (int i = 0; i < 70; ++i) {
+        for (int i = 0; i < 40; ++i) {
             const uint64_t who = draws_++;
             const double angle = lot_between(seed_, who, Lot::heading, 0, two_pi);
             const double far = lot_between(seed_, who, Lot::radius, 230, 620);
@@ -120,7 +116,7 @@ private:
             if (std::abs(plan_.from_stream(u)) < 12) continue;
             if (std::abs(v - plan_.streets_v()[Plan::high_street]) < 11) continue;
             if (std::abs(u - plan_.streets_u()[Plan::south_street]) < 11) continue;
-            try_at(who, u, v, false);
+            try_at(who, u, v);
         }
     }
 
@@ -131,48 +127,78 @@ private:
 };
 
 struct Ring {
-    double share, radius;  // of the crown's height and of its radius
+    double share, radius;  // of the height and of the radius
 };
 
-void crown(Geometry &g, const Tree &tree, double foot, double ground, Rgb green, uint64_t seed)
+// One ball of leaves, or a cone: rings from the bottom up, bumpy.
+struct Ball {
+    Vec3 foot;  // the middle of its lower end
+    double height, radius;
+    int sides;
+    Vec3 crown;  // the middle of the whole crown, from which light falls off
+    double crown_height;
+};
+
+void ball(Geometry &g, const Ball &b, const std::vector<Ring> &rings, Rgb green, uint64_t seed)
 {
-    static const std::vector<Ring> rough = {{0, 0.25}, {0.30, 0.98}, {0.72, 0.80}, {1, 0}};
-    static const std::vector<Ring> fine = {{0, 0.2}, {0.16, 0.82}, {0.42, 1.0}, {0.70, 0.84}, {0.90, 0.45}, {1, 0}};
-    static const std::vector<Ring> slim = {{0, 0.3}, {0.25, 1.0}, {0.62, 0.78}, {1, 0}};
-    static const std::vector<Ring> cone = {{0, 1.0}, {0.34, 0.70}, {0.35, 0.80}, {1, 0}};
-    const std::vector<Ring> &rings = tree.kind == Tree::Kind::poplar ? slim
-                                     : tree.kind == Tree::Kind::fir  ? cone
-                                     : tree.near_people              ? fine
-                                                                     : rough;
-    const int sides = tree.near_people ? 9 : 6;
-    const double high = tree.height_m - foot, leaf = 1 / static_cast<double>(leaves_metres);
-    const double wraps = std::max(1.0, std::floor(two_pi * tree.radius_m * leaf + 0.5));
+    const double leaf = 1 / static_cast<double>(leaves_metres);
+    const double wraps = std::max(1.0, std::floor(two_pi * b.radius * leaf + 0.5));
     std::vector<uint32_t> below, row;
     for (size_t k = 0; k < rings.size(); ++k) {
         row.clear();
-        for (int side = 0; side <= sides; ++side) {
-            const uint64_t who = k * 32 + static_cast<uint64_t>(side % sides);
+        for (int side = 0; side <= b.sides; ++side) {
+            const uint64_t who = k * 32 + static_cast<uint64_t>(side % b.sides);
             const bool pole = rings[k].radius == 0;
-            const double bump = pole ? 0 : lot_between(seed, who, Lot::radius, 0.80, 1.14);
-            const double angle = two_pi * (side + 0.5 * static_cast<double>(k % 2)) / sides;
-            const double r = rings[k].radius * tree.radius_m * bump;
-            const double y =
-                foot + rings[k].share * high + (pole ? 0 : lot_between(seed, who, Lot::size, -0.06, 0.06) * high);
-            const double nx = r * std::sin(angle), nz = r * std::cos(angle),
-                         ny = (rings[k].share - 0.42) * tree.radius_m * 1.5;
-            const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
-            const float light = static_cast<float>(0.58 + 0.46 * rings[k].share + (pole ? 0 : 0.16 * (bump - 1)));
+            const double bump = pole ? 1 : lot_between(seed, who, Lot::radius, 0.82, 1.14);
+            const double shift = pole ? 0 : lot_between(seed, who, Lot::size, -0.06, 0.06);
+            const double angle = two_pi * (side + 0.5 * static_cast<double>(k % 2)) / b.sides;
+            const double r = rings[k].radius * b.radius * bump, y = (rings[k].share + shift) * b.height;
+            const double x = r * std::sin(angle), z = r * std::cos(angle);
+            const Vec3 p = {b.foot.x + static_cast<float>(x), b.foot.y + static_cast<float>(y),
+                            b.foot.z + static_cast<float>(z)};
+            // Half away from the ball's own middle, half from the crown's.
+            const double ny = (rings[k].share - 0.45) * b.radius * 2 + static_cast<double>(p.y - b.crown.y);
+            const double nx = x + static_cast<double>(p.x - b.crown.x), nz = z + static_cast<double>(p.z - b.crown.z);
+            const double length = std::sqrt(nx * nx + ny * ny + nz * nz) + 1e-9;
+            const double high = static_cast<double>(p.y - b.crown.y) / b.crown_height + 0.5;
+            const float light = static_cast<float>(0.74 + 0.30 * high + (pole ? 0 : 0.5 * (bump - 1)));
             row.push_back(g.add(
-                {static_cast<float>(tree.at.x + nx), static_cast<float>(ground + y),
-                 static_cast<float>(tree.at.z + nz)},
-                {static_cast<float>(nx / length), static_cast<float>(ny / length), static_cast<float>(nz / length)},
-                static_cast<float>(side * wraps / sides), static_cast<float>(y * leaf), green * light));
+                p, {static_cast<float>(nx / length), static_cast<float>(ny / length), static_cast<float>(nz / length)},
+                static_cast<float>(side * wraps / b.sides), static_cast<float>(y * leaf), green * light));
         }
         for (size_t side = 0; k > 0 && side + 1 < row.size(); ++side) {
-            g.triangle(below[side], below[side + 1], row[side + 1]);
+            if (rings[k - 1].radius > 0) g.triangle(below[side], below[side + 1], row[side + 1]);
             if (rings[k].radius > 0) g.triangle(below[side], row[side + 1], row[side]);
         }
         below = row;
+    }
+}
+
+void crown(Geometry &g, const Tree &tree, Seen seen, double foot, double ground, Rgb green, uint64_t seed)
+{
+    static const std::vector<Ring> rough = {{0, 0.25}, {0.30, 0.98}, {0.72, 0.80}, {1, 0}};
+    static const std::vector<Ring> round = {{0, 0}, {0.30, 0.95}, {0.70, 0.86}, {1, 0}};
+    static const std::vector<Ring> slim = {{0, 0.3}, {0.25, 1.0}, {0.62, 0.78}, {1, 0}};
+    static const std::vector<Ring> cone = {{0, 1.0}, {0.34, 0.62}, {0.35, 0.80}, {1, 0}};
+    const double high = tree.height_m - foot;
+    const float x = static_cast<float>(tree.at.x), z = static_cast<float>(tree.at.z);
+    const Vec3 low = {x, static_cast<float>(ground + foot), z},
+               middle = {x, static_cast<float>(ground + foot + 0.5 * high), z};
+    if (tree.kind != Tree::Kind::broad || seen == Seen::far) {
+        const std::vector<Ring> &rings = tree.kind == Tree::Kind::poplar ? slim
+                                         : tree.kind == Tree::Kind::fir  ? cone
+                                                                         : rough;
+        ball(g, {low, high, tree.radius_m, 6, middle, high}, rings, green, seed);
+        return;
+    }
+    for (uint64_t i = 0; i < 5; ++i) {  // boughs: four around, one on top
+        const double turn = two_pi * (static_cast<double>(i) + lot_between(seed, i, Lot::heading, 0, 0.5)) / 4;
+        const double out = i == 4 ? 0 : lot_between(seed, i, Lot::place_x, 0.36, 0.50) * tree.radius_m;
+        const double up = i == 4 ? 0.36 : lot_between(seed, i, Lot::place_z, 0.0, 0.22);
+        const double size = i == 4 ? 0.72 : lot_between(seed, i, Lot::slab, 0.58, 0.70);
+        const Vec3 at = {x + static_cast<float>(out * std::sin(turn)), static_cast<float>(ground + foot + up * high),
+                         z + static_cast<float>(out * std::cos(turn))};
+        ball(g, {at, 0.64 * high, size * tree.radius_m, 7, middle, high}, round, green, seed + 77 * i);
     }
 }
 
@@ -195,13 +221,19 @@ void grow_tree(Pieces &pieces, SunShadows &shadows, const Tree &tree, const Terr
     const float r = static_cast<float>(0.035 * tree.height_m), y = static_cast<float>(ground);
     pieces.on(Layer::stone)
         .turned(static_cast<float>(tree.at.x), static_cast<float>(tree.at.z),
-                {{r, y - 0.03f}, {0.7f * r, y + static_cast<float>(foot + 0.12 * tree.height_m)}}, 5, bark);
-    crown(pieces.on(Layer::leaves), tree, foot, ground, green, own);
+                {{r, y - 0.03f}, {0.7f * r, y + static_cast<float>(foot + 0.14 * tree.height_m)}}, 5, bark);
+    if (tree.kind == Tree::Kind::broad) {
+        pieces.from_now(Seen::near);
+        crown(pieces.on(Layer::leaves), tree, Seen::near, foot, ground, green, own);
+        pieces.from_now(Seen::far);
+    }
+    crown(pieces.on(Layer::leaves), tree, Seen::far, foot, ground, green, own);
     pieces.finish(Piece::Kind::tree);
 
+    if (std::abs(tree.at.x) + std::abs(tree.at.z) > shaded_m) return;
     std::vector<Vec3> outline;
-    for (int side = 0; side < 7; ++side) {
-        const double angle = two_pi * side / 7;
+    for (int side = 0; side < 6; ++side) {
+        const double angle = two_pi * side / 6;
         for (const double share : {0.3, 0.7})
             outline.push_back({static_cast<float>(tree.at.x + 0.85 * tree.radius_m * std::sin(angle)),
                                static_cast<float>(ground + foot + share * (tree.height_m - foot)),

@@ -42,8 +42,8 @@ public:
         };
         const town::Block &block = town_.plan().square();
         if (shot == Shot::close)
-            return from_to(at(block.u1 - 4.0, block.v1 - 3.0, 1.7), at(square.fountain_u + 6, block.v1 - 16, 2.6), 52,
-                           0.3);
+            return from_to(at(block.u1 - 2.6, square.fountain_v - 3, 2.0),
+                           at(block.u1 + 6.2, square.fountain_v + 5.4, 1.35), 50, 0.3);
         return from_to(at(square.fountain_u + 60, square.fountain_v + 185, 78),
                        at(square.fountain_u - 2, square.fountain_v - 30, 4), 44, 2);
     }

@@ -37,7 +37,9 @@ public:
         const uint32_t first = static_cast<uint32_t>(g.vertices().size());
         for (int n = 0; n <= down; ++n)
             for (int m = 0; m <= across; ++m)
-                top(g, within(i, k, static_cast<double>(m) / across, static_cast<double>(n) / down), green);
+                top(g, edged(i, k, m, n, across, down, open),
+                    (m == 0 && open[3]) || (m == across && open[1]) || (n == 0 && open[2]) || (n == down && open[0]),
+                    green);
         const uint32_t wide = static_cast<uint32_t>(across) + 1;
         const auto number = [&](int m, int n) {
             return first + static_cast<uint32_t>(n) * wide + static_cast<uint32_t>(m);
@@ -61,7 +63,7 @@ private:
     static int parts(const Vec3 &a, const Vec3 &b, double far)
     {
         const double x = static_cast<double>(b.x) - a.x, z = static_cast<double>(b.z) - a.z;
-        return std::clamp(static_cast<int>(std::sqrt(x * x + z * z) / (14 + far * 0.05) + 0.5), 1, 8);
+        return std::clamp(static_cast<int>(std::sqrt(x * x + z * z) / (15 + far * 0.08) + 0.5), far < 900 ? 2 : 1, 8);
     }
 
     Point within(size_t i, size_t k, double s, double t) const
@@ -75,7 +77,18 @@ private:
         return {mix(a.x, b.x, c.x, d.x), mix(a.z, b.z, c.z, d.z)};
     }
 
-    void top(Geometry &g, Point p, Rgb green) const
+    // A point of the roof; on an open edge drawn in by lot, so that woods are not cut out with a ruler.
+    Point edged(size_t i, size_t k, int m, int n, int across, int down, const bool (&open)[4]) const
+    {
+        double s = m, t = n;
+        const Point p = within(i, k, s / across, t / down);
+        const double in = std::clamp(0.38 + 0.75 * gradient_noise(seed_ + 75, p.x / 23, p.z / 23), 0.02, 0.72);
+        if (across > 1) s += m == 0 && open[3] ? in : m == across && open[1] ? -in : 0;
+        if (down > 1) t += n == 0 && open[2] ? in : n == down && open[0] ? -in : 0;
+        return within(i, k, s / across, t / down);
+    }
+
+    void top(Geometry &g, Point p, bool edge, Rgb green) const
     {
         const double crowns = gradient_noise(seed_ + 71, p.x / 21.7, p.z / 21.7);
         const double broad = gradient_noise(seed_ + 72, p.x / 90, p.z / 90);
@@ -83,7 +96,8 @@ private:
         const double nz = gradient_noise(seed_ + 74, p.x / 17.3, p.z / 17.3);
         const double length = std::sqrt(nx * nx + nz * nz + 1);
         const float light = static_cast<float>(0.86 + 0.30 * crowns + 0.22 * broad);
-        g.add({static_cast<float>(p.x), static_cast<float>(terrain_.height(p.x, p.z) + 9.5 + 4.5 * crowns + 2 * broad),
+        g.add({static_cast<float>(p.x),
+               static_cast<float>(terrain_.height(p.x, p.z) + (edge ? 5.0 : 10.5) + 4.5 * crowns + 2 * broad),
                static_cast<float>(p.z)},
               {static_cast<float>(nx / length), static_cast<float>(1 / length), static_cast<float>(nz / length)},
               static_cast<float>(p.x) / metres, static_cast<float>(p.z) / metres, green * light);
