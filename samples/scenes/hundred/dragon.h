@@ -1,0 +1,14 @@
+// The dragon of `hundred_actors` as a template, made through the C API from arrays (S0 6.1, Table 3).
+//
+// Its 40 Skeleton nodes have one rigid piece each: 80 Internal Bspheres, those of the pieces and those of the nodes, which
+// hold all that is below them.
+#pragma once
+
+#include "samples/scenes/library.h"
+
+namespace scenes::hundred
+{
+
+Own<clq_template> make_dragon(Library &library);
+
+}  // namespace scenes::hundred

@@ -1,0 +1,114 @@
+// The scene `hundred_actors` of S0 6.1: a hundred dragons over a lake, who are to the camera's frustum as its Table 2 says,
+// each as its Table 3 says. What the library counts there stands beside the paper's cost model.
+#include "samples/scenes/cast.h"
+#include "samples/scenes/hundred/dragon.h"
+#include "samples/scenes/hundred/lake.h"
+#include "samples/scenes/hundred/manners.h"
+#include "samples/scenes/hundred/paint.h"
+#include "samples/scenes/hundred/ways.h"
+#include "samples/scenes/light.h"
+#include "samples/scenes/lot.h"
+#include "samples/scenes/scene.h"
+#include "samples/scenes/sky.h"
+
+namespace scenes
+{
+namespace
+{
+
+constexpr Daylight morning = {
+    {0.45f, 0.62f, 0.64f}, {0.78f, 0.72f, 0.62f}, {0.38f, 0.40f, 0.44f}, {0.14f, 0.17f, 0.18f}};
+constexpr uint32_t actors_of_table_2 = 100;
+
+const Casting &checked(const Casting &casting)
+{
+    if (casting.count != actors_of_table_2)
+        throw Failure("hundred_actors has the 100 actors of S0's Table 2, and " + std::to_string(casting.count) +
+                      " were asked for; parade has as many as you like");
+    return casting;
+}
+
+class Hundred final : public Scene
+{
+public:
+    Hundred(Library &library, const Casting &casting)
+        : cast_(library, checked(casting)),
+          dragon_(hundred::make_dragon(library)),
+          spheres_(hundred::spheres_of(library.context(), dragon_.get())),
+          spots_(hundred::find_places(spheres_, casting.seed)),
+          sky_(casting.seed, Sky::Land::hills)
+    {
+        for (uint64_t who = 0; who < spots_.size(); ++who) enter(casting.seed, who);
+        const hundred::Ways ways(crowd());
+        const hundred::Manners manners(crowd(), dragon_.get());
+        for (uint64_t who = 0; who < spots_.size(); ++who) {
+            const clq_actor actor = cast_.actors()[who];
+            ways.send(actor, spots_[who].way, casting.seed * actors_of_table_2 + who);
+            manners.teach(actor, casting.seed * actors_of_table_2 + who);
+        }
+        hundred::fill_lake(water_, rocks_, casting.seed);
+        hundred::draw_plan(plan_, spots_, spheres_);
+    }
+
+    clq_crowd *crowd() const override { return cast_.crowd(); }
+    std::vector<clq_actor> actors() const override { return cast_.actors(); }
+    std::vector<clq_template *> templates() const override { return {dragon_.get()}; }
+
+    // overview: that of Table 2. close: from outside, on its frustum and who is where in it.
+    clq_camera camera(Shot shot, double aspect, double) const override
+    {
+        if (shot == Shot::close) return look({-40, 170, 95}, {0, 8, -72}, 52, aspect, 2, 6000);
+        return hundred::Pyramid::camera(aspect);
+    }
+
+    void place(double) override {}
+    void prepare(const Gl &) override {}
+
+    void draw_setting(const Gl &g, const Eye &eye) const override
+    {
+        sky_.draw(g, eye);
+        shine(g, morning, eye);
+        g.Disable(gl::texture_2d);
+        g.Enable(gl::cull_face);
+        water_.draw(g);
+        rocks_.draw(g);
+        const hundred::Point own = hundred::Pyramid::eye();
+        if (eye.position[0] == own.x && eye.position[1] == own.y && eye.position[2] == own.z) return;
+        g.Disable(gl::cull_face);
+        g.Disable(gl::depth_test);
+        g.Disable(gl::lighting);
+        g.Enable(gl::blend);
+        g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
+        plan_.draw(g);
+        g.Disable(gl::blend);
+        g.Enable(gl::lighting);
+        g.Enable(gl::depth_test);
+        g.Enable(gl::cull_face);
+    }
+
+private:
+    void enter(uint64_t seed, uint64_t who)
+    {
+        clq_play play = {};
+        play.speed = static_cast<float>(lot_between(seed, who, Lot::speed, 0.85, 1.15));
+        play.phase_s = static_cast<float>(lot_between(seed, who, Lot::phase, 0, 60));
+        const uint32_t house = static_cast<uint32_t>(lot(seed, who, Lot::tone) * hundred::house_count);
+        cast_.enter({dragon_.get(), spots_[who].place, play}, who, hundred::dyes_of(house));
+    }
+
+    Cast cast_;
+    Own<clq_template> dragon_;
+    hundred::Spheres spheres_;
+    std::vector<hundred::Spot> spots_;
+    Sky sky_;
+    Geometry water_, rocks_, plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_hundred_actors(Library &library, const Casting &casting, const Character &)
+{
+    return std::make_unique<Hundred>(library, casting);
+}
+
+}  // namespace scenes
