@@ -15,13 +15,15 @@ using model::none;
 namespace
 {
 
-// The lowest node above both, or one of them; none where they stand in different trees.
+// The lowest node above both, or one of them; where they stand in different trees, the root above the first.
 uint32_t above_both(const model::Rig &rig, uint32_t a, uint32_t b)
 {
+    uint32_t root = a;
+    while (rig.parents[root] != none) root = rig.parents[root];
     while (a != b) {
-        if (a == none || b == none) return none;
         uint32_t &later = a > b ? a : b;
         later = rig.parents[later];
+        if (later == none) return root;
     }
     return a;
 }

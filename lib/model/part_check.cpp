@@ -31,7 +31,7 @@ void check_sphere(const Template &tmpl, const PartSphere &sphere)
 void check_part(const Template &tmpl, const Level &level, size_t index)
 {
     const LevelPart &part = level.parts[index];
-    if (part.node != none && part.node >= tmpl.rig.node_count())
+    if (part.node >= tmpl.rig.node_count())
         fail(CLQ_ARGUMENT, "part %zu hangs on node %u of %u", index, part.node, tmpl.rig.node_count());
     const uint64_t first =
         index == 0 ? 0 : uint64_t(level.parts[index - 1].first_sphere) + level.parts[index - 1].sphere_count;
@@ -70,6 +70,8 @@ void check_entries(const Template &tmpl, const Level &level)
     }
     for (const uint16_t joint : level.joints)
         if (!kept[joint]) fail(CLQ_ARGUMENT, "a vertex follows matrix %u, which its level does not ask for", joint);
+    for (const LevelPart &part : level.parts)
+        if (!level.active[part.node]) fail(CLQ_ARGUMENT, "a part hangs on node %u, which has stopped", part.node);
     for (const PartSphere &sphere : level.part_spheres)
         if (!kept[sphere.entry])
             fail(CLQ_ARGUMENT, "a part's sphere follows matrix %u, which its level does not ask for", sphere.entry);

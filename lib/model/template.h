@@ -87,7 +87,8 @@ struct PartSphere {
 // What is drawn or left out by itself (S0 4.1, 4.2 phase 3): rigid geometry on one node, or a skinned part. In a pose it
 // lies inside the hull of its spheres as their entries move them: these are the leaves of the Internal Bspheres.
 struct LevelPart {
-    uint32_t node = 0;  // that it hangs on; of a skinned part the lowest node above all that moves it
+    uint32_t node = 0;  // that it hangs on; of a skinned part the lowest node above all that moves it, or
+                        // the root above the first of these where they stand in several trees
     uint32_t first_sphere = 0, sphere_count = 0;  // of Level::part_spheres
     uint32_t triangles = 0;
 };

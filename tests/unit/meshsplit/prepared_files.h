@@ -50,7 +50,7 @@ inline double use_parts(const model::Template &tmpl, const model::Level &level)
     for (const uint32_t node : level.nodes) sum += double(tmpl.rig.rest[node].scale.x) + level.active[node];
     for (const uint32_t entry : level.entries) sum += tmpl.rig.palette[entry].node;
     for (const model::LevelPart &part : level.parts) {
-        if (part.node != model::none) sum += double(tmpl.rig.rest[part.node].scale.x);
+        sum += double(tmpl.rig.rest[part.node].scale.x);
         for (uint32_t i = 0; i < part.sphere_count; ++i) {
             const model::PartSphere &sphere = level.part_spheres[part.first_sphere + i];
             sum += double(sphere.bind.radius) + double(tmpl.rig.palette[sphere.entry].inverse_bind.c[0]);

@@ -44,6 +44,8 @@ TEST(TemplateLevels, that_are_not_what_drawing_relies_on_are_refused)
         [](Levels &l) { l[0].parts.pop_back(); },
         [](Levels &l) { l[0].parts.resize(65); },
         [](Levels &l) { l[0].parts[0].node = 6; },
+        [](Levels &l) { l[0].parts[0].node = model::none; },
+        [](Levels &l) { l[2].parts[0].node = 3; },
         [](Levels &l) { l[0].parts[0].triangles += 1; },
         [](Levels &l) { l[0].parts[0].triangles += 1, l[0].parts[1].triangles -= 1; },
         [](Levels &l) { l[0].parts[2].first_sphere += 1; },
