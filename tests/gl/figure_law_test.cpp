@@ -16,7 +16,7 @@ constexpr const char *clips[] = {"applaud", "cheer", "sit_applaud"};
 TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
 {
     most_ties_share_ = 1e-5;  // where a band of cloth goes into the dress
-    for (const claque::figures::Builtin &figure : claque::figures::builtins()) {
+    for (const claque::figures::Builtin &figure : claque::figures::people()) {
         SCOPED_TRACE(figure.name);
         const model::Model made = figure.make();
         hold(split_figure(made));
