@@ -30,9 +30,11 @@ const char *name_of(Zone zone)
         case Zone::outer:
             return "outer";
         case Zone::jewellery:
+            return "jewellery";
+        case Zone::wings:
             break;
     }
-    return "jewellery";
+    return "wings";
 }
 
 uint8_t key_at(size_t place, size_t count) { return static_cast<uint8_t>(16 + (count <= 8 ? 32 : 24) * place); }

@@ -13,7 +13,7 @@ namespace claque::figures
 constexpr int texture_size = 512;
 
 // `outer`: what is worn over the tunic: toga, stola and palla, cloak.
-enum class Zone : uint8_t { skin, hair, eyes, lips, tunic, belt, border, sandals, outer, jewellery };
+enum class Zone : uint8_t { skin, hair, eyes, lips, tunic, belt, border, sandals, outer, jewellery, wings };
 
 // A zone of one figure; its key follows from its place in the figure's list.
 struct FigureZone {

@@ -77,10 +77,20 @@ model::Model citizen()
     return assemble(figure);
 }
 
-const std::vector<Builtin> &builtins()
+const std::vector<Builtin> &people()
 {
     static const std::vector<Builtin> all = {
         {"citizen", citizen}, {"patrician", patrician_woman}, {"decurion", decurion_man}, {"plebeian", plebeian_man}};
+    return all;
+}
+
+const std::vector<Builtin> &builtins()
+{
+    static const std::vector<Builtin> all = [] {
+        std::vector<Builtin> made = people();
+        made.push_back({"herald", winged_herald});
+        return made;
+    }();
     return all;
 }
 

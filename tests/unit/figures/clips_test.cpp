@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Citizen, Clip, testing::ValuesIn(puppet::clip_names),
 
 TEST(Clips, are_the_same_in_every_figure)
 {
-    for (const auto &builtin : claque::figures::builtins()) {
+    for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();
         ASSERT_EQ(figure.rig.clips.size(), std::size(puppet::clip_names)) << builtin.name;
         for (uint32_t c = 0; c < figure.rig.clips.size(); ++c) {

@@ -186,7 +186,7 @@ TEST(Standing, keeps_the_arms_to_its_own_place_in_the_row)
 // Togas and stolas are wider than a tunic, but a seat is 0.65 m wide for everybody.
 TEST(Everybody, sits_on_a_seat_of_his_own)
 {
-    for (const auto &builtin : claque::figures::builtins()) {
+    for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();
         for (const char *name : puppet::seated_clips) {
             const uint32_t c = figure.rig.find_clip(name);

@@ -1,0 +1,61 @@
+// Feathers: three rows of coverts like tiles, then the long ones with their shafts, banded towards the tips.
+#include <cmath>
+
+#include "lib/figures/brush.h"
+#include "lib/figures/flyer/herald/paint.h"
+
+namespace claque::figures::flyer::herald
+{
+
+namespace
+{
+
+// One row of feathers from `from` to `until` along the chord. Inside a feather: 0 .. 1 along, -1 .. 1 across.
+struct Quill {
+    bool inside;
+    float along, across, shade;
+};
+
+Quill quill_at(float u, float c, float from, float until, float count)
+{
+    const float k = u * count, number = std::floor(k), across = 2 * (k - number) - 1;
+    const float rounded = until - 0.22f * (until - from) * across * across;
+    return {c < rounded, (c - from) / (until - from), across, grain(number * 3.7f, from * 50, 21)};
+}
+
+float feather(const Quill &q)
+{
+    float g = 226 + 20 * (q.shade - 0.5f);
+    g += 10 * q.across;                               // each lies over the next
+    g -= 34 * spot(q.across, 0.10f) * (1 - q.along);  // shaft
+    g -= 46 * soft_step(0.80f, 1.0f, std::fabs(q.across));
+    g -= 30 * soft_step(0.72f, 1.0f, q.along);
+    g -= 7 * grain(q.along * 26 + 8 * std::fabs(q.across), q.shade * 90, 22);
+    return g;
+}
+
+}  // namespace
+
+Paint paint_wing(const Texel &t)
+{
+    const float c = -t.st.x, u = t.st.y;
+    const bool front = t.chart == wing_front_chart;
+    struct Layer {
+        float from, until, count;
+    };
+    // Those nearest to the leading edge lie uppermost.
+    static constexpr Layer layers[] = {{0.00f, 0.13f, 26}, {0.08f, 0.24f, 21}, {0.18f, 0.40f, 17}};
+    for (const Layer &layer : layers) {
+        const Quill q = quill_at(u, c, layer.from, layer.until, layer.count);
+        if (!q.inside) continue;
+        return {feather(q) - (front ? 6.0f : 0.0f), layer.until < 0.2f ? Zone::border : Zone::wings};
+    }
+    Quill q = quill_at(u - 0.004f, c, 0.36f, 2, 11);
+    q.along = (c - 0.36f) / 0.64f;
+    float g = feather(q) - 14 * soft_step(0.36f, 0.44f, c) * spot(c - 0.40f, 0.05f);
+    const float band = soft_step(0.74f, 0.80f, c - 0.03f * q.across * q.across);
+    g -= 70 * band;
+    return {g, Zone::wings};
+}
+
+}  // namespace claque::figures::flyer::herald

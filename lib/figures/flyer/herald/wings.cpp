@@ -1,0 +1,98 @@
+// Wings: an arm of short feathers, and behind it the long ones, whose tips make the outline. Arched along the span,
+// thick along the leading edge, thin at the tips.
+#include "lib/figures/brush.h"
+#include "lib/figures/flyer/herald/herald.h"
+
+namespace claque::figures::flyer::herald
+{
+
+namespace
+{
+
+const glm::vec3 root(0.050f, 0.365f, -0.098f);
+
+// By the share of the span: where the leading edge runs, and the tips of the feathers, from the root.
+constexpr glm::vec2 lead_x[] = {{0, 0}, {0.2f, 0.27f}, {0.42f, 0.60f}, {0.65f, 1.02f}, {0.85f, 1.42f}, {1, 1.70f}};
+constexpr glm::vec2 lead_y[] = {{0, 0.05f},      {0.12f, 0.150f}, {0.28f, 0.285f}, {0.40f, 0.330f},
+                                {0.55f, 0.310f}, {0.75f, 0.190f}, {0.90f, 0.000f}, {1, -0.19f}};
+constexpr glm::vec2 tips_x[] = {{0, 0.03f},     {0.2f, 0.22f},  {0.45f, 0.58f}, {0.65f, 0.93f},
+                                {0.80f, 1.25f}, {0.92f, 1.54f}, {1, 1.715f}};
+constexpr glm::vec2 tips_y[] = {{0, -0.30f},      {0.1f, -0.415f},  {0.45f, -0.480f}, {0.62f, -0.560f},
+                                {0.80f, -0.570f}, {0.92f, -0.420f}, {1, -0.215f}};
+
+enum class Face : uint8_t { back, front };
+
+// `c` from the leading edge, 0, to the tips, 1.
+glm::vec3 on_wing(float u, float c, Face face)
+{
+    const glm::vec2 lead(profile(lead_x, u), profile(lead_y, u)), tip(profile(tips_x, u), profile(tips_y, u));
+    const glm::vec2 q = lead + (tip - lead) * c;
+    const float arch = -0.150f * (1 - (2 * q.x / 1.7f - 0.75f) * (2 * q.x / 1.7f - 0.75f)) + 0.065f;
+    const float thick = (0.030f - 0.022f * u) * (c < 0.3f ? 1 : (1 - c) / 0.7f) * (c == 0 ? 0 : 1);
+    const float droop = 0.050f * c * c;  // feathers bend down at their ends
+    return root + glm::vec3(q.x, q.y, arch + droop + (face == Face::front ? thick : -thick));
+}
+
+struct Row {
+    float c;
+    std::vector<float> us;
+};
+
+// The row of tips: a tip, then a notch, deeper between the feathers of the hand.
+std::vector<std::pair<float, float>> tips_of(int feathers, float hand_from, float notch, float hand_notch)
+{
+    std::vector<std::pair<float, float>> out = {{0, 1}};
+    for (int i = 1; i <= feathers; ++i) {
+        const float u = static_cast<float>(i) / static_cast<float>(feathers);
+        const float between = u - 0.30f / static_cast<float>(feathers);
+        out.push_back({between, 1 - (u > hand_from ? hand_notch : notch)});
+        out.push_back({u, 1});
+    }
+    return out;
+}
+
+std::vector<std::pair<float, float>> row(float c, const std::vector<float> &us)
+{
+    std::vector<std::pair<float, float>> out;
+    for (const float u : us) out.push_back({u, c});
+    return out;
+}
+
+std::vector<std::vector<std::pair<float, float>>> rows_of(int level)
+{
+    const std::vector<float> fine = {0, 0.15f, 0.3f, 0.45f, 0.6f, 0.75f, 0.9f, 1}, medium = {0, 0.25f, 0.45f, 0.75f, 1};
+    switch (level) {
+        case 0:
+            return {tips_of(11, 0.55f, 0.07f, 0.22f), row(0.32f, {0, 0.2f, 0.4f, 0.6f, 0.8f, 1}), row(0, fine)};
+        case 1:
+            return {tips_of(6, 0.55f, 0.05f, 0.16f), row(0.32f, medium), row(0, medium)};
+        case 2:
+            return {row(1, {0, 0.4f, 0.8f, 1}), row(0, {0, 0.4f, 0.75f, 1})};
+        default:
+            return {row(1, {0, 0.8f}), row(0, {0, 0.45f, 1})};
+    }
+}
+
+void add_wing(Mesh &mesh, int level, Side side)
+{
+    for (const Face face : {Face::back, Face::front}) {
+        Sculptor to(mesh);  // of its own: normals do not go round the edges of what is so thin
+        const Chart chart = face == Face::back ? wing_back_chart : wing_front_chart;
+        // Seen from the front the span of the left wing runs to the right, seen from behind to the left.
+        const bool as_given = (face == Face::front) == (side == Side::left);
+        std::vector<std::vector<Sculptor::Stop>> lines;
+        for (const auto &line : rows_of(level)) {
+            std::vector<Sculptor::Stop> stops;
+            for (const auto &[u, c] : line) stops.push_back({mirrored(on_wing(u, c, face), side), glm::vec2(-c, u)});
+            lines.push_back(stops);
+        }
+        to.sheet(chart, as_given ? Winding::reversed : Winding::as_given, lines);
+    }
+}
+
+}  // namespace
+
+void add_wing_left(Mesh &mesh, int level) { add_wing(mesh, level, Side::left); }
+void add_wing_right(Mesh &mesh, int level) { add_wing(mesh, level, Side::right); }
+
+}  // namespace claque::figures::flyer::herald

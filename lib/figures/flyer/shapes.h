@@ -1,0 +1,69 @@
+// What flyers' pieces are made of: sheets over meridians, and tubes of rings. Points at one place are one point, so
+// that sheets grow together where they meet; the same shape at fewer points is the next level of detail.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <tuple>
+
+#include "lib/figures/flyer/flyer.h"
+
+namespace claque::figures::flyer
+{
+
+class Sculptor
+{
+public:
+    explicit Sculptor(Mesh &mesh) : mesh_(mesh) {}
+
+    uint32_t point(glm::vec3 p);
+
+    // Meridians run upwards; the next one is to the right of whoever looks from outside. Their `st.y` ascend.
+    using Stop = std::pair<glm::vec3, glm::vec2>;  // position and st
+    void sheet(Chart chart, Winding winding, const std::vector<std::vector<Stop>> &meridians);
+
+    void triangle(Chart chart, Winding winding, const Stop &a, const Stop &b, const Stop &c);
+
+private:
+    Corner corner(const Stop &stop) { return {point(stop.first), stop.second}; }
+
+    Mesh &mesh_;
+    std::map<std::tuple<float, float, float>, uint32_t> points_;
+};
+
+// An elliptic ring, half widths along ex to both sides and along ez to the front and to the back; `t` is its height in
+// the chart. Rings with no width are a tip.
+struct Ring {
+    glm::vec3 centre;
+    float side, front, back;
+    float t;
+    glm::vec3 ex = glm::vec3(1, 0, 0), ez = glm::vec3(0, 0, 1);
+};
+
+// Half way between inside and outside of the ellipse, so that coarse rings are no thinner than fine ones. Pleats push
+// every other point of a ring in and out, by a share of the radius at t = 0 that fades towards t = 1.
+struct Tube {
+    Chart chart;
+    Side side = Side::left;
+    int around = 8;
+    float pleat = 0;
+};
+void add_tube(Sculptor &to, const Tube &tube, const std::vector<Ring> &rings);
+
+// Rings along a path: at each the plane across it, `ez` as near to `forward` as it may be.
+struct Bead {
+    glm::vec3 centre;
+    float side, front, back;
+};
+std::vector<Ring> strung(const std::vector<Bead> &beads, glm::vec3 forward);
+
+// Those of the given numbers.
+template <class T>
+std::vector<T> pick(const std::vector<T> &from, std::initializer_list<size_t> numbers)
+{
+    std::vector<T> picked;
+    for (const size_t i : numbers) picked.push_back(from[i]);
+    return picked;
+}
+
+}  // namespace claque::figures::flyer
