@@ -45,16 +45,16 @@ void FreeReach::find_poses()
     const std::vector<double> shifts = most_shifts(rig);
     std::vector<Drift> drifts(rig.node_count());
     std::vector<float> weights;
-    walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const std::vector<NodeDrift> *since) {
+    walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const Way *since) {
         double bulge = 0, way = std::numeric_limits<double>::infinity();
         if (since) {
             way = 0;
             std::fill(drifts.begin(), drifts.end(), Drift());
             for (const Body &body : free_.bodies)
-                drifts[body.node()].take_in(body.drift(weights.data(), locals.weights.data()));
+                drifts[body.node()].take_in(body.drift(weights.data(), locals.weights.data(), *since));
             for (uint32_t n = rig.node_count(); n-- > 0;) {
                 if (drifts[n].reach == 0) continue;
-                const Drift drift = (*since)[n].of(drifts[n], shifts[n]);
+                const Drift drift = since->nodes[n].of(drifts[n], shifts[n]);
                 if (rig.parents[n] == model::none)
                     bulge = std::max(bulge, drift.off_line()), way = std::max(way, drift.speed);
                 else drifts[rig.parents[n]].take_in(drift);

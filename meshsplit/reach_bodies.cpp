@@ -45,12 +45,14 @@ double Body::morphed(const float *weights) const
     return sum;
 }
 
-Drift Body::drift(const float *weights_from, const float *weights_to) const
+Drift Body::drift(const float *weights_from, const float *weights_to, const Way &way) const
 {
     Drift out;
-    out.reach = glm::length(centre_) + radius_ + std::max(morphed(weights_from), morphed(weights_to));
-    for (const Longest &l : longest_)
-        out.speed += std::fabs(double(weights_to[l.weight]) - double(weights_from[l.weight])) * l.length;
+    for (const Longest &l : longest_) {
+        out.speed += way.weights[l.weight] * l.length;
+        out.bend += way.weights_bend[l.weight] * l.length;
+    }
+    out.reach = glm::length(centre_) + radius_ + std::max(morphed(weights_from), morphed(weights_to)) + out.off_line();
     return out;
 }
 

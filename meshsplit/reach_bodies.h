@@ -31,7 +31,7 @@ public:
     bool empty() const { return points_.empty(); }
     bool morphs() const { return !deltas_.empty(); }
     // Distance from the node's origin, and what changing weights do to it on the way.
-    Drift drift(const float *weights_from, const float *weights_to) const;
+    Drift drift(const float *weights_from, const float *weights_to, const Way &way) const;
     const glm::dvec3 &centre() const { return centre_; }
     // Round centre().
     double radius(const float *weights) const { return radius_ + morphed(weights); }

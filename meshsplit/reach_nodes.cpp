@@ -39,7 +39,7 @@ public:
 
     std::vector<model::NodeReach> run()
     {
-        walk_poses(rig_, [this](const PoseAt &at, const Locals &locals, const std::vector<NodeDrift> *since) {
+        walk_poses(rig_, [this](const PoseAt &at, const Locals &locals, const Way *since) {
             fill_.take(locals);
             for (uint32_t n = 0; n < rig_.node_count(); ++n) {
                 take(n, at, since);
@@ -57,19 +57,19 @@ public:
     }
 
 private:
-    void take(uint32_t n, const PoseAt &at, const std::vector<NodeDrift> *since)
+    void take(uint32_t n, const PoseAt &at, const Way *since)
     {
         Drift drift;
         if (since)
-            for (uint32_t k = n; k != none; k = rig_.parents[k]) drift = (*since)[k].of(drift, shifts_[k]);
+            for (uint32_t k = n; k != none; k = rig_.parents[k]) drift = since->nodes[k].of(drift, shifts_[k]);
         const double bulge = drift.off_line();
         if (since) poses_[n].back().bulge = std::max(poses_[n].back().bulge, bulge);
         poses_[n].push_back({fill_.origin_ball(n, centre_), bulge, at, !fill_.is_free(n)});
     }
 
-    void stretch(uint32_t n, const Locals &locals, const std::vector<NodeDrift> *since)
+    void stretch(uint32_t n, const Locals &locals, const Way *since)
     {
-        stretches_[n] = since ? (*since)[n].scale : NodeDrift(locals.nodes[n], locals.nodes[n]).scale;
+        stretches_[n] = since ? since->nodes[n].scale : NodeDrift(locals.nodes[n], locals.nodes[n]).scale;
         if (rig_.parents[n] != none) stretches_[n] *= stretches_[rig_.parents[n]];
         most_stretched_[n] = std::max(most_stretched_[n], stretches_[n]);
     }

@@ -2,6 +2,7 @@
 
 #include "meshsplit/spheres.h"
 
+#include <glm/ext/vector_double1.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -71,27 +72,66 @@ NodeDrift::NodeDrift(const math::Trs &from, const math::Trs &to)
     travel = glm::distance(glm::dvec3(from.translation), glm::dvec3(to.translation));
 }
 
+namespace
+{
+
+// A cubic polynomial's second derivative is linear: from its values at 0, 1/3, 2/3 and 1 follow those at both ends, and
+// the larger of them is the largest. (Quaternions that are normalised cubic polynomials are cubic but for terms that
+// vanish with the fourth power of the time between samples.)
+template <class Vector>
+double cubic_bend(const Vector &a, const Vector &b, const Vector &c, const Vector &d)
+{
+    const Vector start = (a * 2.0 - b * 5.0 + c * 4.0 - d) * 9.0, end = (d * 2.0 - c * 5.0 + b * 4.0 - a) * 9.0;
+    return std::sqrt(std::max(glm::dot(start, start), glm::dot(end, end)));
+}
+
+glm::dvec4 near(const glm::quat &q, const glm::quat &other)
+{
+    const glm::dvec4 v(q.x, q.y, q.z, q.w), o(other.x, other.y, other.z, other.w);
+    return glm::dot(v, o) < 0 ? -v : v;
+}
+
+}  // namespace
+
+NodeDrift::NodeDrift(const math::Trs *const (&t)[4]) : NodeDrift(*t[0], *t[3])
+{
+    const auto bend_of = [&](const auto &part) {
+        return cubic_bend(part(*t[0]), part(*t[1]), part(*t[2]), part(*t[3]));
+    };
+    travel_bend = bend_of([](const math::Trs &trs) { return glm::dvec3(trs.translation); });
+    scale_bend = bend_of([](const math::Trs &trs) { return glm::dvec3(trs.scale); });
+    // Angular velocity is twice a unit quaternion's, so is its derivative.
+    turn_bend = 2 * bend_of([&](const math::Trs &trs) { return near(trs.rotation, t[0]->rotation); });
+    // Speed differs from its mean by the second derivative at most, place from the chord by an eighth.
+    travel += travel_bend, growth += scale_bend, turn += turn_bend;
+    offset += travel_bend / 8, scale += scale_bend / 8;
+}
+
 // x = T + R D S y, by the product rule; D, what degrees of freedom do, stands still.
 Drift NodeDrift::of(const Drift &inner, double most_shift) const
 {
     const double reach = scale * inner.reach + most_shift;
     const double speed = scale * inner.speed + growth * inner.reach;
-    const double bend = scale * inner.bend + 2 * growth * inner.speed;
-    return {offset + reach, travel + turn * reach + speed, turn * turn * reach + 2 * turn * speed + bend};
+    const double bend = scale * inner.bend + 2 * growth * inner.speed + scale_bend * inner.reach;
+    return {offset + reach, travel + turn * reach + speed,
+            travel_bend + (turn * turn + turn_bend) * reach + 2 * turn * speed + bend};
 }
 
 namespace
 {
 
-// The most that anything turns and grows in all between two poses, in radians: from there on they are halved.
+// The most that anything turns and grows in all between two poses, in radians: where it is more, they are halved.
 constexpr double much = 0.15;
 constexpr int most_halvings = 6;
 
 class Walk
 {
 public:
-    Walk(const model::Rig &rig, const Visit &visit) : rig_(rig), visit_(visit), poser_(rig), drifts_(rig.node_count())
+    Walk(const model::Rig &rig, const Visit &visit) : rig_(rig), visit_(visit), poser_(rig)
     {
+        way_.nodes.resize(rig.node_count());
+        way_.weights.resize(rig.rest_weights.size());
+        way_.weights_bend.resize(rig.rest_weights.size());
     }
 
     void run()
@@ -110,26 +150,46 @@ private:
     // From from_, which is of the same clip at `start`.
     void go(double start, const PoseAt &end, const Locals &to, int halvings)
     {
+        find_way(start, end, to);
+        if (halvings < most_halvings && most_turned() > much) {
+            const PoseAt middle = {end.clip, 0.5 * (start + end.time_s)};
+            Locals between;
+            poser_.pose(middle, between);
+            go(start, middle, between, halvings + 1);
+            std::swap(from_, between);
+            go(middle.time_s, end, to, halvings + 1);
+            return;
+        }
+        visit_(end, to, &way_);
+    }
+
+    void find_way(double start, const PoseAt &end, const Locals &to)
+    {
+        const bool cubic = is_cubic(end.clip);
+        for (int k = 0; k < 2 && cubic; ++k)
+            poser_.pose({end.clip, start + (end.time_s - start) * (k + 1) / 3}, thirds_[k]);
+        for (uint32_t n = 0; n < rig_.node_count(); ++n)
+            way_.nodes[n] = cubic
+                                ? NodeDrift({&from_.nodes[n], &thirds_[0].nodes[n], &thirds_[1].nodes[n], &to.nodes[n]})
+                                : NodeDrift(from_.nodes[n], to.nodes[n]);
+        for (size_t w = 0; w < way_.weights.size(); ++w) {
+            const auto at = [w](const Locals &locals) { return glm::dvec1(double(locals.weights[w])); };
+            way_.weights_bend[w] = cubic ? cubic_bend(at(from_), at(thirds_[0]), at(thirds_[1]), at(to)) : 0;
+            way_.weights[w] = std::fabs(at(to).x - at(from_).x) + way_.weights_bend[w];
+        }
+    }
+
+    double most_turned() const
+    {
         double most = 0;
         std::vector<double> sums(rig_.node_count());
         for (uint32_t n = 0; n < rig_.node_count(); ++n) {
-            drifts_[n] = NodeDrift(from_.nodes[n], to.nodes[n]);
-            sums[n] = drifts_[n].turn + drifts_[n].growth / std::max(drifts_[n].scale, 1e-30);
+            const NodeDrift &drift = way_.nodes[n];
+            sums[n] = drift.turn + drift.growth / std::max(drift.scale, 1e-30);
             if (rig_.parents[n] != model::none) sums[n] += sums[rig_.parents[n]];
             most = std::max(most, sums[n]);
         }
-        // Within a piece of a cubic spline speed changes: such are looked at more closely whatever they do.
-        const int least = is_cubic(end.clip) ? 2 : 0;
-        if (halvings >= least && (most <= much || halvings >= most_halvings)) {
-            visit_(end, to, &drifts_);
-            return;
-        }
-        const PoseAt middle = {end.clip, 0.5 * (start + end.time_s)};
-        Locals between;
-        poser_.pose(middle, between);
-        go(start, middle, between, halvings + 1);
-        std::swap(from_, between);
-        go(middle.time_s, end, to, halvings + 1);
+        return most;
     }
 
     bool is_cubic(uint32_t clip) const
@@ -143,8 +203,8 @@ private:
     const model::Rig &rig_;
     const Visit &visit_;
     LocalPoser poser_;
-    Locals from_;
-    std::vector<NodeDrift> drifts_;
+    Locals from_, thirds_[2];
+    Way way_;
 };
 
 }  // namespace

@@ -49,24 +49,34 @@ struct Drift {
     void take_in(const Drift &other);
 };
 
-// What a node's own motion between two poses adds, the way that most_shift lets it.
+// What a node's own motion between two poses adds. Translation, rotation and scale may follow curves: `bend` is the most
+// that the second derivative of each is.
 struct NodeDrift {
-    double scale = 1, growth = 0;   // largest factor, largest change of a factor
-    double turn = 0;                // radians
-    double offset = 0, travel = 0;  // distance from its parent's origin, change of place
+    double scale = 1, growth = 0, scale_bend = 0;    // largest factor, largest change of a factor
+    double turn = 0, turn_bend = 0;                  // radians
+    double offset = 0, travel = 0, travel_bend = 0;  // distance from its parent's origin, change of place
 
     NodeDrift() = default;
+    // Along straight lines and arcs of constant speed.
     NodeDrift(const math::Trs &from, const math::Trs &to);
+    // On cubic splines, given a third and two thirds of the way too.
+    explicit NodeDrift(const math::Trs *const (&thirds)[4]);
     // `inner` in the node's own frame; the result in its parent's.
     Drift of(const Drift &inner, double most_shift) const;
+};
+
+// From one pose to the next.
+struct Way {
+    std::vector<NodeDrift> nodes;
+    std::vector<double> weights, weights_bend;  // of morph targets: how fast they change, and second derivatives
 };
 
 // Per node, how far its translational degrees of freedom can shift what hangs on it.
 std::vector<double> most_shifts(const model::Rig &rig);
 
-// Every pose of poses_of(), and poses between where much happens. `visit` is told what each node does since the pose
+// Every pose of poses_of(), and poses between where much happens. `visit` is told what happens since the pose
 // before, null where the actor jumps from that one to this.
-using Visit = std::function<void(const PoseAt &, const Locals &, const std::vector<NodeDrift> *since)>;
+using Visit = std::function<void(const PoseAt &, const Locals &, const Way *since)>;
 void walk_poses(const model::Rig &rig, const Visit &visit);
 
 }  // namespace claque::meshsplit

@@ -77,35 +77,6 @@ FreeModel scaled_and_mirrored()
     return {"scaled and mirrored", std::move(m)};
 }
 
-// A face that a clip and its degrees of freedom pull out, on a neck that turns.
-FreeModel morphing()
-{
-    model::Model m = bare("morphing");
-    const uint32_t body = add_node(m, model::none, {0, 0, 0}, "body"), head = add_node(m, body, {0, 1, 0}, "head");
-    add_box(m, body, {0, 0.4f, 0}, {0.3f, 0.5f, 0.2f});
-    add_box(m, head, {0, 0.2f, 0}, {0.2f, 0.2f, 0.2f});
-    model::Part &face = m.parts.back();
-    m.rig.morph_sets.push_back({head, 0, 2});
-    m.rig.rest_weights = {0.1f, 0};
-    face.morph_set = 0;
-    face.morphs.resize(2);
-    for (const glm::vec3 &p : face.positions) {
-        face.morphs[0].positions.push_back(glm::vec3(0, 0.5f, 0) * (p.y > 0.2f ? 1.0f : 0.1f));
-        face.morphs[1].positions.push_back(glm::vec3(0.2f, 0, 0.8f) * p.z);
-    }
-    m.rig.clips.push_back({0, 1, 0, 1});
-    m.rig.clip_names.emplace_back("grow");
-    m.rig.times = {0, 1};
-    m.rig.values = {0, 0.5f, 1.2f, -0.5f};
-    m.rig.channels.push_back({0, model::Path::morph_weights, model::Interpolation::linear, 2, 0, 2, 0});
-    add_dof(m, 0, DofKind::morph, {0, 1, 0}, -0.3f, 0.8f);
-    m.rig.dofs.back().target = 0;
-    add_dof(m, 0, DofKind::morph, {0, 1, 0}, 0, 1);
-    m.rig.dofs.back().target = 1;
-    add_dof(m, head, DofKind::rotation, {1, 0, 0}, -0.6f, 0.4f);
-    return {"morphing", std::move(m)};
-}
-
 // One skin over four joints.
 FreeModel worm()
 {
@@ -124,32 +95,12 @@ FreeModel worm()
     for (glm::vec3 &p : skin.positions) {
         p = glm::vec3(4 * p.x, 0.5f * p.y - 0.25f, 0);
         const uint32_t joint = std::min(uint32_t(p.x), 3u);
-        const float f = p.x < 3 ? std::max(0.0f, p.x - float(joint) - 0.5f) : 0;
-        skin.joints.insert(skin.joints.end(), {joint, std::min(joint + 1, 3u)});
+        const float f = p.x < 3 ? std::max(0.0f, p.x - float(joint) - 0.5f) : 0.3f;
+        skin.joints.insert(skin.joints.end(), {joint, joint < 3 ? joint + 1 : 2});
         skin.weights.insert(skin.weights.end(), {1 - f, f});
     }
     m.parts.push_back(skin);
     return {"worm", std::move(m)};
-}
-
-// A turntable that a clip whirls round within a frame; what stands on it leans by degrees of freedom.
-FreeModel whirl()
-{
-    model::Model m = bare("whirl");
-    const uint32_t table = add_node(m, model::none, {0, 0, 0}, "table"), mast = add_node(m, table, {1, 0, 0}, "mast");
-    const uint32_t still = add_node(m, model::none, {-2, -2, 0}, "still");
-    add_box(m, table, {0, 0, 0}, {1, 0.1f, 1});
-    add_box(m, mast, {0, 0.7f, 0}, {0.1f, 0.7f, 0.1f});
-    add_box(m, still, {0, 0, 0}, {0.3f, 0.3f, 0.3f});
-    add_dof(m, mast, DofKind::rotation, {0, 0, 1}, -0.4f, 0.9f);
-    m.rig.clips.push_back({0, 2, 0, 0.5f});
-    m.rig.clip_names.emplace_back("whirl");
-    const float h = std::sqrt(0.75f);
-    m.rig.times = {0, 1 / 60.0f, 0.5f};
-    m.rig.values = {0, 0, 0, 1, 0, h, 0, 0.5f, 0, 0.2f, 0, 0.9798f, 1, 0, 0, 1.5f, 0, 0, 0.8f, 0.5f, 0};
-    m.rig.channels.push_back({table, model::Path::rotation, model::Interpolation::linear, 4, 0, 3, 0});
-    m.rig.channels.push_back({mast, model::Path::translation, model::Interpolation::linear, 3, 0, 3, 12});
-    return {"whirl", std::move(m)};
 }
 
 // The coarse level's box is the larger one.
@@ -254,10 +205,9 @@ std::vector<FreeModel> free_models()
     out.push_back(chain("chain of wide turns", 3.1f));
     out.push_back(slides());
     out.push_back(scaled_and_mirrored());
-    out.push_back(morphing());
     out.push_back(worm());
-    out.push_back(whirl());
     out.push_back(levels());
+    for (FreeModel &moving : moving_models()) out.push_back(std::move(moving));
     return out;
 }
 

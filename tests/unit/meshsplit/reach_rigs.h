@@ -22,7 +22,9 @@ void add_box(model::Model &m, uint32_t node, glm::vec3 centre, glm::vec3 half);
 
 // Thirteen articulations in boxes with nineteen degrees of freedom.
 FreeModel articulated_actor();
-// One of each kind of structure: chains, slides, scaled and mirrored nodes, morph targets, blends, clips, levels.
+// With clips: morph targets, whirls, cubic splines, what folds and what is farthest between two frames.
+std::vector<FreeModel> moving_models();
+// Those, and one of each kind of structure: chains, slides, scaled and mirrored nodes, blends, levels.
 std::vector<FreeModel> free_models();
 
 }  // namespace claque::test

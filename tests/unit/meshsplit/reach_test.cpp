@@ -52,6 +52,17 @@ TEST(Reach, nodes_are_not_said_to_go_much_farther_than_they_do)
     }
 }
 
+TEST(Reach, lengths_are_not_said_to_stretch_much_more_than_they_do)
+{
+    for (const FreeModel &free : free_models()) {
+        SCOPED_TRACE(free.name);
+        const auto tmpl = built(free.model);
+        const Sampled sampled = sample_reach(*tmpl, glm::dvec3(0), 10);
+        for (size_t n = 0; n < sampled.node.size(); ++n)
+            EXPECT_LE(double(tmpl->node_reach[n].stretch), 2 * sampled.stretch[n]) << n;
+    }
+}
+
 TEST(Reach, a_skeleton_root_that_cannot_move_keeps_nearly_the_sphere_of_its_clips)
 {
     for (FreeModel &free : free_models()) {
@@ -61,8 +72,8 @@ TEST(Reach, a_skeleton_root_that_cannot_move_keeps_nearly_the_sphere_of_its_clip
         free.model.rig.dofs.clear();
         free.model.rig.dof_names.clear();
         const auto bare = built(free.model);
-        // Clips of a whirl in one frame get a bulge that is generous where there is no degree of freedom.
-        if (free.name != "whirl") {
+        // What happens within one frame is hardly looked at where there is no degree of freedom.
+        if (free.name != "whirl" && free.name != "overshoot") {
             EXPECT_NEAR(held->sklsroot.radius, bare->sklsroot.radius, 0.05f * bare->sklsroot.radius);
         }
         ASSERT_EQ(bare->node_reach.size(), held->node_reach.size());
