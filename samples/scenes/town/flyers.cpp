@@ -10,7 +10,7 @@ namespace scenes::town
 namespace
 {
 
-constexpr double sky_radius_m = 640, lowest_m = 24, highest_m = 150;
+constexpr double sky_radius_m = 270, lowest_m = 20, highest_m = 120;
 constexpr int way_count = 16;  // shared; each actor goes along one with a clock, size and heading of its own
 constexpr double flying_m_per_s = 9;
 constexpr double tau = 2 * 3.14159265358979323846;

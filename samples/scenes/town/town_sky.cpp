@@ -30,13 +30,13 @@ public:
             double body[16];
             const uint32_t node = clq_template_find_node(templates()[0], "body");
             check(clq_actor_get_node(crowd(), actors()[0], node, time_s, body));
-            // Ahead of its face and to its left, as it is turned now.
+            // Ahead of its face and to its left: in flight its body points ahead with the head.
             double eye[3], target[3];
             for (int k = 0; k < 3; ++k) {
                 target[k] = body[12 + k];
-                eye[k] = target[k] + 3.2 * body[8 + k] + 1.8 * body[k];
+                eye[k] = target[k] + 3.0 * body[4 + k] + 2.4 * body[k];
             }
-            eye[1] += 0.8;
+            eye[1] += 0.9;
             return look(eye, target, 46, aspect, 0.3, 5500);
         }
         const town::Point middle = town_.plan().at(0, 0);
