@@ -33,12 +33,14 @@ bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 
 void bench(const BenchArguments &a)
 {
-    if (!a.save.empty()) expect_writable(a.save);
+    for (const std::string &path : {a.save, a.operations})
+        if (!path.empty()) expect_writable(path);
     const bool along_path = a.stage.camera == "path";
     const Json report = is_growth(a)   ? bench_growth(a)
                         : along_path   ? bench_along_path(a)
                         : of_actors(a) ? bench_actors(a)
                                        : bench_by_count(a);
+    if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << markdown_of(report);
@@ -90,6 +92,10 @@ void add_bench(CLI::App &app, Work &chosen)
                             ->delimiter(',')
                             ->check(CLI::IsMember({"actor", "traditional"}))
                             ->capture_default_str();
+    c->add_option("--counts", a->operations,
+                  "Of a scene of actors: also write how often each operation of S0's Table 1 was done, for claque cost "
+                  "--measured")
+        ->type_name("FILE");
     add_stage_options(*c, a->stage);
     CLI::Option *json = c->add_flag("--json", a->json, "As JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path: as a table for a README")->excludes(json);
@@ -103,6 +109,9 @@ void add_bench(CLI::App &app, Work &chosen)
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())
                 if (a->stage.scene == entry.name) a->counts = {entry.default_count};
+        if (!a->operations.empty() && (!of_actors(*a) || a->counts.size() > 1))
+            throw CLI::ValidationError("--counts",
+                                       "is for one scene of actors, of one number: hundred_actors, town_sky, vehicle");
         if (a->stage.camera != "path" && a->markdown)
             throw CLI::ValidationError("--markdown", "is for cameras that follow a path");
         if (a->stage.camera == "path" && count->count() > 0) {

@@ -13,6 +13,7 @@ struct BenchArguments {
     std::vector<std::string> varieties = variety_names(), caches = cache_names();
     std::vector<std::string> culls = {"actor", "traditional"};
     std::string save;
+    std::string operations;  // file for `claque cost --measured`
     int frames = 25;
     bool json = false, markdown = false;
 };
@@ -30,6 +31,9 @@ std::string markdown_of(const Json &report);
 // Scenes of actors: update and draw in each cull mode, with what every phase was asked (S0 7.2).
 Json bench_actors(const BenchArguments &arguments);
 void print_actors(const Json &report);
+
+// Writes the counts of a scene of actors to `operations`.
+void write_operations(const BenchArguments &arguments);
 
 // How an update grows with the number of actors: a chart of lines, with its table in "runs".
 Json bench_growth(const BenchArguments &arguments);

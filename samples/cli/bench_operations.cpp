@@ -1,0 +1,81 @@
+// claque bench --counts: the operations of S0's Table 1 as the library counted them frame by frame, for `claque cost
+// --measured`. Beside actor mode stands S0's traditional processing, which knows neither culling before behaviour nor levels of
+// detail; that traditional culling draws the same picture is made sure of at equal levels.
+#include "samples/cli/bench.h"
+#include "samples/cli/files.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cost/measured.h"
+
+namespace cli
+{
+namespace
+{
+
+struct Run {
+    cost::Counts counts = {};  // means of a frame
+    cost::Shares shares = {0, 0};
+    std::string picture;  // hash of the last frame; empty: not drawn
+};
+
+enum class Levels { by_distance, finest };
+
+cost::Counts counts_of(const clq_crowd_stats &s)
+{
+    // fCoh is the share of these that were made anew, so NO_01 is what would be made without coherence.
+    return {static_cast<double>(s.matrices_needed), static_cast<double>(s.tested),
+            static_cast<double>(s.roots_placed),    static_cast<double>(s.spheres_built),
+            static_cast<double>(s.sphere_tests),    static_cast<double>(s.distances)};
+}
+
+double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, Levels levels)
+{
+    StageArguments arguments = a.stage;
+    arguments.count = a.counts.front();
+    scenes::StageOptions options = stage_options(arguments, LoadedCharacter());
+    options.casting.cull = cull;
+    if (levels == Levels::finest) options.casting.lod_scale = 0;
+    scenes::Stage stage(library, options);
+    Run out;
+    double built = 0, products = 0, tracked = 0;
+    for (int frame = 0; frame <= a.frames; ++frame) {
+        stop_if_asked();
+        stage.update(2 + frame / 25.0);
+        if (frame == 0) continue;  // everything is new in it
+        const clq_crowd_stats stats = stage.crowd_stats();
+        const cost::Counts counts = counts_of(stats);
+        for (size_t i = 0; i < cost::operation_count; ++i) out.counts[i] += counts[i] / a.frames;
+        built += static_cast<double>(stats.matrices_built) / a.frames;
+        products += static_cast<double>(stats.products);
+        tracked += static_cast<double>(stats.products_tracked);
+    }
+    out.shares = {share(tracked, products), share(built, out.counts[cost::no_01])};
+    if (levels == Levels::finest) return out;
+    stage.draw_setting();
+    stage.draw_crowd();
+    out.picture = hex(scenes::hash_of(stage.read()));
+    return out;
+}
+
+}  // namespace
+
+void write_operations(const BenchArguments &a)
+{
+    scenes::Library library(thread_count(a.stage));
+    const Run actor = run(library, a, CLQ_CULL_ACTOR, Levels::by_distance);
+    std::string picture = actor.picture;
+    const std::string who = std::to_string(a.counts.front()) + " actors";
+    expect_same_picture(picture, run(library, a, CLQ_CULL_TRADITIONAL, Levels::by_distance).picture,
+                        who + " culled in mode traditional");
+    cost::Measured measured;
+    measured.actor = actor.counts;
+    measured.shares = actor.shares;
+    measured.traditional = run(library, a, CLQ_CULL_TRADITIONAL, Levels::finest).counts;
+    measured.note = "scene " + scene_of(a.stage) + ", " + who + ", means of " + std::to_string(a.frames) +
+                    " frames at 25 a second, " + a.stage.placement + " placed by " +
+                    (a.stage.placement == "matrices" ? "OpenGL" : "claque") + "; traditional: all at its finest";
+    write_whole(a.operations, json_of(measured));
+}
+
+}  // namespace cli
