@@ -120,6 +120,7 @@ FreeModel pass()
     add_clip(m, 1 / 60.0f, 2);
     for (const float side : {1.0f, -1.0f}) {
         const uint32_t arm = add_node(m, model::none, {2 * side, 0, 0}, "arm");
+        m.rig.rest[arm].rotation = glm::quat(c, 0, 0, -s);
         const uint32_t tip = add_node(m, arm, {side, 0, 0}, "tip");
         add_box(m, tip, {0, 0, 0}, {0.0001f, 0.0001f, 0.0001f});
         add_dof(m, tip, DofKind::translation, {0, 0, 1}, 0, 0.0001f);
