@@ -63,7 +63,7 @@ constexpr Left left_by_minimal[] = {
 
 constexpr Left left_by_none[] = {
     {0x0BA0, "GL_MATRIX_MODE: GL_MODELVIEW"},
-    {0x0BA6, "GL_MODELVIEW_MATRIX: the last individual's"},
+    {0x0BA6, "GL_MODELVIEW_MATRIX: the last individual's, or that of one of its parts"},
     {0x0BA7, "GL_PROJECTION_MATRIX: the view's"},
     {0x0BA8, "GL_TEXTURE_MATRIX: identity"},
     {0x8074, "GL_VERTEX_ARRAY: off"},
