@@ -45,7 +45,7 @@ std::vector<std::pair<float, float>> tips_of(int feathers, float hand_from, floa
     for (int i = 1; i <= feathers; ++i) {
         const float u = static_cast<float>(i) / static_cast<float>(feathers);
         const float between = u - 0.30f / static_cast<float>(feathers);
-        out.push_back({between, 1 - (u > hand_from ? hand_notch : notch)});
+        if (i > 1) out.push_back({between, 1 - (u > hand_from ? hand_notch : notch)});
         out.push_back({u, 1});
     }
     return out;
@@ -63,7 +63,8 @@ std::vector<std::vector<std::pair<float, float>>> rows_of(int level)
     const std::vector<float> fine = {0, 0.15f, 0.3f, 0.45f, 0.6f, 0.75f, 0.9f, 1}, medium = {0, 0.25f, 0.45f, 0.75f, 1};
     switch (level) {
         case 0:
-            return {tips_of(11, 0.55f, 0.07f, 0.22f), row(0.32f, {0, 0.2f, 0.4f, 0.6f, 0.8f, 1}), row(0, fine)};
+            return {tips_of(11, 0.55f, 0.07f, 0.22f), row(0.32f, {0, 0.13f, 0.26f, 0.4f, 0.56f, 0.68f, 0.8f, 0.9f, 1}),
+                    row(0, fine)};
         case 1:
             return {tips_of(6, 0.55f, 0.05f, 0.16f), row(0.32f, medium), row(0, medium)};
         case 2:
