@@ -17,7 +17,8 @@ extern "C" {
  * Fails: ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_group_create(clq_crowd *crowd, const clq_place *place, clq_group *out);
 
-/* Ends a group. Its members stay where they are in the world, within rounding. Costs a look at every actor.
+/* Ends a group. Its members stay where they are in the world, within rounding; one whose place there is beyond what
+ * numbers hold keeps those of its place in the group. Costs a look at every actor.
  * Fails: STALE_ID. Threads: the crowd's writer. */
 CLQ_API clq_status clq_group_destroy(clq_crowd *crowd, clq_group group);
 

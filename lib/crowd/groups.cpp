@@ -1,4 +1,6 @@
 // Groups: made, moved, switched on and off; actors join and leave them (S0 4.3, 8).
+#include <cmath>
+
 #include "lib/base/error.h"
 #include "lib/crowd/crowd.h"
 #include "lib/crowd/reserve.h"
@@ -13,6 +15,23 @@ namespace
 
 constexpr uint32_t max_groups = 1u << 28;
 
+Place checked_space(const Place &place)
+{
+    const float size = std::fabs(checked(place).scale);
+    if (!(size >= 1e-6f && size <= 1e6f))
+        fail(CLQ_ARGUMENT, "a group's scale is %g: 1e-6 to 1e6 is wanted, either sign",
+             static_cast<double>(place.scale));
+    return place;
+}
+
+// Whether numbers can hold it: the place of a member may be beyond them in the world.
+bool is_somewhere(const Place &place)
+{
+    bool good = std::isfinite(place.scale) && place.scale != 0;
+    for (int k = 0; k < 3; ++k) good = good && std::isfinite(place.position[k]);
+    return good;
+}
+
 }  // namespace
 
 uint32_t Crowd::group_row_of(Id id) const
@@ -25,7 +44,7 @@ uint32_t Crowd::group_row_of(Id id) const
 
 Id Crowd::create_group(const Place &place)
 {
-    const Place placed = checked(place);
+    const Place placed = checked_space(place);
     if (first_free_group_ == model::none) {
         if (groups_.size() >= max_groups) fail(CLQ_LIMIT, "a crowd holds at most %u groups", max_groups);
         reserve_one(groups_);
@@ -49,7 +68,8 @@ void Crowd::destroy_group(Id id)
     if (group.members)
         for (uint32_t i = 0; i < row_count(); ++i)
             if (groups_of_[i] == row) {
-                places_[i] = world_place_of(i);
+                const Place world = world_place_of(i);
+                if (is_somewhere(world)) places_[i] = world;
                 leave(i);
             }
     group = Group{Place(), group.generation + 1, first_free_group_, true, 0};
@@ -60,7 +80,7 @@ void Crowd::destroy_group(Id id)
 void Crowd::place_group(Id id, const Place &place)
 {
     const uint32_t row = group_row_of(id);
-    groups_[row].place = checked(place);
+    groups_[row].place = checked_space(place);
 }
 
 void Crowd::enable_group(Id id, bool enabled) { groups_[group_row_of(id)].enabled = enabled; }

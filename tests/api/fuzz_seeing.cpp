@@ -1,0 +1,180 @@
+// Random calls about seeing and knowing: views, updates, questions, saved states; and calls with nothing in them.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/api/fuzz_world.h"
+
+namespace fuzz
+{
+
+void World::new_view()
+{
+    if (views_.size() > 3) return;
+    clq_view *made = nullptr;
+    if (call("clq_view_create", [&] { return clq_view_create(crowd_, &made); })) views_.push_back(made);
+}
+
+void World::end_view()
+{
+    if (views_.empty()) return clq_view_destroy(nullptr);
+    const uint32_t which = lots_.below(static_cast<uint32_t>(views_.size()));
+    clq_view_destroy(views_[which]);
+    views_.erase(views_.begin() + which);
+}
+
+void World::look()
+{
+    if (views_.empty()) return;
+    clq_view *view = views_[lots_.below(static_cast<uint32_t>(views_.size()))];
+    clq_camera camera;
+    const double eye[3] = {lots_.odd(-20, 20), lots_.odd(0, 5), lots_.odd(0, 20)};
+    const double target[3] = {lots_.odd(-20, 20), lots_.odd(0, 5), lots_.odd(-20, 0)};
+    const float up[3] = {0, lots_.oddf(1, 1), 0};
+    if (call("clq_camera_look_at", [&] {
+            return clq_camera_look_at(&camera, eye, target, up, lots_.oddf(0.3, 2), lots_.oddf(0.5, 2),
+                                      lots_.oddf(0.1, 1), lots_.oddf(20, 200));
+        })) {
+        if (lots_.one_in(20)) camera.projection[lots_.below(16)] = lots_.oddf(-1, 1, 2);
+        if (lots_.one_in(20)) camera.rotation_xyzw[lots_.below(4)] = lots_.oddf(-1, 1, 2);
+        call("clq_view_look", [&] { return clq_view_look(view, &camera); });
+    }
+    const float fall[3] = {lots_.oddf(-3, 3), lots_.oddf(-3, 0), lots_.oddf(-3, 3)}, none[3] = {0, 0, 0};
+    call("clq_view_set_shadow", [&] { return clq_view_set_shadow(view, lots_.one_in(2) ? none : fall); });
+    call("clq_view_set_height", [&] { return clq_view_set_height(view, lots_.oddf(0, 2000)); });
+    call("clq_view_set_cull_scale", [&] { return clq_view_set_cull_scale(view, lots_.oddf(0.4, 1)); });
+}
+
+void World::update()
+{
+    time_s_ += lots_.one_in(12) ? lots_.in(-20, 20) : 0.03;
+    const double time_s = lots_.odd(time_s_, time_s_, 25);
+    std::vector<clq_view *> views;
+    for (clq_view *view : views_)
+        if (!lots_.one_in(4)) views.push_back(view);
+    const uint32_t asked = static_cast<uint32_t>(views.size());
+    const uint64_t print = clq_crowd_fingerprint(crowd_);
+    bool good = std::isfinite(time_s);
+    if (lots_.one_in(30)) {
+        clq_view *wrong[] = {nullptr, strange_view_, views.empty() ? nullptr : views[0]};
+        views.push_back(wrong[lots_.below(3)]);
+        good = false;
+    }
+    const uint32_t count = static_cast<uint32_t>(views.size());
+    bool refused = false;
+    const bool done = call("clq_crowd_update", [&] {
+        const clq_status status = clq_crowd_update(crowd_, time_s, views.data(), count);
+        refused = status == CLQ_OUT_OF_MEMORY;
+        return status;
+    });
+    EXPECT_EQ(done, good && !refused) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
+    EXPECT_EQ(clq_crowd_fingerprint(crowd_), print) << "an update changes nothing that a host has set";
+    if (!done) return;
+    for (uint32_t v = 0; v < asked; ++v) {
+        clq_view_stats stats;
+        ASSERT_EQ(clq_view_get_stats(views[v], &stats), CLQ_OK);
+        EXPECT_LE(stats.visible, known_.actors.size());
+        const uint64_t hash = clq_view_hash(views[v]);
+        EXPECT_EQ(clq_view_hash(views[v]), hash) << "seed " << seed_ << ", step " << step_;
+    }
+}
+
+void World::ask()
+{
+    const clq_actor id = who();
+    double matrix[16];
+    const double time_s = lots_.odd(-9, 9, 4);
+    call("clq_actor_get_node", [&] { return clq_actor_get_node(crowd_, id, lots_.index(2), time_s, matrix); });
+    clq_crowd_stats stats;
+    ASSERT_TRUE(call("clq_crowd_get_stats", [&] { return clq_crowd_get_stats(crowd_, &stats); }));
+    EXPECT_EQ(stats.actor_count, known_.actors.size());
+    EXPECT_LE(stats.cache_bytes, stats.cache_budget_bytes);
+    if (lots_.one_in(5)) call("clq_crowd_reset_bands", [&] { return clq_crowd_reset_bands(crowd_); });
+}
+
+void World::save()
+{
+    if (lots_.one_in(6)) {
+        const auto refuse = [](void *, const void *, size_t) { return 1; };
+        call("clq_crowd_save", [&] { return clq_crowd_save(crowd_, refuse, nullptr); });
+    }
+    bytes_ = saved::save(crowd_);
+    known_then_ = known_;
+}
+
+void World::restore()
+{
+    if (bytes_.empty()) return;
+    saved::Bytes bytes = bytes_;
+    uint32_t count = 4;
+    const uint32_t lot = lots_.below(6);
+    if (lot == 0) bytes[lots_.below(static_cast<uint32_t>(bytes.size()))] ^= static_cast<uint8_t>(1u << lots_.below(8));
+    if (lot == 1) bytes.resize(lots_.below(static_cast<uint32_t>(bytes.size())));
+    if (lot == 2) count = lots_.below(4);
+    clq_template *given[4] = {templates_[0], templates_[1], templates_[2], templates_[3]};
+    std::rotate(given, given + lots_.below(count ? count : 1), given + count);
+    const bool mine = lot > 2;
+    bool refused = false;
+    const bool done = call("clq_crowd_restore", [&] {
+        const clq_status status =
+            clq_crowd_restore(crowd_, bytes.empty() ? nullptr : bytes.data(), bytes.size(), given, count);
+        refused = status == CLQ_OUT_OF_MEMORY;
+        return status;
+    });
+    // A mechanism of the host's own that this state does not have any more is the one good reason.
+    const bool lacks = std::string(clq_last_error()).find("the host's own") != std::string::npos;
+    if (mine) {
+        EXPECT_TRUE(done || refused || lacks) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
+    }
+    if (lot < 2) {
+        EXPECT_FALSE(done) << "seed " << seed_ << ", step " << step_;
+    }
+    if (!done) return;
+    known_ = known_then_;
+    EXPECT_EQ(saved::save(crowd_), bytes_) << "seed " << seed_ << ", step " << step_;
+}
+
+void World::nonsense()
+{
+    const clq_actor a = who();
+    const clq_place place = any_place();
+    clq_actor made;
+    clq_mechanism mechanism;
+    clq_root_path path;
+    clq_group group;
+    clq_actor_info info;
+    const float centre[3] = {0, 0, 0};
+    const uint32_t huge = 0xffffffffu;
+    const std::pair<const char *, clq_status> calls[] = {
+        {"create", clq_actor_create(crowd_, nullptr, &made)},
+        {"create", clq_actor_create(nullptr, nullptr, nullptr)},
+        {"destroy", clq_actor_destroy(nullptr, a)},
+        {"clone", clq_actor_clone(crowd_, a, &place, 1, nullptr)},
+        {"place", clq_crowd_place(crowd_, nullptr, nullptr, huge)},
+        {"play", clq_actor_play(crowd_, a, nullptr)},
+        {"colours", clq_actor_set_colours(crowd_, a, nullptr, huge)},
+        {"draw", clq_actor_draw_colours(crowd_, a, nullptr, huge)},
+        {"attach", clq_actor_attach(crowd_, a, 0, nullptr, 1, nullptr)},
+        {"attach", clq_actor_attach(crowd_, a, huge, centre, 1, nullptr)},
+        {"group", clq_group_create(crowd_, &place, nullptr)},
+        {"mechanism", clq_crowd_add_mechanism(crowd_, nullptr, &mechanism)},
+        {"path", clq_crowd_add_root_path(crowd_, nullptr, &path)},
+        {"use", clq_actor_use(crowd_, a, nullptr)},
+        {"move", clq_actor_move_root(crowd_, a, nullptr)},
+        {"update", clq_crowd_update(crowd_, 0, nullptr, huge)},
+        {"info", clq_actor_get_info(crowd_, a, nullptr)},
+        {"info", clq_group_get_info(crowd_, group = any_group(), nullptr)},
+        {"node", clq_actor_get_node(crowd_, a, huge, 0, nullptr)},
+        {"view", clq_view_create(nullptr, nullptr)},
+        {"save", clq_crowd_save(crowd_, nullptr, nullptr)},
+        {"restore", clq_crowd_restore(crowd_, nullptr, 0, nullptr, huge)},
+        {"restore", clq_crowd_restore(crowd_, "claqueC", 7, nullptr, huge)},
+        {"restore", clq_crowd_restore(crowd_, "claqueC", 7, nullptr, 0)},
+        {"stats", clq_crowd_get_stats(crowd_, nullptr)},
+    };
+    for (const auto &[name, status] : calls)
+        EXPECT_NE(status, CLQ_OK) << name << ", seed " << seed_ << ", step " << step_;
+    EXPECT_EQ(clq_actor_get_info(stranger_, a, &info), a.index1 == 1 && a.generation == 1 ? CLQ_OK : CLQ_STALE_ID);
+    clq_dof_write(nullptr, 0, NAN, 1);
+}
+
+}  // namespace fuzz

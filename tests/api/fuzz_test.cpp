@@ -1,0 +1,46 @@
+// The C API called at random, with good arguments and bad ones, with ids that are stale, and with memory that fails: every
+// call keeps to the laws of all calls, and what a host can know stays true.
+#include "tests/api/failing_memory.h"
+#include "tests/api/fuzz_world.h"
+
+namespace fm = failing_memory;
+
+namespace
+{
+
+void fail_now_and_then(uint64_t lot)
+{
+    if (lot % 4 == 0) fm::arm(1 + (lot >> 8) % 12, fm::Reach::everything, (lot >> 20) % 2 == 0);
+}
+
+}  // namespace
+
+TEST(fuzz, calls_at_random_keep_to_the_laws)
+{
+    uint32_t good = 0, bad = 0;
+    for (uint64_t seed = 1; seed <= 20 && !HasFailure(); ++seed) {
+        fuzz::Options options;
+        options.steps = 4000;
+        fuzz::World world(seed, options);
+        world.run();
+        good += world.good(), bad += world.bad();
+    }
+    EXPECT_GT(good, 40000u);
+    EXPECT_GT(bad, 15000u);
+}
+
+TEST(fuzz, calls_at_random_keep_to_the_laws_where_memory_fails)
+{
+    clq_context_def context = clq_context_def_init();
+    context.allocator = fm::allocator;
+    for (uint64_t seed = 101; seed <= 110 && !HasFailure(); ++seed) {
+        fuzz::Options options;
+        options.steps = 1500;
+        options.context = &context;
+        options.before = fail_now_and_then;
+        options.after = [] { fm::disarm(); };
+        fuzz::World world(seed, options);
+        world.run();
+    }
+    EXPECT_EQ(fm::host_bytes(), 0);
+}

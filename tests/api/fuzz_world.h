@@ -1,0 +1,140 @@
+// A crowd that is called at random, and what a host may know about it: which ids are alive and which stale, who is in which
+// group. Every number follows from a seed.
+#pragma once
+
+#include "tests/api/saved_bytes.h"
+#include "tests/api/stage.h"
+
+namespace fuzz
+{
+
+// Lots, one after the other.
+class Lots
+{
+public:
+    explicit Lots(uint64_t seed) : seed_(seed) {}
+    uint64_t number() { return mixed(seed_, ++drawn_); }
+    uint32_t below(uint32_t n) { return static_cast<uint32_t>(number() >> 20) % n; }
+    bool one_in(uint32_t n) { return below(n) == 0; }
+    double in(double low, double high) { return low + (high - low) * below(100001) / 100000; }
+    // Mostly in between; once in `rare` what no sensible host would say.
+    double odd(double low, double high, uint32_t rare = 30);
+    float oddf(double low, double high, uint32_t rare = 30) { return static_cast<float>(odd(low, high, rare)); }
+    uint32_t index(uint32_t n, uint32_t rare = 20);  // below n; once in `rare` at it, or far beyond
+
+private:
+    uint64_t seed_, drawn_ = 0;
+};
+
+struct Options {
+    uint32_t steps = 2000;
+    const clq_context_def *context = nullptr;
+    // Round every call: to let memory fail. A call that fails then must leave the crowd as it was, like any other.
+    void (*before)(uint64_t lot) = nullptr;
+    void (*after)() = nullptr;
+};
+
+// What is known of the ids of one state.
+struct Known {
+    struct Actor {
+        clq_actor id;
+        clq_group group;
+        const clq_template *tmpl;
+    };
+    std::vector<Actor> actors;
+    std::vector<clq_actor> gone;
+    std::vector<clq_group> groups, gone_groups;
+    std::vector<clq_attached> objects;  // some of them gone with their actors
+    uint32_t mechanisms = 0, paths = 0;
+};
+
+class World
+{
+public:
+    World(uint64_t seed, const Options &options);
+    ~World();
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
+
+    void run();
+    uint32_t good() const { return good_; }
+    uint32_t bad() const { return bad_; }
+
+private:
+    using Step = void (World::*)();
+
+    // Makes a call and holds it to the laws of every call.
+    template <class Body>
+    bool call(const char *name, const Body &body)
+    {
+        const uint64_t print = clq_crowd_fingerprint(crowd_);
+        if (options_.before) options_.before(lots_.number());
+        const clq_status status = body();
+        if (options_.after) options_.after();
+        judge(name, status, print);
+        return status == CLQ_OK;
+    }
+    void judge(const char *name, clq_status status, uint64_t print_before);
+    void check();
+
+    // fuzz_actors.cpp: who is there
+    void create();
+    void destroy();
+    void clone();
+    void place();
+    void play();
+    void colours();
+    void priority();
+    void attach();
+    void detach();
+    void hooks();
+    void new_group();
+    void end_group();
+    void move_group();
+    void join();
+
+    // fuzz_behaviour.cpp
+    void add_mechanism();
+    void add_path();
+    void use();
+    void drop();
+    void command();
+    void ground();
+    void move_root();
+
+    // fuzz_seeing.cpp: views, updates, questions, states
+    void new_view();
+    void end_view();
+    void look();
+    void update();
+    void ask();
+    void save();
+    void restore();
+    void nonsense();
+
+    clq_actor who();  // mostly somebody
+    clq_group any_group();
+    clq_mechanism any_mechanism() { return {lots_.one_in(20) ? 0 : 1 + lots_.index(known_.mechanisms + 1)}; }
+    clq_place any_place();
+    clq_shape any_shape();
+    void leave(clq_group group);
+
+    Options options_;
+    Lots lots_;
+    Stage stage_;
+    SmallTemplate far_def_, rigid_def_;
+    clq_part_def far_parts_[2];
+    clq_template *templates_[4] = {nullptr, nullptr, nullptr, nullptr};
+    clq_crowd *crowd_ = nullptr, *stranger_ = nullptr;
+    clq_view *strange_view_ = nullptr;
+    std::vector<clq_view *> views_;
+    Known known_, known_then_;
+    saved::Bytes bytes_;  // of the state of known_then_
+    clq_dof_value values_[64];
+    uint32_t used_values_ = 0;
+    double time_s_ = 0;
+    uint32_t good_ = 0, bad_ = 0, step_ = 0;
+    uint64_t seed_;
+};
+
+}  // namespace fuzz
