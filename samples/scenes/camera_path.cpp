@@ -9,7 +9,8 @@
 namespace scenes
 {
 
-const std::string &odeon_path();  // odeon/path.toml, brought by the build
+const std::string &odeon_path();    // odeon/path.toml, brought by the build
+const std::string &vehicle_path();  // town/path.toml
 
 namespace
 {
@@ -171,6 +172,9 @@ clq_camera CameraPath::camera(double time_s, double aspect) const
                 far_m_);
 }
 
-const std::string *recorded_path(const std::string &scene) { return scene == "odeon" ? &odeon_path() : nullptr; }
+const std::string *recorded_path(const std::string &scene)
+{
+    return scene == "odeon" ? &odeon_path() : scene == "vehicle" ? &vehicle_path() : nullptr;
+}
 
 }  // namespace scenes

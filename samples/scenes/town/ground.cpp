@@ -129,10 +129,20 @@ private:
         const uint64_t who = i * 4096 + k;
         const double share = lot(seed_, who, Lot::act);
         const Rgb lawns = blend(garden, {0.70f, 0.72f, 0.40f}, lot(seed_, who, Lot::tone));
-        if (share < 0.30)
-            rows(i, k, Layer::furrows, share < 0.15 ? Rgb{0.70f, 0.62f, 0.46f} : Rgb{0.58f, 0.74f, 0.40f}, 2.2, who);
-        else if (share < 0.40) flat(i, k, Layer::land, sand, land_metres);
+        if (by_street(i, k)) flat(i, k, Layer::land, lawns, land_metres);
+        else if (share < 0.36)
+            rows(i, k, Layer::furrows, share < 0.18 ? Rgb{0.70f, 0.62f, 0.46f} : Rgb{0.58f, 0.74f, 0.40f}, 2.2, who);
+        else if (share < 0.48) flat(i, k, Layer::land, sand, land_metres);
         else flat(i, k, Layer::land, lawns, land_metres);
+    }
+
+    bool by_street(size_t i, size_t k) const
+    {
+        const auto paved = [&](size_t column, size_t row) {
+            const Cover c = plan_.cover(column, row);
+            return c == Cover::street || c == Cover::crossing;
+        };
+        return paved(i - 1, k) || paved(i + 1, k) || paved(i, k - 1) || paved(i, k + 1);
     }
 
     void rows(size_t i, size_t k, Layer layer, Rgb colour, double closer, uint64_t who)

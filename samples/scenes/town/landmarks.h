@@ -15,6 +15,11 @@ struct SquarePlan {
 };
 SquarePlan square_plan(const Plan &plan);
 
+void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, Point at);
+void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site, uint64_t seed,
+                 uint64_t who);
+void build_bridge(Pieces &pieces, const Plan &plan, const Terrain &terrain);
+// All of them.
 void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed);
 
 }  // namespace scenes::town

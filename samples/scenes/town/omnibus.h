@@ -32,7 +32,7 @@ public:
 
     // Draws it where it is; the model-view matrix is the eye's view before, and after.
     void draw(const Gl &gl, const Eye &eye, const Stance &stance) const;
-    // A soft shadow under it and beside it, away from the sun; blended, for which `blot` must be in use.
+    // Its shadow on the ground and the dark under it, for Shadows::draw.
     static void shade(Geometry &shadows, const Stance &stance, Vec3 to_sun);
 
 private:

@@ -1,0 +1,162 @@
+// Omnibuses: they keep to their lane, stand on the ground, hold those who sit in them, and go as groups.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "samples/scenes/stage.h"
+#include "samples/scenes/town/passengers.h"
+
+namespace
+{
+
+using namespace scenes;
+using namespace scenes::town;
+
+const Town &the_town()
+{
+    static const Town built(1);
+    return built;
+}
+
+const VehiclePath &path()
+{
+    static const VehiclePath way(the_town().plan(), the_town().terrain(), Omnibus::wheelbase_m, Omnibus::half_track_m);
+    return way;
+}
+
+double from_axis(Point p)
+{
+    const Plan &plan = the_town().plan();
+    double nearest = 1e9;
+    for (const Street &street : plan.streets())
+        for (double along = std::max(street.first, -300.0); along < std::min(street.last, 300.0); along += 0.25) {
+            const Point q = street.way == Street::Way::south ? plan.at(street.at, along) : plan.at(along, street.at);
+            nearest = std::min(nearest, std::hypot(p.x - q.x, p.z - q.z));
+        }
+    return nearest;
+}
+
+StageOptions options(uint64_t seed = 1)
+{
+    StageOptions o;
+    o.scene = "vehicle";
+    o.casting.count = 60;
+    o.casting.seed = seed;
+    o.width = 320, o.height = 240;
+    return o;
+}
+
+}  // namespace
+
+TEST(omnibus, keeps_to_the_street_on_its_right_hand_side)
+{
+    double sum = 0, count = 0;
+    for (double metres = 0; metres < path().length_m(); metres += 3) {
+        const double away = from_axis(path().point(metres));
+        ASSERT_LT(away, 3.0) << "at " << metres;  // the roadway's half, less half an omnibus, and corners cut
+        sum += away, ++count;
+    }
+    EXPECT_NEAR(sum / count, VehiclePath::lane_m, 0.25);
+}
+
+TEST(omnibus, goes_round_without_a_jump_in_place_or_heading)
+{
+    for (double metres = 0; metres < path().length_m() + 1; metres += 0.1) {
+        const Stance a = path().at(metres), b = path().at(metres + 0.1);
+        const double moved = std::hypot(b.position[0] - a.position[0], b.position[2] - a.position[2]);
+        ASSERT_NEAR(moved, 0.1, 0.02) << "at " << metres;
+        ASSERT_GT(a.forward[0] * b.forward[0] + a.forward[1] * b.forward[1] + a.forward[2] * b.forward[2], 0.999);
+    }
+    const Stance first = path().at(7), round = path().at(7 + path().length_m());
+    EXPECT_NEAR(first.position[0], round.position[0], 1e-6);
+    EXPECT_NEAR(first.position[2], round.position[2], 1e-6);
+}
+
+TEST(omnibus, stands_on_its_wheels)
+{
+    for (double metres = 0; metres < path().length_m(); metres += 5) {
+        const Stance s = path().at(metres);
+        for (const double ahead : {-0.5, 0.5})
+            for (const double aside : {-1.0, 1.0}) {
+                double p[3];
+                for (size_t i = 0; i < 3; ++i)
+                    p[i] = s.position[i] + ahead * Omnibus::wheelbase_m * s.forward[i] +
+                           aside * Omnibus::half_track_m * s.right_hand_x[i];
+                ASSERT_NEAR(p[1], the_town().height(p[0], p[2]), 0.05) << "at " << metres;
+            }
+    }
+}
+
+TEST(omnibus, turns_as_its_orientation_and_its_matrix_say)
+{
+    for (double metres = 0; metres < path().length_m(); metres += 11) {
+        const Stance s = path().at(metres);
+        const auto q = s.orientation_xyzw();
+        const auto m = s.matrix();
+        const double x = q[0], y = q[1], z = q[2], w = q[3];
+        EXPECT_NEAR(x * x + y * y + z * z + w * w, 1, 1e-5);
+        EXPECT_NEAR(m[8], 2 * (x * z + w * y), 1e-5);
+        EXPECT_NEAR(m[9], 2 * (y * z - w * x), 1e-5);
+        EXPECT_NEAR(m[10], 1 - 2 * (x * x + y * y), 1e-5);
+        EXPECT_NEAR(m[5], 1 - 2 * (x * x + z * z), 1e-5);
+    }
+}
+
+TEST(omnibus, sphere_holds_body_and_people)
+{
+    const Omnibus omnibus({1, 0, 0});
+    const Sphere &s = omnibus.sphere();
+    const auto away = [&](double x, double y, double z) {
+        return std::sqrt((x - s.centre.x) * (x - s.centre.x) + (y - s.centre.y) * (y - s.centre.y) +
+                         (z - s.centre.z) * (z - s.centre.z));
+    };
+    for (const SceneryVertex &v : omnibus.body().vertices())
+        ASSERT_LE(away(v.position.x, v.position.y, v.position.z), s.radius);
+    EXPECT_GE(Omnibus::seats().size(), 13u);
+    for (const Omnibus::Seat &seat : Omnibus::seats())
+        for (const double high : {0.0, 1.35})  // from the feet to the crown of somebody who sits
+            ASSERT_LE(away(seat.x, seat.y + high, seat.z), s.radius);
+}
+
+TEST(omnibus, seats_are_apart)
+{
+    const auto &seats = Omnibus::seats();
+    for (size_t i = 0; i < seats.size(); ++i)
+        for (size_t k = 0; k < i; ++k) {
+            const double x = std::abs(seats[i].x - seats[k].x), z = std::abs(seats[i].z - seats[k].z);
+            EXPECT_TRUE(x >= 0.65 || z >= 0.92) << i << ' ' << k;
+        }
+}
+
+TEST(omnibus, moves_its_passengers_as_one_group)
+{
+    Library library(1);
+    Casting casting;
+    casting.count = 60;
+    Passengers people(library, casting, the_town());
+    EXPECT_EQ(people.cast().actors().size(), 60u);
+    people.drive(3);
+    clq_actor_info info = {};
+    check(clq_actor_get_info(people.crowd(), people.cast().actors()[0], &info));
+    ASSERT_NE(info.group.index1, 0u);
+    clq_group_info group = {};
+    check(clq_group_get_info(people.crowd(), info.group, &group));
+    EXPECT_EQ(group.member_count,
+              people.seated() / people.stances().size() + (people.seated() % people.stances().size() > 0));
+    for (size_t i = 0; i < 3; ++i) EXPECT_EQ(group.place.position[i], people.stances()[0].position[i]);
+    EXPECT_FLOAT_EQ(static_cast<float>(info.place.position[1]), static_cast<float>(Omnibus::floor_m));
+}
+
+TEST(vehicle, is_the_same_picture_at_the_same_time_and_another_with_another_seed)
+{
+    Library library(1);
+    Stage stage(library, options());
+    const uint64_t first = hash_of(stage.picture(4));
+    const uint64_t later = hash_of(stage.picture(5));
+    EXPECT_NE(first, later);
+    EXPECT_EQ(hash_of(stage.picture(4)), first);
+    Stage again(library, options());
+    EXPECT_EQ(hash_of(again.picture(4)), first);
+    Stage other(library, options(2));
+    EXPECT_NE(hash_of(other.picture(4)), first);
+}
