@@ -50,7 +50,7 @@ void Site::face(Geometry &g, std::initializer_list<Vec3> corners, Rgb colour, fl
 
 BayBox box_of(Bay bay)
 {
-    constexpr float cell = 1.0f / bays_each_way, inset = 1.5f / 1024;  // keeps neighbours out of the filter
+    constexpr float cell = 1.0f / bays_each_way, inset = 4.0f / 1024;  // keeps neighbours out of the filter
     const int number = static_cast<int>(bay);
     const float u = static_cast<float>(number % bays_each_way) * cell;
     const float v = static_cast<float>(number / bays_each_way) * cell;
