@@ -261,7 +261,7 @@ typedef struct clq_crowd_stats {
     uint64_t distances;          /* from an eye */
     uint64_t matrices_needed;    /* nodes at the levels of who passed the second phase */
     uint64_t matrices_built;     /* of these, anew: fCoh is their share (S0 6.2.2) */
-    uint64_t products;           /* of matrices, for who is drawn */
+    uint64_t products;           /* of matrices, for who is drawn or tested by parts */
     uint64_t products_tracked;   /* of these, made by claque and not by GL: fTrack is their share */
     uint64_t behaviour_calls[6]; /* of mechanisms, by clq_mechanism_kind */
     uint64_t dof_writes;

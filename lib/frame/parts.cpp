@@ -59,6 +59,7 @@ void Update::cull_parts()
             tested[s].palette = nullptr;
             requests[i].drawn = false;
             bool crosses = false;
+            const uint64_t tracked_before = tested[s].products_tracked;
             for (uint32_t v = 0; v < views.count; ++v) {
                 const Sight &seen = sight(v, frame.asked_[i]);
                 if (seen.inside == Inside::no && !traditional()) continue;
@@ -68,6 +69,7 @@ void Update::cull_parts()
                 requests[i].drawn = requests[i].drawn || seen.inside != Inside::no;
             }
             tested[s].crossing += crosses;
+            if (!requests[i].drawn) tested[s].products_unseen += tested[s].products_tracked - tracked_before;
         }
     });
     Stats &stats = frame.stats_;
@@ -78,6 +80,7 @@ void Update::cull_parts()
         stats.sphere_tests += t.sphere_tests;
         stats.crossing += t.crossing;
         stats.products_tracked += t.products_tracked;
+        stats.products += t.products_unseen;
     }
     frame.visible_.clear();
     for (uint32_t i = 0; i < count; ++i) {

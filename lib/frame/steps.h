@@ -11,6 +11,7 @@ struct PartsTested {
     uint32_t strand = 0;
     const math::Affine *palette = nullptr;  // of the individual at hand; null until it is needed
     uint64_t spheres_built = 0, sphere_tests = 0, products_tracked = 0;
+    uint64_t products_unseen = 0;  // of these, for who turned out to be invisible
     uint32_t crossing = 0;
 };
 
