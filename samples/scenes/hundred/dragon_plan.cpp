@@ -64,7 +64,7 @@ struct Named {
 
 // Names have to outlive the call that makes a template.
 constexpr Named named[dof_count] = {
-    {heart, "heart.roll", 'r', -0.15f, 0.15f},
+    {heart, "heart.thrust", 't', -0.8f, 0.8f},
     {chest, "chest.yaw", 'y', -0.06f, 0.06f},
     {chest, "chest.pitch", 'p', -0.06f, 0.06f},
     {shoulder, "shoulder.yaw", 'y', -0.10f, 0.10f},

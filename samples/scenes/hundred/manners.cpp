@@ -38,9 +38,9 @@ What what_of(const clq_dof_def &dof)
     return dof.axis[0] != 0 ? What::pitch : dof.axis[1] != 0 ? What::yaw : What::roll;
 }
 
-// `yaw` and `pitch` of the trunk, from the neck to the fin; `row` of the legs.
+// `yaw` and `pitch` of the trunk, from the neck to the fin; `row` of the legs; `surge` ahead.
 struct Bearing {
-    double yaw, pitch, row, roll;
+    double yaw, pitch, row, surge;
 };
 
 Values bearing(const Bearing &b)
@@ -52,7 +52,7 @@ Values bearing(const Bearing &b)
         const uint32_t node = dof.node;
         const bool trunk = node == chest || (node >= neck1 && node <= neck3) || (node >= loin && node <= fin);
         const What what = what_of(dof);
-        if (node == heart) values.push_back(leaning(i, dof, b.roll));
+        if (node == heart) values.push_back(leaning(i, dof, b.surge));
         else if (trunk) {
             const bool ahead = node <= neck3;  // the neck answers the tail: an S
             values.push_back(

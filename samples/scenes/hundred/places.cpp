@@ -165,7 +165,7 @@ private:
     {
         const Point out = pyramid_.normal(side);
         const double far = between(kind.band.first_m - 3, kind.band.last_m, Lot::radius);
-        double from = between(0.84, 0.94, Lot::place_x) * spheres_.sklsroot;
+        double from = between(0.95, 0.985, Lot::place_x) * spheres_.sklsroot;
         if (kind.row == Row::c31_within) from = -from;
         if (kind.row == Row::c32) from = between(-0.1, 0.1, Lot::place_x) * spheres_.sklsroot;
         const Point centre = pyramid_.beside(side, far, from, between(-0.35, 0.40, Lot::row) * far);
