@@ -9,7 +9,7 @@
 namespace scenes::hundred
 {
 
-constexpr float mid_m = 45, far_m = 100;  // effective distances at which nodes end and merged parts begin
+constexpr float mid_m = 52, far_m = 100;  // effective distances at which nodes end and merged parts begin
 
 struct Bone {
     const char *name;

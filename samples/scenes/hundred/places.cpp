@@ -16,7 +16,7 @@ namespace
 struct Band {
     double first_m, last_m;
 };
-constexpr Band near_band = {29, 52}, mid_band = {72, 124}, far_band = {146, 215}, any_band = {25, 170};
+constexpr Band near_band = {30, 67}, mid_band = {78, 126}, far_band = {146, 215}, any_band = {25, 170};
 
 struct Kind {
     Row row;
@@ -36,7 +36,7 @@ constexpr Kind kinds[] = {
     {Row::a, Way::round, 20, any_band},
 };
 
-constexpr double lowest_m = 4.5, apart_m = 15.5, near_apart_m = 9.5, slack_m = 0.05;
+constexpr double lowest_m = 4.5, apart_m = 15.5, near_apart_m = 12.5, slack_m = 0.05;
 
 Point turned(const clq_place &place, Point p)
 {
