@@ -38,19 +38,21 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
     if (levels == Levels::finest) options.casting.lod_scale = 0;
     scenes::Stage stage(library, options);
     Run out;
-    double built = 0, products = 0, tracked = 0;
+    double needed = 0, built = 0, products = 0, tracked = 0;
     for (int frame = 0; frame <= a.frames; ++frame) {
         stop_if_asked();
         stage.update(2 + frame / 25.0);
         if (frame == 0) continue;  // everything is new in it
         const clq_crowd_stats stats = stage.crowd_stats();
         const cost::Counts counts = counts_of(stats);
-        for (size_t i = 0; i < cost::operation_count; ++i) out.counts[i] += counts[i] / a.frames;
-        built += static_cast<double>(stats.matrices_built) / a.frames;
+        for (size_t i = 0; i < cost::operation_count; ++i) out.counts[i] += counts[i];
+        needed += static_cast<double>(stats.matrices_needed);
+        built += static_cast<double>(stats.matrices_built);
         products += static_cast<double>(stats.products);
         tracked += static_cast<double>(stats.products_tracked);
     }
-    out.shares = {share(tracked, products), share(built, out.counts[cost::no_01])};
+    out.shares = {share(tracked, products), share(built, needed)};
+    for (double &count : out.counts) count /= a.frames;
     if (levels == Levels::finest) return out;
     stage.draw_setting();
     stage.draw_crowd();
@@ -73,7 +75,7 @@ void write_operations(const BenchArguments &a)
     measured.shares = actor.shares;
     measured.traditional = run(library, a, CLQ_CULL_TRADITIONAL, Levels::finest).counts;
     measured.note = "scene " + scene_of(a.stage) + ", " + who + ", means of " + std::to_string(a.frames) +
-                    " frames at 25 a second, " + a.stage.placement + " placed by " +
+                    " frames at 25 a second, parts placed by " +
                     (a.stage.placement == "matrices" ? "OpenGL" : "claque") + "; traditional: all at its finest";
     write_whole(a.operations, json_of(measured));
 }

@@ -46,7 +46,7 @@ public:
             ways.send(actor, spots_[who].way, casting.seed * actors_of_table_2 + who);
             manners.teach(actor, casting.seed * actors_of_table_2 + who);
         }
-        hundred::fill_lake(water_, rocks_, casting.seed);
+        hundred::fill_lake(water_, rocks_, spots_, spheres_, casting.seed);
         hundred::draw_plan(plan_, spots_, spheres_);
     }
 

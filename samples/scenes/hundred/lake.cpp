@@ -45,19 +45,24 @@ void add_water(Geometry &water)
     }
 }
 
-void add_rock(Geometry &rocks, double x, double z, double size, uint64_t seed, uint64_t who)
+struct Rock {
+    double x, z, size, high;                               // high: times its size
+    double top() const { return 0.86 * high * size + 5; }  // of its trees
+};
+
+void add_rock(Geometry &rocks, const Rock &rock, uint64_t seed, uint64_t who)
 {
-    const float fx = static_cast<float>(x), fz = static_cast<float>(z), s = static_cast<float>(size);
-    const float high = static_cast<float>(lot_between(seed, who, Lot::size, 0.8, 2.2));
+    const float fx = static_cast<float>(rock.x), fz = static_cast<float>(rock.z), s = static_cast<float>(rock.size);
+    const float high = static_cast<float>(rock.high);
     rocks.turned(fx, fz, {{1.0f * s, -0.5f}, {0.92f * s, 0.25f * high * s}, {0.70f * s, 0.62f * high * s}}, 9, stone);
     rocks.turned(fx, fz, {{0.72f * s, 0.60f * high * s}, {0.50f * s, 0.80f * high * s}, {0.0f, 0.86f * high * s}}, 9,
                  moss);
     for (uint64_t k = 0; k < 3; ++k) {
         const uint64_t tree = who * 8 + k;
         const double turn = lot_between(seed, tree, Lot::tree, 0, two_pi),
-                     out = 0.42 * size * static_cast<double>(k + 1) / 3;
-        const float tx = static_cast<float>(x + out * std::sin(turn)),
-                    tz = static_cast<float>(z + out * std::cos(turn));
+                     out = 0.42 * rock.size * static_cast<double>(k + 1) / 3;
+        const float tx = static_cast<float>(rock.x + out * std::sin(turn)),
+                    tz = static_cast<float>(rock.z + out * std::cos(turn));
         const float foot = 0.76f * high * s, tall = static_cast<float>(lot_between(seed, tree, Lot::radius, 2.6, 5.0));
         rocks.turned(tx, tz, {{0.22f, foot}, {0.16f, foot + 0.4f * tall}}, 5, trunk);
         for (int tier = 0; tier < 3; ++tier) {
@@ -69,17 +74,30 @@ void add_rock(Geometry &rocks, double x, double z, double size, uint64_t seed, u
     }
 }
 
+bool is_clear(const Rock &rock, const std::vector<Spot> &spots, const Spheres &spheres)
+{
+    constexpr double below_m = 3;  // what hangs down from a dragon
+    for (const Spot &spot : spots) {
+        const double dx = rock.x - spot.place.position[0], dz = rock.z - spot.place.position[2];
+        const double reach = spheres.refpoint[static_cast<size_t>(spot.way)] + rock.size;
+        if (dx * dx + dz * dz < reach * reach && spot.place.position[1] - below_m < rock.top()) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-void fill_lake(Geometry &water, Geometry &rocks, uint64_t seed)
+void fill_lake(Geometry &water, Geometry &rocks, const std::vector<Spot> &spots, const Spheres &spheres, uint64_t seed)
 {
     add_water(water);
-    // Away from the eye, in groups that grow with the distance.
-    for (uint64_t who = 0; who < 34; ++who) {
+    // Away from the eye, larger with the distance.
+    for (uint64_t who = 0; who < 60; ++who) {
         const double far = 70 + 420 * lot(seed, who, Lot::place_x) * lot(seed, who, Lot::row);
         const double turn = lot_between(seed, who, Lot::heading, -1.5, 1.5);
-        add_rock(rocks, far * std::sin(turn), -far * std::cos(turn),
-                 lot_between(seed, who, Lot::gap, 3, 6) * (0.6 + far / 240), seed, who);
+        const Rock rock = {far * std::sin(turn), -far * std::cos(turn),
+                           lot_between(seed, who, Lot::gap, 3, 6) * (0.6 + far / 240),
+                           lot_between(seed, who, Lot::size, 0.8, 2.2)};
+        if (is_clear(rock, spots, spheres)) add_rock(rocks, rock, seed, who);
     }
 }
 
