@@ -83,12 +83,13 @@ void FreeReach::own_supports(const Grain &grain, std::vector<Support> &own) cons
             free_.bodies[b].support(grain.directions, free_.ranges, locals_.weights.data(), own[b]);
 }
 
-double FreeReach::bound_by(Grain &grain, std::vector<Support> &own, const glm::dvec3 &centre)
+double FreeReach::bound_by(const Grain &grain, std::vector<Support> &own, const Fill::Enough &enough)
 {
-    fill_.ball(free_.bodies, locals_.weights.data(), centre);
+    const float *weights = locals_.weights.data();
+    fill_.ball(free_.bodies, weights, enough.centre);
     own_supports(grain, own);
-    fill_.support(grain, free_.bodies, own, all_);
-    return farthest(grain.directions, all_, centre);
+    const double left_out = fill_.support(grain, free_.bodies, weights, own, enough, all_);
+    return std::max(left_out, farthest(grain.directions, all_, enough.centre));
 }
 
 glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
@@ -98,7 +99,7 @@ glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
     const size_t count = std::min(poses_.size(), centre_poses);
     for (size_t k = 0; k < count && !free_.bodies.empty(); ++k) {
         look_at(static_cast<uint32_t>(k * poses_.size() / count));
-        bound_by(coarse_, own_coarse_, glm::dvec3(0));
+        bound_by(coarse_, own_coarse_, {glm::dvec3(0), 0});
         for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], all_[i]);
     }
     for (const glm::dvec3 &p : points)
@@ -135,7 +136,7 @@ void FreeReach::tell(uint32_t pose, double bound, std::vector<double> &bounds) c
 
 double FreeReach::radius(const glm::dvec3 &centre, double reached)
 {
-    const double enough = reached * (1 + waste);
+    double found = reached;
     if (free_.bodies.empty()) return reached;
     std::vector<double> bounds;
     std::priority_queue<Candidate> queue;
@@ -144,14 +145,16 @@ double FreeReach::radius(const glm::dvec3 &centre, double reached)
         bounds.push_back(fill_.ball(free_.bodies, locals_.weights.data(), centre) + bulges_[i]);
         queue.push({bounds[i], i, Look::ball});
     }
-    while (queue.top().bound > enough) {
+    while (queue.top().bound > found * (1 + waste)) {
         Candidate best = queue.top();
         if (best.bound <= bounds[best.pose]) {
             if (best.look == Look::fine) break;
             look_at(best.pose);
             const bool was_ball = best.look == Look::ball;
-            const double bound = was_ball ? bound_by(coarse_, own_coarse_, centre) : bound_by(fine_, own_fine_, centre);
+            const Fill::Enough near = {centre, found - bulges_[best.pose]};
+            const double bound = was_ball ? bound_by(coarse_, own_coarse_, near) : bound_by(fine_, own_fine_, near);
             tell(best.pose, bound, bounds);
+            if (!was_ball) found = std::max(found, bound);
             best.look = was_ball ? Look::coarse : Look::fine;
         }
         best.bound = bounds[best.pose];

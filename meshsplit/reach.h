@@ -26,7 +26,7 @@ public:
 
 private:
     void look_at(uint32_t pose);
-    double bound_by(Grain &grain, std::vector<Support> &own, const glm::dvec3 &centre);
+    double bound_by(const Grain &grain, std::vector<Support> &own, const Fill::Enough &enough);
     void own_supports(const Grain &grain, std::vector<Support> &own) const;
     void find_poses();
     void tell(uint32_t pose, double bound, std::vector<double> &bounds) const;

@@ -56,6 +56,7 @@ Fill::Fill(const model::Rig &rig)
         if (!station.dofs.empty()) stations_.push_back(station);
     }
     reach_.resize(stations_.size());
+    busy_.resize(stations_.size());
     sets_.resize(stations_.size());
 }
 
@@ -110,31 +111,46 @@ void Fill::spread(const Grain &grain, const Station &station, double reach, Supp
     for (const uint32_t d : station.dofs) grain.freedoms[d].spread(std::min(reach, tight), set, scratch_);
 }
 
-void Fill::support(const Grain &grain, const std::vector<Body> &bodies, const std::vector<Support> &own, Support &out)
+double Fill::support(const Grain &grain, const std::vector<Body> &bodies, const float *weights,
+                     const std::vector<Support> &own, const Enough &enough, Support &out)
 {
+    double left_out = 0;
+    const auto add = [&](const Support &set, const Map &map, uint32_t to) {
+        Support &target = to == none ? out : sets_[to];
+        if (to != none && !busy_[to]) target.assign(out.size(), nothing), busy_[to] = 1;
+        take_in(grain.directions, set, map, target);
+    };
     out.assign(grain.directions.count(), nothing);
-    for (Support &set : sets_) set.assign(grain.directions.count(), nothing);
+    std::fill(busy_.begin(), busy_.end(), uint8_t(0));
     for (size_t b = 0; b < bodies.size(); ++b) {
-        const uint32_t n = bodies[b].node(), s = station_of_[n];
-        take_in(grain.directions, own[b], to_station_[n], s == none ? out : sets_[s]);
+        const uint32_t n = bodies[b].node();
+        const double bound = ball_of(n, bodies[b].centre(), bodies[b].radius(weights), enough.centre);
+        if (bound <= enough.distance) left_out = std::max(left_out, bound);
+        else add(own[b], to_station_[n], station_of_[n]);
     }
     for (size_t s = stations_.size(); s-- > 0;) {
-        if (reach_[s] == nothing) continue;
+        if (!busy_[s]) continue;
         spread(grain, stations_[s], reach_[s], sets_[s]);
-        const uint32_t above = stations_[s].above;
-        take_in(grain.directions, sets_[s], stations_[s].lift, above == none ? out : sets_[above]);
+        add(sets_[s], stations_[s].lift, stations_[s].above);
     }
+    return left_out;
 }
 
-double Fill::origin_ball(uint32_t node, const glm::dvec3 &centre) const
+// Of a ball in a node's frame: stations turn it anyhow about themselves.
+double Fill::ball_of(uint32_t node, const glm::dvec3 &p, double radius, const glm::dvec3 &centre) const
 {
-    glm::dvec3 at = to_station_[node].move;
-    double radius = 0;
+    glm::dvec3 at = moved(to_station_[node], p);
+    radius *= stretch_[node];
     for (uint32_t s = station_of_[node]; s != none; s = stations_[s].above) {
         radius = stations_[s].lift_stretch * (radius + glm::length(at) + stations_[s].shift);
         at = stations_[s].lift.move;
     }
     return glm::distance(at, centre) + radius;
+}
+
+double Fill::origin_ball(uint32_t node, const glm::dvec3 &centre) const
+{
+    return ball_of(node, glm::dvec3(0), 0, centre);
 }
 
 void Fill::origin_support(const Grain &grain, uint32_t node, Support &out)

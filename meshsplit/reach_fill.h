@@ -25,8 +25,16 @@ public:
     void take(const Locals &locals);  // the pose that everything below is about
     // The distance from `centre`, in model space, of whatever a body brings along.
     double ball(const std::vector<Body> &bodies, const float *weights, const glm::dvec3 &centre);
-    // Of all bodies in model space, whose own supports are given one each. To follow ball() of the same.
-    void support(const Grain &grain, const std::vector<Body> &bodies, const std::vector<Support> &own, Support &out);
+
+    // What supports may leave out: bodies that stay as close as this.
+    struct Enough {
+        glm::dvec3 centre;
+        double distance;
+    };
+    // Of all bodies in model space, whose own supports are given one each. To follow ball() of the same. Bodies that
+    // cannot get farther than is enough are left out; the most that any of these may is returned.
+    double support(const Grain &grain, const std::vector<Body> &bodies, const float *weights,
+                   const std::vector<Support> &own, const Enough &enough, Support &out);
 
     // The same two for a node's origin.
     double origin_ball(uint32_t node, const glm::dvec3 &centre) const;
@@ -43,6 +51,7 @@ private:
         Map lift;                      // to the frame of the station above
         double lift_stretch = 1;
     };
+    double ball_of(uint32_t node, const glm::dvec3 &p, double radius, const glm::dvec3 &centre) const;
     void spread(const Grain &grain, const Station &station, double reach, Support &set);
 
     const model::Rig &rig_;
@@ -51,6 +60,7 @@ private:
     std::vector<Map> to_station_;  // per node: from its frame to that of its station, before the station's freedoms
     std::vector<double> stretch_;  // of to_station_
     std::vector<double> reach_;    // per station, found by ball()
+    std::vector<uint8_t> busy_;    // per station: whether its set is not empty
     std::vector<Support> sets_;    // per station
     Support scratch_;
 };
