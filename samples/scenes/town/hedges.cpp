@@ -25,7 +25,7 @@ bool in_house(const std::vector<House> &houses, Point p)
 }
 
 // From one point of the ground to another: two sides and a top that follow it, an end each.
-void hedge(Geometry &g, const Terrain &terrain, Point a, Point b)
+void hedge(Pieces &pieces, const Terrain &terrain, Point a, Point b)
 {
     const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.z - a.z) * (b.z - a.z));
     const double dx = (b.x - a.x) / length, dz = (b.z - a.z) / length;
@@ -36,9 +36,11 @@ void hedge(Geometry &g, const Terrain &terrain, Point a, Point b)
     };
     const Vec3 a0 = corner(a, 1, 0), a1 = corner(a, 1, high_m), a2 = corner(a, -1, high_m), a3 = corner(a, -1, 0);
     const Vec3 b0 = corner(b, 1, 0), b1 = corner(b, 1, high_m), b2 = corner(b, -1, high_m), b3 = corner(b, -1, 0);
+    Geometry &g = pieces.on(Layer::leaves);
     g.quad({a0, b0, b1, a1}, green * 0.8f);
     g.quad({b3, a3, a2, b2}, green * 0.8f);
     g.quad({a1, b1, b2, a2}, green * 1.15f);
+    pieces.from_now(Seen::near);
     g.quad({a3, a0, a1, a2}, green * 0.8f);
     g.quad({b0, b3, b2, b1}, green * 0.8f);
 }
@@ -56,7 +58,7 @@ void plant_hedges(Pieces &pieces, const Plan &plan, const Terrain &terrain, cons
         const Point a = plan.at(u0 + du * t, v0 + dv * t), b = plan.at(u1 - du * t, v1 - dv * t);
         for (int i = 0; i <= 6; ++i)
             if (in_house(houses, {a.x + (b.x - a.x) * i / 6, a.z + (b.z - a.z) * i / 6})) return;
-        hedge(pieces.on(Layer::leaves), terrain, a, b);
+        hedge(pieces, terrain, a, b);
         pieces.finish(Piece::Kind::tree);
     };
     for (size_t k = 1; k < terrain.rows(); ++k)

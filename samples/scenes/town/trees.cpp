@@ -221,7 +221,7 @@ void grow_tree(Pieces &pieces, SunShadows &shadows, const Tree &tree, const Terr
     const float r = static_cast<float>(0.035 * tree.height_m), y = static_cast<float>(ground);
     pieces.on(Layer::stone)
         .turned(static_cast<float>(tree.at.x), static_cast<float>(tree.at.z),
-                {{r, y - 0.03f}, {0.7f * r, y + static_cast<float>(foot + 0.14 * tree.height_m)}}, 5, bark);
+                {{r, y - 0.03f}, {0.7f * r, y + static_cast<float>(foot + 0.14 * tree.height_m)}}, 4, bark);
     if (tree.kind == Tree::Kind::broad) {
         pieces.from_now(Seen::near);
         crown(pieces.on(Layer::leaves), tree, Seen::near, foot, ground, green, own);
