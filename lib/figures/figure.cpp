@@ -89,6 +89,7 @@ const std::vector<Builtin> &builtins()
     static const std::vector<Builtin> all = [] {
         std::vector<Builtin> made = people();
         made.push_back({"herald", winged_herald});
+        made.push_back({"owl", letter_owl});
         return made;
     }();
     return all;

@@ -41,6 +41,10 @@ model::Model plebeian_man();
 // middle. About 1200 triangles near by, 30 from 400 m on. Ten zones. Clips: fly 2 s, glide 4, hover 2.
 model::Model winged_herald();
 
+// An owl that carries a letter: broad and brown, on the same nodes, freedoms and clips; its feet are arm_left and
+// arm_right, its tail is legs. 1.6 m from tufts to tail, wings 3.1 m across. Eight zones.
+model::Model letter_owl();
+
 struct Builtin {
     const char *name;
     model::Model (*make)();

@@ -45,6 +45,49 @@ void Sculptor::triangle(Chart chart, Winding winding, const Stop &a, const Stop 
     mesh_.face(chart, winding, corner(a), corner(b), corner(c));
 }
 
+void Sculptor::spike(Chart chart, const std::array<glm::vec3, 4> &corners)
+{
+    const glm::vec3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0f;
+    const std::array<glm::vec2, 4> st = {{{0, 0}, {1, 0}, {0.5f, 0.2f}, {0.5f, 1}}};
+    for (const auto &[a, b, c] : {std::array<size_t, 3>{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+        const glm::vec3 normal = glm::cross(corners[b] - corners[a], corners[c] - corners[a]);
+        const bool outward = glm::dot(normal, corners[a] - middle) > 0;
+        const auto own = [&](size_t i) { return Corner{mesh_.add(corners[i], Region::own), st[i]}; };
+        mesh_.face(chart, outward ? Winding::as_given : Winding::reversed, own(a), own(b), own(c));
+    }
+}
+
+void add_ball(Sculptor &to, Chart chart, const Ball &ball, int columns, int rows)
+{
+    std::vector<std::vector<Sculptor::Stop>> meridians;
+    for (int i = 0; i <= columns; ++i) {
+        const float yaw = ball.aside * (2 * static_cast<float>(i) / static_cast<float>(columns) - 1);
+        std::vector<Sculptor::Stop> stops;
+        for (int k = 0; k <= rows; ++k) {
+            const float pitch = ball.up * (2 * static_cast<float>(k) / static_cast<float>(rows) - 1);
+            const glm::vec3 d(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+            stops.push_back({ball.centre + d * ball.radius, glm::vec2(yaw, pitch)});
+        }
+        meridians.push_back(stops);
+    }
+    to.sheet(chart, Winding::as_given, meridians);
+}
+
+void add_lid(Sculptor &to, Chart chart, const Ball &ball, int columns, const std::vector<float> &pitches)
+{
+    std::vector<std::vector<Sculptor::Stop>> meridians;
+    for (int i = 0; i <= columns; ++i) {
+        const float aside = ball.aside * (2 * static_cast<float>(i) / static_cast<float>(columns) - 1);
+        std::vector<Sculptor::Stop> stops;
+        for (const float pitch : pitches) {
+            const glm::vec3 d(std::sin(aside), std::cos(aside) * std::sin(pitch), std::cos(aside) * std::cos(pitch));
+            stops.push_back({ball.centre + d * ball.radius, glm::vec2(aside, pitch)});
+        }
+        meridians.push_back(stops);
+    }
+    to.sheet(chart, Winding::as_given, meridians);
+}
+
 void add_tube(Sculptor &to, const Tube &tube, const std::vector<Ring> &rings)
 {
     const float n = static_cast<float>(tube.around);

@@ -24,6 +24,9 @@ public:
 
     void triangle(Chart chart, Winding winding, const Stop &a, const Stop &b, const Stop &c);
 
+    // A tetrahedron with sharp edges, seen from outside; the last corner is the tip, where st.y is 1.
+    void spike(Chart chart, const std::array<glm::vec3, 4> &corners);
+
 private:
     Corner corner(const Stop &stop) { return {point(stop.first), stop.second}; }
 
@@ -56,6 +59,16 @@ struct Bead {
     float side, front, back;
 };
 std::vector<Ring> strung(const std::vector<Bead> &beads, glm::vec3 forward);
+
+// Part of a ball that looks ahead, up to these angles aside and upwards; st are the angles.
+struct Ball {
+    glm::vec3 centre;
+    float radius, aside, up;
+};
+void add_ball(Sculptor &to, Chart chart, const Ball &ball, int columns, int rows);
+
+// An eyelid: between half circles through the ball's two sides, at these angles upwards.
+void add_lid(Sculptor &to, Chart chart, const Ball &ball, int columns, const std::vector<float> &pitches);
 
 // Those of the given numbers.
 template <class T>

@@ -286,6 +286,7 @@ TEST_P(Flyer, has_clips_that_close)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Flyer, testing::Values("herald"), [](const auto &i) { return std::string(i.param); });
+INSTANTIATE_TEST_SUITE_P(Of, Flyer, testing::Values("herald", "owl"),
+                         [](const auto &i) { return std::string(i.param); });
 
 }  // namespace

@@ -101,32 +101,11 @@ void add_wreath(Sculptor &to, int level)
         }
 }
 
-// Part of a ball, angles to its left and up.
-struct Window {
-    float left, right, low, high;
-};
-
-void add_ball(Sculptor &to, Chart chart, glm::vec3 centre, float radius, Window w, int columns, int rows)
-{
-    std::vector<std::vector<Sculptor::Stop>> meridians;
-    for (int i = 0; i <= columns; ++i) {
-        const float s = static_cast<float>(i) / static_cast<float>(columns), yaw = w.right + s * (w.left - w.right);
-        std::vector<Sculptor::Stop> stops;
-        for (int k = 0; k <= rows; ++k) {
-            const float t = static_cast<float>(k) / static_cast<float>(rows), pitch = w.low + t * (w.high - w.low);
-            const glm::vec3 d(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
-            stops.push_back({centre + d * radius, glm::vec2(yaw, pitch)});
-        }
-        meridians.push_back(stops);
-    }
-    to.sheet(chart, Winding::as_given, meridians);
-}
-
 void add_eye(Mesh &mesh, int level, Side side)
 {
     Sculptor to(mesh);
-    add_ball(to, eye_chart, mirrored(eye_left, side), eye_radius, {1.05f, -1.05f, -1.0f, 1.0f}, level == 0 ? 5 : 2,
-             level == 0 ? 3 : 2);
+    add_ball(to, eye_chart, {mirrored(eye_left, side), eye_radius * (level == 0 ? 1 : 1.06f), 1.05f, 1.0f},
+             level == 0 ? 5 : 2, level == 0 ? 3 : 2);
 }
 
 }  // namespace
@@ -147,26 +126,12 @@ void add_far_head(Mesh &mesh, int level)
 void add_eye_left(Mesh &mesh, int level) { add_eye(mesh, level, Side::left); }
 void add_eye_right(Mesh &mesh, int level) { add_eye(mesh, level, Side::right); }
 
-// Between two half circles through the corners of the eye, about which they turn.
 void add_lids(Mesh &mesh, int level)
 {
     Sculptor to(mesh);
-    const int columns = level == 0 ? 5 : 2;
     const std::vector<float> pitches = level == 0 ? std::vector<float>{0.42f, 1.00f, 1.75f} : std::vector{0.42f, 1.75f};
-    for (const Side side : {Side::left, Side::right}) {
-        std::vector<std::vector<Sculptor::Stop>> meridians;
-        for (int i = 0; i <= columns; ++i) {
-            const float aside = 1.35f * (2 * static_cast<float>(i) / static_cast<float>(columns) - 1);
-            std::vector<Sculptor::Stop> stops;
-            for (const float pitch : pitches) {
-                const glm::vec3 d(std::sin(aside), std::cos(aside) * std::sin(pitch),
-                                  std::cos(aside) * std::cos(pitch));
-                stops.push_back({mirrored(eye_left, side) + d * (eye_radius + 0.0020f), glm::vec2(aside, pitch)});
-            }
-            meridians.push_back(stops);
-        }
-        to.sheet(lid_chart, Winding::as_given, meridians);
-    }
+    for (const Side side : {Side::left, Side::right})
+        add_lid(to, lid_chart, {mirrored(eye_left, side), eye_radius + 0.0020f, 1.35f, 0}, level == 0 ? 5 : 2, pitches);
 }
 
 void add_jaw(Mesh &mesh, int level)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/figures/brush.h"
+#include "lib/figures/flyer/wing.h"
 
 namespace claque::figures::flyer::herald
 {
@@ -130,7 +131,7 @@ Paint colour(const Texel &t)
     if (t.chart == jaw_chart) return paint_jaw(t);
     if (t.chart == eye_chart) return paint_eye(t);
     if (t.chart == lid_chart) return paint_lid(t);
-    if (t.chart == wing_back_chart || t.chart == wing_front_chart) return paint_wing(t);
+    if (t.chart == wing_back_chart || t.chart == wing_front_chart) return paint_wing(t, Plumage());
     if (t.chart == chest_chart) return chest(t);
     if (t.chart == collar_chart) return collar(t);
     if (t.chart == skirt_chart) return skirt(t);

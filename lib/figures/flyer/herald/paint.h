@@ -11,6 +11,5 @@ Paint paint_jaw(const Texel &t);
 Paint paint_far_head(const Texel &t);
 Paint paint_eye(const Texel &t);
 Paint paint_lid(const Texel &t);
-Paint paint_wing(const Texel &t);
 
 }  // namespace claque::figures::flyer::herald

@@ -1,6 +1,7 @@
-// Neck, chest with its torque, and the pleated skirt. What is above reaches into what is below, so that no turn opens
+// Neck, chest with its torque, the pleated skirt, and where the wings are. What is above reaches into what is below, so that no turn opens
 // a gap: the neck stands in the torque, the chest blouses over the belt.
 #include "lib/figures/flyer/herald/herald.h"
+#include "lib/figures/flyer/wing.h"
 
 namespace claque::figures::flyer::herald
 {
@@ -40,7 +41,12 @@ const std::vector<Ring> lining = {
     {{0, -0.180f, 0.000f}, 0.000f, 0.000f, 0.000f, 1.0f, glm::vec3(-1, 0, 0)},
 };
 
+const Wing wing = {{0.050f, 0.365f, -0.098f}, {1, 1}, wing_back_chart, wing_front_chart};
+
 }  // namespace
+
+void add_wing_left(Mesh &mesh, int level) { add_wing(mesh, wing, Side::left, level); }
+void add_wing_right(Mesh &mesh, int level) { add_wing(mesh, wing, Side::right, level); }
 
 void add_neck(Mesh &mesh, int level)
 {

@@ -1,10 +1,9 @@
-// Feathers: three rows of coverts like tiles, then the long ones with their shafts, banded towards the tips.
 #include <cmath>
 
 #include "lib/figures/brush.h"
-#include "lib/figures/flyer/herald/paint.h"
+#include "lib/figures/flyer/wing.h"
 
-namespace claque::figures::flyer::herald
+namespace claque::figures::flyer
 {
 
 namespace
@@ -25,7 +24,7 @@ Quill quill_at(float u, float c, float from, float until, float count)
 
 float feather(const Quill &q)
 {
-    float g = 226 + 20 * (q.shade - 0.5f);
+    float g = 232 + 20 * (q.shade - 0.5f);
     g += 10 * q.across;                               // each lies over the next
     g -= 34 * spot(q.across, 0.10f) * (1 - q.along);  // shaft
     g -= 46 * soft_step(0.80f, 1.0f, std::fabs(q.across));
@@ -36,10 +35,9 @@ float feather(const Quill &q)
 
 }  // namespace
 
-Paint paint_wing(const Texel &t)
+Paint paint_wing(const Texel &t, const Plumage &plumage)
 {
     const float c = -t.st.x, u = t.st.y;
-    const bool front = t.chart == wing_front_chart;
     struct Layer {
         float from, until, count;
     };
@@ -48,14 +46,17 @@ Paint paint_wing(const Texel &t)
     for (const Layer &layer : layers) {
         const Quill q = quill_at(u, c, layer.from, layer.until, layer.count);
         if (!q.inside) continue;
-        return {feather(q) - (front ? 6.0f : 0.0f), layer.until < 0.2f ? Zone::border : Zone::wings};
+        return {feather(q), layer.until < 0.2f ? plumage.shoulder : plumage.feathers};
     }
     Quill q = quill_at(u - 0.004f, c, 0.36f, 2, 11);
     q.along = (c - 0.36f) / 0.64f;
     float g = feather(q) - 14 * soft_step(0.36f, 0.44f, c) * spot(c - 0.40f, 0.05f);
-    const float band = soft_step(0.74f, 0.80f, c - 0.03f * q.across * q.across);
-    g -= 70 * band;
-    return {g, Zone::wings};
+    for (int i = 0; i < plumage.bands; ++i) {
+        const float from = 0.74f - 0.17f * static_cast<float>(i), bent = c - 0.03f * q.across * q.across;
+        g -= (i == 0 ? 70 : 44) * soft_step(from, from + 0.05f, bent) *
+             (i == 0 ? 1 : soft_step(from + 0.12f, from + 0.08f, bent));
+    }
+    return {g, plumage.feathers};
 }
 
-}  // namespace claque::figures::flyer::herald
+}  // namespace claque::figures::flyer

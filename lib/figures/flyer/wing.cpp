@@ -1,17 +1,14 @@
-// Wings: an arm of short feathers, and behind it the long ones, whose tips make the outline. Arched along the span,
-// thick along the leading edge, thin at the tips.
-#include "lib/figures/brush.h"
-#include "lib/figures/flyer/herald/herald.h"
+#include "lib/figures/flyer/wing.h"
 
-namespace claque::figures::flyer::herald
+#include "lib/figures/brush.h"
+
+namespace claque::figures::flyer
 {
 
 namespace
 {
 
-const glm::vec3 root(0.050f, 0.365f, -0.098f);
-
-// By the share of the span: where the leading edge runs, and the tips of the feathers, from the root.
+// By the share of the span: where the leading edge runs, and the tips of the feathers, from the root, in metres.
 constexpr glm::vec2 lead_x[] = {{0, 0}, {0.2f, 0.27f}, {0.42f, 0.60f}, {0.65f, 1.02f}, {0.85f, 1.42f}, {1, 1.70f}};
 constexpr glm::vec2 lead_y[] = {{0, 0.05f},      {0.12f, 0.150f}, {0.28f, 0.285f}, {0.40f, 0.330f},
                                 {0.55f, 0.310f}, {0.75f, 0.190f}, {0.90f, 0.000f}, {1, -0.19f}};
@@ -23,20 +20,16 @@ constexpr glm::vec2 tips_y[] = {{0, -0.30f},      {0.1f, -0.415f},  {0.45f, -0.4
 enum class Face : uint8_t { back, front };
 
 // `c` from the leading edge, 0, to the tips, 1.
-glm::vec3 on_wing(float u, float c, Face face)
+glm::vec3 on_wing(const Wing &wing, float u, float c, Face face)
 {
     const glm::vec2 lead(profile(lead_x, u), profile(lead_y, u)), tip(profile(tips_x, u), profile(tips_y, u));
     const glm::vec2 q = lead + (tip - lead) * c;
     const float arch = -0.150f * (1 - (2 * q.x / 1.7f - 0.75f) * (2 * q.x / 1.7f - 0.75f)) + 0.065f;
     const float thick = (0.030f - 0.022f * u) * (c < 0.3f ? 1 : (1 - c) / 0.7f) * (c == 0 ? 0 : 1);
     const float droop = 0.050f * c * c;  // feathers bend down at their ends
-    return root + glm::vec3(q.x, q.y, arch + droop + (face == Face::front ? thick : -thick));
+    return wing.root +
+           glm::vec3(q.x * wing.scale.x, q.y * wing.scale.y, arch + droop + (face == Face::front ? thick : -thick));
 }
-
-struct Row {
-    float c;
-    std::vector<float> us;
-};
 
 // The row of tips: a tip, then a notch, deeper between the feathers of the hand.
 std::vector<std::pair<float, float>> tips_of(int feathers, float hand_from, float notch, float hand_notch)
@@ -74,26 +67,24 @@ std::vector<std::vector<std::pair<float, float>>> rows_of(int level)
     }
 }
 
-void add_wing(Mesh &mesh, int level, Side side)
+}  // namespace
+
+void add_wing(Mesh &mesh, const Wing &wing, Side side, int level)
 {
     for (const Face face : {Face::back, Face::front}) {
         Sculptor to(mesh);  // of its own: normals do not go round the edges of what is so thin
-        const Chart chart = face == Face::back ? wing_back_chart : wing_front_chart;
+        const Chart chart = face == Face::back ? wing.back : wing.front;
         // Seen from the front the span of the left wing runs to the right, seen from behind to the left.
         const bool as_given = (face == Face::front) == (side == Side::left);
         std::vector<std::vector<Sculptor::Stop>> lines;
         for (const auto &line : rows_of(level)) {
             std::vector<Sculptor::Stop> stops;
-            for (const auto &[u, c] : line) stops.push_back({mirrored(on_wing(u, c, face), side), glm::vec2(-c, u)});
+            for (const auto &[u, c] : line)
+                stops.push_back({mirrored(on_wing(wing, u, c, face), side), glm::vec2(-c, u)});
             lines.push_back(stops);
         }
         to.sheet(chart, as_given ? Winding::reversed : Winding::as_given, lines);
     }
 }
 
-}  // namespace
-
-void add_wing_left(Mesh &mesh, int level) { add_wing(mesh, level, Side::left); }
-void add_wing_right(Mesh &mesh, int level) { add_wing(mesh, level, Side::right); }
-
-}  // namespace claque::figures::flyer::herald
+}  // namespace claque::figures::flyer
