@@ -103,6 +103,21 @@ FreeModel worm()
     return {"worm", std::move(m)};
 }
 
+// A still burr whose longest spike is none of those that stand out along axes and diagonals, beside something that moves.
+FreeModel burr()
+{
+    model::Model m = bare("burr");
+    const uint32_t base = add_node(m, model::none, {0, 0, 0}, "base"), eye = add_node(m, base, {0.5f, 0, 0}, "eye");
+    for (int i = 0; i < 27; ++i) {
+        const glm::vec3 way(float(i % 3 - 1), float(i / 3 % 3 - 1), float(i / 9 - 1));
+        if (i != 13) add_box(m, base, glm::normalize(way), glm::vec3(0.001f));
+    }
+    add_box(m, base, 1.08f * glm::normalize(glm::vec3(1, 0.414f, 0.318f)), glm::vec3(0.001f));
+    add_box(m, eye, {0, 0, 0}, {0.1f, 0.1f, 0.1f});
+    add_dof(m, eye, DofKind::rotation, {0, 1, 0}, -1, 1);
+    return {"burr", std::move(m)};
+}
+
 // The coarse level's box is the larger one.
 FreeModel levels()
 {
@@ -206,6 +221,7 @@ std::vector<FreeModel> free_models()
     out.push_back(slides());
     out.push_back(scaled_and_mirrored());
     out.push_back(worm());
+    out.push_back(burr());
     out.push_back(levels());
     for (FreeModel &moving : moving_models()) out.push_back(std::move(moving));
     return out;
