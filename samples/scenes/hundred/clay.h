@@ -37,7 +37,7 @@ struct Clay {
     void limb(Cell cell, const std::vector<Point> &way, const std::vector<double> &radius, int sides);
     // A thin blade, seen from both sides: `root` to `heel` along its foot, and its tip.
     void blade(Cell cell, Point root, Point heel, Point tip, double thick);
-    // Turned about nothing: an octahedron that is as long in each direction as said.
+    // An octahedron with these half axes.
     void bead(Cell cell, Point centre, double x, double y, double z);
 };
 

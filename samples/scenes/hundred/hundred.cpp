@@ -75,14 +75,12 @@ public:
         const hundred::Point own = hundred::Pyramid::eye();
         if (eye.position[0] == own.x && eye.position[1] == own.y && eye.position[2] == own.z) return;
         g.Disable(gl::cull_face);
-        g.Disable(gl::depth_test);
         g.Disable(gl::lighting);
         g.Enable(gl::blend);
         g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
         plan_.draw(g);
         g.Disable(gl::blend);
         g.Enable(gl::lighting);
-        g.Enable(gl::depth_test);
         g.Enable(gl::cull_face);
     }
 

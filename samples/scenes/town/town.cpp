@@ -64,6 +64,8 @@ void Town::prepare(const Gl &gl)
 {
     const auto bring = [&](Layer layer, const Image &image, bool repeats) {
         pictures_[static_cast<size_t>(layer)] = std::make_unique<Texture>(gl, image, repeats);
+        // Two levels a pixel cost half as much again on software GL, and show little on grass and tiles.
+        gl.TexParameteri(gl::texture_2d, gl::min_filter, gl::linear_mipmap_nearest);
     };
     bring(Layer::land, land(seed_), true);
     bring(Layer::furrows, furrows(seed_), true);
