@@ -88,8 +88,8 @@ void Update::request(uint32_t index)
     request.tmpl = &crowd.template_of(row);
     request.row = row;
     request.level = found.seen.level;
-    request.placement =
-        request.tmpl->has_rigid_parts_only() ? frame.settings_.placement : animcache::Placement::vertices;
+    if (frame.settings_.placement == animcache::Placement::matrices && request.tmpl->has_rigid_parts_only())
+        request.placement = animcache::Placement::matrices;
     request.pose.version = crowd.actor(row).play_version;
     request.pose.clip = play.clip;
     request.pose.skeletal = request.tmpl->levels[found.seen.level].skeletal;
