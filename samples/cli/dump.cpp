@@ -67,7 +67,7 @@ void add_dump(CLI::App &app, Work &chosen)
             return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "has to be finite";
         })
         ->needs(clip);
-    c->add_option("--out", a->out, "The .npy file; - is standard output")->required();
+    c->add_option("--out,-o", a->out, "The .npy file; - is standard output")->required();
     c->callback([a, &chosen] { chosen = [a] { dump(*a); }; });
 }
 

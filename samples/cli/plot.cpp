@@ -67,7 +67,7 @@ void add_plot(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand("plot", "Draw what was measured as a chart");
     c->add_option("FILE", a->file, "What 'bench SCENE --json' wrote along a camera path, or a chart of lines (JSON)")
         ->required();
-    c->add_option("--out", a->out, "The chart, PNG or SVG by its name; - is SVG on standard output")
+    c->add_option("--out,-o", a->out, "The chart, PNG or SVG by its name; - is SVG on standard output")
         ->required()
         ->check(chart_file);
     c->callback([a, &chosen] { chosen = [a] { plot(*a); }; });

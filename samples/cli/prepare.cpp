@@ -39,7 +39,7 @@ void add_prepare(CLI::App &app, Work &chosen)
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();
-    c->add_option("--out", a->out, "The prepared file (.clq); - is standard output")->required();
+    c->add_option("--out,-o", a->out, "The prepared file (.clq); - is standard output")->required();
     c->callback([a, &chosen] { chosen = [a] { prepare(*a); }; });
 }
 

@@ -228,8 +228,7 @@ void add_render(CLI::App &app, Work &chosen)
     c->add_option("--scene", a->stage.scene, "A scene of built-in figures (default plaza). " + abouts)
         ->check(scene_names())
         ->excludes(file);
-    c->add_option("--count", a->stage.count,
-                  "Individuals (default 400, of a FILE 12, of the odeon what its description says)")
+    c->add_option("--count", a->stage.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     add_stage_options(*c, a->stage);
     c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
@@ -259,7 +258,7 @@ void add_render(CLI::App &app, Work &chosen)
         ->needs("--frames");
     c->add_option("--fps", a->fps, "Frames a second of a sequence")->capture_default_str()->needs("--frames");
     c->add_flag("--again", a->again, "Draw frames that are finished once more")->needs("--frames");
-    c->add_option("--out", a->out, "PNG; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
+    c->add_option("--out,-o", a->out, "PNG; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
         ->required();
     c->add_option("--json", a->json, "Write counts, rates and times here; - is standard output");
     c->callback([a, &chosen] {

@@ -113,7 +113,7 @@ void add_sheet(CLI::App &app, Work &chosen)
     a->stage.width = 640;
     a->stage.height = 480;
     add_stage_options(*c, a->stage);
-    c->add_option("--out", a->out, "PNG; - streams raw RGB, rows from the top")->required();
+    c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
     c->add_option("--json", a->json, "Write what each tile shows here; - is standard output");
     c->callback([a, &chosen] {
         if (a->stage.camera.empty()) a->stage.camera = "path";

@@ -202,7 +202,7 @@ void add_variety(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand("variety", "Draw one character in many colourings beside its texture and zones");
     c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
         ->required();
-    c->add_option("--out", a->out, "PNG; - streams raw RGB, rows from the top")->required();
+    c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
     c->add_option("--count", a->count, "Individuals")->capture_default_str()->check(CLI::Range(1, 400));
     c->add_option("--seed", a->seed, "Of the colours that are drawn by lot")->capture_default_str();
     add_size_option(*c, a->width, a->height);

@@ -8,7 +8,7 @@ const std::vector<SceneEntry> &scene_entries()
     static const std::vector<SceneEntry> entries = {
         {"plaza", "citizens on a Roman plaza: talking, walking, applauding a speaker", make_plaza, 400},
         {"odeon", "three classes of Roman society in a theatre", make_odeon, 1020},
-        {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 400},
+        {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 12},
         {"vehicle", "omnibuses full of people on the streets of a small town, each a group", make_vehicle, 320, true},
         {"town_sky", "heralds that fly over a small town, with flight, gaze, expressions, blinking and phrases",
          make_town_sky, 2000, true},

@@ -104,6 +104,14 @@ TEST_F(Render, the_report_counts_who_is_there_and_who_is_seen)
     EXPECT_NE(report["context"].get<std::string>().find("Mesa"), std::string::npos);
 }
 
+TEST_F(Render, one_character_stands_there_twelve_times_unless_told_otherwise)
+{
+    const Outcome outcome =
+        claque({"render", "citizen", "--size", "96x72", "-o", path("a.png"), "--json", path("a.json")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(file_text(path("a.json")))["frames"][0]["counters"]["actors"], 12);
+}
+
 TEST_F(Render, a_picture_that_fails_leaves_the_one_before_it)
 {
     std::ofstream(path("a.png")) << "before";
