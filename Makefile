@@ -11,7 +11,7 @@ help:
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
-	@echo "make bench      figures: caches by variety along the odeon's path and on the plaza, skinning, poses"
+	@echo "make bench      figures: the odeon, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 
@@ -29,6 +29,7 @@ run: build
 	$(CLAQUE) render --scene odeon --size 1024x768 --camera close --out out/odeon-close.png
 	$(CLAQUE) sheet --scene odeon --size 640x480 --out out/odeon-sheet.png
 	$(CLAQUE) variety patrician --out out/odeon-variety.png
+	$(CLAQUE) render --scene town_sky --count 6000 --size 1024x768 --out out/town-sky.png
 	@ls -l out
 
 # Frames go straight into the encoder; the film is there once it is whole.
@@ -56,6 +57,11 @@ bench: build
 	$(CLAQUE) bench odeon --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
 	$(CLAQUE) bench plaza
+	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
+	$(CLAQUE) bench hundred_actors --threads 1 --counts out/hundred-counts.json
+	$(CLAQUE) cost --measured out/hundred-counts.json --plot out/cost.svg > out/cost.txt
+	$(CLAQUE) bench growth --threads 1 --save out/growth.json
+	$(CLAQUE) plot out/growth.json --out out/growth.svg
 
 golden-accept: build
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --size 320x240 --time 1.5 --out tests/golden/plaza.png
