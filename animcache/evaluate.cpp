@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/pose/pose.h"
+#include "lib/skin/pack.h"
 #include "lib/skin/skin.h"
 
 namespace claque::animcache
@@ -21,6 +22,19 @@ size_t matrix_floats(const model::Template &tmpl)
 
 uint32_t count32(size_t n) { return static_cast<uint32_t>(n); }
 
+size_t vertex_floats(const model::Level &level, Geometry geometry)
+{
+    constexpr size_t packed_bytes = sizeof(skin::PackedPosition) + sizeof(skin::PackedNormal);
+    static_assert(packed_bytes == 3 * sizeof(float), "three floats hold a packed vertex");
+    return (geometry == Geometry::packed ? 3 : 6) * size_t(level.vertex_count);
+}
+
+// Of skinning alone, so rounded that what lies behind is aligned as well as what lies before.
+size_t skinning_floats(const model::Template &tmpl, const model::Level &level)
+{
+    return (skin::scratch_floats(level, tmpl.rig.palette.size(), skin::normals_of(tmpl)) + 7) / 8 * 8;
+}
+
 }  // namespace
 
 void Sizes::grow_to(const Sizes &other)
@@ -31,16 +45,16 @@ void Sizes::grow_to(const Sizes &other)
     scratch_floats = std::max(scratch_floats, other.scratch_floats);
 }
 
-Sizes sizes_of(const model::Template &tmpl)
+Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
 {
     Sizes sizes;
     sizes.nodes = tmpl.rig.node_count();
     sizes.palette_floats = matrix_floats(tmpl) + tmpl.rig.rest_weights.size() + padding;
-    sizes.scratch_floats = sizes.palette_floats;
+    sizes.scratch_floats = std::max(sizes.palette_floats, pose::scratch_floats(tmpl.rig));
     for (const model::Level &level : tmpl.levels) {
-        sizes.vertex_floats = std::max(sizes.vertex_floats, 6 * size_t(level.vertex_count) + padding);
-        sizes.scratch_floats = std::max(sizes.scratch_floats,
-                                        skin::scratch_floats(level, tmpl.rig.palette.size(), skin::normals_of(tmpl)));
+        sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, geometry) + padding);
+        const size_t unpacked = geometry == Geometry::packed ? vertex_floats(level, Geometry::real) + padding : 0;
+        sizes.scratch_floats = std::max(sizes.scratch_floats, skinning_floats(tmpl, level) + unpacked);
     }
     return sizes;
 }
@@ -58,13 +72,30 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     job.globals = {scratch.globals, rig.node_count()};
     job.palette = {reinterpret_cast<math::Affine *>(palette), count32(rig.palette.size())};
     job.weights = {palette + matrix_floats(*request.tmpl), count32(rig.rest_weights.size())};
+    job.scratch = {scratch.floats, count32(scratch.sizes->scratch_floats)};
     if (request.placement == Placement::matrices)
         return job.run_locals({reinterpret_cast<math::Affine *>(palette), rig.node_count()});
     job.run();
     return job.level->active.empty() ? rig.node_count() : count32(job.level->nodes.size());
 }
 
-void skin(const Request &request, const float *palette, const Scratch &scratch, float *vertices)
+namespace
+{
+
+void pack(const model::Template &tmpl, uint32_t vertex_count, const float *from, float *to)
+{
+    skin::PackJob job;
+    job.positions = {from, 3 * vertex_count};
+    job.normals = {from + 3 * size_t(vertex_count), 3 * vertex_count};
+    job.range = skin::pack_range(tmpl);
+    job.out_positions = {reinterpret_cast<skin::PackedPosition *>(to), vertex_count};
+    job.out_normals = {reinterpret_cast<skin::PackedNormal *>(to + 2 * size_t(vertex_count)), vertex_count};
+    job.run();
+}
+
+}  // namespace
+
+void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices)
 {
     const model::Template &tmpl = *request.tmpl;
     const model::Level &level = tmpl.levels[request.level];
@@ -73,15 +104,30 @@ void skin(const Request &request, const float *palette, const Scratch &scratch, 
     job.palette = {reinterpret_cast<const math::Affine *>(palette), count32(tmpl.rig.palette.size())};
     job.morph_weights = {palette + matrix_floats(tmpl), count32(tmpl.rig.rest_weights.size())};
     job.normals = skin::normals_of(tmpl);
-    job.scratch = {scratch.floats, count32(scratch.sizes->scratch_floats)};
-    job.out_positions = {vertices, 3 * level.vertex_count};
-    job.out_normals = {vertices + 3 * size_t(level.vertex_count), 3 * level.vertex_count};
+    const size_t skinning = skinning_floats(tmpl, level);
+    float *reals = geometry == Geometry::packed ? scratch.floats + skinning : vertices;
+    job.scratch = {scratch.floats, count32(skinning)};
+    job.out_positions = {reals, 3 * level.vertex_count};
+    job.out_normals = {reals + 3 * size_t(level.vertex_count), 3 * level.vertex_count};
     job.run();
+    if (geometry == Geometry::packed) pack(tmpl, level.vertex_count, reals, vertices);
 }
 
-draw::Vertices vertices_in(const float *memory, const model::Level &level)
+draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry)
 {
-    return {memory, memory + 3 * size_t(level.vertex_count)};
+    const size_t count = tmpl.levels[level].vertex_count;
+    draw::Vertices out;
+    if (geometry == Geometry::real) {
+        out.positions = memory;
+        out.normals = memory + 3 * count;
+        return out;
+    }
+    const skin::PackRange range = skin::pack_range(tmpl);
+    out.short_positions = reinterpret_cast<const int16_t *>(memory);
+    out.byte_normals = reinterpret_cast<const int8_t *>(memory + 2 * count);
+    std::copy(range.offset, range.offset + 3, out.offset);
+    out.step = range.step;
+    return out;
 }
 
 }  // namespace claque::animcache

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/pose/channel.h"
+#include "lib/pose/exact.h"
 
 namespace claque::pose
 {
@@ -13,6 +13,8 @@ using math::F4;
 
 namespace
 {
+
+constexpr size_t exact_node_floats = sizeof(math::Trs) / sizeof(float);
 
 // Written out, not looped over, so that columns stay in registers at any optimisation.
 F4 transform(const Columns &a, float x, float y, float z)
@@ -58,44 +60,24 @@ void mul_to_affine(const Columns &a, const float *b, float *out)
     math::store3(out + 9, transform(a, b[9], b[10], b[11]) + a.c[3]);
 }
 
-void apply(const PoseJob &job, const model::Channel &channel, KeyPlace place)
+const uint8_t *active_of(const PoseJob &job)
 {
-    const model::Rig &rig = *job.rig;
-    switch (channel.path) {
-        case model::Path::translation:
-            sample_numbers(rig, channel, place, &job.locals[channel.node].translation.x);
-            break;
-        case model::Path::rotation:
-            job.locals[channel.node].rotation = sample_rotation(rig, channel, place);
-            break;
-        case model::Path::scale:
-            sample_numbers(rig, channel, place, &job.locals[channel.node].scale.x);
-            break;
-        case model::Path::morph_weights:
-            sample_numbers(rig, channel, place, job.weights.data + rig.morph_sets[channel.node].first_weight);
-            break;
-    }
+    return job.level && !job.level->active.empty() ? job.level->active.data() : nullptr;
+}
+
+// Scratch holds as many local poses as layers need.
+LocalPose spare_pose(const PoseJob &job, uint32_t index)
+{
+    const size_t node_floats = exact_node_floats * job.rig->node_count();
+    float *first = job.scratch.data + index * (node_floats + job.rig->rest_weights.size());
+    return {reinterpret_cast<math::Trs *>(first), first + node_floats};
 }
 
 void sample(const PoseJob &job)
 {
-    const model::Rig &rig = *job.rig;
-    std::copy(rig.rest.begin(), rig.rest.end(), job.locals.data);
-    std::copy(rig.rest_weights.begin(), rig.rest_weights.end(), job.weights.data);
-    if (job.clip == model::none) return;
-    const model::Clip &clip = rig.clips[job.clip];
-    const uint8_t *active = job.level && !job.level->active.empty() ? job.level->active.data() : nullptr;
-    // Channels often share their key times: what was found for the last serves the next.
-    const model::Channel *last = nullptr;
-    KeyPlace place;
-    for (uint32_t i = 0; i < clip.channel_count; ++i) {
-        const model::Channel &channel = rig.channels[clip.first_channel + i];
-        if (active && channel.path != model::Path::morph_weights && !active[channel.node]) continue;
-        if (!last || channel.first_time != last->first_time || channel.key_count != last->key_count)
-            place = find_key(rig.times.data() + channel.first_time, channel.key_count, job.time_s);
-        apply(job, channel, place);
-        last = &channel;
-    }
+    const LocalPose out = {job.locals.data, job.weights.data};
+    if (job.layers.empty()) sample_exact(*job.rig, job.clip, job.time_s, active_of(job), out);
+    else sample_layers(*job.rig, job.layers, active_of(job), out, spare_pose(job, 0), spare_pose(job, 1));
 }
 
 // S0 3: what the degrees of freedom add to the nodes' own transforms. One at zero adds nothing, to the bit.
@@ -122,6 +104,11 @@ void apply_dofs(const PoseJob &job)
 
 }  // namespace
 
+size_t scratch_floats(const model::Rig &rig)
+{
+    return 2 * (exact_node_floats * rig.node_count() + rig.rest_weights.size());
+}
+
 base::Status PoseJob::check() const
 {
     using base::Status;
@@ -135,6 +122,18 @@ base::Status PoseJob::check() const
     if (palette.count < rig->palette.size() || weights.count < rig->rest_weights.size())
         return Status::bad(CLQ_ARGUMENT, "a pose job has room for %u of %zu matrices and %u of %zu weights",
                            palette.count, rig->palette.size(), weights.count, rig->rest_weights.size());
+    if (!layers.empty() && scratch.count < scratch_floats(*rig))
+        return Status::bad(CLQ_ARGUMENT, "a pose job of %u layers has %u of %zu numbers of scratch", layers.count,
+                           scratch.count, scratch_floats(*rig));
+    for (const Layer &layer : layers) {
+        const bool clips_exist = (layer.clip == model::none || layer.clip < rig->clips.size()) &&
+                                 (layer.reference_clip == model::none || layer.reference_clip < rig->clips.size());
+        if (!clips_exist)
+            return Status::bad(CLQ_ARGUMENT, "a layer of a pose job asks for clip %u, against %u, of %zu", layer.clip,
+                               layer.reference_clip, rig->clips.size());
+        if (!std::isfinite(layer.time_s) || !std::isfinite(layer.reference_time_s) || !std::isfinite(layer.weight))
+            return Status::bad(CLQ_ARGUMENT, "a layer of a pose job has a time or weight that is not finite");
+    }
     return Status::good();
 }
 

@@ -5,11 +5,14 @@
 #include "lib/base/status.h"
 #include "lib/math/simd.h"
 #include "lib/model/template.h"
+#include "lib/pose/layer.h"
 
 #include <vector>
 
 namespace claque::pose
 {
+
+size_t scratch_floats(const model::Rig &rig);
 
 // Everything the pose of a rig needs; allocates nothing, keeps nothing. Any number may run at once on one Rig.
 struct PoseJob {
@@ -17,12 +20,14 @@ struct PoseJob {
     const model::Rig *rig = nullptr;
     uint32_t clip = model::none;          // none: the rest pose and the rest weights
     double time_s = 0;                    // on the clip's own axis, from start_s on; clamped to each channel's own keys
+    base::Span<const Layer> layers;       // instead of clip and time_s, unless empty
     const float *dofs = nullptr;          // [rig.dofs.size()], on top of the clip; null: all at rest
     const model::Level *level = nullptr;  // only what is left of the skeleton there (S0 5.2); null: everything
 
     // scratch; what is left in it: locals to parents, and globals in model space
     base::Span<math::Trs> locals;       // [node_count]
     base::Span<math::Columns> globals;  // [node_count], 16-byte aligned
+    base::Span<float> scratch;          // [scratch_floats()]; may be empty where there are no layers
 
     // out
     base::Span<math::Affine> palette;  // [rig.palette.size()], with one more float of memory behind the last
