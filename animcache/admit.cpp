@@ -8,9 +8,9 @@
 namespace claque::animcache
 {
 
-size_t Caches::block_bytes(const model::Template &tmpl, Block kind)
+size_t Caches::block_bytes(const model::Template &tmpl, Block kind) const
 {
-    const Sizes sizes = sizes_of(tmpl);
+    const Sizes sizes = sizes_of(tmpl, settings_.geometry);
     return sizeof(float) * (kind == &Entry::palette ? sizes.palette_floats : sizes.vertex_floats);
 }
 

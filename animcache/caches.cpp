@@ -45,7 +45,7 @@ Caches::~Caches()
 void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
 {
     Sizes sizes;
-    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl));
+    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl, settings_.geometry));
     scratch_.reserve(sizes);
     requests_.reserve(row_count);
     animate_.reserve(row_count);
@@ -122,7 +122,7 @@ void Caches::skin(const base::Jobs &jobs)
         share(static_cast<uint32_t>(skin_.size()), strand, [&](uint32_t i) {
             const Request &request = requests_[skin_[i]];
             Entry &entry = entries_[request.row];
-            animcache::skin(request, entry.palette, scratch, entry.vertices);
+            animcache::skin(request, entry.palette, settings_.geometry, scratch, entry.vertices);
             entry.vertices_key = request.pose;
             entry.vertices_level = request.level;
         });
@@ -135,11 +135,11 @@ const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t
     const float *kept = entries_[request.row].palette;
     if (kept && request.placement == Placement::vertices) return reinterpret_cast<const math::Affine *>(kept);
     const Scratch scratch = scratch_.strand(strand);
-    math::Affine *palette = reinterpret_cast<math::Affine *>(scratch.floats);
+    math::Affine *palette = reinterpret_cast<math::Affine *>(scratch.palette);
     if (!kept) {
         Request anew = request;
         anew.placement = Placement::vertices;
-        animcache::animate(anew, scratch, scratch.floats);
+        animcache::animate(anew, scratch, scratch.palette);
         return palette;
     }
     const model::Level &level = request.tmpl->levels[request.level];
@@ -160,7 +160,7 @@ draw::Vertices Caches::vertices_of(uint32_t row) const
 {
     const Entry &entry = entries_[row];
     if (!entry.vertices) return {};
-    return vertices_in(entry.vertices, entry.tmpl->levels[entry.vertices_level]);
+    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry);
 }
 
 }  // namespace claque::animcache

@@ -77,7 +77,7 @@ private:
     bool evict_one(const Entry &wanted, Block kind, float **taken_over);
     void find_victims();
     void release(Entry &entry, Block kind);
-    static size_t block_bytes(const model::Template &tmpl, Block kind);
+    size_t block_bytes(const model::Template &tmpl, Block kind) const;
 
     std::pmr::memory_resource *memory_;
     Settings settings_;

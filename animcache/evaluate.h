@@ -2,6 +2,7 @@
 // can change what a frame costs but never what it shows.
 #pragma once
 
+#include "animcache/settings.h"
 #include "lib/draw/draw_list.h"
 #include "lib/math/simd.h"
 
@@ -46,26 +47,27 @@ struct Sizes {
     size_t nodes = 0;
     size_t palette_floats = 0;  // matrices of the palette, or of the nodes; then morph weights, then padding
     size_t vertex_floats = 0;   // positions and normals of the largest level, copies included (S1 4), and padding
-    size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals
+    size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals, vertices that are to be packed
     void grow_to(const Sizes &other);
 };
 
-Sizes sizes_of(const model::Template &tmpl);
+Sizes sizes_of(const model::Template &tmpl, Geometry geometry);
 
 // Working memory of one task.
 struct Scratch {
     math::Trs *locals = nullptr;
     math::Columns *globals = nullptr;
     float *floats = nullptr;
+    float *palette = nullptr;  // of who has none of its own
     const Sizes *sizes = nullptr;
 };
 
 // palette: [sizes_of(tmpl).palette_floats]. Returns how many nodes' matrices it built (S0 6.2.2, fCoh).
 uint32_t animate(const Request &request, const Scratch &scratch, float *palette);
 // vertices: [sizes_of(tmpl).vertex_floats]; palette as animate() left it
-void skin(const Request &request, const float *palette, const Scratch &scratch, float *vertices);
+void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices);
 
 // How a level's vertices lie in such memory.
-draw::Vertices vertices_in(const float *memory, const model::Level &level);
+draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry);
 
 }  // namespace claque::animcache

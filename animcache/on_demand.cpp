@@ -5,12 +5,11 @@
 namespace claque::animcache
 {
 
-void OnDemand::reserve(base::Span<const model::Template *const> templates)
+void OnDemand::reserve(base::Span<const model::Template *const> templates, Geometry geometry)
 {
     Sizes sizes;
-    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl));
+    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl, geometry));
     scratch_.reserve(sizes);
-    if (palette_.size() < sizes.palette_floats) palette_.resize(sizes.palette_floats);
     if (vertices_.size() < sizes.vertex_floats) vertices_.resize(sizes.vertex_floats);
 }
 
@@ -21,11 +20,12 @@ draw::Vertices OnDemand::serve(const draw::Item &item)
     const Scratch scratch = scratch_.strand(0);
     const float *palette = caches_->palette_of(item.actor_index);
     if (!palette) {
-        animate(request, scratch, palette_.data());
-        palette = palette_.data();
+        animate(request, scratch, scratch.palette);
+        palette = scratch.palette;
     }
-    skin(request, palette, scratch, vertices_.data());
-    return vertices_in(vertices_.data(), request.tmpl->levels[request.level]);
+    const Geometry geometry = caches_->settings().geometry;
+    skin(request, palette, geometry, scratch, vertices_.data());
+    return vertices_in(vertices_.data(), *request.tmpl, request.level, geometry);
 }
 
 }  // namespace claque::animcache

@@ -10,10 +10,11 @@ namespace claque::animcache
 class OnDemand : public draw::VertexServer
 {
 public:
-    explicit OnDemand(std::pmr::memory_resource *memory) : scratch_(memory, 1), palette_(memory), vertices_(memory) {}
+    explicit OnDemand(std::pmr::memory_resource *memory) : scratch_(memory, 1), vertices_(memory) {}
 
-    // `caches` must live as long as lists that were made from its last update are drawn. std::bad_alloc: as it was.
-    void reserve(base::Span<const model::Template *const> templates);
+    // std::bad_alloc: as it was.
+    void reserve(base::Span<const model::Template *const> templates, Geometry geometry);
+    // `caches` must live as long as lists that were made from its last update are drawn.
     void attach(const Caches &caches) { caches_ = &caches; }
 
     draw::Vertices serve(const draw::Item &item) override;
@@ -21,7 +22,6 @@ public:
 private:
     const Caches *caches_ = nullptr;
     ScratchPool scratch_;
-    std::pmr::vector<float> palette_;
     std::pmr::vector<float> vertices_;
 };
 

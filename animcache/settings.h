@@ -1,4 +1,5 @@
-// What a host chooses about caches. None of it changes what is shown, the law of the period apart.
+// What a host chooses about caches. None of it changes what is shown, but for the law of the period and the rounding of
+// packed geometry.
 #pragma once
 
 #include "animcache/period.h"
@@ -13,8 +14,15 @@ enum class Mode : uint8_t {
     none = 2        // nothing; poses are still those of the last tick
 };
 
+// How skinned vertices are kept and handed to GL (SPEC 2; peers keep floats).
+enum class Geometry : uint8_t {
+    real = 0,   // 24 bytes a vertex: floats
+    packed = 1  // 12 bytes a vertex: 16-bit positions with one step a template, 8-bit normals (lib/skin/pack.h)
+};
+
 struct Settings {
     Mode mode = Mode::full;
+    Geometry geometry = Geometry::real;
     uint64_t budget_bytes = uint64_t(1) << 30;  // palettes and vertices together
     PeriodLaw period;
     float metres_per_unit = 1;  // of world positions and the law's distances

@@ -52,6 +52,21 @@ void tint(const model::Level &level, VertexRange range, typename Format::Colour 
     for (uint32_t v = range.first; v < range.end; ++v) Format::tint(colours[v], &level.colours[4 * v]);
 }
 
+// model_view * translation(offset) * scale(step): from numbers of a packed position to eye space. Normals keep their
+// direction under it, and GL_NORMALIZE their length.
+void unpacking_matrix(const float *model_view, const draw::Vertices &vertices, float *out)
+{
+    for (int row = 0; row < 4; ++row) {
+        double moved = static_cast<double>(model_view[12 + row]);
+        for (int column = 0; column < 3; ++column) {
+            const double m = static_cast<double>(model_view[4 * column + row]);
+            moved += m * static_cast<double>(vertices.offset[column]);
+            out[4 * column + row] = static_cast<float>(m * static_cast<double>(vertices.step));
+        }
+        out[12 + row] = static_cast<float>(moved);
+    }
+}
+
 // Calls fill(reach) for each part that is drawn, where not all are.
 template <class Fill>
 void for_parts(const Individual &who, uint32_t surface_index, Fill fill)
@@ -115,9 +130,18 @@ void Scratch::reserve_chain(uint32_t depth)
 
 void Canvas::place(const Individual &who)
 {
-    gl_.LoadMatrixf(who.item->model_view);
-    gl_.VertexPointer(3, gl::real, 0, who.vertices.positions);
-    gl_.NormalPointer(gl::real, 0, who.vertices.normals);
+    const draw::Vertices &vertices = who.vertices;
+    if (vertices.packed()) {
+        float unpacking[16];
+        unpacking_matrix(who.item->model_view, vertices, unpacking);
+        gl_.LoadMatrixf(unpacking);
+        gl_.VertexPointer(3, gl::signed_short, 4 * sizeof(int16_t), vertices.short_positions);
+        gl_.NormalPointer(gl::signed_byte, 4, vertices.byte_normals);
+    } else {
+        gl_.LoadMatrixf(who.item->model_view);
+        gl_.VertexPointer(3, gl::real, 0, vertices.positions);
+        gl_.NormalPointer(gl::real, 0, vertices.normals);
+    }
     gl_.TexCoordPointer(2, gl::real, 0, who.level->uvs.data());
     ++stats_.individuals;
     stats_.parts += count_of(who.parts);

@@ -28,7 +28,8 @@ constexpr Bool no = 0, yes = 1;
 
 constexpr Enum back = 0x0405, cw = 0x0900, ccw = 0x0901, front_and_back = 0x0408;
 constexpr Enum triangles = 0x0004;
-constexpr Enum unsigned_byte = 0x1401, unsigned_short = 0x1403, unsigned_int = 0x1405, real = 0x1406;
+constexpr Enum signed_byte = 0x1400, unsigned_byte = 0x1401, signed_short = 0x1402, unsigned_short = 0x1403;
+constexpr Enum unsigned_int = 0x1405, real = 0x1406;
 constexpr Enum equal = 0x0202, lequal = 0x0203, gequal = 0x0206;
 
 constexpr Enum version = 0x1F02, extensions = 0x1F03;

@@ -62,9 +62,14 @@ bool ListDrawer::make(const draw::Item &item, Individual &who) const
     who.parts = item.parts & every_part_of(*who.level);
     who.own = nullptr;
     who.vertices = item.vertices;
-    if (item.locals) who.vertices = {who.ready->positions.data(), who.ready->normals.data()};
-    else if (!who.vertices.positions || !who.vertices.normals) who.vertices = list_.server->serve(item);
-    return who.vertices.positions && who.vertices.normals;
+    if (item.locals) {
+        who.vertices = draw::Vertices();
+        who.vertices.positions = who.ready->positions.data();
+        who.vertices.normals = who.ready->normals.data();
+    } else if (!who.vertices.any()) {
+        who.vertices = list_.server->serve(item);
+    }
+    return who.vertices.any();
 }
 
 void ListDrawer::draw_individual(const Individual &who)

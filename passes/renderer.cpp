@@ -106,7 +106,7 @@ base::Status Renderer::check_item(const draw::DrawList &list, const draw::Item &
                                  "actor %u: GL's matrix stack cannot place the template '%s', which is not made of "
                                  "rigid parts alone",
                                  item.actor_index, item.tmpl->name.c_str());
-    if (!item.locals && (!item.vertices.positions || !item.vertices.normals) && !list.server)
+    if (!item.locals && !item.vertices.any() && !list.server)
         return base::Status::bad(CLQ_ARGUMENT, "actor %u has no vertices and the list no vertex server",
                                  item.actor_index);
     return base::Status::good();

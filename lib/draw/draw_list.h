@@ -6,11 +6,19 @@
 namespace claque::draw
 {
 
-// Positions and normals of one individual, ready for glVertexPointer and glNormalPointer: 3 floats each per vertex of
-// the level, copies included, in the actor's own space.
+// Positions and normals of one individual, ready for glVertexPointer and glNormalPointer, one each per vertex of the
+// level, copies included, in the actor's own space; as floats or packed, never both.
 struct Vertices {
-    const float *positions = nullptr;
-    const float *normals = nullptr;
+    const float *positions = nullptr;  // 3 a vertex
+    const float *normals = nullptr;    // 3 a vertex
+
+    const int16_t *short_positions = nullptr;  // 4 a vertex, of which the first three n mean offset + step * n
+    const int8_t *byte_normals = nullptr;      // 4 a vertex, of which the first three count, 127 a unit
+    float offset[3] = {0, 0, 0};
+    float step = 1;
+
+    bool packed() const { return short_positions != nullptr; }
+    bool any() const { return (positions && normals) || (short_positions && byte_normals); }
 };
 
 // What a host does round the drawing of one individual (S0 7.1): before() may bind a texture of its own, and says so by

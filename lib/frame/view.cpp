@@ -79,7 +79,7 @@ uint64_t hash(const draw::DrawList &list)
     uint64_t h = base::fnv(base::fnv_start, list.projection, sizeof list.projection);
     for (const draw::Item &item : list.items) {
         const model::Level &level = item.tmpl->levels[item.level];
-        const bool served = item.vertices.positions || item.locals || !list.server;
+        const bool served = item.vertices.any() || item.locals || !list.server;
         const draw::Vertices vertices = served ? item.vertices : list.server->serve(item);
         h = base::fnv(h, item.tmpl->name.data(), item.tmpl->name.size());
         h = base::fnv(h, &item.level, sizeof item.level);
@@ -93,6 +93,13 @@ uint64_t hash(const draw::DrawList &list)
         if (~item.parts) h = base::fnv(h, &item.parts, sizeof item.parts);
         if (item.locals) {
             h = base::fnv(h, item.locals, sizeof(math::Affine) * item.tmpl->rig.node_count());
+            continue;
+        }
+        if (vertices.packed()) {
+            h = base::fnv(h, vertices.short_positions, 4 * sizeof(int16_t) * level.vertex_count);
+            h = base::fnv(h, vertices.byte_normals, 4 * level.vertex_count);
+            h = base::fnv(h, vertices.offset, sizeof vertices.offset);
+            h = base::fnv(h, &vertices.step, sizeof vertices.step);
             continue;
         }
         h = base::fnv(h, vertices.positions, 3 * sizeof(float) * level.vertex_count);

@@ -32,7 +32,7 @@ protected:
     Settings budget(uint32_t palettes, uint32_t vertices) const
     {
         Settings settings;
-        const Sizes sizes = sizes_of(*figure_);
+        const Sizes sizes = sizes_of(*figure_, Geometry::real);
         settings.budget_bytes = sizeof(float) * (palettes * sizes.palette_floats + vertices * sizes.vertex_floats);
         return settings;
     }
@@ -154,7 +154,7 @@ TEST_F(CachesTest, WhoIsSeenIsNeverThrownOutAndWhoFindsNoRoomIsServedOnDemandThe
     EXPECT_GE(tight.counters().on_demand, 3u);
     EXPECT_LE(tight.counters().bytes, tight.settings().budget_bytes);
     OnDemand server(std::pmr::get_default_resource());
-    server.reserve(both_);
+    server.reserve(both_, Geometry::real);
     server.attach(tight);
     uint32_t served = 0;
     for (uint32_t row = 0; row < 5; ++row) {
@@ -189,10 +189,10 @@ TEST_F(CachesTest, AVictimOfAnotherTemplateMakesRoomToo)
 TEST_F(CachesTest, EveryStrandWorksInMemoryOfItsOwn)
 {
     ScratchPool pool(std::pmr::get_default_resource(), 5);
-    Sizes sizes = sizes_of(*figure_);
-    pool.reserve(sizes_of(*small_));
+    Sizes sizes = sizes_of(*figure_, Geometry::real);
+    pool.reserve(sizes_of(*small_, Geometry::real));
     pool.reserve(sizes);
-    pool.reserve(sizes_of(*small_));  // a smaller wish shrinks nothing
+    pool.reserve(sizes_of(*small_, Geometry::real));  // a smaller wish shrinks nothing
     for (uint32_t i = 0; i + 1 < 5; ++i) {
         const Scratch a = pool.strand(i), b = pool.strand(i + 1);
         EXPECT_GE(b.locals - a.locals, std::ptrdiff_t(sizes.nodes));
