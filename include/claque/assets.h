@@ -21,6 +21,7 @@ typedef struct clq_asset_options {
         *hidden_nodes; /* [hidden_node_count] names: these and what hangs on them is left out of templates */
     uint32_t hidden_node_count;
     uint64_t memory_limit_bytes; /* 0: 1 GiB */
+    double motion_unit_m;        /* BVH: metres a unit of the file, which does not say; 0: 1 */
 } clq_asset_options;
 
 static inline clq_asset_options clq_asset_options_init(void)
@@ -31,10 +32,13 @@ static inline clq_asset_options clq_asset_options_init(void)
     options.hidden_nodes = NULL;
     options.hidden_node_count = 0;
     options.memory_limit_bytes = 0;
+    options.motion_unit_m = 0;
     return options;
 }
 
-/* Loads glTF 2.0 or GLB, decided by content. The bytes may be anything.
+/* Loads glTF 2.0, GLB or BVH, decided by content. The bytes may be anything. A BVH file becomes a skeleton without parts
+ * and one clip, named after the file (clq_asset_load: "motion"): nothing to build a template from, but a source for
+ * clq_asset_add_clips.
  *   options   NULL means clq_asset_options_init()
  *   out       [owner: host, until clq_asset_destroy]
  * Fails: FORMAT, UNSUPPORTED (the feature is named), LIMIT, IO, OUT_OF_MEMORY. Warnings go to the context's log.
@@ -84,6 +88,73 @@ CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warni
  * Fails: ARGUMENT (also capacity_floats too small), OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_asset_positions(const clq_asset *asset, uint32_t clip, float time_s, float *out_xyz,
                                        size_t capacity_floats);
+
+/* What of a joint answers the rest pose of the clips' skeleton. */
+typedef enum clq_rest {
+    CLQ_REST_KEEP = 0, /* its own rest */
+    CLQ_REST_ALIGN =
+        1 /* its rest turned so that the bone points where the other's does: A-poses against T-poses. A joint
+                          that has no bound joint below it, or several, turns as the bound one above it */
+} clq_rest;
+
+typedef struct clq_joint_pair {
+    const char *source; /* of the clips' skeleton */
+    const char *target; /* of the character; each once at most */
+    clq_rest rest;
+} clq_joint_pair;
+
+typedef enum clq_clip_way {
+    CLQ_WAY_AUTOMATIC = 0, /* channels, where the skeletons agree and none of first_s, last_s and close_s is set */
+    CLQ_WAY_CHANNELS = 1,  /* keys, steps and splines as they are */
+    CLQ_WAY_MOTION = 2     /* joints turn from their rest in model space as the source's do; the topmost one goes the
+                              source's way, scaled by the legs and set down so that the feet stand on y = 0 */
+} clq_clip_way;
+
+typedef enum clq_travel {
+    CLQ_TRAVEL_IN_PLACE = 0, /* without the straight way from the clip's first place to its last */
+    CLQ_TRAVEL_KEEP = 1
+} clq_travel;
+
+typedef struct clq_clips_def {
+    uint32_t struct_bytes;        /* set by clq_clips_def_init */
+    const clq_joint_pair *joints; /* [joint_count]; none: joints of equal names answer each other */
+    uint32_t joint_count;
+    const char *const *clips; /* [clip_count] names in the source; none: all of them */
+    uint32_t clip_count;
+    const char *prefix; /* of the names of what is added; may be NULL */
+    clq_clip_way way;
+    /* The rest is for CLQ_WAY_MOTION. */
+    clq_travel travel;
+    float rate_hz;         /* of keys, [1, 1000]; 0: 30 */
+    float first_s, last_s; /* what is taken of each clip, from its start on; last_s 0: to its end */
+    float close_s; /* so long before its end it begins to turn into its first pose, so that it loops; 0: never */
+} clq_clips_def;
+
+static inline clq_clips_def clq_clips_def_init(void)
+{
+    clq_clips_def def;
+    unsigned char *p = (unsigned char *)&def;
+    size_t i;
+    for (i = 0; i < sizeof def; ++i) p[i] = 0;
+    def.struct_bytes = (uint32_t)sizeof def;
+    return def;
+}
+
+typedef struct clq_clips_report {
+    clq_clip_way way;     /* that was taken */
+    uint32_t clip_count;  /* that were added, as the last of the asset's */
+    uint32_t joint_count; /* that are bound */
+} clq_clips_report;
+
+/* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. What is not bound is
+ * said by name and number: to the context's log, and as warnings of the asset. A name that is taken gets a number.
+ *   source   any asset with clips: glTF with or without meshes, BVH, a built-in figure; not kept
+ *   def      NULL means clq_clips_def_init()
+ *   report   may be NULL
+ * Fails, with the asset as it was: STRUCT_SIZE, ARGUMENT (nothing is bound; a clip that is not there; numbers out of
+ * range), LIMIT, OUT_OF_MEMORY. Threads: any, but no other call with this asset at the same time. GL: none. */
+CLQ_API clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq_asset *source,
+                                       const clq_clips_def *def, clq_clips_report *report);
 
 /* Splits it into a template (see clq_template_build). max_texture_px 0: 1024. */
 CLQ_API clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_t max_texture_px,

@@ -22,6 +22,7 @@ struct LoadOptions {
     // most a small multiple of the bytes that came (budget.h), and images have one of their own (image.h).
     uint64_t memory_limit_bytes = 1ull << 30;
     uint32_t max_image_px = 16384;  // either side
+    double motion_unit_m = 1;       // of BVH files, which do not say: metres (model units) a unit of theirs
 };
 
 // GLB or JSON is decided by the first bytes. Throws base::Error:

@@ -4,6 +4,7 @@
 
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/boundary.h"
+#include "lib/asset/bvh.h"
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"
 #include "lib/figures/figure.h"
@@ -23,6 +24,7 @@ asset::LoadOptions options_of(const clq_asset_options *options)
         api::require(options->hidden_nodes[i] != nullptr, "a hidden node's name is NULL");
         out.hidden_nodes.push_back(options->hidden_nodes[i]);
     }
+    if (options->motion_unit_m != 0) out.motion_unit_m = options->motion_unit_m;
     if (options->memory_limit_bytes) out.memory_limit_bytes = options->memory_limit_bytes;
     return out;
 }
@@ -33,6 +35,11 @@ clq_asset *finish(clq_context *context, model::Model &&model)
     auto made = std::make_unique<clq_asset>(std::move(model));
     for (const std::string &warning : made->model.warnings) clq_context_log(context, CLQ_LOG_WARNING, warning.c_str());
     return made.release();
+}
+
+model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options)
+{
+    return asset::is_bvh(bytes, size) ? asset::load_bvh(bytes, size, options) : asset::load_gltf(bytes, size, options);
 }
 
 std::string folder_of(const std::string &path)
@@ -58,7 +65,7 @@ clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_b
     return api::boundary("clq_asset_load", [&] {
         api::require(context && bytes && out, "context, bytes or out is NULL");
         api::require_size(options, "clq_asset_options_init");
-        *out = finish(context, asset::load_gltf(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options)));
+        *out = finish(context, load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options)));
     });
 }
 
@@ -72,8 +79,10 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
         if (wanted.base_folder.empty()) wanted.base_folder = folder_of(path);
         const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
         try {
-            model::Model model = asset::load_gltf(bytes.data(), bytes.size(), wanted);
+            model::Model model = load(bytes.data(), bytes.size(), wanted);
             if (model.name.empty()) model.name = stem_of(path);
+            if (asset::is_bvh(bytes.data(), bytes.size()))
+                for (std::pmr::string &name : model.rig.clip_names) name = stem_of(path).c_str();
             *out = finish(context, std::move(model));
         } catch (const base::Error &error) {
             base::fail(error.status(), "%s: %s", path, error.what());

@@ -1,0 +1,30 @@
+// The first half of a BVH file: joints, their offsets and their channels.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lib/asset/budget.h"
+#include "lib/asset/bvh_text.h"
+
+namespace claque::asset
+{
+
+enum class BvhChannel : uint8_t { x_position, y_position, z_position, x_rotation, y_rotation, z_rotation };
+
+struct BvhJoint {
+    std::string name;
+    uint32_t parent = 0xffffffffu;             // of an earlier one; none for roots
+    std::array<double, 3> offset = {0, 0, 0};  // from the parent, in the file's unit
+    std::vector<BvhChannel> channels;          // as listed, each once; none for end sites
+    bool positioned() const;
+    bool turned() const;
+};
+
+constexpr uint32_t most_bvh_joints = 10000;
+
+// From the word HIERARCHY up to MOTION, which it takes as well. Parents stand before their children.
+std::vector<BvhJoint> read_hierarchy(BvhText &text, Budget &budget);
+
+}  // namespace claque::asset

@@ -1,0 +1,43 @@
+// The words, names and numbers of a BVH file, each with its line, so that a refusal can say where.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace claque::asset
+{
+
+class BvhText
+{
+public:
+    BvhText(const uint8_t *bytes, size_t size);
+
+    // Throws base::Error (CLQ_FORMAT): "line 12: " and the rest.
+    [[noreturn]] void refuse(const std::string &what) const;
+
+    bool at_end();
+    // The next word, up to a blank or a brace; a brace is a word of its own. Empty at the end.
+    std::string_view peek();
+    std::string_view word();
+    // Takes the next word if it is this one, in capitals or not.
+    bool take(std::string_view wanted);
+    void expect(std::string_view wanted);
+    // "Frame Time:", with blanks before the colon or not.
+    void expect_label(std::string_view first, std::string_view second);
+
+    // The rest of the line up to a brace, without the blanks round it: names may hold blanks.
+    std::string name();
+    double number(const char *what);  // finite
+    uint32_t count(const char *what, uint32_t most);
+
+private:
+    void skip_blanks();
+    static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
+
+    const char *at_, *end_;
+    uint32_t line_ = 1;
+};
+
+}  // namespace claque::asset

@@ -1,0 +1,30 @@
+// Clips on their way into a rig: made aside first, so that a rig stays as it was where something fails.
+#pragma once
+
+#include "lib/retarget/joints.h"
+
+namespace claque::retarget
+{
+
+// Places in `times` and `values` count from the beginning of these.
+struct Added {
+    std::vector<model::Clip> clips;
+    std::vector<std::string> names;
+    std::vector<model::Channel> channels;
+    std::vector<float> times, values;
+};
+
+// Copies channels of the clip; morph weights too, where the target has a morph set of that size on the bound node.
+// Needs `agree`.
+void copy_channels(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, uint32_t clip,
+                   Added &added);
+
+// Whether copied channels show on the target what they show on the source: bound joints lie alike at rest, below what
+// they hang on, and nothing between them moves.
+bool agree(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches);
+
+struct Fit;
+void transfer(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, const Fit &fit,
+              const Options &options, uint32_t clip, Added &added);
+
+}  // namespace claque::retarget

@@ -1,0 +1,185 @@
+// Clips between skeletons that agree: channels as they are, but for axes and scales above the topmost bound joints.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "lib/retarget/added.h"
+
+namespace claque::retarget
+{
+
+using model::none;
+
+namespace
+{
+
+// From the frame that the source's channels of a joint are told in to that of the target's.
+struct Rebase {
+    math::Affine place;
+    glm::quat turn = glm::quat(1, 0, 0, 0);
+    bool changes = false;
+};
+
+bool alike(const math::Affine &a, const math::Affine &b, float size)
+{
+    for (int k = 0; k < 12; ++k)
+        if (!(std::fabs(a.c[k] - b.c[k]) <= (k < 9 ? 0.005f : 0.005f * size))) return false;
+    return true;
+}
+
+// What a joint of one side hangs on, told in the frame of the bound joint above it (none: in model space).
+struct Frame {
+    math::Affine place;
+    glm::dquat turn = glm::dquat(1, 0, 0, 0);
+};
+
+Frame frame_of(const Stance &rest, const model::Rig &rig, uint32_t node, uint32_t anchor)
+{
+    Frame out;
+    const uint32_t parent = rig.parents[node];
+    if (parent == anchor) return out;
+    out.place = rest.globals[parent];
+    out.turn = rest.turns[parent];
+    if (anchor == none) return out;
+    out.place = math::mul(math::inverse(rest.globals[anchor]), out.place);
+    out.turn = glm::conjugate(rest.turns[anchor]) * out.turn;
+    return out;
+}
+
+struct Frames {
+    Frame target, source;
+};
+
+class Pairs
+{
+public:
+    Pairs(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches)
+        : target_(target), source_(source), matches_(matches), rest_t_(rest_of(target)), rest_s_(rest_of(source))
+    {
+    }
+
+    Frames frames(const Match &match) const
+    {
+        const bool top = match.above == none;
+        return {frame_of(rest_t_, target_, match.target, top ? none : matches_[match.above].target),
+                frame_of(rest_s_, source_, match.source, top ? none : matches_[match.above].source)};
+    }
+
+    Rebase rebase(const Match &match) const
+    {
+        Rebase out;
+        const Frames f = frames(match);
+        if (alike(f.target.place, f.source.place, 1e-4f)) return out;
+        const glm::dquat turn = glm::normalize(glm::conjugate(f.target.turn) * f.source.turn);
+        out.place = math::mul(math::inverse(f.target.place), f.source.place);
+        out.turn = glm::quat(static_cast<float>(turn.w), static_cast<float>(turn.x), static_cast<float>(turn.y),
+                             static_cast<float>(turn.z));
+        out.changes = true;
+        return out;
+    }
+
+    // The farthest that a bound joint lies from the topmost.
+    float size() const
+    {
+        double most = 0;
+        const glm::dvec3 top = rest_t_.places[matches_[0].target];
+        for (const Match &m : matches_) most = std::max(most, glm::length(rest_t_.places[m.target] - top));
+        return static_cast<float>(most);
+    }
+
+private:
+    const model::Rig &target_, &source_;
+    const std::vector<Match> &matches_;
+    Stance rest_t_, rest_s_;
+};
+
+uint32_t morph_set_on(const model::Rig &rig, uint32_t node, uint32_t target_count)
+{
+    for (uint32_t i = 0; i < rig.morph_sets.size(); ++i)
+        if (rig.morph_sets[i].node == node && rig.morph_sets[i].target_count == target_count) return i;
+    return none;
+}
+
+// Splines hold in-tangent, value, out-tangent: tangents are directions.
+void append_values(const model::Rig &source, const model::Channel &channel, const Rebase &rebase,
+                   std::vector<float> &out)
+{
+    const bool cubic = channel.interpolation == model::Interpolation::cubic_spline;
+    const size_t count = size_t(channel.key_count) * (cubic ? 3 : 1), width = channel.component_count;
+    const float *from = source.values.data() + channel.first_value;
+    for (size_t i = 0; i < count; ++i, from += width) {
+        if (rebase.changes && channel.path == model::Path::rotation) {
+            const glm::quat q = rebase.turn * glm::quat(from[3], from[0], from[1], from[2]);
+            out.insert(out.end(), {q.x, q.y, q.z, q.w});
+        } else if (rebase.changes && channel.path == model::Path::translation) {
+            const glm::vec3 v(from[0], from[1], from[2]);
+            const glm::vec3 moved =
+                cubic && i % 3 != 1 ? math::direction(rebase.place, v) : math::point(rebase.place, v);
+            out.insert(out.end(), {moved.x, moved.y, moved.z});
+        } else out.insert(out.end(), from, from + width);
+    }
+}
+
+bool moves(const model::Rig &rig, uint32_t node)
+{
+    for (const model::Channel &channel : rig.channels)
+        if (channel.path != model::Path::morph_weights && channel.node == node) return true;
+    return false;
+}
+
+}  // namespace
+
+bool agree(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches)
+{
+    const Pairs pairs(target, source, matches);
+    const float size = pairs.size();
+    for (const Match &match : matches) {
+        // The source's joint hangs, at any distance, on the one that answers what the target's hangs on.
+        const uint32_t anchor = match.above == none ? none : matches[match.above].source;
+        uint32_t up = source.parents[match.source];
+        for (; up != anchor && up != none; up = source.parents[up])
+            if (moves(source, up)) return false;
+        if (up != anchor) return false;
+        const Frames frames = pairs.frames(match);
+        if (!alike(math::mul(frames.target.place, math::affine_of(target.rest[match.target])),
+                   math::mul(frames.source.place, math::affine_of(source.rest[match.source])), size))
+            return false;
+    }
+    return true;
+}
+
+void copy_channels(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, uint32_t clip,
+                   Added &added)
+{
+    const Pairs pairs(target, source, matches);
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> times;  // samplers mostly share them
+    const model::Clip &from = source.clips[clip];
+    model::Clip made;
+    made.first_channel = static_cast<uint32_t>(added.channels.size());
+    made.start_s = from.start_s;
+    made.duration_s = from.duration_s;
+    for (const Match &match : matches) {
+        const Rebase rebase = pairs.rebase(match);
+        for (uint32_t c = 0; c < from.channel_count; ++c) {
+            const model::Channel &channel = source.channels[from.first_channel + c];
+            const bool morphs = channel.path == model::Path::morph_weights;
+            if ((morphs ? source.morph_sets[channel.node].node : channel.node) != match.source) continue;
+            model::Channel out = channel;
+            out.node = morphs ? morph_set_on(target, match.target, channel.component_count) : match.target;
+            if (out.node == none) continue;
+            const auto first = source.times.begin() + channel.first_time;
+            const auto [place, fresh] = times.emplace(std::make_pair(channel.first_time, channel.key_count),
+                                                      static_cast<uint32_t>(added.times.size()));
+            if (fresh) added.times.insert(added.times.end(), first, first + channel.key_count);
+            out.first_time = place->second;
+            out.first_value = static_cast<uint32_t>(added.values.size());
+            append_values(source, channel, rebase, added.values);
+            added.channels.push_back(out);
+        }
+    }
+    made.channel_count = static_cast<uint32_t>(added.channels.size()) - made.first_channel;
+    added.clips.push_back(made);
+}
+
+}  // namespace claque::retarget

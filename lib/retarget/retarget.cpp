@@ -1,0 +1,113 @@
+#include "lib/retarget/retarget.h"
+
+#include <algorithm>
+
+#include "lib/base/error.h"
+#include "lib/retarget/added.h"
+#include "lib/retarget/fit.h"
+
+namespace claque::retarget
+{
+
+using base::fail;
+using model::none;
+
+namespace
+{
+
+void check(const Options &o)
+{
+    if (!(o.rate_hz >= 1 && o.rate_hz <= 1000)) fail(CLQ_ARGUMENT, "%g keys a second: 1 to 1000 are wanted", o.rate_hz);
+    if (!(o.first_s >= 0) || !(o.last_s >= o.first_s))
+        fail(CLQ_ARGUMENT, "from %g s to %g s of the clips: 0 <= first <= last is wanted", o.first_s, o.last_s);
+    if (!(o.close_s >= 0)) fail(CLQ_ARGUMENT, "clips close within %g s", o.close_s);
+}
+
+std::vector<uint32_t> wanted_clips(const model::Rig &source, const Options &options)
+{
+    std::vector<uint32_t> out;
+    if (source.clips.empty()) fail(CLQ_ARGUMENT, "there are no clips to add");
+    if (options.clips.empty())
+        for (uint32_t i = 0; i < source.clips.size(); ++i) out.push_back(i);
+    for (const std::string &name : options.clips) {
+        out.push_back(source.find_clip(name));
+        if (out.back() == none)
+            fail(CLQ_ARGUMENT, "there is no clip '%s' among the %zu", name.c_str(), source.clips.size());
+    }
+    return out;
+}
+
+bool is_taken(const model::Rig &target, const Added &added, const std::string &name)
+{
+    return target.find_clip(name) != none ||
+           std::find(added.names.begin(), added.names.end(), name) != added.names.end();
+}
+
+std::string free_name(const model::Rig &target, const Added &added, const std::string &name, Report &report)
+{
+    if (!is_taken(target, added, name)) return name;
+    for (int number = 2;; ++number) {
+        const std::string other = name + "." + std::to_string(number);
+        if (is_taken(target, added, other)) continue;
+        report.warnings.push_back("there is a clip '" + name + "' already: the new one is '" + other + "'");
+        return other;
+    }
+}
+
+template <class To, class From>
+void append(To &to, const From &from)
+{
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+// Everything that may fail comes before the first change.
+void merge(model::Rig &target, Added &&added)
+{
+    const uint64_t room = 0xffffffffull;
+    if (target.times.size() + added.times.size() > room || target.values.size() + added.values.size() > room)
+        fail(CLQ_LIMIT, "the clips are more than a character holds");
+    const uint32_t channels = static_cast<uint32_t>(target.channels.size());
+    const uint32_t times = static_cast<uint32_t>(target.times.size());
+    const uint32_t values = static_cast<uint32_t>(target.values.size());
+    for (model::Clip &clip : added.clips) clip.first_channel += channels;
+    for (model::Channel &channel : added.channels) channel.first_time += times, channel.first_value += values;
+    model::Array<std::pmr::string> names(target.clip_names.get_allocator());
+    names.reserve(target.clip_names.size() + added.names.size());
+    for (const std::pmr::string &name : target.clip_names) names.emplace_back(std::string_view(name));
+    for (const std::string &name : added.names) names.emplace_back(std::string_view(name));
+    target.clips.reserve(target.clips.size() + added.clips.size());
+    target.channels.reserve(channels + added.channels.size());
+    target.times.reserve(times + added.times.size());
+    target.values.reserve(values + added.values.size());
+    append(target.clips, added.clips);
+    append(target.channels, added.channels);
+    append(target.times, added.times);
+    append(target.values, added.values);
+    target.clip_names = std::move(names);
+}
+
+}  // namespace
+
+Report add_clips(model::Rig &target, const model::Rig &source, const Options &options)
+{
+    check(options);
+    Report report;
+    const std::vector<uint32_t> clips = wanted_clips(source, options);
+    const std::vector<Match> matches = match_joints(target, source, options, report.warnings);
+    report.joint_count = static_cast<uint32_t>(matches.size());
+    report.clip_count = static_cast<uint32_t>(clips.size());
+    report.way = options.way;
+    if (options.way == Way::automatic) report.way = agree(target, source, matches) ? Way::channels : Way::motion;
+    const Fit fit = fit_of(matches, rest_of(target), rest_of(source));
+    Added added;
+    for (const uint32_t clip : clips) {
+        if (report.way == Way::channels) copy_channels(target, source, matches, clip, added);
+        else transfer(target, source, matches, fit, options, clip, added);
+        const std::string name = options.prefix + source.clip_names[clip].c_str();
+        added.names.push_back(free_name(target, added, name, report));
+    }
+    merge(target, std::move(added));
+    return report;
+}
+
+}  // namespace claque::retarget

@@ -1,0 +1,26 @@
+// A clip's pose at any time, as the source has it: rotations and places of all joints in model space, in doubles.
+#pragma once
+
+#include "lib/retarget/joints.h"
+
+namespace claque::retarget
+{
+
+class SourcePose
+{
+public:
+    SourcePose(const model::Rig &rig, uint32_t clip);
+    void at(double time_s);  // on the clip's own axis
+
+    glm::dquat turn(uint32_t node) const { return turns_[node]; }
+    glm::dvec3 place(uint32_t node) const { return dvec_of(globals_[node].column(3)); }
+
+private:
+    const model::Rig &rig_;
+    model::Clip clip_;
+    std::vector<math::Trs> locals_;
+    std::vector<glm::dquat> turns_;
+    std::vector<math::Affine> globals_;
+};
+
+}  // namespace claque::retarget

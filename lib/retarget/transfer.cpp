@@ -1,0 +1,258 @@
+// Clips between skeletons that differ: turns in model space from rest to rest, and the way of the topmost joints.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lib/base/error.h"
+#include "lib/math/slerp.h"
+#include "lib/retarget/added.h"
+#include "lib/retarget/fit.h"
+#include "lib/retarget/source_pose.h"
+
+namespace claque::retarget
+{
+
+using model::none;
+
+namespace
+{
+
+glm::dquat share_of(const glm::dquat &q, double share)
+{
+    const float none_at_all[4] = {0, 0, 0, 1};
+    const float whole[4] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
+                            static_cast<float>(q.w)};
+    return dquat_of(math::slerp(none_at_all, whole, share));
+}
+
+// Poses of the target, one a key: turns of the bound joints in model space and places of the topmost ones.
+struct Keys {
+    std::vector<double> times_s;
+    std::vector<std::vector<glm::dquat>> turns;   // [key][match]
+    std::vector<std::vector<glm::dvec3>> places;  // [key][match]: meaningful for topmost ones
+};
+
+class Transfer
+{
+public:
+    Transfer(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, const Fit &fit,
+             const Options &options)
+        : target_(target),
+          source_(source),
+          matches_(matches),
+          fit_(fit),
+          options_(options),
+          rest_t_(rest_of(target)),
+          rest_s_(rest_of(source)),
+          match_of_(target.node_count(), none)
+    {
+        for (uint32_t i = 0; i < matches.size(); ++i) match_of_[matches[i].target] = i;
+        find_soles();
+    }
+
+    void run(uint32_t clip, Added &added)
+    {
+        Keys keys = take(clip);
+        if (options_.travel == Travel::in_place) stay(keys);
+        set_down(keys);
+        const std::vector<std::vector<glm::dquat>> locals = locals_of(keys);
+        write(keys, locals, added);
+    }
+
+private:
+    // Joints of the target that are near the ground at rest: they are to stand on it.
+    void find_soles()
+    {
+        double low = 1e300, high = -1e300;
+        for (const Match &m : matches_) {
+            low = std::min(low, rest_t_.places[m.target].y);
+            high = std::max(high, rest_t_.places[m.target].y);
+        }
+        for (const Match &m : matches_)
+            if (rest_t_.places[m.target].y <= low + 0.08 * (high - low)) soles_.push_back(m.target);
+    }
+
+    Keys take(uint32_t clip) const
+    {
+        const model::Clip &from = source_.clips[clip];
+        const double length = static_cast<double>(from.duration_s), first = std::min(options_.first_s, length);
+        const double last = std::min(options_.last_s, length);
+        if (!(last >= first))
+            base::fail(CLQ_ARGUMENT, "from %g s to %g s of clip '%s', which is %g s long", options_.first_s,
+                       options_.last_s, source_.clip_names[clip].c_str(), length);
+        const double steps = std::ceil((last - first) * options_.rate_hz - 1e-6);
+        if (steps > 1e7) base::fail(CLQ_LIMIT, "clip '%s' would have %g keys", source_.clip_names[clip].c_str(), steps);
+        const uint32_t count = static_cast<uint32_t>(std::max(steps, 0.0));
+        SourcePose pose(source_, clip);
+        Keys keys;
+        for (uint32_t k = 0; k <= count; ++k) {
+            const double time_s = count == 0 ? 0 : (last - first) * k / count;
+            keys.times_s.push_back(time_s);
+            pose.at(static_cast<double>(from.start_s) + first + time_s);
+            keys.turns.emplace_back();
+            keys.places.emplace_back();
+            for (uint32_t i = 0; i < matches_.size(); ++i) {
+                const Match &m = matches_[i];
+                const glm::dquat turned = pose.turn(m.source) * glm::conjugate(rest_s_.turns[m.source]);
+                keys.turns.back().push_back(fit_.axes * turned * glm::conjugate(fit_.axes) * fit_.aligned[i] *
+                                            rest_t_.turns[m.target]);
+                keys.places.back().push_back(fit_.scale * (fit_.axes * pose.place(m.source)));
+            }
+        }
+        settle(keys);
+        return keys;
+    }
+
+    // All start over the place where the first topmost joint rests; up and down is set_down's.
+    void settle(Keys &keys) const
+    {
+        glm::dvec3 by = rest_t_.places[matches_[0].target] - keys.places[0][0];
+        by.y = 0;
+        for (auto &places : keys.places)
+            for (glm::dvec3 &place : places) place += by;
+    }
+
+    void stay(Keys &keys) const
+    {
+        glm::dvec3 way = keys.places.back()[0] - keys.places.front()[0];
+        way.y = 0;
+        for (size_t k = 0; k < keys.places.size(); ++k) {
+            const double share = keys.times_s.back() > 0 ? keys.times_s[k] / keys.times_s.back() : 0;
+            for (glm::dvec3 &place : keys.places[k]) place -= way * share;
+        }
+    }
+
+    // Places of all joints of the target with these turns, unbound ones at rest.
+    std::vector<glm::dvec3> posed(const std::vector<glm::dquat> &turns, const std::vector<glm::dvec3> &tops) const
+    {
+        std::vector<glm::dquat> turn(target_.node_count());
+        std::vector<glm::dvec3> place(target_.node_count());
+        for (uint32_t i = 0; i < target_.node_count(); ++i) {
+            const uint32_t parent = target_.parents[i], match = match_of_[i];
+            const glm::dquat above = parent == none ? glm::dquat(1, 0, 0, 0) : turn[parent];
+            turn[i] = match != none ? turns[match] : above * glm::normalize(dquat_of(target_.rest[i].rotation));
+            if (match != none && matches_[match].above == none) place[i] = tops[match];
+            else if (parent == none) place[i] = rest_t_.places[i];
+            else  // the bone as it lies at rest, turned with its parent
+                place[i] = place[parent] + above * (glm::conjugate(rest_t_.turns[parent]) *
+                                                    (rest_t_.places[i] - rest_t_.places[parent]));
+        }
+        return place;
+    }
+
+    // So that soles are on the ground where they stand: the lowest of each pose counts, and of these the lower quarter's
+    // middle, so that neither a jump nor one bad frame lifts or sinks the whole.
+    void set_down(Keys &keys) const
+    {
+        std::vector<double> gaps;
+        for (size_t k = 0; k < keys.times_s.size(); ++k) {
+            const std::vector<glm::dvec3> places = posed(keys.turns[k], keys.places[k]);
+            double gap = 1e300;
+            for (const uint32_t sole : soles_) gap = std::min(gap, places[sole].y - rest_t_.places[sole].y);
+            gaps.push_back(gap);
+        }
+        std::sort(gaps.begin(), gaps.end());
+        const double gap = gaps[gaps.size() / 8];
+        for (auto &places : keys.places)
+            for (glm::dvec3 &place : places) place.y -= gap;
+    }
+
+    std::vector<std::vector<glm::dquat>> locals_of(const Keys &keys) const
+    {
+        std::vector<std::vector<glm::dquat>> out;
+        for (const std::vector<glm::dquat> &turns : keys.turns) {
+            out.emplace_back();
+            for (const Match &m : matches_) {
+                // What lies between a joint and the bound one above it rests.
+                glm::dquat above(1, 0, 0, 0);
+                const uint32_t parent = target_.parents[m.target];
+                if (parent != none) above = rest_t_.turns[parent];
+                if (m.above != none)
+                    above = turns[m.above] * glm::conjugate(rest_t_.turns[matches_[m.above].target]) * above;
+                out.back().push_back(
+                    glm::normalize(glm::conjugate(above) * turns[static_cast<size_t>(&m - matches_.data())]));
+            }
+        }
+        return out;
+    }
+
+    // How much of the way back to the first pose is gone at this key.
+    double closing(const Keys &keys, size_t k) const
+    {
+        if (!(options_.close_s > 0)) return 0;
+        const double from = std::max(0.0, keys.times_s.back() - options_.close_s), length = keys.times_s.back() - from;
+        const double t = length > 0 ? std::clamp((keys.times_s[k] - from) / length, 0.0, 1.0) : 0;
+        return t * t * t * (10 + t * (6 * t - 15));
+    }
+
+    void write(const Keys &keys, const std::vector<std::vector<glm::dquat>> &locals, Added &added) const
+    {
+        model::Clip made;
+        made.first_channel = static_cast<uint32_t>(added.channels.size());
+        made.duration_s = static_cast<float>(keys.times_s.back());
+        model::Channel channel;
+        channel.first_time = static_cast<uint32_t>(added.times.size());
+        channel.key_count = static_cast<uint32_t>(keys.times_s.size());
+        for (const double time_s : keys.times_s) added.times.push_back(static_cast<float>(time_s));
+        for (uint32_t i = 0; i < matches_.size(); ++i) {
+            channel.node = matches_[i].target;
+            if (matches_[i].above == none) write_places(keys, i, channel, added);
+            write_turns(keys, locals, i, channel, added);
+        }
+        made.channel_count = static_cast<uint32_t>(added.channels.size()) - made.first_channel;
+        added.clips.push_back(made);
+    }
+
+    void write_places(const Keys &keys, uint32_t i, model::Channel channel, Added &added) const
+    {
+        channel.path = model::Path::translation;
+        channel.component_count = 3;
+        channel.first_value = static_cast<uint32_t>(added.values.size());
+        const uint32_t parent = target_.parents[matches_[i].target];
+        const math::Affine local = parent == none ? math::Affine() : math::inverse(rest_t_.globals[parent]);
+        const glm::dvec3 closes = keys.places.front()[i] - keys.places.back()[i];
+        for (size_t k = 0; k < keys.places.size(); ++k) {
+            const glm::vec3 p = math::point(local, glm::vec3(keys.places[k][i] + closing(keys, k) * closes));
+            added.values.insert(added.values.end(), {p.x, p.y, p.z});
+        }
+        added.channels.push_back(channel);
+    }
+
+    void write_turns(const Keys &keys, const std::vector<std::vector<glm::dquat>> &locals, uint32_t i,
+                     model::Channel channel, Added &added) const
+    {
+        channel.path = model::Path::rotation;
+        channel.component_count = 4;
+        channel.first_value = static_cast<uint32_t>(added.values.size());
+        const glm::dquat closes = glm::conjugate(locals.back()[i]) * locals.front()[i];
+        glm::dquat before(1, 0, 0, 0);
+        for (size_t k = 0; k < locals.size(); ++k) {
+            const double share = closing(keys, k);
+            glm::dquat q = locals[k][i];
+            if (share > 0) q = glm::normalize(q * share_of(closes, share));
+            if (glm::dot(before, q) < 0) q = -q;  // the short way from key to key
+            before = q;
+            added.values.insert(added.values.end(), {static_cast<float>(q.x), static_cast<float>(q.y),
+                                                     static_cast<float>(q.z), static_cast<float>(q.w)});
+        }
+        added.channels.push_back(channel);
+    }
+
+    const model::Rig &target_, &source_;
+    const std::vector<Match> &matches_;
+    const Fit &fit_;
+    const Options &options_;
+    Stance rest_t_, rest_s_;
+    std::vector<uint32_t> match_of_;  // by node of the target
+    std::vector<uint32_t> soles_;
+};
+
+}  // namespace
+
+void transfer(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, const Fit &fit,
+              const Options &options, uint32_t clip, Added &added)
+{
+    Transfer(target, source, matches, fit, options).run(clip, added);
+}
+
+}  // namespace claque::retarget
