@@ -1,0 +1,103 @@
+#include "animcache/keypose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/pose/pose.h"
+
+namespace claque::animcache
+{
+
+namespace
+{
+
+// Where no number of any matrix is farther from its fellow, model units and shares, a clip goes round without a jump.
+constexpr float same_within = 1e-4f;
+
+bool ends_as_it_begins(const model::Template &tmpl, uint32_t clip)
+{
+    pose::Workspace space(tmpl.rig);
+    const model::Clip &of = tmpl.rig.clips[clip];
+    const base::Span<const math::Affine> first = space.pose(clip, of.start_s);
+    const std::vector<math::Affine> start(first.begin(), first.end());
+    const base::Span<const float> weights = space.weights();
+    const std::vector<float> start_weights(weights.begin(), weights.end());
+    const base::Span<const math::Affine> end = space.pose(clip, double(of.start_s) + double(of.duration_s));
+    const auto near = [](const float *a, const float *b, size_t n) {
+        for (size_t i = 0; i < n; ++i)
+            if (!(std::fabs(a[i] - b[i]) <= same_within)) return false;
+        return true;
+    };
+    constexpr size_t numbers = sizeof(math::Affine) / sizeof(float);
+    return near(reinterpret_cast<const float *>(start.data()), reinterpret_cast<const float *>(end.begin()),
+                numbers * start.size()) &&
+           near(start_weights.data(), space.weights().begin(), start_weights.size());
+}
+
+}  // namespace
+
+Method KeyPoseSettings::method_at(float distance) const
+{
+    Method method = Method::individual;
+    for (uint32_t i = 0; i < band_count && bands[i].distance <= distance; ++i) method = bands[i].method;
+    return method;
+}
+
+bool KeyPoseSettings::any() const
+{
+    return std::any_of(bands, bands + band_count, [](const MethodBand &b) { return shows_key_poses(b.method); });
+}
+
+bool KeyPoseSettings::interpolates() const
+{
+    return std::any_of(bands, bands + band_count, [](const MethodBand &b) { return b.method == Method::interpolated; });
+}
+
+KeyPoseTable::KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz)
+    : rows_(memory), moments_(memory)
+{
+    for (uint32_t clip = 0; clip < tmpl.rig.clips.size(); ++clip) {
+        const model::Clip &of = tmpl.rig.clips[clip];
+        Row row;
+        row.first = count();
+        row.start_s = of.start_s;
+        row.duration_s = of.duration_s;
+        if (of.duration_s > 0) {
+            row.intervals = static_cast<uint32_t>(std::max(1.0, std::round(double(of.duration_s) * double(rate_hz))));
+            row.closed = row.intervals > 1 && ends_as_it_begins(tmpl, clip);
+        }
+        const uint32_t poses = row.intervals + (row.closed ? 0 : 1);
+        for (uint32_t k = 0; k < poses; ++k)
+            moments_.push_back({clip, row.start_s + (row.intervals ? row.duration_s * k / row.intervals : 0)});
+        rows_.push_back(row);
+    }
+}
+
+KeyPoseUse KeyPoseTable::use(Method method, uint32_t clip, double time_s) const
+{
+    const Row &row = rows_[clip];
+    KeyPoseUse use;
+    use.method = method;
+    use.first = use.second = row.first;
+    use.time_s[0] = use.time_s[1] = row.start_s;
+    if (row.intervals == 0) return use;
+    const double at = std::clamp((time_s - row.start_s) / row.duration_s, 0.0, 1.0) * row.intervals;
+    const auto choose = [&](int which, uint32_t k) {
+        if (row.closed && k == row.intervals) k = 0;
+        (which == 0 ? use.first : use.second) = row.first + k;
+        use.time_s[which] = moments_[row.first + k].time_s;
+    };
+    if (method == Method::intermittent) {
+        const uint32_t nearest = static_cast<uint32_t>(std::floor(at + 0.5));
+        choose(0, nearest);
+        choose(1, nearest);
+        return use;
+    }
+    const uint32_t before = std::min(static_cast<uint32_t>(at), row.intervals - 1);
+    choose(0, before);
+    choose(1, before + 1);
+    use.blend = static_cast<float>(at - before);
+    return use;
+}
+
+}  // namespace claque::animcache

@@ -1,0 +1,80 @@
+#include "animcache/keypose_vertices.h"
+
+#include <cstring>
+
+namespace claque::animcache
+{
+
+namespace
+{
+
+using math::F4;
+
+void blend_floats(const float *a, const float *b, float blend, float *out, size_t count)
+{
+    const F4 t = math::splat(blend);
+    for (size_t i = 0; i < count; i += 4) {
+        const F4 from = math::load4(a + i);
+        math::store4(out + i, from + (math::load4(b + i) - from) * t);
+    }
+}
+
+// Numbers of this size have no fractions: adding it rounds, halves to the even one, as packing does.
+constexpr float rounds_at = 12582912;
+
+// Whole numbers, four at a time; count is a multiple of four.
+template <class Int>
+void blend_integers(const Int *a, const Int *b, float blend, Int *out, size_t count)
+{
+    typedef Int Ints __attribute__((vector_size(4 * sizeof(Int))));
+    typedef int32_t Wide __attribute__((vector_size(16)));
+    const F4 t = math::splat(blend), shift = math::splat(rounds_at);
+    for (size_t i = 0; i < count; i += 4) {
+        Ints from, to;
+        std::memcpy(&from, a + i, sizeof from);
+        std::memcpy(&to, b + i, sizeof to);
+        const F4 start = __builtin_convertvector(from, F4);
+        const F4 between = start + (__builtin_convertvector(to, F4) - start) * t;
+        const Wide whole = __builtin_convertvector(between + shift - shift, Wide);
+        const Ints made = __builtin_convertvector(whole, Ints);
+        std::memcpy(out + i, &made, sizeof made);
+    }
+}
+
+// One of the two key-poses, made into `vertices` unless it is kept.
+const float *key_pose(const Request &request, int which, Geometry geometry, const Scratch &scratch, float *vertices)
+{
+    if (request.shared.kept[which]) return request.shared.kept[which];
+    Request alone = request;
+    alone.pose.clip_time_s = request.shared.time_s[which];
+    animate(alone, scratch, scratch.palette);
+    skin(alone, scratch.palette, geometry, scratch, vertices);
+    return vertices;
+}
+
+}  // namespace
+
+void blend_vertices(const model::Level &level, Geometry geometry, const float *a, const float *b, float blend,
+                    float *out)
+{
+    const size_t count = level.vertex_count;
+    if (geometry == Geometry::real) {
+        blend_floats(a, b, blend, out, 6 * count);
+        return;
+    }
+    blend_integers(reinterpret_cast<const int16_t *>(a), reinterpret_cast<const int16_t *>(b), blend,
+                   reinterpret_cast<int16_t *>(out), 4 * count);
+    blend_integers(reinterpret_cast<const int8_t *>(a + 2 * count), reinterpret_cast<const int8_t *>(b + 2 * count),
+                   blend, reinterpret_cast<int8_t *>(out + 2 * count), 4 * count);
+}
+
+void interpolate(const Request &request, Geometry geometry, const Scratch &scratch, float *vertices)
+{
+    const float *first = key_pose(request, 0, geometry, scratch, vertices);
+    const float *second = request.shared.second == request.shared.first
+                              ? first
+                              : key_pose(request, 1, geometry, scratch, scratch.vertices);
+    blend_vertices(request.tmpl->levels[request.level], geometry, first, second, request.shared.blend, vertices);
+}
+
+}  // namespace claque::animcache

@@ -1,0 +1,129 @@
+#include "animcache/keyposes.h"
+
+#include <algorithm>
+
+namespace claque::animcache
+{
+
+KeyPoses::KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &settings, Geometry geometry)
+    : memory_(memory),
+      settings_(settings),
+      geometry_(geometry),
+      owners_(memory),
+      stores_(memory),
+      work_(memory),
+      asked_(memory)
+{
+    shared_ = {memory, settings.budget_bytes, 0};
+}
+
+void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
+{
+    if (!settings_.any()) return;
+    asked_.reserve(row_count);
+    uint32_t same = 0;
+    while (same < owners_.size() && same < templates.count && owners_[same].tmpl == templates[same]) ++same;
+    if (same < owners_.size()) {  // another state of the crowd: its templates may stand in another order
+        owners_.clear();
+        stores_.clear();
+        shared_.bytes = 0;
+        same = 0;
+    }
+    while (!stores_.empty() && stores_.size() > (owners_.empty() ? 0 : owners_.back().end_store)) stores_.pop_back();
+    owners_.reserve(templates.count);
+    size_t poses = work_.capacity();
+    for (uint32_t t = same; t < templates.count; ++t) {
+        const model::Template &tmpl = *templates[t];
+        const uint32_t first = static_cast<uint32_t>(stores_.size());
+        Owner owner{&tmpl, first, first + static_cast<uint32_t>(tmpl.levels.size()),
+                    KeyPoseTable(memory_, tmpl, settings_.rate_hz)};
+        stores_.reserve(stores_.size() + tmpl.levels.size());
+        work_.reserve(poses += size_t(owner.table.count()) * tmpl.levels.size());
+        for (const model::Level &level : tmpl.levels)
+            stores_.emplace_back(memory_, owner.table.count(), vertex_floats(level, geometry_));
+        owners_.push_back(std::move(owner));
+    }
+}
+
+KeyPoseUse KeyPoses::use(uint32_t tmpl, uint32_t level, Method method, uint32_t clip, double time_s) const
+{
+    KeyPoseUse use = owners_[tmpl].table.use(method, clip, time_s);
+    use.tmpl = tmpl;
+    use.store = owners_[tmpl].first_store + level;
+    return use;
+}
+
+// Where the budget is spent, who shows nothing of a template and level in this update gives back what is kept of it.
+void KeyPoses::make_room()
+{
+    bool short_of_room = false;
+    for (const KeyPoseStore &store : stores_)
+        short_of_room = short_of_room || store.is_short_of_room(settings_.most_kept, shared_);
+    if (!short_of_room) return;
+    for (KeyPoseStore &store : stores_)
+        if (store.is_idle()) store.release(shared_);
+}
+
+void KeyPoses::choose(std::pmr::vector<Request> &requests)
+{
+    counters_ = KeyPoseCounters();
+    work_.clear();
+    if (!settings_.any()) return;
+    ++serial_;
+    asked_.clear();
+    for (KeyPoseStore &store : stores_) store.begin(serial_);
+    for (uint32_t i = 0; i < requests.size(); ++i) {
+        const KeyPoseUse &use = requests[i].shared;
+        if (!shows_key_poses(use.method)) continue;
+        asked_.push_back(i);
+        stores_[use.store].want(use.first, use.second);
+    }
+    for (KeyPoseStore &store : stores_) store.close();
+    make_room();
+    for (KeyPoseStore &store : stores_) store.choose(settings_.most_kept, shared_);
+    for (const uint32_t i : asked_) {
+        KeyPoseUse &use = requests[i].shared;
+        use.kept[0] = stores_[use.store].find(use.first);
+        use.kept[1] = use.second == use.first ? use.kept[0] : stores_[use.store].find(use.second);
+        counters_.served += use.served();
+    }
+    counters_.asked = static_cast<uint32_t>(asked_.size());
+    list_work();
+}
+
+void KeyPoses::list_work()
+{
+    for (const Owner &owner : owners_)
+        for (uint32_t level = 0; level < owner.tmpl->levels.size(); ++level) {
+            const KeyPoseStore &store = stores_[owner.first_store + level];
+            for (const KeyPoseStore::Fresh &fresh : store.fresh()) {
+                Work work;
+                work.request.tmpl = owner.tmpl;
+                work.request.level = level;
+                work.request.pose.clip = owner.table.at(fresh.pose).clip;
+                work.request.pose.clip_time_s = owner.table.at(fresh.pose).time_s;
+                work.vertices = fresh.vertices;
+                work_.push_back(work);
+            }
+            counters_.wanted += store.wanted();
+            counters_.held += store.held();
+        }
+    counters_.updated = static_cast<uint32_t>(work_.size());
+    counters_.bytes = shared_.bytes;
+}
+
+void KeyPoses::make(const base::Jobs &jobs, ScratchPool &scratch)
+{
+    if (work_.empty()) return;
+    const uint32_t strands = scratch.strand_count(), count = static_cast<uint32_t>(work_.size());
+    jobs.for_each(strands, [&](uint32_t strand) {
+        const Scratch mine = scratch.strand(strand);
+        const uint32_t last = static_cast<uint32_t>(uint64_t(count) * (strand + 1) / strands);
+        for (uint32_t i = static_cast<uint32_t>(uint64_t(count) * strand / strands); i < last; ++i) {
+            animate(work_[i].request, mine, mine.palette);
+            skin(work_[i].request, mine.palette, geometry_, mine, work_[i].vertices);
+        }
+    });
+}
+
+}  // namespace claque::animcache
