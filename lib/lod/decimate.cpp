@@ -1,13 +1,11 @@
 #include "lib/lod/decimate.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
-#include <map>
-#include <tuple>
+#include <algorithm>
+#include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/lod/rules.h"
 
 namespace claque::lod
 {
@@ -15,216 +13,134 @@ namespace claque::lod
 namespace
 {
 
-struct Traits : OpenMesh::DefaultTraits {
-    using Point = OpenMesh::Vec3d;
-    using Normal = OpenMesh::Vec3d;
-};
-using Welded = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using Left = std::vector<std::array<uint32_t, 3>>;  // corners of the source
 
-// Which vertex of the part stands at each corner of a face; kept by welded vertex, so that it does not matter how the
-// mesh re-uses its halfedges.
-struct Corners {
-    std::array<int, 3> at{};
-    std::array<uint32_t, 3> vertex{};
-
-    uint32_t of(int welded) const
-    {
-        for (size_t k = 0; k < 3; ++k)
-            if (at[k] == welded) return vertex[k];
-        return model::none;
-    }
-};
-using CornerProperty = OpenMesh::FPropHandleT<Corners>;
-
-// The rule about seams: see the header. A vertex of the part may go only if one of the two triangles that vanish shows
-// where its side of the surface continues.
-template <class MeshType>
-class ModSeams : public OpenMesh::Decimater::ModBaseT<MeshType>
+Left left_of(const Surface &surface)
 {
-public:
-    DECIMATING_MODULE(ModSeams, MeshType, Seams);
-
-    explicit ModSeams(Mesh &mesh) : Base(mesh, true) {}
-    void use(CornerProperty corners, const std::vector<uint32_t> *side)
-    {
-        corners_ = corners;
-        side_ = side;
+    Left left;
+    for (const Mesh::FaceHandle face : surface.mesh.all_faces()) {
+        if (surface.mesh.status(face).deleted()) continue;
+        std::array<uint32_t, 3> t{};
+        size_t k = 0;
+        for (auto v = surface.mesh.cfv_iter(face); v.is_valid() && k < 3; ++v)
+            t[k++] = surface.mesh.property(surface.corners, face).of(v->idx());
+        left.push_back(t);
     }
-
-    float collapse_priority(const CollapseInfo &ci) override
-    {
-        Mesh &mesh = Base::mesh();
-        if (mesh.is_boundary(ci.v0) && !mesh.is_boundary(mesh.edge_handle(ci.v0v1))) return illegal();
-        const Moves moves = moves_of(ci);
-        for (auto f = mesh.cvf_iter(ci.v0); f.is_valid(); ++f)
-            if (moves.to(side(mesh.property(corners_, *f).of(ci.v0.idx()))) == model::none) return illegal();
-        return float(Base::LEGAL_COLLAPSE);
-    }
-
-    void preprocess_collapse(const CollapseInfo &ci) override
-    {
-        Mesh &mesh = Base::mesh();
-        const Moves moves = moves_of(ci);
-        for (auto f = mesh.vf_iter(ci.v0); f.is_valid(); ++f) {
-            Corners &corners = mesh.property(corners_, *f);
-            for (size_t k = 0; k < 3; ++k)
-                if (corners.at[k] == ci.v0.idx()) {
-                    corners.vertex[k] = moves.to(side(corners.vertex[k]));
-                    corners.at[k] = ci.v1.idx();
-                    break;
-                }
-        }
-    }
-
-private:
-    // From a side at the vertex that goes to the part's vertex at the one that stays.
-    struct Moves {
-        std::array<uint32_t, 2> from{model::none, model::none}, onto{model::none, model::none};
-        bool torn = false;
-
-        uint32_t to(uint32_t id) const
-        {
-            if (torn) return model::none;
-            return id == from[0] ? onto[0] : id == from[1] ? onto[1] : model::none;
-        }
-    };
-
-    static float illegal() { return float(Base::ILLEGAL_COLLAPSE); }
-    uint32_t side(uint32_t vertex) const { return (*side_)[vertex]; }
-
-    Moves moves_of(const CollapseInfo &ci)
-    {
-        Moves moves;
-        const std::array<typename Mesh::FaceHandle, 2> faces = {ci.fl, ci.fr};
-        for (size_t k = 0; k < 2; ++k) {
-            if (!faces[k].is_valid()) continue;
-            const Corners &corners = Base::mesh().property(corners_, faces[k]);
-            moves.from[k] = side(corners.of(ci.v0.idx()));
-            moves.onto[k] = corners.of(ci.v1.idx());
-        }
-        moves.torn = moves.from[0] == moves.from[1] && moves.from[0] != model::none &&
-                     side(moves.onto[0]) != side(moves.onto[1]);
-        return moves;
-    }
-
-    CornerProperty corners_;
-    const std::vector<uint32_t> *side_ = nullptr;
-};
-
-// Vertices that differ only in their normals count as one side of the surface.
-std::vector<uint32_t> sides_of(const model::Part &part)
-{
-    std::map<std::tuple<float, float, float, float, float>, uint32_t> found;
-    std::vector<uint32_t> sides;
-    for (uint32_t v = 0; v < part.positions.size(); ++v) {
-        const glm::vec3 p = part.positions[v];
-        const glm::vec2 uv = part.uvs.empty() ? glm::vec2(0) : part.uvs[v];
-        sides.push_back(found.try_emplace({p.x, p.y, p.z, uv.x, uv.y}, v).first->second);
-    }
-    return sides;
+    return left;
 }
 
-class Builder
+// Metres for each 1 of u or v, from the areas of all triangles here and in the texture.
+double metres_per_uv(const Surface &surface)
 {
-public:
-    explicit Builder(const model::Part &part) : part_(part), sides_(sides_of(part))
-    {
-        mesh_.add_property(corners_);
-        std::map<std::tuple<float, float, float>, Welded::VertexHandle> found;
-        for (const glm::vec3 p : part.positions) {
-            const auto [at, fresh] = found.try_emplace({p.x, p.y, p.z});
-            if (fresh) at->second = mesh_.add_vertex({double(p.x), double(p.y), double(p.z)});
-            welded_.push_back(at->second);
+    double here = 0, there = 0;
+    for (const Mesh::FaceHandle face : surface.mesh.faces()) {
+        const Corners &corners = surface.mesh.property(surface.corners, face);
+        if (!surface.has_uv(corners.corner[0])) continue;
+        std::array<glm::dvec3, 3> p, t;
+        for (size_t k = 0; k < 3; ++k) {
+            p[k] = point(surface.mesh, Mesh::VertexHandle(corners.at[k]));
+            t[k] = glm::dvec3(glm::dvec2(surface.uv(corners.corner[k])), 0);
         }
-        for (const auto &t : model::triangles_of(part)) {
-            const std::array<Welded::VertexHandle, 3> v = {welded_[t[0]], welded_[t[1]], welded_[t[2]]};
-            if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;
-            const Welded::FaceHandle face = mesh_.add_face(v[0], v[1], v[2]);
-            if (face.is_valid()) mesh_.property(corners_, face) = {{v[0].idx(), v[1].idx(), v[2].idx()}, t};
-            else refused_.push_back(t);
-        }
+        here += TriangleFrame(p[0], p[1], p[2]).area;
+        there += TriangleFrame(t[0], t[1], t[2]).area;
     }
+    return there > 0 ? std::sqrt(here / there) : 0;
+}
 
-    Decimated run(const Decimation &wish)
-    {
-        namespace om = OpenMesh::Decimater;
-        om::DecimaterT<Welded> decimater(mesh_);
-        om::ModQuadricT<Welded>::Handle quadric;
-        om::ModNormalFlippingT<Welded>::Handle flipping;
-        ModSeams<Welded>::Handle seams;
-        decimater.add(quadric);
-        decimater.add(flipping);
-        decimater.add(seams);
-        decimater.module(quadric).unset_max_err();
-        decimater.module(flipping).set_max_normal_deviation(double(wish.normal_turn_deg));
-        decimater.module(seams).use(corners_, &sides_);
-        mesh_.request_face_normals();
-        mesh_.update_face_normals();
-        if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", part_.name.c_str());
-        const size_t kept = wish.target_triangles > refused_.size() ? wish.target_triangles - refused_.size() : 0;
-        decimater.decimate_to_faces(0, kept);
-        std::vector<std::array<uint32_t, 3>> left;
-        for (const Welded::FaceHandle face : mesh_.faces()) {
-            if (mesh_.status(face).deleted()) continue;
-            std::array<uint32_t, 3> t{};
-            size_t k = 0;
-            for (auto v = mesh_.cfv_iter(face); v.is_valid() && k < 3; ++v)
-                t[k++] = mesh_.property(corners_, face).of(v->idx());
-            left.push_back(t);
-        }
-        left.insert(left.end(), refused_.begin(), refused_.end());
-        return compact(left);
+double size_of(const Surface &surface)
+{
+    glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
+    for (const Mesh::VertexHandle v : surface.mesh.vertices()) {
+        const glm::dvec3 p = point(surface.mesh, v);
+        first = glm::min(first, p), last = glm::max(last, p);
     }
+    return std::max({last.x - first.x, last.y - first.y, last.z - first.z});
+}
 
-private:
-    Decimated compact(const std::vector<std::array<uint32_t, 3>> &triangles) const
-    {
-        Decimated out;
-        out.triangles = triangles.size();
-        out.refused = refused_.size();
-        model::Part &part = out.part;
-        part.name = part_.name, part.node = part_.node, part.skinned = part_.skinned, part.material = part_.material;
-        part.hidden = part_.hidden, part.influence_count = part_.influence_count;
-        std::vector<uint32_t> renamed(part_.positions.size(), model::none);
-        for (const auto &t : triangles)
-            for (const uint32_t v : t) {
-                if (renamed[v] == model::none) {
-                    renamed[v] = static_cast<uint32_t>(part.positions.size());
-                    copy_vertex(v, part);
-                }
-                part.indices.push_back(renamed[v]);
-            }
-        return out;
+void copy_vertex(const model::Part &from, uint32_t v, model::Part &to)
+{
+    to.positions.push_back(from.positions[v]);
+    if (!from.normals.empty()) to.normals.push_back(from.normals[v]);
+    if (!from.uvs.empty()) to.uvs.push_back(from.uvs[v]);
+    if (!from.colours.empty()) to.colours.push_back(from.colours[v]);
+    for (uint32_t k = 0; k < from.influence_count; ++k) {
+        to.joints.push_back(from.joints[size_t(v) * from.influence_count + k]);
+        to.weights.push_back(from.weights[size_t(v) * from.influence_count + k]);
     }
-
-    void copy_vertex(uint32_t v, model::Part &to) const
-    {
-        to.positions.push_back(part_.positions[v]);
-        if (!part_.normals.empty()) to.normals.push_back(part_.normals[v]);
-        if (!part_.uvs.empty()) to.uvs.push_back(part_.uvs[v]);
-        if (!part_.colours.empty()) to.colours.push_back(part_.colours[v]);
-        for (uint32_t k = 0; k < part_.influence_count; ++k) {
-            to.joints.push_back(part_.joints[size_t(v) * part_.influence_count + k]);
-            to.weights.push_back(part_.weights[size_t(v) * part_.influence_count + k]);
-        }
+    for (size_t m = 0; m < from.morphs.size(); ++m) {
+        if (!from.morphs[m].positions.empty()) to.morphs[m].positions.push_back(from.morphs[m].positions[v]);
+        if (!from.morphs[m].normals.empty()) to.morphs[m].normals.push_back(from.morphs[m].normals[v]);
     }
+}
 
-    const model::Part &part_;
-    std::vector<uint32_t> sides_;
-    Welded mesh_;
-    CornerProperty corners_;
-    std::vector<Welded::VertexHandle> welded_;
-    std::vector<std::array<uint32_t, 3>> refused_;
-};
+model::Part head_of(const model::Part &from)
+{
+    model::Part to;
+    to.name = from.name, to.node = from.node, to.skinned = from.skinned, to.material = from.material;
+    to.hidden = from.hidden, to.influence_count = from.influence_count, to.morph_set = from.morph_set;
+    to.lod_first_m = from.lod_first_m, to.lod_last_m = from.lod_last_m;
+    to.morphs.resize(from.morphs.size());
+    return to;
+}
+
+// `rank` of a corner: the coarsest level that has it. Vertices of coarse levels stand first, so that a level's are the
+// first of every finer one.
+Decimated compact(const Surface &surface, size_t part_count, const Left &left, const std::vector<uint32_t> &rank)
+{
+    Decimated out;
+    out.triangles = left.size();
+    out.refused = surface.refused;
+    for (uint32_t i = 0; i < part_count; ++i) out.parts.push_back(head_of(surface.part(i)));
+    std::vector<uint32_t> used;
+    for (const auto &t : left) used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end(),
+              [&](uint32_t a, uint32_t b) { return rank[a] != rank[b] ? rank[a] > rank[b] : a < b; });
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<uint32_t> renamed(surface.corner_count(), model::none);
+    for (const uint32_t corner : used) {
+        model::Part &part = out.parts[surface.part_of(corner)];
+        renamed[corner] = static_cast<uint32_t>(part.positions.size());
+        copy_vertex(surface.part(surface.part_of(corner)), surface.vertex_of(corner), part);
+    }
+    for (const auto &t : left)
+        for (const uint32_t corner : t) out.parts[surface.part_of(t[0])].indices.push_back(renamed[corner]);
+    return out;
+}
 
 }  // namespace
 
-Decimated decimate(const model::Part &part, const Decimation &wish)
+std::vector<Decimated> decimate(const std::vector<const model::Part *> &parts, const Decimation &wish)
 {
-    if (!part.morphs.empty()) base::fail(CLQ_ARGUMENT, "part '%s' has morph targets: not decimated", part.name.c_str());
-    if (model::triangles_of(part).empty()) base::fail(CLQ_ARGUMENT, "part '%s' has no triangles", part.name.c_str());
+    namespace om = OpenMesh::Decimater;
     omerr().disable();
-    return Builder(part).run(wish);
+    Surface surface(parts);
+    if (surface.mesh.n_faces() == 0) base::fail(CLQ_ARGUMENT, "%zu parts have no triangles to decimate", parts.size());
+    if (wish.targets.empty()) base::fail(CLQ_ARGUMENT, "a decimation has no target");
+    om::DecimaterT<Mesh> decimater(surface.mesh);
+    om::ModHandleT<ModCost<Mesh>> cost;
+    om::ModHandleT<ModTurns<Mesh>> turns;
+    om::ModHandleT<ModSeams<Mesh>> seams;
+    decimater.add(cost);
+    decimater.add(seams);
+    decimater.add(turns);
+    decimater.module(seams).use(&surface);
+    decimater.module(turns).use(&surface, wish.turn_deg);
+    decimater.module(cost).use(&surface, {wish.influence * size_of(surface), wish.texture * metres_per_uv(surface), 1});
+    if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0]->name.c_str());
+    std::vector<Left> left;
+    for (const size_t target : wish.targets) {
+        // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.
+        const size_t gone = left.empty() ? 0 : surface.mesh.n_faces() - left.back().size();
+        decimater.decimate_to_faces(0, target + gone);
+        left.push_back(left_of(surface));
+    }
+    std::vector<uint32_t> rank(surface.corner_count(), 0);
+    for (uint32_t level = 0; level < left.size(); ++level)
+        for (const auto &t : left[level])
+            for (const uint32_t corner : t) rank[corner] = level;
+    std::vector<Decimated> out;
+    for (const Left &level : left) out.push_back(compact(surface, parts.size(), level, rank));
+    return out;
 }
 
 }  // namespace claque::lod

@@ -1,11 +1,14 @@
-// Fewer triangles for the same look: edges are collapsed onto one of their ends in the order of quadric error, so that
-// every vertex that is left is one of the source's, with its influences, normal and place in the texture.
+// Fewer triangles for the same look: edges are collapsed onto one of their ends in the order of what that costs, so that
+// every vertex that is left is one of the source's, with its influences, normal and place in the texture, and the
+// vertices of a level are among those of every finer one.
 //
 // Seams stay shut: vertices that share a position move together, and an edge is collapsed only where every vertex that
-// goes has a partner of its own side at the end that stays. Open borders are collapsed only along themselves.
+// goes has a partner of its own side at the end that stays. Open borders are collapsed only along themselves; parts that
+// touch along theirs are sewn. No triangle turns over, in space or in its texture.
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "lib/model/model.h"
 
@@ -13,18 +16,22 @@ namespace claque::lod
 {
 
 struct Decimation {
-    size_t target_triangles = 0;
-    float normal_turn_deg = 60;  // no triangle may turn further in one collapse
+    std::vector<size_t> targets;  // triangles of all parts together, descending strictly
+    double turn_deg = 60;         // no triangle may turn further in one collapse
+    // What a difference costs beside a distance, both in shares of the character's size: a vertex that follows other
+    // joints moves by so much of it when they do.
+    double influence = 0.1;
+    double texture = 0.25;  // of the distance on the surface by which a place in the texture moves; 0: none
 };
 
 struct Decimated {
-    model::Part part;  // topology triangles, with indices
+    std::vector<model::Part> parts;  // those of the source, in order; one may have no triangle left
     size_t triangles = 0;
-    size_t refused = 0;  // source triangles on non-manifold edges: kept as they are, beyond the target if need be
+    size_t refused = 0;  // triangles on edges with more than two faces: kept as they are, beyond the target if need be
 };
 
-// `part` has passed model::check. Stops above the target where no lawful collapse is left. Throws base::Error
-// (CLQ_ARGUMENT) for parts that have morph targets or no triangles. Deterministic.
-Decimated decimate(const model::Part &part, const Decimation &wish);
+// One for each target, finest first. `parts` have passed model::check. Stops above a target where no lawful collapse is
+// left. Throws base::Error (CLQ_ARGUMENT) where there are no triangles or no targets. Deterministic.
+std::vector<Decimated> decimate(const std::vector<const model::Part *> &parts, const Decimation &wish);
 
 }  // namespace claque::lod

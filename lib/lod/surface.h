@@ -1,0 +1,69 @@
+// The parts of a character as one mesh of OpenMesh's, welded where they touch, with what stands at each corner of a
+// face: the corner of the source, whose normal, texture coordinates and influences it keeps. Between the files of this
+// room only.
+#pragma once
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <array>
+
+#include "lib/lod/quadric.h"
+#include "lib/model/model.h"
+
+namespace claque::lod
+{
+
+struct MeshTraits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+using Mesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
+
+// Which corner of the source stands at each corner of a face; kept by vertex, so that it does not matter how the mesh
+// re-uses its halfedges.
+struct Corners {
+    std::array<int, 3> at{};
+    std::array<uint32_t, 3> corner{};
+
+    uint32_t of(int vertex) const
+    {
+        for (size_t k = 0; k < 3; ++k)
+            if (at[k] == vertex) return corner[k];
+        return model::none;
+    }
+};
+
+inline glm::dvec3 point(const Mesh &mesh, Mesh::VertexHandle v)
+{
+    const Mesh::Point &p = mesh.point(v);
+    return {p[0], p[1], p[2]};
+}
+
+class Surface
+{
+public:
+    // Vertices of one part that share a position are one. So are those of several parts that move together (all skinned,
+    // or on one node) where both have an open border: the parts are then sewn, and no crack opens between them.
+    explicit Surface(const std::vector<const model::Part *> &parts);
+
+    Mesh mesh;
+    OpenMesh::FPropHandleT<Corners> corners;
+    size_t refused = 0;  // triangles on edges with more than two faces: they stand apart, and do not move
+
+    // A corner of the source: a vertex of a part, numbered through all parts.
+    uint32_t corner_count() const { return first_.back(); }
+    uint32_t part_of(uint32_t corner) const { return part_of_[corner]; }
+    uint32_t vertex_of(uint32_t corner) const { return corner - first_[part_of_[corner]]; }
+    const model::Part &part(uint32_t index) const { return *parts_[index]; }
+    // Corners that differ only in their normals are one side of the surface: the first of them.
+    uint32_t side(uint32_t corner) const { return side_[corner]; }
+    glm::vec2 uv(uint32_t corner) const;
+    bool has_uv(uint32_t corner) const { return !parts_[part_of_[corner]]->uvs.empty(); }
+
+private:
+    void find_sides();
+
+    std::vector<const model::Part *> parts_;
+    std::vector<uint32_t> first_, part_of_, side_;
+};
+
+}  // namespace claque::lod
