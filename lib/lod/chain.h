@@ -1,0 +1,44 @@
+// A character in levels of detail, made from its finest (S1 6): every part becomes a row of parts with adjoining
+// distances, which the splitter turns into levels with zones, bins and spheres of their own.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lib/lod/decimate.h"
+#include "lib/lod/deviation.h"
+
+namespace claque::lod
+{
+
+struct ChainWish {
+    // Triangles of all parts together, descending strictly; those that are not fewer than the character's are skipped.
+    // Empty: usual_targets().
+    std::vector<size_t> targets;
+    Decimation how;  // its own targets are not used
+    Sampling sampling;
+    double metres_per_unit = 1;
+    double tolerance_px = 1;  // at 768 lines over 60 degrees: how large a level's error may be where it begins
+};
+
+struct ChainLevel {
+    size_t triangles = 0, vertices = 0;
+    double error_m = 0;   // what it was chosen by: twice the root of the mean of squares in motion
+    double first_m = 0;   // it serves from here on
+    Deviation deviation;  // of the first, all 0
+};
+
+// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 30. Above
+// 1040 half of the character's, and so on.
+std::vector<size_t> usual_targets(size_t triangles);
+
+// Distance in metres from which an error of so many metres is `pixels` or less, at 768 lines over 60 degrees.
+double distance_of(double error_m, double pixels);
+
+// Gives `model` its levels, and says what came of each, the finest first. Parts that are hidden, have no triangles or have
+// distances of their own stay as they are. A level that could not get below the one before it by a tenth, or that
+// begins where the next does, is left out. Throws base::Error (CLQ_ARGUMENT) where nothing can be decimated or targets do
+// not descend; the model is then as it was. Deterministic.
+std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish);
+
+}  // namespace claque::lod

@@ -1,0 +1,28 @@
+// How far a level of detail is from what it stands for, at rest and in motion: each vertex and the middle of each triangle
+// of the source is held against the place of the level that is nearest to it at rest, in poses of every clip; and the
+// level's corners' middles against the source likewise. What a level of detail is chosen by (S1 6).
+#pragma once
+
+#include "lib/model/model.h"
+
+namespace claque::lod
+{
+
+struct Deviation {
+    double rest_m = 0, rest_rms_m = 0;    // the most, and the root of the mean of squares
+    double posed_m = 0, posed_rms_m = 0;  // over all poses; at least as much as the places are apart
+    double wrong_zone = 0;                // [0, 1] share of the source's area that shows another zone
+    size_t open_edges = 0;                // edges with one triangle, of all parts together, beyond the source's
+};
+
+struct Sampling {
+    uint32_t poses_per_clip = 8;  // at even times
+    uint32_t most_clips = 32;     // the first ones
+};
+
+// Metres: model units times `metres_per_unit`. `level` has the parts of a Decimated of `model`'s visible parts with
+// triangles, in order; both have passed model::check.
+Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
+                    const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit = 1);
+
+}  // namespace claque::lod

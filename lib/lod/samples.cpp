@@ -1,0 +1,89 @@
+#include "lib/lod/samples.h"
+
+#include <cmath>
+
+namespace claque::lod
+{
+
+PosedParts::PosedParts(std::vector<const model::Part *> parts) : parts_(std::move(parts))
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+        first_.push_back(count);
+        count += static_cast<uint32_t>(parts_[i]->positions.size());
+        for (const auto &t : model::triangles_of(*parts_[i])) triangles_.push_back({i, t});
+    }
+    positions_.resize(count);
+}
+
+void PosedParts::pose(const model::Rig &rig, base::Span<const math::Affine> palette, base::Span<const float> weights)
+{
+    for (size_t i = 0; i < parts_.size(); ++i) {
+        const model::Part &part = *parts_[i];
+        for (size_t v = 0; v < part.positions.size(); ++v) {
+            glm::dvec3 p(part.positions[v]);
+            for (size_t m = 0; part.morph_set != model::none && m < part.morphs.size(); ++m)
+                if (!part.morphs[m].positions.empty())
+                    p += double(weights[rig.morph_sets[part.morph_set].first_weight + static_cast<uint32_t>(m)]) *
+                         glm::dvec3(part.morphs[m].positions[v]);
+            glm::dvec3 moved(0);
+            for (size_t k = 0; k < part.influence_count; ++k) {
+                const double w = double(part.weights[v * part.influence_count + k]);
+                if (w == 0) continue;
+                const float *c = palette[part.joints[v * part.influence_count + k]].c;
+                for (int r = 0; r < 3; ++r)
+                    moved[r] +=
+                        w * (double(c[r]) * p.x + double(c[3 + r]) * p.y + double(c[6 + r]) * p.z + double(c[9 + r]));
+            }
+            positions_[first_[i] + v] = moved;
+        }
+    }
+}
+
+glm::dvec3 where(const PosedParts &parts, const Place &place)
+{
+    const PosedParts::Triangle &t = parts.triangles()[place.triangle];
+    return place.weights.x * parts.corner(t, 0) + place.weights.y * parts.corner(t, 1) +
+           place.weights.z * parts.corner(t, 2);
+}
+
+namespace
+{
+
+uint32_t texel(double at, uint32_t size, model::Wrap wrap)
+{
+    const double n = double(size);
+    double x = std::floor(at * n);
+    if (wrap == model::Wrap::repeat) x -= n * std::floor(x / n);
+    if (wrap == model::Wrap::mirror) {
+        x -= 2 * n * std::floor(x / (2 * n));
+        if (x >= n) x = 2 * n - 1 - x;
+    }
+    return static_cast<uint32_t>(std::fmin(std::fmax(x, 0), n - 1));
+}
+
+}  // namespace
+
+uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place)
+{
+    const PosedParts::Triangle &t = parts.triangles()[place.triangle];
+    const model::Part &part = parts.part(t.part);
+    if (part.material == model::none) return model::none;
+    const model::Material &material = model.materials[part.material];
+    if (material.image == model::none || model.images[material.image].alpha != model::AlphaMeaning::zone_keys ||
+        part.uvs.empty())
+        return material.zone;
+    double u = 0, v = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const double w = place.weights[static_cast<int>(k)];
+        u += w * double(part.uvs[t.vertices[k]].x), v += w * double(part.uvs[t.vertices[k]].y);
+    }
+    const model::Image &image = model.images[material.image];
+    const size_t x = texel(u, image.width, material.wrap_s), y = texel(v, image.height, material.wrap_t);
+    const uint8_t key = image.rgba[4 * (y * image.width + x) + 3];
+    for (uint32_t zone = 0; zone < model.zones.size(); ++zone)
+        if (model.zones[zone].key == key) return zone;
+    return model::none;
+}
+
+}  // namespace claque::lod

@@ -1,0 +1,160 @@
+// What a level of detail is off by, and the row of levels that is chosen by it.
+#include "lib/lod/chain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/error.h"
+#include "lib/base/hash.h"
+#include "lib/figures/figure.h"
+#include "lib/lod/nearest.h"
+
+using namespace claque;
+
+namespace
+{
+
+double lot(uint64_t i) { return double(base::unit(base::mix(i))); }
+
+glm::dvec3 somewhere(uint64_t i) { return {lot(3 * i), lot(3 * i + 1), lot(3 * i + 2)}; }
+
+// A square of four triangles in the plane y = height, its middle raised.
+model::Model pyramid(float raised)
+{
+    model::Model model;
+    model.name = "pyramid";
+    model.rig.parents.push_back(model::none);
+    model.rig.rest.emplace_back();
+    model.rig.node_names.emplace_back("root");
+    model.rig.palette.emplace_back();
+    model::Part part;
+    part.name = "top";
+    part.node = 0;
+    part.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {0.5f, raised, 0.5f}};
+    part.indices = {0, 4, 1, 1, 4, 2, 2, 4, 3, 3, 4, 0};
+    part.joints.assign(5, 0);
+    part.weights.assign(5, 1);
+    model.parts.push_back(part);
+    return model;
+}
+
+model::Part flat_of(const model::Model &model)
+{
+    model::Part part = model.parts[0];
+    part.indices = {0, 3, 2, 0, 2, 1};
+    return part;
+}
+
+}  // namespace
+
+TEST(NearestPoint, is_as_near_as_the_best_of_all_triangles)
+{
+    std::vector<lod::NearestPoint::Triangle> triangles;
+    for (uint64_t i = 0; i < 300; ++i) {
+        const glm::dvec3 at = 4.0 * somewhere(1000 + i);
+        triangles.push_back({at, at + somewhere(2000 + i), at + somewhere(3000 + i)});
+    }
+    triangles.push_back({glm::dvec3(9), glm::dvec3(9), glm::dvec3(9)});  // no area
+    const lod::NearestPoint nearest(triangles);
+    for (uint64_t i = 0; i < 500; ++i) {
+        const glm::dvec3 p = 6.0 * somewhere(5000 + i) - glm::dvec3(1);
+        double best = 1e30;
+        for (const auto &t : triangles) {
+            const glm::dvec3 off = lod::point_on(t, lod::nearest_on(t, p)) - p;
+            best = std::min(best, glm::dot(off, off));
+        }
+        EXPECT_EQ(nearest.to(p).distance_squared, best);
+    }
+}
+
+// Against a search over a fine net of places on the triangle.
+TEST(NearestPoint, of_one_triangle_is_nearer_than_any_place_of_a_net)
+{
+    for (uint64_t i = 0; i < 50; ++i) {
+        const lod::NearestPoint::Triangle t = {somewhere(i), somewhere(100 + i), somewhere(200 + i)};
+        const glm::dvec3 p = 2.0 * somewhere(300 + i);
+        const double found = glm::length(lod::point_on(t, lod::nearest_on(t, p)) - p);
+        double net = 1e30;
+        for (int a = 0; a <= 60; ++a)
+            for (int b = 0; a + b <= 60; ++b)
+                net = std::min(net, glm::length(lod::point_on(t, glm::dvec3(a, b, 60 - a - b) / 60.0) - p));
+        EXPECT_LE(found, net + 1e-12);
+        EXPECT_GE(found, net - 0.05);
+    }
+}
+
+TEST(Deviation, is_nothing_between_a_character_and_itself)
+{
+    const model::Model citizen = figures::citizen();
+    const lod::Deviation same = lod::deviation(citizen, {&citizen.parts[0]}, {citizen.parts[0]}, {});
+    EXPECT_LT(same.rest_m, 1e-9);
+    EXPECT_LT(same.posed_m, 0.03) << "where two layers touch at rest the nearest place may be on the other";
+    EXPECT_LT(same.posed_rms_m, 1e-3);
+    EXPECT_LT(same.wrong_zone, 0.005);
+    EXPECT_EQ(same.open_edges, 0u);
+}
+
+TEST(Deviation, of_a_flattened_top_is_its_height)
+{
+    const model::Model model = pyramid(0.25f);
+    const lod::Deviation flat = lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {});
+    EXPECT_NEAR(flat.rest_m, 0.25, 1e-6);
+    EXPECT_NEAR(flat.posed_m, 0.25, 1e-6);
+    EXPECT_GT(flat.rest_rms_m, 0.05);
+    EXPECT_LT(flat.rest_rms_m, 0.25);
+    EXPECT_EQ(flat.open_edges, 0u);
+    EXPECT_NEAR(lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {}, 0.01).rest_m, 0.0025, 1e-8);
+}
+
+TEST(Deviation, counts_edges_that_have_come_open)
+{
+    const model::Model model = pyramid(0.25f);
+    model::Part torn = model.parts[0];
+    torn.indices.resize(9);
+    EXPECT_EQ(lod::deviation(model, {&model.parts[0]}, {torn}, {}).open_edges, 1u)
+        << "two inner edges lie open, and one at the rim is gone";
+}
+
+TEST(Chain, goes_down_in_triangles_and_up_in_error_and_distance)
+{
+    model::Model citizen = figures::citizen();
+    const size_t parts = citizen.parts.size();
+    const std::vector<lod::ChainLevel> chain = lod::make_chain(citizen, {});
+    ASSERT_GE(chain.size(), 5u);
+    EXPECT_EQ(chain[0].first_m, 0);
+    for (size_t k = 1; k < chain.size(); ++k) {
+        EXPECT_LT(chain[k].triangles, chain[k - 1].triangles);
+        EXPECT_GT(chain[k].first_m, chain[k - 1].first_m);
+        EXPECT_NEAR(chain[k].first_m, std::max(lod::distance_of(chain[k].error_m, 1), chain[k].first_m), 1e-9);
+        EXPECT_EQ(chain[k].deviation.open_edges, 0u) << chain[k].triangles;
+    }
+    EXPECT_LE(chain.back().triangles, 125u) << "seams and open borders hold what is left";
+    EXPECT_GT(citizen.parts.size(), parts);
+    EXPECT_NO_THROW(model::check(citizen));
+}
+
+TEST(Chain, serves_every_distance_with_one_level_of_each_part)
+{
+    model::Model citizen = figures::citizen();
+    lod::make_chain(citizen, {});
+    for (const float at : {0.0f, 3.0f, 17.0f, 80.0f, 1e6f})
+        EXPECT_EQ(
+            std::count_if(citizen.parts.begin(), citizen.parts.end(),
+                          [at](const model::Part &part) { return part.lod_first_m <= at && at < part.lod_last_m; }),
+            1);
+}
+
+TEST(Chain, leaves_a_model_as_it_was_when_it_refuses)
+{
+    model::Model citizen = figures::citizen();
+    const size_t parts = citizen.parts.size();
+    lod::ChainWish wish;
+    wish.targets = {100, 200};
+    EXPECT_THROW(lod::make_chain(citizen, wish), base::Error);
+    wish.targets = {100};
+    wish.tolerance_px = 0;
+    EXPECT_THROW(lod::make_chain(citizen, wish), base::Error);
+    EXPECT_EQ(citizen.parts.size(), parts);
+}
