@@ -1,6 +1,7 @@
 #include "meshsplit/build.h"
 
 #include "lib/base/error.h"
+#include "meshsplit/blend_reach.h"
 #include "meshsplit/level.h"
 #include "meshsplit/levels.h"
 #include "meshsplit/reach.h"
@@ -144,6 +145,7 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
     out.sklsroot = enclosing_sphere(out);
     const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
     out.node_reach.assign(reach.begin(), reach.end());
+    find_blend_reach(out);
 }
 
 }  // namespace claque::meshsplit

@@ -11,6 +11,8 @@
 #include <claque/context.h>
 #include <claque/crowd.h>
 #include <claque/group.h>
+#include <claque/key_poses.h>
+#include <claque/play.h>
 #include <claque/renderer.h>
 #include <claque/save.h>
 #include <claque/template.h>

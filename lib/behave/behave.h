@@ -47,6 +47,12 @@ void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Sp
          Counts &counts) noexcept;
 
 // What it plays: its own, or what the last of its idle mechanisms that is not off has drawn.
+struct Plays {
+    crowd::Play now, before;  // `before` goes while the weight of `now` grows to 1
+    double weight = 1;
+    bool idle = false;  // drawn
+};
+Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept;
 crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept;
 
 // Where its Skeleton Root is in the Reference Point's space, and how it is turned; scale 1. Without the ground.

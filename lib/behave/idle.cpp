@@ -5,16 +5,57 @@
 namespace claque::behave
 {
 
-crowd::Play drawn(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row, const crowd::Use &use,
-                  double time_s) noexcept
+namespace
+{
+
+// Which draw: slot 0 has one more, of where slots begin.
+enum Draw : uint32_t { clip_drawn = 0, shift_drawn = 1, speed_drawn = 2, phase_drawn = 3 };
+
+uint32_t clip_of(const crowd::Idle &idle, const Lot &lot, int64_t slot)
+{
+    if (idle.weights.empty()) return idle.clips[static_cast<size_t>(lot.bits(slot, clip_drawn) % idle.clips.size())];
+    double sum = 0;
+    for (const float weight : idle.weights) sum += static_cast<double>(weight);
+    double left = lot.unit(slot, clip_drawn) * sum;
+    size_t last = 0;
+    for (size_t k = 0; k < idle.clips.size(); ++k) {
+        if (!(idle.weights[k] > 0)) continue;
+        last = k;
+        left -= static_cast<double>(idle.weights[k]);
+        if (left < 0) break;
+    }
+    return idle.clips[last];
+}
+
+}  // namespace
+
+Plays drawn(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row, const crowd::Use &use,
+            double time_s) noexcept
 {
     const Lot lot = lot_of(crowd, row, use.mechanism, base::Purpose::idle);
-    const double length = static_cast<double>(idle.slot_s), shift = lot.unit(0, 1) * length;
-    const Slot slot = slot_at(clock_of(use, time_s) + shift, length);
-    crowd::Play play;
-    play.clip = idle.clips[static_cast<size_t>(lot.bits(slot.index) % idle.clips.size())];
-    play.start_s = slot.begin_s - shift - static_cast<double>(use.phase_s) + use.start_s;
-    return play;
+    const double length = static_cast<double>(idle.slot_s), shift = lot.unit(0, shift_drawn) * length;
+    const double clock = clock_of(use, time_s) + shift;
+    const Slot slot = slot_at(clock, length);
+    const auto play_in = [&](int64_t index, double begin_s) {
+        crowd::Play play;
+        play.clip = clip_of(idle, lot, index);
+        play.start_s = begin_s - shift - static_cast<double>(use.phase_s) + use.start_s;
+        if (idle.speed_spread > 0)
+            play.speed = static_cast<float>(1 + (2 * lot.unit(index, speed_drawn) - 1) * double(idle.speed_spread));
+        if (idle.phase_spread > 0)
+            play.phase_s = static_cast<float>(lot.unit(index, phase_drawn) * double(idle.phase_spread) *
+                                              double(crowd.template_of(row).rig.clips[play.clip].duration_s));
+        return play;
+    };
+    Plays plays;
+    plays.idle = true;
+    plays.now = play_in(slot.index, slot.begin_s);
+    const double fade = static_cast<double>(idle.fade_s);
+    if (clock - slot.begin_s < fade) {
+        plays.before = play_in(slot.index - 1, slot.begin_s - length);
+        plays.weight = ease(clock - slot.begin_s, fade);
+    }
+    return plays;
 }
 
 }  // namespace claque::behave

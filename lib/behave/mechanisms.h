@@ -34,8 +34,8 @@ void run(const crowd::Blink &blink, const Call &call, Writer &writer) noexcept;
 void run(const crowd::Phrase &phrase, const Call &call, Writer &writer) noexcept;
 void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noexcept;
 
-crowd::Play drawn(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row, const crowd::Use &use,
-                  double time_s) noexcept;
+Plays drawn(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row, const crowd::Use &use,
+            double time_s) noexcept;
 
 // Where an actor looks: yaw to its left, pitch upwards, before anything is held to a range.
 struct Look {

@@ -34,6 +34,11 @@ void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Sp
 
 crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept
 {
+    return plays_at(crowd, row, time_s, levels).now;
+}
+
+Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept
+{
     const crowd::Behaviours &behaviours = crowd.behaviours();
     const crowd::Use *last = nullptr;
     const crowd::Idle *idle = nullptr;
@@ -43,7 +48,10 @@ crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Leve
         const auto *found = std::get_if<crowd::Idle>(&behaviours.mechanism(use.mechanism).kind);
         if (found && level_at(levels, place) != off) last = &use, idle = found;
     }
-    return idle ? drawn(*idle, crowd, row, *last, time_s) : crowd.play_of(row);
+    if (idle) return drawn(*idle, crowd, row, *last, time_s);
+    Plays own;
+    own.now = crowd.play_of(row);
+    return own;
 }
 
 }  // namespace claque::behave

@@ -40,6 +40,7 @@ void Crowd::become(Crowd &restored)
     std::swap(first_free_extra_, restored.first_free_extra_);
     std::swap(first_free_attached_, restored.first_free_attached_);
     std::swap(behaviours_, restored.behaviours_);
+    std::swap(layers_, restored.layers_);
     next_version_ = version;
     structure_version_ = structure;
 }

@@ -57,6 +57,7 @@ uint32_t Behaviours::add(Mechanism &&mechanism, base::Span<const uint32_t> writt
         any_host_ = true;
         any_memory_ = any_memory_ || host->memory;
     }
+    if (const Idle *idle = std::get_if<Idle>(&mechanism.kind)) any_blend_ = any_blend_ || idle->fade_s > 0;
     mechanisms_.push_back(std::move(mechanism));
     return static_cast<uint32_t>(mechanisms_.size() - 1);
 }
@@ -100,6 +101,14 @@ void Behaviours::clear_row(uint32_t row)
         free_use(index);
     }
     move_root(row, RootMotion());
+}
+
+bool Behaviours::blends(uint32_t row) const
+{
+    for (uint32_t i = first_use_[row]; any_blend_ && i != none; i = uses_[i].next)
+        if (const Idle *idle = std::get_if<Idle>(&mechanisms_[uses_[i].mechanism].kind); idle && idle->fade_s > 0)
+            return true;
+    return false;
 }
 
 uint32_t Behaviours::find_use(uint32_t row, uint32_t mechanism) const

@@ -38,6 +38,7 @@ public:
                      uint32_t mechanism);  // of this use, made when there is none yet; throws CLQ_ARGUMENT
     void move_root(uint32_t row, const RootMotion &motion);
 
+    bool blends(uint32_t row) const;  // whether idle clips fade into each other
     bool has_uses(uint32_t row) const { return first_use_[row] != model::none; }
     uint32_t first_use(uint32_t row) const { return first_use_[row]; }
     const Use &use_at(uint32_t i) const { return uses_[i]; }
@@ -49,11 +50,12 @@ public:
     const RootMotion &root_motion(uint32_t row) const { return root_motions_[motions_[row]]; }
 
     bool any_host() const { return any_host_; }      // whether there is a mechanism of the host's
+    bool any_blend() const { return any_blend_; }    // whether there are idle clips that fade into each other
     bool any_memory() const { return any_memory_; }  // and one that keeps a memory
     uint64_t bytes() const;
 
 private:
-    bool any_host_ = false, any_memory_ = false;
+    bool any_host_ = false, any_memory_ = false, any_blend_ = false;
     uint32_t find_use(uint32_t row, uint32_t mechanism) const;  // none: it does not
     void link(uint32_t row, uint32_t index);
     void unlink(uint32_t row, uint32_t index);

@@ -16,17 +16,16 @@ namespace
 
 constexpr uint32_t max_rows = 1u << 28;
 
-Play checked(const Play &play, const model::Template &tmpl)
+}  // namespace
+
+void check_play(const Play &play, const model::Template &tmpl)
 {
     if (play.clip != model::none && play.clip >= tmpl.rig.clips.size())
         fail(CLQ_ARGUMENT, "clip %u of %zu of template '%s'", play.clip, tmpl.rig.clips.size(), tmpl.name.c_str());
     if (!std::isfinite(play.start_s) || !std::isfinite(play.speed) || !std::isfinite(play.phase_s))
         fail(CLQ_ARGUMENT, "start, speed and phase of a clip are %g, %g and %g: they must be finite", play.start_s,
              double(play.speed), double(play.phase_s));
-    return play;
 }
-
-}  // namespace
 
 Crowd::Crowd(std::pmr::memory_resource *memory, uint64_t seed)
     : seed_(seed),
@@ -41,7 +40,8 @@ Crowd::Crowd(std::pmr::memory_resource *memory, uint64_t seed)
       extras_of_(memory),
       extras_(memory),
       attached_(memory),
-      behaviours_(memory)
+      behaviours_(memory),
+      layers_(memory)
 {
 }
 
@@ -71,6 +71,7 @@ void Crowd::reserve_row()
     reserve_one(extents_);
     reserve_one(extras_of_);
     behaviours_.reserve_row();
+    layers_.reserve_row();
 }
 
 uint32_t Crowd::take_row()
@@ -89,13 +90,14 @@ uint32_t Crowd::take_row()
     extents_.emplace_back();
     extras_of_.push_back(model::none);
     behaviours_.push_row();
+    layers_.push_row();
     return static_cast<uint32_t>(actors_.size() - 1);
 }
 
 Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &play, uint64_t seed)
 {
     const Place placed = checked(place);
-    const Play playing = checked(play, tmpl);
+    check_play(play, tmpl);
     const uint32_t index =
         static_cast<uint32_t>(std::find(templates_.begin(), templates_.end(), &tmpl) - templates_.begin());
     reserve_row();
@@ -112,7 +114,7 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
     const uint32_t row = take_row();
     actors_[row] = Actor{index, actors_[row].generation + 1, seed, next_version_++, model::none};
     places_[row] = placed;
-    plays_[row] = playing;
+    plays_[row] = play;
     extents_[row].priority = 0;
     measure(row);
     return id_of(row);
@@ -127,6 +129,7 @@ Id Crowd::clone(Id id, const Place *place, uint64_t seed)
     const uint32_t row = made.index1 - 1;
     try {
         behaviours_.copy_row(from, row);
+        layers_.copy_row(from, row);
         if (const Extra *extra = extra_of(from)) {
             const Extra like = *extra;
             Extra &own = extras_[extra_slot(row)];
@@ -160,7 +163,7 @@ void Crowd::take_back(uint32_t row, uint32_t rows_before)
     first_free_ = row < rows_before ? row : actors_[row].tmpl;
     if (row < rows_before) return;
     actors_.pop_back(), places_.pop_back(), groups_of_.pop_back(), plays_.pop_back();
-    extents_.pop_back(), extras_of_.pop_back(), behaviours_.pop_row();
+    extents_.pop_back(), extras_of_.pop_back(), behaviours_.pop_row(), layers_.pop_row();
 }
 
 void Crowd::destroy(Id id)
@@ -168,6 +171,7 @@ void Crowd::destroy(Id id)
     const uint32_t row = row_of(id);
     leave(row);
     behaviours_.clear_row(row);
+    layers_.clear_row(row);
     clear_extra(row);
     Actor &actor = actors_[row];
     if (actor.colours != model::none) colours_[actor.tmpl].give_back(actor.colours);
@@ -195,6 +199,7 @@ void Crowd::use(Id id, const Use &use)
              double(use.priority), double(use.phase_s), use.start_s);
     behaviours_.use(row, use);
     new_version(row);
+    measure(row);
 }
 
 void Crowd::drop(Id id, uint32_t mechanism)
@@ -202,6 +207,7 @@ void Crowd::drop(Id id, uint32_t mechanism)
     const uint32_t row = row_of(id);
     behaviours_.drop(row, mechanism);
     new_version(row);
+    measure(row);
 }
 
 Command &Crowd::command(Id id, uint32_t mechanism)
@@ -215,7 +221,9 @@ Command &Crowd::command(Id id, uint32_t mechanism)
 void Crowd::play(Id id, const Play &play)
 {
     const uint32_t row = row_of(id);
-    plays_[row] = checked(play, template_of(row));
+    const Source playing = source(row, play, model::none, 0);
+    if (layers_.of(row)) return this->play(id, playing);
+    plays_[row] = play;
     new_version(row);
 }
 
@@ -252,7 +260,7 @@ uint64_t Crowd::bytes() const
                    groups_.capacity() * sizeof(Group) + templates_.capacity() * sizeof(void *) +
                    colours_.capacity() * sizeof(ColourTable) + extents_.capacity() * sizeof(Extent) +
                    extras_of_.capacity() * sizeof(uint32_t) + extras_.capacity() * sizeof(Extra) +
-                   attached_.capacity() * sizeof(Attached) + behaviours_.bytes();
+                   attached_.capacity() * sizeof(Attached) + behaviours_.bytes() + layers_.bytes();
     for (const ColourTable &table : colours_) sum += table.bytes();
     return sum;
 }

@@ -9,6 +9,7 @@
 #include "lib/crowd/behaviours.h"
 #include "lib/crowd/colours.h"
 #include "lib/crowd/extras.h"
+#include "lib/crowd/layers.h"
 #include "lib/crowd/place.h"
 #include "lib/model/template.h"
 
@@ -18,13 +19,6 @@ namespace claque::crowd
 struct Id {
     uint32_t index1 = 0;  // row + 1; 0 is nobody
     uint32_t generation = 0;
-};
-
-struct Play {
-    uint32_t clip = model::none;  // of the template; none: the rest pose
-    double start_s = 0;
-    float speed = 1;
-    float phase_s = 0;
 };
 
 // What lasts as long as an individual does.
@@ -44,6 +38,9 @@ struct Group {
     bool enabled = true;   // the members of a disabled group are nowhere to be seen
     uint64_t version = 0;  // new whenever the group's sphere may have changed
 };
+
+// Throws base::Error (CLQ_ARGUMENT) unless the clip is one of the template's and the numbers are finite.
+void check_play(const Play &play, const model::Template &tmpl);
 
 class Crowd
 {
@@ -78,6 +75,19 @@ public:
     void drop(Id id, uint32_t mechanism);
     Command &command(Id id, uint32_t mechanism);  // of this use, for the caller to change
     void move_root(Id id, const RootMotion &motion);
+
+    // Fades, gaits and gestures (layers.h). Descriptions go to layers() directly.
+    Layers &layers() { return layers_; }
+    const Layers &layers() const { return layers_; }
+    // Checked. `share`: of the gait's second clip, whose first one the play's clip becomes; gait none: the clip alone.
+    Source source(uint32_t row, const Play &play, uint32_t gait, float share) const;
+    void play(Id id, const Source &source);  // at once, whatever was fading
+    // What is told for a time before the last fade's replaces that one.
+    void fade_to(Id id, const Source &source, double at_s, float length_s, Curve curve);
+    void change_share(Id id, float share, double at_s, float length_s);
+    uint32_t add_gesture(Id id, const Gesture &gesture);  // its name
+    void end_gesture(Id id, uint32_t serial, double at_s, float fade_out_s);
+    Layering layering_of(uint32_t row) const;
 
     Id create_group(const Place &place);
     void destroy_group(Id id);  // its members stay where they are in the world
@@ -149,7 +159,9 @@ private:
     uint32_t extra_slot(uint32_t row);                                               // made when it has none; may throw
     void clear_extra(uint32_t row);
     void free_attached(uint32_t index);
-    void measure(uint32_t row);  // its extent, and that of its group
+    void check_gesture(uint32_t row, const Gesture &gesture) const;
+    void change(uint32_t row, const Layering &wanted);  // may throw, and then has changed nothing
+    void measure(uint32_t row);                         // its extent, and that of its group
     void touch_group(uint32_t row);
 
     uint64_t seed_;
@@ -171,6 +183,7 @@ private:
     std::pmr::vector<Attached> attached_;
     uint32_t first_free_extra_ = model::none, first_free_attached_ = model::none;
     Behaviours behaviours_;
+    Layers layers_;
     double (*ground_)(void *user, const double point[3]) = nullptr;
     void *ground_user_ = nullptr;
 };

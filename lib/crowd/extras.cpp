@@ -24,6 +24,22 @@ double length(const glm::vec3 &v)
 
 float up(double x) { return static_cast<float>(x * (1 + 1e-6)); }
 
+// Of blends in which differences of these weights are added. A template without blend_reach was made by hand: nothing is
+// known but that joints turn.
+float blended_reach_of(const model::Template &tmpl, float added)
+{
+    if (tmpl.blend_reach.empty()) return up(4 * double(tmpl.sklsroot.radius));
+    return up(double(tmpl.blend_radius.at(added)));
+}
+
+float blended_reach_of(const model::Template &tmpl, const Attached &attached, float added)
+{
+    const double own = length(attached.sphere.centre) + static_cast<double>(attached.sphere.radius);
+    if (attached.node >= tmpl.blend_reach.size()) return up(4 * double(tmpl.sklsroot.radius) + 2 * own);
+    const model::BlendReach &reach = tmpl.blend_reach[attached.node];
+    return up(double(reach.distance.at(added)) + double(reach.stretch.at(added)) * own);
+}
+
 }  // namespace
 
 float reach_of(const model::Template &tmpl, const Attached &attached)
@@ -81,12 +97,16 @@ void Crowd::measure(uint32_t row)
 {
     const model::Template &tmpl = template_of(row);
     Extent &extent = extents_[row];
-    extent.sklsroot = tmpl.sklsroot.radius;
+    const Layering *layering = layers_.of(row);
+    const bool blends = layering || behaviours_.blends(row);
+    const float added = layering ? layering->most_added() : 0;
+    extent.sklsroot = blends ? blended_reach_of(tmpl, added) : tmpl.sklsroot.radius;
     extent.slack = 0;
     if (extras_of_[row] != none) {
         const Extra &extra = extras_[extras_of_[row]];
         for (uint32_t i = extra.first_attached; i != none; i = attached_[i].next)
-            extent.sklsroot = std::max(extent.sklsroot, reach_of(tmpl, attached_[i]));
+            extent.sklsroot = std::max(
+                extent.sklsroot, blends ? blended_reach_of(tmpl, attached_[i], added) : reach_of(tmpl, attached_[i]));
         extent.slack = std::max(extra.most_up, extra.most_down);
     }
     const double way = behaviours_.has_root_motion(row)

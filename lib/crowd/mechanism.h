@@ -73,9 +73,13 @@ struct Phrase {
 
 // Clips by lot, each for slot_s, in place of what the actor plays. Writes no degree of freedom.
 struct Idle {
-    explicit Idle(std::pmr::memory_resource *memory) : clips(memory) {}
+    explicit Idle(std::pmr::memory_resource *memory) : clips(memory), weights(memory) {}
     Array<uint32_t> clips;
+    Array<float> weights;  // one a clip, what share of the lots it has; empty: equal ones
     float slot_s = 6;
+    float fade_s = 0;        // that the clip of the slot before takes to go; at most slot_s
+    float speed_spread = 0;  // [0, 1) speeds are 1 - this to 1 + this, by lot
+    float phase_spread = 0;  // [0, 1] of a clip's length: where in it clips begin, by lot
 };
 
 // The host's own.

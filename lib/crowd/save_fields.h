@@ -84,7 +84,8 @@ void walk_kind(Archive &a, Kind &kind)
         a.value(kind.length_s), a.value(kind.pause_s), a.value(kind.blend_s);
     } else if constexpr (std::is_same_v<K, Idle>) {
         a.array(kind.clips, 4, [&](auto &clip) { a.value(clip); });
-        a.value(kind.slot_s);
+        a.array(kind.weights, 4, [&](auto &weight) { a.value(weight); });
+        a.value(kind.slot_s), a.value(kind.fade_s), a.value(kind.speed_spread), a.value(kind.phase_spread);
     } else {
         static_assert(std::is_same_v<K, HostMechanism>, "every kind is saved");
         a.flag(kind.memory);

@@ -136,7 +136,11 @@ Rig::Rig(const Rig &other, std::pmr::memory_resource *memory)
       values(copy_of(other.values, memory)),
       deactivation_m(copy_of(other.deactivation_m, memory)),
       dofs(copy_of(other.dofs, memory)),
-      dof_names(copy_of(other.dof_names, memory))
+      dof_names(copy_of(other.dof_names, memory)),
+      markers(copy_of(other.markers, memory)),
+      marker_names(copy_of(other.marker_names, memory)),
+      root_tracks(copy_of(other.root_tracks, memory)),
+      root_samples(copy_of(other.root_samples, memory))
 {
 }
 
@@ -174,6 +178,7 @@ void check(const Rig &rig)
     if (rig.dofs.size() != rig.dof_names.size())
         fail(CLQ_ARGUMENT, "%zu degrees of freedom have %zu names", rig.dofs.size(), rig.dof_names.size());
     for (size_t i = 0; i < rig.dofs.size(); ++i) check_dof(rig, rig.dofs[i], i);
+    check_notes(rig);
 }
 
 }  // namespace claque::model

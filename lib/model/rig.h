@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lib/math/affine.h"
+#include "lib/model/clip_notes.h"
 
 #include <cstdint>
 #include <memory_resource>
@@ -85,7 +86,11 @@ struct Rig {
           values(memory),
           deactivation_m(memory),
           dofs(memory),
-          dof_names(memory)
+          dof_names(memory),
+          markers(memory),
+          marker_names(memory),
+          root_tracks(memory),
+          root_samples(memory)
     {
     }
     Rig(const Rig &other, std::pmr::memory_resource *memory);
@@ -116,6 +121,11 @@ struct Rig {
 
     Array<Dof> dofs;
     Array<std::pmr::string> dof_names;  // one each, may be empty strings
+
+    Array<Marker> markers;
+    Array<std::pmr::string> marker_names;  // one each
+    Array<RootTrack> root_tracks;
+    Array<float> root_samples;
 
     uint32_t node_count() const { return static_cast<uint32_t>(parents.size()); }
     uint32_t find_node(std::string_view name) const;  // none if there is none

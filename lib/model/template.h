@@ -157,6 +157,19 @@ struct NodeReach {
     float stretch = 1;   // that lengths in the node's frame undergo
 };
 
+// A bound that grows with the weights of what is added to a pose (pose/layer.h), which sum to most_added at most.
+struct ByAdded {
+    float none = 0;  // where nothing is added
+    float each = 0;  // for each 1 of weight
+    float at(float added) const { return none + each * added; }
+};
+constexpr float most_added = 32;
+
+// As NodeReach, whatever clips are blended (S2 3.3).
+struct BlendReach {
+    ByAdded distance, stretch;
+};
+
 struct SplitReport {
     uint32_t triangles = 0;
     uint32_t degenerate = 0;  // dropped: no area in any pose of the rest mesh
@@ -177,7 +190,8 @@ struct Template {
           zone_clean(memory),
           textures(memory),
           levels(memory),
-          node_reach(memory)
+          node_reach(memory),
+          blend_reach(memory)
     {
     }
     Template(const Template &) = delete;
@@ -200,6 +214,8 @@ struct Template {
                    // anywhere in their ranges, in the actor's own space
     Array<NodeReach>
         node_reach;  // per node: where it gets to in all these poses, so that what is attached to it can be held
+    ByAdded blend_radius;           // of a sphere round sklsroot.centre that holds every vertex in every blend
+    Array<BlendReach> blend_reach;  // per node
     SplitReport report;
 
     uint32_t zone_count() const { return static_cast<uint32_t>(zone_names.size()); }

@@ -62,6 +62,13 @@ void check_spheres(const Template &tmpl)
         must_be_finite(&reach.distance, 2, "reach of a node");
         if (reach.distance < 0 || reach.stretch < 0) fail(CLQ_ARGUMENT, "a node with a negative reach");
     }
+    if (!tmpl.blend_reach.empty()) must_count(tmpl.blend_reach.size(), tmpl.rig.node_count(), "reaches of blended nodes");
+    const auto check_bound = [](const ByAdded &bound) {
+        must_be_finite(&bound.none, 2, "reach of blended poses");
+        if (bound.none < 0 || bound.each < 0) fail(CLQ_ARGUMENT, "a negative reach of blended poses");
+    };
+    check_bound(tmpl.blend_radius);
+    for (const BlendReach &reach : tmpl.blend_reach) check_bound(reach.distance), check_bound(reach.stretch);
 }
 
 }  // namespace

@@ -43,6 +43,11 @@ void walk_rig(Archive &a, R &rig)
         a.value(dof.first), a.value(dof.last), a.value(dof.rest);
     });
     a.array(rig.dof_names, 8, [&](auto &name) { a.text(name); });
+    a.array(rig.markers, 8, [&](auto &marker) { a.value(marker.clip), a.value(marker.time_s); });
+    a.array(rig.marker_names, 8, [&](auto &name) { a.text(name); });
+    a.array(rig.root_tracks, 12,
+            [&](auto &track) { a.value(track.clip), a.value(track.first_sample), a.value(track.sample_count); });
+    a.array(rig.root_samples, 4, [&](auto &v) { a.value(v); });
 }
 
 template <class Archive, class Range>
@@ -135,6 +140,9 @@ void walk_template(Archive &a, Tmpl &tmpl)
     a.rows(tmpl.levels, 160, [&](auto &level) { walk_level(a, level); });
     walk_sphere(a, tmpl.sklsroot);
     a.array(tmpl.node_reach, 8, [&](auto &reach) { a.value(reach.distance), a.value(reach.stretch); });
+    const auto by_added = [&](auto &bound) { a.value(bound.none), a.value(bound.each); };
+    by_added(tmpl.blend_radius);
+    a.array(tmpl.blend_reach, 16, [&](auto &reach) { by_added(reach.distance), by_added(reach.stretch); });
     auto &r = tmpl.report;
     a.value(r.triangles), a.value(r.degenerate), a.value(r.dirty), a.value(r.dirty_zone_sum), a.value(r.coincident);
     a.value(r.fused_triangles), a.value(r.copies);

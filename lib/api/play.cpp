@@ -1,0 +1,174 @@
+// Fades, gaits, masks and layers (S2 3.3), and clips by lot (S0 7.1).
+#include <claque/play.h>
+
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+#include "lib/api/play_def.h"
+#include "lib/base/hash.h"
+#include "lib/behave/layers.h"
+
+using namespace claque;
+
+namespace
+{
+
+// A host may hold on to a template that is gone, so it is looked for before it is looked at.
+const model::Template &known(const clq_crowd *crowd, const clq_template *tmpl)
+{
+    api::require(tmpl != nullptr, "tmpl is NULL");
+    api::require(crowd->crowd.has_template(*tmpl), "no actor of the crowd uses tmpl yet");
+    return *tmpl;
+}
+
+double lot(const crowd::Crowd &crowd, uint32_t row, base::Purpose purpose, uint32_t draw)
+{
+    return static_cast<double>(base::unit(base::hash(crowd.seed(), crowd.actor(row).seed, purpose, draw)));
+}
+
+uint32_t clip_by_lot(const clq_variety_def &def, double unit)
+{
+    if (!def.weights) return static_cast<uint32_t>(unit * def.clip_count);
+    double sum = 0;
+    for (uint32_t i = 0; i < def.clip_count; ++i) {
+        const float weight = def.weights[i];
+        if (!(weight >= 0) || !std::isfinite(weight))
+            base::fail(CLQ_ARGUMENT, "the weight of clip %u is %g: 0 or more is wanted", i, double(weight));
+        sum += double(weight);
+    }
+    if (!(sum > 0)) base::fail(CLQ_ARGUMENT, "the weights of all %u clips are 0", def.clip_count);
+    double left = unit * sum;
+    uint32_t chosen = 0;
+    for (uint32_t i = 0; i < def.clip_count && left >= 0; ++i) {
+        if (def.weights[i] > 0) chosen = i;
+        left -= double(def.weights[i]);
+    }
+    return chosen;
+}
+
+void check_spread(const char *name, float spread, bool with_one)
+{
+    if (!(spread >= 0 && (with_one ? spread <= 1 : spread < 1)))
+        base::fail(CLQ_ARGUMENT, "%s is %g: 0 to %s1 is wanted", name, double(spread), with_one ? "" : "less than ");
+}
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_crowd_add_gait(clq_crowd *crowd, const clq_gait_def *def, clq_gait *out)
+{
+    return api::boundary("clq_crowd_add_gait", [&] {
+        api::require(crowd && def && out, "crowd, def or out is NULL");
+        api::require_size(def, "clq_gait_def_init");
+        const api::Busy busy(crowd);
+        crowd::Gait made = api::gait_of(*def, known(crowd, def->tmpl), &crowd->context->memory);
+        *out = {crowd->crowd.layers().add(std::move(made)) + 1};
+    });
+}
+
+clq_status clq_crowd_add_mask(clq_crowd *crowd, const clq_mask_def *def, clq_mask *out)
+{
+    return api::boundary("clq_crowd_add_mask", [&] {
+        api::require(crowd && def && out, "crowd, def or out is NULL");
+        api::require_size(def, "clq_mask_def_init");
+        const api::Busy busy(crowd);
+        crowd::MaskOf made = api::mask_of(*def, known(crowd, def->tmpl), &crowd->context->memory);
+        *out = {crowd->crowd.layers().add(std::move(made)) + 1};
+    });
+}
+
+clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_motion *to, double at_s, float length_s,
+                             clq_curve curve)
+{
+    return api::boundary("clq_actor_fade_to", [&] {
+        api::require(crowd && to, "crowd or to is NULL");
+        const api::Busy busy(crowd);
+        const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
+        const uint32_t gait = to->gait.index1 ? to->gait.index1 - 1 : model::none;
+        const crowd::Source source = crowd->crowd.source(row, api::play_of(to->play), gait, to->share);
+        crowd->crowd.fade_to(api::id_of(actor), source, at_s, length_s, api::curve_of(curve));
+    });
+}
+
+clq_status clq_actor_set_gait_share(clq_crowd *crowd, clq_actor actor, float share, double at_s, float length_s)
+{
+    return api::boundary("clq_actor_set_gait_share", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.change_share(api::id_of(actor), share, at_s, length_s);
+    });
+}
+
+clq_status clq_actor_add_layer(clq_crowd *crowd, clq_actor actor, const clq_layer_def *def, clq_layer *out)
+{
+    return api::boundary("clq_actor_add_layer", [&] {
+        api::require(crowd && def, "crowd or def is NULL");
+        api::require_size(def, "clq_layer_def_init");
+        const api::Busy busy(crowd);
+        const model::Template &tmpl = crowd->crowd.template_of(crowd->crowd.row_of(api::id_of(actor)));
+        const uint32_t serial = crowd->crowd.add_gesture(api::id_of(actor), api::gesture_of(*def, tmpl));
+        if (out) *out = {serial};
+    });
+}
+
+clq_status clq_actor_end_layer(clq_crowd *crowd, clq_actor actor, clq_layer layer, double at_s, float fade_out_s)
+{
+    return api::boundary("clq_actor_end_layer", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.end_gesture(api::id_of(actor), layer.index1, at_s, fade_out_s);
+    });
+}
+
+clq_status clq_actor_draw_play(const clq_crowd *crowd, clq_actor actor, const clq_variety_def *def, uint32_t draw,
+                               double start_s, clq_play *out)
+{
+    return api::boundary("clq_actor_draw_play", [&] {
+        api::require(crowd && def && out, "crowd, def or out is NULL");
+        api::require_size(def, "clq_variety_def_init");
+        const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
+        const model::Template &tmpl = crowd->crowd.template_of(row);
+        api::require(def->clip_count > 0 && def->clips, "a draw from no clip");
+        check_spread("speed_spread", def->speed_spread, false);
+        check_spread("phase_spread", def->phase_spread, true);
+        crowd::Play play;
+        play.clip = def->clips[clip_by_lot(*def, lot(crowd->crowd, row, base::Purpose::clip, draw))];
+        play.start_s = start_s;
+        const double speed = 2 * lot(crowd->crowd, row, base::Purpose::speed, draw) - 1;
+        play.speed = static_cast<float>(1 + speed * double(def->speed_spread));
+        crowd::check_play(play, tmpl);
+        if (play.clip != model::none)
+            play.phase_s = static_cast<float>(lot(crowd->crowd, row, base::Purpose::phase, draw) *
+                                              double(def->phase_spread) * double(tmpl.rig.clips[play.clip].duration_s));
+        *out = {play.clip, play.start_s, play.speed, play.phase_s};
+    });
+}
+
+clq_status clq_actor_get_shown(const clq_crowd *crowd, clq_actor actor, double time_s,
+                               clq_shown_clip out[CLQ_SHOWN_MOST], uint32_t *out_count)
+{
+    static_assert(CLQ_SHOWN_MOST == pose::most_layers && CLQ_SHOWN_MOST == crowd::most_shown, "one limit");
+    return api::boundary("clq_actor_get_shown", [&] {
+        api::require(crowd && out && out_count, "crowd, out or out_count is NULL");
+        if (!std::isfinite(time_s)) base::fail(CLQ_ARGUMENT, "time_s is not finite");
+        const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
+        const model::Level &level = crowd->crowd.template_of(row).levels[0];
+        behave::Shown shown;
+        behave::shown_at(crowd->crowd, row, time_s, behave::levels_of(crowd->crowd, row, 0, level), shown);
+        if (shown.count == 0) {
+            out[0] = {shown.clip, shown.clip_time_s, 1, CLQ_LAYER_REPLACE};
+            *out_count = 1;
+            return;
+        }
+        for (uint32_t i = 0; i < shown.count; ++i) {
+            const pose::Layer &layer = shown.layers[i];
+            out[i] = {layer.clip, layer.time_s, layer.weight,
+                      layer.kind == pose::LayerKind::add ? CLQ_LAYER_ADD : CLQ_LAYER_REPLACE};
+        }
+        *out_count = shown.count;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,139 @@
+#include "lib/api/play_def.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/crowd/gait.h"
+
+namespace claque::api
+{
+
+using base::fail;
+using model::none;
+
+namespace
+{
+
+const model::Clip &clip_of(const model::Template &tmpl, uint32_t clip, const char *name)
+{
+    if (clip >= tmpl.rig.clips.size())
+        fail(CLQ_ARGUMENT, "%s is clip %u of %zu of template '%s'", name, clip, tmpl.rig.clips.size(),
+             tmpl.name.c_str());
+    return tmpl.rig.clips[clip];
+}
+
+double share_of(const model::Clip &clip, float time_s)
+{
+    return (double(time_s) - double(clip.start_s)) / double(clip.duration_s);
+}
+
+void sync_by_marker(const clq_gait_def &def, const model::Template &tmpl, crowd::Gait &gait)
+{
+    const model::Rig &rig = tmpl.rig;
+    for (size_t i = 0; i < rig.markers.size(); ++i) {
+        if (rig.marker_names[i] != def.sync_marker) continue;
+        const model::Marker &marker = rig.markers[i];
+        if (marker.clip == def.clip_a) gait.sync_a.push_back(share_of(rig.clips[def.clip_a], marker.time_s));
+        if (marker.clip == def.clip_b) gait.sync_b.push_back(share_of(rig.clips[def.clip_b], marker.time_s));
+    }
+    if (gait.sync_a.empty() || gait.sync_a.size() != gait.sync_b.size())
+        fail(CLQ_ARGUMENT, "clips '%s' and '%s' have %zu and %zu markers '%s': equally many are wanted",
+             rig.clip_names[def.clip_a].c_str(), rig.clip_names[def.clip_b].c_str(), gait.sync_a.size(),
+             gait.sync_b.size(), def.sync_marker);
+}
+
+}  // namespace
+
+crowd::Curve curve_of(const clq_curve &curve)
+{
+    require(number_of(curve) <= CLQ_CURVE_INERTIAL,
+            "curve is none of CLQ_CURVE_LINEAR, CLQ_CURVE_SMOOTH, CLQ_CURVE_INERTIAL");
+    return static_cast<crowd::Curve>(number_of(curve));
+}
+
+crowd::Gait gait_of(const clq_gait_def &def, const model::Template &tmpl, std::pmr::memory_resource *memory)
+{
+    const model::Clip &a = clip_of(tmpl, def.clip_a, "clip_a"), &b = clip_of(tmpl, def.clip_b, "clip_b");
+    crowd::Gait gait(memory);
+    gait.tmpl = &tmpl;
+    gait.clip_a = def.clip_a, gait.clip_b = def.clip_b;
+    if (!(a.duration_s > 0) || !(b.duration_s > 0))
+        fail(CLQ_ARGUMENT, "gaits are clips with a length: these are %g and %g s long", double(a.duration_s),
+             double(b.duration_s));
+    require_array(def.sync_a_s, def.sync_count, "sync_a_s");
+    require_array(def.sync_b_s, def.sync_count, "sync_b_s");
+    for (uint32_t i = 0; i < def.sync_count; ++i) {
+        gait.sync_a.push_back(share_of(a, def.sync_a_s[i]));
+        gait.sync_b.push_back(share_of(b, def.sync_b_s[i]));
+    }
+    if (def.sync_count == 0 && def.sync_marker) sync_by_marker(def, tmpl, gait);
+    crowd::check_gait(gait);
+    return gait;
+}
+
+crowd::MaskOf mask_of(const clq_mask_def &def, const model::Template &tmpl, std::pmr::memory_resource *memory)
+{
+    const model::Rig &rig = tmpl.rig;
+    require_array(def.nodes, def.node_count, "nodes");
+    require(def.node_count > 0, "a mask of no node");
+    constexpr uint32_t most_feather = 1000;
+    if (def.feather > most_feather) fail(CLQ_ARGUMENT, "a feather of %u nodes: at most %u", def.feather, most_feather);
+    // How many nodes down from a named one, itself included; 0: not below any.
+    model::Array<uint32_t> depth(rig.node_count(), 0u, memory);
+    for (uint32_t i = 0; i < def.node_count; ++i) {
+        if (!def.nodes[i]) fail(CLQ_ARGUMENT, "name %u of a mask is NULL", i);
+        const uint32_t node = rig.find_node(def.nodes[i]);
+        if (node == none) fail(CLQ_ARGUMENT, "template '%s' has no node '%s'", tmpl.name.c_str(), def.nodes[i]);
+        depth[node] = 1;
+    }
+    const std::pmr::polymorphic_allocator<model::Array<float>> allocator(memory);
+    auto weights = std::allocate_shared<model::Array<float>>(allocator);
+    weights->resize(rig.node_count());
+    for (uint32_t n = 0; n < rig.node_count(); ++n) {
+        const uint32_t parent = rig.parents[n];
+        if (parent != none && depth[parent] > 0)
+            depth[n] = depth[n] ? std::max(depth[n], depth[parent] + 1) : depth[parent] + 1;
+        const float inside =
+            depth[n] > def.feather ? 1.0f : static_cast<float>(depth[n]) / static_cast<float>(def.feather + 1);
+        (*weights)[n] = def.without ? 1 - inside : inside;
+    }
+    crowd::MaskOf mask;
+    mask.tmpl = &tmpl;
+    mask.weights = std::move(weights);
+    return mask;
+}
+
+crowd::Gesture gesture_of(const clq_layer_def &def, const model::Template &tmpl)
+{
+    require(number_of(def.kind) <= CLQ_LAYER_ADD, "kind is neither CLQ_LAYER_REPLACE nor CLQ_LAYER_ADD");
+    crowd::Gesture gesture;
+    gesture.adds = number_of(def.kind) == CLQ_LAYER_ADD;
+    gesture.play = {def.play.clip, def.play.start_s, def.play.speed, def.play.phase_s};
+    crowd::check_play(gesture.play, tmpl);
+    gesture.weight = def.weight;
+    gesture.start_s = def.play.start_s;
+    gesture.fade_in_s = def.fade_in_s, gesture.fade_out_s = def.fade_out_s;
+    gesture.curve = curve_of(def.curve);
+    gesture.mask = def.mask.index1 ? def.mask.index1 - 1 : none;
+    const bool moves = def.play.clip != CLQ_NONE;
+    if (!(def.rounds >= 0) || !std::isfinite(def.rounds))
+        fail(CLQ_ARGUMENT, "a layer of %g rounds: 0 or more is wanted", double(def.rounds));
+    if (def.rounds > 0) {
+        const double length = moves ? double(tmpl.rig.clips[def.play.clip].duration_s) : 0;
+        const double speed = std::fabs(double(def.play.speed));
+        if (!(length > 0) || !(speed > 0))
+            fail(CLQ_ARGUMENT, "a layer of %g rounds of a clip that stands still", double(def.rounds));
+        gesture.end_s = gesture.start_s + double(def.rounds) * length / speed;
+    }
+    if (def.has_reference) {
+        gesture.reference_clip = def.reference_clip == CLQ_NONE ? none : def.reference_clip;
+        gesture.reference_time_s = double(def.reference_time_s);
+    } else if (moves && gesture.adds) {
+        gesture.reference_clip = def.play.clip;
+        gesture.reference_time_s = double(tmpl.rig.clips[def.play.clip].start_s);
+    }
+    return gesture;
+}
+
+}  // namespace claque::api

@@ -1,0 +1,97 @@
+#include "lib/crowd/layers.h"
+
+#include <cmath>
+
+#include "lib/crowd/reserve.h"
+
+namespace claque::crowd
+{
+
+using model::none;
+
+uint32_t Layering::most_layers() const
+{
+    uint32_t sum = now.gait == none ? 1 : 2;
+    // An inertial fade shows its source as two differences.
+    for (uint32_t k = 0; k < fade_count; ++k)
+        sum += fades[k].from.gait != none || fades[k].curve == Curve::inertial ? 2 : 1;
+    return sum + gesture_count;
+}
+
+float Layering::most_added() const
+{
+    float sum = 0;
+    bool inertial = false;
+    for (uint32_t k = 0; k < fade_count; ++k) inertial = inertial || fades[k].curve == Curve::inertial;
+    // Where there is an inertial fade, the others before it go on as differences too.
+    for (uint32_t k = 0; k < fade_count; ++k)
+        sum += fades[k].curve == Curve::inertial ? inertial_weight : inertial ? 1.0f : 0.0f;
+    for (uint32_t k = 0; k < gesture_count; ++k)
+        if (gestures[k].adds) sum += std::fabs(gestures[k].weight);
+    return sum;
+}
+
+uint32_t Layers::add(Gait &&gait)
+{
+    reserve_one(gaits_);
+    gaits_.push_back(std::move(gait));
+    return gait_count() - 1;
+}
+
+uint32_t Layers::add(MaskOf &&mask)
+{
+    reserve_one(masks_);
+    masks_.push_back(std::move(mask));
+    return mask_count() - 1;
+}
+
+void Layers::reserve_row() { reserve_one(of_); }
+
+void Layers::clear_row(uint32_t row)
+{
+    const uint32_t slot = of_[row];
+    if (slot == none) return;
+    slots_[slot] = Layering();
+    slots_[slot].next_free = first_free_;
+    first_free_ = slot;
+    of_[row] = none;
+}
+
+Layering &Layers::make(uint32_t row)
+{
+    if (of_[row] != none) return slots_[of_[row]];
+    uint32_t slot = first_free_;
+    if (slot == none) {
+        reserve_one(slots_);
+        slot = slot_count();
+        slots_.emplace_back();
+    } else {
+        first_free_ = slots_[slot].next_free;
+        slots_[slot] = Layering();
+    }
+    of_[row] = slot;
+    return slots_[slot];
+}
+
+void Layers::settle(uint32_t row)
+{
+    if (of_[row] != none && slots_[of_[row]].is_plain()) clear_row(row);
+}
+
+void Layers::copy_row(uint32_t from, uint32_t to)
+{
+    if (of_[from] == none) return;
+    Layering &made = make(to);
+    made = slots_[of_[from]];
+    made.next_free = none;
+}
+
+uint64_t Layers::bytes() const
+{
+    uint64_t sum = gaits_.capacity() * sizeof(Gait) + masks_.capacity() * sizeof(MaskOf) +
+                   slots_.capacity() * sizeof(Layering) + of_.capacity() * sizeof(uint32_t);
+    for (const MaskOf &mask : masks_) sum += mask.weights->size() * sizeof(float);
+    return sum;
+}
+
+}  // namespace claque::crowd

@@ -1,0 +1,152 @@
+#include "meshsplit/blend_reach.h"
+
+#include "lib/math/affine.h"
+#include "meshsplit/reach_poses.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::meshsplit
+{
+
+using model::none;
+
+namespace
+{
+
+// What rounding and the stated errors of stored motion may add.
+constexpr double margin = 1.002;
+
+// What all clips make of one node's own transform.
+struct Span {
+    double offset = 0;                   // longest translation
+    double spread = 0;                   // farthest from that at rest
+    double scale = 1, scale_spread = 0;  // likewise
+    double shift = 0;                    // by degrees of freedom
+    bool turns = false;
+};
+
+double largest(const glm::vec3 &v)
+{
+    return std::max({std::fabs(double(v.x)), std::fabs(double(v.y)), std::fabs(double(v.z))});
+}
+
+std::vector<Span> spans_of(const model::Rig &rig)
+{
+    std::vector<Span> out(rig.node_count());
+    const std::vector<double> shifts = most_shifts(rig);
+    for (uint32_t n = 0; n < rig.node_count(); ++n) {
+        out[n].shift = shifts[n];
+        out[n].scale = largest(rig.rest[n].scale);
+        out[n].offset = glm::length(glm::dvec3(rig.rest[n].translation));
+    }
+    for (const model::Dof &dof : rig.dofs)
+        if (dof.kind == model::DofKind::rotation) out[dof.node].turns = true;
+    walk_poses(rig, [&](const PoseAt &, const Locals &locals, const Way *since) {
+        for (uint32_t n = 0; n < rig.node_count(); ++n) {
+            const math::Trs &now = locals.nodes[n], &rest = rig.rest[n];
+            const NodeDrift drift = since ? since->nodes[n] : NodeDrift(now, now);
+            Span &span = out[n];
+            span.offset = std::max(span.offset, drift.offset);
+            span.scale = std::max(span.scale, drift.scale);
+            span.spread =
+                std::max(span.spread, glm::distance(glm::dvec3(now.translation), glm::dvec3(rest.translation)) +
+                                          drift.travel_bend / 8);
+            span.scale_spread = std::max(span.scale_spread, largest(now.scale - rest.scale) + drift.scale_bend / 8);
+            span.turns = span.turns || now.rotation != rest.rotation;
+        }
+    });
+    return out;
+}
+
+// One node in all blends whose added weights sum to `added`.
+struct Ball {
+    glm::dvec3 centre;  // of its origin, or of that of a node above
+    double radius = 0;
+    double stretch = 1;  // of what hangs on it
+    bool fixed = true;   // no blend turns or scales its frame, which is that at rest
+    math::Affine frame;  // at rest
+};
+
+std::vector<Ball> balls_of(const model::Rig &rig, const std::vector<Span> &spans, double added)
+{
+    std::vector<Ball> out(rig.node_count());
+    for (uint32_t n = 0; n < rig.node_count(); ++n) {
+        const Span &span = spans[n];
+        const uint32_t parent = rig.parents[n];
+        const Ball above = parent == none ? Ball{glm::dvec3(0), 0, 1, true, math::Affine()} : out[parent];
+        Ball &ball = out[n];
+        ball = above;
+        ball.frame = math::mul(above.frame, math::affine_of(rig.rest[n]));
+        const double strays = span.spread * (1 + 2 * added) + span.shift;
+        if (above.fixed) {
+            ball.centre = glm::dvec3(ball.frame.column(3));
+            ball.radius = above.radius + above.stretch * strays;
+        } else {
+            const double away = std::min(span.offset + 2 * added * span.spread + span.shift,
+                                         glm::length(glm::dvec3(rig.rest[n].translation)) + strays);
+            ball.radius = above.radius + above.stretch * away;
+        }
+        ball.stretch = above.stretch * (span.scale + 2 * added * span.scale_spread);
+        ball.fixed = above.fixed && !span.turns && span.scale_spread == 0;
+    }
+    return out;
+}
+
+double stretch_of(const math::Affine &m)
+{
+    double sum = 0;
+    for (const float x : m.c) sum += double(x) * x;
+    const glm::dvec3 t(m.column(3));
+    return std::sqrt(std::max(0.0, sum - glm::dot(t, t)));
+}
+
+double radius_of(const model::Template &tmpl, const std::vector<Ball> &balls, double added)
+{
+    const glm::dvec3 middle(tmpl.sklsroot.centre);
+    // Added weights of morph targets may carry vertices on beyond their spheres.
+    const double morphs = tmpl.rig.rest_weights.empty() ? 1 : 1 + 4 * added;
+    double most = 0;
+    for (const model::Level &level : tmpl.levels)
+        for (const model::PartSphere &sphere : level.part_spheres) {
+            const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
+            const Ball &ball = balls[entry.node];
+            const glm::vec3 centre = math::point(entry.inverse_bind, sphere.bind.centre);
+            const double radius = double(sphere.bind.radius) * stretch_of(entry.inverse_bind) * morphs;
+            if (ball.fixed) {
+                const glm::dvec3 at(math::point(ball.frame, centre));
+                most = std::max(most, glm::distance(at, middle) + ball.radius + ball.stretch * radius);
+            } else {
+                const double own = glm::length(glm::dvec3(centre)) + radius;
+                most = std::max(most, glm::distance(ball.centre, middle) + ball.radius + ball.stretch * own);
+            }
+        }
+    return most;
+}
+
+}  // namespace
+
+void find_blend_reach(model::Template &tmpl)
+{
+    const std::vector<Span> spans = spans_of(tmpl.rig);
+    const std::vector<Ball> none_added = balls_of(tmpl.rig, spans, 0);
+    const std::vector<Ball> added = balls_of(tmpl.rig, spans, double(model::most_added));
+    const glm::dvec3 middle(tmpl.sklsroot.centre);
+    // Bounds are polynomials of what is added, without negative terms: the chord lies above them.
+    const auto chord = [](double from, double to) {
+        return model::ByAdded{float(from * margin), float(margin * (to - from) / double(model::most_added))};
+    };
+    tmpl.blend_radius = chord(radius_of(tmpl, none_added, 0), radius_of(tmpl, added, double(model::most_added)));
+    tmpl.blend_radius.none = std::max(tmpl.blend_radius.none, tmpl.sklsroot.radius);
+    tmpl.blend_reach.clear();
+    for (uint32_t n = 0; n < tmpl.rig.node_count(); ++n) {
+        const Ball &a = none_added[n], &b = added[n];
+        tmpl.blend_reach.push_back(
+            {chord(glm::distance(a.centre, middle) + a.radius, glm::distance(b.centre, middle) + b.radius),
+             chord(a.stretch, b.stretch)});
+    }
+}
+
+}  // namespace claque::meshsplit
