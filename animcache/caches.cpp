@@ -28,6 +28,7 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
       entries_(memory),
       animate_(memory),
       skin_(memory),
+      waiting_(memory),
       victims_(memory),
       built_(memory),
       scratch_(memory, strands)
@@ -50,6 +51,7 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
     requests_.reserve(row_count);
     animate_.reserve(row_count);
     skin_.reserve(row_count);
+    if (settings_.can_defer) waiting_.reserve(row_count);
     victims_.reserve(row_count);
     if (entries_.size() < row_count) entries_.resize(row_count);
     built_.resize(strands);
@@ -66,6 +68,7 @@ void Caches::find_due_poses()
     animate_.clear();
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         if (!is_due(requests_[i])) {
+            entries_[requests_[i].row].shown_s = requests_[i].shown_s;
             ++counters_.palette_served;
             continue;
         }
@@ -108,6 +111,8 @@ void Caches::animate(const base::Jobs &jobs)
             Entry &entry = entries_[request.row];
             built_[strand] += animcache::animate(request, scratch, entry.palette);
             entry.palette_key = request.pose;
+            entry.shown_s = request.shown_s;
+            entry.renewed_s = moment_.time_s;
             entry.animated_at = serial_;
         });
     });

@@ -13,9 +13,10 @@ namespace claque::animcache
 
 struct Counters {
     uint32_t due = 0, animated = 0, skinned = 0, palette_served = 0, vertices_served = 0, on_demand = 0;  // last update
-    uint64_t matrices_built = 0;  // last update: nodes' of those animated
-    uint64_t evicted = 0;         // blocks, ever
-    uint64_t bytes = 0;           // held now
+    uint64_t matrices_built = 0;                          // last update: nodes' of those animated
+    uint32_t deferred = 0, overdue = 0, over_budget = 0;  // last update: see frame::Stats
+    uint64_t evicted = 0;                                 // blocks, ever
+    uint64_t bytes = 0;                                   // held now
 };
 
 class Caches
@@ -34,6 +35,14 @@ public:
     std::pmr::vector<Request> &begin();  // to be filled with who is seen, ascending by row, within its capacity
     void admit_poses();                  // finds room, throwing out who is unseen for longest
     void find_due_poses();
+    // Leaves all but `moment.budget` of those to a later update, as their poses of an earlier one still serve: see
+    // budget.cpp. Their requests are then for what is held.
+    struct Moment {
+        double time_s = 0;
+        double gone_s = 0;  // since the update before; 0: unknown
+        uint32_t budget = 0;
+    };
+    void defer(const Moment &moment);
     void animate(const base::Jobs &jobs);
     void admit_vertices();  // from here on only for requests that are drawn
     void find_due_vertices();
@@ -65,6 +74,8 @@ private:
         float *palette = nullptr;
         float *vertices = nullptr;
         PoseKey palette_key, vertices_key;
+        double shown_s = 0;    // tick of the palette
+        double renewed_s = 0;  // host's time at which it was made; where updates have budgets
         uint32_t vertices_level = 0;
         uint32_t request = 0;
         uint64_t last_seen = 0;
@@ -72,6 +83,14 @@ private:
     };
     using Block = float *Entry::*;
 
+    // Whose last pose may serve once more.
+    struct Waiting {
+        double periods;  // that its pose would be old in the next update
+        float distance;
+        uint32_t row, due;  // the latter of animate_
+    };
+
+    bool can_wait(const Request &request, double time_s) const;
     bool needs_vertices(const Request &request) const;
     float *take(const Entry &wanted, Block kind);  // null: no room
     bool evict_one(const Entry &wanted, Block kind, float **taken_over);
@@ -87,6 +106,8 @@ private:
     std::pmr::vector<Entry> entries_;     // by row
     std::pmr::vector<uint32_t> animate_;  // indices of requests
     std::pmr::vector<uint32_t> skin_;
+    std::pmr::vector<Waiting> waiting_;
+    Moment moment_;                       // of the last update
     std::pmr::vector<uint32_t> victims_;  // rows, those to leave first at the end
     bool victims_known_ = false;
     std::pmr::vector<uint32_t> built_;  // by strand: matrices

@@ -37,7 +37,10 @@ struct Request {
     uint32_t level = 0;  // of the template
     PoseKey pose;
     Placement placement = Placement::vertices;
-    bool drawn = true;  // false: posed for what depends on it, but no view sees it
+    double shown_s = 0;  // tick of the pose, on the host's clock
+    float period_s = 0;  // between ticks; 0: every frame
+    float distance = 0;  // to the nearest eye: who is near goes first where not all can be renewed
+    bool drawn = true;   // false: posed for what depends on it, but no view sees it
     const float *dofs =
         nullptr;  // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
 };

@@ -25,6 +25,7 @@ struct Settings {
     Geometry geometry = Geometry::real;
     uint64_t budget_bytes = uint64_t(1) << 30;  // palettes and vertices together
     PeriodLaw period;
+    bool can_defer = false;     // whether updates may have a budget of poses
     float metres_per_unit = 1;  // of world positions and the law's distances
 };
 

@@ -63,6 +63,21 @@ typedef enum clq_cache_mode {
     CLQ_CACHE_NONE = 2       /* nothing */
 } clq_cache_mode;
 
+/* How skinned vertices are kept and handed to GL. Packed: positions as GL_SHORT in steps of the template's Sklsroot
+ * radius / 32767, so that a vertex is wrong by half a step along each axis at most (0.03 mm for a person), and normals
+ * as GL_BYTE, wrong by 0.4 degrees at most. */
+typedef enum clq_geometry {
+    CLQ_GEOMETRY_FLOAT = 0, /* 24 bytes a vertex */
+    CLQ_GEOMETRY_PACKED = 1 /* 12 bytes a vertex */
+} clq_geometry;
+
+/* Whether what is shown may have a memory. Live, nobody shows an earlier tick than it has shown, so that nobody steps back
+ * when the camera recedes; an update whose time is before that of the last one forgets what was shown. */
+typedef enum clq_clock {
+    CLQ_CLOCK_REFERENCE = 0, /* no: a function of time and distance, any frame is the same by itself */
+    CLQ_CLOCK_LIVE = 1
+} clq_clock;
+
 typedef struct clq_crowd_def {
     uint32_t struct_bytes; /* set by clq_crowd_def_init */
     clq_cache_mode cache;
@@ -82,6 +97,17 @@ typedef struct clq_crowd_def {
     float
         lod_hysteresis; /* [0, 1) share of a switch distance that must be passed on the way back. Default 0: none, so that
                              what is shown has no memory */
+    clq_geometry geometry;
+    clq_clock clock;
+    /* With CLQ_CLOCK_LIVE and a cache: how many poses an update renews at most. 0: all that are due. Who must wait shows
+     * its last pose; first go those who would keep one for nearly twice their period, then the near ones. Who has no
+     * pose yet, or one of another clip, is posed whatever the budget: see over_budget and overdue in clq_crowd_stats. */
+    uint32_t update_budget;
+    /* The same in milliseconds of posing and skinning, by what a pose has cost in the updates before; the lower of
+     * both holds. 0: no limit. What is shown then depends on how fast the machine is. Needs now_s. */
+    float update_budget_ms;      /* [>= 0] */
+    double (*now_s)(void *user); /* seconds that never run back; called in clq_crowd_update, on its thread */
+    void *now_user;
 } clq_crowd_def;
 
 static inline clq_crowd_def clq_crowd_def_init(void)
@@ -100,6 +126,12 @@ static inline clq_crowd_def clq_crowd_def_init(void)
     def.placement = CLQ_PLACE_VERTICES;
     def.lod_scale = 1.0f;
     def.lod_hysteresis = 0.0f;
+    def.geometry = CLQ_GEOMETRY_FLOAT;
+    def.clock = CLQ_CLOCK_REFERENCE;
+    def.update_budget = 0;
+    def.update_budget_ms = 0.0f;
+    def.now_s = NULL;
+    def.now_user = NULL;
     return def;
 }
 
@@ -266,12 +298,15 @@ typedef struct clq_crowd_stats {
     uint64_t behaviour_calls[6]; /* of mechanisms, by clq_mechanism_kind */
     uint64_t dof_writes;
     uint32_t visible;         /* in the last update, in any view */
-    uint32_t due;             /* of these, whose pose was due */
+    uint32_t due;             /* of these, whose pose was due; deferred ones included */
     uint32_t animated;        /* poses evaluated */
     uint32_t skinned;         /* individuals skinned */
     uint32_t palette_served;  /* from the animation cache */
     uint32_t vertices_served; /* from the geometry cache */
     uint32_t on_demand;       /* left for the drawing to skin: no room in the cache */
+    uint32_t deferred;        /* due, but left for a later update by the budget */
+    uint32_t overdue;         /* of these, who keep a pose for more than two periods: the budget is too small */
+    uint32_t over_budget;     /* poses evaluated beyond the budget, because there was none to show */
     uint64_t evicted;         /* entries thrown out since the crowd was made */
     uint64_t cache_bytes, cache_budget_bytes;
     uint64_t actor_bytes;           /* of all actors besides the caches */

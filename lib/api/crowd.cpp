@@ -10,6 +10,21 @@ using namespace claque;
 namespace
 {
 
+void require_budget(const clq_crowd_def &def)
+{
+    using api::require;
+    require(api::number_of(def.clock) <= CLQ_CLOCK_LIVE, "clock is neither CLQ_CLOCK_REFERENCE nor CLQ_CLOCK_LIVE");
+    if (!(def.update_budget_ms >= 0) || !std::isfinite(def.update_budget_ms))
+        base::fail(CLQ_ARGUMENT, "update_budget_ms is %g: 0 or more is wanted",
+                   static_cast<double>(def.update_budget_ms));
+    require(def.update_budget_ms == 0 || def.now_s, "update_budget_ms needs now_s, which is NULL");
+    if (def.update_budget == 0 && def.update_budget_ms == 0) return;
+    require(def.clock == CLQ_CLOCK_LIVE,
+            "an update budget lets people wait, which CLQ_CLOCK_REFERENCE rules out: CLQ_CLOCK_LIVE is wanted");
+    require(def.cache != CLQ_CACHE_NONE && def.cull != CLQ_CULL_TRADITIONAL,
+            "an update budget needs poses that are kept: CLQ_CACHE_NONE and CLQ_CULL_TRADITIONAL keep none");
+}
+
 frame::Settings settings_of(const clq_crowd_def &def)
 {
     using api::require;
@@ -35,7 +50,16 @@ frame::Settings settings_of(const clq_crowd_def &def)
     if (!(def.lod_hysteresis >= 0 && def.lod_hysteresis < 1))
         base::fail(CLQ_ARGUMENT, "lod_hysteresis is %g: 0 to less than 1 is wanted",
                    static_cast<double>(def.lod_hysteresis));
+    require(api::number_of(def.geometry) <= CLQ_GEOMETRY_PACKED,
+            "geometry is neither CLQ_GEOMETRY_FLOAT nor CLQ_GEOMETRY_PACKED");
+    require_budget(def);
     frame::Settings settings;
+    settings.caches.geometry = static_cast<animcache::Geometry>(def.geometry);
+    settings.caches.can_defer = def.update_budget > 0 || def.update_budget_ms > 0;
+    settings.update_budget = def.update_budget;
+    settings.update_budget_ms = def.update_budget_ms;
+    settings.now = {def.now_s, def.now_user};
+    settings.clock = static_cast<frame::Clock>(def.clock);
     settings.caches.mode = static_cast<animcache::Mode>(def.cache);
     if (def.cache_budget_bytes) settings.caches.budget_bytes = def.cache_budget_bytes;
     settings.caches.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
@@ -151,6 +175,9 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         result.palette_served = stats.palette_served;
         result.vertices_served = stats.vertices_served;
         result.on_demand = stats.on_demand;
+        result.deferred = stats.deferred;
+        result.overdue = stats.overdue;
+        result.over_budget = stats.over_budget;
         result.evicted = stats.evicted;
         result.cache_bytes = stats.cache_bytes;
         result.cache_budget_bytes = stats.cache_budget_bytes;

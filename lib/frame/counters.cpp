@@ -36,6 +36,9 @@ void Update::count()
     stats.palette_served = counters.palette_served;
     stats.vertices_served = counters.vertices_served;
     stats.on_demand = counters.on_demand;
+    stats.deferred = counters.deferred;
+    stats.overdue = counters.overdue;
+    stats.over_budget = counters.over_budget;
     stats.evicted = counters.evicted;
     stats.cache_bytes = counters.bytes;
 

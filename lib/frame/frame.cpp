@@ -108,6 +108,7 @@ void Update::find_due()
 {
     frame.caches_.admit_poses();
     frame.caches_.find_due_poses();
+    keep_to_budget();
 }
 
 void Update::animate() { frame.caches_.animate(jobs); }

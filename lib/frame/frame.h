@@ -18,11 +18,24 @@ namespace claque::frame
 // S0 4: the order of work. The picture is the same.
 enum class Cull : uint8_t { actor = 0, traditional = 1 };
 
+// Whether what is shown has a memory (SPEC 2): live, nobody shows an earlier tick than it has shown.
+enum class Clock : uint8_t { reference = 0, live = 1 };
+
+// A host's clock, for budgets in milliseconds alone.
+struct Now {
+    double (*now_s)(void *user) = nullptr;
+    void *user = nullptr;
+};
+
 // What a host chooses about updates, beside the caches.
 struct Settings {
     animcache::Settings caches;
     Cull cull = Cull::actor;
     animcache::Placement placement = animcache::Placement::vertices;
+    Clock clock = Clock::reference;
+    uint32_t update_budget = 0;  // poses renewed in an update at most; 0: all that are due. Needs caches.can_defer
+    float update_budget_ms = 0;  // of posing and skinning; 0: no limit. Needs `now`
+    Now now;
     float lod_scale = 1;       // times every effective distance
     float lod_hysteresis = 0;  // [0, 1): 0 keeps what is shown a function of time and distance
 };
@@ -65,6 +78,7 @@ private:
         uint64_t update = 0;      // the last that looked at this row
         uint32_t generation = 0;  // of the individual that this is about
         bool steady = false;      // seen in the update before as well
+        uint64_t shown_at = 0;    // the last update that gave it a tick; 0: none did
         uint32_t candidate = 0;
     };
     // One row that passed phase 1 in any view.
@@ -97,7 +111,9 @@ private:
     Stats stats_;
     double last_time_s_ = 0;
     bool has_last_time_ = false;
-    uint64_t update_ = 0;  // number of the present or last one
+    uint64_t update_ = 0;      // number of the present or last one
+    uint64_t live_since_ = 0;  // what was shown up to this update binds nobody: time has run back
+    double pose_cost_s_ = 0;   // of posing and skinning one, in the updates before; 0: not known
     std::pmr::vector<Row> rows_;
     std::pmr::vector<GroupRow> groups_;
     Blocks blocks_;

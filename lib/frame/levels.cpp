@@ -39,7 +39,7 @@ void Update::look_at(uint32_t index)
     const crowd::Actor &actor = crowd.actor(row);
     Row &out = frame.rows_[row];
     const bool was_seen = out.seen.visible && out.generation == actor.generation && out.update + 1 == frame.update_;
-    if (out.generation != actor.generation) out.seen = Seen();  // of whoever had the row before
+    if (out.generation != actor.generation) out.seen = Seen(), out.shown_at = 0;  // of whoever had the row before
     out.generation = actor.generation;
     out.update = frame.update_;
     out.candidate = index;
@@ -69,11 +69,15 @@ void Update::look_at(uint32_t index)
     const uint32_t rung =
         behave::has_memory(crowd, row) ? 0 : animcache::rung_of(frame.settings_.caches.period, nearest);
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
+    const double before_s = out.seen.shown_s;
     out.seen.period_s = static_cast<float>(animcache::period_s(rung));
     out.seen.shown_s = animcache::tick_s(rung, time_s, base::hash(crowd.seed(), id, base::Purpose::cache_phase));
     // A clip that has begun shows nothing of before its beginning, which would be the end of a round it never played.
     const double begun_s = crowd.play_of(row).start_s;
     if (begun_s <= time_s && out.seen.shown_s < begun_s) out.seen.shown_s = begun_s;
+    const bool bound = frame.settings_.clock == Clock::live && out.shown_at > frame.live_since_;
+    if (bound && out.seen.shown_s < before_s) out.seen.shown_s = before_s;
+    out.shown_at = frame.update_;
 }
 
 void Update::request(uint32_t index)
@@ -88,6 +92,9 @@ void Update::request(uint32_t index)
     request.tmpl = &crowd.template_of(row);
     request.row = row;
     request.level = found.seen.level;
+    request.shown_s = found.seen.shown_s;
+    request.period_s = found.seen.period_s;
+    request.distance = found.seen.distance;
     if (frame.settings_.placement == animcache::Placement::matrices && request.tmpl->has_rigid_parts_only())
         request.placement = animcache::Placement::matrices;
     request.pose.version = crowd.actor(row).play_version;
@@ -107,6 +114,7 @@ void Update::request(uint32_t index)
 void Update::choose_levels_and_periods()
 {
     const uint32_t count = static_cast<uint32_t>(frame.candidates_.size());
+    if (frame.has_last_time_ && time_s < frame.last_time_s_) frame.live_since_ = frame.update_ - 1;
     for_slices(count, [this](uint32_t i) { look_at(i); });
     frame.asked_.clear();
     frame.caches_.begin();

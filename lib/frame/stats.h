@@ -40,6 +40,9 @@ struct Stats {
     uint32_t palette_served = 0;   // palettes used again
     uint32_t vertices_served = 0;  // vertices used again
     uint32_t on_demand = 0;        // left for the drawing: no room
+    uint32_t deferred = 0;         // due, but left for a later update by the budget
+    uint32_t overdue = 0;          // of these, who keep a pose for more than two periods
+    uint32_t over_budget = 0;      // evaluated beyond the budget: there was no pose to show
     uint64_t evicted = 0;          // blocks thrown out, since the caches were made
     uint64_t cache_bytes = 0, cache_budget_bytes = 0;
     Band bands[band_count];

@@ -30,7 +30,7 @@ struct Update {
     void place_roots();                // roots.cpp: Skeleton Roots of who is left
     void cull_roots();                 // cull.cpp: phase 2, Sklsroot Bspheres; eyeDistances
     void choose_levels_and_periods();  // levels.cpp: level, rate and tick of who is left
-    void find_due();                   // frame.cpp: whose pose is not that of its tick
+    void find_due();                   // frame.cpp: whose pose is not that of its tick, and who of them must wait
     void behave();                     // behave.cpp: control mechanisms of who is due write degrees of freedom
     void animate();                    // frame.cpp: degrees of freedom and clips to matrices
     void cull_parts();                 // parts.cpp: phase 3, Internal Bspheres
@@ -38,6 +38,9 @@ struct Update {
     void skin();   // frame.cpp: vertices of who is drawn
     void list();   // list.cpp: one sorted list a view
     void count();  // counters.cpp
+
+    double now() const;               // budget.cpp: the host's clock where a budget is in milliseconds, else 0
+    void learn_cost(double spent_s);  // of all that were posed in this update
 
 private:
     using Row = Frame::Row;
@@ -56,6 +59,8 @@ private:
     void look_at(uint32_t candidate);
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_m) const;
     void request(uint32_t candidate);
+    uint32_t budget() const;
+    void keep_to_budget();
     void run_memories();
     const animcache::Request *asked(uint32_t row) const;
     float *dofs_of(const animcache::Request &request) const;

@@ -47,11 +47,15 @@ base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *co
     update.place_roots();     // step 3: Skeleton Roots of who is left
     update.cull_roots();      // step 4: second cull phase
     update.choose_levels_and_periods();
-    update.find_due();    // S1 4: whose pose is that of its tick already is not asked again
-    update.behave();      // step 5: behaviour of who is left gives degrees of freedom,
-    update.animate();     //         and these give matrices
+    update.find_due();  // S1 4: whose pose is that of its tick already is not asked again
+    const double begun = update.now();
+    update.behave();   // step 5: behaviour of who is left gives degrees of freedom,
+    update.animate();  //         and these give matrices
+    const double posed = update.now();
     update.cull_parts();  // step 6: third cull phase, by Internal Bspheres
+    const double culled = update.now();
     update.skin();
+    update.learn_cost(posed - begun + update.now() - culled);
     update.list();  // step 7: what is inside, and nothing else
     update.count();
     return base::Status::good();

@@ -66,6 +66,9 @@ void add_stage_options(CLI::App &command, StageArguments &a)
         .add_option("--placement", a.placement, "Rigid parts by moved vertices, or by OpenGL's matrix stack (S0 6.2.2)")
         ->check(CLI::IsMember({"vertices", "matrices"}))
         ->capture_default_str();
+    command.add_option("--geometry", a.geometry, "Skinned vertices as floats, or packed into 12 bytes each")
+        ->check(CLI::IsMember({"float", "packed"}))
+        ->capture_default_str();
     command.add_option("--cache-mib", a.budget_mib, "Bound of the caches in MiB (0: 1024)")
         ->check(CLI::Range(0, 1 << 20));
     command.add_option("--seed", a.seed, "Of everything that is drawn by lot")->capture_default_str();
@@ -121,6 +124,7 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.casting.cache_budget_bytes = a.budget_mib << 20;
     options.casting.cull = a.cull == "traditional" ? CLQ_CULL_TRADITIONAL : CLQ_CULL_ACTOR;
     options.casting.placement = a.placement == "matrices" ? CLQ_PLACE_MATRICES : CLQ_PLACE_VERTICES;
+    options.casting.geometry = a.geometry == "packed" ? CLQ_GEOMETRY_PACKED : CLQ_GEOMETRY_FLOAT;
     options.cull_scale = static_cast<float>(a.cull_scale);
     options.show = a.show == "spheres"  ? scenes::Show::spheres
                    : a.show == "levels" ? scenes::Show::levels

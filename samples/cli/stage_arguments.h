@@ -22,7 +22,7 @@ struct StageArguments {
     uint32_t count = 0;  // 0: not given
     uint64_t seed = 1, budget_mib = 0;
     int threads = 0;  // 0: as many as cores
-    std::string cull = "actor", placement = "vertices", show = "nothing";
+    std::string cull = "actor", placement = "vertices", geometry = "float", show = "nothing";
     double cull_scale = 1;
 
     int width = 1024, height = 768;

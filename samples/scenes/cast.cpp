@@ -13,6 +13,7 @@ Cast::Cast(Library &library, const Casting &casting)
     def.seed = casting.seed;
     def.cull = casting.cull;
     def.placement = casting.placement;
+    def.geometry = casting.geometry;
     def.lod_scale = casting.lod_scale;
     clq_crowd *made = nullptr;
     check(clq_crowd_create(library.context(), &def, &made));

@@ -1,0 +1,241 @@
+// Live mode: nobody steps back (SPEC 2), and a budget of poses is kept without letting anybody wait longer than twice its
+// period. Loads are simulated: updates at the times of a clock that is the test's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/scene.h"
+
+namespace claque
+{
+
+using namespace testing_support;
+
+namespace
+{
+
+SceneDef people(uint32_t count, frame::Clock clock, uint32_t budget = 0)
+{
+    SceneDef def;
+    def.actors = count;
+    def.settings.clock = clock;
+    def.settings.update_budget = budget;
+    def.settings.caches.can_defer = budget > 0;
+    return def;
+}
+
+// An eye that goes forward and back before 400 people in rows from 4 to 60 m, for 20 s at 60 frames a second.
+glm::dvec3 wandering_eye(double time_s) { return glm::dvec3(0, 1.7, 20 - 20 * std::cos(time_s * 0.6)); }
+
+uint32_t who_step_back(frame::Clock clock)
+{
+    Scene scene(people(400, clock));
+    crowd::Play play;
+    play.clip = clip_walk;
+    for (uint32_t i = 0; i < 400; ++i) {
+        crowd::Place place;
+        place.position = glm::dvec3(0.01 * (i % 20), 1, -4 - 56.0 * i / 400);
+        scene.crowd.place(&scene.ids[i], &place, 1);
+        scene.crowd.play(scene.ids[i], play);
+    }
+    std::vector<double> shown(400, -1);
+    std::vector<bool> stepped(400, false);
+    for (int f = 0; f < 1200; ++f) {
+        const double t = 50 + f / 60.0;
+        scene.look(0, wandering_eye(f / 60.0), glm::dvec3(0, 1, -500));
+        EXPECT_TRUE(scene.try_update(t).ok());
+        for (uint32_t i = 0; i < 400; ++i) {
+            const frame::Seen seen = scene.frame.seen(scene.crowd, i);
+            if (!seen.visible) continue;
+            if (seen.shown_s < shown[i]) stepped[i] = true;
+            shown[i] = seen.shown_s;
+            EXPECT_LE(seen.shown_s, t);
+        }
+    }
+    return static_cast<uint32_t>(std::count(stepped.begin(), stepped.end(), true));
+}
+
+// Longest time that anybody keeps a pose, in its periods, and what the counters say, over some seconds.
+struct Waits {
+    double periods = 0;
+    uint32_t most_evaluated = 0, deferred = 0, overdue = 0, over_budget = 0;
+};
+
+Waits simulate(Scene &scene, double seconds, double frame_s)
+{
+    Waits waits;
+    std::vector<double> shown(scene.crowd.row_count()), renewed(shown.size());
+    for (int f = 0; f * frame_s < seconds; ++f) {
+        const double t = 10 + f * frame_s;
+        EXPECT_TRUE(scene.try_update(t).ok());
+        const frame::Stats &stats = scene.frame.stats();
+        EXPECT_EQ(stats.due, stats.animated + stats.deferred);
+        if (f == 0) {  // everybody is new
+            for (uint32_t i = 0; i < shown.size(); ++i)
+                shown[i] = scene.frame.seen(scene.crowd, i).shown_s, renewed[i] = t;
+            continue;
+        }
+        waits.most_evaluated = std::max(waits.most_evaluated, stats.animated);
+        waits.deferred += stats.deferred;
+        waits.overdue += stats.overdue;
+        waits.over_budget += stats.over_budget;
+        for (uint32_t i = 0; i < scene.crowd.row_count(); ++i) {
+            const frame::Seen seen = scene.frame.seen(scene.crowd, i);
+            if (!seen.visible) continue;
+            if (seen.shown_s != shown[i]) shown[i] = seen.shown_s, renewed[i] = t;
+            const double period = std::max(double(seen.period_s), frame_s);
+            waits.periods = std::max(waits.periods, (t - renewed[i]) / period);
+        }
+    }
+    return waits;
+}
+
+// What an update evaluates in the mean without a budget.
+double load(uint32_t count, double frame_s)
+{
+    Scene scene(people(count, frame::Clock::live));
+    uint64_t sum = 0;
+    for (int f = 0; f < 200; ++f) {
+        EXPECT_TRUE(scene.try_update(10 + f * frame_s).ok());
+        if (f > 0) sum += scene.frame.stats().animated;
+    }
+    return double(sum) / 199;
+}
+
+}  // namespace
+
+TEST(LiveLaw, PeopleStepBackInReferenceModeAndNobodyInLiveMode)
+{
+    const uint32_t reference = who_step_back(frame::Clock::reference);
+    std::printf("of 400 people, %u step back within 20 s in reference mode\n", reference);
+    EXPECT_GT(reference, 300u);
+    EXPECT_EQ(who_step_back(frame::Clock::live), 0u);
+}
+
+TEST(LiveLaw, TimeThatRunsBackForgetsWhatWasShown)
+{
+    Scene live(people(80, frame::Clock::live));
+    live.update(20);
+    live.update(20.4);
+    Scene fresh(people(80, frame::Clock::live));
+    EXPECT_EQ(live.update(20.39), fresh.update(20.39));
+    EXPECT_EQ(live.update(-3), Scene(people(80, frame::Clock::live)).update(-3));
+}
+
+TEST(LiveLaw, ACameraThatComesNearerIsAnsweredAtOnceAsInReferenceMode)
+{
+    Scene live(people(80, frame::Clock::live)), reference;
+    for (Scene *scene : {&live, &reference}) {
+        scene->look(0, glm::dvec3(0, 1.7, 40), glm::dvec3(0, 1, -30));
+        scene->update(9);
+        scene->look(0, glm::dvec3(0, 1.7, 0), glm::dvec3(0, 1, -30));
+    }
+    EXPECT_EQ(live.update(9.3), reference.update(9.3));
+}
+
+TEST(BudgetLaw, WithinTheBudgetNobodyWaitsLongerThanTwiceItsPeriod)
+{
+    const double frame_s = 1 / 60.0;
+    const double mean = load(300, frame_s);
+    for (const double share : {1.1, 0.9, 0.75, 0.65}) {
+        Scene scene(people(300, frame::Clock::live, static_cast<uint32_t>(mean * share)));
+        const Waits waits = simulate(scene, 10, frame_s);
+        std::printf("budget %.2f of the load of %.1f: longest wait %.3f periods\n", share, mean, waits.periods);
+        EXPECT_LE(waits.most_evaluated, static_cast<uint32_t>(mean * share));
+        EXPECT_GT(waits.deferred, 0u);
+        EXPECT_EQ(waits.overdue, 0u);
+        EXPECT_LE(waits.periods, 2 + 1e-6);
+    }
+}
+
+TEST(BudgetLaw, ABudgetThatIsTooSmallIsKeptAndSaysSo)
+{
+    const double frame_s = 1 / 60.0;
+    const uint32_t budget = static_cast<uint32_t>(load(300, frame_s) * 0.2);
+    Scene scene(people(300, frame::Clock::live, budget));
+    const Waits waits = simulate(scene, 10, frame_s);
+    EXPECT_EQ(waits.most_evaluated, budget);
+    EXPECT_GT(waits.overdue, 1000u);
+    EXPECT_EQ(waits.over_budget, 0u);
+    EXPECT_LT(waits.periods, 12);  // all wait alike; nobody is left out
+}
+
+TEST(BudgetLaw, WhoHasNoPoseGetsOneWhateverTheBudget)
+{
+    Scene scene(people(100, frame::Clock::live, 5));
+    scene.update(3);
+    const frame::Stats &stats = scene.frame.stats();
+    EXPECT_EQ(stats.animated, stats.visible);
+    EXPECT_EQ(stats.over_budget, stats.visible - 5);
+    EXPECT_EQ(stats.deferred, 0u);
+    crowd::Play play;
+    play.clip = clip_sway;
+    for (uint32_t i = 0; i < 40; ++i) scene.crowd.play(scene.ids[i], play);
+    scene.update(3.001);
+    EXPECT_GT(scene.frame.stats().over_budget, 20u);
+    EXPECT_LE(scene.frame.stats().animated, 40u);
+}
+
+TEST(BudgetLaw, TheNearGoFirstAndWhoWaitsShowsItsLastTick)
+{
+    constexpr uint32_t count = 200, budget = 10;
+    const auto stand_in_a_row = [](Scene &scene) {
+        crowd::Play play;
+        play.clip = clip_walk;
+        for (uint32_t i = 0; i < count; ++i) {
+            crowd::Place place;
+            place.position = glm::dvec3(0, 1, -60 - 0.3 * i);  // all at 4 Hz
+            scene.crowd.place(&scene.ids[i], &place, 1);
+            scene.crowd.play(scene.ids[i], play);
+        }
+        scene.update(3);
+    };
+    Scene scene(people(count, frame::Clock::live, budget)), free(people(count, frame::Clock::live));
+    stand_in_a_row(scene), stand_in_a_row(free);
+    std::vector<double> first;
+    for (uint32_t i = 0; i < count; ++i) first.push_back(scene.frame.seen(scene.crowd, i).shown_s);
+    scene.update(3.05), free.update(3.05);  // some one in five is due, and nobody is urgent
+    ASSERT_GT(scene.frame.stats().deferred, 10u);
+    uint32_t renewed = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const double expected = renewed < budget ? free.frame.seen(free.crowd, i).shown_s : first[i];
+        EXPECT_EQ(scene.frame.seen(scene.crowd, i).shown_s, expected) << i;
+        renewed += expected != first[i];
+    }
+    EXPECT_EQ(renewed, budget);
+}
+
+TEST(BudgetLaw, AnyNumberOfThreadsLetsTheSamePeopleWait)
+{
+    const auto walk = [](const base::Jobs &jobs) {
+        Scene scene(people(300, frame::Clock::live, 20));
+        std::vector<uint64_t> out;
+        for (int f = 0; f < 60; ++f) {
+            scene.look(0, glm::dvec3(0, 1.7, f * 0.2), glm::dvec3(f % 7 - 3, 1, -30));
+            out.push_back(scene.update(5 + f / 60.0, jobs));
+        }
+        return out;
+    };
+    const std::vector<uint64_t> one = walk(base::Jobs());
+    for (const uint32_t count : {2u, 5u}) {
+        Threads threads(count);
+        EXPECT_EQ(walk(threads.jobs()), one) << count;
+    }
+}
+
+TEST(BudgetLaw, ABudgetInMillisecondsBecomesOneOfPosesByWhatTheyCost)
+{
+    // A clock on which everything takes 1 ms: an update asks it four times, so that posing and skinning take 2 ms.
+    double now = 0;
+    SceneDef def = people(300, frame::Clock::live);
+    def.settings.caches.can_defer = true;
+    def.settings.update_budget_ms = 1;
+    def.settings.now = {[](void *user) { return *static_cast<double *>(user) += 1e-3; }, &now};
+    Scene scene(def);
+    scene.update(3);  // all 300, in 2 ms: a pose costs 2/300 ms, a budget of 1 ms is one of half of them
+    const uint32_t all = scene.frame.stats().animated;
+    scene.update(3.5);
+    EXPECT_EQ(scene.frame.stats().animated, all / 2);
+}
+
+}  // namespace claque
