@@ -50,7 +50,7 @@ Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
     Sizes sizes;
     sizes.nodes = tmpl.rig.node_count();
     sizes.palette_floats = matrix_floats(tmpl) + tmpl.rig.rest_weights.size() + padding;
-    sizes.scratch_floats = std::max(sizes.palette_floats, pose::scratch_floats(tmpl.rig));
+    sizes.scratch_floats = std::max(sizes.palette_floats, pose::scratch_floats(tmpl.rig, &tmpl.motion));
     for (const model::Level &level : tmpl.levels) {
         sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, geometry) + padding);
         const size_t unpacked = geometry == Geometry::packed ? vertex_floats(level, Geometry::real) + padding : 0;
@@ -64,6 +64,7 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     const model::Rig &rig = request.tmpl->rig;
     pose::PoseJob job;
     job.rig = &rig;
+    job.motion = &request.tmpl->motion;
     job.clip = request.pose.clip;
     job.time_s = request.pose.clip_time_s;
     job.dofs = request.dofs;

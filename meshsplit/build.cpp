@@ -146,6 +146,7 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
     const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
     out.node_reach.assign(reach.begin(), reach.end());
     find_blend_reach(out);
+    make_motion(options.motion, out);
 }
 
 }  // namespace claque::meshsplit

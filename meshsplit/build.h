@@ -2,7 +2,7 @@
 // fused stream with its copies, the Sklsroot sphere. S1 3, S2 2.1, SPEC 3.
 #pragma once
 
-#include "lib/model/template.h"
+#include "meshsplit/motion.h"
 
 namespace claque::meshsplit
 {
@@ -10,6 +10,7 @@ namespace claque::meshsplit
 struct BuildOptions {
     // Larger images are reduced through the size pyramid; rounded down to a power of two.
     uint32_t max_texture_px = 1024;
+    MotionTolerance motion;
 };
 
 // `out` is empty, made on the memory that the template shall live on. Checks the model first. Throws base::Error

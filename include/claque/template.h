@@ -169,6 +169,11 @@ typedef struct clq_template_def {
     uint32_t max_texture_px; /* larger images are reduced, keys unmixed; 0: 1024 */
     uint32_t dof_count;
     const clq_dof_def *dofs;
+    /* Clips are sampled from rows at uniform rates, each the lowest that follows its channels within these errors at all
+     * keys, between keys and between rows. STEP channels, and channels that no rate follows, are sampled as they are. */
+    float motion_error_m;   /* [model units, metres by convention] of any vertex or node, degrees of freedom at rest; 0: a
+                               2000th of half the character's size, half a millimetre of a body; below 0: channels only */
+    float motion_error_rad; /* that any node is turned; 0: 0.01 */
 } clq_template_def;
 
 static inline clq_template_def clq_template_def_init(void)
@@ -225,6 +230,11 @@ typedef struct clq_clip_info {
     const char *name;
     float start_s, duration_s;
     uint32_t channel_count;
+    /* As it is sampled, see clq_template_def.motion_error_m; all 0 of an asset, and where channels are sampled. */
+    float rate_hz;
+    float error_m, error_rad; /* the largest measured */
+    uint32_t kept_count;      /* channels that are sampled as they are */
+    uint64_t bytes;           /* of rows, their places and kept channels */
 } clq_clip_info;
 
 typedef struct clq_dof_info {

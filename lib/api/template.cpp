@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "lib/api/boundary.h"
 #include "lib/api/handles.h"
@@ -21,6 +22,7 @@ uint64_t bytes_of(const model::Template &t)
     const model::Rig &rig = t.rig;
     uint64_t bytes = sizeof(clq_template) + size(rig.parents) + size(rig.rest) + size(rig.palette) +
                      size(rig.channels) + size(rig.times) + size(rig.values) + size(rig.clips) + size(rig.rest_weights);
+    bytes += model::motion_bytes(t.motion);
     for (const model::Texture &texture : t.textures) bytes += sizeof texture + size(texture.rgba) + size(texture.keys);
     for (const model::Level &l : t.levels)
         bytes += sizeof l + size(l.positions) + size(l.normals) + size(l.runs) + size(l.joints) + size(l.weights) +
@@ -34,6 +36,17 @@ uint32_t max_influences(const model::Level &level)
     uint32_t most = 0;
     for (const model::InfluenceRun &run : level.runs) most = run.influences > most ? run.influences : most;
     return most;
+}
+
+meshsplit::MotionTolerance tolerance_of(const clq_template_def &def)
+{
+    if (!std::isfinite(def.motion_error_m) || !std::isfinite(def.motion_error_rad) || def.motion_error_rad < 0)
+        base::fail(CLQ_ARGUMENT, "clips may be wrong by %g m and %g rad: finite numbers, no negative angle, are wanted",
+                   static_cast<double>(def.motion_error_m), static_cast<double>(def.motion_error_rad));
+    meshsplit::MotionTolerance out;
+    if (def.motion_error_m != 0) out.metres = def.motion_error_m > 0 ? def.motion_error_m : 0;
+    if (def.motion_error_rad > 0) out.radians = def.motion_error_rad;
+    return out;
 }
 
 void log_report(clq_context *context, const model::Template &t)
@@ -58,6 +71,7 @@ clq_status clq_template_build(clq_context *context, const clq_template_def *def,
         const model::Model model = api::model_of(*def);
         meshsplit::BuildOptions options;
         if (def->max_texture_px) options.max_texture_px = def->max_texture_px;
+        options.motion = tolerance_of(*def);
         api::Making<clq_template> made(context, context);
         meshsplit::build(model, options, *made);
         log_report(context, *made);
@@ -134,7 +148,18 @@ clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_cl
             base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
                        tmpl->rig.clips.size());
         const model::Clip &found = tmpl->rig.clips[clip];
-        *out = {tmpl->rig.clip_names[clip].c_str(), found.start_s, found.duration_s, found.channel_count};
+        clq_clip_info info{};
+        info.name = tmpl->rig.clip_names[clip].c_str();
+        info.start_s = found.start_s, info.duration_s = found.duration_s;
+        info.channel_count = found.channel_count;
+        if (!tmpl->motion.empty()) {
+            const model::MotionClip &sampled = tmpl->motion.clips[clip];
+            info.rate_hz = sampled.rate_hz;
+            info.error_m = sampled.error_m, info.error_rad = sampled.error_rad;
+            info.kept_count = sampled.exact_count;
+            info.bytes = model::motion_bytes(tmpl->motion, tmpl->rig, clip);
+        }
+        *out = info;
     });
 }
 

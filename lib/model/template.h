@@ -6,6 +6,7 @@
 #pragma once
 
 #include "lib/model/model.h"
+#include "lib/model/motion.h"
 
 namespace claque::model
 {
@@ -184,6 +185,7 @@ struct Template {
     explicit Template(std::pmr::memory_resource *memory)
         : name(memory),
           rig(memory),
+          motion(memory),
           zone_names(memory),
           zone_colours(memory),
           zone_ranges(memory),
@@ -199,6 +201,7 @@ struct Template {
 
     std::pmr::string name;
     Rig rig;
+    Motion motion;             // its clips as they are sampled; empty: from their channels
     bool similar_only = true;  // every palette matrix stays a similarity in every pose: normals may use it directly
 
     Array<std::pmr::string> zone_names;

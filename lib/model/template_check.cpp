@@ -76,6 +76,7 @@ void check_spheres(const Template &tmpl)
 void check(const Template &tmpl)
 {
     check_motion(tmpl.rig);
+    check(tmpl.motion, tmpl.rig);
     check_zones(tmpl);
     for (size_t i = 0; i < tmpl.textures.size(); ++i) check_texture(tmpl, tmpl.textures[i], i);
     check_levels(tmpl);

@@ -120,11 +120,33 @@ void walk_texture(Archive &a, T &texture)
     a.flag(texture.has_holes);
 }
 
+// What derive() finds is not kept.
+template <class Archive, class M>
+void walk_motion(Archive &a, M &motion)
+{
+    a.array(motion.nodes, 4, [&](auto &v) { a.value(v); });
+    a.array(motion.groups, 9, [&](auto &group) { a.value(group.path), a.value(group.target), a.value(group.count); });
+    a.array(motion.clips, 24, [&](auto &clip) {
+        a.value(clip.intervals), a.value(clip.rate_hz), a.value(clip.first_exact), a.value(clip.exact_count);
+        a.value(clip.error_m), a.value(clip.error_rad);
+    });
+    a.array(motion.blocks, 12, [&](auto &block) { a.value(block.first), a.value(block.stride), a.value(block.moved); });
+    a.array(motion.tracks, 40, [&](auto &track) {
+        a.value(track.first), a.value(track.stride);
+        for (auto &v : track.least) a.value(v);
+        for (auto &v : track.step) a.value(v);
+    });
+    a.array(motion.exact, 8, [&](auto &exact) { a.value(exact.channel), a.value(exact.target); });
+    a.array(motion.rotations, 2, [&](auto &v) { a.value(v); });
+    a.array(motion.numbers, 2, [&](auto &v) { a.value(v); });
+}
+
 template <class Archive, class Tmpl>
 void walk_template(Archive &a, Tmpl &tmpl)
 {
     a.text(tmpl.name);
     walk_rig(a, tmpl.rig);
+    walk_motion(a, tmpl.motion);
     a.flag(tmpl.similar_only);
     a.array(tmpl.zone_names, 8, [&](auto &name) { a.text(name); });
     a.array(tmpl.zone_colours, 12, [&](auto &colour) {

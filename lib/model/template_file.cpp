@@ -172,6 +172,7 @@ void load(const uint8_t *bytes, size_t size, Template &out)
     } catch (const base::Error &error) {
         fail(CLQ_FORMAT, "a prepared template is no template: %s", error.what());
     }
+    if (!out.motion.empty()) derive(out.rig, out.motion);
 }
 
 }  // namespace claque::model

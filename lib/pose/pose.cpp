@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/pose/dofs.h"
 #include "lib/pose/exact.h"
+#include "lib/pose/sampled.h"
 
 namespace claque::pose
 {
@@ -14,13 +16,13 @@ using math::F4;
 namespace
 {
 
-constexpr size_t exact_node_floats = sizeof(math::Trs) / sizeof(float);
-
-// Written out, not looped over, so that columns stay in registers at any optimisation.
-F4 transform(const Columns &a, float x, float y, float z)
+template <class A>
+uint32_t count32(const A &array)
 {
-    return a.c[0] * math::splat(x) + a.c[1] * math::splat(y) + a.c[2] * math::splat(z);
+    return static_cast<uint32_t>(array.size());
 }
+
+constexpr size_t exact_node_floats = sizeof(math::Trs) / sizeof(float);
 
 // The same steps as math::affine_of(Trs), in plain numbers.
 struct Axes {
@@ -40,24 +42,6 @@ Columns columns_of(const math::Trs &trs)
     const Axes a(trs);
     const glm::vec3 &t = trs.translation;
     return {{F4{a.xx, a.xy, a.xz, 0}, F4{a.yx, a.yy, a.yz, 0}, F4{a.zx, a.zy, a.zz, 0}, F4{t.x, t.y, t.z, 0}}};
-}
-
-// parent * columns_of(trs), whose columns are not put together for it.
-Columns mul(const Columns &parent, const math::Trs &trs)
-{
-    const Axes a(trs);
-    const glm::vec3 &t = trs.translation;
-    return {{transform(parent, a.xx, a.xy, a.xz), transform(parent, a.yx, a.yy, a.yz),
-             transform(parent, a.zx, a.zy, a.zz), transform(parent, t.x, t.y, t.z) + parent.c[3]}};
-}
-
-void mul_to_affine(const Columns &a, const float *b, float *out)
-{
-    // Each store's fourth lane is overwritten by the next.
-    math::store4(out, transform(a, b[0], b[1], b[2]));
-    math::store4(out + 3, transform(a, b[3], b[4], b[5]));
-    math::store4(out + 6, transform(a, b[6], b[7], b[8]));
-    math::store3(out + 9, transform(a, b[9], b[10], b[11]) + a.c[3]);
 }
 
 const uint8_t *active_of(const PoseJob &job)
@@ -80,33 +64,34 @@ void sample(const PoseJob &job)
     else sample_layers(*job.rig, job.layers, active_of(job), out, spare_pose(job, 0), spare_pose(job, 1));
 }
 
-// S0 3: what the degrees of freedom add to the nodes' own transforms. One at zero adds nothing, to the bit.
-void apply_dofs(const PoseJob &job)
-{
-    const model::Rig &rig = *job.rig;
-    for (size_t i = 0; i < rig.dofs.size(); ++i) {
-        const model::Dof &dof = rig.dofs[i];
-        const float value = job.dofs ? job.dofs[i] : dof.rest;
-        if (value == 0) continue;
-        if (dof.kind == model::DofKind::morph) {
-            job.weights[rig.morph_sets[dof.node].first_weight + dof.target] += value;
-            continue;
-        }
-        math::Trs &local = job.locals[dof.node];
-        if (dof.kind == model::DofKind::translation) {
-            local.translation = local.translation + local.rotation * (dof.axis * value);
-        } else {
-            const float half = value * 0.5f, s = std::sin(half);
-            local.rotation = local.rotation * glm::quat(std::cos(half), dof.axis.x * s, dof.axis.y * s, dof.axis.z * s);
-        }
+// Local transforms that degrees of freedom turn.
+struct TrsPose {
+    math::Trs *nodes;
+
+    void turn(uint32_t node, const glm::quat &by) { nodes[node].rotation = nodes[node].rotation * by; }
+    void shift(uint32_t node, const glm::vec3 &along)
+    {
+        nodes[node].translation = nodes[node].translation + nodes[node].rotation * along;
     }
+};
+
+// The clip or layers and the degrees of freedom, from rows; morph weights are told on the way.
+void take(const PoseJob &job, Sampler &sampler)
+{
+    if (active_of(job)) sampler.limit_to({job.level->nodes.data(), count32(job.level->nodes)});
+    if (job.layers.empty()) sampler.sample(job.clip, job.time_s);
+    else sampler.mix(job.layers);
+    std::copy(job.rig->rest_weights.begin(), job.rig->rest_weights.end(), job.weights.data);
+    sampler.read_weights(job.weights.data);
+    if (!job.rig->dofs.empty()) apply_dofs(*job.rig, job.dofs, job.weights.data, sampler);
 }
 
 }  // namespace
 
-size_t scratch_floats(const model::Rig &rig)
+size_t scratch_floats(const model::Rig &rig, const model::Motion *motion)
 {
-    return 2 * (exact_node_floats * rig.node_count() + rig.rest_weights.size());
+    const size_t exact = 2 * (exact_node_floats * rig.node_count() + rig.rest_weights.size());
+    return motion && !motion->empty() ? std::max(exact, sampled_floats(*motion)) : exact;
 }
 
 base::Status PoseJob::check() const
@@ -122,9 +107,12 @@ base::Status PoseJob::check() const
     if (palette.count < rig->palette.size() || weights.count < rig->rest_weights.size())
         return Status::bad(CLQ_ARGUMENT, "a pose job has room for %u of %zu matrices and %u of %zu weights",
                            palette.count, rig->palette.size(), weights.count, rig->rest_weights.size());
-    if (!layers.empty() && scratch.count < scratch_floats(*rig))
+    if ((!layers.empty() || has_rows()) && scratch.count < scratch_floats(*rig, motion))
         return Status::bad(CLQ_ARGUMENT, "a pose job of %u layers has %u of %zu numbers of scratch", layers.count,
-                           scratch.count, scratch_floats(*rig));
+                           scratch.count, scratch_floats(*rig, motion));
+    if (has_rows() && motion->clips.size() != rig->clips.size())
+        return Status::bad(CLQ_ARGUMENT, "a pose job has motion of %zu clips and a rig of %zu", motion->clips.size(),
+                           rig->clips.size());
     for (const Layer &layer : layers) {
         const bool clips_exist = (layer.clip == model::none || layer.clip < rig->clips.size()) &&
                                  (layer.reference_clip == model::none || layer.reference_clip < rig->clips.size());
@@ -137,30 +125,46 @@ base::Status PoseJob::check() const
     return Status::good();
 }
 
-void PoseJob::run() const
+bool PoseJob::has_rows() const { return motion && !motion->empty(); }
+
+void PoseJob::run_transforms() const
 {
-    sample(*this);
-    if (!rig->dofs.empty()) apply_dofs(*this);
-    const auto place = [this](uint32_t node) {
-        const uint32_t parent = rig->parents[node];
-        globals[node] = parent == model::none ? columns_of(locals[node]) : mul(globals[parent], locals[node]);
-    };
-    const auto fill = [this](uint32_t entry) {
-        mul_to_affine(globals[rig->palette[entry].node], rig->palette[entry].inverse_bind.c, palette.data[entry].c);
-    };
-    if (level && !level->active.empty()) {
-        for (const uint32_t node : level->nodes) place(node);
-        for (const uint32_t entry : level->entries) fill(entry);
+    if (has_rows()) {
+        Sampler sampler(*rig, *motion, kernel, scratch.data);
+        take(*this, sampler);
+        sampler.read_locals(layers.empty() && clip != model::none ? clip : model::none, locals.data);
         return;
     }
-    for (uint32_t i = 0; i < rig->node_count(); ++i) place(i);
-    for (uint32_t i = 0; i < rig->palette.size(); ++i) fill(i);
+    sample(*this);
+    TrsPose pose{locals.data};
+    if (!rig->dofs.empty()) apply_dofs(*rig, dofs, weights.data, pose);
+}
+
+void PoseJob::run() const
+{
+    const Steps &steps = steps_of(kernel);
+    const bool some = active_of(*this);
+    const uint32_t *nodes = some ? level->nodes.data() : nullptr;
+    const uint32_t node_count = some ? count32(level->nodes) : rig->node_count();
+    if (has_rows()) {
+        Sampler sampler(*rig, *motion, kernel, scratch.data);
+        take(*this, sampler);
+        sampler.place(globals.data);
+    } else {
+        run_transforms();
+        for (uint32_t i = 0; i < node_count; ++i) {
+            const uint32_t node = some ? nodes[i] : i;
+            globals[node] = columns_of(locals[node]);
+        }
+    }
+    steps.chain(rig->parents.data(), nodes, node_count, globals.data);
+    steps.fill(rig->palette.data(), some ? level->entries.data() : nullptr,
+               some ? count32(level->entries) : count32(rig->palette), globals.data, palette.data);
 }
 
 uint32_t PoseJob::run_locals(base::Span<math::Affine> out) const
 {
-    sample(*this);
-    if (!rig->dofs.empty()) apply_dofs(*this);
+    run_transforms();
     uint32_t built = 0;
     const auto build = [&](uint32_t node) {
         const math::Trs &now = locals[node], &rest = rig->rest[node];
@@ -172,64 +176,6 @@ uint32_t PoseJob::run_locals(base::Span<math::Affine> out) const
     else
         for (uint32_t i = 0; i < rig->node_count(); ++i) build(i);
     return built;
-}
-
-void place_locals(const model::Rig &rig, const model::Level &level, const math::Affine *locals, Columns *globals,
-                  math::Affine *palette)
-{
-    const auto place = [&](uint32_t node) {
-        const float *c = locals[node].c;
-        const Columns own = {
-            {F4{c[0], c[1], c[2], 0}, F4{c[3], c[4], c[5], 0}, F4{c[6], c[7], c[8], 0}, F4{c[9], c[10], c[11], 0}}};
-        const uint32_t parent = rig.parents[node];
-        if (parent == model::none) {
-            globals[node] = own;
-            return;
-        }
-        const Columns &p = globals[parent];
-        for (int k = 0; k < 4; ++k) globals[node].c[k] = transform(p, c[3 * k], c[3 * k + 1], c[3 * k + 2]);
-        globals[node].c[3] += p.c[3];
-    };
-    const auto fill = [&](uint32_t entry) {
-        mul_to_affine(globals[rig.palette[entry].node], rig.palette[entry].inverse_bind.c, palette[entry].c);
-    };
-    if (level.active.empty()) {
-        for (uint32_t i = 0; i < rig.node_count(); ++i) place(i);
-        for (uint32_t i = 0; i < rig.palette.size(); ++i) fill(i);
-        return;
-    }
-    for (const uint32_t node : level.nodes) place(node);
-    for (const uint32_t entry : level.entries) fill(entry);
-}
-
-Workspace::Workspace(const model::Rig &rig)
-    : rig_(&rig),
-      locals_(rig.node_count()),
-      globals_(rig.node_count()),
-      palette_(rig.palette.size() + 1),
-      weights_(rig.rest_weights.size())
-{
-}
-
-base::Span<const math::Affine> Workspace::pose(uint32_t clip, double time_s)
-{
-    PoseJob job;
-    job.rig = rig_;
-    job.clip = clip;
-    job.time_s = time_s;
-    job.locals = base::Span<math::Trs>(locals_);
-    job.globals = base::Span<Columns>(globals_);
-    job.palette = base::Span<math::Affine>(palette_);
-    job.weights = base::Span<float>(weights_);
-    job.run();
-    return {palette_.data(), static_cast<uint32_t>(rig_->palette.size())};
-}
-
-math::Affine Workspace::global(uint32_t node) const
-{
-    math::Affine out;
-    for (int k = 0; k < 4; ++k) math::store3(out.c + 3 * k, globals_[node].c[k]);
-    return out;
 }
 
 }  // namespace claque::pose

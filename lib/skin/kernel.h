@@ -28,7 +28,6 @@ void run_vector(const Run &run);
 // Matrices of four columns of four floats, aligned to 32 bytes: a column's fourth float may be anything.
 constexpr size_t wide_matrix_floats = 16;
 void widen(base::Span<const math::Affine> palette, float *out);
-bool can_run_wide();  // asks the processor
 void run_wide(const Run &run);
 
 }  // namespace claque::skin

@@ -1,8 +1,6 @@
 #include "lib/skin/skin.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <string_view>
 
 #include "lib/skin/kernel.h"
 
@@ -52,41 +50,6 @@ void fill_copies(const model::Level &level, float *out)
         to += 3;
     }
 }
-
-}  // namespace
-
-bool can_run(Kernel kernel)
-{
-    static const bool wide = can_run_wide();
-    return kernel != Kernel::wide || wide;
-}
-
-namespace
-{
-
-Kernel chosen_kernel()
-{
-#ifdef CLAQUE_SCALAR
-    return Kernel::scalar;
-#else
-    const char *named = std::getenv("CLAQUE_SIMD");
-    const std::string_view name = named ? named : "";
-    if (name == "scalar") return Kernel::scalar;
-    if (name == "128") return Kernel::vector;
-    return can_run(Kernel::wide) ? Kernel::wide : Kernel::vector;
-#endif
-}
-
-}  // namespace
-
-Kernel default_kernel()
-{
-    static const Kernel kernel = chosen_kernel();
-    return kernel;
-}
-
-namespace
-{
 
 // Aligned matrices for the wide kernel, and the room to align them.
 size_t wide_floats(size_t palette_count, Normals normals)

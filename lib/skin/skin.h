@@ -4,6 +4,7 @@
 
 #include "lib/base/span.h"
 #include "lib/base/status.h"
+#include "lib/math/kernel.h"
 #include "lib/model/template.h"
 
 #include <vector>
@@ -11,15 +12,9 @@
 namespace claque::skin
 {
 
-// All give the same bits: the same steps in the same order, one number, four or eight at a time.
-enum class Kernel : uint8_t { scalar = 0, vector = 1, wide = 2 };
-
-// What runs unless asked otherwise: the widest that the processor has, or that the environment names by CLAQUE_SIMD
-// (scalar, 128, 256); scalar where the build says CLAQUE_SCALAR. Asked once.
-Kernel default_kernel();
-
-// Whether this processor can run it.
-bool can_run(Kernel kernel);
+using math::can_run;
+using math::default_kernel;
+using math::Kernel;
 
 // How normals are turned.
 enum class Normals : uint8_t {

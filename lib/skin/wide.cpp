@@ -110,12 +110,6 @@ void choose(const Run &run, size_t pairs)
 
 }  // namespace
 
-bool can_run_wide()
-{
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx2");
-}
-
 void widen(base::Span<const math::Affine> palette, float *out)
 {
     for (uint32_t i = 0; i < palette.count; ++i, out += wide_matrix_floats)
@@ -162,7 +156,6 @@ void run_wide(const Run &run)
 namespace claque::skin
 {
 
-bool can_run_wide() { return false; }
 void widen(base::Span<const math::Affine>, float *) {}
 void run_wide(const Run &run) { run_vector(run); }
 

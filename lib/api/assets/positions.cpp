@@ -225,8 +225,11 @@ clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_in
         if (clip >= rig.clips.size())
             base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, asset->model.name.c_str(),
                        rig.clips.size());
-        *out = {rig.clip_names[clip].c_str(), rig.clips[clip].start_s, rig.clips[clip].duration_s,
-                rig.clips[clip].channel_count};
+        clq_clip_info info{};
+        info.name = rig.clip_names[clip].c_str();
+        info.start_s = rig.clips[clip].start_s, info.duration_s = rig.clips[clip].duration_s;
+        info.channel_count = rig.clips[clip].channel_count;
+        *out = info;
     });
 }
 

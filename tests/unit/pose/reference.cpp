@@ -9,10 +9,6 @@ namespace claque::reference
 namespace
 {
 
-struct Node {
-    std::vector<double> t, r, s;  // r: x y z w
-};
-
 std::vector<double> group(const model::Rig &rig, const model::Channel &c, uint32_t index)
 {
     const float *v = rig.values.data() + c.first_value + size_t(index) * c.component_count;
@@ -99,33 +95,44 @@ Mat4 mat_of(const math::Affine &a)
     return out;
 }
 
-Pose evaluate(const model::Rig &rig, uint32_t clip, double time_s)
+Locals locals_at(const model::Rig &rig, uint32_t clip, double time_s)
 {
-    std::vector<Node> nodes;
+    Locals out;
     for (const math::Trs &trs : rig.rest) {
-        nodes.push_back({{trs.translation.x, trs.translation.y, trs.translation.z},
-                         {trs.rotation.x, trs.rotation.y, trs.rotation.z, trs.rotation.w},
-                         {trs.scale.x, trs.scale.y, trs.scale.z}});
+        out.nodes.push_back({{trs.translation.x, trs.translation.y, trs.translation.z},
+                             {trs.rotation.x, trs.rotation.y, trs.rotation.z, trs.rotation.w},
+                             {trs.scale.x, trs.scale.y, trs.scale.z}});
     }
-    Pose out;
     out.weights.assign(rig.rest_weights.begin(), rig.rest_weights.end());
     for (uint32_t i = 0; clip != model::none && i < rig.clips[clip].channel_count; ++i) {
         const model::Channel &c = rig.channels[rig.clips[clip].first_channel + i];
         const std::vector<double> v = sample(rig, c, time_s);
-        if (c.path == model::Path::translation) nodes[c.node].t = v;
-        if (c.path == model::Path::rotation) nodes[c.node].r = v;
-        if (c.path == model::Path::scale) nodes[c.node].s = v;
+        if (c.path == model::Path::translation) out.nodes[c.node].t = v;
+        if (c.path == model::Path::rotation) out.nodes[c.node].r = v;
+        if (c.path == model::Path::scale) out.nodes[c.node].s = v;
         if (c.path == model::Path::morph_weights)
             std::copy(v.begin(), v.end(), out.weights.begin() + rig.morph_sets[c.node].first_weight);
     }
+    return out;
+}
+
+Pose pose_of(const model::Rig &rig, const Locals &locals)
+{
+    Pose out;
+    out.weights = locals.weights;
     std::vector<Mat4> globals;
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
-        const Mat4 local = local_of(nodes[i]);
+        const Mat4 local = local_of(locals.nodes[i]);
         globals.push_back(rig.parents[i] == model::none ? local : mul(globals[rig.parents[i]], local));
     }
     for (const model::PaletteEntry &entry : rig.palette)
         out.palette.push_back(mul(globals[entry.node], mat_of(entry.inverse_bind)));
     return out;
+}
+
+Pose evaluate(const model::Rig &rig, uint32_t clip, double time_s)
+{
+    return pose_of(rig, locals_at(rig, clip, time_s));
 }
 
 }  // namespace claque::reference

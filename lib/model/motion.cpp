@@ -1,0 +1,199 @@
+#include "lib/model/motion.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "lib/base/error.h"
+
+namespace claque::model
+{
+
+using base::fail;
+
+namespace
+{
+
+template <class T>
+uint64_t size_of(const Array<T> &array)
+{
+    return array.size() * sizeof(T);
+}
+
+void fill_rotations(const Rig &rig, Motion &m)
+{
+    m.rest_rotations.assign(size_t(block_numbers) * m.block_count(), 0.0f);
+    m.rest_scales.assign(size_t(3) * m.nodes.size(), 1.0f);
+    m.rest_offsets.assign(size_t(4) * m.nodes.size(), 0.0f);
+    for (uint32_t j = 0; j < m.nodes.size(); ++j) {
+        const math::Trs trs = m.nodes[j] == none ? math::Trs() : rig.rest[m.nodes[j]];
+        const uint32_t lane = j % motion_lanes;
+        float *rotation = m.rest_rotations.data() + size_t(block_numbers) * (j / motion_lanes) + lane;
+        float *scale = m.rest_scales.data() + size_t(3) * motion_lanes * (j / motion_lanes) + lane;
+        rotation[0] = trs.rotation.x, rotation[motion_lanes] = trs.rotation.y;
+        rotation[2 * motion_lanes] = trs.rotation.z, rotation[3 * motion_lanes] = trs.rotation.w;
+        for (int k = 0; k < 3; ++k) {
+            scale[size_t(k) * motion_lanes] = trs.scale[k];
+            m.rest_offsets[4 * size_t(j) + size_t(k)] = trs.translation[k];
+        }
+    }
+}
+
+uint32_t node_of_weight(const Rig &rig, uint32_t weight)
+{
+    for (const MorphSet &set : rig.morph_sets)
+        if (weight - set.first_weight < set.target_count) return set.node;
+    return 0;
+}
+
+void fill_groups(const Rig &rig, Motion &m)
+{
+    m.rest_groups.assign(4 * m.groups.size(), 0.0f);
+    m.group_of.assign(2 * m.nodes.size(), none);
+    m.group_nodes.clear();
+    m.scales_move = false;
+    for (uint32_t g = 0; g < m.groups.size(); ++g) {
+        const MotionGroup &group = m.groups[g];
+        const bool scales = group.path == Path::scale, morphs = group.path == Path::morph_weights;
+        if (!morphs) m.group_of[2 * group.target + (scales ? 1 : 0)] = g;
+        m.group_nodes.push_back(morphs ? node_of_weight(rig, group.target) : m.nodes[group.target]);
+        m.scales_move |= scales;
+        for (uint32_t k = 0; k < group.count; ++k) {
+            float &to = m.rest_groups[4 * size_t(g) + k];
+            if (morphs) to = rig.rest_weights[group.target + k];
+            else if (scales) to = rig.rest[m.nodes[group.target]].scale[int(k)];
+            else to = rig.rest[m.nodes[group.target]].translation[int(k)];
+        }
+    }
+}
+
+void fill_still(const Rig &rig, Motion &m)
+{
+    m.still_nodes.clear(), m.still_columns.clear();
+    for (uint32_t n = 0; n < rig.node_count(); ++n) {
+        if (m.joint_of[n] != none) continue;
+        m.still_nodes.push_back(n);
+        const math::Affine local = math::affine_of(rig.rest[n]);
+        for (int k = 0; k < 4; ++k)
+            m.still_columns.insert(m.still_columns.end(), {local.c[3 * k], local.c[3 * k + 1], local.c[3 * k + 2], 0});
+    }
+}
+
+void check_group(const Motion &m, const Rig &rig, const MotionGroup &group)
+{
+    if (group.path == Path::rotation || group.path > Path::morph_weights)
+        fail(CLQ_ARGUMENT, "a motion group of path %u", unsigned(group.path));
+    const bool morphs = group.path == Path::morph_weights;
+    const uint64_t owners = morphs ? rig.rest_weights.size() : m.nodes.size();
+    const bool counted = morphs ? group.count >= 1 && group.count <= 4 : group.count == 3;
+    if (!counted || uint64_t(group.target) + (morphs ? group.count : 1) > owners ||
+        (!morphs && m.nodes[group.target] == none))
+        fail(CLQ_ARGUMENT, "a motion group of %u numbers for number %u of %llu", group.count, group.target,
+             static_cast<unsigned long long>(owners));
+}
+
+void check_rows(uint64_t first, uint64_t stride, uint64_t intervals, uint64_t numbers, uint64_t length)
+{
+    if (first + stride * intervals + numbers > length)
+        fail(CLQ_ARGUMENT, "rows of motion from %llu on leave their %llu numbers",
+             static_cast<unsigned long long>(first), static_cast<unsigned long long>(length));
+}
+
+// A channel of this clip, going where its path says.
+void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const MotionExact &exact)
+{
+    if (exact.channel < clip.first_channel || exact.channel - clip.first_channel >= clip.channel_count)
+        fail(CLQ_ARGUMENT, "channel %u is kept by motion of another clip", exact.channel);
+    const Channel &channel = rig.channels[exact.channel];
+    if (channel.path == Path::rotation) {
+        if (exact.target >= m.nodes.size()) fail(CLQ_ARGUMENT, "motion keeps channel %u for no joint", exact.channel);
+        return;
+    }
+    const uint64_t groups = (uint64_t(channel.component_count) + 3) / 4;
+    uint32_t numbers = 0;
+    for (uint64_t g = exact.target; g < exact.target + groups && g < m.groups.size(); ++g) numbers += m.groups[g].count;
+    if (numbers != channel.component_count)
+        fail(CLQ_ARGUMENT, "motion keeps %u numbers of channel %u, which has %u", numbers, exact.channel,
+             channel.component_count);
+}
+
+void check_clip(const Motion &m, const Rig &rig, uint32_t c)
+{
+    const MotionClip &clip = m.clips[c];
+    const bool sound = std::isfinite(clip.rate_hz) && clip.rate_hz >= 0 && clip.error_m >= 0 && clip.error_rad >= 0;
+    if (!sound || clip.intervals > most_motion_intervals)
+        fail(CLQ_ARGUMENT, "motion of clip %u at %g Hz in %u intervals", c, double(clip.rate_hz), clip.intervals);
+    for (uint32_t b = 0; b < m.block_count(); ++b) {
+        const MotionBlock &block = m.blocks[size_t(c) * m.block_count() + b];
+        if (block.first != none)
+            check_rows(block.first, block.stride, clip.intervals, block_numbers, m.rotations.size());
+    }
+    for (uint32_t g = 0; g < m.group_count(); ++g) {
+        const MotionTrack &track = m.tracks[size_t(c) * m.group_count() + g];
+        check_rows(track.first, track.stride, clip.intervals, 4, m.numbers.size());
+        for (int k = 0; k < 4; ++k)
+            if (!std::isfinite(track.least[k]) || !std::isfinite(track.step[k]))
+                fail(CLQ_ARGUMENT, "motion of clip %u has a range that is not finite", c);
+    }
+    if (uint64_t(clip.first_exact) + clip.exact_count > m.exact.size())
+        fail(CLQ_ARGUMENT, "motion of clip %u keeps channels out of range", c);
+    for (uint32_t i = 0; i < clip.exact_count; ++i) check_exact(m, rig, rig.clips[c], m.exact[clip.first_exact + i]);
+}
+
+}  // namespace
+
+void check(const Motion &m, const Rig &rig)
+{
+    if (m.empty()) return;
+    if (m.clips.size() != rig.clips.size() || m.nodes.size() % motion_lanes != 0 ||
+        m.blocks.size() != m.clips.size() * m.block_count() || m.tracks.size() != m.clips.size() * m.groups.size())
+        fail(CLQ_ARGUMENT, "motion of %zu clips and %zu joints does not fit a rig of %zu clips", m.clips.size(),
+             m.nodes.size(), rig.clips.size());
+    Array<uint8_t> taken(rig.node_count(), 0, m.nodes.get_allocator());
+    for (const uint32_t node : m.nodes) {
+        if (node == none) continue;
+        if (node >= rig.node_count() || taken[node])
+            fail(CLQ_ARGUMENT, "motion has a joint at node %u twice or nowhere", node);
+        taken[node] = 1;
+    }
+    for (const MotionGroup &group : m.groups) check_group(m, rig, group);
+    for (uint32_t c = 0; c < m.clips.size(); ++c) check_clip(m, rig, c);
+}
+
+void derive(const Rig &rig, Motion &m)
+{
+    m.joint_of.assign(rig.node_count(), none);
+    for (uint32_t j = 0; j < m.nodes.size(); ++j)
+        if (m.nodes[j] != none) m.joint_of[m.nodes[j]] = j;
+    fill_rotations(rig, m);
+    fill_groups(rig, m);
+    fill_still(rig, m);
+}
+
+uint64_t motion_bytes(const Motion &m, const Rig &rig, uint32_t c)
+{
+    if (m.empty()) return 0;
+    const MotionClip &clip = m.clips[c];
+    uint64_t bytes = sizeof clip + sizeof(MotionBlock) * m.block_count() + sizeof(MotionTrack) * m.group_count();
+    const uint64_t rows = uint64_t(clip.intervals) + 1;
+    for (uint32_t b = 0; b < m.block_count(); ++b)
+        if (m.blocks[size_t(c) * m.block_count() + b].stride) bytes += rows * block_numbers * sizeof(int16_t);
+    for (uint32_t g = 0; g < m.group_count(); ++g)
+        if (m.tracks[size_t(c) * m.group_count() + g].stride) bytes += rows * 4 * sizeof(uint16_t);
+    for (uint32_t i = 0; i < clip.exact_count; ++i) {
+        const Channel &channel = rig.channels[m.exact[clip.first_exact + i].channel];
+        const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
+        bytes += sizeof(MotionExact) + sizeof channel;
+        bytes += channel.key_count * (1 + groups * channel.component_count) * sizeof(float);
+    }
+    return bytes;
+}
+
+uint64_t motion_bytes(const Motion &m)
+{
+    return size_of(m.nodes) + size_of(m.groups) + size_of(m.clips) + size_of(m.blocks) + size_of(m.tracks) +
+           size_of(m.exact) + size_of(m.rotations) + size_of(m.numbers) + size_of(m.joint_of) + size_of(m.group_of) +
+           size_of(m.group_nodes) + size_of(m.rest_rotations) + size_of(m.rest_scales) + size_of(m.rest_offsets) +
+           size_of(m.rest_groups) + size_of(m.still_nodes) + size_of(m.still_columns);
+}
+
+}  // namespace claque::model

@@ -1,0 +1,187 @@
+#include "meshsplit/motion.h"
+
+#include "meshsplit/motion_error.h"
+#include "meshsplit/motion_plan.h"
+#include "meshsplit/spheres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace claque::meshsplit
+{
+
+namespace
+{
+
+// Rates that clips are tried at, besides those of their own keys.
+constexpr double rates_hz[] = {10, 12.5, 15, 20, 25, 30, 50, 60, 100, 120};
+constexpr double highest_key_rate_hz = 250;
+// A template's rows may take this many bytes; clips beyond keep their channels.
+constexpr size_t most_numbers = size_t(1) << 29;
+
+// How long the arrays were, to take a clip away again.
+struct Lengths {
+    size_t clips, blocks, tracks, exact, rotations, numbers;
+
+    explicit Lengths(const model::Motion &m)
+        : clips(m.clips.size()),
+          blocks(m.blocks.size()),
+          tracks(m.tracks.size()),
+          exact(m.exact.size()),
+          rotations(m.rotations.size()),
+          numbers(m.numbers.size())
+    {
+    }
+    void cut(model::Motion &m) const
+    {
+        m.clips.resize(clips), m.blocks.resize(blocks), m.tracks.resize(tracks), m.exact.resize(exact);
+        m.rotations.resize(rotations), m.numbers.resize(numbers);
+    }
+};
+
+class ClipFitter
+{
+public:
+    ClipFitter(model::Template &tmpl, MotionMeter &meter, uint32_t clip, const MotionError &most)
+        : tmpl_(tmpl),
+          meter_(meter),
+          index_(clip),
+          clip_(tmpl.rig.clips[clip]),
+          most_(most),
+          before_(tmpl.motion),
+          kept_(clip_.channel_count)
+    {
+        for (uint32_t i = 0; i < clip_.channel_count; ++i) {
+            const model::Channel &channel = tmpl.rig.channels[clip_.first_channel + i];
+            kept_[i] = channel.interpolation == model::Interpolation::step && channel.key_count > 1;
+        }
+        times_ = halved(sample_times(tmpl.rig, clip));
+    }
+
+    void run()
+    {
+        const std::vector<uint32_t> counts = interval_counts();
+        // Tracks that stray at the highest rate stay with their channels, then also those that stray by less.
+        MotionError strays = most_;
+        for (int attempt = 0; attempt < 4 && !counts.empty(); ++attempt) {
+            keep_strays(counts.back(), strays);
+            for (const uint32_t count : counts)
+                if (fits(count)) return;
+            strays.metres /= 4, strays.radians /= 4;
+        }
+        std::fill(kept_.begin(), kept_.end(), uint8_t(1));
+        put(0);
+        error_of_clip() = meter_.measure(index_, times_, most());
+    }
+
+private:
+    static MotionError most()
+    {
+        return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    }
+
+    static std::vector<double> halved(const std::vector<double> &times)
+    {
+        std::vector<double> out;
+        for (const double time : times) {
+            if (!out.empty()) out.push_back(0.5 * (out.back() + time));
+            out.push_back(time);
+        }
+        return out;
+    }
+
+    struct ErrorOfClip {
+        model::MotionClip &clip;
+        void operator=(const MotionError &error)
+        {
+            // Rounded up: what is stated holds.
+            clip.error_m = std::nextafter(float(error.metres), std::numeric_limits<float>::infinity());
+            clip.error_rad = std::nextafter(float(error.radians), std::numeric_limits<float>::infinity());
+        }
+    };
+    ErrorOfClip error_of_clip() { return {tmpl_.motion.clips.back()}; }
+
+    // How many rows are tried, fewest first; none where there is nothing to sample.
+    std::vector<uint32_t> interval_counts() const
+    {
+        const double length = double(clip_.duration_s);
+        if (!(length > 0)) return {0};
+        std::vector<double> counts;
+        for (const double rate : rates_hz) counts.push_back(std::ceil(length * rate - 1e-3));
+        for (uint32_t i = 0; i < clip_.channel_count; ++i) {
+            const uint32_t keys = tmpl_.rig.channels[clip_.first_channel + i].key_count;
+            if (keys > 1 && keys - 1 <= length * highest_key_rate_hz) counts.push_back(keys - 1);
+        }
+        std::vector<uint32_t> out;
+        for (const double count : counts)
+            if (count <= model::most_motion_intervals) out.push_back(std::max(1u, static_cast<uint32_t>(count)));
+        std::sort(out.begin(), out.end());
+        out.erase(std::unique(out.begin(), out.end()), out.end());
+        return out;
+    }
+
+    void put(uint32_t intervals)
+    {
+        before_.cut(tmpl_.motion);
+        append_clip(tmpl_.rig, index_, intervals, kept_, tmpl_.motion);
+    }
+
+    void keep_strays(uint32_t intervals, const MotionError &strays)
+    {
+        put(intervals);
+        const std::vector<uint8_t> found = meter_.strays(index_, times_, strays);
+        for (size_t i = 0; i < kept_.size(); ++i) kept_[i] |= found[i];
+    }
+
+    bool fits(uint32_t intervals)
+    {
+        put(intervals);
+        if (tmpl_.motion.rotations.size() > most_numbers || tmpl_.motion.numbers.size() > most_numbers) return false;
+        MotionError worst = meter_.measure(index_, times_, most_);
+        if (!worst.within(most_)) return false;
+        worst.take_in(meter_.measure(index_, between_rows(intervals), most_));
+        if (!worst.within(most_)) return false;
+        error_of_clip() = worst;
+        return true;
+    }
+
+    std::vector<double> between_rows(uint32_t intervals) const
+    {
+        std::vector<double> out;
+        for (uint32_t i = 0; i < intervals; ++i)
+            for (const double part : {0.25, 0.5, 0.75})
+                out.push_back(double(clip_.start_s) + double(clip_.duration_s) * (i + part) / intervals);
+        return out;
+    }
+
+    model::Template &tmpl_;
+    MotionMeter &meter_;
+    const uint32_t index_;
+    const model::Clip &clip_;
+    const MotionError most_;
+    const Lengths before_;
+    std::vector<uint8_t> kept_;
+    std::vector<double> times_;
+};
+
+}  // namespace
+
+void make_motion(const MotionTolerance &tolerance, model::Template &out)
+{
+    if (out.rig.clips.empty() || tolerance.metres == 0) return;
+    plan_joints(out.rig, out.motion);
+    model::derive(out.rig, out.motion);
+    MotionMeter meter(out);
+    const double metres = tolerance.metres > 0 ? double(tolerance.metres) : meter.rest_size() / 2000;
+    for (uint32_t c = 0; c < out.rig.clips.size(); ++c)
+        ClipFitter(out, meter, c, {metres, double(tolerance.radians)}).run();
+    const float more = static_cast<float>(meter.bound() * 1.25);
+    out.sklsroot.radius += more;
+    for (model::NodeReach &reach : out.node_reach) reach.distance += more;
+    // What is added is the difference of two poses.
+    out.blend_radius.none += more, out.blend_radius.each += 2 * more;
+    for (model::BlendReach &reach : out.blend_reach) reach.distance.none += more, reach.distance.each += 2 * more;
+}
+
+}  // namespace claque::meshsplit
