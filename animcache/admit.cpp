@@ -1,12 +1,18 @@
-// Room in the caches: blocks of an individual's own, within one budget. When it is spent, who is not seen in this
-// update leaves, unseen for longest first, ties by row; who is seen is never thrown out.
-#include <algorithm>
-#include <utility>
-
+// Room in the caches: blocks of an individual's own, within one budget. Who has been unseen so long that its pose is stale
+// makes room before more is asked of the host; when the budget is spent, all who are not seen in this update do, unseen for
+// longest first, ties by row. Who is seen is never thrown out.
 #include "animcache/caches.h"
 
 namespace claque::animcache
 {
+
+namespace
+{
+
+// At 60 a second, four times the slowest period: what is held then is of use in halted time alone.
+constexpr uint64_t stale_updates = 64;
+
+}  // namespace
 
 size_t Caches::block_bytes(const model::Template &tmpl, Block kind) const
 {
@@ -17,66 +23,62 @@ size_t Caches::block_bytes(const model::Template &tmpl, Block kind) const
 void Caches::release(Entry &entry, Block kind)
 {
     if (!(entry.*kind)) return;
-    const size_t bytes = block_bytes(*entry.tmpl, kind);
-    memory_->deallocate(entry.*kind, bytes, alignof(math::F4));
-    counters_.bytes -= bytes;
+    blocks_.give(entry.*kind, block_bytes(*entry.tmpl, kind));
     entry.*kind = nullptr;
     (kind == &Entry::palette ? entry.palette_key : entry.vertices_key) = PoseKey();
 }
 
-void Caches::find_victims()
+// Rows in the order in which they were last seen; those of one update by row.
+void Caches::move_to_end(uint32_t row)
 {
-    victims_known_ = true;
-    victims_.clear();
-    for (uint32_t row = 0; row < entries_.size(); ++row)
-        if (entries_[row].last_seen != serial_ && (entries_[row].palette || entries_[row].vertices))
-            victims_.push_back(row);
-    std::sort(victims_.begin(), victims_.end(), [this](uint32_t a, uint32_t b) {
-        const uint64_t seen_a = entries_[a].last_seen, seen_b = entries_[b].last_seen;
-        return seen_a != seen_b ? seen_a > seen_b : a > b;
-    });
+    if (last_ == row) return;
+    Entry &entry = entries_[row];
+    if (entry.before != model::none) entries_[entry.before].after = entry.after;
+    else if (first_ == row) first_ = entry.after;
+    if (entry.after != model::none) entries_[entry.after].before = entry.before;
+    entry.before = last_;
+    entry.after = model::none;
+    if (last_ != model::none) entries_[last_].after = row;
+    else first_ = row;
+    last_ = row;
 }
 
-// Throws out the next victim, both its blocks; one of the right kind and size is taken over as it is.
-bool Caches::evict_one(const Entry &wanted, Block kind, float **taken_over)
+// Takes the blocks of who is unseen for longest. False: nobody has any who is not seen in this update, or for `updates`.
+bool Caches::evict_one(uint64_t updates)
 {
-    if (!victims_known_) find_victims();
-    if (victims_.empty()) return false;
-    Entry &victim = entries_[victims_.back()];
-    victims_.pop_back();
-    counters_.evicted += (victim.palette != nullptr) + (victim.vertices != nullptr);
-    if (victim.tmpl == wanted.tmpl) std::swap(*taken_over, victim.*kind);
-    release(victim, &Entry::palette);
-    release(victim, &Entry::vertices);
-    victim.palette_key = victim.vertices_key = PoseKey();
-    return true;
+    while (first_ != model::none && entries_[first_].last_seen + updates <= serial_) {
+        Entry &victim = entries_[first_];
+        first_ = victim.after;
+        if (first_ != model::none) entries_[first_].before = model::none;
+        else last_ = model::none;
+        victim.after = model::none;
+        const uint32_t blocks = (victim.palette != nullptr) + (victim.vertices != nullptr);
+        counters_.evicted += blocks;
+        release(victim, &Entry::palette);
+        release(victim, &Entry::vertices);
+        if (blocks > 0) return true;
+    }
+    return false;
 }
 
 float *Caches::take(const Entry &wanted, Block kind)
 {
     const size_t bytes = block_bytes(*wanted.tmpl, kind);
-    if (bytes > settings_.budget_bytes) return nullptr;
-    float *block = nullptr;
-    while (counters_.bytes + bytes > settings_.budget_bytes) {
-        if (!evict_one(wanted, kind, &block)) return nullptr;
-        if (block) return block;
+    if (BlockPool::taken_by(bytes) > settings_.budget_bytes) return nullptr;
+    for (;;) {
+        if (float *block = blocks_.take_free(bytes)) return block;
+        if (evict_one(stale_updates)) continue;
+        if (float *block = blocks_.take_new(bytes)) return block;
+        // Nobody's room: the individual is served while drawing, and the next update asks again.
+        if (!blocks_.trim() && !evict_one(1)) return nullptr;
     }
-    try {
-        block = static_cast<float *>(memory_->allocate(bytes, alignof(math::F4)));
-    } catch (...) {
-        return nullptr;  // the individual is served while drawing; the next update asks again
-    }
-    counters_.bytes += bytes;
-    return block;
 }
 
 std::pmr::vector<Request> &Caches::begin()
 {
     ++serial_;
-    victims_known_ = false;
     Counters next;
     next.evicted = counters_.evicted;
-    next.bytes = counters_.bytes;
     counters_ = next;
     requests_.clear();
     return requests_;
@@ -93,6 +95,7 @@ void Caches::admit_poses()
         }
         entry.last_seen = serial_;
         entry.request = i;
+        move_to_end(requests_[i].row);
     }
     // Palettes first: they are small, and save more of the work a byte. Vertices are nobody's without a palette.
     for (const Request &request : requests_) {

@@ -22,26 +22,19 @@ void share(uint32_t n, uint32_t strand, const Body &body)
 }  // namespace
 
 Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
-    : memory_(memory),
-      settings_(settings),
+    : settings_(settings),
+      blocks_(memory, settings.budget_bytes),
       requests_(memory),
       entries_(memory),
       animate_(memory),
       skin_(memory),
       waiting_(memory),
-      victims_(memory),
       built_(memory),
       scratch_(memory, strands)
 {
 }
 
-Caches::~Caches()
-{
-    for (Entry &entry : entries_) {
-        release(entry, &Entry::palette);
-        release(entry, &Entry::vertices);
-    }
-}
+Caches::~Caches() = default;
 
 void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
 {
@@ -52,7 +45,6 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
     animate_.reserve(row_count);
     skin_.reserve(row_count);
     if (settings_.can_defer) waiting_.reserve(row_count);
-    victims_.reserve(row_count);
     if (entries_.size() < row_count) entries_.resize(row_count);
     built_.resize(strands);
 }
@@ -133,6 +125,8 @@ void Caches::skin(const base::Jobs &jobs)
         });
     });
     counters_.skinned = static_cast<uint32_t>(skin_.size());
+    counters_.bytes = blocks_.used_bytes();
+    counters_.pool_bytes = blocks_.held_bytes();
 }
 
 const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const

@@ -3,6 +3,7 @@
 // the palette that is held. Who finds no room is served while drawing (on_demand.h).
 #pragma once
 
+#include "animcache/block_pool.h"
 #include "animcache/scratch.h"
 #include "animcache/settings.h"
 #include "lib/base/services.h"
@@ -16,7 +17,8 @@ struct Counters {
     uint64_t matrices_built = 0;                          // last update: nodes' of those animated
     uint32_t deferred = 0, overdue = 0, over_budget = 0;  // last update: see frame::Stats
     uint64_t evicted = 0;                                 // blocks, ever
-    uint64_t bytes = 0;                                   // held now
+    uint64_t bytes = 0;                                   // of blocks in use, now
+    uint64_t pool_bytes = 0;                              // that the host has given for them
 };
 
 class Caches
@@ -78,6 +80,7 @@ private:
         double renewed_s = 0;  // host's time at which it was made; where updates have budgets
         uint32_t vertices_level = 0;
         uint32_t request = 0;
+        uint32_t before = model::none, after = model::none;  // rows, see move_to_end()
         uint64_t last_seen = 0;
         uint64_t animated_at = 0;
     };
@@ -93,13 +96,13 @@ private:
     bool can_wait(const Request &request, double time_s) const;
     bool needs_vertices(const Request &request) const;
     float *take(const Entry &wanted, Block kind);  // null: no room
-    bool evict_one(const Entry &wanted, Block kind, float **taken_over);
-    void find_victims();
+    bool evict_one(uint64_t updates);
+    void move_to_end(uint32_t row);
     void release(Entry &entry, Block kind);
     size_t block_bytes(const model::Template &tmpl, Block kind) const;
 
-    std::pmr::memory_resource *memory_;
     Settings settings_;
+    BlockPool blocks_;
     Counters counters_;
     uint64_t serial_ = 0;
     std::pmr::vector<Request> requests_;  // of the last update
@@ -107,10 +110,9 @@ private:
     std::pmr::vector<uint32_t> animate_;  // indices of requests
     std::pmr::vector<uint32_t> skin_;
     std::pmr::vector<Waiting> waiting_;
-    Moment moment_;                       // of the last update
-    std::pmr::vector<uint32_t> victims_;  // rows, those to leave first at the end
-    bool victims_known_ = false;
-    std::pmr::vector<uint32_t> built_;  // by strand: matrices
+    Moment moment_;                                      // of the last update
+    uint32_t first_ = model::none, last_ = model::none;  // rows by when they were last seen
+    std::pmr::vector<uint32_t> built_;                   // by strand: matrices
     mutable ScratchPool scratch_;
 };
 

@@ -309,6 +309,7 @@ typedef struct clq_crowd_stats {
     uint32_t over_budget;     /* poses evaluated beyond the budget, because there was none to show */
     uint64_t evicted;         /* entries thrown out since the crowd was made */
     uint64_t cache_bytes, cache_budget_bytes;
+    uint64_t cache_pool_bytes;      /* that the allocator has given for the former: at most the budget */
     uint64_t actor_bytes;           /* of all actors besides the caches */
     clq_band bands[CLQ_BAND_COUNT]; /* since the crowd was made, or since clq_crowd_reset_bands */
 } clq_crowd_stats;

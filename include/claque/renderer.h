@@ -91,7 +91,8 @@ typedef struct clq_draw_stats {
     uint32_t matrices;  /* glMultMatrixf calls, see clq_placement */
 } clq_draw_stats;
 
-/* Draws a view's list as the last update left it. The crowd is not changed.
+/* Draws a view's list as the last update left it. The crowd is not changed: several views of it may be drawn at once, each
+ * by a renderer and a thread of its own. While it is drawn an update is BUSY, and while it is updated a draw is.
  *   out_stats   may be NULL
  * Fails: ARGUMENT (a template that is not prepared, by name), GL_STATE (what would spoil the picture, by name),
  * GL_MISSING, BUSY; nothing is drawn or changed then. OUT_OF_MEMORY: somebody whom no cache holds found no room to be

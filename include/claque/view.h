@@ -50,9 +50,11 @@ typedef struct clq_view_stats {
     uint32_t parts, parts_left_out; /* of the others (S0 4.2 phase 3) */
 } clq_view_stats;
 
+/* Fails: ARGUMENT, BUSY (an update runs, or another thread draws the view). Threads: any. */
 CLQ_API clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out);
 
-/* Fingerprint of the draw list with all its matrices, colours and vertices: equal lists draw equal pictures. */
+/* Fingerprint of the draw list with all its matrices, colours and vertices: equal lists draw equal pictures. 0 of NULL, and
+ * where clq_view_get_stats would be BUSY. Threads: any. */
 CLQ_API uint64_t clq_view_hash(const clq_view *view);
 
 #ifdef __cplusplus

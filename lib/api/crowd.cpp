@@ -180,6 +180,7 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         result.over_budget = stats.over_budget;
         result.evicted = stats.evicted;
         result.cache_bytes = stats.cache_bytes;
+        result.cache_pool_bytes = stats.cache_pool_bytes;
         result.cache_budget_bytes = stats.cache_budget_bytes;
         result.actor_bytes = crowd->crowd.bytes();
         static_assert(CLQ_BAND_COUNT == frame::band_count, "the C API shows every band");

@@ -31,13 +31,14 @@ struct clq_crowd {
     // Of the call that places: hosts do so every frame, and a frame asks for no memory once it has grown.
     std::pmr::vector<claque::crowd::Id> placed_ids;
     std::pmr::vector<claque::crowd::Place> placed;
-    mutable std::atomic<bool> busy{false};  // while an update runs, or a draw that skins on demand
+    mutable std::atomic<int32_t> users{0};  // calls that draw its views, which only read it; -1: one that changes it
 };
 
 struct clq_view {
     explicit clq_view(clq_crowd *owner) : crowd(owner), view(&owner->context->memory) {}
     clq_crowd *crowd;
     claque::frame::View view;
+    mutable std::atomic<bool> drawn{false};  // whoever draws it skins into its memory: one at a time
 };
 
 namespace claque::api
@@ -49,15 +50,46 @@ class Busy
 public:
     explicit Busy(const clq_crowd *crowd) : crowd_(crowd)
     {
-        if (crowd->busy.exchange(true))
-            base::fail(CLQ_BUSY, "another call is at work on this crowd: calls come one at a time");
+        int32_t nobody = 0;
+        if (!crowd->users.compare_exchange_strong(nobody, -1))
+            base::fail(CLQ_BUSY, nobody < 0 ? "another call is at work on this crowd: calls come one at a time"
+                                            : "a view of this crowd is being drawn, and what it shows must not change");
     }
-    ~Busy() { crowd_->busy = false; }
+    ~Busy() { crowd_->users = 0; }
     Busy(const Busy &) = delete;
     Busy &operator=(const Busy &) = delete;
 
 private:
     const clq_crowd *crowd_;
+};
+
+// Holds a view for the length of a draw. Views of one crowd may be drawn at once, each by its own thread; who would change
+// the crowd meanwhile is told BUSY, and so is who would draw what changes.
+class Drawing
+{
+public:
+    explicit Drawing(const clq_view *view) : view_(view)
+    {
+        std::atomic<int32_t> &users = view->crowd->users;
+        int32_t before = users;
+        do
+            if (before < 0)
+                base::fail(CLQ_BUSY, "the crowd is being changed, by an update for example: draw before or after it");
+        while (!users.compare_exchange_weak(before, before + 1));
+        if (!view->drawn.exchange(true)) return;
+        --users;
+        base::fail(CLQ_BUSY, "another thread draws this view");
+    }
+    ~Drawing()
+    {
+        view_->drawn = false;
+        --view_->crowd->users;
+    }
+    Drawing(const Drawing &) = delete;
+    Drawing &operator=(const Drawing &) = delete;
+
+private:
+    const clq_view *view_;
 };
 
 crowd::Place place_of(const clq_place &place);

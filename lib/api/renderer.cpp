@@ -96,7 +96,7 @@ clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_st
     return api::boundary("clq_renderer_draw", [&] {
         api::require(renderer && view, "renderer or view is NULL");
         api::require(view->crowd->context == renderer->context, "the view belongs to another context");
-        const api::Busy busy(view->crowd);
+        const api::Drawing drawing(view);
         passes::DrawStats stats;
         api::require(renderer->renderer.draw(view->view.list, &stats));
         if (out_stats)

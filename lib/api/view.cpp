@@ -113,6 +113,7 @@ clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
 {
     return api::boundary("clq_view_get_stats", [&] {
         api::require(view && out, "view or out is NULL");
+        const api::Drawing drawing(view);
         clq_view_stats stats{};
         stats.visible = static_cast<uint32_t>(view->view.list.items.size());
         stats.triangles = static_cast<uint32_t>(frame::triangle_count(view->view.list));
@@ -126,6 +127,15 @@ clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
     });
 }
 
-uint64_t clq_view_hash(const clq_view *view) { return view ? frame::hash(view->view.list) : 0; }
+uint64_t clq_view_hash(const clq_view *view)
+{
+    uint64_t hash = 0;
+    if (!view) return hash;
+    api::boundary("clq_view_hash", [&] {
+        const api::Drawing drawing(view);
+        hash = frame::hash(view->view.list);
+    });
+    return hash;
+}
 
 }  // extern "C"

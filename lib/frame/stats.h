@@ -45,6 +45,7 @@ struct Stats {
     uint32_t over_budget = 0;      // evaluated beyond the budget: there was no pose to show
     uint64_t evicted = 0;          // blocks thrown out, since the caches were made
     uint64_t cache_bytes = 0, cache_budget_bytes = 0;
+    uint64_t cache_pool_bytes = 0;  // that the host has given for the former
     Band bands[band_count];
 };
 

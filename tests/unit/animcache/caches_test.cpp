@@ -33,7 +33,8 @@ protected:
     {
         Settings settings;
         const Sizes sizes = sizes_of(*figure_, Geometry::real);
-        settings.budget_bytes = sizeof(float) * (palettes * sizes.palette_floats + vertices * sizes.vertex_floats);
+        settings.budget_bytes = palettes * BlockPool::taken_by(sizeof(float) * sizes.palette_floats) +
+                                vertices * BlockPool::taken_by(sizeof(float) * sizes.vertex_floats);
         return settings;
     }
 
