@@ -97,10 +97,11 @@ void Caches::admit_poses()
         entry.request = i;
         move_to_end(requests_[i].row);
     }
+    key_poses_.choose(requests_);
     // Palettes first: they are small, and save more of the work a byte. Vertices are nobody's without a palette.
     for (const Request &request : requests_) {
         Entry &entry = entries_[request.row];
-        if (!entry.palette) entry.palette = take(entry, &Entry::palette);
+        if (!entry.palette && request.needs_palette()) entry.palette = take(entry, &Entry::palette);
     }
 }
 
@@ -108,7 +109,9 @@ void Caches::admit_vertices()
 {
     for (const Request &request : requests_) {
         Entry &entry = entries_[request.row];
-        if (needs_vertices(request) && entry.palette && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
+        const bool ready = entry.palette || !request.needs_palette();
+        if (!ready) release(entry, &Entry::vertices);  // of key-poses that it showed: nothing to renew them from
+        if (needs_vertices(request) && ready && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
     }
 }
 

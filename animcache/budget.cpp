@@ -20,6 +20,7 @@ constexpr double urgent_periods = 1.75;
 // A pose of another clip, of other nodes or of a time that is yet to come does not serve.
 bool Caches::can_wait(const Request &request, double time_s) const
 {
+    if (shows_key_poses(request.shared.method)) return false;  // what is kept of them must not be seen
     const Entry &entry = entries_[request.row];
     return entry.palette_key.version == request.pose.version && entry.palette_key.skeletal == request.pose.skeletal &&
            entry.shown_s <= time_s && entry.renewed_s <= time_s;

@@ -1,5 +1,6 @@
 #include "animcache/caches.h"
 
+#include "animcache/keypose_vertices.h"
 #include "lib/pose/pose.h"
 
 namespace claque::animcache
@@ -30,7 +31,8 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
       skin_(memory),
       waiting_(memory),
       built_(memory),
-      scratch_(memory, strands)
+      scratch_(memory, strands),
+      key_poses_(memory, settings.key_poses, settings.geometry)
 {
 }
 
@@ -38,9 +40,8 @@ Caches::~Caches() = default;
 
 void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
 {
-    Sizes sizes;
-    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl, settings_.geometry));
-    scratch_.reserve(sizes);
+    scratch_.reserve(sizes_of(templates, settings_));
+    key_poses_.reserve(row_count, templates);
     requests_.reserve(row_count);
     animate_.reserve(row_count);
     skin_.reserve(row_count);
@@ -51,6 +52,7 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
 
 bool Caches::is_due(const Request &request) const
 {
+    if (!request.needs_palette()) return false;
     const Entry &entry = entries_[request.row];
     return settings_.mode == Mode::none || !entry.palette || !(entry.palette_key == request.pose);
 }
@@ -59,6 +61,7 @@ void Caches::find_due_poses()
 {
     animate_.clear();
     for (uint32_t i = 0; i < requests_.size(); ++i) {
+        if (!requests_[i].needs_palette()) continue;
         if (!is_due(requests_[i])) {
             entries_[requests_[i].row].shown_s = requests_[i].shown_s;
             ++counters_.palette_served;
@@ -90,6 +93,7 @@ void Caches::find_due_vertices()
 // GL's matrix stack moves rigid parts itself, unless there is no room for their matrices.
 bool Caches::needs_vertices(const Request &request) const
 {
+    if (request.shared.method == Method::intermittent && request.shared.served()) return false;
     return request.drawn && (request.placement == Placement::vertices || !entries_[request.row].palette);
 }
 
@@ -112,17 +116,22 @@ void Caches::animate(const base::Jobs &jobs)
     for (const uint32_t built : built_) counters_.matrices_built += built;
 }
 
+void Caches::skin(const Request &request, const Scratch &scratch)
+{
+    Entry &entry = entries_[request.row];
+    if (request.shared.method == Method::interpolated)
+        interpolate(request, settings_.geometry, scratch, entry.vertices);
+    else animcache::skin(request, entry.palette, settings_.geometry, scratch, entry.vertices);
+    entry.vertices_key = request.pose;
+    entry.vertices_level = request.level;
+}
+
 void Caches::skin(const base::Jobs &jobs)
 {
+    key_poses_.make(jobs, scratch_);
     jobs.for_each(strands, [this](uint32_t strand) {
         const Scratch scratch = scratch_.strand(strand);
-        share(static_cast<uint32_t>(skin_.size()), strand, [&](uint32_t i) {
-            const Request &request = requests_[skin_[i]];
-            Entry &entry = entries_[request.row];
-            animcache::skin(request, entry.palette, settings_.geometry, scratch, entry.vertices);
-            entry.vertices_key = request.pose;
-            entry.vertices_level = request.level;
-        });
+        share(static_cast<uint32_t>(skin_.size()), strand, [&](uint32_t i) { skin(requests_[skin_[i]], scratch); });
     });
     counters_.skinned = static_cast<uint32_t>(skin_.size());
     counters_.bytes = blocks_.used_bytes();
@@ -158,6 +167,9 @@ const math::Affine *Caches::locals_of(uint32_t row) const
 draw::Vertices Caches::vertices_of(uint32_t row) const
 {
     const Entry &entry = entries_[row];
+    const Request &request = requests_[entry.request];
+    if (request.shared.method == Method::intermittent && request.shared.served())
+        return vertices_in(request.shared.kept[0], *request.tmpl, request.level, settings_.geometry);
     if (!entry.vertices) return {};
     return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "animcache/block_pool.h"
+#include "animcache/keyposes.h"
 #include "animcache/scratch.h"
 #include "animcache/settings.h"
 #include "lib/base/services.h"
@@ -69,6 +70,7 @@ public:
     base::Span<const Request> requests() const { return base::Span<const Request>(requests_); }
     const Counters &counters() const { return counters_; }
     const Settings &settings() const { return settings_; }
+    const KeyPoses &key_poses() const { return key_poses_; }
 
 private:
     struct Entry {
@@ -95,6 +97,7 @@ private:
 
     bool can_wait(const Request &request, double time_s) const;
     bool needs_vertices(const Request &request) const;
+    void skin(const Request &request, const Scratch &scratch);
     float *take(const Entry &wanted, Block kind);  // null: no room
     bool evict_one(uint64_t updates);
     void move_to_end(uint32_t row);
@@ -114,6 +117,7 @@ private:
     uint32_t first_ = model::none, last_ = model::none;  // rows by when they were last seen
     std::pmr::vector<uint32_t> built_;                   // by strand: matrices
     mutable ScratchPool scratch_;
+    KeyPoses key_poses_;
 };
 
 }  // namespace claque::animcache

@@ -22,13 +22,6 @@ size_t matrix_floats(const model::Template &tmpl)
 
 uint32_t count32(size_t n) { return static_cast<uint32_t>(n); }
 
-size_t vertex_floats(const model::Level &level, Geometry geometry)
-{
-    constexpr size_t packed_bytes = sizeof(skin::PackedPosition) + sizeof(skin::PackedNormal);
-    static_assert(packed_bytes == 3 * sizeof(float), "three floats hold a packed vertex");
-    return (geometry == Geometry::packed ? 3 : 6) * size_t(level.vertex_count);
-}
-
 // Of skinning alone, so rounded that what lies behind is aligned as well as what lies before.
 size_t skinning_floats(const model::Template &tmpl, const model::Level &level)
 {
@@ -37,12 +30,20 @@ size_t skinning_floats(const model::Template &tmpl, const model::Level &level)
 
 }  // namespace
 
+size_t vertex_floats(const model::Level &level, Geometry geometry)
+{
+    constexpr size_t packed_bytes = sizeof(skin::PackedPosition) + sizeof(skin::PackedNormal);
+    static_assert(packed_bytes == 3 * sizeof(float), "three floats hold a packed vertex");
+    return (geometry == Geometry::packed ? 3 : 6) * size_t(level.vertex_count) + padding;
+}
+
 void Sizes::grow_to(const Sizes &other)
 {
     nodes = std::max(nodes, other.nodes);
     palette_floats = std::max(palette_floats, other.palette_floats);
     vertex_floats = std::max(vertex_floats, other.vertex_floats);
     scratch_floats = std::max(scratch_floats, other.scratch_floats);
+    spare_floats = std::max(spare_floats, other.spare_floats);
 }
 
 Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
@@ -52,10 +53,18 @@ Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
     sizes.palette_floats = matrix_floats(tmpl) + tmpl.rig.rest_weights.size() + padding;
     sizes.scratch_floats = std::max(sizes.palette_floats, pose::scratch_floats(tmpl.rig, &tmpl.motion));
     for (const model::Level &level : tmpl.levels) {
-        sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, geometry) + padding);
-        const size_t unpacked = geometry == Geometry::packed ? vertex_floats(level, Geometry::real) + padding : 0;
+        sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, geometry));
+        const size_t unpacked = geometry == Geometry::packed ? vertex_floats(level, Geometry::real) : 0;
         sizes.scratch_floats = std::max(sizes.scratch_floats, skinning_floats(tmpl, level) + unpacked);
     }
+    return sizes;
+}
+
+Sizes sizes_of(base::Span<const model::Template *const> templates, const Settings &settings)
+{
+    Sizes sizes;
+    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl, settings.geometry));
+    if (settings.key_poses.interpolates()) sizes.spare_floats = sizes.vertex_floats;
     return sizes;
 }
 

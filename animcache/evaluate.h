@@ -2,7 +2,9 @@
 // can change what a frame costs but never what it shows.
 #pragma once
 
+#include "animcache/keypose.h"
 #include "animcache/settings.h"
+#include "lib/base/span.h"
 #include "lib/draw/draw_list.h"
 #include "lib/math/simd.h"
 
@@ -17,10 +19,12 @@ struct PoseKey {
     uint64_t behaviour_levels = 0;  // of these mechanisms
     uint32_t clip = model::none;    // what an idle mechanism has drawn differs within one version
     uint32_t skeletal = 0;          // S0 5.2: what is left of the skeleton
+    bool interpolated = false;      // between the key-poses round that clip time (S3 4), so there are vertices only
     bool operator==(const PoseKey &o) const
     {
         return version == o.version && clip_time_s == o.clip_time_s && tick_s == o.tick_s &&
-               behaviour_levels == o.behaviour_levels && clip == o.clip && skeletal == o.skeletal;
+               behaviour_levels == o.behaviour_levels && clip == o.clip && skeletal == o.skeletal &&
+               interpolated == o.interpolated;
     }
 };
 
@@ -43,6 +47,13 @@ struct Request {
     bool drawn = true;   // false: posed for what depends on it, but no view sees it
     const float *dofs =
         nullptr;  // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
+    KeyPoseUse shared;  // of who shows key-poses
+
+    // Who shows a key-pose that is kept, or two, has no use for matrices.
+    bool needs_palette() const
+    {
+        return shared.method != Method::interpolated && !(shared.method == Method::intermittent && shared.served());
+    }
 };
 
 // Sizes of memory in floats, for one template or the largest of several.
@@ -51,17 +62,23 @@ struct Sizes {
     size_t palette_floats = 0;  // matrices of the palette, or of the nodes; then morph weights, then padding
     size_t vertex_floats = 0;   // positions and normals of the largest level, copies included (S1 4), and padding
     size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals, vertices that are to be packed
+    size_t spare_floats = 0;    // vertices of a second key-pose, for who interpolates them: else 0
     void grow_to(const Sizes &other);
 };
 
 Sizes sizes_of(const model::Template &tmpl, Geometry geometry);
+// The largest of several, with what the settings' methods ask for.
+Sizes sizes_of(base::Span<const model::Template *const> templates, const Settings &settings);
+// Positions and normals of a level, and padding.
+size_t vertex_floats(const model::Level &level, Geometry geometry);
 
 // Working memory of one task.
 struct Scratch {
     math::Trs *locals = nullptr;
     math::Columns *globals = nullptr;
     float *floats = nullptr;
-    float *palette = nullptr;  // of who has none of its own
+    float *palette = nullptr;   // of who has none of its own
+    float *vertices = nullptr;  // of a second key-pose; null where nobody interpolates
     const Sizes *sizes = nullptr;
 };
 

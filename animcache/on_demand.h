@@ -13,7 +13,7 @@ public:
     explicit OnDemand(std::pmr::memory_resource *memory) : scratch_(memory, 1), vertices_(memory) {}
 
     // std::bad_alloc: as it was.
-    void reserve(base::Span<const model::Template *const> templates, Geometry geometry);
+    void reserve(base::Span<const model::Template *const> templates, const Settings &settings);
     // `caches` must live as long as lists that were made from its last update are drawn.
     void attach(const Caches &caches) { caches_ = &caches; }
 

@@ -6,7 +6,7 @@ namespace claque::animcache
 {
 
 ScratchPool::ScratchPool(std::pmr::memory_resource *memory, uint32_t strands)
-    : strands_(strands), locals_(memory), globals_(memory), floats_(memory), palettes_(memory)
+    : strands_(strands), locals_(memory), globals_(memory), floats_(memory), palettes_(memory), spares_(memory)
 {
 }
 
@@ -19,13 +19,18 @@ void ScratchPool::reserve(const Sizes &sizes)
     globals_.resize(std::max(globals_.size(), strands_ * wanted.nodes));
     floats_.resize(std::max(floats_.size(), strands_ * wanted.scratch_floats));
     palettes_.resize(std::max(palettes_.size(), strands_ * wanted.palette_floats));
+    spares_.resize(std::max(spares_.size(), strands_ * wanted.spare_floats));
     sizes_ = wanted;
 }
 
 Scratch ScratchPool::strand(uint32_t index)
 {
-    return {locals_.data() + index * sizes_.nodes, globals_.data() + index * sizes_.nodes,
-            floats_.data() + index * sizes_.scratch_floats, palettes_.data() + index * sizes_.palette_floats, &sizes_};
+    return {locals_.data() + index * sizes_.nodes,
+            globals_.data() + index * sizes_.nodes,
+            floats_.data() + index * sizes_.scratch_floats,
+            palettes_.data() + index * sizes_.palette_floats,
+            sizes_.spare_floats ? spares_.data() + index * sizes_.spare_floats : nullptr,
+            &sizes_};
 }
 
 }  // namespace claque::animcache

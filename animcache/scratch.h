@@ -20,7 +20,7 @@ private:
     Sizes sizes_;
     std::pmr::vector<math::Trs> locals_;
     std::pmr::vector<math::Columns> globals_;
-    std::pmr::vector<float> floats_, palettes_;
+    std::pmr::vector<float> floats_, palettes_, spares_;
 };
 
 }  // namespace claque::animcache

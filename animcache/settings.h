@@ -2,6 +2,7 @@
 // packed geometry.
 #pragma once
 
+#include "animcache/keypose.h"
 #include "animcache/period.h"
 
 namespace claque::animcache
@@ -26,6 +27,7 @@ struct Settings {
     uint64_t budget_bytes = uint64_t(1) << 30;  // palettes and vertices together
     PeriodLaw period;
     bool can_defer = false;     // whether updates may have a budget of poses
+    KeyPoseSettings key_poses;
     float metres_per_unit = 1;  // of world positions and the law's distances
 };
 

@@ -7,6 +7,7 @@
 #ifndef CLAQUE_CROWD_H
 #define CLAQUE_CROWD_H
 
+#include <claque/key_poses.h>
 #include <claque/template.h>
 
 #ifdef __cplusplus
@@ -108,6 +109,7 @@ typedef struct clq_crowd_def {
     float update_budget_ms;      /* [>= 0] */
     double (*now_s)(void *user); /* seconds that never run back; called in clq_crowd_update, on its thread */
     void *now_user;
+    clq_key_poses key_poses; /* who shares skinned key-poses instead (S3). Default: nobody */
 } clq_crowd_def;
 
 static inline clq_crowd_def clq_crowd_def_init(void)
@@ -132,6 +134,7 @@ static inline clq_crowd_def clq_crowd_def_init(void)
     def.update_budget_ms = 0.0f;
     def.now_s = NULL;
     def.now_user = NULL;
+    def.key_poses = clq_key_poses_init();
     return def;
 }
 

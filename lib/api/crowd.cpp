@@ -4,6 +4,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/key_poses.h"
 
 using namespace claque;
 
@@ -61,6 +62,7 @@ frame::Settings settings_of(const clq_crowd_def &def)
     settings.now = {def.now_s, def.now_user};
     settings.clock = static_cast<frame::Clock>(def.clock);
     settings.caches.mode = static_cast<animcache::Mode>(def.cache);
+    settings.caches.key_poses = api::settings_of(def.key_poses);
     if (def.cache_budget_bytes) settings.caches.budget_bytes = def.cache_budget_bytes;
     settings.caches.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
     settings.caches.metres_per_unit = def.metres_per_unit;

@@ -41,6 +41,7 @@ void Update::count()
     stats.over_budget = counters.over_budget;
     stats.evicted = counters.evicted;
     stats.cache_bytes = counters.bytes;
+    stats.key_poses = frame.caches_.key_poses().counters();
     stats.cache_pool_bytes = counters.pool_bytes;
 
     // Rates are what happens in time that passes: a jump, or coming into view, is not a rate.

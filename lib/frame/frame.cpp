@@ -78,7 +78,7 @@ void Update::reserve()
     for (View *view : views) {
         view->list.items.reserve(rows);
         view->hooked.reserve(crowd.hooked_count());
-        view->server.reserve(crowd.templates(), frame.settings_.caches.geometry);
+        view->server.reserve(crowd.templates(), frame.settings_.caches);
         if (std::max(view->colours.capacity(), view->grown.capacity()) < colours)
             view->grown.reserve(colours + colours / 2);
     }

@@ -66,8 +66,10 @@ void Update::look_at(uint32_t index)
     out.seen.level = level_of(out, row, candidate.effective_m);
     candidate.levels =
         behave::levels_of(crowd, row, candidate.effective_m, crowd.template_of(row).levels[out.seen.level]);
-    const uint32_t rung =
-        behave::has_memory(crowd, row) ? 0 : animcache::rung_of(frame.settings_.caches.period, nearest);
+    const animcache::Settings &caches = frame.settings_.caches;
+    const bool each_frame =
+        behave::has_memory(crowd, row) || caches.key_poses.method_at(nearest) == animcache::Method::skinned;
+    const uint32_t rung = each_frame ? 0 : animcache::rung_of(caches.period, nearest);
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
     const double before_s = out.seen.shown_s;
     out.seen.period_s = static_cast<float>(animcache::period_s(rung));
@@ -107,8 +109,22 @@ void Update::request(uint32_t index)
     if (play.clip != model::none)
         request.pose.clip_time_s = pose::clip_time({play.start_s, play.speed, play.phase_s},
                                                    request.tmpl->rig.clips[play.clip], found.seen.shown_s);
+    if (!behaves) share_key_poses(request);
     frame.asked_.push_back(index);
     frame.caches_.pending().push_back(request);
+}
+
+// S3 3, 4. Who is moved by anything else than one clip has no key-poses, but its own cache.
+void Update::share_key_poses(animcache::Request &request) const
+{
+    const animcache::KeyPoses &key_poses = frame.caches_.key_poses();
+    const animcache::Method method = key_poses.method_at(request.distance);
+    if (!animcache::shows_key_poses(method) || request.pose.clip == model::none) return;
+    request.shared = key_poses.use(crowd.actor(request.row).tmpl, request.level, method, request.pose.clip,
+                                   request.pose.clip_time_s);
+    request.placement = animcache::Placement::vertices;
+    request.pose.interpolated = method == animcache::Method::interpolated;
+    if (!request.pose.interpolated) request.pose.clip_time_s = request.shared.time_s[0];
 }
 
 void Update::choose_levels_and_periods()

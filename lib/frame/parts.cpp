@@ -28,7 +28,8 @@ void Update::test_parts(uint32_t view, uint32_t index, const animcache::Request 
 {
     Sight &seen = sight(view, frame.asked_[index]);
     const model::Level &level = request.tmpl->levels[request.level];
-    if (level.parts.empty()) return;
+    // What lies between two key-poses is in no hull of theirs part by part; and who shows what must not depend on what is kept.
+    if (level.parts.empty() || animcache::shows_key_poses(request.shared.method)) return;
     if (!tested.palette)
         tested.palette = frame.caches_.palette_for_spheres(request, tested.strand, tested.products_tracked);
     const EyeOf &eye = frame.eyes_[view];

@@ -1,6 +1,7 @@
 // What an update did, for hosts and tests; nothing reads it to decide anything.
 #pragma once
 
+#include "animcache/keyposes.h"
 #include "lib/behave/behave.h"
 
 #include <cstdint>
@@ -46,6 +47,7 @@ struct Stats {
     uint64_t evicted = 0;          // blocks thrown out, since the caches were made
     uint64_t cache_bytes = 0, cache_budget_bytes = 0;
     uint64_t cache_pool_bytes = 0;  // that the host has given for the former
+    animcache::KeyPoseCounters key_poses;
     Band bands[band_count];
 };
 

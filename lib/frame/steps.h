@@ -59,6 +59,7 @@ private:
     void look_at(uint32_t candidate);
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_m) const;
     void request(uint32_t candidate);
+    void share_key_poses(animcache::Request &request) const;
     uint32_t budget() const;
     void keep_to_budget();
     void run_memories();

@@ -155,7 +155,7 @@ TEST_F(CachesTest, WhoIsSeenIsNeverThrownOutAndWhoFindsNoRoomIsServedOnDemandThe
     EXPECT_GE(tight.counters().on_demand, 3u);
     EXPECT_LE(tight.counters().bytes, tight.settings().budget_bytes);
     OnDemand server(std::pmr::get_default_resource());
-    server.reserve(both_, Geometry::real);
+    server.reserve(both_, Settings());
     server.attach(tight);
     uint32_t served = 0;
     for (uint32_t row = 0; row < 5; ++row) {

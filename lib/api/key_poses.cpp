@@ -1,0 +1,51 @@
+#include "lib/api/key_poses.h"
+
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+
+using namespace claque;
+
+namespace claque::api
+{
+
+animcache::KeyPoseSettings settings_of(const clq_key_poses &wanted)
+{
+    static_assert(CLQ_METHOD_BAND_MAX == animcache::most_method_bands, "the C API shows every band");
+    if (wanted.band_count > CLQ_METHOD_BAND_MAX)
+        base::fail(CLQ_ARGUMENT, "key_poses has %u bands: %d at most", wanted.band_count, CLQ_METHOD_BAND_MAX);
+    if (!(wanted.rate_hz >= 0.5f && wanted.rate_hz <= 120))
+        base::fail(CLQ_ARGUMENT, "key_poses.rate_hz is %g: 0.5 to 120 is wanted", static_cast<double>(wanted.rate_hz));
+    animcache::KeyPoseSettings out;
+    for (uint32_t i = 0; i < wanted.band_count; ++i) {
+        const clq_method_band &band = wanted.bands[i];
+        if (number_of(band.method) > CLQ_METHOD_SKINNED)
+            base::fail(CLQ_ARGUMENT,
+                       "key_poses.bands[%u].method is %u: none of CLQ_METHOD_INDIVIDUAL to "
+                       "CLQ_METHOD_SKINNED",
+                       i, static_cast<unsigned>(number_of(band.method)));
+        if (!(band.distance >= 0) || !std::isfinite(band.distance) ||
+            (i > 0 && !(band.distance > wanted.bands[i - 1].distance)))
+            base::fail(CLQ_ARGUMENT,
+                       "key_poses.bands[%u].distance is %g: 0 or more, and more than that of the band before", i,
+                       static_cast<double>(band.distance));
+        out.bands[i] = {band.distance, static_cast<animcache::Method>(band.method)};
+    }
+    out.band_count = wanted.band_count;
+    out.rate_hz = wanted.rate_hz;
+    out.most_kept = wanted.most_kept;
+    if (wanted.budget_bytes) out.budget_bytes = wanted.budget_bytes;
+    return out;
+}
+
+}  // namespace claque::api
+
+extern "C" clq_status clq_crowd_get_key_pose_stats(const clq_crowd *crowd, clq_key_pose_stats *out)
+{
+    return api::boundary("clq_crowd_get_key_pose_stats", [&] {
+        api::require(crowd && out, "crowd or out is NULL");
+        const animcache::KeyPoseCounters &counters = crowd->frame.stats().key_poses;
+        *out = {counters.asked, counters.served, counters.wanted, counters.updated, counters.held, counters.bytes};
+    });
+}

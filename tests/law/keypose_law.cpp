@@ -1,0 +1,210 @@
+// Key-poses (S3): what is kept of them changes what a frame costs, never what it shows; nobody is skinned twice.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "lib/base/hash.h"
+#include "lib/pose/clock.h"
+#include "lib/pose/pose.h"
+#include "lib/skin/skin.h"
+#include "support/scene.h"
+
+namespace claque
+{
+
+using namespace testing_support;
+using animcache::Geometry;
+using animcache::Method;
+using animcache::Mode;
+
+namespace
+{
+
+SceneDef with(Method method)
+{
+    SceneDef def;
+    def.settings.caches.key_poses.bands[0] = {0, method};
+    def.settings.caches.key_poses.band_count = 1;
+    return def;
+}
+
+// Each method in a ring of its own.
+SceneDef rings()
+{
+    SceneDef def;
+    animcache::KeyPoseSettings &settings = def.settings.caches.key_poses;
+    settings.bands[0] = {0, Method::skinned};
+    settings.bands[1] = {6, Method::individual};
+    settings.bands[2] = {15, Method::interpolated};
+    settings.bands[3] = {35, Method::intermittent};
+    settings.band_count = 4;
+    return def;
+}
+
+std::vector<uint64_t> walk(const SceneDef &def, const base::Jobs &jobs = base::Jobs())
+{
+    Scene scene(def);
+    scene.add_view(glm::dvec3(20, 5, -40), glm::dvec3(0, 0, -30));
+    std::vector<uint64_t> out;
+    double t = 3;
+    for (int i = 0; i < 30; ++i) {
+        t += i == 12 ? 1000 : i == 20 ? -995.5 : i > 25 ? -1.0 / 60 : 1.0 / 30;
+        scene.look(0, glm::dvec3(0.3 * i, 1.7, i >= 15 && i < 18 ? 30 : 0), glm::dvec3(i % 9 - 4, 1, -20));
+        out.push_back(scene.update(t, jobs));
+    }
+    return out;
+}
+
+const SceneDef kinds[] = {with(Method::intermittent), with(Method::interpolated), rings()};
+
+}  // namespace
+
+TEST(KeyPoseLaw, ThePictureDoesNotDependOnHowManyKeyPosesAreKept)
+{
+    std::set<std::vector<uint64_t>> different;
+    for (const SceneDef &kind : kinds)
+        for (const Geometry geometry : {Geometry::real, Geometry::packed}) {
+            SceneDef def = kind;
+            def.settings.caches.geometry = geometry;
+            const std::vector<uint64_t> all = walk(def);
+            EXPECT_GT(std::set<uint64_t>(all.begin(), all.end()).size(), 25u) << "they do move";
+            different.insert(all);
+            for (const uint32_t most : {0u, 1u, 2u, 7u, 20u}) {
+                def.settings.caches.key_poses.most_kept = most;
+                EXPECT_EQ(walk(def), all) << most << " kept";
+            }
+            for (const uint64_t budget : {0u, 30000u, 200000u}) {
+                def.settings.caches.key_poses.budget_bytes = budget;
+                EXPECT_EQ(walk(def), all) << budget << " bytes";
+            }
+        }
+    EXPECT_EQ(different.size(), 6u) << "the methods do show different things";
+}
+
+TEST(KeyPoseLaw, ThePictureDoesNotDependOnOtherCachesNorOnThreads)
+{
+    for (const SceneDef &kind : kinds) {
+        SceneDef def = kind;
+        def.settings.caches.key_poses.most_kept = 5;
+        const std::vector<uint64_t> all = walk(def);
+        for (const Mode mode : {Mode::full, Mode::animation, Mode::none})
+            for (const uint64_t budget : {uint64_t(0), uint64_t(60000), uint64_t(1) << 30}) {
+                def.settings.caches.mode = mode;
+                def.settings.caches.budget_bytes = budget;
+                EXPECT_EQ(walk(def), all) << "mode " << int(mode) << ", " << budget << " bytes";
+            }
+        Threads threads(4);
+        EXPECT_EQ(walk(def, threads.jobs()), all);
+    }
+}
+
+TEST(KeyPoseLaw, NobodyIsSkinnedTwiceInAFrameHoweverManyLook)
+{
+    for (const Method method : {Method::intermittent, Method::interpolated}) {
+        SceneDef def = with(method);
+        def.actors = 300;
+        Scene scene(def);
+        for (int more = 0; more < 3; ++more) scene.add_view(glm::dvec3(more, 3, 5), glm::dvec3(0, 0, -30));
+        scene.update(3);
+        const frame::Stats &stats = scene.frame.stats();
+        const auto &key_poses = stats.key_poses;
+        size_t listed = 0;
+        std::set<const float *> memory;
+        for (const auto &view : scene.views) {
+            listed += view->list.items.size();
+            for (const draw::Item &item : view->list.items) memory.insert(item.vertices.positions);
+        }
+        ASSERT_GT(key_poses.asked, 100u);
+        EXPECT_EQ(key_poses.served, key_poses.asked);
+        EXPECT_EQ(key_poses.updated, key_poses.wanted) << "the first update makes each key-pose once";
+        EXPECT_LT(key_poses.wanted, 2 * key_poses.asked);
+        EXPECT_GT(listed, 2 * stats.visible) << "several views show them";
+        EXPECT_EQ(stats.on_demand, 0u);
+        // Each array of vertices was made once: those of key-poses, and of those who stand between two or have no clip.
+        if (method == Method::intermittent) {
+            EXPECT_LT(memory.size(), stats.visible);
+            EXPECT_EQ(memory.size(), key_poses.updated + stats.skinned);
+        } else {
+            EXPECT_EQ(memory.size(), stats.skinned) << "each individual blended once";
+        }
+        scene.update(3);
+        EXPECT_EQ(scene.frame.stats().key_poses.updated, 0u);
+        EXPECT_EQ(scene.frame.stats().skinned, 0u);
+    }
+}
+
+TEST(KeyPoseLaw, WhatIsShownIsTheNearestKeyPoseToTheBit)
+{
+    Scene scene(with(Method::intermittent));
+    scene.update(7.3);
+    uint32_t checked = 0;
+    for (const draw::Item &item : scene.views[0]->list.items) {
+        const crowd::Play &play = scene.crowd.play_of(item.actor_index);
+        if (play.clip == model::none) continue;
+        const model::Template &tmpl = *item.tmpl;
+        const model::Clip &clip = tmpl.rig.clips[play.clip];
+        const double shown = scene.frame.seen(scene.crowd, item.actor_index).shown_s;
+        const double at = pose::clip_time({play.start_s, play.speed, play.phase_s}, clip, shown);
+        const double intervals = std::max(1.0, std::round(double(clip.duration_s) * 15));
+        double key = clip.start_s;
+        if (clip.duration_s > 0)
+            key += double(clip.duration_s) * std::floor((at - clip.start_s) / clip.duration_s * intervals + 0.5) /
+                   intervals;
+
+        const model::Level &level = tmpl.levels[item.level];
+        pose::Workspace space(tmpl.rig);
+        const base::Span<const math::Affine> palette = space.pose(play.clip, key);
+        std::vector<float> scratch(skin::scratch_floats(level, tmpl.rig.palette.size(), skin::normals_of(tmpl)));
+        std::vector<float> positions(3 * level.vertex_count), normals(3 * level.vertex_count);
+        skin::SkinJob job;
+        job.level = &level;
+        job.palette = palette;
+        job.morph_weights = space.weights();
+        job.normals = skin::normals_of(tmpl);
+        job.scratch = base::Span<float>(scratch);
+        job.out_positions = base::Span<float>(positions);
+        job.out_normals = base::Span<float>(normals);
+        job.run();
+        EXPECT_EQ(0, std::memcmp(positions.data(), item.vertices.positions, positions.size() * sizeof(float)));
+        EXPECT_EQ(0, std::memcmp(normals.data(), item.vertices.normals, normals.size() * sizeof(float)));
+        ++checked;
+    }
+    EXPECT_GT(checked, 20u);
+}
+
+TEST(KeyPoseLaw, WhatIsLeastRecentlyUsedGoesAndWhatIsWantedStays)
+{
+    SceneDef def = with(Method::intermittent);
+    def.actors = 200;
+    def.settings.caches.key_poses.most_kept = 12;
+    Scene scene(def);
+    uint64_t updates = 0, served = 0, asked = 0;
+    for (int i = 0; i < 60; ++i) {
+        scene.update(3 + i / 60.0);
+        const auto &key_poses = scene.frame.stats().key_poses;
+        EXPECT_LE(key_poses.held, 12u * 4) << "12 for each of two levels of two templates";
+        EXPECT_LE(key_poses.updated, key_poses.wanted);
+        if (i > 0) updates += key_poses.updated;
+        served += key_poses.served, asked += key_poses.asked;
+    }
+    EXPECT_GT(served, asked / 4);
+    EXPECT_LT(served, asked) << "there is not room for all";
+    EXPECT_LT(updates, 59u * 48 / 2) << "what is still wanted is not made again";
+}
+
+TEST(KeyPoseLaw, ThoseWhoAreMovedByMoreThanOneClipKeepTheirOwnCache)
+{
+    Scene scene(with(Method::intermittent));
+    scene.update(4);
+    uint32_t without_clip = 0;
+    for (const draw::Item &item : scene.views[0]->list.items)
+        without_clip += scene.crowd.play_of(item.actor_index).clip == model::none;
+    const frame::Stats &stats = scene.frame.stats();
+    ASSERT_GT(without_clip, 0u);
+    EXPECT_EQ(stats.key_poses.asked + without_clip, stats.visible);
+    EXPECT_EQ(stats.skinned, without_clip);
+}
+
+}  // namespace claque
