@@ -76,6 +76,7 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     job.motion = &request.tmpl->motion;
     job.clip = request.pose.clip;
     job.time_s = request.pose.clip_time_s;
+    job.layers = request.layers;
     job.dofs = request.dofs;
     job.level = &request.tmpl->levels[request.level];
     job.locals = {scratch.locals, rig.node_count()};

@@ -7,6 +7,7 @@
 #include "lib/base/span.h"
 #include "lib/draw/draw_list.h"
 #include "lib/math/simd.h"
+#include "lib/pose/layer.h"
 
 namespace claque::animcache
 {
@@ -19,12 +20,13 @@ struct PoseKey {
     uint64_t behaviour_levels = 0;  // of these mechanisms
     uint32_t clip = model::none;    // what an idle mechanism has drawn differs within one version
     uint32_t skeletal = 0;          // S0 5.2: what is left of the skeleton
+    uint32_t layers = 0;            // that are blended, 0: the clip alone; what they are is a function of tick and version
     bool interpolated = false;      // between the key-poses round that clip time (S3 4), so there are vertices only
     bool operator==(const PoseKey &o) const
     {
         return version == o.version && clip_time_s == o.clip_time_s && tick_s == o.tick_s &&
                behaviour_levels == o.behaviour_levels && clip == o.clip && skeletal == o.skeletal &&
-               interpolated == o.interpolated;
+               layers == o.layers && interpolated == o.interpolated;
     }
 };
 
@@ -46,8 +48,9 @@ struct Request {
     float distance = 0;  // to the nearest eye: who is near goes first where not all can be renewed
     bool drawn = true;   // false: posed for what depends on it, but no view sees it
     const float *dofs =
-        nullptr;  // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
-    KeyPoseUse shared;  // of who shows key-poses
+        nullptr;        // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
+    base::Span<const pose::Layer> layers;  // instead of the clip of `pose`, unless empty; as long-lived as the lists
+    KeyPoseUse shared;                     // of who shows key-poses
 
     // Who shows a key-pose that is kept, or two, has no use for matrices.
     bool needs_palette() const

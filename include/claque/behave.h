@@ -91,11 +91,16 @@ typedef struct clq_phrase_def {
 } clq_phrase_def;
 
 /* Actors change their clips at different times, by lot. Clips that begin and end in one pose, and whose lengths divide
- * slot_s, follow each other without a seam. */
+ * slot_s, follow each other without a seam; others with fade_s. */
 typedef struct clq_idle_def {
     uint32_t clip_count;
     const uint32_t *clips;
-    float slot_s; /* [> 0] how long each is played, from its beginning */
+    float slot_s;         /* [> 0] how long each is played, from its beginning */
+    const float *weights; /* [clip_count], each >= 0, not all 0: what share of the lots each has; NULL: equal */
+    float fade_s;         /* [0, slot_s] that the clip before takes to go, played on; actors that use it are culled by
+                             spheres that hold every blend (claque/play.h) */
+    float speed_spread;   /* [0, 1) speeds are 1 - this to 1 + this, by lot */
+    float phase_spread;   /* [0, 1] of a clip's length: where in it it begins, by lot */
 } clq_idle_def;
 
 /* What a host's mechanism is told. */

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lib/api/boundary.h"
 
@@ -192,6 +193,18 @@ crowd::Idle Reader::idle(const clq_idle_def &def)
     }
     require_more("slot_s", def.slot_s, 0);
     out.slot_s = def.slot_s;
+    require_in("fade_s", def.fade_s, 0, def.slot_s);
+    require_in("speed_spread", def.speed_spread, 0, 0.999999f);
+    require_in("phase_spread", def.phase_spread, 0, 1);
+    out.fade_s = def.fade_s, out.speed_spread = def.speed_spread, out.phase_spread = def.phase_spread;
+    if (!def.weights) return out;
+    float most = 0;
+    for (uint32_t i = 0; i < def.clip_count; ++i) {
+        require_in("a clip's weight", def.weights[i], 0, std::numeric_limits<float>::max());
+        most = std::max(most, def.weights[i]);
+        out.weights.push_back(def.weights[i]);
+    }
+    if (!(most > 0)) fail(CLQ_ARGUMENT, "the weights of all %u clips are 0", def.clip_count);
     return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "lib/api/handles.h"
 #include "lib/base/error.h"
+#include "lib/behave/events.h"
 #include "lib/frame/frame.h"
 
 // The crowd and all its views are one thing to memory and to the BUSY rule.
@@ -17,7 +18,8 @@ struct clq_crowd {
           views(&owner->memory),
           asked(&owner->memory),
           placed_ids(&owner->memory),
-          placed(&owner->memory)
+          placed(&owner->memory),
+          events(&owner->memory)
     {
     }
     ~clq_crowd();
@@ -31,6 +33,7 @@ struct clq_crowd {
     // Of the call that places: hosts do so every frame, and a frame asks for no memory once it has grown.
     std::pmr::vector<claque::crowd::Id> placed_ids;
     std::pmr::vector<claque::crowd::Place> placed;
+    std::pmr::vector<claque::behave::Event> events;  // of the last question for them
     mutable std::atomic<int32_t> users{0};  // calls that draw its views, which only read it; -1: one that changes it
 };
 

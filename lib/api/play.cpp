@@ -171,4 +171,37 @@ clq_status clq_actor_get_shown(const clq_crowd *crowd, clq_actor actor, double t
     });
 }
 
+clq_status clq_actor_watch(clq_crowd *crowd, clq_actor actor, int32_t watched)
+{
+    return api::boundary("clq_actor_watch", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.watch(api::id_of(actor), watched != 0);
+    });
+}
+
+clq_status clq_crowd_get_events(clq_crowd *crowd, double from_s, double to_s, clq_event *events, size_t capacity,
+                                size_t *out_count)
+{
+    return api::boundary("clq_crowd_get_events", [&] {
+        api::require(crowd && out_count && (events || capacity == 0), "crowd, events or out_count is NULL");
+        const api::Busy busy(crowd);
+        if (!std::isfinite(from_s) || !std::isfinite(to_s))
+            base::fail(CLQ_ARGUMENT, "events from %g to %g s: finite times are wanted", from_s, to_s);
+        model::Array<behave::Event> &found = crowd->events;
+        behave::find_events(crowd->crowd, from_s, to_s, found);
+        if (events && found.size() > capacity)
+            base::fail(CLQ_LIMIT, "%zu events from %g to %g s: there is room for %zu", found.size(), from_s, to_s,
+                       capacity);
+        for (size_t i = 0; events && i < found.size(); ++i) {
+            const behave::Event &e = found[i];
+            const crowd::Id id = crowd->crowd.id_of(e.row);
+            events[i] = {
+                e.time_s, {id.index1, id.generation}, static_cast<clq_event_kind>(e.kind), e.clip, e.marker, e.round,
+                {e.layer}};
+        }
+        *out_count = found.size();
+    });
+}
+
 }  // extern "C"

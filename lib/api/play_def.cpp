@@ -87,21 +87,16 @@ crowd::MaskOf mask_of(const clq_mask_def &def, const model::Template &tmpl, std:
         if (node == none) fail(CLQ_ARGUMENT, "template '%s' has no node '%s'", tmpl.name.c_str(), def.nodes[i]);
         depth[node] = 1;
     }
-    const std::pmr::polymorphic_allocator<model::Array<float>> allocator(memory);
-    auto weights = std::allocate_shared<model::Array<float>>(allocator);
-    weights->resize(rig.node_count());
+    model::Array<float> weights(rig.node_count(), 0.0f, memory);
     for (uint32_t n = 0; n < rig.node_count(); ++n) {
         const uint32_t parent = rig.parents[n];
         if (parent != none && depth[parent] > 0)
             depth[n] = depth[n] ? std::max(depth[n], depth[parent] + 1) : depth[parent] + 1;
         const float inside =
             depth[n] > def.feather ? 1.0f : static_cast<float>(depth[n]) / static_cast<float>(def.feather + 1);
-        (*weights)[n] = def.without ? 1 - inside : inside;
+        weights[n] = def.without ? 1 - inside : inside;
     }
-    crowd::MaskOf mask;
-    mask.tmpl = &tmpl;
-    mask.weights = std::move(weights);
-    return mask;
+    return crowd::checked_mask(tmpl, std::move(weights));
 }
 
 crowd::Gesture gesture_of(const clq_layer_def &def, const model::Template &tmpl)

@@ -85,6 +85,13 @@ void MechanismDef::tell(const crowd::Idle &idle)
     def.idle.clip_count = static_cast<uint32_t>(idle.clips.size());
     def.idle.clips = idle.clips.data();
     def.idle.slot_s = idle.slot_s;
+    if (!idle.weights.empty()) {
+        if (idle.weights.size() != idle.clips.size())
+            fail(CLQ_FORMAT, "%zu clips by lot have %zu weights", idle.clips.size(), idle.weights.size());
+        def.idle.weights = idle.weights.data();
+    }
+    def.idle.fade_s = idle.fade_s;
+    def.idle.speed_spread = idle.speed_spread, def.idle.phase_spread = idle.phase_spread;
 }
 
 void MechanismDef::tell(const crowd::HostMechanism &host)

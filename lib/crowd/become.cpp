@@ -41,6 +41,7 @@ void Crowd::become(Crowd &restored)
     std::swap(first_free_attached_, restored.first_free_attached_);
     std::swap(behaviours_, restored.behaviours_);
     std::swap(layers_, restored.layers_);
+    watched_.swap(restored.watched_);
     next_version_ = version;
     structure_version_ = structure;
 }

@@ -41,7 +41,8 @@ Crowd::Crowd(std::pmr::memory_resource *memory, uint64_t seed)
       extras_(memory),
       attached_(memory),
       behaviours_(memory),
-      layers_(memory)
+      layers_(memory),
+      watched_(memory)
 {
 }
 
@@ -172,6 +173,7 @@ void Crowd::destroy(Id id)
     leave(row);
     behaviours_.clear_row(row);
     layers_.clear_row(row);
+    watch(id, false);
     clear_extra(row);
     Actor &actor = actors_[row];
     if (actor.colours != model::none) colours_[actor.tmpl].give_back(actor.colours);
@@ -260,7 +262,8 @@ uint64_t Crowd::bytes() const
                    groups_.capacity() * sizeof(Group) + templates_.capacity() * sizeof(void *) +
                    colours_.capacity() * sizeof(ColourTable) + extents_.capacity() * sizeof(Extent) +
                    extras_of_.capacity() * sizeof(uint32_t) + extras_.capacity() * sizeof(Extra) +
-                   attached_.capacity() * sizeof(Attached) + behaviours_.bytes() + layers_.bytes();
+                   attached_.capacity() * sizeof(Attached) + behaviours_.bytes() + layers_.bytes() +
+                   watched_.capacity() * sizeof(uint32_t);
     for (const ColourTable &table : colours_) sum += table.bytes();
     return sum;
 }

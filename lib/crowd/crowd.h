@@ -88,6 +88,8 @@ public:
     uint32_t add_gesture(Id id, const Gesture &gesture);  // its name
     void end_gesture(Id id, uint32_t serial, double at_s, float fade_out_s);
     Layering layering_of(uint32_t row) const;
+    void watch(Id id, bool watched);  // whether anybody asks what happens in its clips
+    base::Span<const uint32_t> watched() const { return base::Span<const uint32_t>(watched_); }  // rows, ascending
 
     Id create_group(const Place &place);
     void destroy_group(Id id);  // its members stay where they are in the world
@@ -159,6 +161,8 @@ private:
     uint32_t extra_slot(uint32_t row);                                               // made when it has none; may throw
     void clear_extra(uint32_t row);
     void free_attached(uint32_t index);
+    void check_source(uint32_t row, const Source &source) const;
+    void restore_layering(uint32_t row, const Layering &read);  // that may hold anything
     void check_gesture(uint32_t row, const Gesture &gesture) const;
     void change(uint32_t row, const Layering &wanted);  // may throw, and then has changed nothing
     void measure(uint32_t row);                         // its extent, and that of its group
@@ -184,6 +188,7 @@ private:
     uint32_t first_free_extra_ = model::none, first_free_attached_ = model::none;
     Behaviours behaviours_;
     Layers layers_;
+    Array<uint32_t> watched_;
     double (*ground_)(void *user, const double point[3]) = nullptr;
     void *ground_user_ = nullptr;
 };

@@ -1,5 +1,6 @@
 // What hosts command an actor to play: each call writes down what that replaces, so that moments before it still show what
 // was true then.
+#include <algorithm>
 #include <cmath>
 
 #include "lib/base/error.h"
@@ -98,6 +99,15 @@ void Crowd::change(uint32_t row, const Layering &wanted)
     measure(row);
 }
 
+void Crowd::watch(Id id, bool watched)
+{
+    const uint32_t row = row_of(id);
+    const auto at = std::lower_bound(watched_.begin(), watched_.end(), row);
+    const bool there = at != watched_.end() && *at == row;
+    if (there && !watched) watched_.erase(at);
+    if (!there && watched) watched_.insert(at, row);
+}
+
 Layering Crowd::layering_of(uint32_t row) const
 {
     Layering out;
@@ -129,6 +139,33 @@ Source Crowd::source(uint32_t row, const Play &play, uint32_t gait, float share)
     }
     check_play(out.play, tmpl);
     return out;
+}
+
+void Crowd::check_source(uint32_t row, const Source &source) const
+{
+    const Source made = this->source(row, source.play, source.gait, source.share);
+    const bool gait = made.gait == none || made.play.clip == source.play.clip;
+    if (!gait || !(source.share_from >= 0 && source.share_from <= 1) || !std::isfinite(source.change_s) ||
+        !std::isfinite(source.change_rounds))
+        fail(CLQ_ARGUMENT, "a gait that no command leads to");
+    check_length("a change of gait", source.change_length_s);
+}
+
+void Crowd::restore_layering(uint32_t row, const Layering &read)
+{
+    check_source(row, read.now);
+    for (uint32_t k = 0; k < read.fade_count; ++k) {
+        const Fade &fade = read.fades[k];
+        check_source(row, fade.from);
+        check_moment(fade.at_s);
+        check_length("a fade", fade.length_s);
+        if (fade.curve > Curve::inertial || (k > 0 && !(read.fades[k - 1].at_s < fade.at_s)))
+            fail(CLQ_ARGUMENT, "a fade that no command leads to");
+    }
+    for (uint32_t k = 0; k < read.gesture_count; ++k) check_gesture(row, read.gestures[k]);
+    check_inertial(read, read.now);
+    with_room(read, -never_s, [](Layering &) { return true; });
+    change(row, read);
 }
 
 void Crowd::play(Id id, const Source &source)
@@ -194,6 +231,7 @@ void Crowd::check_gesture(uint32_t row, const Gesture &gesture) const
     check_length("a layer's fade out", gesture.fade_out_s);
     if (!(gesture.end_s >= gesture.start_s))
         fail(CLQ_ARGUMENT, "a layer from %g s ends at %g s", gesture.start_s, gesture.end_s);
+    if (gesture.curve > Curve::inertial) fail(CLQ_ARGUMENT, "a layer of no curve");
     const float most = gesture.adds ? most_weight : 1;
     if (!(gesture.weight <= most && gesture.weight >= (gesture.adds ? -most_weight : 0)))
         fail(CLQ_ARGUMENT, "a layer's weight is %g: %g to %g is wanted", static_cast<double>(gesture.weight),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lib/base/error.h"
 #include "lib/crowd/reserve.h"
 
 namespace claque::crowd
@@ -29,6 +30,21 @@ float Layering::most_added() const
     for (uint32_t k = 0; k < gesture_count; ++k)
         if (gestures[k].adds) sum += std::fabs(gestures[k].weight);
     return sum;
+}
+
+MaskOf checked_mask(const model::Template &tmpl, Array<float> &&weights)
+{
+    if (weights.size() != tmpl.rig.node_count())
+        base::fail(CLQ_ARGUMENT, "a mask of %zu nodes for template '%s', which has %u", weights.size(),
+                   tmpl.name.c_str(), tmpl.rig.node_count());
+    for (const float weight : weights)
+        if (!(weight >= 0 && weight <= 1))
+            base::fail(CLQ_ARGUMENT, "a mask's weight is %g: 0 to 1 is wanted", static_cast<double>(weight));
+    const std::pmr::polymorphic_allocator<Array<float>> allocator(weights.get_allocator().resource());
+    MaskOf mask;
+    mask.tmpl = &tmpl;
+    mask.weights = std::allocate_shared<Array<float>>(allocator, std::move(weights));
+    return mask;
 }
 
 uint32_t Layers::add(Gait &&gait)

@@ -39,6 +39,9 @@ struct MaskOf {
     Mask weights;
 };
 
+// Throws base::Error (CLQ_ARGUMENT) unless there is one weight in [0, 1] a node.
+MaskOf checked_mask(const model::Template &tmpl, Array<float> &&weights);
+
 // What a fade goes from or to: one clip, or two gaits in step.
 struct Source {
     Play play;  // of gaits: start, speed and phase of clip a
@@ -123,6 +126,7 @@ public:
 
     uint32_t slot_count() const { return static_cast<uint32_t>(slots_.size()); }  // at most so many have one
     uint64_t bytes() const;
+    std::pmr::memory_resource *memory() const { return gaits_.get_allocator().resource(); }
 
 private:
     Array<Gait> gaits_;

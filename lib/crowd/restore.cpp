@@ -35,6 +35,8 @@ public:
         templates();
         behaviours();
         try {
+            read_layers(
+                in_, [this](uint32_t index) { return template_at(index); }, out_.layers_);
             groups();
             actors();
             attached();
@@ -180,6 +182,21 @@ private:
         }
         colours(row);
         behaviour(row);
+        layering(row);
+    }
+
+    void layering(uint32_t row)
+    {
+        bool watched = false;
+        in_.flag(watched);
+        if (watched) out_.watch(out_.id_of(row), true);
+        Layering read;
+        if (!read_layering(in_, row, read)) return;
+        const Play &play = out_.play_of(row), &now = read.now.play;
+        if (now.clip != play.clip || now.start_s != play.start_s || now.speed != play.speed ||
+            now.phase_s != play.phase_s)
+            fail(CLQ_FORMAT, "a saved crowd's actor %u fades to what it does not play", row);
+        out_.restore_layering(row, read);
     }
 
     void colours(uint32_t row)

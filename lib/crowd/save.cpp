@@ -1,5 +1,7 @@
 #include "lib/crowd/save.h"
 
+#include <algorithm>
+
 #include "lib/crowd/save_archive.h"
 #include "lib/crowd/save_fields.h"
 
@@ -19,6 +21,7 @@ public:
         out_.value(crowd_.seed_);
         templates();
         behaviours();
+        layers();
         groups();
         actors();
         attached();
@@ -55,6 +58,22 @@ private:
         }
         out_.count(from.path_count());
         for (uint32_t i = 0; i < from.path_count(); ++i) walk_path(out_, from.path(i));
+    }
+
+    void layers()
+    {
+        const Layers &from = crowd_.layers_;
+        out_.count(from.gait_count());
+        for (uint32_t i = 0; i < from.gait_count(); ++i) {
+            out_.value(number_of(from.gait(i).tmpl));
+            walk_gait(out_, from.gait(i));
+        }
+        out_.count(from.mask_count());
+        for (uint32_t i = 0; i < from.mask_count(); ++i) {
+            out_.value(number_of(from.mask(i).tmpl));
+            out_.array(*from.mask(i).weights, 4, [&](float weight) { out_.value(weight); });
+        }
+        out_.value(from.last_serial);
     }
 
     // `next` of a free row: none ends the chain.
@@ -103,6 +122,20 @@ private:
         out_.flag(rgb != nullptr);
         for (uint32_t i = 0; rgb && i < crowd_.colours_[actor.tmpl].stride(); ++i) out_.value(rgb[i]);
         behaviour(row);
+        layering(row);
+    }
+
+    void layering(uint32_t row)
+    {
+        const Array<uint32_t> &watched = crowd_.watched_;
+        out_.flag(std::binary_search(watched.begin(), watched.end(), row));
+        const Layering *from = crowd_.layers_.of(row);
+        out_.flag(from != nullptr);
+        if (!from) return;
+        walk_source(out_, from->now);
+        out_.value(static_cast<uint8_t>(from->fade_count)), out_.value(static_cast<uint8_t>(from->gesture_count));
+        for (uint32_t k = 0; k < from->fade_count; ++k) walk_fade(out_, from->fades[k]);
+        for (uint32_t k = 0; k < from->gesture_count; ++k) walk_gesture(out_, from->gestures[k]);
     }
 
     void behaviour(uint32_t row)

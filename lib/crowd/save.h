@@ -1,7 +1,7 @@
 // A crowd's state as bytes and back, so that a host can record and replay: everything that crowd.h keeps but the host's own
 // callbacks, which stay with who lends them. Little-endian whatever the machine:
 //   8 bytes magic, u32 version, u32 zero, u64 bytes that follow, u64 FNV-1a of them, which is the crowd's fingerprint;
-//   then templates by name and structure, mechanisms, paths, groups, actors, attached objects.
+//   then templates by name and structure, mechanisms, paths, gaits, masks, groups, actors, attached objects.
 // Rows stand where their ids say, and free ones in the order in which they will be used again. What has no id (uses,
 // commands, slots of colours) is written with its actor, wherever it lies in memory: equal states have equal bytes.
 #pragma once
@@ -14,7 +14,7 @@ namespace claque::crowd
 {
 
 constexpr uint8_t save_magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'C', 0x1a};
-constexpr uint32_t save_version = 1;
+constexpr uint32_t save_version = 2;
 
 class Sink
 {

@@ -1,6 +1,8 @@
 // Rules of a saved crowd that no call checks. Each throws base::Error (CLQ_FORMAT).
 #pragma once
 
+#include <functional>
+
 #include "lib/crowd/save_archive.h"
 
 namespace claque::crowd
@@ -14,5 +16,9 @@ MechanismKind kind_of(uint8_t index, std::pmr::memory_resource *memory);
 
 // Orders as behave::look, express and say leave them: of a point, of a shape, or of nothing.
 void check_order(const Mechanism &mechanism, const Order &order, uint32_t number);
+
+// restore_layers.cpp. What actors blend is checked by Crowd::restore_layering.
+void read_layers(Reader &in, const std::function<const model::Template *(uint32_t)> &template_at, Layers &out);
+bool read_layering(Reader &in, uint32_t row, Layering &out);  // false: none
 
 }  // namespace claque::crowd

@@ -21,6 +21,40 @@ void walk_play(Archive &a, P &play)
     a.value(play.clip), a.value(play.start_s), a.value(play.speed), a.value(play.phase_s);
 }
 
+template <class Archive, class S>
+void walk_source(Archive &a, S &source)
+{
+    walk_play(a, source.play);
+    a.value(source.gait), a.value(source.share_from), a.value(source.share), a.value(source.change_length_s);
+    a.value(source.change_s), a.value(source.change_rounds);
+}
+
+template <class Archive, class F>
+void walk_fade(Archive &a, F &fade)
+{
+    walk_source(a, fade.from);
+    a.value(fade.at_s), a.value(fade.length_s), a.value(fade.curve);
+}
+
+template <class Archive, class G>
+void walk_gesture(Archive &a, G &gesture)
+{
+    a.value(gesture.serial);
+    walk_play(a, gesture.play);
+    a.flag(gesture.adds);
+    a.value(gesture.reference_clip), a.value(gesture.reference_time_s), a.value(gesture.mask), a.value(gesture.weight);
+    a.value(gesture.start_s), a.value(gesture.end_s), a.value(gesture.fade_in_s), a.value(gesture.fade_out_s);
+    a.value(gesture.curve);
+}
+
+template <class Archive, class G>
+void walk_gait(Archive &a, G &gait)
+{
+    a.value(gait.clip_a), a.value(gait.clip_b);
+    a.array(gait.sync_a, 8, [&](auto &at) { a.value(at); });
+    a.array(gait.sync_b, 8, [&](auto &at) { a.value(at); });
+}
+
 template <class Archive, class U>
 void walk_use(Archive &a, U &use)
 {

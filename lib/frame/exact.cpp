@@ -1,7 +1,7 @@
 #include "lib/frame/exact.h"
 
+#include "lib/behave/layers.h"
 #include "lib/math/place.h"
-#include "lib/pose/clock.h"
 #include "lib/pose/pose.h"
 
 namespace claque::frame
@@ -11,18 +11,19 @@ namespace
 {
 
 struct Memory {
-    Memory(const model::Rig &rig, std::pmr::memory_resource *resource)
+    Memory(const model::Rig &rig, const model::Motion &motion, std::pmr::memory_resource *resource)
         : locals(rig.node_count(), resource),
           globals(rig.node_count(), resource),
           palette(rig.palette.size() + 1, resource),
           weights(rig.rest_weights.size(), resource),
-          dofs(rig.dofs.size(), resource)
+          dofs(rig.dofs.size(), resource),
+          scratch(pose::scratch_floats(rig, &motion), resource)
     {
     }
     std::pmr::vector<math::Trs> locals;
     std::pmr::vector<math::Columns> globals;
     std::pmr::vector<math::Affine> palette;
-    std::pmr::vector<float> weights, dofs;
+    std::pmr::vector<float> weights, dofs, scratch;
 };
 
 // A host's mechanism is not run because somebody asks where a hand is.
@@ -48,7 +49,7 @@ void node_in_world(const crowd::Crowd &crowd, const Frame &frame, uint32_t row, 
     const double tick_s = !shown ? time_s : seen.visible ? seen.shown_s : frame.last_time_s();
     const model::Level &level = tmpl.levels[shown && seen.visible ? seen.level : 0];
 
-    Memory memory(rig, crowd.memory());
+    Memory memory(rig, tmpl.motion, crowd.memory());
     behave::Moment moment;
     moment.time_s = tick_s;
     moment.level = &level;
@@ -58,12 +59,15 @@ void node_in_world(const crowd::Crowd &crowd, const Frame &frame, uint32_t row, 
     behave::Counts uncounted;
     behave::run(crowd, row, moment, base::Span<float>(memory.dofs), uncounted);
 
-    const crowd::Play play = behave::play_at(crowd, row, tick_s, moment.levels);
+    behave::Shown clips;
+    behave::shown_at(crowd, row, tick_s, moment.levels, clips);
     pose::PoseJob job;
     job.rig = &rig;
-    job.clip = play.clip;
-    if (play.clip != model::none)
-        job.time_s = pose::clip_time({play.start_s, play.speed, play.phase_s}, rig.clips[play.clip], tick_s);
+    job.motion = &tmpl.motion;
+    job.clip = clips.clip;
+    job.time_s = clips.clip_time_s;
+    job.layers = {clips.layers, clips.count};
+    job.scratch = base::Span<float>(memory.scratch);
     job.dofs = memory.dofs.data();
     job.locals = base::Span<math::Trs>(memory.locals);
     job.globals = base::Span<math::Columns>(memory.globals);

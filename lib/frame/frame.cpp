@@ -33,6 +33,8 @@ Frame::Frame(std::pmr::memory_resource *memory, const Settings &settings)
       sights_(memory),
       asked_(memory),
       visible_(memory),
+      layers_(memory),
+      masks_(memory),
       dofs_(memory),
       behaving_(memory),
       listed_(memory)
@@ -102,6 +104,7 @@ void Update::reserve()
     frame.caches_.reserve(rows, crowd.templates());
     if (frame.rows_.size() < rows) frame.rows_.resize(rows);
     if (frame.groups_.size() < crowd.group_count()) frame.groups_.resize(crowd.group_count());
+    reserve_layers();
 }
 
 void Update::find_due()

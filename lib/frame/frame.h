@@ -125,6 +125,8 @@ private:
     std::pmr::vector<Sight> sights_;       // [view][candidate]
     std::pmr::vector<uint32_t> asked_;     // candidates, one a request, in their order
     std::pmr::vector<uint32_t> visible_;   // of these, who is drawn in some view
+    std::pmr::vector<pose::Layer> layers_;  // of who shows more than one clip
+    std::pmr::vector<crowd::Mask> masks_;   // that these may point at
     std::pmr::vector<float> dofs_;         // of who is due, written by control mechanisms
     std::pmr::vector<uint32_t> behaving_;  // requests whose mechanisms run
     uint32_t most_dofs_ = 0;

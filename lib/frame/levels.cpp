@@ -4,7 +4,6 @@
 
 #include "lib/base/hash.h"
 #include "lib/frame/steps.h"
-#include "lib/pose/clock.h"
 
 namespace claque::frame
 {
@@ -88,8 +87,6 @@ void Update::request(uint32_t index)
     const uint32_t row = candidate.row;
     const Row &found = frame.rows_[row];
     const bool behaves = crowd.behaviours().has_uses(row);
-    const crowd::Play play =
-        behaves ? behave::play_at(crowd, row, found.seen.shown_s, candidate.levels) : crowd.play_of(row);
     animcache::Request request;
     request.tmpl = &crowd.template_of(row);
     request.row = row;
@@ -100,16 +97,13 @@ void Update::request(uint32_t index)
     if (frame.settings_.placement == animcache::Placement::matrices && request.tmpl->has_rigid_parts_only())
         request.placement = animcache::Placement::matrices;
     request.pose.version = crowd.actor(row).play_version;
-    request.pose.clip = play.clip;
     request.pose.skeletal = request.tmpl->levels[found.seen.level].skeletal;
     if (behaves) {
         request.pose.tick_s = found.seen.shown_s;
         request.pose.behaviour_levels = candidate.levels;
     }
-    if (play.clip != model::none)
-        request.pose.clip_time_s = pose::clip_time({play.start_s, play.speed, play.phase_s},
-                                                   request.tmpl->rig.clips[play.clip], found.seen.shown_s);
-    if (!behaves) share_key_poses(request);
+    choose_clips(request, candidate.levels);
+    if (!behaves && request.layers.count == 0) share_key_poses(request);
     frame.asked_.push_back(index);
     frame.caches_.pending().push_back(request);
 }
@@ -133,6 +127,7 @@ void Update::choose_levels_and_periods()
     if (frame.has_last_time_ && time_s < frame.last_time_s_) frame.live_since_ = frame.update_ - 1;
     for_slices(count, [this](uint32_t i) { look_at(i); });
     frame.asked_.clear();
+    frame.layers_.clear();
     frame.caches_.begin();
     frame.stats_.crossing = frame.stats_.passed_sklsroot = 0;
     for (uint32_t i = 0; i < count; ++i)

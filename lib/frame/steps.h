@@ -59,6 +59,8 @@ private:
     void look_at(uint32_t candidate);
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_m) const;
     void request(uint32_t candidate);
+    void reserve_layers();  // layers.cpp: of all memory the last, as lists of the update before still point at it
+    void choose_clips(animcache::Request &request, uint64_t levels);
     void share_key_poses(animcache::Request &request) const;
     uint32_t budget() const;
     void keep_to_budget();

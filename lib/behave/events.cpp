@@ -1,0 +1,216 @@
+#include "lib/behave/events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "lib/base/error.h"
+#include "lib/behave/mechanisms.h"
+#include "lib/crowd/gait.h"
+
+namespace claque::behave
+{
+
+using crowd::Source;
+
+namespace
+{
+
+// While something is played: after first_s, up to and with last_s.
+struct Window {
+    double first_s, last_s;
+    Window within(double first, double last) const { return {std::max(first_s, first), std::min(last_s, last)}; }
+    bool holds(double t) const { return t > first_s && t <= last_s; }
+};
+
+class Finder
+{
+public:
+    Finder(const crowd::Crowd &crowd, model::Array<Event> &out) : crowd_(crowd), out_(out) {}
+
+    void find(uint32_t row, Window window)
+    {
+        row_ = row;
+        rig_ = &crowd_.template_of(row).rig;
+        if (const crowd::Use *use = idle_of(row)) {
+            idle(*use, window);
+        } else {
+            const crowd::Layering *layering = crowd_.layers().of(row);
+            Source plain;
+            plain.play = crowd_.play_of(row);
+            if (layering) base(*layering, window);
+            else source(plain, window, 0);
+        }
+        if (const crowd::Layering *layering = crowd_.layers().of(row))
+            for (uint32_t k = 0; k < layering->gesture_count; ++k) gesture(layering->gestures[k], window);
+    }
+
+private:
+    void put(double time_s, EventKind kind, uint32_t clip, uint32_t layer)
+    {
+        if (out_.size() == most_events)
+            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+        Event event;
+        event.time_s = time_s, event.row = row_, event.kind = kind, event.clip = clip, event.layer = layer;
+        out_.push_back(event);
+    }
+
+    // The moments at which a clock that stands at `phase` rounds at start_s and makes `pace` rounds a second passes `share`
+    // of a round. `each`: (time, how many times it has passed 0 by then).
+    template <class Each>
+    static void passes(double start_s, double phase, double pace, double share, Window window, const Each &each)
+    {
+        if (!(pace != 0) || !(window.first_s < window.last_s)) return;
+        const auto rounds = [&](double t) { return phase + pace * (t - start_s) - share; };
+        const double low = std::min(rounds(window.first_s), rounds(window.last_s));
+        const double high = std::max(rounds(window.first_s), rounds(window.last_s));
+        // One more at each end: rounding decides by the moment alone.
+        const double count = std::floor(high) - std::ceil(low) + 3;
+        if (!(count < 2.0 * static_cast<double>(most_events)))
+            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+        for (double k = std::ceil(low) - 1; k <= std::floor(high) + 1; ++k) {
+            const double t = start_s + (k + share - phase) / pace;
+            if (window.holds(t)) each(t, pace > 0 ? k - std::floor(phase) : std::ceil(phase) - k);
+        }
+    }
+
+    // A round ends where the next begins, forwards at the clip's end, backwards at its beginning.
+    void clip(const crowd::Play &play, Window window, uint32_t layer)
+    {
+        if (play.clip == model::none) return;
+        const model::Clip &clip = rig_->clips[play.clip];
+        const double length = static_cast<double>(clip.duration_s);
+        if (!(length > 0)) return;
+        const double phase = static_cast<double>(play.phase_s) / length,
+                     pace = static_cast<double>(play.speed) / length;
+        passes(play.start_s, phase, pace, 0, window, [&](double t, double rounds) {
+            put(t, EventKind::clip_end, play.clip, layer);
+            out_.back().round = static_cast<uint64_t>(rounds > 0 ? rounds : 0);
+        });
+        each_marker(play.clip, [&](uint32_t marker, double time_s) {
+            const double share = (time_s - static_cast<double>(clip.start_s)) / length;
+            passes(play.start_s, phase, pace, share, window, [&](double t, double) {
+                put(t, EventKind::marker, play.clip, layer);
+                out_.back().marker = marker;
+            });
+        });
+    }
+
+    template <class Each>
+    void each_marker(uint32_t clip, const Each &each) const
+    {
+        for (uint32_t i = 0; i < rig_->markers.size(); ++i)
+            if (rig_->markers[i].clip == clip) each(i, static_cast<double>(rig_->markers[i].time_s));
+    }
+
+    // The common phase of two gaits is linear but while their share changes: there it is found by halving.
+    void gait(const Source &source, Window window)
+    {
+        const crowd::Gait &gait = crowd_.layers().gait(source.gait);
+        const auto rounds = [&](double t) { return rounds_at(gait, source, t); };
+        const auto all = [&](double share, const auto &each) {
+            if (!(window.first_s < window.last_s)) return;
+            const double a = rounds(window.first_s), b = rounds(window.last_s);
+            if (!(std::fabs(b - a) < 2.0 * static_cast<double>(most_events)))
+                base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+            const bool back = b < a;
+            for (double k = std::ceil(std::min(a, b) - share) - 1; k + share <= std::max(a, b) + 1; ++k) {
+                double low = window.first_s, high = window.last_s;
+                const auto passed = [&](double t) { return back ? rounds(t) <= k + share : rounds(t) >= k + share; };
+                if (passed(low) || !passed(high)) continue;
+                for (int step = 0; step < 100 && low < high; ++step) {
+                    const double middle = 0.5 * (low + high);
+                    if (!(middle > low && middle < high)) break;
+                    (passed(middle) ? high : low) = middle;
+                }
+                const double begun = rounds(source.play.start_s);
+                each(high, back ? std::ceil(begun) - k : k - std::floor(begun));
+            }
+        };
+        all(0, [&](double t, double round) {
+            put(t, EventKind::clip_end, gait.clip_a, 0);
+            out_.back().round = static_cast<uint64_t>(round > 0 ? round : 0);
+        });
+        each_marker(gait.clip_a, [&](uint32_t marker, double time_s) {
+            all(share_of_a(gait, time_s), [&](double t, double) {
+                put(t, EventKind::marker, gait.clip_a, 0);
+                out_.back().marker = marker;
+            });
+        });
+    }
+
+    void source(const Source &source, Window window, uint32_t layer)
+    {
+        const Window played = window.within(source.play.start_s, window.last_s);
+        if (source.gait == model::none) clip(source.play, played, layer);
+        else gait(source, played);
+    }
+
+    void base(const crowd::Layering &layering, Window window)
+    {
+        double first = -crowd::never_s;
+        for (uint32_t k = 0; k <= layering.fade_count; ++k) {
+            const bool last = k == layering.fade_count;
+            const double next = last ? crowd::never_s : layering.fades[k].at_s;
+            source(last ? layering.now : layering.fades[k].from, window.within(first, next), 0);
+            first = next;
+            if (last) break;
+            const double end = next + static_cast<double>(layering.fades[k].length_s);
+            const Source &to = k + 1 < layering.fade_count ? layering.fades[k + 1].from : layering.now;
+            if (window.holds(end)) put(end, EventKind::fade_end, to.play.clip, 0);
+        }
+    }
+
+    void gesture(const crowd::Gesture &gesture, Window window)
+    {
+        clip(gesture.play, window.within(gesture.start_s, gesture.end_s), gesture.serial);
+        if (window.holds(gesture.end_s)) put(gesture.end_s, EventKind::layer_end, gesture.play.clip, gesture.serial);
+    }
+
+    const crowd::Use *idle_of(uint32_t row) const
+    {
+        const crowd::Behaviours &behaviours = crowd_.behaviours();
+        const crowd::Use *last = nullptr;
+        for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next)
+            if (std::holds_alternative<crowd::Idle>(behaviours.mechanism(behaviours.use_at(i).mechanism).kind))
+                last = &behaviours.use_at(i);
+        return last;
+    }
+
+    // Slot by slot, each with what was drawn for it.
+    void idle(const crowd::Use &use, Window window)
+    {
+        const crowd::Idle &idle = std::get<crowd::Idle>(crowd_.behaviours().mechanism(use.mechanism).kind);
+        const double length = static_cast<double>(idle.slot_s);
+        if (!((window.last_s - window.first_s) / length < static_cast<double>(most_events)))
+            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+        crowd::Play play = drawn(idle, crowd_, row_, use, window.first_s).now;
+        while (play.start_s < window.last_s) {
+            const crowd::Play next = drawn(idle, crowd_, row_, use, play.start_s + 1.5 * length).now;
+            clip(play, window.within(play.start_s, next.start_s), 0);
+            if (!(next.start_s > play.start_s)) break;  // a clock so large that it knows no such times
+            play = next;
+        }
+    }
+
+    const crowd::Crowd &crowd_;
+    model::Array<Event> &out_;
+    uint32_t row_ = 0;
+    const model::Rig *rig_ = nullptr;
+};
+
+}  // namespace
+
+void find_events(const crowd::Crowd &crowd, double from_s, double to_s, model::Array<Event> &out)
+{
+    out.clear();
+    if (!(from_s < to_s)) return;
+    Finder finder(crowd, out);
+    for (const uint32_t row : crowd.watched()) finder.find(row, {from_s, to_s});
+    const auto key = [](const Event &e) {
+        return std::make_tuple(e.time_s, e.row, e.kind, e.layer, e.clip, e.marker, e.round);
+    };
+    std::sort(out.begin(), out.end(), [&](const Event &a, const Event &b) { return key(a) < key(b); });
+}
+
+}  // namespace claque::behave
