@@ -85,6 +85,7 @@ void fill_level(Mesh &mesh, const TriangleZones &zones, const model::Rig &rig, m
     make_streams(mesh, zones, part_count, out);
     copy_looks(mesh, out);
     make_parts(mesh, part_count, rig, out);
+    model::plan_skinning(out);
 }
 
 void fill_skeletons(const std::vector<const std::vector<uint8_t> *> &active, size_t entry_count,

@@ -2,6 +2,7 @@
 
 #include "meshsplit/interner.h"
 #include "meshsplit/rest.h"
+#include "meshsplit/vertex_order.h"
 
 #include <glm/geometric.hpp>
 
@@ -34,7 +35,7 @@ public:
     Mesh run()
     {
         for (const uint32_t p : selection_.parts) add_part(p);
-        sort_by_influences();
+        sort_for_skinning();
         return std::move(mesh_);
     }
 
@@ -248,13 +249,10 @@ private:
         faces_seen_[number] |= own;
     }
 
-    void sort_by_influences()
+    void sort_for_skinning()
     {
-        std::vector<uint32_t> order(mesh_.vertices.size()), place(mesh_.vertices.size());
-        std::iota(order.begin(), order.end(), 0u);
-        std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-            return mesh_.vertices[a].influence_count < mesh_.vertices[b].influence_count;
-        });
+        const std::vector<uint32_t> order = skinning_order(mesh_);
+        std::vector<uint32_t> place(order.size());
         std::vector<MeshVertex> sorted;
         sorted.reserve(order.size());
         for (const uint32_t v : order) {

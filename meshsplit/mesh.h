@@ -38,7 +38,7 @@ struct MeshSurface {
 };
 
 struct Mesh {
-    std::vector<MeshVertex> vertices;     // by number of influences, then by first use
+    std::vector<MeshVertex> vertices;     // by number of influences, then as vertex_order.h says
     std::vector<MeshTriangle> triangles;  // input order
     std::vector<Influence> influences;    // largest weight first within a vertex
     std::vector<VertexMorph> morphs;

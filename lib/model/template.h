@@ -7,6 +7,7 @@
 
 #include "lib/model/model.h"
 #include "lib/model/motion.h"
+#include "lib/model/skin_plan.h"
 
 namespace claque::model
 {
@@ -104,6 +105,7 @@ struct Level {
           runs(memory),
           joints(memory),
           weights(memory),
+          skinning(memory),
           morph_deltas(memory),
           morph_ranges(memory),
           copies(memory),
@@ -127,6 +129,7 @@ struct Level {
     Array<InfluenceRun> runs;  // cover the source vertices in order, fewer influences first
     Array<uint16_t> joints;    // entries of rig.palette
     Array<float> weights;      // sum to 1 per vertex
+    SkinPlan skinning;         // how to go through them; empty: run by run
     Array<MorphDelta> morph_deltas;
     Array<MorphRange> morph_ranges;
 

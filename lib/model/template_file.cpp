@@ -173,6 +173,7 @@ void load(const uint8_t *bytes, size_t size, Template &out)
         fail(CLQ_FORMAT, "a prepared template is no template: %s", error.what());
     }
     if (!out.motion.empty()) derive(out.rig, out.motion);
+    for (Level &level : out.levels) plan_skinning(level);
 }
 
 }  // namespace claque::model

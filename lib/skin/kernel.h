@@ -1,33 +1,60 @@
-// Vertices of one number of influences: what SkinJob calls for each run.
+// What SkinJob calls for the parts of a level.
 #pragma once
 
 #include "lib/base/span.h"
 #include "lib/math/affine.h"
+#include "lib/model/skin_plan.h"
 
 #include <cstdint>
 
 namespace claque::skin
 {
 
+// Matrices of four columns of four floats, aligned to 32 bytes, so that a column is one aligned load; a column's fourth float
+// may be anything.
+constexpr size_t aligned_matrix_floats = 16;
+void align_matrices(base::Span<const math::Affine> palette, float *out);
+
+// Vertices of one number of influences.
 struct Run {
     uint32_t count = 0;
     uint32_t influences = 1;
     const float *positions = nullptr, *normals = nullptr;  // 3 a vertex
     const uint16_t *joints = nullptr;                      // `influences` a vertex
     const float *weights = nullptr;                        // likewise; not read where influences is 1
-    const math::Affine *palette = nullptr;
-    const math::Affine *normal_palette = nullptr;  // null: palette
-    // The same palettes for run_wide, which wants both or, where normal_palette is null, the first.
-    const float *wide_palette = nullptr, *wide_normal_palette = nullptr;
+    const float *palette = nullptr;                        // aligned matrices
+    const float *normal_palette = nullptr;                 // null: palette
     float *out_positions = nullptr, *out_normals = nullptr;
+};
+
+// Blocks of one number of influences, at most model::max_block_influences.
+struct BlockRun {
+    const model::LaneBlock *blocks = nullptr;
+    uint32_t count = 0;
+    uint32_t influences = 1;
+    const model::Lanes *lanes = nullptr;    // of the plan
+    const float *palette = nullptr;         // aligned matrices
+    const float *normal_palette = nullptr;  // null: palette
+    uint32_t vertex_count = 0;              // that there is room for; those behind a block are written after it
+    float *out_positions = nullptr, *out_normals = nullptr;  // of vertex 0
+};
+
+// Sets of joints and weights to the matrices that their vertices follow.
+struct SetRun {
+    uint32_t count = 0;
+    uint32_t influences = 1;
+    const uint16_t *joints = nullptr;
+    const float *weights = nullptr;
+    const float *palette = nullptr;  // aligned matrices
+    float *out = nullptr;            // aligned matrices, one a set
 };
 
 void run_scalar(const Run &run);
 void run_vector(const Run &run);
+void blend_vector(const SetRun &run);
+void run_vector_blocks(const BlockRun &run);
 
-// Matrices of four columns of four floats, aligned to 32 bytes: a column's fourth float may be anything.
-constexpr size_t wide_matrix_floats = 16;
-void widen(base::Span<const math::Affine> palette, float *out);
 void run_wide(const Run &run);
+void run_wide_blocks(const BlockRun &run);
 
 }  // namespace claque::skin

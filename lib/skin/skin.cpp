@@ -10,11 +10,6 @@ namespace claque::skin
 namespace
 {
 
-size_t normal_floats(size_t palette_count, Normals normals)
-{
-    return normals == Normals::by_own_matrices ? 12 * (palette_count + 1) : 0;
-}
-
 bool morphs_active(const SkinJob &job)
 {
     for (const model::MorphRange &range : job.level->morph_ranges)
@@ -51,17 +46,142 @@ void fill_copies(const model::Level &level, float *out)
     }
 }
 
-// Aligned matrices for the wide kernel, and the room to align them.
-size_t wide_floats(size_t palette_count, Normals normals)
+constexpr size_t alignment_floats = 8;
+
+// Aligned matrices: of the palette, of sets; again of normals.
+size_t matrix_floats(size_t palette_count, Normals normals)
 {
-    return wide_matrix_floats * palette_count * (normals == Normals::by_own_matrices ? 2 : 1) + 8;
+    return aligned_matrix_floats * (palette_count + model::max_chunk_sets) *
+           (normals == Normals::by_own_matrices ? 2 : 1);
 }
+
+// One job: its scratch, then the segments of the level's plan.
+class Work
+{
+public:
+    explicit Work(const SkinJob &job)
+        : job_(job), level_(*job.level), positions_(level_.positions.data()), normals_(level_.normals.data())
+    {
+        float *spare = reinterpret_cast<float *>((reinterpret_cast<uintptr_t>(job.scratch.data) + 31) & ~uintptr_t(31));
+        palette_ = spare;
+        align_matrices(job.palette, palette_);
+        set_palette_ = spare += aligned_matrix_floats * job.palette.count;
+        spare += aligned_matrix_floats * model::max_chunk_sets;
+        if (job.normals == Normals::by_own_matrices) {
+            normal_palette_ = spare;
+            for (uint32_t i = 0; i < job.palette.count; ++i, spare += aligned_matrix_floats) {
+                math::Affine padded[2];  // what is read runs one float over
+                padded[0] = math::normal_matrix(job.palette[i]);
+                align_matrices({padded, 1}, spare);
+            }
+            set_normal_palette_ = spare;
+            spare += aligned_matrix_floats * model::max_chunk_sets;
+        }
+        if (!morphs_active(job)) return;
+        morph(job, spare, spare + 3 * size_t(level_.source_count));
+        positions_ = spare;
+        normals_ = spare + 3 * size_t(level_.source_count);
+        morphed_ = true;
+    }
+
+    void run() const
+    {
+        const Kernel kernel = can_run(job_.kernel) ? job_.kernel : Kernel::vector;
+        const auto &segments = level_.skinning.segments;
+        if (kernel == Kernel::scalar || segments.empty()) run_plainly(kernel);
+        else
+            for (const model::SkinSegment &segment : segments) run_segment(segment, kernel);
+        fill_copies(level_, job_.out_positions.data);
+        fill_copies(level_, job_.out_normals.data);
+    }
+
+private:
+    void run_plainly(Kernel kernel) const
+    {
+        for (const model::InfluenceRun &part : level_.runs) {
+            model::SkinSegment all;
+            all.influences = part.influences;
+            all.first = part.first, all.count = part.count, all.first_influence = part.first_influence;
+            run_vertices(run_of(all), kernel);
+        }
+    }
+
+    void run_segment(const model::SkinSegment &segment, Kernel kernel) const
+    {
+        if (segment.by == model::SkinBy::block && !morphed_) run_blocks(segment, kernel);
+        else if (segment.by == model::SkinBy::set) run_sets(segment, kernel);
+        else run_vertices(run_of(segment), kernel);
+    }
+
+    Run run_of(const model::SkinSegment &segment) const
+    {
+        Run run;
+        run.count = segment.count;
+        run.influences = segment.influences;
+        run.positions = positions_ + 3 * size_t(segment.first);
+        run.normals = normals_ + 3 * size_t(segment.first);
+        run.joints = level_.joints.data() + segment.first_influence;
+        run.weights = level_.weights.data() + segment.first_influence;
+        run.palette = palette_, run.normal_palette = normal_palette_;
+        run.out_positions = job_.out_positions.data + 3 * size_t(segment.first);
+        run.out_normals = job_.out_normals.data + 3 * size_t(segment.first);
+        return run;
+    }
+
+    static void run_vertices(const Run &run, Kernel kernel)
+    {
+        if (kernel == Kernel::scalar) run_scalar(run);
+        else if (kernel == Kernel::wide) run_wide(run);
+        else run_vector(run);
+    }
+
+    void run_sets(const model::SkinSegment &segment, Kernel kernel) const
+    {
+        SetRun sets;
+        sets.count = segment.part_count;
+        sets.influences = segment.influences;
+        sets.joints = level_.skinning.set_joints.data() + segment.first_part;
+        sets.weights = level_.skinning.set_weights.data() + segment.first_part;
+        sets.palette = palette_, sets.out = set_palette_;
+        blend_vector(sets);
+        Run run = run_of(segment);
+        run.influences = 1;
+        run.joints = level_.skinning.set_of.data() + segment.first_set_of;
+        run.palette = set_palette_;
+        if (normal_palette_) {
+            sets.palette = normal_palette_, sets.out = set_normal_palette_;
+            blend_vector(sets);
+            run.normal_palette = set_normal_palette_;
+        }
+        run_vertices(run, kernel);
+    }
+
+    void run_blocks(const model::SkinSegment &segment, Kernel kernel) const
+    {
+        BlockRun run;
+        run.blocks = level_.skinning.blocks.data() + segment.first_part;
+        run.count = segment.part_count;
+        run.influences = segment.influences;
+        run.lanes = level_.skinning.lanes.data();
+        run.palette = palette_, run.normal_palette = normal_palette_;
+        run.vertex_count = level_.vertex_count;
+        run.out_positions = job_.out_positions.data, run.out_normals = job_.out_normals.data;
+        kernel == Kernel::wide ? run_wide_blocks(run) : run_vector_blocks(run);
+    }
+
+    const SkinJob &job_;
+    const model::Level &level_;
+    const float *positions_, *normals_;  // bind pose, or morphed
+    bool morphed_ = false;
+    float *palette_ = nullptr, *normal_palette_ = nullptr;
+    float *set_palette_ = nullptr, *set_normal_palette_ = nullptr;
+};
 
 }  // namespace
 
 size_t scratch_floats(const model::Level &level, size_t palette_count, Normals normals)
 {
-    return wide_floats(palette_count, normals) + normal_floats(palette_count, normals) +
+    return alignment_floats + matrix_floats(palette_count, normals) +
            (level.morph_ranges.empty() ? 0 : 6 * size_t(level.source_count));
 }
 
@@ -79,50 +199,6 @@ base::Status SkinJob::check() const
     return Status::good();
 }
 
-void SkinJob::run() const
-{
-    const float *positions = level->positions.data(), *bind_normals = level->normals.data();
-    const math::Affine *normal_palette = nullptr;
-    float *spare = scratch.data + wide_floats(palette.count, normals);
-    if (normals == Normals::by_own_matrices) {
-        math::Affine *matrices = reinterpret_cast<math::Affine *>(spare);
-        for (uint32_t i = 0; i < palette.count; ++i) matrices[i] = math::normal_matrix(palette[i]);
-        normal_palette = matrices;
-    }
-    if (morphs_active(*this)) {
-        float *morphed = spare + normal_floats(palette.count, normals);
-        morph(*this, morphed, morphed + 3 * size_t(level->source_count));
-        positions = morphed;
-        bind_normals = morphed + 3 * size_t(level->source_count);
-    }
-    float *wide = nullptr;
-    const size_t wide_count = wide_matrix_floats * palette.count;
-    const bool runs_wide = kernel == Kernel::wide && can_run(Kernel::wide);
-    if (runs_wide) {
-        wide = reinterpret_cast<float *>((reinterpret_cast<uintptr_t>(scratch.data) + 31) & ~uintptr_t(31));
-        widen(palette, wide);
-        if (normal_palette) widen({normal_palette, palette.count}, wide + wide_count);
-    }
-    for (const model::InfluenceRun &part : level->runs) {
-        Run run;
-        run.wide_palette = wide;
-        run.wide_normal_palette = normal_palette ? wide + wide_count : nullptr;
-        run.count = part.count;
-        run.influences = part.influences;
-        run.positions = positions + 3 * size_t(part.first);
-        run.normals = bind_normals + 3 * size_t(part.first);
-        run.joints = level->joints.data() + part.first_influence;
-        run.weights = level->weights.data() + part.first_influence;
-        run.palette = palette.data;
-        run.normal_palette = normal_palette;
-        run.out_positions = out_positions.data + 3 * size_t(part.first);
-        run.out_normals = out_normals.data + 3 * size_t(part.first);
-        if (kernel == Kernel::scalar) run_scalar(run);
-        else if (runs_wide) run_wide(run);
-        else run_vector(run);
-    }
-    fill_copies(*level, out_positions.data);
-    fill_copies(*level, out_normals.data);
-}
+void SkinJob::run() const { Work(*this).run(); }
 
 }  // namespace claque::skin

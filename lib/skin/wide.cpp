@@ -34,17 +34,17 @@ template <uint32_t K>
 CLAQUE_AVX2_INLINE Blended blend(const float *palette, const uint16_t *joints, const float *weights,
                                  uint32_t influences)
 {
-    const float *first = palette + wide_matrix_floats * joints[0];
+    const float *first = palette + aligned_matrix_floats * joints[0];
     Blended m = {_mm256_load_ps(first), _mm256_load_ps(first + 8)};
     if constexpr (K == 1) return m;
     const __m256 w = _mm256_set1_ps(weights[0]);
     m.xy = _mm256_mul_ps(m.xy, w);
     m.zt = _mm256_mul_ps(m.zt, w);
     if constexpr (K == 0)
-        for (uint32_t k = 1; k < influences; ++k) add(m, palette + wide_matrix_floats * joints[k], weights[k]);
-    if constexpr (K > 1) add(m, palette + wide_matrix_floats * joints[1], weights[1]);
-    if constexpr (K > 2) add(m, palette + wide_matrix_floats * joints[2], weights[2]);
-    if constexpr (K > 3) add(m, palette + wide_matrix_floats * joints[3], weights[3]);
+        for (uint32_t k = 1; k < influences; ++k) add(m, palette + aligned_matrix_floats * joints[k], weights[k]);
+    if constexpr (K > 1) add(m, palette + aligned_matrix_floats * joints[1], weights[1]);
+    if constexpr (K > 2) add(m, palette + aligned_matrix_floats * joints[2], weights[2]);
+    if constexpr (K > 3) add(m, palette + aligned_matrix_floats * joints[3], weights[3]);
     return m;
 }
 
@@ -89,13 +89,12 @@ CLAQUE_AVX2 void run_pairs(const Run run, size_t pairs)
         const uint16_t *jb = ja + stride;
         const float *wb = wa + stride;
         const uint32_t n = run.influences;
-        const Pair m(blend<K>(run.wide_palette, ja, wa, n), blend<K>(run.wide_palette, jb, wb, n));
+        const Pair m(blend<K>(run.palette, ja, wa, n), blend<K>(run.palette, jb, wb, n));
         const __m256 position = _mm256_add_ps(direction(m, run.positions + 3 * v), m.t);
         __m256 normal;
         if constexpr (OwnNormalMatrices)
-            normal = direction(
-                Pair(blend<K>(run.wide_normal_palette, ja, wa, n), blend<K>(run.wide_normal_palette, jb, wb, n)),
-                run.normals + 3 * v);
+            normal = direction(Pair(blend<K>(run.normal_palette, ja, wa, n), blend<K>(run.normal_palette, jb, wb, n)),
+                               run.normals + 3 * v);
         else normal = direction(m, run.normals + 3 * v);
         store(run.out_positions + 3 * v, position);
         store(run.out_normals + 3 * v, normal);
@@ -109,12 +108,6 @@ void choose(const Run &run, size_t pairs)
 }
 
 }  // namespace
-
-void widen(base::Span<const math::Affine> palette, float *out)
-{
-    for (uint32_t i = 0; i < palette.count; ++i, out += wide_matrix_floats)
-        for (int k = 0; k < 4; ++k) math::store4(out + 4 * k, math::load4(palette[i].c + 3 * k));
-}
 
 void run_wide(const Run &run)
 {
@@ -156,7 +149,6 @@ void run_wide(const Run &run)
 namespace claque::skin
 {
 
-void widen(base::Span<const math::Affine>, float *) {}
 void run_wide(const Run &run) { run_vector(run); }
 
 }  // namespace claque::skin

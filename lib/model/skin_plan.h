@@ -1,0 +1,70 @@
+// How the vertices of a level are skinned fastest: found from its runs when a template is made or loaded, never stored.
+// Whatever the plan, each vertex goes through the same steps, so it changes no bit of what comes out.
+#pragma once
+
+#include "lib/model/rig.h"
+
+namespace claque::model
+{
+
+struct Level;
+
+constexpr uint32_t lane_count = 8;
+constexpr uint32_t max_block_influences = 4;
+constexpr uint32_t max_chunk_sets = 64;  // so that their matrices stay in the nearest cache
+
+struct alignas(32) Lanes {
+    float v[lane_count] = {0, 0, 0, 0, 0, 0, 0, 0};
+};
+
+// Up to eight neighbouring vertices that follow the same palette entries, each in a lane of its own. Its Lanes: x, y, z,
+// normal x, y, z, and for each influence the weight, none where it is one influence. Lanes behind `count` are 0.
+struct LaneBlock {
+    uint32_t first = 0;        // vertex
+    uint32_t first_lanes = 0;  // of SkinPlan::lanes
+    uint32_t count = 0;
+    uint16_t joints[max_block_influences] = {0, 0, 0, 0};
+};
+
+enum class SkinBy : uint8_t {
+    vertex = 0,  // matrices are blended for each vertex
+    block = 1,   // for eight vertices at once
+    set = 2      // once for each of few sets of (joints, weights) that many vertices share
+};
+
+// Neighbouring vertices of one run.
+struct SkinSegment {
+    SkinBy by = SkinBy::vertex;
+    uint32_t influences = 1;
+    uint32_t first = 0, count = 0;  // vertices
+    uint32_t first_influence = 0;   // of Level::joints and weights
+    uint32_t first_part = 0;        // block: of blocks; set: of set_joints and set_weights
+    uint32_t part_count = 0;        // block: blocks; set: sets, at most max_chunk_sets
+    uint32_t first_set_of = 0;      // set: of set_of, which has for each vertex its set, counted within the segment
+};
+
+struct SkinPlan {
+    explicit SkinPlan(std::pmr::memory_resource *memory)
+        : segments(memory), blocks(memory), lanes(memory), set_joints(memory), set_weights(memory), set_of(memory)
+    {
+    }
+    Array<SkinSegment> segments;  // cover the source vertices in order
+    Array<LaneBlock> blocks;
+    Array<Lanes> lanes;
+    Array<uint16_t> set_joints;
+    Array<float> set_weights;
+    Array<uint16_t> set_of;
+};
+
+// Blocks fill where vertices that follow the same entries are neighbours: meshsplit sorts them so. Requires runs, joints
+// and weights of right lengths; throws std::bad_alloc.
+void plan_skinning(Level &level);
+
+// Whether vertices of a block may follow `a` and `b`, lists of `influences` entries. The first two may be changed over:
+// a sum of two products is the same either way, to the bit.
+bool same_entries(const uint16_t *a, const uint16_t *b, uint32_t influences);
+
+// How many of `count` vertices on the same entries are worth blocks; the last of them are better taken one by one.
+uint32_t worth_blocks(uint32_t count);
+
+}  // namespace claque::model
