@@ -56,6 +56,15 @@ CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, c
  * stand_wave, stand_laugh, stand_applaud, stand_cheer (begin and end as stand).
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
+
+/* One of the four people with more clips: its own eighteen, and variants of each in turn, until there are clip_count.
+ * They differ in tempo, timing, amplitude, the hand that leads and a sway of their own, and are named "sit_talk.03" and
+ * the like; what holds for a clip (loops, seats, common beginnings and ends) holds for its variants. The same bytes on
+ * every call. S1 8: 150 clips for everybody.
+ *   clip_count   [18, 2000]
+ * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint32_t clip_count,
+                                            clq_asset **out);
 CLQ_API void clq_asset_destroy(clq_asset *asset);
 
 typedef struct clq_asset_info {

@@ -1,6 +1,7 @@
 #include "lib/figures/figure.h"
 
 #include "lib/figures/assemble.h"
+#include "lib/figures/clips/variant.h"
 #include "lib/figures/parts.h"
 
 namespace claque::figures
@@ -76,6 +77,8 @@ model::Model citizen()
     figure.clips = figure_clips();
     return assemble(figure);
 }
+
+void add_variants(model::Model &person, uint32_t clip_count) { add_variants(person.rig, clip_count); }
 
 const std::vector<Builtin> &people()
 {

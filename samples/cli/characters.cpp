@@ -48,6 +48,7 @@ scenes::Character LoadedCharacter::character() const
 {
     scenes::Character character;
     character.tmpl = tmpl.get();
+    character.first_clip = first_clip;
     if (asset) {
         const clq_asset_info info = info_of(asset.get());
         character.has_box = true;
@@ -61,33 +62,42 @@ scenes::Character LoadedCharacter::character() const
 bool is_prepared(const std::string &path) { return path.size() > 4 && path.substr(path.size() - 4) == ".clq"; }
 
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
-                                  const std::vector<std::string> &hidden)
+                                  const std::vector<std::string> &hidden, const ClipArguments &clips,
+                                  uint32_t *first_clip)
 {
     clq_asset *made = nullptr;
     // A name without folder or ending, and no such file: one of ours.
     if (path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0) {
-        check(clq_asset_builtin(library.context(), path.c_str(), &made));
-        return scenes::Own<clq_asset>(made);
+        if (clips.vary > 0) check(clq_asset_builtin_varied(library.context(), path.c_str(), clips.vary, &made));
+        else check(clq_asset_builtin(library.context(), path.c_str(), &made));
+    } else {
+        if (clips.vary > 0) throw scenes::Failure(path + " is no built-in figure, whose clips alone are varied");
+        std::vector<const char *> names;
+        for (const std::string &name : hidden) names.push_back(name.c_str());
+        clq_asset_options options = clq_asset_options_init();
+        options.hidden_nodes = names.data();
+        options.motion_unit_m = clips.unit_m;
+        options.hidden_node_count = static_cast<uint32_t>(names.size());
+        check(clq_asset_load_file(library.context(), path.c_str(), &options, &made), path);
     }
-    std::vector<const char *> names;
-    for (const std::string &name : hidden) names.push_back(name.c_str());
-    clq_asset_options options = clq_asset_options_init();
-    options.hidden_nodes = names.data();
-    options.hidden_node_count = static_cast<uint32_t>(names.size());
-    check(clq_asset_load_file(library.context(), path.c_str(), &options, &made), path);
-    return scenes::Own<clq_asset>(made);
+    scenes::Own<clq_asset> asset(made);
+    const uint32_t first = add_clips(library, made, clips);
+    if (first_clip) *first_clip = first;
+    return asset;
 }
 
 LoadedCharacter load_character(scenes::Library &library, const std::string &path,
-                               const std::vector<std::string> &hidden)
+                               const std::vector<std::string> &hidden, const ClipArguments &clips)
 {
     LoadedCharacter loaded;
     clq_template *made = nullptr;
     if (is_prepared(path)) {
+        if (!clips.files.empty() || clips.vary > 0)
+            throw scenes::Failure(path + " is prepared: clips are added before, by claque prepare --clips");
         const std::vector<unsigned char> bytes = read_file(path);
         check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
     } else {
-        loaded.asset = load_asset(library, path, hidden);
+        loaded.asset = load_asset(library, path, hidden, clips, &loaded.first_clip);
         check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
     }
     loaded.tmpl.reset(made);

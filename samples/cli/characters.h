@@ -1,6 +1,7 @@
 // Characters from the command line: a glTF or GLB file, a prepared file (.clq), or the name of a built-in figure.
 #pragma once
 
+#include "samples/cli/clip_arguments.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene.h"
@@ -14,16 +15,18 @@ namespace cli
 struct LoadedCharacter {
     scenes::Own<clq_asset> asset;  // none for prepared files
     scenes::Own<clq_template> tmpl;
+    uint32_t first_clip = 0;  // to show: of those that were added, where there are any
     scenes::Character character() const;
 };
 
 bool is_prepared(const std::string &path);
 
-// Both throw Failure with the path in the sentence.
+// Both throw Failure with the path in the sentence. `first_clip`: the first to show, see add_clips.
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
-                                  const std::vector<std::string> &hidden = {});
+                                  const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {},
+                                  uint32_t *first_clip = nullptr);
 LoadedCharacter load_character(scenes::Library &library, const std::string &path,
-                               const std::vector<std::string> &hidden = {});
+                               const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {});
 
 clq_asset_info info_of(const clq_asset *asset);
 clq_template_info info_of(const clq_template *tmpl);

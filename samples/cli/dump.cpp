@@ -14,6 +14,7 @@ namespace
 
 struct DumpArguments {
     std::string file, clip, out;
+    ClipArguments clips;
     double time_s = 0;
 };
 
@@ -41,7 +42,7 @@ void dump(const DumpArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(1);
-    const scenes::Own<clq_asset> asset = load_asset(library, a.file);
+    const scenes::Own<clq_asset> asset = load_asset(library, a.file, {}, a.clips);
     const uint32_t clip = find_clip(asset.get(), a);
     std::vector<float> xyz(3 * static_cast<size_t>(info_of(asset.get()).vertex_count));
     scenes::check(clq_asset_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()), a.file);
@@ -59,6 +60,7 @@ void add_dump(CLI::App &app, Work &chosen)
         "Write animated world-space positions of all mesh primitives of the default scene: nodes depth first with "
         "children in listed order, primitives in order, vertices as in the file; float32 (n, 3), NumPy's .npy 1.0");
     c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen, patrician ...)")->required();
+    add_clip_options(*c, a->clips);
     CLI::Option *clip =
         c->add_option("--clip", a->clip, "Name or number; without it the rest pose and default morph weights");
     c->add_option("--time", a->time_s, "In seconds on the file's own key axis, clamped to the clip")

@@ -3,6 +3,7 @@
 #include "samples/cli/command.h"
 #include "samples/cli/stage_arguments.h"
 
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -21,6 +22,20 @@ Json clip_json(const clq_clip_info &clip)
             {"start_s", clip.start_s},
             {"duration_s", clip.duration_s},
             {"channels", clip.channel_count}};
+}
+
+// Lengths as they are read, not as they are stored.
+double rounded(double value, double to) { return std::round(value / to) * to; }
+
+Json sampled_clip_json(const clq_clip_info &clip)
+{
+    Json json = clip_json(clip);
+    json["rate_hz"] = rounded(double(clip.rate_hz), 0.01);
+    json["error_mm"] = rounded(double(clip.error_m) * 1000, 0.001);
+    json["error_rad"] = rounded(double(clip.error_rad), 1e-5);
+    json["kept"] = clip.kept_count;
+    json["bytes"] = clip.bytes;
+    return json;
 }
 
 Json asset_json(const clq_asset *asset)
@@ -65,6 +80,22 @@ Json asset_json(const clq_asset *asset)
     return json;
 }
 
+// Clips against the same animation as meshes: a position and a normal a vertex for each row of each clip, or where no rate
+// is known, 30 times a second.
+Json motion_json(const clq_template_info &info, const Json &clips)
+{
+    uint64_t bytes = 0;
+    double meshes = 0;
+    for (const Json &clip : clips) {
+        const double rate = clip["rate_hz"].get<double>() > 0 ? clip["rate_hz"].get<double>() : 30;
+        bytes += clip["bytes"].get<uint64_t>();
+        meshes += (std::round(clip["duration_s"].get<double>() * rate) + 1) * 24 * info.vertex_count;
+    }
+    Json json = {{"bytes", bytes}, {"as_meshes_bytes", static_cast<uint64_t>(meshes)}};
+    if (bytes > 0) json["times_less"] = rounded(meshes / double(bytes), 0.1);
+    return json;
+}
+
 Json template_json(const clq_template *tmpl)
 {
     const clq_template_info info = info_of(tmpl);
@@ -94,8 +125,9 @@ Json template_json(const clq_template *tmpl)
     for (uint32_t i = 0; i < info.clip_count; ++i) {
         clq_clip_info clip = {};
         scenes::check(clq_template_get_clip(tmpl, i, &clip));
-        json["clips"].push_back(clip_json(clip));
+        json["clips"].push_back(sampled_clip_json(clip));
     }
+    json["motion"] = motion_json(info, json["clips"]);
     return json;
 }
 
@@ -117,6 +149,13 @@ void print_rows(const Json &rows, const char *heading)
     }
 }
 
+void print_motion(const Json &motion)
+{
+    if (motion.empty() || !motion.contains("times_less")) return;
+    std::cout << "clips take " << motion["bytes"] << " bytes, as meshes " << motion["as_meshes_bytes"] << ": "
+              << motion["times_less"] << " times more\n";
+}
+
 void print_text(const Json &report)
 {
     std::cout << report["file"].get<std::string>() << "\n" << std::setprecision(4);
@@ -130,13 +169,14 @@ void print_text(const Json &report)
     }
     if (report.contains("loaded")) {
         print_rows(report["loaded"]["part_list"], "parts");
-        print_rows(report["loaded"]["clips"], "clips");
+        if (!report.contains("split")) print_rows(report["loaded"]["clips"], "clips");
         for (const Json &warning : report["loaded"]["warnings"])
             std::cout << "warning: " << warning.get<std::string>() << "\n";
     }
     if (report.contains("split")) {
         print_rows(report["split"]["zones"], "zones");
-        if (!report.contains("loaded")) print_rows(report["split"]["clips"], "clips");
+        print_rows(report["split"]["clips"], "clips");
+        print_motion(report["split"]["motion"]);
     }
     if (report.contains("not_split")) std::cout << "not split: " << report["not_split"].get<std::string>() << "\n";
 }
@@ -144,6 +184,7 @@ void print_text(const Json &report)
 struct InspectArguments {
     std::string file;
     std::vector<std::string> hidden;
+    ClipArguments clips;
     bool json = false;
 };
 
@@ -153,7 +194,7 @@ void inspect(const InspectArguments &a)
     Json report = {{"file", a.file}};
     if (is_prepared(a.file)) report["split"] = template_json(load_character(library, a.file).tmpl.get());
     else {
-        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden);
+        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden, a.clips);
         report["loaded"] = asset_json(asset.get());
         clq_template *made = nullptr;
         if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
@@ -170,11 +211,13 @@ void add_inspect(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<InspectArguments>();
     CLI::App *c = app.add_subcommand("inspect", "Say what a character is made of");
-    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+    c->add_option("FILE", a->file,
+                  "glTF, GLB, BVH, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
         ->required();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();
+    add_clip_options(*c, a->clips);
     c->add_flag("--json", a->json, "As JSON");
     c->callback([a, &chosen] { chosen = [a] { inspect(*a); }; });
 }

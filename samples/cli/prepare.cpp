@@ -13,13 +13,14 @@ namespace
 struct PrepareArguments {
     std::string file, out;
     std::vector<std::string> hidden;
+    ClipArguments clips;
 };
 
 void prepare(const PrepareArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(1);
-    const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
+    const LoadedCharacter loaded = load_character(library, a.file, a.hidden, a.clips);
     std::string bytes;
     const auto append = [](void *user, const void *piece, size_t size_bytes) {
         static_cast<std::string *>(user)->append(static_cast<const char *>(piece), size_bytes);
@@ -39,6 +40,7 @@ void add_prepare(CLI::App &app, Work &chosen)
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();
+    add_clip_options(*c, a->clips);
     c->add_option("--out,-o", a->out, "The prepared file (.clq); - is standard output")->required();
     c->callback([a, &chosen] { chosen = [a] { prepare(*a); }; });
 }

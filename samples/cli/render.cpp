@@ -20,6 +20,7 @@ namespace
 
 struct RenderArguments {
     StageArguments stage;
+    ClipArguments clips;  // of the stage's file
     double time_s = 2.0, fps = 25.0;
     std::string frames, out, json;
     FrameRange range;
@@ -170,7 +171,7 @@ void render(const RenderArguments &a)
         stop_if_asked();
         if (!stage) {
             progress.phase("preparing");
-            if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden);
+            if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden, a.clips);
             options = stage_options(a.stage, loaded);
             stage.emplace(library, options);
             report["count"] = stage->crowd_stats().actor_count;
@@ -193,6 +194,8 @@ void render(const RenderArguments &a)
 
 void check_usage(RenderArguments &a)
 {
+    if ((!a.clips.files.empty() || a.clips.vary > 0) && a.stage.file.empty())
+        throw CLI::ValidationError("--clips", "and --vary need a FILE whose character gets them");
     check_stage_usage(a.stage);
     if (!a.frames.empty()) {
         if (a.stage.camera.empty() && has_path(a.stage)) a.stage.camera = "path";
@@ -231,6 +234,7 @@ void add_render(CLI::App &app, Work &chosen)
     c->add_option("--count", a->stage.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     add_stage_options(*c, a->stage);
+    add_clip_options(*c, a->clips);
     c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
         ->check(CLI::IsMember(variety_names()))
         ->capture_default_str();
@@ -258,7 +262,8 @@ void add_render(CLI::App &app, Work &chosen)
         ->needs("--frames");
     c->add_option("--fps", a->fps, "Frames a second of a sequence")->capture_default_str()->needs("--frames");
     c->add_flag("--again", a->again, "Draw frames that are finished once more")->needs("--frames");
-    c->add_option("--out,-o", a->out, "PNG; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
+    c->add_option("--out,-o", a->out,
+                  "PNG; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
         ->required();
     c->add_option("--json", a->json, "Write counts, rates and times here; - is standard output");
     c->callback([a, &chosen] {

@@ -161,7 +161,8 @@ private:
     clq_play play(uint32_t who) const
     {
         clq_play play = {};
-        play.clip = info_.clip_count > 0 ? who % info_.clip_count : CLQ_NONE;
+        const uint32_t first = std::min(character_.first_clip, info_.clip_count);
+        play.clip = info_.clip_count > first ? first + who % (info_.clip_count - first) : CLQ_NONE;
         play.speed = static_cast<float>(lot_between(seed_, who, Lot::speed, 0.9, 1.1));
         clq_clip_info clip = {};
         if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)

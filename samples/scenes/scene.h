@@ -22,6 +22,7 @@ struct Character {
     clq_template *tmpl = nullptr;
     bool has_box = false;
     float box_first[3] = {0, 0, 0}, box_last[3] = {0, 0, 0};
+    uint32_t first_clip = 0;  // a parade plays this one and what follows it
 };
 
 class Scene

@@ -42,6 +42,16 @@ model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &o
     return asset::is_bvh(bytes, size) ? asset::load_bvh(bytes, size, options) : asset::load_gltf(bytes, size, options);
 }
 
+model::Model made_of(const std::vector<figures::Builtin> &figures, const char *what, const char *name)
+{
+    std::string names;
+    for (const figures::Builtin &figure : figures) {
+        if (std::string_view(name) == figure.name) return figure.make();
+        names += std::string(names.empty() ? "" : ", ") + figure.name;
+    }
+    base::fail(CLQ_ARGUMENT, "there is no %s '%s'; there are: %s", what, name, names.c_str());
+}
+
 std::string folder_of(const std::string &path)
 {
     const size_t slash = path.find_last_of('/');
@@ -94,12 +104,20 @@ clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset *
 {
     return api::boundary("clq_asset_builtin", [&] {
         api::require(context && name && out, "context, name or out is NULL");
-        std::string names;
-        for (const figures::Builtin &figure : figures::builtins()) {
-            if (std::string_view(name) == figure.name) return void(*out = finish(context, figure.make()));
-            names += std::string(names.empty() ? "" : ", ") + figure.name;
-        }
-        base::fail(CLQ_ARGUMENT, "there is no built-in figure '%s'; there are: %s", name, names.c_str());
+        *out = finish(context, made_of(figures::builtins(), "built-in figure", name));
+    });
+}
+
+clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint32_t clip_count, clq_asset **out)
+{
+    return api::boundary("clq_asset_builtin_varied", [&] {
+        api::require(context && name && out, "context, name or out is NULL");
+        model::Model model = made_of(figures::people(), "built-in person", name);
+        const uint32_t own = static_cast<uint32_t>(model.rig.clips.size());
+        if (clip_count < own || clip_count > figures::most_clips)
+            base::fail(CLQ_ARGUMENT, "%u clips: %u to %u are wanted", clip_count, own, figures::most_clips);
+        figures::add_variants(model, clip_count);
+        *out = finish(context, std::move(model));
     });
 }
 

@@ -88,13 +88,19 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
     // The last key of a loop is the first one, to the bit.
     poses.push_back(maker.ending == Ending::closed ? poses.front() : maker.pose_at(1));
 
+    add_clip(rig, maker.name, poses);
+}
+
+void add_clip(model::Rig &rig, const char *name, const std::vector<Pose> &poses)
+{
+    const int frames = static_cast<int>(poses.size()) - 1;
     model::Clip clip;
     clip.first_channel = static_cast<uint32_t>(rig.channels.size());
-    clip.duration_s = static_cast<float>(maker.frames) / keys_per_second;
+    clip.duration_s = static_cast<float>(frames) / keys_per_second;
     model::Channel channel;
     channel.first_time = static_cast<uint32_t>(rig.times.size());
     channel.key_count = static_cast<uint32_t>(poses.size());
-    for (int k = 0; k <= maker.frames; ++k) rig.times.push_back(static_cast<float>(k) / keys_per_second);
+    for (int k = 0; k <= frames; ++k) rig.times.push_back(static_cast<float>(k) / keys_per_second);
 
     for (int b = 0; b < bone_count; ++b)
         if (moves(poses, static_cast<Bone>(b))) add_translation(rig, poses, static_cast<Bone>(b), channel);
@@ -102,7 +108,7 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
         if (turns(poses, static_cast<Bone>(b))) add_rotation(rig, poses, static_cast<Bone>(b), channel);
     clip.channel_count = static_cast<uint32_t>(rig.channels.size()) - clip.first_channel;
     rig.clips.push_back(clip);
-    rig.clip_names.emplace_back(maker.name);
+    rig.clip_names.emplace_back(name);
 }
 
 }  // namespace claque::figures

@@ -56,6 +56,8 @@ Pose stand_cheer_at(float phase);
 
 // Adds a clip: translations of the pelvis and of every node that ever leaves its place, rotations of all that turn.
 void add_clip(model::Rig &rig, const ClipMaker &maker);
+// Of these poses, one a key.
+void add_clip(model::Rig &rig, const char *name, const std::vector<Pose> &poses);
 
 // A wave of the phase, `cycles` whole turns a clip, starting at `at` of a turn: closes by itself.
 float wave(float phase, int cycles, float at = 0);

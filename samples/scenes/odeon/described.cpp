@@ -121,6 +121,25 @@ std::vector<double> Described::numbers(std::string_view key, Limits limits)
     return values;
 }
 
+std::vector<std::string> Described::texts(std::string_view key)
+{
+    const toml::array *list = need(key).as_array();
+    if (!list) refuse("has '" + std::string(key) + "' that is not a list of texts", key);
+    std::vector<std::string> all;
+    for (const toml::node &item : *list) {
+        if (!item.is_string()) refuse("has '" + std::string(key) + "' that is not a list of texts", key);
+        all.push_back(*item.value<std::string>());
+    }
+    return all;
+}
+
+std::vector<std::pair<std::string, std::string>> Described::named_texts()
+{
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const auto &[key, node] : *table_) all.emplace_back(key.str(), text(key.str()));
+    return all;
+}
+
 Described Described::table(std::string_view key, const std::string &what)
 {
     const toml::table *inner = need(key).as_table();

@@ -34,6 +34,9 @@ public:
     std::string text(std::string_view key);
     std::array<double, 2> pair(std::string_view key, Limits limits);
     std::vector<double> numbers(std::string_view key, Limits limits);  // one number, or a list of them
+    std::vector<std::string> texts(std::string_view key);
+    // Every text by its own name, for keys that are names.
+    std::vector<std::pair<std::string, std::string>> named_texts();
     Described table(std::string_view key, const std::string &what);
     // The tables of [[key]]; `what` is numbered from 1. None where the key is missing.
     std::vector<Described> tables(std::string_view key, const std::string &what);

@@ -1,0 +1,86 @@
+#include "samples/cli/clip_arguments.h"
+
+#include "samples/cli/characters.h"
+#include "samples/cli/files.h"
+#include "samples/cli/joint_map.h"
+
+namespace cli
+{
+namespace
+{
+
+JointMap map_of(const ClipArguments &a)
+{
+    JointMap map = a.map.empty() ? JointMap() : read_joint_map(text_of(a.map), a.map);
+    if (a.unit_m > 0) map.unit_m = a.unit_m;
+    if (a.first_s >= 0) map.first_s = a.first_s;
+    if (a.last_s >= 0) map.last_s = a.last_s;
+    if (a.close_s >= 0) map.close_s = a.close_s;
+    if (a.rate_hz > 0) map.rate_hz = a.rate_hz;
+    if (!a.travel.empty()) travel_named(a.travel, map.travel);
+    return map;
+}
+
+}  // namespace
+
+void add_clip_options(CLI::App &command, ClipArguments &a)
+{
+    CLI::Option *files = command
+                             .add_option("--clips", a.files,
+                                         "Add the clips of this file, bound by joint name: glTF, GLB, BVH, or a "
+                                         "built-in figure's name (may repeat)")
+                             ->type_name("FILE")
+                             ->expected(1)
+                             ->take_all();
+    command
+        .add_option("--map", a.map, "Which joint of the clips is which of the character, and how they are taken (TOML)")
+        ->type_name("FILE")
+        ->needs(files);
+    command.add_option("--unit", a.unit_m, "Metres a unit of BVH files (default 1, or what the map says)")
+        ->check(CLI::Range(1e-6, 1e6));
+    command.add_option("--from", a.first_s, "Seconds that are left out at the beginning of the clips")
+        ->check(CLI::Range(0.0, 1e6))
+        ->needs(files);
+    command.add_option("--to", a.last_s, "Where the clips end, in seconds")->check(CLI::Range(0.0, 1e6))->needs(files);
+    command.add_option("--close", a.close_s, "Seconds before its end in which a clip turns into its first pose")
+        ->check(CLI::Range(0.0, 1e6))
+        ->needs(files);
+    command.add_option("--rate", a.rate_hz, "Keys a second of clips that are transferred (default 30)")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->needs(files);
+    command.add_option("--travel", a.travel, "Whether the topmost joint goes the clips' way or stays in its place")
+        ->check(CLI::IsMember({"in-place", "keep"}))
+        ->needs(files);
+}
+
+uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArguments &a)
+{
+    if (a.files.empty()) return 0;
+    const JointMap map = map_of(a);
+    std::vector<clq_joint_pair> pairs;
+    for (const JointMap::Joint &joint : map.joints)
+        pairs.push_back({joint.source.c_str(), joint.target.c_str(), joint.rest});
+    std::vector<const char *> clips;
+    for (const std::string &name : map.clips) clips.push_back(name.c_str());
+    clq_clips_def def = clq_clips_def_init();
+    def.joints = pairs.data();
+    def.joint_count = static_cast<uint32_t>(pairs.size());
+    def.clips = clips.data();
+    def.clip_count = static_cast<uint32_t>(clips.size());
+    def.prefix = map.prefix.c_str();
+    def.travel = map.travel;
+    def.rate_hz = static_cast<float>(map.rate_hz);
+    def.first_s = static_cast<float>(map.first_s);
+    def.last_s = static_cast<float>(map.last_s);
+    def.close_s = static_cast<float>(map.close_s);
+    const uint32_t before = info_of(asset).clip_count;
+    ClipArguments source_arguments;
+    source_arguments.unit_m = map.unit_m;
+    for (const std::string &file : a.files) {
+        const scenes::Own<clq_asset> source = load_asset(library, file, {}, source_arguments);
+        scenes::check(clq_asset_add_clips(library.context(), asset, source.get(), &def, nullptr), file);
+    }
+    return before;
+}
+
+}  // namespace cli

@@ -1,0 +1,57 @@
+#include "samples/cli/joint_map.h"
+
+#include "samples/scenes/odeon/described.h"
+
+#include <algorithm>
+
+namespace cli
+{
+namespace
+{
+
+constexpr scenes::Limits seconds = {0, 1e6};
+
+void read_options(scenes::Described &all, JointMap &map)
+{
+    if (all.has("unit_m")) map.unit_m = all.number("unit_m", {1e-6, 1e6});
+    if (all.has("prefix")) map.prefix = all.text("prefix");
+    if (all.has("clips")) map.clips = all.texts("clips");
+    if (all.has("rate_hz")) map.rate_hz = all.number("rate_hz", {1, 1000});
+    if (all.has("first_s")) map.first_s = all.number("first_s", seconds);
+    if (all.has("last_s")) map.last_s = all.number("last_s", seconds);
+    if (all.has("close_s")) map.close_s = all.number("close_s", seconds);
+    if (all.has("travel") && !travel_named(all.text("travel"), map.travel))
+        all.refuse("has the travel '" + all.text("travel") + "'; there are: in-place, keep", "travel");
+}
+
+}  // namespace
+
+bool travel_named(const std::string &name, clq_travel &out)
+{
+    if (name != "in-place" && name != "keep") return false;
+    out = name == "keep" ? CLQ_TRAVEL_KEEP : CLQ_TRAVEL_IN_PLACE;
+    return true;
+}
+
+JointMap read_joint_map(const std::string &text, const std::string &where)
+{
+    const toml::table table = scenes::described(text, where);
+    scenes::Described all(table, where, "the map");
+    JointMap map;
+    read_options(all, map);
+    if (all.has("joints"))
+        for (const auto &[source, target] : all.table("joints", "[joints]").named_texts())
+            map.joints.push_back({source, target, CLQ_REST_KEEP});
+    if (all.has("align"))
+        for (const std::string &name : all.texts("align")) {
+            const auto joint = std::find_if(map.joints.begin(), map.joints.end(),
+                                            [&](const JointMap::Joint &j) { return j.target == name; });
+            if (joint == map.joints.end())
+                all.refuse("aligns '" + name + "', which no line of [joints] moves", "align");
+            joint->rest = CLQ_REST_ALIGN;
+        }
+    all.done();
+    return map;
+}
+
+}  // namespace cli

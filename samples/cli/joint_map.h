@@ -1,0 +1,31 @@
+// Which joint is which, and how the clips of a source are taken: a TOML file that people write.
+#pragma once
+
+#include <claque/assets.h>
+
+#include <string>
+#include <vector>
+
+namespace cli
+{
+
+struct JointMap {
+    struct Joint {
+        std::string source, target;
+        clq_rest rest = CLQ_REST_KEEP;
+    };
+    std::vector<Joint> joints;       // none: those of equal names
+    std::vector<std::string> clips;  // none: all
+    std::string prefix;
+    double unit_m = 0;  // of BVH files; 0: 1
+    clq_travel travel = CLQ_TRAVEL_IN_PLACE;
+    double rate_hz = 0, first_s = 0, last_s = 0, close_s = 0;
+};
+
+// Throws Failure, with the line and what is wrong with it.
+JointMap read_joint_map(const std::string &text, const std::string &where);
+
+// "in-place" or "keep"; false where it is neither.
+bool travel_named(const std::string &name, clq_travel &out);
+
+}  // namespace cli

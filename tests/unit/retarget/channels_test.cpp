@@ -1,0 +1,178 @@
+// Clips between skeletons that agree, and what is refused or said.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lib/asset/file.h"
+#include "lib/asset/gltf.h"
+#include "lib/base/error.h"
+#include "lib/retarget/retarget.h"
+#include "rigs.h"
+
+namespace claque::testing
+{
+namespace
+{
+
+std::string refusal(model::Rig &target, const model::Rig &source, const retarget::Options &options)
+{
+    try {
+        retarget::add_clips(target, source, options);
+    } catch (const base::Error &error) {
+        return error.what();
+    }
+    return "added";
+}
+
+model::Rig dancer()
+{
+    model::Rig rig = rig_of(person(1, 0));
+    add_motion(rig, "dance", 9, 1);
+    return rig;
+}
+
+model::Model real(const std::string &name)
+{
+    const std::string path = std::string(CLAQUE_ASSETS_DIR) + "/" + name;
+    const std::vector<uint8_t> bytes = asset::read_file(path, 1u << 30);
+    asset::LoadOptions options;
+    options.base_folder = path.substr(0, path.rfind('/'));
+    return asset::load_gltf(bytes.data(), bytes.size(), options);
+}
+
+bool has_assets()
+{
+    try {
+        asset::read_file(std::string(CLAQUE_ASSETS_DIR) + "/inventory.json", 1u << 30);
+        return true;
+    } catch (const base::Error &) {
+        return false;
+    }
+}
+
+}  // namespace
+
+TEST(Channels, of_a_skeleton_that_agrees_are_copied_to_the_bit)
+{
+    model::Rig source = dancer();
+    source.channels[3].interpolation = model::Interpolation::step;
+    model::Rig target = rig_of(person(1, 0));
+    const retarget::Report report = retarget::add_clips(target, source, {});
+    EXPECT_EQ(report.way, retarget::Way::channels);
+    EXPECT_TRUE(report.warnings.empty());
+    ASSERT_EQ(target.channels.size(), source.channels.size());
+    EXPECT_EQ(target.times.size(), 9u);
+    for (const model::Channel &c : target.channels) {
+        const auto same = [&](const model::Channel &o) { return o.node == c.node && o.path == c.path; };
+        const auto other = std::find_if(source.channels.begin(), source.channels.end(), same);
+        ASSERT_NE(other, source.channels.end());
+        EXPECT_EQ(other->interpolation, c.interpolation);
+        for (uint32_t i = 0; i < 9u * c.component_count; ++i)
+            EXPECT_EQ(target.values[c.first_value + i], source.values[other->first_value + i]);
+    }
+}
+
+TEST(Channels, are_not_taken_where_the_rest_poses_differ_by_more_than_a_little)
+{
+    model::Rig lower_arms = rig_of(person(1, 10)), larger = rig_of(person(1.1f, 0)), nearly = rig_of(person(1.001f, 0));
+    EXPECT_EQ(retarget::add_clips(lower_arms, dancer(), {}).way, retarget::Way::motion);
+    EXPECT_EQ(retarget::add_clips(larger, dancer(), {}).way, retarget::Way::motion);
+    EXPECT_EQ(retarget::add_clips(nearly, dancer(), {}).way, retarget::Way::channels);
+    retarget::Options part;
+    part.last_s = 0.5;
+    EXPECT_EQ(retarget::add_clips(nearly, dancer(), part).way, retarget::Way::motion);
+}
+
+TEST(Channels, under_other_axes_show_the_same)
+{
+    std::vector<Bone> bones = {{"armature", "", {0, 0, 0}}};
+    for (Bone bone : person(1, 0)) {
+        if (!*bone.parent) {
+            bone.parent = "armature";
+            bone.offset = glm::vec3(0, 0, 0.5f);  // under the armature's turn and scale: (0, 1, 0)
+        }
+        bones.push_back(bone);
+    }
+    model::Rig target = rig_of(bones);
+    target.rest[0].rotation = axis_turn({1, 0, 0}, -1.57079633f);
+    target.rest[0].scale = glm::vec3(2);
+    target.rest[1].rotation = axis_turn({1, 0, 0}, 1.57079633f);
+    for (size_t i = 2; i < target.rest.size(); ++i) target.rest[i].translation *= 0.5f;
+    const model::Rig source = dancer();
+    ASSERT_EQ(retarget::add_clips(target, source, {}).way, retarget::Way::motion);  // half the offsets: no agreement
+    for (size_t i = 2; i < target.rest.size(); ++i) target.rest[i].translation *= 2.0f;
+    target.rest[0].scale = glm::vec3(1);
+    target.rest[1].translation *= 2.0f;
+    ASSERT_EQ(retarget::add_clips(target, source, {}).way, retarget::Way::channels);
+    for (uint32_t k = 0; k < 9; ++k)
+        for (const char *name : {"hips", "head", "hand.l", "foot.r"})
+            EXPECT_LT(glm::distance(posed(source, 0, k).of(source, name), posed(target, 1, k).of(target, name)), 1e-5);
+}
+
+TEST(Channels, of_a_file_of_clips_alone_move_a_character_of_another_file)
+{
+    if (!has_assets()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
+    const model::Model clips = real("clips-only/kaykit/Med_Simulation.glb");
+    model::Model character = real("humanoids/kaykit/Barbarian.glb");
+    const uint32_t before = static_cast<uint32_t>(character.rig.clips.size());
+    const retarget::Report report = retarget::add_clips(character.rig, clips.rig, {});
+    EXPECT_EQ(report.way, retarget::Way::channels);
+    EXPECT_EQ(report.clip_count, clips.rig.clips.size());
+    EXPECT_GE(report.joint_count, 23u);
+    model::check(character.rig);
+    const uint32_t waving = clips.rig.find_clip("Rig_Medium|Waving");
+    const model::Rig &source = clips.rig, &target = character.rig;
+    for (const uint32_t key : {0u, 7u, 20u})
+        for (const char *name : {"hips", "head", "hand.l", "hand.r", "foot.l", "toes.r"})
+            EXPECT_LT(glm::distance(posed(source, waving, key).of(source, name),
+                                    posed(target, before + waving, key).of(target, name)),
+                      0.004)
+                << name;
+}
+
+TEST(AddClips, says_what_is_not_bound_and_refuses_where_nothing_is)
+{
+    std::vector<Bone> bones = person(1, 0);
+    bones.push_back({"tail", "hips", {0, 0, -0.1f}});
+    model::Rig source = rig_of(bones);
+    add_motion(source, "dance", 4, 1);
+    model::Rig target = rig_of(person(1, 0));
+    const retarget::Report report = retarget::add_clips(target, source, {});
+    ASSERT_EQ(report.warnings.size(), 1u);
+    EXPECT_EQ(report.warnings[0], "1 joint of the clips not in the character: tail");
+
+    model::Rig stranger = rig_of({{"a", "", {0, 0, 0}}, {"b", "a", {0, 1, 0}}});
+    EXPECT_NE(refusal(stranger, source, {}).find("none of the 16 joints"), std::string::npos);
+    EXPECT_TRUE(stranger.clips.empty() && stranger.channels.empty() && stranger.values.empty());
+
+    retarget::Options map;
+    map.joints = {{"hips", "a"}, {"spine", "b"}, {"nose", "b"}, {"head", "c"}};
+    EXPECT_EQ(retarget::add_clips(stranger, source, map).warnings.size(), 2u);
+    map.joints.push_back({"head", "b"});
+    EXPECT_NE(refusal(stranger, source, map).find("moves joint 'b' by 'spine' and by 'head'"), std::string::npos);
+}
+
+TEST(AddClips, takes_clips_by_name_and_numbers_names_that_are_taken)
+{
+    model::Rig source = dancer();
+    add_motion(source, "walk", 5, 1);
+    model::Rig target = rig_of(person(1, 0));
+    retarget::Options options;
+    options.clips = {"walk"};
+    options.prefix = "cmu ";
+    retarget::add_clips(target, source, options);
+    const retarget::Report again = retarget::add_clips(target, source, options);
+    ASSERT_EQ(target.clips.size(), 2u);
+    EXPECT_EQ(target.clip_names[0], "cmu walk");
+    EXPECT_EQ(target.clip_names[1], "cmu walk.2");
+    EXPECT_EQ(again.warnings.size(), 1u);
+    options.clips = {"run"};
+    EXPECT_NE(refusal(target, source, options).find("no clip 'run' among the 2"), std::string::npos);
+    options.clips.clear();
+    options.rate_hz = 0.5;
+    EXPECT_NE(refusal(target, source, options).find("1 to 1000"), std::string::npos);
+    EXPECT_EQ(target.clips.size(), 2u);
+}
+
+}  // namespace claque::testing
