@@ -72,7 +72,9 @@ public:
         }
         std::fill(kept_.begin(), kept_.end(), uint8_t(1));
         put(0);
+        meter_.begin();
         error_of_clip() = meter_.measure(index_, times_, most());
+        meter_.accept();
     }
 
 private:
@@ -138,11 +140,13 @@ private:
     {
         put(intervals);
         if (tmpl_.motion.rotations.size() > most_numbers || tmpl_.motion.numbers.size() > most_numbers) return false;
+        meter_.begin();
         MotionError worst = meter_.measure(index_, times_, most_);
         if (!worst.within(most_)) return false;
         worst.take_in(meter_.measure(index_, between_rows(intervals), most_));
         if (!worst.within(most_)) return false;
         error_of_clip() = worst;
+        meter_.accept();
         return true;
     }
 

@@ -69,9 +69,11 @@ MotionMeter::MotionMeter(const model::Template &tmpl)
       morph_metres_(tmpl.rig.rest_weights.size()),
       exact_globals_(tmpl.rig.node_count()),
       sampled_globals_(tmpl.rig.node_count()),
-      locals_(tmpl.rig.node_count()),
       dofs_(tmpl.rig.dofs.size())
 {
+    accepted_.nodes.resize(tmpl.rig.node_count());
+    now_.nodes.resize(tmpl.rig.node_count());
+    begin();
     for (const model::PartSphere &sphere : tmpl.levels[0].part_spheres) {
         const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
         const double stretch = std::sqrt(square_sum(entry.inverse_bind) / 3) * (tmpl.similar_only ? 1.0 : 1.7321);
@@ -128,7 +130,7 @@ MotionError MotionMeter::at(uint32_t clip, double time_s)
         if (size > 0) worst.radians = std::max(worst.radians, spread * std::sqrt(1.5) / size);
     }
     worst.metres += morphs * stretch;
-    morph_error_ = std::max(morph_error_, morphs);
+    morphs_ = morphs;
     return worst;
 }
 
@@ -148,16 +150,29 @@ MotionMeter::Local MotionMeter::difference(const math::Trs &exact, const math::T
     return out;
 }
 
-void MotionMeter::take_locals()
+void MotionMeter::Worst::take_in(const Worst &other)
 {
-    for (uint32_t n = 0; n < locals_.size(); ++n) {
-        const Local here = difference(exact_.locals()[n], sampled_.locals()[n]);
-        Local &most = locals_[n];
+    morphs = std::max(morphs, other.morphs);
+    for (size_t n = 0; n < nodes.size(); ++n) {
+        Local &most = nodes[n];
+        const Local &here = other.nodes[n];
         most.shift = std::max(most.shift, here.shift), most.turn = std::max(most.turn, here.turn);
         most.growth = std::max(most.growth, here.growth);
         most.offset = std::max(most.offset, here.offset), most.scale = std::max(most.scale, here.scale);
     }
 }
+
+void MotionMeter::take_locals()
+{
+    for (uint32_t n = 0; n < now_.nodes.size(); ++n)
+        now_.nodes[n] = difference(exact_.locals()[n], sampled_.locals()[n]);
+    now_.morphs = morphs_;
+    measured_.take_in(now_);
+}
+
+void MotionMeter::begin() { measured_.nodes.assign(accepted_.nodes.size(), Local()), measured_.morphs = 0; }
+
+void MotionMeter::accept() { accepted_.take_in(measured_); }
 
 MotionError MotionMeter::measure(uint32_t clip, const std::vector<double> &times, const MotionError &most)
 {
@@ -207,7 +222,7 @@ double MotionMeter::bound() const
         reach[ball.node] = std::max(reach[ball.node], glm::length(ball.centre) + ball.radius);
     double most = 0;
     for (uint32_t n = rig.node_count(); n-- > 0;) {
-        const Local &own = locals_[n];
+        const Local &own = accepted_.nodes[n];
         const double under = own.scale * reach[n] + shifts[n];
         const double off = own.shift + own.turn * under + own.growth * reach[n] + own.scale * error[n];
         if (rig.parents[n] == none) {
@@ -220,10 +235,11 @@ double MotionMeter::bound() const
     double stretch = 1;
     for (uint32_t n = 0; n < rig.node_count(); ++n) {
         double all = 1;
-        for (uint32_t k = n; k != none; k = rig.parents[k]) all *= locals_[k].scale > 0 ? locals_[k].scale : 1;
+        for (uint32_t k = n; k != none; k = rig.parents[k])
+            all *= accepted_.nodes[k].scale > 0 ? accepted_.nodes[k].scale : 1;
         stretch = std::max(stretch, all);
     }
-    return most + morph_error_ * stretch;
+    return most + accepted_.morphs * stretch;
 }
 
 }  // namespace claque::meshsplit

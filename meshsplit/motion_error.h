@@ -30,7 +30,10 @@ public:
     // Where single tracks are off by more, in their own frames: [channel_count], 1 where so.
     std::vector<uint8_t> strays(uint32_t clip, const std::vector<double> &times, const MotionError &most);
 
-    // In everything measured without stopping so far: how far any vertex can be away in any pose made of such clips, with
+    // What is measured from begin() on counts for bound() once it is accepted.
+    void begin();
+    void accept();
+    // In all that was accepted: how far any vertex can be away in any pose made of such clips, with
     // degrees of freedom anywhere. Each joint's own error times all that hangs on it.
     double bound() const;
 
@@ -54,9 +57,14 @@ private:
     std::vector<Ball> balls_;           // what hangs on nodes, in their frames
     std::vector<double> morph_metres_;  // per weight: the most that it moves a vertex, before poses
     std::vector<math::Affine> exact_globals_, sampled_globals_;
-    std::vector<Local> locals_;
+    struct Worst {
+        std::vector<Local> nodes;
+        double morphs = 0;  // in metres, of all weights
+        void take_in(const Worst &other);
+    };
+    Worst now_, measured_, accepted_;
     const std::vector<float> dofs_;  // all at zero
-    double morph_error_ = 0;         // in metres, of all weights
+    double morphs_ = 0;  // error of morph weights at the last moment, in metres
 };
 
 }  // namespace claque::meshsplit

@@ -1,5 +1,6 @@
 #include "lib/model/motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -93,9 +94,20 @@ void check_group(const Motion &m, const Rig &rig, const MotionGroup &group)
 
 void check_rows(uint64_t first, uint64_t stride, uint64_t intervals, uint64_t numbers, uint64_t length)
 {
-    if (first + stride * intervals + numbers > length)
+    // A row and the one behind it are read, also where there is one only.
+    if (first + stride * std::max<uint64_t>(intervals, 1) + numbers > length)
         fail(CLQ_ARGUMENT, "rows of motion from %llu on leave their %llu numbers",
              static_cast<unsigned long long>(first), static_cast<unsigned long long>(length));
+}
+
+// What a degree of freedom shifts has numbers to be shifted by.
+void check_shift(const Motion &m, const Dof &dof)
+{
+    const auto shifts = [&](const MotionGroup &group) {
+        return group.path == Path::translation && m.nodes[group.target] == dof.node;
+    };
+    if (dof.kind == DofKind::translation && std::none_of(m.groups.begin(), m.groups.end(), shifts))
+        fail(CLQ_ARGUMENT, "motion has no place for the shift of node %u", dof.node);
 }
 
 // A channel of this clip, going where its path says.
@@ -156,6 +168,7 @@ void check(const Motion &m, const Rig &rig)
         taken[node] = 1;
     }
     for (const MotionGroup &group : m.groups) check_group(m, rig, group);
+    for (const Dof &dof : rig.dofs) check_shift(m, dof);
     for (uint32_t c = 0; c < m.clips.size(); ++c) check_clip(m, rig, c);
 }
 
