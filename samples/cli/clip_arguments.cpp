@@ -4,6 +4,8 @@
 #include "samples/cli/files.h"
 #include "samples/cli/joint_map.h"
 
+#include <iostream>
+
 namespace cli
 {
 namespace
@@ -32,6 +34,8 @@ void add_clip_options(CLI::App &command, ClipArguments &a)
                              ->type_name("FILE")
                              ->expected(1)
                              ->take_all();
+    command.add_option("--vary", a.vary, "Vary the clips of a built-in person until there are so many, as 150")
+        ->check(CLI::Range(18, 2000));
     command
         .add_option("--map", a.map, "Which joint of the clips is which of the character, and how they are taken (TOML)")
         ->type_name("FILE")
@@ -73,14 +77,16 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     def.first_s = static_cast<float>(map.first_s);
     def.last_s = static_cast<float>(map.last_s);
     def.close_s = static_cast<float>(map.close_s);
-    const uint32_t before = info_of(asset).clip_count;
+    const clq_asset_info before = info_of(asset);
     ClipArguments source_arguments;
     source_arguments.unit_m = map.unit_m;
     for (const std::string &file : a.files) {
         const scenes::Own<clq_asset> source = load_asset(library, file, {}, source_arguments);
         scenes::check(clq_asset_add_clips(library.context(), asset, source.get(), &def, nullptr), file);
     }
-    return before;
+    for (uint32_t i = before.warning_count; i < info_of(asset).warning_count; ++i)
+        std::cerr << "claque: " << clq_asset_get_warning(asset, i) << "\n";
+    return before.clip_count;
 }
 
 }  // namespace cli
