@@ -223,7 +223,8 @@ Variant variant_of(uint32_t clip, uint32_t number)
     const ClipMaker &maker = figure_clips()[clip];
     const float tempo = 0.80f + 0.42f * spread(number, draw(clip, 1));
     v.frames = static_cast<int>(static_cast<float>(maker.frames) * tempo + 0.5f);
-    v.lead = 0.5f * (2 * draw(v.seed, 1000) - 1);
+    // A stride whose halves differ limps.
+    v.lead = (is_anchored(maker) ? 0.35f : 0.12f) * (2 * draw(v.seed, 1000) - 1);
     v.trunk = 0.70f + 0.55f * spread(number, draw(clip, 2));
     // Hands that meet may open wider than they do; others must not come nearer to the body.
     const float most = centre_of(maker).meets ? 1.25f : 1.0f;
