@@ -149,6 +149,20 @@ typedef struct clq_clip_def {
     const clq_channel_def *channels;
 } clq_clip_def;
 
+/* A named moment of a clip: a foot touches the ground, a hand lets go (clq_crowd_get_events). */
+typedef struct clq_marker_def {
+    uint32_t clip;
+    float time_s; /* on the clip's own axis, in its length */
+    const char *name;
+} clq_marker_def;
+
+/* A clip whose way over the ground is taken out of its poses, for a host to move the Reference Point by instead
+ * (clq_template_root_motion): translation along x and z, and the turn about y, of one node in model space. */
+typedef struct clq_root_motion_def {
+    uint32_t clip;
+    uint32_t node; /* whose way that is, hips for example; no node above it is animated by the clip */
+} clq_root_motion_def;
+
 typedef struct clq_template_def {
     uint32_t struct_bytes; /* set by clq_template_def_init */
     const char *name;
@@ -174,6 +188,10 @@ typedef struct clq_template_def {
     float motion_error_m;   /* [model units, metres by convention] of any vertex or node, degrees of freedom at rest; 0: a
                                2000th of half the character's size, half a millimetre of a body; below 0: channels only */
     float motion_error_rad; /* that any node is turned; 0: 0.01 */
+    uint32_t marker_count;
+    const clq_marker_def *markers; /* in any order */
+    uint32_t root_motion_count;
+    const clq_root_motion_def *root_motions; /* of a clip at most one */
 } clq_template_def;
 
 static inline clq_template_def clq_template_def_init(void)
@@ -224,6 +242,7 @@ typedef struct clq_template_info {
     uint32_t level_count; /* of detail: distances at which any part or node changes, and the finest */
     uint32_t part_count;  /* of the finest level, that are culled one by one (S0 4.2) */
     uint64_t bytes;       /* held in memory */
+    uint32_t marker_count;
 } clq_template_info;
 
 typedef struct clq_clip_info {
@@ -236,6 +255,12 @@ typedef struct clq_clip_info {
     uint32_t kept_count;      /* channels that are sampled as they are */
     uint64_t bytes;           /* of rows, their places and kept channels */
 } clq_clip_info;
+
+typedef struct clq_marker_info {
+    const char *name;
+    uint32_t clip;
+    float time_s;
+} clq_marker_info;
 
 typedef struct clq_dof_info {
     const char *name;
@@ -261,6 +286,7 @@ typedef struct clq_zone_info {
 /* Facts of a template. Strings live as long as it does. Fail: ARGUMENT. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *out);
 CLQ_API clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_clip_info *out);
+CLQ_API clq_status clq_template_get_marker(const clq_template *tmpl, uint32_t marker, clq_marker_info *out);
 CLQ_API clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zone_info *out);
 CLQ_API clq_status clq_template_get_dof(const clq_template *tmpl, uint32_t dof, clq_dof_info *out);
 CLQ_API clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_level_info *out);

@@ -8,6 +8,7 @@
 #include "lib/api/play_def.h"
 #include "lib/base/hash.h"
 #include "lib/behave/layers.h"
+#include "lib/model/root_motion.h"
 
 using namespace claque;
 
@@ -168,6 +169,20 @@ clq_status clq_actor_get_shown(const clq_crowd *crowd, clq_actor actor, double t
                       layer.kind == pose::LayerKind::add ? CLQ_LAYER_ADD : CLQ_LAYER_REPLACE};
         }
         *out_count = shown.count;
+    });
+}
+
+clq_status clq_template_root_motion(const clq_template *tmpl, uint32_t clip, double from_s, double to_s, double out[3])
+{
+    return api::boundary("clq_template_root_motion", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        if (clip >= tmpl->rig.clips.size())
+            base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
+                       tmpl->rig.clips.size());
+        if (!std::isfinite(from_s) || !std::isfinite(to_s))
+            base::fail(CLQ_ARGUMENT, "root motion from %g to %g s: finite times are wanted", from_s, to_s);
+        const model::GroundStep step = model::root_motion(tmpl->rig, clip, from_s, to_s);
+        out[0] = step.x, out[1] = step.z, out[2] = step.yaw;
     });
 }
 

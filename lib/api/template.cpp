@@ -135,6 +135,7 @@ clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *ou
         info.dof_count = static_cast<uint32_t>(tmpl->rig.dofs.size());
         info.level_count = static_cast<uint32_t>(tmpl->levels.size());
         info.part_count = static_cast<uint32_t>(level.parts.size());
+        info.marker_count = static_cast<uint32_t>(tmpl->rig.markers.size());
         info.bytes = bytes_of(*tmpl);
         *out = info;
     });
@@ -160,6 +161,18 @@ clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_cl
             info.bytes = model::motion_bytes(tmpl->motion, tmpl->rig, clip);
         }
         *out = info;
+    });
+}
+
+clq_status clq_template_get_marker(const clq_template *tmpl, uint32_t marker, clq_marker_info *out)
+{
+    return api::boundary("clq_template_get_marker", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        const model::Rig &rig = tmpl->rig;
+        if (marker >= rig.markers.size())
+            base::fail(CLQ_ARGUMENT, "marker %u of '%s', which has %zu", marker, tmpl->name.c_str(),
+                       rig.markers.size());
+        *out = {rig.marker_names[marker].c_str(), rig.markers[marker].clip, rig.markers[marker].time_s};
     });
 }
 

@@ -1,9 +1,12 @@
 #include "lib/api/template_def.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lib/api/boundary.h"
 #include "lib/api/template_parts.h"
+#include "meshsplit/root_motion.h"
 
 namespace claque::api
 {
@@ -138,6 +141,29 @@ void add_clips(const clq_template_def &def, model::Model &model)
     }
 }
 
+// Markers in the order of their clips, and of time in each; then ways are taken out of poses.
+void add_notes(const clq_template_def &def, model::Model &model)
+{
+    require_array(def.markers, def.marker_count, "markers");
+    require_array(def.root_motions, def.root_motion_count, "root_motions");
+    std::vector<uint32_t> order(def.marker_count);
+    for (uint32_t i = 0; i < def.marker_count; ++i) {
+        order[i] = i;
+        if (!std::isfinite(def.markers[i].time_s))
+            fail(CLQ_ARGUMENT, "marker %u '%s' has a time that is not finite", i, name_of(def.markers[i].name));
+    }
+    const auto key = [&](uint32_t i) { return std::make_pair(def.markers[i].clip, def.markers[i].time_s); };
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
+    for (const uint32_t i : order) {
+        model.rig.markers.push_back({def.markers[i].clip, def.markers[i].time_s});
+        model.rig.marker_names.emplace_back(name_of(def.markers[i].name));
+    }
+    if (def.root_motion_count == 0) return;
+    model::check(model.rig);  // as poses are looked at
+    for (uint32_t i = 0; i < def.root_motion_count; ++i)
+        meshsplit::take_root_motion(model.rig, def.root_motions[i].clip, def.root_motions[i].node);
+}
+
 }  // namespace
 
 model::HsbRange range_of(const clq_hsb_range &r)
@@ -162,6 +188,7 @@ model::Model model_of(const clq_template_def &def)
     add_parts(def, model);
     add_dofs(def, model);
     add_clips(def, model);
+    add_notes(def, model);
     return model;
 }
 
