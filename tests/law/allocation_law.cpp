@@ -1,6 +1,8 @@
 // An allocation that fails gives a status and leaves everything as it was (SPEC 4).
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lib/base/error.h"
 #include "support/scene.h"
 
@@ -82,6 +84,35 @@ TEST(AllocationLaw, AnUpdateAllocatesNothingOnceItHasSeenTheScene)
     const uint64_t before = memory.allocations();
     for (int i = 1; i < 100; ++i) scene.update(i / 60.0);
     EXPECT_EQ(memory.allocations(), before);
+}
+
+TEST(AllocationLaw, WhoComesIntoViewIsGivenTheRoomOfWhoHasLeftIt)
+{
+    CountingMemory memory;
+    SceneDef def = on(memory);
+    def.actors = 600;
+    Scene scene(def);
+    const auto turn = [&](int from, int to) {
+        for (int i = from; i < to; ++i) {
+            const double angle = i * 0.01;
+            scene.look(0, glm::dvec3(0, 1.7, -35), glm::dvec3(std::sin(angle), 1.7, -35 - std::cos(angle)));
+            scene.update(i / 60.0);
+        }
+    };
+    turn(0, 700);  // once round, slowly: everybody comes into view and leaves it
+    const uint64_t before = memory.allocations(), evicted = scene.frame.stats().evicted;
+    const uint64_t bytes = scene.frame.stats().cache_pool_bytes;
+    turn(700, 1400);
+    EXPECT_EQ(memory.allocations(), before);
+    EXPECT_EQ(scene.frame.stats().cache_pool_bytes, bytes);
+    EXPECT_GT(scene.frame.stats().evicted, evicted + 300);  // blocks that changed hands
+
+    SceneDef all = on(memory);
+    all.actors = 600;
+    Scene wide(all);  // all at once, for comparison
+    wide.look(0, glm::dvec3(0, 1.7, 30), glm::dvec3(0, 1.7, -35));
+    wide.update(1);
+    EXPECT_LT(bytes, wide.frame.stats().cache_pool_bytes);  // room is for who is in view, not for all who ever were
 }
 
 TEST(AllocationLaw, ActorsAreCreatedWhollyOrNotAtAll)

@@ -99,6 +99,33 @@ TEST(FrameLaw, CachesChangeWhatAFrameCostsNeverWhatItShows)
             EXPECT_EQ(walk(with(mode, budget)), full) << "budget " << budget << " mode " << int(mode);
 }
 
+TEST(FrameLaw, PackedVerticesAreTheSameWhateverIsCachedAndWhoeverSkinsThem)
+{
+    const auto packed = [](Mode mode, uint64_t budget_bytes) {
+        SceneDef def = with(mode, budget_bytes);
+        def.settings.caches.geometry = animcache::Geometry::packed;
+        return def;
+    };
+    const std::vector<uint64_t> full = walk(packed(Mode::full, plenty));
+    EXPECT_NE(full, walk(with(Mode::full, plenty)));
+    EXPECT_EQ(walk(packed(Mode::animation, plenty)), full);
+    for (const uint64_t budget : {0u, 30000u, 100000u}) EXPECT_EQ(walk(packed(Mode::full, budget)), full) << budget;
+    Threads threads(3);
+    EXPECT_EQ(walk(packed(Mode::none, plenty), threads.jobs()), full);
+}
+
+TEST(FrameLaw, PackedVerticesTakeHalfTheMemory)
+{
+    SceneDef def;
+    def.settings.caches.geometry = animcache::Geometry::packed;
+    Scene real, packed(def);
+    real.update(1), packed.update(1);
+    const double palettes = 48.0 * 13 * real.frame.stats().visible;  // at most
+    const double a = double(real.frame.stats().cache_bytes), b = double(packed.frame.stats().cache_bytes);
+    EXPECT_LT(b, 0.5 * (a - palettes) + 1.2 * palettes);
+    EXPECT_GT(b, 0.5 * (a - palettes));
+}
+
 TEST(FrameLaw, ATinyBudgetIsKept)
 {
     Scene scene(with(Mode::full, 100000));
@@ -107,7 +134,8 @@ TEST(FrameLaw, ATinyBudgetIsKept)
         scene.look(0, step.eye, step.target);
         scene.update(step.time_s);
         const frame::Stats &stats = scene.frame.stats();
-        EXPECT_LE(stats.cache_bytes, 100000u);
+        EXPECT_LE(stats.cache_pool_bytes, 100000u);
+        EXPECT_LE(stats.cache_bytes, stats.cache_pool_bytes);
         EXPECT_EQ(stats.vertices_served + stats.skinned + stats.on_demand, stats.visible);
         on_demand += stats.on_demand;
     }

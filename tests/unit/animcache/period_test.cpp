@@ -55,6 +55,37 @@ TEST(Tick, IsTheLastOneAndStaysUntilTheNext)
     }
 }
 
+TEST(Tick, EveryRungTicksAtItsRateInALongRun)
+{
+    for (uint32_t rung = 1; rung < rung_count; ++rung)
+        for (const double start : {0.0, 1e7}) {
+            const uint64_t h = base::hash(5, rung, base::Purpose::cache_phase);
+            const double frame_s = 1 / 211.0;  // of no simple ratio to any rate
+            uint32_t ticks = 0;
+            double last = tick_s(rung, start, h);
+            for (int f = 1; f <= 211 * 400; ++f) {
+                const double tick = tick_s(rung, start + f * frame_s, h);
+                ticks += tick != last;
+                last = tick;
+            }
+            EXPECT_NEAR(ticks, 400 * rate_hz(rung), 1) << rung << " from " << start;
+        }
+}
+
+TEST(Tick, HasNotDriftedAfterTenMillionSeconds)
+{
+    // The grid of ticks is where it was at the beginning, but for what a double of that size cannot tell: 2^-29 s.
+    for (uint32_t rung = 1; rung < rung_count; ++rung)
+        for (uint64_t id = 0; id < 50; ++id) {
+            const uint64_t h = base::hash(9, id, base::Purpose::cache_phase);
+            const double early = tick_s(rung, 0.5, h);
+            for (const double later : {1e5, 1e6, 1e7}) {  // whole numbers of every period
+                EXPECT_NEAR(tick_s(rung, later + early + 0.5 * period_s(rung), h), later + early, 4e-9);
+                EXPECT_NEAR(tick_s(rung, -later + early + 0.5 * period_s(rung), h), -later + early, 4e-9);
+            }
+        }
+}
+
 TEST(Tick, PhasesAreSpreadEvenly)
 {
     uint32_t in_quarter[4] = {};
