@@ -1,5 +1,5 @@
-// Which instruction set posing and skinning run on. All give the same bits: the same steps in the same order, one number,
-// four or eight at a time.
+// Which instruction set posing and skinning run on. All but `fused` give the same bits: the same steps in the same order,
+// one number, four or eight at a time.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,20 @@
 namespace claque::math
 {
 
-enum class Kernel : uint8_t { scalar = 0, vector = 1, wide = 2 };
+enum class Kernel : uint8_t {
+    scalar = 0,
+    vector = 1,
+    wide = 2,
+    fused = 3  // wide, with products that are not rounded before they are added: sooner, and of other bits
+};
 
-// What runs unless asked otherwise: the widest that the processor has, or that the environment names by CLAQUE_SIMD
-// (scalar, 128, 256); scalar where the build says CLAQUE_SCALAR. Asked once.
+// What runs unless asked otherwise: the widest that the processor has of the first three, or what the environment names
+// by CLAQUE_SIMD (scalar, 128, 256, fma), asked once; scalar where the build says CLAQUE_SCALAR; or what use_kernel said.
 Kernel default_kernel();
+
+// From here on, for everything in this process; one that can_run. Not while anything is posed or skinned, or parts of
+// one update may differ in bits where one of the two is `fused`.
+void use_kernel(Kernel kernel);
 
 // Whether this processor can run it.
 bool can_run(Kernel kernel);

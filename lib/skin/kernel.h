@@ -56,5 +56,6 @@ void run_vector_blocks(const BlockRun &run);
 
 void run_wide(const Run &run);
 void run_wide_blocks(const BlockRun &run);
+void run_fused_blocks(const BlockRun &run);  // other bits: products are not rounded
 
 }  // namespace claque::skin

@@ -131,7 +131,7 @@ private:
     static void run_vertices(const Run &run, Kernel kernel)
     {
         if (kernel == Kernel::scalar) run_scalar(run);
-        else if (kernel == Kernel::wide) run_wide(run);
+        else if (kernel == Kernel::wide || kernel == Kernel::fused) run_wide(run);
         else run_vector(run);
     }
 
@@ -166,7 +166,9 @@ private:
         run.palette = palette_, run.normal_palette = normal_palette_;
         run.vertex_count = level_.vertex_count;
         run.out_positions = job_.out_positions.data, run.out_normals = job_.out_normals.data;
-        kernel == Kernel::wide ? run_wide_blocks(run) : run_vector_blocks(run);
+        if (kernel == Kernel::fused) run_fused_blocks(run);
+        else if (kernel == Kernel::wide) run_wide_blocks(run);
+        else run_vector_blocks(run);
     }
 
     const SkinJob &job_;

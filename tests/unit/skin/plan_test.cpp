@@ -1,6 +1,8 @@
 // How a level's vertices are grouped for skinning, and that no grouping changes a bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -173,6 +175,25 @@ TEST(SkinPlan, ChangesNoBitWhateverTheGroups)
             for (uint32_t g = 0; g < 9; ++g) groups.push_back(1 + uint32_t(random() % 21));
             expect_no_bit_changed(level_of(influences, grouped(groups, influences, round % 3 == 0 ? 1 : 8), round % 4));
         }
+}
+
+// As clq_simd says of CLQ_SIMD_FMA: the other kernels' numbers but for a few units of the last place of the largest term.
+TEST(SkinPlan, WithFusedMultiplyAddDiffersByAFewUnitsOfTheLastPlace)
+{
+    if (!can_run(Kernel::fused)) GTEST_SKIP() << "this processor has no fused multiply-add";
+    float most = 0;
+    for (const Normals how : {Normals::by_palette, Normals::by_own_matrices})
+        for (uint32_t influences = 1; influences <= 4; ++influences) {
+            model::Level level = level_of(influences, grouped({24, 40, 16}, influences, 9), 3);
+            model::plan_skinning(level);
+            const Result a = run(level, how, Kernel::wide), b = run(level, how, Kernel::fused);
+            for (size_t i = 0; i < a.positions.size(); ++i) {
+                most = std::max(most, std::fabs(a.positions[i] - b.positions[i]));
+                most = std::max(most, std::fabs(a.normals[i] - b.normals[i]));
+            }
+        }
+    EXPECT_GT(most, 0);      // else it is not what was asked for
+    EXPECT_LT(most, 2e-6f);  // sums of up to 16 products of numbers below 1
 }
 
 TEST(SkinPlan, WritesNothingBehindALastBlockThatIsNotFull)

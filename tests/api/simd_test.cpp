@@ -1,0 +1,51 @@
+// A host says which instruction set is used, reads it back, and is refused what there is not.
+#include <claque/claque.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+
+namespace
+{
+
+class Simd : public testing::Test
+{
+protected:
+    void TearDown() override { EXPECT_EQ(clq_simd_use(before_), CLQ_OK); }
+    const clq_simd before_ = clq_simd_in_use();
+};
+
+TEST_F(Simd, is_read_back_as_it_was_said)
+{
+    for (const clq_simd simd : {CLQ_SIMD_SCALAR, CLQ_SIMD_128, CLQ_SIMD_256, CLQ_SIMD_FMA}) {
+        const clq_simd was = clq_simd_in_use();
+        const clq_status status = clq_simd_use(simd);
+        if (status == CLQ_UNSUPPORTED && simd >= CLQ_SIMD_256) {
+            EXPECT_NE(std::string(clq_last_error()).find("this processor has no AVX2"), std::string::npos);
+            EXPECT_EQ(clq_simd_in_use(), was);
+            continue;
+        }
+        ASSERT_EQ(status, CLQ_OK) << clq_last_error();
+        EXPECT_EQ(clq_simd_in_use(), simd);
+    }
+}
+
+TEST_F(Simd, is_the_widest_of_equal_bits_where_nothing_is_named)
+{
+    ASSERT_EQ(clq_simd_use(CLQ_SIMD_WIDEST), CLQ_OK);
+    const clq_simd widest = clq_simd_in_use();
+    EXPECT_TRUE(widest == CLQ_SIMD_128 || widest == CLQ_SIMD_256);
+    EXPECT_EQ(clq_simd_use(CLQ_SIMD_256), widest == CLQ_SIMD_256 ? CLQ_OK : CLQ_UNSUPPORTED);
+}
+
+TEST_F(Simd, of_no_name_is_refused_and_changes_nothing)
+{
+    const int number = 5;
+    clq_simd none;
+    std::memcpy(&none, &number, sizeof none);
+    EXPECT_EQ(clq_simd_use(none), CLQ_ARGUMENT);
+    EXPECT_STREQ(clq_last_error(), "clq_simd_use: 5 is no instruction set");
+    EXPECT_EQ(clq_simd_in_use(), before_);
+}
+
+}  // namespace
