@@ -91,7 +91,8 @@ void take(const PoseJob &job, Sampler &sampler)
 size_t scratch_floats(const model::Rig &rig, const model::Motion *motion)
 {
     const size_t exact = 2 * (exact_node_floats * rig.node_count() + rig.rest_weights.size());
-    return motion && !motion->empty() ? std::max(exact, sampled_floats(*motion)) : exact;
+    // Also of motion whose clips are still to come: it is measured while it is made.
+    return motion ? std::max(exact, sampled_floats(*motion)) : exact;
 }
 
 base::Status PoseJob::check() const
