@@ -2,7 +2,6 @@
 
 #include "meshsplit/motion_error.h"
 #include "meshsplit/motion_plan.h"
-#include "meshsplit/spheres.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,18 +55,18 @@ public:
             const model::Channel &channel = tmpl.rig.channels[clip_.first_channel + i];
             kept_[i] = channel.interpolation == model::Interpolation::step && channel.key_count > 1;
         }
-        times_ = halved(sample_times(tmpl.rig, clip));
+        times_ = key_times();
     }
 
     void run()
     {
         const std::vector<uint32_t> counts = interval_counts();
-        // Tracks that stray at the highest rate stay with their channels, then also those that stray by less.
+        // Where no rate does, tracks that stray at the highest stay with their channels, then also those that stray less.
         MotionError strays = most_;
         for (int attempt = 0; attempt < 4 && !counts.empty(); ++attempt) {
-            keep_strays(counts.back(), strays);
             for (const uint32_t count : counts)
                 if (fits(count)) return;
+            keep_strays(counts.back(), strays);
             strays.metres /= 4, strays.radians /= 4;
         }
         std::fill(kept_.begin(), kept_.end(), uint8_t(1));
@@ -83,13 +82,17 @@ private:
         return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
 
-    static std::vector<double> halved(const std::vector<double> &times)
+    // Of all channels that rows have to follow, and the ends.
+    std::vector<double> key_times() const
     {
-        std::vector<double> out;
-        for (const double time : times) {
-            if (!out.empty()) out.push_back(0.5 * (out.back() + time));
-            out.push_back(time);
+        std::vector<double> out = {double(clip_.start_s), double(clip_.start_s) + double(clip_.duration_s)};
+        for (uint32_t i = 0; i < clip_.channel_count; ++i) {
+            const model::Channel &channel = tmpl_.rig.channels[clip_.first_channel + i];
+            const float *first = tmpl_.rig.times.data() + channel.first_time;
+            if (!kept_[i]) out.insert(out.end(), first, first + channel.key_count);
         }
+        std::sort(out.begin(), out.end());
+        out.erase(std::unique(out.begin(), out.end()), out.end());
         return out;
     }
 
@@ -150,11 +153,12 @@ private:
         return true;
     }
 
+    // Where straight lines are farthest from curves, and where a chord's time is from an arc's.
     std::vector<double> between_rows(uint32_t intervals) const
     {
         std::vector<double> out;
         for (uint32_t i = 0; i < intervals; ++i)
-            for (const double part : {0.25, 0.5, 0.75})
+            for (const double part : {0.21, 0.5})
                 out.push_back(double(clip_.start_s) + double(clip_.duration_s) * (i + part) / intervals);
         return out;
     }

@@ -80,7 +80,11 @@ MotionMeter::MotionMeter(const model::Template &tmpl)
         balls_.push_back({entry.node, glm::dvec3(math::point(entry.inverse_bind, sphere.bind.centre)),
                           double(sphere.bind.radius) * stretch});
     }
-    for (uint32_t n = 0; n < tmpl.rig.node_count(); ++n) balls_.push_back({n, glm::dvec3(0), 0});
+    // Of nodes that nothing hangs on, the origin: something may be attached to it.
+    std::vector<uint8_t> has_ball(tmpl.rig.node_count());
+    for (const Ball &ball : balls_) has_ball[ball.node] = 1;
+    for (uint32_t n = 0; n < tmpl.rig.node_count(); ++n)
+        if (!has_ball[n]) balls_.push_back({n, glm::dvec3(0), 0});
     for (const model::MorphRange &range : tmpl.levels[0].morph_ranges)
         for (uint32_t i = range.first; i < range.first + range.count; ++i) {
             const float *p = tmpl.levels[0].morph_deltas[i].position;
