@@ -7,39 +7,16 @@
 #include <vector>
 
 #include "lib/skin/skin.h"
+#include "tests/bench/body.h"
 
 namespace
 {
 
 using namespace claque;
 
-constexpr uint32_t vertex_count = 650, joint_count = 33;
-
-// A body whose vertices follow neighbours among 33 bones with weights of their own, in the order in which meshsplit
-// leaves them: about 33 groups of 20 on the same bones, so that blocks of eight lanes are filled to four fifths.
-model::Level make_level(uint32_t influences)
-{
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> real(-1, 1), positive(0.1f, 1);
-    std::vector<uint32_t> counts(joint_count), filled, loose;
-    for (uint32_t v = 0; v < vertex_count; ++v) ++counts[random() % joint_count];
-    for (uint32_t bone = 0; bone < joint_count; ++bone)
-        for (uint32_t i = 0; i < counts[bone]; ++i)
-            (i < model::worth_blocks(counts[bone]) ? filled : loose).push_back(bone);
-    filled.insert(filled.end(), loose.begin(), loose.end());
-    model::Level level(std::pmr::get_default_resource());
-    level.source_count = level.vertex_count = vertex_count;
-    level.runs.push_back({0, vertex_count, influences, 0});
-    for (const uint32_t bone : filled) {
-        for (int k = 0; k < 3; ++k) level.positions.push_back(real(random)), level.normals.push_back(real(random));
-        for (uint32_t i = 0; i < influences; ++i) {
-            level.joints.push_back(uint16_t((bone + i) % joint_count));
-            level.weights.push_back(positive(random));
-        }
-    }
-    model::plan_skinning(level);
-    return level;
-}
+using bench::joint_count;
+using bench::make_level;
+using bench::vertex_count;
 
 struct Crowd {
     Crowd(uint32_t influences, uint32_t characters) : level(make_level(influences)), count(characters)
@@ -66,7 +43,7 @@ void count(benchmark::State &state, uint32_t character_count)
 
 void skin(benchmark::State &state, skin::Kernel kernel)
 {
-    if (!skin::can_run(kernel)) return state.SkipWithError("this processor has no AVX2");
+    if (!skin::can_run(kernel)) return state.SkipWithError("this processor has not these vectors");
     Crowd crowd(uint32_t(state.range(0)), uint32_t(state.range(1)));
     std::vector<float> scratch(skin::scratch_floats(crowd.level, joint_count, skin::Normals::by_palette));
     for (auto _ : state) {
@@ -121,6 +98,7 @@ void sizes(benchmark::internal::Benchmark *bench)
     bench->Unit(benchmark::kMillisecond);
 }
 
+BENCHMARK_CAPTURE(skin, fused, skin::Kernel::fused)->Apply(sizes);
 BENCHMARK_CAPTURE(skin, wide, skin::Kernel::wide)->Apply(sizes);
 BENCHMARK_CAPTURE(skin, vector, skin::Kernel::vector)->Apply(sizes);
 BENCHMARK_CAPTURE(skin, scalar, skin::Kernel::scalar)->Apply(sizes);

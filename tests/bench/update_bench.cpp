@@ -9,6 +9,7 @@
 
 #include "lib/frame/frame.h"
 #include "lib/math/slerp.h"
+#include "tests/bench/body.h"
 
 namespace
 {
@@ -50,19 +51,8 @@ std::unique_ptr<model::Template> make_template()
 {
     auto out = std::make_unique<model::Template>(std::pmr::get_default_resource());
     std::mt19937 random(1);
-    std::uniform_real_distribution<float> real(-1, 1);
     add_rig(out->rig, random);
-    out->levels.emplace_back(std::pmr::get_default_resource());
-    model::Level &level = out->levels.back();
-    level.source_count = level.vertex_count = 650;
-    level.runs.push_back({0, 650, 2, 0});
-    for (uint32_t v = 0; v < 650; ++v) {
-        for (int k = 0; k < 3; ++k) level.positions.push_back(real(random)), level.normals.push_back(real(random));
-        for (int i = 0; i < 2; ++i) {
-            level.joints.push_back(uint16_t(random() % 33));
-            level.weights.push_back(0.5f);
-        }
-    }
+    out->levels.push_back(bench::make_level(2));
     out->sklsroot.radius = 2;
     return out;
 }
