@@ -1,0 +1,245 @@
+// Drawing on one thread while another updates: each is done or told BUSY, and no memory is read while it is written. The
+// GL here is none: it reads the arrays as GL would, so that a thread sanitizer sees who touches what.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <map>
+#include <string>
+#include <thread>
+
+#include "passes/gl11.h"
+#include "tests/api/stage.h"
+
+namespace
+{
+
+using namespace claque::passes;
+
+struct Bound {
+    const void *positions = nullptr;
+    uint32_t type = 0;
+    int32_t stride = 0, width = 0;
+    uint64_t sum = 0;  // of what was read
+};
+thread_local Bound bound;
+
+template <class Function>
+struct Idle;
+template <class Result, class... Arguments>
+struct Idle<Result (*)(Arguments...)> {
+    static Result call(Arguments...) { return Result(); }
+};
+
+const uint8_t *get_string(uint32_t name) { return reinterpret_cast<const uint8_t *>(name == gl::version ? "1.1" : ""); }
+
+void get_integer(uint32_t name, int32_t *out)
+{
+    *out = name == gl::rgba_mode                                                             ? 1
+           : name == gl::render_mode                                                         ? int32_t(gl::render)
+           : name == gl::max_attrib_stack_depth || name == gl::max_client_attrib_stack_depth ? 16
+           : name == gl::max_texture_size                                                    ? 2048
+                                                                                             : 0;
+}
+
+void get_doubles(uint32_t, double *out) { std::memset(out, 0, 16 * sizeof *out); }
+// Of the texture that was offered last.
+void get_level(uint32_t, int32_t, uint32_t name, int32_t *out)
+{
+    *out = name == gl::texture_alpha_size ? 8 : bound.width;
+}
+
+void offer_texture(uint32_t, int32_t, int32_t, int32_t width, int32_t, int32_t, uint32_t, uint32_t, const void *)
+{
+    bound.width = width;
+}
+
+void point_at(int32_t, uint32_t type, int32_t stride, const void *data)
+{
+    bound.positions = data;
+    bound.type = type;
+    bound.stride = stride;
+}
+
+void read_elements(uint32_t, int32_t count, uint32_t, const void *indices)
+{
+    const size_t size = bound.type == gl::real ? 12 : 6, stride = bound.stride ? size_t(bound.stride) : size;
+    for (int32_t i = 0; i < count; ++i) {
+        uint16_t index;  // these templates are small
+        std::memcpy(&index, static_cast<const char *>(indices) + 2 * i, 2);
+        unsigned char bytes[12];
+        std::memcpy(bytes, static_cast<const char *>(bound.positions) + stride * index, size);
+        bound.sum += bytes[0];
+    }
+}
+
+#define NAMED(name, function)                              \
+    {                                                      \
+        "gl" #name, reinterpret_cast<GlFunction>(function) \
+    }
+#define IDLE(name) NAMED(name, &Idle<decltype(Gl11::name)>::call)
+
+GlFunction find(void *, const char *name)
+{
+    static const std::map<std::string, GlFunction> functions = {NAMED(GetString, get_string),
+                                                                NAMED(GetIntegerv, get_integer),
+                                                                NAMED(GetDoublev, get_doubles),
+                                                                NAMED(GetTexLevelParameteriv, get_level),
+                                                                NAMED(TexImage2D, offer_texture),
+                                                                NAMED(VertexPointer, point_at),
+                                                                NAMED(DrawElements, read_elements),
+                                                                IDLE(IsEnabled),
+                                                                IDLE(RenderMode),
+                                                                IDLE(EndList),
+                                                                IDLE(Enable),
+                                                                IDLE(Disable),
+                                                                IDLE(AlphaFunc),
+                                                                IDLE(DepthFunc),
+                                                                IDLE(DepthMask),
+                                                                IDLE(ColorMask),
+                                                                IDLE(CullFace),
+                                                                IDLE(FrontFace),
+                                                                IDLE(LightModeli),
+                                                                IDLE(ColorMaterial),
+                                                                IDLE(TexEnvi),
+                                                                IDLE(PushAttrib),
+                                                                IDLE(PopAttrib),
+                                                                IDLE(PushClientAttrib),
+                                                                IDLE(PopClientAttrib),
+                                                                IDLE(MatrixMode),
+                                                                IDLE(LoadIdentity),
+                                                                IDLE(LoadMatrixf),
+                                                                IDLE(LoadMatrixd),
+                                                                IDLE(MultMatrixf),
+                                                                IDLE(PushMatrix),
+                                                                IDLE(PopMatrix),
+                                                                IDLE(GenTextures),
+                                                                IDLE(DeleteTextures),
+                                                                IDLE(BindTexture),
+                                                                IDLE(TexParameteri),
+                                                                IDLE(PixelStorei),
+                                                                IDLE(PixelTransferf),
+                                                                IDLE(EnableClientState),
+                                                                IDLE(DisableClientState),
+                                                                IDLE(NormalPointer),
+                                                                IDLE(TexCoordPointer),
+                                                                IDLE(ColorPointer),
+                                                                IDLE(Color4f)};
+    const auto found = functions.find(name);
+    return found == functions.end() ? nullptr : found->second;
+}
+
+clq_renderer *new_renderer(Stage &stage)
+{
+    clq_renderer_def def = clq_renderer_def_init();
+    def.get_proc_address = find;
+    clq_renderer *renderer = nullptr;
+    EXPECT_EQ(clq_renderer_create(stage.context, &def, &renderer), CLQ_OK) << clq_last_error();
+    for (clq_template *tmpl : stage.templates)
+        EXPECT_EQ(clq_renderer_prepare(renderer, tmpl), CLQ_OK) << clq_last_error();
+    return renderer;
+}
+
+struct Tried {
+    uint32_t done = 0, busy = 0;
+    void note(clq_status status)
+    {
+        EXPECT_TRUE(status == CLQ_OK || status == CLQ_BUSY) << clq_last_error();
+        ++(status == CLQ_OK ? done : busy);
+    }
+};
+
+// Threads draw views of one crowd while this one updates it.
+void draw_while_updating(const clq_crowd_def &def)
+{
+    Stage stage;
+    clq_crowd *crowd = stage.new_crowd(&def);
+    stage.set_up(crowd);
+    stage.fill(crowd, 200, 5);
+    constexpr uint32_t drawers = 3;
+    clq_view *views[drawers];
+    clq_renderer *renderers[drawers];
+    for (uint32_t k = 0; k < drawers; ++k) {
+        views[k] = stage.new_view(crowd, 3.0 * k);
+        renderers[k] = new_renderer(stage);
+    }
+    ASSERT_EQ(clq_crowd_update(crowd, 1, views, drawers), CLQ_OK) << clq_last_error();
+    std::atomic<bool> stop{false};
+    std::atomic<uint32_t> ready{0};
+    Tried drawn[drawers], updated;
+    uint64_t individuals[drawers] = {};
+    std::vector<std::thread> threads;
+    for (uint32_t k = 0; k < drawers; ++k)
+        threads.emplace_back([&, k] {
+            while (!stop && !::testing::Test::HasFailure()) {
+                clq_draw_stats stats = {};
+                drawn[k].note(clq_renderer_draw(renderers[k], views[k], &stats));
+                individuals[k] += stats.individuals;
+                if (drawn[k].done == 5) ++ready;
+                std::this_thread::yield();
+            }
+        });
+    // Until each has drawn and some updates have found their moment.
+    while (!::testing::Test::HasFailure() && (updated.done < 20 || ready < drawers)) {
+        updated.note(clq_crowd_update(crowd, 1 + 0.01 * updated.done, views, drawers));
+        std::this_thread::yield();
+    }
+    stop = true;
+    for (std::thread &thread : threads) thread.join();
+    EXPECT_GE(updated.done, 20u);
+    for (uint32_t k = 0; k < drawers; ++k) {
+        EXPECT_GE(drawn[k].done, 5u);
+        EXPECT_GT(individuals[k], 0u);
+        clq_renderer_destroy(renderers[k]);
+    }
+}
+
+}  // namespace
+
+TEST(draw_threads, draws_and_updates_are_done_or_busy_and_never_a_race)
+{
+    for (const clq_geometry geometry : {CLQ_GEOMETRY_FLOAT, CLQ_GEOMETRY_PACKED})
+        for (const uint64_t budget : {uint64_t(0), uint64_t(20000)}) {  // much of the latter is skinned by the draws
+            clq_crowd_def def = clq_crowd_def_init();
+            def.geometry = geometry;
+            def.cache_budget_bytes = budget;
+            draw_while_updating(def);
+        }
+}
+
+TEST(draw_threads, hooks_that_update_are_told_busy_and_the_view_that_is_drawn_is_nobody_elses)
+{
+    Stage stage;
+    clq_crowd *crowd = stage.new_crowd();
+    stage.set_up(crowd);
+    std::vector<clq_actor> actors = stage.fill(crowd, 30, 5);
+    clq_view *view = stage.new_view(crowd, 0), *other = stage.new_view(crowd, 4);
+    struct Asked {
+        clq_crowd *crowd;
+        clq_view *view, *other;
+        clq_status update = CLQ_OK, same = CLQ_OK, beside = CLQ_BUSY;
+        uint32_t calls = 0;
+    } asked = {crowd, view, other};
+    clq_actor_hooks hooks = {};
+    hooks.before = [](void *user, clq_actor) {
+        Asked &a = *static_cast<Asked *>(user);
+        clq_view_stats stats;
+        a.update = clq_crowd_update(a.crowd, 9, &a.view, 1);
+        a.same = clq_view_get_stats(a.view, &stats);
+        a.beside = clq_view_get_stats(a.other, &stats);
+        ++a.calls;
+        return int32_t(0);
+    };
+    hooks.user = &asked;
+    for (const clq_actor actor : actors) ASSERT_EQ(clq_actor_set_hooks(crowd, actor, &hooks), CLQ_OK);
+    clq_view *views[] = {view, other};
+    ASSERT_EQ(clq_crowd_update(crowd, 1, views, 2), CLQ_OK) << clq_last_error();
+    clq_renderer *renderer = new_renderer(stage);
+    EXPECT_EQ(clq_renderer_draw(renderer, view, nullptr), CLQ_OK) << clq_last_error();
+    EXPECT_GT(asked.calls, 0u);
+    EXPECT_EQ(asked.update, CLQ_BUSY);
+    EXPECT_EQ(asked.same, CLQ_BUSY);
+    EXPECT_EQ(asked.beside, CLQ_OK);
+    EXPECT_EQ(clq_crowd_update(crowd, 2, views, 2), CLQ_OK) << clq_last_error();
+    clq_renderer_destroy(renderer);
+}
