@@ -30,21 +30,24 @@ bool of_actors(const BenchArguments &a)
 }
 
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
+bool is_geometry(const BenchArguments &a) { return a.subject == "geometry"; }
 
 void bench(const BenchArguments &a)
 {
     for (const std::string &path : {a.save, a.operations})
         if (!path.empty()) expect_writable(path);
     const bool along_path = a.stage.camera == "path";
-    const Json report = is_growth(a)   ? bench_growth(a)
-                        : along_path   ? bench_along_path(a)
-                        : of_actors(a) ? bench_actors(a)
-                                       : bench_by_count(a);
+    const Json report = is_growth(a)     ? bench_growth(a)
+                        : is_geometry(a) ? bench_geometry(a)
+                        : along_path     ? bench_along_path(a)
+                        : of_actors(a)   ? bench_actors(a)
+                                         : bench_by_count(a);
     if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << markdown_of(report);
     else if (is_growth(a)) print_growth(report);
+    else if (is_geometry(a)) print_geometry(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
@@ -52,7 +55,7 @@ void bench(const BenchArguments &a)
 
 void choose_scene(BenchArguments &a)
 {
-    if (is_growth(a)) return;
+    if (is_growth(a) || is_geometry(a)) return;
     a.stage.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
@@ -71,7 +74,8 @@ void add_bench(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand(
         "bench", "Measure update and draw by cache and variety, along a camera path or by number of people");
     c->add_option("SCENE", a->subject,
-                  "A scene's name, or a character's file, or growth: updates of 1000 to 100 000 actors")
+                  "A scene's name, or a character's file, or growth: updates of 1000 to 100 000 actors; "
+                  "or geometry: packed vertices against floats")
         ->required();
     CLI::Option *count = c->add_option("--count", a->counts, "Numbers of people, with commas; along a path one at most")
                              ->delimiter(',')

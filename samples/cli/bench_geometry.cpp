@@ -1,0 +1,129 @@
+// claque bench geometry: skinned vertices as floats and packed, side by side: what an individual holds, what an update and a
+// draw cost, and how many pixels of the picture differ, and by how much.
+#include "samples/cli/bench.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/stopwatch.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+struct Shown {
+    const char *scene, *camera;
+};
+constexpr Shown shown[] = {{"plaza", "close"}, {"plaza", "overview"}, {"odeon", "close"}, {"odeon", "overview"}};
+const char *const geometries[] = {"float", "packed"};
+
+struct Rival {
+    std::unique_ptr<scenes::Stage> stage;
+    Times update, draw;
+    std::vector<uint8_t> picture;
+};
+
+// Pixels that differ in any channel, and the most that one channel differs.
+struct Difference {
+    size_t pixels = 0;
+    int most = 0;
+    void add(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b)
+    {
+        for (size_t i = 0; i + 2 < a.size(); i += 3) {
+            int here = 0;
+            for (size_t c = i; c < i + 3; ++c) here = std::max(here, std::abs(int(a[c]) - int(b[c])));
+            pixels += here > 0;
+            most = std::max(most, here);
+        }
+    }
+};
+
+void frame(Rival &rival, double time_s)
+{
+    rival.stage->make_current();
+    const Stopwatch updating;
+    rival.stage->update(time_s);
+    rival.update.ms.push_back(updating.ms());
+    rival.stage->draw_setting();
+    rival.stage->gl().Finish();
+    const Stopwatch drawing;
+    rival.stage->draw_crowd();
+    rival.draw.ms.push_back(drawing.ms());
+    rival.picture = rival.stage->read();
+}
+
+Json run(const BenchArguments &a, scenes::Library &library, const Shown &what)
+{
+    const LoadedCharacter nobody;
+    Rival rivals[2];
+    for (int g = 0; g < 2; ++g) {
+        StageArguments arguments = a.stage;
+        arguments.scene = what.scene;
+        arguments.camera = what.camera;
+        arguments.geometry = geometries[g];
+        rivals[g].stage = std::make_unique<scenes::Stage>(library, stage_options(arguments, nobody));
+        rivals[g].stage->update(1);
+        rivals[g].stage->draw_setting();
+        rivals[g].stage->draw_crowd();
+    }
+    Difference difference;
+    for (int f = 0; f < a.frames; ++f) {
+        stop_if_asked();
+        for (int g = 0; g < 2; ++g) frame(rivals[(g + f) % 2], 1.5 + f / 25.0);
+        difference.add(rivals[0].picture, rivals[1].picture);
+    }
+    Json report = {{"scene", what.scene}, {"camera", what.camera}};
+    report["visible"] = rivals[0].stage->crowd_stats().visible;
+    report["differing_pixels"] = double(difference.pixels) / a.frames / (a.stage.width * a.stage.height);
+    report["largest_difference"] = difference.most;
+    for (int g = 0; g < 2; ++g) {
+        const clq_crowd_stats stats = rivals[g].stage->crowd_stats();
+        report[geometries[g]] = {
+            {"bytes_each", double(stats.cache_bytes) / std::max(1u, stats.visible)},
+            {"update_ms", {{"minimum", rivals[g].update.minimum()}, {"median", rivals[g].update.median()}}},
+            {"draw_ms", {{"minimum", rivals[g].draw.minimum()}, {"median", rivals[g].draw.median()}}}};
+    }
+    return report;
+}
+
+}  // namespace
+
+Json bench_geometry(const BenchArguments &a)
+{
+    Progress progress("claque bench");
+    scenes::Library library(thread_count(a.stage));
+    Json report = {{"claque", version()}, {"threads", thread_count(a.stage)}, {"frames", a.frames}};
+    report["size_px"] = {a.stage.width, a.stage.height};
+    report["runs"] = Json::array();
+    for (const Shown &what : shown) {
+        progress.phase(std::string(what.scene) + ", " + what.camera);
+        report["runs"].push_back(run(a, library, what));
+    }
+    return report;
+}
+
+void print_geometry(const Json &report)
+{
+    std::printf("%-8s %-9s %7s | %-22s | %-25s | %-25s | %s\n", "scene", "camera", "visible", "cache bytes each",
+                "update ms, minimum", "draw ms, minimum", "pixels that differ");
+    for (const Json &run : report["runs"]) {
+        const Json &real = run["float"], &packed = run["packed"];
+        const auto both = [&](const char *name) {
+            return std::pair(real[name]["minimum"].get<double>(), packed[name]["minimum"].get<double>());
+        };
+        const auto [update_a, update_b] = both("update_ms");
+        const auto [draw_a, draw_b] = both("draw_ms");
+        const double a = real["bytes_each"].get<double>(), b = packed["bytes_each"].get<double>();
+        std::printf(
+            "%-8s %-9s %7u | %6.0f %6.0f  x %.2f | %7.3f %7.3f  x %.2f | %7.2f %7.2f  x %.2f | %.3f %%, by %d of 255\n",
+            run["scene"].get<std::string>().c_str(), run["camera"].get<std::string>().c_str(),
+            run["visible"].get<unsigned>(), a, b, b / a, update_a, update_b, update_b / update_a, draw_a, draw_b,
+            draw_b / draw_a, 100 * run["differing_pixels"].get<double>(), run["largest_difference"].get<int>());
+    }
+    std::printf("Floats first, then packed, and their ratio.\n");
+}
+
+}  // namespace cli
