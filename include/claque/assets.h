@@ -112,6 +112,12 @@ typedef struct clq_joint_pair {
     clq_rest rest;
 } clq_joint_pair;
 
+/* A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh. */
+typedef struct clq_follower {
+    const char *joint, *leader; /* of the character */
+    float share;                /* [0, 1] of the leader's turn from its rest, as the joint's parent sees it */
+} clq_follower;
+
 typedef enum clq_clip_way {
     CLQ_WAY_AUTOMATIC = 0, /* channels, where the skeletons agree and none of first_s, last_s and close_s is set */
     CLQ_WAY_CHANNELS = 1,  /* keys, steps and splines as they are */
@@ -134,8 +140,10 @@ typedef struct clq_clips_def {
     clq_clip_way way;
     /* The rest is for CLQ_WAY_MOTION. */
     clq_travel travel;
-    float rate_hz;         /* of keys, [1, 1000]; 0: 30 */
-    float first_s, last_s; /* what is taken of each clip, from its start on; last_s 0: to its end */
+    float rate_hz;                 /* of keys, [1, 1000]; 0: 30 */
+    float first_s, last_s;         /* what is taken of each clip, from its start on; last_s 0: to its end */
+    const clq_follower *followers; /* [follower_count] */
+    uint32_t follower_count;
     float close_s; /* so long before its end it begins to turn into its first pose, so that it loops; 0: never */
 } clq_clips_def;
 

@@ -121,13 +121,6 @@ void append_values(const model::Rig &source, const model::Channel &channel, cons
     }
 }
 
-bool moves(const model::Rig &rig, uint32_t node)
-{
-    for (const model::Channel &channel : rig.channels)
-        if (channel.path != model::Path::morph_weights && channel.node == node) return true;
-    return false;
-}
-
 }  // namespace
 
 bool agree(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches)

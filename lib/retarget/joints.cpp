@@ -1,6 +1,7 @@
 #include "lib/retarget/joints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -54,9 +55,6 @@ std::vector<Match> by_name(const model::Rig &target, const model::Rig &source, s
     std::map<std::string_view, uint32_t> places;
     for (uint32_t i = 0; i < target.node_count(); ++i)
         if (!target.node_names[i].empty()) places.emplace(std::string_view(target.node_names[i]), i);
-    std::vector<bool> moved(source.node_count(), false);
-    for (const model::Channel &channel : source.channels)
-        if (channel.path != model::Path::morph_weights) moved[channel.node] = true;
     std::vector<Match> out;
     std::vector<std::string> lost;
     std::map<uint32_t, bool> taken;
@@ -64,7 +62,7 @@ std::vector<Match> by_name(const model::Rig &target, const model::Rig &source, s
         const auto found = places.find(std::string_view(source.node_names[i]));
         if (found != places.end() && taken.emplace(found->second, true).second)
             out.push_back({i, found->second, Rest::keep, none});
-        else if (moved[i]) lost.emplace_back(source.node_names[i].c_str());
+        else if (moves(source, i)) lost.emplace_back(source.node_names[i].c_str());
     }
     warn(warnings, lost, "of the clips not in the character");
     return out;
@@ -98,6 +96,31 @@ std::vector<Match> match_joints(const model::Rig &target, const model::Rig &sour
         for (uint32_t up = target.parents[match.target]; up != none && match.above == none; up = target.parents[up])
             match.above = match_of[up];
     return out;
+}
+
+bool moves(const model::Rig &rig, uint32_t node)
+{
+    const math::Trs &rest = rig.rest[node];
+    const glm::quat &q = rest.rotation;
+    const float turns[4] = {q.x, q.y, q.z, q.w}, turns_other[4] = {-q.x, -q.y, -q.z, -q.w};
+    const auto differs = [](const float *value, const float *from, size_t count) {
+        for (size_t k = 0; k < count; ++k)
+            if (!(std::fabs(value[k] - from[k]) <= 1e-4f * std::fmax(1.0f, std::fabs(from[k])))) return true;
+        return false;
+    };
+    for (const model::Channel &channel : rig.channels) {
+        if (channel.path == model::Path::morph_weights || channel.node != node) continue;
+        const size_t width = channel.component_count;
+        const bool cubic = channel.interpolation == model::Interpolation::cubic_spline;
+        for (size_t k = 0; k < channel.key_count; ++k) {
+            const float *value = rig.values.data() + channel.first_value + width * (cubic ? 3 * k + 1 : k);
+            if (channel.path == model::Path::rotation) {
+                if (differs(value, turns, 4) && differs(value, turns_other, 4)) return true;
+            } else if (differs(value, channel.path == model::Path::scale ? &rest.scale.x : &rest.translation.x, 3))
+                return true;
+        }
+    }
+    return false;
 }
 
 Stance rest_of(const model::Rig &rig)

@@ -18,6 +18,9 @@ struct Match {
 std::vector<Match> match_joints(const model::Rig &target, const model::Rig &source, const Options &options,
                                 std::vector<std::string> &warnings);
 
+// Whether any clip takes it out of its rest: files also hold channels of what stands still.
+bool moves(const model::Rig &rig, uint32_t node);
+
 // Rotations and places in model space. Scales move places and turn nothing.
 struct Stance {
     std::vector<glm::dquat> turns;

@@ -98,8 +98,8 @@ Report add_clips(model::Rig &target, const model::Rig &source, const Options &op
     report.clip_count = static_cast<uint32_t>(clips.size());
     report.way = options.way;
     if (options.way == Way::automatic) {
-        const bool whole = options.first_s == 0 && options.close_s == 0 &&
-                           options.last_s == std::numeric_limits<double>::infinity();
+        const bool whole =
+            options.first_s == 0 && options.close_s == 0 && options.last_s == std::numeric_limits<double>::infinity();
         report.way = whole && agree(target, source, matches) ? Way::channels : Way::motion;
     }
     const Fit fit = fit_of(matches, rest_of(target), rest_of(source));

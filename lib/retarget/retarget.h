@@ -25,6 +25,12 @@ struct Pair {
     Rest rest = Rest::keep;
 };
 
+// A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh.
+struct Follower {
+    std::string joint, leader;  // of the target
+    double share = 1;           // of the leader's turn from its rest, as the joint's parent sees it; [0, 1]
+};
+
 // automatic: channels, where the skeletons agree and whole clips are wanted, unclosed.
 enum class Way : uint8_t { automatic = 0, channels = 1, motion = 2 };
 
@@ -35,9 +41,10 @@ enum class Travel : uint8_t {
 };
 
 struct Options {
-    std::vector<Pair> joints;        // empty: joints of equal names
-    std::vector<std::string> clips;  // of the source; empty: all
-    std::string prefix;              // of the names of what is added
+    std::vector<Pair> joints;         // empty: joints of equal names
+    std::vector<Follower> followers;  // of motion that is transferred
+    std::vector<std::string> clips;   // of the source; empty: all
+    std::string prefix;               // of the names of what is added
     Way way = Way::automatic;
     // The rest is for motion that is transferred.
     Travel travel = Travel::in_place;

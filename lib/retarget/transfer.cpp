@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
-#include "lib/math/slerp.h"
 #include "lib/retarget/added.h"
 #include "lib/retarget/fit.h"
+#include "lib/retarget/followers.h"
 #include "lib/retarget/source_pose.h"
 
 namespace claque::retarget
@@ -16,14 +16,6 @@ using model::none;
 
 namespace
 {
-
-glm::dquat share_of(const glm::dquat &q, double share)
-{
-    const float none_at_all[4] = {0, 0, 0, 1};
-    const float whole[4] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
-                            static_cast<float>(q.w)};
-    return dquat_of(math::slerp(none_at_all, whole, share));
-}
 
 // Poses of the target, one a key: turns of the bound joints in model space and places of the topmost ones.
 struct Keys {
@@ -44,7 +36,8 @@ public:
           options_(options),
           rest_t_(rest_of(target)),
           rest_s_(rest_of(source)),
-          match_of_(target.node_count(), none)
+          match_of_(target.node_count(), none),
+          followings_(match_followers(target, matches, options))
     {
         for (uint32_t i = 0; i < matches.size(); ++i) match_of_[matches[i].target] = i;
         find_soles();
@@ -157,6 +150,7 @@ private:
             for (glm::dvec3 &place : places) place.y -= gap;
     }
 
+    // Of the matches, then of those that follow.
     std::vector<std::vector<glm::dquat>> locals_of(const Keys &keys) const
     {
         std::vector<std::vector<glm::dquat>> out;
@@ -172,6 +166,7 @@ private:
                 out.back().push_back(
                     glm::normalize(glm::conjugate(above) * turns[static_cast<size_t>(&m - matches_.data())]));
             }
+            for (const Following &f : followings_) out.back().push_back(local_of(f, target_, rest_t_, matches_, turns));
         }
         return out;
     }
@@ -198,6 +193,10 @@ private:
             channel.node = matches_[i].target;
             if (matches_[i].above == none) write_places(keys, i, channel, added);
             write_turns(keys, locals, i, channel, added);
+        }
+        for (uint32_t i = 0; i < followings_.size(); ++i) {
+            channel.node = followings_[i].joint;
+            write_turns(keys, locals, static_cast<uint32_t>(matches_.size()) + i, channel, added);
         }
         made.channel_count = static_cast<uint32_t>(added.channels.size()) - made.first_channel;
         added.clips.push_back(made);
@@ -244,6 +243,7 @@ private:
     const Options &options_;
     Stance rest_t_, rest_s_;
     std::vector<uint32_t> match_of_;  // by node of the target
+    std::vector<Following> followings_;
     std::vector<uint32_t> soles_;
 };
 

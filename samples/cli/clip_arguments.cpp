@@ -64,11 +64,16 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     std::vector<clq_joint_pair> pairs;
     for (const JointMap::Joint &joint : map.joints)
         pairs.push_back({joint.source.c_str(), joint.target.c_str(), joint.rest});
+    std::vector<clq_follower> followers;
+    for (const auto &[joint, leader] : map.followers)
+        followers.push_back({joint.c_str(), leader.c_str(), static_cast<float>(map.follow_share)});
     std::vector<const char *> clips;
     for (const std::string &name : map.clips) clips.push_back(name.c_str());
     clq_clips_def def = clq_clips_def_init();
     def.joints = pairs.data();
     def.joint_count = static_cast<uint32_t>(pairs.size());
+    def.followers = followers.data();
+    def.follower_count = static_cast<uint32_t>(followers.size());
     def.clips = clips.data();
     def.clip_count = static_cast<uint32_t>(clips.size());
     def.prefix = map.prefix.c_str();

@@ -50,6 +50,8 @@ JointMap read_joint_map(const std::string &text, const std::string &where)
                 all.refuse("aligns '" + name + "', which no line of [joints] moves", "align");
             joint->rest = CLQ_REST_ALIGN;
         }
+    if (all.has("follow")) map.followers = all.table("follow", "[follow]").named_texts();
+    if (all.has("follow_share")) map.follow_share = all.number("follow_share", {0, 1});
     all.done();
     return map;
 }

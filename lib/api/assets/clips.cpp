@@ -32,6 +32,12 @@ retarget::Options options_of(const clq_clips_def &def)
         api::require(def.clips[i] != nullptr, "a clip's name is NULL");
         out.clips.emplace_back(def.clips[i]);
     }
+    api::require_array(def.followers, def.follower_count, "followers");
+    for (uint32_t i = 0; i < def.follower_count; ++i) {
+        const clq_follower &follower = def.followers[i];
+        api::require(follower.joint && follower.leader, "a follower's joint or leader is NULL");
+        out.followers.push_back({follower.joint, follower.leader, static_cast<double>(follower.share)});
+    }
     out.prefix = api::name_of(def.prefix);
     out.way = enum_of<retarget::Way>(def.way, 3, "way");
     out.travel = enum_of<retarget::Travel>(def.travel, 2, "travel");

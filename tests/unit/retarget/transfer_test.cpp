@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lib/base/error.h"
 #include "lib/retarget/retarget.h"
 #include "rigs.h"
 
@@ -139,6 +140,29 @@ TEST(Transfer, unbound_joints_rest_and_hang_on_what_moves)
     for (uint32_t k = 0; k < 12; ++k) {
         const Posed t = posed(target, 0, k);
         EXPECT_NEAR(glm::distance(t.of(target, "ring"), t.of(target, "hand.l")), 0.1, 1e-6);
+    }
+}
+
+TEST(Transfer, cloth_that_follows_a_leg_turns_by_its_share_of_the_legs_turn)
+{
+    const model::Rig source = source_of(1, 0);
+    std::vector<Bone> bones = person(1, 0);
+    bones.push_back({"cloth", "hips", {0.1f, -0.1f, 0.1f}});
+    for (const double share : {0.0, 0.5, 1.0}) {
+        model::Rig target = rig_of(bones);
+        retarget::Options options = motion_at_keys();
+        options.followers = {{"cloth", "leg.l", share}};
+        retarget::add_clips(target, source, options);
+        const uint32_t cloth = target.find_node("cloth"), leg = target.find_node("leg.l");
+        for (uint32_t k = 0; k < 12; ++k) {
+            const Posed t = posed(target, 0, k);
+            const glm::dquat hips = glm::conjugate(t.turns[0]);
+            const double own = std::acos(std::fmin(1.0, std::fabs((hips * t.turns[cloth]).w)));
+            const double legs = std::acos(std::fmin(1.0, std::fabs((hips * t.turns[leg]).w)));
+            EXPECT_NEAR(own, share * legs, 2e-3);
+        }
+        options.followers = {{"leg.l", "cloth", share}};
+        EXPECT_THROW(retarget::add_clips(target, source, options), base::Error);
     }
 }
 
