@@ -68,7 +68,9 @@ private:
         const double count = std::floor(high) - std::ceil(low) + 3;
         if (!(count < 2.0 * static_cast<double>(most_events)))
             base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
-        for (double k = std::ceil(low) - 1; k <= std::floor(high) + 1; ++k) {
+        // Counted by whole steps: beyond 2^53 one more round is the same number.
+        for (uint32_t i = 0; i < static_cast<uint32_t>(count); ++i) {
+            const double k = std::ceil(low) - 1 + i;
             const double t = start_s + (k + share - phase) / pace;
             if (window.holds(t)) each(t, pace > 0 ? k - std::floor(phase) : std::ceil(phase) - k);
         }
@@ -114,7 +116,9 @@ private:
             if (!(std::fabs(b - a) < 2.0 * static_cast<double>(most_events)))
                 base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
             const bool back = b < a;
-            for (double k = std::ceil(std::min(a, b) - share) - 1; k + share <= std::max(a, b) + 1; ++k) {
+            const uint32_t count = static_cast<uint32_t>(std::fabs(b - a)) + 4;
+            for (uint32_t i = 0; i < count; ++i) {
+                const double k = std::ceil(std::min(a, b) - share) - 1 + i;
                 double low = window.first_s, high = window.last_s;
                 const auto passed = [&](double t) { return back ? rounds(t) <= k + share : rounds(t) >= k + share; };
                 if (passed(low) || !passed(high)) continue;

@@ -67,6 +67,15 @@ void Stage::set_up(clq_crowd *crowd)
         ASSERT_EQ(clq_crowd_add_mechanism(crowd, &wanted, &made), CLQ_OK) << clq_last_error();
         ASSERT_EQ(made.index1, kind + 1);
     }
+    clq_gait_def gait = clq_gait_def_init();
+    gait.tmpl = templates[0];
+    clq_gait made_gait;
+    ASSERT_EQ(clq_crowd_add_gait(crowd, &gait, &made_gait), CLQ_OK) << clq_last_error();
+    clq_mask_def mask = clq_mask_def_init();
+    const char *tip = "tip";
+    mask.tmpl = templates[0], mask.node_count = 1, mask.nodes = &tip;
+    clq_mask made_mask;
+    ASSERT_EQ(clq_crowd_add_mask(crowd, &mask, &made_mask), CLQ_OK) << clq_last_error();
     for (const bool flight : {true, false}) {
         const clq_root_path_def wanted = path(flight);
         clq_root_path made;
@@ -104,6 +113,23 @@ clq_view *Stage::new_view(clq_crowd *crowd, double x)
     return view;
 }
 
+// Any of these may find no room.
+void Stage::blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play)
+{
+    clq_motion to{};
+    to.play = play;
+    if (figure && play.phase_s > 0.5f) to.gait = {1}, to.share = play.phase_s;
+    clq_actor_fade_to(crowd, who, &to, play.start_s + 12, 1 + play.phase_s,
+                      to.gait.index1 ? CLQ_CURVE_SMOOTH : CLQ_CURVE_INERTIAL);
+    clq_actor_set_gait_share(crowd, who, play.phase_s, play.start_s + 13, 2);
+    clq_layer_def layer = clq_layer_def_init();
+    layer.play = play, layer.rounds = 9, layer.fade_in_s = 0.5f;
+    layer.kind = play.phase_s > 0.3f ? CLQ_LAYER_ADD : CLQ_LAYER_REPLACE;
+    if (figure) layer.mask = {1};
+    clq_actor_add_layer(crowd, who, &layer, nullptr);
+    clq_actor_watch(crowd, who, play.phase_s > 0.2f);
+}
+
 void Stage::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step)
 {
     const uint64_t lot = mixed(seed ^ 0x57a6e, step);
@@ -128,7 +154,8 @@ void Stage::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t se
             status = clq_crowd_place(crowd, &who, &place, 1);
             break;
         case 1:
-            status = clq_actor_play(crowd, who, &play);
+            if (step % 3 == 0) status = clq_actor_play(crowd, who, &play);
+            else blend(crowd, who, figure, play);
             break;
         case 2:
             status = clq_actor_draw_colours(crowd, who, nullptr, 0);

@@ -29,6 +29,8 @@ struct Stage {
     // Something happens to somebody: number `step` of a story that is the same for equal seeds.
     void happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step);
 
+    void blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play);
+
     SmallTemplate with_dofs, plain;
     clq_dof_def dofs[3];
     clq_context *context = nullptr;
