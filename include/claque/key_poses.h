@@ -69,6 +69,20 @@ typedef struct clq_key_pose_stats {
 /* Fails: ARGUMENT. Threads: any, not during an update. GL: none. */
 CLQ_API clq_status clq_crowd_get_key_pose_stats(const struct clq_crowd *crowd, clq_key_pose_stats *out);
 
+/* Individuals with equal needs (S3 4.2: a temporal bin). */
+typedef struct clq_key_pose_bin {
+    uint32_t first, second; /* key-poses; equal where one is all they need */
+    uint32_t count;         /* of individuals */
+} clq_key_pose_bin;
+
+/* The choice by itself that an update makes for each template and level: which key-poses to keep so that many are served. A
+ * set-union knapsack, solved greedily: the fullest bins first, as far as they find room; ties by lower numbers (S3 4.2).
+ *   bins         [bin_count]
+ *   out_chosen   [pose_count], 1: kept; at most `capacity` of them
+ * Fails: ARGUMENT (a key-pose that is not below pose_count), OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_key_poses_choose(const clq_key_pose_bin *bins, uint32_t bin_count, uint32_t pose_count,
+                                        uint32_t capacity, uint8_t *out_chosen);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,10 @@
 #include "lib/api/key_poses.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "animcache/keypose_choice.h"
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
@@ -47,5 +51,23 @@ extern "C" clq_status clq_crowd_get_key_pose_stats(const clq_crowd *crowd, clq_k
         api::require(crowd && out, "crowd or out is NULL");
         const animcache::KeyPoseCounters &counters = crowd->frame.stats().key_poses;
         *out = {counters.asked, counters.served, counters.wanted, counters.updated, counters.held, counters.bytes};
+    });
+}
+
+extern "C" clq_status clq_key_poses_choose(const clq_key_pose_bin *bins, uint32_t bin_count, uint32_t pose_count,
+                                           uint32_t capacity, uint8_t *out_chosen)
+{
+    return api::boundary("clq_key_poses_choose", [&] {
+        api::require((bins || bin_count == 0) && (out_chosen || pose_count == 0), "bins or out_chosen is NULL");
+        std::vector<animcache::KeyPoseBin> wanted;
+        wanted.reserve(bin_count);
+        for (uint32_t i = 0; i < bin_count; ++i) {
+            if (bins[i].first >= pose_count || bins[i].second >= pose_count)
+                base::fail(CLQ_ARGUMENT, "bin %u asks for key-poses %u and %u: there are %u", i, bins[i].first,
+                           bins[i].second, pose_count);
+            wanted.push_back({bins[i].first, bins[i].second, bins[i].count});
+        }
+        std::fill(out_chosen, out_chosen + pose_count, uint8_t(0));
+        animcache::choose_key_poses(wanted.data(), bin_count, capacity, nullptr, out_chosen);
     });
 }

@@ -10,6 +10,7 @@
 #include "samples/cli/stopwatch.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 namespace cli
@@ -34,7 +35,7 @@ struct Mean {
 // One cache and one variety over one section.
 struct Variant {
     Times update, setting, draw, frame;
-    Mean draws, triangles_sent, vertices_sent, animated, skinned;
+    Mean draws, triangles_sent, vertices_sent, animated, skinned, served, updated;
 };
 
 // One cache: a crowd and a context of its own, whatever the variety.
@@ -99,7 +100,7 @@ public:
     {
         section_ = section;
         seen_ = {};
-        agreement_ = {};
+        agreements_.clear();
         hashes_.clear();
         for (Rival &rival : rivals_) rival.variants.assign(a_.varieties.size(), {});
     }
@@ -112,9 +113,11 @@ public:
         }
         for (const double time_s : times_s) {
             stop_if_asked();
-            agreement_.begin("section '" + section_ + "' at " + std::to_string(time_s) + " s");
+            for (const Rival &rival : rivals_)
+                agreements_[picture_of(rival.cache)].begin("section '" + section_ + "' at " + std::to_string(time_s) +
+                                                           " s");
             for (size_t i = 0; i < rivals_.size(); ++i) frame(rivals_[(i + turn_) % rivals_.size()], time_s);
-            hashes_ += agreement_.hash();
+            for (const auto &[picture, agreement] : agreements_) hashes_ += agreement.hash();
             seen_.note(stage().view_stats());
             ++turn_;
         }
@@ -127,7 +130,7 @@ public:
                 {"last_s", section.last_s},
                 {"people", {{"minimum", seen_.least}, {"mean", seen_.people.value()}, {"maximum", seen_.most}}},
                 {"triangles", seen_.triangles.value()},
-                {"depth_ties", agreement_.most_ties()},
+                {"depth_ties", most_ties()},
                 {"pictures_hash", hex(scenes::hash_of({hashes_.begin(), hashes_.end()}))}};
     }
 
@@ -147,11 +150,23 @@ public:
                                 {"triangles_sent", variant.triangles_sent.value()},
                                 {"vertices_sent", variant.vertices_sent.value()},
                                 {"animated", variant.animated.value()},
-                                {"skinned", variant.skinned.value()}});
+                                {"skinned", variant.skinned.value()},
+                                {"key_poses_served", variant.served.value()},
+                                {"key_poses_updated", variant.updated.value()}});
             }
     }
 
 private:
+    // Caches share a picture, but for those that show key-poses: each of these has its own.
+    static std::string picture_of(const std::string &cache) { return cache.rfind("keypose", 0) == 0 ? cache : ""; }
+
+    size_t most_ties() const
+    {
+        size_t most = 0;
+        for (const auto &[picture, agreement] : agreements_) most = std::max(most, agreement.most_ties());
+        return most;
+    }
+
     // One update, which is the same for every variety, and a picture in each.
     void frame(Rival &rival, double time_s)
     {
@@ -161,6 +176,8 @@ private:
         stage.update(time_s);
         const double update_ms = updating.ms();
         const clq_crowd_stats stats = stage.crowd_stats();
+        clq_key_pose_stats key_poses = {};
+        scenes::check(clq_crowd_get_key_pose_stats(stage.scene().crowd(), &key_poses));
         for (size_t i = 0; i < a_.varieties.size(); ++i) {
             const size_t v = (i + turn_) % a_.varieties.size();
             Variant &variant = rival.variants[v];
@@ -181,7 +198,9 @@ private:
             variant.vertices_sent.add(static_cast<double>(drawn.vertices));
             variant.animated.add(stats.animated);
             variant.skinned.add(stats.skinned);
-            agreement_.check(stage.read(), rival.cache, a_.varieties[v]);
+            variant.served.add(key_poses.served);
+            variant.updated.add(key_poses.updated);
+            agreements_[picture_of(rival.cache)].check(stage.read(), rival.cache, a_.varieties[v]);
         }
     }
 
@@ -189,8 +208,8 @@ private:
     std::vector<Rival> rivals_;
     std::string section_;
     Seen seen_;
-    Agreement agreement_;
-    std::string hashes_;  // of every picture of the section
+    std::map<std::string, Agreement> agreements_;  // by what they show
+    std::string hashes_;                           // of every picture of the section
     size_t turn_ = 0;
 };
 

@@ -239,7 +239,7 @@ void add_render(CLI::App &app, Work &chosen)
         ->check(CLI::IsMember(variety_names()))
         ->capture_default_str();
     c->add_option("--cache", a->stage.cache, "What is kept from frame to frame; never changes the picture")
-        ->check(CLI::IsMember(cache_names()))
+        ->check(CLI::IsMember(all_cache_names()))
         ->capture_default_str();
     c->add_option("--cull", a->stage.cull,
                   "Behaviour between the phases, or everything for everybody and culled last (S0 4)")

@@ -71,6 +71,14 @@ void add_stage_options(CLI::App &command, StageArguments &a)
         ->capture_default_str();
     command.add_option("--cache-mib", a.budget_mib, "Bound of the caches in MiB (0: 1024)")
         ->check(CLI::Range(0, 1 << 20));
+    command
+        .add_option("--key-poses", a.key_poses,
+                    "Of the caches keypose-*: how many are kept for each template and level")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command.add_option("--key-pose-rate", a.key_pose_hz, "Of the caches keypose-*: key-poses a second of each clip")
+        ->check(CLI::Range(0.5, 120.0))
+        ->capture_default_str();
     command.add_option("--seed", a.seed, "Of everything that is drawn by lot")->capture_default_str();
     command
         .add_option("--threads", a.threads, "For the update, through oneTBB; may exceed the cores (default: the cores)")
@@ -122,6 +130,12 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.casting.seed = a.seed;
     options.casting.cache = cache_named(a.cache);
     options.casting.cache_budget_bytes = a.budget_mib << 20;
+    if (const bool nearest = a.cache == "keypose-intermittent"; nearest || a.cache == "keypose-interpolated") {
+        options.casting.key_poses.bands[0].method = nearest ? CLQ_METHOD_INTERMITTENT : CLQ_METHOD_INTERPOLATED;
+        options.casting.key_poses.band_count = 1;
+        options.casting.key_poses.most_kept = a.key_poses;
+        options.casting.key_poses.rate_hz = static_cast<float>(a.key_pose_hz);
+    }
     options.casting.cull = a.cull == "traditional" ? CLQ_CULL_TRADITIONAL : CLQ_CULL_ACTOR;
     options.casting.placement = a.placement == "matrices" ? CLQ_PLACE_MATRICES : CLQ_PLACE_VERTICES;
     options.casting.geometry = a.geometry == "packed" ? CLQ_GEOMETRY_PACKED : CLQ_GEOMETRY_FLOAT;
@@ -154,6 +168,16 @@ const std::vector<std::string> &variety_names()
 const std::vector<std::string> &cache_names()
 {
     static const std::vector<std::string> names = {"none", "animation", "full"};
+    return names;
+}
+
+const std::vector<std::string> &all_cache_names()
+{
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all = cache_names();
+        all.insert(all.end(), {"keypose-intermittent", "keypose-interpolated"});
+        return all;
+    }();
     return names;
 }
 

@@ -21,7 +21,9 @@ struct StageArguments {
     std::string variety = "fused", cache = "full";
     uint32_t count = 0;  // 0: not given
     uint64_t seed = 1, budget_mib = 0;
-    int threads = 0;  // 0: as many as cores
+    int threads = 0;           // 0: as many as cores
+    uint32_t key_poses = 256;  // kept for each template and level
+    double key_pose_hz = 15;
     std::string cull = "actor", placement = "vertices", geometry = "float", show = "nothing";
     double cull_scale = 1;
 
@@ -51,7 +53,8 @@ scenes::StageOptions stage_options(const StageArguments &arguments, const Loaded
 clq_variety variety_named(const std::string &name);
 clq_cache_mode cache_named(const std::string &name);
 const std::vector<std::string> &variety_names();
-const std::vector<std::string> &cache_names();
+const std::vector<std::string> &cache_names();      // S1 Fig. 8
+const std::vector<std::string> &all_cache_names();  // and those that share key-poses: another picture each
 
 Json counters(const clq_crowd_stats &stats);
 Json rates(const clq_crowd_stats &stats);  // the last band has no end: null

@@ -10,7 +10,8 @@ namespace scenes
 {
 
 const std::string &odeon_path();    // odeon/path.toml, brought by the build
-const std::string &vehicle_path();  // town/path.toml
+const std::string &vehicle_path();    // town/path.toml
+const std::string &multitude_path();  // multitude/path.toml
 
 namespace
 {
@@ -174,7 +175,10 @@ clq_camera CameraPath::camera(double time_s, double aspect) const
 
 const std::string *recorded_path(const std::string &scene)
 {
-    return scene == "odeon" ? &odeon_path() : scene == "vehicle" ? &vehicle_path() : nullptr;
+    return scene == "odeon"       ? &odeon_path()
+           : scene == "vehicle"   ? &vehicle_path()
+           : scene == "multitude" ? &multitude_path()
+                                  : nullptr;
 }
 
 }  // namespace scenes

@@ -14,6 +14,7 @@ Cast::Cast(Library &library, const Casting &casting)
     def.cull = casting.cull;
     def.placement = casting.placement;
     def.geometry = casting.geometry;
+    def.key_poses = casting.key_poses;
     def.lod_scale = casting.lod_scale;
     clq_crowd *made = nullptr;
     check(clq_crowd_create(library.context(), &def, &made));

@@ -18,6 +18,7 @@ struct Casting {
     clq_cull_mode cull = CLQ_CULL_ACTOR;
     clq_placement placement = CLQ_PLACE_VERTICES;
     clq_geometry geometry = CLQ_GEOMETRY_FLOAT;
+    clq_key_poses key_poses = clq_key_poses_init();
     float lod_scale = 1;  // times every distance that chooses levels of detail; 0: all at their finest
     std::string theatre_file;  // odeon: a description of the user's; empty: the one that comes with claque
 };

@@ -1,0 +1,120 @@
+// S3 Fig. 7: 30 individuals draw two of 22 key-poses each with normal distribution; how many can be served from a cache of 7,
+// 15, 22 or 30 that is filled greedily, as well as can be (every set tried), with the first n, with n at random.
+#include "samples/cli/bench_keypose.h"
+#include "samples/scenes/lot.h"
+
+#include <array>
+#include <cmath>
+
+namespace cli
+{
+namespace
+{
+
+constexpr uint32_t people = 30, poses = 22, crowds = 40;
+constexpr std::array<uint32_t, 4> sizes = {7, 15, 22, 30};
+constexpr std::array<const char *, 4> ways = {"every set tried", "claque, greedy", "the first n", "n at random"};
+
+using Bins = std::vector<clq_key_pose_bin>;
+
+uint32_t normal_pose(uint64_t crowd, uint64_t draw)
+{
+    for (uint64_t again = 0;; ++again) {
+        const uint64_t who = (draw << 8) + again;
+        const double u = scenes::lot(crowd, who, scenes::Lot::place_x),
+                     v = scenes::lot(crowd, who, scenes::Lot::place_z);
+        const double normal = std::sqrt(-2 * std::log(1 - u)) * std::cos(2 * 3.14159265358979323846 * v);
+        const double pose = std::floor(poses / 2.0 + normal * poses / 6.0);
+        if (pose >= 0 && pose < poses) return static_cast<uint32_t>(pose);
+    }
+}
+
+Bins draw(uint64_t crowd)
+{
+    Bins bins;
+    for (uint32_t who = 0; who < people; ++who) {
+        const uint32_t a = normal_pose(crowd, 1000 * who);
+        uint32_t b = a;
+        for (uint64_t k = 1; b == a; ++k) b = normal_pose(crowd, 1000 * who + k);
+        const clq_key_pose_bin bin = {std::min(a, b), std::max(a, b), 1};
+        bool found = false;
+        for (clq_key_pose_bin &one : bins)
+            if (one.first == bin.first && one.second == bin.second) ++one.count, found = true;
+        if (!found) bins.push_back(bin);
+    }
+    return bins;
+}
+
+uint32_t served(const Bins &bins, uint32_t kept)
+{
+    uint32_t sum = 0;
+    for (const clq_key_pose_bin &bin : bins)
+        if (kept >> bin.first & kept >> bin.second & 1) sum += bin.count;
+    return sum;
+}
+
+// All sets of exactly `size` key-poses: smaller ones serve no more.
+uint32_t best(const Bins &bins, uint32_t size)
+{
+    if (size >= poses) return people;
+    uint32_t most = 0;
+    for (uint32_t set = (1u << size) - 1; set < 1u << poses;) {
+        most = std::max(most, served(bins, set));
+        const uint32_t low = set & -set, up = set + low;
+        set = up | ((set ^ up) / low) >> 2;
+    }
+    return most;
+}
+
+uint32_t greedy(const Bins &bins, uint32_t size)
+{
+    std::array<uint8_t, poses> chosen = {};
+    scenes::check(clq_key_poses_choose(bins.data(), static_cast<uint32_t>(bins.size()), poses, size, chosen.data()));
+    uint32_t kept = 0;
+    for (uint32_t pose = 0; pose < poses; ++pose) kept |= uint32_t(chosen[pose]) << pose;
+    return served(bins, kept);
+}
+
+uint32_t random_set(uint64_t crowd, uint32_t size)
+{
+    uint32_t kept = 0, count = 0;
+    for (uint64_t k = 0; count < std::min(size, poses); ++k) {
+        const uint32_t bit = 1u << scenes::lot_bits(crowd, k, scenes::Lot::clip) % poses;
+        count += !(kept & bit);
+        kept |= bit;
+    }
+    return kept;
+}
+
+}  // namespace
+
+Json key_pose_choice()
+{
+    Json report =
+        chart_of_lines("Who is served from a cache of key-poses", "key-poses kept, of 22", "individuals served, of 30");
+    report["columns"] = {"key-poses kept", ways[0], ways[1], ways[2], ways[3]};
+    std::array<Json, 4> points = {Json::array(), Json::array(), Json::array(), Json::array()};
+    for (const uint32_t size : sizes) {
+        std::array<double, 4> sums = {};
+        for (uint64_t crowd = 1; crowd <= crowds; ++crowd) {
+            const Bins bins = draw(crowd);
+            sums[0] += best(bins, size);
+            sums[1] += greedy(bins, size);
+            sums[2] += served(bins, size >= poses ? (1u << poses) - 1 : (1u << size) - 1);
+            sums[3] += served(bins, random_set(crowd, size));
+        }
+        Json run = {{"key-poses kept", size}};
+        for (size_t way = 0; way < ways.size(); ++way) {
+            run[ways[way]] = sums[way] / crowds;
+            points[way].push_back({size, sums[way] / crowds});
+        }
+        report["runs"].push_back(std::move(run));
+    }
+    for (size_t way = 0; way < ways.size(); ++way)
+        report["series"].push_back({{"name", ways[way]}, {"points", points[way]}});
+    report["note"] =
+        "S3 Fig. 7: means of " + std::to_string(crowds) + " crowds of 30 who draw two key-poses each, normally";
+    return report;
+}
+
+}  // namespace cli

@@ -1,0 +1,122 @@
+// A field full of people: S3's test scene (section 5). Two templates, five clips, everybody with a clip, a phase and colours of
+// its own (S3 has four textures; zones give each its own colours).
+#include "samples/scenes/light.h"
+#include "samples/scenes/lot.h"
+#include "samples/scenes/scene.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/sky.h"
+
+#include <array>
+#include <cmath>
+
+namespace scenes
+{
+namespace
+{
+
+constexpr double spacing_m = 1.2, jitter_m = 0.28;
+constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
+constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh", "stand_wave", "stand"};
+
+class Multitude final : public Scene
+{
+public:
+    Multitude(Library &library, const Casting &casting)
+        : seed_(casting.seed),
+          templates_{library.builtin("decurion"), library.builtin("patrician")},
+          cast_(library, casting),
+          sky_(casting.seed, Sky::Land::hills)
+    {
+        side_ = static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(casting.count))));
+        for (uint32_t who = 0; who < casting.count; ++who) enter(who);
+        lay_ground();
+        shadows_.cast(cast_.places(), light_.to_sun, height_m, shadow_width_m);
+    }
+
+    clq_crowd *crowd() const override { return cast_.crowd(); }
+    std::vector<clq_actor> actors() const override { return cast_.actors(); }
+    std::vector<clq_template *> templates() const override { return {templates_[0], templates_[1]}; }
+
+    clq_camera camera(Shot shot, double aspect, double) const override
+    {
+        const double half = side_ * spacing_m / 2;
+        if (shot == Shot::close) return look({1.5, 2.1, half + 5}, {0, 1.1, half - 2}, 40, aspect, 0.3, 900);
+        return look({0, 0.55 * half + 4, 1.7 * half + 6}, {0, 0, 0.2 * half}, 48, aspect, 1, 900);
+    }
+
+    void place(double) override {}
+    void prepare(const Gl &gl) override { shadows_.prepare(gl); }
+
+    void draw_setting(const Gl &g, const Eye &eye) const override
+    {
+        sky_.draw(g, eye);
+        shine(g, light_, eye);
+        g.Disable(gl::texture_2d);
+        ground_.draw(g);
+        shadows_.draw(g);
+    }
+
+private:
+    void enter(uint32_t who)
+    {
+        clq_template *tmpl = templates_[lot(seed_, who, Lot::seat) < 0.5 ? 0 : 1];
+        const double middle = (side_ - 1) / 2.0;
+        const double x = (who % side_ - middle) * spacing_m + lot_between(seed_, who, Lot::place_x, -1, 1) * jitter_m;
+        const double z = (middle - who / side_) * spacing_m + lot_between(seed_, who, Lot::place_z, -1, 1) * jitter_m;
+        const double turn = lot_between(seed_, who, Lot::heading, -0.5, 0.5);
+        clq_play play = {};
+        play.clip = clq_template_find_clip(tmpl, clips[lot_bits(seed_, who, Lot::clip) % clips.size()]);
+        play.speed = 1;
+        clq_clip_info info = {};
+        check(clq_template_get_clip(tmpl, play.clip, &info));
+        play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * info.duration_s);
+        const float size = static_cast<float>(lot_between(seed_, who, Lot::size, 0.94, 1.06));
+        cast_.enter({tmpl, stand(x, 0, z, std::sin(turn), std::cos(turn), size), play});
+    }
+
+    // Grass, worn where they stand; cells grow outwards.
+    void lay_ground()
+    {
+        constexpr uint32_t cells = 80;
+        constexpr double half = 600;
+        const double worn = side_ * spacing_m / 2;
+        const auto line = [](uint32_t i) {
+            const double t = 2.0 * i / cells - 1;
+            return half * (0.25 * t + 0.75 * t * t * t);
+        };
+        for (uint32_t row = 0; row <= cells; ++row)
+            for (uint32_t column = 0; column <= cells; ++column) {
+                const double x = line(column), z = line(row);
+                const double out = std::max(std::abs(x), std::abs(z)) - worn;
+                const float grass = static_cast<float>(out < -4 ? 0.0 : out > 6 ? 1.0 : (out + 4) / 10);
+                const float tone =
+                    static_cast<float>(lot_between(seed_, row * (cells + 1) + column, Lot::tone, 0.9, 1.08));
+                const Rgb colour = {0.52f - 0.16f * grass, 0.47f - 0.02f * grass, 0.34f - 0.10f * grass};
+                ground_.add({static_cast<float>(x), 0, static_cast<float>(z)}, {0, 1, 0}, 0, 0, colour * tone);
+            }
+        for (uint32_t row = 0; row < cells; ++row)
+            for (uint32_t column = 0; column < cells; ++column) {
+                const uint32_t a = row * (cells + 1) + column, below = a + cells + 1;
+                ground_.triangle(a, below, below + 1);
+                ground_.triangle(a, below + 1, a + 1);
+            }
+    }
+
+    uint64_t seed_;
+    std::array<clq_template *, 2> templates_;  // of the library
+    Cast cast_;
+    uint32_t side_ = 1;  // people a row
+    Daylight light_;
+    Sky sky_;
+    Geometry ground_;
+    Shadows shadows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_multitude(Library &library, const Casting &casting, const Character &)
+{
+    return std::make_unique<Multitude>(library, casting);
+}
+
+}  // namespace scenes
