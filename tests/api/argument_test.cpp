@@ -107,6 +107,31 @@ TEST_F(Arguments, crowd_settings_outside_their_limits_are_refused)
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
 }
 
+TEST_F(Arguments, a_budget_is_refused_where_nobody_may_wait_or_nothing_is_kept)
+{
+    clq_crowd *crowd = nullptr;
+    clq_crowd_def def = clq_crowd_def_init();
+    def.update_budget = 10;
+    EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
+    EXPECT_TRUE(told("CLQ_CLOCK_LIVE"));
+    def.clock = CLQ_CLOCK_LIVE;
+    def.cache = CLQ_CACHE_NONE;
+    EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
+    EXPECT_TRUE(told("CLQ_CACHE_NONE"));
+    def.cache = CLQ_CACHE_FULL;
+    def.update_budget_ms = 2;
+    EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
+    EXPECT_TRUE(told("now_s"));
+    def.update_budget_ms = nan_value;
+    EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
+    def.update_budget_ms = 0;
+    def.geometry = static_cast<clq_geometry>(2);
+    EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
+    def.geometry = CLQ_GEOMETRY_PACKED;
+    ASSERT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_OK) << clq_last_error();
+    clq_crowd_destroy(crowd);
+}
+
 TEST_F(Arguments, a_stale_or_invented_id_is_an_error_and_changes_nothing)
 {
     const clq_actor invented[] = {{0, 0}, {2, 1}, {1, 99}, {0xffffffffu, 1}};
