@@ -31,23 +31,26 @@ bool of_actors(const BenchArguments &a)
 
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 bool is_geometry(const BenchArguments &a) { return a.subject == "geometry"; }
+bool has_no_scene(const BenchArguments &a) { return is_growth(a) || is_geometry(a) || is_of_key_poses(a); }
 
 void bench(const BenchArguments &a)
 {
     for (const std::string &path : {a.save, a.operations})
         if (!path.empty()) expect_writable(path);
     const bool along_path = a.stage.camera == "path";
-    const Json report = is_growth(a)     ? bench_growth(a)
-                        : is_geometry(a) ? bench_geometry(a)
-                        : along_path     ? bench_along_path(a)
-                        : of_actors(a)   ? bench_actors(a)
-                                         : bench_by_count(a);
+    const Json report = is_growth(a)         ? bench_growth(a)
+                        : is_geometry(a)     ? bench_geometry(a)
+                        : is_of_key_poses(a) ? bench_key_poses(a)
+                        : along_path         ? bench_along_path(a)
+                        : of_actors(a)       ? bench_actors(a)
+                                             : bench_by_count(a);
     if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << markdown_of(report);
     else if (is_growth(a)) print_growth(report);
     else if (is_geometry(a)) print_geometry(report);
+    else if (is_of_key_poses(a)) print_key_poses(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
@@ -55,7 +58,7 @@ void bench(const BenchArguments &a)
 
 void choose_scene(BenchArguments &a)
 {
-    if (is_growth(a) || is_geometry(a)) return;
+    if (has_no_scene(a)) return;
     a.stage.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
@@ -75,7 +78,8 @@ void add_bench(CLI::App &app, Work &chosen)
         "bench", "Measure update and draw by cache and variety, along a camera path or by number of people");
     c->add_option("SCENE", a->subject,
                   "A scene's name, or a character's file, or growth: updates of 1000 to 100 000 actors; "
-                  "or geometry: packed vertices against floats")
+                  "or geometry: packed vertices against floats; "
+                  "or of shared key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
         ->required();
     CLI::Option *count = c->add_option("--count", a->counts, "Numbers of people, with commas; along a path one at most")
                              ->delimiter(',')
@@ -87,7 +91,7 @@ void add_bench(CLI::App &app, Work &chosen)
         ->capture_default_str();
     c->add_option("--cache", a->caches, "Which, with commas")
         ->delimiter(',')
-        ->check(CLI::IsMember(cache_names()))
+        ->check(CLI::IsMember(all_cache_names()))
         ->capture_default_str();
     c->add_option("--frames", a->frames, "Measured frames a run, or a section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
@@ -110,6 +114,7 @@ void add_bench(CLI::App &app, Work &chosen)
             throw CLI::ValidationError("--cull",
                                        "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
+        if (is_of_key_poses(*a) && count->count() == 0) a->counts = {10000};
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())
                 if (a->stage.scene == entry.name) a->counts = {entry.default_count};

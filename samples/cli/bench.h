@@ -39,14 +39,14 @@ void write_operations(const BenchArguments &arguments);
 Json bench_growth(const BenchArguments &arguments);
 void print_growth(const Json &report);
 
-// Floats against packed vertices.
-Json bench_geometry(const BenchArguments &arguments);
-void print_geometry(const Json &report);
-
 // Shared key-poses (S3), each a chart of lines with its table in "runs"; the subject says which.
 bool is_of_key_poses(const BenchArguments &arguments);
 Json bench_key_poses(const BenchArguments &arguments);
 void print_key_poses(const Json &report);
+
+// Floats against packed vertices.
+Json bench_geometry(const BenchArguments &arguments);
+void print_geometry(const Json &report);
 
 // Throws scenes::Failure unless `now` is what the variants before it drew; `what` names what was drawn.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);
