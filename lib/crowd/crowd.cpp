@@ -99,6 +99,7 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
 {
     const Place placed = checked(place);
     check_play(play, tmpl);
+    const Play playing = play;  // which may be a column's, and columns grow below
     const uint32_t index =
         static_cast<uint32_t>(std::find(templates_.begin(), templates_.end(), &tmpl) - templates_.begin());
     reserve_row();
@@ -115,7 +116,7 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
     const uint32_t row = take_row();
     actors_[row] = Actor{index, actors_[row].generation + 1, seed, next_version_++, model::none};
     places_[row] = placed;
-    plays_[row] = play;
+    plays_[row] = playing;
     extents_[row].priority = 0;
     measure(row);
     return id_of(row);

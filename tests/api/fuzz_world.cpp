@@ -62,14 +62,15 @@ void World::run()
     const struct {
         uint32_t share;
         Step step;
-    } steps[] = {{10, &World::create},    {5, &World::destroy},  {5, &World::clone},         {6, &World::place},
-                 {4, &World::play},       {4, &World::colours},  {2, &World::priority},      {4, &World::attach},
-                 {3, &World::detach},     {2, &World::hooks},    {3, &World::new_group},     {1, &World::end_group},
-                 {3, &World::move_group}, {6, &World::join},     {3, &World::add_mechanism}, {2, &World::add_path},
-                 {9, &World::use},        {2, &World::drop},     {6, &World::command},       {2, &World::ground},
-                 {4, &World::move_root},  {1, &World::new_view}, {1, &World::end_view},      {3, &World::look},
-                 {10, &World::update},    {4, &World::ask},      {2, &World::save},          {2, &World::restore},
-                 {2, &World::nonsense}};
+    } steps[] = {
+        {10, &World::create},    {5, &World::destroy},       {5, &World::clone},         {6, &World::place},
+        {4, &World::play},       {4, &World::colours},       {2, &World::priority},      {4, &World::attach},
+        {3, &World::detach},     {2, &World::hooks},         {3, &World::new_group},     {1, &World::end_group},
+        {3, &World::move_group}, {6, &World::join},          {3, &World::add_mechanism}, {2, &World::add_path},
+        {9, &World::use},        {2, &World::drop},          {6, &World::command},       {2, &World::ground},
+        {4, &World::move_root},  {1, &World::new_view},      {1, &World::end_view},      {3, &World::look},
+        {10, &World::update},    {4, &World::ask},           {2, &World::save},          {2, &World::restore},
+        {2, &World::nonsense},   {2, &World::describe_play}, {8, &World::blend},         {3, &World::watch}};
     uint32_t all = 0;
     for (const auto &each : steps) all += each.share;
     for (step_ = 0; step_ < options_.steps && !testing::Test::HasFailure(); ++step_) {

@@ -102,6 +102,11 @@ private:
     void ground();
     void move_root();
 
+    // fuzz_play.cpp
+    void describe_play();
+    void blend();
+    void watch();
+
     // fuzz_seeing.cpp: views, updates, questions, states
     void new_view();
     void end_view();
@@ -119,6 +124,7 @@ private:
     clq_shape any_shape();
     void leave(clq_group group);
 
+    uint32_t gaits_ = 0, masks_ = 0;
     Options options_;
     Lots lots_;
     Stage stage_;
