@@ -10,14 +10,15 @@ namespace
 
 void check_runs(const Level &level, size_t palette_count)
 {
-    uint64_t vertex = 0;
+    uint64_t vertex = 0, influence = 0;
     uint32_t influences = 0;
     for (const InfluenceRun &run : level.runs) {
         if (run.first != vertex || run.count == 0 || run.influences <= influences)
             fail(CLQ_ARGUMENT, "runs of influences do not follow each other at vertex %u", run.first);
-        if (uint64_t(run.first_influence) + uint64_t(run.count) * run.influences > level.joints.size())
+        if (run.first_influence != influence || influence + uint64_t(run.count) * run.influences > level.joints.size())
             fail(CLQ_ARGUMENT, "the run of influences at vertex %u is out of range", run.first);
         vertex += run.count;
+        influence += uint64_t(run.count) * run.influences;
         influences = run.influences;
     }
     if (vertex != level.source_count)
