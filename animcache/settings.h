@@ -25,8 +25,8 @@ struct Settings {
     Mode mode = Mode::full;
     Geometry geometry = Geometry::real;
     uint64_t budget_bytes = uint64_t(1) << 30;  // palettes and vertices together
+    bool can_defer = false;                     // whether updates may have a budget of poses
     PeriodLaw period;
-    bool can_defer = false;     // whether updates may have a budget of poses
     KeyPoseSettings key_poses;
     float metres_per_unit = 1;  // of world positions and the law's distances
 };

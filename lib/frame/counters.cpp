@@ -41,8 +41,8 @@ void Update::count()
     stats.over_budget = counters.over_budget;
     stats.evicted = counters.evicted;
     stats.cache_bytes = counters.bytes;
-    stats.key_poses = frame.caches_.key_poses().counters();
     stats.cache_pool_bytes = counters.pool_bytes;
+    stats.key_poses = frame.caches_.key_poses().counters();
 
     // Rates are what happens in time that passes: a jump, or coming into view, is not a rate.
     const double gone = frame.has_last_time_ ? time_s - frame.last_time_s_ : 0;
