@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/lod/far.h"
+#include "lib/lod/samples.h"
 
 namespace claque::lod
 {
@@ -19,15 +21,32 @@ bool takes_part(const model::Part &part)
     return !part.hidden && part.lod_first_m == 0 && std::isinf(part.lod_last_m) && !model::triangles_of(part).empty();
 }
 
-size_t vertices_of(const std::vector<const model::Part *> &parts)
+// What levels are made of.
+struct Source {
+    std::vector<size_t> places;  // of model.parts
+    std::vector<const model::Part *> parts;
+    size_t triangles = 0;
+    bool skinned = false;
+};
+
+Source source_of(const model::Model &model)
 {
-    size_t count = 0;
-    for (const model::Part *part : parts) count += part->positions.size();
-    return count;
+    Source source;
+    for (size_t i = 0; i < model.parts.size(); ++i) {
+        const model::Part &part = model.parts[i];
+        if (!takes_part(part)) continue;
+        source.places.push_back(i);
+        source.parts.push_back(&part);
+        source.triangles += model::triangles_of(part).size();
+        source.skinned = source.skinned || part.skinned;
+    }
+    if (source.parts.empty()) base::fail(CLQ_ARGUMENT, "'%s' has no part to make levels of", model.name.c_str());
+    return source;
 }
 
 struct Made {
     ChainLevel level;
+    bool is_far = false;  // one part in place of all
     std::vector<model::Part> parts;
 };
 
@@ -47,12 +66,88 @@ std::vector<Made> in_use(std::vector<Made> made)
     return kept;
 }
 
-void check(const std::vector<size_t> &targets)
+Made finest_of(const Source &source)
+{
+    Made made;
+    made.level.triangles = source.triangles;
+    for (const model::Part *part : source.parts) {
+        made.parts.push_back(*part);
+        made.level.vertices += part->positions.size();
+    }
+    return made;
+}
+
+void add_near(const model::Rig &rig, const std::vector<const model::Part *> &source, const std::vector<size_t> &targets,
+              Decimation how, std::vector<Made> &made)
+{
+    how.targets = targets;
+    const std::vector<std::vector<glm::vec3>> rest = at_rest(rig, source);
+    std::vector<Piece> pieces;
+    for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i], nullptr});
+    for (Decimated &less : decimate(pieces, how)) {
+        Made next;
+        next.parts = std::move(less.parts);
+        made.push_back(std::move(next));
+    }
+}
+
+// `model` gets the material and the image of these levels, and keys that tell all its zones apart.
+void add_far(model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
+             std::vector<Made> &made)
+{
+    Far far = make_far(model, source, wish);
+    for (model::Part &part : far.parts) {
+        Made next;
+        next.is_far = true;
+        next.parts.push_back(std::move(part));
+        made.push_back(std::move(next));
+    }
+    model.materials.push_back(far.material);
+    model.images.push_back(std::move(far.image));
+    for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = far.zone_keys[zone];
+}
+
+void measure(const model::Model &model, const std::vector<const model::Part *> &source, const ChainWish &wish,
+             double from_m, Made &made)
+{
+    ChainLevel &level = made.level;
+    for (const model::Part &part : made.parts)
+        level.triangles += part.indices.size() / 3, level.vertices += part.positions.size();
+    level.deviation = deviation(model, source, made.parts, wish.sampling, wish.metres_per_unit);
+    level.error_m = 2 * level.deviation.posed_rms_m;
+    level.first_m = std::max(distance_of(level.error_m, wish.tolerance_px), from_m);
+}
+
+std::vector<size_t> checked(std::vector<size_t> targets)
 {
     for (size_t k = 0; k < targets.size(); ++k)
         if (targets[k] < 4 || (k > 0 && targets[k] >= targets[k - 1]))
             base::fail(CLQ_ARGUMENT, "level %zu asks for %zu triangles: levels go down, and none has fewer than 4",
                        k + 1, targets[k]);
+    return targets;
+}
+
+// The model's parts with those at `places` in all levels; far ones, which stand for all of them, at the end.
+std::vector<model::Part> laid_out(const model::Model &model, const std::vector<size_t> &places, std::vector<Made> made)
+{
+    std::vector<model::Part> parts;
+    const auto take = [&](size_t k, model::Part &part) {
+        part.lod_first_m = static_cast<float>(made[k].level.first_m);
+        if (k + 1 < made.size()) part.lod_last_m = static_cast<float>(made[k + 1].level.first_m);
+        parts.push_back(std::move(part));
+    };
+    for (size_t i = 0, at = 0; i < model.parts.size(); ++i) {
+        if (at == places.size() || places[at] != i) {
+            parts.push_back(model.parts[i]);
+            continue;
+        }
+        for (size_t k = 0; k < made.size(); ++k)
+            if (!made[k].is_far && (k == 0 || !made[k].parts[at].indices.empty())) take(k, made[k].parts[at]);
+        ++at;
+    }
+    for (size_t k = 0; k < made.size(); ++k)
+        if (made[k].is_far) take(k, made[k].parts[0]);
+    return parts;
 }
 
 }  // namespace
@@ -70,60 +165,30 @@ double distance_of(double error_m, double pixels) { return error_m / (pixels * p
 
 std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
 {
-    std::vector<size_t> places;
-    std::vector<const model::Part *> source;
-    size_t triangles = 0;
-    for (size_t i = 0; i < model.parts.size(); ++i) {
-        if (!takes_part(model.parts[i])) continue;
-        places.push_back(i);
-        source.push_back(&model.parts[i]);
-        triangles += model::triangles_of(model.parts[i]).size();
-    }
-    if (source.empty()) base::fail(CLQ_ARGUMENT, "'%s' has no part to make levels of", model.name.c_str());
+    const Source source = source_of(model);
     if (!(wish.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", wish.tolerance_px);
-    Decimation how = wish.how;
-    how.targets = wish.targets.empty() ? usual_targets(triangles) : wish.targets;
-    check(how.targets);
-    how.targets.erase(std::remove_if(how.targets.begin(), how.targets.end(), [&](size_t n) { return n >= triangles; }),
-                      how.targets.end());
+    std::vector<size_t> near_targets, far_targets;
+    for (const size_t n : checked(wish.targets.empty() ? usual_targets(source.triangles) : wish.targets)) {
+        const bool is_far = n <= wish.far_from && source.skinned;
+        if (n < source.triangles) (is_far ? far_targets : near_targets).push_back(n);
+    }
+    // Materials, images and keys as they will be.
+    model::Model next;
+    next.name = model.name, next.rig = model::Rig(model.rig, std::pmr::get_default_resource());
+    next.zones = model.zones, next.images = model.images, next.materials = model.materials;
 
-    std::vector<Made> made(1);
-    made[0].level.triangles = triangles;
-    made[0].level.vertices = vertices_of(source);
-    for (const model::Part *part : source) made[0].parts.push_back(*part);
-    if (!how.targets.empty())
-        for (Decimated &less : decimate(source, how)) {
-            Made next;
-            next.parts = std::move(less.parts);
-            next.level.triangles = less.triangles;
-            for (const model::Part &part : next.parts) next.level.vertices += part.positions.size();
-            next.level.deviation = deviation(model, source, next.parts, wish.sampling, wish.metres_per_unit);
-            next.level.error_m = 2 * next.level.deviation.posed_rms_m;
-            next.level.first_m =
-                std::max(distance_of(next.level.error_m, wish.tolerance_px), made.back().level.first_m);
-            made.push_back(std::move(next));
-        }
+    std::vector<Made> made = {finest_of(source)};
+    if (!near_targets.empty()) add_near(next.rig, source.parts, near_targets, wish.how, made);
+    if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, made);
+    for (size_t k = 1; k < made.size(); ++k) measure(next, source.parts, wish, made[k - 1].level.first_m, made[k]);
     made = in_use(std::move(made));
 
-    std::vector<model::Part> parts;
     std::vector<ChainLevel> report;
-    for (size_t i = 0, at = 0; i < model.parts.size(); ++i) {
-        if (at == places.size() || places[at] != i) {
-            parts.push_back(model.parts[i]);
-            continue;
-        }
-        for (size_t k = 0; k < made.size(); ++k) {
-            model::Part &part = made[k].parts[at];
-            if (part.indices.empty() && k > 0) continue;
-            part.lod_first_m = static_cast<float>(made[k].level.first_m);
-            if (k + 1 < made.size()) part.lod_last_m = static_cast<float>(made[k + 1].level.first_m);
-            parts.push_back(std::move(part));
-        }
-        ++at;
-    }
     for (const Made &level : made) report.push_back(level.level);
-    model.parts = std::move(parts);
+    model.parts = laid_out(model, source.places, std::move(made));
+    model.images = std::move(next.images), model.materials = std::move(next.materials);
+    model.zones = std::move(next.zones);
     return report;
 }
 

@@ -15,7 +15,8 @@ struct ChainWish {
     // Triangles of all parts together, descending strictly; those that are not fewer than the character's are skipped.
     // Empty: usual_targets().
     std::vector<size_t> targets;
-    Decimation how;  // its own targets are not used
+    Decimation how;         // its own targets are not used
+    size_t far_from = 250;  // levels of so many triangles and fewer are far ones (far.h); 0: none
     Sampling sampling;
     double metres_per_unit = 1;
     double tolerance_px = 1;  // at 768 lines over 60 degrees: how large a level's error may be where it begins

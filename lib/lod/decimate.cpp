@@ -91,6 +91,7 @@ Decimated compact(const Surface &surface, size_t part_count, const Left &left, c
     out.triangles = left.size();
     out.refused = surface.refused;
     for (uint32_t i = 0; i < part_count; ++i) out.parts.push_back(head_of(surface.part(i)));
+    out.kept.resize(part_count);
     std::vector<uint32_t> used;
     for (const auto &t : left) used.insert(used.end(), t.begin(), t.end());
     std::sort(used.begin(), used.end(),
@@ -101,6 +102,7 @@ Decimated compact(const Surface &surface, size_t part_count, const Left &left, c
         model::Part &part = out.parts[surface.part_of(corner)];
         renamed[corner] = static_cast<uint32_t>(part.positions.size());
         copy_vertex(surface.part(surface.part_of(corner)), surface.vertex_of(corner), part);
+        out.kept[surface.part_of(corner)].push_back(surface.vertex_of(corner));
     }
     for (const auto &t : left)
         for (const uint32_t corner : t) out.parts[surface.part_of(t[0])].indices.push_back(renamed[corner]);
@@ -109,7 +111,7 @@ Decimated compact(const Surface &surface, size_t part_count, const Left &left, c
 
 }  // namespace
 
-std::vector<Decimated> decimate(const std::vector<const model::Part *> &parts, const Decimation &wish)
+std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish)
 {
     namespace om = OpenMesh::Decimater;
     omerr().disable();
@@ -126,7 +128,7 @@ std::vector<Decimated> decimate(const std::vector<const model::Part *> &parts, c
     decimater.module(seams).use(&surface);
     decimater.module(turns).use(&surface, wish.turn_deg);
     decimater.module(cost).use(&surface, {wish.influence * size_of(surface), wish.texture * metres_per_uv(surface), 1});
-    if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0]->name.c_str());
+    if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0].part->name.c_str());
     std::vector<Left> left;
     for (const size_t target : wish.targets) {
         // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.

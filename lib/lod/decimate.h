@@ -10,10 +10,21 @@
 #include <cstddef>
 #include <vector>
 
+#include "lib/lod/quadric.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
 {
+
+// A part, and where its vertices are at rest in the space that all parts share: what is near on the character is near
+// there, whatever node a rigid part hangs on.
+struct Piece {
+    const model::Part *part = nullptr;
+    const std::vector<glm::vec3> *rest = nullptr;  // [positions.size()]; null: the part's own positions
+    // What else its vertices carry, in metres for each 1 of difference; null: nothing. Its numbers from first_extra on.
+    const std::vector<Attributes> *extra = nullptr;
+};
+constexpr uint32_t first_extra = 0x80000000u;
 
 struct Decimation {
     std::vector<size_t> targets;  // triangles of all parts together, descending strictly
@@ -25,13 +36,14 @@ struct Decimation {
 };
 
 struct Decimated {
-    std::vector<model::Part> parts;  // those of the source, in order; one may have no triangle left
+    std::vector<model::Part> parts;           // those of the source, in order; one may have no triangle left
+    std::vector<std::vector<uint32_t>> kept;  // of each part, of each vertex: which of the source's it is
     size_t triangles = 0;
     size_t refused = 0;  // triangles on edges with more than two faces: kept as they are, beyond the target if need be
 };
 
 // One for each target, finest first. `parts` have passed model::check. Stops above a target where no lawful collapse is
 // left. Throws base::Error (CLQ_ARGUMENT) where there are no triangles or no targets. Deterministic.
-std::vector<Decimated> decimate(const std::vector<const model::Part *> &parts, const Decimation &wish);
+std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish);
 
 }  // namespace claque::lod

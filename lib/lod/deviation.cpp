@@ -4,10 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <memory>
 #include <tuple>
 
-#include "lib/lod/nearest.h"
 #include "lib/lod/samples.h"
 #include "lib/pose/pose.h"
 
@@ -16,48 +14,6 @@ namespace claque::lod
 
 namespace
 {
-
-struct Pair {
-    Place here, there;
-};
-
-// Middles of the four triangles that halving the sides makes, then the corners.
-const std::array<glm::dvec3, 7> spots = {
-    glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0, glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0,
-    glm::dvec3(1, 0, 0),       glm::dvec3(0, 1, 0),       glm::dvec3(0, 0, 1)};
-constexpr size_t area_spots = 4;
-
-// Of each spot of `from` the nearest place of the same part of `to`; of any part where that has nothing left.
-std::vector<Pair> pairs(const PosedParts &from, const PosedParts &to)
-{
-    struct Tree {
-        std::vector<uint32_t> triangles;
-        std::unique_ptr<NearestPoint> nearest;
-    };
-    std::vector<Tree> trees(to.part_count() + 1);
-    for (uint32_t t = 0; t < to.triangles().size(); ++t) {
-        trees[to.triangles()[t].part].triangles.push_back(t);
-        trees.back().triangles.push_back(t);
-    }
-    for (Tree &tree : trees) {
-        std::vector<NearestPoint::Triangle> corners;
-        for (const uint32_t t : tree.triangles) corners.push_back(to.corners(to.triangles()[t]));
-        if (!corners.empty()) tree.nearest = std::make_unique<NearestPoint>(std::move(corners));
-    }
-    std::vector<Pair> out;
-    if (!trees.back().nearest) return out;
-    for (uint32_t t = 0; t < from.triangles().size(); ++t) {
-        const Tree &own = trees[from.triangles()[t].part], &tree = own.nearest ? own : trees.back();
-        for (const glm::dvec3 &spot : spots) {
-            Pair pair;
-            pair.here = {t, spot};
-            const NearestPoint::Found found = tree.nearest->to(where(from, pair.here));
-            pair.there = {tree.triangles[found.triangle], found.weights};
-            out.push_back(pair);
-        }
-    }
-    return out;
-}
 
 struct Sum {
     double most = 0, squares = 0, weight = 0;
@@ -68,12 +24,6 @@ struct Sum {
     }
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
-
-double area_of(const PosedParts &parts, uint32_t triangle)
-{
-    const auto c = parts.corners(parts.triangles()[triangle]);
-    return 0.5 * glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
-}
 
 void add_distances(const PosedParts &from, const PosedParts &to, const std::vector<Pair> &pairs,
                    const std::vector<double> &areas, Sum &sum)
@@ -87,7 +37,7 @@ double wrong_zones(const model::Model &model, const PosedParts &source, const Po
 {
     double wrong = 0, all = 0;
     for (size_t i = 0; i < pairs.size(); ++i) {
-        if (i % spots.size() >= area_spots) continue;
+        if (i % spots_per_triangle >= area_spots) continue;
         const double area = areas[pairs[i].here.triangle];
         all += area;
         if (zone_at(model, source, pairs[i].here) != zone_at(model, level, pairs[i].there)) wrong += area;
@@ -139,7 +89,7 @@ Deviation deviation(const model::Model &model, const std::vector<const model::Pa
         coarse.pose(model.rig, palette, workspace.weights());
     };
     pose(model::none, 0);
-    const std::vector<Pair> out = pairs(fine, coarse), back = pairs(coarse, fine);
+    const std::vector<Pair> out = nearest_pairs(fine, coarse), back = nearest_pairs(coarse, fine);
     const std::vector<double> fine_areas = areas_of(fine), coarse_areas = areas_of(coarse);
     Deviation found;
     Sum rest, posed;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/pose/pose.h"
+
 namespace claque::lod
 {
 
@@ -40,6 +42,18 @@ void PosedParts::pose(const model::Rig &rig, base::Span<const math::Affine> pale
     }
 }
 
+std::vector<std::vector<glm::vec3>> at_rest(const model::Rig &rig, const std::vector<const model::Part *> &parts)
+{
+    PosedParts posed(parts);
+    pose::Workspace workspace(rig);
+    const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
+    posed.pose(rig, palette, workspace.weights());
+    std::vector<std::vector<glm::vec3>> out(parts.size());
+    for (uint32_t i = 0; i < parts.size(); ++i)
+        for (uint32_t v = 0; v < parts[i]->positions.size(); ++v) out[i].emplace_back(posed.vertex(i, v));
+    return out;
+}
+
 glm::dvec3 where(const PosedParts &parts, const Place &place)
 {
     const PosedParts::Triangle &t = parts.triangles()[place.triangle];
@@ -62,17 +76,13 @@ uint32_t texel(double at, uint32_t size, model::Wrap wrap)
     return static_cast<uint32_t>(std::fmin(std::fmax(x, 0), n - 1));
 }
 
-}  // namespace
-
-uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place)
+const uint8_t *texel_of(const model::Model &model, const PosedParts &parts, const Place &place)
 {
     const PosedParts::Triangle &t = parts.triangles()[place.triangle];
     const model::Part &part = parts.part(t.part);
-    if (part.material == model::none) return model::none;
+    if (part.material == model::none || part.uvs.empty()) return nullptr;
     const model::Material &material = model.materials[part.material];
-    if (material.image == model::none || model.images[material.image].alpha != model::AlphaMeaning::zone_keys ||
-        part.uvs.empty())
-        return material.zone;
+    if (material.image == model::none) return nullptr;
     double u = 0, v = 0;
     for (size_t k = 0; k < 3; ++k) {
         const double w = place.weights[static_cast<int>(k)];
@@ -80,10 +90,27 @@ uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place
     }
     const model::Image &image = model.images[material.image];
     const size_t x = texel(u, image.width, material.wrap_s), y = texel(v, image.height, material.wrap_t);
-    const uint8_t key = image.rgba[4 * (y * image.width + x) + 3];
+    return image.rgba.data() + 4 * (y * image.width + x);
+}
+
+}  // namespace
+
+uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place)
+{
+    const model::Part &part = parts.part(parts.triangles()[place.triangle].part);
+    if (part.material == model::none) return model::none;
+    const model::Material &material = model.materials[part.material];
+    const uint8_t *found = texel_of(model, parts, place);
+    if (!found || model.images[material.image].alpha != model::AlphaMeaning::zone_keys) return material.zone;
     for (uint32_t zone = 0; zone < model.zones.size(); ++zone)
-        if (model.zones[zone].key == key) return zone;
+        if (model.zones[zone].key == found[3]) return zone;
     return model::none;
+}
+
+glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place)
+{
+    const uint8_t *found = texel_of(model, parts, place);
+    return found ? glm::dvec3(found[0], found[1], found[2]) / 255.0 : glm::dvec3(1);
 }
 
 }  // namespace claque::lod

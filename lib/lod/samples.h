@@ -26,6 +26,7 @@ public:
     const std::vector<Triangle> &triangles() const { return triangles_; }
     const model::Part &part(uint32_t index) const { return *parts_[index]; }
     uint32_t part_count() const { return static_cast<uint32_t>(parts_.size()); }
+    glm::dvec3 vertex(uint32_t part, uint32_t v) const { return positions_[first_[part] + v]; }
     glm::dvec3 corner(const Triangle &t, size_t k) const { return positions_[first_[t.part] + t.vertices[k]]; }
     std::array<glm::dvec3, 3> corners(const Triangle &t) const { return {corner(t, 0), corner(t, 1), corner(t, 2)}; }
 
@@ -35,6 +36,9 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<glm::dvec3> positions_;
 };
+
+// Where the vertices of parts are at rest, in the space of the model.
+std::vector<std::vector<glm::vec3>> at_rest(const model::Rig &rig, const std::vector<const model::Part *> &parts);
 
 // A place: so much of each corner of a triangle.
 struct Place {
@@ -46,5 +50,18 @@ glm::dvec3 where(const PosedParts &parts, const Place &place);
 
 // The zone that a place shows: its material's, or that of the texel's key; model::none where there is none.
 uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place);
+
+// The texel there, each of red, green and blue in [0, 1]; white where there is no image.
+glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place);
+
+// Each place of `from` that stands for its surface (middles of the four triangles that halving the sides of each triangle
+// makes, a quarter of its area each; then its corners, for distances alone), and the place of `to` nearest to it as they
+// are posed now: of the part of the same number or, where that has no triangle, of any.
+struct Pair {
+    Place here, there;
+};
+constexpr size_t spots_per_triangle = 7, area_spots = 4;
+std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to);
+double area_of(const PosedParts &parts, uint32_t triangle);
 
 }  // namespace claque::lod

@@ -16,12 +16,12 @@ using Triangles = std::vector<std::array<uint32_t, 3>>;
 Place place_of(glm::vec3 p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }
 
 // Places on edges that one triangle of the part has to itself.
-std::set<Place> border_of(const model::Part &part, const Triangles &triangles)
+std::set<Place> border_of(const std::vector<glm::vec3> &positions, const Triangles &triangles)
 {
     std::map<std::pair<Place, Place>, int> count;
     for (const auto &t : triangles)
         for (size_t k = 0; k < 3; ++k) {
-            Place a = place_of(part.positions[t[k]]), b = place_of(part.positions[t[(k + 1) % 3]]);
+            Place a = place_of(positions[t[k]]), b = place_of(positions[t[(k + 1) % 3]]);
             if (b < a) std::swap(a, b);
             ++count[{a, b}];
         }
@@ -31,13 +31,15 @@ std::set<Place> border_of(const model::Part &part, const Triangles &triangles)
     return border;
 }
 
+const std::vector<glm::vec3> &rest_of(const Piece &piece) { return piece.rest ? *piece.rest : piece.part->positions; }
+
 }  // namespace
 
-Surface::Surface(const std::vector<const model::Part *> &parts) : parts_(parts)
+Surface::Surface(const std::vector<Piece> &parts) : parts_(parts)
 {
     first_.push_back(0);
     for (uint32_t i = 0; i < parts.size(); ++i) {
-        first_.push_back(first_.back() + static_cast<uint32_t>(parts[i]->positions.size()));
+        first_.push_back(first_.back() + static_cast<uint32_t>(parts[i].part->positions.size()));
         part_of_.resize(first_.back(), i);
     }
     find_sides();
@@ -51,11 +53,11 @@ Surface::Surface(const std::vector<const model::Part *> &parts) : parts_(parts)
     std::vector<Triangles> triangles;
     std::vector<Mesh::VertexHandle> welded(corner_count());
     for (uint32_t i = 0; i < parts.size(); ++i) {
-        triangles.push_back(model::triangles_of(*parts[i]));
-        const std::set<Place> border = border_of(*parts[i], triangles[i]);
-        const uint32_t sewn = parts[i]->skinned ? model::none : parts[i]->node;
-        for (uint32_t v = 0; v < parts[i]->positions.size(); ++v) {
-            const glm::vec3 p = parts[i]->positions[v];
+        triangles.push_back(model::triangles_of(*parts[i].part));
+        const std::set<Place> border = border_of(rest_of(parts[i]), triangles[i]);
+        const uint32_t sewn = parts[i].part->skinned ? model::none : parts[i].part->node;
+        for (uint32_t v = 0; v < parts[i].part->positions.size(); ++v) {
+            const glm::vec3 p = rest_of(parts[i])[v];
             const Place place = place_of(p);
             // Parts stand below nodes in one row of numbers.
             const uint32_t group = !border.count(place) ? i : static_cast<uint32_t>(parts.size()) + sewn + 1;
@@ -87,15 +89,17 @@ Surface::Surface(const std::vector<const model::Part *> &parts) : parts_(parts)
 
 glm::vec2 Surface::uv(uint32_t corner) const
 {
-    const model::Part &part = *parts_[part_of_[corner]];
+    const model::Part &part = *parts_[part_of_[corner]].part;
     return part.uvs.empty() ? glm::vec2(0) : part.uvs[vertex_of(corner)];
 }
+
+glm::vec3 Surface::at_rest(uint32_t corner) const { return rest_of(parts_[part_of_[corner]])[vertex_of(corner)]; }
 
 void Surface::find_sides()
 {
     std::map<std::tuple<float, float, float, float, float, uint32_t>, uint32_t> found;
     for (uint32_t corner = 0; corner < corner_count(); ++corner) {
-        const glm::vec3 p = parts_[part_of_[corner]]->positions[vertex_of(corner)];
+        const glm::vec3 p = at_rest(corner);
         const glm::vec2 t = uv(corner);
         side_.push_back(found.try_emplace({p.x, p.y, p.z, t.x, t.y, part_of_[corner]}, corner).first->second);
     }

@@ -6,7 +6,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 
-#include "lib/lod/quadric.h"
+#include "lib/lod/decimate.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -43,7 +43,7 @@ class Surface
 public:
     // Vertices of one part that share a position are one. So are those of several parts that move together (all skinned,
     // or on one node) where both have an open border: the parts are then sewn, and no crack opens between them.
-    explicit Surface(const std::vector<const model::Part *> &parts);
+    explicit Surface(const std::vector<Piece> &parts);
 
     Mesh mesh;
     OpenMesh::FPropHandleT<Corners> corners;
@@ -53,16 +53,18 @@ public:
     uint32_t corner_count() const { return first_.back(); }
     uint32_t part_of(uint32_t corner) const { return part_of_[corner]; }
     uint32_t vertex_of(uint32_t corner) const { return corner - first_[part_of_[corner]]; }
-    const model::Part &part(uint32_t index) const { return *parts_[index]; }
+    const model::Part &part(uint32_t index) const { return *parts_[index].part; }
+    const Piece &piece(uint32_t index) const { return parts_[index]; }
+    glm::vec3 at_rest(uint32_t corner) const;
     // Corners that differ only in their normals are one side of the surface: the first of them.
     uint32_t side(uint32_t corner) const { return side_[corner]; }
     glm::vec2 uv(uint32_t corner) const;
-    bool has_uv(uint32_t corner) const { return !parts_[part_of_[corner]]->uvs.empty(); }
+    bool has_uv(uint32_t corner) const { return !part(part_of_[corner]).uvs.empty(); }
 
 private:
     void find_sides();
 
-    std::vector<const model::Part *> parts_;
+    std::vector<Piece> parts_;
     std::vector<uint32_t> first_, part_of_, side_;
 };
 

@@ -21,7 +21,7 @@ struct Three {
     __m256 x, y, z;
 };
 
-CLAQUE_BLOCKS_INLINE __m256 lanes(const model::Lanes &from) { return _mm256_load_ps(from.v); }
+CLAQUE_BLOCKS_INLINE __m256 lanes(const model::Lanes &from) { return _mm256_loadu_ps(from.v); }
 
 CLAQUE_BLOCKS_INLINE Three times(const Three &a, __m256 b)
 {

@@ -97,6 +97,8 @@ double Portraits::aspect() const
            (stature_.last[1] - stature_.first[1] + above_m + below_m);
 }
 
+double Portraits::seen_m() const { return stature_.last[1] - stature_.first[1] + above_m + below_m; }
+
 // A floor that fades into the backdrop.
 void Portraits::furnish()
 {
@@ -163,18 +165,35 @@ clq_camera Portraits::camera() const
     return scenes::look(eye, target, fov_deg, shape, away * 0.05, away * 12 + 60);
 }
 
+// What makes the wanted level serve at the distance of the camera.
+float Portraits::lod_scale(const clq_camera &seen) const
+{
+    if (level_ == 0) return 0;
+    clq_level_info level = {}, next = {};
+    check(clq_template_get_level(loaded_.tmpl.get(), level_, &level));
+    double wanted = 2 * static_cast<double>(level.first_m);
+    if (level_ + 1 < info_of(loaded_.tmpl.get()).level_count) {
+        check(clq_template_get_level(loaded_.tmpl.get(), level_ + 1, &next));
+        wanted = (static_cast<double>(level.first_m) + static_cast<double>(next.first_m)) / 2;
+    }
+    const double away = std::hypot(seen.eye[0], seen.eye[1], seen.eye[2]);
+    // The camera looks through a narrow angle, as if from nearer.
+    return static_cast<float>(wanted / away);
+}
+
 const std::vector<uint8_t> &Portraits::picture(uint32_t who)
 {
     scenes::Casting casting;
+    const clq_camera seen = camera();
     casting.count = 1;
     casting.seed = seed_;
+    casting.lod_scale = lod_scale(seen);
     scenes::Cast cast(library_, casting);
     const clq_place place = scenes::stand(0, 0, 0, turn_x, turn_z, static_cast<float>(stature_.scale));
     cast.enter({loaded_.tmpl.get(), place, pose()}, who, {});
     clq_view *made = nullptr;
     check(clq_view_create(cast.crowd(), &made));
     const scenes::Own<clq_view> view(made);
-    const clq_camera seen = camera();
     check(clq_view_look(made, &seen));
     check(clq_crowd_update(cast.crowd(), 0, &made, 1));
     const scenes::Eye eye = scenes::eye_of(seen);

@@ -33,6 +33,10 @@ public:
     // Width by height of what is seen, at best.
     double aspect() const;
     void resize(int width, int height);
+    // Metres that a picture shows from its lower edge to its upper one, at best.
+    double seen_m() const;
+    // From now on at this level of detail, whatever the size. Level 0 until then.
+    void show_level(uint32_t level) { level_ = level; }
     const std::string &context_name() const { return offscreen_->name(); }
 
     // Three bytes a pixel, top row first, valid until the next. resize() comes first.
@@ -43,10 +47,12 @@ private:
     void measure();
     void furnish();
     clq_camera camera() const;
+    float lod_scale(const clq_camera &seen) const;
 
     scenes::Library &library_;
     const LoadedCharacter &loaded_;
     uint64_t seed_;
+    uint32_t level_ = 0;
     int width_ = 1, height_ = 1;
     Stature stature_;
     scenes::Sky sky_;

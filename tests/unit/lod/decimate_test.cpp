@@ -64,7 +64,7 @@ model::Part ball(int columns, int rows)
     return part;
 }
 
-lod::Decimated to(const model::Part &part, size_t target) { return lod::decimate({&part}, {{target}})[0]; }
+lod::Decimated to(const model::Part &part, size_t target) { return lod::decimate({{&part}}, {{target}})[0]; }
 
 // An upright tube that bends in the middle: two joints, weights that go over from one to the other.
 model::Part tube(int columns, int rows)
@@ -166,7 +166,7 @@ TEST(Decimate, gives_the_same_result_twice)
 TEST(Decimate, has_the_vertices_of_a_level_first_in_every_finer_one)
 {
     const model::Part source = ball(40, 20);
-    const std::vector<lod::Decimated> chain = lod::decimate({&source}, {{900, 500, 200, 60}});
+    const std::vector<lod::Decimated> chain = lod::decimate({{&source}}, {{900, 500, 200, 60}});
     ASSERT_EQ(chain.size(), 4u);
     for (size_t k = 1; k < chain.size(); ++k) {
         const model::Part &fine = chain[k - 1].parts[0], &coarse = chain[k].parts[0];
@@ -201,7 +201,7 @@ TEST(Decimate, opens_no_crack_between_parts_that_touch)
         to_half.insert(to_half.end(), t.begin(), t.end());
     }
     upper.node = lower.node = 0;
-    const lod::Decimated less = lod::decimate({&upper, &lower}, {{300}})[0];
+    const lod::Decimated less = lod::decimate({{&upper}, {&lower}}, {{300}})[0];
     EXPECT_LE(less.triangles, 300u);
     model::Part joined = less.parts[0];
     const uint32_t shift = uint32_t(joined.positions.size());
@@ -214,8 +214,8 @@ TEST(Decimate, opens_no_crack_between_parts_that_touch)
 TEST(Decimate, keeps_rings_where_influences_change_and_gives_up_those_that_only_lie_flat)
 {
     const model::Part source = tube(16, 40);
-    const lod::Decimated with = lod::decimate({&source}, {{160}, 60, 0.1, 0})[0];
-    const lod::Decimated without = lod::decimate({&source}, {{160}, 60, 0, 0})[0];
+    const lod::Decimated with = lod::decimate({{&source}}, {{160}, 60, 0.1, 0})[0];
+    const lod::Decimated without = lod::decimate({{&source}}, {{160}, 60, 0, 0})[0];
     EXPECT_GT(vertices_between(with.parts[0], 0.7f, 1.3f), 2 * vertices_between(with.parts[0], 0.05f, 0.65f));
     EXPECT_LT(vertices_between(without.parts[0], 0.7f, 1.3f), vertices_between(with.parts[0], 0.7f, 1.3f));
 }
@@ -234,8 +234,8 @@ TEST(Decimate, takes_morph_targets_along)
 TEST(Decimate, refuses_what_it_cannot_do)
 {
     const model::Part empty, some = ball(8, 4);
-    EXPECT_THROW(lod::decimate({&empty}, {{10}}), base::Error);
-    EXPECT_THROW(lod::decimate({&some}, {}), base::Error);
+    EXPECT_THROW(lod::decimate({{&empty}}, {{10}}), base::Error);
+    EXPECT_THROW(lod::decimate({{&some}}, {}), base::Error);
 }
 
 // The quadric of a triangle's attribute against the integral, taken from samples, of the difference of two linear

@@ -1,0 +1,64 @@
+/* Levels of detail for a loaded character (libclaque-assets): fewer triangles for greater distances, chosen by how large
+ * their error looks (S1 6). Seams stay shut, zones keep their borders, and what a level is off by is measured on poses of
+ * the character's own clips. */
+#ifndef CLAQUE_LEVELS_H
+#define CLAQUE_LEVELS_H
+
+#include <claque/assets.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct clq_levels_def {
+    uint32_t struct_bytes; /* set by clq_levels_def_init */
+    /* [target_count] triangles of all parts together, descending, each 4 or more; those that are not fewer than the
+     * character's are skipped. NULL: halves down to 1040, eight levels to 490, then 250, 120, 60, 30. */
+    const uint32_t *targets;
+    uint32_t target_count;
+    float tolerance_px;    /* how large a level's error may look where it begins, in a view of 768 lines over 60 degrees
+                              (other views: clq_view_set_height). Default 1 */
+    float metres_per_unit; /* of the character. Default 1 */
+    /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, each
+     * triangle shows one zone. Of skinned characters only. 0: none. Default 250 */
+    uint32_t far_from;
+} clq_levels_def;
+
+static inline clq_levels_def clq_levels_def_init(void)
+{
+    clq_levels_def def;
+    def.struct_bytes = (uint32_t)sizeof def;
+    def.targets = NULL;
+    def.target_count = 0;
+    def.tolerance_px = 1.0f;
+    def.metres_per_unit = 1.0f;
+    def.far_from = 250;
+    return def;
+}
+
+/* What one level came to. Distances between places of the finest and of this level that lie nearest at rest. */
+typedef struct clq_made_level {
+    float first_m; /* it serves from here on, as clq_part_def.lod_first_m says */
+    uint32_t triangle_count, vertex_count;
+    float error_m;                 /* what it was chosen by: twice the root of the mean of squares in motion */
+    float rest_max_m, rest_rms_m;  /* at rest */
+    float posed_max_m, posed_rms_m; /* over eight poses of each of the first 32 clips */
+    float wrong_zone;              /* [0, 1] share of the finest's area that shows another zone */
+    uint32_t open_edges;           /* that the finest does not have */
+} clq_made_level;
+
+/* Gives an asset levels of detail. Parts that are hidden or have distances of their own stay as they are. Levels that
+ * would serve nowhere are left out.
+ *   def     NULL means clq_levels_def_init()
+ *   out     [capacity] the levels, finest first; may be NULL with capacity 0
+ *   count   how many there are, may be more than capacity; may be NULL
+ * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT, OUT_OF_MEMORY; the asset is then as it was.
+ * Threads: any one. GL: none. */
+CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
+                                         clq_made_level *out, uint32_t capacity, uint32_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,31 @@
+// Levels of detail for characters that are a few dozen pixels tall: all parts become one, seams of textures and borders of
+// zones no longer hold edges, each triangle shows the one zone that most of what it stands for shows, and texture
+// coordinates point into an image of a few texels, one for each zone and brightness, so that every triangle is clean and
+// the zone law holds to the letter.
+#pragma once
+
+#include <vector>
+
+#include "lib/model/model.h"
+
+namespace claque::lod
+{
+
+struct FarWish {
+    std::vector<size_t> targets;  // triangles, descending strictly
+    double influence = 0.1;       // as in Decimation
+    double zone = 0.05;           // of the character's size: what a vertex on another zone's ground costs
+};
+
+struct Far {
+    std::vector<model::Part> parts;  // one for each target, finest first; `material` is that of `model` behind its last
+    model::Material material;        // its image is that of `model` behind its last
+    model::Image image;              // keys of the model's zones
+    std::vector<uint8_t> zone_keys;  // [zones] of the whole model: as they were, where they told zones apart
+};
+
+// `source` are parts of `model`, which has passed model::check; what it must have before its levels can be made is in
+// the header of chain.h. Small shells are given up where the rest cannot get low enough. Deterministic.
+Far make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish);
+
+}  // namespace claque::lod

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+
+#include "lib/lod/nearest.h"
+#include "lib/lod/samples.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+// Middles of the four triangles that halving the sides makes, then the corners.
+const std::array<glm::dvec3, spots_per_triangle> spots = {
+    glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0, glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0,
+    glm::dvec3(1, 0, 0),       glm::dvec3(0, 1, 0),       glm::dvec3(0, 0, 1)};
+}  // namespace
+
+std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
+{
+    struct Tree {
+        std::vector<uint32_t> triangles;
+        std::unique_ptr<NearestPoint> nearest;
+    };
+    std::vector<Tree> trees(to.part_count() + 1);
+    for (uint32_t t = 0; t < to.triangles().size(); ++t) {
+        trees[to.triangles()[t].part].triangles.push_back(t);
+        trees.back().triangles.push_back(t);
+    }
+    for (Tree &tree : trees) {
+        std::vector<NearestPoint::Triangle> corners;
+        for (const uint32_t t : tree.triangles) corners.push_back(to.corners(to.triangles()[t]));
+        if (!corners.empty()) tree.nearest = std::make_unique<NearestPoint>(std::move(corners));
+    }
+    std::vector<Pair> out;
+    if (!trees.back().nearest) return out;
+    for (uint32_t t = 0; t < from.triangles().size(); ++t) {
+        const uint32_t part = from.triangles()[t].part;
+        const Tree &own = trees[std::min(part, to.part_count())], &tree = own.nearest ? own : trees.back();
+        for (const glm::dvec3 &spot : spots) {
+            Pair pair;
+            pair.here = {t, spot};
+            const NearestPoint::Found found = tree.nearest->to(where(from, pair.here));
+            pair.there = {tree.triangles[found.triangle], found.weights};
+            out.push_back(pair);
+        }
+    }
+    return out;
+}
+
+double area_of(const PosedParts &parts, uint32_t triangle)
+{
+    const auto c = parts.corners(parts.triangles()[triangle]);
+    return 0.5 * glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
+}
+
+}  // namespace claque::lod

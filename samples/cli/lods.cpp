@@ -1,0 +1,165 @@
+// claque lods: a character's levels of detail, side by side at equal size and at the size where each begins to serve, as S1
+// Fig. 7 shows them, with what each is off by.
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/letters.h"
+#include "samples/cli/png.h"
+#include "samples/cli/portraits.h"
+#include "samples/cli/stage_arguments.h"
+
+#include <claque/levels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34}, quiet = {120, 116, 110};
+constexpr int margin_px = 16, gap_px = 4, line_px = (letter_height + 4);
+
+struct LodsArguments {
+    std::string file, out;
+    std::vector<std::string> hidden;
+    std::vector<uint32_t> targets;
+    double tolerance_px = 1;
+    bool json = false;
+    int width = 1600, height = 560;
+};
+
+using Levels = std::vector<clq_made_level>;
+
+Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArguments &a)
+{
+    clq_levels_def def = clq_levels_def_init();
+    def.targets = a.targets.data();
+    def.target_count = static_cast<uint32_t>(a.targets.size());
+    def.tolerance_px = static_cast<float>(a.tolerance_px);
+    Levels levels(64);
+    uint32_t count = 0;
+    scenes::check(clq_asset_make_levels(library.context(), asset, &def, levels.data(),
+                                        static_cast<uint32_t>(levels.size()), &count),
+                  a.file);
+    levels.resize(std::min<size_t>(count, levels.size()));
+    return levels;
+}
+
+Json json_of(const Levels &levels)
+{
+    Json list = Json::array();
+    for (const clq_made_level &level : levels)
+        list.push_back({{"first_m", level.first_m},
+                        {"triangles", level.triangle_count},
+                        {"vertices", level.vertex_count},
+                        {"error_mm", 1000 * level.error_m},
+                        {"rest_rms_mm", 1000 * level.rest_rms_m},
+                        {"rest_max_mm", 1000 * level.rest_max_m},
+                        {"posed_rms_mm", 1000 * level.posed_rms_m},
+                        {"posed_max_mm", 1000 * level.posed_max_m},
+                        {"wrong_zone_percent", 100 * level.wrong_zone},
+                        {"open_edges", level.open_edges}});
+    return list;
+}
+
+void print(const Levels &levels)
+{
+    std::printf(
+        "triangles vertices   from m   at rest mm: rms    most   in motion mm: rms    most   wrong zone %%  open "
+        "edges\n");
+    for (const clq_made_level &l : levels)
+        std::printf("%9u %8u %8.1f %17.2f %7.1f %19.2f %7.1f %14.2f %11u\n", l.triangle_count, l.vertex_count,
+                    double(l.first_m), 1000 * double(l.rest_rms_m), 1000 * double(l.rest_max_m),
+                    1000 * double(l.posed_rms_m), 1000 * double(l.posed_max_m), 100 * double(l.wrong_zone),
+                    l.open_edges);
+}
+
+std::string number(double value, const char *format)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+// Pixels a metre where a level begins, at 768 lines over 60 degrees.
+double pixels_a_metre(double first_m) { return 768 / (2 * std::sqrt(1.0 / 3) * first_m); }
+
+void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacter &loaded, const Levels &levels)
+{
+    Board board(a.width, a.height, paper);
+    const int columns = static_cast<int>(levels.size());
+    const int wide = (a.width - 2 * margin_px + gap_px) / columns - gap_px, tall = a.height * 3 / 5;
+    if (wide < 24) throw scenes::Failure(std::to_string(columns) + " levels find no room in a picture of this size");
+    Portraits portraits(library, loaded, 1);
+    for (int i = 0; i < columns; ++i) {
+        stop_if_asked();
+        const clq_made_level &level = levels[static_cast<size_t>(i)];
+        const int x = margin_px + i * (wide + gap_px);
+        portraits.show_level(static_cast<uint32_t>(i));
+        portraits.resize(wide, tall);
+        board.paste(x, margin_px, wide, tall, portraits.picture(0));
+        int y = margin_px + tall + 6;
+        board.write(x, y, 2, std::to_string(level.triangle_count), ink);
+        y += 2 * line_px;
+        board.write(x, y, 1, number(1000 * double(level.error_m), "%.1f") + " MM", quiet);
+        y += line_px;
+        board.write(x, y, 1, "FROM " + number(double(level.first_m), "%.0f") + " M", quiet);
+        if (level.first_m <= 0) continue;
+        const double scale = pixels_a_metre(double(level.first_m));
+        const int small_tall = static_cast<int>(std::lround(portraits.seen_m() * scale));
+        const int small_wide = static_cast<int>(std::lround(portraits.seen_m() * portraits.aspect() * scale));
+        if (small_wide < 1 || small_wide > wide || y + line_px + small_tall > a.height - 4) continue;
+        portraits.resize(small_wide, small_tall);
+        board.paste(x, y + line_px + 4, small_wide, small_tall, portraits.picture(0));
+    }
+    const std::vector<unsigned char> file = png(board.rgb().data(), a.width, a.height,
+                                                {{"Software", "claque " + version()},
+                                                 {"Description", "Levels of detail of " + a.file},
+                                                 {"Source", portraits.context_name()}});
+    write_whole(a.out, file.data(), file.size());
+}
+
+void show(const LodsArguments &a)
+{
+    if (!a.out.empty()) expect_writable(a.out);
+    scenes::Library library(1);
+    if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared: levels are made before, from its source");
+    LoadedCharacter loaded;
+    loaded.asset = load_asset(library, a.file, a.hidden);
+    const Levels levels = make_levels(library, loaded.asset.get(), a);
+    if (a.json) std::cout << json_of(levels).dump(2) << '\n';
+    else print(levels);
+    if (a.out.empty()) return;
+    clq_template *made = nullptr;
+    scenes::check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), a.file);
+    loaded.tmpl.reset(made);
+    draw(a, library, loaded, levels);
+}
+
+}  // namespace
+
+void add_lods(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<LodsArguments>();
+    CLI::App *c =
+        app.add_subcommand("lods", "Make a character's levels of detail, and say and show what they are off by");
+    c->add_option("FILE", a->file, "glTF, GLB, or a built-in figure's name (citizen, patrician ...)")->required();
+    c->add_option("--picture,--out,-o", a->out, "PNG: levels at equal size, and below at the size where they begin");
+    c->add_option("--targets", a->targets, "Triangles of the levels, descending, with commas")->delimiter(',');
+    c->add_option("--tolerance", a->tolerance_px, "Pixels that a level may be off by where it begins")
+        ->check(CLI::Range(0.01, 100.0))
+        ->capture_default_str();
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+        ->expected(1)
+        ->take_all();
+    c->add_flag("--json", a->json, "As JSON");
+    add_size_option(*c, a->width, a->height);
+    c->callback([a, &chosen] { chosen = [a] { show(*a); }; });
+}
+
+}  // namespace cli
