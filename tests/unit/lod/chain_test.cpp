@@ -130,7 +130,7 @@ TEST(Chain, goes_down_in_triangles_and_up_in_error_and_distance)
         EXPECT_NEAR(chain[k].first_m, std::max(lod::distance_of(chain[k].error_m, 1), chain[k].first_m), 1e-9);
         EXPECT_EQ(chain[k].deviation.open_edges, 0u) << chain[k].triangles;
     }
-    EXPECT_LE(chain.back().triangles, 125u) << "seams and open borders hold what is left";
+    EXPECT_LE(chain.back().triangles, 30u);
     EXPECT_GT(citizen.parts.size(), parts);
     EXPECT_NO_THROW(model::check(citizen));
 }
@@ -144,6 +144,36 @@ TEST(Chain, serves_every_distance_with_one_level_of_each_part)
             std::count_if(citizen.parts.begin(), citizen.parts.end(),
                           [at](const model::Part &part) { return part.lod_first_m <= at && at < part.lod_last_m; }),
             1);
+}
+
+TEST(Chain, shows_one_zone_on_each_triangle_of_a_far_level)
+{
+    model::Model citizen = figures::citizen();
+    const size_t materials = citizen.materials.size();
+    lod::ChainWish wish;
+    wish.targets = {490, 120};
+    const std::vector<lod::ChainLevel> chain = lod::make_chain(citizen, wish);
+    ASSERT_EQ(chain.size(), 3u);
+    ASSERT_EQ(citizen.materials.size(), materials + 1);
+    const model::Part &far = citizen.parts.back();
+    ASSERT_EQ(far.material, materials);
+    const model::Image &image = citizen.images[citizen.materials[materials].image];
+    const auto texel = [&](uint32_t v) {
+        const size_t x = static_cast<size_t>(far.uvs[v].x * float(image.width));
+        const size_t y = static_cast<size_t>(far.uvs[v].y * float(image.height));
+        return image.rgba.data() + 4 * (y * image.width + x);
+    };
+    std::vector<uint8_t> shown;
+    for (const auto &t : model::triangles_of(far)) {
+        EXPECT_TRUE(std::equal(texel(t[0]), texel(t[0]) + 4, texel(t[1])));
+        EXPECT_TRUE(std::equal(texel(t[0]), texel(t[0]) + 4, texel(t[2])));
+        const uint8_t key = texel(t[0])[3];
+        EXPECT_TRUE(std::any_of(citizen.zones.begin(), citizen.zones.end(),
+                                [key](const model::Zone &zone) { return zone.key == key; }));
+        if (std::find(shown.begin(), shown.end(), key) == shown.end()) shown.push_back(key);
+    }
+    EXPECT_GE(shown.size(), 4u) << "skin, hair, tunic and shoes at least";
+    EXPECT_LT(chain[2].deviation.wrong_zone, 0.25);
 }
 
 TEST(Chain, leaves_a_model_as_it_was_when_it_refuses)
