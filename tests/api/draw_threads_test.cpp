@@ -142,10 +142,12 @@ clq_renderer *new_renderer(Stage &stage)
 
 struct Tried {
     uint32_t done = 0, busy = 0;
-    void note(clq_status status)
+    // Whether it was done.
+    bool note(clq_status status)
     {
         EXPECT_TRUE(status == CLQ_OK || status == CLQ_BUSY) << clq_last_error();
         ++(status == CLQ_OK ? done : busy);
+        return status == CLQ_OK;
     }
 };
 
@@ -173,9 +175,8 @@ void draw_while_updating(const clq_crowd_def &def)
         threads.emplace_back([&, k] {
             while (!stop && !::testing::Test::HasFailure()) {
                 clq_draw_stats stats = {};
-                drawn[k].note(clq_renderer_draw(renderers[k], views[k], &stats));
+                if (drawn[k].note(clq_renderer_draw(renderers[k], views[k], &stats)) && drawn[k].done == 5) ++ready;
                 individuals[k] += stats.individuals;
-                if (drawn[k].done == 5) ++ready;
                 std::this_thread::yield();
             }
         });

@@ -33,7 +33,7 @@ void World::blend()
     if (lots_.one_in(2)) to.gait = {lots_.index(gaits_ + 1)}, to.share = lots_.oddf(0, 1);
     const double at_s = lots_.odd(-5, 30);
     const float length_s = lots_.oddf(0, 3);
-    const auto curve = static_cast<clq_curve>(lots_.index(3));
+    const auto curve = static_cast<clq_curve>(lots_.below(4));  // one more than there are: what the type can hold
     call("clq_actor_fade_to", [&] { return clq_actor_fade_to(crowd_, id, &to, at_s, length_s, curve); });
     const float share = lots_.oddf(0, 1);
     if (lots_.one_in(2))
