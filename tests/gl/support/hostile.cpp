@@ -43,6 +43,11 @@ void HostileHost::set_rasterisation() const
     for (const gl::Enum what :
          {gl::point_smooth, gl::line_smooth, gl::polygon_smooth, gl::line_stipple, gl::polygon_stipple})
         host_.Enable(what);
+    // Tightly packed, whatever was said before: the pattern has no more bytes, and where pixels are skipped Mesa 22.3.6
+    // writes one past its own copy.
+    host_.PixelStorei(gl::unpack_alignment, 4);
+    for (const gl::Enum name : {gl::unpack_row_length, gl::unpack_skip_rows, gl::unpack_skip_pixels})
+        host_.PixelStorei(name, 0);
     uint8_t pattern[128];
     for (int i = 0; i < 128; ++i) pattern[i] = static_cast<uint8_t>(i * 37);
     host_.ask<void (*)(const uint8_t *)>("glPolygonStipple")(pattern);
