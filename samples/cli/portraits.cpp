@@ -177,7 +177,6 @@ float Portraits::lod_scale(const clq_camera &seen) const
         wanted = (static_cast<double>(level.first_m) + static_cast<double>(next.first_m)) / 2;
     }
     const double away = std::hypot(seen.eye[0], seen.eye[1], seen.eye[2]);
-    // The camera looks through a narrow angle, as if from nearer.
     return static_cast<float>(wanted / away);
 }
 
@@ -195,7 +194,13 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who)
     check(clq_view_create(cast.crowd(), &made));
     const scenes::Own<clq_view> view(made);
     check(clq_view_look(made, &seen));
+    check(clq_view_set_height(made, 0));  // the camera's narrow angle is no reason for more detail here
     check(clq_crowd_update(cast.crowd(), 0, &made, 1));
+    clq_actor_info shown = {};
+    check(clq_actor_get_info(cast.crowd(), cast.actors()[0], &shown));
+    if (shown.level != level_)
+        throw scenes::Failure("level " + std::to_string(level_) + " was to be drawn, and level " +
+                              std::to_string(shown.level) + " was");
     const scenes::Eye eye = scenes::eye_of(seen);
     gl_.Viewport(0, 0, width_, height_);
     gl_.DepthMask(1);
