@@ -95,7 +95,7 @@ void add_near(const model::Rig &rig, const std::vector<const model::Part *> &sou
 void add_far(model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
              std::vector<Made> &made)
 {
-    Far far = make_far(model, source, wish);
+    FarLevels far = make_far(model, source, wish);
     for (model::Part &part : far.parts) {
         Made next;
         next.is_far = true;

@@ -10,7 +10,7 @@ namespace claque::lod
 
 struct Deviation {
     double rest_m = 0, rest_rms_m = 0;    // the most, and the root of the mean of squares
-    double posed_m = 0, posed_rms_m = 0;  // over all poses; at least as much as the places are apart
+    double posed_m = 0, posed_rms_m = 0;  // over all poses; bounds from above, as places are matched at rest
     double wrong_zone = 0;                // [0, 1] share of the source's area that shows another zone
     size_t open_edges = 0;                // edges with one triangle, of all parts together, beyond the source's
 };

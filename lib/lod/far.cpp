@@ -160,7 +160,7 @@ Decimated reduced(const Merged &merged, size_t target, double influence)
 
 }  // namespace
 
-Far make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish)
+FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish)
 {
     const Merged merged = merged_of(model, source, wish.zone);
     std::vector<model::Part> parts;

@@ -17,15 +17,16 @@ struct FarWish {
     double zone = 0.05;           // of the character's size: what a vertex on another zone's ground costs
 };
 
-struct Far {
+struct FarLevels {
     std::vector<model::Part> parts;  // one for each target, finest first; `material` is that of `model` behind its last
     model::Material material;        // its image is that of `model` behind its last
     model::Image image;              // keys of the model's zones
-    std::vector<uint8_t> zone_keys;  // [zones] of the whole model: as they were, where they told zones apart
+    std::vector<uint8_t>
+        zone_keys;  // [zones] that the image uses: the model's own, or new ones where those do not tell zones apart
 };
 
-// `source` are parts of `model`, which has passed model::check; what it must have before its levels can be made is in
-// the header of chain.h. Small shells are given up where the rest cannot get low enough. Deterministic.
-Far make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish);
+// `source` are triangle parts of `model`, which has passed model::check. Small shells are given up where the rest cannot
+// get low enough. Throws base::Error (CLQ_LIMIT) where zones are more than keys. Deterministic.
+FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish);
 
 }  // namespace claque::lod

@@ -117,7 +117,8 @@ void give_uvs(model::Part &part, const std::vector<Look> &looks, const std::map<
 
 }  // namespace
 
-Far painted(const model::Model &model, const std::vector<const model::Part *> &source, std::vector<model::Part> parts)
+FarLevels painted(const model::Model &model, const std::vector<const model::Part *> &source,
+                  std::vector<model::Part> parts)
 {
     PosedParts fine(source);
     pose::Workspace workspace(model.rig);
@@ -132,7 +133,7 @@ Far painted(const model::Model &model, const std::vector<const model::Part *> &s
         for (const Seen &seen : what_is_seen(model, fine, coarse)) looks.back().push_back(look_of(seen, colours));
     }
 
-    Far far;
+    FarLevels far;
     far.zone_keys = keys_of(model);
     far.image.name = model.name + " far";
     far.image.alpha = model::AlphaMeaning::zone_keys;

@@ -8,6 +8,7 @@ namespace claque::lod
 
 // Gives each triangle of each part its zone and brightness, from all of the source that lies nearest to it, and the
 // parts their texture coordinates.
-Far painted(const model::Model &model, const std::vector<const model::Part *> &source, std::vector<model::Part> parts);
+FarLevels painted(const model::Model &model, const std::vector<const model::Part *> &source,
+                  std::vector<model::Part> parts);
 
 }  // namespace claque::lod
