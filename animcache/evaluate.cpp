@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lib/pose/pose.h"
-#include "lib/skin/pack.h"
 #include "lib/skin/skin.h"
 
 namespace claque::animcache
@@ -54,8 +53,7 @@ Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
     sizes.scratch_floats = std::max(sizes.palette_floats, pose::scratch_floats(tmpl.rig, &tmpl.motion));
     for (const model::Level &level : tmpl.levels) {
         sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, geometry));
-        const size_t unpacked = geometry == Geometry::packed ? vertex_floats(level, Geometry::real) : 0;
-        sizes.scratch_floats = std::max(sizes.scratch_floats, skinning_floats(tmpl, level) + unpacked);
+        sizes.scratch_floats = std::max(sizes.scratch_floats, skinning_floats(tmpl, level));
     }
     return sizes;
 }
@@ -90,22 +88,6 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     return job.level->active.empty() ? rig.node_count() : count32(job.level->nodes.size());
 }
 
-namespace
-{
-
-void pack(const model::Template &tmpl, uint32_t vertex_count, const float *from, float *to)
-{
-    skin::PackJob job;
-    job.positions = {from, 3 * vertex_count};
-    job.normals = {from + 3 * size_t(vertex_count), 3 * vertex_count};
-    job.range = skin::pack_range(tmpl);
-    job.out_positions = {reinterpret_cast<skin::PackedPosition *>(to), vertex_count};
-    job.out_normals = {reinterpret_cast<skin::PackedNormal *>(to + 2 * size_t(vertex_count)), vertex_count};
-    job.run();
-}
-
-}  // namespace
-
 void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices)
 {
     const model::Template &tmpl = *request.tmpl;
@@ -115,13 +97,17 @@ void skin(const Request &request, const float *palette, Geometry geometry, const
     job.palette = {reinterpret_cast<const math::Affine *>(palette), count32(tmpl.rig.palette.size())};
     job.morph_weights = {palette + matrix_floats(tmpl), count32(tmpl.rig.rest_weights.size())};
     job.normals = skin::normals_of(tmpl);
-    const size_t skinning = skinning_floats(tmpl, level);
-    float *reals = geometry == Geometry::packed ? scratch.floats + skinning : vertices;
-    job.scratch = {scratch.floats, count32(skinning)};
-    job.out_positions = {reals, 3 * level.vertex_count};
-    job.out_normals = {reals + 3 * size_t(level.vertex_count), 3 * level.vertex_count};
+    job.scratch = {scratch.floats, count32(skinning_floats(tmpl, level))};
+    const uint32_t count = level.vertex_count;
+    if (geometry == Geometry::packed) {
+        job.range = skin::pack_range(tmpl);
+        job.out_packed_positions = {reinterpret_cast<skin::PackedPosition *>(vertices), count};
+        job.out_packed_normals = {reinterpret_cast<skin::PackedNormal *>(vertices + 2 * size_t(count)), count};
+    } else {
+        job.out_positions = {vertices, 3 * count};
+        job.out_normals = {vertices + 3 * size_t(count), 3 * count};
+    }
     job.run();
-    if (geometry == Geometry::packed) pack(tmpl, level.vertex_count, reals, vertices);
 }
 
 draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry)

@@ -64,7 +64,7 @@ struct Sizes {
     size_t nodes = 0;
     size_t palette_floats = 0;  // matrices of the palette, or of the nodes; then morph weights, then padding
     size_t vertex_floats = 0;   // positions and normals of the largest level, copies included (S1 4), and padding
-    size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals, vertices that are to be packed
+    size_t scratch_floats = 0;  // skinning: morphed vertices, matrices of normals
     size_t spare_floats = 0;    // vertices of a second key-pose, for who interpolates them: else 0
     void grow_to(const Sizes &other);
 };

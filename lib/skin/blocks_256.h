@@ -7,6 +7,7 @@
 
 #include <immintrin.h>
 
+#include "lib/skin/blocks_256_forms.h"
 #include "lib/skin/kernel.h"
 
 namespace claque::skin
@@ -14,10 +15,6 @@ namespace claque::skin
 
 namespace
 {
-
-struct Three {
-    __m256 x, y, z;
-};
 
 CLAQUE_BLOCKS_INLINE __m256 lanes(const model::Lanes &from) { return _mm256_loadu_ps(from.v); }
 
@@ -64,41 +61,24 @@ struct Mixed {
     }
 };
 
-// x, y and z of eight vertices to 24 numbers, vertex after vertex.
-CLAQUE_BLOCKS_INLINE void store(float *out, const Three &v)
-{
-    const __m256 xy = _mm256_shuffle_ps(v.x, v.y, _MM_SHUFFLE(2, 0, 2, 0));  // x0 x2 y0 y2 of each half
-    const __m256 yz = _mm256_shuffle_ps(v.y, v.z, _MM_SHUFFLE(3, 1, 3, 1));  // y1 y3 z1 z3
-    const __m256 zx = _mm256_shuffle_ps(v.z, v.x, _MM_SHUFFLE(3, 1, 2, 0));  // z0 z2 x1 x3
-    const __m256 a = _mm256_shuffle_ps(xy, zx, _MM_SHUFFLE(2, 0, 2, 0));     // x0 y0 z0 x1
-    const __m256 b = _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0));     // y1 z1 x2 y2
-    const __m256 c = _mm256_shuffle_ps(zx, yz, _MM_SHUFFLE(3, 1, 3, 1));     // z2 x3 y3 z3
-    _mm_storeu_ps(out, _mm256_castps256_ps128(a));
-    _mm_storeu_ps(out + 4, _mm256_castps256_ps128(b));
-    _mm_storeu_ps(out + 8, _mm256_castps256_ps128(c));
-    _mm_storeu_ps(out + 12, _mm256_extractf128_ps(a, 1));
-    _mm_storeu_ps(out + 16, _mm256_extractf128_ps(b, 1));
-    _mm_storeu_ps(out + 20, _mm256_extractf128_ps(c, 1));
-}
-
 template <uint32_t K, bool OwnNormalMatrices>
-CLAQUE_BLOCKS_INLINE void skin_block(const BlockRun &run, const model::LaneBlock &block, float *positions,
-                                     float *normals)
+CLAQUE_BLOCKS_INLINE Vertices skin_block(const BlockRun &run, const model::LaneBlock &block)
 {
     const model::Lanes *in = run.lanes + block.first_lanes;
     const Mixed<K> m(run.palette, block, in + 6);
     const Mixed<K> own(OwnNormalMatrices ? run.normal_palette : run.palette, block, in + 6);
+    Vertices out;
     Three column = m.column(0);
-    Three position = times(column, lanes(in[0]));
-    Three normal = times(OwnNormalMatrices ? own.column(0) : column, lanes(in[3]));
+    out.position = times(column, lanes(in[0]));
+    out.normal = times(OwnNormalMatrices ? own.column(0) : column, lanes(in[3]));
     column = m.column(1);
-    position = plus_times(position, column, lanes(in[1]));
-    normal = plus_times(normal, OwnNormalMatrices ? own.column(1) : column, lanes(in[4]));
+    out.position = plus_times(out.position, column, lanes(in[1]));
+    out.normal = plus_times(out.normal, OwnNormalMatrices ? own.column(1) : column, lanes(in[4]));
     column = m.column(2);
-    position = plus_times(position, column, lanes(in[2]));
-    normal = plus_times(normal, OwnNormalMatrices ? own.column(2) : column, lanes(in[5]));
-    store(normals, normal);
-    store(positions, plus(position, m.column(3)));
+    out.position = plus_times(out.position, column, lanes(in[2]));
+    out.normal = plus_times(out.normal, OwnNormalMatrices ? own.column(2) : column, lanes(in[5]));
+    out.position = plus(out.position, m.column(3));
+    return out;
 }
 
 }  // namespace

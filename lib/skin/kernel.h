@@ -4,6 +4,7 @@
 #include "lib/base/span.h"
 #include "lib/math/affine.h"
 #include "lib/model/skin_plan.h"
+#include "lib/skin/pack.h"
 
 #include <cstdint>
 
@@ -25,6 +26,24 @@ struct Run {
     const float *palette = nullptr;                        // aligned matrices
     const float *normal_palette = nullptr;                 // null: palette
     float *out_positions = nullptr, *out_normals = nullptr;
+
+    // From the `done`th of these vertices on; count and where they go stay.
+    void advance(size_t done)
+    {
+        positions += 3 * done, normals += 3 * done;
+        joints += done * influences, weights += done * influences;
+    }
+};
+
+struct Real3 {
+    float x, y, z;
+};
+
+// Where packed vertices go, of vertex 0 on; null: they stay floats.
+struct PackedOut {
+    PackRange range;
+    PackedPosition *positions = nullptr;
+    PackedNormal *normals = nullptr;
 };
 
 // Blocks of one number of influences, at most model::max_block_influences.
@@ -36,7 +55,8 @@ struct BlockRun {
     const float *palette = nullptr;         // aligned matrices
     const float *normal_palette = nullptr;  // null: palette
     uint32_t vertex_count = 0;              // that there is room for; those behind a block are written after it
-    float *out_positions = nullptr, *out_normals = nullptr;  // of vertex 0
+    Real3 *out_positions = nullptr, *out_normals = nullptr;  // of vertex 0
+    PackedOut packed;                                        // instead of them
 };
 
 // Sets of joints and weights to the matrices that their vertices follow.

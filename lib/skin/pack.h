@@ -4,11 +4,14 @@
 
 #include "lib/base/span.h"
 #include "lib/base/status.h"
+#include "lib/math/kernel.h"
 #include "lib/model/template.h"
-#include "lib/skin/skin.h"
 
 namespace claque::skin
 {
+
+using math::default_kernel;
+using math::Kernel;
 
 // A position p is kept as the whole numbers nearest to (p - offset) / step, halves to the even one, within 16 bits.
 struct PackRange {
@@ -31,6 +34,7 @@ struct PackedNormal {
     int8_t x = 0, y = 0, z = 0, none = 0;
 };
 
+// Floats that are there already; SkinJob makes packed vertices without them.
 // Numbers out of range, infinite or none at all become some number of the range, the same one with every kernel.
 struct PackJob {
     // in

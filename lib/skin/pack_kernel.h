@@ -1,5 +1,8 @@
-// Rows of packed vertices: what PackJob calls.
+// What rounds vertices: PackJob's rows, one vertex or four at a time, and the steps that kernels take on lanes of their own.
 #pragma once
+
+#include <cmath>
+#include <cstring>
 
 #include "lib/skin/pack.h"
 
@@ -11,6 +14,43 @@ constexpr float least_square = 1e-30f;  // of a normal's length, so that one of 
 
 // A number within 2^22 of zero, to the nearest whole one, halves to the even one, without a call: added to this one, it loses its fraction.
 constexpr float rounder = 12582912;  // 1.5 * 2^23
+
+// Comparisons as the processor's minimum and maximum do them: what is no number becomes the limit.
+inline float within(float x, float limit)
+{
+    const float below = x < limit ? x : limit;
+    return below > -limit ? below : -limit;
+}
+
+inline int32_t nearest(float x)
+{
+    const float sum = x + rounder;
+    int32_t bits, zero;
+    std::memcpy(&bits, &sum, 4);
+    std::memcpy(&zero, &rounder, 4);
+    return bits - zero;
+}
+
+inline PackedPosition packed_position(float x, float y, float z, const PackRange &range)
+{
+    const float per_step = 1 / range.step;
+    PackedPosition out;
+    out.x = static_cast<int16_t>(nearest(within((x - range.offset[0]) * per_step, position_limit)));
+    out.y = static_cast<int16_t>(nearest(within((y - range.offset[1]) * per_step, position_limit)));
+    out.z = static_cast<int16_t>(nearest(within((z - range.offset[2]) * per_step, position_limit)));
+    return out;
+}
+
+inline PackedNormal packed_normal(float x, float y, float z)
+{
+    const float square = x * x + y * y + z * z;
+    const float scale = normal_limit / std::sqrt(square > least_square ? square : least_square);
+    PackedNormal out;
+    out.x = static_cast<int8_t>(nearest(within(x * scale, normal_limit)));
+    out.y = static_cast<int8_t>(nearest(within(y * scale, normal_limit)));
+    out.z = static_cast<int8_t>(nearest(within(z * scale, normal_limit)));
+    return out;
+}
 
 void pack_scalar(const PackJob &job, uint32_t first);  // from vertex `first` on
 uint32_t pack_vector(const PackJob &job);              // how many it did, from the first on

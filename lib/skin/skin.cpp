@@ -1,6 +1,7 @@
 #include "lib/skin/skin.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/skin/kernel.h"
 
@@ -36,15 +37,14 @@ void morph(const SkinJob &job, float *positions, float *normals)
     }
 }
 
-void fill_copies(const model::Level &level, float *out)
+template <class Form>
+void fill_copies(const model::Level &level, Form *out)
 {
-    float *to = out + 3 * size_t(level.source_count);
-    for (const uint32_t source : level.copies) {
-        const float *from = out + 3 * size_t(source);
-        to[0] = from[0], to[1] = from[1], to[2] = from[2];
-        to += 3;
-    }
+    Form *to = out + level.source_count;
+    for (const uint32_t source : level.copies) *to++ = out[source];
 }
+
+Real3 *vertices_of(base::Span<float> floats) { return reinterpret_cast<Real3 *>(floats.data); }
 
 constexpr size_t alignment_floats = 8;
 
@@ -77,6 +77,8 @@ public:
             set_normal_palette_ = spare;
             spare += aligned_matrix_floats * model::max_chunk_sets;
         }
+        packed_.range = job.range;
+        packed_.positions = job.out_packed_positions.data, packed_.normals = job.out_packed_normals.data;
         if (!morphs_active(job)) return;
         morph(job, spare, spare + 3 * size_t(level_.source_count));
         positions_ = spare;
@@ -91,8 +93,13 @@ public:
         if (kernel == Kernel::scalar || segments.empty()) run_plainly(kernel);
         else
             for (const model::SkinSegment &segment : segments) run_segment(segment, kernel);
-        fill_copies(level_, job_.out_positions.data);
-        fill_copies(level_, job_.out_normals.data);
+        if (packed_.positions) {
+            fill_copies(level_, packed_.positions);
+            fill_copies(level_, packed_.normals);
+        } else {
+            fill_copies(level_, vertices_of(job_.out_positions));
+            fill_copies(level_, vertices_of(job_.out_normals));
+        }
     }
 
 private:
@@ -102,7 +109,7 @@ private:
             model::SkinSegment all;
             all.influences = part.influences;
             all.first = part.first, all.count = part.count, all.first_influence = part.first_influence;
-            run_vertices(run_of(all), kernel);
+            run_vertices(run_of(all), part.first, kernel);
         }
     }
 
@@ -110,7 +117,7 @@ private:
     {
         if (segment.by == model::SkinBy::block && !morphed_) run_blocks(segment, kernel);
         else if (segment.by == model::SkinBy::set) run_sets(segment, kernel);
-        else run_vertices(run_of(segment), kernel);
+        else run_vertices(run_of(segment), segment.first, kernel);
     }
 
     Run run_of(const model::SkinSegment &segment) const
@@ -123,12 +130,42 @@ private:
         run.joints = level_.joints.data() + segment.first_influence;
         run.weights = level_.weights.data() + segment.first_influence;
         run.palette = palette_, run.normal_palette = normal_palette_;
-        run.out_positions = job_.out_positions.data + 3 * size_t(segment.first);
-        run.out_normals = job_.out_normals.data + 3 * size_t(segment.first);
+        if (!packed_.positions) {
+            run.out_positions = job_.out_positions.data + 3 * size_t(segment.first);
+            run.out_normals = job_.out_normals.data + 3 * size_t(segment.first);
+        }
         return run;
     }
 
-    static void run_vertices(const Run &run, Kernel kernel)
+    // `first`: of the level's vertices.
+    void run_vertices(const Run &run, uint32_t first, Kernel kernel) const
+    {
+        if (packed_.positions) run_packed(run, first, kernel);
+        else run_floats(run, kernel);
+    }
+
+    // By way of as many floats as stay in the nearest cache.
+    void run_packed(Run run, uint32_t first, Kernel kernel) const
+    {
+        constexpr uint32_t most = 64;
+        float positions[3 * most], normals[3 * most];
+        run.out_positions = positions, run.out_normals = normals;
+        PackJob pack;
+        pack.range = packed_.range;
+        pack.kernel = kernel;
+        for (uint32_t left = run.count; left > 0; left -= run.count) {
+            run.count = std::min(left, most);
+            run_floats(run, kernel);
+            pack.positions = {positions, 3 * run.count}, pack.normals = {normals, 3 * run.count};
+            pack.out_positions = {packed_.positions + first, run.count};
+            pack.out_normals = {packed_.normals + first, run.count};
+            pack.run();
+            first += run.count;
+            run.advance(run.count);
+        }
+    }
+
+    static void run_floats(const Run &run, Kernel kernel)
     {
         if (kernel == Kernel::scalar) run_scalar(run);
         else if (kernel == Kernel::wide || kernel == Kernel::fused) run_wide(run);
@@ -153,7 +190,7 @@ private:
             blend_vector(sets);
             run.normal_palette = set_normal_palette_;
         }
-        run_vertices(run, kernel);
+        run_vertices(run, segment.first, kernel);
     }
 
     void run_blocks(const model::SkinSegment &segment, Kernel kernel) const
@@ -165,7 +202,8 @@ private:
         run.lanes = level_.skinning.lanes.data();
         run.palette = palette_, run.normal_palette = normal_palette_;
         run.vertex_count = level_.vertex_count;
-        run.out_positions = job_.out_positions.data, run.out_normals = job_.out_normals.data;
+        run.out_positions = vertices_of(job_.out_positions), run.out_normals = vertices_of(job_.out_normals);
+        run.packed = packed_;
         if (kernel == Kernel::fused) run_fused_blocks(run);
         else if (kernel == Kernel::wide) run_wide_blocks(run);
         else run_vector_blocks(run);
@@ -175,6 +213,7 @@ private:
     const model::Level &level_;
     const float *positions_, *normals_;  // bind pose, or morphed
     bool morphed_ = false;
+    PackedOut packed_;
     float *palette_ = nullptr, *normal_palette_ = nullptr;
     float *set_palette_ = nullptr, *set_normal_palette_ = nullptr;
 };
@@ -192,7 +231,13 @@ base::Status SkinJob::check() const
     using base::Status;
     if (!level) return Status::bad(CLQ_ARGUMENT, "a skin job has no level");
     const uint64_t floats = 3 * uint64_t(level->vertex_count);
-    if (out_positions.count < floats || out_normals.count < floats)
+    const bool packs = out_packed_positions.count || out_packed_normals.count;
+    if (packs && (out_packed_positions.count < level->vertex_count || out_packed_normals.count < level->vertex_count))
+        return Status::bad(CLQ_ARGUMENT, "a skin job has room for %u and %u of %u packed vertices",
+                           out_packed_positions.count, out_packed_normals.count, level->vertex_count);
+    if (packs && (!(range.step > 0) || !std::isfinite(range.step)))
+        return Status::bad(CLQ_ARGUMENT, "a skin job packs in steps of %g", static_cast<double>(range.step));
+    if (!packs && (out_positions.count < floats || out_normals.count < floats))
         return Status::bad(CLQ_ARGUMENT, "a skin job has room for %u and %u of %llu numbers", out_positions.count,
                            out_normals.count, static_cast<unsigned long long>(floats));
     const size_t needed = scratch_floats(*level, palette.count, normals);

@@ -1,11 +1,11 @@
 // A palette and a level's vertices to positions and normals of one individual, in arrays of their own that GL takes as
-// they are (S1 4). Source vertices are skinned, then the copies that the fused strategy needs are filled.
+// they are (S1 4), floats or packed. Source vertices are skinned, then the copies that the fused strategy needs are filled.
 #pragma once
 
 #include "lib/base/span.h"
 #include "lib/base/status.h"
-#include "lib/math/kernel.h"
 #include "lib/model/template.h"
+#include "lib/skin/pack.h"
 
 #include <vector>
 
@@ -13,8 +13,6 @@ namespace claque::skin
 {
 
 using math::can_run;
-using math::default_kernel;
-using math::Kernel;
 
 // How normals are turned.
 enum class Normals : uint8_t {
@@ -37,6 +35,10 @@ struct SkinJob {
     // out
     base::Span<float> out_positions;  // [3 * level.vertex_count]
     base::Span<float> out_normals;    // [3 * level.vertex_count]
+    // Instead of these two, where it is not empty: what PackJob would make of them, without the way through memory.
+    base::Span<PackedPosition> out_packed_positions;  // [level.vertex_count]
+    base::Span<PackedNormal> out_packed_normals;      // likewise
+    PackRange range;
 
     base::Status check() const;  // the first broken rule of lengths; joints are trusted, as meshsplit checked them
     void run() const;            // requires check(); allocates nothing

@@ -1,9 +1,8 @@
 // Eight vertices that follow the same matrices, as two times four lanes: each number of a matrix is spread once for
 // all of them. Row after row, so that what is at work fits into 16 registers. The steps of scalar.cpp in the same order.
-#include <cstring>
-
 #include "lib/math/simd.h"
 #include "lib/skin/kernel.h"
+#include "lib/skin/pack_lanes.h"
 
 #define CLAQUE_INLINE __attribute__((always_inline)) inline
 
@@ -96,23 +95,61 @@ CLAQUE_INLINE F4 mix(F4 a, F4 b)
 #endif
 }
 
-// x, y and z of four vertices to twelve numbers, vertex after vertex.
-CLAQUE_INLINE void store(float *out, F4 x, F4 y, F4 z)
-{
-    const F4 xy = mix<0, 2, 0, 2>(x, y), yz = mix<1, 3, 1, 3>(y, z), zx = mix<0, 2, 1, 3>(z, x);
-    math::store4(out, mix<0, 2, 0, 2>(xy, zx));
-    math::store4(out + 4, mix<0, 2, 1, 3>(yz, xy));
-    math::store4(out + 8, mix<1, 3, 1, 3>(zx, yz));
-}
+struct Reals {
+    using Position = Real3;
+    using Normal = Real3;
+    Real3 *positions, *normals;
 
-CLAQUE_INLINE void store(float *out, const Eight v[3])
-{
-    store(out, v[0].low, v[1].low, v[2].low);
-    store(out + 12, v[0].high, v[1].high, v[2].high);
-}
+    CLAQUE_INLINE explicit Reals(const BlockRun &run) : positions(run.out_positions), normals(run.out_normals) {}
+
+    CLAQUE_INLINE void write(const Vertices &v, Real3 *to_positions, Real3 *to_normals) const
+    {
+        store(&to_positions->x, v.position);
+        store(&to_normals->x, v.normal);
+    }
+
+private:
+    CLAQUE_INLINE static void store(float *out, const Eight v[3])
+    {
+        store(out, v[0].low, v[1].low, v[2].low);
+        store(out + 12, v[0].high, v[1].high, v[2].high);
+    }
+    // x, y and z of four vertices to twelve numbers, vertex after vertex.
+    CLAQUE_INLINE static void store(float *out, F4 x, F4 y, F4 z)
+    {
+        const F4 xy = mix<0, 2, 0, 2>(x, y), yz = mix<1, 3, 1, 3>(y, z), zx = mix<0, 2, 1, 3>(z, x);
+        math::store4(out, mix<0, 2, 0, 2>(xy, zx));
+        math::store4(out + 4, mix<0, 2, 1, 3>(yz, xy));
+        math::store4(out + 8, mix<1, 3, 1, 3>(zx, yz));
+    }
+};
+
+struct Packed {
+    using Position = PackedPosition;
+    using Normal = PackedNormal;
+    PackedPosition *positions;
+    PackedNormal *normals;
+
+    CLAQUE_INLINE explicit Packed(const BlockRun &run)
+        : positions(run.packed.positions), normals(run.packed.normals), packer_(run.packed.range)
+    {
+    }
+
+    CLAQUE_INLINE void write(const Vertices &v, PackedPosition *to_positions, PackedNormal *to_normals) const
+    {
+        const Eight *p = v.position, *n = v.normal;
+        packer_.positions(p[0].low, p[1].low, p[2].low, to_positions);
+        packer_.positions(p[0].high, p[1].high, p[2].high, to_positions + 4);
+        FourPacker::normals(n[0].low, n[1].low, n[2].low, to_normals);
+        FourPacker::normals(n[0].high, n[1].high, n[2].high, to_normals + 4);
+    }
+
+private:
+    FourPacker packer_;
+};
 
 template <uint32_t K, bool OwnNormalMatrices>
-CLAQUE_INLINE void skin_block(const BlockRun &run, const model::LaneBlock &block, float *positions, float *normals)
+CLAQUE_INLINE Vertices skin_block(const BlockRun &run, const model::LaneBlock &block)
 {
     const model::Lanes *in = run.lanes + block.first_lanes;
     const Mixed<K> m(run.palette, block, in + 6);
@@ -121,8 +158,7 @@ CLAQUE_INLINE void skin_block(const BlockRun &run, const model::LaneBlock &block
     skin_row<K, OwnNormalMatrices, 0>(m, own, in, out);
     skin_row<K, OwnNormalMatrices, 1>(m, own, in, out);
     skin_row<K, OwnNormalMatrices, 2>(m, own, in, out);
-    store(positions, out.position);
-    store(normals, out.normal);
+    return out;
 }
 
 }  // namespace

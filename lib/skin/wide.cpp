@@ -133,10 +133,7 @@ void run_wide(const Run &run)
     Run rest = run;
     const size_t done = 2 * pairs;
     rest.count = run.count - static_cast<uint32_t>(done);
-    rest.positions += 3 * done;
-    rest.normals += 3 * done;
-    rest.joints += done * run.influences;
-    rest.weights += done * run.influences;
+    rest.advance(done);
     rest.out_positions += 3 * done;
     rest.out_normals += 3 * done;
     run_vector(rest);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "lib/skin/skin.h"
+#include "tests/unit/skin/packed_support.h"
 
 namespace claque::skin
 {
@@ -86,6 +87,7 @@ Result run(const model::Level &level, Normals normals, Kernel kernel)
         EXPECT_EQ(out.positions[i], -77.0f);
         EXPECT_EQ(out.normals[i], -77.0f);
     }
+    expect_packed_as_afterwards(job);
     return out;
 }
 

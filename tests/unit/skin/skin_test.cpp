@@ -7,6 +7,7 @@
 
 #include "lib/pose/pose.h"
 #include "tests/law/support/figure.h"
+#include "tests/unit/skin/packed_support.h"
 
 namespace claque::skin
 {
@@ -39,6 +40,7 @@ Result run(const model::Level &level, base::Span<const math::Affine> palette, ba
     job.run();
     EXPECT_EQ(out.positions.back(), -77.0f);  // nothing behind the last vertex is touched
     EXPECT_EQ(out.normals.back(), -77.0f);
+    expect_packed_as_afterwards(job);
     return out;
 }
 
@@ -200,6 +202,15 @@ TEST(SkinJob, NamesTheFirstBrokenRule)
     job.out_positions = base::Span<float>(out);
     job.out_normals = base::Span<float>(out);
     EXPECT_NE(std::string(job.check().text).find("of scratch"), std::string::npos);
+    PackedPosition positions[2];
+    job.out_packed_positions = {positions, 2};
+    EXPECT_NE(std::string(job.check().text).find("room for 2 and 0 of"), std::string::npos);
+    std::vector<PackedPosition> enough(job.level->vertex_count);
+    std::vector<PackedNormal> normals(job.level->vertex_count);
+    job.out_packed_positions = base::Span<PackedPosition>(enough);
+    job.out_packed_normals = base::Span<PackedNormal>(normals);
+    job.range.step = 0;
+    EXPECT_STREQ(job.check().text, "a skin job packs in steps of 0");
 }
 
 }  // namespace claque::skin
