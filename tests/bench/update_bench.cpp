@@ -1,65 +1,24 @@
-// A whole update on one core: individuals of 33 joints and 650 vertices of 2 influences, everybody due; and a crowd of
-// which one in five is seen, at the rates of the law.
-#include <benchmark/benchmark.h>
-
-#include <cmath>
+// Whole updates on one core: everybody due, by instruction set and form of the vertices; a crowd of which one in five is seen, at the rates
+// of the law; and a crowd out of view.
 #include <memory>
 #include <random>
 #include <vector>
 
 #include "lib/frame/frame.h"
-#include "lib/math/slerp.h"
 #include "tests/bench/body.h"
+#include "tests/bench/measure.h"
+#include "tests/bench/textbook.h"
 
 namespace
 {
 
 using namespace claque;
-
-void add_rig(model::Rig &rig, std::mt19937 &random)
-{
-    std::uniform_real_distribution<float> real(-0.2f, 0.2f);
-    const uint32_t joints = 33, keys = 34;
-    for (uint32_t k = 0; k < keys; ++k) rig.times.push_back(float(k) / 30);
-    for (uint32_t i = 0; i < joints; ++i) {
-        rig.parents.push_back(i == 0 ? model::none : (i - 1) / 2);
-        math::Trs trs;
-        trs.translation = glm::vec3(real(random), real(random), real(random));
-        rig.rest.push_back(trs);
-        rig.node_names.emplace_back("");
-        rig.palette.push_back({i, math::affine_of(trs)});
-        model::Channel channel;
-        channel.node = i;
-        channel.path = model::Path::rotation;
-        channel.component_count = 4;
-        channel.key_count = keys;
-        channel.first_value = uint32_t(rig.values.size());
-        rig.channels.push_back(channel);
-        for (uint32_t k = 0; k < keys; ++k) {
-            const glm::quat q = math::unit_quat(1, 0.4 * std::sin(k * 0.19 + i), 0.3 * std::cos(k * 0.19), 0.1);
-            rig.values.insert(rig.values.end(), {q.x, q.y, q.z, q.w});
-        }
-    }
-    model::Clip clip;
-    clip.channel_count = joints;
-    clip.duration_s = rig.times.back();
-    rig.clips.push_back(clip);
-    rig.clip_names.emplace_back("walk");
-}
-
-std::unique_ptr<model::Template> make_template()
-{
-    auto out = std::make_unique<model::Template>(std::pmr::get_default_resource());
-    std::mt19937 random(1);
-    add_rig(out->rig, random);
-    out->levels.push_back(bench::make_level(2));
-    out->sklsroot.radius = 2;
-    return out;
-}
+using animcache::Geometry;
+using math::Kernel;
 
 struct Scene {
     Scene(uint32_t count, double field_m, const frame::Settings &settings)
-        : tmpl(make_template()),
+        : tmpl(bench::make_body(2)),
           crowd(std::pmr::get_default_resource()),
           frame(std::pmr::get_default_resource(), settings),
           view(std::pmr::get_default_resource())
@@ -86,16 +45,45 @@ struct Scene {
     frame::View view;
 };
 
-void everybody_due(benchmark::State &state)
+// Posing and skinning alone, with nothing of culling, periods and lists.
+double textbook_ns(const model::Template &tmpl, uint32_t count)
 {
+    bench::TextbookPose book(tmpl.rig);
+    std::vector<glm::mat4> palette(bench::joint_count);
+    std::vector<float> out(size_t(count) * 6 * bench::vertex_count);
+    const auto frame = [&] {
+        for (uint32_t i = 0; i < count; ++i) {
+            book.pose(bench::Blend::one_clip, float(i * 137 % 1000) * 0.001f, 0, palette.data());
+            bench::textbook_skin(tmpl.levels[0], palette.data(), out.data() + size_t(i) * 6 * bench::vertex_count);
+        }
+    };
+    return bench::shortest_ns(count < 10000 ? 5 : 2, frame) / count;
+}
+
+void everybody_due(benchmark::State &state, Kernel kernel, Geometry geometry)
+{
+    if (!bench::can_run(state, kernel)) return;
+    const Kernel before = math::default_kernel();
+    math::use_kernel(kernel);
     frame::Settings settings;
     settings.caches.period = {0, 0, 1, 2};
-    Scene scene(1000, 50, settings);
+    settings.caches.geometry = geometry;
+    const uint32_t count = uint32_t(state.range(0));
+    Scene scene(count, 50, settings);
     scene.view.camera = frame::look_at({0, 10, 120}, {0, 0, 0}, {0, 1, 0}, 1.2f, 1.5f, 0.1f, 1000);
+    scene.update(0);
+    const uint32_t animated = scene.frame.stats().animated;
+    const double book_ns = textbook_ns(*scene.tmpl, animated);
     double t = 0;
-    for (auto _ : state) scene.update(t += 0.0167);
-    state.counters["individuals/ms"] = benchmark::Counter(
-        double(state.iterations()) * scene.frame.stats().animated * 1e-3, benchmark::Counter::kIsRate);
+    bench::Shortest shortest;
+    for (auto _ : state) {
+        const bench::Shortest::Lap lap(shortest);
+        scene.update(t += 0.0167);
+    }
+    if (animated != count) state.SkipWithError("not everybody is due");
+    state.counters["individuals/ms"] = 1e6 * animated / shortest.ns();
+    bench::report(state, shortest, "ns/individual", animated, book_ns);
+    math::use_kernel(before);
 }
 
 void one_in_five_seen(benchmark::State &state)
@@ -125,12 +113,23 @@ void out_of_view(benchmark::State &state)
     }
     scene.view.camera = frame::look_at({0, 2, 0}, {0, 2, -1}, {0, 1, 0}, 0.9f, 1.5f, 0.1f, 1000);
     double t = 0;
-    for (auto _ : state) scene.update(t += 0.0167);
-    state.counters["ns/actor"] = benchmark::Counter(double(state.iterations()) * double(state.range(0)) * 1e-9,
-                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    bench::Shortest shortest;
+    for (auto _ : state) {
+        const bench::Shortest::Lap lap(shortest);
+        scene.update(t += 0.0167);
+    }
+    bench::report(state, shortest, "ns/actor", double(state.range(0)), 0);
 }
 
-BENCHMARK(everybody_due)->Unit(benchmark::kMillisecond);
+void crowds(benchmark::internal::Benchmark *b)
+{
+    b->ArgName("characters")->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK_CAPTURE(everybody_due, 256, Kernel::wide, Geometry::real)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 256_packed, Kernel::wide, Geometry::packed)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 128, Kernel::vector, Geometry::real)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 128_packed, Kernel::vector, Geometry::packed)->Apply(crowds);
 BENCHMARK(one_in_five_seen)->Arg(2000)->Arg(6000)->Unit(benchmark::kMillisecond);
 BENCHMARK(out_of_view)
     ->Args({1000, 0})
