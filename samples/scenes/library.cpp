@@ -1,5 +1,7 @@
 #include "samples/scenes/library.h"
 
+#include <claque/levels.h>
+
 namespace scenes
 {
 
@@ -28,6 +30,25 @@ clq_template *Library::builtin(const std::string &name)
         figure.reset(made);
     }
     return figure.get();
+}
+
+clq_template *Library::builtin(const std::string &name, const std::vector<uint32_t> &levels)
+{
+    std::string key = name;
+    for (const uint32_t triangles : levels) key += "/" + std::to_string(triangles);
+    Own<clq_template> &figure = figures_[key];
+    if (figure) return figure.get();
+    clq_asset *loaded = nullptr;
+    check(clq_asset_builtin(context(), name.c_str(), &loaded));
+    const Own<clq_asset> asset(loaded);
+    clq_levels_def def = clq_levels_def_init();
+    def.targets = levels.data();
+    def.target_count = static_cast<uint32_t>(levels.size());
+    check(clq_asset_make_levels(context(), loaded, &def, nullptr, 0, nullptr), name);
+    clq_template *made = nullptr;
+    check(clq_asset_build(context(), loaded, 0, &made), name);
+    figure.reset(made);
+    return made;
 }
 
 std::vector<std::string> Library::warnings() const

@@ -1,5 +1,5 @@
-// A field full of people: S3's test scene (section 5). Two templates, five clips, everybody with a clip, a phase and colours of
-// its own (S3 has four textures; zones give each its own colours).
+// A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, everybody with a
+// clip, a phase and colours of its own (S3 has four textures; zones give each its own colours).
 #include "samples/scenes/light.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/scene.h"
@@ -16,6 +16,8 @@ namespace
 
 constexpr double spacing_m = 1.2, jitter_m = 0.28;
 constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
+// Triangles of the two coarser levels; S3's have a fifth and a tenth of a finest one that is five times ours.
+const std::vector<uint32_t> coarser = {540, 270};
 constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh", "stand_wave", "stand"};
 
 class Multitude final : public Scene
@@ -23,7 +25,7 @@ class Multitude final : public Scene
 public:
     Multitude(Library &library, const Casting &casting)
         : seed_(casting.seed),
-          templates_{library.builtin("decurion"), library.builtin("patrician")},
+          templates_{library.builtin("decurion", coarser), library.builtin("patrician", coarser)},
           cast_(library, casting),
           sky_(casting.seed, Sky::Land::hills)
     {
