@@ -47,7 +47,7 @@ void bench(const BenchArguments &a)
     if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
-    else if (a.markdown) std::cout << markdown_of(report);
+    else if (a.markdown) std::cout << (is_of_key_poses(a) ? markdown_of_key_poses(report) : markdown_of(report));
     else if (is_growth(a)) print_growth(report);
     else if (is_geometry(a)) print_geometry(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
@@ -89,9 +89,10 @@ void add_bench(CLI::App &app, Work &chosen)
         ->delimiter(',')
         ->check(CLI::IsMember(variety_names()))
         ->capture_default_str();
-    c->add_option("--cache", a->caches, "Which, with commas")
+    c->add_option("--cache", a->caches,
+                  "Which, with commas; those of key-poses (S3) may have a size, as keypose-intermittent:100")
         ->delimiter(',')
-        ->check(CLI::IsMember(all_cache_names()))
+        ->check(cache_choice)
         ->capture_default_str();
     c->add_option("--frames", a->frames, "Measured frames a run, or a section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
@@ -106,7 +107,8 @@ void add_bench(CLI::App &app, Work &chosen)
         ->type_name("FILE");
     add_stage_options(*c, a->stage);
     CLI::Option *json = c->add_flag("--json", a->json, "As JSON instead of a table (claque plot draws it)");
-    c->add_flag("--markdown", a->markdown, "Along a path: as a table for a README")->excludes(json);
+    c->add_flag("--markdown", a->markdown, "Along a path, or of shared key-poses: as a table for a README")
+        ->excludes(json);
     c->add_option("--save", a->save, "Write the JSON here as well")->excludes(json);
     c->callback([a, count, cull, &chosen] {
         choose_scene(*a);
@@ -114,15 +116,15 @@ void add_bench(CLI::App &app, Work &chosen)
             throw CLI::ValidationError("--cull",
                                        "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
-        if (is_of_key_poses(*a) && count->count() == 0) a->counts = {10000};
+        if (is_of_key_poses(*a) && count->count() == 0) a->counts = {a->subject == "keypose-script" ? 2500u : 10000u};
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())
                 if (a->stage.scene == entry.name) a->counts = {entry.default_count};
         if (!a->operations.empty() && (!of_actors(*a) || a->counts.size() > 1))
             throw CLI::ValidationError("--counts",
                                        "is for one scene of actors, of one number: hundred_actors, town_sky, vehicle");
-        if (a->stage.camera != "path" && a->markdown)
-            throw CLI::ValidationError("--markdown", "is for cameras that follow a path");
+        if (a->stage.camera != "path" && !is_of_key_poses(*a) && a->markdown)
+            throw CLI::ValidationError("--markdown", "is for cameras that follow a path, and for key-poses");
         if (a->stage.camera == "path" && count->count() > 0) {
             if (a->counts.size() > 1)
                 throw CLI::ValidationError("--count", "along a path there is one crowd, and so one number at most");

@@ -43,6 +43,7 @@ void print_growth(const Json &report);
 bool is_of_key_poses(const BenchArguments &arguments);
 Json bench_key_poses(const BenchArguments &arguments);
 void print_key_poses(const Json &report);
+std::string markdown_of_key_poses(const Json &report);
 
 // Floats against packed vertices.
 Json bench_geometry(const BenchArguments &arguments);

@@ -4,7 +4,9 @@
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace cli
 {
@@ -54,7 +56,7 @@ Json bench_by_count(const BenchArguments &a)
     report["runs"] = Json::array();
     const size_t all = a.counts.size() * a.caches.size() * a.varieties.size();
     for (uint32_t count : a.counts) {
-        std::string hash;
+        std::map<std::string, std::string> hashes;  // by what caches show
         for (const std::string &cache : a.caches) {
             StageArguments stage_arguments = a.stage;
             stage_arguments.count = count;
@@ -70,7 +72,7 @@ Json bench_by_count(const BenchArguments &a)
                 stage.use_variety(variety_named(variety));
                 Json result = {{"count", count}, {"cache", cache}, {"variety", variety}};
                 result.update(run(stage, a));
-                expect_same_picture(hash, result["picture_hash"].get<std::string>(),
+                expect_same_picture(hashes[picture_of(cache)], result["picture_hash"].get<std::string>(),
                                     std::to_string(count) + " people with cache " + cache + " and variety " + variety);
                 report["runs"].push_back(std::move(result));
                 progress.step(report["runs"].size(), all);
@@ -85,11 +87,14 @@ void print_counts(const Json &report)
     std::printf("%s, %d x %d, %d threads, %s, %d frames\n", report["scene"].get<std::string>().c_str(),
                 report["size_px"][0].get<int>(), report["size_px"][1].get<int>(), report["threads"].get<int>(),
                 report["context"].get<std::string>().c_str(), report["frames"].get<int>());
-    std::printf("%6s  %-9s  %-8s  %10s %10s  %10s %10s  %8s %8s  %s\n", "people", "cache", "variety", "update ms",
-                "median", "draw ms", "median", "animated", "draws", "picture");
+    size_t wide = 9;
+    for (const Json &r : report["runs"]) wide = std::max(wide, r["cache"].get<std::string>().size());
+    const int cache_wide = static_cast<int>(wide);
+    std::printf("%6s  %-*s  %-8s  %10s %10s  %10s %10s  %8s %8s  %s\n", "people", cache_wide, "cache", "variety",
+                "update ms", "median", "draw ms", "median", "animated", "draws", "picture");
     for (const Json &r : report["runs"])
-        std::printf("%6u  %-9s  %-8s  %10.2f %10.2f  %10.2f %10.2f  %8u %8u  %s\n", r["count"].get<unsigned>(),
-                    r["cache"].get<std::string>().c_str(), r["variety"].get<std::string>().c_str(),
+        std::printf("%6u  %-*s  %-8s  %10.2f %10.2f  %10.2f %10.2f  %8u %8u  %s\n", r["count"].get<unsigned>(),
+                    cache_wide, r["cache"].get<std::string>().c_str(), r["variety"].get<std::string>().c_str(),
                     r["update_ms"]["minimum"].get<double>(), r["update_ms"]["median"].get<double>(),
                     r["draw_ms"]["minimum"].get<double>(), r["draw_ms"]["median"].get<double>(),
                     r["counters"]["animated"].get<unsigned>(), r["draws"].get<unsigned>(),

@@ -2,6 +2,7 @@
 #include "samples/cli/bench_keypose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace cli
@@ -33,13 +34,23 @@ const std::vector<std::string> &multitude_clips()
 
 double rate_of_200_hz(const clq_template *tmpl)
 {
+    std::vector<double> durations_s;
     double sum = 0;
     for (const std::string &name : multitude_clips()) {
         clq_clip_info clip = {};
         scenes::check(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, name.c_str()), &clip));
-        sum += static_cast<double>(clip.duration_s);
+        durations_s.push_back(static_cast<double>(clip.duration_s));
+        sum += durations_s.back();
     }
-    return 200 / sum;
+    // Each clip has a whole number of them: the rate next below the even one at which they are no more than 200.
+    double rate = 200 / sum;
+    const auto poses = [&] {
+        double all = 0;
+        for (const double duration_s : durations_s) all += std::max(1.0, std::round(duration_s * rate));
+        return all;
+    };
+    while (poses() > 200) rate *= 0.999;
+    return rate;
 }
 
 Json bench_key_poses(const BenchArguments &a)
@@ -58,11 +69,28 @@ std::string cell(const Json &value)
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_integer()) return std::to_string(value.get<long long>());
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value.get<double>());
+    const double number = value.get<double>();
+    std::snprintf(text, sizeof text, std::fabs(number) < 999.5 ? "%.3g" : "%.0f", number);
     return text;
 }
 
 }  // namespace
+
+std::string markdown_of_key_poses(const Json &report)
+{
+    std::string text = report["note"].get<std::string>() + "\n\n|", line = "|";
+    for (const Json &name : report["columns"]) {
+        text += " " + name.get<std::string>() + " |";
+        line += "---|";
+    }
+    text += "\n" + line + "\n";
+    for (const Json &run : report["runs"]) {
+        text += "|";
+        for (const Json &name : report["columns"]) text += " " + cell(run[name.get<std::string>()]) + " |";
+        text += "\n";
+    }
+    return text;
+}
 
 void print_key_poses(const Json &report)
 {

@@ -35,7 +35,7 @@ struct Mean {
 // One cache and one variety over one section.
 struct Variant {
     Times update, setting, draw, frame;
-    Mean draws, triangles_sent, vertices_sent, animated, skinned, served, updated;
+    Mean draws, triangles_sent, vertices_sent, animated, skinned, asked, served, updated;
 };
 
 // One cache: a crowd and a context of its own, whatever the variety.
@@ -151,15 +151,13 @@ public:
                                 {"vertices_sent", variant.vertices_sent.value()},
                                 {"animated", variant.animated.value()},
                                 {"skinned", variant.skinned.value()},
+                                {"key_poses_asked", variant.asked.value()},
                                 {"key_poses_served", variant.served.value()},
                                 {"key_poses_updated", variant.updated.value()}});
             }
     }
 
 private:
-    // Caches share a picture, but for those that show key-poses: each of these has its own.
-    static std::string picture_of(const std::string &cache) { return cache.rfind("keypose", 0) == 0 ? cache : ""; }
-
     size_t most_ties() const
     {
         size_t most = 0;
@@ -198,6 +196,7 @@ private:
             variant.vertices_sent.add(static_cast<double>(drawn.vertices));
             variant.animated.add(stats.animated);
             variant.skinned.add(stats.skinned);
+            variant.asked.add(key_poses.asked);
             variant.served.add(key_poses.served);
             variant.updated.add(key_poses.updated);
             agreements_[picture_of(rival.cache)].check(stage.read(), rival.cache, a_.varieties[v]);

@@ -58,13 +58,36 @@ std::vector<std::string> different(const Json &report, const char *name)
     return found;
 }
 
+bool has_key_poses(const Json &report)
+{
+    for (const Json &run : report["runs"])
+        if (shares_key_poses(words(run, "cache"))) return true;
+    return false;
+}
+
 // What is left to say of "the same picture".
-std::string ties(const Json &report)
+std::string same_picture(const Json &report)
 {
     unsigned most = 0;
     for (const Json &section : report["sections"]) most = std::max(most, section["depth_ties"].get<unsigned>());
-    if (most == 0) return ", by hash";
-    return " (varieties differ in " + std::to_string(most) + " pixels at most, where crossing surfaces have one depth)";
+    const std::string but =
+        has_key_poses(report) ? " but for that of key-poses, of which each method has one whatever its size" : "";
+    if (most == 0) return "the same picture" + but + ", by hash";
+    return "the same picture" + but + " (varieties differ in " + std::to_string(most) +
+           " pixels at most, where crossing surfaces have one depth)";
+}
+
+// A run's counts a frame: what is animated and skinned alone, and, where the table has key-poses, who is served by them
+// and how many are skinned for that.
+std::string counts(const Json &run, bool key_poses)
+{
+    const auto whole = [&](const char *name) { return with_digits(run[name].get<double>(), 0); };
+    if (!key_poses) return whole("animated") + " |";
+    std::string text = whole("animated") + " | " + whole("skinned") + " | ";
+    if (!shares_key_poses(words(run, "cache"))) return text + "| |";
+    const double asked = run["key_poses_asked"].get<double>();
+    text += asked > 0 ? with_digits(100 * run["key_poses_served"].get<double>() / asked, 0) + " %" : "nobody asks";
+    return text + " | " + with_digits(run["key_poses_updated"].get<double>(), 1) + " |";
 }
 
 }  // namespace
@@ -73,20 +96,30 @@ void print_sections(const Json &report)
 {
     std::printf("%s, %u people, %s, %d frames a section\n", words(report, "scene").c_str(),
                 report["count"].get<unsigned>(), conditions(report).c_str(), report["frames"].get<int>());
+    size_t longest = 10;
+    for (const std::string &cache : different(report, "cache")) longest = std::max(longest, cache.size());
+    const int wide = static_cast<int>(longest);
+    const bool key_poses = has_key_poses(report);
     for (const Json &section : report["sections"]) {
         const std::string name = words(section, "name");
         std::printf("\n%s: %s people in view, %.0f triangles, pictures %s, %u depth ties\n", name.c_str(),
                     people(section).c_str(), section["triangles"].get<double>(),
                     words(section, "pictures_hash").c_str(), section["depth_ties"].get<unsigned>());
-        std::printf("%-10s %-9s %17s %17s %17s %17s %9s %9s %9s\n", "cache", "variety", "update ms", "setting ms",
+        std::printf("%-*s %-9s %17s %17s %17s %17s %9s %9s %9s", wide, "cache", "variety", "update ms", "setting ms",
                     "draw ms", "frame ms", "animated", "draws", "sent");
-        for (const Json &r : report["runs"])
-            if (words(r, "section") == name)
-                std::printf("%-10s %-9s %17s %17s %17s %17s %9.0f %9.0f %9.0f\n", words(r, "cache").c_str(),
-                            words(r, "variety").c_str(), spread(r["update_ms"]).c_str(),
-                            spread(r["setting_ms"]).c_str(), spread(r["draw_ms"]).c_str(),
-                            spread(r["frame_ms"]).c_str(), r["animated"].get<double>(), r["draws"].get<double>(),
-                            r["triangles_sent"].get<double>());
+        if (key_poses) std::printf(" %9s %9s %9s", "skinned", "served", "updated");
+        std::printf("\n");
+        for (const Json &r : report["runs"]) {
+            if (words(r, "section") != name) continue;
+            std::printf("%-*s %-9s %17s %17s %17s %17s %9.0f %9.0f %9.0f", wide, words(r, "cache").c_str(),
+                        words(r, "variety").c_str(), spread(r["update_ms"]).c_str(), spread(r["setting_ms"]).c_str(),
+                        spread(r["draw_ms"]).c_str(), spread(r["frame_ms"]).c_str(), r["animated"].get<double>(),
+                        r["draws"].get<double>(), r["triangles_sent"].get<double>());
+            if (key_poses)
+                std::printf(" %9.0f %9.0f %9.1f", r["skinned"].get<double>(), r["key_poses_served"].get<double>(),
+                            r["key_poses_updated"].get<double>());
+            std::printf("\n");
+        }
     }
     std::printf("\nTimes are minimum / median.\n");
 }
@@ -97,12 +130,15 @@ std::string markdown_of(const Json &report)
     std::string text = "Measured with `claque bench " + words(report, "scene") + " --frames " +
                        std::to_string(report["frames"].get<int>()) + "`: " + conditions(report) + ". " +
                        std::to_string(report["count"].get<unsigned>()) +
-                       " people; every frame is drawn in all variants, which give the same picture" + ties(report) +
+                       " people; every frame is drawn in all variants, which give " + same_picture(report) +
                        ". "
                        "Milliseconds a frame, minimum / median; *update* is the library, *draw* the renderer with GL, "
                        "*setting* all that is not people.\n\n| section | people in view | caches | update | animated |";
+    const bool key_poses = has_key_poses(report);
+    if (key_poses) text += " skinned | served by key-poses | key-poses skinned |";
     for (const std::string &variety : varieties) text += " draw " + variety + " |";
     text += " setting | frames a second, " + varieties.back() + " |\n|---|---|---|---|---|";
+    if (key_poses) text += "---|---|---|";
     for (size_t i = 0; i < varieties.size(); ++i) text += "---|";
     text += "---|---|\n";
     for (const Json &section : report["sections"])
@@ -110,7 +146,7 @@ std::string markdown_of(const Json &report)
             const std::string name = words(section, "name");
             const Json &last = *run_of(report, name, cache, varieties.back());
             text += "| " + name + " | " + people(section) + " | " + cache + " | " + spread(last["update_ms"]) + " | " +
-                    with_digits(last["animated"].get<double>(), 0) + " |";
+                    counts(last, key_poses);
             for (const std::string &variety : varieties)
                 text += " " + spread((*run_of(report, name, cache, variety))["draw_ms"]) + " |";
             text += " " + spread(last["setting_ms"]) + " | " +

@@ -238,8 +238,10 @@ void add_render(CLI::App &app, Work &chosen)
     c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
         ->check(CLI::IsMember(variety_names()))
         ->capture_default_str();
-    c->add_option("--cache", a->stage.cache, "What is kept from frame to frame; never changes the picture")
-        ->check(CLI::IsMember(all_cache_names()))
+    c->add_option(
+         "--cache", a->stage.cache,
+         "What is kept from frame to frame, which never changes the picture; keypose-*: everybody shows key-poses (S3)")
+        ->check(cache_choice)
         ->capture_default_str();
     c->add_option("--cull", a->stage.cull,
                   "Behaviour between the phases, or everything for everybody and culled last (S0 4)")

@@ -72,8 +72,9 @@ void add_stage_options(CLI::App &command, StageArguments &a)
     command.add_option("--cache-mib", a.budget_mib, "Bound of the caches in MiB (0: 1024)")
         ->check(CLI::Range(0, 1 << 20));
     command
-        .add_option("--key-poses", a.key_poses,
-                    "Of the caches keypose-*: how many are kept for each template and level")
+        .add_option(
+            "--key-poses", a.key_poses,
+            "Of the caches keypose-*: how many are kept for each template and level, where --cache says no number")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command.add_option("--key-pose-rate", a.key_pose_hz, "Of the caches keypose-*: key-poses a second of each clip")
@@ -130,12 +131,9 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.casting.seed = a.seed;
     options.casting.cache = cache_named(a.cache);
     options.casting.cache_budget_bytes = a.budget_mib << 20;
-    if (const bool nearest = a.cache == "keypose-intermittent"; nearest || a.cache == "keypose-interpolated") {
-        options.casting.key_poses.bands[0].method = nearest ? CLQ_METHOD_INTERMITTENT : CLQ_METHOD_INTERPOLATED;
-        options.casting.key_poses.band_count = 1;
-        options.casting.key_poses.most_kept = a.key_poses;
-        options.casting.key_poses.rate_hz = static_cast<float>(a.key_pose_hz);
-    }
+    options.casting.key_poses.most_kept = a.key_poses;
+    options.casting.key_poses.rate_hz = static_cast<float>(a.key_pose_hz);
+    take_key_poses(a.cache, options.casting.key_poses);
     options.casting.cull = a.cull == "traditional" ? CLQ_CULL_TRADITIONAL : CLQ_CULL_ACTOR;
     options.casting.placement = a.placement == "matrices" ? CLQ_PLACE_MATRICES : CLQ_PLACE_VERTICES;
     options.casting.geometry = a.geometry == "packed" ? CLQ_GEOMETRY_PACKED : CLQ_GEOMETRY_FLOAT;
@@ -165,30 +163,9 @@ const std::vector<std::string> &variety_names()
     return names;
 }
 
-const std::vector<std::string> &cache_names()
-{
-    static const std::vector<std::string> names = {"none", "animation", "full"};
-    return names;
-}
-
-const std::vector<std::string> &all_cache_names()
-{
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all = cache_names();
-        all.insert(all.end(), {"keypose-intermittent", "keypose-interpolated"});
-        return all;
-    }();
-    return names;
-}
-
 clq_variety variety_named(const std::string &name)
 {
     return name == "per-zone" ? CLQ_VARIETY_PER_ZONE : name == "binned" ? CLQ_VARIETY_BINNED : CLQ_VARIETY_FUSED;
-}
-
-clq_cache_mode cache_named(const std::string &name)
-{
-    return name == "none" ? CLQ_CACHE_NONE : name == "animation" ? CLQ_CACHE_ANIMATION : CLQ_CACHE_FULL;
 }
 
 Json counters(const clq_crowd_stats &s)

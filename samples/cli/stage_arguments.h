@@ -1,6 +1,7 @@
 // The options that `render` and `bench` share, and what they say in words and JSON.
 #pragma once
 
+#include "samples/cli/cache_choice.h"
 #include "samples/cli/characters.h"
 #include "samples/scenes/stage.h"
 
@@ -51,10 +52,7 @@ void check_stage_usage(const StageArguments &arguments);
 scenes::StageOptions stage_options(const StageArguments &arguments, const LoadedCharacter &loaded);
 
 clq_variety variety_named(const std::string &name);
-clq_cache_mode cache_named(const std::string &name);
 const std::vector<std::string> &variety_names();
-const std::vector<std::string> &cache_names();      // S1 Fig. 8
-const std::vector<std::string> &all_cache_names();  // and those that share key-poses: another picture each
 
 Json counters(const clq_crowd_stats &stats);
 Json rates(const clq_crowd_stats &stats);  // the last band has no end: null

@@ -1,0 +1,141 @@
+// Shared key-poses on the command line: S3's experiments with small numbers, their tables, and their charts.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using KeyPosesUse = Command;
+using Json = nlohmann::json;
+
+Json report_of(const std::vector<std::string> &arguments)
+{
+    const Outcome done = claque(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return Json::parse(done.out, nullptr, false);
+}
+
+TEST_F(KeyPosesUse, the_greedy_choice_stands_between_the_best_of_all_and_the_naive_ones)
+{
+    const Json report = report_of({"bench", "keypose-choice", "--json"});
+    ASSERT_EQ(report["runs"].size(), 4u);
+    const int sizes[] = {7, 15, 22, 30};
+    for (size_t i = 0; i < 4; ++i) {
+        const Json &run = report["runs"][i];
+        EXPECT_EQ(run["key-poses kept"], sizes[i]);
+        const double best = run["every set tried"], greedy = run["claque, greedy"];
+        EXPECT_LE(greedy, best);
+        EXPECT_GE(greedy, 0.8 * best);
+        EXPECT_LE(best, 30.0);
+        if (sizes[i] >= 22) {
+            EXPECT_EQ(greedy, 30.0) << "room for all";
+            continue;
+        }
+        EXPECT_LT(run["the first n"], greedy);
+        EXPECT_LT(run["n at random"], greedy);
+    }
+}
+
+TEST_F(KeyPosesUse, more_room_serves_more_of_the_multitude_and_room_for_all_serves_all)
+{
+    const Json report = report_of({"bench", "keypose-path", "--count", "150", "--threads", "1", "--json"});
+    ASSERT_EQ(report["runs"].size(), 8u);
+    ASSERT_EQ(report["series"].size(), 8u);
+    for (size_t method = 0; method < 2; ++method)
+        for (size_t size = 0; size < 4; ++size) {
+            const Json &run = report["runs"][4 * method + size];
+            EXPECT_LE(run["least %"], run["served %"]);
+            const double less_room = size > 0 ? report["runs"][4 * method + size - 1]["served %"].get<double>() : 0;
+            EXPECT_GE(run["served %"], less_room);
+            EXPECT_TRUE(size < 3 || run["served %"] == 100.0) << "200 key-poses, and room for 200";
+        }
+    EXPECT_LT(report["runs"][0]["served %"], 100.0);
+    EXPECT_LE(report["runs"][4]["served %"], report["runs"][0]["served %"]) << "two at a time are harder to have";
+}
+
+TEST_F(KeyPosesUse, one_clip_is_served_whole_and_five_are_not)
+{
+    const Json report = report_of({"bench", "keypose-script", "--count", "800", "--threads", "1", "--json"});
+    ASSERT_EQ(report["runs"].size(), 12u);
+    for (size_t method = 0; method < 2; ++method) {
+        const Json &five = report["runs"][6 * method], &one = report["runs"][6 * method + 1];
+        EXPECT_EQ(one["served"], one["of"]);
+        EXPECT_LT(one["updated a frame"], five["updated a frame"]);
+        EXPECT_LT(five["served"], five["of"]);
+        EXPECT_LT(one["wanted"], five["wanted"]);
+    }
+}
+
+TEST_F(KeyPosesUse, tables_for_a_readme_have_a_row_for_each_run)
+{
+    const Outcome done = claque({"bench", "keypose-choice", "--markdown", "--save", path("c.json")});
+    ASSERT_EQ(done.code, 0) << done.err;
+    EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'), 2 + 2 + 4) << done.out;
+    EXPECT_NE(done.out.find("| key-poses kept | every set tried |"), std::string::npos);
+    EXPECT_EQ(claque({"plot", path("c.json"), "--out", path("c.svg")}).code, 0);
+    EXPECT_NE(file_text(path("c.svg")).find("individuals served, of 30"), std::string::npos);
+}
+
+TEST_F(KeyPosesUse, sizes_that_are_none_are_refused_with_the_names_there_are)
+{
+    for (const char *cache :
+         {"keypose", "keypose-intermittent:", "keypose-interpolated:many", "full:7", "keypose-intermittent:12345678"}) {
+        const Outcome outcome = claque({"bench", "odeon", "--cache", cache});
+        EXPECT_EQ(outcome.code, 2) << cache;
+        EXPECT_NE(outcome.err.find("keypose-intermittent:100"), std::string::npos) << outcome.err;
+    }
+}
+
+class KeyPoseBench : public Drawing
+{
+protected:
+    Json measured(const std::string &caches, const std::string &scene = "odeon") const
+    {
+        return report_of({"bench", scene, "--frames", "1", "--count", "40", "--size", "48x36", "--variety", "fused",
+                          "--cache", caches, "--json"});
+    }
+};
+
+// The command itself refuses to go on where sizes of one method differ in their pictures.
+TEST_F(KeyPoseBench, every_size_of_a_method_draws_the_same_picture_and_methods_draw_others)
+{
+    std::set<std::string> pictures;
+    for (const char *scene : {"odeon", "multitude"})
+        for (const std::string method : {"keypose-intermittent", "keypose-interpolated"}) {
+            const std::string sizes = method + "," + method + ":0," + method + ":3";
+            const Json together = measured(sizes, scene), alone = measured(method + ":5", scene);
+            ASSERT_GT(together["sections"].size(), 3u);
+            for (size_t i = 0; i < together["sections"].size(); ++i)
+                EXPECT_EQ(together["sections"][i]["people"], alone["sections"][i]["people"]);
+            for (const Json &run : together["runs"]) {
+                const std::string cache = run["cache"];
+                if (cache == method + ":3") continue;
+                EXPECT_EQ(run["key_poses_served"], cache == method ? run["key_poses_asked"] : Json(0.0)) << cache;
+            }
+            pictures.insert(alone["sections"].back()["pictures_hash"].get<std::string>());
+        }
+    EXPECT_EQ(pictures.size(), 4u);
+}
+
+TEST_F(KeyPoseBench, is_said_as_a_table_and_drawn_with_the_library_and_gl_apart)
+{
+    const Outcome done =
+        claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "48x36", "--variety", "fused", "--cache",
+                "none,keypose-intermittent,keypose-interpolated:4", "--markdown", "--save", path("b.json")});
+    ASSERT_EQ(done.code, 0) << done.err;
+    EXPECT_NE(done.out.find("served by key-poses | key-poses skinned"), std::string::npos);
+    EXPECT_NE(done.out.find("| 100 % |"), std::string::npos) << done.out;
+    EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'), 1 + 1 + 2 + 4 * 3);
+    EXPECT_EQ(claque({"plot", path("b.json"), "--out", path("b.svg")}).code, 0);
+    const std::string chart = file_text(path("b.svg"));
+    for (const char *words : {"The library's share", "drawing, with GL", "keypose-interpolated:4"})
+        EXPECT_NE(chart.find(words), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace cli_test
