@@ -5,24 +5,115 @@
 namespace claque::animcache
 {
 
-uint32_t choose_key_poses(KeyPoseBin *bins, uint32_t bin_count, uint32_t capacity, const uint8_t *held, uint8_t *chosen)
+KeyPoseChoice::KeyPoseChoice(std::pmr::memory_resource *memory, uint32_t pose_count, uint32_t most_bins)
+    : poses_(pose_count, memory),
+      by_pose_(2 * size_t(most_bins), 0, memory),
+      heap_(memory),
+      served_(most_bins, 0, memory)
 {
-    const auto missing = [held](const KeyPoseBin &bin) {
-        if (!held) return 0;
-        return int(!held[bin.first]) + int(bin.second != bin.first && !held[bin.second]);
+    heap_.reserve(pose_count);
+}
+
+// All bins by each of their key-poses, one after the other.
+void KeyPoseChoice::index(const KeyPoseBin *bins, uint32_t bin_count)
+{
+    std::fill(poses_.begin(), poses_.end(), Pose());
+    const auto each = [&](const auto &visit) {
+        for (uint32_t b = 0; b < bin_count; ++b) {
+            visit(poses_[bins[b].first], b);
+            if (bins[b].second != bins[b].first) visit(poses_[bins[b].second], b);
+        }
+    };
+    each([&](Pose &pose, uint32_t b) { pose.missed += bins[b].count, ++pose.end_bin; });
+    uint32_t end = 0;
+    heap_.clear();
+    for (uint32_t pose = 0; pose < poses_.size(); ++pose) {
+        const uint32_t count = poses_[pose].end_bin;
+        poses_[pose].first_bin = poses_[pose].end_bin = end;
+        end += count;
+        if (count == 0) continue;
+        heap_.push_back(pose);
+        poses_[pose].place = static_cast<uint32_t>(heap_.size() - 1);
+    }
+    each([&](Pose &pose, uint32_t b) { by_pose_[pose.end_bin++] = b; });
+    std::fill_n(served_.begin(), bin_count, uint8_t(1));
+}
+
+bool KeyPoseChoice::goes_before(uint32_t a, uint32_t b, const uint8_t *held) const
+{
+    if (poses_[a].missed != poses_[b].missed) return poses_[a].missed < poses_[b].missed;
+    if (held && held[a] != held[b]) return !held[a];
+    return a > b;
+}
+
+void KeyPoseChoice::put(uint32_t place, uint32_t pose)
+{
+    heap_[place] = pose;
+    poses_[pose].place = place;
+}
+
+void KeyPoseChoice::sift_up(uint32_t place, const uint8_t *held)
+{
+    const uint32_t pose = heap_[place];
+    for (; place > 0 && goes_before(pose, heap_[(place - 1) / 2], held); place = (place - 1) / 2)
+        put(place, heap_[(place - 1) / 2]);
+    put(place, pose);
+}
+
+void KeyPoseChoice::sift_down(uint32_t place, const uint8_t *held)
+{
+    const uint32_t pose = heap_[place], count = static_cast<uint32_t>(heap_.size());
+    for (uint32_t child; (child = 2 * place + 1) < count; place = child) {
+        if (child + 1 < count && goes_before(heap_[child + 1], heap_[child], held)) ++child;
+        if (!goes_before(heap_[child], pose, held)) break;
+        put(place, heap_[child]);
+    }
+    put(place, pose);
+}
+
+// Whoever needed it is served no more, and so does not miss its other key-pose either.
+void KeyPoseChoice::drop(const KeyPoseBin *bins, const uint8_t *held)
+{
+    const uint32_t gone = heap_.front();
+    const uint32_t last = heap_.back();
+    heap_.pop_back();
+    if (!heap_.empty()) {
+        put(0, last);
+        sift_down(0, held);
+    }
+    for (uint32_t i = poses_[gone].first_bin; i < poses_[gone].end_bin; ++i) {
+        const uint32_t b = by_pose_[i], other = bins[b].first == gone ? bins[b].second : bins[b].first;
+        if (!served_[b]) continue;
+        served_[b] = 0;
+        if (other == gone) continue;
+        poses_[other].missed -= bins[b].count;
+        sift_up(poses_[other].place, held);
+    }
+}
+
+uint32_t KeyPoseChoice::choose(KeyPoseBin *bins, uint32_t bin_count, uint32_t capacity, const uint8_t *held,
+                               uint8_t *chosen)
+{
+    index(bins, bin_count);
+    for (uint32_t place = static_cast<uint32_t>(heap_.size()) / 2; place-- > 0;) sift_down(place, held);
+    while (heap_.size() > capacity) drop(bins, held);
+    uint32_t used = 0;
+    for (const uint32_t pose : heap_)
+        if (poses_[pose].missed > 0) chosen[pose] = 1, ++used;
+
+    const auto more = [&](const KeyPoseBin &bin, const uint8_t *have) {
+        return have ? uint32_t(!have[bin.first]) + uint32_t(bin.second != bin.first && !have[bin.second]) : 0;
     };
     std::sort(bins, bins + bin_count, [&](const KeyPoseBin &a, const KeyPoseBin &b) {
         if (a.count != b.count) return a.count > b.count;
-        if (const int x = missing(a), y = missing(b); x != y) return x < y;
+        if (const uint32_t x = more(a, held), y = more(b, held); x != y) return x < y;
         return a.first != b.first ? a.first < b.first : a.second < b.second;
     });
-    uint32_t used = 0;
     for (const KeyPoseBin *bin = bins; bin != bins + bin_count && used < capacity; ++bin) {
-        const uint32_t more =
-            uint32_t(!chosen[bin->first]) + uint32_t(bin->second != bin->first && !chosen[bin->second]);
-        if (used + more > capacity) continue;
+        const uint32_t wanted = more(*bin, chosen);
+        if (bin->count == 0 || used + wanted > capacity) continue;
         chosen[bin->first] = chosen[bin->second] = 1;
-        used += more;
+        used += wanted;
     }
     return used;
 }

@@ -15,6 +15,7 @@ KeyPoseStore::KeyPoseStore(std::pmr::memory_resource *memory, uint32_t pose_coun
       slot_of_(pose_count, model::none, memory),
       counts_(2 * size_t(pose_count), 0, memory),
       bins_(memory),
+      choice_(memory, pose_count, 2 * pose_count),
       held_(pose_count, 0, memory),
       chosen_(pose_count, 0, memory),
       fresh_(memory)
@@ -108,7 +109,7 @@ void KeyPoseStore::choose(uint32_t most, KeyPoseMemory &memory)
     const uint32_t room = room_for(most, memory);
     if (wanted_ > room) {
         std::fill(chosen_.begin(), chosen_.end(), uint8_t(0));
-        choose_key_poses(bins_.data(), static_cast<uint32_t>(bins_.size()), room, held_.data(), chosen_.data());
+        choice_.choose(bins_.data(), static_cast<uint32_t>(bins_.size()), room, held_.data(), chosen_.data());
     }
     for (uint32_t pose = 0; pose < pose_count_; ++pose) {
         if (!chosen_[pose] || slot_of_[pose] != model::none) continue;

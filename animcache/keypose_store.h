@@ -63,6 +63,7 @@ private:
     model::Array<uint32_t> slot_of_;  // by pose, or none
     model::Array<uint32_t> counts_;   // by bin: those of one key-pose, then those of two by their first one
     model::Array<KeyPoseBin> bins_;   // that are not empty; their counts from choose() on
+    KeyPoseChoice choice_;
     model::Array<uint8_t> held_, chosen_;
     model::Array<Fresh> fresh_;
 };

@@ -81,7 +81,8 @@ typedef struct clq_key_pose_bin {
 } clq_key_pose_bin;
 
 /* The choice by itself that an update makes for each template and level: which key-poses to keep so that many are served. A
- * set-union knapsack, solved greedily: the fullest bins first, as far as they find room; ties by lower numbers (S3 4.2).
+ * set-union knapsack (S3 4.2), solved greedily: whatever key-pose the fewest would miss goes, until the rest finds room; what
+ * room is then left goes to the fullest bins that fit. Ties: lower numbers stay.
  *   bins         [bin_count]
  *   out_chosen   [pose_count], 1: kept; at most `capacity` of them
  * Fails: ARGUMENT (a key-pose that is not below pose_count), OUT_OF_MEMORY. Threads: any. GL: none. */

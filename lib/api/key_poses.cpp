@@ -68,6 +68,7 @@ extern "C" clq_status clq_key_poses_choose(const clq_key_pose_bin *bins, uint32_
             wanted.push_back({bins[i].first, bins[i].second, bins[i].count});
         }
         std::fill(out_chosen, out_chosen + pose_count, uint8_t(0));
-        animcache::choose_key_poses(wanted.data(), bin_count, capacity, nullptr, out_chosen);
+        animcache::KeyPoseChoice choice(std::pmr::get_default_resource(), pose_count, bin_count);
+        choice.choose(wanted.data(), bin_count, capacity, nullptr, out_chosen);
     });
 }

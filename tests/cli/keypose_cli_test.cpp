@@ -1,7 +1,6 @@
 // Shared key-poses on the command line: S3's experiments with small numbers, their tables, and their charts.
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "tests/cli/run.h"
 
@@ -20,7 +19,7 @@ Json report_of(const std::vector<std::string> &arguments)
     return Json::parse(done.out, nullptr, false);
 }
 
-TEST_F(KeyPosesUse, the_greedy_choice_stands_between_the_best_of_all_and_the_naive_ones)
+TEST_F(KeyPosesUse, the_choice_is_nearly_the_best_of_all_and_better_than_that_of_s3_and_the_naive_ones)
 {
     const Json report = report_of({"bench", "keypose-choice", "--json"});
     ASSERT_EQ(report["runs"].size(), 4u);
@@ -28,14 +27,15 @@ TEST_F(KeyPosesUse, the_greedy_choice_stands_between_the_best_of_all_and_the_nai
     for (size_t i = 0; i < 4; ++i) {
         const Json &run = report["runs"][i];
         EXPECT_EQ(run["key-poses kept"], sizes[i]);
-        const double best = run["every set tried"], greedy = run["claque, greedy"];
+        const double best = run["every set tried"], greedy = run["claque"];
         EXPECT_LE(greedy, best);
-        EXPECT_GE(greedy, 0.8 * best);
+        EXPECT_GE(greedy, 0.97 * best);
         EXPECT_LE(best, 30.0);
         if (sizes[i] >= 22) {
             EXPECT_EQ(greedy, 30.0) << "room for all";
             continue;
         }
+        EXPECT_LT(run["fullest bins (S3)"], greedy);
         EXPECT_LT(run["the first n"], greedy);
         EXPECT_LT(run["n at random"], greedy);
     }
@@ -102,24 +102,25 @@ protected:
 };
 
 // The command itself refuses to go on where sizes of one method differ in their pictures.
-TEST_F(KeyPoseBench, every_size_of_a_method_draws_the_same_picture_and_methods_draw_others)
+TEST_F(KeyPoseBench, every_size_of_a_method_draws_the_same_picture)
 {
-    std::set<std::string> pictures;
-    for (const char *scene : {"odeon", "multitude"})
-        for (const std::string method : {"keypose-intermittent", "keypose-interpolated"}) {
-            const std::string sizes = method + "," + method + ":0," + method + ":3";
-            const Json together = measured(sizes, scene), alone = measured(method + ":5", scene);
-            ASSERT_GT(together["sections"].size(), 3u);
-            for (size_t i = 0; i < together["sections"].size(); ++i)
-                EXPECT_EQ(together["sections"][i]["people"], alone["sections"][i]["people"]);
-            for (const Json &run : together["runs"]) {
-                const std::string cache = run["cache"];
-                if (cache == method + ":3") continue;
-                EXPECT_EQ(run["key_poses_served"], cache == method ? run["key_poses_asked"] : Json(0.0)) << cache;
+    const std::string kinds[] = {"keypose-intermittent", "keypose-interpolated"};
+    for (const char *scene : {"odeon", "multitude"}) {
+        const Json report = measured(kinds[0] + "," + kinds[0] + ":0," + kinds[1] + ":3," + kinds[1], scene);
+        ASSERT_GE(report["sections"].size(), 4u);
+        ASSERT_EQ(report["runs"].size(), 4 * report["sections"].size());
+        for (const Json &run : report["runs"]) {
+            const std::string cache = run["cache"];
+            const double asked = run["key_poses_asked"], served = run["key_poses_served"];
+            if (cache == kinds[0] + ":0") {
+                EXPECT_EQ(served, 0.0);
+            } else if (cache == kinds[1] + ":3") {
+                EXPECT_LE(served, asked);
+            } else {
+                EXPECT_EQ(served, asked) << cache;
             }
-            pictures.insert(alone["sections"].back()["pictures_hash"].get<std::string>());
         }
-    EXPECT_EQ(pictures.size(), 4u);
+    }
 }
 
 TEST_F(KeyPoseBench, is_said_as_a_table_and_drawn_with_the_library_and_gl_apart)
