@@ -13,7 +13,7 @@ constexpr uint32_t lane_count = 8;
 constexpr uint32_t max_block_influences = 4;
 constexpr uint32_t max_chunk_sets = 64;  // so that their matrices stay in the nearest cache
 
-struct Lanes {
+struct alignas(16) Lanes {  // as four floats at once are read
     float v[lane_count] = {0, 0, 0, 0, 0, 0, 0, 0};
 };
 

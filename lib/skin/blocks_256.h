@@ -34,11 +34,6 @@ CLAQUE_BLOCKS_INLINE Three plus_times(const Three &sum, const Three &a, __m256 b
             CLAQUE_BLOCKS_PLUS_TIMES(sum.z, a.z, b)};
 }
 
-CLAQUE_BLOCKS_INLINE Three everywhere(const float *column)
-{
-    return {_mm256_broadcast_ss(column), _mm256_broadcast_ss(column + 1), _mm256_broadcast_ss(column + 2)};
-}
-
 // The matrices of a block and what each lane takes of them.
 template <uint32_t K>
 struct Mixed {
@@ -50,35 +45,43 @@ struct Mixed {
     {
         for (uint32_t k = 0; k < K; ++k) matrices[k] = palette + aligned_matrix_floats * block.joints[k];
     }
-    CLAQUE_BLOCKS_INLINE Three column(int c) const
+    // One after the other, so that few registers are in use beside the sums.
+    CLAQUE_BLOCKS_INLINE Three column(int c) const { return {number(4 * c), number(4 * c + 1), number(4 * c + 2)}; }
+
+private:
+    CLAQUE_BLOCKS_INLINE __m256 number(int i) const
     {
-        Three out = everywhere(matrices[0] + 4 * c);
-        if constexpr (K > 1) out = times(out, lanes(weights[0]));
-        if constexpr (K > 1) out = plus_times(out, everywhere(matrices[1] + 4 * c), lanes(weights[1]));
-        if constexpr (K > 2) out = plus_times(out, everywhere(matrices[2] + 4 * c), lanes(weights[2]));
-        if constexpr (K > 3) out = plus_times(out, everywhere(matrices[3] + 4 * c), lanes(weights[3]));
+        __m256 out = _mm256_broadcast_ss(matrices[0] + i);
+        if constexpr (K > 1) out = _mm256_mul_ps(out, lanes(weights[0]));
+        if constexpr (K > 1) out = plus_times(out, 1, i);
+        if constexpr (K > 2) out = plus_times(out, 2, i);
+        if constexpr (K > 3) out = plus_times(out, 3, i);
         return out;
+    }
+    CLAQUE_BLOCKS_INLINE __m256 plus_times(__m256 sum, int k, int i) const
+    {
+        return CLAQUE_BLOCKS_PLUS_TIMES(sum, _mm256_broadcast_ss(matrices[k] + i), lanes(weights[k]));
     }
 };
 
-template <uint32_t K, bool OwnNormalMatrices>
-CLAQUE_BLOCKS_INLINE Vertices skin_block(const BlockRun &run, const model::LaneBlock &block)
+template <uint32_t K, bool OwnNormalMatrices, class Form>
+CLAQUE_BLOCKS_INLINE void skin_block(const BlockRun &run, const model::LaneBlock &block, const Form &form,
+                                     typename Form::Position *positions, typename Form::Normal *normals)
 {
     const model::Lanes *in = run.lanes + block.first_lanes;
     const Mixed<K> m(run.palette, block, in + 6);
     const Mixed<K> own(OwnNormalMatrices ? run.normal_palette : run.palette, block, in + 6);
-    Vertices out;
     Three column = m.column(0);
-    out.position = times(column, lanes(in[0]));
-    out.normal = times(OwnNormalMatrices ? own.column(0) : column, lanes(in[3]));
+    Three position = times(column, lanes(in[0]));
+    Three normal = times(OwnNormalMatrices ? own.column(0) : column, lanes(in[3]));
     column = m.column(1);
-    out.position = plus_times(out.position, column, lanes(in[1]));
-    out.normal = plus_times(out.normal, OwnNormalMatrices ? own.column(1) : column, lanes(in[4]));
+    position = plus_times(position, column, lanes(in[1]));
+    normal = plus_times(normal, OwnNormalMatrices ? own.column(1) : column, lanes(in[4]));
     column = m.column(2);
-    out.position = plus_times(out.position, column, lanes(in[2]));
-    out.normal = plus_times(out.normal, OwnNormalMatrices ? own.column(2) : column, lanes(in[5]));
-    out.position = plus(out.position, m.column(3));
-    return out;
+    position = plus_times(position, column, lanes(in[2]));
+    normal = plus_times(normal, OwnNormalMatrices ? own.column(2) : column, lanes(in[5]));
+    form.write_normals(normal, normals);
+    form.write_positions(plus(position, m.column(3)), positions);
 }
 
 }  // namespace

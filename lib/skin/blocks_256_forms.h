@@ -16,10 +16,6 @@ struct Three {
     __m256 x, y, z;
 };
 
-struct Vertices {
-    Three position, normal;
-};
-
 struct Reals {
     using Position = Real3;
     using Normal = Real3;
@@ -27,11 +23,8 @@ struct Reals {
 
     CLAQUE_BLOCKS_INLINE explicit Reals(const BlockRun &run) : positions(run.out_positions), normals(run.out_normals) {}
 
-    CLAQUE_BLOCKS_INLINE void write(const Vertices &v, Real3 *to_positions, Real3 *to_normals) const
-    {
-        store(&to_normals->x, v.normal);
-        store(&to_positions->x, v.position);
-    }
+    CLAQUE_BLOCKS_INLINE static void write_positions(const Three &v, Real3 *to) { store(&to->x, v); }
+    CLAQUE_BLOCKS_INLINE static void write_normals(const Three &v, Real3 *to) { store(&to->x, v); }
 
 private:
     // x, y and z of eight vertices to 24 numbers, vertex after vertex.
@@ -68,27 +61,14 @@ struct Packed {
     {
     }
 
-    CLAQUE_BLOCKS_INLINE void write(const Vertices &v, PackedPosition *to_positions, PackedNormal *to_normals) const
+    CLAQUE_BLOCKS_INLINE void write_positions(const Three &p, PackedPosition *to) const
     {
-        write_normals(v.normal, to_normals);
-        const __m256i x = step(v.position.x, offset_.x), y = step(v.position.y, offset_.y);
-        const __m256i z = step(v.position.z, offset_.z);
+        const __m256i x = step(p.x, offset_.x), y = step(p.y, offset_.y), z = step(p.z, offset_.z);
         const __m256i xy = _mm256_blend_epi16(x, _mm256_slli_epi32(y, 16), 0xaa);
         const __m256i zw = _mm256_blend_epi16(z, _mm256_set1_epi32(1 << 16), 0xaa);
         const __m256i a = _mm256_unpacklo_epi32(xy, zw), b = _mm256_unpackhi_epi32(xy, zw);  // 0 1 4 5, 2 3 6 7
-        __m256i *to = reinterpret_cast<__m256i *>(to_positions);
-        _mm256_storeu_si256(to, _mm256_permute2x128_si256(a, b, 0x20));
-        _mm256_storeu_si256(to + 1, _mm256_permute2x128_si256(a, b, 0x31));
-    }
-
-private:
-    CLAQUE_BLOCKS_INLINE static __m256i whole(__m256 x, float limit)
-    {
-        return _mm256_cvtps_epi32(_mm256_max_ps(_mm256_min_ps(x, _mm256_set1_ps(limit)), _mm256_set1_ps(-limit)));
-    }
-    CLAQUE_BLOCKS_INLINE __m256i step(__m256 x, __m256 offset) const
-    {
-        return whole(_mm256_mul_ps(_mm256_sub_ps(x, offset), per_step_), position_limit);
+        _mm256_storeu_si256(reinterpret_cast<__m256i *>(to), _mm256_permute2x128_si256(a, b, 0x20));
+        _mm256_storeu_si256(reinterpret_cast<__m256i *>(to + 4), _mm256_permute2x128_si256(a, b, 0x31));
     }
 
     CLAQUE_BLOCKS_INLINE static void write_normals(const Three &n, PackedNormal *to)
@@ -103,6 +83,16 @@ private:
         const __m256i z = _mm256_and_si256(whole(_mm256_mul_ps(n.z, scale), normal_limit), byte);
         _mm256_storeu_si256(reinterpret_cast<__m256i *>(to),
                             _mm256_blend_epi16(_mm256_or_si256(x, y), _mm256_slli_epi32(z, 16), 0xaa));
+    }
+
+private:
+    CLAQUE_BLOCKS_INLINE static __m256i whole(__m256 x, float limit)
+    {
+        return _mm256_cvtps_epi32(_mm256_max_ps(_mm256_min_ps(x, _mm256_set1_ps(limit)), _mm256_set1_ps(-limit)));
+    }
+    CLAQUE_BLOCKS_INLINE __m256i step(__m256 x, __m256 offset) const
+    {
+        return whole(_mm256_mul_ps(_mm256_sub_ps(x, offset), per_step_), position_limit);
     }
 
     Three offset_;

@@ -1,6 +1,6 @@
-// All blocks of a run by skin_block(), which stands before this is included, with the forms that vertices are written in: Reals and Packed,
-// each made from a BlockRun, with positions and normals of vertex 0, and write(). Macros say the attributes of functions for the
-// processors that it is for (CLAQUE_BLOCKS), and the name of the function made (CLAQUE_BLOCKS_RUN).
+// All blocks of a run by skin_block(), which stands before this is included, with the forms that it writes vertices in: Reals and Packed,
+// each made from a BlockRun, with positions and normals of vertex 0. Macros say the attributes of functions for the processors
+// that it is for (CLAQUE_BLOCKS), and the name of the function made (CLAQUE_BLOCKS_RUN).
 // No #pragma once: each file that includes it has its own.
 #include <algorithm>
 
@@ -19,12 +19,12 @@ CLAQUE_BLOCKS void run_kernel(const BlockRun run)
     uint32_t b = 0;
     for (; b < run.count && run.blocks[b].first + model::lane_count <= run.vertex_count; ++b) {
         const size_t at = run.blocks[b].first;
-        form.write(skin_block<K, OwnNormalMatrices>(run, run.blocks[b]), form.positions + at, form.normals + at);
+        skin_block<K, OwnNormalMatrices>(run, run.blocks[b], form, form.positions + at, form.normals + at);
     }
     for (; b < run.count; ++b) {  // no room for all lanes
         typename Form::Position positions[model::lane_count];
         typename Form::Normal normals[model::lane_count];
-        form.write(skin_block<K, OwnNormalMatrices>(run, run.blocks[b]), positions, normals);
+        skin_block<K, OwnNormalMatrices>(run, run.blocks[b], form, positions, normals);
         std::copy_n(positions, run.blocks[b].count, form.positions + run.blocks[b].first);
         std::copy_n(normals, run.blocks[b].count, form.normals + run.blocks[b].first);
     }

@@ -73,6 +73,8 @@ void run_scalar(const Run &run);
 void run_vector(const Run &run);
 void blend_vector(const SetRun &run);
 void run_vector_blocks(const BlockRun &run);
+void run_avx_blocks(const BlockRun &run);  // the same lanes in fewer instructions; requires has_avx()
+bool has_avx();
 
 void run_wide(const Run &run);
 void run_wide_blocks(const BlockRun &run);

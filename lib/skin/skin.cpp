@@ -206,6 +206,7 @@ private:
         run.packed = packed_;
         if (kernel == Kernel::fused) run_fused_blocks(run);
         else if (kernel == Kernel::wide) run_wide_blocks(run);
+        else if (has_avx()) run_avx_blocks(run);
         else run_vector_blocks(run);
     }
 
