@@ -1,11 +1,9 @@
 // Whole updates on one core: everybody due, by instruction set and form of the vertices; a crowd of which one in five is seen, at the rates
 // of the law; and a crowd out of view.
-#include <memory>
 #include <random>
 #include <vector>
 
-#include "lib/frame/frame.h"
-#include "tests/bench/body.h"
+#include "tests/bench/crowd_scene.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/textbook.h"
 
@@ -14,36 +12,8 @@ namespace
 
 using namespace claque;
 using animcache::Geometry;
+using bench::Scene;
 using math::Kernel;
-
-struct Scene {
-    Scene(uint32_t count, double field_m, const frame::Settings &settings)
-        : tmpl(bench::make_body(2)),
-          crowd(std::pmr::get_default_resource()),
-          frame(std::pmr::get_default_resource(), settings),
-          view(std::pmr::get_default_resource())
-    {
-        std::mt19937 random(2);
-        std::uniform_real_distribution<double> real(-field_m, field_m);
-        for (uint32_t i = 0; i < count; ++i) {
-            crowd::Place place;
-            place.position = glm::dvec3(real(random), 0, real(random));
-            crowd::Play play;
-            play.clip = 0;
-            play.phase_s = float(i) * 0.137f;
-            crowd.create(*tmpl, place, play, i);
-        }
-    }
-    void update(double time_s)
-    {
-        frame::View *views[1] = {&view};
-        frame::update(crowd, frame, {views, 1}, time_s, base::Jobs());
-    }
-    std::unique_ptr<model::Template> tmpl;
-    crowd::Crowd crowd;
-    frame::Frame frame;
-    frame::View view;
-};
 
 // Posing and skinning alone, with nothing of culling, periods and lists.
 double textbook_ns(const model::Template &tmpl, uint32_t count)
@@ -65,13 +35,8 @@ void everybody_due(benchmark::State &state, Kernel kernel, Geometry geometry)
     if (!bench::can_run(state, kernel)) return;
     const Kernel before = math::default_kernel();
     math::use_kernel(kernel);
-    frame::Settings settings;
-    settings.caches.period = {0, 0, 1, 2};
-    settings.caches.geometry = geometry;
     const uint32_t count = uint32_t(state.range(0));
-    Scene scene(count, 50, settings);
-    scene.view.camera = frame::look_at({0, 10, 120}, {0, 0, 0}, {0, 1, 0}, 1.2f, 1.5f, 0.1f, 1000);
-    scene.update(0);
+    bench::EverybodyDue scene(count, geometry);
     const uint32_t animated = scene.frame.stats().animated;
     const double book_ns = textbook_ns(*scene.tmpl, animated);
     double t = 0;
