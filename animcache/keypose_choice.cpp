@@ -37,11 +37,36 @@ void KeyPoseChoice::index(const KeyPoseBin *bins, uint32_t bin_count)
     }
     each([&](Pose &pose, uint32_t b) { by_pose_[pose.end_bin++] = b; });
     std::fill_n(served_.begin(), bin_count, uint8_t(1));
+    for (const uint32_t pose : heap_) poses_[pose].paired = is_paired(bins, pose);
+}
+
+bool KeyPoseChoice::is_paired(const KeyPoseBin *bins, uint32_t pose) const
+{
+    for (uint32_t i = poses_[pose].first_bin; i < poses_[pose].end_bin; ++i) {
+        const KeyPoseBin &bin = bins[by_pose_[i]];
+        if (!served_[by_pose_[i]] || bin.first == bin.second || bin.count != poses_[pose].missed) continue;
+        return poses_[bin.first].missed == poses_[bin.second].missed;
+    }
+    return false;
+}
+
+void KeyPoseChoice::refresh(const KeyPoseBin *bins, uint32_t pose, const uint8_t *held)
+{
+    poses_[pose].paired = is_paired(bins, pose);
+    sift_up(poses_[pose].place, held);
+    for (uint32_t i = poses_[pose].first_bin; i < poses_[pose].end_bin; ++i) {
+        const KeyPoseBin &bin = bins[by_pose_[i]];
+        const uint32_t fellow = bin.first == pose ? bin.second : bin.first;
+        if (!served_[by_pose_[i]] || poses_[fellow].paired || !is_paired(bins, fellow)) continue;
+        poses_[fellow].paired = true;
+        sift_up(poses_[fellow].place, held);
+    }
 }
 
 bool KeyPoseChoice::goes_before(uint32_t a, uint32_t b, const uint8_t *held) const
 {
     if (poses_[a].missed != poses_[b].missed) return poses_[a].missed < poses_[b].missed;
+    if (poses_[a].paired != poses_[b].paired) return poses_[a].paired;
     if (held && held[a] != held[b]) return !held[a];
     return a > b;
 }
@@ -87,7 +112,7 @@ void KeyPoseChoice::drop(const KeyPoseBin *bins, const uint8_t *held)
         served_[b] = 0;
         if (other == gone) continue;
         poses_[other].missed -= bins[b].count;
-        sift_up(poses_[other].place, held);
+        refresh(bins, other, held);
     }
 }
 

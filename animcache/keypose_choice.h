@@ -1,6 +1,7 @@
 // Which key-poses are worth keeping (S3 4): those that serve the most individuals, each of whom needs one key-pose or two.
 // A set-union knapsack. S3 fills it bin by bin, the fullest first; here it is emptied key-pose by key-pose, the one that the
-// fewest individuals would miss first, which comes nearer to the best choice (S3 Fig. 7; tests hold it to 97 %).
+// fewest individuals would miss first, which comes nearer to the best choice (S3 Fig. 7; tests hold it to 97 %). Of those that
+// as many would miss, one goes whose fellow nobody needs then.
 #pragma once
 
 #include <cstdint>
@@ -34,10 +35,14 @@ private:
         uint64_t missed = 0;     // individuals who are served and need it
         uint32_t first_bin = 0;  // in by_pose_
         uint32_t end_bin = 0;
-        uint32_t place = 0;  // in heap_
+        uint32_t place = 0;   // in heap_
+        bool paired = false;  // they all need one other as well, which nobody else does
     };
     void index(const KeyPoseBin *bins, uint32_t bin_count);
     void drop(const KeyPoseBin *bins, const uint8_t *held);  // whom the fewest would miss
+    bool is_paired(const KeyPoseBin *bins, uint32_t pose) const;
+    // Brings up what fewer would miss, and who is paired by that.
+    void refresh(const KeyPoseBin *bins, uint32_t pose, const uint8_t *held);
     bool goes_before(uint32_t a, uint32_t b, const uint8_t *held) const;
     void sift_up(uint32_t place, const uint8_t *held);
     void sift_down(uint32_t place, const uint8_t *held);
