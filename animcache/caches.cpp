@@ -171,7 +171,7 @@ draw::Vertices Caches::vertices_of(uint32_t row) const
     if (request.shared.method == Method::intermittent && request.shared.served())
         return vertices_in(request.shared.kept[0], *request.tmpl, request.level, settings_.geometry);
     if (!entry.vertices) return {};
-    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry);
+    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry, request.blend_radius);
 }
 
 }  // namespace claque::animcache

@@ -100,7 +100,7 @@ void skin(const Request &request, const float *palette, Geometry geometry, const
     job.scratch = {scratch.floats, count32(skinning_floats(tmpl, level))};
     const uint32_t count = level.vertex_count;
     if (geometry == Geometry::packed) {
-        job.range = skin::pack_range(tmpl);
+        job.range = skin::pack_range(tmpl, request.blend_radius);
         job.out_packed_positions = {reinterpret_cast<skin::PackedPosition *>(vertices), count};
         job.out_packed_normals = {reinterpret_cast<skin::PackedNormal *>(vertices + 2 * size_t(count)), count};
     } else {
@@ -110,7 +110,8 @@ void skin(const Request &request, const float *palette, Geometry geometry, const
     job.run();
 }
 
-draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry)
+draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry,
+                           float blend_radius)
 {
     const size_t count = tmpl.levels[level].vertex_count;
     draw::Vertices out;
@@ -119,7 +120,7 @@ draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uin
         out.normals = memory + 3 * count;
         return out;
     }
-    const skin::PackRange range = skin::pack_range(tmpl);
+    const skin::PackRange range = skin::pack_range(tmpl, blend_radius);
     out.short_positions = reinterpret_cast<const int16_t *>(memory);
     out.byte_normals = reinterpret_cast<const int8_t *>(memory + 2 * count);
     std::copy(range.offset, range.offset + 3, out.offset);

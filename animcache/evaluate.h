@@ -20,8 +20,8 @@ struct PoseKey {
     uint64_t behaviour_levels = 0;  // of these mechanisms
     uint32_t clip = model::none;    // what an idle mechanism has drawn differs within one version
     uint32_t skeletal = 0;          // S0 5.2: what is left of the skeleton
-    uint32_t layers = 0;            // that are blended, 0: the clip alone; what they are is a function of tick and version
-    bool interpolated = false;      // between the key-poses round that clip time (S3 4), so there are vertices only
+    uint32_t layers = 0;        // that are blended, 0: the clip alone; what they are is a function of tick and version
+    bool interpolated = false;  // between the key-poses round that clip time (S3 4), so there are vertices only
     bool operator==(const PoseKey &o) const
     {
         return version == o.version && clip_time_s == o.clip_time_s && tick_s == o.tick_s &&
@@ -48,9 +48,10 @@ struct Request {
     float distance = 0;  // to the nearest eye: who is near goes first where not all can be renewed
     bool drawn = true;   // false: posed for what depends on it, but no view sees it
     const float *dofs =
-        nullptr;        // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
+        nullptr;  // [rig.dofs.size()], what control mechanisms wrote; null: at rest. Of those that are due
     base::Span<const pose::Layer> layers;  // instead of the clip of `pose`, unless empty; as long-lived as the lists
-    KeyPoseUse shared;                     // of who shows key-poses
+    float blend_radius = 0;  // with layers: of a sphere about sklsroot.centre that holds every blend of this version
+    KeyPoseUse shared;       // of who shows key-poses
 
     // Who shows a key-pose that is kept, or two, has no use for matrices.
     bool needs_palette() const
@@ -90,7 +91,8 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
 // vertices: [sizes_of(tmpl).vertex_floats]; palette as animate() left it
 void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices);
 
-// How a level's vertices lie in such memory.
-draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry);
+// How a level's vertices lie in such memory. blend_radius: of the request that they were skinned for.
+draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry,
+                           float blend_radius = 0);
 
 }  // namespace claque::animcache

@@ -30,7 +30,7 @@ draw::Vertices OnDemand::serve(const draw::Item &item)
         palette = scratch.palette;
     }
     skin(request, palette, geometry, scratch, vertices_.data());
-    return vertices_in(vertices_.data(), *request.tmpl, request.level, geometry);
+    return vertices_in(vertices_.data(), *request.tmpl, request.level, geometry, request.blend_radius);
 }
 
 }  // namespace claque::animcache

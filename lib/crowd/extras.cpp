@@ -24,14 +24,6 @@ double length(const glm::vec3 &v)
 
 float up(double x) { return static_cast<float>(x * (1 + 1e-6)); }
 
-// Of blends in which differences of these weights are added. A template without blend_reach was made by hand: nothing is
-// known but that joints turn.
-float blended_reach_of(const model::Template &tmpl, float added)
-{
-    if (tmpl.blend_reach.empty()) return up(4 * double(tmpl.sklsroot.radius));
-    return up(double(tmpl.blend_radius.at(added)));
-}
-
 float blended_reach_of(const model::Template &tmpl, const Attached &attached, float added)
 {
     const double own = length(attached.sphere.centre) + static_cast<double>(attached.sphere.radius);
@@ -41,6 +33,12 @@ float blended_reach_of(const model::Template &tmpl, const Attached &attached, fl
 }
 
 }  // namespace
+
+float blended_reach_of(const model::Template &tmpl, float added)
+{
+    if (tmpl.blend_reach.empty()) return up(4 * double(tmpl.sklsroot.radius));
+    return up(double(tmpl.blend_radius.at(added)));
+}
 
 float reach_of(const model::Template &tmpl, const Attached &attached)
 {

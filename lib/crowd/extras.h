@@ -37,4 +37,8 @@ struct Extra {
 // knows none) as far as a sphere of the skeleton and the object can lie apart.
 float reach_of(const model::Template &tmpl, const Attached &attached);
 
+// How far from there any vertex comes where clips are blended and the weights of differences that are added sum to
+// `added`. A template without blend_reach was made by hand: nothing is known but that joints turn.
+float blended_reach_of(const model::Template &tmpl, float added);
+
 }  // namespace claque::crowd

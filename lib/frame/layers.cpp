@@ -46,6 +46,8 @@ void Update::choose_clips(animcache::Request &request, uint64_t levels)
     // What the layers are is a function of the tick.
     request.pose.tick_s = request.shown_s;
     request.pose.layers = shown.count;
+    const crowd::Layering *layering = crowd.layers().of(row);
+    request.blend_radius = crowd::blended_reach_of(*request.tmpl, layering ? layering->most_added() : 0);
     const size_t first = frame.layers_.size();
     frame.layers_.insert(frame.layers_.end(), shown.layers, shown.layers + shown.count);
     request.layers = {frame.layers_.data() + first, shown.count};

@@ -16,11 +16,12 @@ void pack_scalar(const PackJob &job, uint32_t first)
     }
 }
 
-PackRange pack_range(const model::Template &tmpl)
+PackRange pack_range(const model::Template &tmpl, float blend_radius)
 {
     PackRange range;
+    const float radius = blend_radius > tmpl.sklsroot.radius ? blend_radius : tmpl.sklsroot.radius;
     for (int k = 0; k < 3; ++k) range.offset[k] = tmpl.sklsroot.centre[k];
-    if (tmpl.sklsroot.radius > 0) range.step = tmpl.sklsroot.radius / position_limit;
+    if (radius > 0) range.step = radius / position_limit;
     return range;
 }
 

@@ -20,8 +20,9 @@ struct PackRange {
 };
 
 // Holds every pose that the template's Sklsroot Bsphere holds, in steps of its radius / 32767: a position is wrong by
-// half a step along each axis at most, 15 micrometres for a sphere of 1 m.
-PackRange pack_range(const model::Template &tmpl);
+// half a step along each axis at most, 15 micrometres for a sphere of 1 m. Where clips are blended, of a sphere of
+// `blend_radius` about the same centre: blends leave the other one.
+PackRange pack_range(const model::Template &tmpl, float blend_radius = 0);
 
 // glVertexPointer(3, GL_SHORT, 8), or 4 numbers: w is 1.
 struct PackedPosition {

@@ -7,6 +7,7 @@
 #include "animcache/evaluate.h"
 #include "animcache/scratch.h"
 #include "lib/figures/figure.h"
+#include "lib/pose/layer.h"
 #include "meshsplit/build.h"
 #include "tests/law/support/figure.h"
 
@@ -37,17 +38,23 @@ public:
     void add(uint32_t level, uint32_t clip, double time_s, Error &error, uint64_t &count)
     {
         Request request;
-        request.tmpl = &tmpl_;
         request.level = level;
-        request.pose.version = 1;
         request.pose.clip = clip;
         request.pose.clip_time_s = time_s;
+        add(request, error, count);
+    }
+
+    void add(Request request, Error &error, uint64_t &count)
+    {
+        request.tmpl = &tmpl_;
+        request.pose.version = 1;
+        const uint32_t level = request.level;
         const Scratch scratch = pool_.strand(0);
         animate(request, scratch, palette_.data());
         skin(request, palette_.data(), Geometry::real, scratch, real_.data());
         skin(request, palette_.data(), Geometry::packed, scratch, packed_.data());
         const draw::Vertices a = vertices_in(real_.data(), tmpl_, level, Geometry::real);
-        const draw::Vertices b = vertices_in(packed_.data(), tmpl_, level, Geometry::packed);
+        const draw::Vertices b = vertices_in(packed_.data(), tmpl_, level, Geometry::packed, request.blend_radius);
         for (uint32_t v = 0; v < tmpl_.levels[level].vertex_count; ++v) compare(a, b, v, error, count);
     }
 
@@ -113,6 +120,37 @@ TEST(Packed, EveryPoseOfTheBuiltInCharactersIsWithinHalfAStepAndHalfADegree)
         EXPECT_LT(error.normal_deg, 0.5) << name;
         EXPECT_LT(pixels(error.position, 2), 0.05) << name;
     }
+}
+
+// Arms that a clip throws up, thrown up once and a half more: farther than any clip goes.
+TEST(Packed, BlendsThatLeaveTheSphereOfTheClipsAreWithinHalfAStepToo)
+{
+    model::Template tmpl(std::pmr::get_default_resource());
+    meshsplit::BuildOptions options;
+    options.max_texture_px = 64;
+    meshsplit::build(figures::citizen(), options, tmpl);
+    pose::Layer layers[3];
+    layers[0].clip = tmpl.rig.find_clip("cheer");
+    layers[1].clip = tmpl.rig.find_clip("jog"), layers[1].time_s = 0.1;
+    layers[1].kind = pose::LayerKind::add, layers[1].weight = 3, layers[1].reference_clip = layers[0].clip;
+    layers[2].clip = tmpl.rig.find_clip("rise"), layers[2].time_s = 2;
+    layers[2].kind = pose::LayerKind::add, layers[2].weight = 3, layers[2].reference_clip = layers[2].clip;
+    Request request;
+    request.layers = {layers, 3};
+    request.blend_radius = tmpl.blend_radius.at(6);
+    Both both(tmpl);
+    Error error, clamped;
+    uint64_t count = 0;
+    for (int k = 0; k < 10; ++k) {
+        layers[0].time_s = 0.2 * k;
+        both.add(request, error, count);
+        Request as_a_clip = request;
+        as_a_clip.blend_radius = 0;
+        both.add(as_a_clip, clamped, count);
+    }
+    const double step = double(request.blend_radius) / 32767;
+    EXPECT_LE(error.position, 0.5 * std::sqrt(3.0) * step * 1.01);
+    EXPECT_GT(clamped.position, 0.05) << "or these blends would not leave the sphere";
 }
 
 TEST(Packed, ABlockIsHalfOfThatOfFloats)
