@@ -127,13 +127,16 @@ private:
                     if (!(middle > low && middle < high)) break;
                     (passed(middle) ? high : low) = middle;
                 }
-                const double begun = rounds(source.play.start_s);
-                each(high, back ? std::ceil(begun) - k : k - std::floor(begun));
+                // As a change of the share is told backwards too, the beginning is known but for rounding.
+                const double begun = rounds(source.play.start_s) - share;
+                each(high, back ? std::ceil(begun - 1e-9) - k : k - std::floor(begun + 1e-9));
             }
         };
-        all(0, [&](double t, double round) {
+        const double begins = static_cast<double>(rig_->clips[gait.clip_a].start_s);
+        all(share_of_a(gait, begins), [&](double t, double round) {
+            if (!(round > 0)) return;
             put(t, EventKind::clip_end, gait.clip_a, 0);
-            out_.back().round = static_cast<uint64_t>(round > 0 ? round : 0);
+            out_.back().round = static_cast<uint64_t>(round);
         });
         each_marker(gait.clip_a, [&](uint32_t marker, double time_s) {
             all(share_of_a(gait, time_s), [&](double t, double) {

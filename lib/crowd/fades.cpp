@@ -134,8 +134,7 @@ Source Crowd::source(uint32_t row, const Play &play, uint32_t gait, float share)
         out.play.clip = of.clip_a;
         out.change_s = play.start_s;
         const model::Clip &clip = tmpl.rig.clips[of.clip_a];
-        if (clip.duration_s > 0)
-            out.change_rounds = static_cast<double>(play.phase_s) / static_cast<double>(clip.duration_s);
+        out.change_rounds = share_of_a(of, static_cast<double>(clip.start_s) + static_cast<double>(play.phase_s));
     }
     check_play(out.play, tmpl);
     return out;

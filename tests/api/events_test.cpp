@@ -1,5 +1,6 @@
 // Events against a walk through time in small steps.
 #include <cmath>
+#include <tuple>
 
 #include "tests/api/arm.h"
 
@@ -53,12 +54,18 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
     EXPECT_EQ(layers, 1);
 }
 
-TEST(Events, OfGaitsAreThoseOfTheFirstClipAtItsPresentPace)
+// Whatever moments of the two belong together.
+class GaitEvents : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(GaitEvents, AreThoseOfTheFirstClipAtItsPresentPace)
 {
     Arm arm;
     ASSERT_EQ(clq_actor_watch(arm.crowd, arm.actor, 1), CLQ_OK);
     clq_motion motion = arm.motion(0, 1);
-    motion.gait = arm.add_gait(Arm::slow, Arm::fast);
+    motion.gait = GetParam() ? arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f})
+                             : arm.add_gait(Arm::slow, Arm::fast);
     ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 1, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
     ASSERT_EQ(clq_actor_set_gait_share(arm.crowd, arm.actor, 0.5f, 4, 3), CLQ_OK);
     std::vector<double> walked;
@@ -77,6 +84,39 @@ TEST(Events, OfGaitsAreThoseOfTheFirstClipAtItsPresentPace)
             }
     ASSERT_EQ(told.size(), walked.size());
     for (size_t i = 0; i < told.size(); ++i) EXPECT_NEAR(told[i], walked[i], 0.001);
+}
+
+INSTANTIATE_TEST_SUITE_P(Moments, GaitEvents, testing::Bool(),
+                         [](const auto &test) { return test.param ? "OfTheirOwn" : "AtEqualShares"; });
+
+// One step of two minutes over clips of a second, for several, against steps of a hundredth.
+TEST(Events, OfSeveralComeInTheOrderOfTimeHoweverLongTheStep)
+{
+    Arm arm;
+    std::vector<clq_actor> actors = {arm.actor};
+    for (uint32_t i = 1; i < 5; ++i) {
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = arm.tmpl;
+        def.play.clip = i % Arm::clip_count;
+        def.play.phase_s = 0.1f * static_cast<float>(i), def.play.speed = 1 + 0.25f * static_cast<float>(i);
+        if (i == 4) def.play.speed = -1;
+        actors.emplace_back();
+        ASSERT_EQ(clq_actor_create(arm.crowd, &def, &actors.back()), CLQ_OK) << clq_last_error();
+    }
+    for (const clq_actor &actor : actors) ASSERT_EQ(clq_actor_watch(arm.crowd, actor, 1), CLQ_OK);
+    const std::vector<clq_event> all = arm.events(0, 120);
+    EXPECT_GT(all.size(), 5u * 60u);
+    const auto key = [](const clq_event &e) { return std::make_tuple(e.time_s, e.actor.index1, e.kind); };
+    for (size_t i = 1; i < all.size(); ++i) ASSERT_LE(key(all[i - 1]), key(all[i])) << i;
+    std::vector<clq_event> parts;
+    for (int i = 0; i < 12000; ++i)
+        for (const clq_event &e : arm.events(0.01 * i, 0.01 * (i + 1))) parts.push_back(e);
+    ASSERT_EQ(parts.size(), all.size());
+    for (size_t i = 0; i < all.size(); ++i) {
+        ASSERT_EQ(key(parts[i]), key(all[i])) << i;
+        ASSERT_EQ(parts[i].round, all[i].round) << i;
+        ASSERT_EQ(parts[i].marker, all[i].marker) << i;
+    }
 }
 
 TEST(Events, AreBoundedAndRefusedByName)

@@ -126,6 +126,18 @@ TEST(Play, GaitsGoInStepAtAnyShareAndThroughItsChanges)
     EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 21, 1, CLQ_CURVE_INERTIAL), CLQ_UNSUPPORTED);
 }
 
+TEST(Play, AGaitBeginsAtThePhaseOfItsFirstClipWhateverBelongsTogether)
+{
+    Arm arm;
+    clq_motion motion = arm.motion(0, 10);
+    motion.gait = arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f});
+    for (const float phase_s : {0.0f, 0.25f, 0.9f, 1.75f}) {
+        motion.play.phase_s = phase_s, motion.share = 0.5f;
+        ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 10, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
+        EXPECT_NEAR(arm.shown(10)[0].clip_time_s, static_cast<double>(phase_s), 1e-6);
+    }
+}
+
 TEST(Play, AMaskedLayerMovesWhatIsBelowItsNodeAndIsOverAfterItsRounds)
 {
     Arm arm;
