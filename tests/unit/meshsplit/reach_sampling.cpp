@@ -25,13 +25,69 @@ public:
           locals_(tmpl.rig.node_count()),
           globals_(tmpl.rig.node_count()),
           palette_(tmpl.rig.palette.size() + 1),
-          weights_(tmpl.rig.rest_weights.size())
+          weights_(tmpl.rig.rest_weights.size()),
+          scratch_(pose::scratch_floats(tmpl.rig)),
+          masks_(pose::most_layers, std::vector<float>(tmpl.rig.node_count()))
     {
         out_.node.resize(tmpl.rig.node_count());
         out_.stretch.resize(tmpl.rig.node_count());
     }
 
     void take(uint64_t sample)
+    {
+        const model::Rig &rig = tmpl_.rig;
+        pose::PoseJob job = job_of(sample);
+        const uint32_t which = uint32_t(lot(sample, 1000) * float(rig.clips.size() + 1));
+        if (which < rig.clips.size()) {
+            job.clip = which;
+            job.time_s = double(rig.clips[which].start_s) + double(rig.clips[which].duration_s * lot(sample, 1001));
+        }
+        look(job);
+    }
+
+    void take_blend(uint64_t sample, float added)
+    {
+        std::vector<pose::Layer> layers(1 + uint32_t(lot(sample, 2000) * float(pose::most_layers)));
+        float left = added;
+        for (uint32_t i = 0; i < layers.size(); ++i) {
+            const uint64_t first = 2100 + 100 * i;
+            pose::Layer &layer = layers[i];
+            any_moment(sample, first, layer.clip, layer.time_s);
+            // 0, 1 and what lies between, each often.
+            layer.weight = i == 0 ? 1 : std::clamp(2 * lot(sample, first + 2) - 0.5f, 0.0f, 1.0f);
+            if (i > 0 && lot(sample, first + 3) < 0.6f && left > 0) {
+                layer.kind = pose::LayerKind::add;
+                const float weight = std::min(left, added * std::clamp(2 * lot(sample, first + 4), 0.0f, 1.0f));
+                left -= weight;
+                layer.weight = lot(sample, first + 5) < 0.5f ? weight : -weight;
+                any_moment(sample, first + 6, layer.reference_clip, layer.reference_time_s);
+            }
+            if (i == 0 || lot(sample, first + 8) < 0.3f) continue;
+            for (size_t n = 0; n < masks_[i].size(); ++n)
+                masks_[i][n] = std::clamp(3 * lot(sample, first + 20 + n % 80) - 1, 0.0f, 1.0f);
+            layer.mask = masks_[i].data();
+        }
+        pose::PoseJob job = job_of(sample);
+        job.layers = {layers.data(), uint32_t(layers.size())};
+        job.scratch = base::Span<float>(scratch_);
+        look(job);
+    }
+
+    Sampled out_;
+
+private:
+    // Often its beginning, its end, and the middle.
+    void any_moment(uint64_t sample, uint64_t first, uint32_t &clip, double &time_s) const
+    {
+        const model::Rig &rig = tmpl_.rig;
+        const uint32_t which = uint32_t(lot(sample, first) * float(rig.clips.size() + 1));
+        clip = which < rig.clips.size() ? which : model::none;
+        if (clip == model::none) return;
+        const float share = std::clamp(1.2f * lot(sample, first + 1) - 0.1f, 0.0f, 1.0f);
+        time_s = double(rig.clips[clip].start_s) + double(rig.clips[clip].duration_s * share);
+    }
+
+    pose::PoseJob job_of(uint64_t sample)
     {
         const model::Rig &rig = tmpl_.rig;
         for (size_t d = 0; d < dofs_.size(); ++d) {
@@ -45,19 +101,16 @@ public:
         job.globals = base::Span<math::Columns>(globals_);
         job.palette = base::Span<math::Affine>(palette_);
         job.weights = base::Span<float>(weights_);
-        const uint32_t which = uint32_t(lot(sample, 1000) * float(rig.clips.size() + 1));
-        if (which < rig.clips.size()) {
-            job.clip = which;
-            job.time_s = double(rig.clips[which].start_s) + double(rig.clips[which].duration_s * lot(sample, 1001));
-        }
+        return job;
+    }
+
+    void look(const pose::PoseJob &job)
+    {
         job.run();
         for (const model::Level &level : tmpl_.levels) look_at(level);
         look_at_nodes();
     }
 
-    Sampled out_;
-
-private:
     void look_at(const model::Level &level)
     {
         bind_.assign(level.positions.begin(), level.positions.end());
@@ -96,7 +149,8 @@ private:
     std::vector<math::Trs> locals_;
     std::vector<math::Columns> globals_;
     std::vector<math::Affine> palette_;
-    std::vector<float> weights_;
+    std::vector<float> weights_, scratch_;
+    std::vector<std::vector<float>> masks_;
 };
 
 }  // namespace
@@ -105,6 +159,13 @@ Sampled sample_reach(const model::Template &tmpl, const glm::dvec3 &centre, uint
 {
     Sampler sampler(tmpl, centre);
     for (uint64_t sample = 0; sample < count; ++sample) sampler.take(sample);
+    return sampler.out_;
+}
+
+Sampled sample_blends(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count, float added)
+{
+    Sampler sampler(tmpl, centre);
+    for (uint64_t sample = 0; sample < count; ++sample) sampler.take_blend(sample, added);
     return sampler.out_;
 }
 

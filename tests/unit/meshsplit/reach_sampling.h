@@ -17,4 +17,8 @@ struct Sampled {
 // Over `count` poses: any clip, any of its times, degrees of freedom anywhere in their ranges, often at an end.
 Sampled sample_reach(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count);
 
+// Likewise over blends of up to eight layers (S2 3.3): clips and rest pose at any times, over any part of the skeleton;
+// weights of differences that are added sum to `added` at most, and often to just that.
+Sampled sample_blends(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count, float added);
+
 }  // namespace claque::test
