@@ -50,18 +50,20 @@ CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, c
 
 /* A figure that needs no file: "citizen" (a man in a girded tunic, 8 zones), "patrician" (a rich woman in stola and
  * palla, 10 zones), "decurion" (an older man in a toga, 9 zones), "plebeian" (a young working man in an exomis, 9
- * zones); each of about 1040 triangles on one skeleton of 33 nodes. Clips: stand, walk, applaud, cheer; sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave (4 to 9 s, loops
- * that begin and end in one pose and so may follow one another; the seat's top is 0.43 m above the feet, its front edge
- * 0.14 m behind the origin); rise and sit_down (2 s, once, from that pose to the beginning of stand and back);
- * stand_wave, stand_laugh, stand_applaud, stand_cheer (begin and end as stand).
+ * zones); each of about 1040 triangles on one skeleton of 33 nodes. Clips: stand, walk, applaud, cheer; sit, sit_lean,
+ * sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave (4 to 9 s, loops that begin and end in one pose and so
+ * may follow one another; the seat's top is 0.43 m above the feet, its front edge 0.14 m behind the origin); rise and
+ * sit_down (2 s, once, from that pose to the beginning of stand and back); stand_wave, stand_laugh, stand_applaud,
+ * stand_cheer (begin and end as stand); jog, in step with walk: the left foot comes down at the beginning of both, the
+ * right one in the middle.
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
 
-/* One of the four people with more clips: its own eighteen, and variants of each in turn, until there are clip_count.
+/* One of the four people with more clips: its own nineteen, and variants of each in turn, until there are clip_count.
  * They differ in tempo, timing, amplitude, the hand that leads and a sway of their own, and are named "sit_talk.03" and
  * the like; what holds for a clip (loops, seats, common beginnings and ends) holds for its variants. The same bytes on
  * every call. S1 8: 150 clips for everybody.
- *   clip_count   [18, 2000]
+ *   clip_count   [19, 2000]
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint32_t clip_count,
                                             clq_asset **out);

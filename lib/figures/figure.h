@@ -9,10 +9,10 @@
 namespace claque::figures
 {
 
-// Every one of the people has the same eighteen clips, in this order, with their lengths in seconds:
+// Every one of the people has the same nineteen clips, in this order, with their lengths in seconds:
 //   stand 6, walk 1.1, applaud 2.4, cheer 2; sit 7, sit_lean 9, sit_look 8, sit_talk 8.5, sit_applaud 5.5,
 //   sit_cheer 4.5, sit_laugh 5, sit_wave 4; rise 2, sit_down 2.1; stand_wave 4, stand_laugh 5,
-//   stand_applaud 5, stand_cheer 4.
+//   stand_applaud 5, stand_cheer 4; jog 0.73.
 // Seated ones expect a seat whose top is 0.43 m above the ground that the feet stand on and whose front edge is 0.14 m
 // behind the origin, and stay within 0.31 m to either side. Each begins and ends in the same neutral pose, so that any
 // of them may follow any other at phase 0. rise and sit_down are no loops: the one goes from that pose to the beginning
@@ -55,7 +55,7 @@ struct Builtin {
     const char *name;
     model::Model (*make)();
 };
-const std::vector<Builtin> &people();    // who share the skeleton and the eighteen clips
+const std::vector<Builtin> &people();    // who share the skeleton and the nineteen clips
 const std::vector<Builtin> &builtins();  // everybody
 
 }  // namespace claque::figures

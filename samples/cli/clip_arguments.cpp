@@ -35,7 +35,7 @@ void add_clip_options(CLI::App &command, ClipArguments &a)
                              ->expected(1)
                              ->take_all();
     command.add_option("--vary", a.vary, "Vary the clips of a built-in person until there are so many, as 150")
-        ->check(CLI::Range(18, 2000));
+        ->check(CLI::Range(19, 2000));
     command
         .add_option("--map", a.map, "Which joint of the clips is which of the character, and how they are taken (TOML)")
         ->type_name("FILE")

@@ -50,7 +50,7 @@ Table read_npy(const std::string &path)
 TEST_F(Files, inspect_as_json_says_what_the_citizen_is)
 {
     const Json json = inspected("citizen");
-    EXPECT_EQ(json["loaded"]["clips"].size(), 18u);
+    EXPECT_EQ(json["loaded"]["clips"].size(), 19u);
     EXPECT_EQ(json["split"]["zones"].size(), 8u);
     EXPECT_EQ(json["split"]["clean"].get<int>() + json["split"]["dirty"].get<int>(),
               json["split"]["triangles"].get<int>());

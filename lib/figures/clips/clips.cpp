@@ -74,7 +74,8 @@ const std::vector<ClipMaker> &figure_clips()
                                                {"stand_wave", 120, stand_wave_at},
                                                {"stand_laugh", 150, stand_laugh_at},
                                                {"stand_applaud", 150, stand_applaud_at},
-                                               {"stand_cheer", 120, stand_cheer_at}};
+                                               {"stand_cheer", 120, stand_cheer_at},
+                                               {"jog", 22, jog_at}};
     return all;
 }
 

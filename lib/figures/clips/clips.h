@@ -33,6 +33,7 @@ const std::vector<ClipMaker> &figure_clips();
 
 Pose stand_at(float phase);
 Pose walk_at(float phase);
+Pose jog_at(float phase);
 Pose applaud_at(float phase);
 Pose cheer_at(float phase);
 float cheer_heels_deg(float phase);  // how far the heels are off the ground

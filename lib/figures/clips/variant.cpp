@@ -21,11 +21,16 @@ constexpr std::array<Bone, 7> arm_bones = {Bone::clavicle, Bone::upper_arm, Bone
 
 float draw(uint64_t seed, uint64_t what) { return base::unit(base::hash(seed, what, base::Purpose::pick)); }
 
+bool is_gait(const ClipMaker &maker)
+{
+    return std::strcmp(maker.name, "walk") == 0 || std::strcmp(maker.name, "jog") == 0;
+}
+
 // Begins and ends in a pose that it shares with others.
 bool is_anchored(const ClipMaker &maker)
 {
     const char *name = maker.name;
-    return std::strcmp(name, "walk") != 0 && std::strcmp(name, "applaud") != 0 && std::strcmp(name, "cheer") != 0;
+    return !is_gait(maker) && std::strcmp(name, "applaud") != 0 && std::strcmp(name, "cheer") != 0;
 }
 
 Bone opposite(Bone bone)
@@ -131,12 +136,12 @@ public:
     }
 
 private:
-    // Legs of who stays in place stand as they stand; a walk is mirrored whole.
+    // Legs of who stays in place stand as they stand; a gait is mirrored whole.
     Pose handed(const Pose &pose, float phase) const
     {
         if (v_.handedness == Handedness::own) return pose;
         const Pose image = mirror_image(pose);
-        if (!anchored_) return std::strcmp(maker_.name, "walk") == 0 ? image : with_upper_body(pose, image, 1);
+        if (!anchored_) return is_gait(maker_) ? image : with_upper_body(pose, image, 1);
         return with_upper_body(pose, image, hold(phase, 0, 0.16f, 0.84f, 1));
     }
 

@@ -1,0 +1,81 @@
+// One stride of a jog of two steps on the spot, as on a treadmill: while a foot carries, its place goes back at a constant
+// speed; between, both are off the ground. The left foot comes down at phase 0, the right one at 0.5, as in the walk.
+#include <cmath>
+
+#include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/stance.h"
+
+namespace claque::figures
+{
+
+namespace
+{
+
+constexpr float stride_m = 1.76f;   // of a whole cycle: 2.4 m/s with 22 frames
+constexpr float carry_end = 0.36f;  // of the cycle: toes leave the ground
+constexpr float ahead_m = 0.23f;    // of the foot's place when it comes down
+constexpr float strike_deg = -6, leave_deg = 56;
+
+float smooth(float from, float to, float x)
+{
+    float t = (x - from) / (to - from);
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return t * t * (3 - 2 * t);
+}
+
+float hermite(float p0, float v0, float p1, float v1, float t)
+{
+    const float t2 = t * t, t3 = t2 * t;
+    return p0 * (2 * t3 - 3 * t2 + 1) + v0 * (t3 - 2 * t2 + t) + p1 * (-2 * t3 + 3 * t2) + v1 * (t3 - t2);
+}
+
+Footing footing(float phase)
+{
+    Footing f;
+    f.yaw_deg = 1;
+    f.outwards = -0.045f;  // nearer to the middle than who walks
+    f.knee_out = 0.06f;
+    if (phase < carry_end) {
+        f.ahead = ahead_m - stride_m * phase;
+        f.heel_up_deg = phase < 0.12f ? strike_deg * (1 - smooth(0, 0.06f, phase))
+                                      : leave_deg * smooth(0.14f, 0.40f, phase) / smooth(0.14f, 0.40f, carry_end);
+        return f;
+    }
+    const float t = (phase - carry_end) / (1 - carry_end), length = 1 - carry_end;
+    f.ahead = hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t);
+    f.heel_up_deg = hermite(leave_deg, 190, strike_deg, 40, t);
+    f.toes_flat = 1 - smooth(0, 0.4f, t);
+    // The tips of the toes hang below the ball while the foot is steep; the foot swings through below the body.
+    const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
+    const float rise = std::sin(pi * t);
+    f.lift = 0.085f * std::sin(toes_deg * pi / 180) + 0.10f * rise * rise;
+    return f;
+}
+
+}  // namespace
+
+Pose jog_at(float phase)
+{
+    Pose pose;
+    const float lead = std::cos(2 * pi * phase);               // 1: the left foot comes down
+    const float carried = std::sin(2 * pi * (phase + 0.07f));  // 1: the left leg carries
+    // Lowest in the middle of the carrying, highest in flight.
+    pose.shift_pelvis({0.012f * carried, -0.048f - 0.032f * std::cos(4 * pi * (phase - 0.17f)), 0.01f});
+    pose.set(Bone::pelvis, yaw(-8 * lead) * roll(2.2f * carried) * pitch(7.0f));
+    pose.set(Bone::spine, yaw(5.0f * lead) * roll(-1.4f * carried) * pitch(1.0f));
+    pose.set(Bone::spine_upper, yaw(5.5f * lead) * roll(-1.0f * carried) * pitch(1.0f));
+    pose.set(Bone::chest, yaw(5.5f * lead) * pitch(0.5f));
+    pose.set(Bone::neck, yaw(-4.0f * lead) * pitch(-3.0f));
+    pose.set(Bone::head, yaw(-3.5f * lead) * pitch(-5.0f + 1.2f * std::cos(4 * pi * phase)));
+    for (const Side side : {Side::left, Side::right}) {
+        const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
+        const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is ahead
+        hang_arm(pose, side, -8 + 30 * swing, 13, 84 + 12 * swing, 24);
+        curl_hand(pose, side, 0.55f);
+        stand_on(pose, side, footing(own));
+    }
+    drape(pose);
+    return pose;
+}
+
+}  // namespace claque::figures
