@@ -18,6 +18,7 @@ void add_dump(CLI::App &app, Work &chosen);
 void add_split(CLI::App &app, Work &chosen);
 void add_variety(CLI::App &app, Work &chosen);
 void add_lods(CLI::App &app, Work &chosen);
+void add_blend(CLI::App &app, Work &chosen);
 void add_prepare(CLI::App &app, Work &chosen);
 void add_bench(CLI::App &app, Work &chosen);
 void add_plot(CLI::App &app, Work &chosen);

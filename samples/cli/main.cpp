@@ -48,6 +48,7 @@ int main(int argc, char **argv)
     cli::add_split(app, chosen);
     cli::add_variety(app, chosen);
     cli::add_lods(app, chosen);
+    cli::add_blend(app, chosen);
     cli::add_prepare(app, chosen);
     cli::add_bench(app, chosen);
     cli::add_plot(app, chosen);

@@ -14,7 +14,6 @@ namespace
 
 constexpr double fov_deg = 20, half_fov = fov_deg / 2 * 0.017453292519943295;
 constexpr double person_m = 1.75;
-constexpr double turn_x = 0.34, turn_z = 0.94;                     // where people look: breast and a side are seen
 constexpr double beside_m = 0.10, above_m = 0.12, below_m = 0.16;  // of backdrop round a person
 
 }  // namespace
@@ -82,9 +81,9 @@ void Portraits::measure()
     stature_.scale = longest > 0 && std::isfinite(longest) ? person_m / longest : 1;
     const auto middle = [&](int axis) { return (low[axis] + high[axis]) / 2 * stature_.scale; };
     const auto half = [&](int axis) { return (high[axis] - low[axis]) / 2 * stature_.scale; };
-    const double turned[] = {turn_z * middle(0) + turn_x * middle(2), middle(1),
-                             turn_z * middle(2) - turn_x * middle(0)};
-    const double reach[] = {turn_z * half(0) + turn_x * half(2), half(1), turn_z * half(2) + turn_x * half(0)};
+    const double turned[] = {turn_z_ * middle(0) + turn_x_ * middle(2), middle(1),
+                             turn_z_ * middle(2) - turn_x_ * middle(0)};
+    const double reach[] = {turn_z_ * half(0) + turn_x_ * half(2), half(1), turn_z_ * half(2) + turn_x_ * half(0)};
     for (int axis = 0; axis < 3; ++axis) {
         stature_.first[axis] = turned[axis] - reach[axis];
         stature_.last[axis] = turned[axis] + reach[axis];
@@ -93,11 +92,10 @@ void Portraits::measure()
 
 double Portraits::aspect() const
 {
-    return (stature_.last[0] - stature_.first[0] + 2 * beside_m) /
-           (stature_.last[1] - stature_.first[1] + above_m + below_m);
+    return (stature_.last[0] - stature_.first[0] + 2 * (beside_m + room_beside_m_)) / seen_m();
 }
 
-double Portraits::seen_m() const { return stature_.last[1] - stature_.first[1] + above_m + below_m; }
+double Portraits::seen_m() const { return stature_.last[1] - stature_.first[1] + above_m + room_above_m_ + below_m; }
 
 // A floor that fades into the backdrop.
 void Portraits::furnish()
@@ -155,8 +153,8 @@ void Portraits::resize(int width, int height)
 
 clq_camera Portraits::camera() const
 {
-    const double low = stature_.first[1] - below_m, high = stature_.last[1] + above_m;
-    const double wide = stature_.last[0] - stature_.first[0] + 2 * beside_m;
+    const double low = stature_.first[1] - below_m, high = stature_.last[1] + above_m + room_above_m_;
+    const double wide = stature_.last[0] - stature_.first[0] + 2 * (beside_m + room_beside_m_);
     const double shape = static_cast<double>(width_) / height_;
     const double seen = std::max(high - low, wide / shape), tangent = std::sin(half_fov) / std::cos(half_fov);
     const double away = seen / 2 / tangent + stature_.last[2];
@@ -182,20 +180,27 @@ float Portraits::lod_scale(const clq_camera &seen) const
 
 const std::vector<uint8_t> &Portraits::picture(uint32_t who)
 {
+    return picture(
+        who, [](clq_crowd *, clq_actor) {}, 0);
+}
+
+const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &command, double time_s)
+{
     scenes::Casting casting;
     const clq_camera seen = camera();
     casting.count = 1;
     casting.seed = seed_;
     casting.lod_scale = lod_scale(seen);
     scenes::Cast cast(library_, casting);
-    const clq_place place = scenes::stand(0, 0, 0, turn_x, turn_z, static_cast<float>(stature_.scale));
+    const clq_place place = scenes::stand(0, 0, 0, turn_x_, turn_z_, static_cast<float>(stature_.scale));
     cast.enter({loaded_.tmpl.get(), place, pose()}, who, {});
+    command(cast.crowd(), cast.actors()[0]);
     clq_view *made = nullptr;
     check(clq_view_create(cast.crowd(), &made));
     const scenes::Own<clq_view> view(made);
     check(clq_view_look(made, &seen));
     check(clq_view_set_height(made, 0));  // the camera's narrow angle is no reason for more detail here
-    check(clq_crowd_update(cast.crowd(), 0, &made, 1));
+    check(clq_crowd_update(cast.crowd(), time_s, &made, 1));
     clq_actor_info shown = {};
     check(clq_actor_get_info(cast.crowd(), cast.actors()[0], &shown));
     if (shown.level != level_)

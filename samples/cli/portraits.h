@@ -9,6 +9,7 @@
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,10 +38,17 @@ public:
     double seen_m() const;
     // From now on at this level of detail, whatever the size. Level 0 until then.
     void show_level(uint32_t level) { level_ = level; }
+    // From now on with so much more room round the person, for poses that reach farther than the one that was measured,
+    // and seen from where people look along (x, z).
+    void make_room(double beside_m, double above_m) { room_beside_m_ = beside_m, room_above_m_ = above_m; }
+    void turn(double x, double z) { turn_x_ = x, turn_z_ = z; }
     const std::string &context_name() const { return offscreen_->name(); }
 
     // Three bytes a pixel, top row first, valid until the next. resize() comes first.
     const std::vector<uint8_t> &picture(uint32_t who);
+    // At a moment after something has been commanded.
+    using Command = std::function<void(clq_crowd *, clq_actor)>;
+    const std::vector<uint8_t> &picture(uint32_t who, const Command &command, double time_s);
 
 private:
     clq_play pose() const;
@@ -53,6 +61,8 @@ private:
     const LoadedCharacter &loaded_;
     uint64_t seed_;
     uint32_t level_ = 0;
+    double room_beside_m_ = 0, room_above_m_ = 0;
+    double turn_x_ = 0.34, turn_z_ = 0.94;  // breast and a side are seen
     int width_ = 1, height_ = 1;
     Stature stature_;
     scenes::Sky sky_;
