@@ -36,6 +36,20 @@ static inline clq_asset_options clq_asset_options_init(void)
     return options;
 }
 
+/* What a glTF file may say beside what the format knows, in `extras`:
+ *   of an animation   "extras": {"claque": {"markers": [{"name": "left foot down", "time_s": 0.25}],
+ *                                           "root_motion": "hips"}}
+ *     markers: named moments (clq_marker_def), in any order, time_s on the axis of its keys, from the first to the last;
+ *     at most 4096 of one animation. root_motion: the name of the node whose way over the ground is taken out
+ *     (clq_root_motion_def); one that is animated from above is refused when the template is built. Both go with the clip
+ *     in clq_asset_add_clips.
+ *   of a node         "extras": {"claque": {"deactivation_m": 40, "lod_m": [0, 40], "dofs": [{"name": "gaze yaw", "kind":
+ *                                           "rotation", "axis": [0, 1, 0], "first": -0.7, "last": 0.7, "rest": 0}]}}
+ *     as clq_node_def, clq_part_def and clq_dof_def have them; kinds are rotation, translation, and morph with
+ *     "morph_target" in place of the axis
+ * Members that are not known are passed over; known ones that break these rules are refused as FORMAT, by their place in
+ * the file. */
+
 /* Loads glTF 2.0, GLB or BVH, decided by content. The bytes may be anything. A BVH file becomes a skeleton without parts
  * and one clip, named after the file (clq_asset_load: "motion"): nothing to build a template from, but a source for
  * clq_asset_add_clips.
@@ -114,7 +128,9 @@ typedef struct clq_joint_pair {
     clq_rest rest;
 } clq_joint_pair;
 
-/* A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh. */
+/* A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh. One that stands in
+ * several of these goes with whichever leader turns it farthest; of leaders that turn away from the side on which it lies,
+ * 0.3 of the share counts. */
 typedef struct clq_follower {
     const char *joint, *leader; /* of the character */
     float share;                /* [0, 1] of the leader's turn from its rest, as the joint's parent sees it */

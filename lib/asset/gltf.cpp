@@ -23,7 +23,8 @@ void check_as_format(const model::Model &model)
 
 }  // namespace
 
-model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options)
+model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options,
+                       std::vector<RootMotion> *root_motions)
 {
     if (size == 0) fail(CLQ_FORMAT, "the file is empty");
     Budget budget(options.memory_limit_bytes);
@@ -35,6 +36,7 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     File file(root, container, options, budget);
     model::Model model;
     build_model(file, model);
+    if (root_motions) *root_motions = std::move(file.root_motions);
     model.warnings = std::move(file.warnings);
     check_as_format(model);
     return model;

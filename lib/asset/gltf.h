@@ -1,7 +1,7 @@
 // glTF 2.0 and GLB to a Model, or a refusal that a person can act on. The bytes may be anything.
 //
 // What is read: scenes, nodes, meshes with morph targets, skins, animations, base colours and their textures, extras of
-// zones (zone_extras.h) and of nodes (node_extras.h). What is not (cameras, lights, the rest of a material) is passed over, and its faults with it.
+// zones (zone_extras.h), of nodes (node_extras.h) and of animations (clip_extras.h). What is not (cameras, lights, the rest of a material) is passed over, and its faults with it.
 #pragma once
 
 #include <cstddef>
@@ -25,12 +25,20 @@ struct LoadOptions {
     double motion_unit_m = 1;       // of BVH files, which do not say: metres (model units) a unit of theirs
 };
 
+// Whose way over the ground a file wants taken out of a clip (clip_extras.h, meshsplit/root_motion.h): nodes and clips of the
+// model's rig.
+struct RootMotion {
+    uint32_t clip = 0, node = 0;
+};
+
 // GLB or JSON is decided by the first bytes. Throws base::Error:
 //   CLQ_FORMAT       something that is read breaks the rules of glTF; the text says where
 //   CLQ_UNSUPPORTED  legal, but needs a feature that claque lacks; named
 //   CLQ_LIMIT        a limit of the options, or more memory than the file's size justifies
 //   CLQ_IO           an external file cannot be read
 // and std::bad_alloc. Model::warnings says in one sentence each what was shown otherwise than the file has it.
-model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options);
+// root_motions: filled unless null.
+model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options,
+                       std::vector<RootMotion> *root_motions = nullptr);
 
 }  // namespace claque::asset

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "lib/asset/clip_extras.h"
+
 namespace claque::asset
 {
 
@@ -237,7 +239,10 @@ void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, c
 {
     ClipReader reader(file, tree, targets, places, rig);
     const View list = file.root["animations"];
-    for (size_t i = 0; i < list.count(); ++i) reader.read(list.at(i), i);
+    for (size_t i = 0; i < list.count(); ++i) {
+        reader.read(list.at(i), i);
+        read_clip_extras(list.at(i)["extras"], file, rig);
+    }
 }
 
 }  // namespace claque::asset

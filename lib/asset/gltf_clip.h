@@ -15,7 +15,7 @@ struct RigPlaces {
 // Number of morph targets that a node of the file can have animated; 0 for none.
 using TargetCounts = std::vector<uint32_t>;
 
-// Adds clips, channels, key times and values to the rig. Channels of nodes outside the rig are checked and left out.
+// Adds clips, channels, key times, values and what extras say to the rig. Channels of nodes outside the rig are checked and left out.
 void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, const RigPlaces &places,
                 model::Rig &rig);
 

@@ -38,6 +38,7 @@ struct File {
     Buffers buffers;
     Accessors accessors;
     std::vector<std::string> warnings;
+    std::vector<RootMotion> root_motions;
 };
 
 }  // namespace claque::asset

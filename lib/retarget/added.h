@@ -12,6 +12,8 @@ struct Added {
     std::vector<std::string> names;
     std::vector<model::Channel> channels;
     std::vector<float> times, values;
+    std::vector<model::Marker> markers;  // of clips of these, in their order
+    std::vector<std::string> marker_names;
 };
 
 // Copies channels of the clip; morph weights too, where the target has a morph set of that size on the bound node.

@@ -54,6 +54,23 @@ std::string free_name(const model::Rig &target, const Added &added, const std::s
     }
 }
 
+// Of a clip that was added last.
+void take_markers(const model::Rig &source, uint32_t clip, const Options &options, Way way, Added &added)
+{
+    const model::Clip &made = added.clips.back();
+    for (size_t i = 0; i < source.markers.size(); ++i) {
+        const model::Marker &marker = source.markers[i];
+        if (marker.clip != clip) continue;
+        double time_s = static_cast<double>(marker.time_s);
+        if (way == Way::motion) {
+            time_s -= static_cast<double>(source.clips[clip].start_s) + options.first_s;
+            if (time_s < 0 || time_s > static_cast<double>(made.duration_s)) continue;
+        }
+        added.markers.push_back({static_cast<uint32_t>(added.clips.size()) - 1, static_cast<float>(time_s)});
+        added.marker_names.emplace_back(source.marker_names[i].c_str());
+    }
+}
+
 template <class To, class From>
 void append(To &to, const From &from)
 {
@@ -75,6 +92,13 @@ void merge(model::Rig &target, Added &&added)
     names.reserve(target.clip_names.size() + added.names.size());
     for (const std::pmr::string &name : target.clip_names) names.emplace_back(std::string_view(name));
     for (const std::string &name : added.names) names.emplace_back(std::string_view(name));
+    const uint32_t clips = static_cast<uint32_t>(target.clips.size());
+    for (model::Marker &marker : added.markers) marker.clip += clips;
+    model::Array<std::pmr::string> marker_names(target.marker_names.get_allocator());
+    marker_names.reserve(target.marker_names.size() + added.marker_names.size());
+    for (const std::pmr::string &name : target.marker_names) marker_names.emplace_back(std::string_view(name));
+    for (const std::string &name : added.marker_names) marker_names.emplace_back(std::string_view(name));
+    target.markers.reserve(target.markers.size() + added.markers.size());
     target.clips.reserve(target.clips.size() + added.clips.size());
     target.channels.reserve(channels + added.channels.size());
     target.times.reserve(times + added.times.size());
@@ -83,7 +107,9 @@ void merge(model::Rig &target, Added &&added)
     append(target.channels, added.channels);
     append(target.times, added.times);
     append(target.values, added.values);
+    append(target.markers, added.markers);
     target.clip_names = std::move(names);
+    target.marker_names = std::move(marker_names);
 }
 
 }  // namespace
@@ -107,10 +133,13 @@ Report add_clips(model::Rig &target, const model::Rig &source, const Options &op
     for (const uint32_t clip : clips) {
         if (report.way == Way::channels) copy_channels(target, source, matches, clip, added);
         else transfer(target, source, matches, fit, options, clip, added);
+        take_markers(source, clip, options, report.way, added);
         const std::string name = options.prefix + source.clip_names[clip].c_str();
         added.names.push_back(free_name(target, added, name, report));
     }
     merge(target, std::move(added));
+    report.clips = clips;
+    for (const Match &match : matches) report.joints.emplace_back(match.source, match.target);
     return report;
 }
 

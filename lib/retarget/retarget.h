@@ -3,10 +3,12 @@
 // Where the skeletons agree at rest, channels are copied as they are: key times, steps and splines stay. Where they do
 // not, the motion is transferred: a joint turns from its rest in model space as the source's does, and the topmost
 // joint goes the source's way, scaled by the ratio of the legs and set down so that the feet stand on the ground.
+// Markers go with their clips; of those that are cut, the ones in what is taken.
 #pragma once
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lib/model/rig.h"
@@ -29,6 +31,8 @@ struct Pair {
 struct Follower {
     std::string joint, leader;  // of the target
     double share = 1;           // of the leader's turn from its rest, as the joint's parent sees it; [0, 1]
+    // A joint with several lines goes with whichever leader turns it farthest, smoothly; a leader that turns away from the
+    // side on which the joint lies turns it by 0.3 of its share.
 };
 
 // automatic: channels, where the skeletons agree and whole clips are wanted, unclosed.
@@ -56,8 +60,10 @@ struct Options {
 struct Report {
     Way way = Way::channels;
     uint32_t clip_count = 0;
-    uint32_t joint_count = 0;           // that are bound
-    std::vector<std::string> warnings;  // what was not bound, by name and number
+    uint32_t joint_count = 0;                           // that are bound
+    std::vector<uint32_t> clips;                        // of the source: the last of the target's, in their order
+    std::vector<std::pair<uint32_t, uint32_t>> joints;  // bound ones: of the source, of the target
+    std::vector<std::string> warnings;                  // what was not bound, by name and number
 };
 
 // Adds clips to the target; leaves it as it was when it throws base::Error: CLQ_ARGUMENT (nothing matches, names that

@@ -30,16 +30,19 @@ asset::LoadOptions options_of(const clq_asset_options *options)
 }
 
 // Nothing but parsing below: what it throws has been turned into base::Error, and what was missed ends at the boundary.
-clq_asset *finish(clq_context *context, model::Model &&model)
+clq_asset *finish(clq_context *context, model::Model &&model, std::vector<asset::RootMotion> &&root_motions = {})
 {
     auto made = std::make_unique<clq_asset>(std::move(model));
+    made->root_motions = std::move(root_motions);
     for (const std::string &warning : made->model.warnings) clq_context_log(context, CLQ_LOG_WARNING, warning.c_str());
     return made.release();
 }
 
-model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options)
+model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options,
+                  std::vector<asset::RootMotion> &root_motions)
 {
-    return asset::is_bvh(bytes, size) ? asset::load_bvh(bytes, size, options) : asset::load_gltf(bytes, size, options);
+    if (asset::is_bvh(bytes, size)) return asset::load_bvh(bytes, size, options);
+    return asset::load_gltf(bytes, size, options, &root_motions);
 }
 
 model::Model made_of(const std::vector<figures::Builtin> &figures, const char *what, const char *name)
@@ -75,7 +78,9 @@ clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_b
     return api::boundary("clq_asset_load", [&] {
         api::require(context && bytes && out, "context, bytes or out is NULL");
         api::require_size(options, "clq_asset_options_init");
-        *out = finish(context, load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options)));
+        std::vector<asset::RootMotion> root_motions;
+        model::Model model = load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options), root_motions);
+        *out = finish(context, std::move(model), std::move(root_motions));
     });
 }
 
@@ -89,11 +94,12 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
         if (wanted.base_folder.empty()) wanted.base_folder = folder_of(path);
         const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
         try {
-            model::Model model = load(bytes.data(), bytes.size(), wanted);
+            std::vector<asset::RootMotion> root_motions;
+            model::Model model = load(bytes.data(), bytes.size(), wanted, root_motions);
             if (model.name.empty()) model.name = stem_of(path);
             if (asset::is_bvh(bytes.data(), bytes.size()))
                 for (std::pmr::string &name : model.rig.clip_names) name = stem_of(path).c_str();
-            *out = finish(context, std::move(model));
+            *out = finish(context, std::move(model), std::move(root_motions));
         } catch (const base::Error &error) {
             base::fail(error.status(), "%s: %s", path, error.what());
         }
@@ -128,7 +134,7 @@ clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_
     if (!context || !asset || !out) return clq_report(CLQ_ARGUMENT, "clq_asset_build: context, asset or out is NULL");
     clq_status status = CLQ_OK;
     const clq_status converted = api::boundary("clq_asset_build", [&] {
-        api::TemplateDef def(asset->model);
+        api::TemplateDef def(*asset);
         def.def.max_texture_px = max_texture_px;
         status = clq_template_build(context, &def.def, out);
     });

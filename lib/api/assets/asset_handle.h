@@ -5,22 +5,23 @@
 
 #include <deque>
 
-#include "lib/model/model.h"
+#include "lib/asset/gltf.h"
 
 struct clq_asset {
     explicit clq_asset(claque::model::Model &&loaded) : model(std::move(loaded)) {}
     claque::model::Model model;
+    std::vector<claque::asset::RootMotion> root_motions;
 };
 
 namespace claque::api
 {
 
-// A Model as the arrays of a clq_template_def. Points into the model, which must outlive it. Hidden parts and parts
+// An asset as the arrays of a clq_template_def. Points into it, which must outlive it. Hidden parts and parts
 // without triangles are left out.
 class TemplateDef
 {
 public:
-    explicit TemplateDef(const model::Model &model);
+    explicit TemplateDef(const clq_asset &asset);
     TemplateDef(const TemplateDef &) = delete;
     TemplateDef &operator=(const TemplateDef &) = delete;
 
@@ -31,6 +32,7 @@ private:
     void add_looks(const model::Model &model);
     void add_part(const model::Model &model, const model::Part &part);
     void add_clips(const model::Model &model);
+    void add_notes(const clq_asset &asset);
 
     std::vector<clq_node_def> nodes_;
     std::vector<clq_dof_def> dofs_;
@@ -44,6 +46,8 @@ private:
     std::deque<std::vector<clq_morph_def>> morphs_;
     std::vector<clq_clip_def> clips_;
     std::vector<clq_channel_def> channels_;
+    std::vector<clq_marker_def> markers_;
+    std::vector<clq_root_motion_def> root_motions_;
 };
 
 }  // namespace claque::api

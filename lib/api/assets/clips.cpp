@@ -48,6 +48,29 @@ retarget::Options options_of(const clq_clips_def &def)
     return out;
 }
 
+// Those of the source's clips go with them, where their joints are bound.
+void take_root_motions(const clq_asset &source, const retarget::Report &made, clq_travel travel, clq_asset &target,
+                       std::vector<std::string> &warnings)
+{
+    const uint32_t first = static_cast<uint32_t>(target.model.rig.clips.size() - made.clips.size());
+    for (uint32_t i = 0; i < made.clips.size(); ++i)
+        for (const asset::RootMotion &motion : source.root_motions) {
+            if (motion.clip != made.clips[i]) continue;
+            const char *clip = source.model.rig.clip_names[motion.clip].c_str();
+            if (made.way == retarget::Way::motion && travel == CLQ_TRAVEL_IN_PLACE) {
+                warnings.push_back(base::text_of("clip '%s' has no root motion: it is taken in place", clip));
+                continue;
+            }
+            uint32_t node = model::none;
+            for (const auto &[from, to] : made.joints)
+                if (from == motion.node) node = to;
+            if (node != model::none) target.root_motions.push_back({first + i, node});
+            else
+                warnings.push_back(base::text_of("clip '%s' has no root motion: '%s' is not bound", clip,
+                                                 source.model.rig.node_names[motion.node].c_str()));
+        }
+}
+
 }  // namespace
 
 extern "C" {
@@ -63,7 +86,8 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
         const std::string who = "clips of '" + source->model.name + "' for '" + asset->model.name + "': ";
         std::vector<std::string> &warnings = asset->model.warnings;
         try {
-            const retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
+            retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
+            take_root_motions(*source, made, def ? def->travel : CLQ_TRAVEL_IN_PLACE, *asset, made.warnings);
             if (report) *report = {static_cast<clq_clip_way>(made.way), made.clip_count, made.joint_count};
             for (const std::string &warning : made.warnings) {
                 warnings.push_back(who + warning);

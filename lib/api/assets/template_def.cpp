@@ -22,13 +22,15 @@ clq_channel_def channel_of(const model::Rig &rig, const model::Channel &channel)
 
 }  // namespace
 
-TemplateDef::TemplateDef(const model::Model &model) : def(clq_template_def_init())
+TemplateDef::TemplateDef(const clq_asset &asset) : def(clq_template_def_init())
 {
+    const model::Model &model = asset.model;
     add_rig(model);
     add_looks(model);
     for (const model::Part &part : model.parts)
         if (!part.hidden) add_part(model, part);
     add_clips(model);
+    add_notes(asset);
     def.name = model.name.c_str();
     def.node_count = static_cast<uint32_t>(nodes_.size());
     def.nodes = nodes_.data();
@@ -46,6 +48,10 @@ TemplateDef::TemplateDef(const model::Model &model) : def(clq_template_def_init(
     def.clips = clips_.data();
     def.dof_count = static_cast<uint32_t>(dofs_.size());
     def.dofs = dofs_.data();
+    def.marker_count = static_cast<uint32_t>(markers_.size());
+    def.markers = markers_.data();
+    def.root_motion_count = static_cast<uint32_t>(root_motions_.size());
+    def.root_motions = root_motions_.data();
 }
 
 void TemplateDef::add_rig(const model::Model &model)
@@ -173,6 +179,14 @@ void TemplateDef::add_clips(const model::Model &model)
         clips_.push_back({rig.clip_names[i].c_str(), counts[i], channels_.data() + first});
         first += counts[i];
     }
+}
+
+void TemplateDef::add_notes(const clq_asset &asset)
+{
+    const model::Rig &rig = asset.model.rig;
+    for (size_t i = 0; i < rig.markers.size(); ++i)
+        markers_.push_back({rig.markers[i].clip, rig.markers[i].time_s, rig.marker_names[i].c_str()});
+    for (const asset::RootMotion &motion : asset.root_motions) root_motions_.push_back({motion.clip, motion.node});
 }
 
 }  // namespace claque::api

@@ -73,6 +73,35 @@ TEST(Channels, of_a_skeleton_that_agrees_are_copied_to_the_bit)
     }
 }
 
+TEST(Channels, bring_their_markers_along)
+{
+    model::Rig source = dancer();
+    add_motion(source, "other", 9, 1);
+    source.markers = {{0, 0.1f}, {0, 0.6f}, {1, 0.3f}};
+    for (const char *name : {"left", "right", "other"}) source.marker_names.emplace_back(name);
+    model::Rig target = rig_of(person(1, 0));
+    add_motion(target, "own", 5, 1);
+    target.markers = {{0, 0.2f}};
+    target.marker_names.emplace_back("own");
+    retarget::Options options;
+    options.clips = {"other", "dance"};
+    const retarget::Report report = retarget::add_clips(target, source, options);
+    EXPECT_EQ(report.clips, (std::vector<uint32_t>{1, 0}));
+    ASSERT_EQ(target.markers.size(), 4u);
+    EXPECT_EQ(target.markers[1].clip, 1u);
+    EXPECT_STREQ(target.marker_names[1].c_str(), "other");
+    EXPECT_EQ(target.markers[3].clip, 2u);
+    EXPECT_EQ(target.markers[3].time_s, 0.6f);
+    EXPECT_STREQ(target.marker_names[3].c_str(), "right");
+    // What is cut away takes its markers with it; times count from where it begins.
+    model::Rig cut = rig_of(person(1, 0));
+    options.clips = {"dance"}, options.way = retarget::Way::motion, options.first_s = 0.5;
+    retarget::add_clips(cut, source, options);
+    ASSERT_EQ(cut.markers.size(), 1u);
+    EXPECT_NEAR(cut.markers[0].time_s, 0.1f, 1e-6f);
+    EXPECT_STREQ(cut.marker_names[0].c_str(), "right");
+}
+
 TEST(Channels, are_not_taken_where_the_rest_poses_differ_by_more_than_a_little)
 {
     model::Rig lower_arms = rig_of(person(1, 10)), larger = rig_of(person(1.1f, 0)), nearly = rig_of(person(1.001f, 0));

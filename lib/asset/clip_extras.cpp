@@ -1,0 +1,70 @@
+#include "lib/asset/clip_extras.h"
+
+#include <algorithm>
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+constexpr size_t most_markers = 4096;  // of one clip
+
+struct Named {
+    float time_s;
+    std::string name;
+};
+
+Named read_marker(const View &view, const model::Clip &clip)
+{
+    view.object();
+    const Named marker = {view["time_s"].real(), view["name"].text()};
+    if (marker.name.empty()) fail(CLQ_FORMAT, "%s is empty: a marker has a name", view["name"].path().c_str());
+    const float last_s = clip.start_s + clip.duration_s;
+    if (!(marker.time_s >= clip.start_s && marker.time_s <= last_s))
+        fail(CLQ_FORMAT, "%s is %g s: the animation's keys go from %g to %g s", view["time_s"].path().c_str(),
+             static_cast<double>(marker.time_s), static_cast<double>(clip.start_s), static_cast<double>(last_s));
+    return marker;
+}
+
+void read_markers(const View &list, Budget &budget, model::Rig &rig)
+{
+    if (list.count() > most_markers)
+        fail(CLQ_LIMIT, "%s has %zu markers: %zu are the most", list.path().c_str(), list.count(), most_markers);
+    budget.take(list.count() * (sizeof(model::Marker) + 4 * sizeof(std::string)), list.path().c_str());
+    std::vector<Named> markers;
+    for (size_t i = 0; i < list.count(); ++i) markers.push_back(read_marker(list.at(i), rig.clips.back()));
+    std::stable_sort(markers.begin(), markers.end(),
+                     [](const Named &a, const Named &b) { return a.time_s < b.time_s; });
+    for (const Named &marker : markers) {
+        rig.markers.push_back({static_cast<uint32_t>(rig.clips.size()) - 1, marker.time_s});
+        rig.marker_names.emplace_back(marker.name.c_str());
+    }
+}
+
+uint32_t read_root(const View &view, const model::Rig &rig)
+{
+    const std::string &name = view.text();
+    const uint32_t node = rig.find_node(name);
+    if (node == model::none)
+        fail(CLQ_FORMAT, "%s is '%.60s': no node of the character is called that", view.path().c_str(), name.c_str());
+    return node;
+}
+
+}  // namespace
+
+void read_clip_extras(const View &extras, File &file, model::Rig &rig)
+{
+    // Extras of others may be anything; only what carries our name is ours to judge.
+    if (!extras.exists() || !extras.is_object()) return;
+    const View ours = extras["claque"];
+    if (!ours.exists()) return;
+    ours.object();
+    if (ours["markers"].exists()) read_markers(ours["markers"], file.budget, rig);
+    const View root = ours["root_motion"];
+    if (root.exists()) file.root_motions.push_back({static_cast<uint32_t>(rig.clips.size()) - 1, read_root(root, rig)});
+}
+
+}  // namespace claque::asset
