@@ -1,5 +1,8 @@
 #include "lib/retarget/followers.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "lib/base/error.h"
 #include "lib/math/slerp.h"
 
@@ -8,6 +11,42 @@ namespace claque::retarget
 
 using base::fail;
 using model::none;
+
+namespace
+{
+
+// Of a share, where one of several leaders goes away from what follows it: cloth hangs then, and is pulled a little.
+constexpr double pulled = 0.3;
+
+Leading leading_of(const model::Rig &target, const std::vector<Match> &matches, uint32_t joint, uint32_t match,
+                   double share)
+{
+    Leading out;
+    out.match = match, out.share = share;
+    const Stance rest = rest_of(target);
+    const glm::dvec3 leader = rest.places[matches[match].target];
+    for (const Match &below : matches) {
+        if (below.above != match) continue;
+        const glm::dvec3 bone = rest.places[below.target] - leader;
+        if (!(glm::length(bone) > 0)) continue;
+        out.along = glm::normalize(bone);
+        const glm::dvec3 off = rest.places[joint] - leader, side = off - out.along * glm::dot(off, out.along);
+        if (glm::length(side) > 1e-3 * glm::length(bone)) out.side = glm::normalize(side);
+        break;
+    }
+    return out;
+}
+
+// How much of its share a leader has that turns like this, as the follower's parent sees it.
+double push_of(const Leading &leader, const glm::dquat &turn)
+{
+    const double towards = glm::dot(turn * leader.along - leader.along, leader.side);
+    if (leader.side == glm::dvec3(0)) return 1;
+    const double t = std::clamp(0.5 + 5 * towards, 0.0, 1.0);
+    return pulled + (1 - pulled) * t * t * (3 - 2 * t);
+}
+
+}  // namespace
 
 std::vector<Following> match_followers(const model::Rig &target, const std::vector<Match> &matches,
                                        const Options &options)
@@ -26,10 +65,15 @@ std::vector<Following> match_followers(const model::Rig &target, const std::vect
         if (!(follower.share >= 0 && follower.share <= 1))
             fail(CLQ_ARGUMENT, "'%s' follows by a share of %g: 0 to 1 are wanted", follower.joint.c_str(),
                  follower.share);
-        Following made = {joint, match_of[leader], none, follower.share};
-        for (uint32_t up = target.parents[joint]; up != none && made.above == none; up = target.parents[up])
-            made.above = match_of[up];
-        out.push_back(made);
+        auto made = std::find_if(out.begin(), out.end(), [&](const Following &f) { return f.joint == joint; });
+        if (made == out.end()) {
+            Following fresh;
+            fresh.joint = joint;
+            for (uint32_t up = target.parents[joint]; up != none && fresh.above == none; up = target.parents[up])
+                fresh.above = match_of[up];
+            made = out.insert(out.end(), fresh);
+        }
+        made->leaders.push_back(leading_of(target, matches, joint, match_of[leader], follower.share));
     }
     return out;
 }
@@ -39,12 +83,23 @@ glm::dquat local_of(const Following &f, const model::Rig &target, const Stance &
 {
     const uint32_t parent = target.parents[f.joint];
     const glm::dquat parent_rest = parent == none ? glm::dquat(1, 0, 0, 0) : rest.turns[parent];
-    glm::dquat above = parent_rest;
-    if (f.above != none) above = turns[f.above] * glm::conjugate(rest.turns[matches[f.above].target]) * above;
-    const glm::dquat led = turns[f.leader] * glm::conjugate(rest.turns[matches[f.leader].target]);
+    glm::dquat moved(1, 0, 0, 0);  // of what is above, since rest
+    if (f.above != none) moved = turns[f.above] * glm::conjugate(rest.turns[matches[f.above].target]);
+    const glm::dquat above = moved * parent_rest;
     const glm::dquat at_rest = glm::conjugate(parent_rest) * rest.turns[f.joint];
-    const glm::dquat whole = glm::conjugate(above) * led * rest.turns[f.joint];
-    return glm::normalize(at_rest * share_of(glm::conjugate(at_rest) * whole, f.share));
+    // Who turns it farther counts for more, smoothly: by the cube of the turn.
+    glm::dquat sum(0, 0, 0, 0);
+    for (const Leading &leader : f.leaders) {
+        const glm::dquat led = turns[leader.match] * glm::conjugate(rest.turns[matches[leader.match].target]);
+        const glm::dquat whole = glm::conjugate(above) * led * rest.turns[f.joint];
+        const double push = f.leaders.size() > 1 ? push_of(leader, glm::conjugate(moved) * led) : 1;
+        glm::dquat own = share_of(glm::conjugate(at_rest) * whole, leader.share * push);
+        if (own.w < 0) own = -own;
+        const double sine = glm::length(glm::dvec3(own.x, own.y, own.z)) + 1e-6;
+        const double weight = f.leaders.size() > 1 ? sine * sine * sine : 1;
+        sum = sum + own * weight;
+    }
+    return glm::normalize(at_rest * glm::normalize(sum));
 }
 
 glm::dquat share_of(const glm::dquat &turn, double share)

@@ -6,11 +6,17 @@
 namespace claque::retarget
 {
 
+struct Leading {
+    uint32_t match = 0;
+    double share = 1;
+    glm::dvec3 along = glm::dvec3(0),
+               side = glm::dvec3(0);  // its bone, and on which side of it the follower lies; 0: unknown
+};
+
 struct Following {
     uint32_t joint = 0;            // of the target
-    uint32_t leader = 0;           // a match
     uint32_t above = model::none;  // the match of the nearest bound joint above it
-    double share = 1;
+    std::vector<Leading> leaders;  // in the order in which they are listed
 };
 
 // Throws base::Error (CLQ_ARGUMENT) for names that are not there, a joint that is bound itself, and shares out of range.

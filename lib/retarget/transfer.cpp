@@ -70,6 +70,9 @@ private:
         const model::Clip &from = source_.clips[clip];
         const double length = static_cast<double>(from.duration_s), first = std::min(options_.first_s, length);
         const double last = std::min(options_.last_s, length);
+        if (options_.first_s > length && length > 0)
+            base::fail(CLQ_ARGUMENT, "clip '%s' is %g s long: from %g s on nothing is left of it",
+                       source_.clip_names[clip].c_str(), length, options_.first_s);
         if (!(last >= first))
             base::fail(CLQ_ARGUMENT, "from %g s to %g s of clip '%s', which is %g s long", options_.first_s,
                        options_.last_s, source_.clip_names[clip].c_str(), length);

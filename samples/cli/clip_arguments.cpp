@@ -67,6 +67,8 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     std::vector<clq_follower> followers;
     for (const auto &[joint, leader] : map.followers)
         followers.push_back({joint.c_str(), leader.c_str(), static_cast<float>(map.follow_share)});
+    for (const auto &[joint, leader] : map.followers_too)
+        followers.push_back({joint.c_str(), leader.c_str(), static_cast<float>(map.follow_too_share)});
     std::vector<const char *> clips;
     for (const std::string &name : map.clips) clips.push_back(name.c_str());
     clq_clips_def def = clq_clips_def_init();

@@ -51,6 +51,8 @@ JointMap read_joint_map(const std::string &text, const std::string &where)
             joint->rest = CLQ_REST_ALIGN;
         }
     if (all.has("follow")) map.followers = all.table("follow", "[follow]").named_texts();
+    if (all.has("follow_too")) map.followers_too = all.table("follow_too", "[follow_too]").named_texts();
+    if (all.has("follow_too_share")) map.follow_too_share = all.number("follow_too_share", {0, 1});
     if (all.has("follow_share")) map.follow_share = all.number("follow_share", {0, 1});
     all.done();
     return map;

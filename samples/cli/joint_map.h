@@ -14,9 +14,10 @@ struct JointMap {
         std::string source, target;
         clq_rest rest = CLQ_REST_KEEP;
     };
-    std::vector<Joint> joints;                                   // none: those of equal names
-    std::vector<std::pair<std::string, std::string>> followers;  // each a joint and its leader
-    double follow_share = 0.8;
+    std::vector<Joint> joints;                                       // none: those of equal names
+    std::vector<std::pair<std::string, std::string>> followers;      // each a joint and its leader
+    std::vector<std::pair<std::string, std::string>> followers_too;  // second leaders
+    double follow_share = 0.8, follow_too_share = 0.4;
     std::vector<std::string> clips;  // none: all
     std::string prefix;
     double unit_m = 0;  // of BVH files; 0: 1
