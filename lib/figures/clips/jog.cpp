@@ -14,7 +14,7 @@ namespace
 constexpr float stride_m = 1.76f;   // of a whole cycle: 2.4 m/s with 22 frames
 constexpr float carry_end = 0.36f;  // of the cycle: toes leave the ground
 constexpr float ahead_m = 0.23f;    // of the foot's place when it comes down
-constexpr float strike_deg = -6, leave_deg = 56;
+constexpr float strike_deg = -6, leave_deg = 54;
 
 float smooth(float from, float to, float x)
 {
@@ -37,14 +37,14 @@ Footing footing(float phase)
     f.knee_out = 0.06f;
     if (phase < carry_end) {
         f.ahead = ahead_m - stride_m * phase;
-        f.heel_up_deg = phase < 0.12f ? strike_deg * (1 - smooth(0, 0.06f, phase))
+        f.heel_up_deg = phase < 0.12f ? strike_deg * (1 - smooth(-0.05f, 0.11f, phase)) / (1 - smooth(-0.05f, 0.11f, 0))
                                       : leave_deg * smooth(0.14f, 0.40f, phase) / smooth(0.14f, 0.40f, carry_end);
         return f;
     }
     const float t = (phase - carry_end) / (1 - carry_end), length = 1 - carry_end;
     f.ahead = hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t);
-    f.heel_up_deg = hermite(leave_deg, 190, strike_deg, 40, t);
-    f.toes_flat = 1 - smooth(0, 0.4f, t);
+    f.heel_up_deg = hermite(leave_deg, 112, strike_deg, 40, t);
+    f.toes_flat = 1 - smooth(0, 0.6f, t);
     // The tips of the toes hang below the ball while the foot is steep; the foot swings through below the body.
     const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
     const float rise = std::sin(pi * t);
@@ -70,7 +70,7 @@ Pose jog_at(float phase)
     for (const Side side : {Side::left, Side::right}) {
         const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
         const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is ahead
-        hang_arm(pose, side, -8 + 30 * swing, 13, 84 + 12 * swing, 24);
+        hang_arm(pose, side, -8 + 30 * swing, 20, 84 + 12 * swing, 12);
         curl_hand(pose, side, 0.55f);
         stand_on(pose, side, footing(own));
     }

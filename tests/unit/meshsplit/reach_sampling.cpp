@@ -73,6 +73,15 @@ public:
         look(job);
     }
 
+    void take_layers(base::Span<const pose::Layer> layers)
+    {
+        pose::PoseJob job = job_of(0);
+        job.dofs = nullptr;
+        job.layers = layers;
+        job.scratch = base::Span<float>(scratch_);
+        look(job);
+    }
+
     Sampled out_;
 
 private:
@@ -166,6 +175,13 @@ Sampled sample_blends(const model::Template &tmpl, const glm::dvec3 &centre, uin
 {
     Sampler sampler(tmpl, centre);
     for (uint64_t sample = 0; sample < count; ++sample) sampler.take_blend(sample, added);
+    return sampler.out_;
+}
+
+Sampled sample_layers(const model::Template &tmpl, const glm::dvec3 &centre, base::Span<const pose::Layer> layers)
+{
+    Sampler sampler(tmpl, centre);
+    sampler.take_layers(layers);
     return sampler.out_;
 }
 

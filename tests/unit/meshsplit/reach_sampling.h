@@ -1,7 +1,9 @@
 // How far a character gets, by looking: the pose room's own poses, vertices moved in double.
 #pragma once
 
+#include "lib/base/span.h"
 #include "lib/model/template.h"
+#include "lib/pose/layer.h"
 
 #include <vector>
 
@@ -20,5 +22,8 @@ Sampled sample_reach(const model::Template &tmpl, const glm::dvec3 &centre, uint
 // Likewise over blends of up to eight layers (S2 3.3): clips and rest pose at any times, over any part of the skeleton;
 // weights of differences that are added sum to `added` at most, and often to just that.
 Sampled sample_blends(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count, float added);
+
+// Of these layers alone, degrees of freedom at rest.
+Sampled sample_layers(const model::Template &tmpl, const glm::dvec3 &centre, base::Span<const pose::Layer> layers);
 
 }  // namespace claque::test
