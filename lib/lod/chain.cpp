@@ -51,9 +51,11 @@ struct Made {
 };
 
 // Distances must ascend, and a level that serves nowhere costs memory for nothing.
-std::vector<Made> in_use(std::vector<Made> made)
+std::vector<Made> in_use(std::vector<Made> all)
 {
-    std::vector<Made> kept;
+    std::vector<Made> made, kept;
+    for (Made &one : all)
+        if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
     for (size_t k = made.size(); k-- > 0;) {
         if (!kept.empty()) {
             Made &next = kept.back();
@@ -83,7 +85,7 @@ void add_near(const model::Rig &rig, const std::vector<const model::Part *> &sou
     how.targets = targets;
     const std::vector<std::vector<glm::vec3>> rest = at_rest(rig, source);
     std::vector<Piece> pieces;
-    for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i], nullptr});
+    for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i]});
     for (Decimated &less : decimate(pieces, how)) {
         Made next;
         next.parts = std::move(less.parts);

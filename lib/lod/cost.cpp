@@ -31,8 +31,6 @@ Attributes ModCost<MeshType>::attributes_of(uint32_t corner) const
         out.push_back({number_of_u, weights_.texture * double(part.uvs[v].x)});
         out.push_back({number_of_v, weights_.texture * double(part.uvs[v].y)});
     }
-    const std::vector<Attributes> *extra = surface_->piece(surface_->part_of(corner)).extra;
-    if (extra) out.insert(out.end(), (*extra)[v].begin(), (*extra)[v].end());
     for (uint32_t k = 0; weights_.influence > 0 && k < part.influence_count; ++k) {
         const size_t i = size_t(v) * part.influence_count + k;
         if (part.weights[i] == 0) continue;

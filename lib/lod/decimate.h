@@ -21,10 +21,7 @@ namespace claque::lod
 struct Piece {
     const model::Part *part = nullptr;
     const std::vector<glm::vec3> *rest = nullptr;  // [positions.size()]; null: the part's own positions
-    // What else its vertices carry, in metres for each 1 of difference; null: nothing. Its numbers from first_extra on.
-    const std::vector<Attributes> *extra = nullptr;
 };
-constexpr uint32_t first_extra = 0x80000000u;
 
 struct Decimation {
     std::vector<size_t> targets;  // triangles of all parts together, descending strictly

@@ -1,7 +1,6 @@
-// Levels of detail for characters that are a few dozen pixels tall: all parts become one, seams of textures and borders of
-// zones no longer hold edges, each triangle shows the one zone that most of what it stands for shows, and texture
-// coordinates point into an image of a few texels, one for each zone and brightness, so that every triangle is clean and
-// the zone law holds to the letter.
+// Levels of detail for characters that are a few dozen pixels tall: one closed surface in place of all parts (shell.h).
+// Each triangle shows the one zone that most of what it stands for shows, and texture coordinates point into an image of
+// a few texels, one for each zone and brightness, so that every triangle is clean and the zone law holds to the letter.
 #pragma once
 
 #include <vector>
@@ -12,9 +11,8 @@ namespace claque::lod
 {
 
 struct FarWish {
-    std::vector<size_t> targets;  // triangles, descending strictly
-    double influence = 0.1;       // as in Decimation
-    double zone = 0.05;           // of the character's size: what a vertex on another zone's ground costs
+    std::vector<size_t> targets;          // triangles, descending strictly
+    double influence = 0.1, zone = 0.05;  // as in ShellWish
 };
 
 struct FarLevels {
@@ -25,8 +23,7 @@ struct FarLevels {
         zone_keys;  // [zones] that the image uses: the model's own, or new ones where those do not tell zones apart
 };
 
-// `source` are triangle parts of `model`, which has passed model::check. Small shells are given up where the rest cannot
-// get low enough. Throws base::Error (CLQ_LIMIT) where zones are more than keys. Deterministic.
+// `source` are triangle parts of `model`, which has passed model::check. Throws base::Error (CLQ_LIMIT) where zones are more than keys. Deterministic.
 FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish);
 
 }  // namespace claque::lod

@@ -17,6 +17,20 @@ TriangleFrame::TriangleFrame(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2) : orig
     b = glm::cross(n, e1) / square;
 }
 
+// Cramer's rule, about a point near by so that rounding does not depend on where the character stands.
+bool PlaneQuadric::lowest(glm::dvec3 near, glm::dvec3 &out) const
+{
+    const glm::dvec3 x(xx_, xy_, xz_), y(xy_, yy_, yz_), z(xz_, yz_, zz_);
+    const glm::dvec3 r(-(glm::dot(x, near) + b_.x), -(glm::dot(y, near) + b_.y), -(glm::dot(z, near) + b_.z));
+    const double determinant = glm::dot(x, glm::cross(y, z)), trace = xx_ + yy_ + zz_;
+    if (!(determinant > 1e-4 * trace * trace * trace)) return false;
+    // The matrix is symmetric: its columns are its rows.
+    out =
+        near + glm::dvec3(glm::dot(r, glm::cross(y, z)), glm::dot(x, glm::cross(r, z)), glm::dot(x, glm::cross(y, r))) /
+                   determinant;
+    return true;
+}
+
 namespace
 {
 

@@ -54,7 +54,6 @@ public:
     uint32_t part_of(uint32_t corner) const { return part_of_[corner]; }
     uint32_t vertex_of(uint32_t corner) const { return corner - first_[part_of_[corner]]; }
     const model::Part &part(uint32_t index) const { return *parts_[index].part; }
-    const Piece &piece(uint32_t index) const { return parts_[index]; }
     glm::vec3 at_rest(uint32_t corner) const;
     // Corners that differ only in their normals are one side of the surface: the first of them.
     uint32_t side(uint32_t corner) const { return side_[corner]; }

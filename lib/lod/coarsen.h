@@ -1,0 +1,29 @@
+// A closed surface in fewer triangles, whose vertices may stand anywhere: what levels of a few dozen triangles need, where
+// keeping vertices of the source would make spikes of arms and heads. Between the files of this room only.
+#pragma once
+
+#include "lib/lod/boundary.h"
+#include "lib/lod/quadric.h"
+
+namespace claque::lod
+{
+
+// What a vertex stands for: the mean over the surface that has come to it.
+struct Features {
+    double area = 0;
+    Attributes mean;  // ascending by id; in metres for each 1 of difference
+};
+
+struct Coarse {
+    Boundary surface;
+    std::vector<Features> features;  // [positions]
+};
+
+// One for each target, descending strictly. An edge is collapsed to where the planes round it are nearest (Garland and
+// Heckbert 1997); vertices whose features differ are brought together last, by what it adds to the variance of each
+// (Ward's rule). No triangle turns over. Stops above a target where no lawful collapse is left. Pieces of less than a
+// fiftieth of the surface are left out. Deterministic.
+std::vector<Coarse> coarsened(const Boundary &surface, const std::vector<Attributes> &features,
+                              const std::vector<size_t> &targets);
+
+}  // namespace claque::lod

@@ -1,0 +1,135 @@
+// The closed surface that far levels are made of.
+#include "lib/lod/shell.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "lib/base/hash.h"
+#include "lib/figures/figure.h"
+#include "lib/lod/boundary.h"
+#include "lib/lod/nearest.h"
+#include "lib/lod/samples.h"
+
+using namespace claque;
+
+namespace
+{
+
+using Triangles = std::vector<lod::Voxels::Triangle>;
+
+// A box without its lowest side.
+Triangles open_box()
+{
+    const auto corner = [](int k) { return glm::dvec3(k & 1, k >> 1 & 1, k >> 2 & 1); };
+    Triangles out;
+    for (const auto &side : {std::array{0, 2, 6, 4}, {1, 5, 7, 3}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}}) {
+        out.push_back({corner(side[0]), corner(side[1]), corner(side[2])});
+        out.push_back({corner(side[0]), corner(side[2]), corner(side[3])});
+    }
+    return out;
+}
+
+double volume_of(const lod::Boundary &boundary)
+{
+    double sum = 0;
+    for (const auto &t : boundary.triangles)
+        sum += glm::dot(boundary.positions[t[0]], glm::cross(boundary.positions[t[1]], boundary.positions[t[2]])) / 6;
+    return sum;
+}
+
+// How often each directed edge is there: closed and of one side where each has its opposite once.
+bool closed(const lod::Boundary &boundary)
+{
+    std::map<std::pair<uint32_t, uint32_t>, int> edges;
+    for (const auto &t : boundary.triangles)
+        for (size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    for (const auto &[edge, count] : edges) {
+        const auto back = edges.find({edge.second, edge.first});
+        if (count != 1 || back == edges.end() || back->second != 1) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST(Voxels, fill_a_box_that_is_open_below_and_nothing_outside)
+{
+    const Triangles box = open_box();
+    lod::Voxels voxels(box, 20);
+    const glm::uvec3 size = voxels.size(), middle = size / 2u;
+    EXPECT_FALSE(voxels.filled(middle.x, middle.y, middle.z));
+    voxels.fill();
+    EXPECT_TRUE(voxels.filled(middle.x, middle.y, middle.z));
+    for (uint32_t x = 0; x < size.x; ++x)
+        for (uint32_t y = 0; y < size.y; ++y)
+            for (const uint32_t z : {0u, size.z - 1}) EXPECT_FALSE(voxels.filled(x, y, z));
+}
+
+TEST(Boundary, encloses_what_is_filled)
+{
+    lod::Voxels voxels(open_box(), 20);
+    voxels.fill();
+    double filled = 0;
+    const glm::uvec3 size = voxels.size();
+    for (uint32_t z = 0; z < size.z; ++z)
+        for (uint32_t y = 0; y < size.y; ++y)
+            for (uint32_t x = 0; x < size.x; ++x) filled += voxels.filled(x, y, z);
+    const lod::Boundary boundary = lod::boundary_of(voxels);
+    EXPECT_TRUE(closed(boundary));
+    const double cell = std::pow(voxels.cell(), 3);
+    EXPECT_NEAR(volume_of(boundary) / cell, filled, 0.1 * filled);
+    EXPECT_GT(volume_of(boundary), 0);  // seen from outside its triangles are counter-clockwise
+}
+
+// Cells that touch along edges and corners alone are where other ways to march tear.
+TEST(Boundary, is_closed_however_cells_touch)
+{
+    Triangles dust;
+    for (uint64_t i = 0; i < 120; ++i) {
+        const glm::dvec3 p(base::unit(base::mix(3 * i)), base::unit(base::mix(3 * i + 1)),
+                           base::unit(base::mix(3 * i + 2)));
+        dust.push_back({p, p, p});
+    }
+    const lod::Boundary boundary = lod::boundary_of(lod::Voxels(dust, 8));
+    EXPECT_GT(boundary.triangles.size(), 500u);
+    EXPECT_TRUE(closed(boundary));
+}
+
+TEST(Shell, levels_of_a_person_are_closed_and_lie_near_it)
+{
+    const model::Model citizen = figures::citizen();
+    std::vector<const model::Part *> parts;
+    for (const model::Part &part : citizen.parts) parts.push_back(&part);
+    lod::ShellWish wish;
+    wish.targets = {250, 120, 60, 30};
+    const std::vector<model::Part> shells = lod::shells_of(citizen, parts, wish);
+    ASSERT_EQ(shells.size(), 4u);
+    const std::vector<std::vector<glm::vec3>> own = lod::at_rest(citizen.rig, parts);
+    std::vector<lod::NearestPoint::Triangle> triangles;
+    const lod::PosedParts posed(parts);
+    for (const lod::PosedParts::Triangle &t : posed.triangles())
+        triangles.push_back({glm::dvec3(own[t.part][t.vertices[0]]), glm::dvec3(own[t.part][t.vertices[1]]),
+                             glm::dvec3(own[t.part][t.vertices[2]])});
+    const lod::NearestPoint nearest(triangles);
+    const double near_m[] = {0.08, 0.12, 0.2, 0.3};
+    for (size_t i = 0; i < 4; ++i) {
+        EXPECT_LE(shells[i].indices.size(), 3 * wish.targets[i]);
+        EXPECT_GE(shells[i].indices.size(), 3 * wish.targets[i] * 9 / 10);
+        lod::Boundary surface;
+        for (size_t k = 0; k < shells[i].indices.size(); k += 3)
+            surface.triangles.push_back({shells[i].indices[k], shells[i].indices[k + 1], shells[i].indices[k + 2]});
+        EXPECT_TRUE(closed(surface));
+        const std::vector<std::vector<glm::vec3>> rest = lod::at_rest(citizen.rig, {&shells[i]});
+        for (const glm::vec3 p : rest[0])
+            EXPECT_LT(std::sqrt(nearest.to(glm::dvec3(p)).distance_squared), near_m[i]);
+        for (size_t v = 0; v < shells[i].positions.size(); ++v) {
+            float sum = 0;
+            for (uint32_t k = 0; k < shells[i].influence_count; ++k)
+                sum += shells[i].weights[v * shells[i].influence_count + k];
+            EXPECT_NEAR(sum, 1, 1e-5);
+        }
+    }
+}
