@@ -1,0 +1,151 @@
+#include <claque/prepare.h>
+
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lib/api/assets/made_by.h"
+#include "lib/api/boundary.h"
+#include "lib/asset/store.h"
+#include "lib/model/template_file.h"
+
+using namespace claque;
+
+namespace
+{
+
+constexpr uint64_t usual_limit = uint64_t(1) << 30;
+
+struct Destroy {
+    void operator()(clq_asset *asset) const { clq_asset_destroy(asset); }
+    void operator()(clq_template *tmpl) const { clq_template_destroy(tmpl); }
+};
+using Asset = std::unique_ptr<clq_asset, Destroy>;
+using Template = std::unique_ptr<clq_template, Destroy>;
+
+// What another public call said, said again.
+void pass_on(clq_status status)
+{
+    if (status == CLQ_OK) return;
+    const std::string text = clq_last_error();
+    base::fail(status, "%s", text.c_str());
+}
+
+std::string folder_of(const std::string &path)
+{
+    const size_t slash = path.find_last_of('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+void check(const clq_prepare_def &def)
+{
+    api::require((def.builtin != nullptr) != (def.path != nullptr), "either builtin or path is wanted, not both");
+    api::require(def.builtin || def.clip_count == 0, "clip_count goes with builtin alone");
+    api::require(def.path || !def.options, "options go with path alone");
+    api::require_size(def.options, "clq_asset_options_init");
+    api::require_size(def.levels, "clq_levels_def_init");
+}
+
+void add_options(const clq_asset_options &options, asset::Fingerprint &all)
+{
+    all.add(uint64_t(options.hidden_node_count));
+    for (uint32_t i = 0; options.hidden_nodes && i < options.hidden_node_count; ++i)
+        all.add(std::string(api::name_of(options.hidden_nodes[i])));
+    all.add(options.motion_unit_m);
+}
+
+void add_levels(const clq_levels_def &levels, asset::Fingerprint &all)
+{
+    api::require_array(levels.targets, levels.target_count, "targets");
+    all.add(levels.targets, levels.target_count * sizeof *levels.targets);
+    all.add(double(levels.tolerance_px));
+    all.add(double(levels.metres_per_unit));
+    all.add(uint64_t(levels.far_from));
+}
+
+std::string name_of(const clq_prepare_def &def)
+{
+    asset::Fingerprint all;
+    all.add(std::string(api::made_by()));
+    all.add(uint64_t(model::template_file_version));
+    if (def.builtin) {
+        all.add(std::string(def.builtin));
+        all.add(uint64_t(def.clip_count));
+    } else {
+        const clq_asset_options options = def.options ? *def.options : clq_asset_options_init();
+        const std::string folder = options.base_folder ? options.base_folder : folder_of(def.path);
+        asset::add_file(def.path, folder, options.memory_limit_bytes ? options.memory_limit_bytes : usual_limit, all);
+        all.add(std::string(def.path).substr(std::string(def.path).find_last_of('/') + 1));  // it names the template
+        add_options(options, all);
+    }
+    all.add(uint64_t(def.levels != nullptr));
+    if (def.levels) add_levels(*def.levels, all);
+    all.add(uint64_t(def.max_texture_px));
+    return all.hex() + ".claque";
+}
+
+Asset asset_of(clq_context *context, const clq_prepare_def &def)
+{
+    clq_asset *made = nullptr;
+    if (def.path) pass_on(clq_asset_load_file(context, def.path, def.options, &made));
+    else if (def.clip_count) pass_on(clq_asset_builtin_varied(context, def.builtin, def.clip_count, &made));
+    else pass_on(clq_asset_builtin(context, def.builtin, &made));
+    return Asset(made);
+}
+
+Template made_anew(clq_context *context, const clq_prepare_def &def)
+{
+    const Asset asset = asset_of(context, def);
+    if (def.levels) pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr, 0, nullptr));
+    clq_template *made = nullptr;
+    pass_on(clq_asset_build(context, asset.get(), def.max_texture_px, &made));
+    return Template(made);
+}
+
+Template from_disk(clq_context *context, const std::string &folder, const std::string &name)
+{
+    clq_template *loaded = nullptr;
+    const std::vector<uint8_t> bytes = asset::stored(folder, name);
+    if (!bytes.empty()) (void)clq_template_load(context, bytes.data(), bytes.size(), &loaded);
+    return Template(loaded);
+}
+
+std::string keep(const clq_template &made, const std::string &folder, const std::string &name)
+{
+    std::vector<uint8_t> bytes;
+    const auto append = [](void *user, const void *more, size_t size) {
+        auto *all = static_cast<std::vector<uint8_t> *>(user);
+        const auto *first = static_cast<const uint8_t *>(more);
+        all->insert(all->end(), first, first + size);
+        return 0;
+    };
+    pass_on(clq_template_save(&made, append, &bytes));
+    return asset::store(folder, name, bytes);
+}
+
+}  // namespace
+
+extern "C" clq_status clq_template_prepare(clq_context *context, const clq_prepare_def *def, clq_template **out,
+                                           clq_prepare_report *report)
+{
+    return api::boundary("clq_template_prepare", [&] {
+        api::require(context && def && out, "context, def or out is NULL");
+        api::require_size(def, "clq_prepare_def_init");
+        check(*def);
+        clq_prepare_report found = {};
+        const std::string folder = def->folder ? def->folder : asset::user_cache_folder();
+        const std::string name = folder.empty() ? "" : name_of(*def);
+        Template made = folder.empty() ? nullptr : from_disk(context, folder, name);
+        found.from_disk = made != nullptr;
+        if (!made) {
+            made = made_anew(context, *def);
+            const std::string why = folder.empty() ? "no folder was given" : keep(*made, folder, name);
+            found.stored = why.empty();
+            std::snprintf(found.text, sizeof found.text, "%s", why.c_str());
+        }
+        if (report) *report = found;
+        *out = made.release();
+    });
+}
