@@ -107,7 +107,26 @@ void fill_with_zone(const Individual &who, uint32_t surface_index, const ZoneTes
     for_parts(who, surface_index, [&](const PartReach &reach) { fill(reach.sources); });
 }
 
+template <class Format>
+void colours_of_slots(const Individual &who, uint32_t surface_index, Array<typename Format::Colour> &table,
+                      typename Format::Colour *out)
+{
+    fill_table<Format>(who, who.prepared->textures[who.level->surfaces[surface_index].texture], table);
+    const uint16_t *slots = who.level->slots.data();
+    for (uint32_t v = 0; v < who.level->vertex_count; ++v) out[v] = table[slots[v]];
+}
+
 }  // namespace
+
+void slot_colours(const Individual &who, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out)
+{
+    colours_of_slots<UbyteColours>(who, surface_index, table, out);
+}
+
+void slot_colours(const Individual &who, uint32_t surface_index, Array<Real4> &table, Real4 *out)
+{
+    colours_of_slots<RealColours>(who, surface_index, table, out);
+}
 
 void Scratch::reserve(ColourFormat format, uint32_t vertices, uint32_t slots)
 {
@@ -126,6 +145,17 @@ void Scratch::reserve(ColourFormat format, uint32_t vertices, uint32_t slots)
 void Scratch::reserve_chain(uint32_t depth)
 {
     if (chain.size() < depth) chain.resize(depth);
+}
+
+void Scratch::reserve_batch(ColourFormat format)
+{
+    if (!batch.positions.empty()) return;
+    batch.normals.resize(3 * size_t(batch_vertices));
+    batch.uvs.resize(2 * size_t(batch_vertices));
+    if (format == ColourFormat::ubyte) batch.ubyte.resize(batch_vertices);
+    else batch.real.resize(batch_vertices);
+    batch.indices.resize(batch_indices);
+    batch.positions.resize(3 * size_t(batch_vertices));  // last: it says that all are there
 }
 
 void Canvas::place(const Individual &who)

@@ -15,21 +15,37 @@ namespace claque::passes
 using Ubyte4 = std::array<uint8_t, 4>;
 using Real4 = std::array<float, 4>;
 
+// Of several individuals, one behind the other: see Batch.
+struct BatchArrays {
+    explicit BatchArrays(std::pmr::memory_resource *memory)
+        : positions(memory), normals(memory), uvs(memory), ubyte(memory), real(memory), indices(memory)
+    {
+    }
+    Array<float> positions, normals, uvs;
+    Array<Ubyte4> ubyte;
+    Array<Real4> real;
+    Array<uint16_t> indices;
+};
+
 // Of one individual at a time: colours in the format that the renderer was asked for, products of matrices.
 struct Scratch {
+    static constexpr uint32_t batch_vertices = 2048, batch_indices = 8192;  // what stays in a processor's cache
+
     explicit Scratch(std::pmr::memory_resource *memory)
-        : ubyte(memory), ubyte_table(memory), real(memory), real_table(memory), chain(memory)
+        : ubyte(memory), ubyte_table(memory), real(memory), real_table(memory), chain(memory), batch(memory)
     {
     }
     // Grow only; throw std::bad_alloc.
     void reserve(ColourFormat format, uint32_t vertices, uint32_t slots);
     void reserve_chain(uint32_t depth);
+    void reserve_batch(ColourFormat format);
 
     Array<Ubyte4> ubyte;        // one a vertex
     Array<Ubyte4> ubyte_table;  // one a slot, see model::Level::slots
     Array<Real4> real;
     Array<Real4> real_table;
     Array<math::Affine> chain;  // products of nodes, one a depth: see MatrixWalk
+    BatchArrays batch;
 };
 
 struct Individual {
@@ -44,6 +60,10 @@ struct Individual {
 
     bool whole() const { return parts == every_part_of(*level); }
 };
+
+// One colour a vertex of a level, from the slots of a surface. `table` has room for the slots.
+void slot_colours(const Individual &who, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out);
+void slot_colours(const Individual &who, uint32_t surface_index, Array<Real4> &table, Real4 *out);
 
 class Canvas
 {

@@ -16,6 +16,13 @@ struct SurfaceState {
     bool colour_array = false;    // colours come from an array, else from glColor
     gl::Enum alpha_function = 0;  // 0: no alpha test
     float alpha_reference = 0;
+
+    bool operator==(const SurfaceState &o) const
+    {
+        return texture == o.texture && double_sided == o.double_sided && mirrored == o.mirrored &&
+               colour_array == o.colour_array && alpha_function == o.alpha_function &&
+               (alpha_function == 0 || alpha_reference == o.alpha_reference);
+    }
 };
 
 class GlState

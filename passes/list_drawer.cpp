@@ -28,7 +28,8 @@ ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const Rendere
       list_(list),
       stats_(stats),
       state_(gl, stats),
-      canvas_(gl, options, state_, scratch, stats)
+      canvas_(gl, options, state_, scratch, stats),
+      batch_(gl, options, state_, scratch, stats)
 {
 }
 
@@ -49,6 +50,7 @@ base::Status ListDrawer::draw()
         } else if (!item.hooks) draw_individual(who);
         else if (draw_between_hooks(who, first) == Next::stop) break;
     }
+    batch_.flush();
     return first;
 }
 
@@ -74,6 +76,8 @@ bool ListDrawer::make(const draw::Item &item, Individual &who) const
 
 void ListDrawer::draw_individual(const Individual &who)
 {
+    if (batch_.takes(who)) return batch_.add(who);
+    batch_.flush();
     canvas_.place(who);
     if (who.item->locals) MatrixWalk(gl_, canvas_, scratch_.chain, stats_, room_).draw(who);
     else draw_parts(canvas_, who);
@@ -81,6 +85,7 @@ void ListDrawer::draw_individual(const Individual &who)
 
 ListDrawer::Next ListDrawer::draw_between_hooks(Individual &who, base::Status &first)
 {
+    batch_.flush();
     HookFrame frame(gl_, preflight_, state_, list_, *who.item);
     const uint32_t room = room_;
     base::Status status = frame.before();

@@ -1,6 +1,7 @@
 // One draw of one list: its items one after the other, under one guard.
 #pragma once
 
+#include "passes/batch.h"
 #include "passes/canvas.h"
 #include "passes/preflight.h"
 
@@ -38,6 +39,7 @@ private:
     DrawStats &stats_;
     GlState state_;
     Canvas canvas_;
+    Batch batch_;
     uint32_t room_ = 0;  // for matrices; asked where an item wants it
 };
 

@@ -18,6 +18,7 @@ struct RendererOptions {
     Guard guard = Guard::full;
     ColourFormat colours = ColourFormat::ubyte;
     KeyTest key_test = KeyTest::greater_equal;
+    uint32_t batch_triangles = 128;  // levels of so many triangles and fewer are drawn several individuals a call
 };
 
 struct DrawStats {

@@ -1,6 +1,7 @@
 #include "passes/prepared.h"
 
 #include "lib/model/keys.h"
+#include "passes/batch.h"
 #include "passes/parts.h"
 
 #include <algorithm>
@@ -163,6 +164,8 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
     for (const model::Texture &texture : source.textures)
         prepare_texture(out.textures.emplace_back(memory), texture, options.key_test);
     for (const model::Level &level : source.levels) prepare_ranges(out.levels.emplace_back(memory), level);
+    for (size_t i = 0; i < out.levels.size(); ++i)
+        out.levels[i].batched = Batch::fits(source, source.levels[i], options.batch_triangles);
     prepare_placement(out);
     return base::Status::good();
 }

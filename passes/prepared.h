@@ -62,6 +62,8 @@ struct PreparedLevel {
     // Where PreparedTemplate::rigid: each vertex, copies included, in the space of the node that its part hangs on.
     Array<float> positions, normals;
     Array<MatrixStep> steps;
+
+    bool batched = false;  // its individuals are drawn several with one call
 };
 
 struct PreparedTemplate {

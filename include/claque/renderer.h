@@ -56,6 +56,10 @@ typedef struct clq_renderer_def {
     clq_guard guard;
     clq_colour_format colours;
     clq_key_test key_test;
+    /* Individuals at levels of so many triangles and fewer, of one surface without dirty triangles, are drawn several
+       with one call, their vertices moved to eye space by claque: where a call costs more than what it draws (default
+       128, most 2730; 0: never). Which way decides about the last bit of a position, so pixels on edges may differ. */
+    uint32_t batch_triangles;
 } clq_renderer_def;
 
 static inline clq_renderer_def clq_renderer_def_init(void)
@@ -68,6 +72,7 @@ static inline clq_renderer_def clq_renderer_def_init(void)
     def.guard = CLQ_GUARD_FULL;
     def.colours = CLQ_COLOUR_UBYTE;
     def.key_test = CLQ_KEY_GREATER_EQUAL;
+    def.batch_triangles = 128;
     return def;
 }
 

@@ -35,6 +35,7 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     options.guard = static_cast<passes::Guard>(def.guard);
     options.colours = static_cast<passes::ColourFormat>(def.colours);
     options.key_test = static_cast<passes::KeyTest>(def.key_test);
+    options.batch_triangles = def.batch_triangles;
     return options;
 }
 

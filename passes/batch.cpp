@@ -1,0 +1,139 @@
+#include "passes/batch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace claque::passes
+{
+namespace
+{
+
+// From a vertex as it lies in its array to eye space, and from its normal to a direction there. Rounded as floats, one
+// way for all.
+struct Mover {
+    float place[12];  // columns x, y, z, offset
+    float facing[9];  // columns
+
+    explicit Mover(const Individual &who)
+    {
+        const float *m = who.item->model_view;
+        const draw::Vertices &vertices = who.vertices;
+        double columns[3][3];
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r) columns[c][r] = static_cast<double>(m[4 * c + r]);
+        for (int r = 0; r < 3; ++r) {
+            double moved = static_cast<double>(m[12 + r]);
+            for (int c = 0; c < 3; ++c) {
+                const double step = vertices.packed() ? static_cast<double>(vertices.step) : 1.0;
+                if (vertices.packed()) moved += columns[c][r] * static_cast<double>(vertices.offset[c]);
+                place[3 * c + r] = static_cast<float>(columns[c][r] * step);
+            }
+            place[9 + r] = static_cast<float>(moved);
+        }
+        // Cofactors: the inverse transpose but for a factor, which GL_NORMALIZE takes away; its sign is the mirror's.
+        double sum = 0, cofactors[3][3];
+        for (int c = 0; c < 3; ++c) {
+            const double *a = columns[(c + 1) % 3], *b = columns[(c + 2) % 3];
+            for (int r = 0; r < 3; ++r)
+                cofactors[c][r] = a[(r + 1) % 3] * b[(r + 2) % 3] - a[(r + 2) % 3] * b[(r + 1) % 3];
+            sum += cofactors[c][0] * cofactors[c][0] + cofactors[c][1] * cofactors[c][1] +
+                   cofactors[c][2] * cofactors[c][2];
+        }
+        // To about length 1, so that no scale takes them out of what floats hold.
+        double factor = sum > 0 ? 1 / std::sqrt(sum / 3) : 1;
+        if (who.item->mirrored) factor = -factor;
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r) facing[3 * c + r] = static_cast<float>(cofactors[c][r] * factor);
+    }
+};
+
+void move_by(const float *m, float x, float y, float z, float *out)
+{
+    for (int r = 0; r < 3; ++r) out[r] = m[r] * x + m[3 + r] * y + m[6 + r] * z;
+}
+
+}  // namespace
+
+bool Batch::fits(const model::Template &tmpl, const model::Level &level, uint32_t most)
+{
+    if (level.surfaces.size() != 1 || level.surfaces[0].dirty.count != 0) return false;
+    const model::Surface &surface = level.surfaces[0];
+    return surface.fused.count != 0 && surface.fused.count <= 3 * uint64_t(most) &&
+           level.vertex_count <= Scratch::batch_vertices && surface.fused.count <= Scratch::batch_indices &&
+           !tmpl.textures[surface.texture].has_holes && level.colours.empty() && part_count_of(level) == 1;
+}
+
+bool Batch::takes(const Individual &who) const
+{
+    return !who.item->hooks && !who.item->locals && !who.own && who.ready->batched;
+}
+
+bool Batch::has_room(const model::Level &level) const
+{
+    return vertices_ + level.vertex_count <= Scratch::batch_vertices &&
+           indices_ + level.surfaces[0].fused.count <= Scratch::batch_indices;
+}
+
+void Batch::add(const Individual &who)
+{
+    SurfaceState wanted = Canvas::state_of(who, who.level->surfaces[0]);
+    wanted.colour_array = true;
+    if (vertices_ != 0 && (!(wanted == surface_) || !has_room(*who.level))) flush();
+    surface_ = wanted;
+    add_places(who);
+    add_looks(who);
+    const model::IndexRange fused = who.level->surfaces[0].fused;
+    for (uint32_t i = 0; i < fused.count; ++i)
+        scratch_.batch.indices[indices_ + i] = static_cast<uint16_t>(vertices_ + who.level->indices[fused.first + i]);
+    vertices_ += who.level->vertex_count;
+    indices_ += fused.count;
+    ++stats_.individuals;
+    ++stats_.parts;
+    stats_.triangles += fused.count / 3;
+    stats_.vertices += who.level->vertex_count;
+}
+
+void Batch::add_places(const Individual &who)
+{
+    const Mover mover(who);
+    const draw::Vertices &from = who.vertices;
+    float *positions = scratch_.batch.positions.data() + 3 * size_t(vertices_);
+    float *normals = scratch_.batch.normals.data() + 3 * size_t(vertices_);
+    const auto move = [&](const auto *p, const auto *n, size_t stride) {
+        for (uint32_t v = 0; v < who.level->vertex_count; ++v, p += stride, n += stride) {
+            float *out = positions + 3 * size_t(v);
+            move_by(mover.place, float(p[0]), float(p[1]), float(p[2]), out);
+            for (int r = 0; r < 3; ++r) out[r] += mover.place[9 + r];
+            move_by(mover.facing, float(n[0]), float(n[1]), float(n[2]), normals + 3 * size_t(v));
+        }
+    };
+    from.packed() ? move(from.short_positions, from.byte_normals, 4) : move(from.positions, from.normals, 3);
+}
+
+void Batch::add_looks(const Individual &who)
+{
+    const size_t first = vertices_;
+    std::copy(who.level->uvs.begin(), who.level->uvs.end(), scratch_.batch.uvs.begin() + std::ptrdiff_t(2 * first));
+    options_.colours == ColourFormat::ubyte
+        ? slot_colours(who, 0, scratch_.ubyte_table, scratch_.batch.ubyte.data() + first)
+        : slot_colours(who, 0, scratch_.real_table, scratch_.batch.real.data() + first);
+}
+
+void Batch::flush()
+{
+    if (vertices_ == 0) return;
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const BatchArrays &arrays = scratch_.batch;
+    state_.apply(surface_);
+    gl_.LoadMatrixf(identity);
+    gl_.VertexPointer(3, gl::real, 0, arrays.positions.data());
+    gl_.NormalPointer(gl::real, 0, arrays.normals.data());
+    gl_.TexCoordPointer(2, gl::real, 0, arrays.uvs.data());
+    if (options_.colours == ColourFormat::ubyte) gl_.ColorPointer(4, gl::unsigned_byte, 0, arrays.ubyte.data());
+    else gl_.ColorPointer(4, gl::real, 0, arrays.real.data());
+    gl_.DrawElements(gl::triangles, static_cast<int32_t>(indices_), gl::unsigned_short, arrays.indices.data());
+    ++stats_.draws;
+    vertices_ = indices_ = 0;
+}
+
+}  // namespace claque::passes
