@@ -16,8 +16,8 @@ struct clq_crowd;
  * none, are INDIVIDUAL whatever is said here.
  *
  * What key-poses are wrong by against the exact pose falls with the rate for the nearest one, with its square for two blended.
- * The built-in people at 15 key-poses a second: no vertex by more than 120 mm (8 mm root mean square), and 25 mm (2 mm);
- * within a pixel of a picture 768 lines high over 60 degrees from 80 m on, and from 17 m on. Packed geometry adds one of its
+ * The built-in people at 15 key-poses a second: no vertex by more than 120 mm (9 mm root mean square), and 30 mm (2 mm);
+ * within a pixel of a picture 768 lines high over 60 degrees from 80 m on, and from 20 m on. Packed geometry adds one of its
  * steps along each axis at most. */
 typedef enum clq_method {
     CLQ_METHOD_INDIVIDUAL = 0, /* the pose of its tick, in caches of its own (S1 4) */
