@@ -42,7 +42,8 @@ function(claque_test name)
     target_link_libraries(${name} PRIVATE claque_flags ${ARG_LIBRARIES} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE
         CLAQUE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAQUE_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets")
-    set(properties TIMEOUT ${ARG_TIMEOUT} ${ARG_PROPERTIES})
+    set(properties TIMEOUT ${ARG_TIMEOUT} ${ARG_PROPERTIES}
+        ENVIRONMENT_MODIFICATION XDG_CACHE_HOME=set:${PROJECT_BINARY_DIR}/cache)
     if(ARG_ENVIRONMENT)
         list(APPEND properties ENVIRONMENT ${ARG_ENVIRONMENT})
     endif()

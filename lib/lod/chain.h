@@ -29,7 +29,7 @@ struct ChainLevel {
     Deviation deviation;  // of the first, all 0
 };
 
-// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 30. Above
+// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 42, 30. Above
 // 1040 half of the character's, and so on.
 std::vector<size_t> usual_targets(size_t triangles);
 

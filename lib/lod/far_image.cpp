@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "lib/base/error.h"
 #include "lib/lod/samples.h"
@@ -15,13 +16,17 @@ namespace claque::lod
 namespace
 {
 
-constexpr uint32_t shades = 8;          // of one zone
+constexpr uint32_t most_shades = 8;     // of one zone
+constexpr size_t plain_triangles = 64;  // from here down one shade a zone: vertices between shades stand twice
 constexpr uint32_t block = 4;           // texels across that are alike, so that no rounding reaches a neighbour
 constexpr uint32_t blocks_across = 16;  // of the image
 
 struct Look {
-    uint32_t zone = 0, shade = 0;
-    bool operator<(const Look &o) const { return zone != o.zone ? zone < o.zone : shade < o.shade; }
+    uint32_t zone = 0, shade = 0, shades = 1;  // which of how many
+    bool operator<(const Look &o) const
+    {
+        return std::tie(zone, shades, shade) < std::tie(o.zone, o.shades, o.shade);
+    }
 };
 
 // Of everything that is nearest to one triangle.
@@ -55,7 +60,7 @@ std::vector<Seen> what_is_seen(const model::Model &model, const PosedParts &sour
     return seen;
 }
 
-Look look_of(const Seen &seen, Colours &colours)
+Look look_of(const Seen &seen, uint32_t shades, Colours &colours)
 {
     Look look;
     const auto most = std::max_element(seen.areas.begin(), seen.areas.end(),
@@ -64,6 +69,7 @@ Look look_of(const Seen &seen, Colours &colours)
     const glm::dvec3 colour = seen.colours.at(look.zone);
     const double area = std::max(most->second, 1e-30);
     const double bright = (colour.x + colour.y + colour.z) / (3 * area);
+    look.shades = shades;
     look.shade = std::min(shades - 1, static_cast<uint32_t>(bright * shades));
     auto &[sum, weight] = colours.sums[look];
     sum += colour, weight += area;
@@ -130,7 +136,9 @@ FarLevels painted(const model::Model &model, const std::vector<const model::Part
         PosedParts coarse({&part});
         coarse.pose(model.rig, palette, workspace.weights());
         looks.emplace_back();
-        for (const Seen &seen : what_is_seen(model, fine, coarse)) looks.back().push_back(look_of(seen, colours));
+        const uint32_t shades = coarse.triangles().size() <= plain_triangles ? 1 : most_shades;
+        for (const Seen &seen : what_is_seen(model, fine, coarse))
+            looks.back().push_back(look_of(seen, shades, colours));
     }
 
     FarLevels far;
@@ -168,9 +176,6 @@ FarLevels painted(const model::Model &model, const std::vector<const model::Part
     far.material.name = far.image.name;
     far.material.image = static_cast<uint32_t>(model.images.size());
     far.material.wrap_s = far.material.wrap_t = model::Wrap::clamp;
-    for (const model::Part *part : source)
-        if (part->material != model::none && model.materials[part->material].double_sided)
-            far.material.double_sided = true;
     for (size_t i = 0; i < parts.size(); ++i) {
         give_uvs(parts[i], looks[i], places);
         parts[i].material = static_cast<uint32_t>(model.materials.size());

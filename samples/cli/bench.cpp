@@ -94,6 +94,12 @@ void add_bench(CLI::App &app, Work &chosen)
         ->delimiter(',')
         ->check(cache_choice)
         ->capture_default_str();
+    c->add_option(
+         "--lod", a->lods,
+         "Along the path of the odeon: people with levels of detail, or without, or both with a comma (S1 Fig. 8)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"off", "on"}))
+        ->capture_default_str();
     c->add_option("--frames", a->frames, "Measured frames a run, or a section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -115,6 +121,9 @@ void add_bench(CLI::App &app, Work &chosen)
         if (cull->count() > 0 && !of_actors(*a))
             throw CLI::ValidationError("--cull",
                                        "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
+        if (a->lods != std::vector<std::string>{"off"} && (a->stage.camera != "path" || scene_of(a->stage) != "odeon"))
+            throw CLI::ValidationError("--lod", "is for the odeon along its path");
+        if (a->subject == "ten_thousand" && count->count() == 0) a->counts = {100, 1000, 10000, 20000};
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
         if (is_of_key_poses(*a) && count->count() == 0) a->counts = {a->subject == "keypose-script" ? 2500u : 10000u};
         if (of_actors(*a) && count->count() == 0)

@@ -11,6 +11,7 @@ struct BenchArguments {
     std::string subject;
     std::vector<uint32_t> counts = {100, 500, 1000};
     std::vector<std::string> varieties = variety_names(), caches = cache_names();
+    std::vector<std::string> lods = {"off"};
     std::vector<std::string> culls = {"actor", "traditional"};
     std::string save;
     std::string operations;  // file for `claque cost --measured`

@@ -20,6 +20,7 @@ namespace
 
 constexpr double frame_s = 1 / 25.0;
 constexpr int burst_frames = 5;
+constexpr const char *with_levels = ", levels";
 
 struct Mean {
     double sum = 0;
@@ -38,9 +39,10 @@ struct Variant {
     Mean draws, triangles_sent, vertices_sent, animated, skinned, asked, served, updated;
 };
 
-// One cache: a crowd and a context of its own, whatever the variety.
+// One cache, with levels of detail or without: a crowd and a context of its own, whatever the variety.
 struct Rival {
-    std::string cache;
+    std::string cache;    // and levels, as reports have it
+    std::string picture;  // what shows the same has the same one
     std::unique_ptr<scenes::Stage> stage;
     std::vector<Variant> variants;  // by variety
 };
@@ -78,20 +80,26 @@ public:
     Race(const BenchArguments &a, scenes::Library &library, Progress &progress) : a_(a)
     {
         const LoadedCharacter nobody;
-        for (const std::string &cache : a.caches) {
-            progress.phase("preparing, cache " + cache);
-            StageArguments arguments = a.stage;
-            arguments.cache = cache;
-            const scenes::StageOptions options = stage_options(arguments, nobody);
-            rivals_.push_back({cache, std::make_unique<scenes::Stage>(library, options), {}});
-            // First draws of a renderer cost more than any later one.
-            rivals_.back().stage->update(options.path->first_s());
-            for (const std::string &variety : a.varieties) {
-                rivals_.back().stage->use_variety(variety_named(variety));
-                rivals_.back().stage->draw_setting();
-                rivals_.back().stage->draw_crowd();
+        for (const std::string &lod : a.lods)
+            for (const std::string &cache : a.caches) {
+                const std::string label = cache + (lod == "on" ? with_levels : "");
+                progress.phase("preparing, cache " + label);
+                StageArguments arguments = a.stage;
+                arguments.cache = cache;
+                arguments.lod = lod;
+                const scenes::StageOptions options = stage_options(arguments, nobody);
+                rivals_.push_back({label,
+                                   picture_of(cache) + (lod == "on" ? with_levels : ""),
+                                   std::make_unique<scenes::Stage>(library, options),
+                                   {}});
+                // First draws of a renderer cost more than any later one.
+                rivals_.back().stage->update(options.path->first_s());
+                for (const std::string &variety : a.varieties) {
+                    rivals_.back().stage->use_variety(variety_named(variety));
+                    rivals_.back().stage->draw_setting();
+                    rivals_.back().stage->draw_crowd();
+                }
             }
-        }
     }
 
     const scenes::Stage &stage() const { return *rivals_.front().stage; }
@@ -114,8 +122,7 @@ public:
         for (const double time_s : times_s) {
             stop_if_asked();
             for (const Rival &rival : rivals_)
-                agreements_[picture_of(rival.cache)].begin("section '" + section_ + "' at " + std::to_string(time_s) +
-                                                           " s");
+                agreements_[rival.picture].begin("section '" + section_ + "' at " + std::to_string(time_s) + " s");
             for (size_t i = 0; i < rivals_.size(); ++i) frame(rivals_[(i + turn_) % rivals_.size()], time_s);
             for (const auto &[picture, agreement] : agreements_) hashes_ += agreement.hash();
             seen_.note(stage().view_stats());
@@ -199,7 +206,7 @@ private:
             variant.asked.add(key_poses.asked);
             variant.served.add(key_poses.served);
             variant.updated.add(key_poses.updated);
-            agreements_[picture_of(rival.cache)].check(stage.read(), rival.cache, a_.varieties[v]);
+            agreements_[rival.picture].check(stage.read(), rival.cache, a_.varieties[v]);
         }
     }
 

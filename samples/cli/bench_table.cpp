@@ -65,13 +65,21 @@ bool has_key_poses(const Json &report)
     return false;
 }
 
+bool has_levels(const Json &report)
+{
+    for (const Json &run : report["runs"])
+        if (words(run, "cache").find(", levels") != std::string::npos) return true;
+    return false;
+}
+
 // What is left to say of "the same picture".
 std::string same_picture(const Json &report)
 {
     unsigned most = 0;
     for (const Json &section : report["sections"]) most = std::max(most, section["depth_ties"].get<unsigned>());
     const std::string but =
-        has_key_poses(report) ? " but for that of key-poses, of which each method has one whatever its size" : "";
+        std::string(has_levels(report) ? " with levels of detail, and one without" : "") +
+        (has_key_poses(report) ? " but for that of key-poses, of which each method has one whatever its size" : "");
     if (most == 0) return "the same picture" + but + ", by hash";
     return "the same picture" + but + " (varieties differ in " + std::to_string(most) +
            " pixels at most, where crossing surfaces have one depth)";

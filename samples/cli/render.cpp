@@ -243,6 +243,9 @@ void add_render(CLI::App &app, Work &chosen)
          "What is kept from frame to frame, which never changes the picture; keypose-*: everybody shows key-poses (S3)")
         ->check(cache_choice)
         ->capture_default_str();
+    c->add_option("--lod", a->stage.lod, "On the plaza and in the odeon: people with levels of detail, or without")
+        ->check(CLI::IsMember({"off", "on"}))
+        ->capture_default_str();
     c->add_option("--cull", a->stage.cull,
                   "Behaviour between the phases, or everything for everybody and culled last (S0 4)")
         ->check(CLI::IsMember({"actor", "traditional"}))

@@ -27,6 +27,7 @@ struct StageArguments {
     double key_pose_hz = 15;
     std::string cull = "actor", placement = "vertices", geometry = "float", show = "nothing";
     double cull_scale = 1;
+    std::string lod = "off";  // on the plaza and in the odeon
 
     int width = 1024, height = 768;
 };

@@ -9,6 +9,9 @@
 namespace scenes
 {
 
+// Whether built-in people have levels of detail (S1 6) in scenes that show them with and without.
+enum class Lod { off, on };
+
 // What is asked of any scene.
 struct Casting {
     uint32_t count = 400;  // [1, 1 000 000]; 0, odeon: as many as its description says
@@ -19,7 +22,8 @@ struct Casting {
     clq_placement placement = CLQ_PLACE_VERTICES;
     clq_geometry geometry = CLQ_GEOMETRY_FLOAT;
     clq_key_poses key_poses = clq_key_poses_init();
-    float lod_scale = 1;  // times every distance that chooses levels of detail; 0: all at their finest
+    Lod lod = Lod::off;
+    float lod_scale = 1;       // times every distance that chooses levels of detail; 0: all at their finest
     std::string theatre_file;  // odeon: a description of the user's; empty: the one that comes with claque
 };
 

@@ -1,6 +1,6 @@
 #include "samples/scenes/library.h"
 
-#include <claque/levels.h>
+#include <claque/prepare.h>
 
 namespace scenes
 {
@@ -34,19 +34,18 @@ clq_template *Library::builtin(const std::string &name)
 
 clq_template *Library::builtin(const std::string &name, const std::vector<uint32_t> &levels)
 {
-    std::string key = name;
+    std::string key = name + " in levels";
     for (const uint32_t triangles : levels) key += "/" + std::to_string(triangles);
     Own<clq_template> &figure = figures_[key];
     if (figure) return figure.get();
-    clq_asset *loaded = nullptr;
-    check(clq_asset_builtin(context(), name.c_str(), &loaded));
-    const Own<clq_asset> asset(loaded);
-    clq_levels_def def = clq_levels_def_init();
-    def.targets = levels.data();
-    def.target_count = static_cast<uint32_t>(levels.size());
-    check(clq_asset_make_levels(context(), loaded, &def, nullptr, 0, nullptr), name);
+    clq_levels_def chain = clq_levels_def_init();
+    if (!levels.empty()) chain.targets = levels.data();
+    chain.target_count = static_cast<uint32_t>(levels.size());
+    clq_prepare_def def = clq_prepare_def_init();
+    def.builtin = name.c_str();
+    def.levels = &chain;
     clq_template *made = nullptr;
-    check(clq_asset_build(context(), loaded, 0, &made), name);
+    check(clq_template_prepare(context(), &def, &made, nullptr), name);
     figure.reset(made);
     return made;
 }

@@ -20,7 +20,8 @@ public:
     clq_context *context() const { return context_.get(); }
     // A built-in figure, made when it is first asked for; lives as long as the library. From one thread at a time.
     clq_template *builtin(const std::string &name);
-    // The same with coarser levels of detail of about so many triangles, descending (claque/levels.h).
+    // The same with coarser levels of detail of about so many triangles, descending; empty: claque's usual ones
+    // (claque/levels.h). Kept in the user's cache folder (claque/prepare.h).
     clq_template *builtin(const std::string &name, const std::vector<uint32_t> &levels);
     std::vector<std::string> warnings() const;
 

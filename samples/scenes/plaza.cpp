@@ -23,7 +23,7 @@ class Plaza final : public Scene
 public:
     Plaza(Library &library, const Casting &casting)
         : seed_(casting.seed),
-          citizen_(library.builtin("citizen")),
+          citizen_(casting.lod == Lod::on ? library.builtin("citizen", {}) : library.builtin("citizen")),
           walk_speed_(walk_speed(citizen_)),
           layout_(lay_out_plaza(casting.count, casting.seed, walk_speed_)),
           cast_(library, casting),

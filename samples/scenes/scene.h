@@ -68,6 +68,7 @@ std::unique_ptr<Scene> make_vehicle(Library &library, const Casting &casting, co
 std::unique_ptr<Scene> make_town_sky(Library &library, const Casting &casting, const Character &character);
 std::unique_ptr<Scene> make_hundred_actors(Library &library, const Casting &casting, const Character &character);
 std::unique_ptr<Scene> make_multitude(Library &library, const Casting &casting, const Character &character);
+std::unique_ptr<Scene> make_ten_thousand(Library &library, const Casting &casting, const Character &character);
 std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character);
 
 }  // namespace scenes

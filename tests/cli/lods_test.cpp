@@ -1,6 +1,8 @@
 // lods: levels of detail in numbers and in a picture.
 #include <nlohmann/json.hpp>
 
+#include <map>
+
 #include "tests/cli/run.h"
 
 namespace cli_test
@@ -43,6 +45,45 @@ TEST_F(Lods, a_picture_is_a_png_of_the_size_that_was_asked_for)
     ASSERT_GT(png.size(), 500u);
     EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
     EXPECT_EQ(static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]), 300);
+}
+
+// The command itself refuses to go on where caches differ in a picture with levels, or in one without.
+TEST_F(Lods, save_triangles_in_the_odeon_and_every_cache_shows_the_same)
+{
+    const Outcome done = claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "64x48", "--variety",
+                                 "fused", "--cache", "none,full", "--lod", "off,on", "--json"});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json report = Json::parse(done.out);
+    ASSERT_EQ(report["runs"].size(), 4 * report["sections"].size());
+    for (const Json &section : report["sections"]) {
+        std::map<std::string, double> sent;
+        for (const Json &run : report["runs"])
+            if (run["section"] == section["name"]) sent[run["cache"]] = run["triangles_sent"];
+        ASSERT_EQ(sent.size(), 4u);
+        EXPECT_EQ(sent["none, levels"], sent["full, levels"]);
+        EXPECT_EQ(sent["none"], sent["full"]);
+        EXPECT_LT(sent["full, levels"], sent["full"]) << section["name"];
+    }
+}
+
+TEST_F(Lods, of_ten_thousand_are_drawn_many_with_one_call)
+{
+    const Outcome done = claque({"render", "--scene", "ten_thousand", "--count", "400", "--size", "64x48", "--out",
+                                 path("t.png"), "--json", "-"});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json drawn = Json::parse(done.out)["frames"][0]["drawn"];
+    EXPECT_EQ(drawn["individuals"], 400);
+    EXPECT_LT(drawn["draws"].get<int>() * 8, 400);
+    EXPECT_LT(drawn["triangles_sent"].get<int>(), 400 * 130);
+}
+
+TEST_F(LodsUse, are_refused_where_no_path_compares_them)
+{
+    for (const char *scene : {"plaza", "multitude"}) {
+        const Outcome outcome = claque({"bench", scene, "--lod", "on"});
+        EXPECT_NE(outcome.code, 0);
+        EXPECT_NE(outcome.err.find("odeon"), std::string::npos) << outcome.err;
+    }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, everybody with a
-// clip, a phase and colours of its own (S3 has four textures; zones give each its own colours).
+// clip, a phase and colours of its own (S3 has four textures; zones give each its own colours). And the same field with four
+// templates in chains of levels, from where ten thousand are in view at once.
 #include "samples/scenes/light.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/scene.h"
@@ -20,12 +21,23 @@ constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
 const std::vector<uint32_t> coarser = {540, 270};
 constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh", "stand_wave", "stand"};
 
+enum class View { among, whole };  // of the overview: some of the people, or all
+
+std::vector<clq_template *> in_levels(Library &library, const std::vector<const char *> &names,
+                                      const std::vector<uint32_t> &levels)
+{
+    std::vector<clq_template *> made;
+    for (const char *name : names) made.push_back(library.builtin(name, levels));
+    return made;
+}
+
 class Multitude final : public Scene
 {
 public:
-    Multitude(Library &library, const Casting &casting)
+    Multitude(Library &library, const Casting &casting, std::vector<clq_template *> templates, View view)
         : seed_(casting.seed),
-          templates_{library.builtin("decurion", coarser), library.builtin("patrician", coarser)},
+          templates_(std::move(templates)),
+          view_(view),
           cast_(library, casting),
           sky_(casting.seed, Sky::Land::hills)
     {
@@ -37,12 +49,14 @@ public:
 
     clq_crowd *crowd() const override { return cast_.crowd(); }
     std::vector<clq_actor> actors() const override { return cast_.actors(); }
-    std::vector<clq_template *> templates() const override { return {templates_[0], templates_[1]}; }
+    std::vector<clq_template *> templates() const override { return templates_; }
 
     clq_camera camera(Shot shot, double aspect, double) const override
     {
         const double half = side_ * spacing_m / 2;
         if (shot == Shot::close) return look({1.5, 2.1, half + 5}, {0, 1.1, half - 2}, 40, aspect, 0.3, 900);
+        if (view_ == View::whole)
+            return look({0, 0.9 * half + 4, 2.7 * half + 6}, {0, 0, 0.1 * half}, 40, aspect, 1, 900);
         return look({0, 0.55 * half + 4, 1.7 * half + 6}, {0, 0, 0.2 * half}, 48, aspect, 1, 900);
     }
 
@@ -61,7 +75,8 @@ public:
 private:
     void enter(uint32_t who)
     {
-        clq_template *tmpl = templates_[lot(seed_, who, Lot::seat) < 0.5 ? 0 : 1];
+        clq_template *tmpl =
+            templates_[static_cast<size_t>(lot(seed_, who, Lot::seat) * static_cast<double>(templates_.size()))];
         const double middle = (side_ - 1) / 2.0;
         const double x = (who % side_ - middle) * spacing_m + lot_between(seed_, who, Lot::place_x, -1, 1) * jitter_m;
         const double z = (middle - who / side_) * spacing_m + lot_between(seed_, who, Lot::place_z, -1, 1) * jitter_m;
@@ -105,7 +120,8 @@ private:
     }
 
     uint64_t seed_;
-    std::array<clq_template *, 2> templates_;  // of the library
+    std::vector<clq_template *> templates_;  // of the library
+    View view_;
     Cast cast_;
     uint32_t side_ = 1;  // people a row
     Daylight light_;
@@ -118,7 +134,14 @@ private:
 
 std::unique_ptr<Scene> make_multitude(Library &library, const Casting &casting, const Character &)
 {
-    return std::make_unique<Multitude>(library, casting);
+    return std::make_unique<Multitude>(library, casting, in_levels(library, {"decurion", "patrician"}, coarser),
+                                       View::among);
+}
+
+std::unique_ptr<Scene> make_ten_thousand(Library &library, const Casting &casting, const Character &)
+{
+    const std::vector<const char *> all = {"citizen", "patrician", "decurion", "plebeian"};
+    return std::make_unique<Multitude>(library, casting, in_levels(library, all, {}), View::whole);
 }
 
 }  // namespace scenes

@@ -59,7 +59,7 @@ Audience::Audience(Library &library, const Theatre &theatre, const Casting &cast
 {
     std::vector<std::vector<clq_hsb_range>> dyes;
     for (const SocialClass &one : theatre.classes) {
-        figure_of_.push_back(figure(library, one.figure));
+        figure_of_.push_back(figure(library, one.figure, casting.lod));
         dyes.push_back(dyes_of(one, figures_[figure_of_.back()]));
     }
     for (size_t i = 0; i < sitters_.size(); ++i) {
@@ -74,13 +74,13 @@ Audience::Audience(Library &library, const Theatre &theatre, const Casting &cast
     playing_.resize(members_.size());
 }
 
-size_t Audience::figure(Library &library, const std::string &name)
+size_t Audience::figure(Library &library, const std::string &name, Lod lod)
 {
     for (size_t i = 0; i < figures_.size(); ++i)
         if (figures_[i].name == name) return i;
     Figure made;
     made.name = name;
-    clq_template *tmpl = made.tmpl = library.builtin(name);
+    clq_template *tmpl = made.tmpl = lod == Lod::on ? library.builtin(name, {}) : library.builtin(name);
     for (size_t a = 0; a < act_count; ++a) {
         const char *clip = clip_name(static_cast<Act>(a));
         made.clips[a] = clq_template_find_clip(tmpl, clip);

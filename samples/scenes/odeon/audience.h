@@ -35,7 +35,7 @@ private:
         std::array<uint32_t, act_count> clips;
         std::array<double, act_count> duration_s;
     };
-    size_t figure(Library &library, const std::string &name);
+    size_t figure(Library &library, const std::string &name, Lod lod);
     std::vector<clq_hsb_range> dyes_of(const SocialClass &one, const Figure &figure) const;
 
     std::vector<Seat> seats_;
