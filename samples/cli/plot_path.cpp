@@ -123,16 +123,18 @@ BarChart chart_of(const Report &report)
     BarChart chart;
     const std::string scene = report.text(report.root(), "scene");
     chart.title = "The " + scene + " along its camera path: what caches and colour varieties cost";
-    bool key_poses = false;
+    bool key_poses = false, levels = false;
     for (const std::string &cache : report.different("runs", "cache")) {
         chart.colours.push_back("caches: " + cache);
         key_poses = key_poses || shares_key_poses(cache);
+        levels = levels || cache.find(", levels") != std::string::npos;
     }
     if (chart.colours.size() > charts::series_colours)
         report.refuse("it has more than " + std::to_string(charts::series_colours) + " caches");
     chart.subtitle = std::to_string(std::lround(report.number(report.root(), "count"))) + " people, medians of " +
                      std::to_string(std::lround(report.number(report.root(), "frames"))) +
                      " frames a section; all bars of a section show the same pictures";
+    if (levels) chart.subtitle += ", with levels of detail others than without";
     if (key_poses) chart.subtitle += ", but for key-poses: one a method";
     for (const Json &section : report.list("sections")) {
         const Json &people = report.member(section, "people");
