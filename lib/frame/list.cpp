@@ -66,6 +66,7 @@ void call_after(void *user, uint32_t index1, uint32_t generation)
 void keep_hooks(const crowd::Crowd &crowd, View &view)
 {
     view.hooked.clear();
+    if (crowd.hooked_count() == 0) return;
     for (draw::Item &item : view.list.items) {
         const crowd::Extra *extra = crowd.extra_of(item.actor_index);
         if (!extra || (!extra->hooks.before && !extra->hooks.after)) continue;

@@ -26,6 +26,7 @@ struct RenderArguments {
     FrameRange range;
     bool whole_path = false;  // frames up to its last key frame
     bool again = false;
+    uint32_t samples = 1;  // pictures of which one is the mean
 };
 
 struct Frame {
@@ -60,7 +61,7 @@ Words words_about(const scenes::StageOptions &options, const scenes::Stage &stag
             {"Source", stage.context_name()}};
 }
 
-Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame &frame)
+Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame &frame, uint32_t samples)
 {
     const Stopwatch updating;
     stage.update(frame.time_s);
@@ -73,7 +74,7 @@ Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame
     const clq_draw_stats drawn = stage.draw_crowd();
     const double draw_ms = drawing.ms();
     stage.draw_show();
-    const std::vector<uint8_t> &rgb = stage.read();
+    const std::vector<uint8_t> &rgb = samples > 1 ? stage.picture(frame.time_s, samples) : stage.read();
     if (frame.path == "-") write_whole("-", rgb.data(), rgb.size());
     else {
         const std::vector<unsigned char> file =
@@ -177,7 +178,7 @@ void render(const RenderArguments &a)
             report["count"] = stage->crowd_stats().actor_count;
             report["context"] = stage->context_name();
         }
-        report["frames"].push_back(draw(*stage, options, frames[i]));
+        report["frames"].push_back(draw(*stage, options, frames[i], a.samples));
         progress.step(i + 1, frames.size());
     }
     if (!a.json.empty()) {
@@ -266,6 +267,9 @@ void add_render(CLI::App &app, Work &chosen)
         ->check(CLI::Range(1, 1000000))
         ->needs("--frames");
     c->add_option("--fps", a->fps, "Frames a second of a sequence")->capture_default_str()->needs("--frames");
+    c->add_option("--samples", a->samples,
+                  "Anti-aliased: the mean of so many pictures, each moved by a part of a pixel, with the same poses")
+        ->check(CLI::Range(1, 1024));
     c->add_flag("--again", a->again, "Draw frames that are finished once more")->needs("--frames");
     c->add_option("--out,-o", a->out,
                   "PNG; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")

@@ -54,8 +54,11 @@ void Stage::update(double time_s)
 {
     scene_->place(time_s);
     const double aspect = static_cast<double>(options_.width) / options_.height;
-    const clq_camera camera = options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
-                                                          : scene_->camera(options_.shot, aspect, time_s);
+    clq_camera camera = options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
+                                                    : scene_->camera(options_.shot, aspect, time_s);
+    // Divided by the distance in front of the eye, which is -z.
+    camera.projection[8] -= static_cast<float>(2 * moved_px_[0] / options_.width);
+    camera.projection[9] -= static_cast<float>(2 * moved_px_[1] / options_.height);
     eye_ = eye_of(camera);
     check(clq_view_look(view_.get(), &camera));
     clq_view *views[] = {view_.get()};
@@ -101,6 +104,34 @@ const std::vector<uint8_t> &Stage::picture(double time_s)
     draw_crowd();
     draw_show();
     return read();
+}
+
+namespace
+{
+
+// Halton's sequence: places that fill a pixel evenly however many are taken.
+double halton(uint32_t i, uint32_t base)
+{
+    double at = 0, digit = 1;
+    for (; i > 0; i /= base) at += (digit /= base) * (i % base);
+    return at;
+}
+
+}  // namespace
+
+const std::vector<uint8_t> &Stage::picture(double time_s, uint32_t samples)
+{
+    if (samples <= 1) return picture(time_s);
+    std::vector<uint32_t> sums;
+    for (uint32_t i = 1; i <= samples; ++i) {
+        moved_px_[0] = halton(i, 2) - 0.5, moved_px_[1] = halton(i, 3) - 0.5;
+        const std::vector<uint8_t> &one = picture(time_s);
+        sums.resize(one.size(), 0);
+        for (size_t k = 0; k < one.size(); ++k) sums[k] += one[k];
+    }
+    moved_px_[0] = moved_px_[1] = 0;
+    for (size_t k = 0; k < sums.size(); ++k) rgb_[k] = static_cast<uint8_t>((sums[k] + samples / 2) / samples);
+    return rgb_;
 }
 
 clq_crowd_stats Stage::crowd_stats() const

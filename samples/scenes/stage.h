@@ -45,6 +45,9 @@ public:
     clq_draw_stats draw_crowd();
     // A whole frame; three bytes a pixel, top row first, valid until the next.
     const std::vector<uint8_t> &picture(double time_s);
+    // The mean of `samples` pictures of one moment, each moved by its part of a pixel: anti-aliasing where there is no
+    // multisampling, over the values that pixels hold. All show the same poses, which are made once. 1: as picture().
+    const std::vector<uint8_t> &picture(double time_s, uint32_t samples);
     const std::vector<uint8_t> &read();
 
     // Another strategy for the same crowd in the same context, from the next draw. What it needs is kept, so that
@@ -71,6 +74,7 @@ private:
     std::array<Own<clq_renderer>, 3> renderers_;  // by variety; made when first used
     clq_renderer *renderer_ = nullptr;            // one of them
     Eye eye_ = {};
+    double moved_px_[2] = {0, 0};  // the picture, right and up
     std::vector<uint8_t> rgb_;
 };
 

@@ -80,6 +80,19 @@ TEST_F(Render, caches_and_varieties_do_not_change_the_picture)
     EXPECT_EQ(picture_hash({"--cache-mib", "1"}), plain);
 }
 
+// All of them show poses that the first one made.
+TEST_F(Render, samples_smooth_edges_and_skin_nobody_again)
+{
+    EXPECT_EQ(picture_hash({"--samples", "1"}), picture_hash({}));
+    EXPECT_EQ(picture_hash({"--samples", "5"}), picture_hash({"--samples", "5"}));
+    EXPECT_NE(picture_hash({"--samples", "5"}), picture_hash({}));
+    render({"--samples", "5", "--out", path("s.png"), "--json", path("s.json")});
+    const Json counters = Json::parse(file_text(path("s.json")))["frames"][0]["counters"];
+    EXPECT_EQ(counters["skinned"], 0);
+    EXPECT_EQ(counters["animated"], 0);
+    EXPECT_GT(counters["visible"].get<int>(), 20);
+}
+
 TEST_F(Render, osmesa_and_egl_draw_the_same_picture)
 {
     for (const char *kind : {"osmesa", "egl"})
