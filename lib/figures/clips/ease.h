@@ -15,6 +15,21 @@ inline float ease(float from, float to, float x)
     return t <= 0 ? 0 : t >= 1 ? 1 : t * t * t * (10 + t * (6 * t - 15));
 }
 
+// The same with a jerk, and softer on the way.
+inline float smooth(float from, float to, float x)
+{
+    float t = (x - from) / (to - from);
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return t * t * (3 - 2 * t);
+}
+
+// From p0 to p1 while t goes from 0 to 1, leaving with velocity v0 and arriving with v1.
+inline float hermite(float p0, float v0, float p1, float v1, float t)
+{
+    const float t2 = t * t, t3 = t2 * t;
+    return p0 * (2 * t3 - 3 * t2 + 1) + v0 * (t3 - 2 * t2 + t) + p1 * (-2 * t3 + 3 * t2) + v1 * (t3 - t2);
+}
+
 // Up between `from` and `full`, down again between `until` and `to`.
 inline float hold(float phase, float from, float full, float until, float to)
 {

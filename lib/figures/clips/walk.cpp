@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/figures/clips/clips.h"
+#include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/stance.h"
 
 namespace claque::figures
@@ -14,19 +15,6 @@ namespace
 constexpr float stride_m = 1.24f;   // of a whole cycle: 1.13 m/s with 33 frames
 constexpr float carry_end = 0.62f;  // of the cycle: toes leave the ground
 constexpr float ahead_m = 0.335f;   // of the foot's place at the strike of the heel
-
-float smooth(float from, float to, float x)
-{
-    float t = (x - from) / (to - from);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return t * t * (3 - 2 * t);
-}
-
-float hermite(float p0, float v0, float p1, float v1, float t)
-{
-    const float t2 = t * t, t3 = t2 * t;
-    return p0 * (2 * t3 - 3 * t2 + 1) + v0 * (t3 - 2 * t2 + t) + p1 * (-2 * t3 + 3 * t2) + v1 * (t3 - t2);
-}
 
 constexpr float strike_deg = -17, leave_deg = 52;
 
