@@ -11,7 +11,7 @@ help:
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
-	@echo "make bench      figures: the odeon, the plaza, the sky, growth, the cost model, skinning, poses"
+	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 
@@ -54,8 +54,11 @@ test-asan test-tsan test-scalar: test-%:
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	@mkdir -p out
-	$(CLAQUE) bench odeon --save out/odeon-bench.json
+	$(CLAQUE) bench odeon --lod off,on --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
+	$(CLAQUE) bench odeon --variety fused --cache none,animation,full,keypose-intermittent,keypose-interpolated --save out/odeon-keyposes.json
+	$(CLAQUE) plot out/odeon-keyposes.json --out out/odeon-keyposes.svg
+	$(CLAQUE) bench ten_thousand --cache full --variety fused
 	$(CLAQUE) bench plaza
 	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
 	$(CLAQUE) bench hundred_actors --threads 1 --counts out/hundred-counts.json
