@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -137,7 +138,8 @@ std::string store(const std::string &folder, const std::string &name, const std:
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return "'" + folder + "' cannot be made: " + error.message();
-    Output part(folder + "/" + name + "." + std::to_string(getpid()) + ".part");
+    static std::atomic<uint32_t> count{0};  // threads may keep the same template at the same time
+    Output part(folder + "/" + name + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part");
     if (part.write_all(bytes) && part.becomes(folder + "/" + name)) return "";
     return "'" + folder + "/" + name + "' cannot be written: " + std::strerror(errno);
 }
