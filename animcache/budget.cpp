@@ -55,6 +55,7 @@ void Caches::defer(const Moment &moment)
         counters_.overdue += moment.time_s - entry.renewed_s > most_periods * period * (1 + 1e-6);
         ++counters_.deferred;
         request.pose = entry.palette_key;
+        request.blend_radius = entry.palette_radius;
         request.shown_s = entry.shown_s;
         animate_[waiting_[k].due] = model::none;
     }

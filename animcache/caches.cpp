@@ -107,6 +107,7 @@ void Caches::animate(const base::Jobs &jobs)
             Entry &entry = entries_[request.row];
             built_[strand] += animcache::animate(request, scratch, entry.palette);
             entry.palette_key = request.pose;
+            entry.palette_radius = request.blend_radius;
             entry.shown_s = request.shown_s;
             entry.renewed_s = moment_.time_s;
             entry.animated_at = serial_;
@@ -123,6 +124,7 @@ void Caches::skin(const Request &request, const Scratch &scratch)
         interpolate(request, settings_.geometry, scratch, entry.vertices);
     else animcache::skin(request, entry.palette, settings_.geometry, scratch, entry.vertices);
     entry.vertices_key = request.pose;
+    entry.vertices_radius = request.blend_radius;
     entry.vertices_level = request.level;
 }
 
@@ -171,7 +173,7 @@ draw::Vertices Caches::vertices_of(uint32_t row) const
     if (request.shared.method == Method::intermittent && request.shared.served())
         return vertices_in(request.shared.kept[0], *request.tmpl, request.level, settings_.geometry);
     if (!entry.vertices) return {};
-    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry, request.blend_radius);
+    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry, entry.vertices_radius);
 }
 
 }  // namespace claque::animcache

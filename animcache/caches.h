@@ -78,8 +78,9 @@ private:
         float *palette = nullptr;
         float *vertices = nullptr;
         PoseKey palette_key, vertices_key;
-        double shown_s = 0;    // tick of the palette
-        double renewed_s = 0;  // host's time at which it was made; where updates have budgets
+        float palette_radius = 0, vertices_radius = 0;  // Request::blend_radius that each was made for
+        double shown_s = 0;                             // tick of the palette
+        double renewed_s = 0;                           // host's time at which it was made; where updates have budgets
         uint32_t vertices_level = 0;
         uint32_t request = 0;
         uint32_t before = model::none, after = model::none;  // rows, see move_to_end()

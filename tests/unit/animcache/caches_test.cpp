@@ -50,12 +50,13 @@ protected:
         return request;
     }
 
-    static void update(Caches &caches, const std::vector<Request> &requests)
+    static void update(Caches &caches, const std::vector<Request> &requests, uint32_t most_renewed = ~0u)
     {
         std::pmr::vector<Request> &list = caches.begin();
         list.assign(requests.begin(), requests.end());
         caches.admit_poses();
         caches.find_due_poses();
+        caches.defer({1, 0.1, most_renewed});
         caches.animate(base::Jobs());
         caches.admit_vertices();
         caches.find_due_vertices();
@@ -110,6 +111,24 @@ TEST_F(CachesTest, ARowThatChangesItsTemplateStartsAfresh)
     update(caches, {other});
     EXPECT_EQ(caches.counters().animated, 1u);
     EXPECT_LT(caches.counters().bytes, bytes);
+}
+
+// A fade has ended, and the update may renew nobody: what is drawn is still the fade's.
+TEST_F(CachesTest, WhoHasToWaitKeepsTheRangeThatItsVerticesWerePackedIn)
+{
+    Settings settings;
+    settings.geometry = Geometry::packed;
+    Caches caches(std::pmr::get_default_resource(), settings);
+    caches.reserve(1, both_);
+    Request blended = wants(0, 0.1);
+    blended.blend_radius = 8 * figure_->sklsroot.radius;
+    update(caches, {blended});
+    const draw::Vertices before = caches.vertices_of(0);
+    update(caches, {wants(0, 0.2)}, 0);
+    EXPECT_EQ(caches.counters().deferred, 1u);
+    EXPECT_EQ(caches.vertices_of(0).step, before.step);
+    update(caches, {wants(0, 0.2)});
+    EXPECT_LT(caches.vertices_of(0).step, before.step / 2);
 }
 
 TEST_F(CachesTest, TheModesKeepWhatTheirNamesSay)
