@@ -1,0 +1,47 @@
+// One screen: a GL context of its own, as each projector's computer or window has it, with a renderer and a view of the
+// crowd that all share.
+#pragma once
+
+#include "samples/contexts/offscreen.h"
+#include "samples/hosts/multichannel/forum.h"
+#include "samples/hosts/multichannel/people.h"
+
+#include <optional>
+
+namespace multichannel
+{
+
+class Channel
+{
+public:
+    // Its context is current on this thread until release().
+    Channel(scenes::Library &library, const People &people, const Forum &forum, int width, int height);
+    ~Channel();
+    Channel(const Channel &) = delete;
+    Channel &operator=(const Channel &) = delete;
+
+    // Before clq_crowd_update, on the crowd's thread.
+    void look(const clq_camera &camera);
+    clq_view *view() const { return view_.get(); }
+
+    // After it, on any one thread: three bytes a pixel, top row first, valid until the next. No context is current then.
+    const std::vector<uint8_t> &draw();
+
+    int width() const { return offscreen_->width(); }
+    int height() const { return offscreen_->height(); }
+    clq_view_stats stats() const;
+    const std::string &context_name() const { return offscreen_->name(); }
+
+private:
+    const People &people_;
+    const Forum &forum_;
+    std::unique_ptr<contexts::Offscreen> offscreen_;
+    scenes::Gl gl_;
+    std::optional<Forum::Pictures> pictures_;
+    scenes::Own<clq_renderer> renderer_;
+    scenes::Own<clq_view> view_;
+    scenes::Eye eye_ = {};
+    std::vector<uint8_t> rgb_;
+};
+
+}  // namespace multichannel

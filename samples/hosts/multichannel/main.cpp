@@ -1,0 +1,58 @@
+// Three projectors on one wall: three contexts, frusta and threads, one crowd and one update. Writes each channel's picture,
+// the three side by side, and the wall as one wide picture; then says in how many pixels the last two differ.
+#include "samples/cli/png.h"
+#include "samples/hosts/multichannel/room.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+namespace
+{
+
+using namespace multichannel;
+
+constexpr int width = 512, height = 384;
+
+void write(const std::string &path, const std::vector<uint8_t> &rgb, int picture_width)
+{
+    const std::vector<unsigned char> file = cli::png(rgb.data(), picture_width, height, {});
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
+    if (!out.flush()) throw scenes::Failure(path + " could not be written");
+}
+
+void run(const std::string &prefix, double time_s)
+{
+    Room room(width, height);
+    room.show(time_s);
+    const char *const names[] = {"left", "middle", "right"};
+    for (int i = 0; i < Wall::columns; ++i) {
+        write(prefix + names[i] + ".png", room.picture(i), width);
+        std::printf("%s: %u individuals, %s\n", names[i], room.channel(i).stats().visible,
+                    room.channel(i).context_name().c_str());
+    }
+    const std::vector<uint8_t> wall = room.side_by_side();
+    write(prefix + "wall.png", wall, Wall::columns * width);
+    write(prefix + "wide.png", room.wide(), Wall::columns * width);
+    size_t other = 0;
+    for (size_t i = 0; i < wall.size(); i += 3) other += !std::equal(&wall[i], &wall[i] + 3, &room.wide()[i]);
+    std::printf("the wall of three and the wide picture: %zu of %zu pixels differ\n", other, wall.size() / 3);
+}
+
+}  // namespace
+
+int main(int count, char **arguments)
+{
+    if (count < 2 || count > 3) {
+        std::fprintf(stderr, "usage: %s PREFIX [TIME_S]   writes PREFIXleft.png and so on\n", arguments[0]);
+        return 2;
+    }
+    try {
+        run(arguments[1], count > 2 ? std::atof(arguments[2]) : 3.0);
+        return 0;
+    } catch (const std::exception &failure) {
+        std::fprintf(stderr, "%s\n", failure.what());
+        return 1;
+    }
+}

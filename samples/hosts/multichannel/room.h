@@ -1,0 +1,38 @@
+// The whole simulator: one crowd, one update a frame, a wall of three channels that are drawn by three threads, and the same
+// wall as one wide picture to compare with.
+#pragma once
+
+#include "samples/hosts/multichannel/channel.h"
+#include "samples/hosts/multichannel/wall.h"
+
+namespace multichannel
+{
+
+class Room
+{
+public:
+    Room(int channel_width, int channel_height);
+
+    // Everybody's channels show this moment afterwards.
+    void show(double time_s);
+
+    const std::vector<uint8_t> &picture(int column) const { return *pictures_.at(static_cast<size_t>(column)); }
+    const std::vector<uint8_t> &wide() const { return *pictures_.back(); }
+    std::vector<uint8_t> side_by_side() const;  // the channels, as wide as wide()
+
+    const Channel &channel(int column) const { return *channels_.at(static_cast<size_t>(column)); }
+    const Channel &wide_channel() const { return *channels_.back(); }
+    const People &people() const { return people_; }
+
+private:
+    static constexpr size_t view_count = Wall::columns + 1;
+
+    scenes::Library library_;
+    People people_;
+    Forum forum_;
+    Wall wall_;
+    std::array<std::unique_ptr<Channel>, view_count> channels_;  // the last one is the wide picture
+    std::array<const std::vector<uint8_t> *, view_count> pictures_ = {};
+};
+
+}  // namespace multichannel
