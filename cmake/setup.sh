@@ -10,6 +10,7 @@ libtbb-dev libcli11-dev libpng-dev libtomlplusplus-dev
 libcairo2-dev fonts-dejavu-core
 libgtest-dev libbenchmark-dev
 libosmesa6 libegl1 libgl1-mesa-dri
+xvfb libglut-dev libopenscenegraph-dev
 '
 
 missing=''

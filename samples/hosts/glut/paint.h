@@ -1,0 +1,13 @@
+/* Textures that the park is made of, painted by code and brought to GL with mipmaps by GLU. */
+#ifndef PAINT_H
+#define PAINT_H
+
+unsigned paint_grass(void);
+unsigned paint_cobbles(void);
+unsigned paint_leaves(void);
+unsigned paint_boards(void);
+
+/* In [0, 1), the same for equal numbers. */
+float paint_lot(unsigned x, unsigned y, unsigned what);
+
+#endif

@@ -1,0 +1,27 @@
+// An X server without a screen, for tests of programs that need one.
+#pragma once
+
+#include <sys/types.h>
+#include <string>
+
+namespace hosts_test
+{
+
+// Runs while this lives; DISPLAY says where.
+class XServer
+{
+public:
+    XServer();
+    ~XServer();
+    XServer(const XServer &) = delete;
+    XServer &operator=(const XServer &) = delete;
+
+    // Empty, or why there is none.
+    const std::string &why_not() const { return why_not_; }
+
+private:
+    pid_t process_ = -1;
+    std::string why_not_;
+};
+
+}  // namespace hosts_test
