@@ -1,0 +1,125 @@
+#include "samples/parity/capture_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace parity
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+constexpr int format_version = 1, most_side = 16384;
+
+class Fields
+{
+public:
+    Fields(const Json &json, const std::string &path) : json_(json), path_(path) {}
+
+    std::string text(const char *key) const
+    {
+        const Json &v = field(key);
+        if (!v.is_string()) fail(key, "a text");
+        return v.get<std::string>();
+    }
+    double number(const char *key, double low, double high) const
+    {
+        const Json &v = field(key);
+        const double value = v.is_number() ? v.get<double>() : NAN;
+        if (!(value >= low && value <= high))
+            fail(key, ("a number from " + Json(low).dump() + " to " + Json(high).dump()).c_str());
+        return value;
+    }
+    size_t whole(const char *key, double high) const
+    {
+        const double value = number(key, 0, high);
+        if (value != std::floor(value)) fail(key, "a whole number");
+        return static_cast<size_t>(value);
+    }
+    const Json &list(const char *key) const
+    {
+        const Json &v = field(key);
+        if (!v.is_array()) fail(key, "a list");
+        return v;
+    }
+    std::vector<std::string> texts(const char *key) const
+    {
+        std::vector<std::string> out;
+        for (const Json &v : list(key)) {
+            if (!v.is_string()) fail(key, "a list of texts");
+            out.push_back(v.get<std::string>());
+        }
+        return out;
+    }
+
+private:
+    const Json &field(const char *key) const
+    {
+        const auto it = json_.find(key);
+        if (!json_.is_object() || it == json_.end())
+            throw Unreadable(path_ + " has no '" + key + "'; docs/parity.md lists what it needs");
+        return *it;
+    }
+    [[noreturn]] void fail(const char *key, const char *what) const
+    {
+        throw Unreadable(path_ + ": '" + key + "' has to be " + what);
+    }
+
+    const Json &json_;
+    const std::string &path_;
+};
+
+std::string scene_text(const Json &json)
+{
+    if (!json.is_object() || !json.contains("scene")) return {};
+    const Json &scene = json["scene"];
+    return scene.is_string() ? scene.get<std::string>() : scene.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void read_meshes(const Json &json, const std::string &path, CaptureInfo &out)
+{
+    struct Template {
+        std::string name;
+        std::vector<std::string> zones;
+    };
+    std::vector<Template> templates;
+    const Fields fields(json, path);
+    for (const Json &t : fields.list("templates"))
+        templates.push_back({Fields(t, path).text("name"), Fields(t, path).texts("zones")});
+    for (const Json &m : fields.list("meshes")) {
+        const Fields mesh(m, path);
+        const size_t which = mesh.whole("template", UINT32_MAX);
+        if (which >= templates.size())
+            throw Unreadable(path + ": a mesh names template " + std::to_string(which) + " of " +
+                             std::to_string(templates.size()));
+        out.meshes.push_back({templates[which].name + ", level " + std::to_string(mesh.whole("level", UINT16_MAX)),
+                              mesh.whole("vertices", UINT32_MAX), templates[which].zones});
+    }
+}
+
+}  // namespace
+
+CaptureInfo capture_info(const std::string &text, const std::string &path)
+{
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw Unreadable(path + " is not JSON");
+    const Fields fields(json, path);
+    if (fields.text("format") != "claque-parity") throw Unreadable(path + ": its format is not claque-parity");
+    const size_t version = fields.whole("version", UINT32_MAX);
+    if (version != format_version)
+        throw Unreadable(path + " is of version " + std::to_string(version) + ", and version 1 can be read");
+    CaptureInfo out;
+    out.renderer = fields.text("renderer");
+    out.scene = scene_text(json);
+    out.width = static_cast<int>(fields.number("width", 1, most_side));
+    out.height = static_cast<int>(fields.number("height", 1, most_side));
+    out.time_s = fields.number("time_s", -1e12, 1e12);
+    if (!json.contains("meshes")) return out;
+    out.actor_columns = fields.texts("actor_columns");
+    read_meshes(json, path, out);
+    return out;
+}
+
+}  // namespace parity

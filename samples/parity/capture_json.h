@@ -1,0 +1,26 @@
+// capture.json of a parity folder, checked field by field.
+#pragma once
+
+#include "samples/parity/capture.h"
+
+namespace parity
+{
+
+struct MeshInfo {
+    std::string kind;  // as Actor has it
+    size_t vertices = 0;
+    std::vector<std::string> zones;
+};
+
+struct CaptureInfo {
+    std::string renderer, scene;
+    int width = 0, height = 0;
+    double time_s = 0;
+    std::vector<MeshInfo> meshes;
+    std::vector<std::string> actor_columns;
+};
+
+// path: for sentences. Throws Unreadable.
+CaptureInfo capture_info(const std::string &text, const std::string &path);
+
+}  // namespace parity

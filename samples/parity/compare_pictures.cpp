@@ -1,0 +1,106 @@
+#include "samples/parity/compare_parts.h"
+#include "samples/parity/depth.h"
+#include "samples/parity/flip.h"
+#include "samples/parity/psnr.h"
+#include "samples/parity/regions.h"
+#include "samples/parity/ssim.h"
+
+#include <algorithm>
+
+namespace parity
+{
+namespace
+{
+
+std::string pixel(int x, int y) { return "pixel " + std::to_string(x) + ", " + std::to_string(y); }
+
+std::string pixels(size_t count) { return std::to_string(count) + " pixels"; }
+
+std::string first_outside(const IdAgreement &ids)
+{
+    return ids.outside == 0 ? std::string() : "first at " + pixel(ids.first_x, ids.first_y);
+}
+
+// "actor 17 (citizen, level 2), tunic, 35 pixels": the id is an actor's and a zone's.
+std::string zone_text(const Capture &capture, const WorstRegion &worst)
+{
+    const uint32_t actor = static_cast<uint32_t>(worst.id >> 16);
+    const size_t zone = worst.id & 0xffff;
+    std::string out = actor_text(capture, actor);
+    if (zone > 0 && capture.actors)
+        for (const Actor &a : *capture.actors)
+            if (a.id == actor && zone <= a.zones.size()) out += ", " + a.zones[zone - 1];
+    return out + ", " + pixels(worst.pixels);
+}
+
+void add_zones(const Pair &pair, Comparison &out)
+{
+    const Map<uint64_t> a = zone_ids(*pair.reference.actor, *pair.reference.zone);
+    const Map<uint64_t> b = zone_ids(*pair.result.actor, *pair.result.zone);
+    std::vector<uint8_t> same_actor;
+    for (size_t i = 0; i < a.values.size(); ++i)
+        same_actor.push_back(pair.reference.actor->values[i] == pair.result.actor->values[i]);
+    IdAgreement ids = compare_ids(a, b, same_actor);
+    out.measures.push_back({"zone_ids.outside", static_cast<double>(ids.outside), "pixels", first_outside(ids)});
+    out.measures.push_back({"zone_ids.different", ids.share(), "", pixels(ids.different)});
+    out.measures.push_back({"zone_ids.at_borders", ids.border_share(), "", "of " + pixels(ids.borders)});
+    out.zone_marks = std::move(ids.marks);
+}
+
+}  // namespace
+
+void compare_id_maps(const Pair &pair, Comparison &out)
+{
+    if (!both_have(pair.reference.actor, pair.result.actor, "actor_ids", "actor.npy", out)) {
+        out.not_compared.push_back({"zone_ids", "without actor.npy in both there is no saying whose zones they are"});
+        return;
+    }
+    IdAgreement ids = compare_ids(actor_ids(*pair.reference.actor), actor_ids(*pair.result.actor), {});
+    out.measures.push_back({"actor_ids.outside", static_cast<double>(ids.outside), "pixels", first_outside(ids)});
+    out.measures.push_back({"actor_ids.different", ids.share(), "", pixels(ids.different)});
+    out.measures.push_back({"actor_ids.at_silhouettes", ids.border_share(), "", "of " + pixels(ids.borders)});
+    out.actor_marks = std::move(ids.marks);
+    if (both_have(pair.reference.zone, pair.result.zone, "zone_ids", "zone.npy", out)) add_zones(pair, out);
+}
+
+void compare_depth(const Pair &pair, Comparison &out)
+{
+    if (!both_have(pair.reference.depth, pair.result.depth, "depth", "depth.npy", out)) return;
+    const DepthDeviation d = depth_deviation(*pair.reference.depth, *pair.result.depth);
+    out.measures.push_back({"depth.max", d.max, "", d.max > 0 ? pixel(d.max_x, d.max_y) : ""});
+    out.measures.push_back({"depth.rms", d.rms, "", pixels(d.compared)});
+    out.measures.push_back({"depth.median", d.median, "", {}});
+    out.measures.push_back({"depth.p99_9", d.p99_9, "", {}});
+    if (pair.reference.actor) {
+        const WorstRegion worst =
+            worst_depth(actor_ids(*pair.reference.actor), *pair.reference.depth, *pair.result.depth);
+        const std::string whose = actor_text(pair.reference, static_cast<uint32_t>(worst.id));
+        if (worst.regions > 0)
+            out.measures.push_back({"depth.worst_actor", worst.value, "", whose + ", " + pixels(worst.pixels)});
+    }
+    out.measures.push_back({"depth.not_finite", static_cast<double>(d.not_finite), "pixels", {}});
+}
+
+void compare_colour(const Pair &pair, double pixels_per_degree, Comparison &out)
+{
+    if (!both_have(pair.reference.colour, pair.result.colour, "colour", "colour.npy", out)) return;
+    const Picture &a = *pair.reference.colour, &b = *pair.result.colour;
+    const ColourDeviation d = colour_deviation(a, b);
+    out.measures.push_back({"colour.max", double(d.max), "LSB", {}});
+    out.measures.push_back({"colour.over_1", d.share_over(1), "", {}});
+    out.measures.push_back({"colour.over_2", d.share_over(2), "", {}});
+    out.measures.push_back({"colour.over_8", d.share_over(8), "", {}});
+    if (pair.reference.actor && pair.reference.zone) {
+        const WorstRegion worst = worst_colour(zone_ids(*pair.reference.actor, *pair.reference.zone), a, b);
+        if (worst.regions > 0)
+            out.measures.push_back({"colour.worst_zone", worst.value, "LSB", zone_text(pair.reference, worst)});
+    }
+    out.measures.push_back({"colour.psnr_db", d.psnr_db, "dB", {}});
+    if (std::min(a.width, a.height) >= ssim_window) out.measures.push_back({"colour.ssim", mean_ssim(a, b), "", {}});
+    out.flip = flip_map(a, b, pixels_per_degree);
+    out.measures.push_back({"colour.flip_mean", mean_of(out.flip), "", {}});
+    out.measures.push_back(
+        {"colour.flip_max", double(*std::max_element(out.flip.values.begin(), out.flip.values.end())), "", {}});
+}
+
+}  // namespace parity

@@ -1,0 +1,65 @@
+// The tolerances that have names. Those of shares of a picture stand beside limits of single individuals and zones, because
+// a missing person far away is a very small share.
+#include "samples/parity/tolerance.h"
+
+namespace parity
+{
+
+const std::vector<Tolerance> &named_tolerances()
+{
+    static const std::vector<Tolerance> all = {
+        {"exact",
+         {{"actors.missing", 0},
+          {"actors.added", 0},
+          {"actors.changed", 0},
+          {"positions.ulp_max", 0},
+          {"positions.not_finite", 0},
+          {"normals.ulp_max", 0},
+          {"normals.not_finite", 0},
+          {"actor_ids.different", 0},
+          {"zone_ids.different", 0},
+          {"depth.max", 0},
+          {"depth.not_finite", 0},
+          {"colour.max", 0}},
+         {}},
+        // Other rounding: of skinning, of where a pixel's centre lies, of a blend. Not other geometry, poses or colours.
+        {"gpu",
+         {{"actors.missing", 0},
+          {"actors.added", 0},
+          {"actors.changed", 0},
+          {"positions.max_relative", 1e-4},
+          {"positions.not_finite", 0},
+          {"normals.max_deg", 1},
+          {"normals.not_finite", 0},
+          {"actor_ids.outside", 0},
+          {"actor_ids.at_silhouettes", 0.02},
+          {"zone_ids.outside", 0},
+          {"zone_ids.at_borders", 0.05},
+          {"depth.p99_9", 1e-4},
+          {"depth.worst_actor", 1e-6},
+          {"depth.not_finite", 0},
+          {"colour.over_2", 0.001},
+          {"colour.worst_zone", 2},
+          {"colour.flip_mean", 0.005}},
+         {}},
+        // The same crowd to the eye: another rasteriser, other shading of edges, textures filtered.
+        {"loose",
+         {{"actors.missing", 0},
+          {"actors.added", 0},
+          {"positions.max_relative", 0.01},
+          {"positions.not_finite", 0},
+          {"normals.rms_deg", 5},
+          {"normals.not_finite", 0},
+          {"actor_ids.different", 0.01},
+          {"zone_ids.different", 0.02},
+          {"depth.median", 1e-4},
+          {"depth.not_finite", 0},
+          {"colour.over_8", 0.02},
+          {"colour.worst_zone", 16},
+          {"colour.ssim", 0.95},
+          {"colour.flip_mean", 0.05}},
+         {}}};
+    return all;
+}
+
+}  // namespace parity

@@ -1,0 +1,185 @@
+// The comparison of two folders, and that it fails: each mutation, in each kind of array alone.
+#include "samples/parity/compare.h"
+#include "samples/parity/verdict.h"
+
+#include "tests/unit/parity/capture_files.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parity
+{
+namespace
+{
+
+class Comparing : public parity_test::CaptureFiles
+{
+protected:
+    Comparing()
+    {
+        write_result("a");
+        a = read_capture(folder("a"));
+        b = a;
+        b.folder = "b";
+    }
+
+    Verdict verdict(const char *tolerance) const { return verdict_of(compare(a, b, 67), tolerance_of(tolerance)); }
+    double value(const std::string &name) const
+    {
+        for (const Measure &m : compare(a, b, 67).measures)
+            if (m.name == name) return m.value;
+        return std::nan("");
+    }
+    std::string refusal() const
+    {
+        try {
+            compare(a, b, 67);
+            return "compared";
+        } catch (const Unreadable &error) {
+            return error.what();
+        }
+    }
+    void fails(const std::string &measure) const
+    {
+        for (const char *tolerance : {"exact", "gpu"}) {
+            const Verdict v = verdict(tolerance);
+            EXPECT_FALSE(v.pass) << tolerance;
+            EXPECT_NE(reasons(v, 99).find(measure), std::string::npos) << tolerance << ": " << reasons(v, 99);
+        }
+    }
+
+    Capture a, b;
+};
+
+TEST_F(Comparing, a_capture_with_itself_passes_everything)
+{
+    for (const Tolerance &t : named_tolerances()) EXPECT_TRUE(verdict(t.name.c_str()).pass) << t.name;
+    const Comparison c = compare(a, b, 67);
+    EXPECT_TRUE(c.not_compared.empty());
+    for (const Measure &m : c.measures) {
+        if (m.name == "colour.ssim") EXPECT_NEAR(m.value, 1, 1e-12);
+        else if (m.name == "colour.psnr_db") EXPECT_TRUE(std::isinf(m.value));
+        else EXPECT_EQ(m.value, 0) << m.name;
+    }
+}
+
+TEST_F(Comparing, every_measure_is_made)
+{
+    const Comparison c = compare(a, b, 67);
+    ASSERT_EQ(c.measures.size(), measure_kinds().size());
+    for (size_t i = 0; i < c.measures.size(); ++i) EXPECT_EQ(c.measures[i].name, measure_kinds()[i].name);
+}
+
+TEST_F(Comparing, other_scenes_are_refused)
+{
+    b.time_s = 1.54;
+    EXPECT_EQ(refusal(), "b shows the moment 1.54 s, and " + a.folder + " 1.5 s");
+    b = a;
+    b.width = 17;
+    EXPECT_EQ(refusal(), a.folder + " has a picture of 17 x 12, and " + a.folder + " one of 16 x 12");
+    b = Capture();
+    b.folder = "b";
+    b.width = 16;
+    b.height = 12;
+    b.time_s = 1.5;
+    EXPECT_EQ(refusal(), a.folder + " and b have no array in common: nothing to compare");
+}
+
+TEST_F(Comparing, what_is_absent_is_said_and_not_compared)
+{
+    b.depth.reset();
+    a.normals.reset();
+    b.normals.reset();
+    const Comparison c = compare(a, b, 67);
+    ASSERT_EQ(c.not_compared.size(), 2u);
+    EXPECT_EQ(c.not_compared[0].group + ": " + c.not_compared[0].why, "normals: neither has normals.npy");
+    EXPECT_EQ(c.not_compared[1].group + ": " + c.not_compared[1].why, "depth: the result has no depth.npy");
+    EXPECT_TRUE(verdict("exact").pass);
+}
+
+TEST_F(Comparing, without_a_table_the_order_is_the_other_s)
+{
+    b.actors.reset();
+    EXPECT_EQ(value("positions.max_m"), 0);
+    b.positions->resize(27);
+    EXPECT_NE(refusal().find("without actors.npy in both"), std::string::npos);
+    a.actors.reset();
+    b.positions = a.positions;
+    EXPECT_EQ(value("positions.max_m"), 0);
+    EXPECT_TRUE(std::isnan(value("positions.max_relative")));
+}
+
+TEST_F(Comparing, one_individual_missing_is_found_in_the_table)
+{
+    b.actors->erase(b.actors->begin() + 1);
+    fails("actors.missing is 1");
+    EXPECT_EQ(value("positions.max_m"), 0);  // of those who are in both
+    std::swap(a, b);
+    fails("actors.added is 1");
+}
+
+TEST_F(Comparing, another_level_is_found_in_the_table)
+{
+    (*b.actors)[0].kind = "man, level 3";
+    fails("actors.changed is 1");
+}
+
+TEST_F(Comparing, one_individual_missing_is_found_in_each_picture)
+{
+    const auto erase = [this](auto &map, auto nothing) {
+        for (size_t i = 0; i < map.values.size(); ++i)
+            if (a.actor->values[i] == 5) map.values[i] = nothing;
+    };
+    erase(*b.actor, 0u);
+    fails("actor_ids.");
+    EXPECT_EQ(value("actor_ids.outside"), 48);  // but for the columns next to nobody
+    b = a;
+    erase(*b.depth, 1.0f);
+    fails("depth.");
+    EXPECT_FALSE(verdict("gpu").find("depth.worst_actor")->kept);
+    b = a;
+    for (size_t i = 0; i < b.colour->rgb.size(); ++i)
+        if (a.actor->values[i / 3] == 5) b.colour->rgb[i] = 0;
+    fails("colour.");
+    EXPECT_GT(value("colour.worst_zone"), 50);
+}
+
+TEST_F(Comparing, one_zone_of_another_colour_is_found_where_shares_hide_it)
+{
+    for (size_t i = 0; i < b.colour->rgb.size(); ++i)
+        if (a.actor->values[i / 3] == 5 && a.zone->values[i / 3] == 1 && i % 3 == 1) b.colour->rgb[i] += 3;
+    const Verdict v = verdict("gpu");
+    EXPECT_FALSE(v.find("colour.worst_zone")->kept);
+    EXPECT_EQ(value("colour.worst_zone"), 3);
+}
+
+TEST_F(Comparing, a_vertex_that_moves_by_more_than_rounding_is_found)
+{
+    (*b.positions)[10] += 0.0005f;
+    fails("positions.");
+    b = a;
+    (*b.positions)[10] += 0.00005f;
+    EXPECT_FALSE(verdict("exact").pass);
+    EXPECT_TRUE(verdict("gpu").pass);
+}
+
+TEST_F(Comparing, a_normal_that_turns_is_found)
+{
+    (*b.normals)[3] = 0.05f;
+    fails("normals.");
+}
+
+TEST_F(Comparing, numbers_that_are_none_are_found)
+{
+    (*b.positions)[4] = std::nanf("");
+    fails("positions.not_finite");
+    b = a;
+    (*b.normals)[4] = INFINITY;
+    fails("normals.not_finite");
+    b = a;
+    b.depth->values[3] = std::nanf("");
+    fails("depth.not_finite");
+}
+
+}  // namespace
+}  // namespace parity

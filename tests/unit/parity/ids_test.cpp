@@ -1,0 +1,86 @@
+#include "samples/parity/ids.h"
+
+#include <gtest/gtest.h>
+
+namespace parity
+{
+namespace
+{
+
+// A square of this id in a picture of 20 x 20.
+Map<uint64_t> square(int left, int top, int side, uint64_t id)
+{
+    Map<uint64_t> out(20, 20);
+    for (int y = top; y < top + side; ++y)
+        for (int x = left; x < left + side; ++x) out.values[out.index(x, y)] = id;
+    return out;
+}
+
+TEST(Ids, equal_maps_differ_nowhere)
+{
+    const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(5, 5, 8, 3), {});
+    EXPECT_EQ(ids.compared, 400u);
+    EXPECT_EQ(ids.different, 0u);
+    EXPECT_EQ(ids.borders, 28u + 36u);  // the square's rim and what lies round it
+}
+
+TEST(Ids, a_border_may_lie_a_pixel_further_on)
+{
+    const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(6, 5, 8, 3), {});
+    EXPECT_EQ(ids.different, 16u);
+    EXPECT_EQ(ids.outside, 0u);
+    EXPECT_DOUBLE_EQ(ids.border_share(), 16.0 / 64);
+    EXPECT_EQ(ids.marks.at(5, 7), Mark::border);
+    EXPECT_EQ(ids.marks.at(6, 7), Mark::same);
+}
+
+TEST(Ids, a_border_two_pixels_further_on_is_none)
+{
+    const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(7, 5, 8, 3), {});
+    EXPECT_EQ(ids.different, 32u);
+    EXPECT_EQ(ids.outside,
+              6u + 8u);  // on the left not next to what lies round the square; on the right all of the further column
+    EXPECT_EQ(ids.first_x, 14);
+    EXPECT_EQ(ids.first_y, 5);
+}
+
+TEST(Ids, at_a_border_only_what_meets_there_may_be_seen)
+{
+    Map<uint64_t> stranger = square(5, 5, 8, 3);
+    stranger.values[stranger.index(5, 7)] = 9;
+    const IdAgreement ids = compare_ids(square(5, 5, 8, 3), stranger, {});
+    EXPECT_EQ(ids.outside, 1u);
+    EXPECT_EQ(ids.marks.at(5, 7), Mark::outside);
+}
+
+TEST(Ids, another_individual_is_outside_everywhere)
+{
+    EXPECT_EQ(compare_ids(square(5, 5, 8, 3), square(5, 5, 8, 4), {}).outside, 64u);
+    EXPECT_EQ(compare_ids(square(5, 5, 8, 3), Map<uint64_t>(20, 20), {}).outside, 36u);  // the rim may be background
+}
+
+TEST(Ids, pixels_that_do_not_count_are_not_counted)
+{
+    std::vector<uint8_t> some(400, 1);
+    some[0] = 0;
+    Map<uint64_t> other = square(5, 5, 8, 3);
+    other.values[0] = 7;
+    const IdAgreement ids = compare_ids(square(5, 5, 8, 3), other, some);
+    EXPECT_EQ(ids.compared, 399u);
+    EXPECT_EQ(ids.different, 0u);
+    EXPECT_EQ(ids.marks.values[0], Mark::ignored);
+}
+
+TEST(Ids, a_neighbour_s_zone_is_not_one_s_own)
+{
+    Map<uint32_t> actor(4, 1, 1);
+    actor.values[3] = 2;
+    Map<uint16_t> zone(4, 1, 5);
+    zone.values[3] = 6;
+    Map<uint16_t> wrong = zone;
+    wrong.values[2] = 6;
+    EXPECT_EQ(compare_ids(zone_ids(actor, zone), zone_ids(actor, wrong), {}).outside, 1u);
+}
+
+}  // namespace
+}  // namespace parity

@@ -1,0 +1,56 @@
+// Values of scikit-image 0.19.3's peak_signal_noise_ratio for the same pictures, and known ones.
+#include "samples/parity/psnr.h"
+
+#include "tests/unit/parity/test_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace parity
+{
+namespace
+{
+
+TEST(Psnr, is_infinite_of_equal_pictures)
+{
+    const ColourDeviation d = colour_deviation(pattern(8, 8, 0), pattern(8, 8, 0));
+    EXPECT_TRUE(std::isinf(d.psnr_db));
+    EXPECT_EQ(d.max, 0);
+    EXPECT_EQ(d.share_over(0), 0);
+}
+
+TEST(Psnr, has_the_known_values_of_constant_differences)
+{
+    EXPECT_NEAR(colour_deviation(filled(4, 4, 100), filled(4, 4, 101)).psnr_db, 48.13080361, 1e-8);
+    EXPECT_NEAR(colour_deviation(filled(4, 4, 0), filled(4, 4, 255)).psnr_db, 0, 1e-12);
+}
+
+TEST(Psnr, agrees_with_scikit_image)
+{
+    const Picture small = pattern(48, 32, 0), large = pattern(64, 64, 0);
+    EXPECT_NEAR(colour_deviation(small, noisy_pattern(48, 32)).psnr_db, 31.822324359599232, 1e-9);
+    EXPECT_NEAR(colour_deviation(small, pattern(48, 32, 1)).psnr_db, 8.265344139454294, 1e-9);
+    EXPECT_NEAR(colour_deviation(small, inverted(small)).psnr_db, 4.777520323244762, 1e-9);
+    EXPECT_NEAR(colour_deviation(large, noisy_pattern(64, 64)).psnr_db, 31.813752315887577, 1e-9);
+}
+
+TEST(Psnr, shares_count_pixels_by_their_worst_channel)
+{
+    Picture a = filled(10, 10, 50), b = a;
+    b.rgb[0] = 51;           // one pixel off by 1
+    b.rgb[3 * 10 + 1] = 53;  // one by 3, in two channels
+    b.rgb[3 * 10 + 2] = 48;
+    b.rgb[3 * 99 + 2] = 90;  // one by 40
+    const ColourDeviation d = colour_deviation(a, b);
+    EXPECT_EQ(d.max, 40);
+    EXPECT_DOUBLE_EQ(d.share_over(0), 0.03);
+    EXPECT_DOUBLE_EQ(d.share_over(1), 0.02);
+    EXPECT_DOUBLE_EQ(d.share_over(2), 0.02);
+    EXPECT_DOUBLE_EQ(d.share_over(3), 0.01);
+    EXPECT_DOUBLE_EQ(d.share_over(8), 0.01);
+    EXPECT_DOUBLE_EQ(d.share_over(255), 0);
+}
+
+}  // namespace
+}  // namespace parity

@@ -1,0 +1,97 @@
+#include "samples/parity/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace parity
+{
+namespace
+{
+
+std::string refusal(const std::string &toml)
+{
+    try {
+        tolerance_from(toml, "t.toml");
+        return "accepted";
+    } catch (const Unreadable &error) {
+        return error.what();
+    }
+}
+
+Comparison comparison(std::vector<Measure> measures)
+{
+    Comparison c;
+    c.measures = std::move(measures);
+    c.not_compared = {{"depth", "the result has no depth.npy"}};
+    return c;
+}
+
+TEST(Tolerances, every_limit_names_a_measure)
+{
+    for (const Tolerance &t : named_tolerances())
+        for (const Limit &limit : t.limits) EXPECT_TRUE(find_kind(limit.measure)) << t.name << ": " << limit.measure;
+}
+
+TEST(Tolerances, may_come_from_a_file_and_begin_with_a_named_one)
+{
+    const Tolerance t = tolerance_from(
+        "base = 'gpu'\nrequire = ['positions', 'depth']\n"
+        "[at_most]\npositions.max_relative = 1e-5\n'colour.max' = 4\n"
+        "[at_least]\ncolour.psnr_db = 40\n",
+        "t.toml");
+    EXPECT_EQ(t.required, (std::vector<std::string>{"positions", "depth"}));
+    EXPECT_EQ(t.limits.size(), tolerance_of("gpu").limits.size() + 2);
+    for (const Limit &limit : t.limits)
+        if (limit.measure == "positions.max_relative") {
+            EXPECT_EQ(limit.bound, 1e-5);
+        }
+}
+
+TEST(Tolerances, that_make_no_sense_are_refused_with_the_line)
+{
+    EXPECT_EQ(refusal("[at_most]\ncolour.maxx = 1\n"), "t.toml, line 2: there is no measure 'colour.maxx'");
+    EXPECT_EQ(refusal("[at_most]\ncolour.psnr_db = 1\n"), "t.toml, line 2: colour.psnr_db belongs into [at_least]");
+    EXPECT_EQ(refusal("[at_least]\ncolour.max = 1\n"), "t.toml, line 2: colour.max belongs into [at_most]");
+    EXPECT_EQ(refusal("[at_most]\ncolour.max = 'one'\n"), "t.toml, line 2: colour.max has to be a number");
+    EXPECT_EQ(refusal("[at_most]\ncolour.max = nan\n"), "t.toml, line 2: colour.max has to be a number");
+    EXPECT_EQ(refusal("\nrequire = 'depth'\n"), "t.toml, line 2: 'require' has to be a list of texts");
+    EXPECT_EQ(refusal("require = ['deep']\n").substr(0, 56),
+              "t.toml, line 1: 'require' may name actors, positions, no");
+    EXPECT_EQ(refusal("base = 'best'\n"), "t.toml, line 1: 'base' may be exact, gpu or loose");
+    EXPECT_EQ(refusal("max = 1\n"), "t.toml, line 1: 'max' is none of base, require, [at_most] and [at_least]");
+    EXPECT_EQ(refusal("# nothing\n"), "t.toml sets no limit");
+    EXPECT_EQ(refusal("[at_most\n").substr(0, 14), "t.toml, line 1");
+    EXPECT_THROW(tolerance_of("/nowhere/at.toml"), Unreadable);
+    EXPECT_THROW(tolerance_of("/"), Unreadable);
+}
+
+TEST(Verdicts, pass_at_the_limit_and_fail_beyond)
+{
+    const Tolerance t = tolerance_from("[at_most]\ncolour.max = 2\n[at_least]\ncolour.ssim = 0.9\n", "t.toml");
+    EXPECT_TRUE(verdict_of(comparison({{"colour.max", 2, "", {}}, {"colour.ssim", 0.9, "", {}}}), t).pass);
+    const Verdict worse = verdict_of(comparison({{"colour.max", 3, "", {}}, {"colour.ssim", 0.9, "", {}}}), t);
+    EXPECT_FALSE(worse.pass);
+    EXPECT_EQ(reasons(worse, 3), "colour.max is 3 (at most 2)");
+    EXPECT_EQ(reasons(verdict_of(comparison({{"colour.max", 3, "", {}}, {"colour.ssim", 0.5, "", {}}}), t), 1),
+              "colour.ssim is 0.5 (at least 0.9) and 1 more");
+}
+
+TEST(Verdicts, a_value_that_is_no_number_fails)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(verdict_of(comparison({{"colour.max", nan, "", {}}}), tolerance_of("exact")).pass);
+    EXPECT_FALSE(verdict_of(comparison({{"colour.ssim", nan, "", {}}}), tolerance_of("loose")).pass);
+}
+
+TEST(Verdicts, what_is_asked_for_has_to_be_compared)
+{
+    const Comparison c = comparison({{"colour.max", 0, "", {}}});
+    EXPECT_TRUE(verdict_of(c, tolerance_of("exact")).pass);
+    const Verdict v = verdict_of(c, tolerance_from("base = 'exact'\nrequire = ['depth', 'colour']\n", "t.toml"));
+    EXPECT_FALSE(v.pass);
+    EXPECT_EQ(reasons(v, 3), "depth was not compared (the result has no depth.npy)");
+}
+
+}  // namespace
+}  // namespace parity

@@ -1,0 +1,41 @@
+#include "samples/parity/ulp.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace parity
+{
+namespace
+{
+
+TEST(Ulp, counts_the_floats_between_two)
+{
+    EXPECT_EQ(ulp_distance(1.0f, 1.0f), 0u);
+    EXPECT_EQ(ulp_distance(1.0f, std::nextafter(1.0f, 2.0f)), 1u);
+    EXPECT_EQ(ulp_distance(1.0f, 2.0f), 1u << 23);
+    EXPECT_EQ(ulp_distance(-1.0f, -2.0f), 1u << 23);
+    EXPECT_EQ(ulp_distance(2.0f, 1.0f), 1u << 23);
+    EXPECT_EQ(ulp_distance(1.0f, 1.0f + 3 * std::numeric_limits<float>::epsilon()), 3u);
+}
+
+TEST(Ulp, goes_on_across_zero)
+{
+    const float least = std::numeric_limits<float>::denorm_min();
+    EXPECT_EQ(ulp_distance(0.0f, -0.0f), 0u);
+    EXPECT_EQ(ulp_distance(least, -least), 2u);
+    EXPECT_EQ(ulp_distance(-1.0f, 1.0f), 2u * 0x3f800000u);
+}
+
+TEST(Ulp, of_what_is_no_number_is_the_most_there_is)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(ulp_distance(nan, nan), ulp_most);
+    EXPECT_EQ(ulp_distance(0, nan), ulp_most);
+    EXPECT_EQ(ulp_distance(std::numeric_limits<float>::max(), infinity), 1u);
+    EXPECT_LT(ulp_distance(-infinity, infinity), ulp_most);
+}
+
+}  // namespace
+}  // namespace parity
