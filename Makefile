@@ -4,7 +4,7 @@ BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 
-.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept install check format clean
+.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept abi-accept install package docs check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -14,13 +14,15 @@ help:
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
+	@echo "make package    Debian packages into out/packages"
+	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
 
 setup:
 	@cmake/setup.sh
 
 build: setup
 	@mkdir -p build
-	@cmake --preset $(PRESET) -DCMAKE_INSTALL_PREFIX=$(or $(PREFIX),/usr/local) > build/$(PRESET).log 2>&1 || { cat build/$(PRESET).log; exit 1; }
+	@cmake --preset $(PRESET) > build/$(PRESET).log 2>&1 || { cat build/$(PRESET).log; exit 1; }
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
 run: build
@@ -71,9 +73,26 @@ golden-accept: build
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --camera close --size 320x240 --time 1.5 --out tests/golden/plaza-close.png
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --size 320x240 --time 1.5 --out tests/golden/odeon.png
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --camera close --size 320x240 --time 1.5 --out tests/golden/odeon-close.png
+	$(BUILD)/tests/embed/strip_host > tests/golden/strip_host.txt
+
+# What the shared libraries export and import now is what they may.
+abi-accept: build
+	tests/abi/list.sh $(BUILD)/lib/api/libclaque.so > tests/abi/libclaque.abi
+	tests/abi/list.sh $(BUILD)/lib/api/assets/libclaque-assets.so > tests/abi/libclaque-assets.abi
 
 install: build
-	@cmake --install $(BUILD)
+	@cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)
+
+# What each depends on is asked of dpkg-shlibdeps.
+package: build
+	@command -v dpkg-shlibdeps > /dev/null || { echo "make package needs dpkg-shlibdeps: apt-get install dpkg-dev" >&2; exit 1; }
+	@mkdir -p out
+	@cpack --config $(BUILD)/CPackConfig.cmake -B out/packages > out/packages.log || { cat out/packages.log; exit 1; }
+	@ls -l out/packages/*.deb
+
+# The reference of include/claque; a warning is an error.
+docs:
+	@docs/doxygen.sh out/reference
 
 check: setup
 	@clang-format --dry-run -Werror $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')

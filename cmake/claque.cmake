@@ -1,5 +1,7 @@
 # Flags that are law (determinism) and the two functions that folders use.
 
+include(GNUInstallDirs)
+
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -50,9 +52,12 @@ function(claque_test name)
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()
 
-# A library from whole rooms: <name> shared with only clq_* exported, <name>_static beside it.
+# A library from whole rooms: <name> shared with only clq_* exported, <name>_static beside it. Whether it is installed or a folder of
+# theirs, other projects see claque::<as> and claque::<as>_static: claque::claque, claque::assets.
 function(claque_libraries name)
     cmake_parse_arguments(ARG "" "" "ROOMS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+    string(REPLACE "claque-" "" as ${name})
+    string(REPLACE "claque" "runtime" component ${as})
     set(objects "")
     foreach(room ${ARG_ROOMS})
         list(APPEND objects $<TARGET_OBJECTS:claque_${room}>)
@@ -66,7 +71,8 @@ function(claque_libraries name)
             set(suffix _static)
         endif()
         add_library(${target} ${kind} ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp ${objects})
-        set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} EXPORT_NAME ${target})
+        set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} EXPORT_NAME ${as}${suffix})
+        add_library(claque::${as}${suffix} ALIAS ${target})
         target_include_directories(${target} PUBLIC
             $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
         foreach(library ${ARG_LIBRARIES})
@@ -81,5 +87,10 @@ function(claque_libraries name)
     if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")  # whose run time the program brings
         target_link_options(${name} PRIVATE -Wl,--no-undefined)
     endif()
-    install(TARGETS ${name} ${name}_static EXPORT claque)
+    if(CLAQUE_INSTALL)
+        install(TARGETS ${name} ${name}_static EXPORT claque RUNTIME COMPONENT ${component}
+            LIBRARY COMPONENT ${component} NAMELINK_COMPONENT dev ARCHIVE COMPONENT dev)
+    else()  # a folder of another project, which makes what it links
+        set_target_properties(${name} ${name}_static PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
 endfunction()

@@ -1,22 +1,22 @@
-# `make install`: headers, libraries, the claque command, pkg-config and CMake packages.
-include(GNUInstallDirs)
+# `make install`: headers, libraries, the claque command with its manual, pkg-config and CMake packages; and what goes into which
+# Debian package (cmake/package.cmake): components runtime, assets, dev, command.
 include(CMakePackageConfigHelpers)
 
-install(DIRECTORY include/claque TYPE INCLUDE FILES_MATCHING PATTERN "*.h")
-install(EXPORT claque DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/claque NAMESPACE claque:: FILE claque-targets.cmake)
-file(WRITE ${CMAKE_BINARY_DIR}/claque-config.cmake "include(\"\${CMAKE_CURRENT_LIST_DIR}/claque-targets.cmake\")\n")
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/claque-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/claque-config.cmake ${CMAKE_BINARY_DIR}/claque-config-version.cmake
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/claque)
+install(DIRECTORY include/claque TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN "*.h")
 
-foreach(library claque claque-assets)
-    if(library STREQUAL "claque")
-        set(description "Crowds for the fixed-function OpenGL 1.1 target")
-        set(requires "")
-    else()
-        set(description "Characters for claque: glTF files and built-in figures")
-        set(requires "claque")
-    endif()
-    configure_file(cmake/claque.pc.in ${CMAKE_BINARY_DIR}/${library}.pc @ONLY)
-    install(FILES ${CMAKE_BINARY_DIR}/${library}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-endforeach()
+set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/claque)
+install(EXPORT claque DESTINATION ${folder} NAMESPACE claque:: FILE claque-targets.cmake COMPONENT dev)
+configure_file(cmake/claque-config.cmake.in ${PROJECT_BINARY_DIR}/claque-config.cmake @ONLY)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/claque-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/claque-config.cmake ${PROJECT_BINARY_DIR}/claque-config-version.cmake
+    DESTINATION ${folder} COMPONENT dev)
+
+# Written when it is installed, because only then is it known where to.
+function(claque_pc library description requires private)
+    configure_file(cmake/pc.cmake.in ${PROJECT_BINARY_DIR}/${library}-pc.cmake @ONLY)
+    install(SCRIPT ${PROJECT_BINARY_DIR}/${library}-pc.cmake COMPONENT dev)
+endfunction()
+claque_pc(claque "Crowds for the fixed-function OpenGL 1.1 target" "" "-lstdc++ -lm")
+if(CLAQUE_ASSETS)
+    claque_pc(claque-assets "Characters for claque: glTF files and built-in figures" claque "-lOpenMeshTools -lOpenMeshCore -lstdc++ -lm")
+endif()

@@ -1,0 +1,109 @@
+// What `make install` puts where: every public header, both libraries by soname and statically, packages that other build systems
+// find, the command and its manual; and C99 hosts of all four libraries against it, beside DESTDIR.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/embed/scratch.h"
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string make(const std::string &arguments)
+{
+    return "unset MAKEFLAGS MAKELEVEL MFLAGS DESTDIR\nmake --no-print-directory -C '" CLAQUE_SOURCE_DIR
+           "' -o build BUILD='" CLAQUE_BUILD_DIR "' " +
+           arguments + "\n";
+}
+
+class Install : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        const auto [code, said] = home_.run(make("install PREFIX=" + prefix()));
+        ASSERT_EQ(code, 0) << said;
+    }
+
+    std::string prefix() const { return home_.path() + "/prefix"; }
+    std::string printed(const std::string &script)
+    {
+        const auto [code, said] = home_.run(script);
+        EXPECT_EQ(code, 0) << script << "\n" << said;
+        return said;
+    }
+
+    Scratch home_;
+};
+
+TEST_F(Install, brings_every_header_and_both_libraries)
+{
+    int headers = 0;
+    for (const auto &file : fs::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
+        EXPECT_EQ(text_of_file(prefix() + "/include/claque/" + file.path().filename().string()),
+                  text_of_file(file.path().string()));
+        ++headers;
+    }
+    EXPECT_GT(headers, 15);
+    for (const std::string name : {"claque", "claque-assets"}) {
+        const std::string library = prefix() + "/lib/lib" + name;
+        EXPECT_TRUE(fs::is_regular_file(library + ".a"));
+        EXPECT_EQ(fs::read_symlink(library + ".so"), "lib" + name + ".so." + CLAQUE_SOVERSION);
+        EXPECT_NE(printed("readelf -d '" + library + ".so'")
+                      .find("Library soname: [lib" + name + ".so." CLAQUE_SOVERSION "]"),
+                  std::string::npos);
+    }
+    EXPECT_EQ(text_of_file(prefix() + "/share/man/man1/claque.1"), text_of_file(CLAQUE_BUILD_DIR "/samples/claque.1"));
+    EXPECT_EQ(printed("LD_LIBRARY_PATH='" + prefix() + "/lib' '" + prefix() + "/bin/claque' --version"),
+              "claque " CLAQUE_VERSION "\n");
+}
+
+TEST_F(Install, leaves_no_path_of_the_build_behind)
+{
+    // The prefix itself lies in the build folder here.
+    EXPECT_EQ(printed("grep -r -e '" CLAQUE_BUILD_DIR "' prefix/lib/pkgconfig prefix/lib/cmake prefix/share | "
+                      "grep -v \"$PWD\" || true"),
+              "");
+    EXPECT_EQ(printed("readelf -d prefix/bin/claque prefix/lib/*.so | grep -E 'R(UN)?PATH' || true"), "");
+}
+
+TEST_F(Install, goes_below_destdir_and_is_found_where_it_will_be)
+{
+    const auto [code, said] = home_.run(make("install DESTDIR='" + home_.path() + "/stage' PREFIX=/opt/claque"));
+    ASSERT_EQ(code, 0) << said;
+    EXPECT_EQ(
+        printed("PKG_CONFIG_PATH=stage/opt/claque/lib/pkgconfig pkg-config --variable=prefix claque claque-assets"),
+        "/opt/claque /opt/claque\n");
+    EXPECT_EQ(printed("cd prefix && find . | sort > ../a; cd ../stage/opt/claque && find . | sort | diff ../../../a -"),
+              "");
+}
+
+TEST_F(Install, lets_hosts_in_c_link_each_library_shared_or_static)
+{
+    const std::string built = printed("export CFLAGS='" CLAQUE_C_FLAGS "' CXXFLAGS='" CLAQUE_CXX_FLAGS
+                                      "'\n"
+                                      "cmake -G Ninja -S '" CLAQUE_SOURCE_DIR
+                                      "/tests/embed/installed' -B hosts "
+                                      "-DCMAKE_PREFIX_PATH='" +
+                                      prefix() + "' && cmake --build hosts");
+    const std::string strip = text_of_file(CLAQUE_SOURCE_DIR "/tests/golden/strip_host.txt");
+    EXPECT_EQ(printed("hosts/strip"), strip) << built;
+    EXPECT_EQ(printed("hosts/strip_static"), strip);
+    const std::string figures = printed("hosts/figures");
+    EXPECT_NE(figures.find("citizen"), std::string::npos) << figures;
+    EXPECT_EQ(printed("hosts/figures_static"), figures);
+    EXPECT_EQ(printed("readelf -d hosts/*_static | grep 'NEEDED.*claque' || true"), "");
+}
+
+TEST_F(Install, lets_pkg_config_link_statically)
+{
+    EXPECT_EQ(printed("export PKG_CONFIG_PATH='" + prefix() +
+                      "/lib/pkgconfig'\nrm prefix/lib/*.so*\n"
+                      "cc " CLAQUE_C_FLAGS " -std=c99 '" CLAQUE_SOURCE_DIR "/tests/embed/strip_host.c' "
+                      "$(pkg-config --static --cflags --libs claque) -o strip && ./strip"),
+              text_of_file(CLAQUE_SOURCE_DIR "/tests/golden/strip_host.txt"));
+}
+
+}  // namespace

@@ -1,0 +1,64 @@
+// The manual page of the command names everything that the command itself says it can do, and is set without a warning.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "tests/embed/scratch.h"
+
+namespace
+{
+
+std::set<std::string> all_of(const std::string &text, const std::string &pattern)
+{
+    std::set<std::string> found;
+    const std::regex regex(pattern);
+    for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) found.insert((*i)[1]);
+    return found;
+}
+
+std::string help_of(const std::string &subcommand)
+{
+    const auto [code, said] = Scratch().run(std::string("'") + CLAQUE_COMMAND "' " + subcommand + " --help");
+    EXPECT_EQ(code, 0) << said;
+    return said;
+}
+
+// As a reader sees it.
+std::string manual() { return std::regex_replace(text_of_file(CLAQUE_MAN), std::regex("\\\\-"), "-"); }
+
+std::set<std::string> subcommands()
+{
+    const std::string help = help_of("");
+    return all_of(help.substr(help.find("Subcommands:")), "\n  ([a-z][a-z-]*)");
+}
+
+TEST(manual, has_a_section_for_each_subcommand_and_no_other)
+{
+    const std::set<std::string> names = subcommands();
+    ASSERT_GT(names.size(), 5u);
+    EXPECT_EQ(all_of(manual(), "\n\\.SS claque ([a-z][a-z-]*)"), names);
+}
+
+TEST(manual, names_each_option_of_each_subcommand_in_its_section)
+{
+    const std::string text = manual();
+    for (const std::string &name : subcommands()) {
+        const size_t from = text.find("\n.SS claque " + name + "\n"), to = text.find("\n.S", from + 1);
+        ASSERT_NE(from, std::string::npos) << name;
+        const std::string section = text.substr(from, to - from);
+        const std::set<std::string> options = all_of(help_of(name), "\n  (?:-[a-z],)?(--[a-z-]+)");
+        ASSERT_FALSE(options.empty()) << name;
+        EXPECT_EQ(all_of(section, "\n\\.B (?:-[a-z],)?(--[a-z-]+)"), options) << name;
+    }
+}
+
+TEST(manual, is_set_without_a_warning)
+{
+    if (!has_command("groff")) GTEST_SKIP() << "needs groff";
+    const auto [code, said] = Scratch().run("groff -man -Tutf8 -ww '" CLAQUE_MAN "' > page");
+    EXPECT_EQ(code, 0);
+    EXPECT_EQ(said, "");
+}
+
+}  // namespace
