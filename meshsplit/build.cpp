@@ -76,6 +76,8 @@ public:
         out_.name = model.name;
         out_.rig = model::Rig(model.rig, memory_);
         copy_zones(looks_, out_);
+        for (const model::TextureSet &set : model.texture_sets)
+            out_.texture_sets.emplace_back(std::string_view(set.name));
         texture_of_ = make_textures(model, looks_, texture_limit(options.max_texture_px), whole_, out_.textures);
         for (const model::Part &part : model.parts)
             for (const glm::vec3 &p : part.positions) extent_ = std::max(extent_, glm::length(p));

@@ -156,6 +156,8 @@ private:
         if (material.image == none) return plan_cell(i);
         TexturePlan plan;
         plan.image = material.image;
+        for (const model::TextureSet &set : model_.texture_sets)
+            plan.others.push_back(i < set.images.size() && set.images[i] != material.image ? set.images[i] : none);
         plan.wrap_s = wrap_of(material.wrap_s, uses_[i].low.x, uses_[i].high.x);
         plan.wrap_t = wrap_of(material.wrap_t, uses_[i].low.y, uses_[i].high.y);
         plan.rgb = rgb_[i];
@@ -248,7 +250,7 @@ private:
 
 bool TexturePlan::same_texture(const TexturePlan &other) const
 {
-    return image != none && image == other.image && wrap_s == other.wrap_s && wrap_t == other.wrap_t &&
+    return image != none && image == other.image && others == other.others && wrap_s == other.wrap_s && wrap_t == other.wrap_t &&
            zone == other.zone && close(rgb, other.rgb) && masked == other.masked && cutoff == other.cutoff;
 }
 

@@ -16,37 +16,40 @@ namespace
 constexpr uint16_t no_zone = 0xffff;
 constexpr uint16_t no_slot = 0xffff;
 
-// Per texel the index of its zone in the texture's keys.
-std::vector<uint16_t> indices_of(const model::Texture &texture)
+// What one texture set shows: per texel the index of its zone in the texture's keys.
+struct Shown {
+    TexelGrid grid;
+    std::vector<uint16_t> zones;
+};
+
+template <class Image>
+Shown shown_by(const model::Texture &texture, const Image &image)
 {
     std::array<uint16_t, 256> index{};
     index.fill(no_zone);
     for (size_t i = 0; i < texture.keys.size(); ++i) index[texture.keys[i].key] = static_cast<uint16_t>(i);
-    std::vector<uint16_t> out(size_t(texture.width) * texture.height);
-    for (size_t i = 0; i < out.size(); ++i) out[i] = index[texture.rgba[4 * i + 3]];
+    Shown out{{image.width, image.height, texture.wrap_s, texture.wrap_t}, {}};
+    out.zones.resize(size_t(image.width) * image.height);
+    for (size_t i = 0; i < out.zones.size(); ++i) out.zones[i] = index[image.rgba[4 * i + 3]];
     return out;
 }
 
-// Collects what spans of texels show.
+// Collects what spans of texels show, in any texture set.
 class ZoneCollector
 {
 public:
-    ZoneCollector(const model::Texture &texture, std::vector<uint16_t> zone_of_texel)
-        : texture_(texture), zone_of_texel_(std::move(zone_of_texel)), seen_(texture.keys.size())
+    explicit ZoneCollector(const model::Texture &texture) : seen_(texture.keys.size())
     {
+        if (seen_.size() == 1) return;
+        shown_.push_back(shown_by(texture, texture));
+        for (const model::TextureImage &other : texture.others) shown_.push_back(shown_by(texture, other));
     }
 
     void append(const UvTriangle &triangle, std::vector<uint16_t> &out)
     {
         if (seen_.size() == 1) return out.push_back(0);
-        spans_.clear();
-        cover({texture_.width, texture_.height, texture_.wrap_s, texture_.wrap_t}, triangle, spans_);
         std::fill(seen_.begin(), seen_.end(), uint8_t(0));
-        for (const TexelSpan &span : spans_) {
-            const uint16_t *texel = zone_of_texel_.data() + size_t(span.row) * texture_.width + span.first;
-            for (uint32_t i = 0; i < span.count; ++i)
-                if (texel[i] != no_zone) seen_[texel[i]] = 1;
-        }
+        for (const Shown &shown : shown_) collect(shown, triangle);
         const size_t before = out.size();
         for (size_t z = 0; z < seen_.size(); ++z)
             if (seen_[z]) out.push_back(static_cast<uint16_t>(z));
@@ -54,8 +57,18 @@ public:
     }
 
 private:
-    const model::Texture &texture_;
-    const std::vector<uint16_t> zone_of_texel_;
+    void collect(const Shown &shown, const UvTriangle &triangle)
+    {
+        spans_.clear();
+        cover(shown.grid, triangle, spans_);
+        for (const TexelSpan &span : spans_) {
+            const uint16_t *texel = shown.zones.data() + size_t(span.row) * shown.grid.width + span.first;
+            for (uint32_t i = 0; i < span.count; ++i)
+                if (texel[i] != no_zone) seen_[texel[i]] = 1;
+        }
+    }
+
+    std::vector<Shown> shown_;
     std::vector<uint8_t> seen_;
     std::vector<TexelSpan> spans_;
 };
@@ -185,7 +198,7 @@ private:
 TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Texture> &textures)
 {
     std::vector<ZoneCollector> collectors;
-    for (const model::Texture &texture : textures) collectors.emplace_back(texture, indices_of(texture));
+    for (const model::Texture &texture : textures) collectors.emplace_back(texture);
     TriangleZones out;
     out.first.push_back(0);
     for (const MeshTriangle &triangle : mesh.triangles) {

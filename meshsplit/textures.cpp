@@ -122,11 +122,12 @@ void fill_gutters(const TexturePlan &plan, const Charts &charts, ZoneMap &map)
     dilate(map, covered);
 }
 
-ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mesh, uint32_t plan_index, uint32_t max_px)
+ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mesh, uint32_t plan_index, uint32_t image,
+                  uint32_t max_px)
 {
     const TexturePlan &plan = looks.textures[plan_index];
-    ZoneMap map = source_map(model, plan);
-    if (plan.image == none) return map;
+    ZoneMap map = source_map(model, plan, image);
+    if (image == none) return map;
     if (plan.wrap_s == Wrap::mirror || plan.wrap_t == Wrap::mirror)
         map = unfold(map, plan.wrap_s == Wrap::mirror, plan.wrap_t == Wrap::mirror);
     // Gutters matter to changes of size and where there is more than one zone to mistake for another.
@@ -135,12 +136,14 @@ ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mes
     return fit(map, max_px);
 }
 
-// Zones of a texture in the order of their keys: as in the file where it has keys, else as the model lists them.
-std::vector<uint32_t> zones_of(const ZoneMap &map, const Looks &looks, const TexturePlan &plan)
+// Zones of a texture, those of all its sets, in the order of their keys: as in the file where it has keys, else as the
+// model lists them.
+std::vector<uint32_t> zones_of(const std::vector<ZoneMap> &maps, const Looks &looks, const TexturePlan &plan)
 {
     std::vector<uint8_t> present(looks.zones.size());
-    for (const uint16_t zone : map.zones)
-        if (zone != hole) present[zone] = 1;
+    for (const ZoneMap &map : maps)
+        for (const uint16_t zone : map.zones)
+            if (zone != hole) present[zone] = 1;
     std::vector<uint32_t> zones;
     for (uint32_t z = 0; z < present.size(); ++z)
         if (present[z]) zones.push_back(z);
@@ -151,31 +154,55 @@ std::vector<uint32_t> zones_of(const ZoneMap &map, const Looks &looks, const Tex
     return zones;
 }
 
-void encode(const ZoneMap &map, const std::vector<uint32_t> &zones, const TexturePlan &plan, model::Texture &out)
+// Returns whether there is a hole.
+bool encode(const ZoneMap &map, const model::Array<model::ZoneKey> &keys, model::Array<uint8_t> &rgba)
 {
-    out.width = map.width, out.height = map.height;
-    out.wrap_s = drawn(plan.wrap_s), out.wrap_t = drawn(plan.wrap_t);
-    const std::vector<uint8_t> keys = model::geometric_keys(static_cast<uint32_t>(zones.size()));
-    std::vector<uint8_t> key_of(size_t(*std::max_element(zones.begin(), zones.end())) + 1);
-    for (size_t i = 0; i < zones.size(); ++i) {
-        out.keys.push_back({zones[i], keys[i]});
-        key_of[zones[i]] = keys[i];
-    }
-    out.rgba.resize(4 * map.zones.size());
+    std::vector<uint8_t> key_of(size_t(hole) + 1);
+    for (const model::ZoneKey &key : keys) key_of[key.zone] = key.key;
+    bool has_holes = false;
+    rgba.resize(4 * map.zones.size());
     for (size_t i = 0; i < map.zones.size(); ++i) {
-        for (size_t k = 0; k < 3; ++k) out.rgba[4 * i + k] = map.rgb[3 * i + k];
-        const bool is_hole = map.zones[i] == hole;
-        out.rgba[4 * i + 3] = is_hole ? 0 : key_of[map.zones[i]];
-        out.has_holes = out.has_holes || is_hole;
+        for (size_t k = 0; k < 3; ++k) rgba[4 * i + k] = map.rgb[3 * i + k];
+        rgba[4 * i + 3] = map.zones[i] == hole ? 0 : key_of[map.zones[i]];
+        has_holes = has_holes || map.zones[i] == hole;
+    }
+    return has_holes;
+}
+
+// What all texture sets show, the first one first; one where they show the same.
+std::vector<ZoneMap> maps_of(const model::Model &model, const Looks &looks, const Mesh &mesh, uint32_t plan_index,
+                             uint32_t max_px)
+{
+    const TexturePlan &plan = looks.textures[plan_index];
+    std::vector<ZoneMap> maps = {final_map(model, looks, mesh, plan_index, plan.image, max_px)};
+    const auto differs = [](uint32_t image) { return image != none; };
+    if (std::none_of(plan.others.begin(), plan.others.end(), differs)) return maps;
+    for (const uint32_t image : plan.others)
+        maps.push_back(image == none ? maps[0] : final_map(model, looks, mesh, plan_index, image, max_px));
+    return maps;
+}
+
+void make_texture(const std::vector<ZoneMap> &maps, const Looks &looks, const TexturePlan &plan, model::Texture &out)
+{
+    const std::vector<uint32_t> zones = zones_of(maps, looks, plan);
+    const std::vector<uint8_t> keys = model::geometric_keys(static_cast<uint32_t>(zones.size()));
+    for (size_t i = 0; i < zones.size(); ++i) out.keys.push_back({zones[i], keys[i]});
+    out.width = maps[0].width, out.height = maps[0].height;
+    out.wrap_s = drawn(plan.wrap_s), out.wrap_t = drawn(plan.wrap_t);
+    out.has_holes = encode(maps[0], out.keys, out.rgba);
+    for (size_t i = 1; i < maps.size(); ++i) {
+        model::TextureImage &other = out.others.emplace_back(out.others.get_allocator().resource());
+        other.width = maps[i].width, other.height = maps[i].height;
+        out.has_holes = encode(maps[i], out.keys, other.rgba) || out.has_holes;
     }
 }
 
 }  // namespace
 
-ZoneMap source_map(const model::Model &model, const TexturePlan &plan)
+ZoneMap source_map(const model::Model &model, const TexturePlan &plan, uint32_t image_index)
 {
-    if (plan.image == none) return palette_map(plan);
-    const model::Image &image = model.images[plan.image];
+    if (image_index == none) return palette_map(plan);
+    const model::Image &image = model.images[image_index];
     ZoneMap map(image.width, image.height);
     for (size_t i = 0; i < map.zones.size(); ++i) {
         for (size_t k = 0; k < 3; ++k) map.rgb[3 * i + k] = tinted(image.rgba[4 * i + k], plan.rgb[k]);
@@ -193,11 +220,10 @@ std::vector<uint32_t> make_textures(const model::Model &model, const Looks &look
     for (const MeshSurface &surface : mesh.surfaces) {
         uint32_t &texture = made[surface.texture];
         if (texture != none) continue;
-        const TexturePlan &plan = looks.textures[surface.texture];
-        const ZoneMap map = final_map(model, looks, mesh, surface.texture, max_texture_px);
+        const std::vector<ZoneMap> maps = maps_of(model, looks, mesh, surface.texture, max_texture_px);
         texture = static_cast<uint32_t>(out.size());
         out.emplace_back(out.get_allocator().resource());
-        encode(map, zones_of(map, looks, plan), plan, out.back());
+        make_texture(maps, looks, looks.textures[surface.texture], out.back());
     }
     return made;
 }

@@ -10,8 +10,8 @@ namespace claque::meshsplit
 {
 
 // The image as it is planned to look, at its own size, before gutters and changes of size. Throws base::Error
-// (ARGUMENT) where a texel has a key that no zone declares.
-ZoneMap source_map(const model::Model &model, const TexturePlan &plan);
+// (ARGUMENT) where a texel has a key that no zone declares. `image` is the plan's own or one of another texture set.
+ZoneMap source_map(const model::Model &model, const TexturePlan &plan, uint32_t image);
 
 // Appends one texture for each plan that the mesh's surfaces show; the mesh holds whatever is shown at any distance.
 // Returns the number of each plan's texture, or none.

@@ -181,7 +181,7 @@ void Canvas::place(const Individual &who)
 SurfaceState Canvas::state_of(const Individual &who, const model::Surface &surface)
 {
     SurfaceState state;
-    state.texture = who.own ? *who.own : who.prepared->textures[surface.texture].name;
+    state.texture = who.own ? *who.own : who.prepared->textures[surface.texture].name_of(who.item->texture_set);
     state.double_sided = surface.double_sided;
     state.mirrored = who.item->mirrored;
     state.colour_array = !who.level->colours.empty();

@@ -65,10 +65,18 @@ bool level_is_sound(const model::Level &level, const model::Template &source)
                        [&](const model::Surface &s) { return surface_is_sound(s, level, source); });
 }
 
+template <class Image>
+bool image_is_sound(const Image &image)
+{
+    return image.width > 0 && image.height > 0 && image.rgba.size() == size_t(4) * image.width * image.height;
+}
+
 bool texture_is_sound(const model::Texture &texture, const model::Template &source)
 {
-    return texture.width > 0 && texture.height > 0 && !texture.keys.empty() &&
-           texture.rgba.size() == size_t(4) * texture.width * texture.height &&
+    return image_is_sound(texture) && !texture.keys.empty() &&
+           (texture.others.empty() || texture.others.size() == source.texture_sets.size()) &&
+           std::all_of(texture.others.begin(), texture.others.end(),
+                       [](const model::TextureImage &image) { return image_is_sound(image); }) &&
            std::all_of(texture.keys.begin(), texture.keys.end(),
                        [&](const model::ZoneKey &key) { return key.zone < source.zone_count(); });
 }
@@ -115,6 +123,7 @@ base::Status choose_strategy(PreparedTemplate &out, Strategy wanted, uint32_t al
 
 void prepare_texture(PreparedTexture &out, const model::Texture &texture, KeyTest key_test)
 {
+    out.names.resize(1 + texture.others.size());
     const std::vector<uint8_t> bytes = model::keys_of(texture);
     const model::Keys keys(bytes);
     const model::FusedTable fused = model::fused_table(keys);

@@ -20,11 +20,13 @@ struct ZoneTest {
 };
 
 struct PreparedTexture {
-    explicit PreparedTexture(std::pmr::memory_resource *memory) : tests(memory) {}
-    uint32_t name = 0;          // GL's
+    explicit PreparedTexture(std::pmr::memory_resource *memory) : names(memory), tests(memory) {}
+    Array<uint32_t> names;      // GL's, one a texture set; one where all show the same
     float hole_reference = 0;   // GL_GEQUAL: passes the lowest key, stops a hole
     float fused_reference = 0;  // GL_GEQUAL: the one test of the fused strategy
     Array<ZoneTest> tests;      // as model::Texture::keys
+
+    uint32_t name_of(uint32_t set) const { return names[set < names.size() ? set : 0]; }
 };
 
 struct VertexRange {

@@ -106,6 +106,15 @@ CLQ_API clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq
 CLQ_API clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out);
 CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warning); /* "" beyond the last */
 
+/* Gives an asset one more texture set (clq_texture_set_def), for individuals that differ in more than colours.
+ * KHR_materials_variants of a glTF file are such sets already; the four built-in people have a second one each.
+ *   name      by which clq_template_find_texture_set finds it
+ *   images    [material_count of clq_asset_info], copied; rgba NULL: the material's own. Alpha must mean what it means in the
+ *             material's own image, which there must be
+ * Fails: ARGUMENT, LIMIT (63 sets), OUT_OF_MEMORY; the asset is then as it was. Threads: any one. GL: none. */
+CLQ_API clq_status clq_asset_add_texture_set(clq_context *context, clq_asset *asset, const char *name,
+                                             const clq_image_def *images, uint32_t image_count);
+
 /* Animated positions of all parts in file order (nodes depth first, primitives in order), in model space.
  *   clip     CLQ_NONE: the rest pose with default morph weights
  *   time_s   on the clip's own key axis; clamped to it

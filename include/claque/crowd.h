@@ -165,7 +165,8 @@ typedef struct clq_actor_def {
     clq_template *tmpl;    /* held until the crowd goes */
     clq_place place;
     clq_play play;
-    uint64_t seed; /* of this individual's draws by lot, with the crowd's seed; equal seeds are twins */
+    uint64_t seed;        /* of this individual's draws by lot, with the crowd's seed; equal seeds are twins */
+    uint32_t texture_set; /* as clq_actor_set_texture_set takes it. Default 0 */
 } clq_actor_def;
 
 static inline clq_actor_def clq_actor_def_init(void)
@@ -182,8 +183,11 @@ static inline clq_actor_def clq_actor_def_init(void)
     def.play.speed = 1.0f;
     def.play.phase_s = 0.0f;
     def.seed = 0;
+    def.texture_set = 0;
     return def;
 }
+
+#define CLQ_BY_LOT 0xffffffffu /* drawn by the seeds of crowd and actor */
 
 /* Adds an individual; it shows its template's zone colours until it is given its own. Costs its own state only
  * (S0 7.1). Fails: STRUCT_SIZE, ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
@@ -210,7 +214,11 @@ CLQ_API clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, cons
 CLQ_API clq_status clq_actor_draw_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges,
                                           uint32_t zone_count);
 
-/* Adds an individual like another one: its template, clip, colours, mechanisms with their commands, way of the Skeleton
+/* Which of its template's texture sets an individual shows (S1 1): 0 ... texture_set_count - 1 of clq_template_info, or
+ * CLQ_BY_LOT. Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t set);
+
+/* Adds an individual like another one: its template, clip, colours, texture set, mechanisms with their commands, way of the Skeleton
  * Root, group, priority, hooks, ground; not what is attached to it (S0 7.1). Nothing of the template is copied.
  *   place   in the other's group, if it has one; NULL: the other's own
  *   seed    of its draws by lot from now on; its colours are those of the other until they are drawn anew
@@ -258,6 +266,7 @@ typedef struct clq_actor_info {
     clq_place root;     /* where its Skeleton Root was in the world then; else where its Reference Point is */
     /* S0 4.1: of its bounding spheres now, at scale 1, with its way and what is attached to it. */
     float refpoint_radius, sklsroot_radius;
+    uint32_t texture_set;
 } clq_actor_info;
 
 CLQ_API clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor_info *out);

@@ -95,6 +95,16 @@ typedef struct clq_material_def {
     uint32_t zone;        /* zone of all that is drawn with it; CLQ_NONE where its image holds zone keys */
 } clq_material_def;
 
+/* Other images for the same surfaces, for individuals that differ in more than colours (S1 1, S2 2.1). The first set, 0, is
+ * the materials' own; these are 1, 2, ... Whatever a set shows, a triangle is clean where one zone is all that any set can
+ * show there: sets whose zones lie alike cost nothing but their texels. */
+typedef struct clq_texture_set_def {
+    const char *name;
+    const uint32_t
+        *images; /* [material_count] shown in place of each material's own, which it must have, and whose alpha
+                               means the same; of any size; CLQ_NONE: its own */
+} clq_texture_set_def;
+
 /* Deltas of one morph target; each [3 * vertex_count] or NULL. */
 typedef struct clq_morph_def {
     const float *positions;
@@ -185,13 +195,15 @@ typedef struct clq_template_def {
     const clq_dof_def *dofs;
     /* Clips are sampled from rows at uniform rates, each the lowest that follows its channels within these errors at all
      * keys, between keys and between rows. STEP channels, and channels that no rate follows, are sampled as they are. */
-    float motion_error_m;   /* [model units, metres by convention] of any vertex or node, degrees of freedom at rest; 0: a
+    float motion_error_m; /* [model units, metres by convention] of any vertex or node, degrees of freedom at rest; 0: a
                                2000th of half the character's size, half a millimetre of a body; below 0: channels only */
     float motion_error_rad; /* that any node is turned; 0: 0.01 */
     uint32_t marker_count;
     const clq_marker_def *markers; /* in any order */
     uint32_t root_motion_count;
     const clq_root_motion_def *root_motions; /* of a clip at most one */
+    uint32_t texture_set_count;              /* besides the materials' own; at most 63 */
+    const clq_texture_set_def *texture_sets;
 } clq_template_def;
 
 static inline clq_template_def clq_template_def_init(void)

@@ -26,6 +26,7 @@ typedef struct clq_template_info {
     uint32_t part_count;  /* of the finest level, that are culled one by one (S0 4.2) */
     uint64_t bytes;       /* held in memory */
     uint32_t marker_count;
+    uint32_t texture_set_count; /* 1 or more */
 } clq_template_info;
 
 typedef struct clq_clip_info {
@@ -89,6 +90,11 @@ CLQ_API clq_status clq_template_split_picture(const clq_template *tmpl, uint32_t
                                               uint8_t *out_rgb, size_t capacity_bytes, uint32_t *out_width_px,
                                               uint32_t *out_height_px);
 
+/* A texture set's name, which lives as long as the template: "" of the first, and where there is none. And the set of this
+ * name, or CLQ_NONE. Threads: any. */
+CLQ_API const char *clq_template_texture_set_name(const clq_template *tmpl, uint32_t set);
+CLQ_API uint32_t clq_template_find_texture_set(const clq_template *tmpl, const char *name);
+
 /* What a texture holds, rows from the one at v = 0: the light and dark that an individual's colours are multiplied
  * with, and where each zone lies (S1 Fig. 6).
  *   out_rgb          [3 * width * height], or NULL
@@ -98,6 +104,11 @@ CLQ_API clq_status clq_template_split_picture(const clq_template *tmpl, uint32_t
 CLQ_API clq_status clq_template_get_texture(const clq_template *tmpl, uint32_t texture, uint8_t *out_rgb,
                                             uint32_t *out_zones, size_t capacity_texels, uint32_t *out_width_px,
                                             uint32_t *out_height_px);
+
+/* The same of any texture set; its size may be another. */
+CLQ_API clq_status clq_template_get_set_texture(const clq_template *tmpl, uint32_t set, uint32_t texture,
+                                                uint8_t *out_rgb, uint32_t *out_zones, size_t capacity_texels,
+                                                uint32_t *out_width_px, uint32_t *out_height_px);
 
 #ifdef __cplusplus
 }

@@ -74,10 +74,14 @@ clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_acto
         api::require_size(def, "clq_actor_def_init");
         api::require(def->tmpl != nullptr, "tmpl is NULL");
         api::require(def->tmpl->context == crowd->context, "the template was made from another context");
+        if (def->texture_set != CLQ_BY_LOT && def->texture_set >= def->tmpl->texture_set_count())
+            base::fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", def->texture_set,
+                       def->tmpl->name.c_str(), def->tmpl->texture_set_count());
         const api::Busy busy(crowd);
         NewTemplate held(crowd, def->tmpl);
         const crowd::Id id =
             crowd->crowd.create(*def->tmpl, api::place_of(def->place), api::play_of(def->play), def->seed);
+        crowd->crowd.set_texture_set(id, def->texture_set);
         held.keep();
         *out = {id.index1, id.generation};
     });
@@ -136,6 +140,7 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
             info.group = {group + 1, crowd->crowd.group(group).generation};
         info.play = {play.clip, play.start_s, play.speed, play.phase_s};
         info.seed = crowd->crowd.actor(row).seed;
+        info.texture_set = crowd->crowd.actor(row).texture_set;
         info.visible = seen.visible;
         info.period_s = seen.period_s;
         info.shown_s = seen.shown_s;

@@ -32,6 +32,15 @@ clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, float prior
     });
 }
 
+clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t set)
+{
+    return api::boundary("clq_actor_set_texture_set", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.set_texture_set(api::id_of(actor), set);
+    });
+}
+
 clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3], float radius,
                             clq_attached *out)
 {

@@ -23,7 +23,10 @@ uint64_t bytes_of(const model::Template &t)
     uint64_t bytes = sizeof(clq_template) + size(rig.parents) + size(rig.rest) + size(rig.palette) +
                      size(rig.channels) + size(rig.times) + size(rig.values) + size(rig.clips) + size(rig.rest_weights);
     bytes += model::motion_bytes(t.motion);
-    for (const model::Texture &texture : t.textures) bytes += sizeof texture + size(texture.rgba) + size(texture.keys);
+    for (const model::Texture &texture : t.textures) {
+        bytes += sizeof texture + size(texture.rgba) + size(texture.keys);
+        for (const model::TextureImage &other : texture.others) bytes += sizeof other + size(other.rgba);
+    }
     for (const model::Level &l : t.levels)
         bytes += sizeof l + size(l.positions) + size(l.normals) + size(l.runs) + size(l.joints) + size(l.weights) +
                  size(l.morph_deltas) + size(l.copies) + size(l.uvs) + size(l.colours) + size(l.slots) +
@@ -136,6 +139,7 @@ clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *ou
         info.level_count = static_cast<uint32_t>(tmpl->levels.size());
         info.part_count = static_cast<uint32_t>(level.parts.size());
         info.marker_count = static_cast<uint32_t>(tmpl->rig.markers.size());
+        info.texture_set_count = tmpl->texture_set_count();
         info.bytes = bytes_of(*tmpl);
         *out = info;
     });

@@ -85,6 +85,18 @@ void add_looks(const clq_template_def &def, model::Model &model)
     }
 }
 
+void add_texture_sets(const clq_template_def &def, model::Model &model)
+{
+    require_array(def.texture_sets, def.texture_set_count, "texture_sets");
+    for (uint32_t i = 0; i < def.texture_set_count; ++i) {
+        const clq_texture_set_def &set = def.texture_sets[i];
+        require_array(set.images, def.material_count, "images of a texture set");
+        model::TextureSet &made = model.texture_sets.emplace_back();
+        made.name = name_of(set.name);
+        if (def.material_count) made.images.assign(set.images, set.images + def.material_count);
+    }
+}
+
 void add_channel(const clq_channel_def &channel, model::Model &model, uint32_t clip, uint32_t index)
 {
     if (channel.key_count == 0 || !channel.times_s || !channel.values)
@@ -185,6 +197,7 @@ model::Model model_of(const clq_template_def &def)
     add_nodes(def, model);
     add_joints(def, model);
     add_looks(def, model);
+    add_texture_sets(def, model);
     add_parts(def, model);
     add_dofs(def, model);
     add_clips(def, model);

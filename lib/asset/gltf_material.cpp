@@ -1,5 +1,6 @@
 #include "lib/asset/gltf_material.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/asset/gltf_image.h"
@@ -69,7 +70,7 @@ void check_textures(const File &file)
 
 }  // namespace
 
-Materials::Materials(File &file) : file_(file)
+Materials::Materials(File &file) : file_(file), variants_(file)
 {
     check_textures(file);
     const View list = file.root["materials"];
@@ -165,42 +166,88 @@ uint32_t Materials::without_texture(uint32_t material)
     return place->second;
 }
 
+uint32_t Materials::decoded(uint32_t source, model::Model &model)
+{
+    const auto [place, is_new] = decoded_.emplace(source, static_cast<uint32_t>(model.images.size()));
+    if (is_new) {
+        model.images.push_back(read_image(file_, source));
+        sources_.push_back(source);
+    }
+    return place->second;
+}
+
 void Materials::decode_images(const std::vector<bool> &used, model::Model &model)
 {
-    std::map<uint32_t, uint32_t> decoded;  // by image of the file
     for (size_t i = 0; i < materials_.size(); ++i) {
         uint32_t &image = materials_[i].image;
-        if (image == none) continue;
-        if (!used[i]) {
-            image = none;
-            continue;
-        }
-        const auto [place, is_new] = decoded.emplace(image, static_cast<uint32_t>(model.images.size()));
-        if (is_new) {
-            model.images.push_back(read_image(file_, image));
-            sources_.push_back(image);
-        }
-        image = place->second;
+        file_images_.push_back(image);
+        if (image != none) image = used[i] ? decoded(image, model) : none;
     }
+}
+
+void Materials::add_keys(model::Image &image, const View &extras, model::Model &model)
+{
+    const std::vector<model::Zone> zones = read_zone_extras(extras);
+    if (zones.empty()) return;
+    image.alpha = model::AlphaMeaning::zone_keys;
+    add_keyed_zones(model.zones, zones, extras.path());
 }
 
 void Materials::mark_keyed(const std::vector<bool> &used, model::Model &model)
 {
-    const auto add = [&](model::Image &image, const View &extras) {
-        const std::vector<model::Zone> zones = read_zone_extras(extras);
-        if (zones.empty()) return;
-        image.alpha = model::AlphaMeaning::zone_keys;
-        add_keyed_zones(model.zones, zones, extras.path());
-    };
-    for (size_t k = 0; k < sources_.size(); ++k) add(model.images[k], file_.root["images"].at(sources_[k])["extras"]);
+    for (size_t k = 0; k < sources_.size(); ++k)
+        add_keys(model.images[k], file_.root["images"].at(sources_[k])["extras"], model);
     for (size_t i = 0; i < views_.size(); ++i)
-        if (used[i] && materials_[i].image != none) add(model.images[materials_[i].image], views_[i]["extras"]);
+        if (used[i] && materials_[i].image != none)
+            add_keys(model.images[materials_[i].image], views_[i]["extras"], model);
+}
+
+// The image that a variant shows in place of a material's own; none where it cannot.
+uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const std::string &variant, model::Model &model)
+{
+    const Material &own = materials_[material], &shown = materials_[other];
+    const auto refuse = [&](const char *why) {
+        file_.warn(base::text_of("variant '%s' cannot show material '%s' for '%s', %s: it shows the latter",
+                                 variant.c_str(), shown.name.c_str(), own.name.c_str(), why));
+        return none;
+    };
+    const UvUse &use = uv_uses_[material], &others = uv_uses_[other];
+    if (own.image == none || file_images_[other] == none) return refuse("since both need a texture for that");
+    if (!std::equal(use.transform.m, use.transform.m + 6, others.transform.m) || use.set != others.set)
+        return refuse("whose texture lies otherwise on the surface");
+    const size_t known = sources_.size();
+    const uint32_t image = decoded(file_images_[other], model);
+    if (sources_.size() != known)
+        add_keys(model.images[image], file_.root["images"].at(sources_[image])["extras"], model);
+    if (model.images[image].alpha != model.images[own.image].alpha)
+        add_keys(model.images[image], views_[other]["extras"], model);
+    if (model.images[image].alpha != model.images[own.image].alpha)
+        return refuse("since only one of them has zone keys in its texture");
+    if (own.base_colour != shown.base_colour || own.wrap_s != shown.wrap_s || own.wrap_t != shown.wrap_t ||
+        own.double_sided != shown.double_sided || own.alpha_mode != shown.alpha_mode)
+        file_.warn(base::text_of("variant '%s': of material '%s' its texture alone is taken, with all else from '%s'",
+                                 variant.c_str(), shown.name.c_str(), own.name.c_str()));
+    return image == own.image ? none : image;
+}
+
+void Materials::add_texture_sets(const std::vector<bool> &used, model::Model &model)
+{
+    for (size_t v = 0; v < variants_.count() && v + 1 < model::most_texture_sets; ++v) {
+        model::TextureSet set;
+        set.name = variants_.name(v);
+        set.images.assign(materials_.size(), none);
+        for (const auto &[material, other] : variants_.mapped(v))
+            if (used[material] && other != material)
+                set.images[material] = image_of_variant(material, other, set.name, model);
+        model.texture_sets.push_back(std::move(set));
+    }
 }
 
 void Materials::finish(const std::vector<bool> &used, model::Model &model)
 {
     decode_images(used, model);
     mark_keyed(used, model);
+    add_texture_sets(used, model);
     model.materials = std::move(materials_);
     add_material_zones(used, model);
 }

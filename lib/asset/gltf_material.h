@@ -4,6 +4,7 @@
 #include <map>
 
 #include "lib/asset/gltf_file.h"
+#include "lib/asset/gltf_variants.h"
 
 namespace claque::asset
 {
@@ -36,6 +37,8 @@ public:
     uint32_t without_texture(uint32_t material);
     const UvUse &uv_use(uint32_t material) const { return uv_uses_[material]; }
     size_t count() const { return materials_.size(); }
+    // What variants show of a primitive with this material.
+    void note_variants(uint32_t material, const View &primitive) { variants_.note(material, primitive, views_.size()); }
 
     // Decodes what `used` (by material) need, gives every used material a zone (or its image's alpha the meaning of
     // zone keys), and hands everything over. Once, at the end.
@@ -47,6 +50,10 @@ private:
     void read_alpha(const View &view, model::Material &out);
     uint32_t image_source(const View &texture);
     void decode_images(const std::vector<bool> &used, model::Model &model);
+    uint32_t decoded(uint32_t source, model::Model &model);
+    void add_texture_sets(const std::vector<bool> &used, model::Model &model);
+    uint32_t image_of_variant(uint32_t material, uint32_t other, const std::string &variant, model::Model &model);
+    void add_keys(model::Image &image, const View &extras, model::Model &model);
     void mark_keyed(const std::vector<bool> &used, model::Model &model);
 
     File &file_;
@@ -55,7 +62,10 @@ private:
     std::vector<View> views_;
     std::map<uint32_t, uint32_t> bare_;  // copies without texture
     uint32_t default_ = none;
-    std::vector<uint32_t> sources_;  // by image of the model: the image of the file
+    Variants variants_;
+    std::vector<uint32_t> sources_;         // by image of the model: the image of the file
+    std::vector<uint32_t> file_images_;     // by material: the image of the file, whether or not it is used
+    std::map<uint32_t, uint32_t> decoded_;  // by image of the file: that of the model
 };
 
 }  // namespace claque::asset

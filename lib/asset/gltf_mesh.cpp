@@ -193,6 +193,7 @@ Mesh read_mesh(const View &view, File &file, Materials &materials, bool shown)
         PrimitiveReader reader(file, materials, primitive_view);
         if (!reader.has_data() && !shown) continue;
         if (!reader.read(primitive)) continue;
+        materials.note_variants(primitive.part.material, primitive_view);
         file.budget.take(bytes_of(primitive.part), primitive_view.path().c_str());
         mesh.primitives.push_back(std::move(primitive));
     }

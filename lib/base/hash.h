@@ -24,7 +24,8 @@ enum class Purpose : uint32_t {
     expression = 14,
     blink = 15,
     phrase = 16,
-    idle = 17
+    idle = 17,
+    texture_set = 18
 };
 
 // A strong 64-bit mix (the finaliser of MurmurHash3, by Austin Appleby, public domain constants).

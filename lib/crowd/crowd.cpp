@@ -114,7 +114,7 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
         colours_.emplace_back(templates_.get_allocator().resource(), tmpl.zone_count());
     }
     const uint32_t row = take_row();
-    actors_[row] = Actor{index, actors_[row].generation + 1, seed, next_version_++, model::none};
+    actors_[row] = Actor{index, actors_[row].generation + 1, seed, next_version_++, model::none, 0};
     places_[row] = placed;
     plays_[row] = playing;
     extents_[row].priority = 0;
@@ -148,6 +148,7 @@ Id Crowd::clone(Id id, const Place *place, uint64_t seed)
         throw;
     }
     extents_[row].priority = extents_[from].priority;
+    actors_[row].texture_set = actors_[from].texture_set;
     if (groups_of_[from] != model::none) {
         groups_of_[row] = groups_of_[from];
         ++groups_[groups_of_[row]].members;
@@ -178,7 +179,7 @@ void Crowd::destroy(Id id)
     clear_extra(row);
     Actor &actor = actors_[row];
     if (actor.colours != model::none) colours_[actor.tmpl].give_back(actor.colours);
-    actor = Actor{first_free_, actor.generation + 1, 0, 0, model::none};
+    actor = Actor{first_free_, actor.generation + 1, 0, 0, model::none, 0};
     places_[row] = Place();
     plays_[row] = Play();
     extents_[row] = Extent();

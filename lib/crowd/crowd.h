@@ -21,6 +21,8 @@ struct Id {
     uint32_t generation = 0;
 };
 
+constexpr uint32_t drawn_by_lot = model::none;  // for Crowd::set_texture_set
+
 // What lasts as long as an individual does.
 struct Actor {
     uint32_t tmpl = 0;        // of Crowd::templates()
@@ -28,6 +30,7 @@ struct Actor {
     uint64_t seed = 0;
     uint64_t play_version = 0;       // new for every play of every individual: no two states share one
     uint32_t colours = model::none;  // slot in its template's colour table; none: the template's own
+    uint32_t texture_set = 0;        // of its template
 };
 
 // Actors that are tested and moved together: a vehicle with its occupants, a flock, a block of seats (S0 4.3, 8).
@@ -58,6 +61,8 @@ public:
     void set_colours(Id id, const float *rgb, uint32_t zone_count);  // [3 * zone_count], each [0, 1]
     // count 0: the template's own ranges. Drawn by (seed of crowd, seed of actor, zone): repeatable.
     void draw_colours(Id id, const model::HsbRange *ranges, uint32_t count);
+
+    void set_texture_set(Id id, uint32_t set);  // drawn_by_lot: by the seeds of crowd and actor
 
     // An individual like another: everything but what is attached to it. `place` null: the other's own.
     Id clone(Id id, const Place *place, uint64_t seed);

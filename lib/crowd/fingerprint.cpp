@@ -36,6 +36,7 @@ uint64_t structure_of(const model::Template &tmpl)
     });
     out.array(tmpl.textures, 8,
               [&](const model::Texture &texture) { out.value(texture.width), out.value(texture.height); });
+    out.array(tmpl.texture_sets, 4, name);
     for (int k = 0; k < 3; ++k) out.value(tmpl.sklsroot.centre[k]);
     out.value(tmpl.sklsroot.radius);
     out.flush();

@@ -165,7 +165,8 @@ private:
         Place place;
         Play play;
         float priority = 0, up = 0, down = 0;
-        in_.value(actor.tmpl), in_.value(actor.seed), in_.value(group);
+        uint32_t texture_set = 0;
+        in_.value(actor.tmpl), in_.value(actor.seed), in_.value(texture_set), in_.value(group);
         template_at(actor.tmpl);
         walk_place(in_, place), walk_play(in_, play);
         in_.value(priority), in_.value(up), in_.value(down);
@@ -173,6 +174,8 @@ private:
         out_.place(&id, &place, 1);
         out_.play(id, play);
         out_.set_priority(id, priority);
+        if (texture_set == drawn_by_lot) fail(CLQ_FORMAT, "a saved crowd's actor %u has no texture set", row);
+        out_.set_texture_set(id, texture_set);
         if (up != 0 || down != 0) out_.follow_ground(id, up, down);
         if (group != none) {
             if (group >= out_.group_count() || !(out_.groups_[group].generation & 1))

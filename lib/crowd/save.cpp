@@ -111,7 +111,7 @@ private:
     void actor(uint32_t row)
     {
         const Actor &actor = crowd_.actors_[row];
-        out_.value(actor.tmpl), out_.value(actor.seed);
+        out_.value(actor.tmpl), out_.value(actor.seed), out_.value(actor.texture_set);
         out_.value(crowd_.groups_of_[row]);
         walk_place(out_, crowd_.places_[row]);
         walk_play(out_, crowd_.plays_[row]);

@@ -84,4 +84,16 @@ void Crowd::draw_colours(Id id, const model::HsbRange *ranges, uint32_t count)
         store(to + 3 * zone, draw(ranges[zone], seed_, actors_[row].seed, zone));
 }
 
+void Crowd::set_texture_set(Id id, uint32_t set)
+{
+    Actor &actor = actors_[row_of(id)];
+    const model::Template &tmpl = *templates_[actor.tmpl];
+    const uint32_t count = tmpl.texture_set_count();
+    if (set == drawn_by_lot)
+        set = static_cast<uint32_t>(base::hash(seed_, actor.seed, base::Purpose::texture_set) % count);
+    if (set >= count)
+        fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", set, tmpl.name.c_str(), count);
+    actor.texture_set = set;
+}
+
 }  // namespace claque::crowd

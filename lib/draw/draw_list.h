@@ -34,6 +34,7 @@ struct Item {
     uint32_t level = 0;
     uint32_t actor_index = 0;           // row in the crowd: for picking and id pictures
     Vertices vertices;                  // null where the geometry cache was full: ask the server below
+    uint32_t texture_set = 0;           // of the template
     const uint8_t *zone_rgb = nullptr;  // 3 a zone of the template, or null: the template's own colours
     float model_view[16];               // column-major: actor's space to eye space, made in double relative to the eye
     float eye_distance_m = 0;
@@ -58,7 +59,7 @@ public:
 
 struct DrawList {
     explicit DrawList(std::pmr::memory_resource *memory) : items(memory) {}
-    model::Array<Item> items;    // sorted by template, then front to back, then by actor: order is part of the picture
+    model::Array<Item> items;    // sorted by template, texture set, front to back, actor: order is part of the picture
     float projection[16] = {0};  // column-major, as the view has it
     VertexServer *server = nullptr;
 };

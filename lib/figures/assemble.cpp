@@ -51,9 +51,15 @@ model::Model assemble(const Figure &figure)
     add_skeleton(model.rig);
     for (const ClipMaker &clip : figure.clips) add_clip(model.rig, clip);
     model.zones = zones_of(figure.zones);
-    model.images.push_back(paint(
-        mesh, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p, n); }, figure.painter, figure.zones));
+    std::vector<Painter> painters = {figure.painter};
+    for (const Figure::Look &look : figure.looks) painters.push_back(look.painter);
+    model.images = paint(
+        mesh, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p, n); }, painters, figure.zones);
     model.images[0].name = figure.name;
+    for (uint32_t i = 0; i < figure.looks.size(); ++i) {
+        model.images[i + 1].name = std::string(figure.name) + " " + figure.looks[i].name;
+        model.texture_sets.push_back({figure.looks[i].name, {i + 1}});
+    }
     model::Material material;
     material.name = figure.name;
     material.image = 0;

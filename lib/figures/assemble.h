@@ -14,6 +14,12 @@ struct Figure {
     const char *name = "";
     void (*add_pieces)(Mesh &) = nullptr;  // body and dress, from parts.h
     Painter painter;
+    // Further texture sets.
+    struct Look {
+        const char *name;
+        Painter painter;
+    };
+    std::vector<Look> looks;
     Layout layout;
     Zones zones;
     std::vector<ClipMaker> clips;

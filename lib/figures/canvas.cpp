@@ -92,7 +92,7 @@ void shade(const Openness &openness, std::vector<Cover> &covers)
 }
 
 // Every texel takes the bytes of the nearest painted one: rings outwards until nothing is left to fill.
-void fill_gutters(std::vector<Cover> &covers, std::vector<uint8_t> &rgba)
+void fill_gutters(const std::vector<Cover> &covers, std::vector<uint8_t> &rgba)
 {
     std::vector<uint32_t> front, next;
     std::vector<uint8_t> filled(covers.size(), 0);
@@ -115,14 +115,8 @@ void fill_gutters(std::vector<Cover> &covers, std::vector<uint8_t> &rgba)
     }
 }
 
-}  // namespace
-
-model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter, const Zones &zones)
+model::Image image_of(const std::vector<Cover> &covers, const Painter &painter, const Zones &zones)
 {
-    const std::vector<glm::vec3> normals = mesh.smooth_normals();
-    std::vector<Cover> covers(size_t(size) * size);
-    for (const Face &face : mesh.faces) cover(mesh, normals, face, covers);
-    shade(openness, covers);
     model::Image image;
     image.width = image.height = size;
     image.alpha = model::AlphaMeaning::zone_keys;
@@ -136,6 +130,20 @@ model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &pa
     }
     fill_gutters(covers, image.rgba);
     return image;
+}
+
+}  // namespace
+
+std::vector<model::Image> paint(const Mesh &mesh, const Openness &openness, const std::vector<Painter> &painters,
+                                const Zones &zones)
+{
+    const std::vector<glm::vec3> normals = mesh.smooth_normals();
+    std::vector<Cover> covers(size_t(size) * size);
+    for (const Face &face : mesh.faces) cover(mesh, normals, face, covers);
+    shade(openness, covers);
+    std::vector<model::Image> images;
+    for (const Painter &painter : painters) images.push_back(image_of(covers, painter, zones));
+    return images;
 }
 
 }  // namespace claque::figures

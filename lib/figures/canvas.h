@@ -29,7 +29,8 @@ using Painter = std::function<Paint(const Texel &)>;
 // How much of its surroundings each texel sees, for soft shadows between limbs and under cloth.
 using Openness = std::function<float(glm::vec3 position, glm::vec3 normal)>;
 
-// `mesh` is unwrapped. Deterministic; no texel is left without a key.
-model::Image paint(const Mesh &mesh, const Openness &openness, const Painter &painter, const Zones &zones);
+// One image for each painter. `mesh` is unwrapped. Deterministic; no texel is left without a key.
+std::vector<model::Image> paint(const Mesh &mesh, const Openness &openness, const std::vector<Painter> &painters,
+                                const Zones &zones);
 
 }  // namespace claque::figures

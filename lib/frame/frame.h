@@ -98,6 +98,7 @@ private:
     // One individual in one view, before its Item is written.
     struct Listed {
         uint32_t tmpl;  // of Crowd::templates()
+        uint32_t texture_set;
         float distance;
         uint32_t row;
     };

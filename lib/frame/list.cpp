@@ -1,5 +1,5 @@
-// The one thing that drawing sees: for each view its individuals, by template (states and arrays change least), then
-// front to back, then by row, so that the order is the same everywhere.
+// The one thing that drawing sees: for each view its individuals, by template and texture set (states and arrays change
+// least), then front to back, then by row, so that the order is the same everywhere.
 #include <algorithm>
 
 #include "lib/frame/steps.h"
@@ -17,6 +17,7 @@ draw::Item Update::item_of(const EyeOf &eye, uint32_t view, const Listed &listed
     item.tmpl = &crowd.template_of(listed.row);
     item.level = found.seen.level;
     item.actor_index = listed.row;
+    item.texture_set = listed.texture_set;
     item.generation = crowd.actor(listed.row).generation;
     item.parts = seen.parts;
     item.shadow_only = seen.shadow_only;
@@ -89,10 +90,11 @@ void Update::list_view(uint32_t v)
     for (const uint32_t i : frame.visible_) {
         const uint32_t row = frame.candidates_[i].row;
         const Sight &seen = sight(v, i);
-        if (seen.inside != math::Inside::no) listed.push_back({crowd.actor(row).tmpl, seen.distance, row});
+        if (seen.inside != math::Inside::no) listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, seen.distance, row});
     }
     std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
         if (a.tmpl != b.tmpl) return a.tmpl < b.tmpl;
+        if (a.texture_set != b.texture_set) return a.texture_set < b.texture_set;
         if (a.distance != b.distance) return a.distance < b.distance;
         return a.row < b.row;
     });

@@ -191,6 +191,7 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     model.parts = laid_out(model, source.places, std::move(made));
     model.images = std::move(next.images), model.materials = std::move(next.materials);
     model.zones = std::move(next.zones);
+    for (model::TextureSet &set : model.texture_sets) set.images.resize(model.materials.size(), model::none);
     return report;
 }
 

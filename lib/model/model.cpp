@@ -109,10 +109,38 @@ void check_looks(const Model &model)
 
 }  // namespace
 
+void check_texture_sets(const Model &model)
+{
+    if (model.texture_sets.size() >= most_texture_sets)
+        fail(CLQ_LIMIT, "model '%s' has %zu texture sets: %u are the most", model.name.c_str(),
+             model.texture_sets.size() + 1, most_texture_sets);
+    for (const TextureSet &set : model.texture_sets) {
+        const char *name = set.name.c_str();
+        if (set.images.size() != model.materials.size())
+            fail(CLQ_ARGUMENT, "texture set '%s' names %zu images for %zu materials", name, set.images.size(),
+                 model.materials.size());
+        for (size_t i = 0; i < set.images.size(); ++i) {
+            if (set.images[i] == none) continue;
+            const Material &material = model.materials[i];
+            if (set.images[i] >= model.images.size())
+                fail(CLQ_ARGUMENT, "texture set '%s' has image %u of %zu for material %zu '%s'", name, set.images[i],
+                     model.images.size(), i, material.name.c_str());
+            if (material.image == none)
+                fail(CLQ_ARGUMENT, "texture set '%s' has an image for material %zu '%s', which has none of its own",
+                     name, i, material.name.c_str());
+            if (model.images[set.images[i]].alpha != model.images[material.image].alpha)
+                fail(CLQ_ARGUMENT,
+                     "texture set '%s': image '%s' and material %zu's own, '%s', mean different things by alpha", name,
+                     model.images[set.images[i]].name.c_str(), i, model.images[material.image].name.c_str());
+        }
+    }
+}
+
 void check(const Model &model)
 {
     check(model.rig);
     check_looks(model);
+    check_texture_sets(model);
     for (size_t i = 0; i < model.parts.size(); ++i) check_part(model, model.parts[i], i);
 }
 

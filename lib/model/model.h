@@ -64,6 +64,13 @@ struct Material {
     uint32_t zone = none;  // the zone of everything drawn with it; none where its image carries zone keys
 };
 
+// Other images for the same surfaces: individuals that differ in more than colours (S1 1, S2 2.1). The first set is what
+// the materials have themselves.
+struct TextureSet {
+    std::string name;
+    std::vector<uint32_t> images;  // one a material: shown in place of its own; none: its own
+};
+
 struct MorphTarget {
     std::vector<glm::vec3> positions;  // deltas, one per vertex of the part, or empty
     std::vector<glm::vec3> normals;    // deltas, likewise
@@ -98,19 +105,23 @@ struct Part {
     std::vector<MorphTarget> morphs;
 };
 
+constexpr uint32_t most_texture_sets = 64;
+
 struct Model {
     std::string name;
     Rig rig;
     std::vector<Zone> zones;
     std::vector<Image> images;
     std::vector<Material> materials;
-    std::vector<Part> parts;  // file order: nodes depth first, primitives in order
+    std::vector<TextureSet> texture_sets;  // besides the materials' own
+    std::vector<Part> parts;               // file order: nodes depth first, primitives in order
     std::vector<std::string> warnings;
 };
 
 // Throws base::Error (CLQ_ARGUMENT) for the first broken rule: indices in range, arrays of equal length, finite
 // numbers, weights that sum to 1 within 1e-3, images whose bytes match their size. What passes here is safe to split.
 void check(const Model &model);
+void check_texture_sets(const Model &model);  // of it alone
 
 // The triangles of a part, strips and fans unrolled with their winding kept, degenerate ones dropped; none for points,
 // lines.

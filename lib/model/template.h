@@ -44,13 +44,23 @@ struct ZoneKey {
     uint8_t key = 0;
 };
 
+// What a texture shows of one further texture set: zones and wraps are the texture's.
+struct TextureImage {
+    explicit TextureImage(std::pmr::memory_resource *memory) : rgba(memory) {}
+    uint32_t width = 0, height = 0;  // powers of two
+    Array<uint8_t> rgba;             // as Texture::rgba
+};
+
 struct Texture {
-    explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory) {}
+    explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory), others(memory) {}
     uint32_t width = 0, height = 0;                     // powers of two
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;  // repeat or clamp; mirror has been baked
-    Array<uint8_t> rgba;  // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
-    Array<ZoneKey> keys;  // ascending by key
-    bool has_holes = false;
+    Array<uint8_t> rgba;     // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
+    Array<ZoneKey> keys;     // ascending by key
+    bool has_holes = false;  // in any set
+    // One for each of Template::texture_sets, where any of them differs; empty: all show the same. Triangles are clean
+    // or dirty by what they show in any set, so that all sets share indices and vertices.
+    Array<TextureImage> others;
 };
 
 // Index ranges of the triangles of one zone. `zone_index` counts within the texture's keys.
@@ -193,6 +203,7 @@ struct Template {
           zone_colours(memory),
           zone_ranges(memory),
           zone_clean(memory),
+          texture_sets(memory),
           textures(memory),
           levels(memory),
           node_reach(memory),
@@ -212,6 +223,7 @@ struct Template {
     Array<HsbRange> zone_ranges;
     Array<uint32_t> zone_clean;  // clean triangles per zone, level 0
 
+    Array<std::pmr::string> texture_sets;  // names of those besides the first, which all individuals have at first
     Array<Texture> textures;
     Array<Level> levels;  // at least one, finest first
 
@@ -219,12 +231,13 @@ struct Template {
         sklsroot;  // S0 4.1: holds every vertex of every level in every pose of every clip with the degrees of freedom
                    // anywhere in their ranges, in the actor's own space
     Array<NodeReach>
-        node_reach;  // per node: where it gets to in all these poses, so that what is attached to it can be held
-    ByAdded blend_radius;           // of a sphere round sklsroot.centre that holds every vertex in every blend
+        node_reach;        // per node: where it gets to in all these poses, so that what is attached to it can be held
+    ByAdded blend_radius;  // of a sphere round sklsroot.centre that holds every vertex in every blend
     Array<BlendReach> blend_reach;  // per node
     SplitReport report;
 
     uint32_t zone_count() const { return static_cast<uint32_t>(zone_names.size()); }
+    uint32_t texture_set_count() const { return 1 + static_cast<uint32_t>(texture_sets.size()); }
 
     // Whether everything hangs on one node each and nothing morphs, so that GL's matrix stack can place it.
     bool has_rigid_parts_only() const;

@@ -118,6 +118,10 @@ void walk_texture(Archive &a, T &texture)
     a.array(texture.rgba, 1, [&](auto &v) { a.value(v); });
     a.array(texture.keys, 5, [&](auto &key) { a.value(key.zone), a.value(key.key); });
     a.flag(texture.has_holes);
+    a.rows(texture.others, 12, [&](auto &image) {
+        a.value(image.width), a.value(image.height);
+        a.array(image.rgba, 1, [&](auto &v) { a.value(v); });
+    });
 }
 
 // What derive() finds is not kept.
@@ -158,7 +162,8 @@ void walk_template(Archive &a, Tmpl &tmpl)
         a.value(range.brightness_first), a.value(range.brightness_last);
     });
     a.array(tmpl.zone_clean, 4, [&](auto &v) { a.value(v); });
-    a.rows(tmpl.textures, 27, [&](auto &texture) { walk_texture(a, texture); });
+    a.array(tmpl.texture_sets, 8, [&](auto &name) { a.text(name); });
+    a.rows(tmpl.textures, 31, [&](auto &texture) { walk_texture(a, texture); });
     a.rows(tmpl.levels, 160, [&](auto &level) { walk_level(a, level); });
     walk_sphere(a, tmpl.sklsroot);
     a.array(tmpl.node_reach, 8, [&](auto &reach) { a.value(reach.distance), a.value(reach.stretch); });

@@ -9,7 +9,7 @@
 namespace claque::model
 {
 
-constexpr uint32_t template_file_version = 4;
+constexpr uint32_t template_file_version = 5;
 
 // Appends to `out`. The same template gives the same bytes. Throws std::bad_alloc.
 void save(const Template &tmpl, std::pmr::vector<uint8_t> &out);

@@ -23,7 +23,7 @@ constexpr int margin_px = 16, gap_px = 2;
 struct VarietyArguments {
     std::string file, out;
     std::vector<std::string> hidden;
-    uint32_t count = 12, texture = 0;
+    uint32_t count = 12, texture = 0, set = 0;
     uint64_t seed = 1;
     int width = 1280, height = 800;
 };
@@ -34,14 +34,15 @@ struct Sheet {
     std::vector<uint32_t> zones;
 };
 
-Sheet sheet_of(const clq_template *tmpl, uint32_t texture, const std::string &file)
+Sheet sheet_of(const clq_template *tmpl, uint32_t set, uint32_t texture, const std::string &file)
 {
     Sheet s;
-    scenes::check(clq_template_get_texture(tmpl, texture, nullptr, nullptr, 0, &s.width, &s.height), file);
+    scenes::check(clq_template_get_set_texture(tmpl, set, texture, nullptr, nullptr, 0, &s.width, &s.height), file);
     s.zones.resize(static_cast<size_t>(s.width) * s.height);
     s.rgb.resize(3 * s.zones.size());
     scenes::check(
-        clq_template_get_texture(tmpl, texture, s.rgb.data(), s.zones.data(), s.zones.size(), &s.width, &s.height),
+        clq_template_get_set_texture(tmpl, set, texture, s.rgb.data(), s.zones.data(), s.zones.size(), &s.width,
+                                     &s.height),
         file);
     return s;
 }
@@ -169,7 +170,7 @@ void draw_variety(const VarietyArguments &a)
     scenes::Library library(1);
     const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
     const clq_template *tmpl = loaded.tmpl.get();
-    const Sheet sheet = sheet_of(tmpl, a.texture, a.file);
+    const Sheet sheet = sheet_of(tmpl, a.set, a.texture, a.file);
     Board board(a.width, a.height, paper);
     const int side = std::min(a.width * 3 / 10, (a.height - 4 * margin_px) * 2 / 5);
     const int tall =
@@ -207,6 +208,7 @@ void add_variety(CLI::App &app, Work &chosen)
     c->add_option("--seed", a->seed, "Of the colours that are drawn by lot")->capture_default_str();
     add_size_option(*c, a->width, a->height);
     c->add_option("--texture", a->texture, "Which texture to show")->capture_default_str();
+    c->add_option("--set", a->set, "Of which texture set; people show them by lot")->capture_default_str();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();

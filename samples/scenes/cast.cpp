@@ -28,6 +28,7 @@ clq_actor Cast::add(const Part &part, uint64_t seed)
     def.place = part.place;
     def.play = part.play;
     def.seed = seed;
+    def.texture_set = CLQ_BY_LOT;
     clq_actor actor = {};
     check(clq_actor_create(crowd_.get(), &def, &actor));
     actors_.push_back(actor);

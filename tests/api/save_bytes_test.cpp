@@ -18,8 +18,8 @@ TEST_F(SaveBytes, bytes_that_are_cut_changed_or_of_another_version_are_refused)
     refused({}, CLQ_ARGUMENT, "bytes is NULL");
     refused(Bytes(1, 'c'), CLQ_FORMAT, "1 bytes that are not a saved crowd");
     Bytes other = bytes;
-    saved::put(other, 8, 3, 4);
-    refused(other, CLQ_FORMAT, "a saved crowd of version 3: this library reads version 2");
+    saved::put(other, 8, 2, 4);
+    refused(other, CLQ_FORMAT, "a saved crowd of version 2: this library reads version 3");
     saved::put(other, 8, 0x01000000, 4);
     refused(other, CLQ_FORMAT, "version 16777216");
     other = bytes;

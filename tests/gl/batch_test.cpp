@@ -22,6 +22,7 @@ Figure far_figure()
     model.materials.push_back(far.material);
     model.images.push_back(far.image);
     model.parts = far.parts;
+    for (model::TextureSet &set : model.texture_sets) set.images.push_back(model::none);
     return split_figure(model);
 }
 

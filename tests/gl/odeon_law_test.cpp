@@ -80,7 +80,7 @@ protected:
         const std::vector<uint8_t> colours = zone_colours(16);
         std::vector<Individual> individuals;
         for (const Person &p : people) {
-            Individual one = {p.tmpl, p.positions.data(), p.normals.data(), colours.data(), {}};
+            Individual one = {p.tmpl, p.positions.data(), p.normals.data(), colours.data(), {}, 0};
             const float *o = p.place.orientation_xyzw;
             const auto place =
                 claque::math::eye_place(world_to_eye, glm::dvec3(camera.eye[0], camera.eye[1], camera.eye[2]),

@@ -48,6 +48,7 @@ private:
     std::vector<clq_channel_def> channels_;
     std::vector<clq_marker_def> markers_;
     std::vector<clq_root_motion_def> root_motions_;
+    std::vector<clq_texture_set_def> texture_sets_;
 };
 
 }  // namespace claque::api

@@ -52,6 +52,10 @@ TemplateDef::TemplateDef(const clq_asset &asset) : def(clq_template_def_init())
     def.markers = markers_.data();
     def.root_motion_count = static_cast<uint32_t>(root_motions_.size());
     def.root_motions = root_motions_.data();
+    for (const model::TextureSet &set : model.texture_sets)
+        texture_sets_.push_back({set.name.c_str(), set.images.data()});
+    def.texture_set_count = static_cast<uint32_t>(texture_sets_.size());
+    def.texture_sets = texture_sets_.data();
 }
 
 void TemplateDef::add_rig(const model::Model &model)

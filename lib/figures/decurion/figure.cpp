@@ -6,6 +6,7 @@
 #include "lib/figures/brush.h"
 #include "lib/figures/decurion/decurion.h"
 #include "lib/figures/decurion/paint.h"
+#include "lib/figures/second_looks.h"
 
 namespace claque::figures
 {
@@ -92,6 +93,7 @@ model::Model decurion_man()
     figure.name = "decurion";
     figure.add_pieces = add_pieces;
     figure.painter = paint_decurion;
+    figure.looks = {{"bearded", paint_bearded_decurion}};
     figure.layout = decurion_layout();
     figure.zones = decurion_zones();
     figure.clips = figure_clips();

@@ -114,9 +114,9 @@ model::Model assemble(const Flyer &flyer)
     add_clips(model.rig, flyer.joints, flyer.gait);
     model.zones = zones_of(flyer.zones);
     // Asked for a little off the surface, lest flat faces under round normals see their own far side.
-    model.images.push_back(paint(
-        all, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p + n * 0.015f, n); }, flyer.painter,
-        flyer.zones));
+    model.images = paint(
+        all, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p + n * 0.015f, n); }, {flyer.painter},
+        flyer.zones);
     model.images[0].name = flyer.name;
     model::Material material;
     material.name = flyer.name;

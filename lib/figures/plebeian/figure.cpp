@@ -2,6 +2,7 @@
 
 #include "lib/figures/assemble.h"
 #include "lib/figures/plebeian/plebeian.h"
+#include "lib/figures/second_looks.h"
 
 namespace claque::figures
 {
@@ -59,6 +60,7 @@ model::Model plebeian_man()
     figure.name = "plebeian";
     figure.add_pieces = add_plebeian;
     figure.painter = paint_plebeian;
+    figure.looks = {{"shaven", paint_shaven_plebeian}};
     figure.layout = plebeian_layout();
     figure.zones = plebeian_zones();
     figure.clips = figure_clips();

@@ -230,8 +230,13 @@ ZoneMap torture_map(uint32_t side, uint32_t zone_count, uint32_t square)
 
 void whiten(model::Template &tmpl)
 {
-    for (model::Texture &texture : tmpl.textures)
-        for (size_t i = 0; i < texture.rgba.size(); i += 4) std::fill_n(&texture.rgba[i], 3, uint8_t(255));
+    const auto whiten = [](model::Array<uint8_t> &rgba) {
+        for (size_t i = 0; i < rgba.size(); i += 4) std::fill_n(&rgba[i], 3, uint8_t(255));
+    };
+    for (model::Texture &texture : tmpl.textures) {
+        whiten(texture.rgba);
+        for (model::TextureImage &other : texture.others) whiten(other.rgba);
+    }
 }
 
 void paint(model::Template &tmpl)

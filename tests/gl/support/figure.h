@@ -35,6 +35,7 @@ struct Figure {
     std::vector<float> positions, normals;  // level 0, copies included
     glm::vec3 centre = glm::vec3(0);
     float radius = 1;
+    uint32_t texture_set = 0;  // that it shows
 };
 
 // One template of one level, whose parts and spheres, influences and rig are left to the caller.

@@ -1,12 +1,13 @@
 #include "tests/gl/support/pictures.h"
 
+#include "tests/gl/support/uploads.h"
+
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <map>
 
 namespace gltest
 {
@@ -63,41 +64,6 @@ std::vector<uint32_t> triangles_of(const model::Level &level, const model::Surfa
     return indices;
 }
 
-// The texture with each texel's own zone colour; alpha 0 in holes.
-std::vector<uint8_t> coloured_texels(const model::Texture &texture, const uint8_t *zone_rgb)
-{
-    std::vector<uint8_t> out(texture.rgba.begin(), texture.rgba.end());
-    for (size_t i = 0; i < out.size(); i += 4) {
-        const uint8_t key = out[i + 3];
-        const auto zone = std::find_if(texture.keys.begin(), texture.keys.end(),
-                                       [&](const model::ZoneKey &k) { return k.key == key; });
-        const bool is_hole = texture.has_holes && zone == texture.keys.end();
-        if (!is_hole && zone == texture.keys.end()) {
-            ADD_FAILURE() << "a texel's alpha " << int(key) << " is no key of its texture";
-            return out;
-        }
-        if (!is_hole) std::copy_n(zone_rgb + 3 * zone->zone, 3, &out[i]);
-        out[i + 3] = is_hole ? 0 : 255;
-    }
-    return out;
-}
-
-// Left bound; deleted by the caller.
-uint32_t upload(const HostGl &host, const model::Texture &texture, const std::vector<uint8_t> &rgba)
-{
-    uint32_t name = 0;
-    host.GenTextures(1, &name);
-    host.BindTexture(gl::texture_2d, name);
-    const auto wrap = [](model::Wrap w) { return int32_t(w == model::Wrap::clamp ? gl::clamp : gl::repeat); };
-    host.TexParameteri(gl::texture_2d, gl::texture_min_filter, int32_t(gl::nearest));
-    host.TexParameteri(gl::texture_2d, gl::texture_mag_filter, int32_t(gl::nearest));
-    host.TexParameteri(gl::texture_2d, gl::wrap_s, wrap(texture.wrap_s));
-    host.TexParameteri(gl::texture_2d, gl::wrap_t, wrap(texture.wrap_t));
-    host.TexImage2D(gl::texture_2d, 0, int32_t(gl::rgba8), int32_t(texture.width), int32_t(texture.height), 0, gl::rgba,
-                    gl::unsigned_byte, rgba.data());
-    return name;
-}
-
 void use_texture(const HostGl &host, const model::Level &level, const model::Texture &texture)
 {
     host.Enable(gl::texture_2d);
@@ -109,26 +75,6 @@ void use_texture(const HostGl &host, const model::Level &level, const model::Tex
 }
 
 // Uploads each texture in its zones' colours once; all are gone with it.
-class Uploads
-{
-public:
-    explicit Uploads(const HostGl &host) : host_(host) {}
-    ~Uploads()
-    {
-        for (const auto &[key, name] : names_) host_.DeleteTextures(1, &name);
-    }
-    uint32_t of(const model::Texture &texture, const uint8_t *zone_rgb)
-    {
-        const auto [at, fresh] = names_.try_emplace({&texture, zone_rgb}, 0);
-        if (fresh) at->second = upload(host_, texture, coloured_texels(texture, zone_rgb));
-        return at->second;
-    }
-
-private:
-    const HostGl &host_;
-    std::map<std::pair<const model::Texture *, const uint8_t *>, uint32_t> names_;
-};
-
 Picture begin(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb)
 {
     host.Viewport(0, 0, context.width(), context.height());
@@ -155,7 +101,8 @@ Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, flo
 
 Individual individual_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
 {
-    Individual individual = {figure.tmpl.get(), figure.positions.data(), figure.normals.data(), zone_rgb, {}};
+    Individual individual = {figure.tmpl.get(), figure.positions.data(), figure.normals.data(), zone_rgb, {}, 0};
+    individual.texture_set = figure.texture_set;
     std::copy_n(camera.model_view, 16, individual.model_view);
     return individual;
 }
@@ -168,6 +115,7 @@ DrawList list_of(const std::vector<Individual> &individuals, const float (&proje
         item.tmpl = individual.tmpl;
         item.vertices = {individual.positions, individual.normals};
         item.zone_rgb = individual.zone_rgb;
+        item.texture_set = individual.texture_set;
         std::copy_n(individual.model_view, 16, item.model_view);
         list.items.push_back(item);
     }
@@ -202,7 +150,7 @@ Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &
         const model::Level &level = individual.tmpl->levels[0];
         for (const model::Surface &surface : level.surfaces) {
             const model::Texture &texture = individual.tmpl->textures[surface.texture];
-            const uint32_t name = uploads.of(texture, individual.zone_rgb);
+            const uint32_t name = uploads.of(texture, individual.texture_set, individual.zone_rgb);
             use_texture(host, level, texture);
             host.BindTexture(gl::texture_2d, name);
             set_culling(host, surface);
@@ -269,7 +217,7 @@ Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &in
         if (t.individual != last) place(host, *t.individual);
         last = t.individual;
         const model::Texture &texture = t.individual->tmpl->textures[t.surface->texture];
-        const uint32_t name = uploads.of(texture, white.data());
+        const uint32_t name = uploads.of(texture, t.individual->texture_set, white.data());
         use_texture(host, t.individual->tmpl->levels[0], texture);
         host.BindTexture(gl::texture_2d, name);
         set_culling(host, *t.surface);

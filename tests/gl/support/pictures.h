@@ -29,6 +29,7 @@ struct Individual {
     const float *positions, *normals;
     const uint8_t *zone_rgb;
     float model_view[16];
+    uint32_t texture_set = 0;
 };
 Individual individual_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb);
 

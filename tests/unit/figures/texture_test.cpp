@@ -40,7 +40,6 @@ const std::vector<uint8_t> &pixels() { return citizen().images[0].rgba; }
 
 TEST(CitizenTexture, holds_the_keys_of_all_eight_zones_and_no_others)
 {
-    ASSERT_EQ(citizen().images.size(), 1u);
     EXPECT_EQ(citizen().images[0].width, 512u);
     EXPECT_EQ(citizen().images[0].height, 512u);
     EXPECT_EQ(citizen().images[0].alpha, model::AlphaMeaning::zone_keys);
@@ -50,6 +49,23 @@ TEST(CitizenTexture, holds_the_keys_of_all_eight_zones_and_no_others)
     EXPECT_EQ(names, (std::set<std::string>{"skin", "hair", "eyes", "lips", "tunic", "belt", "border", "sandals"}));
     for (size_t i = 3; i < pixels().size(); i += 4) found.insert(pixels()[i]);
     EXPECT_EQ(found, keys);
+}
+
+TEST(CitizenTexture, has_a_second_set_of_the_same_size_and_keys_that_shows_other_zones_here_and_there)
+{
+    ASSERT_EQ(citizen().texture_sets.size(), 1u);
+    const model::Image &second = citizen().images.at(citizen().texture_sets[0].images.at(0));
+    ASSERT_EQ(second.rgba.size(), pixels().size());
+    std::set<int> keys, found;
+    for (const model::Zone &z : citizen().zones) keys.insert(z.key);
+    size_t other = 0;
+    for (size_t i = 3; i < pixels().size(); i += 4) {
+        found.insert(second.rgba[i]);
+        other += second.rgba[i] != pixels()[i];
+    }
+    EXPECT_EQ(found, keys);
+    EXPECT_GT(other, pixels().size() / 4 / 100);  // a beard, bands: more than one texel in a hundred
+    EXPECT_LT(other, pixels().size() / 4 / 5);
 }
 
 TEST(CitizenTexture, shows_every_zone_on_some_triangle)

@@ -1,0 +1,32 @@
+// Textures for plain pictures: every texel in its own zone's colour, as each texture set has them.
+#pragma once
+
+#include "lib/model/template.h"
+#include "tests/gl/support/host_gl.h"
+
+#include <map>
+#include <tuple>
+
+namespace gltest
+{
+
+namespace model = claque::model;
+
+// Uploads each once, and deletes them all at its end.
+class Uploads
+{
+public:
+    explicit Uploads(const HostGl &host) : host_(host) {}
+    ~Uploads();
+    Uploads(const Uploads &) = delete;
+    Uploads &operator=(const Uploads &) = delete;
+
+    // GL's name. Adds a test failure where a texel's alpha is no key.
+    uint32_t of(const model::Texture &texture, uint32_t set, const uint8_t *zone_rgb);
+
+private:
+    const HostGl &host_;
+    std::map<std::tuple<const model::Texture *, uint32_t, const uint8_t *>, uint32_t> names_;
+};
+
+}  // namespace gltest
