@@ -2,6 +2,7 @@
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/zone_arguments.h"
 
 #include <memory>
 
@@ -12,21 +13,28 @@ namespace
 
 struct PrepareArguments {
     std::string file, out;
+    uint32_t texture_px = 0;
     std::vector<std::string> hidden;
     ClipArguments clips;
+    ZoneArguments zones;
 };
 
 void prepare(const PrepareArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(1);
-    const LoadedCharacter loaded = load_character(library, a.file, a.hidden, a.clips);
+    if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared already");
+    const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden, a.clips);
+    give_zones(library, asset.get(), a.zones);
+    clq_template *made = nullptr;
+    scenes::check(clq_asset_build(library.context(), asset.get(), a.texture_px, &made), a.file);
+    const scenes::Own<clq_template> tmpl(made);
     std::string bytes;
     const auto append = [](void *user, const void *piece, size_t size_bytes) {
         static_cast<std::string *>(user)->append(static_cast<const char *>(piece), size_bytes);
         return 0;
     };
-    scenes::check(clq_template_save(loaded.tmpl.get(), append, &bytes), a.file);
+    scenes::check(clq_template_save(tmpl.get(), append, &bytes), a.file);
     write_whole(a.out, bytes);
 }
 
@@ -41,6 +49,11 @@ void add_prepare(CLI::App &app, Work &chosen)
         ->expected(1)
         ->take_all();
     add_clip_options(*c, a->clips);
+    add_zone_options(*c, a->zones);
+    c->add_option("--texture-size", a->texture_px,
+                  "Texels along a side at most; larger images are reduced, zones unmixed (0: 1024)")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 16384));
     c->add_option("--out,-o", a->out, "The prepared file (.clq); - is standard output")->required();
     c->callback([a, &chosen] { chosen = [a] { prepare(*a); }; });
 }

@@ -1,0 +1,195 @@
+#include "samples/cli/zone_arguments.h"
+
+#include <claque/zones.h>
+
+#include "samples/cli/files.h"
+#include "samples/cli/png.h"
+#include "samples/cli/stage_arguments.h"
+#include "samples/scenes/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace cli
+{
+namespace
+{
+
+using Rgb = std::array<uint8_t, 3>;
+
+// What zones a map has, by number: what names them on the command line, and what they are painted with.
+struct Zones {
+    uint32_t width = 0, height = 0;
+    std::vector<uint16_t> texels;
+    std::vector<std::string> keys;  // "#eeb28c" or "2"
+    std::vector<Rgb> inks;
+    std::vector<std::string> names;
+};
+
+std::string text_of(const Rgb &rgb)
+{
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
+    return text;
+}
+
+// Told apart at a glance: hues by the golden angle, light and dark by turns.
+Rgb ink_of(size_t zone)
+{
+    const double turn = 0.02 + 0.6180339887498949 * static_cast<double>(zone), hue = 6 * (turn - std::floor(turn));
+    const double bright = zone % 2 == 0 ? 0.95 : 0.68;
+    const auto channel = [&](double at) {
+        const double away = std::abs(std::fmod(hue - at + 9, 6.0) - 3);
+        return static_cast<uint8_t>(255 * bright * (0.25 + 0.75 * std::clamp(2 - away, 0.0, 1.0)) + 0.5);
+    };
+    return {channel(0), channel(2), channel(4)};
+}
+
+// A colour of one texel in two thousand or more is a zone; the others, as along soft edges, take what lies nearest. See-through
+// texels are nobody's.
+Zones read_painted(scenes::Library &library, const std::string &path)
+{
+    Zones out;
+    scenes::check(clq_image_read(library.context(), path.c_str(), nullptr, 0, &out.width, &out.height), path);
+    std::vector<uint8_t> rgba(4 * static_cast<size_t>(out.width) * out.height);
+    scenes::check(clq_image_read(library.context(), path.c_str(), rgba.data(), rgba.size(), &out.width, &out.height),
+                  path);
+    std::map<Rgb, size_t> counts;
+    const auto colour = [&](size_t i) { return Rgb{rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}; };
+    for (size_t i = 0; 4 * i < rgba.size(); ++i)
+        if (rgba[4 * i + 3] >= 128) ++counts[colour(i)];
+    std::map<Rgb, uint16_t> numbers;
+    for (const auto &[rgb, count] : counts) {
+        if (count * 2000 < rgba.size() / 4) continue;
+        if (numbers.size() == 256)
+            throw scenes::Failure(path + " is painted in more than 256 colours: each is to be a zone");
+        numbers.emplace(rgb, static_cast<uint16_t>(numbers.size()));
+        out.keys.push_back(text_of(rgb));
+        out.inks.push_back(rgb);
+    }
+    if (numbers.empty()) throw scenes::Failure(path + " has no colour that fills a two-thousandth of it");
+    out.texels.assign(rgba.size() / 4, CLQ_NO_ZONE);
+    for (size_t i = 0; i < out.texels.size(); ++i) {
+        const auto found = numbers.find(colour(i));
+        if (rgba[4 * i + 3] >= 128 && found != numbers.end()) out.texels[i] = found->second;
+    }
+    out.names = out.keys;
+    return out;
+}
+
+Zones propose(const clq_asset *asset, const ZoneArguments &a)
+{
+    clq_asset_image image = {};
+    scenes::check(clq_asset_get_image(asset, a.image, &image));
+    Zones out;
+    out.width = image.width_px, out.height = image.height_px;
+    out.texels.resize(static_cast<size_t>(out.width) * out.height);
+    std::vector<uint8_t> means(3 * static_cast<size_t>(a.propose));
+    uint32_t count = 0;
+    scenes::check(
+        clq_asset_propose_zones(asset, a.image, a.propose, out.texels.data(), out.texels.size(), means.data(), &count));
+    for (size_t i = 0; i < count; ++i) {
+        out.keys.push_back(std::to_string(i + 1));
+        out.names.push_back("zone " + out.keys.back() + " " +
+                            text_of({means[3 * i], means[3 * i + 1], means[3 * i + 2]}));
+        out.inks.push_back(ink_of(i));
+    }
+    return out;
+}
+
+void name_zones(Zones &zones, const std::vector<std::string> &names)
+{
+    for (const std::string &given : names) {
+        const size_t equals = given.find('=');
+        std::string key = given.substr(0, equals);
+        std::transform(key.begin(), key.end(), key.begin(), [](char c) { return c >= 'A' && c <= 'F' ? c + 32 : c; });
+        const auto found = std::find(zones.keys.begin(), zones.keys.end(), key);
+        if (equals == std::string::npos || equals + 1 == given.size())
+            throw scenes::Failure("--zone " + given + " is not KEY=NAME, as in " + zones.keys[0] + "=skin");
+        if (found == zones.keys.end()) {
+            std::string all;
+            for (const std::string &one : zones.keys) all += (all.empty() ? "" : ", ") + one;
+            throw scenes::Failure("--zone " + given + ": there is no " + key + "; there are " + all);
+        }
+        zones.names[static_cast<size_t>(found - zones.keys.begin())] = given.substr(equals + 1);
+    }
+}
+
+void write_map(const Zones &zones, const std::string &path)
+{
+    std::vector<uint8_t> rgb;
+    for (const uint16_t zone : zones.texels) {
+        const Rgb ink = zone == CLQ_NO_ZONE ? Rgb{255, 255, 255} : zones.inks[zone];
+        rgb.insert(rgb.end(), ink.begin(), ink.end());
+    }
+    const std::vector<unsigned char> file = png(rgb.data(), static_cast<int>(zones.width),
+                                                static_cast<int>(zones.height), {{"Software", "claque " + version()}});
+    write_whole(path, file.data(), file.size());
+}
+
+std::vector<clq_painted_zone> painted_of(const Zones &zones, const std::vector<std::string> &reduced)
+{
+    for (const std::string &name : reduced)
+        if (name != "all" && std::find(zones.names.begin(), zones.names.end(), name) == zones.names.end())
+            throw scenes::Failure("--reduce " + name + ": no zone has that name");
+    std::vector<clq_painted_zone> out;
+    for (const std::string &name : zones.names) {
+        const auto asked = [&](const std::string &one) { return one == "all" || one == name; };
+        out.push_back({name.c_str(), std::any_of(reduced.begin(), reduced.end(), asked), nullptr});
+    }
+    return out;
+}
+
+}  // namespace
+
+void add_zone_options(CLI::App &c, ZoneArguments &a)
+{
+    c.add_option("--image", a.image, "Which image of the file gets zones")->capture_default_str();
+    CLI::Option *painted =
+        c.add_option("--zones", a.painted, "Zones painted over the image in a PNG of any size, one colour each");
+    CLI::Option *proposed =
+        c.add_option("--propose", a.propose, "Propose so many zones at most, from the image's colours")
+            ->check(CLI::Range(1, 48));
+    painted->excludes(proposed);
+    c.add_option("--zone", a.names,
+                 "Name a zone: '#eeb28c=skin' by its painted colour, '2=skin' by its proposed number")
+        ->expected(1)
+        ->take_all();
+    c.add_option("--reduce", a.reduced,
+                 "Reduce the zone of this name, or all, to light and dark, so that it takes any colour")
+        ->expected(1)
+        ->take_all();
+    c.add_option("--zones-out", a.map, "Write the zones as a PNG, to be corrected and given back as --zones");
+}
+
+void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &a)
+{
+    if (a.painted.empty() && a.propose == 0) {
+        if (!a.names.empty() || !a.reduced.empty() || !a.map.empty())
+            throw scenes::Failure("--zone, --reduce and --zones-out go with --zones or --propose");
+        return;
+    }
+    if (!a.map.empty()) expect_writable(a.map);
+    Zones zones = a.painted.empty() ? propose(asset, a) : read_painted(library, a.painted);
+    name_zones(zones, a.names);
+    const std::vector<clq_painted_zone> painted = painted_of(zones, a.reduced);
+    clq_zone_map_def def = clq_zone_map_def_init();
+    def.image = a.image;
+    def.width_px = zones.width, def.height_px = zones.height;
+    def.texels = zones.texels.data();
+    def.zone_count = static_cast<uint32_t>(painted.size());
+    def.zones = painted.data();
+    scenes::check(clq_asset_set_zone_map(library.context(), asset, &def));
+    if (!a.map.empty()) write_map(zones, a.map);
+    for (size_t i = 0; i < zones.keys.size(); ++i) {
+        const size_t texels = static_cast<size_t>(std::count(zones.texels.begin(), zones.texels.end(), i));
+        std::fprintf(stderr, "%-9s %5.1f %%  %s%s\n", zones.keys[i].c_str(),
+                     100.0 * static_cast<double>(texels) / static_cast<double>(zones.texels.size()),
+                     zones.names[i].c_str(), painted[i].reduced ? ", light and dark" : "");
+    }
+}
+
+}  // namespace cli

@@ -1,0 +1,56 @@
+// prepare: zones for characters that come without, proposed and painted.
+#include "tests/cli/picture.h"
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using Prepare = Command;
+
+// The map that a proposal wrote, painted on by nobody, is the same map again.
+TEST_F(Prepare, a_proposed_map_given_back_as_a_painted_one_makes_the_same_zones)
+{
+    const Outcome proposed = claque({"prepare", "citizen", "--propose", "4", "--zone", "1=light", "--zone", "2=dark",
+                                     "--reduce", "light", "--zones-out", path("map.png"), "--out", path("a.clq")});
+    ASSERT_EQ(proposed.code, 0) << proposed.err;
+    EXPECT_NE(proposed.err.find("light, light and dark"), std::string::npos) << proposed.err;
+    const Picture map = picture_of(path("map.png"));
+    ASSERT_EQ(map.width, 512);
+    const Outcome painted = claque({"prepare", "citizen", "--zones", path("map.png"), "--out", path("b.clq")});
+    ASSERT_EQ(painted.code, 0) << painted.err;
+    const Outcome split = claque({"split", path("b.clq")});
+    ASSERT_EQ(split.code, 0) << split.err;
+    EXPECT_NE(split.out.find("#"), std::string::npos) << "zones are named by the colours that they are painted in";
+    EXPECT_NE(claque({"split", path("a.clq")}).out.find("light"), std::string::npos);
+}
+
+TEST_F(Prepare, names_what_is_wrong_with_its_options)
+{
+    const auto refused = [&](std::vector<std::string> more, const char *why) {
+        std::vector<std::string> all = {"prepare", "citizen", "--out", path("c.clq")};
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = claque(all);
+        EXPECT_NE(outcome.code, 0) << why;
+        EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    };
+    refused({"--reduce", "all"}, "go with --zones or --propose");
+    refused({"--propose", "3", "--zone", "9=skin"}, "there is no 9; there are 1, 2, 3");
+    refused({"--propose", "3", "--zone", "skin"}, "is not KEY=NAME");
+    refused({"--propose", "3", "--reduce", "hat"}, "--reduce hat: no zone has that name");
+    refused({"--zones", path("nothing.png")}, "nothing.png");
+    refused({"--image", "9", "--propose", "3"}, "image 9 of 'citizen', which has 2");
+    EXPECT_TRUE(left().empty()) << "nothing is written where something is wrong";
+}
+
+TEST_F(Prepare, keeps_a_texture_within_the_size_that_it_is_given)
+{
+    ASSERT_EQ(claque({"prepare", "citizen", "--texture-size", "64", "--out", path("small.clq")}).code, 0);
+    const Outcome split = claque({"split", path("small.clq"), "--scale", "1", "--picture", path("split.png")});
+    ASSERT_EQ(split.code, 0) << split.err;
+    EXPECT_EQ(picture_of(path("split.png")).width, 64);
+}
+
+}  // namespace
+}  // namespace cli_test
