@@ -1,6 +1,5 @@
-// A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, everybody with a
-// clip, a phase and colours of its own (S3 has four textures; zones give each its own colours). And the same field with four
-// templates in chains of levels, from where ten thousand are in view at once.
+// A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, four textures (two
+// a template), everybody with a clip, a phase and colours of its own. And the same field with four templates in chains of levels, from where ten thousand are in view at once.
 #include "samples/scenes/light.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/scene.h"
