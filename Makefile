@@ -4,7 +4,7 @@ BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 
-.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept abi-accept install package docs check format clean
+.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept abi-accept install package docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -16,6 +16,7 @@ help:
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages"
 	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
+	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
 
 setup:
 	@cmake/setup.sh
@@ -93,6 +94,14 @@ package: build
 # The reference of include/claque; a warning is an error.
 docs:
 	@docs/doxygen.sh out/reference
+
+# libclaque for other machines, with those of its tests that need no OpenGL; what is missing here is skipped by name.
+test-i386 test-arm64 test-mingw: test-%: setup
+	@tests/foreign.sh $* $(JOBS)
+
+# An old x86-64 processor, under QEMU.
+test-nehalem: build
+	@PRESET=$(PRESET) tests/foreign.sh nehalem
 
 check: setup
 	@clang-format --dry-run -Werror $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')

@@ -1,6 +1,10 @@
 #include <claque/context.h>
 
+#include <cstddef>
 #include <cstdlib>
+#ifdef _WIN32
+#include <malloc.h>
+#endif
 
 #include "lib/api/boundary.h"
 #include "lib/api/handles.h"
@@ -14,10 +18,20 @@ void *default_allocate(void *, size_t size_bytes, size_t alignment_bytes)
 {
     if (alignment_bytes <= alignof(std::max_align_t)) return std::malloc(size_bytes ? size_bytes : 1);
     const size_t rounded = (size_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
+#ifdef _WIN32
+    return _aligned_malloc(rounded, alignment_bytes);
+#else
     return std::aligned_alloc(alignment_bytes, rounded);
+#endif
 }
 
-void default_release(void *, void *memory, size_t, size_t) { std::free(memory); }
+void default_release(void *, void *memory, size_t, [[maybe_unused]] size_t alignment_bytes)
+{
+#ifdef _WIN32
+    if (alignment_bytes > alignof(std::max_align_t)) return _aligned_free(memory);
+#endif
+    std::free(memory);
+}
 
 }  // namespace
 

@@ -19,7 +19,9 @@ case $object in claque/*.o) ;; *) compile "$@" ;; esac
 # The command as the other build has it: its source tree, its build tree, its place of objects.
 wanted=$(echo "$*" | sed -e "s|$HOME/build/claque|$CLAQUE_REUSE_BUILD|g" -e "s|$HOME/claque|$CLAQUE_REUSE_SOURCE|g" \
     -e "s| claque/| |g" -e 's| -M[DTF]\( [^ -][^ ]*\)\{0,1\}||g')
-if sed -e "s/ -Werror//" -e "s/ -DCLAQUE_SCALAR=1//" "$CLAQUE_REUSE_BUILD/compile_commands.json" | grep -qF -- "$wanted\""; then
+commands=$CLAQUE_REUSE_BUILD/compile_commands.json
+if grep -qF -- "$wanted\"" "$commands" ||
+    sed -e "s/ -Werror//" -e "s/ -DCLAQUE_SCALAR=1//" "$commands" | grep -qF -- "$wanted\""; then  # options of a preset
     cp "$ready" "$object"
     echo "$object:" > "$depends"
     exit 0
