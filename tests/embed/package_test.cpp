@@ -1,0 +1,41 @@
+// What `make package` makes: who needs what, and that the packages' files together are a command that runs.
+#include <gtest/gtest.h>
+
+#include "tests/embed/scratch.h"
+
+namespace
+{
+
+TEST(Package, is_four_that_unpacked_together_run)
+{
+    if (!has_command("dpkg-shlibdeps")) GTEST_SKIP() << "needs dpkg-shlibdeps (dpkg-dev)";
+    if (*CLAQUE_CXX_FLAGS) GTEST_SKIP() << "of a build without flags of its own";
+    const Scratch home;
+    const auto [made, log] = home.run("cpack --config '" CLAQUE_BUILD_DIR "/CPackConfig.cmake' -B debs");
+    ASSERT_EQ(made, 0) << log;
+    const auto [unpacked, trouble] = home.run(
+        "for deb in debs/*.deb; do dpkg-deb -x $deb root; dpkg-deb -f $deb Package Depends > ${deb%_*_*.deb}.txt; "
+        "done");
+    ASSERT_EQ(unpacked, 0) << trouble;
+
+    const auto says = [&](const std::string &package, const std::string &text) {
+        const std::string control = text_of_file(home.path() + "/debs/" + package + ".txt");
+        EXPECT_NE(control.find(text), std::string::npos) << package << ": " << control;
+    };
+    const std::string runtime = "libclaque" CLAQUE_SOVERSION, assets = "libclaque-assets" CLAQUE_SOVERSION;
+    const std::string exactly = " (= " CLAQUE_VERSION ")";
+    says(runtime, "libstdc++6");
+    says(assets, runtime + exactly);
+    says(assets, "libopenmesh");
+    says("claque", assets + exactly);
+    says("libclaque-dev", runtime + exactly);
+    const std::string control = text_of_file(home.path() + "/debs/" + runtime + ".txt");
+    EXPECT_EQ(control.find("libopenmesh"), std::string::npos) << control;
+
+    const auto [ran, said] = home.run("LD_LIBRARY_PATH=root/usr/lib root/usr/bin/claque inspect citizen");
+    EXPECT_EQ(ran, 0) << said;
+    EXPECT_NE(said.find("citizen"), std::string::npos) << said;
+    EXPECT_EQ(home.run("ls root/usr/share/man/man1 root/usr/include/claque/claque.h").first, 0);
+}
+
+}  // namespace
