@@ -181,7 +181,9 @@ void Canvas::place(const Individual &who)
 SurfaceState Canvas::state_of(const Individual &who, const model::Surface &surface)
 {
     SurfaceState state;
-    state.texture = who.own ? *who.own : who.prepared->textures[surface.texture].name_of(who.item->texture_set);
+    const std::ptrdiff_t index = &surface - who.level->surfaces.data();
+    const bool linear = !who.ready->linear.empty() && who.ready->linear[static_cast<size_t>(index)];
+    state.texture = who.own ? *who.own : who.prepared->textures[surface.texture].name_of(who.item->texture_set, linear);
     state.double_sided = surface.double_sided;
     state.mirrored = who.item->mirrored;
     state.colour_array = !who.level->colours.empty();

@@ -58,8 +58,8 @@ bool ListDrawer::make(const draw::Item &item, Individual &who) const
 {
     if (!who.prepared || who.prepared->source != item.tmpl) who.prepared = find(templates_, item.tmpl);
     who.item = &item;
-    who.level = &item.tmpl->levels[item.level];
     who.ready = &who.prepared->levels[item.level];
+    who.level = &who.ready->drawn(item.tmpl->levels[item.level]);
     who.zone_rgb = item.zone_rgb ? item.zone_rgb : who.prepared->zone_rgb.data();
     who.parts = item.parts & every_part_of(*who.level);
     who.own = nullptr;

@@ -18,7 +18,15 @@ struct RendererOptions {
     Guard guard = Guard::full;
     ColourFormat colours = ColourFormat::ubyte;
     KeyTest key_test = KeyTest::greater_equal;
+    bool linear_clean = false;       // clean triangles are filtered where that mixes no zones (smooth.h)
     uint32_t batch_triangles = 128;  // levels of so many triangles and fewer are drawn several individuals a call
+};
+
+// Where clean triangles are filtered, of the finest level: how far the two ways of sampling are apart along edges between a
+// triangle of each.
+struct LuminanceStep {
+    uint32_t linear_triangles = 0, triangles = 0, edges = 0;
+    float mean = 0, most = 0;  // of 255
 };
 
 struct DrawStats {

@@ -3,6 +3,7 @@
 #include "lib/model/keys.h"
 #include "passes/batch.h"
 #include "passes/parts.h"
+#include "passes/smooth.h"
 
 #include <algorithm>
 
@@ -121,9 +122,10 @@ base::Status choose_strategy(PreparedTemplate &out, Strategy wanted, uint32_t al
     return base::Status::good();
 }
 
-void prepare_texture(PreparedTexture &out, const model::Texture &texture, KeyTest key_test)
+void prepare_texture(PreparedTexture &out, const model::Texture &texture, const RendererOptions &options)
 {
     out.names.resize(1 + texture.others.size());
+    if (options.linear_clean) out.linear_names.resize(out.names.size());
     const std::vector<uint8_t> bytes = model::keys_of(texture);
     const model::Keys keys(bytes);
     const model::FusedTable fused = model::fused_table(keys);
@@ -133,8 +135,8 @@ void prepare_texture(PreparedTexture &out, const model::Texture &texture, KeyTes
         ZoneTest test;
         test.zone = texture.keys[i].zone;
         // Not key / 255: that is one ulp away from what GL makes of the texel (SPEC 3).
-        test.reference = key_test == KeyTest::equal ? static_cast<float>(bytes[i]) * (1.0f / 255.0f)
-                                                    : model::pass_reference(keys, i);
+        test.reference = options.key_test == KeyTest::equal ? static_cast<float>(bytes[i]) * (1.0f / 255.0f)
+                                                            : model::pass_reference(keys, i);
         test.threshold_ubyte = fused.alpha_8bit[i];
         test.threshold_real = fused.alpha[i];
         out.tests.push_back(test);
@@ -171,10 +173,15 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
         for (const float c : colour)
             out.zone_rgb.push_back(static_cast<uint8_t>(std::clamp(c, 0.0f, 1.0f) * 255.0f + 0.5f));
     for (const model::Texture &texture : source.textures)
-        prepare_texture(out.textures.emplace_back(memory), texture, options.key_test);
-    for (const model::Level &level : source.levels) prepare_ranges(out.levels.emplace_back(memory), level);
-    for (size_t i = 0; i < out.levels.size(); ++i)
-        out.levels[i].batched = Batch::fits(source, source.levels[i], options.batch_triangles);
+        prepare_texture(out.textures.emplace_back(memory), texture, options);
+    for (const model::Level &level : source.levels) {
+        PreparedLevel &ready = out.levels.emplace_back(memory);
+        ready.batched = Batch::fits(source, level, options.batch_triangles);
+        LuminanceStep step;
+        if (options.linear_clean && !ready.batched) prepare_smooth(ready, source, level, step);
+        if (&level == &source.levels[0]) out.step = step;
+        prepare_ranges(ready, ready.drawn(level));
+    }
     prepare_placement(out);
     return base::Status::good();
 }

@@ -20,13 +20,18 @@ struct ZoneTest {
 };
 
 struct PreparedTexture {
-    explicit PreparedTexture(std::pmr::memory_resource *memory) : names(memory), tests(memory) {}
-    Array<uint32_t> names;      // GL's, one a texture set; one where all show the same
-    float hole_reference = 0;   // GL_GEQUAL: passes the lowest key, stops a hole
-    float fused_reference = 0;  // GL_GEQUAL: the one test of the fused strategy
-    Array<ZoneTest> tests;      // as model::Texture::keys
+    explicit PreparedTexture(std::pmr::memory_resource *memory) : names(memory), linear_names(memory), tests(memory) {}
+    Array<uint32_t> names;         // GL's, one a texture set; one where all show the same
+    Array<uint32_t> linear_names;  // the same once more, filtered GL_LINEAR; empty unless asked for
+    float hole_reference = 0;      // GL_GEQUAL: passes the lowest key, stops a hole
+    float fused_reference = 0;     // GL_GEQUAL: the one test of the fused strategy
+    Array<ZoneTest> tests;         // as model::Texture::keys
 
-    uint32_t name_of(uint32_t set) const { return names[set < names.size() ? set : 0]; }
+    uint32_t name_of(uint32_t set, bool linear) const
+    {
+        const Array<uint32_t> &of = linear ? linear_names : names;
+        return of[set < of.size() ? set : 0];
+    }
 };
 
 struct VertexRange {
@@ -54,7 +59,9 @@ struct PreparedLevel {
           part_reach(memory),
           positions(memory),
           normals(memory),
-          steps(memory)
+          steps(memory),
+          smoothed(memory),
+          linear(memory)
     {
     }
     Array<uint16_t> short_indices;      // as model::Level::indices, or empty: those are used
@@ -66,6 +73,12 @@ struct PreparedLevel {
     Array<MatrixStep> steps;
 
     bool batched = false;  // its individuals are drawn several with one call
+
+    // Where clean triangles are filtered (smooth.h): the level, its surfaces parted in two, in place of the template's; and for
+    // each of these surfaces whether it is the filtered one. Else both empty.
+    Array<model::Level> smoothed;
+    Array<uint8_t> linear;
+    const model::Level &drawn(const model::Level &level) const { return smoothed.empty() ? level : smoothed[0]; }
 };
 
 struct PreparedTemplate {
@@ -76,6 +89,7 @@ struct PreparedTemplate {
     Array<uint8_t> zone_rgb;              // the template's own colours, rounded
     Array<PreparedTexture> textures;
     Array<PreparedLevel> levels;
+    LuminanceStep step;  // all 0 where nothing is filtered
 };
 
 // Everything of it that needs no GL. `alpha_bits` is how finely GL keeps this template's texture alpha.

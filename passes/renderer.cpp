@@ -60,6 +60,12 @@ Strategy Renderer::strategy_of(const model::Template &tmpl) const
     return prepared ? prepared->strategy : options_.strategy;
 }
 
+LuminanceStep Renderer::step_of(const model::Template &tmpl) const
+{
+    const PreparedTemplate *prepared = find(templates_, &tmpl);
+    return prepared ? prepared->step : LuminanceStep();
+}
+
 base::Status Renderer::prepare(const model::Template &tmpl)
 {
     if (!open_) return not_open();

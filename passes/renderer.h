@@ -32,6 +32,8 @@ public:
     // How a prepared template is drawn: the strategy asked for, or binned where fused cannot tell its zones apart.
     Strategy strategy_of(const model::Template &tmpl) const;
 
+    LuminanceStep step_of(const model::Template &tmpl) const;  // all 0 unless prepared with linear_clean
+
     // Draws all items in their order; a list that shows nothing touches nothing. `out_stats` may be null.
     // Fails: CLQ_ARGUMENT (a template that is not prepared, by name), CLQ_GL_STATE, CLQ_GL_MISSING; nothing is drawn or
     // changed then. CLQ_OUT_OF_MEMORY: the vertex server had no room for an individual; all others are drawn.

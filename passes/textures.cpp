@@ -1,5 +1,5 @@
 // Key textures have one level, sampled GL_NEAREST: GL 1.1 cannot limit a mip chain, and mixing keys would make new ones
-// (S2 2.4).
+// (S2 2.4). What may be filtered without mixing any has a second texture.
 #include "passes/guard.h"
 #include "passes/prepared.h"
 
@@ -14,11 +14,11 @@ int32_t wrap_of(model::Wrap wrap) { return static_cast<int32_t>(wrap == model::W
 
 // `image` is the texture itself, or what it shows of another set.
 template <class Image>
-void upload(const Gl11 &gl, const model::Texture &texture, const Image &image, uint32_t name)
+void upload(const Gl11 &gl, const model::Texture &texture, const Image &image, uint32_t name, uint32_t filter)
 {
     gl.BindTexture(gl::texture_2d, name);
-    gl.TexParameteri(gl::texture_2d, gl::texture_min_filter, static_cast<int32_t>(gl::nearest));
-    gl.TexParameteri(gl::texture_2d, gl::texture_mag_filter, static_cast<int32_t>(gl::nearest));
+    gl.TexParameteri(gl::texture_2d, gl::texture_min_filter, static_cast<int32_t>(filter));
+    gl.TexParameteri(gl::texture_2d, gl::texture_mag_filter, static_cast<int32_t>(filter));
     gl.TexParameteri(gl::texture_2d, gl::wrap_s, wrap_of(texture.wrap_s));
     gl.TexParameteri(gl::texture_2d, gl::wrap_t, wrap_of(texture.wrap_t));
     gl.TexImage2D(gl::texture_2d, 0, static_cast<int32_t>(gl::rgba8), static_cast<int32_t>(image.width),
@@ -66,18 +66,23 @@ void upload_textures(const Gl11 &gl, PreparedTemplate &prepared)
 {
     const UploadGuard guard(gl);
     for (size_t i = 0; i < prepared.textures.size(); ++i) {
-        Array<uint32_t> &names = prepared.textures[i].names;
         const model::Texture &texture = prepared.source->textures[i];
-        gl.GenTextures(static_cast<int32_t>(names.size()), names.data());
-        upload(gl, texture, texture, names[0]);
-        for (size_t k = 1; k < names.size(); ++k) upload(gl, texture, texture.others[k - 1], names[k]);
+        const auto bring = [&](Array<uint32_t> &names, uint32_t filter) {
+            if (names.empty()) return;
+            gl.GenTextures(static_cast<int32_t>(names.size()), names.data());
+            upload(gl, texture, texture, names[0], filter);
+            for (size_t k = 1; k < names.size(); ++k) upload(gl, texture, texture.others[k - 1], names[k], filter);
+        };
+        bring(prepared.textures[i].names, gl::nearest);
+        bring(prepared.textures[i].linear_names, gl::linear);
     }
 }
 
 void delete_textures(const Gl11 &gl, PreparedTemplate &prepared)
 {
     for (PreparedTexture &texture : prepared.textures)
-        gl.DeleteTextures(static_cast<int32_t>(texture.names.size()), texture.names.data());
+        for (const Array<uint32_t> *names : {&texture.names, &texture.linear_names})
+            if (!names->empty()) gl.DeleteTextures(static_cast<int32_t>(names->size()), names->data());
 }
 
 }  // namespace claque::passes

@@ -60,6 +60,10 @@ typedef struct clq_renderer_def {
        with one call, their vertices moved to eye space by claque: where a call costs more than what it draws (default
        128, most 2730; 0: never). Which way decides about the last bit of a position, so pixels on edges may differ. */
     uint32_t batch_triangles;
+    /* 1: clean triangles are filtered GL_LINEAR, those that can be without a sample that mixes zones; everything else stays
+       GL_NEAREST. Two draws a surface instead of one, a second texture, and a step in luminance where a filtered triangle
+       meets one that is not: see clq_renderer_get_prepared. Default 0 */
+    int32_t linear_clean;
 } clq_renderer_def;
 
 static inline clq_renderer_def clq_renderer_def_init(void)
@@ -73,6 +77,7 @@ static inline clq_renderer_def clq_renderer_def_init(void)
     def.colours = CLQ_COLOUR_UBYTE;
     def.key_test = CLQ_KEY_GREATER_EQUAL;
     def.batch_triangles = 128;
+    def.linear_clean = 0;
     return def;
 }
 
@@ -86,6 +91,19 @@ CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_
  * Fails: ARGUMENT (a template of another context), LIMIT (texture too large for this GL), KEY_RESOLUTION (names the
  * zones), GL_STATE (what would spoil the upload, by name), GL_MISSING, OUT_OF_MEMORY; nothing is changed then. */
 CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
+
+/* What became of a template that was prepared. */
+typedef struct clq_prepared_info {
+    clq_variety variety; /* as asked for, or BINNED where one draw cannot tell its zones apart on this GL */
+    /* Of the finest level, all 0 without linear_clean: */
+    uint32_t triangle_count, linear_count; /* of which so many are filtered */
+    uint32_t edge_count;                   /* between a triangle that is filtered and one that is not */
+    float step_mean, step_most;            /* [0, 255] difference in luminance between the two ways along these edges */
+} clq_prepared_info;
+
+/* Fails: ARGUMENT (also for a template that is not prepared). GL: none. */
+CLQ_API clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_template *tmpl,
+                                             clq_prepared_info *out);
 
 typedef struct clq_draw_stats {
     uint32_t individuals;

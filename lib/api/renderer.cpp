@@ -36,6 +36,8 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     options.colours = static_cast<passes::ColourFormat>(def.colours);
     options.key_test = static_cast<passes::KeyTest>(def.key_test);
     options.batch_triangles = def.batch_triangles;
+    require(def.linear_clean == 0 || def.linear_clean == 1, "linear_clean is neither 0 nor 1");
+    options.linear_clean = def.linear_clean != 0;
     return options;
 }
 
@@ -89,6 +91,22 @@ clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl)
         renderer->held.push_back(tmpl);
         api::hold(tmpl);
         report_fallback(*renderer, *tmpl);
+    });
+}
+
+clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_template *tmpl, clq_prepared_info *out)
+{
+    return api::boundary("clq_renderer_get_prepared", [&] {
+        api::require(renderer && tmpl && out, "renderer, tmpl or out is NULL");
+        if (std::find(renderer->held.begin(), renderer->held.end(), tmpl) == renderer->held.end())
+            base::fail(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer", tmpl->name.c_str());
+        const passes::LuminanceStep step = renderer->renderer.step_of(*tmpl);
+        *out = {static_cast<clq_variety>(renderer->renderer.strategy_of(*tmpl)),
+                step.triangles,
+                step.linear_triangles,
+                step.edges,
+                step.mean,
+                step.most};
     });
 }
 

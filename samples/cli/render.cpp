@@ -1,6 +1,7 @@
 // claque render: one picture, or a sequence, of a scene.
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/filtering.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
@@ -183,6 +184,7 @@ void render(const RenderArguments &a)
     }
     if (!a.json.empty()) {
         progress.phase("measuring rates");
+        if (stage && options.linear_clean) report["filtering"] = filtering(*stage);
         if (stage) report["measured"] = measure(*stage, stage->scene().crowd(), frames.back().time_s);
         report["warnings"] = library.warnings();
         write_whole(a.json, report.dump(2) + "\n");
@@ -243,6 +245,10 @@ void add_render(CLI::App &app, Work &chosen)
          "--cache", a->stage.cache,
          "What is kept from frame to frame, which never changes the picture; keypose-*: everybody shows key-poses (S3)")
         ->check(cache_choice)
+        ->capture_default_str();
+    c->add_option("--filter", a->stage.filter,
+                  "How textures are sampled; linear: clean triangles, where that mixes no zones")
+        ->check(CLI::IsMember({"nearest", "linear"}))
         ->capture_default_str();
     c->add_option("--lod", a->stage.lod, "On the plaza and in the odeon: people with levels of detail, or without")
         ->check(CLI::IsMember({"off", "on"}))

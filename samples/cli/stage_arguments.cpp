@@ -155,6 +155,7 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
                                             : contexts::Kind::any;
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.variety = variety_named(a.variety);
+    options.linear_clean = a.filter == "linear";
     return options;
 }
 

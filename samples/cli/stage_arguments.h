@@ -19,7 +19,7 @@ struct StageArguments {
     std::string path, theatre;  // files
     std::string camera;         // empty: not given
     std::string context = "any", format = "rgba8888";
-    std::string variety = "fused", cache = "full";
+    std::string variety = "fused", cache = "full", filter = "nearest";
     uint32_t count = 0;  // 0: not given
     uint64_t seed = 1, budget_mib = 0;
     int threads = 0;           // 0: as many as cores

@@ -42,12 +42,20 @@ void Stage::use_variety(clq_variety variety)
         def.get_proc_address = offscreen_->get_proc_address();
         def.user = offscreen_->user();
         def.variety = variety;
+        def.linear_clean = options_.linear_clean;
         clq_renderer *made = nullptr;
         check(clq_renderer_create(library_.context(), &def, &made));
         renderer.reset(made);
         for (clq_template *tmpl : scene_->templates()) check(clq_renderer_prepare(made, tmpl));
     }
     renderer_ = renderer.get();
+}
+
+clq_prepared_info Stage::prepared(const clq_template *tmpl) const
+{
+    clq_prepared_info info = {};
+    check(clq_renderer_get_prepared(renderer_, tmpl, &info));
+    return info;
 }
 
 void Stage::update(double time_s)

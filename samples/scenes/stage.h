@@ -23,7 +23,8 @@ struct StageOptions {
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
     clq_variety variety = CLQ_VARIETY_FUSED;
-    float cull_scale = 1;  // of the culling pyramid, against the picture's (S0 Fig. 10)
+    bool linear_clean = false;  // clq_renderer_def.linear_clean
+    float cull_scale = 1;       // of the culling pyramid, against the picture's (S0 Fig. 10)
     Show show = Show::nothing;
 };
 
@@ -56,6 +57,7 @@ public:
     // Where there are several stages in turn.
     void make_current();
 
+    clq_prepared_info prepared(const clq_template *tmpl) const;
     clq_crowd_stats crowd_stats() const;
     clq_view_stats view_stats() const;
     uint64_t view_hash() const;

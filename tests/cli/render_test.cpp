@@ -164,5 +164,23 @@ TEST_F(Render, bench_has_a_run_for_each_of_its_matrix_and_one_hash)
     EXPECT_NE(report["runs"][0]["picture_hash"], report["runs"][6]["picture_hash"]);
 }
 
+TEST_F(Render, filters_clean_triangles_where_it_is_asked_to_and_says_what_that_comes_to)
+{
+    const auto render = [&](const char *filter, const char *name) {
+        const Outcome outcome =
+            claque({"render", "--scene", "plaza", "--count", "12", "--camera", "close", "--size", "160x120", "--filter",
+                    filter, "--out", path(std::string(name) + ".png"), "--json", path(std::string(name) + ".json")});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return nlohmann::json::parse(file_text(path(std::string(name) + ".json")));
+    };
+    const nlohmann::json nearest = render("nearest", "a"), linear = render("linear", "b");
+    EXPECT_FALSE(nearest.contains("filtering"));
+    ASSERT_EQ(linear["filtering"].size(), 1u);
+    EXPECT_GT(linear["filtering"][0]["filtered"].get<int>(), 100);
+    EXPECT_GT(linear["filtering"][0]["luminance_step"]["mean"].get<double>(), 0);
+    EXPECT_NE(nearest["frames"][0]["picture_hash"], linear["frames"][0]["picture_hash"]);
+    EXPECT_EQ(nearest["frames"][0]["list_hash"], linear["frames"][0]["list_hash"]);
+}
+
 }  // namespace
 }  // namespace cli_test

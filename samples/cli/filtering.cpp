@@ -1,0 +1,22 @@
+#include "samples/cli/filtering.h"
+
+#include "samples/cli/characters.h"
+
+namespace cli
+{
+
+nlohmann::json filtering(const scenes::Stage &stage)
+{
+    nlohmann::json all = nlohmann::json::array();
+    for (const clq_template *tmpl : stage.scene().templates()) {
+        const clq_prepared_info info = stage.prepared(tmpl);
+        all.push_back({{"template", info_of(tmpl).name},
+                       {"triangles", info.triangle_count},
+                       {"filtered", info.linear_count},
+                       {"edges_between", info.edge_count},
+                       {"luminance_step", {{"mean", info.step_mean}, {"most", info.step_most}}}});
+    }
+    return all;
+}
+
+}  // namespace cli

@@ -1,0 +1,14 @@
+// What --filter linear came to.
+#pragma once
+
+#include "samples/scenes/stage.h"
+
+#include <nlohmann/json.hpp>
+
+namespace cli
+{
+
+// For each of the scene's templates: how many triangles are filtered, and how far they are from neighbours that are not.
+nlohmann::json filtering(const scenes::Stage &stage);
+
+}  // namespace cli
