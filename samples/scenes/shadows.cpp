@@ -43,7 +43,7 @@ double person(double u, double v)  // u [-1, 1], v [0, 1]
     return std::max(body, 0.85 * smooth(1.15 - away));
 }
 
-Image picture()
+Image person_and_blot()
 {
     Image image;
     image.side_px = side;
@@ -66,6 +66,8 @@ constexpr Rgb dark = {0.10f, 0.09f, 0.13f};
 constexpr float lift = 0.012f;  // metres above the ground, so that depth tells them apart
 
 }  // namespace
+
+Image Shadows::picture() { return person_and_blot(); }
 
 void Shadows::prepare(const Gl &gl) { image_.emplace(gl, picture(), false); }
 

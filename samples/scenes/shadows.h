@@ -17,6 +17,9 @@ class Shadows
 {
 public:
     void prepare(const Gl &gl);
+    // For who draws them otherwise: what quads show, and those of the people.
+    static Image picture();
+    const Geometry &people() const { return people_; }
     void release() { image_.reset(); }
 
     // Who stands where: position[1] is the ground there. height_m and width_m are of a person of scale 1.

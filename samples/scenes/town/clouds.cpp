@@ -69,7 +69,9 @@ Clouds::Clouds(uint64_t seed) : seed_(seed)
     }
 }
 
-void Clouds::prepare(const Gl &gl) { picture_ = std::make_unique<Texture>(gl, cloud_picture(seed_), true); }
+Image Clouds::picture() const { return cloud_picture(seed_); }
+
+void Clouds::prepare(const Gl &gl) { picture_ = std::make_unique<Texture>(gl, picture(), true); }
 
 void Clouds::draw(const Gl &g, const Eye &eye) const
 {

@@ -17,6 +17,10 @@ public:
 
     explicit Clouds(uint64_t seed);
     void prepare(const Gl &gl);
+    // For who draws them otherwise, round the eye: the sky itself, and a layer over it that shows picture(), blended.
+    const Geometry &dome() const { return dome_; }
+    const Geometry &layer() const { return layer_; }
+    Image picture() const;
     // First of all in a frame: covers the whole picture, writes no depth.
     void draw(const Gl &gl, const Eye &eye) const;
 

@@ -23,6 +23,24 @@ void Omnibus::load(const Gl &gl, const Eye &eye, const std::array<float, 16> &mo
     gl.LoadMatrixf(product);
 }
 
+std::array<float, 16> Omnibus::wheel_matrix(const Stance &stance, double end, double side)
+{
+    const double spin = std::fmod(stance.rolled_m / wheel_radius_m, two_pi), s = std::sin(spin), c = std::cos(spin);
+    const double ss = end > 0 ? stance.steer_sin : 0, sc = end > 0 ? stance.steer_cos : 1;
+    std::array<float, 16> m = {};
+    for (size_t i = 0; i < 3; ++i) {
+        const double x = stance.right_hand_x[i], y = stance.up[i], z = stance.forward[i];
+        const double axle = sc * x - ss * z, ahead = ss * x + sc * z;  // the wheel's own, steered
+        m[i] = static_cast<float>(side * axle);
+        m[4 + i] = static_cast<float>(c * y + s * ahead);
+        m[8 + i] = static_cast<float>(side * (c * ahead - s * y));
+        m[12 + i] =
+            static_cast<float>(stance.position[i] + side * 1.16 * x + wheel_radius_m * y + end * wheelbase_m / 2 * z);
+    }
+    m[15] = 1;
+    return m;
+}
+
 void Omnibus::draw(const Gl &gl, const Eye &eye, const Stance &stance) const
 {
     constexpr double detail_m = 70;  // beyond this nobody sees spokes
@@ -31,22 +49,9 @@ void Omnibus::draw(const Gl &gl, const Eye &eye, const Stance &stance) const
     const double dx = stance.position[0] - eye.position[0], dy = stance.position[1] - eye.position[1];
     const double dz = stance.position[2] - eye.position[2];
     const Geometry &wheel = dx * dx + dy * dy + dz * dz < detail_m * detail_m ? wheel_ : far_wheel_;
-    const double spin = std::fmod(stance.rolled_m / wheel_radius_m, two_pi), s = std::sin(spin), c = std::cos(spin);
     for (const double end : {-1.0, 1.0})
         for (const double side : {-1.0, 1.0}) {
-            const double ss = end > 0 ? stance.steer_sin : 0, sc = end > 0 ? stance.steer_cos : 1;
-            std::array<float, 16> m = {};
-            for (size_t i = 0; i < 3; ++i) {
-                const double x = stance.right_hand_x[i], y = stance.up[i], z = stance.forward[i];
-                const double axle = sc * x - ss * z, ahead = ss * x + sc * z;  // the wheel's own, steered
-                m[i] = static_cast<float>(side * axle);
-                m[4 + i] = static_cast<float>(c * y + s * ahead);
-                m[8 + i] = static_cast<float>(side * (c * ahead - s * y));
-                m[12 + i] = static_cast<float>(stance.position[i] + side * 1.16 * x + wheel_radius_m * y +
-                                               end * wheelbase_m / 2 * z);
-            }
-            m[15] = 1;
-            load(gl, eye, m);
+            load(gl, eye, wheel_matrix(stance, end, side));
             wheel.draw(gl);
         }
     gl.LoadMatrixf(eye.view);

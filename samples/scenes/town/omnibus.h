@@ -27,6 +27,9 @@ public:
     explicit Omnibus(Rgb paint);
 
     const Geometry &body() const { return body_; }
+    const Geometry &wheel() const { return wheel_; }  // round its axle, which is x
+    // Where a wheel is in the world, column-major. end: 1 the front axle, -1 the rear one; side: 1 towards +x, -1.
+    static std::array<float, 16> wheel_matrix(const Stance &stance, double end, double side);
     // Round the body, the wheels, and those who sit in it; in its own space.
     const Sphere &sphere() const { return sphere_; }
 

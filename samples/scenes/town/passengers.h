@@ -21,6 +21,7 @@ public:
     // Drives them to where they are at that time.
     void drive(double time_s);
     const std::vector<Stance> &stances() const { return stances_; }
+    const std::vector<clq_group> &groups() const { return groups_; }  // one a stance
     const VehiclePath &path() const { return path_; }
     // Those who stand on the square, for their shadows.
     const std::vector<clq_place> &standing() const { return standing_; }

@@ -60,22 +60,42 @@ Daylight Town::light()
     return {{-0.56f, 0.66f, 0.50f}, {0.78f, 0.73f, 0.62f}, {0.40f, 0.42f, 0.47f}, {0.13f, 0.12f, 0.10f}};
 }
 
+Image Town::picture(Layer layer) const
+{
+    switch (layer) {
+        case Layer::land:
+            return land(seed_);
+        case Layer::furrows:
+            return furrows(seed_);
+        case Layer::paving:
+            return flagstones(seed_);
+        case Layer::cobbles:
+            return cobbles(seed_);
+        case Layer::water:
+            return water(seed_);
+        case Layer::shade:
+            return {};
+        case Layer::stone:
+            return plaster(seed_);
+        case Layer::facades:
+            return facades(seed_);
+        case Layer::tiles:
+            return tiles(seed_);
+        case Layer::leaves:
+            return leaves(seed_);
+    }
+    return {};
+}
+
 void Town::prepare(const Gl &gl)
 {
-    const auto bring = [&](Layer layer, const Image &image, bool repeats) {
-        pictures_[static_cast<size_t>(layer)] = std::make_unique<Texture>(gl, image, repeats);
+    for (size_t i = 0; i < layer_count; ++i) {
+        const Layer layer = static_cast<Layer>(i);
+        if (layer == Layer::shade) continue;
+        pictures_[i] = std::make_unique<Texture>(gl, picture(layer), layer != Layer::facades);
         // Two levels a pixel cost half as much again on software GL, and show little on grass and tiles.
         gl.TexParameteri(gl::texture_2d, gl::min_filter, gl::linear_mipmap_nearest);
-    };
-    bring(Layer::land, land(seed_), true);
-    bring(Layer::furrows, furrows(seed_), true);
-    bring(Layer::paving, flagstones(seed_), true);
-    bring(Layer::cobbles, cobbles(seed_), true);
-    bring(Layer::water, water(seed_), true);
-    bring(Layer::stone, plaster(seed_), true);
-    bring(Layer::facades, facades(seed_), false);
-    bring(Layer::tiles, tiles(seed_), true);
-    bring(Layer::leaves, leaves(seed_), true);
+    }
     sky_.prepare(gl);
 }
 

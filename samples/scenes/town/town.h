@@ -28,6 +28,9 @@ public:
     const std::vector<House> &houses() const { return houses_; }
     const std::vector<Tree> &trees() const { return trees_; }
     const Pieces &pieces() const { return pieces_; }
+    const Clouds &sky() const { return sky_; }
+    // For who draws it otherwise: what a layer shows; of no size where it shows colours alone.
+    Image picture(Layer layer) const;
     static Daylight light();
 
     // Brings textures to the current context, which must be current again when the town ends.

@@ -1,0 +1,19 @@
+// What this host's scenery was made in, as OpenSceneGraph's own.
+#pragma once
+
+#include "samples/scenes/geometry.h"
+#include "samples/scenes/texture.h"
+
+#include <osg/Geometry>
+#include <osg/Texture2D>
+
+namespace osg_host
+{
+
+// Indices [first, first + count) of a geometry, with arrays of its own.
+osg::ref_ptr<osg::Geometry> geometry_of(const scenes::Geometry &from, size_t first, size_t count);
+osg::ref_ptr<osg::Geometry> geometry_of(const scenes::Geometry &from);
+
+osg::ref_ptr<osg::Texture2D> texture_of(const scenes::Image &image, bool repeats);
+
+}  // namespace osg_host

@@ -1,0 +1,66 @@
+// People in an OpenSceneGraph program. Writes three pictures: the town as a viewer shows it, the same with a culling pyramid
+// smaller than the picture's (S0 Fig. 10), and that pyramid from outside, with all that it left out in grey.
+#include "samples/cli/png.h"
+#include "samples/hosts/osg/excursion.h"
+
+#include <cstdio>
+#include <fstream>
+
+namespace
+{
+
+using namespace osg_host;
+
+constexpr int width = 1024, height = 768;
+constexpr uint32_t people = 700;
+constexpr double time_s = 2, forced_share = 0.6;
+
+void write(const std::string &path, const std::vector<uint8_t> &rgb)
+{
+    const std::vector<unsigned char> file = cli::png(rgb.data(), width, height, {});
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
+    if (!out.flush()) throw scenes::Failure(path + " could not be written");
+}
+
+void tell(const char *what, const Excursion &excursion)
+{
+    clq_crowd_stats stats = {};
+    scenes::check(clq_crowd_get_stats(excursion.passengers().crowd(), &stats));
+    std::printf("%s: %zu of %zu pieces of scenery, %zu of %zu omnibuses, %u of %u people\n", what,
+                excursion.pieces().left_over(), excursion.pieces().count(), excursion.omnibuses().left_over(),
+                excursion.omnibuses().count(), stats.visible, stats.actor_count);
+}
+
+void run(const std::string &prefix)
+{
+    std::string why_not;
+    const std::unique_ptr<contexts::Offscreen> context =
+        contexts::make_offscreen(contexts::Kind::egl, width, height, contexts::PixelFormat::rgba8888, why_not);
+    if (!context) throw scenes::Failure("no OpenGL context: " + why_not);
+    Excursion excursion(*context, people);
+    const Look roofs = excursion.from_the_roofs();
+    write(prefix + "view.png", excursion.picture(roofs, time_s));
+    tell("view", excursion);
+    write(prefix + "forced.png", excursion.picture(roofs, time_s, forced_share));
+    tell("forced", excursion);
+    write(prefix + "outside.png", excursion.picture_of_culling(excursion.from_outside(), time_s));
+}
+
+}  // namespace
+
+int main(int count, char **arguments)
+{
+    if (count != 2) {
+        std::fprintf(stderr, "usage: %s PREFIX   writes PREFIXview.png, PREFIXforced.png, PREFIXoutside.png\n",
+                     arguments[0]);
+        return 2;
+    }
+    try {
+        run(arguments[1]);
+        return 0;
+    } catch (const std::exception &failure) {
+        std::fprintf(stderr, "%s\n", failure.what());
+        return 1;
+    }
+}
