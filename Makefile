@@ -4,7 +4,7 @@ BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 
-.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept abi-accept install package docs test-i386 test-arm64 test-mingw test-nehalem check format clean
+.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept abi-accept install package test-package docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -14,7 +14,7 @@ help:
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
-	@echo "make package    Debian packages into out/packages"
+	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
 	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
 	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
 
@@ -90,6 +90,10 @@ package: build
 	@mkdir -p out
 	@cpack --config $(BUILD)/CPackConfig.cmake -B out/packages > out/packages.log || { cat out/packages.log; exit 1; }
 	@ls -l out/packages/*.deb
+
+# What make package makes, on a bare Debian 12.
+test-package: package
+	@tests/bare_debian.sh out/packages
 
 # The reference of include/claque; a warning is an error.
 docs:
