@@ -6,6 +6,7 @@
 #include "passes/gl_state.h"
 #include "passes/parts.h"
 #include "passes/prepared.h"
+#include "passes/shadow_batch.h"
 
 #include <array>
 
@@ -32,7 +33,13 @@ struct Scratch {
     static constexpr uint32_t batch_vertices = 2048, batch_indices = 8192;  // what stays in a processor's cache
 
     explicit Scratch(std::pmr::memory_resource *memory)
-        : ubyte(memory), ubyte_table(memory), real(memory), real_table(memory), chain(memory), batch(memory)
+        : ubyte(memory),
+          ubyte_table(memory),
+          real(memory),
+          real_table(memory),
+          chain(memory),
+          batch(memory),
+          shadow(memory)
     {
     }
     // Grow only; throw std::bad_alloc.
@@ -46,6 +53,7 @@ struct Scratch {
     Array<Real4> real_table;
     Array<math::Affine> chain;  // products of nodes, one a depth: see MatrixWalk
     BatchArrays batch;
+    ShadowArrays shadow;
 };
 
 struct Individual {

@@ -54,6 +54,13 @@ void load_state(Loader &want, Gl11 &t)
     want(t.DepthFunc, "glDepthFunc");
     want(t.DepthMask, "glDepthMask");
     want(t.ColorMask, "glColorMask");
+    want(t.BlendFunc, "glBlendFunc");
+    want(t.PolygonOffset, "glPolygonOffset");
+    want(t.StencilFunc, "glStencilFunc");
+    want(t.StencilOp, "glStencilOp");
+    want(t.StencilMask, "glStencilMask");
+    want(t.ClearStencil, "glClearStencil");
+    want(t.Clear, "glClear");
     want(t.CullFace, "glCullFace");
     want(t.FrontFace, "glFrontFace");
     want(t.LightModeli, "glLightModeli");

@@ -30,7 +30,8 @@ constexpr Enum back = 0x0405, cw = 0x0900, ccw = 0x0901, front_and_back = 0x0408
 constexpr Enum triangles = 0x0004;
 constexpr Enum signed_byte = 0x1400, unsigned_byte = 0x1401, signed_short = 0x1402, unsigned_short = 0x1403;
 constexpr Enum unsigned_int = 0x1405, real = 0x1406;
-constexpr Enum equal = 0x0202, lequal = 0x0203, gequal = 0x0206;
+constexpr Enum equal = 0x0202, lequal = 0x0203, notequal = 0x0205, gequal = 0x0206;
+constexpr Enum src_alpha = 0x0302, one_minus_src_alpha = 0x0303, keep = 0x1E00, replace = 0x1E01;
 
 constexpr Enum version = 0x1F02, extensions = 0x1F03;
 constexpr Enum render_mode = 0x0C40, render = 0x1C00, rgba_mode = 0x0C31, list_index = 0x0B33;
@@ -44,6 +45,8 @@ constexpr Enum max_modelview_stack_depth = 0x0D36;
 
 constexpr Enum alpha_test = 0x0BC0, blend = 0x0BE2, colour_logic_op = 0x0BF2, colour_writemask = 0x0C23;
 constexpr Enum cull_face = 0x0B44, depth_test = 0x0B71, normalize = 0x0BA1;
+constexpr Enum lighting = 0x0B50, stencil_test = 0x0B90, polygon_offset_fill = 0x8037;
+constexpr Enum stencil_bits = 0x0D57, viewport = 0x0BA2;
 constexpr Enum line_smooth = 0x0B20, line_stipple = 0x0B24, polygon_smooth = 0x0B41, polygon_stipple = 0x0B42;
 constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;  // the last is GL 1.3: used where the host has it
 constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_model_two_side = 0x0B52;
@@ -64,7 +67,7 @@ constexpr Enum vertex_array = 0x8074, normal_array = 0x8075, colour_array = 0x80
 constexpr Enum texture_coord_array = 0x8078, edge_flag_array = 0x8079;
 
 constexpr Bits current_bit = 0x1, polygon_bit = 0x8, pixel_mode_bit = 0x20, lighting_bit = 0x40;
-constexpr Bits depth_buffer_bit = 0x100, enable_bit = 0x2000, colour_buffer_bit = 0x4000, texture_bit = 0x40000;
+constexpr Bits depth_buffer_bit = 0x100, stencil_buffer_bit = 0x400, enable_bit = 0x2000, colour_buffer_bit = 0x4000, texture_bit = 0x40000;
 constexpr Bits client_pixel_store_bit = 0x1, client_vertex_array_bit = 0x2;
 constexpr Bits all_attrib_bits = 0xfffff, all_client_attrib_bits = 0xffffffff;
 }  // namespace gl
@@ -87,6 +90,13 @@ struct Gl11 {
     void(CLAQUE_GL_CALL *DepthFunc)(Enum function) = nullptr;
     void(CLAQUE_GL_CALL *DepthMask)(Bool writes) = nullptr;
     void(CLAQUE_GL_CALL *ColorMask)(Bool r, Bool g, Bool b, Bool a) = nullptr;
+    void(CLAQUE_GL_CALL *BlendFunc)(Enum source, Enum destination) = nullptr;
+    void(CLAQUE_GL_CALL *PolygonOffset)(float factor, float units) = nullptr;
+    void(CLAQUE_GL_CALL *StencilFunc)(Enum function, int32_t reference, uint32_t mask) = nullptr;
+    void(CLAQUE_GL_CALL *StencilOp)(Enum fails, Enum depth_fails, Enum passes) = nullptr;
+    void(CLAQUE_GL_CALL *StencilMask)(uint32_t mask) = nullptr;
+    void(CLAQUE_GL_CALL *ClearStencil)(int32_t value) = nullptr;
+    void(CLAQUE_GL_CALL *Clear)(Bits buffers) = nullptr;
     void(CLAQUE_GL_CALL *CullFace)(Enum face) = nullptr;
     void(CLAQUE_GL_CALL *FrontFace)(Enum winding) = nullptr;
     void(CLAQUE_GL_CALL *LightModeli)(Enum name, int32_t value) = nullptr;

@@ -38,10 +38,10 @@ void disable_arrays(const Gl11 &gl)
     for (const gl::Enum array : arrays) gl.DisableClientState(array);
 }
 
-StateGuard::StateGuard(const Gl11 &gl, Guard mode) : gl_(gl), mode_(mode)
+StateGuard::StateGuard(const Gl11 &gl, Guard mode, gl::Bits more) : gl_(gl), mode_(mode)
 {
     if (mode_ == Guard::none) return;
-    if (mode_ == Guard::full) gl_.PushAttrib(touched_groups);
+    if (mode_ == Guard::full) gl_.PushAttrib(touched_groups | more);
     gl_.PushClientAttrib(gl::client_vertex_array_bit);
     gl_.GetIntegerv(gl::matrix_mode, &matrix_mode_);
     gl_.GetDoublev(gl::modelview_matrix, modelview_);

@@ -96,7 +96,8 @@ StackPlaces places_of(Guard mode);
 class StateGuard
 {
 public:
-    StateGuard(const Gl11 &gl, Guard mode);
+    // `more`: attribute groups that the caller touches beside those that a draw does.
+    StateGuard(const Gl11 &gl, Guard mode, gl::Bits more = 0);
     ~StateGuard();
     StateGuard(const StateGuard &) = delete;
     StateGuard &operator=(const StateGuard &) = delete;

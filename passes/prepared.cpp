@@ -181,6 +181,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
         if (options.linear_clean && !ready.batched) prepare_smooth(ready, source, level, step);
         if (&level == &source.levels[0]) out.step = step;
         prepare_ranges(ready, ready.drawn(level));
+        prepare_shadow(ready, level);
     }
     prepare_placement(out);
     return base::Status::good();

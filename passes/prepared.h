@@ -61,7 +61,9 @@ struct PreparedLevel {
           normals(memory),
           steps(memory),
           smoothed(memory),
-          linear(memory)
+          linear(memory),
+          shadow_indices(memory),
+          shadow_firsts(memory)
     {
     }
     Array<uint16_t> short_indices;      // as model::Level::indices, or empty: those are used
@@ -79,6 +81,9 @@ struct PreparedLevel {
     Array<model::Level> smoothed;
     Array<uint8_t> linear;
     const model::Level &drawn(const model::Level &level) const { return smoothed.empty() ? level : smoothed[0]; }
+
+    Array<uint32_t> shadow_indices;  // every triangle once, part by part, by source vertices: see ShadowDrawer
+    Array<uint32_t> shadow_firsts;   // where each part begins, and the end
 };
 
 struct PreparedTemplate {
@@ -101,6 +106,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
 // Of one level; the first is false where GL cannot place its parts, which leaves `out` as it was.
 bool prepare_rigid(PreparedLevel &out, const model::Template &source, const model::Level &level);
 void prepare_ranges(PreparedLevel &out, const model::Level &level);
+void prepare_shadow(PreparedLevel &out, const model::Level &level);
 
 // Of the templates prepared, or null.
 const PreparedTemplate *find(const Array<PreparedTemplate> &templates, const model::Template *tmpl);

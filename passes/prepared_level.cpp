@@ -152,6 +152,23 @@ void prepare_ranges(PreparedLevel &out, const model::Level &level)
     }
 }
 
+void prepare_shadow(PreparedLevel &out, const model::Level &level)
+{
+    const auto add = [&](model::IndexRange share) {
+        const auto first = level.indices.begin() + std::ptrdiff_t(share.first);
+        out.shadow_indices.insert(out.shadow_indices.end(), first, first + std::ptrdiff_t(share.count));
+    };
+    for (uint32_t part = 0; part < part_count_of(level); ++part) {
+        out.shadow_firsts.push_back(static_cast<uint32_t>(out.shadow_indices.size()));
+        for (const model::Surface &surface : level.surfaces) {
+            const Stretches stretches(level, surface);
+            for (size_t bin = 0; bin < surface.clean.size(); ++bin) add(part_of(stretches.clean(bin), part));
+            add(part_of(stretches.dirty(), part));
+        }
+    }
+    out.shadow_firsts.push_back(static_cast<uint32_t>(out.shadow_indices.size()));
+}
+
 bool prepare_rigid(PreparedLevel &out, const model::Template &source, const model::Level &level)
 {
     if (level.source_count == 0) return level.indices.empty();

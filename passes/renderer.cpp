@@ -96,6 +96,7 @@ base::Status Renderer::add(const model::Template &tmpl)
     if (!status.ok()) return status;
     scratch_.reserve(options_.colours, most_vertices(tmpl), most_slots(tmpl));
     scratch_.reserve_chain(deepest(prepared));
+    scratch_.shadow.reserve(most_vertices(tmpl));
     const auto batched = [](const PreparedLevel &level) { return level.batched; };
     if (std::any_of(prepared.levels.begin(), prepared.levels.end(), batched)) scratch_.reserve_batch(options_.colours);
     upload_textures(gl_, prepared);

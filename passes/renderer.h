@@ -6,6 +6,8 @@
 
 #include "passes/canvas.h"
 #include "passes/preflight.h"
+#include "passes/shadow.h"
+#include "passes/shadow_drawer.h"
 
 namespace claque::passes
 {
@@ -41,6 +43,12 @@ public:
     // drawn, nor is anybody after it if it is still there after the second hook.
     base::Status draw(const draw::DrawList &list, DrawStats *out_stats);
 
+    // Darkens the ground by the shadows of all items, of those kept for it alone too; GL's state is afterwards as it
+    // was, whatever the guard mode. `out_stats` may be null.
+    // Fails: as draw(); CLQ_GL_STATE also where the target lacks the stencil bit that is lent. CLQ_OUT_OF_MEMORY also
+    // where there is no room for a mask of the viewport; nothing is drawn then.
+    base::Status draw_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowStats *out_stats);
+
     // Deletes the textures; the context must be current. May be opened again afterwards.
     void destroy();
     // The context is lost: forgets everything without one GL call. May be opened again in another one.
@@ -50,6 +58,7 @@ private:
     base::Status check_items(const draw::DrawList &list) const;
     base::Status check_item(const draw::DrawList &list, const draw::Item &item, const PreparedTemplate &prepared) const;
     StackPlaces places_for(const draw::DrawList &list) const;
+    base::Status check_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowTarget &target);
     base::Status add(const model::Template &tmpl);
 
     RendererOptions options_;

@@ -5,20 +5,9 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
-#include "passes/renderer.h"
+#include "lib/api/renderer_handle.h"
 
 using namespace claque;
-
-struct clq_renderer {
-    clq_renderer(clq_context *owner, const passes::RendererOptions &options)
-        : context(owner), asked(options.strategy), renderer(&owner->memory, options), held(&owner->memory)
-    {
-    }
-    clq_context *context;
-    passes::Strategy asked;
-    passes::Renderer renderer;
-    std::pmr::vector<clq_template *> held;  // every template it was prepared for
-};
 
 namespace
 {

@@ -47,6 +47,8 @@ struct Item {
     const Hooks *hooks = nullptr;  // or null
     uint32_t generation = 0;       // of the actor, with actor_index
     bool shadow_only = false;      // seen by nobody but its shadow: kept alive, not drawn
+    // In the world: its Reference Point, or its Skeleton Root where that follows the ground. Shadows fall on what is there.
+    double ground[3] = {0, 0, 0};
 };
 
 // Serves vertices of items that no cache holds, at draw time, into memory of its own that is good until the next call.
@@ -61,6 +63,8 @@ struct DrawList {
     explicit DrawList(std::pmr::memory_resource *memory) : items(memory) {}
     model::Array<Item> items;    // sorted by template, texture set, front to back, actor: order is part of the picture
     float projection[16] = {0};  // column-major, as the view has it
+    double eye[3] = {0, 0, 0};   // in the world
+    double world_to_eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major: a rotation
     VertexServer *server = nullptr;
 };
 

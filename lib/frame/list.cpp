@@ -29,6 +29,8 @@ draw::Item Update::item_of(const EyeOf &eye, uint32_t view, const Listed &listed
         item.model_view);
     item.eye_distance_m = listed.distance * frame.settings_.caches.metres_per_unit;
     item.mirrored = place.scale < 0;
+    const glm::dvec3 ground = follows_ground(listed.row) ? place.position : position_of(listed.row);
+    for (int k = 0; k < 3; ++k) item.ground[k] = ground[k];
     return item;
 }
 
@@ -104,6 +106,8 @@ void Update::list_view(uint32_t v)
     view.server.attach(frame.caches_);
     std::copy(std::begin(view.camera.projection), std::end(view.camera.projection), view.list.projection);
     const EyeOf &eye = frame.eyes_[v];
+    for (int k = 0; k < 3; ++k) view.list.eye[k] = eye.eye[k];
+    for (int k = 0; k < 9; ++k) view.list.world_to_eye[k] = eye.world_to_eye[k / 3][k % 3];
     for_slices(static_cast<uint32_t>(listed.size()),
                [&](uint32_t i) { view.list.items[i] = item_of(eye, v, listed[i]); });
     keep_colours(view);

@@ -14,6 +14,12 @@ void Update::place_root(Candidate &candidate) const
         candidate.root = composed(candidate.root, behave::root_at(crowd, row, time_s));
 }
 
+bool Update::follows_ground(uint32_t row) const
+{
+    const crowd::Extra *extra = crowd.ground() ? crowd.extra_of(row) : nullptr;
+    return extra && (extra->most_up != 0 || extra->most_down != 0) && crowd.group_of(row) == model::none;
+}
+
 namespace
 {
 
@@ -21,7 +27,6 @@ namespace
 void put_on_ground(const crowd::Crowd &crowd, uint32_t row, crowd::Place &root)
 {
     const crowd::Extra *extra = crowd.extra_of(row);
-    if (!extra || (extra->most_up == 0 && extra->most_down == 0) || crowd.group_of(row) != model::none) return;
     const double at[3] = {root.position.x, root.position.y, root.position.z};
     const double step = crowd.ground()(crowd.ground_user(), at) - root.position.y;
     // Not a number: there is no ground here.
@@ -35,7 +40,8 @@ void Update::place_roots()
     const uint32_t count = static_cast<uint32_t>(frame.candidates_.size());
     for_slices(count, [this](uint32_t i) { place_root(frame.candidates_[i]); });
     if (crowd.ground())
-        for (Candidate &candidate : frame.candidates_) put_on_ground(crowd, candidate.row, candidate.root);
+        for (Candidate &candidate : frame.candidates_)
+            if (follows_ground(candidate.row)) put_on_ground(crowd, candidate.row, candidate.root);
     frame.stats_.roots_placed = count;
 }
 

@@ -55,6 +55,7 @@ private:
         return frame.sights_[size_t(view) * frame.candidates_.size() + candidate];
     }
     glm::dvec3 position_of(uint32_t row) const;
+    bool follows_ground(uint32_t row) const;
     void place_root(Candidate &candidate) const;
     void look_at(uint32_t candidate);
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_m) const;

@@ -31,6 +31,7 @@ bool of_actors(const BenchArguments &a)
 
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 bool is_geometry(const BenchArguments &a) { return a.subject == "geometry"; }
+bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
 bool has_no_scene(const BenchArguments &a) { return is_growth(a) || is_geometry(a) || is_of_key_poses(a); }
 
 void bench(const BenchArguments &a)
@@ -41,6 +42,7 @@ void bench(const BenchArguments &a)
     const Json report = is_growth(a)         ? bench_growth(a)
                         : is_geometry(a)     ? bench_geometry(a)
                         : is_of_key_poses(a) ? bench_key_poses(a)
+                        : is_of_shadows(a)   ? bench_shadows(a)
                         : along_path         ? bench_along_path(a)
                         : of_actors(a)       ? bench_actors(a)
                                              : bench_by_count(a);
@@ -51,6 +53,7 @@ void bench(const BenchArguments &a)
     else if (is_growth(a)) print_growth(report);
     else if (is_geometry(a)) print_geometry(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
+    else if (is_of_shadows(a)) print_shadows(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
@@ -94,12 +97,19 @@ void add_bench(CLI::App &app, Work &chosen)
         ->delimiter(',')
         ->check(cache_choice)
         ->capture_default_str();
-    c->add_option(
-         "--lod", a->lods,
-         "Along the path of the odeon: people with levels of detail, or without, or both with a comma (S1 Fig. 8)")
+    c->add_option("--lod", a->lods,
+                  "Along the path of the odeon: people with levels of detail, or without, or both with a comma (S1 "
+                  "Fig. 8); with "
+                  "--shadows one of them")
         ->delimiter(',')
         ->check(CLI::IsMember({"off", "on"}))
         ->capture_default_str();
+    c->add_option(
+         "--shadows", a->shadows,
+         "What shadows on the ground cost, by kind, with commas, instead of caches and varieties: none, blob, mesh, "
+         "and with a stencil bit lent blob-stencil, mesh-stencil")
+        ->delimiter(',')
+        ->check(CLI::IsMember(shadow_names()));
     c->add_option("--frames", a->frames, "Measured frames a run, or a section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -121,7 +131,8 @@ void add_bench(CLI::App &app, Work &chosen)
         if (cull->count() > 0 && !of_actors(*a))
             throw CLI::ValidationError("--cull",
                                        "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
-        if (a->lods != std::vector<std::string>{"off"} && (a->stage.camera != "path" || scene_of(a->stage) != "odeon"))
+        if (a->lods != std::vector<std::string>{"off"} && !is_of_shadows(*a) &&
+            (a->stage.camera != "path" || scene_of(a->stage) != "odeon"))
             throw CLI::ValidationError("--lod", "is for the odeon along its path");
         if (a->subject == "ten_thousand" && count->count() == 0) a->counts = {100, 1000, 10000, 20000};
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
@@ -129,6 +140,9 @@ void add_bench(CLI::App &app, Work &chosen)
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())
                 if (a->stage.scene == entry.name) a->counts = {entry.default_count};
+        if (is_of_shadows(*a) && (has_no_scene(*a) || of_actors(*a) || !a->operations.empty()))
+            throw CLI::ValidationError("--shadows",
+                                       "is for scenes with a ground: plaza, multitude, ten_thousand, parade");
         if (!a->operations.empty() && (!of_actors(*a) || a->counts.size() > 1))
             throw CLI::ValidationError("--counts",
                                        "is for one scene of actors, of one number: hundred_actors, town_sky, vehicle");

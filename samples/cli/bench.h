@@ -13,6 +13,7 @@ struct BenchArguments {
     std::vector<std::string> varieties = variety_names(), caches = cache_names();
     std::vector<std::string> lods = {"off"};
     std::vector<std::string> culls = {"actor", "traditional"};
+    std::vector<std::string> shadows;  // empty: as the scene paints them, and caches and varieties are compared
     std::string save;
     std::string operations;  // file for `claque cost --measured`
     int frames = 25;
@@ -45,6 +46,10 @@ bool is_of_key_poses(const BenchArguments &arguments);
 Json bench_key_poses(const BenchArguments &arguments);
 void print_key_poses(const Json &report);
 std::string markdown_of_key_poses(const Json &report);
+
+// Shadows on the ground, of one kind and another.
+Json bench_shadows(const BenchArguments &arguments);
+void print_shadows(const Json &report);
 
 // Floats against packed vertices.
 Json bench_geometry(const BenchArguments &arguments);

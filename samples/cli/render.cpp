@@ -71,6 +71,9 @@ Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame
     stage.draw_setting();
     stage.gl().Finish();
     const double setting_ms = setting.ms();
+    const Stopwatch darkening;
+    const clq_shadow_stats darkened = stage.draw_shadows();
+    const double shadow_ms = darkening.ms();
     const Stopwatch drawing;
     const clq_draw_stats drawn = stage.draw_crowd();
     const double draw_ms = drawing.ms();
@@ -97,6 +100,8 @@ Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame
                        {"triangles_seen", seen.triangles},
                        {"triangles_sent", drawn.triangles},
                        {"vertices_sent", drawn.vertices}};
+    if (options.shadows.form != scenes::ShadowChoice::Form::painted)
+        report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
     report["counters"] = counters(stage.crowd_stats());
     return report;
 }
@@ -117,6 +122,7 @@ Json measure(scenes::Stage &stage, clq_crowd *crowd, double from_s)
         if (k % 10 != 0) continue;
         stage.draw_setting();
         stage.gl().Finish();
+        stage.draw_shadows();
         const Stopwatch drawing;
         stage.draw_crowd();
         draw.ms.push_back(drawing.ms());
@@ -264,6 +270,11 @@ void add_render(CLI::App &app, Work &chosen)
          "--show", a->stage.show,
          "spheres: the actors' bounding spheres (S0 Fig. 2); levels: a colour for each level of detail (S0 Fig. 9)")
         ->check(CLI::IsMember({"nothing", "spheres", "levels"}));
+    c->add_option(
+         "--shadows", a->stage.shadows,
+         "On the ground, of people: as the scene paints them (default), none, or claque's: blob, an ellipse each; "
+         "mesh, from what they show; -stencil: with a stencil bit lent. Not in every scene")
+        ->check(CLI::IsMember(shadow_names()));
     CLI::Option *time = c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
     c->add_option("--frames", a->frames,
                   "A sequence, first to last, or all of a camera path; frame k shows k / fps seconds")

@@ -80,6 +80,9 @@ void add_stage_options(CLI::App &command, StageArguments &a)
     command.add_option("--key-pose-rate", a.key_pose_hz, "Of the caches keypose-*: key-poses a second of each clip")
         ->check(CLI::Range(0.5, 120.0))
         ->capture_default_str();
+    command.add_option("--blob-from", a.blob_from_m, "Of shadows mesh: ellipses from so many metres")
+        ->check(CLI::Range(0.0, 1e9))
+        ->capture_default_str();
     command.add_option("--seed", a.seed, "Of everything that is drawn by lot")->capture_default_str();
     command
         .add_option("--threads", a.threads, "For the update, through oneTBB; may exceed the cores (default: the cores)")
@@ -142,6 +145,8 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.show = a.show == "spheres"  ? scenes::Show::spheres
                    : a.show == "levels" ? scenes::Show::levels
                                         : scenes::Show::nothing;
+    options.shadows = shadows_named(a.shadows);
+    options.shadows.blob_from_m = static_cast<float>(a.blob_from_m);
     options.shot = a.camera == "close"                     ? scenes::Shot::close
                    : a.camera == "path" || !a.path.empty() ? scenes::Shot::path
                                                            : scenes::Shot::overview;
@@ -168,6 +173,31 @@ const std::vector<std::string> &variety_names()
 clq_variety variety_named(const std::string &name)
 {
     return name == "per-zone" ? CLQ_VARIETY_PER_ZONE : name == "binned" ? CLQ_VARIETY_BINNED : CLQ_VARIETY_FUSED;
+}
+
+const std::vector<std::string> &shadow_names()
+{
+    static const std::vector<std::string> names = {"painted", "none", "blob", "mesh", "blob-stencil", "mesh-stencil"};
+    return names;
+}
+
+scenes::ShadowChoice shadows_named(const std::string &name)
+{
+    using Form = scenes::ShadowChoice::Form;
+    scenes::ShadowChoice choice;
+    choice.form = name.rfind("blob", 0) == 0   ? Form::blob
+                  : name.rfind("mesh", 0) == 0 ? Form::mesh
+                  : name == "none"             ? Form::none
+                                               : Form::painted;
+    choice.stencil = name.find("-stencil") != std::string::npos;
+    return choice;
+}
+
+Json shadow_counters(const clq_shadow_stats &s)
+{
+    return {{"individuals", s.individuals}, {"blobs", s.blobs}, {"shadow_only", s.shadow_only},
+            {"skinned", s.skinned},         {"draws", s.draws}, {"triangles", s.triangles},
+            {"vertices", s.vertices}};
 }
 
 Json counters(const clq_crowd_stats &s)

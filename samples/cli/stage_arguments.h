@@ -28,6 +28,8 @@ struct StageArguments {
     std::string cull = "actor", placement = "vertices", geometry = "float", show = "nothing";
     double cull_scale = 1;
     std::string lod = "off";  // on the plaza and in the odeon
+    std::string shadows = "painted";
+    double blob_from_m = 40;
 
     int width = 1024, height = 768;
 };
@@ -54,6 +56,10 @@ scenes::StageOptions stage_options(const StageArguments &arguments, const Loaded
 
 clq_variety variety_named(const std::string &name);
 const std::vector<std::string> &variety_names();
+
+const std::vector<std::string> &shadow_names();
+scenes::ShadowChoice shadows_named(const std::string &name);
+Json shadow_counters(const clq_shadow_stats &stats);
 
 Json counters(const clq_crowd_stats &stats);
 Json rates(const clq_crowd_stats &stats);  // the last band has no end: null

@@ -3,6 +3,17 @@
 namespace scenes
 {
 
+clq_shadow_def shadows_in(const Daylight &light)
+{
+    clq_shadow_def def = clq_shadow_def_init();
+    def.light[0] = static_cast<double>(light.to_sun.x);
+    def.light[1] = static_cast<double>(light.to_sun.y);
+    def.light[2] = static_cast<double>(light.to_sun.z);
+    def.rgb[0] = 0.10f, def.rgb[1] = 0.09f, def.rgb[2] = 0.13f;  // the sky's share
+    def.darkness = 0.55f;
+    return def;
+}
+
 void shine(const Gl &g, const Daylight &light, const Eye &eye)
 {
     const float none[4] = {0, 0, 0, 1};

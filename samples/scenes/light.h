@@ -4,6 +4,8 @@
 #include "samples/scenes/eye.h"
 #include "samples/scenes/geometry.h"
 
+#include <claque/shadow.h>
+
 namespace scenes
 {
 
@@ -13,6 +15,9 @@ struct Daylight {
     Rgb sky = {0.38f, 0.40f, 0.44f};     // from everywhere
     Rgb bounce = {0.13f, 0.11f, 0.09f};  // from the side away from the sun
 };
+
+// What claque's shadows are to be in this light (claque/shadow.h).
+clq_shadow_def shadows_in(const Daylight &light);
 
 // Switches lighting on with lights 0 and 1 and sets what claque inherits; the model-view matrix is the eye's view
 // afterwards. Materials follow colours.

@@ -81,6 +81,14 @@ public:
         return frame(all ? rows_ : 1, all ? columns_ : std::min(columns_, 3), aspect);
     }
 
+    bool take_shadows(clq_shadow_def &def) override
+    {
+        paints_people_ = false;
+        def = shadows_in(light_);
+        def.ground = CLQ_SHADOW_GROUND_PLANE;  // characters need not stand on their origin
+        return true;
+    }
+
     void place(double) override {}
 
     void prepare(const Gl &gl) override { shadows_.prepare(gl); }
@@ -91,7 +99,7 @@ public:
         shine(g, light_, eye);
         g.Disable(gl::lighting);
         ground_.draw(g);
-        shadows_.draw(g);
+        if (paints_people_) shadows_.draw(g);
     }
 
 private:
@@ -226,6 +234,7 @@ private:
     Sky sky_;
     Geometry ground_;
     Shadows shadows_;
+    bool paints_people_ = true;
 };
 
 }  // namespace

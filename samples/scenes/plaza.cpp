@@ -62,6 +62,13 @@ public:
         placed_ = true;
     }
 
+    bool take_shadows(clq_shadow_def &def) override
+    {
+        paints_people_ = false;
+        def = shadows_in(light_);
+        return true;
+    }
+
     void prepare(const Gl &gl) override
     {
         flagstones_.emplace(gl, flagstones(seed_), true);
@@ -80,7 +87,7 @@ public:
         g.Enable(gl::cull_face);
         plaster_->use();
         stone_.draw(g);
-        shadows_.cast(cast_.places(), light_.to_sun, citizen_height_m, citizen_shadow_width_m);
+        if (paints_people_) shadows_.cast(cast_.places(), light_.to_sun, citizen_height_m, citizen_shadow_width_m);
         shadows_.draw(g);
     }
 
@@ -153,7 +160,7 @@ private:
     double walk_speed_;      // metres a second of the walk clip at speed and scale 1
     PlazaLayout layout_;
     Cast cast_;
-    bool placed_ = false;
+    bool placed_ = false, paints_people_ = true;
     Daylight light_;
     Sky sky_;
     Geometry ground_, field_, stone_ = Geometry(plaster_metres);

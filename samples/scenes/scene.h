@@ -7,6 +7,8 @@
 #include "samples/scenes/eye.h"
 #include "samples/scenes/gl.h"
 
+#include <claque/shadow.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,6 +45,9 @@ public:
     virtual void prepare(const Gl &gl) = 0;
     // Draws all but the crowd into a cleared picture, and leaves the lights on for it.
     virtual void draw_setting(const Gl &gl, const Eye &eye) const = 0;
+    // Shadows of people are claque's to draw from now on, or nobody's: those that the scene paints itself are left out. Says
+    // what light they fall in; false where the scene has no ground for them, and then nothing has changed.
+    virtual bool take_shadows(clq_shadow_def &) { return false; }
     // From now on it leaves out what a pyramid of this share of the picture's does not meet, where it culls at all.
     virtual void cull_by(double) {}
 };

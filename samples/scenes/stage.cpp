@@ -20,7 +20,22 @@ Stage::Stage(Library &library, const StageOptions &options) : library_(library),
     check(clq_view_set_height(view, static_cast<float>(options.height)));
     check(clq_view_set_cull_scale(view, options.cull_scale));
     if (options.cull_scale < 1) scene_->cull_by(static_cast<double>(options.cull_scale));
+    if (options.shadows.form != ShadowChoice::Form::painted) take_shadows();
     use_variety(options.variety);
+}
+
+void Stage::take_shadows()
+{
+    if (!scene_->take_shadows(shadows_))
+        throw Failure("the scene '" + options_.scene + "' has no ground that shadows could fall on");
+    shadows_.stencil_bit = options_.shadows.stencil ? 0 : -1;
+    shadows_.blob_distance_m = options_.shadows.form == ShadowChoice::Form::blob ? 0.0f : options_.shadows.blob_from_m;
+    if (options_.shadows.form == ShadowChoice::Form::none) return;
+    // As far as a person's shadow reaches: whoever is out of view may throw one into it.
+    constexpr double tall_m = 2.2;
+    float fall[3];
+    for (int k = 0; k < 3; ++k) fall[k] = static_cast<float>(-shadows_.light[k] / shadows_.light[1] * tall_m);
+    check(clq_view_set_shadow(view_.get(), fall));
 }
 
 Stage::~Stage()
@@ -85,6 +100,16 @@ void Stage::draw_setting()
     scene_->draw_setting(gl_, eye_);
 }
 
+clq_shadow_stats Stage::draw_shadows()
+{
+    clq_shadow_stats stats = {};
+    const ShadowChoice::Form form = options_.shadows.form;
+    if (form == ShadowChoice::Form::painted || form == ShadowChoice::Form::none) return stats;
+    check(clq_renderer_draw_shadows(renderer_, view_.get(), &shadows_, &stats));
+    gl_.Finish();
+    return stats;
+}
+
 clq_draw_stats Stage::draw_crowd()
 {
     clq_draw_stats stats = {};
@@ -109,6 +134,7 @@ const std::vector<uint8_t> &Stage::picture(double time_s)
 {
     update(time_s);
     draw_setting();
+    draw_shadows();
     draw_crowd();
     draw_show();
     return read();

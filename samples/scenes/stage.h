@@ -13,6 +13,15 @@
 namespace scenes
 {
 
+// Of people on the ground: as the scene paints them, none, or claque's (claque/shadow.h) by ellipses or from what people show,
+// with a stencil bit lent or without.
+struct ShadowChoice {
+    enum class Form { painted, none, blob, mesh };
+    Form form = Form::painted;
+    bool stencil = false;
+    float blob_from_m = 40;  // of Form::mesh
+};
+
 struct StageOptions {
     std::string scene = "plaza";
     Casting casting;
@@ -26,12 +35,13 @@ struct StageOptions {
     bool linear_clean = false;  // clq_renderer_def.linear_clean
     float cull_scale = 1;       // of the culling pyramid, against the picture's (S0 Fig. 10)
     Show show = Show::nothing;
+    ShadowChoice shadows;
 };
 
 class Stage
 {
 public:
-    // Throws Failure, also where Shot::path is asked for and there is none. Its context is current afterwards.
+    // Throws Failure, also where Shot::path is asked for and there is none, and where the scene has no ground for shadows. Its context is current afterwards.
     Stage(Library &library, const StageOptions &options);
     ~Stage();
     Stage(const Stage &) = delete;
@@ -40,6 +50,8 @@ public:
     // Everything that costs no GL: who is where, and clq_crowd_update.
     void update(double time_s);
     void draw_setting();
+    // Of people, where they are claque's: after the setting, before the crowd; waits as draw_crowd() does.
+    clq_shadow_stats draw_shadows();
     // What StageOptions::show asks for, over all the rest.
     void draw_show();
     // The crowd alone, waiting for GL before and after, so that it can be timed.
@@ -67,6 +79,8 @@ public:
     const std::optional<CameraPath> &path() const { return options_.path; }
 
 private:
+    void take_shadows();
+
     Library &library_;
     StageOptions options_;
     std::unique_ptr<contexts::Offscreen> offscreen_;
@@ -75,6 +89,7 @@ private:
     Own<clq_view> view_;
     std::array<Own<clq_renderer>, 3> renderers_;  // by variety; made when first used
     clq_renderer *renderer_ = nullptr;            // one of them
+    clq_shadow_def shadows_ = {};                 // where they are claque's
     Eye eye_ = {};
     double moved_px_[2] = {0, 0};  // the picture, right and up
     std::vector<uint8_t> rgb_;

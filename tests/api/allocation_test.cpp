@@ -260,5 +260,13 @@ TEST_F(Allocation, a_renderer_fails_cleanly_and_drawing_allocates_nothing)
     fm::arm(1, fm::Reach::host_only, true);
     EXPECT_EQ(clq_renderer_draw(renderer, view_, nullptr), CLQ_OK) << clq_last_error();
     EXPECT_EQ(fm::disarm(), 0u);
+    // The mask of the viewport is made at the first shadows, and kept.
+    const clq_shadow_def shadows = clq_shadow_def_init();
+    fail_each(
+        "clq_renderer_draw_shadows", fm::Reach::host_only, 1,
+        [&] { return clq_renderer_draw_shadows(renderer, view_, &shadows, nullptr); }, [] {}, Memory::may_be_kept);
+    fm::arm(1, fm::Reach::host_only, true);
+    EXPECT_EQ(clq_renderer_draw_shadows(renderer, view_, &shadows, nullptr), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(fm::disarm(), 0u);
     clq_renderer_destroy(renderer);
 }

@@ -72,6 +72,7 @@ TEST_F(Arguments, null_pointers_are_refused_by_every_call)
     EXPECT_EQ(clq_camera_look_at(&camera, nullptr, nullptr, nullptr, 1, 1, 1, 2), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_create(context_, nullptr, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_draw(nullptr, view_, nullptr), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_renderer_draw_shadows(nullptr, view_, nullptr, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_template_find_clip(nullptr, "bend"), CLQ_NONE);
     clq_crowd_destroy(nullptr), clq_template_destroy(nullptr), clq_renderer_destroy(nullptr), clq_view_destroy(nullptr);
     EXPECT_EQ(clq_context_destroy(nullptr), CLQ_OK);

@@ -93,6 +93,33 @@ TEST_F(Render, samples_smooth_edges_and_skin_nobody_again)
     EXPECT_GT(counters["visible"].get<int>(), 20);
 }
 
+TEST_F(Render, shadows_by_claque_are_another_picture_and_skin_nobody)
+{
+    const std::string none = picture_hash({"--shadows", "none"}), mesh = picture_hash({"--shadows", "mesh"});
+    const Json report = Json::parse(file_text(path("hash.json")));
+    EXPECT_GT(report["frames"][0]["shadows"]["individuals"], 20);
+    EXPECT_EQ(report["frames"][0]["shadows"]["skinned"], 0);
+    EXPECT_NE(mesh, none);
+    EXPECT_NE(picture_hash({"--shadows", "blob"}), mesh);
+    EXPECT_EQ(picture_hash({"--shadows", "painted"}), picture_hash({}));
+    const Outcome seats = claque({"render", "--scene", "odeon", "--shadows", "mesh", "--out", path("a.png")});
+    EXPECT_EQ(seats.code, 1);
+    EXPECT_NE(seats.err.find("'odeon' has no ground that shadows could fall on"), std::string::npos) << seats.err;
+}
+
+TEST_F(Render, bench_compares_kinds_of_shadows_in_one_run)
+{
+    const Outcome done = claque({"bench", "plaza", "--count", "20", "--frames", "2", "--size", "96x72", "--shadows",
+                                 "none,blob,mesh-stencil", "--json"});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json runs = Json::parse(done.out)["runs"];
+    ASSERT_EQ(runs.size(), 3u);
+    for (const Json &run : runs) EXPECT_EQ(run["skinned_when_drawn"], 0);
+    EXPECT_EQ(runs[0]["drawn"]["individuals"], 0);
+    EXPECT_EQ(runs[1]["drawn"]["blobs"], runs[1]["drawn"]["individuals"]);
+    EXPECT_GT(runs[2]["drawn"]["triangles"], 1000);
+}
+
 TEST_F(Render, osmesa_and_egl_draw_the_same_picture)
 {
     for (const char *kind : {"osmesa", "egl"})

@@ -59,6 +59,13 @@ public:
         return look({0, 0.55 * half + 4, 1.7 * half + 6}, {0, 0, 0.2 * half}, 48, aspect, 1, 900);
     }
 
+    bool take_shadows(clq_shadow_def &def) override
+    {
+        paints_people_ = false;
+        def = shadows_in(light_);
+        return true;
+    }
+
     void place(double) override {}
     void prepare(const Gl &gl) override { shadows_.prepare(gl); }
 
@@ -68,7 +75,7 @@ public:
         shine(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
-        shadows_.draw(g);
+        if (paints_people_) shadows_.draw(g);
     }
 
 private:
@@ -127,6 +134,7 @@ private:
     Sky sky_;
     Geometry ground_;
     Shadows shadows_;
+    bool paints_people_ = true;
 };
 
 }  // namespace

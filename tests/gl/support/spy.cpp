@@ -69,6 +69,13 @@ void add_state(Table &t)
     add<&Gl11::DepthFunc>(t, "glDepthFunc");
     add<&Gl11::DepthMask>(t, "glDepthMask");
     add<&Gl11::ColorMask>(t, "glColorMask");
+    add<&Gl11::BlendFunc>(t, "glBlendFunc");
+    add<&Gl11::PolygonOffset>(t, "glPolygonOffset");
+    add<&Gl11::StencilFunc>(t, "glStencilFunc");
+    add<&Gl11::StencilOp>(t, "glStencilOp");
+    add<&Gl11::StencilMask>(t, "glStencilMask");
+    add<&Gl11::ClearStencil>(t, "glClearStencil");
+    add<&Gl11::Clear>(t, "glClear");
     add<&Gl11::CullFace>(t, "glCullFace");
     add<&Gl11::FrontFace>(t, "glFrontFace");
     add<&Gl11::LightModeli>(t, "glLightModeli");

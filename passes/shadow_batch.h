@@ -1,0 +1,64 @@
+// Shadows of several individuals in one call: flattened triangles in eye space, one behind the other.
+#pragma once
+
+#include "passes/gl11.h"
+#include "passes/shadow.h"
+#include "passes/span_mask.h"
+
+#include <glm/vec3.hpp>
+
+namespace claque::passes
+{
+
+using model::Array;
+
+// Memory of shadows. Grows only.
+struct ShadowArrays {
+    static constexpr uint32_t batch_vertices = 2048, batch_indices = 8192;
+
+    explicit ShadowArrays(std::pmr::memory_resource *memory)
+        : flat(memory), window(memory), positions(memory), indices(memory), mask(memory)
+    {
+    }
+    void reserve(uint32_t vertices);  // throws std::bad_alloc
+
+    Array<float> flat;        // of one individual, in eye space, on the ground; 3 a vertex
+    Array<glm::vec3> window;  // the same in pixels, with clip space's w
+    Array<float> positions;   // of a batch
+    Array<uint16_t> indices;
+    SpanMask mask;
+};
+
+// What becomes of flattened triangles. `positions`: in eye space, 3 a vertex.
+struct Flat {
+    const float *positions = nullptr;
+    uint32_t vertices = 0;
+    const uint32_t *indices = nullptr;
+    uint32_t count = 0;  // of indices
+};
+
+class ShadowBatch
+{
+public:
+    ShadowBatch(const Gl11 &gl, ShadowArrays &arrays, ShadowStats &stats) : gl_(gl), arrays_(arrays), stats_(stats) {}
+
+    // Draws what it holds first where that leaves no room; large ones by themselves.
+    void add(const Flat &flat);
+    // Two triangles, corners in turn.
+    void add(const glm::vec3 (&corners)[4]);
+    // Draws what it holds. To be called before anything else is drawn, and at the end.
+    void flush();
+    // Triangles of arrays that GL has been given.
+    void draw(const uint32_t *indices, uint32_t count);
+
+private:
+    void make_room(uint32_t vertices, uint32_t indices);
+    void load_identity();
+
+    const Gl11 &gl_;
+    ShadowArrays &arrays_;
+    ShadowStats &stats_;
+    uint32_t vertices_ = 0, indices_ = 0;
+};
+
+}  // namespace claque::passes

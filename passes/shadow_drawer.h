@@ -1,0 +1,56 @@
+// One draw of the shadows of one list: the vertices that its individuals show, thrown on the ground and drawn blended,
+// every pixel at most once. By a stencil bit where the host lends one, else by a mask (see Cover).
+#pragma once
+
+#include "passes/canvas.h"
+#include "passes/preflight.h"
+#include "passes/shadow_cover.h"
+
+#include <optional>
+
+namespace claque::passes
+{
+
+// What the shadows are drawn into, asked before.
+struct ShadowTarget {
+    int32_t width = 0, height = 0;  // of the viewport
+};
+
+// Nothing falls from who has no triangles at its level.
+bool casts(const draw::Item &item);
+
+class ShadowDrawer
+{
+public:
+    ShadowDrawer(const Gl11 &gl, const Preflight &preflight, const Array<PreparedTemplate> &templates, Scratch &scratch,
+                 const draw::DrawList &list, const ShadowOptions &options, ShadowTarget target, ShadowStats &stats);
+
+    // Everything has been checked. Fails: CLQ_OUT_OF_MEMORY (the vertex server had no room for somebody).
+    base::Status draw();
+
+private:
+    void set_state();
+    void set_stencil();
+    bool cast(const draw::Item &item, const PreparedLevel &ready);
+    void cast_blob(const Fall &fall, const PreparedLevel &ready, bool by_indices);
+    void cast_mesh(const Fall &fall, const PreparedLevel &ready);
+    void flatten(const Flattener &flattener, const draw::Vertices &vertices, uint32_t step);
+    void flatten_parts(const Fall &fall, const draw::Item &item, const PreparedLevel &ready);
+    void draw_by_matrix(const Flattener &flattener, const draw::Vertices &vertices, const PreparedLevel &ready);
+    void add(const Fall &fall, const Flat &flat);
+
+    const Gl11 &gl_;
+    const Preflight &preflight_;
+    const Array<PreparedTemplate> &templates_;
+    Scratch &scratch_;
+    const draw::DrawList &list_;
+    const ShadowOptions &options_;
+    ShadowTarget target_;
+    ShadowStats &stats_;
+    FallOf fall_of_;
+    ShadowBatch batch_;
+    std::optional<Cover> cover_;
+    uint32_t flat_count_ = 0;  // vertices in scratch_.shadow.flat
+};
+
+}  // namespace claque::passes

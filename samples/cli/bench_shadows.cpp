@@ -1,0 +1,140 @@
+// claque bench SCENE --shadows A,B ...: what shadows on the ground cost, side by side in one run, and that nobody is posed or
+// skinned for them.
+#include "samples/cli/bench.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/stopwatch.h"
+
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+namespace cli
+{
+namespace
+{
+
+// Of all threads, GL's too: what others do on the machine counts less than by the clock on the wall.
+class ProcessorWatch
+{
+public:
+    double ms() const { return now_ms() - start_ms_; }
+
+private:
+    static double now_ms()
+    {
+        timespec now = {};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+        return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+    }
+    double start_ms_ = now_ms();
+};
+
+struct Rival {
+    std::string name;
+    std::unique_ptr<scenes::Stage> stage;
+    Times update, shadows, draw;
+    clq_shadow_stats drawn = {};
+    uint64_t skinned = 0;             // by updates
+    uint64_t skinned_when_drawn = 0;  // by drawing, shadows and people
+};
+
+void frame(Rival &rival, double time_s, bool counts)
+{
+    rival.stage->make_current();
+    const ProcessorWatch updating;
+    rival.stage->update(time_s);
+    const double update_ms = updating.ms();
+    rival.stage->draw_setting();
+    rival.stage->gl().Finish();
+    const ProcessorWatch darkening;
+    rival.drawn = rival.stage->draw_shadows();
+    const double shadow_ms = darkening.ms();
+    const ProcessorWatch drawing;
+    rival.stage->draw_crowd();
+    const double draw_ms = drawing.ms();
+    if (!counts) return;
+    rival.update.ms.push_back(update_ms);
+    rival.shadows.ms.push_back(shadow_ms);
+    rival.draw.ms.push_back(draw_ms);
+    rival.skinned += rival.stage->crowd_stats().skinned;
+    rival.skinned_when_drawn += rival.drawn.skinned + rival.stage->crowd_stats().on_demand;
+}
+
+Json about(const Rival &rival, uint32_t count)
+{
+    const auto both = [](const Times &times) -> Json {
+        return {{"minimum", times.minimum()}, {"median", times.median()}};
+    };
+    const clq_view_stats seen = rival.stage->view_stats();
+    Json run = {{"count", count}, {"shadows", rival.name}};
+    run["visible"] = seen.visible - seen.shadow_only;
+    run["shadow_only"] = seen.shadow_only;
+    run["update_ms"] = both(rival.update);
+    run["shadow_ms"] = both(rival.shadows);
+    run["draw_ms"] = both(rival.draw);
+    run["skinned"] = rival.skinned;
+    run["skinned_when_drawn"] = rival.skinned_when_drawn;
+    run["drawn"] = shadow_counters(rival.drawn);
+    run["microseconds_each"] =
+        rival.drawn.individuals > 0 ? 1000 * rival.shadows.median() / rival.drawn.individuals : 0.0;
+    run["draw_microseconds_each"] = 1000 * rival.draw.median() / std::max(1u, seen.visible - seen.shadow_only);
+    return run;
+}
+
+}  // namespace
+
+Json bench_shadows(const BenchArguments &a)
+{
+    Progress progress("claque bench");
+    scenes::Library library(thread_count(a.stage));
+    LoadedCharacter loaded;
+    if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden);
+    Json report = {{"claque", version()}, {"threads", thread_count(a.stage)}, {"frames", a.frames}};
+    report["time"] = "processor time of all threads";
+    report["size_px"] = {a.stage.width, a.stage.height};
+    report["runs"] = Json::array();
+    for (const uint32_t count : a.counts) {
+        std::vector<Rival> rivals(a.shadows.size());
+        for (size_t k = 0; k < rivals.size(); ++k) {
+            StageArguments arguments = a.stage;
+            arguments.count = count;
+            arguments.lod = a.lods.front();
+            arguments.shadows = rivals[k].name = a.shadows[k];
+            const scenes::StageOptions options = stage_options(arguments, loaded);
+            report["scene"] = options.scene;
+            rivals[k].stage = std::make_unique<scenes::Stage>(library, options);
+        }
+        for (int f = 0; f <= a.frames; ++f) {
+            stop_if_asked();
+            for (size_t k = 0; k < rivals.size(); ++k)
+                frame(rivals[(k + static_cast<size_t>(f)) % rivals.size()], f / 25.0, f > 0);
+            progress.step(static_cast<size_t>(f), static_cast<size_t>(a.frames));
+        }
+        for (const Rival &rival : rivals) report["runs"].push_back(about(rival, count));
+    }
+    return report;
+}
+
+void print_shadows(const Json &report)
+{
+    std::printf("%s, %d threads, %d frames; milliseconds of processor time of all threads, medians\n",
+                report["scene"].get<std::string>().c_str(), report["threads"].get<int>(), report["frames"].get<int>());
+    std::printf("%6s  %-13s %7s %7s %8s %8s %9s  %9s %9s  %7s %7s %8s %9s\n", "people", "shadows", "visible", "outside",
+                "update", "shadows", "draw", "us each", "of draw", "skinned", "at draw", "draws", "triangles");
+    for (const Json &run : report["runs"]) {
+        const double each = run["microseconds_each"].get<double>();
+        std::printf("%6u  %-13s %7u %7u %8.3f %8.3f %9.3f  %9.3f %9.3f  %7u %7u %8u %9u\n",
+                    run["count"].get<unsigned>(), run["shadows"].get<std::string>().c_str(),
+                    run["visible"].get<unsigned>(), run["shadow_only"].get<unsigned>(),
+                    run["update_ms"]["median"].get<double>(), run["shadow_ms"]["median"].get<double>(),
+                    run["draw_ms"]["median"].get<double>(), each, each / run["draw_microseconds_each"].get<double>(),
+                    run["skinned"].get<unsigned>(), run["skinned_when_drawn"].get<unsigned>(),
+                    run["drawn"]["draws"].get<unsigned>(), run["drawn"]["triangles"].get<unsigned>());
+    }
+    std::printf(
+        "outside: of whom only the shadow is seen; us each: microseconds of a shadow; of draw: against drawing a "
+        "person;\nskinned: by all updates; at draw: by all drawing, for whom no cache had room\n");
+}
+
+}  // namespace cli
