@@ -56,6 +56,7 @@ test-asan test-tsan test-scalar: test-%:
 
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
+	$(BUILD)/tests/bench/claque_impostor_bench
 	@mkdir -p out
 	$(CLAQUE) bench odeon --lod off,on --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
