@@ -270,10 +270,8 @@ void add_render(CLI::App &app, Work &chosen)
          "--show", a->stage.show,
          "spheres: the actors' bounding spheres (S0 Fig. 2); levels: a colour for each level of detail (S0 Fig. 9)")
         ->check(CLI::IsMember({"nothing", "spheres", "levels"}));
-    c->add_option(
-         "--shadows", a->stage.shadows,
-         "On the ground, of people: as the scene paints them (default), none, or claque's: blob, an ellipse each; "
-         "mesh, from what they show; -stencil: with a stencil bit lent. Not in every scene")
+    c->add_option("--shadows", a->stage.shadows,
+                  "Of people on the ground: as painted, or claque's ellipses or meshes; -stencil: with a bit lent")
         ->check(CLI::IsMember(shadow_names()));
     CLI::Option *time = c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
     c->add_option("--frames", a->frames,
