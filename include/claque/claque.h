@@ -8,6 +8,7 @@
 
 #include <claque/base.h>
 #include <claque/behave.h>
+#include <claque/colours.h>
 #include <claque/context.h>
 #include <claque/crowd.h>
 #include <claque/group.h>

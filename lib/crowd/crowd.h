@@ -16,6 +16,8 @@
 namespace claque::crowd
 {
 
+class ColourMap;  // colour_map.h
+
 struct Id {
     uint32_t index1 = 0;  // row + 1; 0 is nobody
     uint32_t generation = 0;
@@ -61,6 +63,8 @@ public:
     void set_colours(Id id, const float *rgb, uint32_t zone_count);  // [3 * zone_count], each [0, 1]
     // count 0: the template's own ranges. Drawn by (seed of crowd, seed of actor, zone): repeatable.
     void draw_colours(Id id, const model::HsbRange *ranges, uint32_t count);
+    // Out of a class of a map; all or none.
+    void draw_colours(const Id *ids, uint32_t count, const ColourMap &map, uint32_t colour_class);
 
     void set_texture_set(Id id, uint32_t set);  // drawn_by_lot: by the seeds of crowd and actor
 

@@ -1,8 +1,7 @@
 // Colours of individuals: given, or drawn inside HSB ranges, repeatably from seeds (S2 5).
-#include <cmath>
-
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
+#include "lib/crowd/colour_lots.h"
 #include "lib/crowd/crowd.h"
 #include "lib/math/hsb.h"
 
@@ -21,19 +20,6 @@ void check_range(const model::HsbRange &range, uint32_t zone)
         !between(range.saturation_first, 1) || !between(range.saturation_last, 1) ||
         !between(range.brightness_first, 1) || !between(range.brightness_last, 1))
         fail(CLQ_ARGUMENT, "the range of zone %u leaves [0, 360] degrees or [0, 1]", zone);
-}
-
-math::Rgb8 draw(const model::HsbRange &range, uint64_t crowd_seed, uint64_t seed, uint32_t zone)
-{
-    const auto unit = [&](base::Purpose purpose) {
-        return double(base::unit(base::hash(crowd_seed, seed, purpose, zone)));
-    };
-    const auto in = [](double first, double last, double u) { return first + u * (last - first); };
-    double rgb[3];
-    math::hsb_to_rgb(math::hue_in(range.hue_first_deg, range.hue_last_deg, unit(base::Purpose::hue)),
-                     in(range.saturation_first, range.saturation_last, unit(base::Purpose::saturation)),
-                     in(range.brightness_first, range.brightness_last, unit(base::Purpose::brightness)), rgb);
-    return math::rgb8_of(rgb);
 }
 
 void store(uint8_t *to, math::Rgb8 rgb) { to[0] = rgb.r, to[1] = rgb.g, to[2] = rgb.b; }
@@ -80,8 +66,11 @@ void Crowd::draw_colours(Id id, const model::HsbRange *ranges, uint32_t count)
     }
     if (tmpl.zone_count() == 0) return;
     uint8_t *to = colours_[actors_[row].tmpl].row(colour_slot(row));
-    for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone)
-        store(to + 3 * zone, draw(ranges[zone], seed_, actors_[row].seed, zone));
+    for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone) {
+        double rgb[3];
+        rgb_of(ColourLots(seed_, actors_[row].seed, zone).in(ranges[zone]), rgb);
+        store(to + 3 * zone, math::rgb8_of(rgb));
+    }
 }
 
 void Crowd::set_texture_set(Id id, uint32_t set)

@@ -12,7 +12,8 @@ struct Rgb8 {
 
 // hue in degrees (any, taken round the circle), saturation and brightness in [0, 1] (clamped).
 void hsb_to_rgb(double hue_deg, double saturation, double brightness, double out_rgb[3]);
-Rgb8 rgb8_of(const double rgb[3]);  // rounded to the nearest of 256, clamped
+void rgb_to_hsb(const double rgb[3], double out_hsb[3]);  // hue [0, 360); 0 for greys
+Rgb8 rgb8_of(const double rgb[3]);                        // rounded to the nearest of 256, clamped
 
 // A hue between two, going up from the first; past 360 when first > last. u in [0, 1).
 double hue_in(double first_deg, double last_deg, double u);

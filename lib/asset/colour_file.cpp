@@ -1,0 +1,249 @@
+#include "lib/asset/colour_file.h"
+
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "lib/base/error.h"
+#include "lib/math/hsb.h"
+#include "lib/model/colour_rules.h"
+
+namespace claque::asset
+{
+
+using base::fail;
+
+namespace
+{
+
+constexpr size_t most_bytes = size_t(4) << 20;
+
+// "#3a5fcd" as hue, saturation and brightness of one colour.
+bool read_hex(const std::string &text, clq_hsb_range &out)
+{
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+        return false;
+    double rgb[3], hsb[3];
+    for (size_t k = 0; k < 3; ++k) rgb[k] = double(std::stoi(text.substr(1 + 2 * k, 2), nullptr, 16)) / 255;
+    math::rgb_to_hsb(rgb, hsb);
+    const float hue = float(hsb[0]), saturation = float(hsb[1]), brightness = float(hsb[2]);
+    out = {hue, hue, saturation, saturation, brightness, brightness};
+    return true;
+}
+
+class Reader
+{
+public:
+    Reader(const std::string &name, ColourFile &out) : name_(name), out_(out) {}
+
+    void read(const toml::table &all)
+    {
+        known(all, {"classes"});
+        const toml::node *classes = all.get("classes");
+        if (!classes) refuse(all, "it has no [[classes]]");
+        for (const toml::node &one : list(*classes, "classes")) read_class(table(one, "a class"));
+        out_.def.class_count = uint32_t(out_.classes.size());
+        out_.def.classes = out_.classes.data();
+        const model::BrokenColourRule rule = model::first_broken_rule(out_.def);
+        if (rule.broken) refuse(place_of(rule, all), rule.text);
+    }
+
+    [[noreturn]] void refuse(const toml::source_region &at, const std::string &sentence) const
+    {
+        fail(CLQ_FORMAT, "%s, line %u, column %u: %s", name_.c_str(), unsigned(at.begin.line),
+             unsigned(at.begin.column), sentence.c_str());
+    }
+    [[noreturn]] void refuse(const toml::node &at, const std::string &sentence) const { refuse(at.source(), sentence); }
+
+private:
+    const toml::table &table(const toml::node &node, const std::string &what) const
+    {
+        if (!node.is_table()) refuse(node, what + " is no table");
+        return *node.as_table();
+    }
+
+    const toml::array &list(const toml::node &node, const std::string &what) const
+    {
+        if (!node.is_array()) refuse(node, "'" + what + "' is no list");
+        return *node.as_array();
+    }
+
+    const char *text(const toml::node &node, const std::string &what)
+    {
+        if (!node.is_string()) refuse(node, "'" + what + "' is no text");
+        return keep(*node.value<std::string>(), node);
+    }
+
+    const char *keep(std::string value, const toml::node &at)
+    {
+        if (value.find('\0') != std::string::npos) refuse(at, "a name holds a zero byte");
+        out_.texts.push_back(std::move(value));
+        return out_.texts.back().c_str();
+    }
+
+    float number(const toml::node &node, const std::string &what) const
+    {
+        if (!node.is_number()) refuse(node, "'" + what + "' is no number");
+        return float(*node.value<double>());
+    }
+
+    void known(const toml::table &in, std::initializer_list<std::string_view> keys) const
+    {
+        std::string names;
+        for (const std::string_view key : keys) names += (names.empty() ? "" : ", ") + std::string(key);
+        for (const auto &[key, node] : in)
+            if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
+                refuse(key.source(), "'" + std::string(key.str()) + "' is not known here; there are: " + names);
+    }
+
+    void read_class(const toml::table &from)
+    {
+        known(from, {"name", "template", "zones"});
+        clq_colour_class made = {};
+        if (const toml::node *name = from.get("name")) made.name = text(*name, "name");
+        if (const toml::node *tmpl = from.get("template")) made.tmpl = text(*tmpl, "template");
+        std::vector<clq_zone_colours> &zones = out_.zones.emplace_back();
+        places_.push_back({&from, {}});
+        if (const toml::node *all = from.get("zones"))
+            for (const auto &[key, node] : in_order(table(*all, "'zones'"))) read_zone(*key, *node, zones);
+        made.zone_count = uint32_t(zones.size());
+        made.zones = zones.data();
+        out_.classes.push_back(made);
+    }
+
+    // A parsed table forgets the order of the file.
+    std::vector<std::pair<const toml::key *, const toml::node *>> in_order(const toml::table &from) const
+    {
+        std::vector<std::pair<const toml::key *, const toml::node *>> all;
+        for (const auto &[key, node] : from) all.emplace_back(&key, &node);
+        std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+            const toml::source_position &x = a.first->source().begin, &y = b.first->source().begin;
+            return x.line != y.line ? x.line < y.line : x.column < y.column;
+        });
+        return all;
+    }
+
+    void read_zone(const toml::key &key, const toml::node &node, std::vector<clq_zone_colours> &zones)
+    {
+        const toml::table &from = table(node, "zone '" + std::string(key.str()) + "'");
+        known(from, {"hue", "saturation", "brightness", "colour", "palette", "uniform", "like", "apart"});
+        clq_zone_colours made = {};
+        made.zone = keep(std::string(key.str()), node);
+        if (const toml::node *uniform = from.get("uniform")) {
+            const std::string word = text(*uniform, "uniform");
+            if (word != "hsb" && word != "perceived")
+                refuse(*uniform, "uniform is '" + word + "'; there are: hsb, perceived");
+            made.uniform = word == "perceived" ? CLQ_UNIFORM_PERCEIVED : CLQ_UNIFORM_HSB;
+        }
+        if (const toml::node *like = from.get("like")) made.like = text(*like, "like");
+        if (const toml::node *apart = from.get("apart")) made.apart = number(*apart, "apart");
+        std::vector<clq_dye> &dyes = out_.dyes.emplace_back();
+        std::vector<const toml::table *> &places = places_.back().zones.emplace_back(&from, key.source()).dyes;
+        if (const toml::node *palette = from.get("palette")) {
+            for (const char *own : {"hue", "saturation", "brightness", "colour"})
+                if (const toml::node *other = from.get(own))
+                    refuse(*other, "it has a palette and '" + std::string(own) + "' beside it");
+            for (const toml::node &one : list(*palette, "palette")) {
+                const toml::table &dye = table(one, "a dye of the palette");
+                known(dye, {"hue", "saturation", "brightness", "colour", "weight"});
+                const toml::node *weight = dye.get("weight");
+                dyes.push_back({read_range(dye), weight ? number(*weight, "weight") : 1});
+                places.push_back(&dye);
+            }
+        } else if (from.get("hue") || from.get("saturation") || from.get("brightness") || from.get("colour")) {
+            dyes.push_back({read_range(from), 1});
+            places.push_back(&from);
+        }
+        made.dye_count = uint32_t(dyes.size());
+        made.dyes = dyes.data();
+        zones.push_back(made);
+    }
+
+    clq_hsb_range read_range(const toml::table &from) const
+    {
+        clq_hsb_range range = {};
+        if (const toml::node *colour = from.get("colour")) {
+            for (const char *key : {"hue", "saturation", "brightness"})
+                if (const toml::node *other = from.get(key))
+                    refuse(*other, "it has a colour and '" + std::string(key) + "' beside it");
+            if (!colour->is_string() || !read_hex(*colour->value<std::string>(), range))
+                refuse(*colour, "'colour' is no text like \"#8a3b12\"");
+            return range;
+        }
+        read_pair(from, "hue", range.hue_first_deg, range.hue_last_deg);
+        read_pair(from, "saturation", range.saturation_first, range.saturation_last);
+        read_pair(from, "brightness", range.brightness_first, range.brightness_last);
+        return range;
+    }
+
+    void read_pair(const toml::table &from, const char *key, float &first, float &last) const
+    {
+        const toml::node *node = from.get(key);
+        if (!node) refuse(from, "it lacks '" + std::string(key) + "'");
+        const toml::array *pair = node->as_array();
+        if (!pair || pair->size() != 2) refuse(*node, "'" + std::string(key) + "' is no list [first, last]");
+        first = number((*pair)[0], key);
+        last = number((*pair)[1], key);
+    }
+
+    // Where what a rule is about stands.
+    toml::source_region place_of(const model::BrokenColourRule &rule, const toml::table &all) const
+    {
+        if (rule.colour_class == CLQ_NONE) return all.source();
+        const ClassPlace &of_class = places_[rule.colour_class];
+        const auto in = [](const toml::table &where, std::initializer_list<const char *> keys) {
+            for (const char *key : keys)
+                if (const toml::node *node = where.get(key)) return node->source();
+            return where.source();
+        };
+        if (rule.zone == CLQ_NONE)
+            return in(*of_class.whole, {rule.field == model::ColourField::name ? "name" : "zones"});
+        const ZonePlace &zone = of_class.zones[rule.zone];
+        switch (rule.field) {
+            case model::ColourField::like:
+                return in(*zone.whole, {"like"});
+            case model::ColourField::apart:
+                return in(*zone.whole, {"apart"});
+            case model::ColourField::hue:
+                return in(*zone.dyes[rule.dye], {"hue", "colour"});
+            case model::ColourField::saturation:
+                return in(*zone.dyes[rule.dye], {"saturation", "colour"});
+            case model::ColourField::brightness:
+                return in(*zone.dyes[rule.dye], {"brightness", "colour"});
+            case model::ColourField::weight:
+                return in(*zone.dyes[rule.dye], {"weight"});
+            default:
+                return zone.key;
+        }
+    }
+
+    struct ZonePlace {
+        ZonePlace(const toml::table *where, const toml::source_region &name) : whole(where), key(name) {}
+        const toml::table *whole;
+        toml::source_region key;
+        std::vector<const toml::table *> dyes;
+    };
+    struct ClassPlace {
+        const toml::table *whole;
+        std::deque<ZonePlace> zones;
+    };
+    const std::string &name_;
+    ColourFile &out_;
+    std::vector<ClassPlace> places_;
+};
+
+}  // namespace
+
+void read_colours(std::string_view text, const std::string &name, ColourFile &out)
+{
+    if (text.size() > most_bytes)
+        fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), most_bytes);
+    const toml::parse_result parsed = toml::parse(text);
+    Reader reader(name, out);
+    if (!parsed) reader.refuse(parsed.error().source(), "no TOML: " + std::string(parsed.error().description()));
+    reader.read(parsed.table());
+}
+
+}  // namespace claque::asset

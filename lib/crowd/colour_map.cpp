@@ -1,0 +1,135 @@
+#include "lib/crowd/colour_map.h"
+
+#include <cstring>
+
+#include "lib/base/error.h"
+#include "lib/crowd/colour_lots.h"
+#include "lib/model/colour_rules.h"
+
+namespace claque::crowd
+{
+
+using base::fail;
+
+namespace
+{
+
+model::HsbRange range_of(const clq_hsb_range &r)
+{
+    return {r.hue_first_deg,   r.hue_last_deg,     r.saturation_first,
+            r.saturation_last, r.brightness_first, r.brightness_last};
+}
+
+size_t bytes_of(const char *text) { return text ? std::strlen(text) + 1 : 0; }
+
+}  // namespace
+
+ColourMap::ColourMap(std::pmr::memory_resource *memory, const clq_colour_map_def &def)
+    : def_(def), texts_(memory), classes_(memory), zones_(memory), dyes_(memory), table_of_(memory), tables_(memory)
+{
+    const model::BrokenColourRule rule = model::first_broken_rule(def);
+    if (rule.broken) fail(CLQ_ARGUMENT, "%s", rule.text.c_str());
+    size_t text_bytes = 0, zones = 0, dyes = 0;
+    for (uint32_t c = 0; c < def.class_count; ++c) {
+        const clq_colour_class &colours = def.classes[c];
+        text_bytes += bytes_of(colours.name) + bytes_of(colours.tmpl);
+        zones += colours.zone_count;
+        for (uint32_t z = 0; z < colours.zone_count; ++z) {
+            text_bytes += bytes_of(colours.zones[z].zone) + bytes_of(colours.zones[z].like);
+            dyes += colours.zones[z].dye_count;
+        }
+    }
+    // What is pointed into must not move.
+    texts_.reserve(text_bytes);
+    classes_.reserve(def.class_count);
+    zones_.reserve(zones);
+    dyes_.reserve(dyes);
+    for (uint32_t c = 0; c < def.class_count; ++c) {
+        clq_colour_class colours = def.classes[c];
+        const clq_zone_colours *given = colours.zones;
+        colours.name = keep(colours.name);
+        colours.tmpl = keep(colours.tmpl);
+        colours.zones = zones_.data() + zones_.size();
+        for (uint32_t z = 0; z < colours.zone_count; ++z) {
+            clq_zone_colours zone = given[z];
+            zone.zone = keep(zone.zone);
+            zone.like = keep(zone.like);
+            zone.dyes = dyes_.data() + dyes_.size();
+            for (uint32_t d = 0; d < zone.dye_count; ++d) {
+                dyes_.push_back(given[z].dyes[d]);
+                const bool even = zone.uniform == CLQ_UNIFORM_PERCEIVED;
+                table_of_.push_back(even ? static_cast<uint32_t>(tables_.size()) : model::none);
+                if (even) tables_.emplace_back(memory, range_of(dyes_.back().range));
+            }
+            zones_.push_back(zone);
+        }
+        classes_.push_back(colours);
+    }
+    def_.classes = classes_.data();
+}
+
+const char *ColourMap::keep(const char *text)
+{
+    if (!text) return nullptr;
+    const size_t first = texts_.size();
+    texts_.insert(texts_.end(), text, text + std::strlen(text) + 1);
+    return texts_.data() + first;
+}
+
+ColourRecipe::ColourRecipe(std::pmr::memory_resource *memory, const ColourMap &map, uint32_t colour_class,
+                           const model::Template &tmpl)
+    : map_(map), own_(memory), zones_(memory)
+{
+    const clq_colour_map_def &def = map.def();
+    if (colour_class >= def.class_count)
+        fail(CLQ_ARGUMENT, "the map has no class %u: there are %u", colour_class, def.class_count);
+    const clq_colour_class &colours = def.classes[colour_class];
+    own_.reserve(tmpl.zone_count());
+    for (const model::HsbRange &r : tmpl.zone_ranges)
+        own_.push_back({{r.hue_first_deg, r.hue_last_deg, r.saturation_first, r.saturation_last, r.brightness_first,
+                         r.brightness_last},
+                        1});
+    for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone) zones_.push_back({&own_[zone], 1, false, zone, 0});
+    // Those that others are like first, since these may take over their dyes.
+    for (const bool likes : {false, true})
+        for (uint32_t z = 0; z < colours.zone_count; ++z) {
+            const clq_zone_colours &from = colours.zones[z];
+            if ((from.like != nullptr) != likes) continue;
+            Zone &to = zones_[zone_named(tmpl, from.zone, colours)];
+            if (likes) {
+                const uint32_t leader = zone_named(tmpl, from.like, colours);
+                to = zones_[leader];
+                to.apart = from.apart;
+            }
+            if (from.dye_count == 0) continue;
+            to.dyes = from.dyes;
+            to.dye_count = from.dye_count;
+            to.of_map = true;
+        }
+}
+
+uint32_t ColourRecipe::zone_named(const model::Template &tmpl, const char *name, const clq_colour_class &by) const
+{
+    for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone)
+        if (tmpl.zone_names[zone] == name) return zone;
+    std::string names;
+    for (const std::pmr::string &one : tmpl.zone_names) names += (names.empty() ? "" : ", ") + std::string(one);
+    fail(CLQ_ARGUMENT, "class '%s' names the zone '%s', and template '%s' has none; there are: %s", by.name, name,
+         tmpl.name.c_str(), names.c_str());
+}
+
+void ColourRecipe::draw(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const
+{
+    const Zone &from = zones_[zone];
+    ColourLots lots(crowd_seed, seed, from.lots);
+    if (from.apart > 0) lots.move(crowd_seed, seed, zone, double(from.apart));
+    double sum = 0;
+    for (uint32_t i = 0; i < from.dye_count; ++i) sum += double(from.dyes[i].weight);
+    double left = lots.dye * sum;
+    uint32_t dye = 0;
+    while (dye + 1 < from.dye_count && left >= double(from.dyes[dye].weight)) left -= double(from.dyes[dye++].weight);
+    const Perceived *even = from.of_map ? map_.perceived(from.dyes + dye) : nullptr;
+    rgb_of(even ? even->at(lots.place) : lots.in(range_of(from.dyes[dye].range)), out_rgb);
+}
+
+}  // namespace claque::crowd

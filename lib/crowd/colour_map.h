@@ -1,0 +1,67 @@
+// Colour maps as they are drawn from (claque/colours.h, S2 5.2), and what a class of one comes to for a template.
+#pragma once
+
+#include <claque/colours.h>
+
+#include "lib/crowd/perceived.h"
+#include "lib/model/template.h"
+
+namespace claque::crowd
+{
+
+// Throws base::Error (CLQ_ARGUMENT) with the first broken rule. Immutable.
+class ColourMap
+{
+public:
+    ColourMap(std::pmr::memory_resource *memory, const clq_colour_map_def &def);
+    ColourMap(const ColourMap &) = delete;
+    ColourMap &operator=(const ColourMap &) = delete;
+
+    const clq_colour_map_def &def() const { return def_; }
+    // Of one of its dyes; null: uniform in HSB.
+    const Perceived *perceived(const clq_dye *dye) const
+    {
+        const uint32_t table = table_of_[static_cast<size_t>(dye - dyes_.data())];
+        return table == model::none ? nullptr : &tables_[table];
+    }
+
+private:
+    const char *keep(const char *text);
+
+    clq_colour_map_def def_;
+    std::pmr::vector<char> texts_;
+    std::pmr::vector<clq_colour_class> classes_;
+    std::pmr::vector<clq_zone_colours> zones_;
+    std::pmr::vector<clq_dye> dyes_;
+    std::pmr::vector<uint32_t> table_of_;  // one a dye
+    std::pmr::vector<Perceived> tables_;
+};
+
+// A class of a map for one template, zone by zone; the map and the template have to outlive it.
+class ColourRecipe
+{
+public:
+    // Throws base::Error (CLQ_ARGUMENT): no such class, a zone that the template lacks.
+    ColourRecipe(std::pmr::memory_resource *memory, const ColourMap &map, uint32_t colour_class,
+                 const model::Template &tmpl);
+    ColourRecipe(ColourRecipe &&) = default;
+
+    uint32_t zone_count() const { return static_cast<uint32_t>(zones_.size()); }
+    void draw(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const;
+
+private:
+    struct Zone {
+        const clq_dye *dyes;
+        uint32_t dye_count;
+        bool of_map;    // else the template's own range
+        uint32_t lots;  // the zone whose lots it takes: itself, or the one that it is like
+        float apart;
+    };
+    uint32_t zone_named(const model::Template &tmpl, const char *name, const clq_colour_class &by) const;
+
+    const ColourMap &map_;
+    std::pmr::vector<clq_dye> own_;  // the template's ranges
+    std::pmr::vector<Zone> zones_;
+};
+
+}  // namespace claque::crowd
