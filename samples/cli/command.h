@@ -17,6 +17,7 @@ void add_inspect(CLI::App &app, Work &chosen);
 void add_dump(CLI::App &app, Work &chosen);
 void add_split(CLI::App &app, Work &chosen);
 void add_variety(CLI::App &app, Work &chosen);
+void add_colours(CLI::App &app, Work &chosen);
 void add_lods(CLI::App &app, Work &chosen);
 void add_blend(CLI::App &app, Work &chosen);
 void add_prepare(CLI::App &app, Work &chosen);

@@ -47,6 +47,7 @@ int main(int argc, char **argv)
     cli::add_dump(app, chosen);
     cli::add_split(app, chosen);
     cli::add_variety(app, chosen);
+    cli::add_colours(app, chosen);
     cli::add_lods(app, chosen);
     cli::add_blend(app, chosen);
     cli::add_prepare(app, chosen);

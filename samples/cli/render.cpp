@@ -1,8 +1,10 @@
 // claque render: one picture, or a sequence, of a scene.
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/filtering.h"
 #include "samples/cli/interrupt.h"
+#include "samples/cli/measured_rates.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/sequence.h"
@@ -21,6 +23,7 @@ namespace
 
 struct RenderArguments {
     StageArguments stage;
+    ColourArguments colours;
     ClipArguments clips;  // of the stage's file
     double time_s = 2.0, fps = 25.0;
     std::string frames, out, json;
@@ -106,37 +109,6 @@ Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame
     return report;
 }
 
-// One second of updates at 50 Hz, which is the fastest rung, and a few pictures: the rates that are really reached and
-// what a frame costs once caches are warm.
-Json measure(scenes::Stage &stage, clq_crowd *crowd, double from_s)
-{
-    constexpr int updates = 50;
-    stage.update(from_s);
-    scenes::check(clq_crowd_reset_bands(crowd));
-    Times update, draw;
-    for (int k = 1; k <= updates; ++k) {
-        stop_if_asked();
-        const Stopwatch updating;
-        stage.update(from_s + k / static_cast<double>(updates));
-        update.ms.push_back(updating.ms());
-        if (k % 10 != 0) continue;
-        stage.draw_setting();
-        stage.gl().Finish();
-        stage.draw_shadows();
-        const Stopwatch drawing;
-        stage.draw_crowd();
-        draw.ms.push_back(drawing.ms());
-    }
-    const clq_crowd_stats stats = stage.crowd_stats();
-    return {{"from_s", from_s},
-            {"updates", updates},
-            {"updates_hz", updates},
-            {"bands", rates(stats)},
-            {"update_ms", {{"minimum", update.minimum()}, {"median", update.median()}}},
-            {"draw_ms", {{"minimum", draw.minimum()}, {"median", draw.median()}}},
-            {"counters", counters(stats)}};
-}
-
 Json about(const RenderArguments &a, const scenes::StageOptions &options)
 {
     Json report;
@@ -150,6 +122,7 @@ Json about(const RenderArguments &a, const scenes::StageOptions &options)
                                                              : "overview";
     if (!a.stage.path.empty()) report["path"] = a.stage.path;
     if (!a.stage.theatre.empty()) report["theatre"] = a.stage.theatre;
+    if (!a.colours.file.empty()) report["colours"] = a.colours.file;
     report["variety"] = a.stage.variety;
     report["cache"] = a.stage.cache;
     report["threads"] = thread_count(a.stage);
@@ -173,6 +146,7 @@ void render(const RenderArguments &a)
         else frames.push_back(std::move(frame));
     }
 
+    Wardrobe wardrobe(library, a.colours, options.casting.seed);
     std::optional<scenes::Stage> stage;
     report["frames"] = Json::array();
     for (size_t i = 0; i < frames.size(); ++i) {
@@ -185,13 +159,14 @@ void render(const RenderArguments &a)
             report["count"] = stage->crowd_stats().actor_count;
             report["context"] = stage->context_name();
         }
+        wardrobe.dress(*stage);
         report["frames"].push_back(draw(*stage, options, frames[i], a.samples));
         progress.step(i + 1, frames.size());
     }
     if (!a.json.empty()) {
         progress.phase("measuring rates");
         if (stage && options.linear_clean) report["filtering"] = filtering(*stage);
-        if (stage) report["measured"] = measure(*stage, stage->scene().crowd(), frames.back().time_s);
+        if (stage) report["measured"] = measured_rates(*stage, frames.back().time_s);
         report["warnings"] = library.warnings();
         write_whole(a.json, report.dump(2) + "\n");
     }
@@ -243,6 +218,7 @@ void add_render(CLI::App &app, Work &chosen)
     c->add_option("--count", a->stage.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     add_stage_options(*c, a->stage);
+    add_colour_options(*c, a->colours);
     add_clip_options(*c, a->clips);
     c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
         ->check(CLI::IsMember(variety_names()))

@@ -1,4 +1,5 @@
 // claque sheet: the sections of a camera path in one picture, each at its middle (S1 7).
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
@@ -19,6 +20,7 @@ constexpr uint8_t gap_grey = 24;
 
 struct SheetArguments {
     StageArguments stage;
+    ColourArguments colours;
     std::string out, json;
 };
 
@@ -73,6 +75,7 @@ void draw_sheet(const SheetArguments &a)
     const std::vector<scenes::PathSection> &sections = options.path->sections();
     if (sections.empty()) throw scenes::Failure(a.stage.path + ": the camera path has no sections to show");
     scenes::Stage stage(library, options);
+    Wardrobe wardrobe(library, a.colours, options.casting.seed);
     Sheet sheet(sections.size(), options.width, options.height);
     Json report = {{"claque", version()},
                    {"scene", options.scene},
@@ -83,6 +86,7 @@ void draw_sheet(const SheetArguments &a)
     report["tiles"] = Json::array();
     for (size_t i = 0; i < sections.size(); ++i) {
         stop_if_asked();
+        wardrobe.dress(stage);
         const double time_s = (sections[i].first_s + sections[i].last_s) / 2;
         const std::vector<uint8_t> &picture = stage.picture(time_s);
         sheet.lay(i, picture);
@@ -113,6 +117,7 @@ void add_sheet(CLI::App &app, Work &chosen)
     a->stage.width = 640;
     a->stage.height = 480;
     add_stage_options(*c, a->stage);
+    add_colour_options(*c, a->colours);
     c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
     c->add_option("--json", a->json, "Write what each tile shows here; - is standard output");
     c->callback([a, &chosen] {

@@ -7,6 +7,7 @@
 #include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
 #include "samples/cli/stage_arguments.h"
+#include "samples/scenes/colours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34}, quiet = {120, 116, 11
 constexpr int margin_px = 16, gap_px = 2;
 
 struct VarietyArguments {
-    std::string file, out;
+    std::string file, out, colours, colour_class;
     std::vector<std::string> hidden;
     uint32_t count = 12, texture = 0, set = 0;
     uint64_t seed = 1;
@@ -40,10 +41,9 @@ Sheet sheet_of(const clq_template *tmpl, uint32_t set, uint32_t texture, const s
     scenes::check(clq_template_get_set_texture(tmpl, set, texture, nullptr, nullptr, 0, &s.width, &s.height), file);
     s.zones.resize(static_cast<size_t>(s.width) * s.height);
     s.rgb.resize(3 * s.zones.size());
-    scenes::check(
-        clq_template_get_set_texture(tmpl, set, texture, s.rgb.data(), s.zones.data(), s.zones.size(), &s.width,
-                                     &s.height),
-        file);
+    scenes::check(clq_template_get_set_texture(tmpl, set, texture, s.rgb.data(), s.zones.data(), s.zones.size(),
+                                               &s.width, &s.height),
+                  file);
     return s;
 }
 
@@ -149,18 +149,40 @@ Grid grid_for(uint32_t count, const Box &box, double aspect)
     return best;
 }
 
-void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &box)
+// What --colours and --class say.
+struct Worn {
+    scenes::ColourMap map;  // none: the template's own ranges
+    uint32_t colour_class = CLQ_NONE;
+};
+Worn worn_by(scenes::Library &library, const clq_template *tmpl, const VarietyArguments &a)
+{
+    Worn worn;
+    if (a.colours.empty()) return worn;
+    worn.map = scenes::read_colours(library, text_of(a.colours), a.colours);
+    const std::string name = info_of(tmpl).name;
+    worn.colour_class = scenes::class_for(worn.map.get(), a.colour_class, name.c_str());
+    if (!a.colour_class.empty() && clq_colour_map_find(worn.map.get(), a.colour_class.c_str()) == CLQ_NONE)
+        throw scenes::Failure(a.colours + ": has no class '" + a.colour_class + "'");
+    if (worn.colour_class == CLQ_NONE)
+        throw scenes::Failure(a.colours + ": has no class for the template '" + name + "'; --class NAME takes any");
+    return worn;
+}
+
+void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &box, const Worn &worn)
 {
     const Grid grid = grid_for(count, box, portraits.aspect());
     if (grid.width < 8 || grid.height < 8)
         throw scenes::Failure(std::to_string(count) + " people find no room in a picture of " +
                               std::to_string(board.width()) + " x " + std::to_string(board.height()));
     portraits.resize(grid.width, grid.height);
+    const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
+        if (worn.map) scenes::check(clq_crowd_draw_colours(crowd, worn.map.get(), worn.colour_class, &actor, 1));
+    };
     for (uint32_t who = 0; who < count; ++who) {
         stop_if_asked();
         const int column = static_cast<int>(who) % grid.columns, row = static_cast<int>(who) / grid.columns;
         board.paste(box.x + column * (grid.width + gap_px), box.y + row * (grid.height + gap_px), grid.width,
-                    grid.height, portraits.picture(who));
+                    grid.height, portraits.picture(who, dress, 0));
     }
 }
 
@@ -170,6 +192,7 @@ void draw_variety(const VarietyArguments &a)
     scenes::Library library(1);
     const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
     const clq_template *tmpl = loaded.tmpl.get();
+    const Worn worn = worn_by(library, tmpl, a);
     const Sheet sheet = sheet_of(tmpl, a.set, a.texture, a.file);
     Board board(a.width, a.height, paper);
     const int side = std::min(a.width * 3 / 10, (a.height - 4 * margin_px) * 2 / 5);
@@ -184,7 +207,8 @@ void draw_variety(const VarietyArguments &a)
     draw_key(board, tmpl, sheet, {margin_px, key_y, side, a.height - margin_px - key_y});
     Portraits portraits(library, loaded, a.seed);
     const int left = 2 * margin_px + side;
-    draw_people(board, portraits, a.count, {left, margin_px, a.width - margin_px - left, a.height - 2 * margin_px});
+    draw_people(board, portraits, a.count, {left, margin_px, a.width - margin_px - left, a.height - 2 * margin_px},
+                worn);
     if (a.out == "-") return write_whole(a.out, board.rgb().data(), board.rgb().size());
     const std::string name = info_of(tmpl).name;
     const std::vector<unsigned char> file =
@@ -207,6 +231,10 @@ void add_variety(CLI::App &app, Work &chosen)
     c->add_option("--count", a->count, "Individuals")->capture_default_str()->check(CLI::Range(1, 400));
     c->add_option("--seed", a->seed, "Of the colours that are drawn by lot")->capture_default_str();
     add_size_option(*c, a->width, a->height);
+    CLI::Option *colours =
+        c->add_option("--colours", a->colours, "Map of colours (TOML) instead of the template's own");
+    colours->type_name("FILE");
+    c->add_option("--class", a->colour_class, "Which class of it (default: the one for this template)")->needs(colours);
     c->add_option("--texture", a->texture, "Which texture to show")->capture_default_str();
     c->add_option("--set", a->set, "Of which texture set; people show them by lot")->capture_default_str();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")

@@ -7,6 +7,7 @@
 #include "samples/scenes/odeon/touch.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/sky.h"
+#include "samples/scenes/social.h"
 #include "samples/scenes/stone.h"
 
 #include <fstream>
@@ -33,7 +34,7 @@ Theatre theatre_of(const Casting &casting)
     return read_theatre(text.str(), casting.theatre_file);
 }
 
-class Odeon final : public Scene
+class Odeon final : public Scene, public Social
 {
 public:
     Odeon(Library &library, const Casting &casting)
@@ -52,6 +53,10 @@ public:
 
     clq_crowd *crowd() const override { return audience_.crowd(); }
     std::vector<clq_actor> actors() const override { return audience_.actors(); }
+    std::string class_of(size_t who) const override
+    {
+        return theatre_.classes[audience_.sitters()[who].social_class].name;
+    }
     std::vector<clq_template *> templates() const override { return audience_.templates(); }
 
     clq_camera camera(Shot shot, double aspect, double) const override

@@ -1,0 +1,40 @@
+#include "samples/cli/colour_arguments.h"
+
+#include <iostream>
+
+namespace cli
+{
+
+void add_colour_options(CLI::App &command, ColourArguments &arguments)
+{
+    CLI::Option *file =
+        command
+            .add_option("--colours", arguments.file,
+                        "Colours of people by class and zone (TOML, see `claque colours`) instead of the scene's own")
+            ->type_name("FILE");
+    command
+        .add_flag("--reload", arguments.reload,
+                  "Look at the file of colours before every frame and take it up where it has changed; a broken one "
+                  "changes nothing")
+        ->needs(file);
+}
+
+Wardrobe::Wardrobe(scenes::Library &library, const ColourArguments &arguments, uint64_t seed)
+    : reload_(arguments.reload), seed_(seed)
+{
+    if (!arguments.file.empty()) file_.emplace(library, arguments.file);
+}
+
+void Wardrobe::dress(const scenes::Stage &stage)
+{
+    if (!file_ || (dressed_ && !reload_)) return;
+    try {
+        file_->apply(stage.scene(), seed_);
+        dressed_ = true;
+    } catch (const scenes::Failure &broken) {
+        if (!dressed_) throw;
+        std::cerr << "claque: colours stay as they were: " << broken.what() << '\n';
+    }
+}
+
+}  // namespace cli

@@ -1,0 +1,133 @@
+#include "samples/cli/colour_pictures.h"
+
+#include "samples/cli/interrupt.h"
+#include "samples/cli/portraits.h"
+#include "samples/scenes/lot.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace cli
+{
+namespace
+{
+
+constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34};
+constexpr int margin_px = 16, gap_px = 2, letter_scale = 2, label_px = (letter_height + 5) * letter_scale;
+
+using Colouring = std::function<void(clq_crowd *, clq_actor, uint32_t who)>;
+
+clq_colour_map_def def_of(const clq_colour_map *map)
+{
+    clq_colour_map_def def = {};
+    scenes::check(clq_colour_map_get_def(map, &def));
+    return def;
+}
+
+LoadedCharacter wearer_of(scenes::Library &library, const clq_colour_class &colours)
+{
+    if (!colours.tmpl || !*colours.tmpl)
+        throw scenes::Failure(std::string("class '") + colours.name + "' names no template to show it on");
+    return load_character(library, colours.tmpl);
+}
+
+// Every channel of every zone by lot: what HSB ranges are there to prevent.
+void colour_at_random(clq_crowd *crowd, clq_actor actor, uint64_t seed, uint32_t who)
+{
+    clq_actor_info info = {};
+    clq_template_info tmpl = {};
+    scenes::check(clq_actor_get_info(crowd, actor, &info));
+    scenes::check(clq_template_get_info(info.tmpl, &tmpl));
+    std::vector<float> rgb(3 * static_cast<size_t>(tmpl.zone_count));
+    for (size_t i = 0; i < rgb.size(); ++i)
+        rgb[i] = static_cast<float>(scenes::lot(seed, rgb.size() * who + i, scenes::Lot::tone));
+    scenes::check(clq_actor_set_colours(crowd, actor, rgb.data(), tmpl.zone_count));
+}
+
+class Rows
+{
+public:
+    Rows(int width, int height, int rows, int across)
+        : board(width, height, paper),
+          row_px_((height - 2 * margin_px) / rows),
+          tile_width_((width - 2 * margin_px + gap_px) / across - gap_px),
+          tile_height_(row_px_ - label_px - gap_px)
+    {
+        if (tile_width_ < 8 || tile_height_ < 8)
+            throw scenes::Failure(std::to_string(across) + " people in " + std::to_string(rows) +
+                                  " rows find no room in a picture of " + std::to_string(width) + " x " +
+                                  std::to_string(height));
+    }
+
+    void label(int row, const std::string &text)
+    {
+        board.write(margin_px, margin_px + row * row_px_ + 2 * letter_scale, letter_scale, text, ink);
+    }
+    void resize(Portraits &portraits) const { portraits.resize(tile_width_, tile_height_); }
+    void paste(int row, int column, const std::vector<uint8_t> &rgb)
+    {
+        board.paste(margin_px + column * (tile_width_ + gap_px), margin_px + row * row_px_ + label_px, tile_width_,
+                    tile_height_, rgb);
+    }
+
+    Board board;
+
+private:
+    int row_px_, tile_width_, tile_height_;
+};
+
+}  // namespace
+
+ColourPicture classes_picture(scenes::Library &library, const clq_colour_map *map, uint32_t each, uint64_t seed,
+                              int width, int height)
+{
+    const clq_colour_map_def def = def_of(map);
+    Rows rows(width, height, static_cast<int>(def.class_count), static_cast<int>(each));
+    std::string context;
+    for (uint32_t c = 0; c < def.class_count; ++c) {
+        const LoadedCharacter worn = wearer_of(library, def.classes[c]);
+        Portraits portraits(library, worn, seed);
+        rows.resize(portraits);
+        rows.label(static_cast<int>(c), def.classes[c].name);
+        for (uint32_t who = 0; who < each; ++who) {
+            stop_if_asked();
+            const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
+                scenes::check(clq_crowd_draw_colours(crowd, map, c, &actor, 1));
+            };
+            rows.paste(static_cast<int>(c), static_cast<int>(who), portraits.picture(who, dress, 0));
+        }
+        context = portraits.context_name();
+    }
+    return {std::move(rows.board), context};
+}
+
+ColourPicture comparison_picture(scenes::Library &library, const clq_colour_map *map, uint32_t each, uint64_t seed,
+                                 int width, int height)
+{
+    const clq_colour_map_def def = def_of(map);
+    Rows rows(width, height, 2, static_cast<int>(each * def.class_count));
+    rows.label(0, "(a) random RGB");
+    rows.label(1, "(b) HSB ranges");
+    std::string context;
+    for (uint32_t c = 0; c < def.class_count; ++c) {
+        const LoadedCharacter worn = wearer_of(library, def.classes[c]);
+        Portraits portraits(library, worn, seed);
+        rows.resize(portraits);
+        for (uint32_t who = 0; who < each; ++who) {
+            stop_if_asked();
+            const int column = static_cast<int>(c * each + who);
+            const auto at_random = [&](clq_crowd *crowd, clq_actor actor) {
+                colour_at_random(crowd, actor, seed, c * each + who);
+            };
+            const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
+                scenes::check(clq_crowd_draw_colours(crowd, map, c, &actor, 1));
+            };
+            rows.paste(0, column, portraits.picture(who, at_random, 0));
+            rows.paste(1, column, portraits.picture(who, dress, 0));
+        }
+        context = portraits.context_name();
+    }
+    return {std::move(rows.board), context};
+}
+
+}  // namespace cli

@@ -1,0 +1,93 @@
+#include "samples/scenes/colours.h"
+
+#include "samples/scenes/social.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace scenes
+{
+namespace
+{
+
+struct Group {
+    uint32_t colour_class;
+    const clq_template *tmpl;
+    std::vector<clq_actor> actors;
+};
+
+clq_template_info info_of(const clq_template *tmpl)
+{
+    clq_template_info info = {};
+    check(clq_template_get_info(tmpl, &info));
+    return info;
+}
+
+// Everybody of one class in one template together.
+std::vector<Group> groups_of(const Scene &scene, const clq_colour_map *map)
+{
+    std::vector<Group> groups;
+    const Social *social = dynamic_cast<const Social *>(&scene);
+    const std::vector<clq_actor> actors = scene.actors();
+    for (size_t who = 0; who < actors.size(); ++who) {
+        clq_actor_info actor = {};
+        check(clq_actor_get_info(scene.crowd(), actors[who], &actor));
+        const uint32_t own = class_for(map, social ? social->class_of(who) : std::string(), info_of(actor.tmpl).name);
+        if (own == CLQ_NONE) continue;
+        size_t i = 0;
+        while (i < groups.size() && (groups[i].colour_class != own || groups[i].tmpl != actor.tmpl)) ++i;
+        if (i == groups.size()) groups.push_back({own, actor.tmpl, {}});
+        groups[i].actors.push_back(actors[who]);
+    }
+    return groups;
+}
+
+}  // namespace
+
+ColourMap read_colours(Library &library, const std::string &toml, const std::string &where)
+{
+    clq_colour_map *map = nullptr;
+    check(clq_colour_map_load(library.context(), toml.data(), toml.size(), where.c_str(), &map));
+    return ColourMap(map);
+}
+
+uint32_t class_for(const clq_colour_map *map, const std::string &called, const char *template_name)
+{
+    const uint32_t by_name = called.empty() ? CLQ_NONE : clq_colour_map_find(map, called.c_str());
+    return by_name != CLQ_NONE ? by_name : clq_colour_map_find_template(map, template_name);
+}
+
+void colour(const Scene &scene, const clq_colour_map *map, uint64_t crowd_seed)
+{
+    const std::vector<Group> groups = groups_of(scene, map);
+    if (groups.empty()) throw Failure("the colours are for classes and templates that nobody in the scene is of");
+    for (const Group &group : groups) {  // what does not fit is found before anybody is changed
+        std::vector<float> rgb(3 * static_cast<size_t>(info_of(group.tmpl).zone_count));
+        check(clq_colour_map_draw(map, group.colour_class, group.tmpl, crowd_seed, 0, rgb.data(),
+                                  static_cast<uint32_t>(rgb.size() / 3)));
+    }
+    for (const Group &group : groups)
+        check(clq_crowd_draw_colours(scene.crowd(), map, group.colour_class, group.actors.data(),
+                                     static_cast<uint32_t>(group.actors.size())));
+}
+
+ColourFile::ColourFile(Library &library, std::string path) : library_(library), path_(std::move(path)) {}
+
+bool ColourFile::apply(const Scene &scene, uint64_t crowd_seed)
+{
+    std::ifstream file(path_, std::ios::binary);
+    std::stringstream text;
+    if (file) text << file.rdbuf();
+    // A file that is being replaced may be gone for a moment.
+    if (!file || !text) {
+        if (read_) return false;
+        throw Failure(path_ + ": cannot be read");
+    }
+    if (read_ && text.str() == last_) return false;
+    read_ = true;
+    last_ = text.str();
+    colour(scene, read_colours(library_, last_, path_).get(), crowd_seed);
+    return true;
+}
+
+}  // namespace scenes

@@ -1,0 +1,129 @@
+// A file of colours that changes while a scene wears it: a good one is taken up, a broken one changes nothing and is told once.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "samples/scenes/colours.h"
+
+namespace
+{
+
+using namespace scenes;
+
+std::string people(const std::string &tunic)
+{
+    return "[[classes]]\nname = \"people\"\ntemplate = \"citizen\"\n[classes.zones]\ntunic = { " + tunic + " }\n";
+}
+
+const std::string red = people("colour = \"#c01010\""),
+                  blue = people("hue = [220, 230], saturation = [0.8, 1], brightness = [0.5, 1]");
+
+class Worn : public testing::Test
+{
+protected:
+    Worn() : library_(1), path_(testing::TempDir() + "colours" + std::to_string(getpid()) + ".toml")
+    {
+        Casting casting;
+        casting.count = 12;
+        scene_ = make_scene("plaza", library_, casting, {});
+        before_ = tunics();
+    }
+    ~Worn() override { std::filesystem::remove(path_); }
+
+    void write(const std::string &text) const { std::ofstream(path_, std::ios::binary) << text; }
+    std::vector<float> tunics() const
+    {
+        std::vector<float> all;
+        for (const clq_actor actor : scene_->actors()) {
+            clq_actor_info info = {};
+            clq_template_info tmpl = {};
+            check(clq_actor_get_info(scene_->crowd(), actor, &info));
+            check(clq_template_get_info(info.tmpl, &tmpl));
+            std::vector<float> rgb(3 * static_cast<size_t>(tmpl.zone_count));
+            check(clq_actor_get_colours(scene_->crowd(), actor, rgb.data(), tmpl.zone_count));
+            const size_t zone = clq_template_find_zone(info.tmpl, "tunic");
+            all.insert(all.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * zone),
+                       rgb.begin() + static_cast<std::ptrdiff_t>(3 * zone + 3));
+        }
+        return all;
+    }
+    // What applying it says; empty: nothing, and `taken_up` whether anything was new.
+    std::string apply(ColourFile &file)
+    {
+        try {
+            taken_up_ = file.apply(*scene_, 1);
+            return {};
+        } catch (const Failure &failure) {
+            return failure.what();
+        }
+    }
+
+    Library library_;
+    std::string path_;
+    std::unique_ptr<Scene> scene_;
+    std::vector<float> before_;
+    bool taken_up_ = false;
+};
+
+TEST_F(Worn, colours_are_taken_up_when_their_file_changes)
+{
+    ColourFile file(library_, path_);
+    write(red);
+    EXPECT_EQ(apply(file), "");
+    EXPECT_TRUE(taken_up_);
+    const std::vector<float> in_red = tunics();
+    ASSERT_EQ(in_red.size(), 36u);
+    for (size_t i = 0; i < in_red.size(); ++i) EXPECT_EQ(in_red[i], (i % 3 == 0 ? 192.0f : 16.0f) / 255.0f);
+    EXPECT_EQ(apply(file), "");
+    EXPECT_FALSE(taken_up_) << "nothing is new";
+    write(blue);
+    EXPECT_EQ(apply(file), "");
+    EXPECT_TRUE(taken_up_);
+    EXPECT_NE(tunics(), in_red);
+    write(red);
+    EXPECT_EQ(apply(file), "");
+    EXPECT_EQ(tunics(), in_red) << "and back, to the byte";
+}
+
+TEST_F(Worn, colours_stay_where_their_file_breaks_which_is_told_once)
+{
+    ColourFile file(library_, path_);
+    write(blue);
+    ASSERT_EQ(apply(file), "");
+    const std::vector<float> in_blue = tunics();
+    ASSERT_NE(in_blue, before_);
+    for (const auto &[broken, says] :
+         {std::pair<std::string, std::string>(people("hue = [0, 500], saturation = [0, 1], brightness = [0, 1]"), "line 5, column 17"),
+          {people("hue = [0, 5"), "line 5"},
+          {people("colour = \"#fff\""), "line 5, column 20"},
+          {red + "wings = { colour = \"#102030\" }\n", "'wings'"},
+          {"[[classes]]\nname = \"crows\"\n", "nobody"}}) {
+        write(broken);
+        const std::string said = apply(file);
+        EXPECT_NE(said.find(says), std::string::npos) << says << " in: " << said;
+        EXPECT_EQ(apply(file), "") << "said already";
+        EXPECT_FALSE(taken_up_);
+        EXPECT_EQ(tunics(), in_blue);
+    }
+    write("");
+    EXPECT_EQ(apply(file), "") << "being written, perhaps";
+    std::filesystem::remove(path_);
+    EXPECT_EQ(apply(file), "") << "being replaced, perhaps";
+    EXPECT_EQ(tunics(), in_blue);
+    write(red);
+    EXPECT_EQ(apply(file), "");
+    EXPECT_TRUE(taken_up_);
+    EXPECT_NE(tunics(), in_blue);
+}
+
+TEST_F(Worn, a_file_that_never_was_there_is_a_failure)
+{
+    ColourFile file(library_, path_ + ".not");
+    EXPECT_NE(apply(file).find("cannot be read"), std::string::npos);
+    EXPECT_EQ(tunics(), before_);
+}
+
+}  // namespace
