@@ -88,6 +88,8 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     return job.level->active.empty() ? rig.node_count() : count32(job.level->nodes.size());
 }
 
+const float *morph_weights(const float *palette, const model::Template &tmpl) { return palette + matrix_floats(tmpl); }
+
 void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices)
 {
     const model::Template &tmpl = *request.tmpl;
@@ -95,7 +97,7 @@ void skin(const Request &request, const float *palette, Geometry geometry, const
     skin::SkinJob job;
     job.level = &level;
     job.palette = {reinterpret_cast<const math::Affine *>(palette), count32(tmpl.rig.palette.size())};
-    job.morph_weights = {palette + matrix_floats(tmpl), count32(tmpl.rig.rest_weights.size())};
+    job.morph_weights = {morph_weights(palette, tmpl), count32(tmpl.rig.rest_weights.size())};
     job.normals = skin::normals_of(tmpl);
     job.scratch = {scratch.floats, count32(skinning_floats(tmpl, level))};
     const uint32_t count = level.vertex_count;

@@ -88,6 +88,8 @@ struct Scratch {
 
 // palette: [sizes_of(tmpl).palette_floats]. Returns how many nodes' matrices it built (S0 6.2.2, fCoh).
 uint32_t animate(const Request &request, const Scratch &scratch, float *palette);
+// Where animate() leaves the morph weights [rig.rest_weights.size()].
+const float *morph_weights(const float *palette, const model::Template &tmpl);
 // vertices: [sizes_of(tmpl).vertex_floats]; palette as animate() left it
 void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices);
 

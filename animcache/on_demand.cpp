@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "animcache/keypose_vertices.h"
+#include "lib/pose/pose.h"
 
 namespace claque::animcache
 {
@@ -31,6 +32,27 @@ draw::Vertices OnDemand::serve(const draw::Item &item)
     }
     skin(request, palette, geometry, scratch, vertices_.data());
     return vertices_in(vertices_.data(), *request.tmpl, request.level, geometry, request.blend_radius);
+}
+
+draw::Pose OnDemand::pose(const draw::Item &item)
+{
+    Request request = caches_->request_of(item.actor_index);
+    if (request.shared.method == Method::interpolated) return {};
+    const Scratch scratch = scratch_.strand(0);
+    const float *palette = caches_->palette_of(item.actor_index);
+    if (const math::Affine *locals = caches_->locals_of(item.actor_index)) {
+        const model::Template &tmpl = *request.tmpl;
+        pose::place_locals(tmpl.rig, tmpl.levels[request.level], locals, scratch.globals,
+                           reinterpret_cast<math::Affine *>(scratch.palette));
+        return {reinterpret_cast<const math::Affine *>(scratch.palette), morph_weights(palette, tmpl)};
+    }
+    // A key-pose that is kept was skinned for others, and whatever palette there is belongs to another moment.
+    if (!palette || !request.needs_palette()) {
+        request.placement = Placement::vertices;
+        animate(request, scratch, scratch.palette);
+        palette = scratch.palette;
+    }
+    return {reinterpret_cast<const math::Affine *>(palette), morph_weights(palette, *request.tmpl)};
 }
 
 }  // namespace claque::animcache

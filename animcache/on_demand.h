@@ -18,6 +18,7 @@ public:
     void attach(const Caches &caches) { caches_ = &caches; }
 
     draw::Vertices serve(const draw::Item &item) override;
+    draw::Pose pose(const draw::Item &item) override;
 
 private:
     const Caches *caches_ = nullptr;

@@ -51,12 +51,20 @@ struct Item {
     double ground[3] = {0, 0, 0};
 };
 
+// What the vertices of an item are skinned from: matrices [rig.palette.size()] of the entries that its level uses, and morph
+// weights [rig.rest_weights.size()], where the template has any. Null palette: the item shows two poses blended.
+struct Pose {
+    const math::Affine *palette = nullptr;
+    const float *weights = nullptr;
+};
+
 // Serves vertices of items that no cache holds, at draw time, into memory of its own that is good until the next call.
 class VertexServer
 {
 public:
     virtual ~VertexServer() = default;
     virtual Vertices serve(const Item &item) = 0;
+    virtual Pose pose(const Item &item) = 0;  // of any item; for who skins them himself
 };
 
 struct DrawList {
