@@ -24,5 +24,6 @@ void add_prepare(CLI::App &app, Work &chosen);
 void add_bench(CLI::App &app, Work &chosen);
 void add_plot(CLI::App &app, Work &chosen);
 void add_cost(CLI::App &app, Work &chosen);
+void add_parity(CLI::App &app, Work &chosen);
 
 }  // namespace cli

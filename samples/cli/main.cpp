@@ -54,6 +54,7 @@ int main(int argc, char **argv)
     cli::add_bench(app, chosen);
     cli::add_plot(app, chosen);
     cli::add_cost(app, chosen);
+    cli::add_parity(app, chosen);
 
     const int parsed = parse(app, argc, argv);
     if (parsed != 0) return parsed < 0 ? 0 : parsed;

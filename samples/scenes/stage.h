@@ -75,6 +75,9 @@ public:
     uint64_t view_hash() const;
     const std::string &context_name() const { return offscreen_->name(); }
     const Scene &scene() const { return *scene_; }
+    const clq_view *view() const { return view_.get(); }
+    const Eye &eye() const { return eye_; }  // of the last update
+    const contexts::Offscreen &offscreen() const { return *offscreen_; }
     const Gl &gl() const { return gl_; }
     const std::optional<CameraPath> &path() const { return options_.path; }
 

@@ -1,0 +1,12 @@
+// The subcommands of claque parity.
+#pragma once
+
+#include "samples/cli/command.h"
+
+namespace cli
+{
+
+void add_parity_export(CLI::App &parity, Work &chosen);
+void add_parity_capture(CLI::App &parity, Work &chosen);
+
+}  // namespace cli

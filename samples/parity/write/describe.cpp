@@ -1,0 +1,63 @@
+#include "samples/parity/write/describe.h"
+
+namespace parity
+{
+namespace
+{
+
+// Rows of what OpenGL holds column after column.
+Json rows_of(const float *columns, int size)
+{
+    Json out = Json::array();
+    for (int row = 0; row < size; ++row) {
+        Json line = Json::array();
+        for (int column = 0; column < size; ++column) line.push_back(columns[4 * column + row]);
+        out.push_back(line);
+    }
+    return out;
+}
+
+std::string version()
+{
+    return std::to_string(CLQ_VERSION_MAJOR) + "." + std::to_string(CLQ_VERSION_MINOR) + "." +
+           std::to_string(CLQ_VERSION_PATCH);
+}
+
+}  // namespace
+
+Json described(const char *kind, const scenes::Stage &stage, const Moment &moment, const Shown &shown)
+{
+    Json out = {{"format", "claque-parity"},
+                {"version", format_version},
+                {"kind", kind},
+                {"renderer", "claque " + version() + ", CPU; " + stage.context_name()},
+                {"scene", moment.scene},
+                {"width", moment.width},
+                {"height", moment.height},
+                {"time_s", moment.time_s},
+                {"units", {{"length", "m"}, {"time", "s"}, {"angle", "rad"}, {"colour", "8 bits, no gamma"}}}};
+    shown.describe(out);
+    const scenes::Eye &eye = stage.eye();
+    out["projection"] = rows_of(eye.projection, 4);
+    out["camera"] = {{"eye_m", eye.position}, {"world_to_eye", rows_of(eye.rotation, 3)}};
+    return out;
+}
+
+void write_individuals(const Folder &folder, const Shown &shown, const Skinned &skinned)
+{
+    shown.write_actors(folder);
+    folder.array("sizes.npy", skinned.sizes, {skinned.sizes.size()});
+    std::vector<float> places;
+    for (const Individual &who : shown.individuals())
+        for (size_t row = 0; row < 4; ++row)
+            for (size_t column = 0; column < 4; ++column) places.push_back(who.shown.model_view[4 * column + row]);
+    folder.array("model_view.npy", places, {shown.individuals().size(), 4, 4});
+}
+
+void write_json(const Folder &folder, const Json &json)
+{
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    folder.write("capture.json", text.data(), text.size());
+}
+
+}  // namespace parity

@@ -1,0 +1,51 @@
+#include "samples/parity/write/mesh_glb.h"
+#include "samples/parity/write/texels.h"
+
+#include "samples/scenes/check.h"
+
+#include <algorithm>
+
+namespace parity
+{
+namespace
+{
+
+constexpr int nearest = 9728, repeat = 10497, clamp_to_edge = 33071;  // OpenGL's, which glTF has taken over
+constexpr double least_key = 0.5 / 255;
+
+}  // namespace
+
+Materials::Image Materials::image(const clq_template *tmpl, uint32_t texture, uint32_t texture_set)
+{
+    const auto key = std::make_tuple(tmpl, texture, texture_set);
+    const auto known = images_.find(key);
+    if (known != images_.end()) return known->second;
+    const Texels texels(tmpl, texture, texture_set);
+    const std::vector<uint8_t> png = png_of(texels);
+    clq_wrap s, t;
+    scenes::check(clq_template_get_wrap(tmpl, texture, &s, &t));
+    const auto wrap = [](clq_wrap w) { return w == CLQ_WRAP_CLAMP ? clamp_to_edge : repeat; };
+    Glb::Json &json = glb_.json;
+    json["images"].push_back({{"mimeType", "image/png"}, {"bufferView", glb_.view(png.data(), png.size())}});
+    json["samplers"].push_back(
+        {{"magFilter", nearest}, {"minFilter", nearest}, {"wrapS", wrap(s)}, {"wrapT", wrap(t)}});
+    json["textures"].push_back({{"sampler", json["samplers"].size() - 1}, {"source", json["images"].size() - 1}});
+    const bool holes = std::find(texels.zones.begin(), texels.zones.end(), CLQ_NONE) != texels.zones.end();
+    return images_[key] = {json["textures"].size() - 1, holes};
+}
+
+size_t Materials::material(const clq_template *tmpl, const clq_triangles &triangles, uint32_t texture_set)
+{
+    const Image shown = image(tmpl, triangles.texture, texture_set);
+    const auto [known, is_new] = materials_.try_emplace({shown.texture, triangles.double_sided}, 0);
+    if (!is_new) return known->second;
+    Glb::Json made = {
+        {"pbrMetallicRoughness",
+         {{"baseColorTexture", {{"index", shown.texture}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
+        {"doubleSided", triangles.double_sided != 0}};
+    if (shown.holes) made["alphaMode"] = "MASK", made["alphaCutoff"] = least_key;
+    glb_.json["materials"].push_back(made);
+    return known->second = glb_.json["materials"].size() - 1;
+}
+
+}  // namespace parity

@@ -1,0 +1,92 @@
+#include "samples/parity/write/scene_glb.h"
+
+#include "samples/parity/write/mesh_glb.h"
+#include "samples/scenes/check.h"
+
+#include <cmath>
+#include <map>
+
+namespace parity
+{
+
+using Json = Glb::Json;
+
+namespace
+{
+
+// Column after column, with the row that an affine matrix lacks.
+Json matrix_of_rows(const float *rows)
+{
+    Json out = Json::array();
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) out.push_back(rows[4 * row + column]);
+        out.push_back(column == 3 ? 1 : 0);
+    }
+    return out;
+}
+
+// Joints below a node that stands where the individual does, before the eye; the mesh beside them, which its skin places.
+void stand(Json &json, const Individual &who, const float *palette, size_t mesh, const std::string &name)
+{
+    Json joints = Json::array();
+    for (uint32_t joint = 0; joint < who.shown.joint_count; ++joint) {
+        json["nodes"].push_back({{"matrix", matrix_of_rows(palette + 12 * static_cast<size_t>(joint))}});
+        joints.push_back(json["nodes"].size() - 1);
+    }
+    json["skins"].push_back({{"joints", joints}});
+    json["nodes"].push_back({{"name", name}, {"matrix", who.shown.model_view}, {"children", joints}});
+    json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+    json["nodes"].push_back({{"name", name + ", mesh"}, {"mesh", mesh}, {"skin", json["skins"].size() - 1}});
+    json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+}
+
+// glTF has no cameras that look past their axis.
+void add_camera(Json &json, const float *p)
+{
+    const bool perspective = p[11] == -1 && p[15] == 0 && p[8] == 0 && p[9] == 0 && p[0] > 0 && p[5] > 0;
+    if (!perspective) return;
+    const double a = static_cast<double>(p[10]), b = static_cast<double>(p[14]), y = static_cast<double>(p[5]);
+    json["cameras"] = Json::array({{{"type", "perspective"},
+                                    {"perspective",
+                                     {{"aspectRatio", y / static_cast<double>(p[0])},
+                                      {"yfov", 2 * std::atan(1 / y)},
+                                      {"znear", b / (a - 1)},
+                                      {"zfar", b / (a + 1)}}}}});
+    json["nodes"].push_back({{"name", "camera"}, {"camera", 0}});
+    json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+}
+
+}  // namespace
+
+std::string scene_glb(const Shown &shown, const std::vector<float> &palettes, const float projection[16])
+{
+    Glb glb;
+    Json &json = glb.json;
+    json["asset"] = {{"version", "2.0"}, {"generator", "claque parity export"}};
+    json["scene"] = 0;
+    json["scenes"] = Json::array({{{"nodes", Json::array()}}});
+    Materials materials(glb);
+    std::map<std::pair<uint32_t, uint32_t>, Json> shapes;  // by template and level
+    for (const MeshName &name : shown.meshes()) {
+        const clq_template *tmpl = shown.templates()[name.tmpl];
+        const auto [known, is_new] = shapes.try_emplace({name.tmpl, name.level});
+        if (is_new) known->second = mesh_json(glb, tmpl, name.level);
+        Json mesh = known->second;
+        dress(mesh, materials, tmpl, name);  // adds members to the document, which moves what is in it
+        clq_template_info info = {};
+        scenes::check(clq_template_get_info(tmpl, &info));
+        mesh["name"] = std::string(info.name) + ", level " + std::to_string(name.level);
+        json["meshes"].push_back(mesh);
+    }
+    std::vector<bool> stands(shown.meshes().size(), false);
+    for (const Individual &who : shown.individuals()) {
+        if (stands[who.mesh]) continue;
+        stands[who.mesh] = true;
+        stand(json, who, palettes.data() + 12 * static_cast<size_t>(who.first_palette), who.mesh,
+              json["meshes"][who.mesh]["name"]);
+    }
+    add_camera(json, projection);
+    return glb.file();
+}
+
+}  // namespace parity

@@ -1,0 +1,49 @@
+#include "samples/parity/write/texels.h"
+
+#include "samples/scenes/check.h"
+
+#include <png.h>
+
+namespace parity
+{
+
+using scenes::check;
+
+Texels::Texels(const clq_template *tmpl, uint32_t texture, uint32_t texture_set)
+{
+    check(clq_template_get_set_texture(tmpl, texture_set, texture, nullptr, nullptr, 0, &width, &height));
+    const size_t count = static_cast<size_t>(width) * height;
+    rgb.resize(3 * count);
+    zones.resize(count);
+    check(clq_template_get_set_texture(tmpl, texture_set, texture, rgb.data(), zones.data(), count, &width, &height));
+}
+
+std::vector<uint8_t> png_of(const Texels &texels)
+{
+    std::vector<uint8_t> rgba;
+    for (size_t i = 0; i < texels.zones.size(); ++i) {
+        const uint32_t zone = texels.zones[i];
+        if (zone != CLQ_NONE && zone > 254)
+            throw scenes::Failure("a texture shows zone " + std::to_string(zone) +
+                                  ", and a colour atlas has columns for 255");
+        rgba.insert(rgba.end(), {texels.rgb[3 * i], texels.rgb[3 * i + 1], texels.rgb[3 * i + 2],
+                                 static_cast<uint8_t>(zone == CLQ_NONE ? 0 : zone + 1)});
+    }
+    png_image image = {};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = texels.width;
+    image.height = texels.height;
+    image.format = PNG_FORMAT_RGBA;
+    png_alloc_size_t size = 0;
+    std::vector<uint8_t> file;
+    bool done = png_image_write_to_memory(&image, nullptr, &size, 0, rgba.data(), 0, nullptr) != 0;
+    if (done) {
+        file.resize(size);
+        done = png_image_write_to_memory(&image, file.data(), &size, 0, rgba.data(), 0, nullptr) != 0;
+        file.resize(size);
+    }
+    if (!done) throw scenes::Failure(std::string("libpng could not encode a texture: ") + image.message);
+    return file;
+}
+
+}  // namespace parity

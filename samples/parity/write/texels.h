@@ -1,0 +1,26 @@
+// A texture of a template in one of its texture sets, row 0 at v = 0.
+#pragma once
+
+#include <claque/claque.h>
+#include <claque/mesh.h>
+#include <claque/shown.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace parity
+{
+
+struct Texels {
+    // Throws scenes::Failure.
+    Texels(const clq_template *tmpl, uint32_t texture, uint32_t texture_set);
+
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgb;     // 3 a texel
+    std::vector<uint32_t> zones;  // of the template; CLQ_NONE: a hole
+};
+
+// As PNG: RGB as it is, alpha zone + 1, 0 in holes. Throws scenes::Failure where a zone has no number in 8 bits.
+std::vector<uint8_t> png_of(const Texels &texels);
+
+}  // namespace parity
