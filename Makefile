@@ -69,6 +69,8 @@ bench: build
 	$(CLAQUE) cost --measured out/hundred-counts.json --plot out/cost.svg > out/cost.txt
 	$(CLAQUE) bench growth --threads 1 --save out/growth.json
 	$(CLAQUE) plot out/growth.json --out out/growth.svg
+	$(BUILD)/tests/parity/parity_fig11 --save out/parity-fig11.json
+	$(CLAQUE) plot out/parity-fig11.json --out out/parity-fig11.svg
 
 golden-accept: build
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --size 320x240 --time 1.5 --out tests/golden/plaza.png

@@ -1,0 +1,225 @@
+// S2's Fig. 11: people in view against frames a second, by the CPU path and by the shaders of the peer, side by side in one
+// run and on the same OpenGL.
+//   fig11 [--counts 100,300,1000] [--frames N] [--size WxH] [--save chart.json]
+// prints a table; the chart is for claque plot.
+#include "samples/charts/lines.h"
+#include "samples/cli/stopwatch.h"
+#include "samples/parity/write/write.h"
+#include "tests/parity/live_peer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::vector<uint32_t> counts = {100, 300, 1000, 3000, 10000};
+    int frames = 15;
+    int width = 1024, height = 768;
+    std::string scene = "ten_thousand", save;
+};
+
+// Of whole frames, milliseconds: what the library takes, and what OpenGL takes.
+struct Measured {
+    cli::Times update, draw, frame;
+
+    void add(double update_ms, double draw_ms)
+    {
+        update.ms.push_back(update_ms), draw.ms.push_back(draw_ms), frame.ms.push_back(update_ms + draw_ms);
+    }
+    // S2 6: the mean of the lowest and the highest rate.
+    double frames_a_second() const
+    {
+        const auto [low, high] = std::minmax_element(frame.ms.begin(), frame.ms.end());
+        return (1000 / *low + 1000 / *high) / 2;
+    }
+};
+
+scenes::StageOptions options_of(const Arguments &a, uint32_t count)
+{
+    scenes::StageOptions options;
+    options.scene = a.scene;
+    options.casting.count = count;
+    options.casting.lod = scenes::Lod::on;
+    options.width = a.width, options.height = a.height;
+    return options;
+}
+
+void clear(scenes::Stage &stage)
+{
+    stage.draw_setting();
+    stage.gl().DepthMask(1);
+    stage.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
+    stage.gl().Finish();
+}
+
+// One update, drawn twice.
+void cpu_frame(scenes::Stage &stage, double time_s, Measured *per_zone, Measured *fused)
+{
+    stage.make_current();
+    const cli::Stopwatch updating;
+    stage.update(time_s);
+    const double update_ms = updating.ms();
+    const auto draw = [&](clq_variety variety, Measured *out) {
+        stage.use_variety(variety);
+        clear(stage);
+        const cli::Stopwatch drawing;
+        stage.draw_crowd();
+        if (out) out->add(update_ms, drawing.ms());
+    };
+    draw(CLQ_VARIETY_PER_ZONE, per_zone);
+    draw(CLQ_VARIETY_FUSED, fused);
+}
+
+void shader_frame(scenes::Stage &stage, parity_test::LivePeer &peer, double time_s, Measured *out)
+{
+    stage.make_current();
+    const cli::Stopwatch updating;
+    stage.update(time_s);
+    const double update_ms = updating.ms();
+    peer.begin();
+    const cli::Stopwatch drawing;
+    peer.draw(stage.view());
+    if (out) out->add(update_ms, drawing.ms());
+}
+
+struct Row {
+    uint32_t people = 0;
+    Measured per_zone, fused, shaders;
+};
+
+// Room for everybody's palette and for next to nobody's vertices: who finds none is skinned when somebody asks for its
+// vertices, which nobody does here. The deformation is the shader's.
+uint64_t palette_bytes(scenes::Stage &stage)
+{
+    stage.update(2);
+    uint64_t bytes = 0;
+    for (uint32_t i = 0; i < stage.view_stats().visible; ++i) {
+        clq_shown shown = {};
+        clq_template_info info = {};
+        scenes::check(clq_view_get_shown(stage.view(), i, &shown));
+        scenes::check(clq_template_get_info(shown.tmpl, &info));
+        bytes +=
+            (sizeof(float) * (12 * std::max(info.node_count, info.joint_count) + shown.morph_weight_count + 4) + 63) /
+            64 * 64;
+    }
+    return bytes + bytes / 32 + 65536;
+}
+
+void expect_unskinned(const scenes::Stage &stage)
+{
+    const clq_crowd_stats stats = stage.crowd_stats();
+    if (stats.skinned > stats.visible / 20 || stats.palette_served + stats.animated < stats.visible)
+        throw scenes::Failure("the shader path's update skinned " + std::to_string(stats.skinned) + " and kept " +
+                              std::to_string(stats.palette_served + stats.animated) + " palettes of " +
+                              std::to_string(stats.visible));
+}
+
+// In turn, so that all three meet the same machine; the first frame of each fills caches and compiles.
+Row measure(const Arguments &a, scenes::Library &library, uint32_t count, const std::string &folder)
+{
+    scenes::Stage cached(library, options_of(a, count));
+    scenes::StageOptions options = options_of(a, count);
+    options.casting.cache_budget_bytes = palette_bytes(cached);
+    scenes::Stage palettes(library, options);
+    parity::write_scene(palettes, {a.scene, 0, a.width, a.height}, folder);
+    parity_test::LivePeer peer(palettes.offscreen(), folder, palettes.view());
+    Row row;
+    for (int frame = 0; frame <= a.frames; ++frame) {
+        const double time_s = 2 + frame / 25.0;
+        cpu_frame(cached, time_s, frame ? &row.per_zone : nullptr, frame ? &row.fused : nullptr);
+        shader_frame(palettes, peer, time_s, frame ? &row.shaders : nullptr);
+        expect_unskinned(palettes);
+    }
+    row.people = cached.view_stats().visible;
+    return row;
+}
+
+void print(const std::vector<Row> &rows)
+{
+    std::printf(
+        "| people in view | a pass a zone: update | draw | frames/s | fused: update | draw | frames/s | shaders: "
+        "update | "
+        "draw | frames/s | fused / shaders |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const Row &row : rows) {
+        std::printf("| %u |", row.people);
+        for (const Measured *m : {&row.per_zone, &row.fused, &row.shaders})
+            std::printf(" %.3g | %.3g | %.3g |", m->update.median(), m->draw.median(), m->frames_a_second());
+        std::printf(" %.2f |\n", row.fused.frames_a_second() / row.shaders.frames_a_second());
+    }
+}
+
+charts::LineChart chart_of(const Arguments &a, const std::vector<Row> &rows, const std::string &context)
+{
+    charts::LineChart chart;
+    chart.title = "CPU path and shader path: frames a second by people in view";
+    chart.subtitle = a.scene + ", " + std::to_string(a.width) + " x " + std::to_string(a.height) + ", " + context;
+    chart.x = {"people in view", charts::Scale::logarithmic, {}, {}};
+    chart.y = {"frames a second", charts::Scale::logarithmic, {}, {}};
+    charts::Series series[3];
+    series[0].name = "CPU path, a pass a zone (2005)";
+    series[1].name = "CPU path, fused";
+    series[2].name = "shader path";
+    for (const Row &row : rows) {
+        const Measured *measured[3] = {&row.per_zone, &row.fused, &row.shaders};
+        for (int i = 0; i < 3; ++i)
+            series[i].points.push_back({static_cast<double>(row.people), measured[i]->frames_a_second()});
+    }
+    chart.series.assign(series, series + 3);
+    chart.note =
+        "In the manner of S2's Fig. 11: the mean of the lowest and the highest rate; both paths on the same OpenGL.";
+    return chart;
+}
+
+void run(const Arguments &a)
+{
+    const fs::path folder = fs::temp_directory_path() / ("claque-fig11-" + std::to_string(getpid()));
+    scenes::Library library(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    std::vector<Row> rows;
+    std::string context;
+    for (const uint32_t count : a.counts) {
+        std::cerr << "fig11: " << count << " people\n";
+        rows.push_back(measure(a, library, count, folder.string()));
+        fs::remove_all(folder);
+    }
+    std::string why_not;
+    if (const auto offscreen =
+            contexts::make_offscreen(contexts::Kind::any, 16, 16, contexts::PixelFormat::rgba8888, why_not))
+        context = offscreen->name();
+    print(rows);
+    if (a.save.empty()) return;
+    std::ofstream file(a.save);
+    file << charts::json_of(chart_of(a, rows, context));
+    if (!file) throw scenes::Failure(a.save + " could not be written");
+}
+
+}  // namespace
+
+int main(int argc, char **argv)
+{
+    Arguments a;
+    CLI::App app("S2's Fig. 11: the CPU path against the shader path.");
+    app.add_option("--scene", a.scene, "As claque render has them");
+    app.add_option("--counts", a.counts, "People, several runs")->delimiter(',')->check(CLI::Range(1, 1000000));
+    app.add_option("--frames", a.frames, "Of each kind and count")->check(CLI::Range(1, 10000));
+    app.add_option("--width", a.width, "Of the picture")->check(CLI::Range(16, 16384));
+    app.add_option("--height", a.height, "Of the picture")->check(CLI::Range(16, 16384));
+    app.add_option("--save", a.save, "The chart, for claque plot");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        run(a);
+        return 0;
+    } catch (const std::exception &error) {
+        std::cerr << "fig11: " << error.what() << "\n";
+        return 1;
+    }
+}

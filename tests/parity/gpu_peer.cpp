@@ -1,0 +1,29 @@
+// gpu_peer SCENE RESULT: draws what claque parity export wrote with shaders, and writes what came of it. Exit codes: 0 done;
+// 1 failed, with one sentence; 2 used wrongly; 77 this machine has no OpenGL to draw with.
+#include "tests/parity/result_out.h"
+
+#include <iostream>
+
+int main(int argc, char **argv)
+{
+    if (argc != 3) {
+        std::cerr << "gpu_peer SCENE RESULT: the folder of a parity scene, and one for what comes of it\n";
+        return 2;
+    }
+    try {
+        const parity_test::SceneIn scene = parity_test::read_scene(argv[1]);
+        std::string why_not;
+        const auto context = contexts::make_offscreen(contexts::Kind::any, scene.width, scene.height,
+                                                      contexts::PixelFormat::rgba8888, why_not);
+        if (!context) {
+            std::cerr << "gpu_peer: no OpenGL context: " << why_not << "\n";
+            return 77;
+        }
+        parity_test::Peer peer(*context, scene);
+        parity_test::write_result(*context, peer, scene, argv[1], argv[2]);
+        return 0;
+    } catch (const std::exception &error) {
+        std::cerr << "gpu_peer: " << error.what() << "\n";
+        return 1;
+    }
+}

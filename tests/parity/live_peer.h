@@ -1,0 +1,36 @@
+// The GPU peer at work on a running crowd: meshes, textures and colours as they were exported once, palettes as each update
+// leaves them.
+#pragma once
+
+#include "tests/parity/peer.h"
+
+#include <claque/claque.h>
+#include <claque/mesh.h>
+#include <claque/shown.h>
+
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace parity_test
+{
+
+class LivePeer
+{
+public:
+    // `folder` was written of this view. The context must be current, here and below.
+    LivePeer(const contexts::Offscreen &context, const std::string &folder, const clq_view *view);
+
+    void begin();
+    // Asks for everybody's palette, and waits for OpenGL. Throws.
+    void draw(const clq_view *view);
+
+private:
+    SceneIn scene_;
+    std::optional<Peer> peer_;
+    std::map<std::tuple<const clq_template *, uint32_t, uint32_t>, uint32_t> mesh_;  // by level and texture set
+    std::map<uint32_t, size_t> row_;                                                 // of the atlas, by actor
+    std::vector<float> columns_, rows_, weights_;
+};
+
+}  // namespace parity_test

@@ -1,0 +1,70 @@
+// The GPU peer (S2 2.2, 2.5): a crowd drawn by matrix palettes in a vertex shader and one look-up in a colour atlas a
+// fragment, one draw an individual and material. It knows a scene's folder and nothing of claque.
+#pragma once
+
+#include "tests/parity/gl20.h"
+#include "tests/parity/scene_in.h"
+#include "tests/parity/shaders.h"
+
+#include <map>
+
+namespace parity_test
+{
+
+class Peer
+{
+public:
+    // The context must be current, here and below. `scene` has to live as long. Throws Failure, also where a palette does not fit
+    // this OpenGL's uniforms.
+    Peer(const contexts::Offscreen &context, const SceneIn &scene);
+    ~Peer();
+    Peer(const Peer &) = delete;
+    Peer &operator=(const Peer &) = delete;
+
+    // A cleared picture, and the state that all draws share.
+    void begin(What what);
+    // `palette`: three rows of four a joint; `weights` of the morph targets. row: of the atlas.
+    void draw(const Individual &who, size_t row, const float *palette, const float *weights);
+    // The whole scene as it was exported, in the order of its list.
+    void draw_all(What what);
+
+    // Positions and normals of all individuals, as the vertex shader has them; false where this OpenGL cannot give them back.
+    bool skin(std::vector<float> &positions, std::vector<float> &normals);
+
+    const Gl20 &gl() const { return gl_; }
+
+private:
+    struct Program {
+        unsigned name = 0;
+        int palette = -1, normal_palette = -1, row = -1, id = -1;
+    };
+    struct Buffers {
+        unsigned shape = 0, indices = 0;  // names
+        size_t offsets[attribute_count] = {};
+    };
+
+    const Program &program_for(const Variant &variant);
+    unsigned compile(unsigned kind, const std::string &text);
+    void set_scene_uniforms(unsigned program);
+    void upload_textures();
+    void upload_meshes();
+    void use_mesh(const Individual &who, const float *weights);
+    void bind_morphed(const Mesh &mesh, const float *weights);
+    Variant variant_for(const Individual &who, const Range &range) const;
+    void use_program(const Individual &who, const Variant &variant, size_t row, const float *palette);
+
+    Gl20 gl_;
+    const SceneIn &scene_;
+    size_t most_joints_ = 1;
+    std::map<Variant, Program> programs_;
+    std::vector<unsigned> textures_, atlases_;
+    std::vector<Buffers> meshes_;
+    unsigned morphed_ = 0;  // buffer
+    What what_ = What::colour;
+    // What OpenGL has now.
+    size_t mesh_ = SIZE_MAX, material_ = SIZE_MAX, atlas_ = SIZE_MAX;
+    const Program *program_ = nullptr;
+    bool palette_is_set_ = false;
+};
+
+}  // namespace parity_test

@@ -1,0 +1,39 @@
+// S2's shaders (2.2, 2.5) in GLSL 1.20, lit per vertex: a matrix palette of up to eight influences, and one look-up in the
+// colour atlas.
+#pragma once
+
+#include "tests/parity/scene_in.h"
+
+#include <string>
+
+namespace parity_test
+{
+
+enum class What { colour, actor, zone, vertices };
+
+// What a program is compiled for.
+struct Variant {
+    What what = What::colour;
+    size_t joints = 1, sets = 1;  // sets of four influences
+    bool normals_by_inverse = false, double_sided = false, holes = false;
+    bool operator<(const Variant &o) const;
+};
+
+enum Attribute {
+    at_position,
+    at_normal,
+    at_uv,
+    at_colour,
+    at_joints,
+    at_weights = at_joints + 2,
+    attribute_count = at_weights + 2
+};
+extern const char *const attribute_names[attribute_count];
+
+std::string vertex_shader(const Variant &variant, const Lighting &lighting);
+std::string fragment_shader(const Variant &variant, const Lighting &lighting, const Fog &fog);
+
+// That any vertex can get in any channel.
+double most_light(const Lighting &lighting);
+
+}  // namespace parity_test
