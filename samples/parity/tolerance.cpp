@@ -2,6 +2,8 @@
 
 #include "samples/parity/measures.h"
 
+// As samples/scenes has it: one program can hold only one of its two forms.
+#define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -77,28 +79,27 @@ const Tolerance *find_named(const std::string &name)
 
 Tolerance tolerance_from(const std::string &text, const std::string &path)
 {
+    const toml::parse_result parsed = toml::parse(text, path);
+    if (!parsed)
+        throw Unreadable(path + ", line " + std::to_string(parsed.error().source().begin.line) + ": " +
+                         std::string(parsed.error().description()));
+    const toml::table &file = parsed.table();
     Tolerance t;
-    try {
-        const toml::table file = toml::parse(text, path);
-        if (const toml::node *base = file.get("base")) {
-            const Tolerance *named = find_named(base->value_or(std::string()));
-            if (!named) throw Unreadable(at(*base, path) + "'base' may be exact, gpu or loose");
-            t = *named;
-        }
-        t.name = path;
-        for (const auto &[key, node] : file) {
-            const toml::table *limits = node.as_table();
-            if (key.str() == "base") continue;
-            if (key.str() == "require") read_required(node, path, t);
-            else if (limits && key.str() == "at_most") read_limits(*limits, "", true, path, t);
-            else if (limits && key.str() == "at_least") read_limits(*limits, "", false, path, t);
-            else
-                throw Unreadable(at(node, path) + "'" + std::string(key.str()) +
-                                 "' is none of base, require, [at_most] and [at_least]");
-        }
-    } catch (const toml::parse_error &error) {
-        throw Unreadable(path + ", line " + std::to_string(error.source().begin.line) + ": " +
-                         std::string(error.description()));
+    if (const toml::node *base = file.get("base")) {
+        const Tolerance *named = find_named(base->value_or(std::string()));
+        if (!named) throw Unreadable(at(*base, path) + "'base' may be exact, gpu or loose");
+        t = *named;
+    }
+    t.name = path;
+    for (const auto &[key, node] : file) {
+        const toml::table *limits = node.as_table();
+        if (key.str() == "base") continue;
+        if (key.str() == "require") read_required(node, path, t);
+        else if (limits && key.str() == "at_most") read_limits(*limits, "", true, path, t);
+        else if (limits && key.str() == "at_least") read_limits(*limits, "", false, path, t);
+        else
+            throw Unreadable(at(node, path) + "'" + std::string(key.str()) +
+                             "' is none of base, require, [at_most] and [at_least]");
     }
     if (t.limits.empty() && t.required.empty()) throw Unreadable(path + " sets no limit");
     return t;
