@@ -20,8 +20,12 @@ typedef struct clq_levels_def {
                               (other views: clq_view_set_height). Default 1 */
     float metres_per_unit; /* of the character. Default 1 */
     /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, each
-     * triangle shows one zone. Of skinned characters only. 0: none. Default 250 */
+     * triangle shows one zone. So are those that seams and borders keep from their targets by a tenth. Of skinned
+     * characters only. 0: none. Default 250 */
     uint32_t far_from;
+    /* 1: by OpenMesh's quadric alone, on the welded mesh, each corner taking what the vertex it comes to has there: what
+     * levels are held against, not what anyone should draw. No level is a far one, and none is left out. Default 0 */
+    uint32_t plain;
 } clq_levels_def;
 
 static inline clq_levels_def clq_levels_def_init(void)
@@ -33,6 +37,7 @@ static inline clq_levels_def clq_levels_def_init(void)
     def.tolerance_px = 1.0f;
     def.metres_per_unit = 1.0f;
     def.far_from = 250;
+    def.plain = 0;
     return def;
 }
 
@@ -40,11 +45,13 @@ static inline clq_levels_def clq_levels_def_init(void)
 typedef struct clq_made_level {
     float first_m; /* it serves from here on, as clq_part_def.lod_first_m says */
     uint32_t triangle_count, vertex_count;
-    float error_m;                 /* what it was chosen by: twice the root of the mean of squares in motion */
-    float rest_max_m, rest_rms_m;  /* at rest */
+    float error_m;                  /* what it was chosen by: twice the root of the mean of squares in motion */
+    float rest_max_m, rest_rms_m;   /* at rest */
     float posed_max_m, posed_rms_m; /* over eight poses of each of the first 32 clips */
-    float wrong_zone;              /* [0, 1] share of the finest's area that shows another zone */
-    uint32_t open_edges;           /* that the finest does not have */
+    float wrong_zone;               /* [0, 1] share of the finest's area that shows another zone */
+    uint32_t open_edges;            /* that the finest does not have */
+    uint32_t flipped_uvs;           /* triangles that have turned over in their texture */
+    float zone_drift; /* [0, 1] by how much the share of area of any zone differs from the finest's at most */
 } clq_made_level;
 
 /* Gives an asset levels of detail. Parts that are hidden or have distances of their own stay as they are. Levels that
@@ -56,6 +63,14 @@ typedef struct clq_made_level {
  * Threads: any one. GL: none. */
 CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
                                          clq_made_level *out, uint32_t capacity, uint32_t *count);
+
+/* How much of the surface that an asset shows at a distance each zone has, at rest: what levels of detail should not change.
+ *   out   [capacity] shares of area, [0, 1], by zone in the asset's order, then what has no zone; NULL with capacity 0
+ *   count zones and one more, may be more than capacity; may be NULL
+ * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_zone_shares(const clq_asset *asset, float distance_m, float *out, uint32_t capacity,
+                                         uint32_t *count);
+CLQ_API const char *clq_asset_get_zone_name(const clq_asset *asset, uint32_t zone); /* "" beyond the last */
 
 #ifdef __cplusplus
 }

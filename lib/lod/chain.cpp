@@ -5,7 +5,9 @@
 
 #include "lib/base/error.h"
 #include "lib/lod/far.h"
+#include "lib/lod/plain.h"
 #include "lib/lod/samples.h"
+#include "lib/lod/shares.h"
 
 namespace claque::lod
 {
@@ -79,18 +81,28 @@ Made finest_of(const Source &source)
     return made;
 }
 
-void add_near(const model::Rig &rig, const std::vector<const model::Part *> &source, const std::vector<size_t> &targets,
-              Decimation how, std::vector<Made> &made)
+// Those of `targets` that seams and borders keep it from, descending; what it came to on the way is one level.
+std::vector<size_t> add_near(const model::Rig &rig, const std::vector<const model::Part *> &source,
+                             const std::vector<size_t> &targets, const ChainWish &wish, std::vector<Made> &made)
 {
+    Decimation how = wish.how;
     how.targets = targets;
     const std::vector<std::vector<glm::vec3>> rest = at_rest(rig, source);
     std::vector<Piece> pieces;
     for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i]});
-    for (Decimated &less : decimate(pieces, how)) {
+    std::vector<Decimated> levels = wish.plain ? decimated_plainly(pieces, targets) : decimate(pieces, how);
+    std::vector<size_t> missed;
+    size_t before = made.back().level.triangles;
+    for (size_t k = 0; k < levels.size(); ++k) {
+        if (levels[k].triangles * 10 > targets[k] * 11) missed.push_back(targets[k]);
+        if (levels[k].triangles >= before) continue;
+        before = levels[k].triangles;
         Made next;
-        next.parts = std::move(less.parts);
+        next.level.flipped = levels[k].flipped;
+        next.parts = std::move(levels[k].parts);
         made.push_back(std::move(next));
     }
+    return missed;
 }
 
 // `model` gets the material and the image of these levels, and keys that tell all its zones apart.
@@ -109,15 +121,32 @@ void add_far(model::Model &model, const std::vector<const model::Part *> &source
     for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = far.zone_keys[zone];
 }
 
-void measure(const model::Model &model, const std::vector<const model::Part *> &source, const ChainWish &wish,
-             double from_m, Made &made)
+std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
 {
-    ChainLevel &level = made.level;
-    for (const model::Part &part : made.parts)
-        level.triangles += part.indices.size() / 3, level.vertices += part.positions.size();
-    level.deviation = deviation(model, source, made.parts, wish.sampling, wish.metres_per_unit);
-    level.error_m = 2 * level.deviation.posed_rms_m;
-    level.first_m = std::max(distance_of(level.error_m, wish.tolerance_px), from_m);
+    std::vector<const model::Part *> out;
+    for (const model::Part &part : parts) out.push_back(&part);
+    return out;
+}
+
+void measure(const model::Model &model, const std::vector<const model::Part *> &source, const ChainWish &wish,
+             std::vector<Made> &made)
+{
+    std::vector<const std::vector<model::Part> *> levels;
+    for (size_t k = 1; k < made.size(); ++k) levels.push_back(&made[k].parts);
+    const std::vector<Deviation> found = deviations(model, source, levels, wish.sampling, wish.metres_per_unit);
+    const std::vector<double> shares = zone_shares(model, source);
+    for (size_t k = 1; k < made.size(); ++k) {
+        ChainLevel &level = made[k].level;
+        for (const model::Part &part : made[k].parts)
+            level.triangles += part.indices.size() / 3, level.vertices += part.positions.size();
+        level.deviation = found[k - 1];
+        level.error_m = 2 * level.deviation.posed_rms_m;
+        const double from_m = made[k - 1].level.first_m;
+        level.first_m = std::max(distance_of(level.error_m, wish.tolerance_px), from_m);
+        // Each is kept, and distances must ascend.
+        if (wish.plain) level.first_m = std::max(level.first_m, from_m * 1.001 + 0.001);
+        level.zone_drift = largest_drift(shares, zone_shares(model, pointers(made[k].parts)));
+    }
 }
 
 std::vector<size_t> checked(std::vector<size_t> targets)
@@ -170,10 +199,10 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     const Source source = source_of(model);
     if (!(wish.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", wish.tolerance_px);
+    const bool has_far = source.skinned && wish.far_from > 0 && !wish.plain;
     std::vector<size_t> near_targets, far_targets;
     for (const size_t n : checked(wish.targets.empty() ? usual_targets(source.triangles) : wish.targets)) {
-        const bool is_far = n <= wish.far_from && source.skinned;
-        if (n < source.triangles) (is_far ? far_targets : near_targets).push_back(n);
+        if (n < source.triangles) (has_far && n <= wish.far_from ? far_targets : near_targets).push_back(n);
     }
     // Materials, images and keys as they will be.
     model::Model next;
@@ -181,10 +210,13 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     next.zones = model.zones, next.images = model.images, next.materials = model.materials;
 
     std::vector<Made> made = {finest_of(source)};
-    if (!near_targets.empty()) add_near(next.rig, source.parts, near_targets, wish.how, made);
+    if (!near_targets.empty()) {
+        const std::vector<size_t> missed = add_near(next.rig, source.parts, near_targets, wish, made);
+        if (has_far) far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
+    }
     if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, made);
-    for (size_t k = 1; k < made.size(); ++k) measure(next, source.parts, wish, made[k - 1].level.first_m, made[k]);
-    made = in_use(std::move(made));
+    measure(next, source.parts, wish, made);
+    if (!wish.plain) made = in_use(std::move(made));
 
     std::vector<ChainLevel> report;
     for (const Made &level : made) report.push_back(level.level);

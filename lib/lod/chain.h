@@ -15,18 +15,23 @@ struct ChainWish {
     // Triangles of all parts together, descending strictly; those that are not fewer than the character's are skipped.
     // Empty: usual_targets().
     std::vector<size_t> targets;
-    Decimation how;         // its own targets are not used
-    size_t far_from = 250;  // levels of so many triangles and fewer are far ones (far.h); 0: none
+    Decimation how;  // its own targets are not used
+    // Levels of so many triangles and fewer are far ones (far.h), and so are those that seams and borders keep decimation
+    // from by a tenth; 0: none.
+    size_t far_from = 250;
     Sampling sampling;
     double metres_per_unit = 1;
     double tolerance_px = 1;  // at 768 lines over 60 degrees: how large a level's error may be where it begins
+    bool plain = false;       // plain.h, every level kept: what others are held against
 };
 
 struct ChainLevel {
     size_t triangles = 0, vertices = 0;
-    double error_m = 0;   // what it was chosen by: twice the root of the mean of squares in motion
-    double first_m = 0;   // it serves from here on
-    Deviation deviation;  // of the first, all 0
+    double error_m = 0;     // what it was chosen by: twice the root of the mean of squares in motion
+    double first_m = 0;     // it serves from here on
+    Deviation deviation;    // of the first, all 0
+    size_t flipped = 0;     // triangles that have turned over in their texture
+    double zone_drift = 0;  // shares.h, from the finest
 };
 
 // What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 42, 30. Above

@@ -101,6 +101,25 @@ void ModCost<MeshType>::add_borders()
     }
 }
 
+// Of the triangles round the vertex that goes, the two that vanish with it included.
+template <class MeshType>
+double ModCost<MeshType>::area_change(const CollapseInfo &ci)
+{
+    const MeshType &mesh = Base::mesh();
+    double change = 0;
+    for (auto f = mesh.cvf_iter(ci.v0); f.is_valid(); ++f) {
+        const Corners &corners = mesh.property(surface_->corners, *f);
+        std::array<glm::dvec3, 3> before, after;
+        for (size_t k = 0; k < 3; ++k) {
+            before[k] = point(mesh, typename MeshType::VertexHandle(corners.at[k]));
+            after[k] = corners.at[k] == ci.v0.idx() ? point(mesh, ci.v1) : before[k];
+        }
+        change +=
+            TriangleFrame(after[0], after[1], after[2]).area - TriangleFrame(before[0], before[1], before[2]).area;
+    }
+    return change;
+}
+
 template <class MeshType>
 float ModCost<MeshType>::collapse_priority(const CollapseInfo &ci)
 {
@@ -118,6 +137,8 @@ float ModCost<MeshType>::collapse_priority(const CollapseInfo &ci)
         seen[seen[0] == model::none ? 0 : 1] = side;
         cost += attributes_[side].at(onto, carried_[to]);
     }
+    const double lost = area_change(ci);
+    cost += weights_.area * lost * lost;
     return static_cast<float>(std::max(cost, 0.0));
 }
 

@@ -30,12 +30,16 @@ struct Decimation {
     // joints moves by so much of it when they do.
     double influence = 0.1;
     double texture = 0.25;  // of the distance on the surface by which a place in the texture moves; 0: none
+    // Of the square of the area that a collapse takes away or adds: without it limbs, whose vertices all lie outside of what
+    // is between them, become thin, and skin loses to clothes.
+    double area = 10;
 };
 
 struct Decimated {
     std::vector<model::Part> parts;           // those of the source, in order; one may have no triangle left
     std::vector<std::vector<uint32_t>> kept;  // of each part, of each vertex: which of the source's it is
     size_t triangles = 0;
+    size_t flipped = 0;  // triangles that have turned over in their texture
     size_t refused = 0;  // triangles on edges with more than two faces: kept as they are, beyond the target if need be
 };
 

@@ -76,42 +76,71 @@ std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
     return out;
 }
 
+// One level against the source.
+struct Beside {
+    PosedParts coarse;
+    std::vector<Pair> out, back;  // from the source to the level, and from the level
+    std::vector<double> areas;
+    Sum rest, posed;
+
+    explicit Beside(const std::vector<model::Part> &level) : coarse(pointers(level)) {}
+    void match(const PosedParts &fine)
+    {
+        out = nearest_pairs(fine, coarse), back = nearest_pairs(coarse, fine);
+        areas = areas_of(coarse);
+    }
+    void add(const PosedParts &fine, const std::vector<double> &fine_areas, Sum &sum) const
+    {
+        add_distances(fine, coarse, out, fine_areas, sum);
+        add_distances(coarse, fine, back, areas, sum);
+    }
+};
+
 }  // namespace
 
-Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
-                    const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit)
+std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
+                                  const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
+                                  double metres_per_unit)
 {
-    PosedParts fine(source), coarse(pointers(level));
+    PosedParts fine(source);
+    std::vector<Beside> all;
+    for (const std::vector<model::Part> *level : levels) all.emplace_back(*level);
     pose::Workspace workspace(model.rig);
     const auto pose = [&](uint32_t clip, double time_s) {
         const base::Span<const math::Affine> palette = workspace.pose(clip, time_s);
         fine.pose(model.rig, palette, workspace.weights());
-        coarse.pose(model.rig, palette, workspace.weights());
+        for (Beside &one : all) one.coarse.pose(model.rig, palette, workspace.weights());
     };
     pose(model::none, 0);
-    const std::vector<Pair> out = nearest_pairs(fine, coarse), back = nearest_pairs(coarse, fine);
-    const std::vector<double> fine_areas = areas_of(fine), coarse_areas = areas_of(coarse);
-    Deviation found;
-    Sum rest, posed;
-    const auto add = [&](Sum &sum) {
-        add_distances(fine, coarse, out, fine_areas, sum);
-        add_distances(coarse, fine, back, coarse_areas, sum);
-    };
-    add(rest);
-    found.wrong_zone = wrong_zones(model, fine, coarse, out, fine_areas);
-    const size_t open = open_edges(coarse), open_before = open_edges(fine);
-    found.open_edges = open > open_before ? open - open_before : 0;
+    const std::vector<double> fine_areas = areas_of(fine);
+    const size_t open_before = open_edges(fine);
+    std::vector<Deviation> found(all.size());
+    for (size_t k = 0; k < all.size(); ++k) {
+        all[k].match(fine);
+        all[k].add(fine, fine_areas, all[k].rest);
+        found[k].wrong_zone = wrong_zones(model, fine, all[k].coarse, all[k].out, fine_areas);
+        const size_t open = open_edges(all[k].coarse);
+        found[k].open_edges = open > open_before ? open - open_before : 0;
+    }
     const uint32_t clips = std::min(sampling.most_clips, static_cast<uint32_t>(model.rig.clips.size()));
     for (uint32_t clip = 0; clip < clips; ++clip)
         for (uint32_t i = 0; i < sampling.poses_per_clip; ++i) {
             const model::Clip &c = model.rig.clips[clip];
             pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip);
-            add(posed);
+            for (Beside &one : all) one.add(fine, fine_areas, one.posed);
         }
-    if (clips == 0 || sampling.poses_per_clip == 0) posed = rest;
-    found.rest_m = rest.most * metres_per_unit, found.rest_rms_m = rest.rms() * metres_per_unit;
-    found.posed_m = posed.most * metres_per_unit, found.posed_rms_m = posed.rms() * metres_per_unit;
+    for (size_t k = 0; k < all.size(); ++k) {
+        const Sum &rest = all[k].rest, &posed = clips == 0 || sampling.poses_per_clip == 0 ? rest : all[k].posed;
+        found[k].rest_m = rest.most * metres_per_unit, found[k].rest_rms_m = rest.rms() * metres_per_unit;
+        found[k].posed_m = posed.most * metres_per_unit, found[k].posed_rms_m = posed.rms() * metres_per_unit;
+    }
     return found;
+}
+
+Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
+                    const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit)
+{
+    return deviations(model, source, {&level}, sampling, metres_per_unit)[0];
 }
 
 }  // namespace claque::lod

@@ -3,6 +3,8 @@
 // level's corners' middles against the source likewise. What a level of detail is chosen by (S1 6).
 #pragma once
 
+#include <vector>
+
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -24,5 +26,10 @@ struct Sampling {
 // triangles, in order; both have passed model::check.
 Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
                     const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit = 1);
+
+// Of several levels, each as by itself; poses of the source are made once for all of them.
+std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
+                                  const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
+                                  double metres_per_unit = 1);
 
 }  // namespace claque::lod

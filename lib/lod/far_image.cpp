@@ -7,7 +7,9 @@
 #include <tuple>
 
 #include "lib/base/error.h"
+#include "lib/lod/far_zones.h"
 #include "lib/lod/samples.h"
+#include "lib/lod/shares.h"
 #include "lib/pose/pose.h"
 
 namespace claque::lod
@@ -23,10 +25,7 @@ constexpr uint32_t blocks_across = 16;  // of the image
 
 struct Look {
     uint32_t zone = 0, shade = 0, shades = 1;  // which of how many
-    bool operator<(const Look &o) const
-    {
-        return std::tie(zone, shades, shade) < std::tie(o.zone, o.shades, o.shade);
-    }
+    bool operator<(const Look &o) const { return std::tie(zone, shades, shade) < std::tie(o.zone, o.shades, o.shade); }
 };
 
 // Of everything that is nearest to one triangle.
@@ -60,14 +59,30 @@ std::vector<Seen> what_is_seen(const model::Model &model, const PosedParts &sour
     return seen;
 }
 
-Look look_of(const Seen &seen, uint32_t shades, Colours &colours)
+// Where a triangle shows a zone that it has seen nothing of, the zone's usual colour does.
+struct Usual {
+    std::map<uint32_t, std::pair<glm::dvec3, double>> sums;
+    explicit Usual(const std::vector<Seen> &all)
+    {
+        for (const Seen &seen : all)
+            for (const auto &[zone, area] : seen.areas) {
+                auto &[sum, weight] = sums.try_emplace(zone, glm::dvec3(0), 0.0).first->second;
+                sum += seen.colours.at(zone), weight += area;
+            }
+    }
+};
+
+Look look_of(const Seen &seen, uint32_t zone, const Usual &usual, uint32_t shades, Colours &colours)
 {
     Look look;
-    const auto most = std::max_element(seen.areas.begin(), seen.areas.end(),
-                                       [](const auto &a, const auto &b) { return a.second < b.second; });
-    look.zone = most->first;
-    const glm::dvec3 colour = seen.colours.at(look.zone);
-    const double area = std::max(most->second, 1e-30);
+    look.zone = zone;
+    const auto own = seen.areas.find(zone);
+    const auto other = usual.sums.find(zone);
+    const bool has = own != seen.areas.end() && own->second > 0;
+    const glm::dvec3 colour = has                         ? seen.colours.at(zone)
+                              : other != usual.sums.end() ? other->second.first
+                                                          : glm::dvec3(1);
+    const double area = has ? own->second : other != usual.sums.end() ? std::max(other->second.second, 1e-30) : 1;
     const double bright = (colour.x + colour.y + colour.z) / (3 * area);
     look.shades = shades;
     look.shade = std::min(shades - 1, static_cast<uint32_t>(bright * shades));
@@ -130,6 +145,7 @@ FarLevels painted(const model::Model &model, const std::vector<const model::Part
     pose::Workspace workspace(model.rig);
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     fine.pose(model.rig, palette, workspace.weights());
+    const std::vector<double> shares = zone_shares(model, source);
     Colours colours;
     std::vector<std::vector<Look>> looks;
     for (const model::Part &part : parts) {
@@ -137,8 +153,13 @@ FarLevels painted(const model::Model &model, const std::vector<const model::Part
         coarse.pose(model.rig, palette, workspace.weights());
         looks.emplace_back();
         const uint32_t shades = coarse.triangles().size() <= plain_triangles ? 1 : most_shades;
-        for (const Seen &seen : what_is_seen(model, fine, coarse))
-            looks.back().push_back(look_of(seen, shades, colours));
+        const std::vector<Seen> seen = what_is_seen(model, fine, coarse);
+        std::vector<ZoneAreas> areas;
+        for (const Seen &one : seen) areas.push_back(one.areas);
+        const std::vector<uint32_t> zones = chosen_zones(model, fine, coarse, areas, shares);
+        const Usual usual(seen);
+        for (size_t t = 0; t < seen.size(); ++t)
+            looks.back().push_back(look_of(seen[t], zones[t], usual, shades, colours));
     }
 
     FarLevels far;

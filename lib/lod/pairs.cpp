@@ -36,9 +36,10 @@ std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
     }
     std::vector<Pair> out;
     if (!trees.back().nearest) return out;
+    const bool part_by_part = from.part_count() == to.part_count();
     for (uint32_t t = 0; t < from.triangles().size(); ++t) {
         const uint32_t part = from.triangles()[t].part;
-        const Tree &own = trees[std::min(part, to.part_count())], &tree = own.nearest ? own : trees.back();
+        const Tree &own = part_by_part ? trees[part] : trees.back(), &tree = own.nearest ? own : trees.back();
         for (const glm::dvec3 &spot : spots) {
             Pair pair;
             pair.here = {t, spot};

@@ -60,6 +60,7 @@ struct Weights {
     double influence = 0;  // a whole influence that another joint takes
     double texture = 0;    // 1 of u or v
     double border = 1;     // seams and open edges against the surface itself
+    double area = 1;       // the square of what a collapse takes from the surface or adds to it
 };
 
 // The cost of a collapse: lib/lod/quadric.h. It also moves the corners of faces, after what they carry has been added up.
@@ -77,6 +78,7 @@ public:
 private:
     Attributes attributes_of(uint32_t corner) const;
     void add_borders();
+    double area_change(const CollapseInfo &ci);
 
     Surface *surface_ = nullptr;
     Weights weights_;

@@ -4,11 +4,11 @@
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
+#include "samples/cli/levels_table.h"
 #include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
 #include "samples/cli/stage_arguments.h"
-
-#include <claque/levels.h>
+#include "samples/cli/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,19 +28,20 @@ struct LodsArguments {
     std::string file, out;
     std::vector<std::string> hidden;
     std::vector<uint32_t> targets;
+    uint32_t far_from = 250;
     double tolerance_px = 1;
-    bool json = false;
+    bool json = false, compare = false;
     int width = 1600, height = 560;
 };
 
-using Levels = std::vector<clq_made_level>;
-
-Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArguments &a)
+Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArguments &a, bool plain = false)
 {
     clq_levels_def def = clq_levels_def_init();
     def.targets = a.targets.data();
     def.target_count = static_cast<uint32_t>(a.targets.size());
     def.tolerance_px = static_cast<float>(a.tolerance_px);
+    def.far_from = a.far_from;
+    def.plain = plain;
     Levels levels(64);
     uint32_t count = 0;
     scenes::check(clq_asset_make_levels(library.context(), asset, &def, levels.data(),
@@ -48,35 +49,6 @@ Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArgumen
                   a.file);
     levels.resize(std::min<size_t>(count, levels.size()));
     return levels;
-}
-
-Json json_of(const Levels &levels)
-{
-    Json list = Json::array();
-    for (const clq_made_level &level : levels)
-        list.push_back({{"first_m", level.first_m},
-                        {"triangles", level.triangle_count},
-                        {"vertices", level.vertex_count},
-                        {"error_mm", 1000 * level.error_m},
-                        {"rest_rms_mm", 1000 * level.rest_rms_m},
-                        {"rest_max_mm", 1000 * level.rest_max_m},
-                        {"posed_rms_mm", 1000 * level.posed_rms_m},
-                        {"posed_max_mm", 1000 * level.posed_max_m},
-                        {"wrong_zone_percent", 100 * level.wrong_zone},
-                        {"open_edges", level.open_edges}});
-    return list;
-}
-
-void print(const Levels &levels)
-{
-    std::printf(
-        "triangles vertices   from m   at rest mm: rms    most   in motion mm: rms    most   wrong zone %%  open "
-        "edges\n");
-    for (const clq_made_level &l : levels)
-        std::printf("%9u %8u %8.1f %17.2f %7.1f %19.2f %7.1f %14.2f %11u\n", l.triangle_count, l.vertex_count,
-                    double(l.first_m), 1000 * double(l.rest_rms_m), 1000 * double(l.rest_max_m),
-                    1000 * double(l.posed_rms_m), 1000 * double(l.posed_max_m), 100 * double(l.wrong_zone),
-                    l.open_edges);
 }
 
 std::string number(double value, const char *format)
@@ -124,16 +96,38 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
     write_whole(a.out, file.data(), file.size());
 }
 
+// The same number of triangles by both ways.
+void compare(const LodsArguments &a, scenes::Library &library)
+{
+    LevelsBeside beside;
+    const auto make = [&](const LodsArguments &how, bool plain, double &took_s) {
+        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden);
+        const Stopwatch watch;
+        Levels levels = make_levels(library, asset.get(), how, plain);
+        took_s = watch.ms() / 1000;
+        return levels;
+    };
+    beside.ours = make(a, false, beside.ours_s);
+    LodsArguments reached = a;
+    reached.targets.clear();
+    for (size_t k = 1; k < beside.ours.size(); ++k) reached.targets.push_back(beside.ours[k].triangle_count);
+    if (reached.targets.empty()) throw scenes::Failure(a.file + " has no levels to compare");
+    beside.plain = make(reached, true, beside.plain_s);
+    if (a.json) std::cout << json_of(beside).dump(2) << '\n';
+    else print(beside);
+}
+
 void show(const LodsArguments &a)
 {
     if (!a.out.empty()) expect_writable(a.out);
     scenes::Library library(1);
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared: levels are made before, from its source");
+    if (a.compare) return compare(a, library);
     LoadedCharacter loaded;
     loaded.asset = load_asset(library, a.file, a.hidden);
     const Levels levels = make_levels(library, loaded.asset.get(), a);
     if (a.json) std::cout << json_of(levels).dump(2) << '\n';
-    else print(levels);
+    else print(levels), print(levels, zone_shares(loaded.asset.get(), levels));
     if (a.out.empty()) return;
     clq_template *made = nullptr;
     scenes::check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), a.file);
@@ -151,12 +145,17 @@ void add_lods(CLI::App &app, Work &chosen)
     c->add_option("FILE", a->file, "glTF, GLB, or a built-in figure's name (citizen, patrician ...)")->required();
     c->add_option("--picture,--out,-o", a->out, "PNG: levels at equal size, and below at the size where they begin");
     c->add_option("--targets", a->targets, "Triangles of the levels, descending, with commas")->delimiter(',');
+    c->add_option("--far-from", a->far_from, "Levels of so many triangles and fewer are one closed surface; 0: none")
+        ->capture_default_str();
     c->add_option("--tolerance", a->tolerance_px, "Pixels that a level may be off by where it begins")
         ->check(CLI::Range(0.01, 100.0))
         ->capture_default_str();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();
+    c->add_flag("--compare", a->compare,
+                "Beside what a quadric alone makes of the same character: errors, zones, cracks")
+        ->excludes("--picture");
     c->add_flag("--json", a->json, "As JSON");
     add_size_option(*c, a->width, a->height);
     c->callback([a, &chosen] { chosen = [a] { show(*a); }; });

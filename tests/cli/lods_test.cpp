@@ -29,6 +29,31 @@ TEST_F(LodsUse, lists_levels_from_the_finest_with_growing_errors)
     }
 }
 
+TEST_F(LodsUse, compares_with_a_quadric_alone_at_equal_triangles)
+{
+    const Outcome outcome = claque({"lods", "citizen", "--targets", "600,60", "--compare", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json beside = Json::parse(outcome.out);
+    ASSERT_EQ(beside["claque"].size(), 3u);
+    ASSERT_EQ(beside["plain"].size(), 3u);
+    for (size_t i = 1; i < 3; ++i) {
+        const int ours = beside["claque"][i]["triangles"].get<int>(),
+                  plain = beside["plain"][i]["triangles"].get<int>();
+        EXPECT_NEAR(ours, plain, 1);
+        EXPECT_EQ(beside["claque"][i]["flipped_uvs"], 0);
+        EXPECT_GT(beside["plain"][i]["flipped_uvs"], 0);
+        EXPECT_GT(beside["plain"][i]["posed_rms_mm"], 0.0);
+    }
+}
+
+TEST_F(LodsUse, says_how_much_of_the_surface_each_zone_has)
+{
+    const Outcome outcome = claque({"lods", "citizen", "--targets", "60"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("share of the surface %   1092     60"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\ntunic"), std::string::npos) << outcome.out;
+}
+
 TEST_F(LodsUse, refuses_targets_that_go_up)
 {
     const Outcome outcome = claque({"lods", "citizen", "--targets", "100,200"});

@@ -6,6 +6,7 @@
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/boundary.h"
 #include "lib/lod/chain.h"
+#include "lib/lod/shares.h"
 
 using namespace claque;
 
@@ -22,6 +23,7 @@ lod::ChainWish wish_of(const clq_levels_def &def)
     wish.tolerance_px = double(def.tolerance_px);
     wish.metres_per_unit = double(def.metres_per_unit);
     wish.far_from = def.far_from;
+    wish.plain = def.plain != 0;
     return wish;
 }
 
@@ -38,6 +40,8 @@ clq_made_level made(const lod::ChainLevel &level)
     out.posed_rms_m = static_cast<float>(level.deviation.posed_rms_m);
     out.wrong_zone = static_cast<float>(level.deviation.wrong_zone);
     out.open_edges = static_cast<uint32_t>(level.deviation.open_edges);
+    out.flipped_uvs = static_cast<uint32_t>(level.flipped);
+    out.zone_drift = static_cast<float>(level.zone_drift);
     return out;
 }
 
@@ -55,4 +59,25 @@ extern "C" clq_status clq_asset_make_levels(clq_context *context, clq_asset *ass
         for (size_t i = 0; i < std::min<size_t>(capacity, levels.size()); ++i) out[i] = made(levels[i]);
         if (count) *count = static_cast<uint32_t>(levels.size());
     });
+}
+
+extern "C" clq_status clq_asset_zone_shares(const clq_asset *asset, float distance_m, float *out, uint32_t capacity,
+                                            uint32_t *count)
+{
+    return api::boundary("clq_asset_zone_shares", [&] {
+        api::require(asset != nullptr, "asset is NULL");
+        api::require(std::isfinite(distance_m) && distance_m >= 0, "distance_m is below 0");
+        api::require_array(out, capacity, "out");
+        std::vector<const model::Part *> shown;
+        for (const model::Part &part : asset->model.parts)
+            if (!part.hidden && part.lod_first_m <= distance_m && distance_m < part.lod_last_m) shown.push_back(&part);
+        const std::vector<double> shares = lod::zone_shares(asset->model, shown);
+        for (size_t i = 0; i < std::min<size_t>(capacity, shares.size()); ++i) out[i] = static_cast<float>(shares[i]);
+        if (count) *count = static_cast<uint32_t>(shares.size());
+    });
+}
+
+extern "C" const char *clq_asset_get_zone_name(const clq_asset *asset, uint32_t zone)
+{
+    return asset && zone < asset->model.zones.size() ? asset->model.zones[zone].name.c_str() : "";
 }

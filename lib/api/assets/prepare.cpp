@@ -63,6 +63,7 @@ void add_levels(const clq_levels_def &levels, asset::Fingerprint &all)
     all.add(double(levels.tolerance_px));
     all.add(double(levels.metres_per_unit));
     all.add(uint64_t(levels.far_from));
+    all.add(uint64_t(levels.plain));
 }
 
 std::string name_of(const clq_prepare_def &def)

@@ -108,6 +108,20 @@ TEST(Deviation, of_a_flattened_top_is_its_height)
     EXPECT_NEAR(lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {}, 0.01).rest_m, 0.0025, 1e-8);
 }
 
+// What stands for all parts, as far levels do, is held against all of them.
+TEST(Deviation, of_several_parts_from_one_that_shows_the_same_is_nothing)
+{
+    model::Model model = pyramid(0.25f);
+    model::Part other = model.parts[0], all = model.parts[0];
+    for (glm::vec3 &p : other.positions) p.x += 3;
+    all.positions.insert(all.positions.end(), other.positions.begin(), other.positions.end());
+    for (const uint32_t i : other.indices) all.indices.push_back(5 + i);
+    all.joints.resize(10, 0), all.weights.resize(10, 1);
+    const lod::Deviation same = lod::deviation(model, {&model.parts[0], &other}, {all}, {});
+    EXPECT_LT(same.rest_m, 1e-6);
+    EXPECT_LT(same.posed_m, 1e-6);
+}
+
 TEST(Deviation, counts_edges_that_have_come_open)
 {
     const model::Model model = pyramid(0.25f);

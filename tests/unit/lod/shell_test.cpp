@@ -123,8 +123,7 @@ TEST(Shell, levels_of_a_person_are_closed_and_lie_near_it)
             surface.triangles.push_back({shells[i].indices[k], shells[i].indices[k + 1], shells[i].indices[k + 2]});
         EXPECT_TRUE(closed(surface));
         const std::vector<std::vector<glm::vec3>> rest = lod::at_rest(citizen.rig, {&shells[i]});
-        for (const glm::vec3 p : rest[0])
-            EXPECT_LT(std::sqrt(nearest.to(glm::dvec3(p)).distance_squared), near_m[i]);
+        for (const glm::vec3 p : rest[0]) EXPECT_LT(std::sqrt(nearest.to(glm::dvec3(p)).distance_squared), near_m[i]);
         for (size_t v = 0; v < shells[i].positions.size(); ++v) {
             float sum = 0;
             for (uint32_t k = 0; k < shells[i].influence_count; ++k)

@@ -1,0 +1,117 @@
+#include "lib/lod/compact.h"
+
+#include <algorithm>
+#include <map>
+
+namespace claque::lod
+{
+
+namespace
+{
+
+int8_t side_of(const Surface &surface, const std::array<uint32_t, 3> &corners)
+{
+    const glm::dvec2 a(surface.uv(corners[0])), b(surface.uv(corners[1])), c(surface.uv(corners[2]));
+    const double turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return static_cast<int8_t>((turn > 0) - (turn < 0));
+}
+
+// The influences of one vertex, of parts that may have room for different numbers of them.
+void copy_influences(const model::Part &from, uint32_t v, model::Part &to)
+{
+    float sum = 0;
+    for (uint32_t k = 0; k < to.influence_count; ++k) {
+        const bool has = k < from.influence_count;
+        to.joints.push_back(has ? from.joints[size_t(v) * from.influence_count + k] : 0);
+        to.weights.push_back(has ? from.weights[size_t(v) * from.influence_count + k] : 0);
+        sum += to.weights.back();
+    }
+    if (from.influence_count <= to.influence_count) return;
+    for (size_t i = to.weights.size() - to.influence_count; i < to.weights.size(); ++i)
+        to.weights[i] = sum > 0 ? to.weights[i] / sum : 1.0f / float(to.influence_count);
+}
+
+void copy_vertex(const Surface &surface, const Vertex &vertex, model::Part &to)
+{
+    const model::Part &look = surface.part(surface.part_of(vertex.look));
+    const model::Part &at = surface.part(surface.part_of(vertex.at));
+    const uint32_t i = surface.vertex_of(vertex.look), v = surface.vertex_of(vertex.at);
+    if (!look.normals.empty()) to.normals.push_back(look.normals[i]);
+    if (!look.uvs.empty()) to.uvs.push_back(look.uvs[i]);
+    if (!look.colours.empty()) to.colours.push_back(look.colours[i]);
+    to.positions.push_back(at.positions[v]);
+    copy_influences(at, v, to);
+    for (size_t m = 0; m < look.morphs.size(); ++m) {
+        const bool own = &look == &at;
+        if (!look.morphs[m].positions.empty())
+            to.morphs[m].positions.push_back(own ? at.morphs[m].positions[v] : glm::vec3(0));
+        if (!look.morphs[m].normals.empty())
+            to.morphs[m].normals.push_back(own ? at.morphs[m].normals[v] : glm::vec3(0));
+    }
+}
+
+model::Part head_of(const model::Part &from)
+{
+    model::Part to;
+    to.name = from.name, to.node = from.node, to.skinned = from.skinned, to.material = from.material;
+    to.hidden = from.hidden, to.influence_count = from.influence_count, to.morph_set = from.morph_set;
+    to.lod_first_m = from.lod_first_m, to.lod_last_m = from.lod_last_m;
+    to.morphs.resize(from.morphs.size());
+    return to;
+}
+
+// The coarsest level that has each vertex.
+using Ranks = std::map<Vertex, uint32_t>;
+
+Decimated compact_one(const Surface &surface, size_t part_count, const Left &left, const Ranks &ranks)
+{
+    Decimated out;
+    out.triangles = left.triangles.size(), out.flipped = left.flipped, out.refused = surface.refused;
+    for (uint32_t i = 0; i < part_count; ++i) out.parts.push_back(head_of(surface.part(i)));
+    out.kept.resize(part_count);
+    std::vector<std::pair<uint32_t, Vertex>> used;
+    for (const auto &t : left.triangles)
+        for (const Vertex &vertex : t) used.push_back({ranks.at(vertex), vertex});
+    std::sort(used.begin(), used.end(), [](const auto &a, const auto &b) {
+        return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::map<Vertex, uint32_t> renamed;
+    for (const auto &[rank, vertex] : used) {
+        model::Part &part = out.parts[surface.part_of(vertex.look)];
+        renamed[vertex] = static_cast<uint32_t>(part.positions.size());
+        copy_vertex(surface, vertex, part);
+        out.kept[surface.part_of(vertex.look)].push_back(surface.vertex_of(vertex.look));
+    }
+    for (const auto &t : left.triangles)
+        for (const Vertex &vertex : t) out.parts[surface.part_of(t[0].look)].indices.push_back(renamed.at(vertex));
+    return out;
+}
+
+}  // namespace
+
+UvSides::UvSides(const Surface &surface)
+{
+    for (const Mesh::FaceHandle face : surface.mesh.faces())
+        sides_.push_back(surface.has_uv(surface.mesh.property(surface.corners, face).corner[0])
+                             ? side_of(surface, surface.mesh.property(surface.corners, face).corner)
+                             : int8_t(0));
+}
+
+bool UvSides::flipped(const Surface &surface, Mesh::FaceHandle face, const std::array<uint32_t, 3> &corners) const
+{
+    return sides_[static_cast<size_t>(face.idx())] * side_of(surface, corners) < 0;
+}
+
+std::vector<Decimated> compact(const Surface &surface, size_t part_count, const std::vector<Left> &levels)
+{
+    Ranks ranks;
+    for (uint32_t level = 0; level < levels.size(); ++level)
+        for (const auto &t : levels[level].triangles)
+            for (const Vertex &vertex : t) ranks[vertex] = level;
+    std::vector<Decimated> out;
+    for (const Left &level : levels) out.push_back(compact_one(surface, part_count, level, ranks));
+    return out;
+}
+
+}  // namespace claque::lod

@@ -1,0 +1,70 @@
+// Levels of detail of the collected characters, where they are: a few of them, or all with CLAQUE_ALL_CHARACTERS set.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "lib/asset/file.h"
+#include "lib/asset/gltf.h"
+#include "lib/lod/chain.h"
+#include "lib/lod/shares.h"
+
+namespace claque::test
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> characters()
+{
+    if (!std::getenv("CLAQUE_ALL_CHARACTERS"))
+        return {"humanoids/kaykit/Rogue.glb", "humanoids/quaternius-modular/Man_Suit.glb",
+                "humanoids/khronos/CesiumMan.glb", "animals/quaternius/Horse.glb"};
+    std::vector<std::string> found;
+    for (const char *kind : {"humanoids", "animals", "machines"})
+        for (const fs::directory_entry &entry :
+             fs::recursive_directory_iterator(CLAQUE_ASSETS_DIR "/" + std::string(kind)))
+            if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf")
+                found.push_back(fs::relative(entry.path(), CLAQUE_ASSETS_DIR).string());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+model::Model loaded(const std::string &name)
+{
+    const std::string path = CLAQUE_ASSETS_DIR "/" + name;
+    asset::LoadOptions options;
+    options.base_folder = fs::path(path).parent_path().string();
+    const std::vector<uint8_t> bytes = asset::read_file(path, 1u << 30);
+    return asset::load_gltf(bytes.data(), bytes.size(), options);
+}
+
+}  // namespace
+
+TEST(LevelsOfCharacters, go_down_to_a_few_dozen_triangles_without_gaps_and_keep_their_zones)
+{
+    if (!fs::exists(CLAQUE_ASSETS_DIR "/inventory.json")) GTEST_SKIP() << "no characters in " CLAQUE_ASSETS_DIR;
+    for (const std::string &name : characters()) {
+        SCOPED_TRACE(name);
+        model::Model model = loaded(name);
+        const bool skinned =
+            std::any_of(model.parts.begin(), model.parts.end(), [](const auto &p) { return p.skinned; });
+        lod::ChainWish wish;
+        wish.sampling.most_clips = 0;
+        const std::vector<lod::ChainLevel> chain = lod::make_chain(model, wish);
+        std::string reached;
+        for (size_t k = 0; k < chain.size(); ++k) {
+            reached += ' ' + std::to_string(chain[k].triangles);
+            EXPECT_EQ(chain[k].flipped, 0u);
+            if (skinned && k > 0) EXPECT_GT(chain[k].triangles * 6, chain[k - 1].triangles) << reached;
+            if (skinned) EXPECT_LE(chain[k].zone_drift, 0.02) << chain[k].triangles;
+        }
+        std::cout << name << reached << '\n';
+        EXPECT_LE(chain.back().triangles, skinned ? 30u : 100u);
+    }
+}
+
+}  // namespace claque::test
