@@ -1,0 +1,29 @@
+// The fixture of tests that hold the law of zones at every level of detail.
+#pragma once
+
+#include "tests/gl/support/pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace gltest
+{
+
+class LevelsTest : public testing::Test
+{
+protected:
+    void SetUp() override;
+
+    // Makes the model's levels and holds the law on each, from so many cameras a level, by all three strategies. Says how
+    // many cameras there were.
+    uint32_t hold(model::Model character, uint32_t texture_px, uint32_t cameras_a_level);
+
+    double most_ties_share_ = 1e-4;  // of all pixels that are covered
+
+private:
+    void hold_level(const Figure &figure, uint32_t level, uint32_t cameras);
+
+    std::unique_ptr<contexts::Offscreen> context_;
+    uint64_t covered_ = 0, ties_ = 0;
+};
+
+}  // namespace gltest
