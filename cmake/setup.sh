@@ -11,6 +11,7 @@ libcairo2-dev fonts-dejavu-core
 libgtest-dev libbenchmark-dev
 libosmesa6 libegl1 libgl1-mesa-dri
 xvfb libglut-dev libopenscenegraph-dev
+python3-numpy python3-pytest
 '
 
 missing=''

@@ -1,0 +1,161 @@
+"""claque/crowd.h, view.h, shown.h: who is there, and what a view shows of them."""
+
+from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint64, c_void_p
+
+import numpy
+
+from . import abi
+from .owner import Owned, made
+
+
+class Actor:
+    """One individual, by its id. Calls raise Error with STALE_ID once it is gone."""
+
+    def __init__(self, crowd, identity, template):
+        self.crowd, self.id, self.template = crowd, identity, template
+
+    def play(self, clip, start_s=0.0, speed=1.0, phase_s=0.0):
+        """Starts a clip, by name."""
+        play = abi.Play(self.template.clip(clip), start_s, speed, phase_s)
+        abi.call("clq_actor_play", self.crowd.handle, self.id, byref(play))
+
+    def place(self, position, heading_rad=0.0, scale=1.0):
+        """Puts its Reference Point there, turned about y."""
+        place = abi.Place((c_double * 3)(*position), _upright(heading_rad), scale)
+        abi.call("clq_crowd_place", self.crowd.handle, byref(self.id), byref(place), c_uint32(1))
+
+    def draw_colours(self):
+        """Colours of its own from its template's HSB ranges and its seed (S2 5)."""
+        abi.call("clq_actor_draw_colours", self.crowd.handle, self.id, None, 0)
+
+    def set_colours(self, rgb):
+        """One colour a zone: (zones, 3), each [0, 1]."""
+        rgb = numpy.ascontiguousarray(rgb, numpy.float32)
+        if rgb.ndim != 2 or rgb.shape[1] != 3:
+            raise ValueError(f"colours of shape {rgb.shape}: (zones, 3) is wanted")
+        abi.call("clq_actor_set_colours", self.crowd.handle, self.id, rgb.ctypes.data_as(POINTER(c_float)), len(rgb))
+
+    def set_texture_set(self, texture_set=abi.BY_LOT):
+        abi.call("clq_actor_set_texture_set", self.crowd.handle, self.id, c_uint32(texture_set))
+
+    def remove(self):
+        abi.call("clq_actor_destroy", self.crowd.handle, self.id)
+
+
+def _upright(heading_rad):
+    return (c_float * 4)(0, float(numpy.sin(heading_rad / 2)), 0, float(numpy.cos(heading_rad / 2)))
+
+
+class Crowd(Owned):
+    """Who is there. It holds the templates of everybody who was ever added."""
+
+    _destroy = "clq_crowd_destroy"
+
+    def __init__(self, context):
+        super().__init__(made("clq_crowd_create", abi.call, context.handle, None), context)
+        self._views = []
+
+    def add(self, template, position=(0, 0, 0), heading_rad=0.0, scale=1.0, clip=None, start_s=0.0, speed=1.0,
+            phase_s=0.0, seed=0, texture_set=0, colours=True):
+        """Adds an individual. `clip`: by name, None: the rest pose; `colours`: drawn from its seed, or its template's."""
+        definition = abi.ActorDef()
+        definition.struct_bytes = abi.ctypes.sizeof(definition)
+        definition.tmpl = template.handle
+        definition.place = abi.Place((c_double * 3)(*position), _upright(heading_rad), scale)
+        definition.play = abi.Play(abi.NONE if clip is None else template.clip(clip), start_s, speed, phase_s)
+        definition.seed, definition.texture_set = seed, texture_set
+        identity = abi.ActorId()
+        abi.call("clq_actor_create", self.handle, byref(definition), byref(identity))
+        self._held += (template,)
+        actor = Actor(self, identity, template)
+        if colours:
+            actor.draw_colours()
+        return actor
+
+    def __len__(self):
+        return abi.library().function("clq_crowd_actor_count", c_uint32)(self.handle)
+
+    @property
+    def fingerprint(self):
+        """Of everything that was set in it."""
+        return abi.library().function("clq_crowd_fingerprint", c_uint64)(self.handle)
+
+    def view(self):
+        view = View(self)
+        self._views.append(view)
+        return view
+
+    def update(self, time_s, *views):
+        """One frame, for these views; all of the crowd's where none is named."""
+        views = views or tuple(self._views)
+        pointers = (c_void_p * len(views))(*[view.handle for view in views])
+        abi.call("clq_crowd_update", self.handle, c_double(time_s), pointers, c_uint32(len(views)))
+
+    def close(self):
+        for view in getattr(self, "_views", []):
+            view._pointer = None  # they end with their crowd
+        super().close()
+
+
+class View(Owned):
+    """An eye on a crowd. Crowd.view() makes it."""
+
+    def __init__(self, crowd):
+        super().__init__(made("clq_view_create", abi.call, crowd.handle), crowd)
+
+    def look_at(self, eye, target, up=(0, 1, 0), fov_y_rad=1.0, aspect=4 / 3, near=0.1, far=1000.0):
+        camera = abi.Camera()
+        abi.call("clq_camera_look_at", byref(camera), (c_double * 3)(*eye), (c_double * 3)(*target),
+                 (c_float * 3)(*up), c_float(fov_y_rad), c_float(aspect), c_float(near), c_float(far))
+        abi.call("clq_view_look", self.handle, byref(camera))
+
+    def set_height(self, height_px):
+        """How high the picture is: levels of detail follow it."""
+        abi.call("clq_view_set_height", self.handle, c_float(height_px))
+
+    @property
+    def hash(self):
+        """Of the draw list with all its vertices: equal ones draw equal pictures."""
+        return abi.library().function("clq_view_hash", c_uint64)(self.handle)
+
+    @property
+    def stats(self):
+        out = abi.ViewStats()
+        abi.call("clq_view_get_stats", self.handle, byref(out))
+        return out
+
+    def __len__(self):
+        return self.stats.visible
+
+    def shown(self, index):
+        """All of clq_shown, of one individual of the draw list."""
+        out = abi.Shown()
+        abi.call("clq_view_get_shown", self.handle, index, byref(out))
+        return out
+
+    def model_view(self, index):
+        """(4, 4), as on paper: m @ column."""
+        return numpy.array(self.shown(index).model_view, numpy.float32).reshape(4, 4).T
+
+    def vertices(self, index):
+        """Skinned positions and normals, (n, 3) each, in the actor's own space, in the order of Template.mesh."""
+        n = self.shown(index).vertex_count
+        positions, normals = numpy.empty((n, 3), numpy.float32), numpy.empty((n, 3), numpy.float32)
+        abi.call("clq_view_get_vertices", self.handle, index, positions.ctypes.data_as(POINTER(c_float)),
+                 normals.ctypes.data_as(POINTER(c_float)), c_uint32(n))
+        return positions, normals
+
+    def palette(self, index):
+        """The matrix palette, (joints, 3, 4), as on paper (S1 4)."""
+        shown = self.shown(index)
+        columns = numpy.empty((shown.joint_count, 4, 3), numpy.float32)
+        abi.call("clq_view_get_pose", self.handle, index, columns.ctypes.data_as(POINTER(c_float)),
+                 c_uint32(shown.joint_count), None, c_uint32(0))
+        return columns.transpose(0, 2, 1)
+
+    def colours(self, index):
+        """(zones, 3), 8 bits, as GL gets them."""
+        zones = self.shown(index).zone_count
+        rgb = numpy.empty((zones, 3), numpy.uint8)
+        abi.call("clq_view_get_colours", self.handle, index, rgb.ctypes.data_as(POINTER(c_uint8)), c_uint32(zones))
+        return rgb

@@ -1,0 +1,37 @@
+"""claque/renderer.h: draw lists to pixels in whatever GL context is current."""
+
+from ctypes import byref, sizeof
+
+from . import abi
+from .owner import Owned, made
+
+VARIETIES = {"fused": 0, "binned": 1, "per-zone": 2}
+
+
+class Renderer(Owned):
+    """For the current context. `target`: an Offscreen, or anything with its `get_proc_address` (an abi.GetProcAddress)."""
+
+    _destroy = "clq_renderer_destroy"
+
+    def __init__(self, context, target, variety="fused", linear_clean=False):
+        if variety not in VARIETIES:
+            raise ValueError(f"{variety!r} is none of {', '.join(VARIETIES)}")
+        definition = abi.RendererDef()
+        definition.struct_bytes = sizeof(definition)
+        definition.get_proc_address = target.get_proc_address
+        definition.variety = VARIETIES[variety]
+        definition.batch_triangles = 128
+        definition.linear_clean = int(linear_clean)
+        super().__init__(made("clq_renderer_create", abi.call, context.handle, byref(definition)), context, target)
+
+    def prepare(self, *templates):
+        """Brings their textures to GL; once, before the first draw that shows them."""
+        for template in templates:
+            abi.call("clq_renderer_prepare", self.handle, template.handle)
+            self._held += (template,)
+
+    def draw(self, view):
+        """Draws what the last update put into a view; returns clq_draw_stats."""
+        stats = abi.DrawStats()
+        abi.call("clq_renderer_draw", self.handle, view.handle, byref(stats))
+        return stats

@@ -1,0 +1,133 @@
+"""claque/template.h, template_info.h, mesh.h, prepare.h: characters, and what they are made of."""
+
+from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float, sizeof
+
+import numpy
+
+from . import abi
+from .owner import Owned, made
+
+
+def _view(pointer, shape, holder):
+    """The library's own memory as a read-only array that keeps its owner alive."""
+    count = int(numpy.prod(shape))
+    if not pointer or count == 0:
+        return None if not pointer else numpy.zeros(shape)
+    array = numpy.ctypeslib.as_array(pointer, shape=(count,)).view(_Held)
+    array.holder = holder
+    array.flags.writeable = False
+    return array.reshape(shape)
+
+
+class _Held(numpy.ndarray):
+    """An array over memory that somebody else owns."""
+
+    def __array_finalize__(self, other):
+        self.holder = getattr(other, "holder", None)
+
+
+class Template(Owned):
+    """A character that many individuals share. Make one with builtin(), load() or load_prepared()."""
+
+    _destroy = "clq_template_destroy"
+
+    @classmethod
+    def builtin(cls, context, name, levels=False, folder=""):
+        """A built-in figure: citizen, patrician, decurion, plebeian, herald, owl. `levels`: with levels of detail;
+        `folder`: where it is kept once made (None: the user's cache folder; "": nowhere)."""
+        return cls._prepare(context, levels, folder, builtin=name.encode())
+
+    @classmethod
+    def load(cls, context, path, levels=False, folder=""):
+        """A glTF or GLB file."""
+        return cls._prepare(context, levels, folder, path=str(path).encode())
+
+    @classmethod
+    def load_prepared(cls, context, path):
+        """What claque prepare wrote."""
+        with open(path, "rb") as file:
+            data = file.read()
+        return cls(made("clq_template_load", abi.call, context.handle, data, c_size_t(len(data))), context)
+
+    @classmethod
+    def _prepare(cls, context, levels, folder, **source):
+        definition = abi.PrepareDef(**source)
+        definition.struct_bytes = sizeof(definition)
+        definition.folder = None if folder is None else str(folder).encode()
+        chain = abi.LevelsDef()
+        if levels:
+            chain.struct_bytes, chain.tolerance_px, chain.metres_per_unit, chain.far_from = sizeof(chain), 1, 1, 250
+            definition.levels = cast(byref(chain), POINTER(abi.LevelsDef))
+        out = abi.c_void_p()
+        abi.call("clq_template_prepare", context.handle, byref(definition), byref(out), None)
+        return cls(out, context)
+
+    @property
+    def info(self):
+        """All of clq_template_info."""
+        out = abi.TemplateInfo()
+        abi.call("clq_template_get_info", self.handle, byref(out))
+        return out
+
+    @property
+    def name(self):
+        return self.info.name.decode()
+
+    @property
+    def clips(self):
+        """Names and lengths in seconds, in the order of their numbers."""
+        found = {}
+        for i in range(self.info.clip_count):
+            out = abi.ClipInfo()
+            abi.call("clq_template_get_clip", self.handle, i, byref(out))
+            found[out.name.decode()] = out.duration_s
+        return found
+
+    @property
+    def zones(self):
+        """Names, in the order of their numbers."""
+        names = []
+        for i in range(self.info.zone_count):
+            out = abi.ZoneInfo()
+            abi.call("clq_template_get_zone", self.handle, i, byref(out))
+            names.append(out.name.decode())
+        return names
+
+    def clip(self, name):
+        """The number of a clip. Raises KeyError, with the names that there are."""
+        names = list(self.clips)
+        if name not in names:
+            raise KeyError(f"{self.name} has no clip {name!r}; it has {', '.join(names)}")
+        return names.index(name)
+
+    def mesh(self, level=0):
+        """Bind pose of a level: a dict of positions, normals (n, 3), uvs (n, 2), which are views of the template's own
+        memory, and joints, weights (n, influences)."""
+        out = abi.Mesh()
+        abi.call("clq_template_get_mesh", self.handle, level, byref(out))
+        n, influences = out.vertex_count, out.influence_count
+        joints = numpy.zeros((n, influences), numpy.uint16)
+        weights = numpy.zeros((n, influences), numpy.float32)
+        abi.call("clq_template_get_influences", self.handle, level, influences,
+                 joints.ctypes.data_as(POINTER(c_uint16)), weights.ctypes.data_as(POINTER(c_float)),
+                 c_size_t(joints.size))
+        return {"positions": _view(out.positions, (n, 3), self), "normals": _view(out.normals, (n, 3), self),
+                "uvs": _view(out.uvs, (n, 2), self), "joints": joints, "weights": weights,
+                "bins": [self._bin(level, i) for i in range(out.bin_count)]}
+
+    def _bin(self, level, index):
+        out = abi.Triangles()
+        abi.call("clq_template_get_triangles", self.handle, level, index, byref(out))
+        return {"texture": out.texture, "zone": None if out.zone == abi.NONE else out.zone,
+                "indices": _view(out.indices, (out.index_count // 3, 3), self)}
+
+    def texture(self, texture=0, texture_set=0):
+        """What a texture holds: rgb (height, width, 3), and zones (height, width), -1 in holes."""
+        width, height = c_uint32(), c_uint32()
+        arguments = (self.handle, texture_set, texture)
+        abi.call("clq_template_get_set_texture", *arguments, None, None, c_size_t(0), byref(width), byref(height))
+        rgb = numpy.zeros((height.value, width.value, 3), numpy.uint8)
+        zones = numpy.zeros((height.value, width.value), numpy.uint32)
+        abi.call("clq_template_get_set_texture", *arguments, rgb.ctypes.data_as(POINTER(c_uint8)),
+                 zones.ctypes.data_as(POINTER(c_uint32)), c_size_t(zones.size), byref(width), byref(height))
+        return rgb, zones.astype(numpy.int64) - (zones == abi.NONE) * (1 << 32)
