@@ -10,6 +10,7 @@ void add_parity(CLI::App &app, Work &chosen)
     c->require_subcommand(1);
     add_parity_export(*c, chosen);
     add_parity_capture(*c, chosen);
+    add_parity_compare(*c, chosen);
 }
 
 }  // namespace cli

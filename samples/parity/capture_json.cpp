@@ -94,8 +94,10 @@ void read_meshes(const Json &json, const std::string &path, CaptureInfo &out)
         if (which >= templates.size())
             throw Unreadable(path + ": a mesh names template " + std::to_string(which) + " of " +
                              std::to_string(templates.size()));
-        out.meshes.push_back({templates[which].name + ", level " + std::to_string(mesh.whole("level", UINT16_MAX)),
-                              mesh.whole("vertices", UINT32_MAX), templates[which].zones});
+        std::string kind = templates[which].name + ", level " + std::to_string(mesh.whole("level", UINT16_MAX));
+        if (m.contains("texture_set") && m["texture_set"] != 0)
+            kind += ", textures " + std::to_string(mesh.whole("texture_set", UINT16_MAX));
+        out.meshes.push_back({kind, mesh.whole("vertices", UINT32_MAX), templates[which].zones});
     }
 }
 

@@ -24,6 +24,7 @@ std::string first_outside(const IdAgreement &ids)
 // "actor 17 (citizen, level 2), tunic, 35 pixels": the id is an actor's and a zone's.
 std::string zone_text(const Capture &capture, const WorstRegion &worst)
 {
+    if (worst.value == 0) return {};
     const uint32_t actor = static_cast<uint32_t>(worst.id >> 16);
     const size_t zone = worst.id & 0xffff;
     std::string out = actor_text(capture, actor);
@@ -45,6 +46,21 @@ void add_zones(const Pair &pair, Comparison &out)
     out.measures.push_back({"zone_ids.different", ids.share(), "", pixels(ids.different)});
     out.measures.push_back({"zone_ids.at_borders", ids.border_share(), "", "of " + pixels(ids.borders)});
     out.zone_marks = std::move(ids.marks);
+}
+
+// Pixels in which either shows somebody, so that an empty background does not dilute shares. Empty: not known.
+std::vector<uint8_t> who_shows_somebody(const Pair &pair)
+{
+    std::vector<uint8_t> out;
+    const auto &a = pair.reference.actor, &b = pair.result.actor;
+    if (!a && !b) return out;
+    bool any = false;
+    for (size_t i = 0; i < pair.reference.colour->pixels(); ++i) {
+        out.push_back((a && a->values[i] != 0) || (b && b->values[i] != 0));
+        any = any || out.back() != 0;
+    }
+    if (!any) out.clear();
+    return out;
 }
 
 }  // namespace
@@ -74,9 +90,10 @@ void compare_depth(const Pair &pair, Comparison &out)
     if (pair.reference.actor) {
         const WorstRegion worst =
             worst_depth(actor_ids(*pair.reference.actor), *pair.reference.depth, *pair.result.depth);
-        const std::string whose = actor_text(pair.reference, static_cast<uint32_t>(worst.id));
+        const std::string whose = actor_text(pair.reference, static_cast<uint32_t>(worst.id)) + ", ";
         if (worst.regions > 0)
-            out.measures.push_back({"depth.worst_actor", worst.value, "", whose + ", " + pixels(worst.pixels)});
+            out.measures.push_back(
+                {"depth.worst_actor", worst.value, "", worst.value > 0 ? whose + pixels(worst.pixels) : ""});
     }
     out.measures.push_back({"depth.not_finite", static_cast<double>(d.not_finite), "pixels", {}});
 }
@@ -85,11 +102,13 @@ void compare_colour(const Pair &pair, double pixels_per_degree, Comparison &out)
 {
     if (!both_have(pair.reference.colour, pair.result.colour, "colour", "colour.npy", out)) return;
     const Picture &a = *pair.reference.colour, &b = *pair.result.colour;
-    const ColourDeviation d = colour_deviation(a, b);
+    const std::vector<uint8_t> counted = who_shows_somebody(pair);
+    const ColourDeviation d = colour_deviation(a, b, counted);
+    const std::string of = counted.empty() ? "of all pixels" : "of pixels that show somebody";
     out.measures.push_back({"colour.max", double(d.max), "LSB", {}});
-    out.measures.push_back({"colour.over_1", d.share_over(1), "", {}});
-    out.measures.push_back({"colour.over_2", d.share_over(2), "", {}});
-    out.measures.push_back({"colour.over_8", d.share_over(8), "", {}});
+    out.measures.push_back({"colour.over_1", d.share_over(1), "", of});
+    out.measures.push_back({"colour.over_2", d.share_over(2), "", of});
+    out.measures.push_back({"colour.over_8", d.share_over(8), "", of});
     if (pair.reference.actor && pair.reference.zone) {
         const WorstRegion worst = worst_colour(zone_ids(*pair.reference.actor, *pair.reference.zone), a, b);
         if (worst.regions > 0)

@@ -16,7 +16,7 @@ double ColourDeviation::share_over(int lsb) const
     return all == 0 ? 0 : static_cast<double>(over) / static_cast<double>(all);
 }
 
-ColourDeviation colour_deviation(const Picture &reference, const Picture &result)
+ColourDeviation colour_deviation(const Picture &reference, const Picture &result, const std::vector<uint8_t> &counted)
 {
     ColourDeviation d;
     uint64_t squares = 0;
@@ -27,7 +27,7 @@ ColourDeviation colour_deviation(const Picture &reference, const Picture &result
             squares += static_cast<uint64_t>(apart) * static_cast<uint64_t>(apart);
             most = std::max(most, apart);
         }
-        ++d.histogram[static_cast<size_t>(most)];
+        if (counted.empty() || counted[i / 3] != 0) ++d.histogram[static_cast<size_t>(most)];
         d.max = std::max(d.max, most);
     }
     const double mean = static_cast<double>(squares) / static_cast<double>(reference.rgb.size());

@@ -8,14 +8,16 @@
 namespace parity
 {
 
-// Two pictures of the same size, at least one pixel.
 struct ColourDeviation {
     int max = 0;                          // LSB of any channel
     std::array<size_t, 256> histogram{};  // of pixels by the largest difference of their three channels
-    double psnr_db = 0;                   // over all channels, peak 255; infinite where nothing differs
+    double psnr_db = 0;                   // over all channels of all pixels, peak 255; infinite where nothing differs
 
-    double share_over(int lsb) const;  // of the pixels
+    double share_over(int lsb) const;  // of the pixels in the histogram
 };
-ColourDeviation colour_deviation(const Picture &reference, const Picture &result);
+
+// Two pictures of the same size, at least one pixel. counted: pixels of the histogram, nonzero; empty: all.
+ColourDeviation colour_deviation(const Picture &reference, const Picture &result,
+                                 const std::vector<uint8_t> &counted = {});
 
 }  // namespace parity

@@ -40,7 +40,7 @@ const std::vector<Tolerance> &named_tolerances()
           {"depth.not_finite", 0},
           {"colour.over_2", 0.001},
           {"colour.worst_zone", 2},
-          {"colour.flip_mean", 0.005}},
+          {"colour.flip_mean", 0.02}},
          {}},
         // The same crowd to the eye: another rasteriser, other shading of edges, textures filtered.
         {"loose",

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace parity
@@ -50,6 +51,10 @@ TEST(Psnr, shares_count_pixels_by_their_worst_channel)
     EXPECT_DOUBLE_EQ(d.share_over(3), 0.01);
     EXPECT_DOUBLE_EQ(d.share_over(8), 0.01);
     EXPECT_DOUBLE_EQ(d.share_over(255), 0);
+    std::vector<uint8_t> first_row(100, 0);
+    std::fill(first_row.begin(), first_row.begin() + 10, 1);
+    EXPECT_DOUBLE_EQ(colour_deviation(a, b, first_row).share_over(0), 0.1);
+    EXPECT_DOUBLE_EQ(colour_deviation(a, b, first_row).psnr_db, d.psnr_db);
 }
 
 }  // namespace

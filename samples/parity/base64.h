@@ -1,0 +1,12 @@
+// Bytes as text, for pages that hold their own pictures (RFC 4648).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace parity
+{
+
+std::string base64(const std::vector<unsigned char> &bytes);
+
+}  // namespace parity

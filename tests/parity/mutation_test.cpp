@@ -1,0 +1,239 @@
+// The comparison has to fail: what the library makes of a crowd, against what it makes of the same crowd with one thing wrong. Vertices
+// alone have to show it, and pictures alone, because another renderer may have only either.
+#include "samples/parity/compare.h"
+#include "samples/parity/verdict.h"
+#include "samples/parity/write/write.h"
+#include "tests/api/small_template.h"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace parity
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr double moment_s = 2;
+
+class Mutation : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        std::string why_not;
+        if (!contexts::make_offscreen(contexts::Kind::any, 16, 16, contexts::PixelFormat::rgba8888, why_not))
+            GTEST_SKIP() << "no OpenGL here: " << why_not;
+        folder_ = fs::temp_directory_path() / ("claque-mutation-" + std::to_string(getpid()));
+        options_.casting.count = 12;
+        options_.casting.lod = scenes::Lod::on;
+        options_.width = 480;
+        options_.height = 360;
+    }
+    void TearDown() override
+    {
+        stage_.reset();
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    void set_stage() { stage_ = std::make_unique<scenes::Stage>(library_, options_); }
+    Capture capture()
+    {
+        write_result(*stage_, {options_.scene, moment_s, options_.width, options_.height}, folder_.string());
+        return read_capture(folder_.string());
+    }
+    clq_crowd *crowd() const { return stage_->scene().crowd(); }
+    clq_actor_info info_of(clq_actor actor) const
+    {
+        clq_actor_info info = {};
+        scenes::check(clq_actor_get_info(crowd(), actor, &info));
+        return info;
+    }
+    // Of the pixels that the map shows of it.
+    static size_t pixels_of(const Capture &c, clq_actor actor)
+    {
+        return static_cast<size_t>(std::count(c.actor->values.begin(), c.actor->values.end(), actor.index1));
+    }
+    // Whoever fills most of the picture, so that every mutation is to be seen.
+    clq_actor nearest(const Capture &c) const
+    {
+        const std::vector<clq_actor> all = stage_->scene().actors();
+        return *std::max_element(all.begin(), all.end(),
+                                 [&](clq_actor a, clq_actor b) { return pixels_of(c, a) < pixels_of(c, b); });
+    }
+
+    // The zone of it that most pixels show.
+    static size_t widest_zone(const Capture &c, clq_actor actor)
+    {
+        std::vector<size_t> pixels(UINT16_MAX + 1);
+        for (size_t i = 0; i < c.zone->values.size(); ++i)
+            if (c.actor->values[i] == actor.index1) ++pixels[c.zone->values[i]];
+        return static_cast<size_t>(std::max_element(pixels.begin() + 1, pixels.end()) - pixels.begin()) - 1;
+    }
+
+    static Capture vertices_of(Capture c)
+    {
+        c.colour.reset(), c.depth.reset(), c.actor.reset(), c.zone.reset();
+        return c;
+    }
+    static Capture pictures_of(Capture c)
+    {
+        c.actors.reset(), c.positions.reset(), c.normals.reset();
+        return c;
+    }
+    static Capture colours_of(Capture c)
+    {
+        c = pictures_of(std::move(c));
+        c.depth.reset(), c.actor.reset(), c.zone.reset();
+        return c;
+    }
+    // What breaks which limits; empty: it passes.
+    static std::string broken(const Capture &reference, const Capture &result, const char *tolerance = "gpu")
+    {
+        return reasons(verdict_of(compare(reference, result, 67), tolerance_of(tolerance)), 99);
+    }
+    static void expect_broken(const std::string &said, const char *measure)
+    {
+        EXPECT_NE(said.find(measure), std::string::npos) << "said: " << said;
+    }
+
+    fs::path folder_;
+    scenes::Library library_{1};
+    scenes::StageOptions options_;
+    std::unique_ptr<scenes::Stage> stage_;
+};
+
+TEST_F(Mutation, none_passes_exactly)
+{
+    set_stage();
+    const Capture a = capture(), b = capture();
+    EXPECT_EQ(broken(a, b, "exact"), "");
+    EXPECT_EQ(a.actors->size(), 12u);
+    EXPECT_TRUE(compare(a, b, 67).not_compared.empty());
+}
+
+TEST_F(Mutation, one_actor_missing_is_caught)
+{
+    options_.scene = "parade";  // whose people stay where they are put
+    set_stage();
+    const Capture a = capture();
+    scenes::check(clq_actor_destroy(crowd(), nearest(a)));
+    const Capture b = capture();
+    expect_broken(broken(vertices_of(a), vertices_of(b)), "actors.missing is 1");
+    expect_broken(broken(pictures_of(a), pictures_of(b)), "actor_ids.outside");
+    expect_broken(broken(a, colours_of(b)), "colour.worst_zone");
+}
+
+TEST_F(Mutation, one_level_of_detail_swapped_is_caught)
+{
+    options_.casting.lod_scale = 3;
+    set_stage();
+    const Capture a = capture();
+    const clq_actor who = nearest(a);
+    const uint32_t level = info_of(who).level;
+    scenes::check(clq_actor_set_priority(crowd(), who, 0.9f));
+    const Capture b = capture();
+    ASSERT_NE(info_of(who).level, level);
+    expect_broken(broken(vertices_of(a), vertices_of(b)), "actors.changed is 1");
+    expect_broken(broken(pictures_of(a), pictures_of(b)), "zone_ids.");
+    EXPECT_NE(broken(a, colours_of(b)), "");
+}
+
+TEST_F(Mutation, one_zone_s_colour_is_caught)
+{
+    set_stage();
+    const Capture a = capture();
+    const clq_actor who = nearest(a);
+    const clq_template *tmpl = info_of(who).tmpl;
+    clq_template_info info = {};
+    scenes::check(clq_template_get_info(tmpl, &info));
+    std::vector<float> colours(3 * size_t{info.zone_count}, 0.5f);
+    scenes::check(clq_actor_set_colours(crowd(), who, colours.data(), info.zone_count));
+    const Capture grey = capture();
+    colours[3 * widest_zone(grey, who) + 1] = 0.56f;  // a little more green in one zone of one of twelve
+    scenes::check(clq_actor_set_colours(crowd(), who, colours.data(), info.zone_count));
+    const Capture greener = capture();
+    EXPECT_EQ(broken(vertices_of(grey), vertices_of(greener), "exact"), "");
+    expect_broken(broken(grey, greener), "colour.worst_zone");
+    expect_broken(broken(grey, colours_of(greener)), "colour.worst_zone");
+}
+
+TEST_F(Mutation, a_pose_one_tick_old_is_caught)
+{
+    set_stage();
+    const Capture first = capture();
+    const clq_actor who = nearest(first);
+    clq_play play = info_of(who).play;
+    play.clip = 1, play.speed = 1;
+    scenes::check(clq_actor_play(crowd(), who, &play));
+    const Capture a = capture();
+    play.start_s += double(info_of(who).period_s);
+    scenes::check(clq_actor_play(crowd(), who, &play));
+    const Capture b = capture();
+    expect_broken(broken(vertices_of(a), vertices_of(b)), "positions.max_relative");
+    EXPECT_NE(broken(pictures_of(a), pictures_of(b)), "");
+    EXPECT_NE(broken(a, colours_of(b)), "");
+}
+
+// Columns move to the right, the first one stands twice.
+template <class Values>
+void shift(Values &values, size_t width, size_t numbers)
+{
+    for (size_t row = 0; row < values.size(); row += width * numbers)
+        std::copy_backward(values.begin() + static_cast<std::ptrdiff_t>(row),
+                           values.begin() + static_cast<std::ptrdiff_t>(row + (width - 1) * numbers),
+                           values.begin() + static_cast<std::ptrdiff_t>(row + width * numbers));
+}
+
+TEST_F(Mutation, a_shift_by_one_pixel_is_caught)
+{
+    set_stage();
+    const Capture a = capture();
+    Capture b = a;
+    const size_t width = static_cast<size_t>(a.width);
+    shift(b.colour->rgb, width, 3);
+    expect_broken(broken(a, b), "colour.over_2");
+    b = a;
+    shift(b.depth->values, width, 1);
+    expect_broken(broken(a, b), "depth.");
+    b = a;
+    shift(b.actor->values, width, 1);
+    shift(b.zone->values, width, 1);
+    expect_broken(broken(a, b), "actor_ids.at_silhouettes");
+    b = a;
+    shift(b.zone->values, width, 1);
+    expect_broken(broken(a, b), "zone_ids.");
+}
+
+// A bending strip whose rows follow two joints, and the same with one influence of one vertex left out.
+TEST_F(Mutation, a_weight_dropped_is_caught)
+{
+    options_.scene = "parade";
+    options_.casting.count = 1;
+    std::vector<Capture> captures;
+    for (const bool dropped : {false, true}) {
+        SmallTemplate strip;
+        std::vector<float> weights(strip.parts[0].weights, strip.parts[0].weights + 20);
+        if (dropped) weights[4] = 1, weights[5] = 0;  // row 1, which has 3 to 1
+        strip.parts[0].weights = weights.data();
+        clq_template *tmpl = nullptr;
+        scenes::check(clq_template_build(library_.context(), &strip.def, &tmpl));
+        const scenes::Own<clq_template> held(tmpl);
+        options_.character.tmpl = tmpl;
+        set_stage();
+        captures.push_back(capture());
+        stage_.reset();
+    }
+    ASSERT_GT(captures[0].actors->at(0).size_m, 1);
+    expect_broken(broken(vertices_of(captures[0]), vertices_of(captures[1])), "positions.max_relative");
+    EXPECT_NE(broken(pictures_of(captures[0]), pictures_of(captures[1])), "");
+}
+
+}  // namespace
+}  // namespace parity
