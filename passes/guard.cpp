@@ -29,6 +29,17 @@ void default_unpacking(const Gl11 &gl)
         gl.PixelTransferf(name, 0);
 }
 
+// Where the host has materials follow colours they are its current colour, whatever was popped: Mesa 22.3.6 leaves the last
+// one that was drawn with in them, where the host tracks what claque tracks, until following is switched on again.
+void let_materials_follow(const Gl11 &gl)
+{
+    int32_t follows = 0;
+    gl.GetIntegerv(gl::colour_material, &follows);
+    if (!follows) return;
+    gl.Disable(gl::colour_material);
+    gl.Enable(gl::colour_material);
+}
+
 }  // namespace
 
 StackPlaces places_of(Guard mode) { return {mode == Guard::full, mode != Guard::none}; }
@@ -63,7 +74,9 @@ StateGuard::~StateGuard()
     gl_.LoadMatrixd(modelview_);
     gl_.MatrixMode(static_cast<gl::Enum>(matrix_mode_));
     gl_.PopClientAttrib();
-    if (mode_ == Guard::full) gl_.PopAttrib();
+    if (mode_ != Guard::full) return;
+    gl_.PopAttrib();
+    let_materials_follow(gl_);
 }
 
 UploadGuard::UploadGuard(const Gl11 &gl) : gl_(gl)

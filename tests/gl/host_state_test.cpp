@@ -183,6 +183,21 @@ TEST_F(HostState, KeepsTheHostsRgbMaskAndNeverWritesAlpha)
     for (size_t i = 3; i < rgba.size(); i += 4) ASSERT_EQ(rgba[i], 255);
 }
 
+// A host that tracks what claque tracks: popping its attributes is not enough for Mesa 22.3.6.
+TEST_F(HostState, OfMaterialsThatFollowColoursIsTheHostsOwn)
+{
+    const Figure figure = small_figure();
+    for (const passes::Strategy strategy : all_strategies) {
+        const auto renderer = make_renderer_of(figure, options_of(strategy));
+        host_->ColorMaterial(gl::front_and_back, gl::ambient_and_diffuse);
+        host_->Enable(gl::colour_material);
+        host_->Color4f(0.125f, 0.25f, 0.5f, 0.75f);
+        for (const std::string &name : changed_by_draw(*renderer, list_of(figure, whole_view(figure))))
+            ADD_FAILURE() << int(strategy) << ": " << name << " is now " << text_of(after_.at(name));
+        SetUp();
+    }
+}
+
 TEST_F(HostState, OfErrorsIsTheHostsOwn)
 {
     constexpr gl::Enum invalid_enum = 0x0500;

@@ -20,6 +20,13 @@ const char *&name_of()
     return name;
 }
 
+template <class Value>
+double number(Value value)
+{
+    if constexpr (std::is_pointer_v<Value>) return static_cast<double>(reinterpret_cast<uintptr_t>(value));
+    else return static_cast<double>(value);
+}
+
 template <auto member>
 struct Between;
 
@@ -28,7 +35,7 @@ struct Between<member> {
     static Result call(Arguments... arguments)
     {
         if (!active) throw std::logic_error(name_of<member>());
-        ++active->calls[name_of<member>()];
+        active->note(name_of<member>(), {number(arguments)...});
         return (real.*member)(arguments...);
     }
 };
@@ -36,7 +43,7 @@ struct Between<member> {
 // These two can be made to answer otherwise.
 void get_integer(gl::Enum name, int32_t *out)
 {
-    ++active->calls["glGetIntegerv"];
+    active->note("glGetIntegerv", {number(name), number(out)});
     const auto answer = active->answers.find(name);
     if (answer == active->answers.end()) return real.GetIntegerv(name, out);
     *out = answer->second;
@@ -44,7 +51,7 @@ void get_integer(gl::Enum name, int32_t *out)
 
 const uint8_t *get_string(gl::Enum name)
 {
-    ++active->calls["glGetString"];
+    active->note("glGetString", {number(name)});
     const auto answer = active->strings.find(name);
     if (answer == active->strings.end()) return real.GetString(name);
     return reinterpret_cast<const uint8_t *>(answer->second.c_str());
@@ -147,6 +154,12 @@ GlFunction Spy::get_proc_address(void *user, const char *name)
     if (spy.refuse == name) return nullptr;
     const auto found = table().find(name);
     return found == table().end() ? spy.context_.get_proc_address()(spy.context_.user(), name) : found->second;
+}
+
+void Spy::note(const char *name, const std::vector<double> &arguments)
+{
+    ++calls[name];
+    if (watch) watch(name, arguments);
 }
 
 uint32_t Spy::call_count() const

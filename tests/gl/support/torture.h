@@ -1,0 +1,47 @@
+// Hosts whose state is drawn by lot: each piece of state that claque promises to cope with is at some value of all that GL 1.1
+// allows. What claque inherits is set too, to what changes no picture.
+#pragma once
+
+#include "tests/gl/support/host_gl.h"
+
+#include <cstdint>
+
+namespace gltest
+{
+
+// Every switch of GL 1.1 that glEnable knows, and what one of them does to a picture at its default parameters.
+struct Switch {
+    gl::Enum name;
+    bool inherited_and_seen;  // the host's own fog and lighting are wanted
+};
+extern const Switch all_switches[];
+extern const size_t switch_count;
+
+class TorturedHost
+{
+public:
+    // The same state for the same number. The context's state has to be at its default.
+    TorturedHost(const HostGl &host, uint32_t number);
+
+private:
+    uint32_t lot(uint32_t of);  // [0, of)
+    bool coin() { return lot(2) == 1; }
+    gl::Enum one_of(std::initializer_list<gl::Enum> values) { return values.begin()[lot(uint32_t(values.size()))]; }
+    float real() { return static_cast<float>(lot(2001)) / 500 - 2; }  // [-2, 2]
+
+    void set_switches();
+    void set_functions();
+    void set_colours();
+    void set_texturing();
+    void set_matrices();
+    void set_arrays();
+    void set_pixels();
+    void fill_stacks();
+
+    const HostGl &host_;
+    uint64_t state_;
+    float numbers_[256] = {0};
+    uint32_t textures_[2] = {0, 0};
+};
+
+}  // namespace gltest
