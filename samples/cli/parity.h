@@ -1,7 +1,4 @@
-// The subcommands of claque parity.
-=======
-// The parts of claque parity, one file each.
->>>>>>> 1b6b519 (wip)
+// The subcommands of claque parity, one file each or two.
 #pragma once
 
 #include "samples/cli/command.h"
@@ -9,8 +6,8 @@
 namespace cli
 {
 
-<<<<<<< HEAD
 void add_parity_export(CLI::App &parity, Work &chosen);
 void add_parity_capture(CLI::App &parity, Work &chosen);
+void add_parity_compare(CLI::App &parity, Work &chosen);
 
 }  // namespace cli
