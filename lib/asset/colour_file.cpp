@@ -1,7 +1,7 @@
 #include "lib/asset/colour_file.h"
 
+// As samples/scenes has it: one program can hold only one of its two forms.
 #define TOML_EXCEPTIONS 0
-#define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
 #include <algorithm>
