@@ -13,10 +13,12 @@
 #include <claque/crowd.h>
 #include <claque/group.h>
 #include <claque/key_poses.h>
+#include <claque/mesh.h>
 #include <claque/play.h>
 #include <claque/renderer.h>
 #include <claque/save.h>
 #include <claque/shadow.h>
+#include <claque/shown.h>
 #include <claque/simd.h>
 #include <claque/template.h>
 #include <claque/view.h>

@@ -58,13 +58,13 @@ std::vector<Made> in_use(std::vector<Made> all)
     std::vector<Made> made, kept;
     for (Made &one : all)
         if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
+    // Of two that come to the same the finer one goes, but the finest stays.
+    const auto one_is_enough = [](const ChainLevel &finer, const ChainLevel &next) {
+        return finer.first_m >= next.first_m || finer.triangles * 10 < next.triangles * 11;
+    };
     for (size_t k = made.size(); k-- > 0;) {
-        if (!kept.empty()) {
-            Made &next = kept.back();
-            if (made[k].level.first_m >= next.level.first_m) continue;
-            if (made[k].level.triangles * 10 < next.level.triangles * 11) continue;
-        }
-        kept.push_back(std::move(made[k]));
+        while (k == 0 && !kept.empty() && one_is_enough(made[0].level, kept.back().level)) kept.pop_back();
+        if (kept.empty() || !one_is_enough(made[k].level, kept.back().level)) kept.push_back(std::move(made[k]));
     }
     std::reverse(kept.begin(), kept.end());
     return kept;

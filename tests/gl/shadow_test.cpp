@@ -81,6 +81,7 @@ TEST_F(Shadows, AskNobodyForVerticesWhoHasThem)
             if (!empty) vertices.positions = vertices.normals = figure->positions.data();
             return item.tmpl ? vertices : claque::draw::Vertices();
         }
+        claque::draw::Pose pose(const Item &) override { return {}; }
         const Figure *figure;
         uint32_t asked = 0;
         bool empty = false;

@@ -145,7 +145,7 @@ class DrawStats(Structure):
 
 class LevelsDef(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("targets", POINTER(c_uint32)), ("target_count", c_uint32),
-                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("far_from", c_uint32)]
+                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("far_from", c_uint32), ("plain", c_uint32)]
 
 
 class PrepareDef(Structure):
