@@ -250,8 +250,9 @@ private:
 
 bool TexturePlan::same_texture(const TexturePlan &other) const
 {
-    return image != none && image == other.image && others == other.others && wrap_s == other.wrap_s && wrap_t == other.wrap_t &&
-           zone == other.zone && close(rgb, other.rgb) && masked == other.masked && cutoff == other.cutoff;
+    return image != none && image == other.image && others == other.others && wrap_s == other.wrap_s &&
+           wrap_t == other.wrap_t && zone == other.zone && close(rgb, other.rgb) && masked == other.masked &&
+           cutoff == other.cutoff;
 }
 
 uint32_t palette_side(uint32_t cell_count)

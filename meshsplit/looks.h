@@ -24,7 +24,7 @@ struct Cell {
 };
 
 struct TexturePlan {
-    uint32_t image = model::none;                                            // none: a palette of `cells`
+    uint32_t image = model::none;  // none: a palette of `cells`
     std::vector<uint32_t> others;  // images, one for each of the model's texture sets; none: as `image`
     model::Wrap wrap_s = model::Wrap::repeat, wrap_t = model::Wrap::repeat;  // mirror: to be unfolded
     uint32_t zone = model::none;                                             // none: the image's alpha holds keys

@@ -64,7 +64,7 @@ private:
     };
     Worst now_, measured_, accepted_;
     const std::vector<float> dofs_;  // all at zero
-    double morphs_ = 0;  // error of morph weights at the last moment, in metres
+    double morphs_ = 0;              // error of morph weights at the last moment, in metres
 };
 
 }  // namespace claque::meshsplit

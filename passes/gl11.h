@@ -67,7 +67,8 @@ constexpr Enum vertex_array = 0x8074, normal_array = 0x8075, colour_array = 0x80
 constexpr Enum texture_coord_array = 0x8078, edge_flag_array = 0x8079;
 
 constexpr Bits current_bit = 0x1, polygon_bit = 0x8, pixel_mode_bit = 0x20, lighting_bit = 0x40;
-constexpr Bits depth_buffer_bit = 0x100, stencil_buffer_bit = 0x400, enable_bit = 0x2000, colour_buffer_bit = 0x4000, texture_bit = 0x40000;
+constexpr Bits depth_buffer_bit = 0x100, stencil_buffer_bit = 0x400, enable_bit = 0x2000, colour_buffer_bit = 0x4000,
+               texture_bit = 0x40000;
 constexpr Bits client_pixel_store_bit = 0x1, client_vertex_array_bit = 0x2;
 constexpr Bits all_attrib_bits = 0xfffff, all_client_attrib_bits = 0xffffffff;
 }  // namespace gl

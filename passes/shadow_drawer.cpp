@@ -166,8 +166,7 @@ void ShadowDrawer::cast_blob(const Fall &fall, const PreparedLevel &ready, bool 
     const float *flat = scratch_.shadow.flat.data();
     const uint32_t count = by_indices ? static_cast<uint32_t>(ready.shadow_indices.size()) : flat_count_;
     const uint32_t step = std::max(1u, count / blob_samples);
-    for (uint32_t v = 0; v < count; v += step)
-        spread.add(flat + 3 * size_t(by_indices ? ready.shadow_indices[v] : v));
+    for (uint32_t v = 0; v < count; v += step) spread.add(flat + 3 * size_t(by_indices ? ready.shadow_indices[v] : v));
     float corners[3 * blob_corners];
     spread.ellipse(corners);
     add(fall, {corners, blob_corners, blob_indices, blob_indices_count});

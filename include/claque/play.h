@@ -117,9 +117,9 @@ typedef enum clq_layer_kind {
 typedef struct clq_layer_def {
     uint32_t struct_bytes; /* set by clq_layer_def_init */
     clq_layer_kind kind;
-    clq_play play; /* shown from play.start_s on */
-    float weight;  /* REPLACE: [0, 1]; ADD: [-4, 4]. Default 1 */
-    float rounds;  /* [>= 0] of the clip until it is over, fades included; 0: until clq_actor_end_layer */
+    clq_play play;               /* shown from play.start_s on */
+    float weight;                /* REPLACE: [0, 1]; ADD: [-4, 4]. Default 1 */
+    float rounds;                /* [>= 0] of the clip until it is over, fades included; 0: until clq_actor_end_layer */
     float fade_in_s, fade_out_s; /* [>= 0] */
     clq_curve curve;             /* LINEAR or SMOOTH. Default SMOOTH */
     clq_mask mask;               /* zero: the whole body */

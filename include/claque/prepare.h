@@ -13,9 +13,9 @@ extern "C" {
 typedef struct clq_prepare_def {
     uint32_t struct_bytes; /* set by clq_prepare_def_init */
     /* Exactly one of the two. A glTF's external files count as part of it. */
-    const char *builtin; /* of clq_asset_builtin */
-    const char *path;    /* of clq_asset_load_file */
-    uint32_t clip_count; /* of clq_asset_builtin_varied; 0: a built-in's own clips */
+    const char *builtin;              /* of clq_asset_builtin */
+    const char *path;                 /* of clq_asset_load_file */
+    uint32_t clip_count;              /* of clq_asset_builtin_varied; 0: a built-in's own clips */
     const clq_asset_options *options; /* with path; NULL: defaults */
     const clq_levels_def *levels;     /* NULL: no levels of detail but the character's own */
     uint32_t max_texture_px;          /* of clq_asset_build */

@@ -123,13 +123,13 @@ private:
     std::pmr::vector<uint32_t> tested_;     // rows that no group keeps out of every view
     std::pmr::vector<uint8_t> passed_;      // [view][tested]: math::Inside of phase 1
     std::pmr::vector<Candidate> candidates_;
-    std::pmr::vector<Sight> sights_;       // [view][candidate]
-    std::pmr::vector<uint32_t> asked_;     // candidates, one a request, in their order
-    std::pmr::vector<uint32_t> visible_;   // of these, who is drawn in some view
+    std::pmr::vector<Sight> sights_;        // [view][candidate]
+    std::pmr::vector<uint32_t> asked_;      // candidates, one a request, in their order
+    std::pmr::vector<uint32_t> visible_;    // of these, who is drawn in some view
     std::pmr::vector<pose::Layer> layers_;  // of who shows more than one clip
     std::pmr::vector<crowd::Mask> masks_;   // that these may point at
-    std::pmr::vector<float> dofs_;         // of who is due, written by control mechanisms
-    std::pmr::vector<uint32_t> behaving_;  // requests whose mechanisms run
+    std::pmr::vector<float> dofs_;          // of who is due, written by control mechanisms
+    std::pmr::vector<uint32_t> behaving_;   // requests whose mechanisms run
     uint32_t most_dofs_ = 0;
     std::pmr::vector<Listed> listed_;  // of one view
 };

@@ -92,7 +92,8 @@ void Update::list_view(uint32_t v)
     for (const uint32_t i : frame.visible_) {
         const uint32_t row = frame.candidates_[i].row;
         const Sight &seen = sight(v, i);
-        if (seen.inside != math::Inside::no) listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, seen.distance, row});
+        if (seen.inside != math::Inside::no)
+            listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, seen.distance, row});
     }
     std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
         if (a.tmpl != b.tmpl) return a.tmpl < b.tmpl;

@@ -74,8 +74,10 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
         ->check(CLI::Range(1, 1000000));
     add_stage_options(*c, a->stage);
     add_clip_options(*c, a->clips);
-    c->add_option("--lod", a->stage.lod, "On the plaza and in the odeon: people with levels of detail, or without")
-        ->check(CLI::IsMember({"off", "on"}))
+    c->add_option(
+         "--lod", a->stage.lod,
+         "On the plaza and in the odeon: people with levels of detail, or without; finest: the first level, everywhere")
+        ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();
     c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
     c->add_option("--out,-o", a->out, "A folder, which is made where there is none")->required();

@@ -232,8 +232,10 @@ void add_render(CLI::App &app, Work &chosen)
                   "How textures are sampled; linear: clean triangles, where that mixes no zones")
         ->check(CLI::IsMember({"nearest", "linear"}))
         ->capture_default_str();
-    c->add_option("--lod", a->stage.lod, "On the plaza and in the odeon: people with levels of detail, or without")
-        ->check(CLI::IsMember({"off", "on"}))
+    c->add_option(
+         "--lod", a->stage.lod,
+         "On the plaza and in the odeon: people with levels of detail, or without; finest: the first level, everywhere")
+        ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();
     c->add_option("--cull", a->stage.cull,
                   "Behaviour between the phases, or everything for everybody and culled last (S0 4)")

@@ -137,7 +137,8 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.casting.key_poses.most_kept = a.key_poses;
     options.casting.key_poses.rate_hz = static_cast<float>(a.key_pose_hz);
     take_key_poses(a.cache, options.casting.key_poses);
-    options.casting.lod = a.lod == "on" ? scenes::Lod::on : scenes::Lod::off;
+    options.casting.lod = a.lod == "off" ? scenes::Lod::off : scenes::Lod::on;
+    if (a.lod == "finest") options.casting.lod_scale = 0;
     options.casting.cull = a.cull == "traditional" ? CLQ_CULL_TRADITIONAL : CLQ_CULL_ACTOR;
     options.casting.placement = a.placement == "matrices" ? CLQ_PLACE_MATRICES : CLQ_PLACE_VERTICES;
     options.casting.geometry = a.geometry == "packed" ? CLQ_GEOMETRY_PACKED : CLQ_GEOMETRY_FLOAT;

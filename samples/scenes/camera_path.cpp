@@ -9,7 +9,7 @@
 namespace scenes
 {
 
-const std::string &odeon_path();    // odeon/path.toml, brought by the build
+const std::string &odeon_path();      // odeon/path.toml, brought by the build
 const std::string &vehicle_path();    // town/path.toml
 const std::string &multitude_path();  // multitude/path.toml
 

@@ -172,8 +172,7 @@ TEST_P(SplitFormOfRealFiles, HasTheFilesTrianglesAndTheirFronts)
     std::vector<Facet> expected;
     for (const Triangle &t : triangles_.all) expected.push_back(facet(at[t[0]], at[t[1]], at[t[2]]));
     const std::vector<Facet> actual = facets_of(template_->levels[0], poses[0].actual.positions);
-    const SurfaceMatching matching =
-        match(expected, triangles_.has_area, actual, tolerance * size_ + stated_error());
+    const SurfaceMatching matching = match(expected, triangles_.has_area, actual, tolerance * size_ + stated_error());
     EXPECT_TRUE(matching.same) << GetParam() << ": " << matching.text;
 }
 

@@ -96,7 +96,8 @@ TEST_F(Worn, colours_stay_where_their_file_breaks_which_is_told_once)
     const std::vector<float> in_blue = tunics();
     ASSERT_NE(in_blue, before_);
     for (const auto &[broken, says] :
-         {std::pair<std::string, std::string>(people("hue = [0, 500], saturation = [0, 1], brightness = [0, 1]"), "line 5, column 17"),
+         {std::pair<std::string, std::string>(people("hue = [0, 500], saturation = [0, 1], brightness = [0, 1]"),
+                                              "line 5, column 17"),
           {people("hue = [0, 5"), "line 5"},
           {people("colour = \"#fff\""), "line 5, column 20"},
           {red + "wings = { colour = \"#102030\" }\n", "'wings'"},

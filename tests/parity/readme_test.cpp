@@ -1,0 +1,30 @@
+// README.md's section 'As a reference renderer', followed word for word, with this build as the one that stands beside it.
+#include <gtest/gtest.h>
+
+#include "samples/contexts/offscreen.h"
+#include "tests/embed/readme.h"
+#include "tests/embed/scratch.h"
+
+namespace
+{
+
+TEST(ReadmeParity, says_how_to_hold_a_renderer_against_claque)
+{
+    std::string why;
+    if (!contexts::make_offscreen(contexts::Kind::any, 8, 8, contexts::PixelFormat::rgba8888, why)) GTEST_SKIP() << why;
+    const Scratch folder;
+    ASSERT_EQ(folder.run("mkdir build && ln -s '" CLAQUE_BUILD_DIR "' build/release").first, 0);
+    int followed = 0;
+    for (const Block &block : blocks_of(text_of_file(CLAQUE_SOURCE_DIR "/README.md"), "As a reference renderer")) {
+        if (block.language != "sh") continue;
+        ++followed;
+        const auto [code, printed] = folder.run("export ASAN_OPTIONS=detect_leaks=0\n" + block.text);
+        EXPECT_EQ(code, 0) << block.text << printed;
+        EXPECT_NE(printed.find("yours passes gpu"), std::string::npos) << printed;
+    }
+    EXPECT_EQ(followed, 1);
+    EXPECT_NE(text_of_file(folder.path() + "/parity.json").find("\"colour"), std::string::npos);
+    EXPECT_NE(text_of_file(folder.path() + "/parity.html").find("<html"), std::string::npos);
+}
+
+}  // namespace
