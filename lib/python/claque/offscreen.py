@@ -6,6 +6,7 @@ from ctypes import c_char_p, c_double, c_float, c_int, c_uint, c_void_p
 import numpy
 
 from . import abi
+from .owner import Closing
 
 _RGBA, _UNSIGNED_BYTE = 0x1908, 0x1401
 _DEPTH_TEST, _LIGHTING, _LIGHT0 = 0x0B71, 0x0B50, 0x4000
@@ -26,7 +27,7 @@ def _osmesa():
     raise abi.Error("libOSMesa.so.8 is not there (Debian: libosmesa6)")
 
 
-class Offscreen:
+class Offscreen(Closing):
     """Current on the thread that makes it. clear() begins a picture, `pixels` and picture() are what is there."""
 
     def __init__(self, width, height):
@@ -85,15 +86,3 @@ class Offscreen:
         context, self._context = self._context, None
         if context:
             self._mesa.OSMesaDestroyContext(context)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.close()
-
-    def __del__(self):
-        try:
-            self.close()
-        except Exception:  # the interpreter is going
-            pass

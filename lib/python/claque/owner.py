@@ -5,7 +5,23 @@ from ctypes import byref, c_void_p
 from .abi import Error, library
 
 
-class Owned:
+class Closing:
+    """Ended by close(), by leaving a with statement, or when it is collected."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __del__(self):
+        try:
+            self.close()
+        except Exception:  # the interpreter is going
+            pass
+
+
+class Owned(Closing):
     """One opaque thing. It holds what it was made from, so that nothing is ended before what was made from it."""
 
     _destroy = None  # the name of the call that ends it
@@ -26,18 +42,6 @@ class Owned:
         if pointer and self._destroy:
             library().function(self._destroy, None)(pointer)
         self._held = ()
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.close()
-
-    def __del__(self):
-        try:
-            self.close()
-        except Exception:  # the interpreter is going
-            pass
 
 
 def made(name, call, *arguments_before_out):
