@@ -118,16 +118,29 @@ void name_zones(Zones &zones, const std::vector<std::string> &names)
     }
 }
 
-void write_map(const Zones &zones, const std::string &path)
+// The image's zones as they are now, each texel in its zone's ink, those that nobody painted too: given back, the same again.
+void write_map(const clq_asset *asset, const ZoneArguments &a, const Zones &zones)
 {
+    clq_asset_image image = {};
+    scenes::check(clq_asset_get_image(asset, a.image, &image));
+    std::array<Rgb, 256> ink_of_key{};
+    const size_t texels = static_cast<size_t>(image.width_px) * image.height_px;
+    const auto zone_at = [&](size_t i) {  // of the map, at the middle of a texel of the image
+        const size_t x = (2 * (i % image.width_px) + 1) * zones.width / (2 * static_cast<size_t>(image.width_px));
+        const size_t y = (2 * (i / image.width_px) + 1) * zones.height / (2 * static_cast<size_t>(image.height_px));
+        return zones.texels[y * zones.width + x];
+    };
+    for (size_t i = 0; i < texels; ++i)
+        if (zone_at(i) != CLQ_NO_ZONE) ink_of_key[image.rgba[4 * i + 3]] = zones.inks[zone_at(i)];
     std::vector<uint8_t> rgb;
-    for (const uint16_t zone : zones.texels) {
-        const Rgb ink = zone == CLQ_NO_ZONE ? Rgb{255, 255, 255} : zones.inks[zone];
+    for (size_t i = 0; i < texels; ++i) {
+        const Rgb &ink = ink_of_key[image.rgba[4 * i + 3]];
         rgb.insert(rgb.end(), ink.begin(), ink.end());
     }
-    const std::vector<unsigned char> file = png(rgb.data(), static_cast<int>(zones.width),
-                                                static_cast<int>(zones.height), {{"Software", "claque " + version()}});
-    write_whole(path, file.data(), file.size());
+    const std::vector<unsigned char> file =
+        png(rgb.data(), static_cast<int>(image.width_px), static_cast<int>(image.height_px),
+            {{"Software", "claque " + version()}});
+    write_whole(a.map, file.data(), file.size());
 }
 
 std::vector<clq_painted_zone> painted_of(const Zones &zones, const std::vector<std::string> &reduced)
@@ -183,7 +196,7 @@ void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments 
     def.zone_count = static_cast<uint32_t>(painted.size());
     def.zones = painted.data();
     scenes::check(clq_asset_set_zone_map(library.context(), asset, &def));
-    if (!a.map.empty()) write_map(zones, a.map);
+    if (!a.map.empty()) write_map(asset, a, zones);
     for (size_t i = 0; i < zones.keys.size(); ++i) {
         const size_t texels = static_cast<size_t>(std::count(zones.texels.begin(), zones.texels.end(), i));
         std::fprintf(stderr, "%-9s %5.1f %%  %s%s\n", zones.keys[i].c_str(),
