@@ -19,8 +19,8 @@ typedef struct clq_levels_def {
     float tolerance_px;    /* how large a level's error may look where it begins, in a view of 768 lines over 60 degrees
                               (other views: clq_view_set_height). Default 1 */
     float metres_per_unit; /* of the character. Default 1 */
-    /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, each
-     * triangle shows one zone. So are those that seams and borders keep from their targets by a tenth. Of skinned
+    /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, and
+     * what triangles show is an image made for them; with 128 and fewer each shows one zone. So are those that seams and borders keep from their targets by a tenth. Of skinned
      * characters only. 0: none. Default 250 */
     uint32_t far_from;
     /* 1: by OpenMesh's quadric alone, on the welded mesh, each corner taking what the vertex it comes to has there: what

@@ -105,20 +105,18 @@ std::vector<size_t> add_near(const model::Rig &rig, const std::vector<const mode
     return missed;
 }
 
-// `model` gets the material and the image of these levels, and keys that tell all its zones apart.
+// `model` gets the materials and the images of these levels, and keys that tell all its zones apart.
 void add_far(model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
              std::vector<Made> &made)
 {
     FarLevels far = make_far(model, source, wish);
+    enter(far, model);
     for (model::Part &part : far.parts) {
         Made next;
         next.is_far = true;
         next.parts.push_back(std::move(part));
         made.push_back(std::move(next));
     }
-    model.materials.push_back(far.material);
-    model.images.push_back(std::move(far.image));
-    for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = far.zone_keys[zone];
 }
 
 std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
@@ -208,6 +206,7 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     model::Model next;
     next.name = model.name, next.rig = model::Rig(model.rig, std::pmr::get_default_resource());
     next.zones = model.zones, next.images = model.images, next.materials = model.materials;
+    next.texture_sets = model.texture_sets;
 
     std::vector<Made> made = {finest_of(source)};
     if (!near_targets.empty()) {
@@ -223,7 +222,7 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     model.parts = laid_out(model, source.places, std::move(made));
     model.images = std::move(next.images), model.materials = std::move(next.materials);
     model.zones = std::move(next.zones);
-    for (model::TextureSet &set : model.texture_sets) set.images.resize(model.materials.size(), model::none);
+    model.texture_sets = std::move(next.texture_sets);
     return report;
 }
 

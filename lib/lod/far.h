@@ -1,6 +1,7 @@
 // Levels of detail for characters that are a few dozen pixels tall: one closed surface in place of all parts (shell.h).
-// Each triangle shows the one zone that most of what it stands for shows, and texture coordinates point into an image of
-// a few texels, one for each zone and brightness, so that every triangle is clean and the zone law holds to the letter.
+// Levels of few triangles show one zone on each, from an image of a few texels, one for each zone and brightness: every
+// triangle is clean, and individuals share calls. Levels of more have an image of their own each, laid out in charts
+// (atlas.h), whose texels show what lies nearest on the source.
 #pragma once
 
 #include <vector>
@@ -13,17 +14,24 @@ namespace claque::lod
 struct FarWish {
     std::vector<size_t> targets;          // triangles, descending strictly
     double influence = 0.1, zone = 0.05;  // as in ShellWish
+    // Levels of so many triangles and fewer show one zone on each: passes::RendererOptions::batch_triangles has as many.
+    size_t most_clean = 128;
 };
 
 struct FarLevels {
-    std::vector<model::Part> parts;  // one for each target, finest first; `material` is that of `model` behind its last
-    model::Material material;        // its image is that of `model` behind its last
-    model::Image image;              // keys of the model's zones
-    std::vector<uint8_t>
-        zone_keys;  // [zones] that the image uses: the model's own, or new ones where those do not tell zones apart
+    std::vector<model::Part> parts;  // one for each target, finest first; materials as they are numbered once entered
+    std::vector<model::Material> materials;         // images likewise
+    std::vector<model::Image> images;               // with keys of the model's zones
+    std::vector<std::vector<uint32_t>> set_images;  // [texture sets of the model][materials]
+    // [zones] that images use: the model's own, or new ones where those do not tell zones apart.
+    std::vector<uint8_t> zone_keys;
 };
 
-// `source` are triangle parts of `model`, which has passed model::check. Throws base::Error (CLQ_LIMIT) where zones are more than keys. Deterministic.
+// `source` are triangle parts of `model`, which has passed model::check. Throws base::Error (CLQ_LIMIT) where zones are
+// more than keys. Deterministic.
 FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish);
+
+// Gives the same `model` materials, images, what its texture sets show of them, and keys; parts are left to the caller.
+void enter(const FarLevels &far, model::Model &model);
 
 }  // namespace claque::lod

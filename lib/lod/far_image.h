@@ -2,13 +2,36 @@
 #pragma once
 
 #include "lib/lod/far.h"
+#include "lib/lod/samples.h"
 
 namespace claque::lod
 {
 
-// Gives each triangle of each part its zone and brightness, from all of the source that lies nearest to it, and the
-// parts their texture coordinates.
-FarLevels painted(const model::Model &model, const std::vector<const model::Part *> &source,
-                  std::vector<model::Part> parts);
+// What they are painted from.
+struct FarSource {
+    FarSource(const model::Model &model, const std::vector<const model::Part *> &parts);
+
+    size_t set_count() const { return model.texture_sets.size() + 1; }
+    const model::TextureSet *set(size_t i) const { return i ? &model.texture_sets[i - 1] : nullptr; }
+    PosedParts at_rest(const model::Part &part) const;
+
+    const model::Model &model;
+    PosedParts fine;                          // at rest
+    std::vector<std::vector<double>> shares;  // [sets] of zones (shares.h)
+    std::vector<uint8_t> keys;                // [zones], which tell all of them apart
+};
+
+model::Image empty_image(uint32_t width, uint32_t height);
+void set_texel(const FarSource &source, size_t at, uint32_t zone, glm::dvec3 rgb, model::Image &image);
+
+// The vertices of a part once for each place in the texture, [0, 1], that their corners have.
+void give_uvs(model::Part &part, const std::vector<glm::vec2> &corners);
+
+// Each triangle of each part shows one zone in one brightness, from all of the source that lies nearest to it; parts get
+// their texture coordinates. One image for each texture set, for all parts.
+std::vector<model::Image> painted_in_blocks(const FarSource &source, std::vector<model::Part> &parts);
+
+// One part whose triangles show, texel by texel, what lies nearest on the source.
+std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part);
 
 }  // namespace claque::lod

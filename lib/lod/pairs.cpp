@@ -51,6 +51,26 @@ std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
     return out;
 }
 
+std::vector<Spot> spread(const PosedParts &parts, double count)
+{
+    constexpr double most_lines = 64;
+    std::vector<double> areas;
+    double all = 0;
+    for (uint32_t t = 0; t < parts.triangles().size(); ++t) areas.push_back(area_of(parts, t)), all += areas.back();
+    std::vector<Spot> found;
+    for (uint32_t t = 0; t < areas.size(); ++t) {
+        const double n = all > 0 ? std::clamp(std::ceil(std::sqrt(count * areas[t] / all)), 1.0, most_lines) : 1;
+        for (double i = 0; i < n; ++i)
+            for (double j = 0; i + j < n; ++j)
+                for (const double third : {1.0, 2.0}) {
+                    if (third == 2 && i + j + 2 > n) continue;
+                    const double b = (i + third / 3) / n, c = (j + third / 3) / n;
+                    found.push_back({{t, {1 - b - c, b, c}}, areas[t] / (n * n)});
+                }
+    }
+    return found;
+}
+
 double area_of(const PosedParts &parts, uint32_t triangle)
 {
     const auto c = parts.corners(parts.triangles()[triangle]);

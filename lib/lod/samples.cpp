@@ -76,40 +76,50 @@ uint32_t texel(double at, uint32_t size, model::Wrap wrap)
     return static_cast<uint32_t>(std::fmin(std::fmax(x, 0), n - 1));
 }
 
-const uint8_t *texel_of(const model::Model &model, const PosedParts &parts, const Place &place)
+// None where the material has none.
+uint32_t image_of(const model::Model &model, uint32_t material, const model::TextureSet *set)
+{
+    const bool other = set && material < set->images.size() && set->images[material] != model::none;
+    return other ? set->images[material] : model.materials[material].image;
+}
+
+const uint8_t *texel_of(const model::Model &model, const PosedParts &parts, const Place &place,
+                        const model::TextureSet *set)
 {
     const PosedParts::Triangle &t = parts.triangles()[place.triangle];
     const model::Part &part = parts.part(t.part);
     if (part.material == model::none || part.uvs.empty()) return nullptr;
     const model::Material &material = model.materials[part.material];
-    if (material.image == model::none) return nullptr;
+    const uint32_t shown = image_of(model, part.material, set);
+    if (shown == model::none) return nullptr;
     double u = 0, v = 0;
     for (size_t k = 0; k < 3; ++k) {
         const double w = place.weights[static_cast<int>(k)];
         u += w * double(part.uvs[t.vertices[k]].x), v += w * double(part.uvs[t.vertices[k]].y);
     }
-    const model::Image &image = model.images[material.image];
+    const model::Image &image = model.images[shown];
     const size_t x = texel(u, image.width, material.wrap_s), y = texel(v, image.height, material.wrap_t);
     return image.rgba.data() + 4 * (y * image.width + x);
 }
 
 }  // namespace
 
-uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place)
+uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place, const model::TextureSet *set)
 {
     const model::Part &part = parts.part(parts.triangles()[place.triangle].part);
     if (part.material == model::none) return model::none;
-    const model::Material &material = model.materials[part.material];
-    const uint8_t *found = texel_of(model, parts, place);
-    if (!found || model.images[material.image].alpha != model::AlphaMeaning::zone_keys) return material.zone;
+    const uint8_t *found = texel_of(model, parts, place, set);
+    if (!found || model.images[image_of(model, part.material, set)].alpha != model::AlphaMeaning::zone_keys)
+        return model.materials[part.material].zone;
     for (uint32_t zone = 0; zone < model.zones.size(); ++zone)
         if (model.zones[zone].key == found[3]) return zone;
     return model::none;
 }
 
-glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place)
+glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place,
+                    const model::TextureSet *set)
 {
-    const uint8_t *found = texel_of(model, parts, place);
+    const uint8_t *found = texel_of(model, parts, place, set);
     return found ? glm::dvec3(found[0], found[1], found[2]) / 255.0 : glm::dvec3(1);
 }
 

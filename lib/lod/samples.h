@@ -48,11 +48,23 @@ struct Place {
 
 glm::dvec3 where(const PosedParts &parts, const Place &place);
 
-// The zone that a place shows: its material's, or that of the texel's key; model::none where there is none.
-uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place);
+// The zone that a place shows: its material's, or that of the texel's key; model::none where there is none. `set`: what it
+// shows in one of the model's further texture sets; null: in the first.
+uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place,
+                 const model::TextureSet *set = nullptr);
 
 // The texel there, each of red, green and blue in [0, 1]; white where there is no image.
-glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place);
+glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place,
+                    const model::TextureSet *set = nullptr);
+
+// Places that stand for the whole surface, about `count` and one at least on each triangle: middles of small triangles that
+// lines along the sides make, and their areas.
+struct Spot {
+    Place place;
+    double area = 0;
+};
+constexpr double spots_of_a_surface = 20000;  // that shares of area are measured by
+std::vector<Spot> spread(const PosedParts &parts, double count);
 
 // Each place of `from` that stands for its surface (middles of the four triangles that halving the sides of each triangle
 // makes, a quarter of its area each; then its corners, for distances alone), and the place of `to` nearest to it as they

@@ -9,38 +9,20 @@
 namespace claque::lod
 {
 
-namespace
-{
-
-constexpr double places = 20000;  // that stand for a whole surface, about
-constexpr uint32_t most_steps = 64;
-
-}  // namespace
-
-std::vector<double> zone_shares(const model::Model &model, const std::vector<const model::Part *> &parts)
+std::vector<double> zone_shares(const model::Model &model, const std::vector<const model::Part *> &parts,
+                                const model::TextureSet *set)
 {
     PosedParts posed(parts);
     pose::Workspace workspace(model.rig);
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     posed.pose(model.rig, palette, workspace.weights());
     std::vector<double> shares(model.zones.size() + 1, 0.0);
-    std::vector<double> areas;
     double all = 0;
-    for (uint32_t t = 0; t < posed.triangles().size(); ++t) areas.push_back(area_of(posed, t)), all += areas.back();
+    const std::vector<Spot> spots = spread(posed, spots_of_a_surface);
+    for (const Spot &spot : spots) all += spot.area;
     if (!(all > 0)) return shares;
-    for (uint32_t t = 0; t < areas.size(); ++t) {
-        // Middles of the triangles that `steps` lines along each side make.
-        const auto steps = static_cast<uint32_t>(std::ceil(std::sqrt(places * areas[t] / all)));
-        const double n = std::clamp(steps, 1u, most_steps);
-        for (double i = 0; i < n; ++i)
-            for (double j = 0; i + j < n; ++j)
-                for (const double third : {1.0, 2.0}) {
-                    if (third == 2 && i + j + 2 > n) continue;
-                    const double b = (i + third / 3) / n, c = (j + third / 3) / n;
-                    const uint32_t zone = zone_at(model, posed, {t, {1 - b - c, b, c}});
-                    shares[std::min<size_t>(zone, model.zones.size())] += areas[t] / (n * n * all);
-                }
-    }
+    for (const Spot &spot : spots)
+        shares[std::min<size_t>(zone_at(model, posed, spot.place, set), model.zones.size())] += spot.area / all;
     return shares;
 }
 

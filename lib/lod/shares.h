@@ -9,8 +9,9 @@ namespace claque::lod
 {
 
 // [zones of `model` + 1] shares, their sum 1, of the area on which parts at rest show each zone; the last: no zone. All 0
-// where there is no area. Parts have passed model::check.
-std::vector<double> zone_shares(const model::Model &model, const std::vector<const model::Part *> &parts);
+// where there is no area. Parts have passed model::check. `set`: one of the model's texture sets; null: the first.
+std::vector<double> zone_shares(const model::Model &model, const std::vector<const model::Part *> &parts,
+                                const model::TextureSet *set = nullptr);
 
 // The largest difference of two such, [0, 1].
 double largest_drift(const std::vector<double> &a, const std::vector<double> &b);

@@ -33,9 +33,7 @@ Figure mesh_of(uint32_t triangles)
     lod::FarWish wish;
     wish.targets = {triangles};
     lod::FarLevels far = lod::make_far(model, parts, wish);
-    for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = far.zone_keys[zone];
-    model.materials.push_back(far.material);
-    model.images.push_back(far.image);
+    lod::enter(far, model);
     model.texture_sets.clear();
     model.parts = far.parts;
     return split_figure(model);

@@ -18,11 +18,8 @@ Figure far_figure()
     claque::lod::FarWish wish;
     wish.targets = {120};
     claque::lod::FarLevels far = claque::lod::make_far(model, parts, wish);
-    for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = far.zone_keys[zone];
-    model.materials.push_back(far.material);
-    model.images.push_back(far.image);
+    claque::lod::enter(far, model);
     model.parts = far.parts;
-    for (model::TextureSet &set : model.texture_sets) set.images.push_back(model::none);
     return split_figure(model);
 }
 

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "lib/lod/atlas.h"
+#include "lib/lod/far_balance.h"
+#include "lib/lod/far_image.h"
+#include "lib/lod/nearest.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+constexpr uint32_t texels_a_triangle = 32;
+constexpr size_t samples = 4;       // of each texel
+constexpr double outwards = 0.005;  // of the character's size
+
+// A place of the level under a point of the atlas; off it the nearest.
+struct Under {
+    uint32_t triangle = 0;
+    glm::dvec3 weights = glm::dvec3(0);
+    double distance_squared = std::numeric_limits<double>::infinity();  // texels
+};
+
+Under under(const Atlas &atlas, const Chart &chart, glm::dvec2 p)
+{
+    Under best;
+    for (const uint32_t t : chart.triangles) {
+        const NearestPoint::Triangle flat = {glm::dvec3(atlas.places[t][0], 0), glm::dvec3(atlas.places[t][1], 0),
+                                             glm::dvec3(atlas.places[t][2], 0)};
+        const glm::dvec3 weights = nearest_on(flat, glm::dvec3(p, 0)), off = point_on(flat, weights) - glm::dvec3(p, 0);
+        if (glm::dot(off, off) < best.distance_squared) best = {t, weights, glm::dot(off, off)};
+        if (best.distance_squared == 0) break;
+    }
+    return best;
+}
+
+// What lies nearest on the source to what one texel covers.
+struct Texel {
+    bool used = false;
+    glm::dvec3 middle = glm::dvec3(0);
+    std::array<Place, samples> seen;
+};
+
+class Lookup
+{
+public:
+    Lookup(const FarSource &source, const PosedParts &level, const Atlas &atlas)
+        : level_(level), atlas_(atlas), nearest_(triangles_of(source.fine))
+    {
+        glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
+        for (const PosedParts::Triangle &t : level.triangles())
+            for (const glm::dvec3 p : level.corners(t)) first = glm::min(first, p), last = glm::max(last, p);
+        const glm::dvec3 sizes = last - first;
+        out_ = outwards * std::max({sizes.x, sizes.y, sizes.z});
+    }
+
+    std::vector<Texel> run() const
+    {
+        std::vector<Texel> texels(size_t(atlas_.width) * atlas_.height);
+        for (const Chart &chart : atlas_.charts)
+            for (uint32_t y = chart.y; y < chart.y + chart.height; ++y)
+                for (uint32_t x = chart.x; x < chart.x + chart.width; ++x)
+                    sample(chart, x, y, texels[size_t(y) * atlas_.width + x]);
+        return texels;
+    }
+
+private:
+    static std::vector<NearestPoint::Triangle> triangles_of(const PosedParts &parts)
+    {
+        std::vector<NearestPoint::Triangle> found;
+        for (const PosedParts::Triangle &t : parts.triangles()) found.push_back(parts.corners(t));
+        return found;
+    }
+
+    void sample(const Chart &chart, uint32_t x, uint32_t y, Texel &texel) const
+    {
+        for (size_t i = 0; i < samples; ++i) {
+            const glm::dvec2 p(x + 0.25 + 0.5 * double(i % 2), y + 0.25 + 0.5 * double(i / 2));
+            const Under here = under(atlas_, chart, p);
+            if (here.distance_squared > double(atlas_gutter * atlas_gutter)) return;
+            const auto c = level_.corners(level_.triangles()[here.triangle]);
+            const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+            const double length = glm::length(normal);
+            const glm::dvec3 at = point_on(c, here.weights);
+            // A little outside: of two layers the outer one is seen.
+            const NearestPoint::Found found = nearest_.to(length > 0 ? at + normal * (out_ / length) : at);
+            texel.seen[i] = {found.triangle, found.weights};
+            texel.middle += at / double(samples);
+        }
+        texel.used = true;
+    }
+
+    const PosedParts &level_;
+    const Atlas &atlas_;
+    NearestPoint nearest_;
+    double out_ = 0;
+};
+
+// The zone that most of a texel shows, and its mean colour.
+Shown shown_by(const FarSource &source, const model::TextureSet *set, const Texel &texel)
+{
+    std::array<uint32_t, samples> zones;
+    for (size_t i = 0; i < samples; ++i) zones[i] = zone_at(source.model, source.fine, texel.seen[i], set);
+    Shown shown;
+    ptrdiff_t most = 0;
+    for (const uint32_t zone : zones) {
+        const ptrdiff_t count = std::count(zones.begin(), zones.end(), zone);
+        if (count > most) most = count, shown.zone = zone;
+    }
+    for (size_t i = 0; i < samples; ++i)
+        if (zones[i] == shown.zone) shown.rgb += texel_at(source.model, source.fine, texel.seen[i], set) / double(most);
+    shown.at = texel.middle, shown.used = texel.used;
+    return shown;
+}
+
+// How much of the level each texel is shown on.
+std::vector<double> areas_of(const PosedParts &level, const Atlas &atlas)
+{
+    std::vector<double> areas(size_t(atlas.width) * atlas.height, 0);
+    double all = 0;
+    for (const Spot &spot : spread(level, spots_of_a_surface)) {
+        const auto &corners = atlas.places[spot.place.triangle];
+        const glm::dvec3 w = spot.place.weights;
+        const glm::dvec2 p = w.x * corners[0] + w.y * corners[1] + w.z * corners[2];
+        areas[size_t(p.y) * atlas.width + size_t(p.x)] += spot.area, all += spot.area;
+    }
+    for (double &area : areas) area = all > 0 ? area / all : 0;
+    return areas;
+}
+
+}  // namespace
+
+std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part)
+{
+    const PosedParts level = source.at_rest(part);
+    const Atlas atlas = laid_flat(level, texels_a_triangle);
+    const std::vector<Texel> texels = Lookup(source, level, atlas).run();
+    const std::vector<double> areas = areas_of(level, atlas);
+    std::vector<model::Image> images;
+    for (size_t set = 0; set < source.set_count(); ++set) {
+        std::vector<Shown> shown;
+        for (size_t i = 0; i < texels.size(); ++i) {
+            shown.push_back(texels[i].used ? shown_by(source, source.set(set), texels[i]) : Shown());
+            shown.back().area = areas[i];
+        }
+        balance(source, set, shown);
+        images.push_back(empty_image(atlas.width, atlas.height));
+        // Texels that nobody points at show what another does, so that none names a zone that there is not.
+        const Shown any = *std::find_if(shown.begin(), shown.end(), [](const Shown &one) { return one.used; });
+        for (size_t i = 0; i < shown.size(); ++i) {
+            const Shown &one = shown[i].used ? shown[i] : any;
+            set_texel(source, i, one.zone, one.rgb, images.back());
+        }
+    }
+    std::vector<glm::vec2> corners;
+    for (const auto &triangle : atlas.places)
+        for (const glm::dvec2 p : triangle) corners.emplace_back(p / glm::dvec2(atlas.width, atlas.height));
+    give_uvs(part, corners);
+    return images;
+}
+
+}  // namespace claque::lod
