@@ -44,6 +44,7 @@ void load_queries_and_stacks(Loader &want, Gl11 &t)
     want(t.PopMatrix, "glPopMatrix");
     want(t.RenderMode, "glRenderMode");
     want(t.EndList, "glEndList");
+    want(t.Flush, "glFlush");
 }
 
 void load_state(Loader &want, Gl11 &t)

@@ -84,6 +84,7 @@ struct Gl11 {
     Bool(CLAQUE_GL_CALL *IsEnabled)(Enum what) = nullptr;
     int32_t(CLAQUE_GL_CALL *RenderMode)(Enum mode) = nullptr;
     void(CLAQUE_GL_CALL *EndList)() = nullptr;
+    void(CLAQUE_GL_CALL *Flush)() = nullptr;
 
     void(CLAQUE_GL_CALL *Enable)(Enum what) = nullptr;
     void(CLAQUE_GL_CALL *Disable)(Enum what) = nullptr;

@@ -29,7 +29,8 @@ ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const Rendere
       stats_(stats),
       state_(gl, stats),
       canvas_(gl, options, state_, scratch, stats),
-      batch_(gl, options, state_, scratch, stats)
+      batch_(gl, options, state_, scratch, stats),
+      flush_triangles_(options.flush_triangles)
 {
 }
 
@@ -49,6 +50,7 @@ base::Status ListDrawer::draw()
                     base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no room to skin it at draw time", item.actor_index);
         } else if (!item.hooks) draw_individual(who);
         else if (draw_between_hooks(who, first) == Next::stop) break;
+        if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) let_gl_begin();
     }
     batch_.flush();
     return first;
@@ -81,6 +83,13 @@ void ListDrawer::draw_individual(const Individual &who)
     canvas_.place(who);
     if (who.item->locals) MatrixWalk(gl_, canvas_, scratch_.chain, stats_, room_).draw(who);
     else draw_parts(canvas_, who);
+}
+
+void ListDrawer::let_gl_begin()
+{
+    batch_.flush();
+    gl_.Flush();
+    flushed_ = stats_.triangles;
 }
 
 ListDrawer::Next ListDrawer::draw_between_hooks(Individual &who, base::Status &first)

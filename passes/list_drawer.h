@@ -29,6 +29,7 @@ private:
     bool make(const draw::Item &item, Individual &who) const;
     Next draw_between_hooks(Individual &who, base::Status &first);
     void draw_individual(const Individual &who);
+    void let_gl_begin();
 
     const Gl11 &gl_;
     const Preflight &preflight_;
@@ -41,6 +42,7 @@ private:
     Canvas canvas_;
     Batch batch_;
     uint32_t room_ = 0;  // for matrices; asked where an item wants it
+    uint32_t flush_triangles_, flushed_ = 0;
 };
 
 }  // namespace claque::passes

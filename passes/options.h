@@ -19,6 +19,7 @@ struct RendererOptions {
     ColourFormat colours = ColourFormat::ubyte;
     KeyTest key_test = KeyTest::greater_equal;
     bool linear_clean = false;       // clean triangles are filtered where that mixes no zones (smooth.h)
+    uint32_t flush_triangles = 0;    // glFlush after so many, so that GL begins with them; 0: never
     uint32_t batch_triangles = 128;  // levels of so many triangles and fewer are drawn several individuals a call
 };
 

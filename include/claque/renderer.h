@@ -64,6 +64,10 @@ typedef struct clq_renderer_def {
        GL_NEAREST. Two draws a surface instead of one, a second texture, and a step in luminance where a filtered triangle
        meets one that is not: see clq_renderer_get_prepared. Default 0 */
     int32_t linear_clean;
+    /* glFlush after about so many triangles, so that GL works on them while claque sends the rest. llvmpipe rasterises on
+       threads of its own, but not before a flush: 32768 takes about a quarter off a draw of ten thousand. Not for
+       contexts in which a flush shows or copies the picture: front buffers, OSMesa. Nothing else changes. 0 (default): never */
+    uint32_t flush_triangles;
 } clq_renderer_def;
 
 static inline clq_renderer_def clq_renderer_def_init(void)
@@ -78,6 +82,7 @@ static inline clq_renderer_def clq_renderer_def_init(void)
     def.key_test = CLQ_KEY_GREATER_EQUAL;
     def.batch_triangles = 128;
     def.linear_clean = 0;
+    def.flush_triangles = 0;
     return def;
 }
 

@@ -13,7 +13,28 @@ namespace cli
 namespace
 {
 
-// Frames 1 to n of a warm crowd; the one before them fills the caches and is not counted.
+// One moment drawn again and again: by claque with a GL that does nothing; with one that clips every triangle away; whole.
+Json draw_parts(scenes::Stage &stage, int frames)
+{
+    using Part = scenes::Stage::DrawPart;
+    Times library, vertices, all;
+    const auto timed = [&](Times &times, Part part) {
+        const Stopwatch watch;
+        stage.draw_crowd_up_to(part);
+        times.ms.push_back(watch.ms());
+    };
+    for (int frame = 0; frame < frames; ++frame) {
+        stop_if_asked();
+        timed(library, Part::claque), timed(vertices, Part::and_vertices), timed(all, Part::all);
+    }
+    const auto of = [](double minimum, double median) -> Json { return {{"minimum", minimum}, {"median", median}}; };
+    return {{"claque", of(library.minimum(), library.median())},
+            {"gl_vertices", of(vertices.minimum() - library.minimum(), vertices.median() - library.median())},
+            {"gl_pixels", of(all.minimum() - vertices.minimum(), all.median() - vertices.median())}};
+}
+
+// Frames 1 to n of a warm crowd, each part waited for; the one before them fills the caches and is not counted. Then as
+// many whole ones, as a host draws them: update, setting, shadows, people, and one wait.
 Json run(scenes::Stage &stage, const BenchArguments &a)
 {
     Times update, draw;
@@ -33,15 +54,50 @@ Json run(scenes::Stage &stage, const BenchArguments &a)
         draw.ms.push_back(drawing.ms());
     }
     const clq_crowd_stats stats = stage.crowd_stats();
+    const Json parts = draw_parts(stage, a.frames);
+    const std::string picture = hex(scenes::hash_of(stage.read()));
+    Times whole;
+    for (int frame = 1; frame <= a.frames; ++frame) {
+        stop_if_asked();
+        const Stopwatch watch;
+        stage.frame((a.frames + frame) / 25.0);
+        whole.ms.push_back(watch.ms());
+    }
     return {{"update_ms", {{"minimum", update.minimum()}, {"median", update.median()}}},
             {"draw_ms", {{"minimum", draw.minimum()}, {"median", draw.median()}}},
-            {"frame_ms", {{"minimum", update.minimum() + draw.minimum()}, {"median", update.median() + draw.median()}}},
+            {"draw_parts_ms", parts},
+            {"frame_ms", {{"minimum", whole.minimum()}, {"median", whole.median()}}},
             {"draws", drawn.draws},
             {"triangles_sent", drawn.triangles},
             {"vertices_sent", drawn.vertices},
             {"counters", counters(stats)},
             {"bands", rates(stats)},
-            {"picture_hash", hex(scenes::hash_of(stage.read()))}};
+            {"picture_hash", picture}};
+}
+
+// How the first cache and variety grow with the crowd, for claque plot.
+void chart(Json &report)
+{
+    const auto line = [&](const char *name, const auto &median) {
+        Json points = Json::array();
+        const Json &first = report["runs"][0];
+        for (const Json &r : report["runs"])
+            if (r["cache"] == first["cache"] && r["variety"] == first["variety"])
+                points.push_back({r["count"], median(r)["median"]});
+        report["series"].push_back({{"name", name}, {"points", std::move(points)}});
+    };
+    report["kind"] = "lines";
+    report["title"] = "What a frame of " + report["scene"].get<std::string>() + " takes";
+    report["x"] = {{"title", "people in view"}, {"scale", "log"}};
+    report["y"] = {{"title", "milliseconds, median"}, {"scale", "log"}};
+    report["series"] = Json::array();
+    line("whole frame", [](const Json &r) { return r["frame_ms"]; });
+    line("draw: GL, pixels", [](const Json &r) { return r["draw_parts_ms"]["gl_pixels"]; });
+    line("draw: GL, vertices", [](const Json &r) { return r["draw_parts_ms"]["gl_vertices"]; });
+    line("draw: claque", [](const Json &r) { return r["draw_parts_ms"]["claque"]; });
+    line("update", [](const Json &r) { return r["update_ms"]; });
+    report["note"] = report["context"].get<std::string>() + ", " + std::to_string(report["threads"].get<int>()) +
+                     " threads, medians of " + std::to_string(report["frames"].get<int>()) + " frames";
 }
 
 }  // namespace
@@ -61,7 +117,8 @@ Json bench_by_count(const BenchArguments &a)
             StageArguments stage_arguments = a.stage;
             stage_arguments.count = count;
             stage_arguments.cache = cache;
-            const scenes::StageOptions options = stage_options(stage_arguments, loaded);
+            scenes::StageOptions options = stage_options(stage_arguments, loaded);
+            options.tells_parts = true;
             scenes::Stage stage(library, options);
             report["scene"] = options.scene;
             report["size_px"] = {options.width, options.height};
@@ -79,6 +136,7 @@ Json bench_by_count(const BenchArguments &a)
             }
         }
     }
+    if (a.counts.size() > 1) chart(report);
     return report;
 }
 
@@ -90,15 +148,22 @@ void print_counts(const Json &report)
     size_t wide = 9;
     for (const Json &r : report["runs"]) wide = std::max(wide, r["cache"].get<std::string>().size());
     const int cache_wide = static_cast<int>(wide);
-    std::printf("%6s  %-*s  %-8s  %10s %10s  %10s %10s  %8s %8s  %s\n", "people", cache_wide, "cache", "variety",
-                "update ms", "median", "draw ms", "median", "animated", "draws", "picture");
-    for (const Json &r : report["runs"])
-        std::printf("%6u  %-*s  %-8s  %10.2f %10.2f  %10.2f %10.2f  %8u %8u  %s\n", r["count"].get<unsigned>(),
-                    cache_wide, r["cache"].get<std::string>().c_str(), r["variety"].get<std::string>().c_str(),
-                    r["update_ms"]["minimum"].get<double>(), r["update_ms"]["median"].get<double>(),
-                    r["draw_ms"]["minimum"].get<double>(), r["draw_ms"]["median"].get<double>(),
+    std::printf("%6s  %-*s  %-8s  %8s %8s  %8s %8s  %8s %8s %8s  %8s %8s  %8s %6s  %s\n", "people", cache_wide, "cache",
+                "variety", "update", "median", "draw", "median", "claque", "vertices", "pixels", "frame", "median",
+                "animated", "draws", "picture");
+    const auto ms = [](const Json &times, const char *which) { return times[which].get<double>(); };
+    for (const Json &r : report["runs"]) {
+        const Json &parts = r["draw_parts_ms"];
+        std::printf("%6u  %-*s  %-8s  %8.2f %8.2f  %8.2f %8.2f  %8.2f %8.2f %8.2f  %8.2f %8.2f  %8u %6u  %s\n",
+                    r["count"].get<unsigned>(), cache_wide, r["cache"].get<std::string>().c_str(),
+                    r["variety"].get<std::string>().c_str(), ms(r["update_ms"], "minimum"),
+                    ms(r["update_ms"], "median"), ms(r["draw_ms"], "minimum"), ms(r["draw_ms"], "median"),
+                    ms(parts["claque"], "minimum"), ms(parts["gl_vertices"], "minimum"),
+                    ms(parts["gl_pixels"], "minimum"), ms(r["frame_ms"], "minimum"), ms(r["frame_ms"], "median"),
                     r["counters"]["animated"].get<unsigned>(), r["draws"].get<unsigned>(),
                     r["picture_hash"].get<std::string>().c_str());
+    }
+    std::printf("milliseconds, minimum and median; claque, vertices, pixels: of a draw of one moment, minima\n");
 }
 
 }  // namespace cli

@@ -80,6 +80,11 @@ void add_stage_options(CLI::App &command, StageArguments &a)
     command.add_option("--key-pose-rate", a.key_pose_hz, "Of the caches keypose-*: key-poses a second of each clip")
         ->check(CLI::Range(0.5, 120.0))
         ->capture_default_str();
+    command
+        .add_option("--flush", a.flush_triangles,
+                    "glFlush after about so many triangles of people, so that GL begins with them (0: never)")
+        ->check(CLI::Range(0, 1 << 30))
+        ->capture_default_str();
     command.add_option("--blob-from", a.blob_from_m, "Of shadows mesh: ellipses from so many metres")
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();
@@ -161,6 +166,7 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
                                             : contexts::Kind::any;
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.variety = variety_named(a.variety);
+    options.flush_triangles = a.flush_triangles;
     options.linear_clean = a.filter == "linear";
     return options;
 }

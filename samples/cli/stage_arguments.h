@@ -30,6 +30,7 @@ struct StageArguments {
     std::string lod = "off";  // on the plaza and in the odeon
     std::string shadows = "painted";
     double blob_from_m = 40;
+    uint32_t flush_triangles = 0;
 
     int width = 1024, height = 768;
 };

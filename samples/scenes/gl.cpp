@@ -58,6 +58,8 @@ bool load(Gl &gl, GetProcAddress get, void *user, std::string &missing)
     find("glColorPointer", gl.ColorPointer);
     find("glTexCoordPointer", gl.TexCoordPointer);
     find("glDrawElements", gl.DrawElements);
+    find("glScissor", gl.Scissor);
+    find("glFlush", gl.Flush);
     find("glFinish", gl.Finish);
     return missing.empty();
 }

@@ -62,6 +62,23 @@ Image person_and_blot()
     return image;
 }
 
+void start(const Gl &g)
+{
+    g.Disable(gl::lighting);
+    g.Disable(gl::cull_face);
+    g.Enable(gl::blend);
+    g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
+    g.DepthMask(0);
+}
+
+void finish(const Gl &g)
+{
+    g.DepthMask(1);
+    g.Disable(gl::blend);
+    g.Disable(gl::texture_2d);
+    g.Enable(gl::lighting);
+}
+
 constexpr Rgb dark = {0.10f, 0.09f, 0.13f};
 constexpr float lift = 0.012f;  // metres above the ground, so that depth tells them apart
 
@@ -74,6 +91,7 @@ void Shadows::prepare(const Gl &gl) { image_.emplace(gl, picture(), false); }
 void Shadows::cast(const std::vector<clq_place> &places, Vec3 to_sun, float height_m, float width_m)
 {
     people_.clear();
+    afar_.clear();
     for (size_t i = 0; i < places.size(); ++i) lay(places, i, to_sun, height_m, width_m);
 }
 
@@ -86,14 +104,23 @@ void Shadows::lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, f
     const float back = reach * static_cast<float>(foot), half = place.scale * width_m * 0.5f;
     const float x = static_cast<float>(place.position[0]), z = static_cast<float>(place.position[2]);
     const float y = static_cast<float>(place.position[1]) + lift;
+    const auto at = [&](float side_of, float along) {
+        return Vec3{x + dx * along + dz * half * side_of, y, z + dz * along - dx * half * side_of};
+    };
     const auto corner = [&](float side_of, float along, float u, float v) {
-        return people_.add({x + dx * along + dz * half * side_of, y, z + dz * along - dx * half * side_of}, {0, 1, 0},
-                           u, v, dark, darkness);
+        return people_.add(at(side_of, along), {0, 1, 0}, u, v, dark, darkness);
     };
     const uint32_t a = corner(-1, -back, 0.004f, 0.002f), b = corner(1, -back, 0.496f, 0.002f);
     const uint32_t c = corner(1, reach - back, 0.496f, 0.998f), d = corner(-1, reach - back, 0.004f, 0.998f);
     people_.triangle(a, b, c);
     people_.triangle(a, c, d);
+
+    constexpr float shoulders = 0.62f;  // so that it is about as large as the shadow in the picture
+    const auto tip = [&](float side_of, float along, float alpha) {
+        return afar_.add(at(side_of, along), {0, 1, 0}, 0, 0, dark, alpha);
+    };
+    const uint32_t left = tip(-shoulders, -0.5f * back, darkness), right = tip(shoulders, -0.5f * back, darkness);
+    afar_.triangle(left, right, tip(0, reach - back, 0.5f * darkness));
 }
 
 void Shadows::ring(float x, float y, float z, float half_x, float half_z)
@@ -111,18 +138,19 @@ void Shadows::draw(const Gl &g, const Geometry &more) const
 {
     if (!image_) return;
     image_->use();
-    g.Disable(gl::lighting);
-    g.Disable(gl::cull_face);
-    g.Enable(gl::blend);
-    g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
-    g.DepthMask(0);
+    start(g);
     rims_.draw(g);
     more.draw(g);
     people_.draw(g);
-    g.DepthMask(1);
-    g.Disable(gl::blend);
+    finish(g);
+}
+
+void Shadows::draw_afar(const Gl &g) const
+{
     g.Disable(gl::texture_2d);
-    g.Enable(gl::lighting);
+    start(g);
+    afar_.draw(g);
+    finish(g);
 }
 
 }  // namespace scenes

@@ -30,12 +30,15 @@ public:
     void draw(const Gl &gl) const { draw(gl, Geometry()); }
     // `more`: patches of others that show the blot, u [0.5, 1].
     void draw(const Gl &gl, const Geometry &more) const;
+    // Of the people alone, where all are so far off that their shadows are a few pixels: a triangle each, dark at the feet,
+    // without a picture. On software GL a fifth of the time.
+    void draw_afar(const Gl &gl) const;
 
 private:
     void lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, float height_m, float width_m);
 
     std::optional<Texture> image_;
-    Geometry people_, rims_;
+    Geometry people_, afar_, rims_;
 };
 
 }  // namespace scenes

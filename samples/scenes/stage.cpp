@@ -1,5 +1,7 @@
 #include "samples/scenes/stage.h"
 
+#include "samples/scenes/quiet_gl.h"
+
 namespace scenes
 {
 
@@ -56,8 +58,10 @@ void Stage::use_variety(clq_variety variety)
         clq_renderer_def def = clq_renderer_def_init();
         def.get_proc_address = offscreen_->get_proc_address();
         def.user = offscreen_->user();
+        if (options_.tells_parts) def.get_proc_address = quiet_proc_address, def.user = offscreen_.get();
         def.variety = variety;
         def.linear_clean = options_.linear_clean;
+        def.flush_triangles = options_.flush_triangles;
         clq_renderer *made = nullptr;
         check(clq_renderer_create(library_.context(), &def, &made));
         renderer.reset(made);
@@ -100,22 +104,54 @@ void Stage::draw_setting()
     scene_->draw_setting(gl_, eye_);
 }
 
-clq_shadow_stats Stage::draw_shadows()
+clq_shadow_stats Stage::send_shadows()
 {
     clq_shadow_stats stats = {};
     const ShadowChoice::Form form = options_.shadows.form;
     if (form == ShadowChoice::Form::painted || form == ShadowChoice::Form::none) return stats;
     check(clq_renderer_draw_shadows(renderer_, view_.get(), &shadows_, &stats));
+    return stats;
+}
+
+clq_draw_stats Stage::send_crowd()
+{
+    clq_draw_stats stats = {};
+    check(clq_renderer_draw(renderer_, view_.get(), &stats));
+    return stats;
+}
+
+clq_shadow_stats Stage::draw_shadows()
+{
+    const clq_shadow_stats stats = send_shadows();
     gl_.Finish();
     return stats;
 }
 
 clq_draw_stats Stage::draw_crowd()
 {
-    clq_draw_stats stats = {};
-    check(clq_renderer_draw(renderer_, view_.get(), &stats));
+    const clq_draw_stats stats = send_crowd();
     gl_.Finish();
     return stats;
+}
+
+void Stage::draw_crowd_up_to(DrawPart last)
+{
+    quieten(last == DrawPart::claque);
+    if (last == DrawPart::and_vertices) gl_.Enable(gl::scissor_test), gl_.Scissor(0, 0, 0, 0);
+    draw_crowd();
+    if (last == DrawPart::and_vertices) gl_.Disable(gl::scissor_test);
+    quieten(false);
+}
+
+void Stage::frame(double time_s)
+{
+    update(time_s);
+    draw_setting();
+    if (options_.flush_triangles != 0) gl_.Flush();
+    send_shadows();
+    send_crowd();
+    draw_show();
+    gl_.Finish();
 }
 
 void Stage::draw_show()
@@ -132,11 +168,7 @@ const std::vector<uint8_t> &Stage::read()
 
 const std::vector<uint8_t> &Stage::picture(double time_s)
 {
-    update(time_s);
-    draw_setting();
-    draw_shadows();
-    draw_crowd();
-    draw_show();
+    frame(time_s);
     return read();
 }
 

@@ -32,8 +32,10 @@ struct StageOptions {
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
     clq_variety variety = CLQ_VARIETY_FUSED;
-    bool linear_clean = false;  // clq_renderer_def.linear_clean
-    float cull_scale = 1;       // of the culling pyramid, against the picture's (S0 Fig. 10)
+    bool linear_clean = false;     // clq_renderer_def.linear_clean
+    uint32_t flush_triangles = 0;  // clq_renderer_def.flush_triangles; the setting is then flushed too
+    bool tells_parts = false;      // draw_parts() will be asked for
+    float cull_scale = 1;          // of the culling pyramid, against the picture's (S0 Fig. 10)
     Show show = Show::nothing;
     ShadowChoice shadows;
 };
@@ -56,7 +58,12 @@ public:
     void draw_show();
     // The crowd alone, waiting for GL before and after, so that it can be timed.
     clq_draw_stats draw_crowd();
-    // A whole frame; three bytes a pixel, top row first, valid until the next.
+    // The same in parts, of a stage made with tells_parts: claque's own work, GL's with vertices, GL's with pixels.
+    enum class DrawPart { claque, and_vertices, all };
+    void draw_crowd_up_to(DrawPart last);
+    // A whole frame as a host draws it: all of the above, waiting for GL at the end alone.
+    void frame(double time_s);
+    // The same, and read; three bytes a pixel, top row first, valid until the next.
     const std::vector<uint8_t> &picture(double time_s);
     // The mean of `samples` pictures of one moment, each moved by its part of a pixel: anti-aliasing where there is no
     // multisampling, over the values that pixels hold. All show the same poses, which are made once. 1: as picture().
@@ -83,6 +90,8 @@ public:
 
 private:
     void take_shadows();
+    clq_shadow_stats send_shadows();
+    clq_draw_stats send_crowd();
 
     Library &library_;
     StageOptions options_;

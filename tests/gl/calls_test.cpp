@@ -110,6 +110,35 @@ TEST_F(Calls, AreAsManyDrawsAsTheStatisticsSay)
     }
 }
 
+// As often as was asked for, by count of triangles, and by default never; the picture is the same.
+TEST_F(Calls, FlushAfterSoManyTriangles)
+{
+    const Figure figure = small_figure();
+    const Camera view = whole_view(figure);
+    const std::vector<Individual> five(5, individual_of(figure, view, nullptr));
+    const claque::draw::DrawList list = list_of(five, view.projection);
+    Picture expected;
+    uint32_t one = 0;
+    constexpr uint32_t never = 1u << 20;
+    for (const uint32_t individuals : {0u, 1u, 2u, 5u, never}) {
+        passes::RendererOptions options;
+        options.flush_triangles = individuals == never ? never : individuals * one;
+        const auto renderer = fresh(options);
+        ASSERT_TRUE(open(*renderer).ok());
+        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        const Picture shown = draw(*context_, *renderer, list);
+        if (individuals == 0) expected = shown;
+        EXPECT_TRUE(shown == expected) << individuals;
+        passes::DrawStats stats;
+        spy_->reset();
+        ASSERT_TRUE(renderer->draw(list, &stats).ok());
+        if (individuals == 0) one = stats.triangles / 5;
+        const uint32_t expected_flushes = individuals == 0 || individuals == never ? 0 : 5 / individuals;
+        EXPECT_EQ(spy_->calls["glFlush"], expected_flushes) << individuals;
+        renderer->destroy();
+    }
+}
+
 TEST_F(Calls, BringATemplateToGlOnceOnly)
 {
     const Figure figure = small_figure();

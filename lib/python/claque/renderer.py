@@ -13,7 +13,7 @@ class Renderer(Owned):
 
     _destroy = "clq_renderer_destroy"
 
-    def __init__(self, context, target, variety="fused", linear_clean=False):
+    def __init__(self, context, target, variety="fused", linear_clean=False, flush_triangles=0):
         if variety not in VARIETIES:
             raise ValueError(f"{variety!r} is none of {', '.join(VARIETIES)}")
         definition = abi.RendererDef()
@@ -22,6 +22,7 @@ class Renderer(Owned):
         definition.variety = VARIETIES[variety]
         definition.batch_triangles = 128
         definition.linear_clean = int(linear_clean)
+        definition.flush_triangles = flush_triangles
         super().__init__(made("clq_renderer_create", abi.call, context.handle, byref(definition)), context, target)
 
     def prepare(self, *templates):

@@ -75,10 +75,12 @@ public:
         shine(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
-        if (paints_people_) shadows_.draw(g);
+        if (paints_people_) afar(eye) ? shadows_.draw_afar(g) : shadows_.draw(g);
     }
 
 private:
+    // Shadows of all are a few pixels then.
+    bool afar(const Eye &eye) const { return view_ == View::whole && eye.position[2] > side_ * spacing_m; }
     void enter(uint32_t who)
     {
         clq_template *tmpl =

@@ -101,6 +101,7 @@ void add_state(Table &t)
     add<&Gl11::PopMatrix>(t, "glPopMatrix");
     add<&Gl11::RenderMode>(t, "glRenderMode");
     add<&Gl11::EndList>(t, "glEndList");
+    add<&Gl11::Flush>(t, "glFlush");
 }
 
 void add_drawing(Table &t)
