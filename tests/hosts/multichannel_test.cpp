@@ -80,6 +80,16 @@ TEST_F(Multichannel, IsSeenToBeWrongWhereAChannelIsOffByOnePixel)
     EXPECT_GT(match.other, size_t(wide * height) / 10);
 }
 
+TEST(MultichannelSpanning, ShowsWhatOneWidePictureShowsToTheBit)
+{
+    std::string why_not;
+    if (!contexts::make_offscreen(contexts::Kind::any, 8, 8, contexts::PixelFormat::rgba8888, why_not))
+        GTEST_SKIP() << why_not;
+    Room spanned(width, height, Surfaces::spanning);
+    spanned.show(3);
+    EXPECT_TRUE(spanned.side_by_side() == spanned.wide());
+}
+
 TEST_F(Multichannel, DrawsWhoStandsAcrossAnEdgeInBothChannels)
 {
     uint32_t sum = 0;

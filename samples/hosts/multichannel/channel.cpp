@@ -5,15 +5,17 @@ namespace multichannel
 
 using namespace scenes;
 
-Channel::Channel(Library &library, const People &people, const Forum &forum, int width, int height)
-    : people_(people), forum_(forum)
+Channel::Channel(Library &library, const People &people, const Forum &forum, const Pane &pane)
+    : people_(people), forum_(forum), pane_(pane)
 {
     std::string why_not;
-    offscreen_ = contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why_not);
+    offscreen_ = contexts::make_offscreen(contexts::Kind::any, pane.surface_width, pane.height,
+                                          contexts::PixelFormat::rgba8888, why_not);
     if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
     if (!load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
         throw Failure("this OpenGL context lacks " + why_not);
     pictures_.emplace(gl_);
+    keep_to_pane();
 
     clq_renderer_def def = clq_renderer_def_init();
     def.get_proc_address = offscreen_->get_proc_address();
@@ -26,8 +28,21 @@ Channel::Channel(Library &library, const People &people, const Forum &forum, int
     clq_view *view = nullptr;
     check(clq_view_create(people.crowd(), &view));
     view_.reset(view);
-    check(clq_view_set_height(view, static_cast<float>(height)));
+    check(clq_view_set_height(view, static_cast<float>(pane.height)));
     offscreen_->release();
+}
+
+// For good: whoever draws here inherits viewport and scissor box.
+void Channel::keep_to_pane()
+{
+    constexpr unsigned scissor_test = 0xC11;
+    gl_.Viewport(0, 0, pane_.surface_width, pane_.height);
+    if (pane_.width == pane_.surface_width) return;
+    using Box = void (*)(int, int, int, int);
+    const Box scissor = reinterpret_cast<Box>(offscreen_->get_proc_address()(offscreen_->user(), "glScissor"));
+    if (!scissor) throw Failure("this OpenGL context lacks glScissor");
+    scissor(pane_.left, 0, pane_.width, pane_.height);
+    gl_.Enable(scissor_test);
 }
 
 Channel::~Channel()
@@ -44,14 +59,19 @@ void Channel::look(const clq_camera &camera)
 const std::vector<uint8_t> &Channel::draw()
 {
     if (!offscreen_->make_current()) throw Failure("the OpenGL context of a channel could not be made current");
-    gl_.Viewport(0, 0, width(), height());
     gl_.DepthMask(1);
     gl_.ClearColor(0, 0, 0, 1);
     gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
     forum_.draw(gl_, eye_, *pictures_, people_.places());
     check(clq_renderer_draw(renderer_.get(), view_.get(), nullptr));
-    offscreen_->read_rgb(rgb_);
+    offscreen_->read_rgb(surface_);
     offscreen_->release();
+    const auto bytes = [](int pixels) { return 3 * static_cast<std::ptrdiff_t>(pixels); };
+    rgb_.clear();
+    for (int y = 0; y < pane_.height; ++y) {
+        const auto from = surface_.begin() + bytes(y * pane_.surface_width + pane_.left);
+        rgb_.insert(rgb_.end(), from, from + bytes(pane_.width));
+    }
     return rgb_;
 }
 

@@ -11,37 +11,46 @@
 namespace multichannel
 {
 
+// The columns of a surface that a channel draws, in pixels: all of them, or by glScissor some of one that spans the wall.
+struct Pane {
+    int surface_width, left, width, height;
+};
+
 class Channel
 {
 public:
-    // Its context is current on this thread until release().
-    Channel(scenes::Library &library, const People &people, const Forum &forum, int width, int height);
+    // No context is current on this thread afterwards.
+    Channel(scenes::Library &library, const People &people, const Forum &forum, const Pane &pane);
     ~Channel();
     Channel(const Channel &) = delete;
     Channel &operator=(const Channel &) = delete;
 
-    // Before clq_crowd_update, on the crowd's thread.
+    // Before clq_crowd_update, on the crowd's thread. The camera is the whole surface's.
     void look(const clq_camera &camera);
     clq_view *view() const { return view_.get(); }
 
-    // After it, on any one thread: three bytes a pixel, top row first, valid until the next. No context is current then.
+    // After it, on any one thread: the pane, three bytes a pixel, top row first, valid until the next. No context is
+    // current then.
     const std::vector<uint8_t> &draw();
 
-    int width() const { return offscreen_->width(); }
-    int height() const { return offscreen_->height(); }
+    int width() const { return pane_.width; }
+    int height() const { return pane_.height; }
     clq_view_stats stats() const;
     const std::string &context_name() const { return offscreen_->name(); }
 
 private:
+    void keep_to_pane();
+
     const People &people_;
     const Forum &forum_;
+    const Pane pane_;
     std::unique_ptr<contexts::Offscreen> offscreen_;
     scenes::Gl gl_;
     std::optional<Forum::Pictures> pictures_;
     scenes::Own<clq_renderer> renderer_;
     scenes::Own<clq_view> view_;
     scenes::Eye eye_ = {};
-    std::vector<uint8_t> rgb_;
+    std::vector<uint8_t> surface_, rgb_;
 };
 
 }  // namespace multichannel

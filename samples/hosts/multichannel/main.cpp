@@ -1,5 +1,6 @@
 // Three projectors on one wall: three contexts, frusta and threads, one crowd and one update. Writes each channel's picture,
-// the three side by side, and the wall as one wide picture; then says in how many pixels the last two differ.
+// the three side by side, and the wall as one wide picture; then says in how many pixels the last two differ, where screens
+// have windows of their own and where one surface spans them.
 #include "samples/cli/png.h"
 #include "samples/hosts/multichannel/room.h"
 
@@ -22,6 +23,14 @@ void write(const std::string &path, const std::vector<uint8_t> &rgb, int picture
     if (!out.flush()) throw scenes::Failure(path + " could not be written");
 }
 
+void say_what_differs(const char *surfaces, const Room &room)
+{
+    const std::vector<uint8_t> wall = room.side_by_side();
+    size_t other = 0;
+    for (size_t i = 0; i < wall.size(); i += 3) other += !std::equal(&wall[i], &wall[i] + 3, &room.wide()[i]);
+    std::printf("%s: %zu of %zu pixels differ from the wide picture\n", surfaces, other, wall.size() / 3);
+}
+
 void run(const std::string &prefix, double time_s)
 {
     Room room(width, height);
@@ -32,12 +41,12 @@ void run(const std::string &prefix, double time_s)
         std::printf("%s: %u individuals, %s\n", names[i], room.channel(i).stats().visible,
                     room.channel(i).context_name().c_str());
     }
-    const std::vector<uint8_t> wall = room.side_by_side();
-    write(prefix + "wall.png", wall, Wall::columns * width);
+    write(prefix + "wall.png", room.side_by_side(), Wall::columns * width);
     write(prefix + "wide.png", room.wide(), Wall::columns * width);
-    size_t other = 0;
-    for (size_t i = 0; i < wall.size(); i += 3) other += !std::equal(&wall[i], &wall[i] + 3, &room.wide()[i]);
-    std::printf("the wall of three and the wide picture: %zu of %zu pixels differ\n", other, wall.size() / 3);
+    say_what_differs("windows of their own", room);
+    Room spanned(width, height, Surfaces::spanning);
+    spanned.show(time_s);
+    say_what_differs("one surface behind all three", spanned);
 }
 
 }  // namespace

@@ -13,15 +13,19 @@ constexpr double eye[3] = {0, 2.3, 0}, target[3] = {0, 2.3, -1};
 
 }  // namespace
 
-Room::Room(int channel_width, int channel_height)
+Room::Room(int channel_width, int channel_height, Surfaces surfaces)
     : library_(1),
       people_(library_),
-      wall_(tan_half_width, tan_half_width * channel_height / (Wall::columns * channel_width), 0.25, 400)
+      wall_(tan_half_width, tan_half_width * channel_height / (Wall::columns * channel_width), 0.25, 400),
+      surfaces_(surfaces)
 {
-    for (std::unique_ptr<Channel> &channel : channels_)
-        channel = std::make_unique<Channel>(
-            library_, people_, forum_, &channel == &channels_.back() ? Wall::columns * channel_width : channel_width,
-            channel_height);
+    const int wide = Wall::columns * channel_width;
+    for (int i = 0; i < Wall::columns; ++i) {
+        const Pane pane = surfaces == Surfaces::apart ? Pane{channel_width, 0, channel_width, channel_height}
+                                                      : Pane{wide, i * channel_width, channel_width, channel_height};
+        channels_[static_cast<size_t>(i)] = std::make_unique<Channel>(library_, people_, forum_, pane);
+    }
+    channels_.back() = std::make_unique<Channel>(library_, people_, forum_, Pane{wide, 0, wide, channel_height});
 }
 
 void Room::show(double time_s)
@@ -29,7 +33,7 @@ void Room::show(double time_s)
     people_.place(time_s);
     clq_view *views[view_count];
     for (size_t i = 0; i < view_count; ++i) {
-        const bool all = i == Wall::columns;
+        const bool all = i == Wall::columns || surfaces_ == Surfaces::spanning;
         channels_[i]->look(wall_.camera(eye, target, all ? 0 : static_cast<int>(i), all ? Wall::columns : 1));
         views[i] = channels_[i]->view();
     }

@@ -8,10 +8,14 @@
 namespace multichannel
 {
 
+// apart: a window for each screen, with a frustum of its own. spanning: one surface behind all screens, of which each channel
+// draws its columns; GL then rounds alike in all of them.
+enum class Surfaces : uint8_t { apart, spanning };
+
 class Room
 {
 public:
-    Room(int channel_width, int channel_height);
+    Room(int channel_width, int channel_height, Surfaces surfaces = Surfaces::apart);
 
     // Everybody's channels show this moment afterwards.
     void show(double time_s);
@@ -31,6 +35,7 @@ private:
     People people_;
     Forum forum_;
     Wall wall_;
+    const Surfaces surfaces_;
     std::array<std::unique_ptr<Channel>, view_count> channels_;  // the last one is the wide picture
     std::array<const std::vector<uint8_t> *, view_count> pictures_ = {};
 };
