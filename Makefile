@@ -57,12 +57,14 @@ test-asan test-tsan test-scalar: test-%:
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_impostor_bench
+	$(BUILD)/tests/bench/claque_startup_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	@mkdir -p out
 	$(CLAQUE) bench odeon --lod off,on --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
 	$(CLAQUE) bench odeon --variety fused --cache none,animation,full,keypose-intermittent,keypose-interpolated --save out/odeon-keyposes.json
 	$(CLAQUE) plot out/odeon-keyposes.json --out out/odeon-keyposes.svg
-	$(CLAQUE) bench ten_thousand --cache full --variety fused
+	$(CLAQUE) bench ten_thousand --cache full --variety fused --context egl --flush 32768 --save out/ten-thousand.json
+	$(CLAQUE) plot out/ten-thousand.json --out out/ten-thousand.svg
 	$(CLAQUE) bench plaza
 	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
 	$(CLAQUE) bench hundred_actors --threads 1 --counts out/hundred-counts.json

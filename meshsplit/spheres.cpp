@@ -1,5 +1,6 @@
 #include "meshsplit/spheres.h"
 
+#include "meshsplit/known_vertices.h"
 #include "meshsplit/reach.h"
 #include "meshsplit/vertex_cloud.h"
 
@@ -71,8 +72,12 @@ public:
                  const std::vector<std::vector<uint8_t>> &left_out = {})
         : tmpl_(tmpl), poses_(poses), workspace_(tmpl.rig)
     {
-        for (size_t i = 0; i < tmpl.levels.size(); ++i)
-            clouds_.emplace_back(tmpl.levels[i], tmpl.rig, left_out.empty() ? nullptr : left_out[i].data());
+        KnownVertices known;
+        for (size_t i = 0; i < tmpl.levels.size(); ++i) {
+            std::vector<uint8_t> out = known.among(tmpl.levels[i]);
+            for (size_t v = 0; !left_out.empty() && v < out.size(); ++v) out[v] |= left_out[i][v];
+            clouds_.emplace_back(tmpl.levels[i], tmpl.rig, out.data());
+        }
     }
 
     // Round a given centre, of this radius at least.
@@ -89,14 +94,17 @@ public:
         return sphere_;
     }
 
-    // With degrees of freedom at rest: what stands out most in each of 26 directions.
+    // With degrees of freedom at rest: what stands out most in each of 26 directions. It is for a centre alone, so amid a
+    // motion every fourth pose does.
     std::vector<glm::dvec3> extremes()
     {
         const std::vector<glm::vec3> axes = directions();
         std::vector<float> most(axes.size(), -std::numeric_limits<float>::infinity());
         std::vector<glm::dvec3> points(axes.size());
-        for (const PoseAt &at : poses_) {
-            const auto palette = workspace_.pose(at.clip, at.time_s);
+        for (size_t i = 0; i < poses_.size(); ++i) {
+            const bool amid = i > 0 && leads(poses_, i - 1) && leads(poses_, i);
+            if (amid && i % 4 != 0) continue;
+            const auto palette = workspace_.pose(poses_[i].clip, poses_[i].time_s);
             for (const VertexCloud &cloud : clouds_)
                 for (const uint32_t v : cloud.outer()) {
                     const glm::vec3 p = cloud.skinned(v, palette.data, workspace_.weights().data);
@@ -235,11 +243,18 @@ model::Sphere enclosing_sphere(const model::Template &tmpl)
 {
     SphereFinder all(tmpl, poses_of(tmpl.rig));
     const std::vector<glm::dvec3> extremes = all.extremes();
-    if (tmpl.rig.dofs.empty()) return all.run(glm::vec3(centre_of(extremes)), 0);
+    const auto reached_from = [&](const glm::vec3 &centre) {
+        double reached = 0;
+        for (const glm::dvec3 &p : extremes) reached = std::max(reached, glm::distance(p, glm::dvec3(centre)));
+        return reached;
+    };
+    if (tmpl.rig.dofs.empty()) {
+        const glm::vec3 centre(centre_of(extremes));
+        return all.run(centre, reached_from(centre));
+    }
     FreeReach free(tmpl);
     const glm::vec3 centre(free.centre(extremes));
-    double reached = 0;
-    for (const glm::dvec3 &p : extremes) reached = std::max(reached, glm::distance(p, glm::dvec3(centre)));
+    const double reached = reached_from(centre);
     return SphereFinder(tmpl, free.poses(), free.moved()).run(centre, free.radius(glm::dvec3(centre), reached));
 }
 

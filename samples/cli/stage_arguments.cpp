@@ -81,6 +81,11 @@ void add_stage_options(CLI::App &command, StageArguments &a)
         ->check(CLI::Range(0.5, 120.0))
         ->capture_default_str();
     command
+        .add_option("--lod-scale", a.lod_scale,
+                    "Times every distance that chooses levels of detail: 2 shows everybody as from twice as far")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    command
         .add_option("--flush", a.flush_triangles,
                     "glFlush after about so many triangles of people, so that GL begins with them (0: never)")
         ->check(CLI::Range(0, 1 << 30))
@@ -143,7 +148,7 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.casting.key_poses.rate_hz = static_cast<float>(a.key_pose_hz);
     take_key_poses(a.cache, options.casting.key_poses);
     options.casting.lod = a.lod == "off" ? scenes::Lod::off : scenes::Lod::on;
-    if (a.lod == "finest") options.casting.lod_scale = 0;
+    options.casting.lod_scale = a.lod == "finest" ? 0.0f : static_cast<float>(a.lod_scale);
     options.casting.cull = a.cull == "traditional" ? CLQ_CULL_TRADITIONAL : CLQ_CULL_ACTOR;
     options.casting.placement = a.placement == "matrices" ? CLQ_PLACE_MATRICES : CLQ_PLACE_VERTICES;
     options.casting.geometry = a.geometry == "packed" ? CLQ_GEOMETRY_PACKED : CLQ_GEOMETRY_FLOAT;

@@ -31,6 +31,7 @@ struct StageArguments {
     std::string shadows = "painted";
     double blob_from_m = 40;
     uint32_t flush_triangles = 0;
+    double lod_scale = 1;
 
     int width = 1024, height = 768;
 };

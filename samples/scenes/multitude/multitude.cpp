@@ -102,7 +102,7 @@ private:
     // Grass, worn where they stand; cells grow outwards.
     void lay_ground()
     {
-        constexpr uint32_t cells = 80;
+        constexpr uint32_t cells = 56;
         constexpr double half = 600;
         const double worn = side_ * spacing_m / 2;
         const auto line = [](uint32_t i) {
@@ -147,10 +147,13 @@ std::unique_ptr<Scene> make_multitude(Library &library, const Casting &casting, 
                                        View::among);
 }
 
+// As from twice as far: levels begin where twice their root mean square error is two pixels, not one.
 std::unique_ptr<Scene> make_ten_thousand(Library &library, const Casting &casting, const Character &)
 {
     const std::vector<const char *> all = {"citizen", "patrician", "decurion", "plebeian"};
-    return std::make_unique<Multitude>(library, casting, in_levels(library, all, {}), View::whole);
+    Casting coarse = casting;
+    coarse.lod_scale *= 2;
+    return std::make_unique<Multitude>(library, coarse, in_levels(library, all, {}), View::whole);
 }
 
 }  // namespace scenes
