@@ -51,6 +51,9 @@ function(claque_test name)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
+    if(CMAKE_CROSSCOMPILING_EMULATOR MATCHES qemu)  # which takes some 30 times as long for floating point
+        math(EXPR ARG_TIMEOUT "4 * ${ARG_TIMEOUT}")
+    endif()
     add_executable(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE claque_flags ${ARG_LIBRARIES} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE
