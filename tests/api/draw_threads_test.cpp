@@ -91,6 +91,7 @@ GlFunction find(void *, const char *name)
                                                                 IDLE(IsEnabled),
                                                                 IDLE(RenderMode),
                                                                 IDLE(EndList),
+                                                                IDLE(Flush),
                                                                 IDLE(Enable),
                                                                 IDLE(Disable),
                                                                 IDLE(AlphaFunc),
