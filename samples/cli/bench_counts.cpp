@@ -78,12 +78,13 @@ Json run(scenes::Stage &stage, const BenchArguments &a)
 // How the first cache and variety grow with the crowd, for claque plot.
 void chart(Json &report)
 {
+    constexpr double least_ms = 0.001;  // differences of times may come out as nothing, which no logarithm knows
     const auto line = [&](const char *name, const auto &median) {
         Json points = Json::array();
         const Json &first = report["runs"][0];
         for (const Json &r : report["runs"])
             if (r["cache"] == first["cache"] && r["variety"] == first["variety"])
-                points.push_back({r["count"], median(r)["median"]});
+                points.push_back({r["count"], std::max(median(r)["median"].template get<double>(), least_ms)});
         report["series"].push_back({{"name", name}, {"points", std::move(points)}});
     };
     report["kind"] = "lines";

@@ -102,6 +102,33 @@ TEST_F(Lods, of_ten_thousand_are_drawn_many_with_one_call)
     EXPECT_LT(drawn["triangles_sent"].get<int>(), 400 * 130);
 }
 
+// Whole frames are with the setting; what a draw is made of adds up to one; flushing changes no pixel.
+TEST_F(Lods, bench_says_how_frames_of_ten_thousand_grow_and_what_of)
+{
+    std::string hashes[2];
+    for (const char *flush : {"0", "50"}) {
+        const Outcome done =
+            claque({"bench", "ten_thousand", "--count", "20,60", "--frames", "2", "--size", "64x48", "--cache", "full",
+                    "--variety", "fused", "--flush", flush, "--save", path("grow.json")});
+        ASSERT_EQ(done.code, 0) << done.err;
+        EXPECT_NE(done.out.find("vertices"), std::string::npos) << done.out;
+        const Json report = Json::parse(file_text(path("grow.json")));
+        EXPECT_EQ(report["series"].size(), 5u);
+        for (const Json &line : report["series"]) ASSERT_EQ(line["points"].size(), 2u) << line;
+        EXPECT_EQ(report["series"][0]["points"][1][0], 60);
+        for (const Json &run : report["runs"]) {
+            double sum = 0;
+            for (const auto &[name, part] : run["draw_parts_ms"].items()) sum += part["minimum"].get<double>();
+            EXPECT_GT(sum, 0);
+            EXPECT_GT(run["frame_ms"]["median"].get<double>(), run["draw_parts_ms"]["claque"]["minimum"]);
+            hashes[flush[0] != '0'] += run["picture_hash"].get<std::string>();
+        }
+        EXPECT_EQ(claque({"plot", path("grow.json"), "--out", path("grow.svg")}).code, 0);
+        EXPECT_NE(file_text(path("grow.svg")).find("GL, pixels"), std::string::npos);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
 TEST_F(LodsUse, are_refused_where_no_path_compares_them)
 {
     for (const char *scene : {"plaza", "multitude"}) {
