@@ -20,8 +20,10 @@ typedef struct clq_levels_def {
                               (other views: clq_view_set_height). Default 1 */
     float metres_per_unit; /* of the character. Default 1 */
     /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, and
-     * what triangles show is an image made for them; with 128 and fewer each shows one zone. So are those that seams and borders keep from their targets by a tenth. Of skinned
-     * characters only. 0: none. Default 250 */
+     * what triangles show is an image made for them; with 128 and fewer each shows one zone. So are all from the first on
+     * that seams and borders keep from its target by a twentieth, at which some zone would gain or lose more than 2 points of
+     * the surface, or that is further off than a far one of fewer triangles. Of skinned characters only. 0: none.
+     * Default 250 */
     uint32_t far_from;
     /* 1: by OpenMesh's quadric alone, on the welded mesh, each corner taking what the vertex it comes to has there: what
      * levels are held against, not what anyone should draw. No level is a far one, and none is left out. Default 0 */
@@ -41,7 +43,8 @@ static inline clq_levels_def clq_levels_def_init(void)
     return def;
 }
 
-/* What one level came to. Distances between places of the finest and of this level that lie nearest at rest. */
+/* What one level came to. Distances between places of the finest and of this level that lie nearest at rest. The surface is
+ * what can be seen of it from anywhere at rest: skin under clothes does not count. */
 typedef struct clq_made_level {
     float first_m; /* it serves from here on, as clq_part_def.lod_first_m says */
     uint32_t triangle_count, vertex_count;
@@ -64,7 +67,8 @@ typedef struct clq_made_level {
 CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
                                          clq_made_level *out, uint32_t capacity, uint32_t *count);
 
-/* How much of the surface that an asset shows at a distance each zone has, at rest: what levels of detail should not change.
+/* How much of the surface that an asset shows at a distance each zone has, at rest, of what can be seen of it: what levels of
+ * detail should not change.
  *   out   [capacity] shares of area, [0, 1], by zone in the asset's order, then what has no zone; NULL with capacity 0
  *   count zones and one more, may be more than capacity; may be NULL
  * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */

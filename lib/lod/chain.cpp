@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lib/base/error.h"
 #include "lib/lod/far.h"
@@ -17,6 +18,8 @@ namespace
 
 // A pixel at one metre, with 768 lines over 60 degrees: where distances of levels are at home (S0 5).
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
+
+constexpr double most_drift = 0.02;  // of the share of any zone, at any level
 
 bool takes_part(const model::Part &part)
 {
@@ -81,28 +84,45 @@ Made finest_of(const Source &source)
     return made;
 }
 
-// Those of `targets` that seams and borders keep it from, descending; what it came to on the way is one level.
-std::vector<size_t> add_near(const model::Rig &rig, const std::vector<const model::Part *> &source,
-                             const std::vector<size_t> &targets, const ChainWish &wish, std::vector<Made> &made)
+std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
+{
+    std::vector<const model::Part *> out;
+    for (const model::Part &part : parts) out.push_back(&part);
+    return out;
+}
+
+size_t triangles_of(const Made &made)
+{
+    size_t count = 0;
+    for (const model::Part &part : made.parts) count += model::triangles_of(part).size();
+    return count;
+}
+
+// Those of `targets`, descending, from the first on that seams and borders keep it from or that would not keep its zones: where
+// there are far levels these take over there.
+std::vector<size_t> add_near(const model::Model &model, const std::vector<const model::Part *> &source,
+                             const std::vector<size_t> &targets, const ChainWish &wish, bool has_far,
+                             std::vector<Made> &made)
 {
     Decimation how = wish.how;
-    how.targets = targets;
-    const std::vector<std::vector<glm::vec3>> rest = at_rest(rig, source);
+    how.targets = targets, how.model = &model;
+    const std::vector<std::vector<glm::vec3>> rest = at_rest(model.rig, source);
     std::vector<Piece> pieces;
     for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i]});
     std::vector<Decimated> levels = wish.plain ? decimated_plainly(pieces, targets) : decimate(pieces, how);
-    std::vector<size_t> missed;
-    size_t before = made.back().level.triangles;
+    const std::vector<double> shares = zone_shares(model, source);
     for (size_t k = 0; k < levels.size(); ++k) {
-        if (levels[k].triangles * 10 > targets[k] * 11) missed.push_back(targets[k]);
-        if (levels[k].triangles >= before) continue;
-        before = levels[k].triangles;
+        const double drift = largest_drift(shares, zone_shares(model, pointers(levels[k].parts)));
+        if (has_far && (drift > most_drift || levels[k].triangles * 20 > targets[k] * 21))
+            return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
+        if (levels[k].triangles >= triangles_of(made.back())) continue;
         Made next;
         next.level.flipped = levels[k].flipped;
+        next.level.zone_drift = drift;
         next.parts = std::move(levels[k].parts);
         made.push_back(std::move(next));
     }
-    return missed;
+    return {};
 }
 
 // `model` gets the materials and the images of these levels, and keys that tell all its zones apart.
@@ -119,13 +139,6 @@ void add_far(model::Model &model, const std::vector<const model::Part *> &source
     }
 }
 
-std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
-{
-    std::vector<const model::Part *> out;
-    for (const model::Part &part : parts) out.push_back(&part);
-    return out;
-}
-
 void measure(const model::Model &model, const std::vector<const model::Part *> &source, const ChainWish &wish,
              std::vector<Made> &made)
 {
@@ -135,16 +148,33 @@ void measure(const model::Model &model, const std::vector<const model::Part *> &
     const std::vector<double> shares = zone_shares(model, source);
     for (size_t k = 1; k < made.size(); ++k) {
         ChainLevel &level = made[k].level;
+        level.triangles = level.vertices = 0;
         for (const model::Part &part : made[k].parts)
             level.triangles += part.indices.size() / 3, level.vertices += part.positions.size();
         level.deviation = found[k - 1];
         level.error_m = 2 * level.deviation.posed_rms_m;
-        const double from_m = made[k - 1].level.first_m;
-        level.first_m = std::max(distance_of(level.error_m, wish.tolerance_px), from_m);
-        // Each is kept, and distances must ascend.
-        if (wish.plain) level.first_m = std::max(level.first_m, from_m * 1.001 + 0.001);
-        level.zone_drift = largest_drift(shares, zone_shares(model, pointers(made[k].parts)));
+        level.first_m = distance_of(level.error_m, wish.tolerance_px);
+        // Where each is kept distances must ascend; else what is coarser and no further off takes a level's place.
+        if (wish.plain) level.first_m = std::max(level.first_m, made[k - 1].level.first_m * 1.001 + 0.001);
+        if (made[k].is_far) level.zone_drift = largest_drift(shares, zone_shares(model, pointers(made[k].parts)));
     }
+}
+
+// Near levels that are further off than a far one of fewer triangles, and those below them: far ones of as many shall
+// take their places. False where there are none; else `made` is left with the near ones that stay.
+bool give_way(std::vector<Made> &made, std::vector<size_t> &far_targets)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const Made &one : made)
+        if (one.is_far) least = std::min(least, one.level.error_m);
+    size_t stay = 1;
+    while (stay < made.size() && !made[stay].is_far && made[stay].level.error_m < least) ++stay;
+    std::vector<size_t> more;
+    for (size_t k = stay; k < made.size() && !made[k].is_far; ++k) more.push_back(made[k].level.triangles);
+    if (more.empty()) return false;
+    made.resize(stay);
+    far_targets.insert(far_targets.begin(), more.begin(), more.end());
+    return true;
 }
 
 std::vector<size_t> checked(std::vector<size_t> targets)
@@ -210,11 +240,16 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
 
     std::vector<Made> made = {finest_of(source)};
     if (!near_targets.empty()) {
-        const std::vector<size_t> missed = add_near(next.rig, source.parts, near_targets, wish, made);
-        if (has_far) far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
+        const std::vector<size_t> missed = add_near(next, source.parts, near_targets, wish, has_far, made);
+        far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
     }
-    if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, made);
-    measure(next, source.parts, wish, made);
+    const size_t materials = next.materials.size(), images = next.images.size();
+    for (bool again = true; again;) {
+        next.materials.resize(materials), next.images.resize(images);
+        if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, made);
+        measure(next, source.parts, wish, made);
+        again = has_far && give_way(made, far_targets);
+    }
     if (!wish.plain) made = in_use(std::move(made));
 
     std::vector<ChainLevel> report;

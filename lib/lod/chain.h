@@ -16,8 +16,8 @@ struct ChainWish {
     // Empty: usual_targets().
     std::vector<size_t> targets;
     Decimation how;  // its own targets are not used
-    // Levels of so many triangles and fewer are far ones (far.h), and so are those that seams and borders keep decimation
-    // from by a tenth; 0: none.
+    // Levels of so many triangles and fewer are far ones (far.h). So are all from the first on that seams and borders keep
+    // decimation from by a twentieth, or at which a zone would gain or lose more than 2 points of the surface, or a far level of fewer triangles is nearer. 0: none.
     size_t far_from = 250;
     Sampling sampling;
     double metres_per_unit = 1;

@@ -3,6 +3,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "lib/base/error.h"
 #include "lib/lod/compact.h"
@@ -47,6 +48,13 @@ double metres_per_uv(const Surface &surface)
     return there > 0 ? std::sqrt(here / there) : 0;
 }
 
+size_t faces_of(const Mesh &mesh)
+{
+    size_t count = 0;
+    for (const Mesh::FaceHandle face : mesh.all_faces()) count += !mesh.status(face).deleted();
+    return count;
+}
+
 double size_of(const Surface &surface)
 {
     glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
@@ -75,15 +83,24 @@ std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimatio
     decimater.add(turns);
     decimater.module(seams).use(&surface);
     decimater.module(turns).use(&surface, wish.turn_deg);
-    decimater.module(cost).use(
-        &surface, {wish.influence * size_of(surface), wish.texture * metres_per_uv(surface), 1, wish.area});
+    std::unique_ptr<ZoneDrift> drift;
+    if (wish.model && wish.model->zones.size() > 1 && wish.drift > 0)
+        drift = std::make_unique<ZoneDrift>(surface, *wish.model, wish.drift);
+    decimater.module(cost).use(&surface,
+                               {wish.influence * size_of(surface), wish.texture * metres_per_uv(surface), 1, wish.area},
+                               drift.get());
     if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0].part->name.c_str());
     const UvSides sides(surface);
     std::vector<Left> left;
     for (const size_t target : wish.targets) {
-        // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.
-        const size_t gone = left.empty() ? 0 : surface.mesh.n_faces() - left.back().triangles.size();
-        decimater.decimate_to_faces(0, target + gone);
+        for (size_t before = faces_of(surface.mesh), now = before; before > target; before = now) {
+            if (drift) drift->measure();
+            const size_t next = drift ? std::max(target, before * 9 / 10) : target;
+            // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.
+            decimater.decimate_to_faces(0, next + surface.mesh.n_faces() - before);
+            now = faces_of(surface.mesh);
+            if (now == before || now > next) break;
+        }
         left.push_back(left_of(surface, sides));
     }
     return compact(surface, parts.size(), left);

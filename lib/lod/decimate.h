@@ -33,6 +33,9 @@ struct Decimation {
     // Of the square of the area that a collapse takes away or adds: without it limbs, whose vertices all lie outside of what
     // is between them, become thin, and skin loses to clothes.
     double area = 10;
+    // Of half the square of what zones have gained or lost of the surface that is seen, and whose zones; null: nobody's.
+    double drift = 30;
+    const model::Model *model = nullptr;
 };
 
 struct Decimated {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "lib/lod/samples.h"
+#include "lib/lod/seen.h"
 #include "lib/pose/pose.h"
 
 namespace claque::lod
@@ -19,17 +20,16 @@ struct Sum {
     double most = 0, squares = 0, weight = 0;
     void add(double distance, double w)
     {
+        if (!(w > 0)) return;
         most = std::max(most, distance);
         squares += w * distance * distance, weight += w;
     }
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
 
-void add_distances(const PosedParts &from, const PosedParts &to, const std::vector<Pair> &pairs,
-                   const std::vector<double> &areas, Sum &sum)
+double distance(const PosedParts &from, const PosedParts &to, const Pair &pair)
 {
-    for (const Pair &pair : pairs)
-        sum.add(glm::length(where(from, pair.here) - where(to, pair.there)), areas[pair.here.triangle]);
+    return glm::length(where(from, pair.here) - where(to, pair.there));
 }
 
 double wrong_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
@@ -76,6 +76,17 @@ std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
     return out;
 }
 
+// The source as it is posed, and how much of each triangle counts: its area, as much of it as can be seen.
+struct Fine {
+    Fine(const model::Model &model, PosedParts posed) : parts(std::move(posed)), seen(seen_of(model, parts))
+    {
+        areas = areas_of(parts);
+        for (size_t t = 0; t < areas.size(); ++t) areas[t] *= seen[t];
+    }
+    PosedParts parts;
+    std::vector<double> seen, areas;
+};
+
 // One level against the source.
 struct Beside {
     PosedParts coarse;
@@ -89,10 +100,12 @@ struct Beside {
         out = nearest_pairs(fine, coarse), back = nearest_pairs(coarse, fine);
         areas = areas_of(coarse);
     }
-    void add(const PosedParts &fine, const std::vector<double> &fine_areas, Sum &sum) const
+    // What is nearest to something hidden is hidden as well.
+    void add(const Fine &fine, Sum &sum) const
     {
-        add_distances(fine, coarse, out, fine_areas, sum);
-        add_distances(coarse, fine, back, areas, sum);
+        for (const Pair &pair : out) sum.add(distance(fine.parts, coarse, pair), fine.areas[pair.here.triangle]);
+        for (const Pair &pair : back)
+            sum.add(distance(coarse, fine.parts, pair), areas[pair.here.triangle] * fine.seen[pair.there.triangle]);
     }
 };
 
@@ -102,23 +115,23 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
                                   double metres_per_unit)
 {
-    PosedParts fine(source);
+    PosedParts posed(source);
     std::vector<Beside> all;
     for (const std::vector<model::Part> *level : levels) all.emplace_back(*level);
     pose::Workspace workspace(model.rig);
-    const auto pose = [&](uint32_t clip, double time_s) {
+    const auto pose = [&](uint32_t clip, double time_s, PosedParts &parts) {
         const base::Span<const math::Affine> palette = workspace.pose(clip, time_s);
-        fine.pose(model.rig, palette, workspace.weights());
+        parts.pose(model.rig, palette, workspace.weights());
         for (Beside &one : all) one.coarse.pose(model.rig, palette, workspace.weights());
     };
-    pose(model::none, 0);
-    const std::vector<double> fine_areas = areas_of(fine);
-    const size_t open_before = open_edges(fine);
+    pose(model::none, 0, posed);
+    Fine fine(model, std::move(posed));
+    const size_t open_before = open_edges(fine.parts);
     std::vector<Deviation> found(all.size());
     for (size_t k = 0; k < all.size(); ++k) {
-        all[k].match(fine);
-        all[k].add(fine, fine_areas, all[k].rest);
-        found[k].wrong_zone = wrong_zones(model, fine, all[k].coarse, all[k].out, fine_areas);
+        all[k].match(fine.parts);
+        all[k].add(fine, all[k].rest);
+        found[k].wrong_zone = wrong_zones(model, fine.parts, all[k].coarse, all[k].out, fine.areas);
         const size_t open = open_edges(all[k].coarse);
         found[k].open_edges = open > open_before ? open - open_before : 0;
     }
@@ -126,13 +139,13 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
     for (uint32_t clip = 0; clip < clips; ++clip)
         for (uint32_t i = 0; i < sampling.poses_per_clip; ++i) {
             const model::Clip &c = model.rig.clips[clip];
-            pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip);
-            for (Beside &one : all) one.add(fine, fine_areas, one.posed);
+            pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip, fine.parts);
+            for (Beside &one : all) one.add(fine, one.posed);
         }
     for (size_t k = 0; k < all.size(); ++k) {
-        const Sum &rest = all[k].rest, &posed = clips == 0 || sampling.poses_per_clip == 0 ? rest : all[k].posed;
+        const Sum &rest = all[k].rest, &moving = clips == 0 || sampling.poses_per_clip == 0 ? rest : all[k].posed;
         found[k].rest_m = rest.most * metres_per_unit, found[k].rest_rms_m = rest.rms() * metres_per_unit;
-        found[k].posed_m = posed.most * metres_per_unit, found[k].posed_rms_m = posed.rms() * metres_per_unit;
+        found[k].posed_m = moving.most * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
     }
     return found;
 }

@@ -5,6 +5,7 @@
 
 #include "lib/base/error.h"
 #include "lib/lod/far_image.h"
+#include "lib/lod/seen.h"
 #include "lib/lod/shares.h"
 #include "lib/lod/shell.h"
 #include "lib/pose/pose.h"
@@ -67,6 +68,7 @@ FarSource::FarSource(const model::Model &of, const std::vector<const model::Part
     pose::Workspace workspace(model.rig);
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     fine.pose(model.rig, palette, workspace.weights());
+    seen = seen_of(model, fine);
     for (size_t i = 0; i < set_count(); ++i) shares.push_back(zone_shares(model, parts, set(i)));
 }
 

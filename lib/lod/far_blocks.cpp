@@ -56,9 +56,11 @@ std::vector<Seen> what_is_seen(const FarSource &source, const PosedParts &part)
 {
     std::vector<Seen> seen(part.triangles().size());
     const std::vector<Pair> out = nearest_pairs(source.fine, part), back = nearest_pairs(part, source.fine);
-    for (size_t i = 0; i < out.size(); ++i)
-        if (i % spots_per_triangle < area_spots)
-            see(source, out[i].here, area_of(source.fine, out[i].here.triangle), seen[out[i].there.triangle]);
+    for (size_t i = 0; i < out.size(); ++i) {
+        const uint32_t t = out[i].here.triangle;
+        if (i % spots_per_triangle < area_spots && source.seen[t] > 0)
+            see(source, out[i].here, area_of(source.fine, t) * source.seen[t], seen[out[i].there.triangle]);
+    }
     for (size_t t = 0; t < seen.size(); ++t)
         if (seen[t].empty()) see(source, back[spots_per_triangle * t].there, 1, seen[t]);
     return seen;

@@ -7,6 +7,7 @@
 #include "lib/lod/far_balance.h"
 #include "lib/lod/far_image.h"
 #include "lib/lod/nearest.h"
+#include "lib/lod/seen.h"
 
 namespace claque::lod
 {
@@ -49,7 +50,7 @@ class Lookup
 {
 public:
     Lookup(const FarSource &source, const PosedParts &level, const Atlas &atlas)
-        : level_(level), atlas_(atlas), nearest_(triangles_of(source.fine))
+        : level_(level), atlas_(atlas), shown_(shown_of(source)), nearest_(triangles_of(source.fine, shown_))
     {
         glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
         for (const PosedParts::Triangle &t : level.triangles())
@@ -69,10 +70,17 @@ public:
     }
 
 private:
-    static std::vector<NearestPoint::Triangle> triangles_of(const PosedParts &parts)
+    static std::vector<uint32_t> shown_of(const FarSource &source)
+    {
+        std::vector<uint32_t> found;
+        for (uint32_t t = 0; t < source.seen.size(); ++t)
+            if (source.seen[t] > 0) found.push_back(t);
+        return found;
+    }
+    static std::vector<NearestPoint::Triangle> triangles_of(const PosedParts &parts, const std::vector<uint32_t> &which)
     {
         std::vector<NearestPoint::Triangle> found;
-        for (const PosedParts::Triangle &t : parts.triangles()) found.push_back(parts.corners(t));
+        for (const uint32_t t : which) found.push_back(parts.corners(parts.triangles()[t]));
         return found;
     }
 
@@ -88,7 +96,7 @@ private:
             const glm::dvec3 at = point_on(c, here.weights);
             // A little outside: of two layers the outer one is seen.
             const NearestPoint::Found found = nearest_.to(length > 0 ? at + normal * (out_ / length) : at);
-            texel.seen[i] = {found.triangle, found.weights};
+            texel.seen[i] = {shown_[found.triangle], found.weights};
             texel.middle += at / double(samples);
         }
         texel.used = true;
@@ -96,6 +104,7 @@ private:
 
     const PosedParts &level_;
     const Atlas &atlas_;
+    std::vector<uint32_t> shown_;  // triangles of the source that can be seen
     NearestPoint nearest_;
     double out_ = 0;
 };
@@ -118,15 +127,17 @@ Shown shown_by(const FarSource &source, const model::TextureSet *set, const Texe
 }
 
 // How much of the level each texel is shown on.
-std::vector<double> areas_of(const PosedParts &level, const Atlas &atlas)
+std::vector<double> areas_of(const model::Model &model, const PosedParts &level, const Atlas &atlas)
 {
+    const std::vector<double> seen = seen_of(model, level);
     std::vector<double> areas(size_t(atlas.width) * atlas.height, 0);
     double all = 0;
     for (const Spot &spot : spread(level, spots_of_a_surface)) {
         const auto &corners = atlas.places[spot.place.triangle];
         const glm::dvec3 w = spot.place.weights;
         const glm::dvec2 p = w.x * corners[0] + w.y * corners[1] + w.z * corners[2];
-        areas[size_t(p.y) * atlas.width + size_t(p.x)] += spot.area, all += spot.area;
+        areas[size_t(p.y) * atlas.width + size_t(p.x)] += spot.area * seen[spot.place.triangle];
+        all += spot.area * seen[spot.place.triangle];
     }
     for (double &area : areas) area = all > 0 ? area / all : 0;
     return areas;
@@ -139,7 +150,7 @@ std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part
     const PosedParts level = source.at_rest(part);
     const Atlas atlas = laid_flat(level, texels_a_triangle);
     const std::vector<Texel> texels = Lookup(source, level, atlas).run();
-    const std::vector<double> areas = areas_of(level, atlas);
+    const std::vector<double> areas = areas_of(source.model, level, atlas);
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) {
         std::vector<Shown> shown;

@@ -17,6 +17,7 @@ struct FarSource {
 
     const model::Model &model;
     PosedParts fine;                          // at rest
+    std::vector<double> seen;                 // [triangles of fine] how much of it can be (seen.h)
     std::vector<std::vector<double>> shares;  // [sets] of zones (shares.h)
     std::vector<uint8_t> keys;                // [zones], which tell all of them apart
 };

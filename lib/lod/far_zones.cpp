@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "lib/lod/nearest.h"
+#include "lib/lod/seen.h"
 
 namespace claque::lod
 {
@@ -150,8 +151,7 @@ private:
 std::vector<uint32_t> chosen_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
                                    const std::vector<ZoneAreas> &seen, const std::vector<double> &shares)
 {
-    Row areas;
-    for (uint32_t t = 0; t < level.triangles().size(); ++t) areas.push_back(area_of(level, t));
+    Row areas = seen_areas(model, level);
     const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double &area : areas) area = all > 0 ? area / all : 0;
     const Harm harm(model, source, level, seen, areas);

@@ -25,6 +25,32 @@ double distance_squared(glm::dvec3 first, glm::dvec3 last, glm::dvec3 p)
     return glm::dot(outside, outside);
 }
 
+bool meets_box(glm::dvec3 first, glm::dvec3 last, glm::dvec3 from, glm::dvec3 along)
+{
+    double enter = 0, leave = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (along[axis] == 0) {
+            if (from[axis] < first[axis] || from[axis] > last[axis]) return false;
+            continue;
+        }
+        const double a = (first[axis] - from[axis]) / along[axis], b = (last[axis] - from[axis]) / along[axis];
+        enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+}
+
+// How far along, below 0 where it misses (Moeller and Trumbore 1997).
+double along_to(const NearestPoint::Triangle &t, glm::dvec3 from, glm::dvec3 along)
+{
+    const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], p = glm::cross(along, v), s = from - t[0];
+    const double determinant = glm::dot(u, p);
+    if (determinant == 0) return -1;
+    const double b = glm::dot(s, p) / determinant;
+    const glm::dvec3 q = glm::cross(s, u);
+    const double c = glm::dot(along, q) / determinant;
+    return b >= 0 && c >= 0 && b + c <= 1 ? glm::dot(v, q) / determinant : -1;
+}
+
 }  // namespace
 
 glm::dvec3 nearest_on(const NearestPoint::Triangle &t, glm::dvec3 p)
@@ -108,6 +134,24 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p) const
         }
     }
     return best;
+}
+
+bool NearestPoint::meets(glm::dvec3 from, glm::dvec3 along, double after) const
+{
+    std::array<uint32_t, 128> open;
+    size_t count = 0;
+    open[count++] = 0;
+    while (count) {
+        const Box &box = boxes_[open[--count]];
+        if (!meets_box(box.first, box.last, from, along)) continue;
+        if (box.left) {
+            open[count++] = box.left + 1, open[count++] = box.left;
+            continue;
+        }
+        for (uint32_t i = box.begin; i < box.end; ++i)
+            if (along_to(triangles_[order_[i]], from, along) > after) return true;
+    }
+    return false;
 }
 
 }  // namespace claque::lod

@@ -1,4 +1,4 @@
-// The nearest point of a set of triangles, by a tree of boxes.
+// The nearest point of a set of triangles, and what is in the way of a ray, by a tree of boxes.
 #pragma once
 
 #include <array>
@@ -22,6 +22,9 @@ public:
     };
     // Of several that are as near, any; always the same.
     Found to(glm::dvec3 p) const;
+
+    // Whether something lies further than `after` along a unit direction.
+    bool meets(glm::dvec3 from, glm::dvec3 along, double after) const;
 
 private:
     struct Box {

@@ -3,7 +3,7 @@
 
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 
-#include "lib/lod/surface.h"
+#include "lib/lod/drift.h"
 
 namespace claque::lod
 {
@@ -70,7 +70,7 @@ class ModCost : public OpenMesh::Decimater::ModBaseT<MeshType>
 public:
     DECIMATING_MODULE(ModCost, MeshType, Cost);
     explicit ModCost(MeshType &mesh) : Base(mesh, false) {}
-    void use(Surface *surface, const Weights &weights);
+    void use(Surface *surface, const Weights &weights, ZoneDrift *drift);  // null: none
     void initialize() override;
     float collapse_priority(const CollapseInfo &ci) override;
     void preprocess_collapse(const CollapseInfo &ci) override;
@@ -82,6 +82,7 @@ private:
 
     Surface *surface_ = nullptr;
     Weights weights_;
+    ZoneDrift *drift_ = nullptr;
     std::vector<PlaneQuadric> planes_;          // by vertex
     std::vector<AttributeQuadric> attributes_;  // by side
     std::vector<Attributes> carried_;           // by corner

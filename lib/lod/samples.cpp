@@ -83,32 +83,31 @@ uint32_t image_of(const model::Model &model, uint32_t material, const model::Tex
     return other ? set->images[material] : model.materials[material].image;
 }
 
-const uint8_t *texel_of(const model::Model &model, const PosedParts &parts, const Place &place,
-                        const model::TextureSet *set)
+const uint8_t *texel_of(const model::Model &model, const model::Part &part, glm::dvec2 uv, const model::TextureSet *set)
 {
-    const PosedParts::Triangle &t = parts.triangles()[place.triangle];
-    const model::Part &part = parts.part(t.part);
     if (part.material == model::none || part.uvs.empty()) return nullptr;
     const model::Material &material = model.materials[part.material];
     const uint32_t shown = image_of(model, part.material, set);
     if (shown == model::none) return nullptr;
-    double u = 0, v = 0;
-    for (size_t k = 0; k < 3; ++k) {
-        const double w = place.weights[static_cast<int>(k)];
-        u += w * double(part.uvs[t.vertices[k]].x), v += w * double(part.uvs[t.vertices[k]].y);
-    }
     const model::Image &image = model.images[shown];
-    const size_t x = texel(u, image.width, material.wrap_s), y = texel(v, image.height, material.wrap_t);
+    const size_t x = texel(uv.x, image.width, material.wrap_s), y = texel(uv.y, image.height, material.wrap_t);
     return image.rgba.data() + 4 * (y * image.width + x);
 }
 
-}  // namespace
-
-uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place, const model::TextureSet *set)
+glm::dvec2 uv_at(const PosedParts &parts, const Place &place)
 {
-    const model::Part &part = parts.part(parts.triangles()[place.triangle].part);
+    const PosedParts::Triangle &t = parts.triangles()[place.triangle];
+    const model::Part &part = parts.part(t.part);
+    glm::dvec2 uv(0);
+    for (size_t k = 0; k < 3 && !part.uvs.empty(); ++k)
+        uv += place.weights[static_cast<int>(k)] * glm::dvec2(part.uvs[t.vertices[k]]);
+    return uv;
+}
+
+uint32_t zone_of_texel(const model::Model &model, const model::Part &part, const uint8_t *found,
+                       const model::TextureSet *set)
+{
     if (part.material == model::none) return model::none;
-    const uint8_t *found = texel_of(model, parts, place, set);
     if (!found || model.images[image_of(model, part.material, set)].alpha != model::AlphaMeaning::zone_keys)
         return model.materials[part.material].zone;
     for (uint32_t zone = 0; zone < model.zones.size(); ++zone)
@@ -116,10 +115,24 @@ uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place
     return model::none;
 }
 
+}  // namespace
+
+uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place, const model::TextureSet *set)
+{
+    const model::Part &part = parts.part(parts.triangles()[place.triangle].part);
+    return zone_of_texel(model, part, texel_of(model, part, uv_at(parts, place), set), set);
+}
+
+uint32_t zone_at(const model::Model &model, const model::Part &part, glm::vec2 uv, const model::TextureSet *set)
+{
+    return zone_of_texel(model, part, texel_of(model, part, glm::dvec2(uv), set), set);
+}
+
 glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place,
                     const model::TextureSet *set)
 {
-    const uint8_t *found = texel_of(model, parts, place, set);
+    const model::Part &part = parts.part(parts.triangles()[place.triangle].part);
+    const uint8_t *found = texel_of(model, part, uv_at(parts, place), set);
     return found ? glm::dvec3(found[0], found[1], found[2]) / 255.0 : glm::dvec3(1);
 }
 

@@ -53,6 +53,10 @@ glm::dvec3 where(const PosedParts &parts, const Place &place);
 uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Place &place,
                  const model::TextureSet *set = nullptr);
 
+// Of a part, at a place in its texture.
+uint32_t zone_at(const model::Model &model, const model::Part &part, glm::vec2 uv,
+                 const model::TextureSet *set = nullptr);
+
 // The texel there, each of red, green and blue in [0, 1]; white where there is no image.
 glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Place &place,
                     const model::TextureSet *set = nullptr);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/lod/samples.h"
+#include "lib/lod/seen.h"
 #include "lib/pose/pose.h"
 
 namespace claque::lod
@@ -17,12 +18,14 @@ std::vector<double> zone_shares(const model::Model &model, const std::vector<con
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     posed.pose(model.rig, palette, workspace.weights());
     std::vector<double> shares(model.zones.size() + 1, 0.0);
+    const std::vector<double> seen = seen_of(model, posed);
     double all = 0;
     const std::vector<Spot> spots = spread(posed, spots_of_a_surface);
-    for (const Spot &spot : spots) all += spot.area;
+    for (const Spot &spot : spots) all += spot.area * seen[spot.place.triangle];
     if (!(all > 0)) return shares;
     for (const Spot &spot : spots)
-        shares[std::min<size_t>(zone_at(model, posed, spot.place, set), model.zones.size())] += spot.area / all;
+        shares[std::min<size_t>(zone_at(model, posed, spot.place, set), model.zones.size())] +=
+            spot.area * seen[spot.place.triangle] / all;
     return shares;
 }
 

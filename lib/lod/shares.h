@@ -1,4 +1,4 @@
-// How much of a surface shows each zone.
+// How much of what is seen of a surface shows each zone.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 namespace claque::lod
 {
 
-// [zones of `model` + 1] shares, their sum 1, of the area on which parts at rest show each zone; the last: no zone. All 0
-// where there is no area. Parts have passed model::check. `set`: one of the model's texture sets; null: the first.
+// [zones of `model` + 1] shares, their sum 1, of the area on which parts at rest show each zone, each piece of it as much as it
+// can be seen (seen.h): what clothes hide does not count. The last: no zone. All 0 where there is no area. Parts have passed model::check. `set`: one of the model's texture sets; null: the first.
 std::vector<double> zone_shares(const model::Model &model, const std::vector<const model::Part *> &parts,
                                 const model::TextureSet *set = nullptr);
 

@@ -165,7 +165,7 @@ TEST(Chain, shows_one_zone_on_each_triangle_of_a_far_level)
     model::Model citizen = figures::citizen();
     const size_t materials = citizen.materials.size();
     lod::ChainWish wish;
-    wish.targets = {490, 120};
+    wish.targets = {600, 120};
     const std::vector<lod::ChainLevel> chain = lod::make_chain(citizen, wish);
     ASSERT_EQ(chain.size(), 3u);
     ASSERT_EQ(citizen.materials.size(), materials + 1);

@@ -1,0 +1,38 @@
+// What zones have gained or lost of the surface while edges are collapsed, and what a collapse does about it. Between the
+// files of this room only.
+#pragma once
+
+#include "lib/lod/surface.h"
+
+namespace claque::lod
+{
+
+// A level shall show of each zone as much as the source (shares.h): half the square of what its area is off by, times
+// `weight`, is added to the cost of a mesh; a collapse pays or earns what it changes of that.
+class ZoneDrift
+{
+public:
+    // `surface` before any collapse; zones are those of `model`.
+    ZoneDrift(const Surface &surface, const model::Model &model, double weight);
+
+    // Which zone each face shows now, and how far zones are off. To be called from time to time: costs are those of then.
+    void measure();
+    // Of the faces round a vertex that is about to go: what one changes by.
+    void change(Mesh::FaceHandle face, double area);
+    // What all changes since the last call cost together.
+    double cost();
+
+private:
+    size_t zone_of(Mesh::FaceHandle face) const;
+    double look(std::vector<double> &shares);  // returns the area of all
+
+    const Surface &surface_;
+    const model::Model &model_;
+    double weight_ = 0, area_ = 0;         // of the whole source
+    std::vector<double> seen_;             // by face: how much of it can be (seen.h)
+    std::vector<size_t> zones_;            // by face
+    std::vector<double> wanted_, shares_;  // by zone
+    std::vector<std::pair<size_t, double>> changes_;
+};
+
+}  // namespace claque::lod

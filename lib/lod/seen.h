@@ -1,0 +1,27 @@
+// What of a character's surface can be seen at all: skin under clothes and the inside of a mouth cannot, and what a level does
+// with them does not show. Between the files of this room only.
+#pragma once
+
+#include "lib/lod/samples.h"
+
+namespace claque::lod
+{
+
+// [triangles of `parts`, which are at rest] the share of directions, all round, from which an eye far away sees it past all
+// the others: about half for what lies open, none for what is hidden; from the back only where its material has two sides. From
+// one of fourteen alone, as legs are from below in a skirt, is hidden. All 1 where nothing
+// could be seen. Deterministic.
+std::vector<double> seen_of(const model::Model &model, const PosedParts &parts);
+
+// The same of triangles that are no parts.
+struct Side {
+    std::array<glm::dvec3, 3> corners;
+    bool both = false;  // shown from the back as well
+};
+std::vector<double> seen_of(const std::vector<Side> &sides);
+bool is_two_sided(const model::Model &model, const model::Part &part);
+
+// Their areas, each times that share.
+std::vector<double> seen_areas(const model::Model &model, const PosedParts &parts);
+
+}  // namespace claque::lod
