@@ -1,6 +1,7 @@
 #include "lib/lod/deviation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -17,19 +18,46 @@ namespace
 {
 
 struct Sum {
-    double most = 0, squares = 0, weight = 0;
-    void add(double distance, double w)
+    double most_square = 0, squares = 0, weight = 0;
+    void add(double square, double w)
     {
-        if (!(w > 0)) return;
-        most = std::max(most, distance);
-        squares += w * distance * distance, weight += w;
+        most_square = std::max(most_square, square);
+        squares += w * square, weight += w;
     }
+    double most() const { return std::sqrt(most_square); }
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
 
-double distance(const PosedParts &from, const PosedParts &to, const Pair &pair)
+// A pair as its vertices and their weights, and the area it stands for: it is measured in a hundred poses.
+struct Link {
+    std::array<uint32_t, 3> here, there;
+    glm::dvec3 here_weights, there_weights;
+    double area;
+};
+
+void add_distances(const PosedParts &from, const PosedParts &to, const std::vector<Link> &links, Sum &sum)
 {
-    return glm::length(where(from, pair.here) - where(to, pair.there));
+    const glm::dvec3 *a = from.positions().data(), *b = to.positions().data();
+    const auto at = [](const glm::dvec3 *p, const std::array<uint32_t, 3> &v, const glm::dvec3 &w) {
+        return w.x * p[v[0]] + w.y * p[v[1]] + w.z * p[v[2]];
+    };
+    for (const Link &l : links) {
+        const glm::dvec3 off = at(a, l.here, l.here_weights) - at(b, l.there, l.there_weights);
+        sum.add(glm::dot(off, off), l.area);
+    }
+}
+
+// Without those that stand for nothing. area(pair): what it stands for.
+template <class Area>
+std::vector<Link> links_of(const PosedParts &from, const PosedParts &to, const std::vector<Pair> &pairs,
+                           const Area &area)
+{
+    std::vector<Link> out;
+    for (const Pair &pair : pairs)
+        if (const double stands_for = area(pair); stands_for > 0)
+            out.push_back({from.vertices_of(pair.here.triangle), to.vertices_of(pair.there.triangle), pair.here.weights,
+                           pair.there.weights, stands_for});
+    return out;
 }
 
 double wrong_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
@@ -90,22 +118,25 @@ struct Fine {
 // One level against the source.
 struct Beside {
     PosedParts coarse;
-    std::vector<Pair> out, back;  // from the source to the level, and from the level
-    std::vector<double> areas;
+    std::vector<Pair> out;                    // from the source to the level
+    std::vector<Link> out_links, back_links;  // the same, and from the level
     Sum rest, posed;
 
     explicit Beside(const std::vector<model::Part> &level) : coarse(pointers(level)) {}
-    void match(const PosedParts &fine)
-    {
-        out = nearest_pairs(fine, coarse), back = nearest_pairs(coarse, fine);
-        areas = areas_of(coarse);
-    }
     // What is nearest to something hidden is hidden as well.
+    void match(const Fine &fine)
+    {
+        const std::vector<double> areas = areas_of(coarse);
+        out = nearest_pairs(fine.parts, coarse);
+        out_links = links_of(fine.parts, coarse, out, [&](const Pair &pair) { return fine.areas[pair.here.triangle]; });
+        back_links = links_of(coarse, fine.parts, nearest_pairs(coarse, fine.parts), [&](const Pair &pair) {
+            return areas[pair.here.triangle] * fine.seen[pair.there.triangle];
+        });
+    }
     void add(const Fine &fine, Sum &sum) const
     {
-        for (const Pair &pair : out) sum.add(distance(fine.parts, coarse, pair), fine.areas[pair.here.triangle]);
-        for (const Pair &pair : back)
-            sum.add(distance(coarse, fine.parts, pair), areas[pair.here.triangle] * fine.seen[pair.there.triangle]);
+        add_distances(fine.parts, coarse, out_links, sum);
+        add_distances(coarse, fine.parts, back_links, sum);
     }
 };
 
@@ -129,7 +160,7 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
     const size_t open_before = open_edges(fine.parts);
     std::vector<Deviation> found(all.size());
     for (size_t k = 0; k < all.size(); ++k) {
-        all[k].match(fine.parts);
+        all[k].match(fine);
         all[k].add(fine, all[k].rest);
         found[k].wrong_zone = wrong_zones(model, fine.parts, all[k].coarse, all[k].out, fine.areas);
         const size_t open = open_edges(all[k].coarse);
@@ -144,8 +175,8 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
         }
     for (size_t k = 0; k < all.size(); ++k) {
         const Sum &rest = all[k].rest, &moving = clips == 0 || sampling.poses_per_clip == 0 ? rest : all[k].posed;
-        found[k].rest_m = rest.most * metres_per_unit, found[k].rest_rms_m = rest.rms() * metres_per_unit;
-        found[k].posed_m = moving.most * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
+        found[k].rest_m = rest.most() * metres_per_unit, found[k].rest_rms_m = rest.rms() * metres_per_unit;
+        found[k].posed_m = moving.most() * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
     }
     return found;
 }

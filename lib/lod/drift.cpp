@@ -45,7 +45,7 @@ double ZoneDrift::look(std::vector<double> &shares)
         faces.push_back(static_cast<size_t>(face.idx()));
         zones_[faces.back()] = zone_of(face);
     }
-    const std::vector<double> seen = seen_of(sides);
+    const std::vector<double> seen = seen_of(sides, Care::haste);
     shares.assign(model_.zones.size() + 1, 0);
     double all = 0;
     for (size_t i = 0; i < faces.size(); ++i) {

@@ -25,18 +25,11 @@ double distance_squared(glm::dvec3 first, glm::dvec3 last, glm::dvec3 p)
     return glm::dot(outside, outside);
 }
 
-bool meets_box(glm::dvec3 first, glm::dvec3 last, glm::dvec3 from, glm::dvec3 along)
+bool meets_box(glm::dvec3 first, glm::dvec3 last, glm::dvec3 from, glm::dvec3 inverse)
 {
-    double enter = 0, leave = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (along[axis] == 0) {
-            if (from[axis] < first[axis] || from[axis] > last[axis]) return false;
-            continue;
-        }
-        const double a = (first[axis] - from[axis]) / along[axis], b = (last[axis] - from[axis]) / along[axis];
-        enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave;
+    const glm::dvec3 a = (first - from) * inverse, b = (last - from) * inverse;
+    const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
+    return std::max({near.x, near.y, near.z, 0.0}) <= std::min({far.x, far.y, far.z});
 }
 
 // How far along, below 0 where it misses (Moeller and Trumbore 1997).
@@ -138,12 +131,14 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p) const
 
 bool NearestPoint::meets(glm::dvec3 from, glm::dvec3 along, double after) const
 {
+    glm::dvec3 inverse;  // finite, so that a box that a ray just touches is one that it meets
+    for (int axis = 0; axis < 3; ++axis) inverse[axis] = along[axis] == 0 ? 1e300 : 1 / along[axis];
     std::array<uint32_t, 128> open;
     size_t count = 0;
     open[count++] = 0;
     while (count) {
         const Box &box = boxes_[open[--count]];
-        if (!meets_box(box.first, box.last, from, along)) continue;
+        if (!meets_box(box.first, box.last, from, inverse)) continue;
         if (box.left) {
             open[count++] = box.left + 1, open[count++] = box.left;
             continue;

@@ -28,6 +28,13 @@ public:
     uint32_t part_count() const { return static_cast<uint32_t>(parts_.size()); }
     glm::dvec3 vertex(uint32_t part, uint32_t v) const { return positions_[first_[part] + v]; }
     glm::dvec3 corner(const Triangle &t, size_t k) const { return positions_[first_[t.part] + t.vertices[k]]; }
+    const std::vector<glm::dvec3> &positions() const { return positions_; }  // of all parts
+    std::array<uint32_t, 3> vertices_of(uint32_t triangle) const             // in positions()
+    {
+        const Triangle &t = triangles_[triangle];
+        const uint32_t first = first_[t.part];
+        return {first + t.vertices[0], first + t.vertices[1], first + t.vertices[2]};
+    }
     std::array<glm::dvec3, 3> corners(const Triangle &t) const { return {corner(t, 0), corner(t, 1), corner(t, 2)}; }
 
 private:

@@ -39,10 +39,10 @@ std::vector<double> seen_of(const model::Model &model, const PosedParts &parts)
     std::vector<Side> sides;
     for (const PosedParts::Triangle &t : parts.triangles())
         sides.push_back({parts.corners(t), is_two_sided(model, parts.part(t.part))});
-    return seen_of(sides);
+    return seen_of(sides, Care::full);
 }
 
-std::vector<double> seen_of(const std::vector<Side> &sides)
+std::vector<double> seen_of(const std::vector<Side> &sides, Care care)
 {
     std::vector<NearestPoint::Triangle> triangles;
     glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
@@ -57,7 +57,7 @@ std::vector<double> seen_of(const std::vector<Side> &sides)
     const std::vector<glm::dvec3> eyes = directions();
     const std::array<glm::dvec3, 4> spots = {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
                                              glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0};
-    const size_t spot_count = sides.size() > many ? 1 : spots.size();
+    const size_t spot_count = care == Care::haste || sides.size() > many ? 1 : spots.size();
     for (const Side &side : sides) {
         const auto &c = side.corners;
         const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);

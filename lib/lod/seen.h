@@ -13,12 +13,13 @@ namespace claque::lod
 // could be seen. Deterministic.
 std::vector<double> seen_of(const model::Model &model, const PosedParts &parts);
 
-// The same of triangles that are no parts.
+// The same of triangles that are no parts, judged by four of their places, or in haste by their middles alone.
 struct Side {
     std::array<glm::dvec3, 3> corners;
     bool both = false;  // shown from the back as well
 };
-std::vector<double> seen_of(const std::vector<Side> &sides);
+enum class Care : uint8_t { haste, full };
+std::vector<double> seen_of(const std::vector<Side> &sides, Care care = Care::full);
 bool is_two_sided(const model::Model &model, const model::Part &part);
 
 // Their areas, each times that share.
