@@ -10,7 +10,7 @@ namespace
 {
 
 // Numbers of attributes: entries of the palette from `first_joint` on, so that one number means one thing in all parts.
-constexpr double most_discount = 0.25;
+constexpr double most_discount = 0.75;
 constexpr uint32_t number_of_u = 0, number_of_v = 1, first_joint = 2;
 
 }  // namespace
