@@ -58,19 +58,6 @@ clq_template *split(const clq_asset *asset)
     return tmpl;
 }
 
-void startup_levels(benchmark::State &state, const char *name, Levels levels)
-{
-    for (auto _ : state) {
-        state.PauseTiming();
-        clq_asset *asset = figure(name);
-        state.ResumeTiming();
-        give_levels(asset, levels);
-        state.PauseTiming();
-        clq_asset_destroy(asset);
-        state.ResumeTiming();
-    }
-}
-
 void startup_split(benchmark::State &state, const char *name, Levels levels)
 {
     clq_asset *asset = figure(name);
@@ -79,19 +66,32 @@ void startup_split(benchmark::State &state, const char *name, Levels levels)
     clq_asset_destroy(asset);
 }
 
-void startup_first(benchmark::State &state, const char *name, Levels levels)
+enum class Until { levels, split };
+
+// From a figure that is there, as far as `until`.
+void startup(benchmark::State &state, const char *name, Levels levels, Until until)
 {
     for (auto _ : state) {
         state.PauseTiming();
         clq_asset *asset = figure(name);
         state.ResumeTiming();
         give_levels(asset, levels);
-        clq_template *tmpl = split(asset);
+        clq_template *tmpl = until == Until::split ? split(asset) : nullptr;
         state.PauseTiming();
         clq_template_destroy(tmpl);
         clq_asset_destroy(asset);
         state.ResumeTiming();
     }
+}
+
+void startup_levels(benchmark::State &state, const char *name, Levels levels)
+{
+    startup(state, name, levels, Until::levels);
+}
+
+void startup_first(benchmark::State &state, const char *name, Levels levels)
+{
+    startup(state, name, levels, Until::split);
 }
 
 int append(void *user, const void *bytes, size_t size_bytes)
