@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <queue>
 
+#include "lib/lod/pinch.h"
 #include "lib/lod/surface.h"
 
 namespace claque::lod
@@ -14,41 +16,14 @@ namespace claque::lod
 namespace
 {
 
-// Squared distance of two means, and the mean of both.
-double apart(const Attributes &a, const Attributes &b)
-{
-    double sum = 0;
-    for (size_t i = 0, j = 0; i < a.size() || j < b.size();) {
-        const bool left = j == b.size() || (i < a.size() && a[i].id <= b[j].id);
-        const bool right = i == a.size() || (j < b.size() && b[j].id <= a[i].id);
-        const double difference = (left ? a[i].value : 0) - (right ? b[j].value : 0);
-        sum += difference * difference;
-        i += left, j += right;
-    }
-    return sum;
-}
-
-Features joined(const Features &a, const Features &b)
-{
-    Features out;
-    out.area = a.area + b.area;
-    const double of_a = out.area > 0 ? a.area / out.area : 0.5, of_b = 1 - of_a;
-    for (size_t i = 0, j = 0; i < a.mean.size() || j < b.mean.size();) {
-        const bool left = j == b.mean.size() || (i < a.mean.size() && a.mean[i].id <= b.mean[j].id);
-        const bool right = i == a.mean.size() || (j < b.mean.size() && b.mean[j].id <= a.mean[i].id);
-        out.mean.push_back({left ? a.mean[i].id : b.mean[j].id,
-                            (left ? of_a * a.mean[i].value : 0) + (right ? of_b * b.mean[j].value : 0)});
-        i += left, j += right;
-    }
-    return out;
-}
-
 class Coarsening
 {
 public:
     Coarsening(const Boundary &surface, const std::vector<Attributes> &features);
     void run(size_t target);
-    Coarse result() const;
+    size_t triangles() const { return faces_; }
+    Coarse result() const { return result(nullptr); }
+    Pinch pinched() const;  // to go on with where no lawful collapse is left
 
 private:
     struct Wish {
@@ -62,10 +37,11 @@ private:
         }
     };
     void wish(Mesh::HalfedgeHandle h);
-    glm::dvec3 best_place(int a, int b) const;
+    glm::dvec3 place_of(int a, int b) const;
     double cost(int a, int b, glm::dvec3 at) const;
     bool turns(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const;
     void collapse(Mesh::HalfedgeHandle h, glm::dvec3 at);
+    Coarse result(std::vector<PlaneQuadric> *planes) const;  // planes: those of its vertices, where wanted
 
     Mesh mesh_;
     size_t faces_ = 0;
@@ -104,35 +80,24 @@ Coarsening::Coarsening(const Boundary &surface, const std::vector<Attributes> &f
     for (const auto edge : mesh_.edges()) wish(mesh_.halfedge_handle(edge, 0));
 }
 
-glm::dvec3 Coarsening::best_place(int a, int b) const
+glm::dvec3 Coarsening::place_of(int a, int b) const
 {
     PlaneQuadric sum = planes_[size_t(a)];
     sum += planes_[size_t(b)];
-    const glm::dvec3 p = point(mesh_, Mesh::VertexHandle(a)), q = point(mesh_, Mesh::VertexHandle(b));
-    const glm::dvec3 middle = 0.5 * (p + q);
-    glm::dvec3 best = middle;
-    // Not far from the edge: flat regions have no best place along themselves.
-    const double reach = 2 * glm::length(q - p);
-    glm::dvec3 found;
-    if (sum.lowest(middle, found) && glm::length(found - middle) <= reach) best = found;
-    for (const glm::dvec3 other : {p, q, middle})
-        if (sum.at(other) < sum.at(best)) best = other;
-    return best;
+    return best_place(sum, point(mesh_, Mesh::VertexHandle(a)), point(mesh_, Mesh::VertexHandle(b)));
 }
 
 double Coarsening::cost(int a, int b, glm::dvec3 at) const
 {
-    const Features &fa = features_[size_t(a)], &fb = features_[size_t(b)];
-    const double areas = fa.area + fb.area;
-    const double variance = areas > 0 ? fa.area * fb.area / areas * apart(fa.mean, fb.mean) : 0;
-    return std::max(planes_[size_t(a)].at(at) + planes_[size_t(b)].at(at), 0.0) + variance;
+    return std::max(planes_[size_t(a)].at(at) + planes_[size_t(b)].at(at), 0.0) +
+           variance_of(features_[size_t(a)], features_[size_t(b)]);
 }
 
 void Coarsening::wish(Mesh::HalfedgeHandle h)
 {
     const int a = mesh_.from_vertex_handle(h).idx(), b = mesh_.to_vertex_handle(h).idx();
     const int from = std::min(a, b), to = std::max(a, b);
-    queue_.push({cost(from, to, best_place(from, to)), from, to, ages_[size_t(from)], ages_[size_t(to)]});
+    queue_.push({cost(from, to, place_of(from, to)), from, to, ages_[size_t(from)], ages_[size_t(to)]});
 }
 
 // Whether a triangle of `moved` that stays would turn away when it goes to `at`.
@@ -148,10 +113,9 @@ bool Coarsening::turns(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::
             after[k] = *v == moved ? at : before[k];
         }
         if (goes) continue;
-        const TriangleFrame was(before[0], before[1], before[2]), is(after[0], after[1], after[2]);
-        // Slivers point anywhere.
-        if (was.area < sliver_ || is.area < sliver_) continue;
-        if (glm::dot(was.normal, is.normal) < 0.2) return true;
+        if (lod::turns(TriangleFrame(before[0], before[1], before[2]), TriangleFrame(after[0], after[1], after[2]),
+                       sliver_))
+            return true;
     }
     return false;
 }
@@ -179,7 +143,7 @@ void Coarsening::run(size_t target)
         if (ages_[size_t(next.from)] != next.from_age || ages_[size_t(next.to)] != next.to_age) continue;
         const Mesh::HalfedgeHandle h = mesh_.find_halfedge(from, to);
         if (!h.is_valid()) continue;
-        const glm::dvec3 at = best_place(next.from, next.to);
+        const glm::dvec3 at = place_of(next.from, next.to);
         if (!mesh_.is_collapse_ok(h) || turns(from, to, at) || turns(to, from, at)) {
             refused.push_back(next);
             continue;
@@ -194,7 +158,7 @@ void Coarsening::run(size_t target)
     for (const Wish &again : refused) queue_.push(again);
 }
 
-Coarse Coarsening::result() const
+Coarse Coarsening::result(std::vector<PlaneQuadric> *planes) const
 {
     Coarse out;
     std::vector<uint32_t> number(mesh_.n_vertices(), model::none);
@@ -208,12 +172,20 @@ Coarse Coarsening::result() const
                 n = static_cast<uint32_t>(out.surface.positions.size());
                 out.surface.positions.push_back(point(mesh_, *v));
                 out.features.push_back(features_[size_t(v->idx())]);
+                if (planes) planes->push_back(planes_[size_t(v->idx())]);
             }
             t[k] = n;
         }
         out.surface.triangles.push_back(t);
     }
     return out;
+}
+
+Pinch Coarsening::pinched() const
+{
+    std::vector<PlaneQuadric> planes;
+    Coarse level = result(&planes);
+    return Pinch(std::move(level), std::move(planes), sliver_);
 }
 
 // Without the small pieces.
@@ -250,9 +222,12 @@ std::vector<Coarse> coarsened(const Boundary &surface, const std::vector<Attribu
 {
     Coarsening work(large_pieces_of(surface), features);
     std::vector<Coarse> out;
+    std::optional<Pinch> last;
     for (const size_t target : targets) {
-        work.run(target);
-        out.push_back(work.result());
+        if (!last) work.run(target);
+        if (!last && work.triangles() > target) last = work.pinched();
+        if (last) last->run(target);
+        out.push_back(last ? last->result() : work.result());
     }
     return out;
 }

@@ -3,16 +3,10 @@
 #pragma once
 
 #include "lib/lod/boundary.h"
-#include "lib/lod/quadric.h"
+#include "lib/lod/features.h"
 
 namespace claque::lod
 {
-
-// What a vertex stands for: the mean over the surface that has come to it.
-struct Features {
-    double area = 0;
-    Attributes mean;  // ascending by id; in metres for each 1 of difference
-};
 
 struct Coarse {
     Boundary surface;
@@ -21,8 +15,8 @@ struct Coarse {
 
 // One for each target, descending strictly. An edge is collapsed to where the planes round it are nearest (Garland and
 // Heckbert 1997); vertices whose features differ are brought together last, by what it adds to the variance of each
-// (Ward's rule). No triangle turns over. Stops above a target where no lawful collapse is left. Pieces of less than a
-// fiftieth of the surface are left out. Deterministic.
+// (Ward's rule). No triangle turns over, and no edge comes to have more than two, while there is another way down to a
+// target (pinch.h). Pieces of less than a fiftieth of the surface are left out. Deterministic.
 std::vector<Coarse> coarsened(const Boundary &surface, const std::vector<Attributes> &features,
                               const std::vector<size_t> &targets);
 

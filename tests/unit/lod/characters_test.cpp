@@ -1,6 +1,8 @@
 // Levels of detail of the collected characters, where they are: a few of them, or all with CLAQUE_ALL_CHARACTERS set.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -24,6 +26,7 @@ std::vector<std::string> characters()
         return {"humanoids/kaykit/Rogue.glb", "humanoids/quaternius-modular/Man_Suit.glb",
                 "humanoids/khronos/CesiumMan.glb", "animals/quaternius/Stegosaurus.glb"};
     std::vector<std::string> found;
+    if (!fs::exists(CLAQUE_ASSETS_DIR "/inventory.json")) return found;
     for (const char *kind : {"humanoids", "animals", "machines"})
         for (const fs::directory_entry &entry :
              fs::recursive_directory_iterator(CLAQUE_ASSETS_DIR "/" + std::string(kind)))
@@ -44,34 +47,44 @@ model::Model loaded(const std::string &name)
 
 }  // namespace
 
-TEST(LevelsOfCharacters, go_down_to_a_few_dozen_triangles_without_gaps_and_keep_their_zones)
+std::string name_of(const testing::TestParamInfo<std::string> &character)
+{
+    std::string name = fs::path(character.param).stem().string();
+    for (char &c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+}
+
+class LevelsOfCharacters : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(LevelsOfCharacters, go_down_to_a_few_dozen_triangles_without_gaps_and_keep_their_zones)
 {
     if (!fs::exists(CLAQUE_ASSETS_DIR "/inventory.json")) GTEST_SKIP() << "no characters in " CLAQUE_ASSETS_DIR;
-    for (const std::string &name : characters()) {
-        SCOPED_TRACE(name);
-        model::Model model = loaded(name);
-        const bool skinned =
-            std::any_of(model.parts.begin(), model.parts.end(), [](const auto &p) { return p.skinned; });
-        lod::ChainWish wish;
-        wish.sampling.most_clips = 0;
-        const std::vector<lod::ChainLevel> chain = lod::make_chain(model, wish);
-        std::string reached;
-        for (size_t k = 0; k < chain.size(); ++k) {
-            reached += ' ' + std::to_string(chain[k].triangles);
-            EXPECT_EQ(chain[k].flipped, 0u);
-            EXPECT_EQ(chain[k].deviation.open_edges, 0u);
-            if (!skinned) continue;
-            if (k > 0 && chain[k - 1].triangles <= 1100) {
-                EXPECT_GE(chain[k].triangles * 3, chain[k - 1].triangles) << reached;
-            } else if (k > 0) {
-                // What is hidden goes first, and with it half of a character of many layers.
-                EXPECT_GE(chain[k].triangles * 4, chain[k - 1].triangles) << reached;
-            }
-            EXPECT_LE(chain[k].zone_drift, 0.02) << chain[k].triangles;
+    model::Model model = loaded(GetParam());
+    const bool skinned = std::any_of(model.parts.begin(), model.parts.end(), [](const auto &p) { return p.skinned; });
+    lod::ChainWish wish;
+    wish.sampling.most_clips = 0;
+    const std::vector<lod::ChainLevel> chain = lod::make_chain(model, wish);
+    std::string reached;
+    for (size_t k = 0; k < chain.size(); ++k) {
+        reached += ' ' + std::to_string(chain[k].triangles);
+        EXPECT_EQ(chain[k].flipped, 0u);
+        EXPECT_EQ(chain[k].deviation.open_edges, 0u);
+        if (!skinned) continue;
+        if (k > 0 && chain[k - 1].triangles <= 1100) {
+            EXPECT_GE(chain[k].triangles * 3, chain[k - 1].triangles) << reached;
+        } else if (k > 0) {
+            // What is hidden goes first, and with it half of a character of many layers.
+            EXPECT_GE(chain[k].triangles * 4, chain[k - 1].triangles) << reached;
         }
-        std::cout << name << reached << '\n';
-        EXPECT_LE(chain.back().triangles, skinned ? 30u : 100u);
+        EXPECT_LE(chain[k].zone_drift, 0.02) << chain[k].triangles;
     }
+    std::cout << GetParam() << reached << '\n';
+    EXPECT_LE(chain.back().triangles, skinned ? 30u : 100u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Collected, LevelsOfCharacters, testing::ValuesIn(characters()), name_of);
 
 }  // namespace claque::test
