@@ -33,11 +33,11 @@ Attributes ModCost<MeshType>::attributes_of(uint32_t corner) const
         out.push_back({number_of_u, weights_.texture * double(part.uvs[v].x)});
         out.push_back({number_of_v, weights_.texture * double(part.uvs[v].y)});
     }
-    for (uint32_t k = 0; weights_.influence > 0 && k < part.influence_count; ++k) {
+    for (uint32_t k = 0; k < part.influence_count; ++k) {
         const size_t i = size_t(v) * part.influence_count + k;
-        if (part.weights[i] == 0) continue;
+        if (part.weights[i] == 0 || !(weights_.influences[part.joints[i]] > 0)) continue;
         const uint32_t id = first_joint + part.joints[i];
-        const double value = weights_.influence * double(part.weights[i]);
+        const double value = weights_.influences[part.joints[i]] * double(part.weights[i]);
         const auto same = std::find_if(out.begin(), out.end(), [id](const Attribute &a) { return a.id == id; });
         if (same != out.end()) same->value += value;
         else out.push_back({id, value});

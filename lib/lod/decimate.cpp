@@ -8,6 +8,7 @@
 #include "lib/base/error.h"
 #include "lib/lod/compact.h"
 #include "lib/lod/rules.h"
+#include "lib/lod/sway.h"
 
 namespace claque::lod
 {
@@ -65,6 +66,22 @@ double size_of(const Surface &surface)
     return std::max({last.x - first.x, last.y - first.y, last.z - first.z});
 }
 
+// What joints cost that the clips do not part: a host's may.
+constexpr double least_influence = 0.01;
+
+// What it costs that an influence goes from one entry of the palette to another, in metres.
+std::vector<double> influences_of(const std::vector<Piece> &parts, const Decimation &wish, double size)
+{
+    std::vector<double> found;
+    if (wish.model) found = sways_of(*wish.model, parts);
+    for (double &one : found) one = wish.sway * one + least_influence * size;
+    uint32_t entries = static_cast<uint32_t>(found.size());
+    for (const Piece &piece : parts)
+        for (const uint32_t joint : piece.part->joints) entries = std::max(entries, joint + 1);
+    found.resize(entries, wish.influence * size);
+    return found;
+}
+
 }  // namespace
 
 std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish)
@@ -86,9 +103,9 @@ std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimatio
     std::unique_ptr<ZoneDrift> drift;
     if (wish.model && wish.model->zones.size() > 1 && wish.drift > 0)
         drift = std::make_unique<ZoneDrift>(surface, *wish.model, wish.drift);
-    decimater.module(cost).use(&surface,
-                               {wish.influence * size_of(surface), wish.texture * metres_per_uv(surface), 1, wish.area},
-                               drift.get());
+    decimater.module(cost).use(
+        &surface, {influences_of(parts, wish, size_of(surface)), wish.texture * metres_per_uv(surface), 1, wish.area},
+        drift.get());
     if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0].part->name.c_str());
     const UvSides sides(surface);
     std::vector<Left> left;

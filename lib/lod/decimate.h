@@ -26,16 +26,17 @@ struct Piece {
 struct Decimation {
     std::vector<size_t> targets;  // triangles of all parts together, descending strictly
     double turn_deg = 60;         // no triangle may turn further in one collapse
-    // What a difference costs beside a distance, both in shares of the character's size: a vertex that follows other
-    // joints moves by so much of it when they do.
+    // What a difference costs beside a distance. An influence that another joint takes: how far the two part over the clips
+    // of `model` (sway.h), or so much of the character's size where nothing is known of clips.
     double influence = 0.1;
     double texture = 0.25;  // of the distance on the surface by which a place in the texture moves; 0: none
     // Of the square of the area that a collapse takes away or adds: without it limbs, whose vertices all lie outside of what
     // is between them, become thin, and skin loses to clothes.
     double area = 10;
-    // Of half the square of what zones have gained or lost of the surface that is seen, and whose zones; null: nobody's.
+    // Of half the square of what zones have gained or lost of the surface that is seen.
     double drift = 30;
-    const model::Model *model = nullptr;
+    const model::Model *model = nullptr;  // whose zones and clips; null: nobody's
+    double sway = 1;                      // of what influences cost by clips
 };
 
 struct Decimated {

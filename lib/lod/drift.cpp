@@ -9,6 +9,14 @@
 namespace claque::lod
 {
 
+namespace
+{
+
+// Of a share: off by more, what a zone costs grows with the third power, so that none comes to two points.
+constexpr double steep = 0.01;
+
+}  // namespace
+
 ZoneDrift::ZoneDrift(const Surface &surface, const model::Model &model, double weight)
     : surface_(surface),
       model_(model),
@@ -64,12 +72,18 @@ void ZoneDrift::change(Mesh::FaceHandle face, double area)
     changes_.emplace_back(zones_[i], seen_[i] * area);
 }
 
+double ZoneDrift::slope(size_t zone) const
+{
+    const double off = shares_[zone] - wanted_[zone];
+    return off * (1 + off * off / (steep * steep));
+}
+
 double ZoneDrift::cost()
 {
     double all = 0, sum = 0;
-    for (const auto &[zone, area] : changes_) all += area, sum += area * (shares_[zone] - wanted_[zone]);
+    for (const auto &[zone, area] : changes_) all += area, sum += area * slope(zone);
     // Shares of all zones change when the whole does.
-    for (size_t zone = 0; zone < shares_.size(); ++zone) sum -= all * shares_[zone] * (shares_[zone] - wanted_[zone]);
+    for (size_t zone = 0; zone < shares_.size(); ++zone) sum -= all * shares_[zone] * slope(zone);
     changes_.clear();
     return weight_ * area_ * sum;
 }

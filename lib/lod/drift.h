@@ -7,8 +7,8 @@
 namespace claque::lod
 {
 
-// A level shall show of each zone as much as the source (shares.h): half the square of what its area is off by, times
-// `weight`, is added to the cost of a mesh; a collapse pays or earns what it changes of that.
+// A level shall show of each zone as much as the source (shares.h): half the square of what its area is off by, and more
+// from a point on, times `weight`, is added to the cost of a mesh; a collapse pays or earns what it changes of that.
 class ZoneDrift
 {
 public:
@@ -24,6 +24,7 @@ public:
 
 private:
     size_t zone_of(Mesh::FaceHandle face) const;
+    double slope(size_t zone) const;           // of the cost of a zone's share
     double look(std::vector<double> &shares);  // returns the area of all
 
     const Surface &surface_;

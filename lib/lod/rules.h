@@ -57,10 +57,10 @@ private:
 
 // What carries over from triangle to triangle and how much it counts, in metres for each 1 of difference.
 struct Weights {
-    double influence = 0;  // a whole influence that another joint takes
-    double texture = 0;    // 1 of u or v
-    double border = 1;     // seams and open edges against the surface itself
-    double area = 1;       // the square of what a collapse takes from the surface or adds to it
+    std::vector<double> influences;  // [palette] a whole influence that another joint takes
+    double texture = 0;              // 1 of u or v
+    double border = 1;               // seams and open edges against the surface itself
+    double area = 1;                 // the square of what a collapse takes from the surface or adds to it
 };
 
 // The cost of a collapse: lib/lod/quadric.h. It also moves the corners of faces, after what they carry has been added up.
