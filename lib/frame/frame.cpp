@@ -37,7 +37,8 @@ Frame::Frame(std::pmr::memory_resource *memory, const Settings &settings)
       masks_(memory),
       dofs_(memory),
       behaving_(memory),
-      listed_(memory)
+      listed_(memory),
+      ordered_(memory)
 {
     stats_.cache_budget_bytes = settings.caches.budget_bytes;
     reset_bands();
@@ -101,6 +102,7 @@ void Update::reserve()
     frame.candidates_.reserve(rows);
     frame.visible_.reserve(rows);
     frame.listed_.reserve(rows);
+    frame.ordered_.reserve(rows);
     frame.caches_.reserve(rows, crowd.templates());
     if (frame.rows_.size() < rows) frame.rows_.resize(rows);
     if (frame.groups_.size() < crowd.group_count()) frame.groups_.resize(crowd.group_count());

@@ -8,6 +8,7 @@
 #include "lib/crowd/crowd.h"
 #include "lib/frame/blocks.h"
 #include "lib/frame/eye.h"
+#include "lib/frame/order.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/view.h"
 #include "lib/math/frustum.h"
@@ -95,13 +96,6 @@ private:
         bool shadow_only;     // nothing but what falls from it
         uint64_t parts;       // bit k: part k of its level
     };
-    // One individual in one view, before its Item is written.
-    struct Listed {
-        uint32_t tmpl;  // of Crowd::templates()
-        uint32_t texture_set;
-        float distance;
-        uint32_t row;
-    };
     struct GroupRow {
         uint64_t update = 0;  // the last that saw it
         uint32_t generation = 0;
@@ -131,7 +125,7 @@ private:
     std::pmr::vector<float> dofs_;          // of who is due, written by control mechanisms
     std::pmr::vector<uint32_t> behaving_;   // requests whose mechanisms run
     uint32_t most_dofs_ = 0;
-    std::pmr::vector<Listed> listed_;  // of one view
+    std::pmr::vector<Listed> listed_, ordered_;  // of one view; scratch of its order
 };
 
 // One frame. time_s: the host's clock; may jump, also back. What is shown is a function of it and of the distances.

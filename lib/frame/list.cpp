@@ -1,7 +1,7 @@
-// The one thing that drawing sees: for each view its individuals, by template and texture set (states and arrays change
-// least), then front to back, then by row, so that the order is the same everywhere.
+// The one thing that drawing sees: for each view its individuals, in their order.
 #include <algorithm>
 
+#include "lib/frame/order.h"
 #include "lib/frame/steps.h"
 #include "lib/math/place.h"
 
@@ -95,12 +95,7 @@ void Update::list_view(uint32_t v)
         if (seen.inside != math::Inside::no)
             listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, seen.distance, row});
     }
-    std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
-        if (a.tmpl != b.tmpl) return a.tmpl < b.tmpl;
-        if (a.texture_set != b.texture_set) return a.texture_set < b.texture_set;
-        if (a.distance != b.distance) return a.distance < b.distance;
-        return a.row < b.row;
-    });
+    put_in_order(listed, frame.ordered_);
 
     view.list.items.resize(listed.size());
     view.list.server = &view.server;

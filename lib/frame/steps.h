@@ -44,7 +44,6 @@ struct Update {
 
 private:
     using Row = Frame::Row;
-    using Listed = Frame::Listed;
     using Candidate = Frame::Candidate;
     using Sight = Frame::Sight;
 

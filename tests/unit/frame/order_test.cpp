@@ -1,0 +1,74 @@
+// The order in which individuals are drawn, against comparing them one by one.
+#include "lib/frame/order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "lib/base/hash.h"
+
+namespace claque::frame
+{
+
+namespace
+{
+
+std::pmr::vector<Listed> compared(std::pmr::vector<Listed> listed)
+{
+    std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
+        return std::tie(a.tmpl, a.texture_set, a.distance, a.row) < std::tie(b.tmpl, b.texture_set, b.distance, b.row);
+    });
+    return listed;
+}
+
+std::pmr::vector<uint32_t> rows_of(const std::pmr::vector<Listed> &listed)
+{
+    std::pmr::vector<uint32_t> rows;
+    for (const Listed &one : listed) rows.push_back(one.row);
+    return rows;
+}
+
+std::pmr::vector<uint32_t> ordered(std::pmr::vector<Listed> listed)
+{
+    std::pmr::vector<Listed> spare;
+    put_in_order(listed, spare);
+    return rows_of(listed);
+}
+
+uint32_t drawn(uint32_t i, uint32_t which) { return static_cast<uint32_t>(base::mix(uint64_t(i) * 8 + which)); }
+
+// Many at the same distance, of the same template; rows all over.
+std::pmr::vector<Listed> many(uint32_t count, uint32_t row_step)
+{
+    std::pmr::vector<Listed> listed;
+    for (uint32_t i = 0; i < count; ++i)
+        listed.push_back(
+            {drawn(i, 0) % 5 * 100000, drawn(i, 1) % 3, float(drawn(i, 2) % 700) * 0.37f, i * row_step % 1048583});
+    return listed;
+}
+
+}  // namespace
+
+TEST(Order, is_what_comparing_one_by_one_makes)
+{
+    for (const uint32_t row_step : {1u, 7919u, 524287u})
+        for (const uint32_t count : {1u, 2u, 100u, 5000u}) {
+            const std::pmr::vector<Listed> listed = many(count, row_step);
+            EXPECT_EQ(ordered(listed), rows_of(compared(listed))) << count << " with rows by " << row_step;
+        }
+}
+
+TEST(Order, tells_any_two_distances_apart)
+{
+    const float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
+    std::pmr::vector<Listed> listed;
+    for (const float distance : {most, 1.0f, 0.0f, 1.0000001f, least, std::numeric_limits<float>::infinity(), 1e-20f})
+        listed.push_back({0, 0, distance, static_cast<uint32_t>(listed.size())});
+    EXPECT_EQ(ordered(listed), (std::pmr::vector<uint32_t>{2, 4, 6, 1, 3, 0, 5}));
+}
+
+TEST(Order, of_nobody_is_nobody) { EXPECT_TRUE(ordered({}).empty()); }
+
+}  // namespace claque::frame
