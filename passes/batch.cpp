@@ -1,5 +1,7 @@
 #include "passes/batch.h"
 
+#include "lib/math/simd.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +13,10 @@ namespace
 // From a vertex as it lies in its array to eye space, and from its normal to a direction there. Rounded as floats, one
 // way for all.
 struct Mover {
-    float place[12];  // columns x, y, z, offset
-    float facing[9];  // columns
+    math::F4 place[4];   // columns x, y, z, offset; lane 3 unused
+    math::F4 facing[3];  // columns
 
-    explicit Mover(const Individual &who)
+    explicit Mover(const Individual &who) : place(), facing()
     {
         const float *m = who.item->model_view;
         const draw::Vertices &vertices = who.vertices;
@@ -26,9 +28,9 @@ struct Mover {
             for (int c = 0; c < 3; ++c) {
                 const double step = vertices.packed() ? static_cast<double>(vertices.step) : 1.0;
                 if (vertices.packed()) moved += columns[c][r] * static_cast<double>(vertices.offset[c]);
-                place[3 * c + r] = static_cast<float>(columns[c][r] * step);
+                place[c][r] = static_cast<float>(columns[c][r] * step);
             }
-            place[9 + r] = static_cast<float>(moved);
+            place[3][r] = static_cast<float>(moved);
         }
         // Cofactors: the inverse transpose but for a factor, which GL_NORMALIZE takes away; its sign is the mirror's.
         double sum = 0, cofactors[3][3];
@@ -43,13 +45,13 @@ struct Mover {
         double factor = sum > 0 ? 1 / std::sqrt(sum / 3) : 1;
         if (who.item->mirrored) factor = -factor;
         for (int c = 0; c < 3; ++c)
-            for (int r = 0; r < 3; ++r) facing[3 * c + r] = static_cast<float>(cofactors[c][r] * factor);
+            for (int r = 0; r < 3; ++r) facing[c][r] = static_cast<float>(cofactors[c][r] * factor);
     }
 };
 
-void move_by(const float *m, float x, float y, float z, float *out)
+math::F4 turned(const math::F4 *columns, float x, float y, float z)
 {
-    for (int r = 0; r < 3; ++r) out[r] = m[r] * x + m[3 + r] * y + m[6 + r] * z;
+    return columns[0] * math::splat(x) + columns[1] * math::splat(y) + columns[2] * math::splat(z);
 }
 
 }  // namespace
@@ -99,12 +101,12 @@ void Batch::add_places(const Individual &who)
     const draw::Vertices &from = who.vertices;
     float *positions = scratch_.batch.positions.data() + 3 * size_t(vertices_);
     float *normals = scratch_.batch.normals.data() + 3 * size_t(vertices_);
+    // Each store of four runs into the next vertex, which overwrites it; the arrays have one float more.
     const auto move = [&](const auto *p, const auto *n, size_t stride) {
         for (uint32_t v = 0; v < who.level->vertex_count; ++v, p += stride, n += stride) {
-            float *out = positions + 3 * size_t(v);
-            move_by(mover.place, float(p[0]), float(p[1]), float(p[2]), out);
-            for (int r = 0; r < 3; ++r) out[r] += mover.place[9 + r];
-            move_by(mover.facing, float(n[0]), float(n[1]), float(n[2]), normals + 3 * size_t(v));
+            const math::F4 place = turned(mover.place, float(p[0]), float(p[1]), float(p[2])) + mover.place[3];
+            math::store4(positions + 3 * size_t(v), place);
+            math::store4(normals + 3 * size_t(v), turned(mover.facing, float(n[0]), float(n[1]), float(n[2])));
         }
     };
     from.packed() ? move(from.short_positions, from.byte_normals, 4) : move(from.positions, from.normals, 3);

@@ -150,12 +150,12 @@ void Scratch::reserve_chain(uint32_t depth)
 void Scratch::reserve_batch(ColourFormat format)
 {
     if (!batch.positions.empty()) return;
-    batch.normals.resize(3 * size_t(batch_vertices));
+    batch.normals.resize(3 * size_t(batch_vertices) + 1);  // stored four at a time
     batch.uvs.resize(2 * size_t(batch_vertices));
     if (format == ColourFormat::ubyte) batch.ubyte.resize(batch_vertices);
     else batch.real.resize(batch_vertices);
     batch.indices.resize(batch_indices);
-    batch.positions.resize(3 * size_t(batch_vertices));  // last: it says that all are there
+    batch.positions.resize(3 * size_t(batch_vertices) + 1);  // last: it says that all are there
 }
 
 void Canvas::place(const Individual &who)

@@ -30,7 +30,7 @@ struct BatchArrays {
 
 // Of one individual at a time: colours in the format that the renderer was asked for, products of matrices.
 struct Scratch {
-    static constexpr uint32_t batch_vertices = 2048, batch_indices = 8192;  // what stays in a processor's cache
+    static constexpr uint32_t batch_vertices = 1024, batch_indices = 3072;  // what stays in a processor's cache
 
     explicit Scratch(std::pmr::memory_resource *memory)
         : ubyte(memory),

@@ -17,6 +17,31 @@ bool shows(const draw::Item &item)
     return !level.surfaces.empty() && !level.indices.empty() && (item.parts & every_part_of(level)) != 0;
 }
 
+namespace
+{
+
+constexpr size_t ahead = 3;          // individuals: what one takes is about what memory needs for the next few
+constexpr size_t most_bytes = 4096;  // of one array: those of finer levels GL reads itself, in a call of their own
+
+void fetch(const void *from, size_t bytes)
+{
+    constexpr size_t line = 64;
+    const char *at = static_cast<const char *>(from);
+    for (size_t i = 0; at && i < bytes && bytes <= most_bytes; i += line) __builtin_prefetch(at + i);
+}
+
+// Vertices lie wherever the cache had room, and are read once: without this, half of the time of a batch is waiting.
+void fetch_vertices(const draw::Item &item)
+{
+    const size_t count = item.tmpl->levels[item.level].vertex_count;
+    fetch(item.vertices.positions, 3 * sizeof(float) * count);
+    fetch(item.vertices.normals, 3 * sizeof(float) * count);
+    fetch(item.vertices.short_positions, 4 * sizeof(int16_t) * count);
+    fetch(item.vertices.byte_normals, 4 * count);
+}
+
+}  // namespace
+
 ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const RendererOptions &options,
                        const Array<PreparedTemplate> &templates, Scratch &scratch, const draw::DrawList &list,
                        DrawStats &stats)
@@ -42,7 +67,9 @@ base::Status ListDrawer::draw()
     if (std::any_of(list_.items.begin(), list_.items.end(), by_matrices)) room_ = matrix_room(gl_);
     base::Status first;
     Individual who;
-    for (const draw::Item &item : list_.items) {
+    for (size_t i = 0; i < list_.items.size(); ++i) {
+        if (i + ahead < list_.items.size()) fetch_vertices(list_.items[i + ahead]);
+        const draw::Item &item = list_.items[i];
         if (!shows(item)) continue;
         if (!make(item, who)) {
             if (first.ok())
