@@ -1,10 +1,7 @@
-// The nearest point of a set of triangles, and what is in the way of a ray, by a tree of boxes.
+// The nearest point of a set of triangles, by a tree of boxes.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <vector>
+#include "lib/lod/box_tree.h"
 
 namespace claque::lod
 {
@@ -12,31 +9,33 @@ namespace claque::lod
 class NearestPoint
 {
 public:
-    using Triangle = std::array<glm::dvec3, 3>;
-    explicit NearestPoint(std::vector<Triangle> triangles);  // at least one
+    using Triangle = Corners3;
+    explicit NearestPoint(const std::vector<Triangle> &triangles);  // at least one
 
     struct Found {
         uint32_t triangle = 0;
         glm::dvec3 weights = glm::dvec3(0);  // of its corners: not below 0, their sum 1
         double distance_squared = 0;
     };
-    // Of several that are as near, any; always the same.
-    Found to(glm::dvec3 p) const;
-
-    // Whether something lies further than `after` along a unit direction.
-    bool meets(glm::dvec3 from, glm::dvec3 along, double after) const;
+    // Of several that are as near, any; always the same. `guess`: a triangle that may be near, which saves time where it is
+    // and changes nothing.
+    Found to(glm::dvec3 p, uint32_t guess = 0xffffffff) const;
 
 private:
-    struct Box {
-        glm::dvec3 first, last;
-        uint32_t begin = 0, end = 0;  // of order_
-        uint32_t left = 0;            // children left and left + 1; 0: a leaf
+    struct Known {  // of a triangle, once for all places
+        Triangle corners, edges;
+        std::array<double, 3> squares;  // of the edges' lengths
+        glm::dvec3 normal, first, last;
+        double square;  // of the normal's length
     };
-    void divide(uint32_t box);
+    static glm::dvec3 nearest_on(const Known &t, glm::dvec3 p);
+    friend glm::dvec3 nearest_on(const Triangle &t, glm::dvec3 p);
+    static Known known(const Triangle &t);
 
-    std::vector<Triangle> triangles_;
-    std::vector<uint32_t> order_;
-    std::vector<Box> boxes_;
+    BoxTree tree_;
+    std::vector<Known> known_;      // in the tree's order
+    std::vector<uint32_t> places_;  // [triangles] of known_
+    double slack_ = 0;              // of a squared distance: more than roundings make of it
 };
 
 // Weights of the corners of t at its point nearest to p.

@@ -37,15 +37,23 @@ std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
     std::vector<Pair> out;
     if (!trees.back().nearest) return out;
     const bool part_by_part = from.part_count() == to.part_count();
+    // A vertex is a corner of several triangles, and what is nearest to one place is mostly so to the next.
+    std::vector<Place> of_vertex(from.positions().size(), Place{model::none, {}});
+    uint32_t guess = model::none;
     for (uint32_t t = 0; t < from.triangles().size(); ++t) {
         const uint32_t part = from.triangles()[t].part;
         const Tree &own = part_by_part ? trees[part] : trees.back(), &tree = own.nearest ? own : trees.back();
-        for (const glm::dvec3 &spot : spots) {
-            Pair pair;
-            pair.here = {t, spot};
-            const NearestPoint::Found found = tree.nearest->to(where(from, pair.here));
-            pair.there = {tree.triangles[found.triangle], found.weights};
-            out.push_back(pair);
+        for (size_t s = 0; s < spots.size(); ++s) {
+            const Place here = {t, spots[s]};
+            Place *known = s < area_spots ? nullptr : &of_vertex[from.vertices_of(t)[s - area_spots]];
+            if (known && known->triangle != model::none) {
+                out.push_back({here, *known});
+                continue;
+            }
+            const NearestPoint::Found found = tree.nearest->to(where(from, here), guess);
+            guess = found.triangle;
+            out.push_back({here, {tree.triangles[found.triangle], found.weights}});
+            if (known) *known = out.back().there;
         }
     }
     return out;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/lod/nearest.h"
+#include "lib/lod/obstacles.h"
 
 namespace claque::lod
 {
@@ -16,13 +17,13 @@ namespace
 constexpr size_t many = 2500;  // triangles: more are small enough to be judged by their middles
 
 // To the sides and the corners of a cube.
-std::vector<glm::dvec3> directions()
+std::vector<Obstacles::Way> directions()
 {
-    std::vector<glm::dvec3> found;
+    std::vector<Obstacles::Way> found;
     for (int i = 0; i < 27; ++i) {
         const glm::dvec3 d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         const double square = glm::dot(d, d);
-        if (square == 1 || square == 3) found.push_back(glm::normalize(d));
+        if (square == 1 || square == 3) found.emplace_back(glm::normalize(d));
     }
     return found;
 }
@@ -44,7 +45,7 @@ std::vector<double> seen_of(const model::Model &model, const PosedParts &parts)
 
 std::vector<double> seen_of(const std::vector<Side> &sides, Care care)
 {
-    std::vector<NearestPoint::Triangle> triangles;
+    std::vector<Corners3> triangles;
     glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
     for (const Side &side : sides) {
         triangles.push_back(side.corners);
@@ -53,8 +54,8 @@ std::vector<double> seen_of(const std::vector<Side> &sides, Care care)
     std::vector<double> seen;
     if (triangles.empty()) return seen;
     const double skin = 1e-5 * glm::length(last - first);  // what is as near as this is not in the way
-    const NearestPoint all(std::move(triangles));
-    const std::vector<glm::dvec3> eyes = directions();
+    const Obstacles all(triangles);
+    std::vector<Obstacles::Way> eyes = directions();
     const std::array<glm::dvec3, 4> spots = {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
                                              glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0};
     const size_t spot_count = care == Care::haste || sides.size() > many ? 1 : spots.size();
@@ -64,8 +65,9 @@ std::vector<double> seen_of(const std::vector<Side> &sides, Care care)
         size_t count = 0;
         for (size_t s = 0; s < spot_count; ++s) {
             size_t from = 0;
-            for (const glm::dvec3 &eye : eyes)
-                from += (side.both || glm::dot(normal, eye) > 0) && !all.meets(point_on(c, spots[s]), eye, skin);
+            const glm::dvec3 place = point_on(c, spots[s]);
+            for (Obstacles::Way &eye : eyes)
+                from += (side.both || glm::dot(normal, eye.along) > 0) && !all.meets(place, eye, skin);
             count += from > 1 ? from : 0;
         }
         seen.push_back(double(count) / double(spot_count * eyes.size()));

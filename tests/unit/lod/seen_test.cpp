@@ -9,7 +9,7 @@
 #include "lib/base/hash.h"
 #include "lib/figures/figure.h"
 #include "lib/lod/chain.h"
-#include "lib/lod/nearest.h"
+#include "lib/lod/obstacles.h"
 #include "lib/lod/shares.h"
 
 using namespace claque;
@@ -36,7 +36,7 @@ glm::dvec3 somewhere(uint64_t i)
 }
 
 // Moves the light along until it is past everything.
-bool blocked(const std::vector<lod::NearestPoint::Triangle> &triangles, glm::dvec3 from, glm::dvec3 along, double after)
+bool blocked(const std::vector<lod::Corners3> &triangles, glm::dvec3 from, glm::dvec3 along, double after)
 {
     for (const auto &t : triangles) {
         const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
@@ -54,22 +54,24 @@ bool blocked(const std::vector<lod::NearestPoint::Triangle> &triangles, glm::dve
 
 }  // namespace
 
-TEST(NearestPoint, says_what_is_in_the_way_as_a_look_at_every_triangle_does)
+TEST(Obstacles, say_what_is_in_the_way_as_a_look_at_every_triangle_does)
 {
-    std::vector<lod::NearestPoint::Triangle> triangles;
+    std::vector<lod::Corners3> triangles;
     for (uint64_t i = 0; i < 60; ++i) {
         const glm::dvec3 p = 4.0 * somewhere(i);
         triangles.push_back({p, p + somewhere(1000 + i), p + somewhere(2000 + i)});
     }
-    const lod::NearestPoint nearest(triangles);
+    const lod::Obstacles obstacles(triangles);
     size_t met = 0;
-    for (uint64_t i = 0; i < 400; ++i) {
-        const glm::dvec3 from = 4.0 * somewhere(3000 + i);
-        const glm::dvec3 along = glm::normalize(somewhere(4000 + i) - glm::dvec3(0.5));
-        const double after = i % 3 == 0 ? 1.5 : 0;
-        const bool meets = nearest.meets(from, along, after);
-        EXPECT_EQ(meets, blocked(triangles, from, along, after)) << i;
-        met += meets;
+    for (uint64_t i = 0; i < 40; ++i) {
+        lod::Obstacles::Way way(glm::normalize(somewhere(4000 + i) - glm::dvec3(0.5)));
+        for (uint64_t k = 0; k < 10; ++k) {  // what was in the way of one need not be in that of the next
+            const glm::dvec3 from = 4.0 * somewhere(3000 + 10 * i + k);
+            const double after = k % 3 == 0 ? 1.5 : 0;
+            const bool meets = obstacles.meets(from, way, after);
+            EXPECT_EQ(meets, blocked(triangles, from, way.along, after)) << i;
+            met += meets;
+        }
     }
     EXPECT_GT(met, 40u);
     EXPECT_LT(met, 360u);

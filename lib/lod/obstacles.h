@@ -1,0 +1,52 @@
+// What of a set of triangles is in the way of a ray. Between the files of this room only.
+#pragma once
+
+#include "lib/lod/box_tree.h"
+#include "lib/math/simd.h"
+
+namespace claque::lod
+{
+
+class Obstacles
+{
+public:
+    explicit Obstacles(const std::vector<Corners3> &triangles);  // at least one
+
+    // A unit direction in which rays go, and what was last found in the way of one: rays from places that are near each other
+    // mostly end at the same thing.
+    struct Way {
+        explicit Way(glm::dvec3 direction);
+        glm::dvec3 along, inverse;
+        std::array<float, 3> small_inverse;
+        uint32_t last = none;
+    };
+
+    // Whether something lies further than `after` along the way.
+    bool meets(glm::dvec3 from, Way &way, double after) const;
+
+private:
+    static constexpr uint32_t none = 0xffffffff, leaf_bit = 0x80000000;
+    struct Triangle {
+        glm::dvec3 origin, u, v;
+    };
+    struct Leaf {
+        glm::dvec3 first, last;
+        uint32_t begin, end;
+    };
+    // Four boxes side by side, a little larger than they are: what they keep back is surely not met. What is met in a leaf
+    // is decided by its own box and in double precision.
+    struct Four {
+        std::array<math::F4, 3> first, last;
+        std::array<uint32_t, 4> child;  // a node, or a leaf with leaf_bit
+    };
+    uint32_t add(const BoxTree &tree, uint32_t box);
+    bool meets_in(const Leaf &leaf, glm::dvec3 from, const Way &way, double after) const;
+
+    std::vector<Triangle> triangles_;
+    std::vector<Leaf> leaves_;
+    std::vector<Four> nodes_;
+    uint32_t root_ = 0;
+    double slack_ = 0;
+};
+
+}  // namespace claque::lod
