@@ -18,6 +18,21 @@ bool meets_box(glm::dvec3 first, glm::dvec3 last, glm::dvec3 from, glm::dvec3 in
     return std::max({near.x, near.y, near.z, 0.0}) <= std::min({far.x, far.y, far.z});
 }
 
+// Far more than what a few operations in floats are off by, in shares of what they are made of.
+constexpr double doubt = 1e-5;
+
+using Four3 = std::array<math::F4, 3>;
+
+Four3 splat(glm::dvec3 p) { return {math::splat(float(p.x)), math::splat(float(p.y)), math::splat(float(p.z))}; }
+Four3 splat(const std::array<float, 3> &p) { return {math::splat(p[0]), math::splat(p[1]), math::splat(p[2])}; }
+
+Four3 cross(const Four3 &a, const Four3 &b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+math::F4 dot(const Four3 &a, const Four3 &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 math::F4 smaller(math::F4 a, math::F4 b) { return a < b ? a : b; }
 math::F4 larger(math::F4 a, math::F4 b) { return a > b ? a : b; }
 
@@ -28,6 +43,7 @@ Obstacles::Way::Way(glm::dvec3 direction) : along(direction)
 {
     for (int axis = 0; axis < 3; ++axis) {
         inverse[axis] = along[axis] == 0 ? 1e300 : 1 / along[axis];
+        small_along[static_cast<size_t>(axis)] = static_cast<float>(along[axis]);
         small_inverse[static_cast<size_t>(axis)] = static_cast<float>(std::clamp(inverse[axis], -1e18, 1e18));
     }
 }
@@ -40,17 +56,14 @@ Obstacles::Obstacles(const std::vector<Corners3> &triangles)
         triangles_.push_back({c[0], c[1] - c[0], c[2] - c[0]});
     }
     const glm::dvec3 most = glm::max(glm::abs(tree.boxes[0].first), glm::abs(tree.boxes[0].last));
-    slack_ = 1e-5 * std::max({most.x, most.y, most.z});  // many roundings of floats
+    size_ = std::max({most.x, most.y, most.z});
     root_ = add(tree, 0);
 }
 
 uint32_t Obstacles::add(const BoxTree &tree, uint32_t box)
 {
     const BoxTree::Box &from = tree.boxes[box];
-    if (!from.left) {
-        leaves_.push_back({from.first, from.last, from.begin, from.end});
-        return static_cast<uint32_t>(leaves_.size() - 1) | leaf_bit;
-    }
+    if (!from.left) return add_leaf(from) | leaf_bit;
     std::vector<uint32_t> children;
     for (const uint32_t child : {from.left, from.left + 1}) {
         const uint32_t left = tree.boxes[child].left;
@@ -63,8 +76,8 @@ uint32_t Obstacles::add(const BoxTree &tree, uint32_t box)
         for (int axis = 0; axis < 3; ++axis) {
             const size_t k = static_cast<size_t>(axis);
             const BoxTree::Box &of = tree.boxes[children[std::min(i, children.size() - 1)]];
-            nodes_[at].first[k][i] = float(of.first[axis] - slack_);
-            nodes_[at].last[k][i] = float(of.last[axis] + slack_);
+            nodes_[at].first[k][i] = float(of.first[axis] - doubt * size_);
+            nodes_[at].last[k][i] = float(of.last[axis] + doubt * size_);
         }
         const uint32_t child = i < children.size() ? add(tree, children[i]) : none;
         nodes_[at].child[i] = child;
@@ -72,32 +85,60 @@ uint32_t Obstacles::add(const BoxTree &tree, uint32_t box)
     return static_cast<uint32_t>(at);
 }
 
+uint32_t Obstacles::add_leaf(const BoxTree::Box &box)
+{
+    Leaf leaf;
+    leaf.first = box.first, leaf.last = box.last, leaf.begin = box.begin, leaf.end = box.end;
+    for (uint32_t i = 0; i < 4; ++i) {
+        const Triangle &t = triangles_[std::min(box.begin + i, box.end - 1)];
+        for (int axis = 0; axis < 3; ++axis) {
+            const size_t k = static_cast<size_t>(axis);
+            leaf.origin[k][i] = float(t.origin[axis]);
+            leaf.u[k][i] = float(t.u[axis]), leaf.v[k][i] = float(t.v[axis]);
+        }
+        const double u = glm::length(t.u), v = glm::length(t.v);
+        leaf.doubt[i] = float(doubt * size_ * std::max(u, v));
+        leaf.far_doubt[i] = float(doubt * size_ * u * v);
+    }
+    leaves_.push_back(leaf);
+    return static_cast<uint32_t>(leaves_.size() - 1);
+}
+
 // Moeller and Trumbore 1997.
+bool Obstacles::meets_one(const Triangle &t, glm::dvec3 from, const Way &way, double after) const
+{
+    const glm::dvec3 p = glm::cross(way.along, t.v);
+    const double determinant = glm::dot(t.u, p);
+    if (determinant == 0) return false;
+    const glm::dvec3 s = from - t.origin;
+    const double b = glm::dot(s, p) / determinant;
+    if (!(b >= 0 && b <= 1)) return false;
+    const glm::dvec3 q = glm::cross(s, t.u);
+    const double c = glm::dot(way.along, q) / determinant;
+    return c >= 0 && b + c <= 1 && glm::dot(t.v, q) / determinant > after;
+}
+
+// The same four at once, without dividing, for a first look.
 bool Obstacles::meets_in(const Leaf &leaf, glm::dvec3 from, const Way &way, double after) const
 {
-    if (!meets_box(leaf.first, leaf.last, from, way.inverse)) return false;
-    for (uint32_t i = leaf.begin; i < leaf.end; ++i) {
-        const Triangle &t = triangles_[i];
-        const glm::dvec3 p = glm::cross(way.along, t.v);
-        const double determinant = glm::dot(t.u, p);
-        if (determinant == 0) continue;
-        const glm::dvec3 s = from - t.origin;
-        const double b = glm::dot(s, p) / determinant;
-        if (!(b >= 0 && b <= 1)) continue;
-        const glm::dvec3 q = glm::cross(s, t.u);
-        const double c = glm::dot(way.along, q) / determinant;
-        if (c >= 0 && b + c <= 1 && glm::dot(t.v, q) / determinant > after) return true;
-    }
+    const Four3 along = splat(way.small_along), at = splat(from), p = cross(along, leaf.v);
+    const math::F4 zero = math::splat(0), determinant = dot(leaf.u, p);
+    const Four3 s = {at[0] - leaf.origin[0], at[1] - leaf.origin[1], at[2] - leaf.origin[2]}, q = cross(s, leaf.u);
+    const auto turned = determinant < zero;
+    const math::F4 size = turned ? -determinant : determinant, b = dot(s, p), c = dot(along, q), far = dot(leaf.v, q),
+                   b_up = turned ? -b : b, c_up = turned ? -c : c, far_up = turned ? -far : far;
+    const auto may = (b_up >= -leaf.doubt) & (c_up >= -leaf.doubt) & (b_up + c_up <= size + 4 * leaf.doubt) &
+                     (far_up >= math::splat(float(after)) * size - leaf.far_doubt);
+    for (uint32_t i = leaf.begin; i < leaf.end; ++i)
+        if (may[i - leaf.begin] && meets_one(triangles_[i], from, way, after))
+            return meets_box(leaf.first, leaf.last, from, way.inverse);
     return false;
 }
 
 bool Obstacles::meets(glm::dvec3 from, Way &way, double after) const
 {
     if (way.last < leaves_.size() && meets_in(leaves_[way.last], from, way, after)) return true;
-    const std::array<math::F4, 3> at = {math::splat(float(from.x)), math::splat(float(from.y)),
-                                        math::splat(float(from.z))};
-    const std::array<math::F4, 3> inverse = {math::splat(way.small_inverse[0]), math::splat(way.small_inverse[1]),
-                                             math::splat(way.small_inverse[2])};
+    const Four3 at = splat(from), inverse = splat(way.small_inverse);
     std::array<uint32_t, 128> open;  // three of each of at most 16 nodes on the way down, and four
     size_t count = 0;
     open[count++] = root_;

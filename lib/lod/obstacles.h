@@ -17,7 +17,7 @@ public:
     struct Way {
         explicit Way(glm::dvec3 direction);
         glm::dvec3 along, inverse;
-        std::array<float, 3> small_inverse;
+        std::array<float, 3> small_along, small_inverse;
         uint32_t last = none;
     };
 
@@ -29,24 +29,29 @@ private:
     struct Triangle {
         glm::dvec3 origin, u, v;
     };
+    using Four3 = std::array<math::F4, 3>;
+    // Up to four triangles: in floats side by side, which say what is surely not met, and what decides.
     struct Leaf {
+        Four3 origin, u, v;
+        math::F4 doubt, far_doubt;  // how much roundings may add to what is compared
         glm::dvec3 first, last;
         uint32_t begin, end;
     };
-    // Four boxes side by side, a little larger than they are: what they keep back is surely not met. What is met in a leaf
-    // is decided by its own box and in double precision.
+    // Four boxes side by side, a little larger than they are: what they keep back is surely not met.
     struct Four {
-        std::array<math::F4, 3> first, last;
+        Four3 first, last;
         std::array<uint32_t, 4> child;  // a node, or a leaf with leaf_bit
     };
     uint32_t add(const BoxTree &tree, uint32_t box);
+    uint32_t add_leaf(const BoxTree::Box &box);
     bool meets_in(const Leaf &leaf, glm::dvec3 from, const Way &way, double after) const;
+    bool meets_one(const Triangle &t, glm::dvec3 from, const Way &way, double after) const;
 
     std::vector<Triangle> triangles_;
     std::vector<Leaf> leaves_;
     std::vector<Four> nodes_;
     uint32_t root_ = 0;
-    double slack_ = 0;
+    double size_ = 0;  // no coordinate is further from 0
 };
 
 }  // namespace claque::lod
