@@ -17,7 +17,8 @@ typedef struct clq_context_def {
     uint32_t struct_bytes;   /* set by clq_context_def_init */
     clq_allocator allocator; /* zero: malloc and free. What claque keeps at run time comes from here */
     clq_log log;             /* zero: silence */
-    clq_tasks tasks;         /* zero: everything on the calling thread */
+    clq_tasks tasks;         /* zero: everything on the calling thread. Updates are spread over them, and what is done
+                                before: levels of detail, splitting, spheres */
 } clq_context_def;
 
 static inline clq_context_def clq_context_def_init(void)
@@ -47,6 +48,11 @@ CLQ_API clq_status clq_context_destroy(clq_context *context);
 
 /* For libraries and bindings built on claque: writes one sentence to the context's log, if it has one. Threads: any. */
 CLQ_API void clq_context_log(clq_context *context, clq_log_level level, const char *text);
+
+/* For the same: calls job(job_data, i) once for each i in [0, count), in any order, on the context's tasks or, where it has
+ * none, here; returns when all are done. No job may throw or call it. Threads: any. */
+CLQ_API void clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index),
+                             void *job_data);
 
 #ifdef __cplusplus
 }

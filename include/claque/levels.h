@@ -63,7 +63,7 @@ typedef struct clq_made_level {
  *   out     [capacity] the levels, finest first; may be NULL with capacity 0
  *   count   how many there are, may be more than capacity; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT, OUT_OF_MEMORY; the asset is then as it was.
- * Threads: any one. GL: none. */
+ * Threads: any one; spreads over the context's tasks, and levels are the same whatever these are. GL: none. */
 CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
                                          clq_made_level *out, uint32_t capacity, uint32_t *count);
 

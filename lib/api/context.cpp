@@ -70,4 +70,10 @@ void clq_context_log(clq_context *context, clq_log_level level, const char *text
     if (context && text && context->log.host.write) context->log.host.write(context->log.host.user, level, text);
 }
 
+void clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index), void *job_data)
+{
+    const base::Jobs jobs = context ? context->jobs : base::Jobs();
+    if (job) jobs.for_each(count, [&](uint32_t i) { job(job_data, i); });
+}
+
 }  // extern "C"

@@ -3,7 +3,9 @@
 
 #include <claque/base.h>
 
+#include <exception>
 #include <memory_resource>
+#include <vector>
 
 namespace claque::base
 {
@@ -22,13 +24,14 @@ private:
     clq_allocator allocator_;
 };
 
-// Spreads a loop over the host's tasks, or runs it here. The body must not throw; the order of indices is free.
+// Spreads a loop over the host's tasks, or runs it here. The order of indices is free.
 class Jobs
 {
 public:
     Jobs() = default;
     explicit Jobs(const clq_tasks &tasks) : tasks_(tasks) {}
 
+    // The body must not throw.
     template <class Body>
     void for_each(uint32_t count, const Body &body) const
     {
@@ -39,6 +42,27 @@ public:
         tasks_.run(
             tasks_.user, count, [](void *data, uint32_t i) { (*static_cast<const Body *>(data))(i); },
             const_cast<Body *>(&body));
+    }
+
+    // The same for start-up code, whose body may throw: what the lowest index threw is thrown again here, so that it does
+    // not depend on threads. What stands at other indices may then have been done or not.
+    template <class Body>
+    void try_each(uint32_t count, const Body &body) const
+    {
+        if (!tasks_.run || count < 2) {
+            for (uint32_t i = 0; i < count; ++i) body(i);
+            return;
+        }
+        std::vector<std::exception_ptr> thrown(count);
+        for_each(count, [&](uint32_t i) {
+            try {
+                body(i);
+            } catch (...) {
+                thrown[i] = std::current_exception();
+            }
+        });
+        for (const std::exception_ptr &one : thrown)
+            if (one) std::rethrow_exception(one);
     }
 
 private:

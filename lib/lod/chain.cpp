@@ -8,6 +8,7 @@
 #include "lib/lod/far.h"
 #include "lib/lod/plain.h"
 #include "lib/lod/samples.h"
+#include "lib/lod/seen.h"
 #include "lib/lod/shares.h"
 
 namespace claque::lod
@@ -32,9 +33,10 @@ struct Source {
     std::vector<const model::Part *> parts;
     size_t triangles = 0;
     bool skinned = false;
+    std::vector<double> seen, shares;  // seen.h, shares.h
 };
 
-Source source_of(const model::Model &model)
+Source source_of(const model::Model &model, const base::Jobs &jobs)
 {
     Source source;
     for (size_t i = 0; i < model.parts.size(); ++i) {
@@ -46,6 +48,9 @@ Source source_of(const model::Model &model)
         source.skinned = source.skinned || part.skinned;
     }
     if (source.parts.empty()) base::fail(CLQ_ARGUMENT, "'%s' has no part to make levels of", model.name.c_str());
+    const PosedParts rest = posed_at_rest(model.rig, source.parts);
+    source.seen = seen_of(model, rest, jobs);
+    source.shares = zone_shares(model, rest, source.seen);
     return source;
 }
 
@@ -100,19 +105,21 @@ size_t triangles_of(const Made &made)
 
 // Those of `targets`, descending, from the first on that seams and borders keep it from or that would not keep its zones: where
 // there are far levels these take over there.
-std::vector<size_t> add_near(const model::Model &model, const std::vector<const model::Part *> &source,
-                             const std::vector<size_t> &targets, const ChainWish &wish, bool has_far,
-                             std::vector<Made> &made)
+std::vector<size_t> add_near(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
+                             const ChainWish &wish, bool has_far, std::vector<Made> &made)
 {
     Decimation how = wish.how;
     how.targets = targets, how.model = &model;
-    const std::vector<std::vector<glm::vec3>> rest = at_rest(model.rig, source);
+    const std::vector<std::vector<glm::vec3>> rest = at_rest(model.rig, source.parts);
     std::vector<Piece> pieces;
-    for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i]});
-    std::vector<Decimated> levels = wish.plain ? decimated_plainly(pieces, targets) : decimate(pieces, how);
-    const std::vector<double> shares = zone_shares(model, source);
+    for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
+    std::vector<Decimated> levels = wish.plain ? decimated_plainly(pieces, targets) : decimate(pieces, how, wish.jobs);
+    std::vector<double> drifts(levels.size());
+    wish.jobs.try_each(static_cast<uint32_t>(levels.size()), [&](uint32_t k) {
+        drifts[k] = largest_drift(source.shares, zone_shares(model, pointers(levels[k].parts)));
+    });
     for (size_t k = 0; k < levels.size(); ++k) {
-        const double drift = largest_drift(shares, zone_shares(model, pointers(levels[k].parts)));
+        const double drift = drifts[k];
         if (has_far && (drift > most_drift || levels[k].triangles * 20 > targets[k] * 21))
             return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
         if (levels[k].triangles >= triangles_of(made.back())) continue;
@@ -139,13 +146,12 @@ void add_far(model::Model &model, const std::vector<const model::Part *> &source
     }
 }
 
-void measure(const model::Model &model, const std::vector<const model::Part *> &source, const ChainWish &wish,
-             std::vector<Made> &made)
+void measure(const model::Model &model, const Source &source, const ChainWish &wish, std::vector<Made> &made)
 {
     std::vector<const std::vector<model::Part> *> levels;
     for (size_t k = 1; k < made.size(); ++k) levels.push_back(&made[k].parts);
-    const std::vector<Deviation> found = deviations(model, source, levels, wish.sampling, wish.metres_per_unit);
-    const std::vector<double> shares = zone_shares(model, source);
+    const std::vector<Deviation> found =
+        deviations(model, source.parts, source.seen, levels, wish.sampling, wish.metres_per_unit, wish.jobs);
     for (size_t k = 1; k < made.size(); ++k) {
         ChainLevel &level = made[k].level;
         level.triangles = level.vertices = 0;
@@ -156,7 +162,8 @@ void measure(const model::Model &model, const std::vector<const model::Part *> &
         level.first_m = distance_of(level.error_m, wish.tolerance_px);
         // Where each is kept distances must ascend; else what is coarser and no further off takes a level's place.
         if (wish.plain) level.first_m = std::max(level.first_m, made[k - 1].level.first_m * 1.001 + 0.001);
-        if (made[k].is_far) level.zone_drift = largest_drift(shares, zone_shares(model, pointers(made[k].parts)));
+        if (made[k].is_far)
+            level.zone_drift = largest_drift(source.shares, zone_shares(model, pointers(made[k].parts)));
     }
 }
 
@@ -224,7 +231,7 @@ double distance_of(double error_m, double pixels) { return error_m / (pixels * p
 
 std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
 {
-    const Source source = source_of(model);
+    const Source source = source_of(model, wish.jobs);
     if (!(wish.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", wish.tolerance_px);
     const bool has_far = source.skinned && wish.far_from > 0 && !wish.plain;
@@ -240,14 +247,14 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
 
     std::vector<Made> made = {finest_of(source)};
     if (!near_targets.empty()) {
-        const std::vector<size_t> missed = add_near(next, source.parts, near_targets, wish, has_far, made);
+        const std::vector<size_t> missed = add_near(next, source, near_targets, wish, has_far, made);
         far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
     }
     const size_t materials = next.materials.size(), images = next.images.size();
     for (bool again = true; again;) {
         next.materials.resize(materials), next.images.resize(images);
         if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, made);
-        measure(next, source.parts, wish, made);
+        measure(next, source, wish, made);
         again = has_far && give_way(made, far_targets);
     }
     if (!wish.plain) made = in_use(std::move(made));

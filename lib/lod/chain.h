@@ -23,6 +23,7 @@ struct ChainWish {
     double metres_per_unit = 1;
     double tolerance_px = 1;  // at 768 lines over 60 degrees: how large a level's error may be where it begins
     bool plain = false;       // plain.h, every level kept: what others are held against
+    base::Jobs jobs;          // what is spread over; nothing depends on it
 };
 
 struct ChainLevel {

@@ -84,7 +84,7 @@ std::vector<double> influences_of(const std::vector<Piece> &parts, const Decimat
 
 }  // namespace
 
-std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish)
+std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish, const base::Jobs &jobs)
 {
     namespace om = OpenMesh::Decimater;
     omerr().disable();
@@ -102,7 +102,7 @@ std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimatio
     decimater.module(turns).use(&surface, wish.turn_deg);
     std::unique_ptr<ZoneDrift> drift;
     if (wish.model && wish.model->zones.size() > 1 && wish.drift > 0)
-        drift = std::make_unique<ZoneDrift>(surface, *wish.model, wish.drift);
+        drift = std::make_unique<ZoneDrift>(surface, *wish.model, wish.drift, jobs);
     decimater.module(cost).use(
         &surface, {influences_of(parts, wish, size_of(surface)), wish.texture * metres_per_uv(surface), 1, wish.area},
         drift.get());

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lib/base/services.h"
 #include "lib/lod/quadric.h"
 #include "lib/model/model.h"
 
@@ -48,7 +49,7 @@ struct Decimated {
 };
 
 // One for each target, finest first. `parts` have passed model::check. Stops above a target where no lawful collapse is
-// left. Throws base::Error (CLQ_ARGUMENT) where there are no triangles or no targets. Deterministic.
-std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish);
+// left. The same whatever the jobs. Throws base::Error (CLQ_ARGUMENT) where there are no triangles or no targets. Deterministic.
+std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish, const base::Jobs &jobs = {});
 
 }  // namespace claque::lod

@@ -28,35 +28,56 @@ struct Sum {
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
 
-// A pair as its vertices and their weights, and the area it stands for: it is measured in a hundred poses.
+// A pair as its vertices and their weights: it is measured in a hundred poses.
 struct Link {
     std::array<uint32_t, 3> here, there;
     glm::dvec3 here_weights, there_weights;
-    double area;
 };
 
-void add_distances(const PosedParts &from, const PosedParts &to, const std::vector<Link> &links, Sum &sum)
+// All pairs, and the area that each stands for. Those of one vertex, a corner of several triangles, are one link.
+struct Links {
+    struct Weighed {
+        uint32_t link;
+        double area;
+    };
+    std::vector<Link> links;
+    std::vector<Weighed> all;
+};
+
+void add_distances(const std::vector<glm::dvec3> &from, const std::vector<glm::dvec3> &to, const Links &links, Sum &sum)
 {
-    const glm::dvec3 *a = from.positions().data(), *b = to.positions().data();
+    const glm::dvec3 *a = from.data(), *b = to.data();
     const auto at = [](const glm::dvec3 *p, const std::array<uint32_t, 3> &v, const glm::dvec3 &w) {
         return w.x * p[v[0]] + w.y * p[v[1]] + w.z * p[v[2]];
     };
-    for (const Link &l : links) {
+    std::vector<double> squares;
+    squares.reserve(links.links.size());
+    for (const Link &l : links.links) {
         const glm::dvec3 off = at(a, l.here, l.here_weights) - at(b, l.there, l.there_weights);
-        sum.add(glm::dot(off, off), l.area);
+        squares.push_back(glm::dot(off, off));
     }
+    for (const Links::Weighed &one : links.all) sum.add(squares[one.link], one.area);
 }
 
 // Without those that stand for nothing. area(pair): what it stands for.
 template <class Area>
-std::vector<Link> links_of(const PosedParts &from, const PosedParts &to, const std::vector<Pair> &pairs,
-                           const Area &area)
+Links links_of(const PosedParts &from, const PosedParts &to, const std::vector<Pair> &pairs, const Area &area)
 {
-    std::vector<Link> out;
-    for (const Pair &pair : pairs)
-        if (const double stands_for = area(pair); stands_for > 0)
-            out.push_back({from.vertices_of(pair.here.triangle), to.vertices_of(pair.there.triangle), pair.here.weights,
-                           pair.there.weights, stands_for});
+    Links out;
+    std::vector<uint32_t> of_vertex(from.positions().size(), model::none);
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        const Pair &pair = pairs[i];
+        const double stands_for = area(pair);
+        if (!(stands_for > 0)) continue;
+        const size_t corner = i % spots_per_triangle;
+        const std::array<uint32_t, 3> here = from.vertices_of(pair.here.triangle);
+        uint32_t *known = corner < area_spots ? nullptr : &of_vertex[here[corner - area_spots]];
+        const uint32_t link = known && *known != model::none ? *known : static_cast<uint32_t>(out.links.size());
+        if (link == out.links.size())
+            out.links.push_back({here, to.vertices_of(pair.there.triangle), pair.here.weights, pair.there.weights});
+        if (known) *known = link;
+        out.all.push_back({link, stands_for});
+    }
     return out;
 }
 
@@ -104,79 +125,100 @@ std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
     return out;
 }
 
-// The source as it is posed, and how much of each triangle counts: its area, as much of it as can be seen.
-struct Fine {
-    Fine(const model::Model &model, PosedParts posed) : parts(std::move(posed)), seen(seen_of(model, parts))
-    {
-        areas = areas_of(parts);
-        for (size_t t = 0; t < areas.size(); ++t) areas[t] *= seen[t];
-    }
-    PosedParts parts;
-    std::vector<double> seen, areas;
-};
-
-// One level against the source.
+// One level against the source, of which each triangle counts by its area, as much of it as can be seen.
 struct Beside {
     PosedParts coarse;
-    std::vector<Pair> out;                    // from the source to the level
-    std::vector<Link> out_links, back_links;  // the same, and from the level
+    Links out, back;  // from the source to the level, and from the level
     Sum rest, posed;
+    double wrong_zone = 0;
+    size_t open_edges = 0;
 
     explicit Beside(const std::vector<model::Part> &level) : coarse(pointers(level)) {}
+    void match_out(const model::Model &model, const PosedParts &fine, const std::vector<double> &areas)
+    {
+        const std::vector<Pair> pairs = nearest_pairs(fine, coarse);
+        out = links_of(fine, coarse, pairs, [&](const Pair &pair) { return areas[pair.here.triangle]; });
+        wrong_zone = wrong_zones(model, fine, coarse, pairs, areas);
+    }
     // What is nearest to something hidden is hidden as well.
-    void match(const Fine &fine)
+    void match_back(const PosedParts &fine, const PartTrees &trees, const std::vector<double> &seen)
     {
         const std::vector<double> areas = areas_of(coarse);
-        out = nearest_pairs(fine.parts, coarse);
-        out_links = links_of(fine.parts, coarse, out, [&](const Pair &pair) { return fine.areas[pair.here.triangle]; });
-        back_links = links_of(coarse, fine.parts, nearest_pairs(coarse, fine.parts), [&](const Pair &pair) {
-            return areas[pair.here.triangle] * fine.seen[pair.there.triangle];
-        });
+        back = links_of(coarse, fine, trees.nearest_pairs(coarse),
+                        [&](const Pair &pair) { return areas[pair.here.triangle] * seen[pair.there.triangle]; });
+        open_edges = lod::open_edges(coarse);
     }
-    void add(const Fine &fine, Sum &sum) const
+    void add(const std::vector<glm::dvec3> &fine, Sum &sum) const
     {
-        add_distances(fine.parts, coarse, out_links, sum);
-        add_distances(coarse, fine.parts, back_links, sum);
+        add_distances(fine, coarse.positions(), out, sum);
+        add_distances(coarse.positions(), fine, back, sum);
+    }
+};
+
+// A pose of the rig, and what becomes of the source in it.
+struct Moment {
+    std::vector<math::Affine> palette;
+    std::vector<float> weights;
+    std::vector<glm::dvec3> fine;
+
+    void pose(const model::Rig &rig, PosedParts &parts) const
+    {
+        parts.pose(rig, base::Span<const math::Affine>(palette), base::Span<const float>(weights));
     }
 };
 
 }  // namespace
 
 std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
+                                  const std::vector<double> &seen,
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
-                                  double metres_per_unit)
+                                  double metres_per_unit, const base::Jobs &jobs)
 {
-    PosedParts posed(source);
+    PosedParts fine(source);
     std::vector<Beside> all;
     for (const std::vector<model::Part> *level : levels) all.emplace_back(*level);
+    const uint32_t count = static_cast<uint32_t>(all.size());
     pose::Workspace workspace(model.rig);
-    const auto pose = [&](uint32_t clip, double time_s, PosedParts &parts) {
+    const auto pose = [&](uint32_t clip, double time_s) {
         const base::Span<const math::Affine> palette = workspace.pose(clip, time_s);
-        parts.pose(model.rig, palette, workspace.weights());
-        for (Beside &one : all) one.coarse.pose(model.rig, palette, workspace.weights());
+        const base::Span<const float> weights = workspace.weights();
+        fine.pose(model.rig, palette, weights);
+        return Moment{{palette.begin(), palette.end()}, {weights.begin(), weights.end()}, fine.positions()};
     };
-    pose(model::none, 0, posed);
-    Fine fine(model, std::move(posed));
-    const size_t open_before = open_edges(fine.parts);
+    const auto go = [&](Beside &one, const Moment &moment, Sum &sum) {
+        moment.pose(model.rig, one.coarse);
+        one.add(moment.fine, sum);
+    };
+    const Moment rest = pose(model::none, 0);
+    std::vector<double> areas = areas_of(fine);
+    for (size_t t = 0; t < areas.size(); ++t) areas[t] *= seen[t];
+    const size_t open_before = open_edges(fine);
+    const PartTrees trees(fine);
+    jobs.try_each(count, [&](uint32_t k) { rest.pose(model.rig, all[k].coarse); });
+    jobs.try_each(2 * count, [&](uint32_t k) {
+        if (k % 2 == 0) all[k / 2].match_out(model, fine, areas);
+        else all[k / 2].match_back(fine, trees, seen);
+    });
+    jobs.try_each(count, [&](uint32_t k) { go(all[k], rest, all[k].rest); });
+    const uint32_t clips = std::min(sampling.most_clips, static_cast<uint32_t>(model.rig.clips.size()));
+    for (uint32_t clip = 0; clip < clips; ++clip) {
+        const model::Clip &c = model.rig.clips[clip];
+        std::vector<Moment> moments;
+        for (uint32_t i = 0; i < sampling.poses_per_clip; ++i)
+            moments.push_back(
+                pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip));
+        // Sums are made in the order of time, each by one task.
+        jobs.try_each(count, [&](uint32_t k) {
+            for (const Moment &moment : moments) go(all[k], moment, all[k].posed);
+        });
+    }
     std::vector<Deviation> found(all.size());
     for (size_t k = 0; k < all.size(); ++k) {
-        all[k].match(fine);
-        all[k].add(fine, all[k].rest);
-        found[k].wrong_zone = wrong_zones(model, fine.parts, all[k].coarse, all[k].out, fine.areas);
-        const size_t open = open_edges(all[k].coarse);
-        found[k].open_edges = open > open_before ? open - open_before : 0;
-    }
-    const uint32_t clips = std::min(sampling.most_clips, static_cast<uint32_t>(model.rig.clips.size()));
-    for (uint32_t clip = 0; clip < clips; ++clip)
-        for (uint32_t i = 0; i < sampling.poses_per_clip; ++i) {
-            const model::Clip &c = model.rig.clips[clip];
-            pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip, fine.parts);
-            for (Beside &one : all) one.add(fine, one.posed);
-        }
-    for (size_t k = 0; k < all.size(); ++k) {
-        const Sum &rest = all[k].rest, &moving = clips == 0 || sampling.poses_per_clip == 0 ? rest : all[k].posed;
-        found[k].rest_m = rest.most() * metres_per_unit, found[k].rest_rms_m = rest.rms() * metres_per_unit;
+        const Sum &at_rest = all[k].rest, &moving = clips == 0 || sampling.poses_per_clip == 0 ? at_rest : all[k].posed;
+        found[k].rest_m = at_rest.most() * metres_per_unit, found[k].rest_rms_m = at_rest.rms() * metres_per_unit;
         found[k].posed_m = moving.most() * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
+        found[k].wrong_zone = all[k].wrong_zone;
+        found[k].open_edges = all[k].open_edges > open_before ? all[k].open_edges - open_before : 0;
     }
     return found;
 }
@@ -184,7 +226,8 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
 Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
                     const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit)
 {
-    return deviations(model, source, {&level}, sampling, metres_per_unit)[0];
+    return deviations(model, source, seen_of(model, posed_at_rest(model.rig, source)), {&level}, sampling,
+                      metres_per_unit)[0];
 }
 
 }  // namespace claque::lod

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "lib/base/services.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -27,9 +28,11 @@ struct Sampling {
 Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
                     const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit = 1);
 
-// Of several levels, each as by itself; poses of the source are made once for all of them.
+// Of several levels, each as by itself; poses of the source are made once for all of them. `seen`: of the source at rest
+// (seen.h). The same whatever the jobs.
 std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
+                                  const std::vector<double> &seen,
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
-                                  double metres_per_unit = 1);
+                                  double metres_per_unit = 1, const base::Jobs &jobs = {});
 
 }  // namespace claque::lod

@@ -17,9 +17,10 @@ constexpr double steep = 0.01;
 
 }  // namespace
 
-ZoneDrift::ZoneDrift(const Surface &surface, const model::Model &model, double weight)
+ZoneDrift::ZoneDrift(const Surface &surface, const model::Model &model, double weight, const base::Jobs &jobs)
     : surface_(surface),
       model_(model),
+      jobs_(jobs),
       weight_(weight),
       seen_(surface.mesh.n_faces(), 0),
       zones_(surface.mesh.n_faces(), 0)
@@ -53,7 +54,7 @@ double ZoneDrift::look(std::vector<double> &shares)
         faces.push_back(static_cast<size_t>(face.idx()));
         zones_[faces.back()] = zone_of(face);
     }
-    const std::vector<double> seen = seen_of(sides, Care::haste);
+    const std::vector<double> seen = seen_of(sides, Care::haste, jobs_);
     shares.assign(model_.zones.size() + 1, 0);
     double all = 0;
     for (size_t i = 0; i < faces.size(); ++i) {

@@ -2,6 +2,7 @@
 // files of this room only.
 #pragma once
 
+#include "lib/base/services.h"
 #include "lib/lod/surface.h"
 
 namespace claque::lod
@@ -13,7 +14,7 @@ class ZoneDrift
 {
 public:
     // `surface` before any collapse; zones are those of `model`.
-    ZoneDrift(const Surface &surface, const model::Model &model, double weight);
+    ZoneDrift(const Surface &surface, const model::Model &model, double weight, const base::Jobs &jobs);
 
     // Which zone each face shows now, and how far zones are off. To be called from time to time: costs are those of then.
     void measure();
@@ -29,6 +30,7 @@ private:
 
     const Surface &surface_;
     const model::Model &model_;
+    const base::Jobs &jobs_;
     double weight_ = 0, area_ = 0;         // of the whole source
     std::vector<double> seen_;             // by face: how much of it can be (seen.h)
     std::vector<size_t> zones_;            // by face

@@ -69,7 +69,7 @@ FarSource::FarSource(const model::Model &of, const std::vector<const model::Part
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     fine.pose(model.rig, palette, workspace.weights());
     seen = seen_of(model, fine);
-    for (size_t i = 0; i < set_count(); ++i) shares.push_back(zone_shares(model, parts, set(i)));
+    for (size_t i = 0; i < set_count(); ++i) shares.push_back(zone_shares(model, fine, seen, set(i)));
 }
 
 PosedParts FarSource::at_rest(const model::Part &part) const

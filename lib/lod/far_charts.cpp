@@ -26,13 +26,11 @@ struct Under {
     double distance_squared = std::numeric_limits<double>::infinity();  // texels
 };
 
-Under under(const Atlas &atlas, const Chart &chart, glm::dvec2 p)
+Under under(const std::vector<KnownTriangle> &flat, const Chart &chart, glm::dvec2 p)
 {
     Under best;
     for (const uint32_t t : chart.triangles) {
-        const NearestPoint::Triangle flat = {glm::dvec3(atlas.places[t][0], 0), glm::dvec3(atlas.places[t][1], 0),
-                                             glm::dvec3(atlas.places[t][2], 0)};
-        const glm::dvec3 weights = nearest_on(flat, glm::dvec3(p, 0)), off = point_on(flat, weights) - glm::dvec3(p, 0);
+        const glm::dvec3 at(p, 0), weights = flat[t].nearest(at), off = point_on(flat[t].corners, weights) - at;
         if (glm::dot(off, off) < best.distance_squared) best = {t, weights, glm::dot(off, off)};
         if (best.distance_squared == 0) break;
     }
@@ -56,6 +54,8 @@ public:
         for (const PosedParts::Triangle &t : level.triangles())
             for (const glm::dvec3 p : level.corners(t)) first = glm::min(first, p), last = glm::max(last, p);
         const glm::dvec3 sizes = last - first;
+        for (const auto &c : atlas.places)
+            flat_.emplace_back(Corners3{glm::dvec3(c[0], 0), glm::dvec3(c[1], 0), glm::dvec3(c[2], 0)});
         out_ = outwards * std::max({sizes.x, sizes.y, sizes.z});
     }
 
@@ -88,7 +88,7 @@ private:
     {
         for (size_t i = 0; i < samples; ++i) {
             const glm::dvec2 p(x + 0.25 + 0.5 * double(i % 2), y + 0.25 + 0.5 * double(i / 2));
-            const Under here = under(atlas_, chart, p);
+            const Under here = under(flat_, chart, p);
             if (here.distance_squared > double(atlas_gutter * atlas_gutter)) return;
             const auto c = level_.corners(level_.triangles()[here.triangle]);
             const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
@@ -106,6 +106,7 @@ private:
     const Atlas &atlas_;
     std::vector<uint32_t> shown_;  // triangles of the source that can be seen
     NearestPoint nearest_;
+    std::vector<KnownTriangle> flat_;  // the level in the atlas
     double out_ = 0;
 };
 

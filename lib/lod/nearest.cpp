@@ -19,36 +19,35 @@ double distance_squared(glm::dvec3 first, glm::dvec3 last, glm::dvec3 p)
 
 }  // namespace
 
-NearestPoint::Known NearestPoint::known(const Triangle &t)
+KnownTriangle::KnownTriangle(const Corners3 &t)
+    : corners(t),
+      edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]},
+      normal(glm::cross(t[1] - t[0], t[2] - t[0])),
+      first(glm::min(glm::min(t[0], t[1]), t[2])),
+      last(glm::max(glm::max(t[0], t[1]), t[2])),
+      square(glm::dot(normal, normal))
 {
-    Known k{t, {t[1] - t[0], t[2] - t[1], t[0] - t[2]}, {}, glm::cross(t[1] - t[0], t[2] - t[0]), t[0], t[0], 0};
-    for (size_t i = 0; i < 3; ++i) {
-        k.squares[i] = glm::dot(k.edges[i], k.edges[i]);
-        k.first = glm::min(k.first, t[i]), k.last = glm::max(k.last, t[i]);
-    }
-    k.square = glm::dot(k.normal, k.normal);
-    return k;
+    for (size_t i = 0; i < 3; ++i) squares[i] = glm::dot(edges[i], edges[i]);
 }
 
-glm::dvec3 NearestPoint::nearest_on(const Known &t, glm::dvec3 p)
+glm::dvec3 KnownTriangle::nearest(glm::dvec3 p) const
 {
-    const Triangle &c = t.corners, &e = t.edges;
-    const Triangle to = {p - c[0], p - c[1], p - c[2]};
-    if (t.square > 0) {
-        const glm::dvec3 w(glm::dot(glm::cross(e[1], to[1]), t.normal) / t.square,
-                           glm::dot(glm::cross(e[2], to[2]), t.normal) / t.square,
-                           glm::dot(glm::cross(e[0], to[0]), t.normal) / t.square);
+    const Corners3 &c = corners, &e = edges;
+    const Corners3 to = {p - c[0], p - c[1], p - c[2]};
+    if (square > 0) {
+        const glm::dvec3 w(glm::dot(glm::cross(e[1], to[1]), normal) / square,
+                           glm::dot(glm::cross(e[2], to[2]), normal) / square,
+                           glm::dot(glm::cross(e[0], to[0]), normal) / square);
         if (w.x >= 0 && w.y >= 0 && w.z >= 0) return w / (w.x + w.y + w.z);
     }
     glm::dvec3 best(1, 0, 0);
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
         const size_t from = static_cast<size_t>(k), next = (from + 1) % 3;
-        const double part =
-            t.squares[from] > 0 ? std::clamp(glm::dot(to[from], e[from]) / t.squares[from], 0.0, 1.0) : 0.0;
+        const double part = squares[from] > 0 ? std::clamp(glm::dot(to[from], e[from]) / squares[from], 0.0, 1.0) : 0.0;
         const glm::dvec3 off = (1 - part) * c[from] + part * c[next] - p;
-        if (const double square = glm::dot(off, off); square < least) {
-            least = square;
+        if (const double here = glm::dot(off, off); here < least) {
+            least = here;
             best = glm::dvec3(0);
             best[k] = 1 - part, best[static_cast<int>(next)] = part;
         }
@@ -56,16 +55,11 @@ glm::dvec3 NearestPoint::nearest_on(const Known &t, glm::dvec3 p)
     return best;
 }
 
-glm::dvec3 nearest_on(const NearestPoint::Triangle &t, glm::dvec3 p)
-{
-    return NearestPoint::nearest_on(NearestPoint::known(t), p);
-}
-
 NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : tree_(triangles), places_(triangles.size())
 {
     for (const uint32_t t : tree_.order) {
         places_[t] = static_cast<uint32_t>(known_.size());
-        known_.push_back(known(triangles[t]));
+        known_.emplace_back(triangles[t]);
     }
     const glm::dvec3 most = glm::max(glm::abs(tree_.boxes[0].first), glm::abs(tree_.boxes[0].last));
     slack_ = 1e-18 * glm::dot(most, most);
@@ -81,8 +75,8 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
     double enough = std::numeric_limits<double>::infinity();
     const auto a_little_more = [slack](double square) { return square + 1e-9 * square + slack; };
     if (guess < places_.size()) {
-        const Known &t = known_[places_[guess]];
-        const glm::dvec3 off = point_on(t.corners, nearest_on(t, p)) - p;
+        const KnownTriangle &t = known_[places_[guess]];
+        const glm::dvec3 off = point_on(t.corners, t.nearest(p)) - p;
         enough = a_little_more(glm::dot(off, off));
     }
     struct Open {
@@ -106,9 +100,9 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
             continue;
         }
         for (uint32_t i = box.begin; i < box.end; ++i) {
-            const Known &t = known_[i];
+            const KnownTriangle &t = known_[i];
             if (distance_squared(t.first, t.last, p) > enough) continue;
-            const glm::dvec3 weights = nearest_on(t, p);
+            const glm::dvec3 weights = t.nearest(p);
             const glm::dvec3 off = point_on(t.corners, weights) - p;
             const double square = glm::dot(off, off);
             if (square < best.distance_squared) {

@@ -6,6 +6,18 @@
 namespace claque::lod
 {
 
+// A triangle, with what finding the nearest place on it needs for every place.
+struct KnownTriangle {
+    explicit KnownTriangle(const Corners3 &t);
+    // Weights of the corners at the point nearest to p: not below 0, their sum 1.
+    glm::dvec3 nearest(glm::dvec3 p) const;
+
+    Corners3 corners, edges;
+    std::array<double, 3> squares;  // of the edges' lengths
+    glm::dvec3 normal, first, last;
+    double square;  // of the normal's length
+};
+
 class NearestPoint
 {
 public:
@@ -14,7 +26,7 @@ public:
 
     struct Found {
         uint32_t triangle = 0;
-        glm::dvec3 weights = glm::dvec3(0);  // of its corners: not below 0, their sum 1
+        glm::dvec3 weights = glm::dvec3(0);  // of its corners
         double distance_squared = 0;
     };
     // Of several that are as near, any; always the same. `guess`: a triangle that may be near, which saves time where it is
@@ -22,26 +34,16 @@ public:
     Found to(glm::dvec3 p, uint32_t guess = 0xffffffff) const;
 
 private:
-    struct Known {  // of a triangle, once for all places
-        Triangle corners, edges;
-        std::array<double, 3> squares;  // of the edges' lengths
-        glm::dvec3 normal, first, last;
-        double square;  // of the normal's length
-    };
-    static glm::dvec3 nearest_on(const Known &t, glm::dvec3 p);
-    friend glm::dvec3 nearest_on(const Triangle &t, glm::dvec3 p);
-    static Known known(const Triangle &t);
-
     BoxTree tree_;
-    std::vector<Known> known_;      // in the tree's order
-    std::vector<uint32_t> places_;  // [triangles] of known_
-    double slack_ = 0;              // of a squared distance: more than roundings make of it
+    std::vector<KnownTriangle> known_;  // in the tree's order
+    std::vector<uint32_t> places_;      // [triangles] of known_
+    double slack_ = 0;                  // of a squared distance: more than roundings make of it
 };
 
 // Weights of the corners of t at its point nearest to p.
-glm::dvec3 nearest_on(const NearestPoint::Triangle &t, glm::dvec3 p);
+inline glm::dvec3 nearest_on(const Corners3 &t, glm::dvec3 p) { return KnownTriangle(t).nearest(p); }
 
-inline glm::dvec3 point_on(const NearestPoint::Triangle &t, glm::dvec3 weights)
+inline glm::dvec3 point_on(const Corners3 &t, glm::dvec3 weights)
 {
     return weights.x * t[0] + weights.y * t[1] + weights.z * t[2];
 }

@@ -18,31 +18,44 @@ const std::array<glm::dvec3, spots_per_triangle> spots = {
     glm::dvec3(1, 0, 0),       glm::dvec3(0, 1, 0),       glm::dvec3(0, 0, 1)};
 }  // namespace
 
-std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
+struct PartTrees::Tree {
+    Tree(const PosedParts &of, std::vector<uint32_t> which) : triangles(std::move(which)), nearest(corners_of(of)) {}
+    std::vector<Corners3> corners_of(const PosedParts &of) const
+    {
+        std::vector<Corners3> corners;
+        for (const uint32_t t : triangles) corners.push_back(of.corners(of.triangles()[t]));
+        return corners;
+    }
+    std::vector<uint32_t> triangles;
+    NearestPoint nearest;
+};
+
+PartTrees::PartTrees(const PosedParts &to) : by_part_(to.part_count() > 1 ? to.part_count() : 0)
 {
-    struct Tree {
-        std::vector<uint32_t> triangles;
-        std::unique_ptr<NearestPoint> nearest;
-    };
-    std::vector<Tree> trees(to.part_count() + 1);
+    std::vector<std::vector<uint32_t>> which(to.part_count() + 1);
     for (uint32_t t = 0; t < to.triangles().size(); ++t) {
-        trees[to.triangles()[t].part].triangles.push_back(t);
-        trees.back().triangles.push_back(t);
+        which[to.triangles()[t].part].push_back(t);
+        which.back().push_back(t);
     }
-    for (Tree &tree : trees) {
-        std::vector<NearestPoint::Triangle> corners;
-        for (const uint32_t t : tree.triangles) corners.push_back(to.corners(to.triangles()[t]));
-        if (!corners.empty()) tree.nearest = std::make_unique<NearestPoint>(std::move(corners));
-    }
+    for (size_t i = 0; i < by_part_.size(); ++i)
+        if (!which[i].empty()) by_part_[i] = std::make_unique<Tree>(to, std::move(which[i]));
+    if (!which.back().empty()) all_ = std::make_unique<Tree>(to, std::move(which.back()));
+}
+
+PartTrees::~PartTrees() = default;
+
+std::vector<Pair> PartTrees::nearest_pairs(const PosedParts &from) const
+{
     std::vector<Pair> out;
-    if (!trees.back().nearest) return out;
-    const bool part_by_part = from.part_count() == to.part_count();
+    if (!all_) return out;
+    const bool part_by_part = from.part_count() == by_part_.size();
     // A vertex is a corner of several triangles, and what is nearest to one place is mostly so to the next.
     std::vector<Place> of_vertex(from.positions().size(), Place{model::none, {}});
     uint32_t guess = model::none;
+    out.reserve(spots_per_triangle * from.triangles().size());
     for (uint32_t t = 0; t < from.triangles().size(); ++t) {
         const uint32_t part = from.triangles()[t].part;
-        const Tree &own = part_by_part ? trees[part] : trees.back(), &tree = own.nearest ? own : trees.back();
+        const Tree &tree = part_by_part && by_part_[part] ? *by_part_[part] : *all_;
         for (size_t s = 0; s < spots.size(); ++s) {
             const Place here = {t, spots[s]};
             Place *known = s < area_spots ? nullptr : &of_vertex[from.vertices_of(t)[s - area_spots]];
@@ -50,13 +63,18 @@ std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
                 out.push_back({here, *known});
                 continue;
             }
-            const NearestPoint::Found found = tree.nearest->to(where(from, here), guess);
+            const NearestPoint::Found found = tree.nearest.to(where(from, here), guess);
             guess = found.triangle;
             out.push_back({here, {tree.triangles[found.triangle], found.weights}});
             if (known) *known = out.back().there;
         }
     }
     return out;
+}
+
+std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to)
+{
+    return PartTrees(to).nearest_pairs(from);
 }
 
 std::vector<Spot> spread(const PosedParts &parts, double count)

@@ -42,12 +42,18 @@ void PosedParts::pose(const model::Rig &rig, base::Span<const math::Affine> pale
     }
 }
 
-std::vector<std::vector<glm::vec3>> at_rest(const model::Rig &rig, const std::vector<const model::Part *> &parts)
+PosedParts posed_at_rest(const model::Rig &rig, std::vector<const model::Part *> parts)
 {
-    PosedParts posed(parts);
+    PosedParts posed(std::move(parts));
     pose::Workspace workspace(rig);
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     posed.pose(rig, palette, workspace.weights());
+    return posed;
+}
+
+std::vector<std::vector<glm::vec3>> at_rest(const model::Rig &rig, const std::vector<const model::Part *> &parts)
+{
+    const PosedParts posed = posed_at_rest(rig, parts);
     std::vector<std::vector<glm::vec3>> out(parts.size());
     for (uint32_t i = 0; i < parts.size(); ++i)
         for (uint32_t v = 0; v < parts[i]->positions.size(); ++v) out[i].emplace_back(posed.vertex(i, v));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "lib/base/span.h"
@@ -43,6 +44,8 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<glm::dvec3> positions_;
 };
+
+PosedParts posed_at_rest(const model::Rig &rig, std::vector<const model::Part *> parts);
 
 // Where the vertices of parts are at rest, in the space of the model.
 std::vector<std::vector<glm::vec3>> at_rest(const model::Rig &rig, const std::vector<const model::Part *> &parts);
@@ -85,6 +88,20 @@ struct Pair {
 };
 constexpr size_t spots_per_triangle = 7, area_spots = 4;
 std::vector<Pair> nearest_pairs(const PosedParts &from, const PosedParts &to);
+
+// The same, where several are held against one: what is found by is made once.
+class PartTrees
+{
+public:
+    explicit PartTrees(const PosedParts &to);
+    ~PartTrees();
+    std::vector<Pair> nearest_pairs(const PosedParts &from) const;
+
+private:
+    struct Tree;
+    std::vector<std::unique_ptr<Tree>> by_part_;  // none where there is one part
+    std::unique_ptr<Tree> all_;                   // none where there is no triangle
+};
 double area_of(const PosedParts &parts, uint32_t triangle);
 
 }  // namespace claque::lod

@@ -2,6 +2,7 @@
 // with them does not show. Between the files of this room only.
 #pragma once
 
+#include "lib/base/services.h"
 #include "lib/lod/samples.h"
 
 namespace claque::lod
@@ -10,8 +11,8 @@ namespace claque::lod
 // [triangles of `parts`, which are at rest] the share of directions, all round, from which an eye far away sees it past all
 // the others: about half for what lies open, none for what is hidden; from the back only where its material has two sides. From
 // one of fourteen alone, as legs are from below in a skirt, is hidden. All 1 where nothing
-// could be seen. Deterministic.
-std::vector<double> seen_of(const model::Model &model, const PosedParts &parts);
+// could be seen. Deterministic, whatever the jobs.
+std::vector<double> seen_of(const model::Model &model, const PosedParts &parts, const base::Jobs &jobs = {});
 
 // The same of triangles that are no parts, judged by four of their places, or in haste by their middles alone.
 struct Side {
@@ -19,7 +20,7 @@ struct Side {
     bool both = false;  // shown from the back as well
 };
 enum class Care : uint8_t { haste, full };
-std::vector<double> seen_of(const std::vector<Side> &sides, Care care = Care::full);
+std::vector<double> seen_of(const std::vector<Side> &sides, Care care = Care::full, const base::Jobs &jobs = {});
 bool is_two_sided(const model::Model &model, const model::Part &part);
 
 // Their areas, each times that share.

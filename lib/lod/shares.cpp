@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/lod/samples.h"
 #include "lib/lod/seen.h"
-#include "lib/pose/pose.h"
 
 namespace claque::lod
 {
@@ -13,12 +11,14 @@ namespace claque::lod
 std::vector<double> zone_shares(const model::Model &model, const std::vector<const model::Part *> &parts,
                                 const model::TextureSet *set)
 {
-    PosedParts posed(parts);
-    pose::Workspace workspace(model.rig);
-    const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
-    posed.pose(model.rig, palette, workspace.weights());
+    const PosedParts posed = posed_at_rest(model.rig, parts);
+    return zone_shares(model, posed, seen_of(model, posed), set);
+}
+
+std::vector<double> zone_shares(const model::Model &model, const PosedParts &posed, const std::vector<double> &seen,
+                                const model::TextureSet *set)
+{
     std::vector<double> shares(model.zones.size() + 1, 0.0);
-    const std::vector<double> seen = seen_of(model, posed);
     double all = 0;
     const std::vector<Spot> spots = spread(posed, spots_of_a_surface);
     for (const Spot &spot : spots) all += spot.area * seen[spot.place.triangle];

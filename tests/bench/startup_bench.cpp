@@ -1,13 +1,15 @@
 // What a template costs before the first frame (SPEC 5: 0.5 s for about 1040 triangles, eight levels of detail, split, spheres of
-// all clips): the steps of a first start, and a second one, from memory as a prepared file has it. One thread.
+// all clips): the steps of a first start, by one thread and by two, and a second one, from memory as a prepared file has it.
 #include <claque/claque.h>
 #include <claque/levels.h>
 
 #include <benchmark/benchmark.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -23,15 +25,33 @@ void check(clq_status status)
     std::abort();
 }
 
-clq_context *context()
+// The calling thread and one more, made for each loop: there are a few dozen of them.
+void run_on_two(void *, uint32_t count, void (*job)(void *, uint32_t), void *data)
 {
-    static clq_context *made = [] {
-        clq_context_def def = clq_context_def_init();
-        clq_context *out = nullptr;
-        check(clq_context_create(&def, &out));
-        return out;
-    }();
-    return made;
+    std::atomic<uint32_t> next{0};
+    const auto work = [&] {
+        for (uint32_t i = next++; i < count; i = next++) job(data, i);
+    };
+    std::thread other(work);
+    work();
+    other.join();
+}
+
+clq_context *new_context(bool two_threads)
+{
+    clq_context_def def = clq_context_def_init();
+    if (two_threads) def.tasks.run = run_on_two;
+    clq_context *out = nullptr;
+    check(clq_context_create(&def, &out));
+    return out;
+}
+
+enum class Threads { one, two };
+
+clq_context *context(Threads threads = Threads::one)
+{
+    static clq_context *const one = new_context(false), *const two = new_context(true);
+    return threads == Threads::one ? one : two;
 }
 
 clq_asset *figure(const std::string &name)
@@ -43,40 +63,40 @@ clq_asset *figure(const std::string &name)
 
 enum class Levels { none, s1, usual };
 
-void give_levels(clq_asset *asset, Levels levels)
+void give_levels(clq_asset *asset, Levels levels, Threads threads = Threads::one)
 {
     if (levels == Levels::none) return;
     clq_levels_def def = clq_levels_def_init();
     if (levels == Levels::s1) def.targets = s1_targets, def.target_count = 7;
-    check(clq_asset_make_levels(context(), asset, &def, nullptr, 0, nullptr));
+    check(clq_asset_make_levels(context(threads), asset, &def, nullptr, 0, nullptr));
 }
 
-clq_template *split(const clq_asset *asset)
+clq_template *split(const clq_asset *asset, Threads threads = Threads::one)
 {
     clq_template *tmpl = nullptr;
-    check(clq_asset_build(context(), asset, 0, &tmpl));
+    check(clq_asset_build(context(threads), asset, 0, &tmpl));
     return tmpl;
 }
 
-void startup_split(benchmark::State &state, const char *name, Levels levels)
+void startup_split(benchmark::State &state, const char *name, Levels levels, Threads threads)
 {
     clq_asset *asset = figure(name);
     give_levels(asset, levels);
-    for (auto _ : state) clq_template_destroy(split(asset));
+    for (auto _ : state) clq_template_destroy(split(asset, threads));
     clq_asset_destroy(asset);
 }
 
 enum class Until { levels, split };
 
 // From a figure that is there, as far as `until`.
-void startup(benchmark::State &state, const char *name, Levels levels, Until until)
+void startup(benchmark::State &state, const char *name, Levels levels, Threads threads, Until until)
 {
     for (auto _ : state) {
         state.PauseTiming();
         clq_asset *asset = figure(name);
         state.ResumeTiming();
-        give_levels(asset, levels);
-        clq_template *tmpl = until == Until::split ? split(asset) : nullptr;
+        give_levels(asset, levels, threads);
+        clq_template *tmpl = until == Until::split ? split(asset, threads) : nullptr;
         state.PauseTiming();
         clq_template_destroy(tmpl);
         clq_asset_destroy(asset);
@@ -84,14 +104,14 @@ void startup(benchmark::State &state, const char *name, Levels levels, Until unt
     }
 }
 
-void startup_levels(benchmark::State &state, const char *name, Levels levels)
+void startup_levels(benchmark::State &state, const char *name, Levels levels, Threads threads)
 {
-    startup(state, name, levels, Until::levels);
+    startup(state, name, levels, threads, Until::levels);
 }
 
-void startup_first(benchmark::State &state, const char *name, Levels levels)
+void startup_first(benchmark::State &state, const char *name, Levels levels, Threads threads)
 {
-    startup(state, name, levels, Until::split);
+    startup(state, name, levels, threads, Until::split);
 }
 
 int append(void *user, const void *bytes, size_t size_bytes)
@@ -127,11 +147,15 @@ void startup_figure(benchmark::State &state, const char *name)
     BENCHMARK_CAPTURE(step, __VA_ARGS__)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
 
 STARTUP(startup_figure, citizen, "citizen");
-STARTUP(startup_levels, citizen_in_8, "citizen", Levels::s1);
-STARTUP(startup_split, citizen_in_8, "citizen", Levels::s1);
-STARTUP(startup_first, citizen_in_8, "citizen", Levels::s1);
+STARTUP(startup_levels, citizen_in_8, "citizen", Levels::s1, Threads::one);
+STARTUP(startup_levels, citizen_in_8_two_threads, "citizen", Levels::s1, Threads::two);
+STARTUP(startup_split, citizen_in_8, "citizen", Levels::s1, Threads::one);
+STARTUP(startup_split, citizen_in_8_two_threads, "citizen", Levels::s1, Threads::two);
+STARTUP(startup_first, citizen_in_8, "citizen", Levels::s1, Threads::one);
+STARTUP(startup_first, citizen_in_8_two_threads, "citizen", Levels::s1, Threads::two);
 STARTUP(startup_prepared, citizen_in_8, "citizen", Levels::s1);
-STARTUP(startup_first, citizen_in_13, "citizen", Levels::usual);
+STARTUP(startup_first, citizen_in_13, "citizen", Levels::usual, Threads::one);
+STARTUP(startup_first, citizen_in_13_two_threads, "citizen", Levels::usual, Threads::two);
 STARTUP(startup_prepared, citizen_in_13, "citizen", Levels::usual);
 
 }  // namespace

@@ -13,9 +13,21 @@ using namespace claque;
 namespace
 {
 
-lod::ChainWish wish_of(const clq_levels_def &def)
+// What the context spreads over, as libclaque lends it to other libraries.
+base::Jobs jobs_of(clq_context *context)
+{
+    clq_tasks tasks{};
+    tasks.user = context;
+    tasks.run = [](void *user, uint32_t count, void (*job)(void *, uint32_t), void *job_data) {
+        clq_context_run(static_cast<clq_context *>(user), count, job, job_data);
+    };
+    return base::Jobs(tasks);
+}
+
+lod::ChainWish wish_of(clq_context *context, const clq_levels_def &def)
 {
     lod::ChainWish wish;
+    wish.jobs = jobs_of(context);
     api::require_array(def.targets, def.target_count, "targets");
     wish.targets.assign(def.targets, def.targets + def.target_count);
     api::require(std::isfinite(def.tolerance_px) && def.tolerance_px > 0, "tolerance_px is not above 0");
@@ -55,7 +67,7 @@ extern "C" clq_status clq_asset_make_levels(clq_context *context, clq_asset *ass
         api::require_array(out, capacity, "out");
         api::require_size(def, "clq_levels_def_init");
         const std::vector<lod::ChainLevel> levels =
-            lod::make_chain(asset->model, wish_of(def ? *def : clq_levels_def_init()));
+            lod::make_chain(asset->model, wish_of(context, def ? *def : clq_levels_def_init()));
         for (size_t i = 0; i < std::min<size_t>(capacity, levels.size()); ++i) out[i] = made(levels[i]);
         if (count) *count = static_cast<uint32_t>(levels.size());
     });

@@ -1,0 +1,128 @@
+// What is done before the first frame is the same to the bit whatever threads the host gives.
+#include <claque/levels.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+using Bytes = std::vector<unsigned char>;
+
+struct Host {
+    uint32_t threads = 1;
+    std::atomic<uint32_t> loops{0};
+};
+
+// Threads take indices from a common counter, the last ones first.
+void run_on_threads(void *user, uint32_t count, void (*job)(void *, uint32_t), void *data)
+{
+    Host &host = *static_cast<Host *>(user);
+    ++host.loops;
+    std::atomic<uint32_t> next{0};
+    const auto work = [&] {
+        for (uint32_t i = next++; i < count; i = next++) job(data, count - 1 - i);
+    };
+    std::vector<std::thread> threads;
+    for (uint32_t i = 1; i < host.threads; ++i) threads.emplace_back(work);
+    work();
+    for (std::thread &thread : threads) thread.join();
+}
+
+class Context
+{
+public:
+    explicit Context(uint32_t threads)
+    {
+        host.threads = threads;
+        clq_context_def def = clq_context_def_init();
+        if (threads > 1) def.tasks = {&host, run_on_threads};
+        EXPECT_EQ(clq_context_create(&def, &context), CLQ_OK);
+    }
+    ~Context() { EXPECT_EQ(clq_context_destroy(context), CLQ_OK); }
+
+    Host host;
+    clq_context *context = nullptr;
+};
+
+// The levels and the template of a figure, as bytes.
+struct Made {
+    Bytes levels, tmpl;
+};
+
+Made made(Context &host, const char *figure, bool plain)
+{
+    Made out;
+    clq_asset *asset = nullptr;
+    EXPECT_EQ(clq_asset_builtin(host.context, figure, &asset), CLQ_OK) << clq_last_error();
+    clq_levels_def def = clq_levels_def_init();
+    def.plain = plain;
+    std::vector<clq_made_level> levels(32);
+    uint32_t count = 0;
+    EXPECT_EQ(clq_asset_make_levels(host.context, asset, &def, levels.data(), 32, &count), CLQ_OK) << clq_last_error();
+    EXPECT_GT(count, 8u);
+    out.levels.resize(count * sizeof levels[0]);
+    std::memcpy(out.levels.data(), levels.data(), out.levels.size());
+    clq_template *tmpl = nullptr;
+    EXPECT_EQ(clq_asset_build(host.context, asset, 0, &tmpl), CLQ_OK) << clq_last_error();
+    const auto append = [](void *user, const void *more, size_t size) {
+        const auto *first = static_cast<const unsigned char *>(more);
+        static_cast<Bytes *>(user)->insert(static_cast<Bytes *>(user)->end(), first, first + size);
+        return 0;
+    };
+    EXPECT_EQ(clq_template_save(tmpl, append, &out.tmpl), CLQ_OK);
+    clq_template_destroy(tmpl);
+    clq_asset_destroy(asset);
+    return out;
+}
+
+void is_the_same_by_threads(const char *figure, bool plain)
+{
+    Context alone(1);
+    const Made wanted = made(alone, figure, plain);
+    EXPECT_EQ(alone.host.loops, 0u);
+    for (const uint32_t threads : {2u, 5u}) {
+        Context host(threads);
+        const Made found = made(host, figure, plain);
+        EXPECT_GT(host.host.loops, 10u) << "nothing was spread";
+        EXPECT_EQ(found.levels, wanted.levels) << figure << " by " << threads;
+        EXPECT_EQ(found.tmpl, wanted.tmpl) << figure << " by " << threads;
+    }
+}
+
+}  // namespace
+
+TEST(StartUp, of_a_figure_is_the_same_by_two_and_five_threads) { is_the_same_by_threads("citizen", false); }
+
+TEST(StartUp, of_another_by_a_quadric_alone_is_too) { is_the_same_by_threads("decurion", true); }
+
+TEST(Tasks, of_a_context_are_lent_to_others_and_run_each_job_once)
+{
+    for (const uint32_t threads : {1u, 3u}) {
+        Context host(threads);
+        std::vector<std::atomic<uint32_t>> runs(100);
+        clq_context_run(
+            host.context, 100, [](void *all, uint32_t i) { ++(*static_cast<decltype(runs) *>(all))[i]; }, &runs);
+        for (const auto &one : runs) EXPECT_EQ(one, 1u);
+        EXPECT_EQ(host.host.loops, threads > 1 ? 1u : 0u);
+    }
+}
+
+// A failure in a task is the call's.
+TEST(StartUp, refuses_by_threads_what_it_refuses_alone)
+{
+    for (const uint32_t threads : {1u, 4u}) {
+        Context host(threads);
+        clq_asset *asset = nullptr;
+        ASSERT_EQ(clq_asset_builtin(host.context, "citizen", &asset), CLQ_OK);
+        const uint32_t targets[] = {100, 200};
+        clq_levels_def def = clq_levels_def_init();
+        def.targets = targets, def.target_count = 2;
+        EXPECT_EQ(clq_asset_make_levels(host.context, asset, &def, nullptr, 0, nullptr), CLQ_ARGUMENT);
+        clq_asset_destroy(asset);
+    }
+}
