@@ -19,46 +19,9 @@ namespace
 // What rounding and the stated errors of stored motion may add.
 constexpr double margin = 1.002;
 
-// What all clips make of one node's own transform.
-struct Span {
-    double offset = 0;                   // longest translation
-    double spread = 0;                   // farthest from that at rest
-    double scale = 1, scale_spread = 0;  // likewise
-    double shift = 0;                    // by degrees of freedom
-    bool turns = false;
-};
-
 double largest(const glm::vec3 &v)
 {
     return std::max({std::fabs(double(v.x)), std::fabs(double(v.y)), std::fabs(double(v.z))});
-}
-
-std::vector<Span> spans_of(const model::Rig &rig)
-{
-    std::vector<Span> out(rig.node_count());
-    const std::vector<double> shifts = most_shifts(rig);
-    for (uint32_t n = 0; n < rig.node_count(); ++n) {
-        out[n].shift = shifts[n];
-        out[n].scale = largest(rig.rest[n].scale);
-        out[n].offset = glm::length(glm::dvec3(rig.rest[n].translation));
-    }
-    for (const model::Dof &dof : rig.dofs)
-        if (dof.kind == model::DofKind::rotation) out[dof.node].turns = true;
-    walk_poses(rig, [&](const PoseAt &, const Locals &locals, const Way *since) {
-        for (uint32_t n = 0; n < rig.node_count(); ++n) {
-            const math::Trs &now = locals.nodes[n], &rest = rig.rest[n];
-            const NodeDrift drift = since ? since->nodes[n] : NodeDrift(now, now);
-            Span &span = out[n];
-            span.offset = std::max(span.offset, drift.offset);
-            span.scale = std::max(span.scale, drift.scale);
-            span.spread =
-                std::max(span.spread, glm::distance(glm::dvec3(now.translation), glm::dvec3(rest.translation)) +
-                                          drift.travel_bend / 8);
-            span.scale_spread = std::max(span.scale_spread, largest(now.scale - rest.scale) + drift.scale_bend / 8);
-            span.turns = span.turns || now.rotation != rest.rotation;
-        }
-    });
-    return out;
 }
 
 // One node in all blends whose added weights sum to `added`.
@@ -128,9 +91,36 @@ double radius_of(const model::Template &tmpl, const std::vector<Ball> &balls, do
 
 }  // namespace
 
-void find_blend_reach(model::Template &tmpl)
+std::vector<Span> spans_of(const model::Rig &rig)
 {
-    const std::vector<Span> spans = spans_of(tmpl.rig);
+    std::vector<Span> out(rig.node_count());
+    const std::vector<double> shifts = most_shifts(rig);
+    for (uint32_t n = 0; n < rig.node_count(); ++n) {
+        out[n].shift = shifts[n];
+        out[n].scale = largest(rig.rest[n].scale);
+        out[n].offset = glm::length(glm::dvec3(rig.rest[n].translation));
+    }
+    for (const model::Dof &dof : rig.dofs)
+        if (dof.kind == model::DofKind::rotation) out[dof.node].turns = true;
+    walk_poses(rig, [&](const PoseAt &, const Locals &locals, const Way *since) {
+        for (uint32_t n = 0; n < rig.node_count(); ++n) {
+            const math::Trs &now = locals.nodes[n], &rest = rig.rest[n];
+            const NodeDrift drift = since ? since->nodes[n] : NodeDrift(now, now);
+            Span &span = out[n];
+            span.offset = std::max(span.offset, drift.offset);
+            span.scale = std::max(span.scale, drift.scale);
+            span.spread =
+                std::max(span.spread, glm::distance(glm::dvec3(now.translation), glm::dvec3(rest.translation)) +
+                                          drift.travel_bend / 8);
+            span.scale_spread = std::max(span.scale_spread, largest(now.scale - rest.scale) + drift.scale_bend / 8);
+            span.turns = span.turns || now.rotation != rest.rotation;
+        }
+    });
+    return out;
+}
+
+void find_blend_reach(const std::vector<Span> &spans, model::Template &tmpl)
+{
     const std::vector<Ball> none_added = balls_of(tmpl.rig, spans, 0);
     const std::vector<Ball> added = balls_of(tmpl.rig, spans, double(model::most_added));
     const glm::dvec3 middle(tmpl.sklsroot.centre);

@@ -3,10 +3,22 @@
 
 #include "lib/model/template.h"
 
+#include <vector>
+
 namespace claque::meshsplit
 {
 
-// Fills Template::blend_reach and blend_radius; the levels and the Sklsroot Bsphere are there.
-void find_blend_reach(model::Template &tmpl);
+// What all clips make of one node's own transform.
+struct Span {
+    double offset = 0;                   // longest translation
+    double spread = 0;                   // farthest from that at rest
+    double scale = 1, scale_spread = 0;  // likewise
+    double shift = 0;                    // by degrees of freedom
+    bool turns = false;
+};
+std::vector<Span> spans_of(const model::Rig &rig);
+
+// Fills Template::blend_reach and blend_radius; the levels and the Sklsroot Bsphere are there. `spans` of its rig.
+void find_blend_reach(const std::vector<Span> &spans, model::Template &tmpl);
 
 }  // namespace claque::meshsplit

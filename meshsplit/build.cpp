@@ -69,6 +69,7 @@ public:
           looks_(plan_looks(model)),
           plans_(plan_levels(model)),
           whole_(merge(model, looks_)),
+          options_(options),
           memory_(out.levels.get_allocator().resource()),
           out_(out)
     {
@@ -78,20 +79,27 @@ public:
         copy_zones(looks_, out_);
         for (const model::TextureSet &set : model.texture_sets)
             out_.texture_sets.emplace_back(std::string_view(set.name));
-        texture_of_ = make_textures(model, looks_, texture_limit(options.max_texture_px), whole_, out_.textures);
         for (const model::Part &part : model.parts)
             for (const glm::vec3 &p : part.positions) extent_ = std::max(extent_, glm::length(p));
     }
 
     void run()
     {
-        if (plans_.size() == 1) add_level(whole_);
-        for (size_t k = 0; k < plans_.size() && plans_.size() > 1; ++k) {
-            Mesh mesh = mesh_at(plans_[k]);
-            if (k == 0 && mesh.triangles.empty()) refuse_empty(mesh);
-            add_level(mesh);
-            out_.levels[k].switch_distance_m = plans_[k].distance_m;
+        const auto make = [this] {
+            texture_of_ = make_textures(model_, looks_, texture_limit(options_.max_texture_px), whole_, out_.textures);
+        };
+        std::vector<Mesh> meshes;
+        options_.jobs.try_each(2, [&](uint32_t job) {
+            if (job == 0) make();
+            else if (plans_.size() > 1) meshes = all_meshes();
+        });
+        if (plans_.size() == 1) meshes.push_back(std::move(whole_));
+        for (const LevelPlan &plan : plans_) {
+            out_.levels.emplace_back(memory_);
+            if (plans_.size() > 1) out_.levels.back().switch_distance_m = plan.distance_m;
         }
+        options_.jobs.try_each(static_cast<uint32_t>(meshes.size()),
+                               [&](uint32_t k) { fill(meshes[k], out_.levels[k]); });
         std::vector<const std::vector<uint8_t> *> active;
         for (const LevelPlan &plan : plans_) active.push_back(&plan.active);
         fill_skeletons(active, out_.rig.palette.size(), out_.levels);
@@ -103,6 +111,17 @@ private:
     {
         base::fail(CLQ_ARGUMENT, "model '%s' has no triangle to draw%s: %zu parts, %u triangles without area",
                    model_.name.c_str(), plans_.size() > 1 ? " near the eye" : "", model_.parts.size(), mesh.degenerate);
+    }
+
+    // One after the other, as they name matrices of the palette that are new.
+    std::vector<Mesh> all_meshes()
+    {
+        std::vector<Mesh> meshes;
+        for (const LevelPlan &plan : plans_) {
+            meshes.push_back(mesh_at(plan));
+            if (meshes[0].triangles.empty()) refuse_empty(meshes[0]);
+        }
+        return meshes;
     }
 
     Mesh mesh_at(const LevelPlan &plan)
@@ -119,18 +138,19 @@ private:
         return merge(model_, looks_, selection);
     }
 
-    void add_level(Mesh &mesh)
+    void fill(Mesh &mesh, model::Level &level)
     {
         for (MeshSurface &surface : mesh.surfaces) surface.texture = texture_of_[surface.texture];
         const TriangleZones zones = zones_of_triangles(mesh, out_.textures);
-        fill_level(mesh, zones, out_.rig, out_.levels.emplace_back(memory_));
-        if (out_.levels.size() == 1) report(mesh, zones, out_);
+        fill_level(mesh, zones, out_.rig, level);
+        if (&level == &out_.levels[0]) report(mesh, zones, out_);
     }
 
     const model::Model &model_;
     const Looks looks_;
     const std::vector<LevelPlan> plans_;
     Mesh whole_;  // what is shown at any distance: textures are made for all of it
+    const BuildOptions &options_;
     std::pmr::memory_resource *memory_;
     model::Template &out_;
     std::vector<uint32_t> texture_of_;  // of each of the planned textures
@@ -144,11 +164,20 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
     model::check(model);
     check_palette(model, model.rig);
     Builder(model, options, out).run();
-    out.sklsroot = enclosing_sphere(out);
-    const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
-    out.node_reach.assign(reach.begin(), reach.end());
-    find_blend_reach(out);
-    make_motion(options.motion, out);
+    std::vector<Span> spans;
+    float more = 0;
+    options.jobs.try_each(2, [&](uint32_t job) {
+        if (job == 0) {
+            out.sklsroot = enclosing_sphere(out);
+            const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
+            out.node_reach.assign(reach.begin(), reach.end());
+        } else {
+            spans = spans_of(out.rig);
+            more = make_motion(options.motion, out);
+        }
+    });
+    find_blend_reach(spans, out);
+    give_room(more, out);
 }
 
 }  // namespace claque::meshsplit

@@ -15,13 +15,18 @@ constexpr int core_size = 12, steps = 200;
 
 double reach(const glm::dvec3 &centre, const Ball &ball) { return glm::distance(centre, ball.centre) + ball.radius; }
 
+double square(const glm::dvec3 &v) { return glm::dot(v, v); }
+
 const Ball &farthest(const glm::dvec3 &centre, const std::vector<Ball> &balls)
 {
     const Ball *far = &balls[0];
-    double most = reach(centre, *far);
+    double most = reach(centre, *far), most_square = square(centre - far->centre);
     for (const Ball &ball : balls) {
-        const double r = reach(centre, ball);
-        if (r > most) most = r, far = &ball;
+        // Of equal balls the nearer reaches no further: that needs no root.
+        const double here = square(centre - ball.centre);
+        if (ball.radius == far->radius && here <= most_square) continue;
+        const double r = std::sqrt(here) + ball.radius;
+        if (r > most) most = r, most_square = here, far = &ball;
     }
     return *far;
 }
@@ -56,8 +61,11 @@ model::Sphere enclosing(const std::vector<Ball> &balls)
     glm::dvec3 centre = middle_of(balls), best = centre;
     double least = reach(centre, farthest(centre, balls));
     std::vector<Ball> core;
+    std::vector<const Ball *> known;
     for (int i = 0; i < core_size; ++i) {
-        core.push_back(farthest(centre, balls));
+        const Ball &far = farthest(centre, balls);
+        if (std::find(known.begin(), known.end(), &far) != known.end()) break;  // from here on nothing changes
+        known.push_back(&far), core.push_back(far);
         centre = centre_of(core);
         const double radius = reach(centre, farthest(centre, balls));
         if (radius < least) least = radius, best = centre;

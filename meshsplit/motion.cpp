@@ -175,16 +175,20 @@ private:
 
 }  // namespace
 
-void make_motion(const MotionTolerance &tolerance, model::Template &out)
+float make_motion(const MotionTolerance &tolerance, model::Template &out)
 {
-    if (out.rig.clips.empty() || tolerance.metres == 0) return;
+    if (out.rig.clips.empty() || tolerance.metres == 0) return 0;
     plan_joints(out.rig, out.motion);
     model::derive(out.rig, out.motion);
     MotionMeter meter(out);
     const double metres = tolerance.metres > 0 ? double(tolerance.metres) : meter.rest_size() / 2000;
     for (uint32_t c = 0; c < out.rig.clips.size(); ++c)
         ClipFitter(out, meter, c, {metres, double(tolerance.radians)}).run();
-    const float more = static_cast<float>(meter.bound() * 1.25);
+    return static_cast<float>(meter.bound() * 1.25);
+}
+
+void give_room(float more, model::Template &out)
+{
     out.sklsroot.radius += more;
     for (model::NodeReach &reach : out.node_reach) reach.distance += more;
     // What is added is the difference of two poses.

@@ -15,7 +15,9 @@ struct MotionTolerance {
     static constexpr float automatic = -1;
 };
 
-// Needs rig, levels and spheres of `out`; makes the spheres so large that they hold these clips too.
-void make_motion(const MotionTolerance &tolerance, model::Template &out);
+// Needs rig and levels of `out`. Returns how much further away than by its channels anything can be.
+float make_motion(const MotionTolerance &tolerance, model::Template &out);
+// Makes the spheres of `out` so large that they hold its clips too.
+void give_room(float more, model::Template &out);
 
 }  // namespace claque::meshsplit

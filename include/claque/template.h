@@ -218,7 +218,8 @@ static inline clq_template_def clq_template_def_init(void)
 
 /* Splits a host's own arrays into a template. Copies what it needs: nothing of `def` is kept.
  *   out   [owner: host, until clq_template_destroy]
- * Fails: STRUCT_SIZE, ARGUMENT (first broken rule, named), LIMIT, OUT_OF_MEMORY. Threads: any. GL: none. Seed: S1 3. */
+ * Fails: STRUCT_SIZE, ARGUMENT (first broken rule, named), LIMIT, OUT_OF_MEMORY. Threads: any; spreads over the
+ * context's tasks, and the template is the same whatever these are. GL: none. Seed: S1 3. */
 CLQ_API clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out);
 
 /* Gives up the host's hold on a template; NULL is ignored. Crowds that use it keep it alive. Threads: any one. */

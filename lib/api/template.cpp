@@ -75,6 +75,7 @@ clq_status clq_template_build(clq_context *context, const clq_template_def *def,
         meshsplit::BuildOptions options;
         if (def->max_texture_px) options.max_texture_px = def->max_texture_px;
         options.motion = tolerance_of(*def);
+        options.jobs = context->jobs;
         api::Making<clq_template> made(context, context);
         meshsplit::build(model, options, *made);
         log_report(context, *made);

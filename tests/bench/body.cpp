@@ -85,7 +85,7 @@ std::unique_ptr<model::Template> make_body(uint32_t influences)
     out->levels.push_back(make_level(influences));
     out->sklsroot.radius = 2;
     // So tight that every clip keeps the rate of its keys.
-    meshsplit::make_motion({0.001f, 0.01f}, *out);
+    meshsplit::give_room(meshsplit::make_motion({0.001f, 0.01f}, *out), *out);
     return out;
 }
 

@@ -31,7 +31,7 @@ struct Sampled {
             tmpl.levels[0].part_spheres.push_back({i, {tmpl.rig.rest[i].translation, 0.2f}});
         tmpl.similar_only = false;
     }
-    void make() { meshsplit::make_motion(tolerance, tmpl); }
+    void make() { meshsplit::give_room(meshsplit::make_motion(tolerance, tmpl), tmpl); }
 
     // Of points round every node, in double.
     double worst(uint32_t clip, double time_s)
