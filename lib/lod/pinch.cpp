@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/lod/joins.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -10,33 +11,15 @@ namespace claque::lod
 namespace
 {
 
-using Corners3 = std::array<uint32_t, 3>;
-
-bool has(const Corners3 &t, uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
-
 // The smallest corner first, the way round kept.
-Corners3 turned(Corners3 t)
+Triangle turned(Triangle t)
 {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
 }
 
 // What is back to back with one that begins with its smallest corner.
-Corners3 behind(const Corners3 &t) { return {t[0], t[2], t[1]}; }
-
-// Without those that have become lines, and without pairs back to back.
-std::vector<Corners3> left_of(const std::vector<Corners3> &triangles)
-{
-    std::vector<Corners3> left;
-    for (const Corners3 &t : triangles) {
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-        const Corners3 here = turned(t);
-        const auto other = std::find(left.begin(), left.end(), behind(here));
-        if (other != left.end()) left.erase(other);
-        else left.push_back(here);
-    }
-    return left;
-}
+Triangle behind(const Triangle &t) { return {t[0], t[2], t[1]}; }
 
 }  // namespace
 
@@ -61,10 +44,10 @@ Pinch::Step Pinch::step(uint32_t a, uint32_t b, const std::vector<std::vector<ui
     Step step;
     step.from = a, step.to = b, step.at = best_place(both, positions[a], positions[b]);
     step.cost = std::max(both.at(step.at), 0.0) + variance_of(level_.features[a], level_.features[b]);
-    std::vector<Corners3> after;
+    std::vector<Triangle> after;
     for (const uint32_t moved : {a, b})
         for (const uint32_t index : round[moved]) {
-            Corners3 t = level_.surface.triangles[index];
+            Triangle t = level_.surface.triangles[index];
             if (has(t, a) && has(t, b)) continue;
             const TriangleFrame was(positions[t[0]], positions[t[1]], positions[t[2]]);
             std::array<glm::dvec3, 3> p;
@@ -76,7 +59,7 @@ Pinch::Step Pinch::step(uint32_t a, uint32_t b, const std::vector<std::vector<ui
         }
     // Back to back they will be gone: that is cheap where they are the walls of a hole, and not where they are a sheet.
     double lost = 0;
-    for (const Corners3 &t : after) {
+    for (const Triangle &t : after) {
         if (std::find(after.begin(), after.end(), behind(t)) == after.end()) continue;
         std::array<glm::dvec3, 3> p;
         for (size_t k = 0; k < 3; ++k) p[k] = t[k] == b ? step.at : positions[t[k]];
@@ -91,10 +74,7 @@ void Pinch::take(const Step &step)
     planes_[step.to] += planes_[step.from];
     level_.features[step.to] = joined(level_.features[step.from], level_.features[step.to]);
     level_.surface.positions[step.to] = step.at;
-    for (Corners3 &t : level_.surface.triangles)
-        for (uint32_t &v : t)
-            if (v == step.from) v = step.to;
-    level_.surface.triangles = left_of(level_.surface.triangles);
+    level_.surface.triangles = joined_at(step.to, step.from, level_.surface.triangles);
 }
 
 void Pinch::run(size_t target)
@@ -102,7 +82,7 @@ void Pinch::run(size_t target)
     while (level_.surface.triangles.size() > std::max<size_t>(target, 4)) {
         const std::vector<std::vector<uint32_t>> round = triangles_of_vertices();
         Step best;
-        for (const Corners3 &t : level_.surface.triangles)
+        for (const Triangle &t : level_.surface.triangles)
             for (size_t k = 0; k < 3; ++k) {
                 const uint32_t a = t[k], b = t[(k + 1) % 3];
                 if (a > b) continue;  // the triangle beyond the edge has it the other way round
@@ -122,7 +102,7 @@ Coarse Pinch::result() const
 {
     Coarse out;
     std::vector<uint32_t> number(level_.surface.positions.size(), model::none);
-    for (Corners3 t : level_.surface.triangles) {
+    for (Triangle t : level_.surface.triangles) {
         for (uint32_t &v : t) {
             uint32_t &n = number[v];
             if (n == model::none) {

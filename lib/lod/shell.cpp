@@ -7,8 +7,11 @@
 
 #include "lib/lod/coarsen.h"
 #include "lib/lod/decimate.h"
+#include "lib/lod/fit.h"
 #include "lib/lod/nearest.h"
+#include "lib/lod/reduce.h"
 #include "lib/lod/samples.h"
+#include "lib/lod/sway.h"
 #include "lib/pose/pose.h"
 
 namespace claque::lod
@@ -18,6 +21,10 @@ namespace
 {
 
 constexpr uint32_t most_influences = 4;
+// Of an influence: of how far clips part joints, and of the size, as hosts may have others. Found by trying.
+constexpr double sway_cost = 0.5, least_cost = 0.05;
+constexpr size_t most_reduced = 128;  // triangles: from here down by reduced()
+constexpr size_t fit_samples = 2000, reduce_samples = 600;
 constexpr uint32_t first_zone = 0x80000000u;  // of a feature's numbers: those below are joints
 
 struct Influence {
@@ -26,8 +33,8 @@ struct Influence {
 };
 
 // What stands at a place: which joints it follows and which zone it shows.
-Attributes features_at(const model::Model &model, const PosedParts &parts, const Place &place, double influence,
-                       double zone_cost)
+Attributes features_at(const model::Model &model, const PosedParts &parts, const Place &place,
+                       const std::vector<double> &influences, double zone_cost)
 {
     Attributes found;
     const auto add = [&](uint32_t id, double value) {
@@ -41,7 +48,7 @@ Attributes features_at(const model::Model &model, const PosedParts &parts, const
         for (size_t i = 0; i < part.influence_count; ++i) {
             const size_t at = size_t(t.vertices[k]) * part.influence_count + i;
             const double weight = place.weights[static_cast<int>(k)] * double(part.weights[at]);
-            if (weight > 0) add(part.joints[at], influence * weight);
+            if (weight > 0) add(part.joints[at], influences[part.joints[at]] * weight);
         }
     const uint32_t zone = zone_at(model, parts, place);
     if (zone != model::none) add(first_zone + zone, zone_cost);
@@ -50,11 +57,12 @@ Attributes features_at(const model::Model &model, const PosedParts &parts, const
 }
 
 // The heaviest first.
-std::vector<Influence> influences_of(const Features &features)
+std::vector<Influence> influences_of(const Features &features, const std::vector<double> &costs)
 {
     std::vector<Influence> found;
     for (const Attribute &attribute : features.mean)
-        if (attribute.id < first_zone && attribute.value > 0) found.push_back({attribute.id, attribute.value});
+        if (attribute.id < first_zone && attribute.value > 0)
+            found.push_back({attribute.id, attribute.value / costs[attribute.id]});
     std::sort(found.begin(), found.end(), [](const Influence &a, const Influence &b) {
         return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
     });
@@ -96,13 +104,14 @@ math::Affine back_from_rest(const std::vector<Influence> &influences, base::Span
     return math::determinant(sum) != 0 ? math::inverse(sum) : math::inverse(palette[influences[0].joint]);
 }
 
-model::Part part_of(const std::string &name, const Coarse &coarse, base::Span<const math::Affine> palette)
+model::Part part_of(const std::string &name, const Coarse &coarse, const std::vector<double> &costs,
+                    base::Span<const math::Affine> palette)
 {
     model::Part part;
     part.name = name, part.skinned = true, part.influence_count = most_influences;
     const std::vector<glm::dvec3> normals = normals_of(coarse.surface);
     for (size_t v = 0; v < normals.size(); ++v) {
-        const std::vector<Influence> influences = influences_of(coarse.features[v]);
+        const std::vector<Influence> influences = influences_of(coarse.features[v], costs);
         const math::Affine back = back_from_rest(influences, palette);
         part.positions.push_back(math::point(back, glm::vec3(coarse.surface.positions[v])));
         const glm::vec3 n = math::direction(math::normal_matrix(back), glm::vec3(normals[v]));
@@ -125,6 +134,37 @@ double size_of(const std::vector<Voxels::Triangle> &triangles)
     return std::max({last.x - first.x, last.y - first.y, last.z - first.z});
 }
 
+// [palette] of an influence: how far what follows a joint sways, or so much of the size where there are no clips.
+std::vector<double> costs_of_influences(const model::Model &model, const std::vector<const model::Part *> &source,
+                                        const ShellWish &wish, double size)
+{
+    const std::vector<std::vector<glm::vec3>> rest = at_rest(model.rig, source);
+    std::vector<Piece> pieces;
+    for (size_t i = 0; i < source.size(); ++i) pieces.push_back({source[i], &rest[i]});
+    std::vector<double> costs = sways_of(model, pieces);
+    for (double &cost : costs) cost = sway_cost * cost + least_cost * size;
+    costs.resize(model.rig.palette.size(), wish.influence * size);
+    return costs;
+}
+
+// By planes as far as limbs are many triangles each, then by what is seen.
+std::vector<Coarse> coarse_levels(const Boundary &surface, const std::vector<Attributes> &features,
+                                  const std::vector<size_t> &targets)
+{
+    const auto few = std::find_if(targets.begin(), targets.end(), [](size_t n) { return n <= most_reduced; });
+    std::vector<size_t> many(targets.begin(), few);
+    if (few != targets.end()) many.push_back(*few * 3 / 2);
+    std::vector<Coarse> levels = coarsened(surface, features, many);
+    const FineSurface fine(surface, features, fit_samples);
+    for (Coarse &level : levels) fit(fine, level);
+    if (few == targets.end()) return levels;
+    const Coarse from = std::move(levels.back());
+    levels.pop_back();
+    const FineSurface sparse(surface, features, reduce_samples);
+    for (Coarse &level : reduced(sparse, from, {few, targets.end()})) levels.push_back(std::move(level));
+    return levels;
+}
+
 }  // namespace
 
 std::vector<model::Part> shells_of(const model::Model &model, const std::vector<const model::Part *> &source,
@@ -142,16 +182,17 @@ std::vector<model::Part> shells_of(const model::Model &model, const std::vector<
     Boundary surface = boundary_of(voxels);
     const NearestPoint nearest(std::move(triangles));
 
+    const std::vector<double> costs = costs_of_influences(model, source, wish, size);
     std::vector<Attributes> features;
     for (glm::dvec3 &p : surface.positions) {
         const NearestPoint::Found found = nearest.to(p);
         const Place place = {found.triangle, found.weights};
-        features.push_back(features_at(model, posed, place, wish.influence * size, wish.zone * size));
+        features.push_back(features_at(model, posed, place, costs, wish.zone * size));
         p = drawn_in(p, where(posed, place), voxels.cell());
     }
     std::vector<model::Part> parts;
-    for (const Coarse &coarse : coarsened(surface, features, wish.targets))
-        parts.push_back(part_of(model.name, coarse, palette));
+    for (const Coarse &coarse : coarse_levels(surface, features, wish.targets))
+        parts.push_back(part_of(model.name, coarse, costs, palette));
     return parts;
 }
 

@@ -1,0 +1,168 @@
+#include "lib/lod/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+namespace claque::lod
+{
+
+namespace
+{
+
+constexpr double hold = 0.02;      // how much vertices keep to where they are, against what they stand for
+constexpr double most_lines = 12;  // of places on a triangle
+constexpr double enough = 0.01;    // of the squared distance: less gained is the last round
+
+// What places that are weighted sums of n unknowns say of them, by least squares: Cholesky's way.
+class Normal
+{
+public:
+    explicit Normal(size_t n) : n_(n), a_(n * n, 0) {}
+
+    void add(const std::array<uint32_t, 3> &at, glm::dvec3 weights, double area)
+    {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) a_[at[size_t(i)] * n_ + at[size_t(j)]] += area * weights[i] * weights[j];
+    }
+    void hold(size_t i, double weight) { a_[i * n_ + i] += weight; }
+    void factor()
+    {
+        for (size_t j = 0; j < n_; ++j) {
+            for (size_t k = 0; k < j; ++k) a_[j * n_ + j] -= a_[j * n_ + k] * a_[j * n_ + k];
+            a_[j * n_ + j] = std::sqrt(a_[j * n_ + j]);
+            for (size_t i = j + 1; i < n_; ++i) {
+                for (size_t k = 0; k < j; ++k) a_[i * n_ + j] -= a_[i * n_ + k] * a_[j * n_ + k];
+                a_[i * n_ + j] /= a_[j * n_ + j];
+            }
+        }
+    }
+    void solve(std::vector<glm::dvec3> &b) const
+    {
+        for (size_t i = 0; i < n_; ++i) {
+            for (size_t k = 0; k < i; ++k) b[i] -= a_[i * n_ + k] * b[k];
+            b[i] /= a_[i * n_ + i];
+        }
+        for (size_t i = n_; i-- > 0;) {
+            for (size_t k = i + 1; k < n_; ++k) b[i] -= a_[k * n_ + i] * b[k];
+            b[i] /= a_[i * n_ + i];
+        }
+    }
+
+private:
+    size_t n_;
+    std::vector<double> a_;
+};
+
+bool turns_over(const Boundary &was, const std::vector<glm::dvec3> &positions, double sliver)
+{
+    for (const auto &t : was.triangles) {
+        const glm::dvec3 before = twice_area({was.positions[t[0]], was.positions[t[1]], was.positions[t[2]]});
+        const glm::dvec3 after = twice_area({positions[t[0]], positions[t[1]], positions[t[2]]});
+        if (glm::length(before) < sliver) continue;
+        if (glm::dot(before, after) < 0.2 * glm::length(before) * glm::length(after)) return true;
+    }
+    return false;
+}
+
+struct Link {  // a place of the coarse surface, and where it should be
+    std::array<uint32_t, 3> vertices{};
+    glm::dvec3 weights = glm::dvec3(0);
+    glm::dvec3 wanted = glm::dvec3(0);
+    double area = 0;
+    const Attributes *features = nullptr;  // null: of a place of the coarse surface's own
+};
+
+// From the fine surface's samples; and from places of the coarse one, about as many for its area.
+std::vector<Link> links_of(const FineSurface &fine, const Boundary &coarse)
+{
+    const std::vector<NearestPoint::Triangle> triangles = corners_of(coarse);
+    const NearestPoint nearest(triangles);
+    std::vector<Link> out;
+    for (const FineSurface::Sample &sample : fine.samples()) {
+        const NearestPoint::Found found = nearest.to(sample.at);
+        out.push_back({coarse.triangles[found.triangle], found.weights, sample.at, sample.area, sample.features});
+    }
+    const double each = fine.area() / double(fine.samples().size());
+    for (size_t t = 0; t < triangles.size(); ++t) {
+        const double area = 0.5 * glm::length(twice_area(triangles[t]));
+        const double n = std::clamp(std::ceil(std::sqrt(area / each)), 1.0, most_lines);
+        for (double i = 0; i < n; ++i)
+            for (double j = 0; i + j < n; ++j)
+                for (const double third : {1.0, 2.0}) {
+                    if (third == 2 && i + j + 2 > n) continue;
+                    const double b = (i + third / 3) / n, c = (j + third / 3) / n;
+                    const glm::dvec3 weights(1 - b - c, b, c);
+                    out.push_back({coarse.triangles[t], weights, fine.nearest(point_on(triangles[t], weights)),
+                                   area / (n * n), nullptr});
+                }
+    }
+    return out;
+}
+
+double sum_of(const std::vector<Link> &links, const Boundary &coarse)
+{
+    double sum = 0;
+    for (const Link &link : links) {
+        const auto &v = link.vertices;
+        const glm::dvec3 at =
+            point_on({coarse.positions[v[0]], coarse.positions[v[1]], coarse.positions[v[2]]}, link.weights);
+        sum += link.area * glm::dot(at - link.wanted, at - link.wanted);
+    }
+    return sum;
+}
+
+std::vector<glm::dvec3> wanted_places(const FineSurface &fine, const std::vector<Link> &links, const Boundary &coarse)
+{
+    const size_t n = coarse.positions.size();
+    const double held = hold * fine.area() / double(n);
+    Normal normal(n);
+    std::vector<glm::dvec3> places(n);
+    for (const Link &link : links) {
+        normal.add(link.vertices, link.weights, link.area);
+        for (int k = 0; k < 3; ++k) places[link.vertices[size_t(k)]] += link.area * link.weights[k] * link.wanted;
+    }
+    for (size_t v = 0; v < n; ++v) normal.hold(v, held), places[v] += held * coarse.positions[v];
+    normal.factor();
+    normal.solve(places);
+    return places;
+}
+
+// The mean of what is nearest to a vertex, each by its share of the place.
+void stand_for(const std::vector<Link> &links, Coarse &coarse)
+{
+    std::vector<Features> sums(coarse.features.size());
+    for (const Link &link : links)
+        for (int k = 0; k < 3 && link.features; ++k) {
+            Features &sum = sums[link.vertices[size_t(k)]];
+            if (link.weights[k] > 0) sum = joined(sum, {link.area * link.weights[k], *link.features});
+        }
+    for (size_t v = 0; v < sums.size(); ++v)
+        if (sums[v].area > 0) coarse.features[v] = std::move(sums[v]);
+}
+
+}  // namespace
+
+void fit(const FineSurface &fine, Coarse &coarse, int rounds)
+{
+    Boundary &surface = coarse.surface;
+    if (surface.triangles.empty() || fine.samples().empty()) return;
+    const double sliver = 0.05 * fine.area() / double(surface.triangles.size());
+    std::vector<Link> links = links_of(fine, surface);
+    double sum = sum_of(links, surface);
+    for (int round = 0; round < rounds; ++round) {
+        const std::vector<glm::dvec3> wanted = wanted_places(fine, links, surface);
+        const double before = sum;
+        for (double step = 1; step > 0.1 && sum == before; step *= 0.5) {
+            Boundary next = surface;
+            for (size_t v = 0; v < wanted.size(); ++v) next.positions[v] += step * (wanted[v] - surface.positions[v]);
+            if (turns_over(surface, next.positions, sliver)) continue;
+            std::vector<Link> then = links_of(fine, next);
+            const double sum_then = sum_of(then, next);
+            if (sum_then < sum) surface = std::move(next), links = std::move(then), sum = sum_then;
+        }
+        if (before - sum < enough * before) break;
+    }
+    stand_for(links, coarse);
+}
+
+}  // namespace claque::lod

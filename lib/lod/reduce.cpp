@@ -1,0 +1,292 @@
+#include "lib/lod/reduce.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "lib/lod/fit.h"
+#include "lib/lod/joins.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+constexpr size_t fitted_often = 40;  // triangles: from here down after each collapse
+constexpr double never = std::numeric_limits<double>::infinity();
+
+struct Nearest {
+    size_t triangle = 0;
+    glm::dvec3 weights = glm::dvec3(0), off = glm::dvec3(0);  // from there to the point
+    double distance_squared = never;
+};
+
+Nearest nearest_of(const std::vector<NearestPoint::Triangle> &triangles, glm::dvec3 p)
+{
+    Nearest best;
+    for (size_t t = 0; t < triangles.size(); ++t) {
+        const glm::dvec3 weights = nearest_on(triangles[t], p), off = p - point_on(triangles[t], weights);
+        const double square = glm::dot(off, off);
+        if (square < best.distance_squared) best = {t, weights, off, square};
+    }
+    return best;
+}
+
+class Reduction
+{
+public:
+    Reduction(const FineSurface &fine, const Coarse &from) : fine_(fine) { begin(from); }
+
+    // False: none is left that turns nothing over.
+    bool collapse()
+    {
+        for (const Triangle &t : level_.surface.triangles)
+            for (size_t k = 0; k < 3; ++k) {
+                const Edge edge = edge_of(t, k);
+                if (!wishes_.count(edge)) wishes_[edge] = wish_of(edge);
+            }
+        const auto best = std::min_element(wishes_.begin(), wishes_.end(),
+                                           [](const auto &x, const auto &y) { return x.second.cost < y.second.cost; });
+        if (best == wishes_.end() || best->second.cost == never) return false;
+        take(best->first, best->second.at);
+        return true;
+    }
+    void refit(int rounds)
+    {
+        Coarse now = result();
+        fit(fine_, now, rounds);
+        begin(now);
+    }
+    size_t count() const { return level_.surface.triangles.size(); }
+
+    // Without vertices that no triangle has.
+    Coarse result() const
+    {
+        Coarse out;
+        std::map<uint32_t, uint32_t> numbers;
+        for (Triangle t : level_.surface.triangles) {
+            for (uint32_t &v : t) {
+                const auto [found, is_new] = numbers.try_emplace(v, static_cast<uint32_t>(numbers.size()));
+                if (is_new) {
+                    out.surface.positions.push_back(level_.surface.positions[v]);
+                    out.features.push_back(level_.features[v]);
+                }
+                v = found->second;
+            }
+            out.surface.triangles.push_back(t);
+        }
+        return out;
+    }
+
+private:
+    struct Wish {
+        double cost = never;
+        glm::dvec3 at = glm::dvec3(0);
+    };
+    struct Star {  // of an edge
+        std::vector<Triangle> before, after;
+        std::vector<uint32_t> samples;
+        double now = 0;  // what its triangles and samples cost as they are
+    };
+
+    void begin(const Coarse &from)
+    {
+        level_ = from;
+        wishes_.clear(), back_.clear(), linked_.clear(), distances_.clear();
+        for (const NearestPoint::Triangle &t : corners_of(level_.surface)) back_.push_back(back_of(t));
+        sliver_ = 0.05 * fine_.area() / double(count());
+        const NearestPoint nearest(corners_of(level_.surface));
+        for (const FineSurface::Sample &sample : fine_.samples()) {
+            const NearestPoint::Found found = nearest.to(sample.at);
+            linked_.push_back(found.triangle), distances_.push_back(found.distance_squared);
+        }
+    }
+
+    glm::dvec3 at(uint32_t v) const { return level_.surface.positions[v]; }
+
+    // Squared distance of a triangle from the fine surface, times its area.
+    double back_of(const NearestPoint::Triangle &t) const
+    {
+        double sum = 0;
+        for (const glm::dvec3 weights : {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
+                                         glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0}) {
+            const glm::dvec3 p = point_on(t, weights), off = p - fine_.nearest(p);
+            sum += glm::dot(off, off) / 4;
+        }
+        return 0.5 * glm::length(twice_area(t)) * sum;
+    }
+
+    Star star_of(Edge edge) const
+    {
+        Star star;
+        std::vector<bool> in(count());
+        for (uint32_t t = 0; t < count(); ++t) {
+            const Triangle &triangle = level_.surface.triangles[t];
+            in[t] = has(triangle, edge.first) || has(triangle, edge.second);
+            if (in[t]) star.before.push_back(triangle), star.now += back_[t];
+        }
+        star.after = joined_at(edge.first, edge.second, star.before);
+        for (uint32_t s = 0; s < linked_.size(); ++s) {
+            if (!in[linked_[s]]) continue;
+            star.samples.push_back(s);
+            star.now += fine_.samples()[s].area * distances_[s];
+        }
+        return star;
+    }
+
+    // Whether a limb would come off: where the surface is round a neck that the edge is part of.
+    bool parts(Edge edge, const Star &star) const
+    {
+        if (star.after.size() + 2 == star.before.size() && common_neighbours(star, edge) == 2) return false;
+        const std::vector<Triangle> &all = level_.surface.triangles;
+        return pieces_of(joined_at(edge.first, edge.second, all)) > pieces_of(all);
+    }
+    static size_t common_neighbours(const Star &star, Edge edge)
+    {
+        std::set<uint32_t> of_first, of_second;
+        for (const Triangle &t : star.before) {
+            if (has(t, edge.first)) of_first.insert(t.begin(), t.end());
+            if (has(t, edge.second)) of_second.insert(t.begin(), t.end());
+        }
+        size_t both = 0;
+        for (const uint32_t v : of_first) both += v != edge.first && v != edge.second && of_second.count(v);
+        return both;
+    }
+
+    Wish wish_of(Edge edge) const
+    {
+        const Star star = star_of(edge);
+        Wish best;
+        const auto look = [&](glm::dvec3 place) {
+            const double cost = cost_of(edge, place, star, best.cost + star.now) - star.now;
+            const bool better = cost < best.cost;
+            if (better) best = {cost, place};
+            return better;
+        };
+        if (star.after.empty() || parts(edge, star)) return best;
+        for (const double of_b : {0.5, 0.0, 1.0})
+            if (look((1 - of_b) * at(edge.first) + of_b * at(edge.second))) break;
+        for (int round = 0; round < 2 && best.cost < never; ++round)
+            if (!look(settled(edge, best.at, star))) break;
+        best.cost += variance_of(level_.features[edge.first], level_.features[edge.second]);
+        return best;
+    }
+
+    // With both ends at one place.
+    NearestPoint::Triangle corners(const Triangle &t, Edge edge, glm::dvec3 place) const
+    {
+        NearestPoint::Triangle out;
+        for (size_t k = 0; k < 3; ++k) out[k] = t[k] == edge.first || t[k] == edge.second ? place : at(t[k]);
+        return out;
+    }
+    std::vector<NearestPoint::Triangle> after(const Star &star, Edge edge, glm::dvec3 place) const
+    {
+        std::vector<NearestPoint::Triangle> out;
+        for (const Triangle &t : star.after) out.push_back(corners(t, edge, place));
+        return out;
+    }
+    bool turns(Edge edge, glm::dvec3 place, const Star &star) const
+    {
+        for (const Triangle &t : star.before) {
+            if (has(t, edge.first) && has(t, edge.second)) continue;
+            const glm::dvec3 was = twice_area({at(t[0]), at(t[1]), at(t[2])});
+            const glm::dvec3 is = twice_area(corners(t, edge, place));
+            const double was_long = glm::length(was), is_long = glm::length(is);
+            if (was_long > sliver_ && is_long > sliver_ && glm::dot(was, is) < 0.2 * was_long * is_long) return true;
+        }
+        return false;
+    }
+
+    double cost_of(Edge edge, glm::dvec3 place, const Star &star, double most) const
+    {
+        if (turns(edge, place, star)) return never;
+        const std::vector<NearestPoint::Triangle> next = after(star, edge, place);
+        double sum = 0;
+        for (const uint32_t s : star.samples) {
+            sum += fine_.samples()[s].area * nearest_of(next, fine_.samples()[s].at).distance_squared;
+            if (sum >= most) return never;
+        }
+        for (const NearestPoint::Triangle &t : next) sum += back_of(t);
+        return sum;
+    }
+
+    // Where the vertex in place of both lies best for the samples of its triangles, by least squares.
+    glm::dvec3 settled(Edge edge, glm::dvec3 place, const Star &star) const
+    {
+        const std::vector<NearestPoint::Triangle> next = after(star, edge, place);
+        glm::dvec3 sum(0);
+        double all = 0;
+        for (const uint32_t s : star.samples) {
+            const FineSurface::Sample &sample = fine_.samples()[s];
+            const Nearest nearest = nearest_of(next, sample.at);
+            const Triangle &t = star.after[nearest.triangle];
+            int k = 0;
+            while (k < 3 && t[size_t(k)] != edge.first) ++k;
+            const double weight = k < 3 ? nearest.weights[k] : 0;
+            sum += sample.area * weight * (nearest.off + weight * place);
+            all += sample.area * weight * weight;
+        }
+        return all > 0 ? sum / all : place;
+    }
+
+    void take(Edge edge, glm::dvec3 place)
+    {
+        const Star star = star_of(edge);
+        Coarse next;
+        next.surface.positions = level_.surface.positions, next.features = level_.features;
+        next.surface.positions[edge.first] = place;
+        next.features[edge.first] = joined(level_.features[edge.first], level_.features[edge.second]);
+        std::vector<double> back;
+        std::vector<uint32_t> renamed;
+        std::set<uint32_t> touched;
+        for (uint32_t t = 0; t < count(); ++t) {
+            const Triangle &triangle = level_.surface.triangles[t];
+            renamed.push_back(static_cast<uint32_t>(back.size()));
+            if (has(triangle, edge.first) || has(triangle, edge.second)) {
+                touched.insert(triangle.begin(), triangle.end());
+                continue;
+            }
+            next.surface.triangles.push_back(triangle), back.push_back(back_[t]);
+        }
+        const size_t stay = back.size();
+        const std::vector<NearestPoint::Triangle> moved = after(star, edge, place);
+        for (size_t i = 0; i < moved.size(); ++i)
+            next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i]));
+        for (uint32_t &t : linked_) t = renamed[t];
+        for (const uint32_t s : star.samples) {
+            const Nearest nearest = nearest_of(moved, fine_.samples()[s].at);
+            linked_[s] = static_cast<uint32_t>(stay + nearest.triangle), distances_[s] = nearest.distance_squared;
+        }
+        level_ = std::move(next), back_ = std::move(back);
+        for (auto it = wishes_.begin(); it != wishes_.end();)
+            it = touched.count(it->first.first) || touched.count(it->first.second) ? wishes_.erase(it) : std::next(it);
+    }
+
+    const FineSurface &fine_;
+    Coarse level_;
+    std::vector<double> back_;       // [triangles]
+    std::vector<uint32_t> linked_;   // [samples] triangle where each is nearest
+    std::vector<double> distances_;  // [samples] squared, to it
+    std::map<Edge, Wish> wishes_;
+    double sliver_ = 0;  // twice the area below which a triangle points anywhere
+};
+
+}  // namespace
+
+std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const std::vector<size_t> &targets)
+{
+    Reduction work(fine, from);
+    std::vector<Coarse> out;
+    for (const size_t target : targets) {
+        while (work.count() > target && work.collapse())
+            if (work.count() <= fitted_often) work.refit(2);
+        work.refit(most_fit_rounds);
+        out.push_back(work.result());
+    }
+    return out;
+}
+
+}  // namespace claque::lod
