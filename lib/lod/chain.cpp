@@ -21,6 +21,7 @@ namespace
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
 
 constexpr double most_drift = 0.02;  // of the share of any zone, at any level
+constexpr int most_tries = 3;        // to keep to it
 
 bool takes_part(const model::Part &part)
 {
@@ -103,6 +104,30 @@ size_t triangles_of(const Made &made)
     return count;
 }
 
+// Near levels as far as seams let them come down, and how far each is from the zones of the source.
+struct Near {
+    std::vector<Decimated> levels;
+    std::vector<double> drifts;
+    size_t good = 0;       // those from this one on do not keep to what is promised
+    bool drifted = false;  // by their zones
+};
+
+Near made_near(const model::Model &model, const std::vector<Piece> &pieces, const std::vector<double> &shares,
+               const Decimation &how, const ChainWish &wish)
+{
+    Near near;
+    near.levels = wish.plain ? decimated_plainly(pieces, how.targets) : decimate(pieces, how, wish.jobs);
+    near.drifts.resize(near.levels.size());
+    wish.jobs.try_each(static_cast<uint32_t>(near.levels.size()), [&](uint32_t k) {
+        near.drifts[k] = largest_drift(shares, zone_shares(model, pointers(near.levels[k].parts)));
+    });
+    while (near.good < near.levels.size() && near.drifts[near.good] <= most_drift &&
+           near.levels[near.good].triangles * 20 <= how.targets[near.good] * 21)
+        ++near.good;
+    near.drifted = near.good < near.levels.size() && near.drifts[near.good] > most_drift;
+    return near;
+}
+
 // Those of `targets`, descending, from the first on that seams and borders keep it from or that would not keep its zones: where
 // there are far levels these take over there.
 std::vector<size_t> add_near(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
@@ -113,20 +138,20 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
     const std::vector<std::vector<glm::vec3>> rest = at_rest(model.rig, source.parts);
     std::vector<Piece> pieces;
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
-    std::vector<Decimated> levels = wish.plain ? decimated_plainly(pieces, targets) : decimate(pieces, how, wish.jobs);
-    std::vector<double> drifts(levels.size());
-    wish.jobs.try_each(static_cast<uint32_t>(levels.size()), [&](uint32_t k) {
-        drifts[k] = largest_drift(source.shares, zone_shares(model, pointers(levels[k].parts)));
-    });
-    for (size_t k = 0; k < levels.size(); ++k) {
-        const double drift = drifts[k];
-        if (has_far && (drift > most_drift || levels[k].triangles * 20 > targets[k] * 21))
-            return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
-        if (levels[k].triangles >= triangles_of(made.back())) continue;
+    Near near = made_near(model, pieces, source.shares, how, wish);
+    // A little beyond what is promised is often within it where zones cost more.
+    for (int i = 0; i < most_tries && has_far && near.drifted && near.drifts[near.good] < 2 * most_drift; ++i) {
+        how.drift *= 1.4;
+        if (Near again = made_near(model, pieces, source.shares, how, wish); again.good > near.good)
+            near = std::move(again);
+    }
+    for (size_t k = 0; k < near.levels.size(); ++k) {
+        if (has_far && k == near.good) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
+        if (near.levels[k].triangles >= triangles_of(made.back())) continue;
         Made next;
-        next.level.flipped = levels[k].flipped;
-        next.level.zone_drift = drift;
-        next.parts = std::move(levels[k].parts);
+        next.level.flipped = near.levels[k].flipped;
+        next.level.zone_drift = near.drifts[k];
+        next.parts = std::move(near.levels[k].parts);
         made.push_back(std::move(next));
     }
     return {};

@@ -112,7 +112,7 @@ std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimatio
     for (const size_t target : wish.targets) {
         for (size_t before = faces_of(surface.mesh), now = before; before > target; before = now) {
             if (drift) drift->measure();
-            const size_t next = drift ? std::max(target, before * 95 / 100) : target;
+            const size_t next = drift ? std::max(target, before * 97 / 100) : target;
             // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.
             decimater.decimate_to_faces(0, next + surface.mesh.n_faces() - before);
             now = faces_of(surface.mesh);

@@ -13,7 +13,7 @@ namespace
 {
 
 // Of a share: off by more, what a zone costs grows with the third power, so that none comes to two points.
-constexpr double steep = 0.01;
+constexpr double steep = 0.006;
 
 }  // namespace
 

@@ -9,7 +9,7 @@ namespace claque::lod
 {
 
 // A level shall show of each zone as much as the source (shares.h): half the square of what its area is off by, and more
-// from a point on, times `weight`, is added to the cost of a mesh; a collapse pays or earns what it changes of that.
+// from half a point on, times `weight`, is added to the cost of a mesh; a collapse pays or earns what it changes of that.
 class ZoneDrift
 {
 public:
