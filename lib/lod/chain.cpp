@@ -140,7 +140,7 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
     Near near = made_near(model, pieces, source.shares, how, wish);
     // A little beyond what is promised is often within it where zones cost more.
-    for (int i = 0; i < most_tries && has_far && near.drifted && near.drifts[near.good] < 2 * most_drift; ++i) {
+    for (int i = 0; i < most_tries && has_far && near.drifted && near.drifts[near.good] < 1.25 * most_drift; ++i) {
         how.drift *= 1.4;
         if (Near again = made_near(model, pieces, source.shares, how, wish); again.good > near.good)
             near = std::move(again);
