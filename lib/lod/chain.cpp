@@ -58,6 +58,7 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
 struct Made {
     ChainLevel level;
     bool is_far = false;  // one part in place of all
+    bool is_measured = false;
     std::vector<model::Part> parts;
 };
 
@@ -159,9 +160,9 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
 
 // `model` gets the materials and the images of these levels, and keys that tell all its zones apart.
 void add_far(model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
-             std::vector<Made> &made)
+             const base::Jobs &jobs, std::vector<Made> &made)
 {
-    FarLevels far = make_far(model, source, wish);
+    FarLevels far = make_far(model, source, wish, jobs);
     enter(far, model);
     for (model::Part &part : far.parts) {
         Made next;
@@ -174,15 +175,19 @@ void add_far(model::Model &model, const std::vector<const model::Part *> &source
 void measure(const model::Model &model, const Source &source, const ChainWish &wish, std::vector<Made> &made)
 {
     std::vector<const std::vector<model::Part> *> levels;
-    for (size_t k = 1; k < made.size(); ++k) levels.push_back(&made[k].parts);
+    std::vector<size_t> fresh;
+    for (size_t k = 1; k < made.size(); ++k)
+        if (!made[k].is_measured) fresh.push_back(k), levels.push_back(&made[k].parts);
     const std::vector<Deviation> found =
         deviations(model, source.parts, source.seen, levels, wish.sampling, wish.metres_per_unit, wish.jobs);
-    for (size_t k = 1; k < made.size(); ++k) {
+    for (size_t i = 0; i < fresh.size(); ++i) {
+        const size_t k = fresh[i];
         ChainLevel &level = made[k].level;
+        made[k].is_measured = true;
         level.triangles = level.vertices = 0;
         for (const model::Part &part : made[k].parts)
             level.triangles += part.indices.size() / 3, level.vertices += part.positions.size();
-        level.deviation = found[k - 1];
+        level.deviation = found[i];
         level.error_m = 2 * level.deviation.posed_rms_m;
         level.first_m = distance_of(level.error_m, wish.tolerance_px);
         // Where each is kept distances must ascend; else what is coarser and no further off takes a level's place.
@@ -278,7 +283,7 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     const size_t materials = next.materials.size(), images = next.images.size();
     for (bool again = true; again;) {
         next.materials.resize(materials), next.images.resize(images);
-        if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, made);
+        if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, wish.jobs, made);
         measure(next, source, wish, made);
         again = has_far && give_way(made, far_targets);
     }

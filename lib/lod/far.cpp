@@ -62,13 +62,13 @@ uint32_t add_material(const FarSource &source, std::vector<model::Image> images,
 
 }  // namespace
 
-FarSource::FarSource(const model::Model &of, const std::vector<const model::Part *> &parts)
+FarSource::FarSource(const model::Model &of, const std::vector<const model::Part *> &parts, const base::Jobs &jobs)
     : model(of), fine(parts), keys(keys_of(of))
 {
     pose::Workspace workspace(model.rig);
     const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
     fine.pose(model.rig, palette, workspace.weights());
-    seen = seen_of(model, fine);
+    seen = seen_of(model, fine, jobs);
     for (size_t i = 0; i < set_count(); ++i) shares.push_back(zone_shares(model, fine, seen, set(i)));
 }
 
@@ -81,27 +81,26 @@ PosedParts FarSource::at_rest(const model::Part &part) const
     return posed;
 }
 
-FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish)
+FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
+                   const base::Jobs &jobs)
 {
     ShellWish shell;
     shell.targets = wish.targets;
     shell.influence = wish.influence, shell.zone = wish.zone;
-    const FarSource from(model, source);
+    const FarSource from(model, source, jobs);
     std::vector<model::Part> in_blocks;
     FarLevels far;
     far.zone_keys = from.keys;
     far.set_images.resize(model.texture_sets.size());
-    for (model::Part &part : shells_of(model, source, shell)) {
-        if (part.indices.size() <= 3 * wish.most_clean) {
-            in_blocks.push_back(std::move(part));
-            continue;
-        }
-        std::vector<model::Image> images = painted_in_charts(from, part);
-        part.material = add_material(from, std::move(images), far);
-        far.parts.push_back(std::move(part));
-    }
+    for (model::Part &part : shells_of(model, source, shell))
+        (part.indices.size() <= 3 * wish.most_clean ? in_blocks : far.parts).push_back(std::move(part));
+    std::vector<std::vector<model::Image>> in_charts(far.parts.size());
+    jobs.try_each(static_cast<uint32_t>(in_charts.size()),
+                  [&](uint32_t i) { in_charts[i] = painted_in_charts(from, far.parts[i]); });
+    for (size_t i = 0; i < in_charts.size(); ++i)
+        far.parts[i].material = add_material(from, std::move(in_charts[i]), far);
     if (in_blocks.empty()) return far;
-    std::vector<model::Image> images = painted_in_blocks(from, in_blocks);
+    std::vector<model::Image> images = painted_in_blocks(from, in_blocks, jobs);
     const uint32_t material = add_material(from, std::move(images), far);
     for (model::Part &part : in_blocks) {
         part.material = material;

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "lib/base/services.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -28,8 +29,9 @@ struct FarLevels {
 };
 
 // `source` are triangle parts of `model`, which has passed model::check. Throws base::Error (CLQ_LIMIT) where zones are
-// more than keys. Deterministic.
-FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish);
+// more than keys. Deterministic, whatever the jobs.
+FarLevels make_far(const model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
+                   const base::Jobs &jobs = {});
 
 // Gives the same `model` materials, images, what its texture sets show of them, and keys; parts are left to the caller.
 void enter(const FarLevels &far, model::Model &model);

@@ -118,19 +118,25 @@ model::Image image_of(const FarSource &source, const std::map<Look, Sums> &colou
 
 }  // namespace
 
-std::vector<model::Image> painted_in_blocks(const FarSource &source, std::vector<model::Part> &parts)
+std::vector<model::Image> painted_in_blocks(const FarSource &source, std::vector<model::Part> &parts,
+                                            const base::Jobs &jobs)
 {
+    std::vector<std::vector<Seen>> all(parts.size());
+    std::vector<std::vector<uint32_t>> zones(parts.size());
+    jobs.try_each(static_cast<uint32_t>(parts.size()), [&](uint32_t i) {
+        const PosedParts coarse = source.at_rest(parts[i]);
+        all[i] = what_is_seen(source, coarse);
+        zones[i] = zones_of(source, coarse, all[i]);
+    });
     std::map<Look, Sums> colours;
     std::vector<std::vector<Look>> looks;
-    for (const model::Part &part : parts) {
-        const PosedParts coarse = source.at_rest(part);
-        looks.emplace_back();
-        const uint32_t shades = coarse.triangles().size() <= plain_triangles ? 1 : most_shades;
-        const std::vector<Seen> seen = what_is_seen(source, coarse);
-        const std::vector<uint32_t> zones = zones_of(source, coarse, seen);
+    for (size_t i = 0; i < parts.size(); ++i) {
+        const std::vector<Seen> &seen = all[i];
+        const uint32_t shades = seen.size() <= plain_triangles ? 1 : most_shades;
         const Seen usual = usual_of(seen);
+        looks.emplace_back();
         for (size_t t = 0; t < seen.size(); ++t)
-            looks.back().push_back(look_of(source, seen[t], zones[t], usual, shades, colours));
+            looks.back().push_back(look_of(source, seen[t], zones[i][t], usual, shades, colours));
     }
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) images.push_back(image_of(source, colours, set));

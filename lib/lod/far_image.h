@@ -9,7 +9,7 @@ namespace claque::lod
 
 // What they are painted from.
 struct FarSource {
-    FarSource(const model::Model &model, const std::vector<const model::Part *> &parts);
+    FarSource(const model::Model &model, const std::vector<const model::Part *> &parts, const base::Jobs &jobs = {});
 
     size_t set_count() const { return model.texture_sets.size() + 1; }
     const model::TextureSet *set(size_t i) const { return i ? &model.texture_sets[i - 1] : nullptr; }
@@ -30,7 +30,8 @@ void give_uvs(model::Part &part, const std::vector<glm::vec2> &corners);
 
 // Each triangle of each part shows one zone in one brightness, from all of the source that lies nearest to it; parts get
 // their texture coordinates. One image for each texture set, for all parts.
-std::vector<model::Image> painted_in_blocks(const FarSource &source, std::vector<model::Part> &parts);
+std::vector<model::Image> painted_in_blocks(const FarSource &source, std::vector<model::Part> &parts,
+                                            const base::Jobs &jobs = {});
 
 // One part whose triangles show, texel by texel, what lies nearest on the source.
 std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part);

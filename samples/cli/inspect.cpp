@@ -199,7 +199,7 @@ struct InspectArguments {
 
 void inspect(const InspectArguments &a)
 {
-    scenes::Library library(1);
+    scenes::Library library(core_count());
     Json report = {{"file", a.file}};
     if (is_prepared(a.file)) report["split"] = template_json(load_character(library, a.file).tmpl.get());
     else {

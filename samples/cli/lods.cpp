@@ -120,7 +120,7 @@ void compare(const LodsArguments &a, scenes::Library &library)
 void show(const LodsArguments &a)
 {
     if (!a.out.empty()) expect_writable(a.out);
-    scenes::Library library(1);
+    scenes::Library library(core_count());
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared: levels are made before, from its source");
     if (a.compare) return compare(a, library);
     LoadedCharacter loaded;

@@ -2,6 +2,7 @@
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/stage_arguments.h"
 #include "samples/cli/zone_arguments.h"
 
 #include <memory>
@@ -22,7 +23,7 @@ struct PrepareArguments {
 void prepare(const PrepareArguments &a)
 {
     expect_writable(a.out);
-    scenes::Library library(1);
+    scenes::Library library(core_count());
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared already");
     const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden, a.clips);
     give_zones(library, asset.get(), a.zones);

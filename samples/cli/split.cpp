@@ -34,7 +34,7 @@ void write_picture(const clq_template *tmpl, const SplitArguments &a)
 void split(const SplitArguments &a)
 {
     if (!a.picture.empty()) expect_writable(a.picture);
-    scenes::Library library(1);
+    scenes::Library library(core_count());
     const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
     const clq_template_info info = info_of(loaded.tmpl.get());
     if (!a.picture.empty()) write_picture(loaded.tmpl.get(), a);

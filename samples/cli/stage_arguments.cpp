@@ -106,9 +106,10 @@ CLI::IsMember scene_names()
     return CLI::IsMember(names);
 }
 
-int thread_count(const StageArguments &a)
+int thread_count(const StageArguments &a) { return a.threads > 0 ? a.threads : core_count(); }
+
+int core_count()
 {
-    if (a.threads > 0) return a.threads;
     const unsigned cores = std::thread::hardware_concurrency();
     return cores > 256 ? 256 : cores > 0 ? static_cast<int>(cores) : 1;
 }

@@ -46,6 +46,7 @@ void add_size_option(CLI::App &command, int &width, int &height);
 CLI::IsMember scene_names();
 
 int thread_count(const StageArguments &arguments);
+int core_count();  // that threads may run on: [1, 256]
 
 // The scene that is meant, and whether its camera is moved along a path: one of its own, or --path.
 std::string scene_of(const StageArguments &arguments);

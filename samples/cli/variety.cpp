@@ -189,7 +189,7 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
 void draw_variety(const VarietyArguments &a)
 {
     expect_writable(a.out);
-    scenes::Library library(1);
+    scenes::Library library(core_count());
     const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
     const clq_template *tmpl = loaded.tmpl.get();
     const Worn worn = worn_by(library, tmpl, a);
