@@ -94,11 +94,7 @@ FarLevels make_far(const model::Model &model, const std::vector<const model::Par
     far.set_images.resize(model.texture_sets.size());
     for (model::Part &part : shells_of(model, source, shell))
         (part.indices.size() <= 3 * wish.most_clean ? in_blocks : far.parts).push_back(std::move(part));
-    std::vector<std::vector<model::Image>> in_charts(far.parts.size());
-    jobs.try_each(static_cast<uint32_t>(in_charts.size()),
-                  [&](uint32_t i) { in_charts[i] = painted_in_charts(from, far.parts[i]); });
-    for (size_t i = 0; i < in_charts.size(); ++i)
-        far.parts[i].material = add_material(from, std::move(in_charts[i]), far);
+    for (model::Part &part : far.parts) part.material = add_material(from, painted_in_charts(from, part, jobs), far);
     if (in_blocks.empty()) return far;
     std::vector<model::Image> images = painted_in_blocks(from, in_blocks, jobs);
     const uint32_t material = add_material(from, std::move(images), far);

@@ -59,13 +59,15 @@ public:
         out_ = outwards * std::max({sizes.x, sizes.y, sizes.z});
     }
 
-    std::vector<Texel> run() const
+    std::vector<Texel> run(const base::Jobs &jobs) const
     {
         std::vector<Texel> texels(size_t(atlas_.width) * atlas_.height);
-        for (const Chart &chart : atlas_.charts)
+        jobs.try_each(static_cast<uint32_t>(atlas_.charts.size()), [&](uint32_t i) {
+            const Chart &chart = atlas_.charts[i];
             for (uint32_t y = chart.y; y < chart.y + chart.height; ++y)
                 for (uint32_t x = chart.x; x < chart.x + chart.width; ++x)
                     sample(chart, x, y, texels[size_t(y) * atlas_.width + x]);
+        });
         return texels;
     }
 
@@ -146,11 +148,11 @@ std::vector<double> areas_of(const model::Model &model, const PosedParts &level,
 
 }  // namespace
 
-std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part)
+std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part, const base::Jobs &jobs)
 {
     const PosedParts level = source.at_rest(part);
     const Atlas atlas = laid_flat(level, texels_a_triangle);
-    const std::vector<Texel> texels = Lookup(source, level, atlas).run();
+    const std::vector<Texel> texels = Lookup(source, level, atlas).run(jobs);
     const std::vector<double> areas = areas_of(source.model, level, atlas);
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) {

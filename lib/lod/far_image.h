@@ -34,6 +34,6 @@ std::vector<model::Image> painted_in_blocks(const FarSource &source, std::vector
                                             const base::Jobs &jobs = {});
 
 // One part whose triangles show, texel by texel, what lies nearest on the source.
-std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part);
+std::vector<model::Image> painted_in_charts(const FarSource &source, model::Part &part, const base::Jobs &jobs = {});
 
 }  // namespace claque::lod
