@@ -184,9 +184,8 @@ void measure(const model::Model &model, const Source &source, const ChainWish &w
         const size_t k = fresh[i];
         ChainLevel &level = made[k].level;
         made[k].is_measured = true;
-        level.triangles = level.vertices = 0;
-        for (const model::Part &part : made[k].parts)
-            level.triangles += part.indices.size() / 3, level.vertices += part.positions.size();
+        level.triangles = triangles_of(made[k]), level.vertices = 0;
+        for (const model::Part &part : made[k].parts) level.vertices += part.positions.size();
         level.deviation = found[i];
         level.error_m = 2 * level.deviation.posed_rms_m;
         level.first_m = distance_of(level.error_m, wish.tolerance_px);
