@@ -94,14 +94,26 @@ std::vector<glm::dvec3> normals_of(const Boundary &surface)
     return sums;
 }
 
-// From rest to where vertices lie before joints move them.
-math::Affine back_from_rest(const std::vector<Influence> &influences, base::Span<const math::Affine> palette)
+math::Affine blended(const std::vector<Influence> &influences, base::Span<const math::Affine> palette)
 {
     math::Affine sum;
     for (float &c : sum.c) c = 0;
     for (const Influence &f : influences)
         for (size_t i = 0; i < 12; ++i) sum.c[i] += static_cast<float>(f.weight) * palette[f.joint].c[i];
-    return math::determinant(sum) != 0 ? math::inverse(sum) : math::inverse(palette[influences[0].joint]);
+    return sum;
+}
+
+// Without the lightest, where all together fold space up at rest: what lies there would be thrown far away by other poses.
+void steady(std::vector<Influence> &influences, base::Span<const math::Affine> palette)
+{
+    constexpr float least = 0.5f;  // of the space that the heaviest leaves
+    const auto space = [&] { return std::abs(math::determinant(blended(influences, palette))); };
+    const float own = std::abs(math::determinant(palette[influences[0].joint]));
+    while (influences.size() > 1 && space() < least * own) {
+        const double lost = influences.back().weight;
+        influences.pop_back();
+        for (Influence &f : influences) f.weight /= 1 - lost;
+    }
 }
 
 model::Part part_of(const std::string &name, const Coarse &coarse, const std::vector<double> &costs,
@@ -111,8 +123,9 @@ model::Part part_of(const std::string &name, const Coarse &coarse, const std::ve
     part.name = name, part.skinned = true, part.influence_count = most_influences;
     const std::vector<glm::dvec3> normals = normals_of(coarse.surface);
     for (size_t v = 0; v < normals.size(); ++v) {
-        const std::vector<Influence> influences = influences_of(coarse.features[v], costs);
-        const math::Affine back = back_from_rest(influences, palette);
+        std::vector<Influence> influences = influences_of(coarse.features[v], costs);
+        steady(influences, palette);
+        const math::Affine back = math::inverse(blended(influences, palette));
         part.positions.push_back(math::point(back, glm::vec3(coarse.surface.positions[v])));
         const glm::vec3 n = math::direction(math::normal_matrix(back), glm::vec3(normals[v]));
         const float length = glm::length(n);
