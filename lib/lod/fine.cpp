@@ -34,9 +34,10 @@ FineSurface::FineSurface(const Boundary &surface, const std::vector<Attributes> 
     }
 }
 
-glm::dvec3 FineSurface::nearest(glm::dvec3 p) const
+glm::dvec3 FineSurface::nearest(glm::dvec3 p, uint32_t &guess) const
 {
-    const NearestPoint::Found found = nearest_.to(p);
+    const NearestPoint::Found found = nearest_.to(p, guess);
+    guess = found.triangle;
     const auto &t = surface_.triangles[found.triangle];
     return point_on({surface_.positions[t[0]], surface_.positions[t[1]], surface_.positions[t[2]]}, found.weights);
 }

@@ -20,7 +20,8 @@ public:
     };
     const std::vector<Sample> &samples() const { return samples_; }
     double area() const { return area_; }
-    glm::dvec3 nearest(glm::dvec3 p) const;  // point of it
+    // Point of it. `guess`: where what was asked for before was found; places asked for in a row are mostly near each other.
+    glm::dvec3 nearest(glm::dvec3 p, uint32_t &guess) const;
 
 private:
     const Boundary &surface_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "lib/model/model.h"
 namespace claque::lod
 {
 
@@ -78,11 +80,14 @@ std::vector<Link> links_of(const FineSurface &fine, const Boundary &coarse)
     const std::vector<NearestPoint::Triangle> triangles = corners_of(coarse);
     const NearestPoint nearest(triangles);
     std::vector<Link> out;
+    uint32_t guess = model::none;
     for (const FineSurface::Sample &sample : fine.samples()) {
-        const NearestPoint::Found found = nearest.to(sample.at);
+        const NearestPoint::Found found = nearest.to(sample.at, guess);
+        guess = found.triangle;
         out.push_back({coarse.triangles[found.triangle], found.weights, sample.at, sample.area, sample.features});
     }
     const double each = fine.area() / double(fine.samples().size());
+    guess = model::none;
     for (size_t t = 0; t < triangles.size(); ++t) {
         const double area = 0.5 * glm::length(twice_area(triangles[t]));
         const double n = std::clamp(std::ceil(std::sqrt(area / each)), 1.0, most_lines);
@@ -92,7 +97,7 @@ std::vector<Link> links_of(const FineSurface &fine, const Boundary &coarse)
                     if (third == 2 && i + j + 2 > n) continue;
                     const double b = (i + third / 3) / n, c = (j + third / 3) / n;
                     const glm::dvec3 weights(1 - b - c, b, c);
-                    out.push_back({coarse.triangles[t], weights, fine.nearest(point_on(triangles[t], weights)),
+                    out.push_back({coarse.triangles[t], weights, fine.nearest(point_on(triangles[t], weights), guess),
                                    area / (n * n), nullptr});
                 }
     }

@@ -8,6 +8,7 @@
 
 #include "lib/lod/fit.h"
 #include "lib/lod/joins.h"
+#include "lib/model/model.h"
 
 namespace claque::lod
 {
@@ -24,11 +25,11 @@ struct Nearest {
     double distance_squared = never;
 };
 
-Nearest nearest_of(const std::vector<NearestPoint::Triangle> &triangles, glm::dvec3 p)
+Nearest nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p)
 {
     Nearest best;
     for (size_t t = 0; t < triangles.size(); ++t) {
-        const glm::dvec3 weights = nearest_on(triangles[t], p), off = p - point_on(triangles[t], weights);
+        const glm::dvec3 weights = triangles[t].nearest(p), off = p - point_on(triangles[t].corners, weights);
         const double square = glm::dot(off, off);
         if (square < best.distance_squared) best = {t, weights, off, square};
     }
@@ -111,11 +112,13 @@ private:
     double back_of(const NearestPoint::Triangle &t) const
     {
         double sum = 0;
+        uint32_t guess = guess_;
         for (const glm::dvec3 weights : {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
                                          glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0}) {
-            const glm::dvec3 p = point_on(t, weights), off = p - fine_.nearest(p);
+            const glm::dvec3 p = point_on(t, weights), off = p - fine_.nearest(p, guess);
             sum += glm::dot(off, off) / 4;
         }
+        guess_ = guess;
         return 0.5 * glm::length(twice_area(t)) * sum;
     }
 
@@ -182,10 +185,10 @@ private:
         for (size_t k = 0; k < 3; ++k) out[k] = t[k] == edge.first || t[k] == edge.second ? place : at(t[k]);
         return out;
     }
-    std::vector<NearestPoint::Triangle> after(const Star &star, Edge edge, glm::dvec3 place) const
+    std::vector<KnownTriangle> after(const Star &star, Edge edge, glm::dvec3 place) const
     {
-        std::vector<NearestPoint::Triangle> out;
-        for (const Triangle &t : star.after) out.push_back(corners(t, edge, place));
+        std::vector<KnownTriangle> out;
+        for (const Triangle &t : star.after) out.emplace_back(corners(t, edge, place));
         return out;
     }
     bool turns(Edge edge, glm::dvec3 place, const Star &star) const
@@ -203,20 +206,23 @@ private:
     double cost_of(Edge edge, glm::dvec3 place, const Star &star, double most) const
     {
         if (turns(edge, place, star)) return never;
-        const std::vector<NearestPoint::Triangle> next = after(star, edge, place);
+        const std::vector<KnownTriangle> next = after(star, edge, place);
         double sum = 0;
         for (const uint32_t s : star.samples) {
             sum += fine_.samples()[s].area * nearest_of(next, fine_.samples()[s].at).distance_squared;
             if (sum >= most) return never;
         }
-        for (const NearestPoint::Triangle &t : next) sum += back_of(t);
+        for (const KnownTriangle &t : next) {
+            if (sum >= most) return never;
+            sum += back_of(t.corners);
+        }
         return sum;
     }
 
     // Where the vertex in place of both lies best for the samples of its triangles, by least squares.
     glm::dvec3 settled(Edge edge, glm::dvec3 place, const Star &star) const
     {
-        const std::vector<NearestPoint::Triangle> next = after(star, edge, place);
+        const std::vector<KnownTriangle> next = after(star, edge, place);
         glm::dvec3 sum(0);
         double all = 0;
         for (const uint32_t s : star.samples) {
@@ -252,9 +258,9 @@ private:
             next.surface.triangles.push_back(triangle), back.push_back(back_[t]);
         }
         const size_t stay = back.size();
-        const std::vector<NearestPoint::Triangle> moved = after(star, edge, place);
+        const std::vector<KnownTriangle> moved = after(star, edge, place);
         for (size_t i = 0; i < moved.size(); ++i)
-            next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i]));
+            next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i].corners));
         for (uint32_t &t : linked_) t = renamed[t];
         for (const uint32_t s : star.samples) {
             const Nearest nearest = nearest_of(moved, fine_.samples()[s].at);
@@ -271,7 +277,8 @@ private:
     std::vector<uint32_t> linked_;   // [samples] triangle where each is nearest
     std::vector<double> distances_;  // [samples] squared, to it
     std::map<Edge, Wish> wishes_;
-    double sliver_ = 0;  // twice the area below which a triangle points anywhere
+    mutable uint32_t guess_ = model::none;  // of the fine surface: where the last place was
+    double sliver_ = 0;                     // twice the area below which a triangle points anywhere
 };
 
 }  // namespace
