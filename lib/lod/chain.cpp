@@ -62,12 +62,14 @@ struct Made {
     std::vector<model::Part> parts;
 };
 
-// Distances must ascend, and a level that serves nowhere costs memory for nothing.
+// Distances must ascend, a level that serves nowhere costs memory for nothing, and a dozen triangles may be too few for zones.
 std::vector<Made> in_use(std::vector<Made> all)
 {
     std::vector<Made> made, kept;
-    for (Made &one : all)
+    for (Made &one : all) {
+        if (one.level.triangles < 20 && one.level.zone_drift > most_drift) continue;
         if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
+    }
     // Of two that come to the same the finer one goes, but the finest stays.
     const auto one_is_enough = [](const ChainLevel &finer, const ChainLevel &next) {
         return finer.first_m >= next.first_m || finer.triangles * 10 < next.triangles * 11;
@@ -287,13 +289,11 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
         again = has_far && give_way(made, far_targets);
     }
     if (!wish.plain) made = in_use(std::move(made));
-
     std::vector<ChainLevel> report;
-    for (const Made &level : made) report.push_back(level.level);
+    for (const Made &one : made) report.push_back(one.level);
     model.parts = laid_out(model, source.places, std::move(made));
     model.images = std::move(next.images), model.materials = std::move(next.materials);
-    model.zones = std::move(next.zones);
-    model.texture_sets = std::move(next.texture_sets);
+    model.zones = std::move(next.zones), model.texture_sets = std::move(next.texture_sets);
     return report;
 }
 

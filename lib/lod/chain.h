@@ -35,7 +35,7 @@ struct ChainLevel {
     double zone_drift = 0;  // shares.h, from the finest
 };
 
-// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 42, 30. Above
+// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 42, 30, 20, 14. Above
 // 1040 half of the character's, and so on.
 std::vector<size_t> usual_targets(size_t triangles);
 
@@ -44,8 +44,9 @@ double distance_of(double error_m, double pixels);
 
 // Gives `model` its levels, and says what came of each, the finest first. Parts that are hidden, have no triangles or have
 // distances of their own stay as they are. A level that could not get below the one before it by a tenth, or that
-// begins where the next does, is left out. Throws base::Error (CLQ_ARGUMENT) where nothing can be decimated or targets do
-// not descend; the model is then as it was. Deterministic.
+// begins where the next does, is left out, and so is one of fewer than 20 triangles that cannot keep shares of zones.
+// Throws base::Error (CLQ_ARGUMENT) where nothing can be decimated or targets do not descend; the model is then as it
+// was. Deterministic.
 std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish);
 
 }  // namespace claque::lod

@@ -24,6 +24,7 @@ constexpr uint32_t most_influences = 4;
 // Of an influence: of how far clips part joints, and of the size, as hosts may have others. Found by trying.
 constexpr double sway_cost = 0.5, least_cost = 0.05;
 constexpr size_t most_reduced = 128;                 // triangles: from here down by reduced()
+constexpr size_t most_fit = 300;                     // triangles: what has more is near enough, and takes long
 constexpr size_t fit_samples = 2000, simple = 1000;  // triangles: what stands in for the fine surface below that
 constexpr uint32_t first_zone = 0x80000000u;         // of a feature's numbers: those below are joints
 
@@ -183,7 +184,8 @@ std::vector<Coarse> coarse_levels(const Boundary &surface, const std::vector<Att
         reductions = reduced(fine, from, {few, targets.end()});
     }
     const FineSurface fine(surface, features, fit_samples);
-    for (Coarse &level : levels) fit(fine, level);
+    for (Coarse &level : levels)
+        if (level.surface.triangles.size() <= most_fit) fit(fine, level);
     for (Coarse &level : reductions) {
         if (level.surface.triangles.size() * 12 > simple) fit(fine, level);
         levels.push_back(std::move(level));
