@@ -63,7 +63,7 @@ bench: build
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
 	$(CLAQUE) bench odeon --variety fused --cache none,animation,full,keypose-intermittent,keypose-interpolated --save out/odeon-keyposes.json
 	$(CLAQUE) plot out/odeon-keyposes.json --out out/odeon-keyposes.svg
-	$(CLAQUE) bench ten_thousand --cache full --variety fused --context egl --flush 32768 --save out/ten-thousand.json
+	$(CLAQUE) bench ten_thousand --cache full --variety fused --context egl --flush 16384 --save out/ten-thousand.json
 	$(CLAQUE) plot out/ten-thousand.json --out out/ten-thousand.svg
 	$(CLAQUE) bench plaza
 	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
