@@ -119,7 +119,9 @@ void main()
     follow(joints1.w, weights1.w);
 #endif
     vec4 v = vec4(position, 1.0);
-    vec3 skinned = vec3(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v));
+    vec3 skinned;  // added in the order that claque adds in, as dot() need not
+    for (int row = 0; row < 3; ++row)
+        skinned[row] = ((rows[row].x * v.x + rows[row].y * v.y) + rows[row].z * v.z) + rows[row].w;
 #ifdef NORMALS_BY_INVERSE
     vec3 n = vec3(dot(normal_rows[0].xyz, normal), dot(normal_rows[1].xyz, normal), dot(normal_rows[2].xyz, normal));
 #else
