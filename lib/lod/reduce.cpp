@@ -16,6 +16,7 @@ namespace claque::lod
 namespace
 {
 
+constexpr size_t fewest_whole = 30;  // triangles: below, holes are closed as soon as that is best
 constexpr size_t fitted_often = 40;  // triangles: from here down after each collapse
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -42,19 +43,8 @@ public:
     Reduction(const FineSurface &fine, const Coarse &from) : fine_(fine) { begin(from); }
 
     // False: none is left that turns nothing over.
-    bool collapse()
-    {
-        for (const Triangle &t : level_.surface.triangles)
-            for (size_t k = 0; k < 3; ++k) {
-                const Edge edge = edge_of(t, k);
-                if (!wishes_.count(edge)) wishes_[edge] = wish_of(edge);
-            }
-        const auto best = std::min_element(wishes_.begin(), wishes_.end(),
-                                           [](const auto &x, const auto &y) { return x.second.cost < y.second.cost; });
-        if (best == wishes_.end() || best->second.cost == never) return false;
-        take(best->first, best->second.at);
-        return true;
-    }
+    bool collapse() { return collapse_next() || (!pinches_ && (pinches_ = true, wishes_.clear(), collapse_next())); }
+    void allow_pinches() { pinches_ = true; }
     void refit(int rounds)
     {
         Coarse now = result();
@@ -92,7 +82,19 @@ private:
         std::vector<uint32_t> samples;
         double now = 0;  // what its triangles and samples cost as they are
     };
-
+    bool collapse_next()
+    {
+        for (const Triangle &t : level_.surface.triangles)
+            for (size_t k = 0; k < 3; ++k) {
+                const Edge edge = edge_of(t, k);
+                if (!wishes_.count(edge)) wishes_[edge] = wish_of(edge);
+            }
+        const auto best = std::min_element(wishes_.begin(), wishes_.end(),
+                                           [](const auto &x, const auto &y) { return x.second.cost < y.second.cost; });
+        if (best == wishes_.end() || best->second.cost == never) return false;
+        take(best->first, best->second.at);
+        return true;
+    }
     void begin(const Coarse &from)
     {
         level_ = from;
@@ -105,7 +107,6 @@ private:
             linked_.push_back(found.triangle), distances_.push_back(found.distance_squared);
         }
     }
-
     glm::dvec3 at(uint32_t v) const { return level_.surface.positions[v]; }
 
     // Squared distance of a triangle from the fine surface, times its area.
@@ -121,7 +122,6 @@ private:
         guess_ = guess;
         return 0.5 * glm::length(twice_area(t)) * sum;
     }
-
     Star star_of(Edge edge) const
     {
         Star star;
@@ -144,6 +144,7 @@ private:
     bool parts(Edge edge, const Star &star) const
     {
         if (star.after.size() + 2 == star.before.size() && common_neighbours(star, edge) == 2) return false;
+        if (!pinches_) return true;
         const std::vector<Triangle> &all = level_.surface.triangles;
         return pieces_of(joined_at(edge.first, edge.second, all)) > pieces_of(all);
     }
@@ -158,7 +159,6 @@ private:
         for (const uint32_t v : of_first) both += v != edge.first && v != edge.second && of_second.count(v);
         return both;
     }
-
     Wish wish_of(Edge edge) const
     {
         const Star star = star_of(edge);
@@ -195,14 +195,12 @@ private:
     {
         for (const Triangle &t : star.before) {
             if (has(t, edge.first) && has(t, edge.second)) continue;
-            const glm::dvec3 was = twice_area({at(t[0]), at(t[1]), at(t[2])});
-            const glm::dvec3 is = twice_area(corners(t, edge, place));
+            const glm::dvec3 was = twice_area({at(t[0]), at(t[1]), at(t[2])}), is = twice_area(corners(t, edge, place));
             const double was_long = glm::length(was), is_long = glm::length(is);
             if (was_long > sliver_ && is_long > sliver_ && glm::dot(was, is) < 0.2 * was_long * is_long) return true;
         }
         return false;
     }
-
     double cost_of(Edge edge, glm::dvec3 place, const Star &star, double most) const
     {
         if (turns(edge, place, star)) return never;
@@ -242,12 +240,12 @@ private:
     {
         const Star star = star_of(edge);
         Coarse next;
-        next.surface.positions = level_.surface.positions, next.features = level_.features;
-        next.surface.positions[edge.first] = place;
+        next.features = level_.features;
+        next.surface.positions = level_.surface.positions, next.surface.positions[edge.first] = place;
         next.features[edge.first] = joined(level_.features[edge.first], level_.features[edge.second]);
         std::vector<double> back;
-        std::vector<uint32_t> renamed;
         std::set<uint32_t> touched;
+        std::vector<uint32_t> renamed;
         for (uint32_t t = 0; t < count(); ++t) {
             const Triangle &triangle = level_.surface.triangles[t];
             renamed.push_back(static_cast<uint32_t>(back.size()));
@@ -278,6 +276,7 @@ private:
     std::vector<double> distances_;  // [samples] squared, to it
     std::map<Edge, Wish> wishes_;
     mutable uint32_t guess_ = model::none;  // of the fine surface: where the last place was
+    bool pinches_ = false;                  // whether edges may come to have four triangles, where holes close
     double sliver_ = 0;                     // twice the area below which a triangle points anywhere
 };
 
@@ -288,6 +287,7 @@ std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const s
     Reduction work(fine, from);
     std::vector<Coarse> out;
     for (const size_t target : targets) {
+        if (target < fewest_whole) work.allow_pinches();
         while (work.count() > target && work.collapse())
             if (work.count() <= fitted_often) work.refit(2);
         work.refit(most_fit_rounds);

@@ -7,7 +7,6 @@
 
 #include "lib/lod/coarsen.h"
 #include "lib/lod/decimate.h"
-#include "lib/lod/fit.h"
 #include "lib/lod/nearest.h"
 #include "lib/lod/reduce.h"
 #include "lib/lod/samples.h"
@@ -23,10 +22,9 @@ namespace
 constexpr uint32_t most_influences = 4;
 // Of an influence: of how far clips part joints, and of the size, as hosts may have others. Found by trying.
 constexpr double sway_cost = 0.5, least_cost = 0.05;
-constexpr size_t most_reduced = 128;                 // triangles: from here down by reduced()
-constexpr size_t most_fit = 300;                     // triangles: what has more is near enough, and takes long
-constexpr size_t fit_samples = 2000, simple = 1000;  // triangles: what stands in for the fine surface below that
-constexpr uint32_t first_zone = 0x80000000u;         // of a feature's numbers: those below are joints
+constexpr size_t most_reduced = 128;          // triangles: from here down by reduced()
+constexpr size_t simple = 1000;               // triangles: what stands in for the fine surface below that
+constexpr uint32_t first_zone = 0x80000000u;  // of a feature's numbers: those below are joints
 
 struct Influence {
     uint32_t joint = 0;
@@ -173,23 +171,14 @@ std::vector<Coarse> coarse_levels(const Boundary &surface, const std::vector<Att
         many.push_back(*few * 3 / 2);
     }
     std::vector<Coarse> levels = coarsened(surface, features, many);
-    std::vector<Coarse> reductions;
-    if (few != targets.end()) {
-        // What is fine enough to reduce by; its vertices are the samples.
-        const Coarse stand_in = std::move(levels[size_t(simple_at)]), from = std::move(levels.back());
-        levels.erase(levels.begin() + simple_at), levels.pop_back();
-        std::vector<Attributes> means;
-        for (const Features &one : stand_in.features) means.push_back(one.mean);
-        const FineSurface fine(stand_in.surface, means, means.size());
-        reductions = reduced(fine, from, {few, targets.end()});
-    }
-    const FineSurface fine(surface, features, fit_samples);
-    for (Coarse &level : levels)
-        if (level.surface.triangles.size() <= most_fit) fit(fine, level);
-    for (Coarse &level : reductions) {
-        if (level.surface.triangles.size() * 12 > simple) fit(fine, level);
-        levels.push_back(std::move(level));
-    }
+    if (few == targets.end()) return levels;
+    // What is fine enough to reduce by; its vertices are the samples.
+    const Coarse stand_in = std::move(levels[size_t(simple_at)]), from = std::move(levels.back());
+    levels.erase(levels.begin() + simple_at), levels.pop_back();
+    std::vector<Attributes> means;
+    for (const Features &one : stand_in.features) means.push_back(one.mean);
+    const FineSurface fine(stand_in.surface, means, means.size());
+    for (Coarse &level : reduced(fine, from, {few, targets.end()})) levels.push_back(std::move(level));
     return levels;
 }
 

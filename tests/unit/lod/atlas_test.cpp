@@ -100,7 +100,7 @@ TEST(Atlas, lays_each_triangle_inside_its_chart_and_none_on_another)
         }
     }
     EXPECT_EQ(triangles, level.triangles().size());
-    EXPECT_LT(atlas.charts.size(), level.triangles().size() * 3 / 10);
+    EXPECT_LT(atlas.charts.size(), level.triangles().size() / 4);
 }
 
 TEST(Atlas, keeps_the_shape_of_what_is_flat)
