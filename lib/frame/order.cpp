@@ -31,12 +31,12 @@ void by(Number number, std::pmr::vector<Listed> &listed, std::pmr::vector<Listed
     }
 }
 
-// Ascends with the number, where that is not below 0.
-uint32_t bits_of(float number)
+// Ascends with the number, where that is not below 0: its exponent and the first three bits of its fraction.
+uint32_t band_of(float number)
 {
     uint32_t bits = 0;
     std::memcpy(&bits, &number, sizeof bits);
-    return bits;
+    return bits >> 20;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void put_in_order(std::pmr::vector<Listed> &listed, std::pmr::vector<Listed> &sp
     const auto row_of = [](const Listed &one) { return one.row; };
     if (!std::is_sorted(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) { return a.row < b.row; }))
         by(row_of, listed, spare);
-    by([](const Listed &one) { return bits_of(one.distance); }, listed, spare);
+    by([](const Listed &one) { return band_of(one.distance); }, listed, spare);
     by([](const Listed &one) { return one.texture_set; }, listed, spare);
     by([](const Listed &one) { return one.tmpl; }, listed, spare);
 }

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "lib/base/hash.h"
 
@@ -15,10 +17,19 @@ namespace claque::frame
 namespace
 {
 
+// Eight bands from each power of two to the next.
+std::pair<int, int> band_of(float distance)
+{
+    int exponent = 0;
+    const float fraction = std::frexp(distance, &exponent);
+    return {distance > 0 ? exponent : -1000, static_cast<int>(std::floor(16 * fraction))};
+}
+
 std::pmr::vector<Listed> compared(std::pmr::vector<Listed> listed)
 {
     std::sort(listed.begin(), listed.end(), [](const Listed &a, const Listed &b) {
-        return std::tie(a.tmpl, a.texture_set, a.distance, a.row) < std::tie(b.tmpl, b.texture_set, b.distance, b.row);
+        const auto of_a = band_of(a.distance), of_b = band_of(b.distance);
+        return std::tie(a.tmpl, a.texture_set, of_a, a.row) < std::tie(b.tmpl, b.texture_set, of_b, b.row);
     });
     return listed;
 }
@@ -60,11 +71,27 @@ TEST(Order, is_what_comparing_one_by_one_makes)
         }
 }
 
-TEST(Order, tells_any_two_distances_apart)
+TEST(Order, goes_front_to_back_in_bands_of_an_eighth_at_most)
 {
-    const float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
     std::pmr::vector<Listed> listed;
-    for (const float distance : {most, 1.0f, 0.0f, 1.0000001f, least, std::numeric_limits<float>::infinity(), 1e-20f})
+    for (uint32_t i = 0; i < 3000; ++i) listed.push_back({0, 0, std::exp(float(drawn(i, 3) % 20000) * 0.001f - 5), i});
+    std::pmr::vector<Listed> in_order = listed, spare;
+    put_in_order(in_order, spare);
+    float furthest = 0;
+    for (size_t i = 0; i < in_order.size(); ++i) {
+        EXPECT_GE(in_order[i].distance * 1.125f, furthest);
+        if (i > 0 && in_order[i].row < in_order[i - 1].row) {
+            EXPECT_GT(in_order[i].distance, in_order[i - 1].distance);
+        }
+        furthest = std::max(furthest, in_order[i].distance);
+    }
+}
+
+TEST(Order, knows_all_distances)
+{
+    const float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::min();
+    std::pmr::vector<Listed> listed;
+    for (const float distance : {most, 1.0f, 0.0f, 1.125f, least, std::numeric_limits<float>::infinity(), 1e-20f})
         listed.push_back({0, 0, distance, static_cast<uint32_t>(listed.size())});
     EXPECT_EQ(ordered(listed), (std::pmr::vector<uint32_t>{2, 4, 6, 1, 3, 0, 5}));
 }
