@@ -1,5 +1,6 @@
 #include "samples/scenes/sky.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scenes
@@ -11,6 +12,7 @@ constexpr double two_pi = 6.283185307179586;
 constexpr Rgb zenith = {0.27f, 0.47f, 0.74f}, middle = {0.52f, 0.69f, 0.86f}, haze = {0.86f, 0.88f, 0.88f};
 constexpr Rgb country = {0.60f, 0.66f, 0.57f};
 constexpr int sides = 96;
+constexpr double ground_below = -0.2;  // the sine of the angle to the horizon, of what ground may hide
 
 Rgb mix(Rgb a, Rgb b, float t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
 
@@ -57,6 +59,13 @@ double hill(uint64_t seed, int side, double height, int waves)
     return height * (1 + 0.38 * sum);
 }
 
+// Whether each edge of the ground is seen above ground_below.
+bool hides(double ground_m, const Eye &eye)
+{
+    const double edge_m = ground_m - std::max(std::abs(eye.position[0]), std::abs(eye.position[2]));
+    return edge_m > 0 && eye.position[1] > 0 && eye.position[1] < -ground_below * std::hypot(eye.position[1], edge_m);
+}
+
 }  // namespace
 
 Sky::Sky(uint64_t seed, Land land)
@@ -65,7 +74,10 @@ Sky::Sky(uint64_t seed, Land land)
         studio();
         return;
     }
-    const double steps[] = {-0.999, -0.05, -0.02, 0.0, 0.02, 0.05, 0.1, 0.16, 0.24, 0.34, 0.46, 0.6, 0.76, 0.9, 0.9999};
+    strip(
+        below_, [](int) { return -0.999; }, [](int) { return ground_below; }, country, country);
+    const double steps[] = {ground_below, -0.05, -0.02, 0.0, 0.02, 0.05, 0.1,   0.16,
+                            0.24,         0.34,  0.46,  0.6, 0.76, 0.9,  0.9999};
     for (size_t i = 0; i + 1 < sizeof steps / sizeof *steps; ++i)
         strip(
             dome_, [&](int) { return steps[i]; }, [&](int) { return steps[i + 1]; }, sky_at(steps[i]),
@@ -87,7 +99,7 @@ void Sky::studio()
     strip(dome_, at(0.45), at(0.9999), top, top);
 }
 
-void Sky::draw(const Gl &g, const Eye &eye) const
+void Sky::draw(const Gl &g, const Eye &eye, double ground_m) const
 {
     g.MatrixMode(gl::projection);
     g.LoadMatrixf(eye.projection);
@@ -101,6 +113,7 @@ void Sky::draw(const Gl &g, const Eye &eye) const
     g.Disable(gl::cull_face);
     g.Disable(gl::texture_2d);
     g.DepthMask(0);
+    if (!hides(ground_m, eye)) below_.draw(g);
     dome_.draw(g);
     g.DepthMask(1);
     g.Enable(gl::depth_test);

@@ -14,7 +14,7 @@ namespace scenes
 namespace
 {
 
-constexpr double spacing_m = 1.2, jitter_m = 0.28;
+constexpr double spacing_m = 1.2, jitter_m = 0.28, ground_m = 600;
 constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
 // Triangles of the two coarser levels; S3's have a fifth and a tenth of a finest one that is five times ours.
 const std::vector<uint32_t> coarser = {540, 270};
@@ -71,7 +71,7 @@ public:
 
     void draw_setting(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
+        sky_.draw(g, eye, ground_m);
         shine(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
@@ -102,12 +102,11 @@ private:
     // Grass, worn where they stand; cells grow outwards.
     void lay_ground()
     {
-        constexpr uint32_t cells = 56;
-        constexpr double half = 600;
+        constexpr uint32_t cells = 28;
         const double worn = side_ * spacing_m / 2;
         const auto line = [](uint32_t i) {
             const double t = 2.0 * i / cells - 1;
-            return half * (0.25 * t + 0.75 * t * t * t);
+            return ground_m * (0.25 * t + 0.75 * t * t * t);
         };
         for (uint32_t row = 0; row <= cells; ++row)
             for (uint32_t column = 0; column <= cells; ++column) {
