@@ -13,7 +13,7 @@ extern "C" {
 typedef struct clq_levels_def {
     uint32_t struct_bytes; /* set by clq_levels_def_init */
     /* [target_count] triangles of all parts together, descending, each 4 or more; those that are not fewer than the
-     * character's are skipped. NULL: halves down to 1040, eight levels to 490, then 250, 120, 60, 42, 30, 20. */
+     * character's are skipped. NULL: halves down to 1040, eight levels to 490, then 250, 120, 60, 42, 30, 20, 14. */
     const uint32_t *targets;
     uint32_t target_count;
     float tolerance_px;    /* how large a level's error may look where it begins, in a view of 768 lines over 60 degrees

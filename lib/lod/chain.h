@@ -35,7 +35,7 @@ struct ChainLevel {
     double zone_drift = 0;  // shares.h, from the finest
 };
 
-// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 42, 30, 20. Above
+// What the papers' figures have, eight levels from 1040 to 490, then about half of it each time: 250, 120, 60, 42, 30, 20, 14. Above
 // 1040 half of the character's, and so on.
 std::vector<size_t> usual_targets(size_t triangles);
 
