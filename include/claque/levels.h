@@ -22,8 +22,8 @@ typedef struct clq_levels_def {
     /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, and
      * what triangles show is an image made for them; with 128 and fewer each shows one zone. So are all from the first on
      * that seams and borders keep from its target by a twentieth, at which some zone would gain or lose more than 2 points of
-     * the surface, or that is further off than a far one of fewer triangles. Of skinned characters only. 0: none.
-     * Default 250 */
+     * the surface, or that is further off than a far one of fewer triangles. Of characters that are skinned or hang on several
+     * nodes; far levels are skinned, so that CLQ_PLACE_MATRICES then places nobody of the template. 0: none. Default 250 */
     uint32_t far_from;
     /* 1: by OpenMesh's quadric alone, on the welded mesh, each corner taking what the vertex it comes to has there: what
      * levels are held against, not what anyone should draw. No level is a far one, and none is left out. Default 0 */

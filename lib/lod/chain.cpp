@@ -33,7 +33,7 @@ struct Source {
     std::vector<size_t> places;  // of model.parts
     std::vector<const model::Part *> parts;
     size_t triangles = 0;
-    bool skinned = false;
+    bool articulated = false;          // skinned, or on several nodes
     std::vector<double> seen, shares;  // seen.h, shares.h
 };
 
@@ -46,7 +46,7 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
         source.places.push_back(i);
         source.parts.push_back(&part);
         source.triangles += model::triangles_of(part).size();
-        source.skinned = source.skinned || part.skinned;
+        source.articulated = source.articulated || part.skinned || part.node != source.parts[0]->node;
     }
     if (source.parts.empty()) base::fail(CLQ_ARGUMENT, "'%s' has no part to make levels of", model.name.c_str());
     const PosedParts rest = posed_at_rest(model.rig, source.parts);
@@ -265,7 +265,7 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     const Source source = source_of(model, wish.jobs);
     if (!(wish.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", wish.tolerance_px);
-    const bool has_far = source.skinned && wish.far_from > 0 && !wish.plain;
+    const bool has_far = source.articulated && wish.far_from > 0 && !wish.plain;
     std::vector<size_t> near_targets, far_targets;
     for (const size_t n : checked(wish.targets.empty() ? usual_targets(source.triangles) : wish.targets)) {
         if (n < source.triangles) (has_far && n <= wish.far_from ? far_targets : near_targets).push_back(n);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -13,13 +14,18 @@ namespace
 {
 
 constexpr uint32_t most_shades = 8;     // of one zone
-constexpr size_t plain_triangles = 64;  // from here down one shade a zone: vertices between shades stand twice
+constexpr size_t plain_triangles = 64;  // from here down one shade a tint: vertices between shades stand twice
+constexpr double tint_step = 0.25;      // of colours off their grey: zones of light and dark alone have one tint
 constexpr uint32_t block = 4;           // texels across that are alike, so that no rounding reaches a neighbour
 constexpr uint32_t blocks_across = 16;  // of the image
 
 struct Look {
     uint32_t zone = 0, shade = 0, shades = 1;  // which of how many
-    bool operator<(const Look &o) const { return std::tie(zone, shades, shade) < std::tie(o.zone, o.shades, o.shade); }
+    std::array<int, 3> tint{};                 // in steps
+    bool operator<(const Look &o) const
+    {
+        return std::tie(zone, shades, shade, tint) < std::tie(o.zone, o.shades, o.shade, o.tint);
+    }
 };
 
 struct Sum {
@@ -93,7 +99,9 @@ Look look_of(const FarSource &source, const Seen &seen, uint32_t zone, const See
     const glm::dvec3 colour = shown[0].mean();
     Look look;
     look.zone = zone, look.shades = shades;
-    look.shade = std::min(shades - 1, static_cast<uint32_t>((colour.x + colour.y + colour.z) / 3 * shades));
+    const double mean = (colour.x + colour.y + colour.z) / 3;
+    look.shade = std::min(shades - 1, static_cast<uint32_t>(mean * shades));
+    for (int k = 0; k < 3; ++k) look.tint[size_t(k)] = static_cast<int>(std::lround((colour[k] - mean) / tint_step));
     add(shown, colours[look]);
     return look;
 }

@@ -24,7 +24,8 @@ std::vector<std::string> characters()
 {
     if (!std::getenv("CLAQUE_ALL_CHARACTERS"))
         return {"humanoids/kaykit/Rogue.glb", "humanoids/quaternius-modular/Man_Suit.glb",
-                "humanoids/khronos/CesiumMan.glb", "animals/quaternius/Stegosaurus.glb"};
+                "humanoids/khronos/CesiumMan.glb", "humanoids/kenney/character.glb",
+                "animals/quaternius/Stegosaurus.glb"};
     std::vector<std::string> found;
     if (!fs::exists(CLAQUE_ASSETS_DIR "/inventory.json")) return found;
     for (const char *kind : {"humanoids", "animals", "machines"})
@@ -63,7 +64,6 @@ TEST_P(LevelsOfCharacters, go_down_to_a_few_dozen_triangles_without_gaps_and_kee
 {
     if (!fs::exists(CLAQUE_ASSETS_DIR "/inventory.json")) GTEST_SKIP() << "no characters in " CLAQUE_ASSETS_DIR;
     model::Model model = loaded(GetParam());
-    const bool skinned = std::any_of(model.parts.begin(), model.parts.end(), [](const auto &p) { return p.skinned; });
     lod::ChainWish wish;
     wish.sampling.most_clips = 0;
     const std::vector<lod::ChainLevel> chain = lod::make_chain(model, wish);
@@ -72,7 +72,6 @@ TEST_P(LevelsOfCharacters, go_down_to_a_few_dozen_triangles_without_gaps_and_kee
         reached += ' ' + std::to_string(chain[k].triangles);
         EXPECT_EQ(chain[k].flipped, 0u);
         EXPECT_EQ(chain[k].deviation.open_edges, 0u);
-        if (!skinned) continue;
         if (k > 0 && chain[k - 1].triangles <= 1100) {
             EXPECT_GE(chain[k].triangles * 3, chain[k - 1].triangles) << reached;
         } else if (k > 0) {
@@ -82,7 +81,7 @@ TEST_P(LevelsOfCharacters, go_down_to_a_few_dozen_triangles_without_gaps_and_kee
         EXPECT_LE(chain[k].zone_drift, 0.02) << chain[k].triangles;
     }
     std::cout << GetParam() << reached << '\n';
-    EXPECT_LE(chain.back().triangles, skinned ? 30u : 100u);
+    EXPECT_LE(chain.back().triangles, 30u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Collected, LevelsOfCharacters, testing::ValuesIn(characters()), name_of);
