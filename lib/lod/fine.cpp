@@ -1,5 +1,6 @@
 #include "lib/lod/fine.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace claque::lod
@@ -24,7 +25,7 @@ FineSurface::FineSurface(const Boundary &surface, const std::vector<Attributes> 
         area_ += area;
     }
     // Every so many: marching goes through space row by row, so that each region keeps its share.
-    const size_t step = (areas.size() + most_samples - 1) / most_samples;
+    const size_t most = std::max<size_t>(most_samples, 1), step = (areas.size() + most - 1) / most;
     double since = 0;
     for (size_t v = 0; v < areas.size(); ++v) {
         since += areas[v];

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/model/model.h"
+
 namespace claque::lod
 {
 

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
+
+#include "tests/unit/lod/closed.h"
 
 using namespace claque;
 
@@ -26,19 +27,6 @@ lod::Boundary chain_of_rings(int rings)
     return lod::boundary_of(lod::Voxels(triangles, 32));
 }
 
-// Every directed edge has its opposite as often.
-bool is_closed(const lod::Boundary &boundary)
-{
-    std::map<std::pair<uint32_t, uint32_t>, int> edges;
-    for (const auto &t : boundary.triangles)
-        for (size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
-    for (const auto &[edge, count] : edges) {
-        const auto back = edges.find({edge.second, edge.first});
-        if (back == edges.end() || back->second != count) return false;
-    }
-    return !edges.empty();
-}
-
 glm::dvec3 extent(const lod::Boundary &boundary)
 {
     glm::dvec3 first(1e9), last(-1e9);
@@ -53,7 +41,7 @@ glm::dvec3 extent(const lod::Boundary &boundary)
 TEST(Coarsened, goes_down_to_what_was_asked_for_however_many_handles_there_are)
 {
     const lod::Boundary rings = chain_of_rings(4);
-    ASSERT_TRUE(is_closed(rings));
+    ASSERT_TRUE(test::is_closed(rings));
     const std::vector<size_t> targets = {250, 120, 60, 42, 30, 12};
     const std::vector<lod::Coarse> levels =
         lod::coarsened(rings, std::vector<lod::Attributes>(rings.positions.size()), targets);
@@ -62,7 +50,7 @@ TEST(Coarsened, goes_down_to_what_was_asked_for_however_many_handles_there_are)
         const lod::Coarse &level = levels[k];
         EXPECT_LE(level.surface.triangles.size(), targets[k]);
         EXPECT_GE(level.surface.triangles.size() * 3, targets[k]);
-        EXPECT_TRUE(is_closed(level.surface)) << targets[k];
+        EXPECT_TRUE(test::is_closed(level.surface)) << targets[k];
         ASSERT_EQ(level.features.size(), level.surface.positions.size());
         // It is as long as it was, whatever its holes have come to.
         EXPECT_GT(extent(level.surface).x, (targets[k] > 12 ? 0.8 : 0.6) * extent(rings).x) << targets[k];

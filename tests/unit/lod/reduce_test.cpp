@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "lib/lod/fit.h"
 #include "lib/lod/joins.h"
+#include "tests/unit/lod/closed.h"
 
 using namespace claque;
 
@@ -44,15 +44,6 @@ lod::Boundary figure()
     lod::Voxels voxels(boxes, 40);
     voxels.fill();
     return lod::boundary_of(voxels);
-}
-
-// Each directed edge is there as often as its opposite.
-bool closed(const lod::Boundary &surface)
-{
-    std::map<std::pair<uint32_t, uint32_t>, int> edges;
-    for (const auto &t : surface.triangles)
-        for (size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}], --edges[{t[(k + 1) % 3], t[k]}];
-    return std::all_of(edges.begin(), edges.end(), [](const auto &edge) { return edge.second == 0; });
 }
 
 // Of places all over `from`, to the nearest of `to`.
@@ -139,7 +130,7 @@ TEST_F(Reduce, closes_holes_and_keeps_limbs_on)
     for (size_t k = 0; k < levels.size(); ++k) {
         EXPECT_LE(levels[k].surface.triangles.size(), targets[k]);
         EXPECT_GE(levels[k].surface.triangles.size(), targets[k] * 4 / 5);
-        EXPECT_TRUE(closed(levels[k].surface));
+        EXPECT_TRUE(test::is_closed(levels[k].surface));
         EXPECT_EQ(lod::pieces_of(levels[k].surface.triangles), 1u);
     }
 }

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "lib/base/hash.h"
 #include "lib/figures/figure.h"
 #include "lib/lod/boundary.h"
 #include "lib/lod/nearest.h"
 #include "lib/lod/samples.h"
+#include "tests/unit/lod/closed.h"
 
 using namespace claque;
 
@@ -41,19 +41,6 @@ double volume_of(const lod::Boundary &boundary)
     return sum;
 }
 
-// How often each directed edge is there: closed and of one side where each has its opposite once.
-bool closed(const lod::Boundary &boundary)
-{
-    std::map<std::pair<uint32_t, uint32_t>, int> edges;
-    for (const auto &t : boundary.triangles)
-        for (size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
-    for (const auto &[edge, count] : edges) {
-        const auto back = edges.find({edge.second, edge.first});
-        if (count != 1 || back == edges.end() || back->second != 1) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 TEST(Voxels, fill_a_box_that_is_open_below_and_nothing_outside)
@@ -79,7 +66,7 @@ TEST(Boundary, encloses_what_is_filled)
         for (uint32_t y = 0; y < size.y; ++y)
             for (uint32_t x = 0; x < size.x; ++x) filled += voxels.filled(x, y, z);
     const lod::Boundary boundary = lod::boundary_of(voxels);
-    EXPECT_TRUE(closed(boundary));
+    EXPECT_TRUE(test::is_closed(boundary, 1));
     const double cell = std::pow(voxels.cell(), 3);
     EXPECT_NEAR(volume_of(boundary) / cell, filled, 0.1 * filled);
     EXPECT_GT(volume_of(boundary), 0);  // seen from outside its triangles are counter-clockwise
@@ -96,7 +83,7 @@ TEST(Boundary, is_closed_however_cells_touch)
     }
     const lod::Boundary boundary = lod::boundary_of(lod::Voxels(dust, 8));
     EXPECT_GT(boundary.triangles.size(), 500u);
-    EXPECT_TRUE(closed(boundary));
+    EXPECT_TRUE(test::is_closed(boundary, 1));
 }
 
 TEST(Shell, levels_of_a_person_are_closed_and_lie_near_it)
@@ -122,7 +109,7 @@ TEST(Shell, levels_of_a_person_are_closed_and_lie_near_it)
         lod::Boundary surface;
         for (size_t k = 0; k < shells[i].indices.size(); k += 3)
             surface.triangles.push_back({shells[i].indices[k], shells[i].indices[k + 1], shells[i].indices[k + 2]});
-        EXPECT_TRUE(closed(surface));
+        EXPECT_TRUE(test::is_closed(surface, 1));
         const std::vector<std::vector<glm::vec3>> rest = lod::at_rest(citizen.rig, {&shells[i]});
         const auto by_height = [](const glm::vec3 &a, const glm::vec3 &b) { return a.y < b.y; };
         const auto [foot, head] = std::minmax_element(rest[0].begin(), rest[0].end(), by_height);

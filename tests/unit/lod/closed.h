@@ -1,0 +1,27 @@
+// Whether a surface has an inside.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "lib/lod/boundary.h"
+
+namespace claque::test
+{
+
+// Each directed edge has its opposite as often, and is there `most` times at most: with 1 two triangles meet at every edge, and
+// face the same way.
+inline bool is_closed(const lod::Boundary &surface, int most = std::numeric_limits<int>::max())
+{
+    std::map<std::pair<uint32_t, uint32_t>, int> edges;
+    for (const auto &t : surface.triangles)
+        for (size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    for (const auto &[edge, count] : edges) {
+        const auto back = edges.find({edge.second, edge.first});
+        if (count > most || back == edges.end() || back->second != count) return false;
+    }
+    return !edges.empty();
+}
+
+}  // namespace claque::test
