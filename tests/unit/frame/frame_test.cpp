@@ -101,7 +101,7 @@ TEST(Cull, LeavesOutNobodyOfWhomAVertexIsInside)
     EXPECT_GT(left_out, 500u);
 }
 
-TEST(List, IsByTemplateThenFrontToBackThenByRow)
+TEST(List, IsByTemplateThenFrontToBackInBandsThenByRow)
 {
     Scene scene;
     crowd::Place place;
@@ -111,7 +111,10 @@ TEST(List, IsByTemplateThenFrontToBackThenByRow)
     const auto &items = scene.views[0]->list.items;
     ASSERT_GT(items.size(), 20u);
     const auto rank = [&](const draw::Item &item) {
-        return std::make_tuple(item.tmpl == scene.templates[1].get(), item.eye_distance_m, item.actor_index);
+        int doublings = 0;
+        const float part = std::frexp(item.eye_distance_m, &doublings);  // [0.5, 1)
+        const int band = 8 * doublings + static_cast<int>(16 * part);
+        return std::make_tuple(item.tmpl == scene.templates[1].get(), band, item.actor_index);
     };
     for (size_t i = 1; i < items.size(); ++i) EXPECT_LT(rank(items[i - 1]), rank(items[i]));
     for (const draw::Item &item : items) {
