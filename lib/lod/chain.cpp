@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lib/base/error.h"
+#include "lib/lod/candidates.h"
 #include "lib/lod/far.h"
 #include "lib/lod/plain.h"
 #include "lib/lod/samples.h"
@@ -20,8 +21,8 @@ namespace
 // A pixel at one metre, with 768 lines over 60 degrees: where distances of levels are at home (S0 5).
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
 
-constexpr double most_drift = 0.02;  // of the share of any zone, at any level
-constexpr int most_tries = 3;        // to keep to it
+constexpr int most_tries = 3;         // to keep to most_drift
+constexpr size_t shares_calls = 128;  // triangles: with so few levels are far ones alone, which share calls
 
 bool takes_part(const model::Part &part)
 {
@@ -55,36 +56,9 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
     return source;
 }
 
-struct Made {
-    ChainLevel level;
-    bool is_far = false;  // one part in place of all
-    bool is_measured = false;
-    std::vector<model::Part> parts;
-};
-
-// Distances must ascend, a level that serves nowhere costs memory for nothing, and a dozen triangles may be too few for zones.
-std::vector<Made> in_use(std::vector<Made> all)
+Candidate finest_of(const Source &source)
 {
-    std::vector<Made> made, kept;
-    for (Made &one : all) {
-        if (one.level.triangles < 20 && one.level.zone_drift > most_drift) continue;
-        if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
-    }
-    // Of two that come to the same the finer one goes, but the finest stays.
-    const auto one_is_enough = [](const ChainLevel &finer, const ChainLevel &next) {
-        return finer.first_m >= next.first_m || finer.triangles * 10 < next.triangles * 11;
-    };
-    for (size_t k = made.size(); k-- > 0;) {
-        while (k == 0 && !kept.empty() && one_is_enough(made[0].level, kept.back().level)) kept.pop_back();
-        if (kept.empty() || !one_is_enough(made[k].level, kept.back().level)) kept.push_back(std::move(made[k]));
-    }
-    std::reverse(kept.begin(), kept.end());
-    return kept;
-}
-
-Made finest_of(const Source &source)
-{
-    Made made;
+    Candidate made;
     made.level.triangles = source.triangles;
     for (const model::Part *part : source.parts) {
         made.parts.push_back(*part);
@@ -98,13 +72,6 @@ std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
     std::vector<const model::Part *> out;
     for (const model::Part &part : parts) out.push_back(&part);
     return out;
-}
-
-size_t triangles_of(const Made &made)
-{
-    size_t count = 0;
-    for (const model::Part &part : made.parts) count += model::triangles_of(part).size();
-    return count;
 }
 
 // Near levels as far as seams let them come down, and how far each is from the zones of the source.
@@ -134,7 +101,7 @@ Near made_near(const model::Model &model, const std::vector<Piece> &pieces, cons
 // Those of `targets`, descending, from the first on that seams and borders keep it from or that would not keep its zones: where
 // there are far levels these take over there.
 std::vector<size_t> add_near(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
-                             const ChainWish &wish, bool has_far, std::vector<Made> &made)
+                             const ChainWish &wish, bool has_far, std::vector<Candidate> &made)
 {
     Decimation how = wish.how;
     how.targets = targets, how.model = &model;
@@ -143,7 +110,9 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
     Near near = made_near(model, pieces, source.shares, how, wish);
     // A little beyond what is promised is often within it where zones cost more.
-    for (int i = 0; i < most_tries && has_far && near.drifted && near.drifts[near.good] < 1.25 * most_drift; ++i) {
+    for (int i = 0; i < most_tries && has_far && near.drifted && near.drifts[near.good] < 1.25 * most_drift &&
+                    targets[near.good] > wish.far_from;
+         ++i) {
         how.drift *= 1.4;
         if (Near again = made_near(model, pieces, source.shares, how, wish); again.good > near.good)
             near = std::move(again);
@@ -151,7 +120,7 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
     for (size_t k = 0; k < near.levels.size(); ++k) {
         if (has_far && k == near.good) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
         if (near.levels[k].triangles >= triangles_of(made.back())) continue;
-        Made next;
+        Candidate next;
         next.level.flipped = near.levels[k].flipped;
         next.level.zone_drift = near.drifts[k];
         next.parts = std::move(near.levels[k].parts);
@@ -162,19 +131,19 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
 
 // `model` gets the materials and the images of these levels, and keys that tell all its zones apart.
 void add_far(model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
-             const base::Jobs &jobs, std::vector<Made> &made)
+             const base::Jobs &jobs, std::vector<Candidate> &made)
 {
     FarLevels far = make_far(model, source, wish, jobs);
     enter(far, model);
     for (model::Part &part : far.parts) {
-        Made next;
+        Candidate next;
         next.is_far = true;
         next.parts.push_back(std::move(part));
         made.push_back(std::move(next));
     }
 }
 
-void measure(const model::Model &model, const Source &source, const ChainWish &wish, std::vector<Made> &made)
+void measure(const model::Model &model, const Source &source, const ChainWish &wish, std::vector<Candidate> &made)
 {
     std::vector<const std::vector<model::Part> *> levels;
     std::vector<size_t> fresh;
@@ -198,23 +167,6 @@ void measure(const model::Model &model, const Source &source, const ChainWish &w
     }
 }
 
-// Near levels that are further off than a far one of fewer triangles, and those below them: far ones of as many shall
-// take their places. False where there are none; else `made` is left with the near ones that stay.
-bool give_way(std::vector<Made> &made, std::vector<size_t> &far_targets)
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (const Made &one : made)
-        if (one.is_far) least = std::min(least, one.level.error_m);
-    size_t stay = 1;
-    while (stay < made.size() && !made[stay].is_far && made[stay].level.error_m < least) ++stay;
-    std::vector<size_t> more;
-    for (size_t k = stay; k < made.size() && !made[k].is_far; ++k) more.push_back(made[k].level.triangles);
-    if (more.empty()) return false;
-    made.resize(stay);
-    far_targets.insert(far_targets.begin(), more.begin(), more.end());
-    return true;
-}
-
 std::vector<size_t> checked(std::vector<size_t> targets)
 {
     for (size_t k = 0; k < targets.size(); ++k)
@@ -222,29 +174,6 @@ std::vector<size_t> checked(std::vector<size_t> targets)
             base::fail(CLQ_ARGUMENT, "level %zu asks for %zu triangles: levels go down, and none has fewer than 4",
                        k + 1, targets[k]);
     return targets;
-}
-
-// The model's parts with those at `places` in all levels; far ones, which stand for all of them, at the end.
-std::vector<model::Part> laid_out(const model::Model &model, const std::vector<size_t> &places, std::vector<Made> made)
-{
-    std::vector<model::Part> parts;
-    const auto take = [&](size_t k, model::Part &part) {
-        part.lod_first_m = static_cast<float>(made[k].level.first_m);
-        if (k + 1 < made.size()) part.lod_last_m = static_cast<float>(made[k + 1].level.first_m);
-        parts.push_back(std::move(part));
-    };
-    for (size_t i = 0, at = 0; i < model.parts.size(); ++i) {
-        if (at == places.size() || places[at] != i) {
-            parts.push_back(model.parts[i]);
-            continue;
-        }
-        for (size_t k = 0; k < made.size(); ++k)
-            if (!made[k].is_far && (k == 0 || !made[k].parts[at].indices.empty())) take(k, made[k].parts[at]);
-        ++at;
-    }
-    for (size_t k = 0; k < made.size(); ++k)
-        if (made[k].is_far) take(k, made[k].parts[0]);
-    return parts;
 }
 
 }  // namespace
@@ -268,7 +197,9 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     const bool has_far = source.articulated && wish.far_from > 0 && !wish.plain;
     std::vector<size_t> near_targets, far_targets;
     for (const size_t n : checked(wish.targets.empty() ? usual_targets(source.triangles) : wish.targets)) {
-        if (n < source.triangles) (has_far && n <= wish.far_from ? far_targets : near_targets).push_back(n);
+        if (n >= source.triangles) continue;
+        if (!has_far || n > std::min(wish.far_from, shares_calls)) near_targets.push_back(n);
+        if (has_far && n <= wish.far_from) far_targets.push_back(n);
     }
     // Materials, images and keys as they will be.
     model::Model next;
@@ -276,9 +207,10 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     next.zones = model.zones, next.images = model.images, next.materials = model.materials;
     next.texture_sets = model.texture_sets;
 
-    std::vector<Made> made = {finest_of(source)};
+    std::vector<Candidate> made = {finest_of(source)};
     if (!near_targets.empty()) {
-        const std::vector<size_t> missed = add_near(next, source, near_targets, wish, has_far, made);
+        std::vector<size_t> missed = add_near(next, source, near_targets, wish, has_far, made);
+        while (!missed.empty() && missed.back() <= wish.far_from) missed.pop_back();
         far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
     }
     const size_t materials = next.materials.size(), images = next.images.size();
@@ -286,11 +218,11 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
         next.materials.resize(materials), next.images.resize(images);
         if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, wish.jobs, made);
         measure(next, source, wish, made);
-        again = has_far && give_way(made, far_targets);
+        again = has_far && (stay_near(made, far_targets) || give_way(made, far_targets));
     }
     if (!wish.plain) made = in_use(std::move(made));
     std::vector<ChainLevel> report;
-    for (const Made &one : made) report.push_back(one.level);
+    for (const Candidate &one : made) report.push_back(one.level);
     model.parts = laid_out(model, source.places, std::move(made));
     model.images = std::move(next.images), model.materials = std::move(next.materials);
     model.zones = std::move(next.zones), model.texture_sets = std::move(next.texture_sets);

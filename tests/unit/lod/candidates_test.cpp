@@ -1,0 +1,62 @@
+// Which of the levels that were made a chain keeps.
+#include "lib/lod/candidates.h"
+
+#include <gtest/gtest.h>
+
+using namespace claque;
+
+namespace
+{
+
+lod::Candidate of(size_t triangles, double error_m, bool is_far)
+{
+    lod::Candidate made;
+    made.level.triangles = triangles, made.level.error_m = error_m, made.is_far = is_far;
+    made.level.first_m = lod::distance_of(error_m, 1);
+    made.parts.emplace_back();
+    made.parts[0].indices.assign(3 * triangles, 0), made.parts[0].positions.resize(3);
+    return made;
+}
+
+std::vector<size_t> triangles_of(const std::vector<lod::Candidate> &made)
+{
+    std::vector<size_t> out;
+    for (const lod::Candidate &one : made) out.push_back(one.level.triangles);
+    return out;
+}
+
+}  // namespace
+
+TEST(Candidates, of_a_near_and_a_far_level_of_as_many_triangles_are_the_nearer_one)
+{
+    std::vector<size_t> targets = {250, 120, 30};
+    std::vector<lod::Candidate> made = {of(1000, 0, false),  of(490, 0.01, false), of(249, 0.02, false),
+                                        of(250, 0.03, true), of(120, 0.05, true),  of(30, 0.09, true)};
+    EXPECT_TRUE(lod::stay_near(made, targets)) << "far ones are to be made again";
+    EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 490, 249}));
+    EXPECT_EQ(targets, (std::vector<size_t>{120, 30}));
+
+    targets = {250, 120, 30};
+    made = {of(1000, 0, false),  of(490, 0.01, false), of(249, 0.04, false),
+            of(250, 0.03, true), of(120, 0.05, true),  of(30, 0.09, true)};
+    EXPECT_FALSE(lod::stay_near(made, targets));
+    EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 490, 250, 120, 30}));
+    EXPECT_EQ(targets, (std::vector<size_t>{250, 120, 30}));
+}
+
+TEST(Candidates, that_are_further_off_than_far_ones_of_fewer_triangles_give_way)
+{
+    std::vector<size_t> targets = {250};
+    std::vector<lod::Candidate> made = {of(1000, 0, false), of(800, 0.01, false), of(490, 0.05, false),
+                                        of(250, 0.03, true)};
+    EXPECT_TRUE(lod::give_way(made, targets));
+    EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 800}));
+    EXPECT_EQ(targets, (std::vector<size_t>{490, 250}));
+}
+
+TEST(Candidates, that_would_serve_nowhere_are_left_out)
+{
+    const std::vector<lod::Candidate> made = {of(1000, 0, false), of(800, 0.03, false), of(600, 0.02, false),
+                                              of(570, 0.03, false), of(300, 0.06, false)};
+    EXPECT_EQ(triangles_of(lod::in_use(made)), (std::vector<size_t>{1000, 570, 300}));
+}
