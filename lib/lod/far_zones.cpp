@@ -17,7 +17,10 @@ namespace
 
 constexpr double tolerance = 0.0195;  // of a share: just below the 2 points that are promised
 constexpr double price = 100;         // of a share beyond it, against harm
+constexpr double seam = 0.004;  // of a share: where triangles that share an edge show two zones, vertices stand twice
 constexpr size_t most_rounds = 2000;
+constexpr size_t few = 64;      // triangles: what is worth a longer search
+constexpr size_t beam = 20000;  // ways that are kept while the next triangle is looked at, times triangles
 
 using Row = std::vector<double>;
 
@@ -68,11 +71,27 @@ private:
     std::vector<Row> rows_;
 };
 
+// Of each triangle those that share an edge with it.
+std::vector<std::vector<uint32_t>> neighbours_of(const PosedParts &level)
+{
+    std::vector<std::vector<uint32_t>> beside(level.triangles().size());
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> edges;
+    for (uint32_t t = 0; t < beside.size(); ++t)
+        for (size_t k = 0; k < 3; ++k) {
+            const std::array<uint32_t, 3> v = level.vertices_of(t);
+            const auto there = edges.find({v[(k + 1) % 3], v[k]});
+            edges[{v[k], v[(k + 1) % 3]}] = t;
+            if (there == edges.end()) continue;
+            beside[t].push_back(there->second), beside[there->second].push_back(t);
+        }
+    return beside;
+}
+
 class Choice
 {
 public:
-    Choice(const Harm &harm, const Row &areas, const Row &wanted)
-        : harm_(harm), areas_(areas), wanted_(wanted), shares_(wanted.size(), 0)
+    Choice(const PosedParts &level, const Harm &harm, const Row &areas, const Row &wanted)
+        : harm_(harm), areas_(areas), wanted_(wanted), beside_(neighbours_of(level)), shares_(wanted.size(), 0)
     {
         for (size_t t = 0; t < areas.size(); ++t) {
             zones_.push_back(harm.least(t));
@@ -83,7 +102,7 @@ public:
     // The best change of one triangle while one helps; then the best of two at once, of three.
     void improve()
     {
-        const size_t most_at_once = areas_.size() <= 64 ? 3 : 2;
+        const size_t most_at_once = areas_.size() <= few ? 3 : 2;
         for (size_t round = 0, at_once = 1; round < most_rounds && at_once <= most_at_once; ++round) {
             best_.clear(), most_ = 1e-12;
             look(at_once, 0);
@@ -92,8 +111,66 @@ public:
         }
     }
     const std::vector<size_t> &zones() const { return zones_; }
+    void start_from(const std::vector<size_t> &zones)
+    {
+        for (size_t t = 0; t < zones.size(); ++t) set({t, zones[t]});
+    }
+    // What it comes to: harm, shares that are off, seams.
+    double cost() const
+    {
+        double sum = 0;
+        for (size_t t = 0; t < zones_.size(); ++t) sum += harm_.of(t, zones_[t]) - 0.5 * seam * alike(t, zones_[t]);
+        for (size_t zone = 0; zone < wanted_.size(); ++zone) sum += beyond(zone, shares_[zone]);
+        return sum;
+    }
+    // A good whole to start from: triangles one after the other, the largest first, in the best of all ways so far, so that small ones
+    // are left to make up the shares (a beam search).
+    std::vector<size_t> begun() const
+    {
+        std::vector<size_t> order(areas_.size());
+        std::iota(order.begin(), order.end(), size_t(0));
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return areas_[a] > areas_[b]; });
+        std::vector<Way> ways(1), next;
+        ways[0].zones.assign(areas_.size(), wanted_.size()), ways[0].shares.assign(wanted_.size(), 0);
+        const size_t most = beam / areas_.size() + 1;
+        for (const size_t t : order) {
+            next.clear();
+            for (const Way &way : ways)
+                for (size_t zone = 0; zone < wanted_.size(); ++zone) {
+                    if (way.shares[zone] + areas_[t] > wanted_[zone] + tolerance && zone != harm_.least(t)) continue;
+                    next.push_back(way);
+                    next.back().take(t, zone, areas_[t], harm_.of(t, zone), beside_[t]);
+                    const double over = next.back().shares[zone] - wanted_[zone] - tolerance;
+                    next.back().cost += price * std::clamp(over, 0.0, areas_[t]);
+                }
+            const auto cheaper = [](const Way &a, const Way &b) { return a.cost < b.cost; };
+            std::stable_sort(next.begin(), next.end(), cheaper);
+            if (next.size() > most) next.resize(most);
+            ways.swap(next);
+        }
+        const auto short_of = [&](const Way &way) {
+            double sum = way.cost;
+            for (size_t zone = 0; zone < wanted_.size(); ++zone)
+                sum += price * std::max(wanted_[zone] - way.shares[zone] - tolerance, 0.0);
+            return sum;
+        };
+        return std::min_element(ways.begin(), ways.end(),
+                                [&](const Way &a, const Way &b) { return short_of(a) < short_of(b); })
+            ->zones;
+    }
 
 private:
+    struct Way {
+        std::vector<size_t> zones;
+        Row shares;
+        double cost = 0;
+        void take(size_t t, size_t zone, double area, double harm, const std::vector<uint32_t> &beside)
+        {
+            zones[t] = zone, shares[zone] += area;
+            cost += harm - seam * double(std::count_if(beside.begin(), beside.end(),
+                                                       [&](uint32_t other) { return zones[other] == zone; }));
+        }
+    };
     struct Change {
         size_t triangle = 0, zone = 0;
     };
@@ -112,7 +189,14 @@ private:
         const size_t was = zones_[c.triangle];
         const double a = areas_[c.triangle];
         return harm_.of(c.triangle, was) - harm_.of(c.triangle, c.zone) + beyond(was, shares_[was]) -
-               beyond(was, shares_[was] - a) + beyond(c.zone, shares_[c.zone]) - beyond(c.zone, shares_[c.zone] + a);
+               beyond(was, shares_[was] - a) + beyond(c.zone, shares_[c.zone]) - beyond(c.zone, shares_[c.zone] + a) +
+               seam * (alike(c.triangle, c.zone) - alike(c.triangle, was));
+    }
+    // How many triangles beside it show the zone.
+    double alike(size_t triangle, size_t zone) const
+    {
+        const std::vector<uint32_t> &all = beside_[triangle];
+        return double(std::count_if(all.begin(), all.end(), [&](uint32_t t) { return zones_[t] == zone; }));
     }
     // Among all rows of changes that begin with row_. A row goes on where some zone has too much or too little, and by
     // what changes that.
@@ -140,6 +224,7 @@ private:
 
     const Harm &harm_;
     const Row &areas_, &wanted_;
+    std::vector<std::vector<uint32_t>> beside_;
     Row shares_;
     std::vector<size_t> zones_;
     std::vector<Change> row_, best_;
@@ -155,8 +240,14 @@ std::vector<uint32_t> chosen_zones(const model::Model &model, const PosedParts &
     const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double &area : areas) area = all > 0 ? area / all : 0;
     const Harm harm(model, source, level, seen, areas);
-    Choice choice(harm, areas, shares);
+    Choice choice(level, harm, areas, shares);
     choice.improve();
+    if (areas.size() <= few) {
+        Choice other(level, harm, areas, shares);
+        other.start_from(other.begun());
+        other.improve();
+        if (other.cost() < choice.cost()) choice.start_from(other.zones());
+    }
     std::vector<uint32_t> zones;
     for (const size_t zone : choice.zones())
         zones.push_back(zone == model.zones.size() ? model::none : static_cast<uint32_t>(zone));

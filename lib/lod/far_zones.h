@@ -14,7 +14,8 @@ using ZoneAreas = std::map<uint32_t, double>;
 
 // A zone each for the triangles of `level`: each would show what most of it stands for, and where then some zone had more
 // or less of the surface than `shares` says (shares.h), those change that it does least harm to, until all are within 2
-// points of it or nothing more helps. Both are at rest; `seen` [triangles of level]. Deterministic.
+// points of it or nothing more helps. Of ways that are as good triangles beside each other show the same, so that fewer
+// vertices stand twice. Both are at rest; `seen` [triangles of level]. Deterministic.
 std::vector<uint32_t> chosen_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
                                    const std::vector<ZoneAreas> &seen, const std::vector<double> &shares);
 
