@@ -86,7 +86,7 @@ FarLevels make_far(const model::Model &model, const std::vector<const model::Par
 {
     ShellWish shell;
     shell.targets = wish.targets;
-    shell.influence = wish.influence, shell.zone = wish.zone;
+    shell.influence = wish.influence, shell.zone = wish.zone, shell.jobs = jobs;
     const FarSource from(model, source, jobs);
     std::vector<model::Part> in_blocks;
     FarLevels far;

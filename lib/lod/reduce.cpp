@@ -40,7 +40,7 @@ Nearest nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p)
 class Reduction
 {
 public:
-    Reduction(const FineSurface &fine, const Coarse &from) : fine_(fine) { begin(from); }
+    Reduction(const FineSurface &f, const Coarse &from, const base::Jobs &jobs) : fine_(f), jobs_(jobs) { begin(from); }
 
     // False: none is left that turns nothing over.
     bool collapse() { return collapse_next() || (!pinches_ && (pinches_ = true, wishes_.clear(), collapse_next())); }
@@ -81,14 +81,17 @@ private:
         std::vector<Triangle> before, after;
         std::vector<uint32_t> samples;
         double now = 0;  // what its triangles and samples cost as they are
+        mutable uint32_t guess = model::none;
     };
     bool collapse_next()
     {
+        std::vector<std::pair<Edge, Wish *>> fresh;
         for (const Triangle &t : level_.surface.triangles)
-            for (size_t k = 0; k < 3; ++k) {
-                const Edge edge = edge_of(t, k);
-                if (!wishes_.count(edge)) wishes_[edge] = wish_of(edge);
-            }
+            for (size_t k = 0; k < 3; ++k)
+                if (const auto [at, is_new] = wishes_.try_emplace(edge_of(t, k)); is_new)
+                    fresh.emplace_back(at->first, &at->second);
+        jobs_.try_each(static_cast<uint32_t>(fresh.size()),
+                       [&](uint32_t i) { *fresh[i].second = wish_of(fresh[i].first); });
         const auto best = std::min_element(wishes_.begin(), wishes_.end(),
                                            [](const auto &x, const auto &y) { return x.second.cost < y.second.cost; });
         if (best == wishes_.end() || best->second.cost == never) return false;
@@ -99,7 +102,8 @@ private:
     {
         level_ = from;
         wishes_.clear(), back_.clear(), linked_.clear(), distances_.clear();
-        for (const NearestPoint::Triangle &t : corners_of(level_.surface)) back_.push_back(back_of(t));
+        uint32_t guess = model::none;
+        for (const NearestPoint::Triangle &t : corners_of(level_.surface)) back_.push_back(back_of(t, guess));
         sliver_ = 0.05 * fine_.area() / double(count());
         const NearestPoint nearest(corners_of(level_.surface));
         for (const FineSurface::Sample &sample : fine_.samples()) {
@@ -108,18 +112,15 @@ private:
         }
     }
     glm::dvec3 at(uint32_t v) const { return level_.surface.positions[v]; }
-
-    // Squared distance of a triangle from the fine surface, times its area.
-    double back_of(const NearestPoint::Triangle &t) const
+    // Squared distance of a triangle from the fine surface, times its area. `guess`: where the last one was near.
+    double back_of(const NearestPoint::Triangle &t, uint32_t &guess) const
     {
         double sum = 0;
-        uint32_t guess = guess_;
         for (const glm::dvec3 weights : {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
                                          glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0}) {
             const glm::dvec3 p = point_on(t, weights), off = p - fine_.nearest(p, guess);
             sum += glm::dot(off, off) / 4;
         }
-        guess_ = guess;
         return 0.5 * glm::length(twice_area(t)) * sum;
     }
     Star star_of(Edge edge) const
@@ -212,7 +213,7 @@ private:
         }
         for (const KnownTriangle &t : next) {
             if (sum >= most) return never;
-            sum += back_of(t.corners);
+            sum += back_of(t.corners, star.guess);
         }
         return sum;
     }
@@ -243,8 +244,8 @@ private:
         next.features = level_.features;
         next.surface.positions = level_.surface.positions, next.surface.positions[edge.first] = place;
         next.features[edge.first] = joined(level_.features[edge.first], level_.features[edge.second]);
-        std::vector<double> back;
         std::set<uint32_t> touched;
+        std::vector<double> back;
         std::vector<uint32_t> renamed;
         for (uint32_t t = 0; t < count(); ++t) {
             const Triangle &triangle = level_.surface.triangles[t];
@@ -258,7 +259,7 @@ private:
         const size_t stay = back.size();
         const std::vector<KnownTriangle> moved = after(star, edge, place);
         for (size_t i = 0; i < moved.size(); ++i)
-            next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i].corners));
+            next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i].corners, star.guess));
         for (uint32_t &t : linked_) t = renamed[t];
         for (const uint32_t s : star.samples) {
             const Nearest nearest = nearest_of(moved, fine_.samples()[s].at);
@@ -268,23 +269,23 @@ private:
         for (auto it = wishes_.begin(); it != wishes_.end();)
             it = touched.count(it->first.first) || touched.count(it->first.second) ? wishes_.erase(it) : std::next(it);
     }
-
     const FineSurface &fine_;
+    const base::Jobs &jobs_;
     Coarse level_;
     std::vector<double> back_;       // [triangles]
     std::vector<uint32_t> linked_;   // [samples] triangle where each is nearest
     std::vector<double> distances_;  // [samples] squared, to it
     std::map<Edge, Wish> wishes_;
-    mutable uint32_t guess_ = model::none;  // of the fine surface: where the last place was
-    bool pinches_ = false;                  // whether edges may come to have four triangles, where holes close
-    double sliver_ = 0;                     // twice the area below which a triangle points anywhere
+    bool pinches_ = false;  // whether edges may come to have four triangles, where holes close
+    double sliver_ = 0;     // twice the area below which a triangle points anywhere
 };
 
 }  // namespace
 
-std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const std::vector<size_t> &targets)
+std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const std::vector<size_t> &targets,
+                            const base::Jobs &jobs)
 {
-    Reduction work(fine, from);
+    Reduction work(fine, from, jobs);
     std::vector<Coarse> out;
     for (const size_t target : targets) {
         if (target < fewest_whole) work.allow_pinches();

@@ -2,6 +2,7 @@
 // it. Between the files of this room only.
 #pragma once
 
+#include "lib/base/services.h"
 #include "lib/lod/fine.h"
 
 namespace claque::lod
@@ -10,6 +11,7 @@ namespace claque::lod
 // `from`, closed, in fewer triangles, one for each target, descending. The next edge to collapse is the one by which the
 // squared distance of both surfaces, from either to the other, and the variance of what vertices stand for grow least. Stops
 // above a target where no lawful collapse is left. Each result is fit (fit.h). Deterministic.
-std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const std::vector<size_t> &targets);
+std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const std::vector<size_t> &targets,
+                            const base::Jobs &jobs = {});
 
 }  // namespace claque::lod

@@ -161,7 +161,7 @@ std::vector<double> costs_of_influences(const model::Model &model, const std::ve
 
 // By planes as far as limbs are many triangles each, then by what is seen.
 std::vector<Coarse> coarse_levels(const Boundary &surface, const std::vector<Attributes> &features,
-                                  const std::vector<size_t> &targets)
+                                  const std::vector<size_t> &targets, const base::Jobs &jobs)
 {
     const auto few = std::find_if(targets.begin(), targets.end(), [](size_t n) { return n <= most_reduced; });
     std::vector<size_t> many(targets.begin(), few);
@@ -178,7 +178,7 @@ std::vector<Coarse> coarse_levels(const Boundary &surface, const std::vector<Att
     std::vector<Attributes> means;
     for (const Features &one : stand_in.features) means.push_back(one.mean);
     const FineSurface fine(stand_in.surface, means, means.size());
-    for (Coarse &level : reduced(fine, from, {few, targets.end()})) levels.push_back(std::move(level));
+    for (Coarse &level : reduced(fine, from, {few, targets.end()}, jobs)) levels.push_back(std::move(level));
     return levels;
 }
 
@@ -208,7 +208,7 @@ std::vector<model::Part> shells_of(const model::Model &model, const std::vector<
         p = drawn_in(p, where(posed, place), voxels.cell());
     }
     std::vector<model::Part> parts;
-    for (const Coarse &coarse : coarse_levels(surface, features, wish.targets))
+    for (const Coarse &coarse : coarse_levels(surface, features, wish.targets, wish.jobs))
         parts.push_back(part_of(model.name, coarse, costs, palette));
     return parts;
 }

@@ -2,6 +2,7 @@
 // are pieces of their own grow together, and what is hidden inside is not there. Between the files of this room only.
 #pragma once
 
+#include "lib/base/services.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -13,6 +14,7 @@ struct ShellWish {
     // What a vertex costs that stands for surface that follows other joints, or shows another zone, in shares of the
     // character's size.
     double influence = 0.1, zone = 0.05;
+    base::Jobs jobs;
 };
 
 // One skinned part for each target, without texture coordinates. Vertices follow the joints that what they stand for
