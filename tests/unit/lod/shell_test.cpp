@@ -92,9 +92,9 @@ TEST(Shell, levels_of_a_person_are_closed_and_lie_near_it)
     std::vector<const model::Part *> parts;
     for (const model::Part &part : citizen.parts) parts.push_back(&part);
     lod::ShellWish wish;
-    wish.targets = {250, 120, 60, 30};
+    wish.targets = {250, 120, 60, 30, 20, 14};
     const std::vector<model::Part> shells = lod::shells_of(citizen, parts, wish);
-    ASSERT_EQ(shells.size(), 4u);
+    ASSERT_EQ(shells.size(), 6u);
     const std::vector<std::vector<glm::vec3>> own = lod::at_rest(citizen.rig, parts);
     std::vector<lod::NearestPoint::Triangle> triangles;
     const lod::PosedParts posed(parts);
@@ -102,14 +102,15 @@ TEST(Shell, levels_of_a_person_are_closed_and_lie_near_it)
         triangles.push_back({glm::dvec3(own[t.part][t.vertices[0]]), glm::dvec3(own[t.part][t.vertices[1]]),
                              glm::dvec3(own[t.part][t.vertices[2]])});
     const lod::NearestPoint nearest(triangles);
-    const double near_m[] = {0.08, 0.12, 0.2, 0.3};
-    for (size_t i = 0; i < 4; ++i) {
+    const double near_m[] = {0.08, 0.12, 0.15, 0.2, 0.2, 0.25};
+    for (size_t i = 0; i < 6; ++i) {
         EXPECT_LE(shells[i].indices.size(), 3 * wish.targets[i]);
         EXPECT_GE(shells[i].indices.size(), 3 * wish.targets[i] * 9 / 10);
         lod::Boundary surface;
         for (size_t k = 0; k < shells[i].indices.size(); k += 3)
             surface.triangles.push_back({shells[i].indices[k], shells[i].indices[k + 1], shells[i].indices[k + 2]});
-        EXPECT_TRUE(test::is_closed(surface, 1));
+        // Below 30 triangles an arm that touches the hip may leave an edge that four triangles share.
+        EXPECT_TRUE(wish.targets[i] < 30 ? test::is_closed(surface) : test::is_closed(surface, 1));
         const std::vector<std::vector<glm::vec3>> rest = lod::at_rest(citizen.rig, {&shells[i]});
         const auto by_height = [](const glm::vec3 &a, const glm::vec3 &b) { return a.y < b.y; };
         const auto [foot, head] = std::minmax_element(rest[0].begin(), rest[0].end(), by_height);
