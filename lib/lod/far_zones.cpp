@@ -132,7 +132,7 @@ public:
         std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return areas_[a] > areas_[b]; });
         std::vector<Way> ways(1), next;
         ways[0].zones.assign(areas_.size(), wanted_.size()), ways[0].shares.assign(wanted_.size(), 0);
-        const size_t most = beam / areas_.size() + 1;
+        const size_t most = beam / std::max<size_t>(areas_.size(), 1) + 1;
         for (const size_t t : order) {
             next.clear();
             for (const Way &way : ways)
