@@ -14,8 +14,8 @@ public:
     static constexpr Rgb backdrop = {0.72f, 0.74f, 0.76f};  // of the studio, at the horizon
     Sky(uint64_t seed, Land land);
 
-    // First of all in a frame: covers the whole picture, writes no depth. ground_m: how far level ground, which is drawn next,
-    // reaches from the middle each way; what it hides anyway is then left out.
+    // First of all in a frame: covers the whole picture, writes no depth. ground_m: how far level ground at height 0, which is drawn
+    // next, reaches from the middle each way; what it hides anyway is then left out.
     void draw(const Gl &gl, const Eye &eye, double ground_m = 0) const;
 
 private:
