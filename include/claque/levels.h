@@ -19,8 +19,9 @@ typedef struct clq_levels_def {
     float tolerance_px;    /* how large a level's error may look where it begins, in a view of 768 lines over 60 degrees
                               (other views: clq_view_set_height). Default 1 */
     float metres_per_unit; /* of the character. Default 1 */
-    /* Levels of so many triangles and fewer are far ones: one part for all, seams and borders of zones hold no edges, and
-     * what triangles show is an image made for them; with 128 and fewer each shows one zone. So are all from the first on
+    /* Levels of so many triangles and fewer are far ones, but for those of more than 128 that are nearer otherwise: one part
+     * for all, seams and borders of zones hold no edges, and what triangles show is an image made for them; with 128 and
+     * fewer each shows one zone. So are all from the first on
      * that seams and borders keep from its target by a twentieth, at which some zone would gain or lose more than 2 points of
      * the surface, or that is further off than a far one of fewer triangles. Of characters that are skinned or hang on several
      * nodes; far levels are skinned, so that CLQ_PLACE_MATRICES then places nobody of the template. 0: none. Default 250 */

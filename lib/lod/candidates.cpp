@@ -33,31 +33,22 @@ std::vector<Candidate> in_use(std::vector<Candidate> all)
     return kept;
 }
 
-bool stay_near(std::vector<Candidate> &made, std::vector<size_t> &far_targets)
+void stay_near(std::vector<Candidate> &made, std::vector<size_t> &far_targets)
 {
     const auto alike = [](size_t a, size_t b) { return std::max(a, b) * 20 <= std::min(a, b) * 21; };
-    const size_t before = far_targets.size();
     std::vector<Candidate> stay;
-    for (const Candidate &one : made) {
+    for (Candidate &one : made) {
         if (one.is_far) continue;
+        const size_t triangles = one.level.triangles;
         const auto far = std::find_if(made.begin(), made.end(), [&](const Candidate &other) {
-            return other.is_far && alike(other.level.triangles, one.level.triangles);
+            return other.is_far && alike(other.level.triangles, triangles);
         });
         if (far != made.end() && far->level.error_m <= one.level.error_m) continue;
-        stay.push_back(one);
-        if (far == made.end()) continue;
-        far_targets.erase(std::remove_if(far_targets.begin(), far_targets.end(),
-                                         [&](size_t target) { return alike(target, far->level.triangles); }),
-                          far_targets.end());
+        stay.push_back(std::move(one));
+        const auto theirs = [&](size_t target) { return alike(target, triangles); };
+        far_targets.erase(std::remove_if(far_targets.begin(), far_targets.end(), theirs), far_targets.end());
     }
-    if (far_targets.size() < before) {
-        made = std::move(stay);
-        return true;
-    }
-    for (Candidate &one : made)
-        if (one.is_far) stay.push_back(std::move(one));
     made = std::move(stay);
-    return false;
 }
 
 bool give_way(std::vector<Candidate> &made, std::vector<size_t> &far_targets)

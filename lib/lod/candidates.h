@@ -23,9 +23,9 @@ size_t triangles_of(const Candidate &made);
 // Distances must ascend, a level that serves nowhere costs memory for nothing, and a dozen triangles may be too few for zones.
 std::vector<Candidate> in_use(std::vector<Candidate> all);
 
-// Of a near and a far level of about as many triangles the one that is nearer stays. False where all of these are far ones;
-// else `made` is left with the near ones, and `far_targets` with what they leave.
-bool stay_near(std::vector<Candidate> &made, std::vector<size_t> &far_targets);
+// Of a near and a far level of about as many triangles the one that is nearer shall be. `made` is left with the near ones of
+// these, `far_targets` with what is to be far.
+void stay_near(std::vector<Candidate> &made, std::vector<size_t> &far_targets);
 
 // Near levels that are further off than a far one of fewer triangles, and those below them: far ones of as many shall
 // take their places. False where there are none; else `made` is left with the near ones that stay.

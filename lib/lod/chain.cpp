@@ -21,8 +21,7 @@ namespace
 // A pixel at one metre, with 768 lines over 60 degrees: where distances of levels are at home (S0 5).
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
 
-constexpr int most_tries = 3;         // to keep to most_drift
-constexpr size_t shares_calls = 128;  // triangles: with so few levels are far ones alone, which share calls
+constexpr int most_tries = 3;  // to keep to most_drift
 
 bool takes_part(const model::Part &part)
 {
@@ -198,7 +197,7 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
     std::vector<size_t> near_targets, far_targets;
     for (const size_t n : checked(wish.targets.empty() ? usual_targets(source.triangles) : wish.targets)) {
         if (n >= source.triangles) continue;
-        if (!has_far || n > std::min(wish.far_from, shares_calls)) near_targets.push_back(n);
+        if (!has_far || n > std::min<size_t>(wish.far_from, most_clean)) near_targets.push_back(n);
         if (has_far && n <= wish.far_from) far_targets.push_back(n);
     }
     // Materials, images and keys as they will be.
@@ -214,11 +213,17 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
         far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
     }
     const size_t materials = next.materials.size(), images = next.images.size();
+    // Where near levels came as far down as far ones go, those far ones first, to see which are nearer.
+    bool compares = has_far && triangles_of(made.back()) <= wish.far_from;
     for (bool again = true; again;) {
         next.materials.resize(materials), next.images.resize(images);
-        if (!far_targets.empty()) add_far(next, source.parts, {far_targets, wish.how.influence}, wish.jobs, made);
+        std::vector<size_t> targets = far_targets;
+        while (compares && !targets.empty() && targets.back() <= most_clean) targets.pop_back();
+        if (!targets.empty()) add_far(next, source.parts, {targets, wish.how.influence}, wish.jobs, made);
         measure(next, source, wish, made);
-        again = has_far && (stay_near(made, far_targets) || give_way(made, far_targets));
+        again = compares || (has_far && give_way(made, far_targets));
+        if (compares) stay_near(made, far_targets);
+        compares = false;
     }
     if (!wish.plain) made = in_use(std::move(made));
     std::vector<ChainLevel> report;

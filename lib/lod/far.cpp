@@ -93,7 +93,7 @@ FarLevels make_far(const model::Model &model, const std::vector<const model::Par
     far.zone_keys = from.keys;
     far.set_images.resize(model.texture_sets.size());
     for (model::Part &part : shells_of(model, source, shell))
-        (part.indices.size() <= 3 * wish.most_clean ? in_blocks : far.parts).push_back(std::move(part));
+        (part.indices.size() <= 3 * most_clean ? in_blocks : far.parts).push_back(std::move(part));
     for (model::Part &part : far.parts) part.material = add_material(from, painted_in_charts(from, part, jobs), far);
     if (in_blocks.empty()) return far;
     std::vector<model::Image> images = painted_in_blocks(from, in_blocks, jobs);

@@ -12,11 +12,12 @@
 namespace claque::lod
 {
 
+// Levels of so many triangles and fewer show one zone on each: passes::RendererOptions::batch_triangles has as many.
+constexpr size_t most_clean = 128;
+
 struct FarWish {
     std::vector<size_t> targets;          // triangles, descending strictly
     double influence = 0.1, zone = 0.05;  // as in ShellWish
-    // Levels of so many triangles and fewer show one zone on each: passes::RendererOptions::batch_triangles has as many.
-    size_t most_clean = 128;
 };
 
 struct FarLevels {
