@@ -114,4 +114,16 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
     return best;
 }
 
+NearestPoint::Found nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p)
+{
+    NearestPoint::Found best;
+    best.distance_squared = std::numeric_limits<double>::infinity();
+    for (uint32_t t = 0; t < triangles.size(); ++t) {
+        const glm::dvec3 weights = triangles[t].nearest(p), off = p - point_on(triangles[t].corners, weights);
+        const double square = glm::dot(off, off);
+        if (square < best.distance_squared) best = {t, weights, square};
+    }
+    return best;
+}
+
 }  // namespace claque::lod

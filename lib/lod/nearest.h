@@ -40,6 +40,9 @@ private:
     double slack_ = 0;                  // of a squared distance: more than roundings make of it
 };
 
+// The same by looking at each of a few triangles; of none infinitely far.
+NearestPoint::Found nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p);
+
 // Weights of the corners of t at its point nearest to p.
 inline glm::dvec3 nearest_on(const Corners3 &t, glm::dvec3 p) { return KnownTriangle(t).nearest(p); }
 

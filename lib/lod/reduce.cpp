@@ -20,31 +20,28 @@ constexpr size_t fewest_whole = 30;  // triangles: below, holes are closed as so
 constexpr size_t fitted_often = 40;  // triangles: from here down after each collapse
 constexpr double never = std::numeric_limits<double>::infinity();
 
-struct Nearest {
-    size_t triangle = 0;
-    glm::dvec3 weights = glm::dvec3(0), off = glm::dvec3(0);  // from there to the point
-    double distance_squared = never;
-};
-
-Nearest nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p)
-{
-    Nearest best;
-    for (size_t t = 0; t < triangles.size(); ++t) {
-        const glm::dvec3 weights = triangles[t].nearest(p), off = p - point_on(triangles[t].corners, weights);
-        const double square = glm::dot(off, off);
-        if (square < best.distance_squared) best = {t, weights, off, square};
-    }
-    return best;
-}
-
 class Reduction
 {
 public:
-    Reduction(const FineSurface &f, const Coarse &from, const base::Jobs &jobs) : fine_(f), jobs_(jobs) { begin(from); }
+    Reduction(const FineSurface &fine, const Coarse &from, const base::Jobs &jobs) : fine_(fine), jobs_(jobs)
+    {
+        begin(from);
+    }
 
     // False: none is left that turns nothing over.
-    bool collapse() { return collapse_next() || (!pinches_ && (pinches_ = true, wishes_.clear(), collapse_next())); }
-    void allow_pinches() { pinches_ = true; }
+    bool collapse()
+    {
+        if (collapse_next()) return true;
+        if (pinches_) return false;
+        allow_pinches();
+        return collapse_next();
+    }
+    // From here on edges may come to have four triangles, where holes close.
+    void allow_pinches()
+    {
+        if (!pinches_) wishes_.clear();
+        pinches_ = true;
+    }
     void refit(int rounds)
     {
         Coarse now = result();
@@ -52,7 +49,6 @@ public:
         begin(now);
     }
     size_t count() const { return level_.surface.triangles.size(); }
-
     // Without vertices that no triangle has.
     Coarse result() const
     {
@@ -83,6 +79,7 @@ private:
         double now = 0;  // what its triangles and samples cost as they are
         mutable uint32_t guess = model::none;
     };
+
     bool collapse_next()
     {
         std::vector<std::pair<Edge, Wish *>> fresh;
@@ -112,6 +109,7 @@ private:
         }
     }
     glm::dvec3 at(uint32_t v) const { return level_.surface.positions[v]; }
+
     // Squared distance of a triangle from the fine surface, times its area. `guess`: where the last one was near.
     double back_of(const NearestPoint::Triangle &t, uint32_t &guess) const
     {
@@ -226,12 +224,13 @@ private:
         double all = 0;
         for (const uint32_t s : star.samples) {
             const FineSurface::Sample &sample = fine_.samples()[s];
-            const Nearest nearest = nearest_of(next, sample.at);
+            const NearestPoint::Found nearest = nearest_of(next, sample.at);
             const Triangle &t = star.after[nearest.triangle];
             int k = 0;
             while (k < 3 && t[size_t(k)] != edge.first) ++k;
             const double weight = k < 3 ? nearest.weights[k] : 0;
-            sum += sample.area * weight * (nearest.off + weight * place);
+            const glm::dvec3 off = sample.at - point_on(next[nearest.triangle].corners, nearest.weights);
+            sum += sample.area * weight * (off + weight * place);
             all += sample.area * weight * weight;
         }
         return all > 0 ? sum / all : place;
@@ -262,13 +261,14 @@ private:
             next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i].corners, star.guess));
         for (uint32_t &t : linked_) t = renamed[t];
         for (const uint32_t s : star.samples) {
-            const Nearest nearest = nearest_of(moved, fine_.samples()[s].at);
+            const NearestPoint::Found nearest = nearest_of(moved, fine_.samples()[s].at);
             linked_[s] = static_cast<uint32_t>(stay + nearest.triangle), distances_[s] = nearest.distance_squared;
         }
         level_ = std::move(next), back_ = std::move(back);
         for (auto it = wishes_.begin(); it != wishes_.end();)
             it = touched.count(it->first.first) || touched.count(it->first.second) ? wishes_.erase(it) : std::next(it);
     }
+
     const FineSurface &fine_;
     const base::Jobs &jobs_;
     Coarse level_;
@@ -276,8 +276,8 @@ private:
     std::vector<uint32_t> linked_;   // [samples] triangle where each is nearest
     std::vector<double> distances_;  // [samples] squared, to it
     std::map<Edge, Wish> wishes_;
-    bool pinches_ = false;  // whether edges may come to have four triangles, where holes close
-    double sliver_ = 0;     // twice the area below which a triangle points anywhere
+    bool pinches_ = false;
+    double sliver_ = 0;  // twice the area below which a triangle points anywhere
 };
 
 }  // namespace
