@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -44,24 +43,12 @@ bool apart(const Flat &a, const Flat &b)
 class Growth
 {
 public:
-    explicit Growth(const PosedParts &level) : level_(level), chart_(level.triangles().size(), model::none)
+    explicit Growth(const PosedParts &level)
+        : level_(level), beside_(neighbours_of(level)), chart_(level.triangles().size(), model::none)
     {
-        std::map<std::pair<uint32_t, uint32_t>, uint32_t> edges;
-        const auto &triangles = level.triangles();
-        beside_.resize(triangles.size());
-        for (uint32_t t = 0; t < triangles.size(); ++t) {
-            const auto c = level.corners(triangles[t]);
+        for (const PosedParts::Triangle &t : level.triangles()) {
+            const auto c = level.corners(t);
             normals_.push_back(unit_or(glm::cross(c[1] - c[0], c[2] - c[0]), glm::dvec3(0)));
-            for (size_t k = 0; k < 3; ++k) {
-                const uint32_t a = triangles[t].vertices[k], b = triangles[t].vertices[(k + 1) % 3];
-                const auto there = edges.find({b, a});
-                if (there == edges.end()) {
-                    edges[{a, b}] = t;
-                    continue;
-                }
-                beside_[t].push_back(there->second);
-                beside_[there->second].push_back(t);
-            }
         }
     }
 

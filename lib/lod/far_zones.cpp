@@ -71,22 +71,6 @@ private:
     std::vector<Row> rows_;
 };
 
-// Of each triangle those that share an edge with it.
-std::vector<std::vector<uint32_t>> neighbours_of(const PosedParts &level)
-{
-    std::vector<std::vector<uint32_t>> beside(level.triangles().size());
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> edges;
-    for (uint32_t t = 0; t < beside.size(); ++t)
-        for (size_t k = 0; k < 3; ++k) {
-            const std::array<uint32_t, 3> v = level.vertices_of(t);
-            const auto there = edges.find({v[(k + 1) % 3], v[k]});
-            edges[{v[k], v[(k + 1) % 3]}] = t;
-            if (there == edges.end()) continue;
-            beside[t].push_back(there->second), beside[there->second].push_back(t);
-        }
-    return beside;
-}
-
 class Choice
 {
 public:

@@ -1,6 +1,8 @@
 #include "lib/lod/samples.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "lib/pose/pose.h"
 
@@ -140,6 +142,23 @@ glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const Pl
     const model::Part &part = parts.part(parts.triangles()[place.triangle].part);
     const uint8_t *found = texel_of(model, part, uv_at(parts, place), set);
     return found ? glm::dvec3(found[0], found[1], found[2]) / 255.0 : glm::dvec3(1);
+}
+
+std::vector<std::vector<uint32_t>> neighbours_of(const PosedParts &parts)
+{
+    std::vector<std::vector<uint32_t>> beside(parts.triangles().size());
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> edges;
+    for (uint32_t t = 0; t < beside.size(); ++t)
+        for (size_t k = 0; k < 3; ++k) {
+            const std::array<uint32_t, 3> v = parts.vertices_of(t);
+            const auto there = edges.find({v[(k + 1) % 3], v[k]});
+            if (there == edges.end()) {
+                edges[{v[k], v[(k + 1) % 3]}] = t;
+                continue;
+            }
+            beside[t].push_back(there->second), beside[there->second].push_back(t);
+        }
+    return beside;
 }
 
 }  // namespace claque::lod

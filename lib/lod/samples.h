@@ -104,4 +104,7 @@ private:
 };
 double area_of(const PosedParts &parts, uint32_t triangle);
 
+// Of each triangle those that go along one of its edges the other way, as neighbours on a surface do.
+std::vector<std::vector<uint32_t>> neighbours_of(const PosedParts &parts);
+
 }  // namespace claque::lod
