@@ -70,29 +70,34 @@ bool Batch::takes(const Individual &who) const
     return !who.item->hooks && !who.item->locals && !who.own && who.ready->batched;
 }
 
-bool Batch::has_room(const model::Level &level) const
+Batch::Share Batch::share_of(const Individual &who)
 {
-    return vertices_ + level.vertex_count <= Scratch::batch_vertices &&
-           indices_ + level.surfaces[0].fused.count <= Scratch::batch_indices;
+    const FlatLevel &flat = who.ready->flat;
+    if (!flat.indices.empty())
+        return {static_cast<uint32_t>(flat.vertices.size()), static_cast<uint32_t>(flat.indices.size())};
+    return {who.level->vertex_count, who.level->surfaces[0].fused.count};
 }
 
 void Batch::add(const Individual &who)
 {
     SurfaceState wanted = Canvas::state_of(who, who.level->surfaces[0]);
     wanted.colour_array = true;
-    if (vertices_ != 0 && (!(wanted == surface_) || !has_room(*who.level))) flush();
+    wanted.flat = !who.ready->flat.indices.empty();
+    if (wanted.flat) wanted.texture = 0;
+    const Share share = share_of(who);
+    const bool fits =
+        vertices_ + share.vertices <= Scratch::batch_vertices && indices_ + share.indices <= Scratch::batch_indices;
+    if (vertices_ != 0 && (!(wanted == surface_) || !fits)) flush();
     surface_ = wanted;
-    add_places(who);
+    wanted.flat ? add_flat(who) : add_places(who);
     add_looks(who);
-    const model::IndexRange fused = who.level->surfaces[0].fused;
-    for (uint32_t i = 0; i < fused.count; ++i)
-        scratch_.batch.indices[indices_ + i] = static_cast<uint16_t>(vertices_ + who.level->indices[fused.first + i]);
-    vertices_ += who.level->vertex_count;
-    indices_ += fused.count;
+    add_triangles(who);
+    vertices_ += share.vertices;
+    indices_ += share.indices;
     ++stats_.individuals;
     ++stats_.parts;
-    stats_.triangles += fused.count / 3;
-    stats_.vertices += who.level->vertex_count;
+    stats_.triangles += share.indices / 3;
+    stats_.vertices += share.vertices;
 }
 
 void Batch::add_places(const Individual &who)
@@ -112,13 +117,55 @@ void Batch::add_places(const Individual &who)
     from.packed() ? move(from.short_positions, from.byte_normals, 4) : move(from.positions, from.normals, 3);
 }
 
+// Triangles are lit as they face, those that end at one vertex by the sum of their normals, each as long as it is large.
+void Batch::add_flat(const Individual &who)
+{
+    const FlatLevel &flat = who.ready->flat;
+    const Mover mover(who);
+    const draw::Vertices &from = who.vertices;
+    float *positions = scratch_.batch.positions.data() + 3 * size_t(vertices_);
+    float *normals = scratch_.batch.normals.data() + 3 * size_t(vertices_);
+    const auto move = [&](const auto *p, size_t stride) {
+        for (size_t v = 0; v < flat.vertices.size(); ++v) {
+            const auto *at = p + stride * flat.vertices[v];
+            math::store4(positions + 3 * v,
+                         turned(mover.place, float(at[0]), float(at[1]), float(at[2])) + mover.place[3]);
+        }
+    };
+    from.packed() ? move(from.short_positions, 4) : move(from.positions, 3);
+    std::fill(normals, normals + 3 * flat.vertices.size(), 0.0f);
+    const math::F4 outwards = math::splat(who.item->mirrored ? -1.0f : 1.0f);
+    for (const uint16_t *t = flat.indices.data(); t != flat.indices.data() + flat.indices.size(); t += 3) {
+        const math::F4 a = math::load4(positions + 3 * t[0]);
+        const math::F4 u = math::load4(positions + 3 * t[1]) - a, v = math::load4(positions + 3 * t[2]) - a;
+        float *normal = normals + 3 * t[2];
+        math::store3(normal, math::load4(normal) + outwards * math::yzx(u * math::yzx(v) - math::yzx(u) * v));
+    }
+}
+
 void Batch::add_looks(const Individual &who)
 {
     const size_t first = vertices_;
-    std::copy(who.level->uvs.begin(), who.level->uvs.end(), scratch_.batch.uvs.begin() + std::ptrdiff_t(2 * first));
-    options_.colours == ColourFormat::ubyte
-        ? slot_colours(who, 0, scratch_.ubyte_table, scratch_.batch.ubyte.data() + first)
-        : slot_colours(who, 0, scratch_.real_table, scratch_.batch.real.data() + first);
+    const bool flat = surface_.flat, ubyte = options_.colours == ColourFormat::ubyte;
+    if (!flat)
+        std::copy(who.level->uvs.begin(), who.level->uvs.end(), scratch_.batch.uvs.begin() + std::ptrdiff_t(2 * first));
+    const auto fill = [&](auto &table, auto *out) {
+        flat ? flat_colours(who, table, out) : slot_colours(who, 0, table, out);
+    };
+    ubyte ? fill(scratch_.ubyte_table, scratch_.batch.ubyte.data() + first)
+          : fill(scratch_.real_table, scratch_.batch.real.data() + first);
+}
+
+void Batch::add_triangles(const Individual &who)
+{
+    uint16_t *out = scratch_.batch.indices.data() + indices_;
+    const auto add = [&](const auto *from, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) out[i] = static_cast<uint16_t>(vertices_ + from[i]);
+    };
+    const model::IndexRange fused = who.level->surfaces[0].fused;
+    const Array<uint16_t> &flat = who.ready->flat.indices;
+    surface_.flat ? add(flat.data(), static_cast<uint32_t>(flat.size()))
+                  : add(who.level->indices.data() + fused.first, fused.count);
 }
 
 void Batch::flush()
@@ -130,7 +177,7 @@ void Batch::flush()
     gl_.LoadMatrixf(identity);
     gl_.VertexPointer(3, gl::real, 0, arrays.positions.data());
     gl_.NormalPointer(gl::real, 0, arrays.normals.data());
-    gl_.TexCoordPointer(2, gl::real, 0, arrays.uvs.data());
+    if (!surface_.flat) gl_.TexCoordPointer(2, gl::real, 0, arrays.uvs.data());
     if (options_.colours == ColourFormat::ubyte) gl_.ColorPointer(4, gl::unsigned_byte, 0, arrays.ubyte.data());
     else gl_.ColorPointer(4, gl::real, 0, arrays.real.data());
     gl_.DrawElements(gl::triangles, static_cast<int32_t>(indices_), gl::unsigned_short, arrays.indices.data());

@@ -27,9 +27,16 @@ public:
     void flush();
 
 private:
-    bool has_room(const model::Level &level) const;
+    // How much of the arrays somebody takes.
+    struct Share {
+        uint32_t vertices, indices;
+    };
+    static Share share_of(const Individual &who);
+
     void add_places(const Individual &who);
+    void add_flat(const Individual &who);
     void add_looks(const Individual &who);
+    void add_triangles(const Individual &who);
 
     const Gl11 &gl_;
     const RendererOptions &options_;

@@ -116,7 +116,28 @@ void colours_of_slots(const Individual &who, uint32_t surface_index, Array<typen
     for (uint32_t v = 0; v < who.level->vertex_count; ++v) out[v] = table[slots[v]];
 }
 
+template <class Format>
+void colours_of_looks(const Individual &who, Array<typename Format::Colour> &table, typename Format::Colour *out)
+{
+    const FlatLevel &flat = who.ready->flat;
+    for (uint32_t look = 0; look < flat.zones.size(); ++look) {
+        table[look] = Format::make(who.zone_rgb + 3 * size_t(flat.zones[look]), 255, 1.0f);
+        Format::tint(table[look], flat.texel(look, who.item->texture_set));
+    }
+    for (size_t v = 0; v < flat.looks.size(); ++v) out[v] = table[flat.looks[v]];
+}
+
 }  // namespace
+
+void flat_colours(const Individual &who, Array<Ubyte4> &table, Ubyte4 *out)
+{
+    colours_of_looks<UbyteColours>(who, table, out);
+}
+
+void flat_colours(const Individual &who, Array<Real4> &table, Real4 *out)
+{
+    colours_of_looks<RealColours>(who, table, out);
+}
 
 void slot_colours(const Individual &who, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out)
 {

@@ -48,7 +48,7 @@ struct Scratch {
     void reserve_batch(ColourFormat format);
 
     Array<Ubyte4> ubyte;        // one a vertex
-    Array<Ubyte4> ubyte_table;  // one a slot, see model::Level::slots
+    Array<Ubyte4> ubyte_table;  // one a slot, see model::Level::slots, or a look of a FlatLevel
     Array<Real4> real;
     Array<Real4> real_table;
     Array<math::Affine> chain;  // products of nodes, one a depth: see MatrixWalk
@@ -72,6 +72,10 @@ struct Individual {
 // One colour a vertex of a level, from the slots of a surface. `table` has room for the slots.
 void slot_colours(const Individual &who, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out);
 void slot_colours(const Individual &who, uint32_t surface_index, Array<Real4> &table, Real4 *out);
+
+// One colour a vertex of a level in a colour a triangle, what it shows and the texel in one.
+void flat_colours(const Individual &who, Array<Ubyte4> &table, Ubyte4 *out);
+void flat_colours(const Individual &who, Array<Real4> &table, Real4 *out);
 
 class Canvas
 {

@@ -64,6 +64,7 @@ void load_state(Loader &want, Gl11 &t)
     want(t.Clear, "glClear");
     want(t.CullFace, "glCullFace");
     want(t.FrontFace, "glFrontFace");
+    want(t.ShadeModel, "glShadeModel");
     want(t.LightModeli, "glLightModeli");
     want(t.ColorMaterial, "glColorMaterial");
     want(t.TexEnvi, "glTexEnvi");

@@ -51,6 +51,7 @@ constexpr Enum line_smooth = 0x0B20, line_stipple = 0x0B24, polygon_smooth = 0x0
 constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;  // the last is GL 1.3: used where the host has it
 constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_model_two_side = 0x0B52;
 
+constexpr Enum shade_model = 0x0B54, flat = 0x1D00, texture_1d = 0x0DE0;
 constexpr Enum texture_2d = 0x0DE1, proxy_texture_2d = 0x8064, texture_env = 0x2300, texture_env_mode = 0x2200;
 constexpr Enum texture_gen_s = 0x0C60, texture_gen_t = 0x0C61, texture_gen_r = 0x0C62, texture_gen_q = 0x0C63;
 constexpr Enum texture_mag_filter = 0x2800, texture_min_filter = 0x2801, wrap_s = 0x2802, wrap_t = 0x2803;
@@ -101,6 +102,7 @@ struct Gl11 {
     void(CLAQUE_GL_CALL *Clear)(Bits buffers) = nullptr;
     void(CLAQUE_GL_CALL *CullFace)(Enum face) = nullptr;
     void(CLAQUE_GL_CALL *FrontFace)(Enum winding) = nullptr;
+    void(CLAQUE_GL_CALL *ShadeModel)(Enum model) = nullptr;
     void(CLAQUE_GL_CALL *LightModeli)(Enum name, int32_t value) = nullptr;
     void(CLAQUE_GL_CALL *ColorMaterial)(Enum face, Enum what) = nullptr;
     void(CLAQUE_GL_CALL *TexEnvi)(Enum target, Enum name, int32_t value) = nullptr;

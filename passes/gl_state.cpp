@@ -32,6 +32,7 @@ void set_rasterisation(const Gl11 &gl, bool has_multisample)
 void set_texturing(const Gl11 &gl)
 {
     gl.Enable(gl::texture_2d);
+    gl.Disable(gl::texture_1d);
     gl.TexEnvi(gl::texture_env, gl::texture_env_mode, static_cast<int32_t>(gl::modulate));
     gl.Disable(gl::texture_gen_s);
     gl.Disable(gl::texture_gen_t);
@@ -69,8 +70,29 @@ void GlState::begin(const float *projection, bool has_multisample)
     gl_.Enable(gl::normalize);
     gl_.ColorMaterial(gl::front_and_back, gl::ambient_and_diffuse);  // before the switch: else other materials follow
     gl_.Enable(gl::colour_material);
+    int32_t shade_model = 0;
+    gl_.GetIntegerv(gl::shade_model, &shade_model);
+    shade_model_ = static_cast<gl::Enum>(shade_model);
     known_ = false;
+    now_.flat = false;
 }
+
+void GlState::set_flat(bool flat)
+{
+    if (flat == now_.flat) return;
+    now_.flat = flat;
+    stats_.state_changes += 2;
+    gl_.ShadeModel(flat ? gl::flat : shade_model_);
+    if (flat) {
+        gl_.Disable(gl::texture_2d);
+        gl_.DisableClientState(gl::texture_coord_array);
+    } else {
+        gl_.Enable(gl::texture_2d);
+        gl_.EnableClientState(gl::texture_coord_array);
+    }
+}
+
+void GlState::end_flat() { set_flat(false); }
 
 void GlState::apply_alpha(const SurfaceState &wanted)
 {
@@ -89,7 +111,8 @@ void GlState::apply_alpha(const SurfaceState &wanted)
 void GlState::apply(const SurfaceState &wanted)
 {
     apply_alpha(wanted);
-    if (!known_ || wanted.texture != now_.texture) {
+    set_flat(wanted.flat);
+    if (!wanted.flat && (!known_ || wanted.texture != now_.texture)) {
         gl_.BindTexture(gl::texture_2d, wanted.texture);
         ++stats_.state_changes;
     }

@@ -14,13 +14,14 @@ struct SurfaceState {
     bool double_sided = false;    // no culling, both faces lit
     bool mirrored = false;        // front faces turn clockwise
     bool colour_array = false;    // colours come from an array, else from glColor
+    bool flat = false;            // a colour a triangle, no texture
     gl::Enum alpha_function = 0;  // 0: no alpha test
     float alpha_reference = 0;
 
     bool operator==(const SurfaceState &o) const
     {
         return texture == o.texture && double_sided == o.double_sided && mirrored == o.mirrored &&
-               colour_array == o.colour_array && alpha_function == o.alpha_function &&
+               colour_array == o.colour_array && flat == o.flat && alpha_function == o.alpha_function &&
                (alpha_function == 0 || alpha_reference == o.alpha_reference);
     }
 };
@@ -34,6 +35,10 @@ public:
     // apply() sets everything. The host's RGB mask stays, alpha writes are masked.
     void begin(const float *projection, bool has_multisample);
 
+    // What is flat of its own is as begin() left it: the host's shade model, texturing on. To be called before anybody else
+    // sees GL's state.
+    void end_flat();
+
     // Somebody else has set what differs from surface to surface: the next apply() sets everything.
     void forget() { known_ = false; }
 
@@ -42,11 +47,13 @@ public:
 
 private:
     void apply_alpha(const SurfaceState &wanted);
+    void set_flat(bool flat);
 
     const Gl11 &gl_;
     DrawStats &stats_;
     SurfaceState now_;
     bool known_ = false;
+    gl::Enum shade_model_ = 0;  // the host's
 };
 
 }  // namespace claque::passes

@@ -55,6 +55,7 @@ constexpr Left left_by_minimal[] = {
     {0x0C61, "GL_TEXTURE_GEN_T: off"},
     {0x0C62, "GL_TEXTURE_GEN_R: off"},
     {0x0C63, "GL_TEXTURE_GEN_Q: off"},
+    {0x0DE0, "GL_TEXTURE_1D: off"},
     {0x0DE1, "GL_TEXTURE_2D: on"},
     {0x8069, "GL_TEXTURE_BINDING_2D: the last surface's texture, 0 after hooks"},
     {0x2200, "GL_TEXTURE_ENV_MODE: GL_MODULATE"},

@@ -20,6 +20,7 @@ HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state,
                      const draw::Item &item)
     : gl_(gl), preflight_(preflight), state_(state), list_(list), item_(item)
 {
+    state_.end_flat();
     gl_.BindTexture(gl::texture_2d, 0);  // first: parameters come back to the texture that was bound at the push
     state_.forget();
     gl_.PushAttrib(gl::all_attrib_bits);

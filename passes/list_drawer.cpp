@@ -83,6 +83,7 @@ base::Status ListDrawer::draw()
         if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) let_gl_begin();
     }
     batch_.flush();
+    state_.end_flat();
     return first;
 }
 

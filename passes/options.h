@@ -21,6 +21,7 @@ struct RendererOptions {
     bool linear_clean = false;       // clean triangles are filtered where that mixes no zones (smooth.h)
     uint32_t flush_triangles = 0;    // glFlush after so many, so that GL begins with them; 0: never
     uint32_t batch_triangles = 128;  // levels of so many triangles and fewer are drawn several individuals a call
+    uint32_t flat_triangles = 64;    // of these, levels of so many and fewer in a colour a triangle (flat.h)
 };
 
 // Where clean triangles are filtered, of the finest level: how far the two ways of sampling are apart along edges between a

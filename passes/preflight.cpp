@@ -7,11 +7,11 @@ namespace claque::passes
 namespace
 {
 
-enum class Ask : uint8_t { enabled, not_zero, not_unit_0 };
+enum class Ask : uint8_t { enabled, not_zero, not_unit_0, not_last };
 enum class Spoils : uint8_t { drawing, uploads, both };
 
 constexpr int never_in_core = 9999;
-constexpr int32_t texture_unit_0 = 0x84C0;
+constexpr int32_t texture_unit_0 = 0x84C0, last_vertex_convention = 0x8E4E;
 
 // Things newer than GL 1.1 that change what 1.1 calls do.
 struct Spoiler {
@@ -42,6 +42,8 @@ constexpr Spoiler spoilers[] = {
     {0x8919, Ask::not_zero, Spoils::drawing, 33, "GL_ARB_sampler_objects", "a sampler object is bound to unit 0"},
     {0x8457, Ask::enabled, Spoils::drawing, 14, "GL_EXT_fog_coord", "GL_FOG_COORD_ARRAY is on"},
     {0x845E, Ask::enabled, Spoils::drawing, 14, "GL_EXT_secondary_color", "GL_SECONDARY_COLOR_ARRAY is on"},
+    {0x8E4F, Ask::not_last, Spoils::drawing, 32, "GL_EXT_provoking_vertex",
+     "triangles take their colour from the first vertex: glProvokingVertex"},
     {0x8F9D, Ask::enabled, Spoils::drawing, 31, nullptr, "GL_PRIMITIVE_RESTART is on"},
 };
 constexpr int spoiler_count = sizeof spoilers / sizeof spoilers[0];
@@ -120,6 +122,7 @@ base::Status Preflight::check(const Gl11 &gl, bool upload) const
         if (spoiler.ask == Ask::enabled) on = gl.IsEnabled(spoiler.name) != gl::no;
         if (spoiler.ask == Ask::not_zero) on = integer(gl, spoiler.name) != 0;
         if (spoiler.ask == Ask::not_unit_0) on = integer(gl, spoiler.name) != texture_unit_0;
+        if (spoiler.ask == Ask::not_last) on = integer(gl, spoiler.name) != last_vertex_convention;
         if (on) return base::Status::bad(CLQ_GL_STATE, "%s", spoiler.what);
     }
     return base::Status::good();

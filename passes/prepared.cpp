@@ -2,6 +2,7 @@
 
 #include "lib/model/keys.h"
 #include "passes/batch.h"
+#include "passes/flat.h"
 #include "passes/parts.h"
 #include "passes/smooth.h"
 
@@ -177,6 +178,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
     for (const model::Level &level : source.levels) {
         PreparedLevel &ready = out.levels.emplace_back(memory);
         ready.batched = Batch::fits(source, level, options.batch_triangles);
+        prepare_flat(ready, source, level, options.flat_triangles);
         LuminanceStep step;
         if (options.linear_clean && !ready.batched) prepare_smooth(ready, source, level, step);
         if (&level == &source.levels[0]) out.step = step;

@@ -52,6 +52,27 @@ struct MatrixStep {
     uint64_t below = 0;  // and these with those below it
 };
 
+// A level in a colour a triangle, see flat.h; empty where it is drawn otherwise. A look is what a triangle can show: a zone, and
+// the texel that its colour is multiplied by.
+struct FlatLevel {
+    explicit FlatLevel(std::pmr::memory_resource *memory)
+        : vertices(memory), looks(memory), indices(memory), zones(memory), rgb(memory)
+    {
+    }
+    Array<uint16_t> vertices;  // of the level
+    Array<uint16_t> looks;     // one a vertex
+    Array<uint16_t> indices;   // into `vertices`; a triangle shows the look of its last one, whose normal is the sum of
+                               // those of all triangles that it is the last one of
+    Array<uint32_t> zones;     // one a look: of the template
+    uint32_t sets = 1;         // texture sets that differ
+    Array<uint8_t> rgb;        // three a set of a look
+
+    const uint8_t *texel(uint32_t look, uint32_t set) const
+    {
+        return &rgb[3 * (size_t(look) * sets + (set < sets ? set : 0))];
+    }
+};
+
 struct PreparedLevel {
     explicit PreparedLevel(std::pmr::memory_resource *memory)
         : short_indices(memory),
@@ -60,6 +81,7 @@ struct PreparedLevel {
           positions(memory),
           normals(memory),
           steps(memory),
+          flat(memory),
           smoothed(memory),
           linear(memory),
           shadow_indices(memory),
@@ -75,6 +97,7 @@ struct PreparedLevel {
     Array<MatrixStep> steps;
 
     bool batched = false;  // its individuals are drawn several with one call
+    FlatLevel flat;        // and in a colour a triangle, unless empty
 
     // Where clean triangles are filtered (smooth.h): the level, its surfaces parted in two, in place of the template's; and for
     // each of these surfaces whether it is the filtered one. Else both empty.

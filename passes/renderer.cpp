@@ -22,6 +22,13 @@ uint32_t most_slots(const model::Template &tmpl)
     return static_cast<uint32_t>(most);
 }
 
+uint32_t most_looks(const PreparedTemplate &prepared)
+{
+    size_t most = 0;
+    for (const PreparedLevel &level : prepared.levels) most = std::max(most, level.flat.zones.size());
+    return static_cast<uint32_t>(most);
+}
+
 uint32_t most_vertices(const model::Template &tmpl)
 {
     uint32_t most = 0;
@@ -94,7 +101,7 @@ base::Status Renderer::add(const model::Template &tmpl)
     PreparedTemplate &prepared = templates_.emplace_back(memory_);
     status = prepare_without_gl(prepared, tmpl, options_, alpha_bits);
     if (!status.ok()) return status;
-    scratch_.reserve(options_.colours, most_vertices(tmpl), most_slots(tmpl));
+    scratch_.reserve(options_.colours, most_vertices(tmpl), std::max(most_slots(tmpl), most_looks(prepared)));
     scratch_.reserve_chain(deepest(prepared));
     scratch_.shadow.reserve(most_vertices(tmpl));
     const auto batched = [](const PreparedLevel &level) { return level.batched; };

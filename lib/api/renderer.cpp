@@ -26,6 +26,7 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     options.key_test = static_cast<passes::KeyTest>(def.key_test);
     options.batch_triangles = def.batch_triangles;
     options.flush_triangles = def.flush_triangles;
+    options.flat_triangles = def.flat_triangles;
     require(def.linear_clean == 0 || def.linear_clean == 1, "linear_clean is neither 0 nor 1");
     options.linear_clean = def.linear_clean != 0;
     return options;

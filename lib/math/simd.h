@@ -18,6 +18,8 @@ inline F4 load4(const float *p)
 
 inline void store4(float *p, F4 v) { std::memcpy(p, &v, sizeof v); }
 inline void store3(float *p, F4 v) { std::memcpy(p, &v, 3 * sizeof(float)); }
+// With its lanes 0 to 2 moved round by one, as cross products want them.
+inline F4 yzx(F4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
 inline F4 splat(float x) { return F4{x, x, x, x}; }
 
 // An affine matrix as four columns of four lanes, lane 3 unused: what chains of products are computed in.

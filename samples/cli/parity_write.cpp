@@ -72,6 +72,7 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
         ->required();
     c->add_option("--count", a->stage.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
+    a->stage.flat_triangles = 0;  // lit smoothly, as other renderers do
     add_stage_options(*c, a->stage);
     add_clip_options(*c, a->clips);
     c->add_option(

@@ -90,6 +90,11 @@ void add_stage_options(CLI::App &command, StageArguments &a)
                     "glFlush after about so many triangles of people, so that GL begins with them (0: never)")
         ->check(CLI::Range(0, 1 << 30))
         ->capture_default_str();
+    command
+        .add_option("--flat", a.flat_triangles,
+                    "Far levels of so many triangles and fewer in a colour a triangle (0: never)")
+        ->check(CLI::Range(0, 2730))
+        ->capture_default_str();
     command.add_option("--blob-from", a.blob_from_m, "Of shadows mesh: ellipses from so many metres")
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();
@@ -173,6 +178,7 @@ scenes::StageOptions stage_options(const StageArguments &a, const LoadedCharacte
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.variety = variety_named(a.variety);
     options.flush_triangles = a.flush_triangles;
+    options.flat_triangles = a.flat_triangles;
     options.linear_clean = a.filter == "linear";
     return options;
 }

@@ -30,7 +30,7 @@ struct StageArguments {
     std::string lod = "off";  // on the plaza and in the odeon
     std::string shadows = "painted";
     double blob_from_m = 40;
-    uint32_t flush_triangles = 0;
+    uint32_t flush_triangles = 0, flat_triangles = 64;
     double lod_scale = 1;
 
     int width = 1024, height = 768;

@@ -62,6 +62,7 @@ void Stage::use_variety(clq_variety variety)
         def.variety = variety;
         def.linear_clean = options_.linear_clean;
         def.flush_triangles = options_.flush_triangles;
+        def.flat_triangles = options_.flat_triangles;
         clq_renderer *made = nullptr;
         check(clq_renderer_create(library_.context(), &def, &made));
         renderer.reset(made);

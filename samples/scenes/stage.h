@@ -34,6 +34,7 @@ struct StageOptions {
     clq_variety variety = CLQ_VARIETY_FUSED;
     bool linear_clean = false;     // clq_renderer_def.linear_clean
     uint32_t flush_triangles = 0;  // clq_renderer_def.flush_triangles; the setting is then flushed too
+    uint32_t flat_triangles = 64;  // clq_renderer_def.flat_triangles
     bool tells_parts = false;      // draw_parts() will be asked for
     float cull_scale = 1;          // of the culling pyramid, against the picture's (S0 Fig. 10)
     Show show = Show::nothing;

@@ -108,6 +108,7 @@ GlFunction find(void *, const char *name)
                                                                 IDLE(Clear),
                                                                 IDLE(FrontFace),
                                                                 IDLE(LightModeli),
+                                                                IDLE(ShadeModel),
                                                                 IDLE(ColorMaterial),
                                                                 IDLE(TexEnvi),
                                                                 IDLE(PushAttrib),

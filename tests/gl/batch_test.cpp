@@ -1,93 +1,29 @@
 // Individuals of few triangles share calls: who does, what is shown, and that neighbours of another kind stay apart.
-#include "lib/figures/figure.h"
-#include "lib/lod/far.h"
+#include "tests/gl/support/crowds.h"
 #include "tests/gl/support/hooked.h"
-#include "tests/gl/support/split.h"
 
 namespace gltest
 {
 namespace
 {
 
-// The citizen in about 120 triangles, each of one zone.
-Figure far_figure()
+const Figure &figure_of_120()
 {
-    model::Model model = claque::figures::citizen();
-    std::vector<const model::Part *> parts;
-    for (const model::Part &part : model.parts) parts.push_back(&part);
-    claque::lod::FarWish wish;
-    wish.targets = {120};
-    claque::lod::FarLevels far = claque::lod::make_far(model, parts, wish);
-    claque::lod::enter(far, model);
-    model.parts = far.parts;
-    return split_figure(model);
+    static const Figure made = far_figure(120);
+    return made;
 }
 
-class Batches : public GlTest
+class Batches : public CrowdTest
 {
 protected:
-    static constexpr uint32_t across = 8, crowd = 40;
+    Batches() : CrowdTest(figure_of_120()) {}
 
-    void SetUp() override
-    {
-        GlTest::SetUp();
-        static const Figure made = far_figure();
-        figure_ = &made;
-        for (uint32_t who = 0; who < crowd; ++who)
-            colours_.push_back(zone_colours(static_cast<uint32_t>(made.tmpl->zone_count())));
-        for (uint32_t who = 0; who < crowd; ++who)
-            for (size_t i = 0; i < colours_[who].size(); ++i)
-                colours_[who][i] = static_cast<uint8_t>(colours_[who][i] + 5 * who);
-    }
-
-    // Rows of people, each turned and coloured otherwise.
-    DrawList many() const
-    {
-        const Camera camera = camera_on(*figure_, 9, -0.3f, 0.2f, 4.0f / 3.0f);
-        std::vector<Individual> people;
-        for (uint32_t who = 0; who < crowd; ++who) {
-            Individual one = individual_of(*figure_, camera, colours_[who].data());
-            one.model_view[12] += 1.1f * figure_->radius * (float(who % across) - 3.5f);
-            one.model_view[13] += 1.3f * figure_->radius * (float(who / across) - 2);
-            people.push_back(one);
-        }
-        return list_of(people, camera.projection);
-    }
     static passes::RendererOptions apart()
     {
         passes::RendererOptions options;
         options.batch_triangles = 0;
         return options;
     }
-    Picture shown(const DrawList &list, const passes::RendererOptions &options, passes::DrawStats *stats = nullptr)
-    {
-        const auto renderer = make_renderer_of(*figure_, options);
-        const Picture picture = draw(*context_, *renderer, list);
-        if (stats) {
-            EXPECT_TRUE(renderer->draw(list, stats).ok());
-        }
-        return picture;
-    }
-    static uint32_t different(const Picture &a, const Picture &b, int beyond)
-    {
-        uint32_t count = 0;
-        for (size_t i = 0; i + 2 < a.size(); i += 3) {
-            int most = 0;
-            for (size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a[i + c]) - int(b[i + c])));
-            count += most > beyond;
-        }
-        return count;
-    }
-    static uint32_t covered(const Picture &picture)
-    {
-        uint32_t count = 0;
-        for (size_t i = 0; i + 2 < picture.size(); i += 3)
-            count += !std::equal(background, background + 3, picture.begin() + std::ptrdiff_t(i));
-        return count;
-    }
-
-    const Figure *figure_ = nullptr;
-    std::vector<std::vector<uint8_t>> colours_;
 };
 
 TEST_F(Batches, TakeManyIndividualsInOneCall)
@@ -130,16 +66,8 @@ TEST_F(Batches, AreTheSameForAllStrategiesAndFormatsOfColours)
 // Lit from the side, in odd scales and mirrored: normals go the way that GL's would.
 TEST_F(Batches, LightTheirIndividualsAsGlWould)
 {
-    const float from_side[4] = {1, 0.4f, 0.2f, 0};
-    host_->Enable(0x0B50);  // GL_LIGHTING
-    host_->Enable(0x4000);
-    host_->Lightfv(0x4000, 0x1203, from_side);
-    DrawList list = many();
-    for (uint32_t who = 0; who < crowd; ++who) {
-        float *m = list.items[who].model_view;
-        for (int r = 0; r < 3; ++r) m[r] *= 0.8f, m[4 + r] *= 1.3f, m[8 + r] *= who % 3 == 0 ? -1.0f : 1.0f;
-        list.items[who].mirrored = who % 3 == 0;
-    }
+    light_from({1, 0.4f, 0.2f, 0});
+    const DrawList list = squeezed();
     const Picture together = shown(list, {}), one_by_one = shown(list, apart());
     EXPECT_GT(different(one_by_one, shown(many(), apart()), 40), 1000u);
     EXPECT_LE(different(together, one_by_one, 1) * 500, covered(one_by_one));

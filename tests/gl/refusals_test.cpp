@@ -137,6 +137,13 @@ TEST_F(Refusals, NameAProgramInUse)
         "program is in use", [&] { use(program); }, [&] { use(0); });
 }
 
+TEST_F(Refusals, NameTrianglesThatTakeTheirColourFromTheFirstVertex)
+{
+    const auto provoke = host_->ask<One>("glProvokingVertex");
+    expect_refusal(
+        "glProvokingVertex", [&] { provoke(0x8E4D); }, [&] { provoke(0x8E4E); });
+}
+
 TEST_F(Refusals, NameASamplerObject)
 {
     uint32_t sampler = 0;
@@ -196,7 +203,8 @@ TEST_F(Refusals, AskAnOldGlForNothingNew)
     Spy spy(*context_);
     spy.strings[gl::version] = "1.1 of old";
     spy.strings[gl::extensions] = "GL_EXT_bgra GL_ARB_multitexture_of_sorts";
-    for (const gl::Enum newer : {0x84E0u, 0x84E1u, 0x8894u, 0x8895u, 0x85B5u, 0x8B8Du, 0x8919u}) spy.answers[newer] = 5;
+    for (const gl::Enum newer : {0x84E0u, 0x84E1u, 0x8894u, 0x8895u, 0x85B5u, 0x8B8Du, 0x8919u, 0x8E4Fu})
+        spy.answers[newer] = 5;
     const Figure figure = small_figure();
     passes::Renderer renderer(std::pmr::get_default_resource(), {});
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());

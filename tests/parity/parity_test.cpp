@@ -99,6 +99,7 @@ protected:
         options.scene = scene;
         options.casting.count = count;
         options.width = 320, options.height = 240;
+        options.flat_triangles = 0;  // the peer lights smoothly
         return options;
     }
 

@@ -135,7 +135,8 @@ GetProcAddress = ctypes.CFUNCTYPE(c_void_p, c_void_p, c_char_p)
 class RendererDef(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("get_proc_address", GetProcAddress), ("user", c_void_p),
                 ("variety", c_int), ("guard", c_int), ("colours", c_int), ("key_test", c_int),
-                ("batch_triangles", c_uint32), ("linear_clean", c_int32), ("flush_triangles", c_uint32)]
+                ("batch_triangles", c_uint32), ("linear_clean", c_int32), ("flush_triangles", c_uint32),
+                ("flat_triangles", c_uint32)]
 
 
 class DrawStats(Structure):

@@ -13,7 +13,8 @@ class Renderer(Owned):
 
     _destroy = "clq_renderer_destroy"
 
-    def __init__(self, context, target, variety="fused", linear_clean=False, flush_triangles=0):
+    def __init__(self, context, target, variety="fused", linear_clean=False, flush_triangles=0,
+                 flat_triangles=64):
         if variety not in VARIETIES:
             raise ValueError(f"{variety!r} is none of {', '.join(VARIETIES)}")
         definition = abi.RendererDef()
@@ -23,6 +24,7 @@ class Renderer(Owned):
         definition.batch_triangles = 128
         definition.linear_clean = int(linear_clean)
         definition.flush_triangles = flush_triangles
+        definition.flat_triangles = flat_triangles
         super().__init__(made("clq_renderer_create", abi.call, context.handle, byref(definition)), context, target)
 
     def prepare(self, *templates):

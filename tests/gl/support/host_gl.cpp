@@ -21,7 +21,6 @@ HostGl::HostGl(const contexts::Offscreen &context) : get_(context.get_proc_addre
     want(Materialfv, "glMaterialfv");
     want(Fogfv, "glFogfv");
     want(Fogi, "glFogi");
-    want(ShadeModel, "glShadeModel");
     want(TexGeni, "glTexGeni");
     want(BlendFunc, "glBlendFunc");
     want(LogicOp, "glLogicOp");

@@ -23,7 +23,6 @@ struct HostGl : claque::passes::Gl11 {
     void (*Materialfv)(Enum face, Enum name, const float *values) = nullptr;
     void (*Fogfv)(Enum name, const float *values) = nullptr;
     void (*Fogi)(Enum name, int32_t value) = nullptr;
-    void (*ShadeModel)(Enum model) = nullptr;
     void (*TexGeni)(Enum coordinate, Enum name, int32_t value) = nullptr;
     void (*BlendFunc)(Enum source, Enum destination) = nullptr;
     void (*LogicOp)(Enum operation) = nullptr;

@@ -1,0 +1,82 @@
+#include "passes/provoking.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace claque::passes
+{
+namespace
+{
+
+constexpr float least_cosine = 0.5f;  // between the facings of triangles that are lit as one
+
+// Places are taken one after the other, each by the most triangles that can end there together, those that no triangle
+// ends at yet before others: they are sent anyway.
+class Choice
+{
+public:
+    explicit Choice(const std::vector<FlatTriangle> &triangles)
+        : triangles_(triangles), is_open_(triangles.size(), true)
+    {
+    }
+
+    std::vector<Provoking> run()
+    {
+        for (Provoking best = find_best(); !best.triangles.empty(); best = find_best()) {
+            for (const uint32_t t : best.triangles) is_open_[t] = false;
+            taken_.insert(best.place);
+            made_.push_back(std::move(best));
+        }
+        return std::move(made_);
+    }
+
+private:
+    Provoking find_best() const
+    {
+        std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> open;  // by place and look
+        for (uint32_t t = 0; t < triangles_.size(); ++t)
+            if (is_open_[t])
+                for (const uint32_t place : triangles_[t].places) open[{place, triangles_[t].look}].push_back(t);
+        Provoking best;
+        for (const auto &[where, candidates] : open) {
+            std::vector<uint32_t> together = most_alike(candidates);
+            const bool is_free = !taken_.count(where.first), best_free = !taken_.count(best.place);
+            if (!best.triangles.empty() &&
+                (is_free != best_free ? best_free : together.size() <= best.triangles.size()))
+                continue;
+            best = {where.first, where.second, std::move(together)};
+        }
+        return best;
+    }
+
+    // Of those that face about as one of them does, the most.
+    std::vector<uint32_t> most_alike(const std::vector<uint32_t> &candidates) const
+    {
+        std::vector<uint32_t> most;
+        for (const uint32_t one : candidates) {
+            std::vector<uint32_t> alike;
+            for (const uint32_t other : candidates)
+                if (other == one || glm::dot(triangles_[one].facing, triangles_[other].facing) >= least_cosine)
+                    alike.push_back(other);
+            if (alike.size() > most.size()) most = std::move(alike);
+        }
+        return most;
+    }
+
+    const std::vector<FlatTriangle> &triangles_;
+    std::vector<bool> is_open_;
+    std::set<uint32_t> taken_;  // places at which some triangle ends
+    std::vector<Provoking> made_;
+};
+
+}  // namespace
+
+std::vector<Provoking> provoking_vertices(const std::vector<FlatTriangle> &triangles)
+{
+    return Choice(triangles).run();
+}
+
+}  // namespace claque::passes

@@ -1,0 +1,110 @@
+// Many of one far figure, each turned, placed and coloured otherwise.
+#pragma once
+
+#include "lib/figures/figure.h"
+#include "lib/lod/far.h"
+#include "tests/gl/support/fixture.h"
+#include "tests/gl/support/split.h"
+
+namespace gltest
+{
+
+using claque::draw::DrawList;
+using claque::draw::Item;
+
+// The citizen in about so many triangles, each of one zone.
+inline Figure far_figure(uint32_t triangles)
+{
+    model::Model model = claque::figures::citizen();
+    std::vector<const model::Part *> parts;
+    for (const model::Part &part : model.parts) parts.push_back(&part);
+    claque::lod::FarWish wish;
+    wish.targets = {triangles};
+    claque::lod::FarLevels far = claque::lod::make_far(model, parts, wish);
+    claque::lod::enter(far, model);
+    model.parts = far.parts;
+    return split_figure(model);
+}
+
+class CrowdTest : public GlTest
+{
+protected:
+    static constexpr uint32_t across = 8, crowd = 40;
+
+    explicit CrowdTest(const Figure &figure) : figure_(&figure) {}
+
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        for (uint32_t who = 0; who < crowd; ++who)
+            colours_.push_back(zone_colours(static_cast<uint32_t>(figure_->tmpl->zone_count())));
+        for (uint32_t who = 0; who < crowd; ++who)
+            for (size_t i = 0; i < colours_[who].size(); ++i)
+                colours_[who][i] = static_cast<uint8_t>(colours_[who][i] + 5 * who);
+    }
+
+    // Rows of them.
+    DrawList many() const
+    {
+        const Camera camera = camera_on(*figure_, 9, -0.3f, 0.2f, 4.0f / 3.0f);
+        std::vector<Individual> people;
+        for (uint32_t who = 0; who < crowd; ++who) {
+            Individual one = individual_of(*figure_, camera, colours_[who].data());
+            one.model_view[12] += 1.1f * figure_->radius * (float(who % across) - 3.5f);
+            one.model_view[13] += 1.3f * figure_->radius * (float(who / across) - 2);
+            people.push_back(one);
+        }
+        return list_of(people, camera.projection);
+    }
+    // In odd scales, every third one mirrored.
+    DrawList squeezed() const
+    {
+        DrawList list = many();
+        for (uint32_t who = 0; who < crowd; ++who) {
+            float *m = list.items[who].model_view;
+            for (int r = 0; r < 3; ++r) m[r] *= 0.8f, m[4 + r] *= 1.3f, m[8 + r] *= who % 3 == 0 ? -1.0f : 1.0f;
+            list.items[who].mirrored = who % 3 == 0;
+        }
+        return list;
+    }
+    void light_from(const float (&direction)[4])
+    {
+        host_->Enable(0x0B50);  // GL_LIGHTING
+        host_->Enable(0x4000);
+        host_->Lightfv(0x4000, 0x1203, direction);
+    }
+    Picture shown(const DrawList &list, const passes::RendererOptions &options, passes::DrawStats *stats = nullptr)
+    {
+        const auto renderer = make_renderer_of(*figure_, options);
+        const Picture picture = draw(*context_, *renderer, list);
+        if (stats) {
+            EXPECT_TRUE(renderer->draw(list, stats).ok());
+        }
+        return picture;
+    }
+    static uint32_t different(const Picture &a, const Picture &b, int beyond)
+    {
+        uint32_t count = 0;
+        for (size_t i = 0; i + 2 < a.size(); i += 3) {
+            int most = 0;
+            for (size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a[i + c]) - int(b[i + c])));
+            count += most > beyond;
+        }
+        return count;
+    }
+    static bool is_background(const Picture &picture, size_t at)
+    {
+        return std::equal(background, background + 3, picture.begin() + std::ptrdiff_t(at));
+    }
+    static uint32_t covered(const Picture &picture)
+    {
+        uint32_t count = 0;
+        for (size_t i = 0; i + 2 < picture.size(); i += 3) count += !is_background(picture, i);
+        return count;
+    }
+
+    const Figure *figure_;
+    std::vector<std::vector<uint8_t>> colours_;
+};
+
+}  // namespace gltest
