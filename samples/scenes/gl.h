@@ -21,6 +21,7 @@ constexpr unsigned light_model_ambient = 0xB53, ambient = 0x1200, diffuse = 0x12
 constexpr unsigned ambient_and_diffuse = 0x1602, modelview = 0x1700, projection = 0x1701, rgba = 0x1908;
 constexpr unsigned modulate = 0x2100, texture_env = 0x2300, texture_env_mode = 0x2200;
 constexpr unsigned mag_filter = 0x2800, min_filter = 0x2801, wrap_s = 0x2802, wrap_t = 0x2803;
+constexpr unsigned nearest = 0x2600, nearest_mipmap_nearest = 0x2700;
 constexpr unsigned linear = 0x2601, linear_mipmap_nearest = 0x2701, linear_mipmap_linear = 0x2703, repeat = 0x2901,
                    clamp = 0x2900;
 constexpr unsigned unsigned_byte = 0x1401, unsigned_int = 0x1405, float_type = 0x1406, unpack_alignment = 0xCF5;

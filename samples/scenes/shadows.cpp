@@ -11,7 +11,6 @@ namespace
 // The picture: u [0, 0.5] is a person's shadow, feet at v = foot, head near v = 1; u [0.5, 1] is a round blot.
 constexpr double foot = 0.16;
 constexpr int side = 256;
-constexpr float darkness = 0.58f;
 
 double smooth(double t)
 {
@@ -91,7 +90,6 @@ void Shadows::prepare(const Gl &gl) { image_.emplace(gl, picture(), false); }
 void Shadows::cast(const std::vector<clq_place> &places, Vec3 to_sun, float height_m, float width_m)
 {
     people_.clear();
-    afar_.clear();
     for (size_t i = 0; i < places.size(); ++i) lay(places, i, to_sun, height_m, width_m);
 }
 
@@ -114,13 +112,6 @@ void Shadows::lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, f
     const uint32_t c = corner(1, reach - back, 0.496f, 0.998f), d = corner(-1, reach - back, 0.004f, 0.998f);
     people_.triangle(a, b, c);
     people_.triangle(a, c, d);
-
-    constexpr float shoulders = 0.62f;  // so that it is about as large as the shadow in the picture
-    const auto tip = [&](float side_of, float along, float alpha) {
-        return afar_.add(at(side_of, along), {0, 1, 0}, 0, 0, dark, alpha);
-    };
-    const uint32_t left = tip(-shoulders, -0.5f * back, darkness), right = tip(shoulders, -0.5f * back, darkness);
-    afar_.triangle(left, right, tip(0, reach - back, 0.5f * darkness));
 }
 
 void Shadows::ring(float x, float y, float z, float half_x, float half_z)
@@ -142,14 +133,6 @@ void Shadows::draw(const Gl &g, const Geometry &more) const
     rims_.draw(g);
     more.draw(g);
     people_.draw(g);
-    finish(g);
-}
-
-void Shadows::draw_afar(const Gl &g) const
-{
-    g.Disable(gl::texture_2d);
-    start(g);
-    afar_.draw(g);
     finish(g);
 }
 

@@ -17,7 +17,8 @@ class Shadows
 {
 public:
     void prepare(const Gl &gl);
-    // For who draws them otherwise: what quads show, and those of the people.
+    // For who draws them otherwise: what quads show, and those of the people, four vertices each: a parallelogram, u
+    // from the first corner to the second, v to the fourth.
     static Image picture();
     const Geometry &people() const { return people_; }
     void release() { image_.reset(); }
@@ -30,15 +31,14 @@ public:
     void draw(const Gl &gl) const { draw(gl, Geometry()); }
     // `more`: patches of others that show the blot, u [0.5, 1].
     void draw(const Gl &gl, const Geometry &more) const;
-    // Of the people alone, where all are so far off that their shadows are a few pixels: a triangle each, dark at the feet,
-    // without a picture. On software GL a fifth of the time.
-    void draw_afar(const Gl &gl) const;
+
+    static constexpr float darkness = 0.58f;
 
 private:
     void lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, float height_m, float width_m);
 
     std::optional<Texture> image_;
-    Geometry people_, afar_, rims_;
+    Geometry people_, rims_;
 };
 
 }  // namespace scenes

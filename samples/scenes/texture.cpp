@@ -25,12 +25,13 @@ Image half(const Image &from)
 
 }  // namespace
 
-Texture::Texture(const Gl &g, const Image &image, bool repeats) : gl_(g)
+Texture::Texture(const Gl &g, const Image &image, bool repeats, Filter filter) : gl_(g)
 {
     g.GenTextures(1, &id_);
     g.BindTexture(gl::texture_2d, id_);
-    g.TexParameteri(gl::texture_2d, gl::mag_filter, gl::linear);
-    g.TexParameteri(gl::texture_2d, gl::min_filter, gl::linear_mipmap_linear);
+    const bool smooth = filter == Filter::trilinear;
+    g.TexParameteri(gl::texture_2d, gl::mag_filter, smooth ? gl::linear : gl::nearest);
+    g.TexParameteri(gl::texture_2d, gl::min_filter, smooth ? gl::linear_mipmap_linear : gl::nearest_mipmap_nearest);
     g.TexParameteri(gl::texture_2d, gl::wrap_s, repeats ? gl::repeat : gl::clamp);
     g.TexParameteri(gl::texture_2d, gl::wrap_t, repeats ? gl::repeat : gl::clamp);
     g.PixelStorei(gl::unpack_alignment, 1);

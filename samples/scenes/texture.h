@@ -18,7 +18,8 @@ struct Image {
 class Texture
 {
 public:
-    Texture(const Gl &gl, const Image &image, bool repeats);
+    enum class Filter { trilinear, nearest };  // nearest: of the nearest copy, a quarter of the time on software GL
+    Texture(const Gl &gl, const Image &image, bool repeats, Filter filter = Filter::trilinear);
     ~Texture();
     Texture(const Texture &) = delete;
     Texture &operator=(const Texture &) = delete;

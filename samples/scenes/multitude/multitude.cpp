@@ -1,13 +1,13 @@
 // A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, four textures (two
 // a template), everybody with a clip, a phase and colours of its own. And the same field with four templates in chains of levels, from where ten thousand are in view at once.
-#include "samples/scenes/light.h"
+#include "samples/scenes/light_map.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/scene.h"
-#include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace scenes
 {
@@ -19,6 +19,24 @@ constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
 // Triangles of the two coarser levels; S3's have a fifth and a tenth of a finest one that is five times ours.
 const std::vector<uint32_t> coarser = {540, 270};
 constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh", "stand_wave", "stand"};
+
+constexpr uint32_t cells = 28;  // of the ground, across
+
+// Between cells, metres from the middle.
+double line(uint32_t i)
+{
+    const double t = 2.0 * i / cells - 1;
+    return ground_m * (0.25 * t + 0.75 * t * t * t);
+}
+
+// The last line before people of so many a row and what their shadows reach.
+uint32_t first_worn(uint32_t side)
+{
+    constexpr double shadow_m = 4;
+    uint32_t i = cells / 2 - 1;
+    while (i > 0 && -line(i) < side * spacing_m / 2 + shadow_m) --i;
+    return i;
+}
 
 enum class View { among, whole };  // of the overview: some of the people, or all
 
@@ -35,15 +53,17 @@ class Multitude final : public Scene
 public:
     Multitude(Library &library, const Casting &casting, std::vector<clq_template *> templates, View view)
         : seed_(casting.seed),
+          side_(static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(casting.count))))),
           templates_(std::move(templates)),
           view_(view),
           cast_(library, casting),
-          sky_(casting.seed, Sky::Land::hills)
+          sky_(casting.seed, Sky::Land::hills),
+          painted_(static_cast<float>(line(first_worn(side_))), static_cast<float>(-line(first_worn(side_))))
     {
-        side_ = static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(casting.count))));
         for (uint32_t who = 0; who < casting.count; ++who) enter(who);
         lay_ground();
         shadows_.cast(cast_.places(), light_.to_sun, height_m, shadow_width_m);
+        if (view_ == View::whole) painted_.paint(shadows_);
     }
 
     clq_crowd *crowd() const override { return cast_.crowd(); }
@@ -67,7 +87,11 @@ public:
     }
 
     void place(double) override {}
-    void prepare(const Gl &gl) override { shadows_.prepare(gl); }
+    void prepare(const Gl &gl) override
+    {
+        shadows_.prepare(gl);
+        if (view_ == View::whole) shade_.emplace(gl, painted_.image(), true, Texture::Filter::nearest);
+    }
 
     void draw_setting(const Gl &g, const Eye &eye) const override
     {
@@ -75,11 +99,16 @@ public:
         shine(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
-        if (paints_people_) afar(eye) ? shadows_.draw_afar(g) : shadows_.draw(g);
+        const bool in_texture = paints_people_ && shade_ && afar(eye);
+        if (in_texture) shade_->use();
+        worn_.draw(g);
+        g.Disable(gl::texture_2d);
+        if (paints_people_ && !in_texture) shadows_.draw(g);
     }
 
 private:
-    // Shadows of all are a few pixels then.
+    // Shadows of all are a few pixels then, most of them behind people, who stand still: ten thousand blended triangles would
+    // take as long as half of the people.
     bool afar(const Eye &eye) const { return view_ == View::whole && eye.position[2] > side_ * spacing_m; }
     void enter(uint32_t who)
     {
@@ -99,15 +128,11 @@ private:
         cast_.enter({tmpl, stand(x, 0, z, std::sin(turn), std::cos(turn), size), play});
     }
 
-    // Grass, worn where they stand; cells grow outwards.
+    // Grass, worn where they stand; cells grow outwards. Those that people and their shadows reach are apart.
     void lay_ground()
     {
-        constexpr uint32_t cells = 28;
         const double worn = side_ * spacing_m / 2;
-        const auto line = [](uint32_t i) {
-            const double t = 2.0 * i / cells - 1;
-            return ground_m * (0.25 * t + 0.75 * t * t * t);
-        };
+        const uint32_t first = first_worn(side_);
         for (uint32_t row = 0; row <= cells; ++row)
             for (uint32_t column = 0; column <= cells; ++column) {
                 const double x = line(column), z = line(row);
@@ -116,24 +141,30 @@ private:
                 const float tone =
                     static_cast<float>(lot_between(seed_, row * (cells + 1) + column, Lot::tone, 0.9, 1.08));
                 const Rgb colour = {0.52f - 0.16f * grass, 0.47f - 0.02f * grass, 0.34f - 0.10f * grass};
-                ground_.add({static_cast<float>(x), 0, static_cast<float>(z)}, {0, 1, 0}, 0, 0, colour * tone);
+                const Vec3 at = {static_cast<float>(x), 0, static_cast<float>(z)};
+                for (Geometry *part : {&ground_, &worn_})
+                    part->add(at, {0, 1, 0}, painted_.coordinate(at.x), painted_.coordinate(at.z), colour * tone);
             }
         for (uint32_t row = 0; row < cells; ++row)
             for (uint32_t column = 0; column < cells; ++column) {
                 const uint32_t a = row * (cells + 1) + column, below = a + cells + 1;
-                ground_.triangle(a, below, below + 1);
-                ground_.triangle(a, below + 1, a + 1);
+                const auto is_worn = [&](uint32_t i) { return i >= first && i < cells - first; };
+                Geometry &part = is_worn(row) && is_worn(column) ? worn_ : ground_;
+                part.triangle(a, below, below + 1);
+                part.triangle(a, below + 1, a + 1);
             }
     }
 
     uint64_t seed_;
+    uint32_t side_;                          // people a row
     std::vector<clq_template *> templates_;  // of the library
     View view_;
     Cast cast_;
-    uint32_t side_ = 1;  // people a row
     Daylight light_;
     Sky sky_;
-    Geometry ground_;
+    LightMap painted_;
+    std::optional<Texture> shade_;  // of painted_
+    Geometry ground_, worn_;
     Shadows shadows_;
     bool paints_people_ = true;
 };
