@@ -24,29 +24,6 @@ Rgb sky_at(double height)  // the sine of the angle above the horizon
     return t < 0.45f ? mix(haze, middle, t / 0.45f) : mix(middle, zenith, (t - 0.45f) / 0.55f);
 }
 
-// One strip right round, from `low` to `high` above the horizon (sines), each a function of the side.
-template <class Low, class High>
-void strip(Geometry &g, Low low, High high, Rgb low_colour, Rgb high_colour)
-{
-    uint32_t last_low = 0, last_high = 0;
-    for (int side = 0; side <= sides; ++side) {
-        const double turn = two_pi * side / sides;
-        const auto at = [&](double y, Rgb colour) {
-            const double level = std::sqrt(1 - y * y);
-            return g.add({static_cast<float>(level * std::sin(turn)), static_cast<float>(y),
-                          static_cast<float>(level * std::cos(turn))},
-                         {0, 1, 0}, 0, 0, colour);
-        };
-        const uint32_t a = at(low(side), low_colour), b = at(high(side), high_colour);
-        if (side > 0) {
-            g.triangle(last_low, a, b);
-            g.triangle(last_low, b, last_high);
-        }
-        last_low = a;
-        last_high = b;
-    }
-}
-
 // Rolling heights that close upon themselves.
 double hill(uint64_t seed, int side, double height, int waves)
 {
@@ -66,7 +43,53 @@ bool hides(double ground_m, const Eye &eye)
     return edge_m > 0 && eye.position[1] > 0 && eye.position[1] < -ground_below * std::hypot(eye.position[1], edge_m);
 }
 
+// False where all of it lies on the outer side of the view's left edge, or of its right one.
+bool in_view(const Geometry &far_away, const Eye &eye)
+{
+    const float *p = eye.projection, *r = eye.rotation;
+    bool left = true, right = true;
+    for (const SceneryVertex &vertex : far_away.vertices()) {
+        const Vec3 at = vertex.position;
+        double v[3], clip[2];  // x and w
+        for (int i = 0; i < 3; ++i)
+            v[i] = double(r[i]) * double(at.x) + double(r[4 + i]) * double(at.y) + double(r[8 + i]) * double(at.z);
+        for (int i = 0; i < 2; ++i)
+            clip[i] = double(p[3 * i]) * v[0] + double(p[3 * i + 4]) * v[1] + double(p[3 * i + 8]) * v[2];
+        left = left && clip[0] < -clip[1];
+        right = right && clip[0] > clip[1];
+    }
+    return !far_away.vertices().empty() && !left && !right;
+}
+
 }  // namespace
+
+template <class Low, class High>
+void Sky::strip(Low low, High high, Rgb low_colour, Rgb high_colour)
+{
+    Geometry *parts = low(0) < ground_below ? below_ : dome_;
+    uint32_t last_low = 0, last_high = 0;
+    for (int side = 0; side <= sides; ++side) {
+        const double turn = two_pi * side / sides;
+        const auto add = [&](Geometry &part, double y, Rgb colour) {
+            const double level = std::sqrt(1 - y * y);
+            return part.add({static_cast<float>(level * std::sin(turn)), static_cast<float>(y),
+                             static_cast<float>(level * std::cos(turn))},
+                            {0, 1, 0}, 0, 0, colour);
+        };
+        const int sector = side * sectors / sides;
+        if (side > 0) {
+            Geometry &part = parts[(side - 1) * sectors / sides];
+            const uint32_t a = add(part, low(side), low_colour), b = add(part, high(side), high_colour);
+            part.triangle(last_low, a, b);
+            part.triangle(last_low, b, last_high);
+            last_low = a, last_high = b;
+        }
+        if (side < sides && side % (sides / sectors) == 0) {
+            last_low = add(parts[sector], low(side), low_colour);
+            last_high = add(parts[sector], high(side), high_colour);
+        }
+    }
+}
 
 Sky::Sky(uint64_t seed, Land land)
 {
@@ -74,19 +97,17 @@ Sky::Sky(uint64_t seed, Land land)
         studio();
         return;
     }
-    strip(
-        below_, [](int) { return -0.999; }, [](int) { return ground_below; }, country, country);
+    const auto at = [](double y) { return [y](int) { return y; }; };
+    strip(at(-0.999), at(ground_below), country, country);
     const double steps[] = {ground_below, -0.05, -0.02, 0.0, 0.02, 0.05, 0.1,   0.16,
                             0.24,         0.34,  0.46,  0.6, 0.76, 0.9,  0.9999};
     for (size_t i = 0; i + 1 < sizeof steps / sizeof *steps; ++i)
-        strip(
-            dome_, [&](int) { return steps[i]; }, [&](int) { return steps[i + 1]; }, sky_at(steps[i]),
-            sky_at(steps[i + 1]));
-    const auto ground = [](int) { return -0.06; };
-    strip(dome_, ground, [&](int s) { return hill(seed + 1, s, 0.040, 3); }, {0.72f, 0.78f, 0.80f},
-          {0.64f, 0.72f, 0.78f});
-    strip(dome_, ground, [&](int s) { return hill(seed + 5, s, 0.016, 5); }, {0.62f, 0.68f, 0.60f},
-          {0.52f, 0.61f, 0.56f});
+        strip(at(steps[i]), at(steps[i + 1]), sky_at(steps[i]), sky_at(steps[i + 1]));
+    const auto hills = [](uint64_t of, double height, int waves) {
+        return [=](int side) { return hill(of, side, height, waves); };
+    };
+    strip(at(-0.06), hills(seed + 1, 0.040, 3), {0.72f, 0.78f, 0.80f}, {0.64f, 0.72f, 0.78f});
+    strip(at(-0.06), hills(seed + 5, 0.016, 5), {0.62f, 0.68f, 0.60f}, {0.52f, 0.61f, 0.56f});
 }
 
 // A backdrop as photographers have it.
@@ -94,9 +115,9 @@ void Sky::studio()
 {
     const auto at = [](double y) { return [y](int) { return y; }; };
     const Rgb top = backdrop * 0.62f;
-    strip(dome_, at(-0.999), at(0.0), backdrop, backdrop);
-    strip(dome_, at(0.0), at(0.45), backdrop, top);
-    strip(dome_, at(0.45), at(0.9999), top, top);
+    strip(at(-0.999), at(0.0), backdrop, backdrop);
+    strip(at(0.0), at(0.45), backdrop, top);
+    strip(at(0.45), at(0.9999), top, top);
 }
 
 void Sky::draw(const Gl &g, const Eye &eye, double ground_m) const
@@ -113,8 +134,11 @@ void Sky::draw(const Gl &g, const Eye &eye, double ground_m) const
     g.Disable(gl::cull_face);
     g.Disable(gl::texture_2d);
     g.DepthMask(0);
-    if (!hides(ground_m, eye)) below_.draw(g);
-    dome_.draw(g);
+    const bool all = !hides(ground_m, eye);
+    for (int sector = 0; sector < sectors; ++sector) {
+        if (all && in_view(below_[sector], eye)) below_[sector].draw(g);
+        if (in_view(dome_[sector], eye)) dome_[sector].draw(g);
+    }
     g.DepthMask(1);
     g.Enable(gl::depth_test);
     g.DepthFunc(gl::lequal);

@@ -21,7 +21,13 @@ public:
 private:
     void studio();
 
-    Geometry below_, dome_;
+    static constexpr int sectors = 12;
+
+    // One strip right round, from `low` to `high` above the horizon (sines), each a function of the side.
+    template <class Low, class High>
+    void strip(Low low, High high, Rgb low_colour, Rgb high_colour);
+
+    Geometry below_[sectors], dome_[sectors];  // what lies under what level ground may hide, and the rest
 };
 
 }  // namespace scenes
