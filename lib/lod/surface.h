@@ -7,6 +7,7 @@
 #include <array>
 
 #include "lib/lod/decimate.h"
+#include "lib/lod/link_condition.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -16,7 +17,10 @@ struct MeshTraits : OpenMesh::DefaultTraits {
     using Point = OpenMesh::Vec3d;
     using Normal = OpenMesh::Vec3d;
 };
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
+struct Mesh : OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
+    // What its decimater asks, in place of OpenMesh's own.
+    bool is_collapse_ok(HalfedgeHandle h) const { return LinkCondition<Mesh>(*this).holds(h); }
+};
 
 // Which corner of the source stands at each corner of a face; kept by vertex, so that it does not matter how the mesh
 // re-uses its halfedges.
