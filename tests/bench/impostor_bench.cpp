@@ -214,6 +214,7 @@ void impostor(benchmark::State &state, uint32_t zones, float tall_px)
 constexpr int frames = 30;
 
 #define FIELD(px)                                                                        \
+    BENCHMARK_CAPTURE(mesh, 14_triangles_##px##_px, 14u, float(px))->Iterations(frames); \
     BENCHMARK_CAPTURE(mesh, 30_triangles_##px##_px, 30u, float(px))->Iterations(frames); \
     BENCHMARK_CAPTURE(impostor, 1_zone_##px##_px, 1u, float(px))->Iterations(frames);    \
     BENCHMARK_CAPTURE(impostor, 4_zones_##px##_px, 4u, float(px))->Iterations(frames);   \
