@@ -129,6 +129,25 @@ TEST_F(Lods, bench_says_how_frames_of_ten_thousand_grow_and_what_of)
     EXPECT_EQ(hashes[0], hashes[1]);
 }
 
+// As somebody would draw them who wants them fast, unless said otherwise.
+TEST_F(Lods, bench_draws_ten_thousand_cached_in_one_draw_unless_told)
+{
+    const auto runs_of = [&](std::vector<std::string> more) {
+        std::vector<std::string> command = {"bench", "ten_thousand", "--count", "20",    "--frames",
+                                            "1",     "--size",       "64x48",   "--json"};
+        command.insert(command.end(), more.begin(), more.end());
+        const Outcome done = claque(command);
+        EXPECT_EQ(done.code, 0) << done.err;
+        return Json::parse(done.out)["runs"];
+    };
+    const Json usual = runs_of({});
+    ASSERT_EQ(usual.size(), 1u);
+    EXPECT_EQ(usual[0]["cache"], "full");
+    EXPECT_EQ(usual[0]["variety"], "fused");
+    EXPECT_EQ(runs_of({"--variety", "binned,fused", "--cache", "none,full"}).size(), 4u);
+    EXPECT_NE(runs_of({"--flat", "0"})[0]["vertices_sent"], usual[0]["vertices_sent"]);
+}
+
 TEST_F(LodsUse, are_refused_where_no_path_compares_them)
 {
     for (const char *scene : {"plaza", "multitude"}) {

@@ -7,17 +7,9 @@ namespace gltest
 namespace
 {
 
-const Figure &figure_of_120()
-{
-    static const Figure made = far_figure(120);
-    return made;
-}
-
-class Batches : public CrowdTest
+class Batches : public CrowdOf<120>
 {
 protected:
-    Batches() : CrowdTest(figure_of_120()) {}
-
     static passes::RendererOptions apart()
     {
         passes::RendererOptions options;

@@ -14,17 +14,9 @@ namespace gltest
 namespace
 {
 
-const Figure &figure_of_60()
-{
-    static const Figure made = far_figure(60);
-    return made;
-}
-
-class Flat : public CrowdTest
+class Flat : public CrowdOf<60>
 {
 protected:
-    Flat() : CrowdTest(figure_of_60()) {}
-
     static passes::RendererOptions smooth()
     {
         passes::RendererOptions options;
@@ -85,18 +77,18 @@ TEST_F(Flat, ShowUnlitWhatTheyShowSmooth)
 TEST_F(Flat, ShowUnlitWhatTheyShowSmoothInPaintToo)
 {
     constexpr uint32_t block = 4;  // texels across that far levels have alike
-    Figure figure = far_figure(60);
-    model::Texture &texture = figure.tmpl->textures[figure.tmpl->levels[0].surfaces[0].texture];
+    Figure painted = far_figure(60);
+    model::Texture &texture = painted.tmpl->textures[painted.tmpl->levels[0].surfaces[0].texture];
     for (uint32_t y = 0; y < texture.height; ++y)
         for (uint32_t x = 0; x < texture.width; ++x)
             for (uint32_t c = 0; c < 3; ++c)
                 texture.rgba[4 * size_t(y * texture.width + x) + c] =
                     static_cast<uint8_t>(110 + (40 * (x / block) + 25 * (y / block) + 60 * c) % 146);
-    figure_ = &figure;
+    figure_ = &painted;
     const Picture flat = shown(many(), {}), expected = shown(many(), smooth());
     EXPECT_GT(different(expected, shown(squeezed(), smooth()), 8), 1000u);
     EXPECT_EQ(different(flat, expected, 1), 0u);
-    figure_ = &figure_of_60();
+    figure_ = &figure();
     EXPECT_GT(different(flat, shown(many(), {}), 8), 1000u) << "the paint does not show";
 }
 

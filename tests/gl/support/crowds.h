@@ -107,4 +107,17 @@ protected:
     std::vector<std::vector<uint8_t>> colours_;
 };
 
+// Of citizens in about so many triangles.
+template <uint32_t triangles>
+class CrowdOf : public CrowdTest
+{
+protected:
+    CrowdOf() : CrowdTest(figure()) {}
+    static const Figure &figure()
+    {
+        static const Figure made = far_figure(triangles);
+        return made;
+    }
+};
+
 }  // namespace gltest
