@@ -7,16 +7,7 @@ namespace gltest
 namespace
 {
 
-class Batches : public CrowdOf<120>
-{
-protected:
-    static passes::RendererOptions apart()
-    {
-        passes::RendererOptions options;
-        options.batch_triangles = 0;
-        return options;
-    }
-};
+using Batches = CrowdOf<120>;
 
 TEST_F(Batches, TakeManyIndividualsInOneCall)
 {
@@ -44,16 +35,7 @@ TEST_F(Batches, ShowWhatSingleCallsShow)
     EXPECT_GT(different(shown(moved, {}), one_by_one, 0) * 1000, covered(one_by_one));
 }
 
-TEST_F(Batches, AreTheSameForAllStrategiesAndFormatsOfColours)
-{
-    const Picture expected = shown(many(), {});
-    for (const passes::Strategy strategy : all_strategies)
-        for (const passes::ColourFormat colours : {passes::ColourFormat::ubyte, passes::ColourFormat::real}) {
-            passes::RendererOptions options = options_of(strategy);
-            options.colours = colours;
-            EXPECT_TRUE(shown(many(), options) == expected) << int(strategy) << " " << int(colours);
-        }
-}
+TEST_F(Batches, AreTheSameForAllStrategiesAndFormatsOfColours) { expect_the_same_for_all_strategies_and_formats(); }
 
 // Lit from the side, in odd scales and mirrored: normals go the way that GL's would.
 TEST_F(Batches, LightTheirIndividualsAsGlWould)

@@ -17,12 +17,6 @@ namespace
 class Flat : public CrowdOf<60>
 {
 protected:
-    static passes::RendererOptions smooth()
-    {
-        passes::RendererOptions options;
-        options.flat_triangles = 0;
-        return options;
-    }
     const passes::FlatLevel &flat_level()
     {
         if (prepared_.levels.empty()) {
@@ -107,13 +101,7 @@ TEST_F(Flat, SendAboutOneVertexForTwoTriangles)
 TEST_F(Flat, AreTheSameForAllStrategiesAndFormatsOfColours)
 {
     light_from({1, 0.4f, 0.2f, 0});
-    const Picture expected = shown(many(), {});
-    for (const passes::Strategy strategy : all_strategies)
-        for (const passes::ColourFormat colours : {passes::ColourFormat::ubyte, passes::ColourFormat::real}) {
-            passes::RendererOptions options = options_of(strategy);
-            options.colours = colours;
-            EXPECT_TRUE(shown(many(), options) == expected) << int(strategy) << " " << int(colours);
-        }
+    expect_the_same_for_all_strategies_and_formats();
 }
 
 // One of them alone, as it is, in odd scales and mirrored: every pixel has the colour of one of its triangles.
@@ -199,11 +187,7 @@ TEST_F(Flat, LetWhoHasHooksBeDrawnSmoothBetweenThem)
     one.items = {one.items[20]};
     DrawList smooth_one = many();
     smooth_one.items = {smooth_one.items[20]};
-    EXPECT_TRUE(shown(one, {}) == shown(smooth_one, [] {
-                    passes::RendererOptions options;
-                    options.batch_triangles = 0;
-                    return options;
-                }()));
+    EXPECT_TRUE(shown(one, {}) == shown(smooth_one, apart()));
     DrawList others = many();
     others.items.erase(others.items.begin() + 20);
     const Picture with = shown(list, {}), without = shown(others, {}), alone = shown(one, {});

@@ -43,6 +43,20 @@ protected:
                 colours_[who][i] = static_cast<uint8_t>(colours_[who][i] + 5 * who);
     }
 
+    // One call for each.
+    static passes::RendererOptions apart()
+    {
+        passes::RendererOptions options;
+        options.batch_triangles = 0;
+        return options;
+    }
+    static passes::RendererOptions smooth()
+    {
+        passes::RendererOptions options;
+        options.flat_triangles = 0;
+        return options;
+    }
+
     // Rows of them.
     DrawList many() const
     {
@@ -81,6 +95,16 @@ protected:
             EXPECT_TRUE(renderer->draw(list, stats).ok());
         }
         return picture;
+    }
+    void expect_the_same_for_all_strategies_and_formats()
+    {
+        const Picture expected = shown(many(), {});
+        for (const passes::Strategy strategy : all_strategies)
+            for (const passes::ColourFormat colours : {passes::ColourFormat::ubyte, passes::ColourFormat::real}) {
+                passes::RendererOptions options = options_of(strategy);
+                options.colours = colours;
+                EXPECT_TRUE(shown(many(), options) == expected) << int(strategy) << " " << int(colours);
+            }
     }
     static uint32_t different(const Picture &a, const Picture &b, int beyond)
     {
