@@ -29,7 +29,7 @@ struct Sum {
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
 
-// Positions as floats, which know a person's to a few tenths of a micrometre: measuring takes a third of the time of doubles.
+// Positions as floats, which know a person's to a few tenths of a micrometre: distances take half of the time of doubles.
 using Points = std::vector<math::F4>;  // lane 3: 0
 
 Points points_of(const std::vector<glm::dvec3> &positions)

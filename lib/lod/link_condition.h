@@ -1,6 +1,6 @@
 // Whether an edge of a triangle mesh may collapse and leave a surface: the link condition (Dey, Edelsbrunner, Guha and
 // Nekhayev 1999). The same answer as OpenMesh's is_collapse_ok, which is compiled into its library with all its checks of
-// handles; a decimation asks some eighty thousand times, and half of its time went there. Between the files of this room only.
+// handles; two fifths of a decimation's time went there. Between the files of this room only.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
