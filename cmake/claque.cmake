@@ -14,7 +14,8 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
 add_library(claque_flags INTERFACE)
 target_compile_options(claque_flags INTERFACE
-    -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi
+    -ffp-contract=off -Wall -Wextra -Wpedantic -Wno-psabi
+    $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>  # a unity build sees the file-level names of neighbours
     $<$<BOOL:${CLAQUE_WERROR}>:-Werror>)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86)$" OR (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64" AND CMAKE_SIZEOF_VOID_P EQUAL 4))
     # Old hosts call with stacks aligned to 4 bytes.

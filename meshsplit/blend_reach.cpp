@@ -1,6 +1,7 @@
 #include "meshsplit/blend_reach.h"
 
 #include "lib/math/affine.h"
+#include "meshsplit/largest.h"
 #include "meshsplit/reach_poses.h"
 
 #include <glm/geometric.hpp>
@@ -19,13 +20,8 @@ namespace
 // What rounding and the stated errors of stored motion may add.
 constexpr double margin = 1.002;
 
-double largest(const glm::vec3 &v)
-{
-    return std::max({std::fabs(double(v.x)), std::fabs(double(v.y)), std::fabs(double(v.z))});
-}
-
 // One node in all blends whose added weights sum to `added`.
-struct Ball {
+struct NodeBall {
     glm::dvec3 centre;  // of its origin, or of that of a node above
     double radius = 0;
     double stretch = 1;  // of what hangs on it
@@ -33,14 +29,14 @@ struct Ball {
     math::Affine frame;  // at rest
 };
 
-std::vector<Ball> balls_of(const model::Rig &rig, const std::vector<Span> &spans, double added)
+std::vector<NodeBall> balls_of(const model::Rig &rig, const std::vector<Span> &spans, double added)
 {
-    std::vector<Ball> out(rig.node_count());
+    std::vector<NodeBall> out(rig.node_count());
     for (uint32_t n = 0; n < rig.node_count(); ++n) {
         const Span &span = spans[n];
         const uint32_t parent = rig.parents[n];
-        const Ball above = parent == none ? Ball{glm::dvec3(0), 0, 1, true, math::Affine()} : out[parent];
-        Ball &ball = out[n];
+        const NodeBall above = parent == none ? NodeBall{glm::dvec3(0), 0, 1, true, math::Affine()} : out[parent];
+        NodeBall &ball = out[n];
         ball = above;
         ball.frame = math::mul(above.frame, math::affine_of(rig.rest[n]));
         const double strays = span.spread * (1 + 2 * added) + span.shift;
@@ -66,7 +62,7 @@ double stretch_of(const math::Affine &m)
     return std::sqrt(std::max(0.0, sum - glm::dot(t, t)));
 }
 
-double radius_of(const model::Template &tmpl, const std::vector<Ball> &balls, double added)
+double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls, double added)
 {
     const glm::dvec3 middle(tmpl.sklsroot.centre);
     // Added weights of morph targets may carry vertices on beyond their spheres.
@@ -75,7 +71,7 @@ double radius_of(const model::Template &tmpl, const std::vector<Ball> &balls, do
     for (const model::Level &level : tmpl.levels)
         for (const model::PartSphere &sphere : level.part_spheres) {
             const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
-            const Ball &ball = balls[entry.node];
+            const NodeBall &ball = balls[entry.node];
             const glm::vec3 centre = math::point(entry.inverse_bind, sphere.bind.centre);
             const double radius = double(sphere.bind.radius) * stretch_of(entry.inverse_bind) * morphs;
             if (ball.fixed) {
@@ -121,8 +117,8 @@ std::vector<Span> spans_of(const model::Rig &rig)
 
 void find_blend_reach(const std::vector<Span> &spans, model::Template &tmpl)
 {
-    const std::vector<Ball> none_added = balls_of(tmpl.rig, spans, 0);
-    const std::vector<Ball> added = balls_of(tmpl.rig, spans, double(model::most_added));
+    const std::vector<NodeBall> none_added = balls_of(tmpl.rig, spans, 0);
+    const std::vector<NodeBall> added = balls_of(tmpl.rig, spans, double(model::most_added));
     const glm::dvec3 middle(tmpl.sklsroot.centre);
     // Bounds are polynomials of what is added, without negative terms: the chord lies above them.
     const auto chord = [](double from, double to) {
@@ -132,7 +128,7 @@ void find_blend_reach(const std::vector<Span> &spans, model::Template &tmpl)
     tmpl.blend_radius.none = std::max(tmpl.blend_radius.none, tmpl.sklsroot.radius);
     tmpl.blend_reach.clear();
     for (uint32_t n = 0; n < tmpl.rig.node_count(); ++n) {
-        const Ball &a = none_added[n], &b = added[n];
+        const NodeBall &a = none_added[n], &b = added[n];
         tmpl.blend_reach.push_back(
             {chord(glm::distance(a.centre, middle) + a.radius, glm::distance(b.centre, middle) + b.radius),
              chord(a.stretch, b.stretch)});

@@ -85,7 +85,7 @@ void add_all(const TexelGrid &grid, std::vector<TexelSpan> &out)
     for (uint32_t row = 0; row < grid.height; ++row) out.push_back({row, 0, grid.width});
 }
 
-double largest(const Corners &c)
+double largest_corner(const Corners &c)
 {
     double size = 0;
     for (int k = 0; k < 3; ++k) size = std::max({size, std::fabs(c.x[k]), std::fabs(c.y[k])});
@@ -96,7 +96,7 @@ double largest(const Corners &c)
 
 double slack_of(const TexelGrid &grid, const UvTriangle &triangle)
 {
-    return sampling_slack + float_slack * largest(texels_of(grid, triangle));
+    return sampling_slack + float_slack * largest_corner(texels_of(grid, triangle));
 }
 
 void cover(const TexelGrid &grid, const UvTriangle &triangle, std::vector<TexelSpan> &out)
@@ -104,7 +104,7 @@ void cover(const TexelGrid &grid, const UvTriangle &triangle, std::vector<TexelS
     const Corners c = texels_of(grid, triangle);
     const double slack = slack_of(grid, triangle);
     const bool clamped = grid.wrap_t == Wrap::clamp;
-    if (largest(c) > most_texels) return add_all(grid, out);
+    if (largest_corner(c) > most_texels) return add_all(grid, out);
 
     const double bottom = std::min({c.y[0], c.y[1], c.y[2]}) - slack;
     const double top = std::max({c.y[0], c.y[1], c.y[2]}) + slack;

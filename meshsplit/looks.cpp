@@ -57,10 +57,10 @@ model::HsbRange range_of(const Rgb &c)
     return {hue, hue, saturation, saturation, top, top};
 }
 
-class Planner
+class LookPlanner
 {
 public:
-    explicit Planner(const model::Model &model) : model_(model), materials_(model.materials)
+    explicit LookPlanner(const model::Model &model) : model_(model), materials_(model.materials)
     {
         materials_.push_back(Material());  // of parts without one
         materials_.back().name = "default";
@@ -262,6 +262,6 @@ uint32_t palette_side(uint32_t cell_count)
     return side;
 }
 
-Looks plan_looks(const model::Model &model) { return Planner(model).run(); }
+Looks plan_looks(const model::Model &model) { return LookPlanner(model).run(); }
 
 }  // namespace claque::meshsplit

@@ -1,5 +1,6 @@
 #include "meshsplit/motion_error.h"
 
+#include "meshsplit/largest.h"
 #include "meshsplit/reach_poses.h"
 
 #include <glm/geometric.hpp>
@@ -28,11 +29,6 @@ Affine minus(const Affine &a, const Affine &b)
     Affine out;
     for (int i = 0; i < 12; ++i) out.c[i] = a.c[i] - b.c[i];
     return out;
-}
-
-double largest(const glm::vec3 &v)
-{
-    return std::max({std::fabs(double(v.x)), std::fabs(double(v.y)), std::fabs(double(v.z))});
 }
 
 // Every 64th first, then those between, so that a poor rate is found out soon.

@@ -18,12 +18,12 @@ constexpr size_t centre_poses = 64;
 constexpr double waste = 0.01;
 
 // How well a pose has been looked at.
-enum class Look : uint8_t { ball, coarse, fine };
+enum class BoundKind : uint8_t { ball, coarse, fine };
 
 struct Candidate {
     double bound = 0;
     uint32_t pose = 0;
-    Look look = Look::ball;
+    BoundKind kind = BoundKind::ball;
 
     bool operator<(const Candidate &other) const
     {
@@ -143,19 +143,19 @@ double FreeReach::radius(const glm::dvec3 &centre, double reached)
     for (uint32_t i = 0; i < poses_.size(); ++i) {
         look_at(i);
         bounds.push_back(fill_.ball(free_.bodies, locals_.weights.data(), centre) + bulges_[i]);
-        queue.push({bounds[i], i, Look::ball});
+        queue.push({bounds[i], i, BoundKind::ball});
     }
     while (queue.top().bound > found * (1 + waste)) {
         Candidate best = queue.top();
         if (best.bound <= bounds[best.pose]) {
-            if (best.look == Look::fine) break;
+            if (best.kind == BoundKind::fine) break;
             look_at(best.pose);
-            const bool was_ball = best.look == Look::ball;
+            const bool was_ball = best.kind == BoundKind::ball;
             const Fill::Enough near = {centre, found - bulges_[best.pose]};
             const double bound = was_ball ? bound_by(coarse_, own_coarse_, near) : bound_by(fine_, own_fine_, near);
             tell(best.pose, bound, bounds);
             if (!was_ball) found = std::max(found, bound);
-            best.look = was_ball ? Look::coarse : Look::fine;
+            best.kind = was_ball ? BoundKind::coarse : BoundKind::fine;
         }
         best.bound = bounds[best.pose];
         queue.pop();

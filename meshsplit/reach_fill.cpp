@@ -1,4 +1,5 @@
 #include "meshsplit/reach_fill.h"
+#include "meshsplit/largest.h"
 
 #include <glm/geometric.hpp>
 
@@ -26,11 +27,6 @@ Map scaled(const Map &map, const glm::vec3 &scale)
     Map out = map;
     for (int k = 0; k < 3; ++k) out.turn[k] *= double(scale[k]);
     return out;
-}
-
-double largest(const glm::vec3 &scale)
-{
-    return std::max({std::fabs(double(scale.x)), std::fabs(double(scale.y)), std::fabs(double(scale.z))});
 }
 
 glm::dvec3 moved(const Map &map, const glm::dvec3 &p) { return map.turn * p + map.move; }

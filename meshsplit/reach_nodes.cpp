@@ -15,12 +15,12 @@ namespace
 // An object's sphere needs no tenth of a percent: so many closer looks a node are enough.
 constexpr int most_looks = 24;
 
-struct Candidate {
+struct NodeCandidate {
     double bound = 0, bulge = 0;  // bulge: towards the poses beside it, not in the bound while poses are collected
     PoseAt at;
     bool looked_at = false;
 
-    bool operator<(const Candidate &other) const { return bound < other.bound; }
+    bool operator<(const NodeCandidate &other) const { return bound < other.bound; }
 };
 
 class NodeSearch
@@ -77,12 +77,12 @@ private:
     // Best first: whatever is left unlooked at is below what comes out.
     double settle(uint32_t n, LocalPoser &poser, const Grain &grain)
     {
-        std::vector<Candidate> &heap = poses_[n];
-        for (Candidate &c : heap) c.bound += c.bulge;
+        std::vector<NodeCandidate> &heap = poses_[n];
+        for (NodeCandidate &c : heap) c.bound += c.bulge;
         std::make_heap(heap.begin(), heap.end());
         for (int looks = 0; looks < most_looks && !heap.front().looked_at; ++looks) {
             std::pop_heap(heap.begin(), heap.end());
-            Candidate &best = heap.back();
+            NodeCandidate &best = heap.back();
             poser.pose(best.at, locals_);
             fill_.take(locals_);
             fill_.origin_support(grain, n, support_);
@@ -97,7 +97,7 @@ private:
     const glm::dvec3 centre_;
     Fill fill_;
     const std::vector<double> shifts_;
-    std::vector<std::vector<Candidate>> poses_;  // per node
+    std::vector<std::vector<NodeCandidate>> poses_;  // per node
     std::vector<double> stretches_, most_stretched_;
     Locals locals_;
     Support support_;

@@ -17,7 +17,7 @@ namespace
 
 constexpr float equal_part = 1e-5f;
 
-float largest(const float *values, size_t count)
+float largest_of(const float *values, size_t count)
 {
     float most = 0;
     for (size_t i = 0; i < count; ++i) most = std::max(most, std::fabs(values[i]));
@@ -26,8 +26,8 @@ float largest(const float *values, size_t count)
 
 bool equal(const math::Affine &a, const math::Affine &b, float extent)
 {
-    const float axes = std::max(largest(a.c, 9), largest(b.c, 9));
-    const float way = std::max(largest(a.c + 9, 3), largest(b.c + 9, 3)) + axes * extent;
+    const float axes = std::max(largest_of(a.c, 9), largest_of(b.c, 9));
+    const float way = std::max(largest_of(a.c + 9, 3), largest_of(b.c + 9, 3)) + axes * extent;
     for (size_t i = 0; i < 12; ++i)
         if (!(std::fabs(a.c[i] - b.c[i]) <= equal_part * (i < 9 ? axes : way))) return false;
     return true;

@@ -139,6 +139,13 @@ struct Gl11 {
     void(CLAQUE_GL_CALL *Color4f)(float r, float g, float b, float a) = nullptr;
 };
 
+inline int32_t integer(const Gl11 &gl, gl::Enum name)
+{
+    int32_t value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
 // Fills the table. Fails: CLQ_ARGUMENT (no get_proc_address), CLQ_GL_MISSING (the first function that the host does not
 // have, by name; no current context, which GL only shows by glGetString answering nothing). The table is then unusable.
 base::Status load(Gl11 &table, GetProcAddress get_proc_address, void *user);

@@ -4,18 +4,6 @@
 
 namespace claque::passes
 {
-namespace
-{
-
-int32_t integer(const Gl11 &gl, gl::Enum name)
-{
-    int32_t value = 0;
-    gl.GetIntegerv(name, &value);
-    return value;
-}
-
-}  // namespace
-
 HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, const draw::DrawList &list,
                      const draw::Item &item)
     : gl_(gl), preflight_(preflight), state_(state), list_(list), item_(item)

@@ -48,13 +48,6 @@ constexpr Spoiler spoilers[] = {
 };
 constexpr int spoiler_count = sizeof spoilers / sizeof spoilers[0];
 
-int32_t integer(const Gl11 &gl, gl::Enum name)
-{
-    int32_t value = 0;
-    gl.GetIntegerv(name, &value);
-    return value;
-}
-
 // "4.5 (Compatibility Profile) Mesa" is 45; anything unreadable is 11, the least that there is.
 int version_of(const char *text)
 {

@@ -9,7 +9,7 @@ namespace
 {
 
 // A rod's half length is 1.73 of its standard deviations, a disc's radius 2.
-constexpr double reach = 1.8;
+constexpr double blob_reach = 1.8;
 constexpr double h = 0.5, s = 0.86602540378443865;
 constexpr double circle[blob_corners][2] = {{1, 0},  {s, h},   {h, s},   {0, 1},  {-h, s}, {-s, h},
                                             {-1, 0}, {-s, -h}, {-h, -s}, {0, -1}, {h, -s}, {s, -h}};
@@ -47,8 +47,8 @@ void Spread::ellipse(float (&out)[3 * blob_corners]) const
     // The root of the matrix of moments, lower triangle (Cholesky).
     const double a = std::sqrt(uu), b = a > 0 ? uv / a : 0, c = std::sqrt(std::max(vv - b * b, 0.0));
     for (uint32_t k = 0; k < blob_corners; ++k) {
-        const double u = mean_u + reach * a * circle[k][0];
-        const double v = mean_v + reach * (b * circle[k][0] + c * circle[k][1]);
+        const double u = mean_u + blob_reach * a * circle[k][0];
+        const double v = mean_v + blob_reach * (b * circle[k][0] + c * circle[k][1]);
         const glm::dvec3 p = first_ + u_ * u + v_ * v;
         for (int r = 0; r < 3; ++r) out[3 * k + static_cast<uint32_t>(r)] = static_cast<float>(p[r]);
     }

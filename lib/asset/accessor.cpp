@@ -3,14 +3,13 @@
 namespace claque::asset
 {
 
+using base::big;
 using base::fail;
 
 namespace
 {
 
 constexpr uint64_t most_bytes = 1ull << 48;
-
-unsigned long long big(uint64_t n) { return n; }
 
 struct Type {
     const char *name;

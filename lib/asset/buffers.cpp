@@ -6,14 +6,13 @@
 namespace claque::asset
 {
 
+using base::big;
 using base::fail;
 
 namespace
 {
 
-constexpr uint64_t most_bytes = 1ull << 48;
-
-unsigned long long big(uint64_t n) { return n; }
+constexpr uint64_t most_buffer_bytes = 1ull << 48;
 
 }  // namespace
 
@@ -61,7 +60,7 @@ void Buffers::load(const View &buffer, size_t index, const Container &container,
 {
     buffer.object();
     Buffer out;
-    out.length = buffer["byteLength"].integer(1, most_bytes);
+    out.length = buffer["byteLength"].integer(1, most_buffer_bytes);
     if (buffer["uri"].exists()) {
         load_from_uri(buffer, out, budget);
     } else if (index == 0 && container.is_glb) {
@@ -83,8 +82,8 @@ void Buffers::check_view(const View &view)
 {
     BufferView out;
     out.buffer = view["buffer"].index(buffers_.size(), "buffer");
-    out.offset = view["byteOffset"].integer_or(0, 0, most_bytes);
-    out.length = view["byteLength"].integer(1, most_bytes);
+    out.offset = view["byteOffset"].integer_or(0, 0, most_buffer_bytes);
+    out.length = view["byteLength"].integer(1, most_buffer_bytes);
     out.stride = static_cast<uint32_t>(view["byteStride"].integer_or(0, 4, 252));
     if (out.stride % 4 != 0) fail(CLQ_FORMAT, "%s.byteStride is %u: no multiple of 4", view.path().c_str(), out.stride);
     if (out.offset + out.length > buffers_[out.buffer].length)

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr const char *channel_names[] = {"Xposition", "Yposition", "Zposition", "Xrotation", "Yrotation", "Zrotation"};
-constexpr uint32_t none = 0xffffffffu;
+constexpr uint32_t no_joint = 0xffffffffu;
 
 void read_offset(BvhText &text, BvhJoint &joint)
 {
@@ -82,7 +82,7 @@ private:
         budget_.take(sizeof(BvhJoint) + 200 + name.size(), "a joint");
         BvhJoint joint;
         joint.name = std::move(name);
-        joint.parent = open_.empty() ? none : open_.back().joint;
+        joint.parent = open_.empty() ? no_joint : open_.back().joint;
         open_.push_back({static_cast<uint32_t>(joints_.size()), false, false});
         joints_.push_back(std::move(joint));
         text_.expect("{");

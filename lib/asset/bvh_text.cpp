@@ -22,7 +22,7 @@ bool same(std::string_view a, std::string_view b)
 }
 
 // For refusals: short, and without bytes that a terminal would take for something else.
-std::string shown(std::string_view word)
+std::string quoted_word(std::string_view word)
 {
     std::string text = "'";
     for (const char c : word.substr(0, 30)) text += c >= ' ' && c < 127 ? c : '?';
@@ -78,7 +78,7 @@ void BvhText::expect(std::string_view wanted)
 {
     if (take(wanted)) return;
     const std::string_view found = peek();
-    refuse(std::string(wanted) + " is wanted instead of " + (found.empty() ? "the file's end" : shown(found)));
+    refuse(std::string(wanted) + " is wanted instead of " + (found.empty() ? "the file's end" : quoted_word(found)));
 }
 
 void BvhText::expect_label(std::string_view first, std::string_view second)
@@ -110,8 +110,8 @@ double BvhText::number(const char *what)
     double value = 0;
     const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::invalid_argument || rest != text.data() + text.size() || !std::isfinite(value))
-        refuse(std::string(what) + " is " + shown(peek()) + " instead of a number");
-    if (error != std::errc()) refuse(std::string(what) + " is " + shown(peek()) + ", which is out of range");
+        refuse(std::string(what) + " is " + quoted_word(peek()) + " instead of a number");
+    if (error != std::errc()) refuse(std::string(what) + " is " + quoted_word(peek()) + ", which is out of range");
     word();
     return value;
 }

@@ -18,7 +18,7 @@ using base::fail;
 namespace
 {
 
-constexpr size_t most_bytes = size_t(4) << 20;
+constexpr size_t most_file_bytes = size_t(4) << 20;
 
 // "#3a5fcd" as hue, saturation and brightness of one colour.
 bool read_hex(const std::string &text, clq_hsb_range &out)
@@ -238,8 +238,8 @@ private:
 
 void read_colours(std::string_view text, const std::string &name, ColourFile &out)
 {
-    if (text.size() > most_bytes)
-        fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), most_bytes);
+    if (text.size() > most_file_bytes)
+        fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), most_file_bytes);
     const toml::parse_result parsed = toml::parse(text);
     Reader reader(name, out);
     if (!parsed) reader.refuse(parsed.error().source(), "no TOML: " + std::string(parsed.error().description()));

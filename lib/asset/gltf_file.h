@@ -11,7 +11,7 @@
 namespace claque::asset
 {
 
-constexpr uint32_t none = model::none;
+using model::none;
 
 struct File {
     File(const View &document, const Container &container, const LoadOptions &wanted, Budget &shared)

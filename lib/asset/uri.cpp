@@ -14,7 +14,7 @@ namespace
 
 constexpr std::string_view scheme = "data:";
 
-std::string shown(std::string_view uri) { return std::string(uri.substr(0, 80)); }
+std::string shortened(std::string_view uri) { return std::string(uri.substr(0, 80)); }
 
 int hex_of(char c)
 {
@@ -35,7 +35,7 @@ std::string percent_decoded(std::string_view text)
         }
         const int high = i + 2 < text.size() ? hex_of(text[i + 1]) : -1;
         const int low = i + 2 < text.size() ? hex_of(text[i + 2]) : -1;
-        if (high < 0 || low < 0) fail(CLQ_FORMAT, "URI '%s' has a broken percent code", shown(text).c_str());
+        if (high < 0 || low < 0) fail(CLQ_FORMAT, "URI '%s' has a broken percent code", shortened(text).c_str());
         out.push_back(static_cast<char>(16 * high + low));
         i += 2;
     }
@@ -83,10 +83,10 @@ uint64_t data_uri_bound(std::string_view uri) { return uri.size(); }
 std::vector<uint8_t> decode_data_uri(std::string_view uri)
 {
     const size_t comma = uri.find(',');
-    if (comma == std::string_view::npos) fail(CLQ_FORMAT, "data URI '%s' has no comma", shown(uri).c_str());
+    if (comma == std::string_view::npos) fail(CLQ_FORMAT, "data URI '%s' has no comma", shortened(uri).c_str());
     const std::string_view head = uri.substr(scheme.size(), comma - scheme.size()), body = uri.substr(comma + 1);
     if (head.find(";;") != std::string_view::npos)
-        fail(CLQ_FORMAT, "data URI '%s' has an empty parameter", shown(uri).c_str());
+        fail(CLQ_FORMAT, "data URI '%s' has an empty parameter", shortened(uri).c_str());
     constexpr std::string_view mark = ";base64";
     if (head.size() >= mark.size() && head.substr(head.size() - mark.size()) == mark) return base64_decoded(body);
     const std::string text = percent_decoded(body);
@@ -95,7 +95,7 @@ std::vector<uint8_t> decode_data_uri(std::string_view uri)
 
 std::string decode_relative_path(std::string_view uri)
 {
-    const std::string name = shown(uri);
+    const std::string name = shortened(uri);
     const size_t colon = uri.find(':');
     if (colon != std::string_view::npos && colon < uri.find('/')) {
         if (colon == 0) fail(CLQ_FORMAT, "URI '%s' has an empty scheme", name.c_str());

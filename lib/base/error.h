@@ -22,6 +22,9 @@ private:
 };
 
 // printf-like: one sentence with names and numbers, no full stop needed at the end.
+// A 64-bit number as %llu takes it.
+inline unsigned long long big(uint64_t n) { return n; }
+
 [[noreturn]] void fail(clq_status status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 std::string text_of(const char *format, ...) __attribute__((format(printf, 1, 2)));

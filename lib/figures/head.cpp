@@ -89,11 +89,11 @@ const std::array<Meridian, 8> meridians = {{
      {0.0430f, 1.738f, -0.046f}},
     {{0, 1.530f, -0.072f}, {0, 1.570f, -0.086f}, {0, 1.634f, -0.106f}, {0, 1.697f, -0.096f}, {0, 1.740f, -0.060f}},
 }};
-const glm::vec3 crown(0, 1.7585f, -0.006f);
+const glm::vec3 head_crown(0, 1.7585f, -0.006f);
 
 // 0 in the middle of the face, 0.5 at the nape: like the angle, but with most of the room for the face, and made of
 // divisions only.
-float around(glm::vec3 p)
+float around_head(glm::vec3 p)
 {
     const float x = std::fabs(p.x), z = p.z + 0.03f;
     float quarters = 0;
@@ -139,14 +139,14 @@ void add_ear(Mesh &mesh, Side side)
 
 void add_head(Mesh &mesh)
 {
-    const uint32_t top = mesh.add(crown, Region::head);
+    const uint32_t top = mesh.add(head_crown, Region::head);
     // The right half first, mirrored, then the left; the middle ones are shared.
     std::array<std::array<Chain, 8>, 2> halves;
     const auto add = [&](size_t m, glm::vec3 p, Region region) {
         const uint32_t left = mesh.add(p, region);
         const uint32_t right = p.x == 0 ? left : mesh.add(mirrored(p, Side::right), region, Side::right);
-        halves[0][m].push_back({left, glm::vec2(around(p), upwards(p))});
-        halves[1][m].push_back({right, glm::vec2(-around(p), upwards(p))});
+        halves[0][m].push_back({left, glm::vec2(around_head(p), upwards(p))});
+        halves[1][m].push_back({right, glm::vec2(-around_head(p), upwards(p))});
     };
     for (size_t m = 0; m < meridians.size(); ++m) {
         if (m > 0 && starts[m] == starts[m - 1])
@@ -158,7 +158,7 @@ void add_head(Mesh &mesh)
         auto &half = halves[side == Side::left ? 0 : 1];
         for (size_t m = 0; m + 1 < half.size(); ++m) {
             const float s = (half[m].back().st.x + half[m + 1].back().st.x) / 2;
-            const Corner corner = {top, glm::vec2(s, upwards(crown))};
+            const Corner corner = {top, glm::vec2(s, upwards(head_crown))};
             Chain a = half[m], b = half[m + 1];
             mesh.face(Chart::head, winding_of(side), a.back(), b.back(), corner);
             mesh.sew(Chart::head, side == Side::left ? Winding::reversed : Winding::as_given, a, b, Along::t);

@@ -15,14 +15,14 @@ namespace
 constexpr float belt_low = 1.012f, belt_high = 1.056f, hem = 0.508f;
 
 // Round the body like an angle, 0 in front, 4 at the back, negative on the right; divisions only.
-float around(glm::vec3 p)
+float around_body(glm::vec3 p)
 {
     const float x = std::fabs(p.x), z = p.z * 1.25f;
     const float quarters = z >= x ? x / z : x >= std::fabs(z) ? 2 - z / x : 4 - x / std::max(-z, 1e-6f);
     return p.x < 0 ? -quarters : quarters;
 }
 
-float to_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b)
+float distance_to_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b)
 {
     const glm::vec3 ab = b - a;
     const float t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0f, 1.0f);
@@ -34,7 +34,7 @@ float to_neckline(glm::vec3 p)
     p.x = std::fabs(p.x);
     float least = 1;
     for (size_t i = 0; i + 1 < neckline.size(); ++i)
-        least = std::min(least, to_segment(p, neckline[i], neckline[i + 1]));
+        least = std::min(least, distance_to_segment(p, neckline[i], neckline[i + 1]));
     return least;
 }
 
@@ -54,7 +54,7 @@ bool on_stripe(const Texel &t)
 Paint belt(glm::vec3 p)
 {
     const float height = (p.y - belt_low) / (belt_high - belt_low);
-    float g = 214 + 20 * grain(around(p) * 30, p.y * 80, 21) - 50 * soft_step(0.66f, 1.0f, height);
+    float g = 214 + 20 * grain(around_body(p) * 30, p.y * 80, 21) - 50 * soft_step(0.66f, 1.0f, height);
     if (std::fabs(height - 0.12f) < 0.05f || std::fabs(height - 0.62f) < 0.05f) g -= 44;  // stitching
     const glm::vec2 q(p.x, p.y - 1.032f);
     if (p.z > 0.05f) {  // buckle
@@ -73,9 +73,9 @@ float furrow(float noise)
 }
 
 // Light and dark of cloth that falls from the shoulders and is gathered at the belt.
-float folds(glm::vec3 p, glm::vec3 n)
+float cloth_folds(glm::vec3 p, glm::vec3 n)
 {
-    const float a = around(p);
+    const float a = around_body(p);
     float g = 222;
     if (p.y < belt_low) {
         const float down = (belt_low - p.y) / (belt_low - hem);
@@ -123,7 +123,7 @@ Paint paint_cloth(const Texel &t)
         return {g, Zone::tunic};
     }
     if (on_belt(p)) return belt(p);
-    const float g = folds(p, t.normal);
+    const float g = cloth_folds(p, t.normal);
     const float neck = to_neckline(p);
     if (neck < 0.017f) return {g - 40 * spot(neck, 0.005f), Zone::border};
     if (p.y < hem + 0.040f) return {g - 36 * spot(p.y - hem - 0.040f, 0.004f), Zone::border};

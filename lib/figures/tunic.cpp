@@ -24,7 +24,7 @@ const std::array<glm::vec2, 8> directions = {{{0, 1},
                                               {0, -1}}};
 
 // How far each column stands out where the cloth falls in folds, in parts of the row's fold.
-const std::array<float, columns> folds = {
+const std::array<float, columns> tunic_folds = {
     {-0.9f, 1.0f, -0.6f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.9f, 0.8f, -0.9f, 1.0f, -0.7f, 0.8f}};
 
 struct Row {
@@ -76,8 +76,8 @@ Ring add_row(Mesh &mesh, const Row &row)
         const Side side = k <= 7 ? Side::left : Side::right;
         const size_t half = static_cast<size_t>(k <= 7 ? k : columns - k);
         const glm::vec2 d = directions[half];
-        const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
-        const float y = row.y + row.dip * folds[static_cast<size_t>((k + 3) % columns)];
+        const float fold = 1 + tunic_folds[static_cast<size_t>(k)] * row.fold / 0.18f;
+        const float y = row.y + row.dip * tunic_folds[static_cast<size_t>((k + 3) % columns)];
         const glm::vec3 p(d.x * row.side * fold, y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
         ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side), row.y < 1.03f ? Region::skirt : Region::torso, side);
     }

@@ -15,14 +15,14 @@ struct Ball {
     double radius = -1;  // negative: there is nothing
 };
 
-double length(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+double length_of(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 Ball united(const Ball &a, const Ball &b)
 {
     if (a.radius < 0) return b;
     if (b.radius < 0) return a;
     const glm::dvec3 way = b.centre - a.centre;
-    const double apart = length(way);
+    const double apart = length_of(way);
     if (apart + b.radius <= a.radius) return a;
     if (apart + a.radius <= b.radius) return b;
     Ball out;

@@ -66,13 +66,6 @@ Candidate finest_of(const Source &source)
     return made;
 }
 
-std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
-{
-    std::vector<const model::Part *> out;
-    for (const model::Part &part : parts) out.push_back(&part);
-    return out;
-}
-
 // Near levels as far as seams let them come down, and how far each is from the zones of the source.
 struct Near {
     std::vector<Decimated> levels;

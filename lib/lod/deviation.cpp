@@ -133,13 +133,6 @@ std::vector<double> areas_of(const PosedParts &parts)
     return areas;
 }
 
-std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
-{
-    std::vector<const model::Part *> out;
-    for (const model::Part &part : parts) out.push_back(&part);
-    return out;
-}
-
 // One level against the source, of which each triangle counts by its area, as much of it as can be seen.
 struct Beside {
     PosedParts coarse;

@@ -22,7 +22,7 @@ struct ZonePlaces {
 };
 
 // One texel, and for each zone the place of it that is nearest.
-struct Row {
+struct BalanceRow {
     size_t texel = 0;
     std::vector<uint32_t> place;
     std::vector<double> distance;
@@ -74,7 +74,7 @@ private:
             if (!points[z].empty()) zones_[z].nearest = std::make_unique<NearestPoint>(std::move(points[z]));
         for (size_t i = 0; i < texels_.size(); ++i) {
             if (!(texels_[i].area > 0)) continue;
-            Row row;
+            BalanceRow row;
             row.texel = i;
             for (const ZonePlaces &one : zones_) {
                 const NearestPoint::Found found = one.nearest ? one.nearest->to(texels_[i].at) : NearestPoint::Found();
@@ -94,9 +94,9 @@ private:
             if (std::abs(over(z)) > std::abs(over(worst))) worst = z;
         const bool gives = over(worst) > 0;
         double least = std::numeric_limits<double>::infinity();
-        const Row *best = nullptr;
+        const BalanceRow *best = nullptr;
         size_t to = 0;
-        for (const Row &row : rows_) {
+        for (const BalanceRow &row : rows_) {
             const size_t from = index(texels_[row.texel].zone);
             const double area = texels_[row.texel].area;
             if (gives != (from == worst)) continue;
@@ -112,7 +112,7 @@ private:
         return true;
     }
 
-    void change(const Row &row, size_t to)
+    void change(const BalanceRow &row, size_t to)
     {
         Shown &texel = texels_[row.texel];
         shares_[index(texel.zone)] -= texel.area;
@@ -127,7 +127,7 @@ private:
     const std::vector<double> &wanted_;
     std::vector<double> shares_;
     std::vector<ZonePlaces> zones_;
-    std::vector<Row> rows_;
+    std::vector<BalanceRow> rows_;
 };
 
 }  // namespace

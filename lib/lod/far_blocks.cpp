@@ -28,17 +28,17 @@ struct Look {
     }
 };
 
-struct Sum {
+struct BlockSum {
     glm::dvec3 colour = glm::dvec3(0);
     double area = 0;
-    Sum &operator+=(const Sum &o)
+    BlockSum &operator+=(const BlockSum &o)
     {
         colour += o.colour, area += o.area;
         return *this;
     }
     glm::dvec3 mean() const { return area > 0 ? colour / area : glm::dvec3(1); }
 };
-using Sums = std::vector<Sum>;  // [texture sets] where a set shows the zone of the first
+using Sums = std::vector<BlockSum>;  // [texture sets] where a set shows the zone of the first
 
 void add(const Sums &from, Sums &to)
 {
@@ -92,7 +92,7 @@ Seen usual_of(const std::vector<Seen> &all)
 Look look_of(const FarSource &source, const Seen &seen, uint32_t zone, const Seen &usual, uint32_t shades,
              std::map<Look, Sums> &colours)
 {
-    Sums shown(source.set_count(), Sum{glm::dvec3(1), 1});
+    Sums shown(source.set_count(), BlockSum{glm::dvec3(1), 1});
     const auto own = seen.find(zone), other = usual.find(zone);
     if (own != seen.end() && own->second[0].area > 0) shown = own->second;
     else if (other != usual.end() && other->second[0].area > 0) shown = other->second;

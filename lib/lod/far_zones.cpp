@@ -15,14 +15,14 @@ namespace claque::lod
 namespace
 {
 
-constexpr double tolerance = 0.0195;  // of a share: just below the 2 points that are promised
-constexpr double price = 100;         // of a share beyond it, against harm
+constexpr double zone_tolerance = 0.0195;  // of a share: just below the 2 points that are promised
+constexpr double price = 100;              // of a share beyond it, against harm
 constexpr double seam = 0.004;  // of a share: where triangles that share an edge show two zones, vertices stand twice
 constexpr size_t most_rounds = 2000;
 constexpr size_t few = 64;      // triangles: what is worth a longer search
 constexpr size_t beam = 20000;  // ways that are kept while the next triangle is looked at, times triangles
 
-using Row = std::vector<double>;
+using ZoneRow = std::vector<double>;
 
 // What showing each zone on each triangle does harm, in shares of the surface: the part of what the triangle stands for
 // that shows another, and for zones that are not there how far off they are, in sizes of the character.
@@ -30,7 +30,7 @@ class Harm
 {
 public:
     Harm(const model::Model &model, const PosedParts &source, const PosedParts &level,
-         const std::vector<ZoneAreas> &seen, const Row &areas)
+         const std::vector<ZoneAreas> &seen, const ZoneRow &areas)
         : zones_(model.zones.size() + 1)
     {
         std::vector<std::vector<NearestPoint::Triangle>> places(zones_);
@@ -47,7 +47,7 @@ public:
         for (uint32_t zone = 0; zone < zones_; ++zone)
             if (!places[zone].empty()) known.push_back(zone), nearest.emplace_back(std::move(places[zone]));
         for (uint32_t t = 0; t < level.triangles().size(); ++t) {
-            Row row(zones_, 4);
+            ZoneRow row(zones_, 4);
             double all = 0;
             for (const auto &[zone, area] : seen[t]) all += area;
             const glm::dvec3 middle = where(level, {t, glm::dvec3(1.0 / 3)});
@@ -68,13 +68,13 @@ public:
 
 private:
     size_t zones_;
-    std::vector<Row> rows_;
+    std::vector<ZoneRow> rows_;
 };
 
 class Choice
 {
 public:
-    Choice(const PosedParts &level, const Harm &harm, const Row &areas, const Row &wanted)
+    Choice(const PosedParts &level, const Harm &harm, const ZoneRow &areas, const ZoneRow &wanted)
         : harm_(harm), areas_(areas), wanted_(wanted), beside_(neighbours_of(level)), shares_(wanted.size(), 0)
     {
         for (size_t t = 0; t < areas.size(); ++t) {
@@ -121,10 +121,11 @@ public:
             next.clear();
             for (const Way &way : ways)
                 for (size_t zone = 0; zone < wanted_.size(); ++zone) {
-                    if (way.shares[zone] + areas_[t] > wanted_[zone] + tolerance && zone != harm_.least(t)) continue;
+                    if (way.shares[zone] + areas_[t] > wanted_[zone] + zone_tolerance && zone != harm_.least(t))
+                        continue;
                     next.push_back(way);
                     next.back().take(t, zone, areas_[t], harm_.of(t, zone), beside_[t]);
-                    const double over = next.back().shares[zone] - wanted_[zone] - tolerance;
+                    const double over = next.back().shares[zone] - wanted_[zone] - zone_tolerance;
                     next.back().cost += price * std::clamp(over, 0.0, areas_[t]);
                 }
             const auto cheaper = [](const Way &a, const Way &b) { return a.cost < b.cost; };
@@ -135,7 +136,7 @@ public:
         const auto short_of = [&](const Way &way) {
             double sum = way.cost;
             for (size_t zone = 0; zone < wanted_.size(); ++zone)
-                sum += price * std::max(wanted_[zone] - way.shares[zone] - tolerance, 0.0);
+                sum += price * std::max(wanted_[zone] - way.shares[zone] - zone_tolerance, 0.0);
             return sum;
         };
         return std::min_element(ways.begin(), ways.end(),
@@ -146,7 +147,7 @@ public:
 private:
     struct Way {
         std::vector<size_t> zones;
-        Row shares;
+        ZoneRow shares;
         double cost = 0;
         void take(size_t t, size_t zone, double area, double harm, const std::vector<uint32_t> &beside)
         {
@@ -160,7 +161,7 @@ private:
     };
     double beyond(size_t zone, double share) const
     {
-        return price * std::max(std::abs(share - wanted_[zone]) - tolerance, 0.0);
+        return price * std::max(std::abs(share - wanted_[zone]) - zone_tolerance, 0.0);
     }
     void set(Change c)
     {
@@ -207,9 +208,9 @@ private:
     }
 
     const Harm &harm_;
-    const Row &areas_, &wanted_;
+    const ZoneRow &areas_, &wanted_;
     std::vector<std::vector<uint32_t>> beside_;
-    Row shares_;
+    ZoneRow shares_;
     std::vector<size_t> zones_;
     std::vector<Change> row_, best_;
     double most_ = 0;
@@ -220,7 +221,7 @@ private:
 std::vector<uint32_t> chosen_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
                                    const std::vector<ZoneAreas> &seen, const std::vector<double> &shares)
 {
-    Row areas = seen_areas(model, level);
+    ZoneRow areas = seen_areas(model, level);
     const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double &area : areas) area = all > 0 ? area / all : 0;
     const Harm harm(model, source, level, seen, areas);

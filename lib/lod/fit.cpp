@@ -67,7 +67,7 @@ bool turns_over(const Boundary &was, const std::vector<glm::dvec3> &positions, d
     return false;
 }
 
-struct Link {  // a place of the coarse surface, and where it should be
+struct FitLink {  // a place of the coarse surface, and where it should be
     std::array<uint32_t, 3> vertices{};
     glm::dvec3 weights = glm::dvec3(0);
     glm::dvec3 wanted = glm::dvec3(0);
@@ -76,11 +76,11 @@ struct Link {  // a place of the coarse surface, and where it should be
 };
 
 // From the fine surface's samples; and from places of the coarse one, about as many for its area.
-std::vector<Link> links_of(const FineSurface &fine, const Boundary &coarse)
+std::vector<FitLink> links_of(const FineSurface &fine, const Boundary &coarse)
 {
     const std::vector<NearestPoint::Triangle> triangles = corners_of(coarse);
     const NearestPoint nearest(triangles);
-    std::vector<Link> out;
+    std::vector<FitLink> out;
     uint32_t guess = model::none;
     for (const FineSurface::Sample &sample : fine.samples()) {
         const NearestPoint::Found found = nearest.to(sample.at, guess);
@@ -105,10 +105,10 @@ std::vector<Link> links_of(const FineSurface &fine, const Boundary &coarse)
     return out;
 }
 
-double sum_of(const std::vector<Link> &links, const Boundary &coarse)
+double sum_of(const std::vector<FitLink> &links, const Boundary &coarse)
 {
     double sum = 0;
-    for (const Link &link : links) {
+    for (const FitLink &link : links) {
         const auto &v = link.vertices;
         const glm::dvec3 at =
             point_on({coarse.positions[v[0]], coarse.positions[v[1]], coarse.positions[v[2]]}, link.weights);
@@ -117,13 +117,14 @@ double sum_of(const std::vector<Link> &links, const Boundary &coarse)
     return sum;
 }
 
-std::vector<glm::dvec3> wanted_places(const FineSurface &fine, const std::vector<Link> &links, const Boundary &coarse)
+std::vector<glm::dvec3> wanted_places(const FineSurface &fine, const std::vector<FitLink> &links,
+                                      const Boundary &coarse)
 {
     const size_t n = coarse.positions.size();
     const double held = hold * fine.area() / double(n);
     Normal normal(n);
     std::vector<glm::dvec3> places(n);
-    for (const Link &link : links) {
+    for (const FitLink &link : links) {
         normal.add(link.vertices, link.weights, link.area);
         for (int k = 0; k < 3; ++k) places[link.vertices[size_t(k)]] += link.area * link.weights[k] * link.wanted;
     }
@@ -134,10 +135,10 @@ std::vector<glm::dvec3> wanted_places(const FineSurface &fine, const std::vector
 }
 
 // The mean of what is nearest to a vertex, each by its share of the place.
-void stand_for(const std::vector<Link> &links, Coarse &coarse)
+void stand_for(const std::vector<FitLink> &links, Coarse &coarse)
 {
     std::vector<Features> sums(coarse.features.size());
-    for (const Link &link : links)
+    for (const FitLink &link : links)
         for (int k = 0; k < 3 && link.features; ++k) {
             Features &sum = sums[link.vertices[size_t(k)]];
             if (link.weights[k] > 0) sum = joined(sum, {link.area * link.weights[k], *link.features});
@@ -153,7 +154,7 @@ void fit(const FineSurface &fine, Coarse &coarse, int rounds)
     Boundary &surface = coarse.surface;
     if (surface.triangles.empty() || fine.samples().empty()) return;
     const double sliver = 0.05 * fine.area() / double(surface.triangles.size());
-    std::vector<Link> links = links_of(fine, surface);
+    std::vector<FitLink> links = links_of(fine, surface);
     double sum = sum_of(links, surface);
     for (int round = 0; round < rounds; ++round) {
         const std::vector<glm::dvec3> wanted = wanted_places(fine, links, surface);
@@ -162,7 +163,7 @@ void fit(const FineSurface &fine, Coarse &coarse, int rounds)
             Boundary next = surface;
             for (size_t v = 0; v < wanted.size(); ++v) next.positions[v] += step * (wanted[v] - surface.positions[v]);
             if (turns_over(surface, next.positions, sliver)) continue;
-            std::vector<Link> then = links_of(fine, next);
+            std::vector<FitLink> then = links_of(fine, next);
             const double sum_then = sum_of(then, next);
             if (sum_then < sum) surface = std::move(next), links = std::move(then), sum = sum_then;
         }

@@ -45,6 +45,13 @@ private:
     std::vector<glm::dvec3> positions_;
 };
 
+inline std::vector<const model::Part *> pointers(const std::vector<model::Part> &parts)
+{
+    std::vector<const model::Part *> out;
+    for (const model::Part &part : parts) out.push_back(&part);
+    return out;
+}
+
 PosedParts posed_at_rest(const model::Rig &rig, std::vector<const model::Part *> parts);
 
 // Where the vertices of parts are at rest, in the space of the model.

@@ -13,7 +13,7 @@ namespace cli
 namespace
 {
 
-struct Rival {
+struct ActorsRival {
     std::string cull, cache;
     std::unique_ptr<scenes::Stage> stage;
     Times update, draw;
@@ -26,7 +26,7 @@ double share(uint64_t part, uint64_t whole)
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-Json result_of(const Rival &rival, uint32_t count)
+Json result_of(const ActorsRival &rival, uint32_t count)
 {
     const clq_crowd_stats stats = rival.stage->crowd_stats();
     const clq_view_stats seen = rival.stage->view_stats();
@@ -46,10 +46,10 @@ Json result_of(const Rival &rival, uint32_t count)
 }
 
 // Frames in turn, so that both modes meet the same machine.
-void run(std::vector<Rival> &rivals, const BenchArguments &a)
+void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
 {
     for (int frame = 0; frame <= a.frames; ++frame)
-        for (Rival &rival : rivals) {
+        for (ActorsRival &rival : rivals) {
             stop_if_asked();
             rival.stage->make_current();
             const Stopwatch updating;
@@ -81,7 +81,7 @@ Json bench_actors(const BenchArguments &a)
     Json report = {{"claque", version()}, {"kind", "actors"}};
     report["runs"] = Json::array();
     for (const uint32_t count : a.counts) {
-        std::vector<Rival> rivals;
+        std::vector<ActorsRival> rivals;
         // Actor mode with and without caches, so that it shows what of the gain comes from culling.
         std::vector<std::pair<std::string, std::string>> modes;
         for (const std::string &cull : a.culls) {
@@ -100,12 +100,12 @@ Json bench_actors(const BenchArguments &a)
         }
         run(rivals, a);
         std::string hash;
-        for (const Rival &rival : rivals) {
+        for (const ActorsRival &rival : rivals) {
             expect_same_picture(hash, rival.hash, std::to_string(count) + " actors culled in mode " + rival.cull);
             report["runs"].push_back(result_of(rival, count));
         }
         if (rivals.back().cull == "traditional")
-            for (const Rival &rival : rivals) {
+            for (const ActorsRival &rival : rivals) {
                 if (rival.cull == "traditional") continue;
                 const Times &slow = rivals.back().update;
                 report["ratios"].push_back({{"count", count},

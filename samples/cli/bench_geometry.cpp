@@ -20,7 +20,7 @@ struct Shown {
 constexpr Shown shown[] = {{"plaza", "close"}, {"plaza", "overview"}, {"odeon", "close"}, {"odeon", "overview"}};
 const char *const geometries[] = {"float", "packed"};
 
-struct Rival {
+struct GeometryRival {
     std::unique_ptr<scenes::Stage> stage;
     Times update, draw;
     std::vector<uint8_t> picture;
@@ -42,7 +42,7 @@ struct Difference {
     }
 };
 
-void frame(Rival &rival, double time_s)
+void frame(GeometryRival &rival, double time_s)
 {
     rival.stage->make_current();
     const Stopwatch updating;
@@ -59,7 +59,7 @@ void frame(Rival &rival, double time_s)
 Json run(const BenchArguments &a, scenes::Library &library, const Shown &what)
 {
     const LoadedCharacter nobody;
-    Rival rivals[2];
+    GeometryRival rivals[2];
     for (int g = 0; g < 2; ++g) {
         StageArguments arguments = a.stage;
         arguments.scene = what.scene;

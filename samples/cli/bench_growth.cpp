@@ -16,15 +16,15 @@ namespace
 
 using scenes::Lot;
 
-constexpr double field_m = 400, fov_deg = 60, aspect = 4.0 / 3.0;
+constexpr double field_m = 400, growth_fov_deg = 60, growth_aspect = 4.0 / 3.0;
 constexpr uint32_t kept_in_view = 1000;
 
 enum class View { share, number };
 enum class Rest { alone, grouped };
 
 // Citizens on a disc round the eye: everywhere, or `kept_in_view` of them ahead and all others behind.
-struct Field {
-    Field(scenes::Library &library, uint32_t count, View view, Rest rest) : cast(library, scenes::Casting())
+struct GrowthField {
+    GrowthField(scenes::Library &library, uint32_t count, View view, Rest rest) : cast(library, scenes::Casting())
     {
         clq_template *citizen = library.builtin("citizen");
         clq_group behind = {};
@@ -49,7 +49,7 @@ struct Field {
         scenes::check(clq_view_create(cast.crowd(), &made));
         eye.reset(made);
         const double at[3] = {0, 1.7, 0}, ahead[3] = {0, 1.6, -10};
-        const clq_camera camera = scenes::look(at, ahead, fov_deg, aspect, 0.5, 1000);
+        const clq_camera camera = scenes::look(at, ahead, growth_fov_deg, growth_aspect, 0.5, 1000);
         scenes::check(clq_view_look(made, &camera));
     }
     void update(double time_s)
@@ -68,7 +68,7 @@ struct Measured {
 
 Measured measure(scenes::Library &library, uint32_t count, View view, Rest rest, int frames)
 {
-    Field field(library, count, view, rest);
+    GrowthField field(library, count, view, rest);
     Measured out;
     for (int frame = -2; frame < frames; ++frame) {
         stop_if_asked();

@@ -13,7 +13,7 @@ namespace cli
 namespace
 {
 
-constexpr uint32_t people = 30, poses = 22, crowds = 40;
+constexpr uint32_t character_count = 30, poses = 22, crowds = 40;
 constexpr std::array<uint32_t, 4> sizes = {7, 15, 22, 30};
 constexpr std::array<const char *, 5> ways = {"every set tried", "claque", "fullest bins (S3)", "the first n",
                                               "n at random"};
@@ -35,7 +35,7 @@ uint32_t normal_pose(uint64_t crowd, uint64_t draw)
 Bins draw(uint64_t crowd)
 {
     Bins bins;
-    for (uint32_t who = 0; who < people; ++who) {
+    for (uint32_t who = 0; who < character_count; ++who) {
         const uint32_t a = normal_pose(crowd, 1000 * who);
         uint32_t b = a;
         for (uint64_t k = 1; b == a; ++k) b = normal_pose(crowd, 1000 * who + k);
@@ -59,7 +59,7 @@ uint32_t served(const Bins &bins, uint32_t kept)
 // All sets of exactly `size` key-poses: smaller ones serve no more.
 uint32_t best(const Bins &bins, uint32_t size)
 {
-    if (size >= poses) return people;
+    if (size >= poses) return character_count;
     uint32_t most = 0;
     for (uint32_t set = (1u << size) - 1; set < 1u << poses;) {
         most = std::max(most, served(bins, set));

@@ -10,9 +10,9 @@ namespace cli
 namespace
 {
 
-constexpr double step_s = 1 / 25.0, aspect = 4.0 / 3.0, path_s = 25, script_s = 30, turn_s = 5;
+constexpr double step_s = 1 / 25.0, served_aspect = 4.0 / 3.0, path_s = 25, script_s = 30, turn_s = 5;
 
-struct Mean {
+struct ServedMean {
     double sum = 0, count = 0;
     void add(double x) { sum += x, count += 1; }
     double take()
@@ -24,8 +24,8 @@ struct Mean {
 };
 
 // The multitude with nothing but its key-poses kept.
-struct Field {
-    Field(scenes::Library &library, uint32_t count, clq_method method, uint32_t most_kept, uint64_t seed)
+struct ServedField {
+    ServedField(scenes::Library &library, uint32_t count, clq_method method, uint32_t most_kept, uint64_t seed)
     {
         scenes::Casting casting;
         casting.count = count;
@@ -58,7 +58,7 @@ struct Field {
 };
 
 // S3 5: everybody draws one of the clips that are open to it: five at first, then one, and one more every 5 s.
-void play(Field &field, uint64_t seed, uint32_t turn)
+void play(ServedField &field, uint64_t seed, uint32_t turn)
 {
     const uint32_t open = turn == 0 ? 5 : std::min(turn, 5u);
     for (uint32_t who = 0; who < field.actors.size(); ++who) {
@@ -94,13 +94,13 @@ Json key_poses_along_path(const BenchArguments &a, scenes::Library &library)
     size_t done = 0;
     for (const auto &way : methods)
         for (const uint32_t most : {50u, 100u, 150u, 200u}) {
-            Field field(library, count, way.method, most, a.stage.seed);
+            ServedField field(library, count, way.method, most, a.stage.seed);
             Json points = Json::array();
-            Mean served, wanted, updated, lately;
+            ServedMean served, wanted, updated, lately;
             double least = 100;
             int frame = 0;
             for (double t = 0; t <= path_s + 1e-9; t = ++frame * step_s) {
-                const clq_key_pose_stats stats = field.update(path.camera(t, aspect), t);
+                const clq_key_pose_stats stats = field.update(path.camera(t, served_aspect), t);
                 const double share = stats.asked ? 100.0 * stats.served / stats.asked : 100;
                 served.add(share), wanted.add(stats.wanted), lately.add(share);
                 if (frame > 0) updated.add(stats.updated);
@@ -135,10 +135,10 @@ Json key_poses_by_script(const BenchArguments &a, scenes::Library &library)
         chart_of_lines("Key-poses kept as the number of clips grows", "seconds", "% served, key-poses a frame");
     report["columns"] = {"clips", "method", "served", "of", "wanted", "updated a frame"};
     for (const auto &way : methods) {
-        Field field(library, count, way.method, most, a.stage.seed);
-        const clq_camera camera = field.scene->camera(scenes::Shot::overview, aspect, 0);
+        ServedField field(library, count, way.method, most, a.stage.seed);
+        const clq_camera camera = field.scene->camera(scenes::Shot::overview, served_aspect, 0);
         Json share = Json::array(), updates = Json::array();
-        Mean served, asked, wanted, updated, share_lately, updated_lately;
+        ServedMean served, asked, wanted, updated, share_lately, updated_lately;
         const int frames = static_cast<int>(script_s / step_s + 0.5), turn = static_cast<int>(turn_s / step_s + 0.5);
         for (int frame = 0; frame < frames; ++frame) {
             if (frame % turn == 0) play(field, a.stage.seed, static_cast<uint32_t>(frame / turn));

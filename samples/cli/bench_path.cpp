@@ -40,7 +40,7 @@ struct Variant {
 };
 
 // One cache, with levels of detail or without: a crowd and a context of its own, whatever the variety.
-struct Rival {
+struct PathRival {
     std::string cache;    // and levels, as reports have it
     std::string picture;  // what shows the same has the same one
     std::unique_ptr<scenes::Stage> stage;
@@ -110,18 +110,18 @@ public:
         seen_ = {};
         agreements_.clear();
         hashes_.clear();
-        for (Rival &rival : rivals_) rival.variants.assign(a_.varieties.size(), {});
+        for (PathRival &rival : rivals_) rival.variants.assign(a_.varieties.size(), {});
     }
 
     void burst(const std::vector<double> &times_s)
     {
-        for (Rival &rival : rivals_) {
+        for (PathRival &rival : rivals_) {
             rival.stage->make_current();
             rival.stage->update(times_s.front() - frame_s);
         }
         for (const double time_s : times_s) {
             stop_if_asked();
-            for (const Rival &rival : rivals_)
+            for (const PathRival &rival : rivals_)
                 agreements_[rival.picture].begin("section '" + section_ + "' at " + std::to_string(time_s) + " s");
             for (size_t i = 0; i < rivals_.size(); ++i) frame(rivals_[(i + turn_) % rivals_.size()], time_s);
             for (const auto &[picture, agreement] : agreements_) hashes_ += agreement.hash();
@@ -143,7 +143,7 @@ public:
 
     void report_runs(Json &runs) const
     {
-        for (const Rival &rival : rivals_)
+        for (const PathRival &rival : rivals_)
             for (size_t v = 0; v < a_.varieties.size(); ++v) {
                 const Variant &variant = rival.variants[v];
                 runs.push_back({{"section", section_},
@@ -173,7 +173,7 @@ private:
     }
 
     // One update, which is the same for every variety, and a picture in each.
-    void frame(Rival &rival, double time_s)
+    void frame(PathRival &rival, double time_s)
     {
         scenes::Stage &stage = *rival.stage;
         stage.make_current();
@@ -211,7 +211,7 @@ private:
     }
 
     const BenchArguments &a_;
-    std::vector<Rival> rivals_;
+    std::vector<PathRival> rivals_;
     std::string section_;
     Seen seen_;
     std::map<std::string, Agreement> agreements_;  // by what they show

@@ -30,7 +30,7 @@ private:
     double start_ms_ = now_ms();
 };
 
-struct Rival {
+struct ShadowsRival {
     std::string name;
     std::unique_ptr<scenes::Stage> stage;
     Times update, shadows, draw;
@@ -39,7 +39,7 @@ struct Rival {
     uint64_t skinned_when_drawn = 0;  // by drawing, shadows and people
 };
 
-void frame(Rival &rival, double time_s, bool counts)
+void frame(ShadowsRival &rival, double time_s, bool counts)
 {
     rival.stage->make_current();
     const ProcessorWatch updating;
@@ -61,7 +61,7 @@ void frame(Rival &rival, double time_s, bool counts)
     rival.skinned_when_drawn += rival.drawn.skinned + rival.stage->crowd_stats().on_demand;
 }
 
-Json about(const Rival &rival, uint32_t count)
+Json about(const ShadowsRival &rival, uint32_t count)
 {
     const auto both = [](const Times &times) -> Json {
         return {{"minimum", times.minimum()}, {"median", times.median()}};
@@ -95,7 +95,7 @@ Json bench_shadows(const BenchArguments &a)
     report["size_px"] = {a.stage.width, a.stage.height};
     report["runs"] = Json::array();
     for (const uint32_t count : a.counts) {
-        std::vector<Rival> rivals(a.shadows.size());
+        std::vector<ShadowsRival> rivals(a.shadows.size());
         for (size_t k = 0; k < rivals.size(); ++k) {
             StageArguments arguments = a.stage;
             arguments.count = count;
@@ -111,7 +111,7 @@ Json bench_shadows(const BenchArguments &a)
                 frame(rivals[(k + static_cast<size_t>(f)) % rivals.size()], f / 25.0, f > 0);
             progress.step(static_cast<size_t>(f), static_cast<size_t>(a.frames));
         }
-        for (const Rival &rival : rivals) report["runs"].push_back(about(rival, count));
+        for (const ShadowsRival &rival : rivals) report["runs"].push_back(about(rival, count));
     }
     return report;
 }

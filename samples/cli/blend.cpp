@@ -4,6 +4,7 @@
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
+#include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
 #include "samples/cli/stage_arguments.h"
 
@@ -18,8 +19,7 @@ namespace cli
 namespace
 {
 
-constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34}, quiet = {120, 116, 110};
-constexpr int margin_px = 16, gap_px = 2, label_px = (letter_height + 4) * 2;
+constexpr int row_gap_px = 2, row_label_px = (letter_height + 4) * 2;
 
 struct BlendArguments {
     std::string file, out;
@@ -62,8 +62,8 @@ void print_row(scenes::Library &library, clq_template *tmpl, size_t number, cons
 void draw_rows(Board &board, Portraits &portraits, const std::vector<BlendRow> &rows, const BlendArguments &a)
 {
     const int count = static_cast<int>(rows.size()), columns = static_cast<int>(a.wishes.phases);
-    const int wide = (a.width - 2 * margin_px + gap_px) / columns - gap_px;
-    const int tall = (a.height - 2 * margin_px) / count - label_px;
+    const int wide = (a.width - 2 * margin_px + row_gap_px) / columns - row_gap_px;
+    const int tall = (a.height - 2 * margin_px) / count - row_label_px;
     if (wide < 8 || tall < 8)
         throw scenes::Failure(std::to_string(count) + " rows of " + std::to_string(columns) +
                               " phases find no room in a picture of " + std::to_string(a.width) + " x " +
@@ -71,14 +71,14 @@ void draw_rows(Board &board, Portraits &portraits, const std::vector<BlendRow> &
     portraits.resize(wide, tall);
     for (int i = 0; i < count; ++i) {
         const BlendRow &row = rows[static_cast<size_t>(i)];
-        const int y = margin_px + i * (tall + label_px);
+        const int y = margin_px + i * (tall + row_label_px);
         board.write(margin_px, y, 1, row.label, ink);
         board.write(margin_px + 10 * letter_width, y, 1, row.about, quiet);
         if (row.from_the_side) portraits.turn(0.98, 0.2);
         else portraits.turn(0.34, 0.94);
         for (int k = 0; k < columns; ++k) {
             stop_if_asked();
-            board.paste(margin_px + k * (wide + gap_px), y + letter_height + 4, wide, tall,
+            board.paste(margin_px + k * (wide + row_gap_px), y + letter_height + 4, wide, tall,
                         portraits.picture(0, row.command, row.times_s[static_cast<size_t>(k)]));
         }
     }

@@ -1,6 +1,7 @@
 #include "samples/cli/colour_pictures.h"
 
 #include "samples/cli/interrupt.h"
+#include "samples/cli/picture_style.h"
 #include "samples/cli/portraits.h"
 #include "samples/scenes/lot.h"
 
@@ -12,8 +13,7 @@ namespace cli
 namespace
 {
 
-constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34};
-constexpr int margin_px = 16, gap_px = 2, letter_scale = 2, label_px = (letter_height + 5) * letter_scale;
+constexpr int swatch_gap_px = 2, letter_scale = 2, swatch_label_px = (letter_height + 5) * letter_scale;
 
 using Colouring = std::function<void(clq_crowd *, clq_actor, uint32_t who)>;
 
@@ -50,8 +50,8 @@ public:
     Rows(int width, int height, int rows, int across)
         : board(width, height, paper),
           row_px_((height - 2 * margin_px) / rows),
-          tile_width_((width - 2 * margin_px + gap_px) / across - gap_px),
-          tile_height_(row_px_ - label_px - gap_px)
+          tile_width_((width - 2 * margin_px + swatch_gap_px) / across - swatch_gap_px),
+          tile_height_(row_px_ - swatch_label_px - swatch_gap_px)
     {
         if (tile_width_ < 8 || tile_height_ < 8)
             throw scenes::Failure(std::to_string(across) + " people in " + std::to_string(rows) +
@@ -66,8 +66,8 @@ public:
     void resize(Portraits &portraits) const { portraits.resize(tile_width_, tile_height_); }
     void paste(int row, int column, const std::vector<uint8_t> &rgb)
     {
-        board.paste(margin_px + column * (tile_width_ + gap_px), margin_px + row * row_px_ + label_px, tile_width_,
-                    tile_height_, rgb);
+        board.paste(margin_px + column * (tile_width_ + swatch_gap_px), margin_px + row * row_px_ + swatch_label_px,
+                    tile_width_, tile_height_, rgb);
     }
 
     Board board;

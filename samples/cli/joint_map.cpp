@@ -9,7 +9,7 @@ namespace cli
 namespace
 {
 
-constexpr scenes::Limits seconds = {0, 1e6};
+constexpr scenes::Limits seconds_key = {0, 1e6};
 
 void read_options(scenes::Described &all, JointMap &map)
 {
@@ -17,9 +17,9 @@ void read_options(scenes::Described &all, JointMap &map)
     if (all.has("prefix")) map.prefix = all.text("prefix");
     if (all.has("clips")) map.clips = all.texts("clips");
     if (all.has("rate_hz")) map.rate_hz = all.number("rate_hz", {1, 1000});
-    if (all.has("first_s")) map.first_s = all.number("first_s", seconds);
-    if (all.has("last_s")) map.last_s = all.number("last_s", seconds);
-    if (all.has("close_s")) map.close_s = all.number("close_s", seconds);
+    if (all.has("first_s")) map.first_s = all.number("first_s", seconds_key);
+    if (all.has("last_s")) map.last_s = all.number("last_s", seconds_key);
+    if (all.has("close_s")) map.close_s = all.number("close_s", seconds_key);
     if (all.has("travel") && !travel_named(all.text("travel"), map.travel))
         all.refuse("has the travel '" + all.text("travel") + "'; there are: in-place, keep", "travel");
 }

@@ -5,6 +5,7 @@
 #include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
 #include "samples/cli/levels_table.h"
+#include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
 #include "samples/cli/stage_arguments.h"
@@ -21,8 +22,7 @@ namespace cli
 namespace
 {
 
-constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34}, quiet = {120, 116, 110};
-constexpr int margin_px = 16, gap_px = 4, line_px = (letter_height + 4);
+constexpr int column_gap_px = 4, line_px = (letter_height + 4);
 
 struct LodsArguments {
     std::string file, out;
@@ -65,13 +65,13 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
 {
     Board board(a.width, a.height, paper);
     const int columns = static_cast<int>(levels.size());
-    const int wide = (a.width - 2 * margin_px + gap_px) / columns - gap_px, tall = a.height * 3 / 5;
+    const int wide = (a.width - 2 * margin_px + column_gap_px) / columns - column_gap_px, tall = a.height * 3 / 5;
     if (wide < 24) throw scenes::Failure(std::to_string(columns) + " levels find no room in a picture of this size");
     Portraits portraits(library, loaded, 1);
     for (int i = 0; i < columns; ++i) {
         stop_if_asked();
         const clq_made_level &level = levels[static_cast<size_t>(i)];
-        const int x = margin_px + i * (wide + gap_px);
+        const int x = margin_px + i * (wide + column_gap_px);
         portraits.show_level(static_cast<uint32_t>(i));
         portraits.resize(wide, tall);
         board.paste(x, margin_px, wide, tall, portraits.picture(0));

@@ -15,7 +15,7 @@ namespace cli
 namespace
 {
 
-constexpr int gap_px = 6;
+constexpr int tile_gap_px = 6;
 constexpr uint8_t gap_grey = 24;
 
 struct SheetArguments {
@@ -32,15 +32,16 @@ public:
     {
         while (static_cast<size_t>(across_) * static_cast<size_t>(across_) < tiles) ++across_;
         const int down = static_cast<int>((tiles + static_cast<size_t>(across_) - 1) / static_cast<size_t>(across_));
-        width_ = across_ * (width + gap_px) - gap_px;
-        height_ = down * (height + gap_px) - gap_px;
+        width_ = across_ * (width + tile_gap_px) - tile_gap_px;
+        height_ = down * (height + tile_gap_px) - tile_gap_px;
         rgb_.assign(3 * static_cast<size_t>(width_) * static_cast<size_t>(height_), gap_grey);
     }
 
     void lay(size_t tile, const std::vector<uint8_t> &rgb)
     {
         const int number = static_cast<int>(tile);
-        const int left = number % across_ * (tile_width_ + gap_px), top = number / across_ * (tile_height_ + gap_px);
+        const int left = number % across_ * (tile_width_ + tile_gap_px),
+                  top = number / across_ * (tile_height_ + tile_gap_px);
         const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(tile_width_);
         for (int y = 0; y < tile_height_; ++y)
             std::copy_n(rgb.begin() + y * row, row,

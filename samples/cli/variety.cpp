@@ -4,6 +4,7 @@
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
+#include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
 #include "samples/cli/stage_arguments.h"
@@ -18,8 +19,7 @@ namespace cli
 namespace
 {
 
-constexpr Ink paper = {244, 242, 238}, ink = {38, 36, 34}, quiet = {120, 116, 110};
-constexpr int margin_px = 16, gap_px = 2;
+constexpr int person_gap_px = 2;
 
 struct VarietyArguments {
     std::string file, out, colours, colour_class;
@@ -29,15 +29,15 @@ struct VarietyArguments {
     int width = 1280, height = 800;
 };
 
-struct Sheet {
+struct VarietySheet {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgb;
     std::vector<uint32_t> zones;
 };
 
-Sheet sheet_of(const clq_template *tmpl, uint32_t set, uint32_t texture, const std::string &file)
+VarietySheet sheet_of(const clq_template *tmpl, uint32_t set, uint32_t texture, const std::string &file)
 {
-    Sheet s;
+    VarietySheet s;
     scenes::check(clq_template_get_set_texture(tmpl, set, texture, nullptr, nullptr, 0, &s.width, &s.height), file);
     s.zones.resize(static_cast<size_t>(s.width) * s.height);
     s.rgb.resize(3 * s.zones.size());
@@ -68,21 +68,21 @@ struct Box {
 };
 
 // The texels that fall on a pixel, as [first, last).
-struct Run {
+struct TextRun {
     uint32_t first, last;
 };
-Run texels(int at, int pixels, uint32_t size)
+TextRun texels(int at, int pixels, uint32_t size)
 {
     const uint64_t n = static_cast<uint64_t>(pixels), i = static_cast<uint64_t>(at);
     const uint32_t first = static_cast<uint32_t>(i * size / n);
     return {first, std::max(first + 1, static_cast<uint32_t>((i + 1) * size / n))};
 }
 
-void draw_light(Board &board, const Sheet &s, Box box)
+void draw_light(Board &board, const VarietySheet &s, Box box)
 {
     for (int y = 0; y < box.height; ++y)
         for (int x = 0; x < box.width; ++x) {
-            const Run across = texels(x, box.width, s.width), down = texels(y, box.height, s.height);
+            const TextRun across = texels(x, box.width, s.width), down = texels(y, box.height, s.height);
             uint32_t sum[3] = {0, 0, 0};
             for (uint32_t v = down.first; v < down.last; ++v)
                 for (uint32_t u = across.first; u < across.last; ++u)
@@ -93,7 +93,7 @@ void draw_light(Board &board, const Sheet &s, Box box)
         }
 }
 
-void draw_zones(Board &board, const Sheet &s, Box box)
+void draw_zones(Board &board, const VarietySheet &s, Box box)
 {
     for (int y = 0; y < box.height; ++y)
         for (int x = 0; x < box.width; ++x) {
@@ -104,7 +104,7 @@ void draw_zones(Board &board, const Sheet &s, Box box)
 }
 
 // The zones that this texture shows, in two columns where one is too short; those that find no room are counted in the last line.
-void draw_key(Board &board, const clq_template *tmpl, const Sheet &s, Box box)
+void draw_key(Board &board, const clq_template *tmpl, const VarietySheet &s, Box box)
 {
     std::vector<uint32_t> shown(s.zones);
     std::sort(shown.begin(), shown.end());
@@ -141,8 +141,8 @@ Grid grid_for(uint32_t count, const Box &box, double aspect)
     double largest = 0;
     for (int columns = 1; columns <= static_cast<int>(count); ++columns) {
         const int rows = (static_cast<int>(count) + columns - 1) / columns;
-        const Grid grid = {columns, rows, (box.width + gap_px) / columns - gap_px,
-                           (box.height + gap_px) / rows - gap_px};
+        const Grid grid = {columns, rows, (box.width + person_gap_px) / columns - person_gap_px,
+                           (box.height + person_gap_px) / rows - person_gap_px};
         const double size = std::min(static_cast<double>(grid.height), grid.width / aspect);
         if (size > largest) largest = size, best = grid;
     }
@@ -181,8 +181,8 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
     for (uint32_t who = 0; who < count; ++who) {
         stop_if_asked();
         const int column = static_cast<int>(who) % grid.columns, row = static_cast<int>(who) / grid.columns;
-        board.paste(box.x + column * (grid.width + gap_px), box.y + row * (grid.height + gap_px), grid.width,
-                    grid.height, portraits.picture(who, dress, 0));
+        board.paste(box.x + column * (grid.width + person_gap_px), box.y + row * (grid.height + person_gap_px),
+                    grid.width, grid.height, portraits.picture(who, dress, 0));
     }
 }
 
@@ -193,7 +193,7 @@ void draw_variety(const VarietyArguments &a)
     const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
     const clq_template *tmpl = loaded.tmpl.get();
     const Worn worn = worn_by(library, tmpl, a);
-    const Sheet sheet = sheet_of(tmpl, a.set, a.texture, a.file);
+    const VarietySheet sheet = sheet_of(tmpl, a.set, a.texture, a.file);
     Board board(a.width, a.height, paper);
     const int side = std::min(a.width * 3 / 10, (a.height - 4 * margin_px) * 2 / 5);
     const int tall =

@@ -12,7 +12,7 @@ constexpr int surface_type = 0x3033, pbuffer_bit = 1, renderable_type = 0x3040, 
 constexpr int alpha_size = 0x3021, blue_size = 0x3022, green_size = 0x3023, red_size = 0x3024;
 constexpr int depth_size = 0x3025, stencil_size = 0x3026, samples = 0x3031, width_key = 0x3057, height_key = 0x3056;
 
-struct Library {
+struct EglLibrary {
     Handle (*get_proc_address)(const char *) = nullptr;
     Handle (*get_platform_display)(unsigned platform, Handle native, const void *attributes) = nullptr;
     unsigned (*initialize)(Handle display, int *major, int *minor) = nullptr;
@@ -28,10 +28,10 @@ struct Library {
     const char *why_not = nullptr;
 };
 
-Library open_display()
+EglLibrary open_display()
 {
     static const char *const names[] = {"libEGL.so.1", "libEGL.so", nullptr};
-    Library l;
+    EglLibrary l;
     Handle so = open_library(names);
     l.why_not = "EGL: libEGL.so.1 is not there (Debian: libegl1 and libgl1-mesa-dri)";
     if (!so || !find(so, "eglGetProcAddress", l.get_proc_address) || !find(so, "eglInitialize", l.initialize) ||
@@ -53,16 +53,16 @@ Library open_display()
 }
 
 // Opened once and kept, display and all: others in the process may share it.
-const Library &library()
+const EglLibrary &egl_library()
 {
-    static const Library opened = open_display();
+    static const EglLibrary opened = open_display();
     return opened;
 }
 
 int config_value(Handle config, int what)
 {
     int value = -1;
-    library().get_config(library().display, config, what, &value);
+    egl_library().get_config(egl_library().display, config, what, &value);
     return value;
 }
 
@@ -73,7 +73,7 @@ Handle choose_config(PixelFormat format)
     const int wanted[] = {surface_type, pbuffer_bit, renderable_type, opengl_bit, depth_size, 24, end};
     Handle configs[256];
     int count = 0;
-    if (!library().choose_config(library().display, wanted, configs, 256, &count)) return nullptr;
+    if (!egl_library().choose_config(egl_library().display, wanted, configs, 256, &count)) return nullptr;
     for (int i = 0; i < count; ++i)
         if (config_value(configs[i], red_size) == (small ? 5 : 8) &&
             config_value(configs[i], green_size) == (small ? 6 : 8) &&
@@ -90,7 +90,7 @@ public:
     EglOffscreen(int width, int height) : Offscreen(width, height) {}
     ~EglOffscreen() override
     {
-        const Library &l = library();
+        const EglLibrary &l = egl_library();
         if (context_ && current() == this) release();
         if (context_) l.destroy_context(l.display, context_);
         if (surface_) l.destroy_surface(l.display, surface_);
@@ -98,7 +98,7 @@ public:
 
     bool start(PixelFormat format, std::string &why_not)
     {
-        const Library &l = library();
+        const EglLibrary &l = egl_library();
         Handle config = l.bind_api(opengl_api) ? choose_config(format) : nullptr;
         if (!config) {
             why_not = "EGL: no pixel buffer with desktop OpenGL in this format";
@@ -116,7 +116,7 @@ public:
     // Let go first: EGL would think its context still current after OSMesa took Mesa's dispatch away.
     bool make_current() override
     {
-        const Library &l = library();
+        const EglLibrary &l = egl_library();
         l.bind_api(opengl_api);
         release();
         current() = this;
@@ -125,11 +125,12 @@ public:
     bool release() override
     {
         current() = nullptr;
-        return library().make_current(library().display, nullptr, nullptr, nullptr) != 0;
+        return egl_library().make_current(egl_library().display, nullptr, nullptr, nullptr) != 0;
     }
     GetProcAddress get_proc_address() const override
     {
-        return [](void *, const char *name) { return reinterpret_cast<GlFunction>(library().get_proc_address(name)); };
+        return
+            [](void *, const char *name) { return reinterpret_cast<GlFunction>(egl_library().get_proc_address(name)); };
     }
     void *user() const override { return nullptr; }
 
@@ -147,8 +148,8 @@ private:
 
 std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not)
 {
-    if (library().why_not) {
-        why_not = library().why_not;
+    if (egl_library().why_not) {
+        why_not = egl_library().why_not;
         return nullptr;
     }
     auto made = std::make_unique<EglOffscreen>(width, height);

@@ -7,10 +7,10 @@ namespace
 {
 
 constexpr unsigned osmesa_rgba = 0x1908, osmesa_rgb_565 = 0x5;
-constexpr unsigned gl_unsigned_byte = 0x1401, gl_unsigned_short_5_6_5 = 0x8363;
+constexpr unsigned buffer_unsigned_byte = 0x1401, gl_unsigned_short_5_6_5 = 0x8363;
 
 struct OsmesaContext;
-struct Library {
+struct OsmesaLibrary {
     OsmesaContext *(*create)(unsigned format, int depth_bits, int stencil_bits, int accumulation_bits,
                              OsmesaContext *share) = nullptr;
     void (*destroy)(OsmesaContext *) = nullptr;
@@ -20,11 +20,11 @@ struct Library {
     bool complete = false;
 };
 
-const Library &library()
+const OsmesaLibrary &osmesa_library()
 {
-    static const Library opened = [] {
+    static const OsmesaLibrary opened = [] {
         static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", nullptr};
-        Library l;
+        OsmesaLibrary l;
         if (void *handle = open_library(names))
             l.complete = find(handle, "OSMesaCreateContextExt", l.create) &&
                          find(handle, "OSMesaDestroyContext", l.destroy) &&
@@ -41,16 +41,17 @@ class OsmesaOffscreen : public Offscreen
 public:
     OsmesaOffscreen(int width, int height, PixelFormat format)
         : Offscreen(width, height),
-          type_(format == PixelFormat::rgb565 ? gl_unsigned_short_5_6_5 : gl_unsigned_byte),
+          type_(format == PixelFormat::rgb565 ? gl_unsigned_short_5_6_5 : buffer_unsigned_byte),
           pixels_((format == PixelFormat::rgb565 ? 2 : 4) * static_cast<size_t>(width) * static_cast<size_t>(height)),
-          context_(library().create(format == PixelFormat::rgb565 ? osmesa_rgb_565 : osmesa_rgba, 24, 8, 0, nullptr))
+          context_(
+              osmesa_library().create(format == PixelFormat::rgb565 ? osmesa_rgb_565 : osmesa_rgba, 24, 8, 0, nullptr))
     {
     }
     ~OsmesaOffscreen() override
     {
         if (!context_) return;
-        if (library().current() == context_) release();
-        library().destroy(context_);
+        if (osmesa_library().current() == context_) release();
+        osmesa_library().destroy(context_);
     }
 
     bool start(std::string &why_not)
@@ -61,12 +62,12 @@ public:
     }
     bool make_current() override
     {
-        return library().make_current(context_, pixels_.data(), type_, width(), height()) != 0;
+        return osmesa_library().make_current(context_, pixels_.data(), type_, width(), height()) != 0;
     }
-    bool release() override { return library().make_current(nullptr, nullptr, gl_unsigned_byte, 0, 0) != 0; }
+    bool release() override { return osmesa_library().make_current(nullptr, nullptr, buffer_unsigned_byte, 0, 0) != 0; }
     GetProcAddress get_proc_address() const override
     {
-        return [](void *, const char *name) { return library().get_proc_address(name); };
+        return [](void *, const char *name) { return osmesa_library().get_proc_address(name); };
     }
     void *user() const override { return nullptr; }
 
@@ -80,7 +81,7 @@ private:
 
 std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not)
 {
-    if (!library().complete) {
+    if (!osmesa_library().complete) {
         why_not = "OSMesa: libOSMesa.so.8 is not there (Debian: libosmesa6)";
         return nullptr;
     }

@@ -35,7 +35,7 @@ Counts counts_of(const Json &of, const std::string &name)
     return counts;
 }
 
-Json json_of(const Counts &counts)
+Json counts_json(const Counts &counts)
 {
     Json json;
     for (size_t i = 0; i < operation_count; ++i) json[name_of(static_cast<Operation>(i))] = counts[i];
@@ -64,10 +64,10 @@ Measured measured_of(const std::string &text, const std::string &name)
 std::string json_of(const Measured &measured)
 {
     Json json = {{"note", measured.note}};
-    json.update(json_of(measured.actor));
+    json.update(counts_json(measured.actor));
     json["fTrack"] = measured.shares.track;
     json["fCoh"] = measured.shares.coherence;
-    if (measured.traditional) json["traditional"] = json_of(*measured.traditional);
+    if (measured.traditional) json["traditional"] = counts_json(*measured.traditional);
     return json.dump(2) + "\n";
 }
 

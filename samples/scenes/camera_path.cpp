@@ -16,13 +16,13 @@ const std::string &multitude_path();  // multitude/path.toml
 namespace
 {
 
-using Point = std::array<double, 3>;
+using PathPoint = std::array<double, 3>;
 
 constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120}, depth = {0.001, 1e6},
                  nearest = {0.001, 5};  // the sky is drawn ten metres away
 constexpr double least_m = 0.01;        // from the eye to what it looks at
 
-double distance(const Point &a, const Point &b)
+double distance(const PathPoint &a, const PathPoint &b)
 {
     const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
     return std::sqrt(x * x + y * y + z * z);
@@ -35,7 +35,7 @@ bool is_upright(const Viewpoint &v)
     return std::sqrt(x * x + z * z) > 0.035 * distance(v.eye, v.target);
 }
 
-Point point(Described &key, const char *name)
+PathPoint point(Described &key, const char *name)
 {
     const std::vector<double> numbers = key.numbers(name, anywhere);
     if (numbers.size() != 3)

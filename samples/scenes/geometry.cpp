@@ -1,4 +1,5 @@
 #include "samples/scenes/geometry.h"
+#include "samples/scenes/angles.h"
 
 #include <cmath>
 
@@ -6,8 +7,6 @@ namespace scenes
 {
 namespace
 {
-
-constexpr double two_pi = 6.283185307179586;
 
 uint8_t to_byte(float value)
 {

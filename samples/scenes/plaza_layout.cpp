@@ -1,5 +1,6 @@
 #include "samples/scenes/plaza_layout.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/elbow_room.h"
 #include "samples/scenes/lot.h"
 
@@ -9,8 +10,6 @@ namespace scenes
 {
 namespace
 {
-
-constexpr double radians = 0.017453292519943295;
 
 class Planner
 {

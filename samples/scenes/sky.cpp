@@ -1,4 +1,5 @@
 #include "samples/scenes/sky.h"
+#include "samples/scenes/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@ namespace scenes
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr Rgb zenith = {0.27f, 0.47f, 0.74f}, middle = {0.52f, 0.69f, 0.86f}, haze = {0.86f, 0.88f, 0.88f};
 constexpr Rgb country = {0.60f, 0.66f, 0.57f};
 constexpr int sides = 96;

@@ -10,7 +10,7 @@ namespace scenes
 namespace
 {
 
-double smooth(double t) { return t * t * (3 - 2 * t); }
+double smooth_noise(double t) { return t * t * (3 - 2 * t); }
 
 // Smooth noise in [0, 1] that repeats every `cells_x` by `cells_y` lattice cells over the unit square.
 class Noise
@@ -25,7 +25,7 @@ public:
     {
         const double x = u * wide_, y = v * high_;
         const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-        const double fx = smooth(x - x0), fy = smooth(y - y0);
+        const double fx = smooth_noise(x - x0), fy = smooth_noise(y - y0);
         const double low = at(x0, y0) * (1 - fx) + at(x0 + 1, y0) * fx;
         const double high = at(x0, y0 + 1) * (1 - fx) + at(x0 + 1, y0 + 1) * fx;
         return low * (1 - fy) + high * fy;
@@ -97,8 +97,8 @@ Image flagstones(uint64_t seed)
             double tone = 0.86 + 0.13 * (lot(seed, id, Lot::tone) - 0.5) + 0.10 * (clouds(u, v) - 0.5);
             tone += 0.055 * (bands(u, v) - 0.5) + 0.045 * (fine(u, v) - 0.5);
             if (pits(u, v) > 0.86) tone -= 0.06;
-            const double worn = smooth(std::clamp(to_joint / 0.05, 0.0, 1.0));   // edges are a little darker
-            const double open = smooth(std::clamp(to_joint / 0.014, 0.0, 1.0));  // the joint itself, in metres
+            const double worn = smooth_noise(std::clamp(to_joint / 0.05, 0.0, 1.0));   // edges are a little darker
+            const double open = smooth_noise(std::clamp(to_joint / 0.014, 0.0, 1.0));  // the joint itself, in metres
             tone *= (0.93 + 0.07 * worn) * (0.55 + 0.45 * open);
             const double warm = 0.035 * (lot(seed, id, Lot::grain) - 0.3);
             put(image, static_cast<size_t>(y) * side + static_cast<size_t>(x), tone * (1.01 + warm), tone * 0.975,

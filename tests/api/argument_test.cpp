@@ -40,7 +40,7 @@ protected:
     clq_actor actor_ = {0, 0};
 };
 
-const float nan_value = std::numeric_limits<float>::quiet_NaN();
+const float nan_argument = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
@@ -101,7 +101,7 @@ TEST_F(Arguments, crowd_settings_outside_their_limits_are_refused)
     def.distance_far = def.distance_near;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     def = clq_crowd_def_init();
-    def.period_near_s = nan_value;
+    def.period_near_s = nan_argument;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     def = clq_crowd_def_init();
     def.cache = static_cast<clq_cache_mode>(7);
@@ -123,7 +123,7 @@ TEST_F(Arguments, a_budget_is_refused_where_nobody_may_wait_or_nothing_is_kept)
     def.update_budget_ms = 2;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     EXPECT_TRUE(told("now_s"));
-    def.update_budget_ms = nan_value;
+    def.update_budget_ms = nan_argument;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     def.update_budget_ms = 0;
     def.geometry = static_cast<clq_geometry>(2);
@@ -165,7 +165,7 @@ TEST_F(Arguments, placing_is_all_or_nothing)
     ASSERT_EQ(clq_actor_create(crowd_, &def, &other), CLQ_OK);
     const uint64_t before = clq_crowd_fingerprint(crowd_);
     const clq_actor actors[2] = {actor_, other};
-    clq_place places[2] = {{{1, 2, 3}, {0, 0, 0, 1}, 1}, {{1, 2, 3}, {0, 0, 0, 1}, nan_value}};
+    clq_place places[2] = {{{1, 2, 3}, {0, 0, 0, 1}, 1}, {{1, 2, 3}, {0, 0, 0, 1}, nan_argument}};
     EXPECT_EQ(clq_crowd_place(crowd_, actors, places, 2), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_fingerprint(crowd_), before);
     places[1].scale = 1;
@@ -185,7 +185,7 @@ TEST_F(Arguments, clips_and_colours_of_another_template_are_refused)
     clq_play play = {1, 0, 1, 0};
     EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_ARGUMENT);
     EXPECT_TRUE(told("strip")) << clq_last_error();
-    play = {0, 0, nan_value, 0};
+    play = {0, 0, nan_argument, 0};
     EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_ARGUMENT);
     const float rgb[9] = {0, 0, 0, 1, 1, 1, 0, 0, 0};
     EXPECT_EQ(clq_actor_set_colours(crowd_, actor_, rgb, 3), CLQ_ARGUMENT);
@@ -206,7 +206,7 @@ TEST_F(Arguments, cameras_that_see_nothing_are_refused)
     EXPECT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 1, 1, 10, 0.1f), CLQ_ARGUMENT);
     ASSERT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 1, 1, 0.1f, 10), CLQ_OK);
     EXPECT_EQ(clq_view_look(view_, &camera), CLQ_OK);
-    camera.projection[0] = nan_value;
+    camera.projection[0] = nan_argument;
     EXPECT_EQ(clq_view_look(view_, &camera), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_update(crowd_, std::nan(""), &view_, 1), CLQ_ARGUMENT);
 }

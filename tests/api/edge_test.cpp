@@ -81,7 +81,7 @@ protected:
 };
 
 const double far_away = 1e6;
-const float nan_value = std::numeric_limits<float>::quiet_NaN();
+const float nan_edge = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
@@ -130,7 +130,7 @@ TEST_F(Edge, counters_cannot_be_reset_by_a_task_of_an_update)
 TEST_F(Edge, zones_outside_their_limits_are_refused_when_they_are_given)
 {
     const clq_zone_def good = small_.zones[0];
-    for (const float bad : {-0.5f, 2.0f, nan_value}) {
+    for (const float bad : {-0.5f, 2.0f, nan_edge}) {
         small_.zones[0].colour[1] = bad;
         EXPECT_EQ(build(), CLQ_ARGUMENT) << "colour " << bad;
         EXPECT_NE(std::string(clq_last_error()).find("cloth"), std::string::npos) << clq_last_error();
@@ -172,7 +172,7 @@ TEST_F(Edge, a_rotation_that_would_scale_its_node_is_refused)
     q[3] = 0.9f;
     EXPECT_EQ(build(), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("tip"), std::string::npos) << clq_last_error();
-    q[3] = nan_value;
+    q[3] = nan_edge;
     EXPECT_EQ(build(), CLQ_ARGUMENT);
     q[1] = q[3] = 0;
     EXPECT_EQ(build(), CLQ_OK) << "all zero means none";
@@ -180,7 +180,7 @@ TEST_F(Edge, a_rotation_that_would_scale_its_node_is_refused)
 
 TEST_F(Edge, materials_that_are_no_numbers_are_refused)
 {
-    small_.materials[0].base_colour[2] = nan_value;
+    small_.materials[0].base_colour[2] = nan_edge;
     EXPECT_EQ(build(), CLQ_ARGUMENT);
     small_.materials[0].base_colour[2] = 0;
     small_.materials[0].alpha_cutoff = std::numeric_limits<float>::infinity();

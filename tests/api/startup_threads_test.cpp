@@ -19,7 +19,7 @@ struct Host {
 };
 
 // Threads take indices from a common counter, the last ones first.
-void run_on_threads(void *user, uint32_t count, void (*job)(void *, uint32_t), void *data)
+void run_on_many_threads(void *user, uint32_t count, void (*job)(void *, uint32_t), void *data)
 {
     Host &host = *static_cast<Host *>(user);
     ++host.loops;
@@ -40,7 +40,7 @@ public:
     {
         host.threads = threads;
         clq_context_def def = clq_context_def_init();
-        if (threads > 1) def.tasks = {&host, run_on_threads};
+        if (threads > 1) def.tasks = {&host, run_on_many_threads};
         EXPECT_EQ(clq_context_create(&def, &context), CLQ_OK);
     }
     ~Context() { EXPECT_EQ(clq_context_destroy(context), CLQ_OK); }

@@ -12,7 +12,7 @@ namespace
 constexpr uint32_t thread_count = 4;
 
 // Threads take indices from a common counter, the last ones first.
-void run_on_threads(void *user, uint32_t count, void (*job)(void *job_data, uint32_t index), void *job_data)
+void run_tasks_on_threads(void *user, uint32_t count, void (*job)(void *job_data, uint32_t index), void *job_data)
 {
     static_cast<std::atomic<uint64_t> *>(user)->fetch_add(count);
     std::atomic<uint32_t> next{0};
@@ -60,7 +60,7 @@ TEST(threads, show_what_one_thread_shows)
 {
     std::atomic<uint64_t> tasks{0};
     clq_context_def threaded = clq_context_def_init();
-    threaded.tasks = {&tasks, run_on_threads};
+    threaded.tasks = {&tasks, run_tasks_on_threads};
     for (const clq_cache_mode cache : {CLQ_CACHE_FULL, CLQ_CACHE_ANIMATION, CLQ_CACHE_NONE})
         for (const uint32_t last :
              {5u, 6u})  // without the host's mechanism, which keeps behaviour on one thread; and with it

@@ -17,7 +17,7 @@ constexpr const char *counts = R"({"note": "a run by hand", "NO_01": 1180, "NO_0
     "NO_04b": 231, "NO_05": 60, "fTrack": 0.5, "fCoh": 0.25})";
 
 // Of the command with these arguments, which has to go well.
-std::string output(const std::vector<std::string> &arguments)
+std::string cost_output(const std::vector<std::string> &arguments)
 {
     const Outcome done = claque(arguments);
     EXPECT_EQ(done.code, 0) << done.err;
@@ -27,16 +27,16 @@ std::string output(const std::vector<std::string> &arguments)
 
 TEST_F(Cost, all_tables_are_printed_and_what_does_not_follow)
 {
-    const std::string text = output({"cost"});
+    const std::string text = cost_output({"cost"});
     for (const char *words : {"Table 1.", "Table 2.", "Table 3.", "Table 4.", "Table 5.", "Table 6.", "Equation (3)",
                               "23 100", "21 600", "22 880", "4 206 240", "220", "80 pass the first cull"})
         EXPECT_NE(text.find(words), std::string::npos) << words;
-    EXPECT_EQ(text, output({"cost"}));
+    EXPECT_EQ(text, cost_output({"cost"}));
 }
 
 TEST_F(Cost, markdown_has_every_table_too)
 {
-    const std::string text = output({"cost", "--markdown"});
+    const std::string text = cost_output({"cost", "--markdown"});
     EXPECT_NE(text.find("**Table 5. Operations in a frame, actor processing**\n\n|  | printed |"), std::string::npos);
     EXPECT_NE(text.find("\n- NO_04b of actor processing"), std::string::npos);
 }
@@ -44,7 +44,7 @@ TEST_F(Cost, markdown_has_every_table_too)
 TEST_F(Cost, measured_counts_stand_beside_the_paper_s)
 {
     std::ofstream(path("counts.json")) << counts;
-    const std::string text = output({"cost", "--measured", path("counts.json"), "--json", path("cost.json")});
+    const std::string text = cost_output({"cost", "--measured", path("counts.json"), "--json", path("cost.json")});
     for (const char *words : {"measured", "1 180", "fTrack 0.5, fCoh 0.25", "a run by hand"})
         EXPECT_NE(text.find(words), std::string::npos) << words;
     const Json json = Json::parse(file_text(path("cost.json")));
@@ -55,7 +55,7 @@ TEST_F(Cost, measured_counts_stand_beside_the_paper_s)
     const std::string remark = json["remarks"].back();
     EXPECT_EQ(remark.rfind("Measured: a run by hand, fTrack 0.5, fCoh 0.25. The improvement is ", 0), 0u) << remark;
     EXPECT_NE(remark.find("tends to 5.8, or to 3.1 with"), std::string::npos) << remark;
-    EXPECT_EQ(output({"cost", "--measured", path("counts.json"), "--json", "-"}), file_text(path("cost.json")));
+    EXPECT_EQ(cost_output({"cost", "--measured", path("counts.json"), "--json", "-"}), file_text(path("cost.json")));
 }
 
 TEST_F(Cost, a_file_that_counts_nothing_is_refused_in_one_sentence)
@@ -69,8 +69,8 @@ TEST_F(Cost, a_file_that_counts_nothing_is_refused_in_one_sentence)
 
 TEST_F(Cost, the_plot_shows_four_curves_as_printed_and_four_by_the_order_of_work)
 {
-    output({"cost", "--plot", path("a.png")});
-    output({"cost", "--plot", path("b.png")});
+    cost_output({"cost", "--plot", path("a.png")});
+    cost_output({"cost", "--plot", path("b.png")});
     EXPECT_EQ(file_text(path("a.png")), file_text(path("b.png")));
     const Picture picture = picture_of(path("a.png"));
     ASSERT_EQ(picture.width, 1920);
@@ -84,14 +84,14 @@ TEST_F(Cost, the_plot_shows_four_curves_as_printed_and_four_by_the_order_of_work
 TEST_F(Cost, the_plot_shows_what_was_measured)
 {
     std::ofstream(path("counts.json")) << counts;
-    output({"cost", "--measured", path("counts.json"), "--plot", path("a.png")});
+    cost_output({"cost", "--measured", path("counts.json"), "--plot", path("a.png")});
     EXPECT_GT(picture_of(path("a.png")).count_of({0xd0, 0x45, 0x4c}), 1000);
 }
 
 TEST_F(Cost, the_plot_is_svg_where_its_name_says_so)
 {
-    output({"cost", "--plot", path("a.svg")});
-    const std::string svg = output({"cost", "--plot", "-"});
+    cost_output({"cost", "--plot", path("a.svg")});
+    const std::string svg = cost_output({"cost", "--plot", "-"});
     EXPECT_EQ(svg, file_text(path("a.svg")));
     EXPECT_EQ(svg.rfind("<svg", 0), 0u);
     for (const char *words : {"improvement factor", "AverageCost", "printed: fTrack 1, fCoh 1", "section 4.2"})

@@ -9,13 +9,13 @@ namespace gltest
 namespace
 {
 
-const std::string folder = CLAQUE_ASSETS_DIR "/";
+const std::string levels_folder = CLAQUE_ASSETS_DIR "/";
 
 class LevelsOfCharacters : public LevelsTest, public testing::WithParamInterface<const char *>
 {
 };
 
-model::Model load(const std::string &path)
+model::Model load_character(const std::string &path)
 {
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
@@ -26,8 +26,8 @@ model::Model load(const std::string &path)
 
 TEST_P(LevelsOfCharacters, HoldTheLawOfZones)
 {
-    if (!std::ifstream(folder + "inventory.json")) GTEST_SKIP() << "no assets in " << folder;
-    EXPECT_GE(hold(load(folder + GetParam()), 256, 4), 20u);
+    if (!std::ifstream(levels_folder + "inventory.json")) GTEST_SKIP() << "no assets in " << levels_folder;
+    EXPECT_GE(hold(load_character(levels_folder + GetParam()), 256, 4), 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Are, LevelsOfCharacters,

@@ -12,7 +12,7 @@ namespace
 
 using claque::draw::DrawList;
 
-constexpr gl::Enum lighting = 0x0B50, light0 = 0x4000;
+constexpr gl::Enum stack_lighting = 0x0B50, stack_light0 = 0x4000;
 
 // Counts what is asked of it.
 class Counting : public std::pmr::memory_resource
@@ -61,10 +61,10 @@ protected:
         const float direction[4] = {0.3f, 0.5f, 0.8f, 0}, colour[4] = {0.9f, 0.8f, 0.7f, 1};
         host_->MatrixMode(gl::modelview);
         host_->LoadIdentity();
-        host_->Lightfv(light0, 0x1203, direction);
-        host_->Lightfv(light0, 0x1201, colour);
-        host_->Enable(light0);
-        host_->Enable(lighting);
+        host_->Lightfv(stack_light0, 0x1203, direction);
+        host_->Lightfv(stack_light0, 0x1201, colour);
+        host_->Enable(stack_light0);
+        host_->Enable(stack_lighting);
     }
 
     Differences compare_ways(passes::Renderer &renderer, const Jointed &jointed, uint32_t cameras,

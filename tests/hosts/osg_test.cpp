@@ -9,7 +9,7 @@ namespace
 
 using namespace osg_host;
 
-constexpr int width = 320, height = 240;
+constexpr int picture_width = 320, picture_height = 240;
 constexpr uint32_t people = 260;
 
 class Osg : public testing::Test
@@ -18,8 +18,8 @@ protected:
     void SetUp() override
     {
         std::string why_not;
-        context_ =
-            contexts::make_offscreen(contexts::Kind::egl, width, height, contexts::PixelFormat::rgba8888, why_not);
+        context_ = contexts::make_offscreen(contexts::Kind::egl, picture_width, picture_height,
+                                            contexts::PixelFormat::rgba8888, why_not);
         if (!context_) GTEST_SKIP() << why_not;
         host_ = std::make_unique<Excursion>(*context_, people);
     }
@@ -126,16 +126,16 @@ TEST_F(Osg, ShowsAllThatANarrowPyramidMeetsWhereCullingIsForced)
     EXPECT_LT(host_->crowd().drawn().individuals, drawn);
     size_t inside = 0, outside = 0;
     constexpr int edge_px = 3;  // of the rectangle itself
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const size_t at = 3 * static_cast<size_t>(y * width + x);
+    for (int y = 0; y < picture_height; ++y)
+        for (int x = 0; x < picture_width; ++x) {
+            const size_t at = 3 * static_cast<size_t>(y * picture_width + x);
             const bool other = !std::equal(&all[at], &all[at] + 3, &forced[at]);
-            const bool within = std::abs(2 * x + 1 - width) < share * width - 2 * edge_px &&
-                                std::abs(2 * y + 1 - height) < share * height - 2 * edge_px;
+            const bool within = std::abs(2 * x + 1 - picture_width) < share * picture_width - 2 * edge_px &&
+                                std::abs(2 * y + 1 - picture_height) < share * picture_height - 2 * edge_px;
             (within ? inside : outside) += other;
         }
     EXPECT_EQ(inside, 0u);
-    EXPECT_GT(outside, size_t(width * height) / 20);
+    EXPECT_GT(outside, size_t(picture_width * picture_height) / 20);
     EXPECT_EQ(host_->picture(look, 2), all) << "culled as usual again";
 }
 

@@ -43,7 +43,7 @@ SceneDef rings()
     return def;
 }
 
-std::vector<uint64_t> walk(const SceneDef &def, const base::Jobs &jobs = base::Jobs())
+std::vector<uint64_t> walk_key_poses(const SceneDef &def, const base::Jobs &jobs = base::Jobs())
 {
     Scene scene(def);
     scene.add_view(glm::dvec3(20, 5, -40), glm::dvec3(0, 0, -30));
@@ -68,16 +68,16 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnHowManyKeyPosesAreKept)
         for (const Geometry geometry : {Geometry::real, Geometry::packed}) {
             SceneDef def = kind;
             def.settings.caches.geometry = geometry;
-            const std::vector<uint64_t> all = walk(def);
+            const std::vector<uint64_t> all = walk_key_poses(def);
             EXPECT_GT(std::set<uint64_t>(all.begin(), all.end()).size(), 25u) << "they do move";
             different.insert(all);
             for (const uint32_t most : {0u, 1u, 2u, 7u, 20u}) {
                 def.settings.caches.key_poses.most_kept = most;
-                EXPECT_EQ(walk(def), all) << most << " kept";
+                EXPECT_EQ(walk_key_poses(def), all) << most << " kept";
             }
             for (const uint64_t budget : {0u, 30000u, 200000u}) {
                 def.settings.caches.key_poses.budget_bytes = budget;
-                EXPECT_EQ(walk(def), all) << budget << " bytes";
+                EXPECT_EQ(walk_key_poses(def), all) << budget << " bytes";
             }
         }
     EXPECT_EQ(different.size(), 6u) << "the methods do show different things";
@@ -88,15 +88,15 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnOtherCachesNorOnThreads)
     for (const SceneDef &kind : kinds) {
         SceneDef def = kind;
         def.settings.caches.key_poses.most_kept = 5;
-        const std::vector<uint64_t> all = walk(def);
+        const std::vector<uint64_t> all = walk_key_poses(def);
         for (const Mode mode : {Mode::full, Mode::animation, Mode::none})
             for (const uint64_t budget : {uint64_t(0), uint64_t(60000), uint64_t(1) << 30}) {
                 def.settings.caches.mode = mode;
                 def.settings.caches.budget_bytes = budget;
-                EXPECT_EQ(walk(def), all) << "mode " << int(mode) << ", " << budget << " bytes";
+                EXPECT_EQ(walk_key_poses(def), all) << "mode " << int(mode) << ", " << budget << " bytes";
             }
         Threads threads(4);
-        EXPECT_EQ(walk(def, threads.jobs()), all);
+        EXPECT_EQ(walk_key_poses(def, threads.jobs()), all);
     }
 }
 

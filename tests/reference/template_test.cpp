@@ -20,9 +20,9 @@ namespace claque::reference
 namespace
 {
 
-constexpr size_t clips_per_file = 5;
+constexpr size_t clips_per_template = 5;
 
-struct Destroy {
+struct DestroyTemplate {
     void operator()(clq_context *context) const { clq_context_destroy(context); }
     void operator()(clq_asset *asset) const { clq_asset_destroy(asset); }
     void operator()(clq_template *tmpl) const { clq_template_destroy(tmpl); }
@@ -30,7 +30,7 @@ struct Destroy {
 };
 
 template <class Handle>
-using Owned = std::unique_ptr<Handle, Destroy>;
+using Owned = std::unique_ptr<Handle, DestroyTemplate>;
 
 class SplitFormOfRealFiles : public testing::TestWithParam<std::string>
 {
@@ -132,7 +132,7 @@ TEST_P(SplitFormOfRealFiles, GoesWhereTheFilesVerticesGo)
     if (!is_drawable()) return;
     std::vector<Pose> poses;
     show(rest, 0, poses);
-    const size_t shown = std::min(character_.clips.size(), clips_per_file);
+    const size_t shown = std::min(character_.clips.size(), clips_per_template);
     for (size_t i = 0; i < shown && !HasFatalFailure(); ++i) {
         const size_t clip = i * character_.clips.size() / shown;
         const double span = character_.clips[clip].last_s - character_.clips[clip].first_s;

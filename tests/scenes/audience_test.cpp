@@ -11,7 +11,7 @@ namespace
 
 using namespace scenes;
 
-const Theatre &odeon()
+const Theatre &small_odeon()
 {
     static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
     return theatre;
@@ -21,7 +21,7 @@ const Theatre &odeon()
 class House
 {
 public:
-    explicit House(uint32_t count = 300) : library_(1), audience_(library_, odeon(), casting(count))
+    explicit House(uint32_t count = 300) : library_(1), audience_(library_, small_odeon(), casting(count))
     {
         clq_view *made = nullptr;
         check(clq_view_create(audience_.crowd(), &made));
@@ -80,7 +80,7 @@ TEST(audience, wears_three_figures_with_every_clip)
 TEST(audience, neighbours_do_not_move_alike)
 {
     Library library(1);
-    const Audience audience(library, odeon(), [] {
+    const Audience audience(library, small_odeon(), [] {
         Casting casting;
         casting.count = 1020;
         return casting;
@@ -106,7 +106,7 @@ TEST(audience, neighbours_do_not_move_alike)
 // Far away poses are renewed four times a second: what they show of a clip is never of before its beginning.
 TEST(audience, nobody_shows_the_end_of_a_clip_that_has_just_begun)
 {
-    Theatre theatre = odeon();
+    Theatre theatre = small_odeon();
     Library library(1);
     Casting casting;
     casting.count = 1020;

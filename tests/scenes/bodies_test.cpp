@@ -19,7 +19,7 @@ constexpr double touch_m = 0.015;  // sleeves of neighbours may be pressed so fa
 
 const std::vector<std::string> figures = {"decurion", "patrician", "plebeian"};
 
-const Theatre &odeon()
+const Theatre &full_odeon()
 {
     static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
     return theatre;
@@ -166,14 +166,14 @@ TEST(bodies, a_plebeian_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_
 
 TEST(bodies, nobody_is_inside_anybody)
 {
-    const Crush found = crush(odeon(), 3, {2.0, 11.7, 23.4, 58.0, 77.1});
+    const Crush found = crush(full_odeon(), 3, {2.0, 11.7, 23.4, 58.0, 77.1});
     EXPECT_GT(found.pairs, 3000u);
     EXPECT_LE(found.deepest, touch_m) << found.who << ", " << found.inside << " of " << found.pairs;
 }
 
 TEST(bodies, the_test_finds_people_who_sit_fifteen_centimetres_too_near)
 {
-    Theatre narrow = odeon(), shallow = odeon();
+    Theatre narrow = full_odeon(), shallow = full_odeon();
     narrow.seat_width_m -= 0.15;
     EXPECT_GT(crush(narrow, 10, {2.0}).inside, 8u);
     for (size_t row = 0; row < shallow.rows.size(); ++row)

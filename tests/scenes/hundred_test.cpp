@@ -12,7 +12,7 @@ namespace
 
 using namespace scenes;
 
-constexpr double times_s[] = {0.0, 2.0, 2.04, 5.3, 11.7, 26.0, 1000.5};
+constexpr double hundred_times_s[] = {0.0, 2.0, 2.04, 5.3, 11.7, 26.0, 1000.5};
 const cost::Scene table_2;
 
 Casting casting(clq_cull_mode cull = CLQ_CULL_ACTOR, float lod_scale = 1)
@@ -71,7 +71,7 @@ TEST(hundred_actors, eighty_pass_the_first_phase_and_sixty_the_second_at_any_tim
         Casting c = casting();
         c.seed = seed;
         Watched watched(c);
-        for (const double time_s : times_s) {
+        for (const double time_s : hundred_times_s) {
             const clq_crowd_stats s = watched.at(time_s).stats;
             EXPECT_EQ(s.tested, 100u);
             EXPECT_EQ(s.passed_refpoint, static_cast<uint32_t>(table_2.pass_first_cull())) << seed << " at " << time_s;
@@ -92,7 +92,7 @@ TEST(hundred_actors, one_sphere_settles_who_is_wholly_inside_or_outside_though_i
 {
     Watched watched(casting());
     send_away(watched, 0, 2);
-    for (const double time_s : times_s) {
+    for (const double time_s : hundred_times_s) {
         const Seen seen = watched.at(time_s);
         EXPECT_EQ(seen.stats.crossing, static_cast<uint32_t>(table_2.internal_decided)) << time_s;
         EXPECT_EQ(seen.stats.sphere_tests, 98u + 78u + 8u) << time_s;
@@ -107,7 +107,7 @@ TEST(hundred_actors, each_of_the_two_others_has_parts_inside_and_parts_outside)
     for (const size_t other : {0u, 1u}) {
         Watched watched(casting());
         send_away(watched, other, 1);
-        for (const double time_s : times_s) {
+        for (const double time_s : hundred_times_s) {
             const Seen seen = watched.at(time_s);
             EXPECT_EQ(seen.stats.visible, 59u - 3u) << time_s;
             EXPECT_GT(seen.view.parts_left_out, 0u) << time_s;
@@ -133,7 +133,7 @@ TEST(hundred_actors, each_has_the_nodes_degrees_of_freedom_and_spheres_of_table_
     EXPECT_EQ(nodes[0], 40u);
     EXPECT_EQ(nodes[1], 20u);
     EXPECT_EQ(nodes[2], 10u);
-    for (const double time_s : times_s) {
+    for (const double time_s : hundred_times_s) {
         const clq_crowd_stats s = watched.at(time_s).stats;
         EXPECT_EQ(s.spheres_built, s.crossing * static_cast<uint64_t>(table_2.spheres_per_actor)) << time_s;
         EXPECT_EQ(s.matrices_needed, s.passed_sklsroot * 40 * table_2.nodes_kept) << time_s;
@@ -146,7 +146,7 @@ TEST(hundred_actors, every_degree_of_freedom_is_written)
     Watched all(casting()), without(casting());
     send_away(without, 0, 1);
     uint64_t most = 0;
-    for (const double time_s : times_s)
+    for (const double time_s : hundred_times_s)
         most = std::max(most, all.at(time_s).stats.dof_writes - without.at(time_s).stats.dof_writes);
     EXPECT_EQ(most, 80u);
 }
@@ -155,7 +155,7 @@ TEST(hundred_actors, traditional_culling_asks_everybody_and_shows_the_same)
 {
     Watched actor(casting(CLQ_CULL_ACTOR)), traditional(casting(CLQ_CULL_TRADITIONAL)),
         finest(casting(CLQ_CULL_TRADITIONAL, 0));
-    for (const double time_s : times_s) {
+    for (const double time_s : hundred_times_s) {
         const Seen a = actor.at(time_s), t = traditional.at(time_s), f = finest.at(time_s);
         EXPECT_EQ(a.hash, t.hash) << time_s;
         EXPECT_EQ(t.stats.passed_refpoint, 100u);

@@ -12,7 +12,7 @@ namespace
 using namespace scenes;
 using namespace scenes::town;
 
-const Town &the_town()
+const Town &the_omnibus_town()
 {
     static const Town built(1);
     return built;
@@ -20,13 +20,14 @@ const Town &the_town()
 
 const VehiclePath &path()
 {
-    static const VehiclePath way(the_town().plan(), the_town().terrain(), Omnibus::wheelbase_m, Omnibus::half_track_m);
+    static const VehiclePath way(the_omnibus_town().plan(), the_omnibus_town().terrain(), Omnibus::wheelbase_m,
+                                 Omnibus::half_track_m);
     return way;
 }
 
 double from_axis(Point p)
 {
-    const Plan &plan = the_town().plan();
+    const Plan &plan = the_omnibus_town().plan();
     double nearest = 1e9;
     for (const Street &street : plan.streets())
         for (double along = std::max(street.first, -300.0); along < std::min(street.last, 300.0); along += 0.25) {
@@ -82,7 +83,7 @@ TEST(omnibus, stands_on_its_wheels)
                 for (size_t i = 0; i < 3; ++i)
                     p[i] = s.position[i] + ahead * Omnibus::wheelbase_m * s.forward[i] +
                            aside * Omnibus::half_track_m * s.right_hand_x[i];
-                ASSERT_NEAR(p[1], the_town().height(p[0], p[2]), 0.05) << "at " << metres;
+                ASSERT_NEAR(p[1], the_omnibus_town().height(p[0], p[2]), 0.05) << "at " << metres;
             }
     }
 }
@@ -133,7 +134,7 @@ TEST(omnibus, moves_its_passengers_as_one_group)
     Library library(1);
     Casting casting;
     casting.count = 60;
-    Passengers people(library, casting, the_town());
+    Passengers people(library, casting, the_omnibus_town());
     EXPECT_EQ(people.cast().actors().size(), 60u);
     people.drive(3);
     clq_actor_info info = {};

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "lib/api/assets/asset_handle.h"
+#include "lib/api/assets/assets_helpers.h"
 #include "lib/api/boundary.h"
 #include "lib/asset/bvh.h"
 #include "lib/asset/file.h"
@@ -55,12 +56,6 @@ model::Model made_of(const std::vector<figures::Builtin> &figures, const char *w
     base::fail(CLQ_ARGUMENT, "there is no %s '%s'; there are: %s", what, name, names.c_str());
 }
 
-std::string folder_of(const std::string &path)
-{
-    const size_t slash = path.find_last_of('/');
-    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-}
-
 std::string stem_of(const std::string &path)
 {
     const size_t slash = path.find_last_of('/');
@@ -91,7 +86,7 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
         api::require(context && path && out, "context, path or out is NULL");
         api::require_size(options, "clq_asset_options_init");
         asset::LoadOptions wanted = options_of(options);
-        if (wanted.base_folder.empty()) wanted.base_folder = folder_of(path);
+        if (wanted.base_folder.empty()) wanted.base_folder = api::folder_of(path);
         const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
         try {
             std::vector<asset::RootMotion> root_motions;

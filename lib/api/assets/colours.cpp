@@ -1,5 +1,6 @@
 #include <claque/colour_files.h>
 
+#include "lib/api/assets/assets_helpers.h"
 #include "lib/api/boundary.h"
 #include "lib/asset/colour_file.h"
 #include "lib/asset/file.h"
@@ -9,21 +10,13 @@ using namespace claque;
 namespace
 {
 
-constexpr uint64_t most_bytes = uint64_t(4) << 20;
-
-// What another public call said, said again.
-void pass_on(clq_status status)
-{
-    if (status == CLQ_OK) return;
-    const std::string text = clq_last_error();
-    base::fail(status, "%s", text.c_str());
-}
+constexpr uint64_t most_file_bytes = uint64_t(4) << 20;
 
 void load(clq_context *context, std::string_view text, const std::string &name, clq_colour_map **out)
 {
     asset::ColourFile file;
     asset::read_colours(text, name, file);
-    pass_on(clq_colour_map_create(context, &file.def, out));
+    api::pass_on(clq_colour_map_create(context, &file.def, out));
 }
 
 }  // namespace
@@ -43,7 +36,7 @@ clq_status clq_colour_map_load_file(clq_context *context, const char *path, clq_
 {
     return api::boundary("clq_colour_map_load_file", [&] {
         api::require(context && path && out, "context, path or out is NULL");
-        const std::vector<uint8_t> bytes = asset::read_file(path, most_bytes);
+        const std::vector<uint8_t> bytes = asset::read_file(path, most_file_bytes);
         load(context, {reinterpret_cast<const char *>(bytes.data()), bytes.size()}, path, out);
     });
 }
@@ -54,7 +47,7 @@ clq_status clq_colour_map_save(const clq_colour_map *map,
     return api::boundary("clq_colour_map_save", [&] {
         api::require(map && write, "map or write is NULL");
         clq_colour_map_def def;
-        pass_on(clq_colour_map_get_def(map, &def));
+        api::pass_on(clq_colour_map_get_def(map, &def));
         const std::string text = asset::colours_text(def);
         if (write(user, text.data(), text.size()) != 0)
             base::fail(CLQ_IO, "the writer refused the %zu bytes of a colour map", text.size());

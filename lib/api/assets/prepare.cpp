@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/api/assets/assets_helpers.h"
 #include "lib/api/assets/made_by.h"
 #include "lib/api/boundary.h"
 #include "lib/asset/store.h"
@@ -24,20 +25,6 @@ struct Destroy {
 };
 using Asset = std::unique_ptr<clq_asset, Destroy>;
 using Template = std::unique_ptr<clq_template, Destroy>;
-
-// What another public call said, said again.
-void pass_on(clq_status status)
-{
-    if (status == CLQ_OK) return;
-    const std::string text = clq_last_error();
-    base::fail(status, "%s", text.c_str());
-}
-
-std::string folder_of(const std::string &path)
-{
-    const size_t slash = path.find_last_of('/');
-    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-}
 
 void check(const clq_prepare_def &def)
 {
@@ -76,7 +63,7 @@ std::string name_of(const clq_prepare_def &def)
         all.add(uint64_t(def.clip_count));
     } else {
         const clq_asset_options options = def.options ? *def.options : clq_asset_options_init();
-        const std::string folder = options.base_folder ? options.base_folder : folder_of(def.path);
+        const std::string folder = options.base_folder ? options.base_folder : api::folder_of(def.path);
         asset::add_file(def.path, folder, options.memory_limit_bytes ? options.memory_limit_bytes : usual_limit, all);
         all.add(std::string(def.path).substr(std::string(def.path).find_last_of('/') + 1));  // it names the template
         add_options(options, all);
@@ -90,18 +77,18 @@ std::string name_of(const clq_prepare_def &def)
 Asset asset_of(clq_context *context, const clq_prepare_def &def)
 {
     clq_asset *made = nullptr;
-    if (def.path) pass_on(clq_asset_load_file(context, def.path, def.options, &made));
-    else if (def.clip_count) pass_on(clq_asset_builtin_varied(context, def.builtin, def.clip_count, &made));
-    else pass_on(clq_asset_builtin(context, def.builtin, &made));
+    if (def.path) api::pass_on(clq_asset_load_file(context, def.path, def.options, &made));
+    else if (def.clip_count) api::pass_on(clq_asset_builtin_varied(context, def.builtin, def.clip_count, &made));
+    else api::pass_on(clq_asset_builtin(context, def.builtin, &made));
     return Asset(made);
 }
 
 Template made_anew(clq_context *context, const clq_prepare_def &def)
 {
     const Asset asset = asset_of(context, def);
-    if (def.levels) pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr, 0, nullptr));
+    if (def.levels) api::pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr, 0, nullptr));
     clq_template *made = nullptr;
-    pass_on(clq_asset_build(context, asset.get(), def.max_texture_px, &made));
+    api::pass_on(clq_asset_build(context, asset.get(), def.max_texture_px, &made));
     return Template(made);
 }
 
@@ -122,7 +109,7 @@ std::string keep(const clq_template &made, const std::string &folder, const std:
         all->insert(all->end(), first, first + size);
         return 0;
     };
-    pass_on(clq_template_save(&made, append, &bytes));
+    api::pass_on(clq_template_save(&made, append, &bytes));
     return asset::store(folder, name, bytes);
 }
 

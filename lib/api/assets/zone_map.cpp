@@ -15,7 +15,7 @@ using namespace claque;
 namespace
 {
 
-constexpr uint64_t most_file_bytes = uint64_t(1) << 30;
+constexpr uint64_t most_image_bytes = uint64_t(1) << 30;
 
 void check_range(const clq_hsb_range &r, const char *zone)
 {
@@ -101,7 +101,7 @@ clq_status clq_image_read(clq_context *context, const char *path, uint8_t *out_r
 {
     return api::boundary("clq_image_read", [&] {
         api::require(context && path && out_width_px && out_height_px, "context, path or a size is NULL");
-        const std::vector<uint8_t> bytes = asset::read_file(path, most_file_bytes);
+        const std::vector<uint8_t> bytes = asset::read_file(path, most_image_bytes);
         const model::Image image = asset::decode_image(bytes.data(), bytes.size(), path, asset::ImageLimits());
         if (out_rgba) {
             if (capacity_bytes < image.rgba.size())

@@ -12,26 +12,28 @@ namespace claque::figures
 namespace
 {
 
-constexpr float stride_m = 1.76f;   // of a whole cycle: 2.4 m/s with 22 frames
-constexpr float carry_end = 0.36f;  // of the cycle: toes leave the ground
-constexpr float ahead_m = 0.23f;    // of the foot's place when it comes down
-constexpr float strike_deg = -6, leave_deg = 54;
+constexpr float jog_stride_m = 1.76f;   // of a whole cycle: 2.4 m/s with 22 frames
+constexpr float jog_carry_end = 0.36f;  // of the cycle: toes leave the ground
+constexpr float jog_ahead_m = 0.23f;    // of the foot's place when it comes down
+constexpr float jog_strike_deg = -6, jog_leave_deg = 54;
 
-Footing footing(float phase)
+Footing jog_footing(float phase)
 {
     Footing f;
     f.yaw_deg = 1;
     f.outwards = -0.045f;  // nearer to the middle than who walks
     f.knee_out = 0.06f;
-    if (phase < carry_end) {
-        f.ahead = ahead_m - stride_m * phase;
-        f.heel_up_deg = phase < 0.12f ? strike_deg * (1 - smooth(-0.05f, 0.11f, phase)) / (1 - smooth(-0.05f, 0.11f, 0))
-                                      : leave_deg * smooth(0.14f, 0.40f, phase) / smooth(0.14f, 0.40f, carry_end);
+    if (phase < jog_carry_end) {
+        f.ahead = jog_ahead_m - jog_stride_m * phase;
+        f.heel_up_deg = phase < 0.12f
+                            ? jog_strike_deg * (1 - smooth(-0.05f, 0.11f, phase)) / (1 - smooth(-0.05f, 0.11f, 0))
+                            : jog_leave_deg * smooth(0.14f, 0.40f, phase) / smooth(0.14f, 0.40f, jog_carry_end);
         return f;
     }
-    const float t = (phase - carry_end) / (1 - carry_end), length = 1 - carry_end;
-    f.ahead = hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t);
-    f.heel_up_deg = hermite(leave_deg, 112, strike_deg, 40, t);
+    const float t = (phase - jog_carry_end) / (1 - jog_carry_end), length = 1 - jog_carry_end;
+    f.ahead = hermite(jog_ahead_m - jog_stride_m * jog_carry_end, -jog_stride_m * length, jog_ahead_m,
+                      -jog_stride_m * length, t);
+    f.heel_up_deg = hermite(jog_leave_deg, 112, jog_strike_deg, 40, t);
     f.toes_flat = 1 - smooth(0, 0.6f, t);
     // The tips of the toes hang below the ball while the foot is steep; the foot swings through below the body.
     const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
@@ -60,7 +62,7 @@ Pose jog_at(float phase)
         const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is ahead
         hang_arm(pose, side, -8 + 30 * swing, 20, 84 + 12 * swing, 12);
         curl_hand(pose, side, 0.55f);
-        stand_on(pose, side, footing(own));
+        stand_on(pose, side, jog_footing(own));
     }
     drape(pose);
     return pose;

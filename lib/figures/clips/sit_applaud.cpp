@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr float first = 0.15f, last = 0.85f;  // phases between which the palms meet
-constexpr int claps = 12;
+constexpr int seated_claps = 12;
 
 }  // namespace
 
@@ -20,8 +20,8 @@ Pose sit_applaud_at(float phase)
 {
     Posture body;
     const float up = hold(phase, 0.02f, first, last, 0.98f);
-    const float through = (phase - first) / (last - first) * static_cast<float>(claps);
-    const float s = through > 0 && through < static_cast<float>(claps) ? std::sin(pi * through) : 0;
+    const float through = (phase - first) / (last - first) * static_cast<float>(seated_claps);
+    const float s = through > 0 && through < static_cast<float>(seated_claps) ? std::sin(pi * through) : 0;
     // Before the first clap and after the last one the hands come together from further away.
     const float ends = 1 - hold(phase, first - 0.05f, first, last, last + 0.05f);
     const float apart = s * s + 0.8f * ends;

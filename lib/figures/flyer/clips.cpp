@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/figures/clips/clips.h"
+#include "lib/figures/flyer/axes.h"
 #include "lib/figures/flyer/flyer.h"
 
 namespace claque::figures::flyer
@@ -80,8 +81,6 @@ struct Clip {
 const std::array<Clip, 3> clips = {{{"fly", 60, fly_at}, {"glide", 120, glide_at}, {"hover", 60, hover_at}}};
 
 glm::quat turn(glm::vec3 axis, float angle) { return glm::quat(std::cos(angle / 2), axis * std::sin(angle / 2)); }
-
-const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 glm::quat wing(const Attitude &a, float side)
 {

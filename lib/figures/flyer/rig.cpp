@@ -1,4 +1,5 @@
 // The Skeleton nodes of a flyer and what they may do (S0 3).
+#include "lib/figures/flyer/axes.h"
 #include "lib/figures/flyer/flyer.h"
 
 namespace claque::figures::flyer
@@ -43,8 +44,6 @@ struct Freedom {
     float first, last;  // radians; of the brow, metres
     model::DofKind kind = model::DofKind::rotation;
 };
-
-const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 // Yaw to the left, pitch up, roll towards the left shoulder, lids and jaw from shut or open as their names say, wings
 // up behind the back, sweep towards the feet, arms forward and up, legs back.

@@ -9,12 +9,12 @@ namespace claque::figures::flyer
 namespace
 {
 
-constexpr float turn = 6.28318531f;
+constexpr float spine_turn = 6.28318531f;
 
 // At `u` of the way round, from the back over the right and the front.
 glm::vec3 on_ring(const Ring &ring, float u, float swell)
 {
-    const float x = -std::sin(turn * u), z = -std::cos(turn * u);
+    const float x = -std::sin(spine_turn * u), z = -std::cos(spine_turn * u);
     return ring.centre + ring.ex * (swell * x * ring.side) + ring.ez * (swell * z * (z > 0 ? ring.front : ring.back));
 }
 
@@ -91,7 +91,7 @@ void add_lid(Sculptor &to, Chart chart, const Ball &ball, int columns, const std
 void add_tube(Sculptor &to, const Tube &tube, const std::vector<Ring> &rings)
 {
     const float n = static_cast<float>(tube.around);
-    const float swell = 2 / (1 + std::cos(turn / 2 / n));
+    const float swell = 2 / (1 + std::cos(spine_turn / 2 / n));
     std::vector<std::vector<Sculptor::Stop>> meridians;
     for (int k = 0; k <= tube.around; ++k) {
         const float u = static_cast<float>(k % tube.around) / n;

@@ -116,7 +116,7 @@ Paint face(glm::vec3 p, glm::vec3 n)
 }
 
 // Throat and breast, with a necklace of beads and a pendant.
-Paint throat(glm::vec3 p)
+Paint paint_throat(glm::vec3 p)
 {
     const float side = std::fabs(p.x), low = soft_step(1.520f, 1.480f, p.y);
     float g = 234 - 8 * spot(p.y - 1.505f, 0.03f) * soft_step(0, 0.03f, p.z);
@@ -152,7 +152,7 @@ Paint paint_lady_head(const Texel &t)
         if (paint.zone == Zone::skin) paint.luminance -= 42 * spot(above, 0.009f);
         return paint;
     }
-    Paint paint = throat(p);
+    Paint paint = paint_throat(p);
     if (paint.zone == Zone::skin && p.y > 1.54f) paint.luminance -= 30 * spot(above, 0.008f);
     return paint;
 }

@@ -125,7 +125,7 @@ Paint face(glm::vec3 p, glm::vec3 n)
     return {g, Zone::skin};
 }
 
-float throat(glm::vec3 p)
+float paint_throat(glm::vec3 p)
 {
     const float side = std::fabs(p.x), low = soft_step(1.520f, 1.490f, p.y);
     float g = 226;
@@ -146,7 +146,7 @@ Paint paint_lean_head(const Texel &t)
     }
     const float above = p.y - hair_edge(p);
     if (p.y > 1.515f && above > 0) return paint_hair(t);
-    Paint paint = p.z > 0.026f && p.y > 1.512f ? face(p, t.normal) : Paint{throat(p), Zone::skin};
+    Paint paint = p.z > 0.026f && p.y > 1.512f ? face(p, t.normal) : Paint{paint_throat(p), Zone::skin};
     if (paint.zone != Zone::skin) return paint;
     // Single hairs where the beard is thin, a shade of stubble about them.
     const float thick = beard(p), hairs = grain(p.x * 700, p.y * 520 + p.z * 400, 213);

@@ -1,5 +1,6 @@
 #include "samples/hosts/multichannel/forum.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/stone.h"
 
@@ -12,18 +13,18 @@ namespace
 
 using namespace scenes;
 
-constexpr uint64_t seed = 5;
-constexpr double two_pi = 6.283185307179586;
+constexpr uint64_t forum_seed = 5;
 constexpr float person_height_m = 1.75f, shadow_width_m = 0.95f;
 
 }  // namespace
 
-Forum::Pictures::Pictures(const Gl &gl) : flagstones_(gl, flagstones(seed), true), plaster_(gl, plaster(seed), true)
+Forum::Pictures::Pictures(const Gl &gl)
+    : flagstones_(gl, flagstones(forum_seed), true), plaster_(gl, plaster(forum_seed), true)
 {
     shadows_.prepare(gl);
 }
 
-Forum::Forum() : sky_(seed, Sky::Land::hills), stone_(plaster_metres)
+Forum::Forum() : sky_(forum_seed, Sky::Land::hills), stone_(plaster_metres)
 {
     pave();
     build_colonnade();
@@ -38,7 +39,7 @@ void Forum::pave()
     constexpr float tile_m = 2;
     const auto corner = [&](int x, int z) {
         const uint64_t who = static_cast<uint64_t>((x + half) * 1000 + z + half);
-        const float tone = static_cast<float>(lot_between(seed, who, Lot::tone, 0.90, 1.0));
+        const float tone = static_cast<float>(lot_between(forum_seed, who, Lot::tone, 0.90, 1.0));
         return ground_.add({tile_m * static_cast<float>(x), 0, tile_m * static_cast<float>(z)}, {0, 1, 0},
                            tile_m * static_cast<float>(x) / flagstone_metres,
                            tile_m * static_cast<float>(z) / flagstone_metres, Rgb{0.93f, 0.89f, 0.80f} * tone);
@@ -60,7 +61,7 @@ void Forum::build_colonnade()
         return Vec3{static_cast<float>(radius * std::sin(turn)), y, static_cast<float>(-radius * std::cos(turn))};
     };
     for (int i = 0; i < count; ++i) {
-        const double turn = two_pi * i / count, next = two_pi * (i + 1) / count;
+        const double turn = scenes::two_pi * i / count, next = scenes::two_pi * (i + 1) / count;
         const Vec3 foot = at(turn, radius_m, 0);
         stone_.turned(
             foot.x, foot.z,

@@ -13,7 +13,7 @@ namespace
 
 using namespace scenes;
 
-constexpr uint64_t seed = 11;
+constexpr uint64_t people_seed = 11;
 constexpr double pi = 3.141592653589793;
 constexpr double stride_m = 1.24;  // what a walk cycle at speed 1 covers
 
@@ -40,11 +40,11 @@ size_t People::enter(const clq_place &place, const char *clip)
 {
     const uint64_t who = actors_.size();
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = templates_[lot_bits(seed, who, Lot::group_size) % templates_.size()];
+    def.tmpl = templates_[lot_bits(people_seed, who, Lot::group_size) % templates_.size()];
     def.place = place;
     def.seed = who;
     def.play.clip = clq_template_find_clip(def.tmpl, clip);
-    def.play.phase_s = static_cast<float>(lot_between(seed, who, Lot::phase, 0, 6));
+    def.play.phase_s = static_cast<float>(lot_between(people_seed, who, Lot::phase, 0, 6));
     clq_actor actor = {};
     check(clq_actor_create(crowd_.get(), &def, &actor));
     check(clq_actor_draw_colours(crowd_.get(), actor, nullptr, 0));
@@ -64,11 +64,11 @@ void People::stand_rows()
         for (int i = 0; i < seats; ++i) {
             const uint64_t who = actors_.size();
             const double turn = (-0.66 + 1.32 * (i + 0.5 * (row % 2)) / seats) * pi +
-                                lot_between(seed, who, Lot::place_x, -0.2, 0.2) / radius;
-            const double look = turn + lot_between(seed, who, Lot::heading, -0.35, 0.35);
-            enter(at(radius + lot_between(seed, who, Lot::place_z, -0.2, 0.2), turn, -std::sin(look), std::cos(look),
-                     lot_between(seed, who, Lot::size, 0.94, 1.06)),
-                  clips[lot_bits(seed, who, Lot::clip) % 6]);
+                                lot_between(people_seed, who, Lot::place_x, -0.2, 0.2) / radius;
+            const double look = turn + lot_between(people_seed, who, Lot::heading, -0.35, 0.35);
+            enter(at(radius + lot_between(people_seed, who, Lot::place_z, -0.2, 0.2), turn, -std::sin(look),
+                     std::cos(look), lot_between(people_seed, who, Lot::size, 0.94, 1.06)),
+                  clips[lot_bits(people_seed, who, Lot::clip) % 6]);
         }
     }
 }
@@ -81,10 +81,11 @@ void People::walk_rings()
         for (int i = 0; i < count; ++i) {
             const size_t who = enter(at(radii_m[ring], 0, 1, 0, 1), "walk");
             clq_clip_info walk = {};
-            const clq_template *tmpl = templates_[lot_bits(seed, who, Lot::group_size) % templates_.size()];
+            const clq_template *tmpl = templates_[lot_bits(people_seed, who, Lot::group_size) % templates_.size()];
             check(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, "walk"), &walk));
             const double speed = stride_m / static_cast<double>(walk.duration_s);
-            walkers_.push_back({who, radii_m[ring], 2 * pi * (i + lot_between(seed, who, Lot::gap, -0.2, 0.2)) / count,
+            walkers_.push_back({who, radii_m[ring],
+                                2 * pi * (i + lot_between(people_seed, who, Lot::gap, -0.2, 0.2)) / count,
                                 ring % 2 == 0 ? speed : -speed});
         }
     }

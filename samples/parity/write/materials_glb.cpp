@@ -10,7 +10,7 @@ namespace parity
 namespace
 {
 
-constexpr int nearest = 9728, repeat = 10497, clamp_to_edge = 33071;  // OpenGL's, which glTF has taken over
+constexpr int nearest_filter = 9728, repeat = 10497, clamp_to_edge = 33071;  // OpenGL's, which glTF has taken over
 constexpr double least_key = 0.5 / 255;
 
 }  // namespace
@@ -28,7 +28,7 @@ Materials::Image Materials::image(const clq_template *tmpl, uint32_t texture, ui
     Glb::Json &json = glb_.json;
     json["images"].push_back({{"mimeType", "image/png"}, {"bufferView", glb_.view(png.data(), png.size())}});
     json["samplers"].push_back(
-        {{"magFilter", nearest}, {"minFilter", nearest}, {"wrapS", wrap(s)}, {"wrapT", wrap(t)}});
+        {{"magFilter", nearest_filter}, {"minFilter", nearest_filter}, {"wrapS", wrap(s)}, {"wrapT", wrap(t)}});
     json["textures"].push_back({{"sampler", json["samplers"].size() - 1}, {"source", json["images"].size() - 1}});
     const bool holes = std::find(texels.zones.begin(), texels.zones.end(), CLQ_NONE) != texels.zones.end();
     return images_[key] = {json["textures"].size() - 1, holes};

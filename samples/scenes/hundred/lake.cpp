@@ -1,5 +1,6 @@
 #include "samples/scenes/hundred/lake.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/lot.h"
 
 #include <cmath>
@@ -9,7 +10,6 @@ namespace scenes::hundred
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr Rgb deep = {0.10f, 0.34f, 0.42f}, calm = {0.30f, 0.54f, 0.60f};
 constexpr Rgb stone = {0.46f, 0.45f, 0.42f}, moss = {0.33f, 0.42f, 0.24f}, pine = {0.16f, 0.33f, 0.20f},
               trunk = {0.34f, 0.24f, 0.18f};

@@ -1,5 +1,6 @@
 #include "samples/scenes/odeon/cavea.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/stone.h"
 
@@ -11,8 +12,7 @@ namespace scenes
 namespace
 {
 
-constexpr double radians = 0.017453292519943295;
-constexpr Rgb marble = {0.93f, 0.89f, 0.81f}, wall = {0.84f, 0.77f, 0.66f};
+constexpr Rgb seat_marble = {0.93f, 0.89f, 0.81f}, wall = {0.84f, 0.77f, 0.66f};
 constexpr double undercut_m = 0.05, lip_m = 0.13;  // of a seat's front, for the heels
 // Paving reaches a little below the stone that it meets, so that there is no crack and no tie in depth.
 constexpr double below_m = 0.004;
@@ -105,7 +105,7 @@ public:
         for (size_t i = 0; i < theatre_.rows.size(); ++i) {
             if (row(i).step_y_m > floor_before(i) + 0.01 && front_of(i) < row(i).radius_m - 1e-6) step(i);
             for (const Wedge &wedge : wedges_of(theatre_, i))
-                mason_.sweep(seats(i), wedge.first_deg, wedge.last_deg, 1.3, marble);
+                mason_.sweep(seats(i), wedge.first_deg, wedge.last_deg, 1.3, seat_marble);
             ends(i);
             for (const Gangway &gangway : theatre_.gangways)
                 if (i >= gangway.first_row && i <= gangway.last_row) stairs(i, gangway);
@@ -152,7 +152,7 @@ private:
         const Profile podium = {{front + 0.04, below, 0.62},      {front + 0.04, y - 0.14, 0.86},
                                 {front - 0.03, y - 0.10, 0.92},   {front - 0.03, y, 1.0},
                                 {row(i).radius_m - 0.2, y, 0.97}, {row(i).radius_m + undercut_m, y, 0.66}};
-        mason_.sweep(podium, row(i).first_deg, row(i).last_deg, 1.7, marble * 0.97f);
+        mason_.sweep(podium, row(i).first_deg, row(i).last_deg, 1.7, seat_marble * 0.97f);
         for (const int side : {-1, 1})
             mason_.end(podium, side < 0 ? row(i).first_deg : row(i).last_deg, side, 0, wall * 0.92f);
         for (const Gangway &gangway : theatre_.gangways)
@@ -181,9 +181,9 @@ private:
         const double first = gangway.at_deg - half_deg, last = gangway.at_deg + half_deg;
         const Profile tread = {
             {front, foot, 0.66}, {front, top - 0.01, 0.92}, {front + 0.01, top, 1.0}, {back, top, 0.82}};
-        mason_.sweep(tread, first, last, 3, marble * 0.93f);
-        mason_.end(tread, first, -1, foot, marble * 0.72f);
-        mason_.end(tread, last, 1, foot, marble * 0.72f);
+        mason_.sweep(tread, first, last, 3, seat_marble * 0.93f);
+        mason_.end(tread, first, -1, foot, seat_marble * 0.72f);
+        mason_.end(tread, last, 1, foot, seat_marble * 0.72f);
     }
 
     void ends(size_t i)
@@ -198,7 +198,7 @@ private:
         const double y = walkway.y_m - below_m;
         const Profile paving = {
             {walkway.inner_m - 0.1, y, 0.97}, {walkway.outer_m - 0.4, y, 0.95}, {walkway.outer_m + 0.05, y, 0.62}};
-        mason_.sweep(paving, first, last, 1.9, marble * 0.90f);
+        mason_.sweep(paving, first, last, 1.9, seat_marble * 0.90f);
         for (const int side : {-1, 1}) mason_.end(paving, side < 0 ? first : last, side, 0, wall * 0.92f);
     }
 
@@ -216,13 +216,13 @@ private:
                                  {in - 0.18, top, 1.04},
                                  {out, top, 1}};
         const Profile back = {{out, top, 1}, {out, 0, 0.7}};
-        mason_.sweep(way, last.first_deg, last.last_deg, 1.6, marble * 0.9f);
+        mason_.sweep(way, last.first_deg, last.last_deg, 1.6, seat_marble * 0.9f);
         mason_.sweep(face, last.first_deg, last.last_deg, 1.2, wall);
-        mason_.sweep(cornice, last.first_deg, last.last_deg, 1.5, marble);
+        mason_.sweep(cornice, last.first_deg, last.last_deg, 1.5, seat_marble);
         mason_.sweep(back, last.first_deg, last.last_deg, 1.6, wall * 0.95f);
         const Profile pilaster = {{in - 0.12, y, 0.7}, {in - 0.12, y + 0.3, 0.95}, {in - 0.12, top - 0.28, 1.05}};
         for (double at = last.first_deg + 2; at < last.last_deg - 1; at += 6) {
-            mason_.sweep(pilaster, at, at + 1.1, 1, marble);
+            mason_.sweep(pilaster, at, at + 1.1, 1, seat_marble);
             for (const int side : {-1, 1})
                 mason_.end({{in - 0.12, top - 0.28, 1}, {in, top - 0.28, 1}}, side < 0 ? at : at + 1.1, side, y,
                            wall * 0.8f);

@@ -19,9 +19,9 @@ struct Marble {
 };
 // Imperial porphyry, giallo antico, green serpentine, pavonazzetto, grey granite: worn and dusty, so that the floor stays
 // behind the people above it.
-constexpr Marble porphyry = {0.56, 0.36, 0.33, 0.14}, giallo = {0.84, 0.70, 0.48, 0.16};
-constexpr Marble serpentine = {0.44, 0.51, 0.43, 0.22}, white = {0.87, 0.83, 0.75, 0.20};
-constexpr Marble granite = {0.66, 0.63, 0.59, 0.12};
+constexpr Marble porphyry = {0.56, 0.36, 0.33, 0.14}, floor_giallo = {0.84, 0.70, 0.48, 0.16};
+constexpr Marble floor_serpentine = {0.44, 0.51, 0.43, 0.22}, white = {0.87, 0.83, 0.75, 0.20};
+constexpr Marble floor_granite = {0.66, 0.63, 0.59, 0.12};
 
 // One cut piece: what it is of, which it is, and how near its edge is, as a fraction of the floor's radius.
 struct Piece {
@@ -51,8 +51,8 @@ Piece ring(double x, double y, double radius)
     const double off = std::abs(along - std::floor(along) - 0.5) * 2;  // 0 on its middle, 1 where two meet
     const double side = (1 - inwards) - off;
     const double to_side = std::abs(side) * radius * 2.2 / spokes;
-    if (side > 0) return {giallo, 4400 + spoke, std::min(edge, to_side)};
-    return {serpentine, 4600 + static_cast<uint64_t>(nearest) % spokes, std::min(edge, to_side)};
+    if (side > 0) return {floor_giallo, 4400 + spoke, std::min(edge, to_side)};
+    return {floor_serpentine, 4600 + static_cast<uint64_t>(nearest) % spokes, std::min(edge, to_side)};
 }
 
 // A panel in coordinates of its own, -1 to 1: a round or a square in a square, framed by white bands.
@@ -65,14 +65,14 @@ Piece panel(double x, double y, int column, int row, double unit)
     const bool warm = ((column - row) / 2 & 1) == 0;
     if (round) {
         const double out = std::sqrt(x * x + y * y);
-        if (out < 0.56) return {warm ? porphyry : serpentine, id + 1, (0.56 - out) * unit};
+        if (out < 0.56) return {warm ? porphyry : floor_serpentine, id + 1, (0.56 - out) * unit};
         if (out < 0.70) return {white, id + 2, std::min(out - 0.56, 0.70 - out) * unit};
-        return {warm ? giallo : granite, id + 3, std::min(out - 0.70, 0.84 - square) * unit};
+        return {warm ? floor_giallo : floor_granite, id + 3, std::min(out - 0.70, 0.84 - square) * unit};
     }
     const double diamond = std::abs(x) + std::abs(y);
-    if (square < 0.36) return {granite, id + 1, (0.36 - square) * unit};
-    if (diamond < 0.84) return {giallo, id + 2, std::min((0.84 - diamond) * 0.7, square - 0.36) * unit};
-    return {warm ? porphyry : serpentine, id + 3, std::min((diamond - 0.84) * 0.7, 0.84 - square) * unit};
+    if (square < 0.36) return {floor_granite, id + 1, (0.36 - square) * unit};
+    if (diamond < 0.84) return {floor_giallo, id + 2, std::min((0.84 - diamond) * 0.7, square - 0.36) * unit};
+    return {warm ? porphyry : floor_serpentine, id + 3, std::min((diamond - 0.84) * 0.7, 0.84 - square) * unit};
 }
 
 Piece piece_at(double x, double y, int panels)

@@ -1,5 +1,6 @@
 #include "samples/scenes/odeon/orchestra.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/odeon/opus_sectile.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace scenes
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr double panel_m = 1.15, under_podium_m = 0.10;
 constexpr int sides = 72;
 

@@ -8,7 +8,7 @@ namespace scenes
 namespace
 {
 
-constexpr Limits radius_m = {1, 200}, height_m = {-50, 100}, turn_deg = {-180, 180}, fraction = {0, 1};
+constexpr Limits radius_m = {1, 200}, height_limits_m = {-50, 100}, turn_deg = {-180, 180}, fraction = {0, 1};
 constexpr Limits row_number = {1, 100}, people = {0, 100000};
 
 void read_rows(Described rows, Theatre &theatre)
@@ -18,7 +18,7 @@ void read_rows(Described rows, Theatre &theatre)
     SeatRow row;
     row.radius_m = rows.number("radius_m", radius_m);
     row.depth_m = depth;
-    row.seat_y_m = rows.number("seat_y_m", height_m);
+    row.seat_y_m = rows.number("seat_y_m", height_limits_m);
     const auto [first, last] = rows.pair("sweep_deg", turn_deg);
     if (!(first < last))
         rows.refuse("has a sweep from " + show(first) + " to " + show(last) + " degrees, which goes backwards",
@@ -128,7 +128,7 @@ Theatre read_theatre(const std::string &text, const std::string &where)
     if (theatre.rows.empty()) all.refuse("has no seats: it needs at least one [[rows]]");
     for (Described &one : all.tables("walkways", "[[walkways]]")) {
         theatre.walkways.push_back(
-            {one.number("inner_m", radius_m), one.number("outer_m", radius_m), one.number("y_m", height_m)});
+            {one.number("inner_m", radius_m), one.number("outer_m", radius_m), one.number("y_m", height_limits_m)});
         one.done();
     }
     for (Described &one : all.tables("gangways", "[[gangways]]")) read_gangways(one, theatre);

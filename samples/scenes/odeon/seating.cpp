@@ -1,5 +1,6 @@
 #include "samples/scenes/odeon/seating.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/cast.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
@@ -13,7 +14,6 @@ namespace scenes
 namespace
 {
 
-constexpr double radians = 0.017453292519943295;
 constexpr double noise_cell_m = 4.0;         // about six seats
 constexpr double feet_to_hips_m = 0.40;      // level, of a sitter of scale 1
 constexpr double share_of_feet = 1.0 / 3.0;  // of what a tall or short sitter does not fit the seat; hips the rest

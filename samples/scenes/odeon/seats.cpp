@@ -1,4 +1,5 @@
 // Seats on circular rows, a wedge at a time between gangways.
+#include "samples/scenes/angles.h"
 #include "samples/scenes/odeon/theatre.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace scenes
 namespace
 {
 
-constexpr double radians = 0.017453292519943295;
 // Hips stay square on the stone: nobody turns further towards the stage than this from the middle of the orchestra.
 constexpr double greatest_turn_deg = 6;
 

@@ -1,5 +1,6 @@
 #include "samples/scenes/odeon/theatre_sense.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/odeon/described.h"
 
@@ -11,7 +12,7 @@ namespace scenes
 namespace
 {
 
-constexpr double slack_m = 1e-6, radians = 0.017453292519943295;
+constexpr double slack_m = 1e-6;
 
 class Sense
 {

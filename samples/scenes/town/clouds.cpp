@@ -1,5 +1,6 @@
 #include "samples/scenes/town/clouds.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/town/canvas.h"
 
 #include <cmath>
@@ -9,7 +10,6 @@ namespace scenes::town
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr Rgb zenith = {0.25f, 0.47f, 0.78f}, middle = {0.46f, 0.66f, 0.88f};
 constexpr int sides = 32;
 

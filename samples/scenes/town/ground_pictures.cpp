@@ -1,4 +1,5 @@
 // Grass, crops, a street and water.
+#include "samples/scenes/angles.h"
 #include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
 
@@ -8,8 +9,6 @@ namespace scenes::town
 {
 namespace
 {
-
-constexpr double two_pi = 6.283185307179586;
 
 Rgb grey(double tone) { return {static_cast<float>(tone), static_cast<float>(tone), static_cast<float>(tone)}; }
 

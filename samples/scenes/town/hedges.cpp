@@ -10,7 +10,7 @@ namespace scenes::town
 namespace
 {
 
-constexpr Rgb green = {0.36f, 0.52f, 0.24f};
+constexpr Rgb hedge_green = {0.36f, 0.52f, 0.24f};
 constexpr double high_m = 1.25, half_m = 0.4, gate_m = 2.6;
 
 bool in_house(const std::vector<House> &houses, Point p)
@@ -37,12 +37,12 @@ void hedge(Pieces &pieces, const Terrain &terrain, Point a, Point b)
     const Vec3 a0 = corner(a, 1, 0), a1 = corner(a, 1, high_m), a2 = corner(a, -1, high_m), a3 = corner(a, -1, 0);
     const Vec3 b0 = corner(b, 1, 0), b1 = corner(b, 1, high_m), b2 = corner(b, -1, high_m), b3 = corner(b, -1, 0);
     Geometry &g = pieces.on(Layer::leaves);
-    g.quad({a0, b0, b1, a1}, green * 0.8f);
-    g.quad({b3, a3, a2, b2}, green * 0.8f);
-    g.quad({a1, b1, b2, a2}, green * 1.15f);
+    g.quad({a0, b0, b1, a1}, hedge_green * 0.8f);
+    g.quad({b3, a3, a2, b2}, hedge_green * 0.8f);
+    g.quad({a1, b1, b2, a2}, hedge_green * 1.15f);
     pieces.from_now(Seen::near);
-    g.quad({a3, a0, a1, a2}, green * 0.8f);
-    g.quad({b0, b3, b2, b1}, green * 0.8f);
+    g.quad({a3, a0, a1, a2}, hedge_green * 0.8f);
+    g.quad({b0, b3, b2, b1}, hedge_green * 0.8f);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace scenes::town
 namespace
 {
 
-constexpr Rgb limestone = {0.90f, 0.87f, 0.80f}, pool = {0.52f, 0.68f, 0.72f};
-constexpr auto point = Mason::point;
+constexpr Rgb market_limestone = {0.90f, 0.87f, 0.80f}, pool = {0.52f, 0.68f, 0.72f};
+constexpr auto market_point = Mason::point;
 
 }  // namespace
 
@@ -22,15 +22,15 @@ void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain,
     const float x = static_cast<float>(at.x), z = static_cast<float>(at.z),
                 y = static_cast<float>(terrain.height(at.x, at.z));
     Geometry &g = pieces.on(Layer::stone);
-    g.turned(x, z, {{3.9f, y - 0.03f}, {3.9f, y + 0.18f}}, 20, limestone);
-    g.disc(x, y + 0.18f, z, 3.9f, 20, limestone);
-    g.turned(x, z, {{3.3f, y + 0.18f}, {3.2f, y + 0.62f}, {3.4f, y + 0.78f}}, 20, limestone);
-    g.disc(x, y + 0.78f, z, 3.4f, 20, limestone);
+    g.turned(x, z, {{3.9f, y - 0.03f}, {3.9f, y + 0.18f}}, 20, market_limestone);
+    g.disc(x, y + 0.18f, z, 3.9f, 20, market_limestone);
+    g.turned(x, z, {{3.3f, y + 0.18f}, {3.2f, y + 0.62f}, {3.4f, y + 0.78f}}, 20, market_limestone);
+    g.disc(x, y + 0.78f, z, 3.4f, 20, market_limestone);
     pieces.on(Layer::water).disc(x, y + 0.80f, z, 3.05f, 20, pool);
     g.turned(x, z, {{0.5f, y + 0.7f}, {0.3f, y + 1.1f}, {0.26f, y + 1.7f}, {1.1f, y + 2.15f}, {1.15f, y + 2.25f}}, 14,
-             limestone);
+             market_limestone);
     pieces.on(Layer::water).disc(x, y + 2.25f, z, 1.12f, 14, pool);
-    g.turned(x, z, {{0.2f, y + 2.2f}, {0.12f, y + 3.0f}, {0.24f, y + 3.2f}, {0.02f, y + 3.7f}}, 10, limestone);
+    g.turned(x, z, {{0.2f, y + 2.2f}, {0.12f, y + 3.0f}, {0.24f, y + 3.2f}, {0.02f, y + 3.7f}}, 10, market_limestone);
     pieces.finish(Piece::Kind::landmark);
     throw_box(shadows, Site(at, {0, 1}), {-3.2, 3.2, -3.2, 3.2}, y, y + 0.78, y + 3);
 }
@@ -63,16 +63,16 @@ void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, co
         const double a0 = -1.75 + 3.5 * i / 8, a1 = -1.75 + 3.5 * (i + 1) / 8;
         const Rgb colour = i % 2 == 0 ? dye : white;
         site.face(g,
-                  {point(a0, y + 2.15, 1.25), point(a1, y + 2.15, 1.25), point(a1, y + 2.65, -1.15),
-                   point(a0, y + 2.65, -1.15)},
+                  {market_point(a0, y + 2.15, 1.25), market_point(a1, y + 2.15, 1.25),
+                   market_point(a1, y + 2.65, -1.15), market_point(a0, y + 2.65, -1.15)},
                   colour, 4);
         site.face(g,
-                  {point(a0, y + 2.15, 1.25), point(a0, y + 2.65, -1.15), point(a1, y + 2.65, -1.15),
-                   point(a1, y + 2.15, 1.25)},
+                  {market_point(a0, y + 2.15, 1.25), market_point(a0, y + 2.65, -1.15),
+                   market_point(a1, y + 2.65, -1.15), market_point(a1, y + 2.15, 1.25)},
                   colour * 0.6f, 4);
         site.face(g,
-                  {point(a0, y + 1.93, 1.27), point(a1, y + 1.93, 1.27), point(a1, y + 2.15, 1.25),
-                   point(a0, y + 2.15, 1.25)},
+                  {market_point(a0, y + 1.93, 1.27), market_point(a1, y + 1.93, 1.27), market_point(a1, y + 2.15, 1.25),
+                   market_point(a0, y + 2.15, 1.25)},
                   colour, 4);
     }
     pieces.finish(Piece::Kind::landmark);
@@ -89,20 +89,21 @@ void build_bridge(Pieces &pieces, const Plan &plan, const Terrain &terrain)
         Mason m(pieces, terrain, site);
         const double road = m.ground(0, -0.3), wet = m.ground(0, 2.5);
         m.box(-13, std::min(m.ground(-13, -0.2), m.ground(13, -0.2)) - 0.03, -0.4, 13, road + 0.95, 0.05,
-              limestone * 0.86f);
-        m.box(-4.6, wet - 0.03, 0.02, 4.6, road + 0.95, 1.0, limestone * 0.86f);
-        m.box(-13.2, road + 0.95, -0.5, 13.2, road + 1.1, 0.15, limestone);
-        m.box(-4.8, road + 0.95, -0.1, 4.8, road + 1.1, 1.1, limestone);
+              market_limestone * 0.86f);
+        m.box(-4.6, wet - 0.03, 0.02, 4.6, road + 0.95, 1.0, market_limestone * 0.86f);
+        m.box(-13.2, road + 0.95, -0.5, 13.2, road + 1.1, 0.15, market_limestone);
+        m.box(-4.8, road + 0.95, -0.1, 4.8, road + 1.1, 1.1, market_limestone);
         Geometry &g = pieces.on(Layer::stone);
         const double rise = road - wet - 0.25;
         for (int i = 0; i < 10; ++i) {  // the mouth, dark, and its ring of stones
             const auto arch = [&](int k, double grown, double lift) {
                 const double t = 3.141592653589793 * k / 10;
-                return point((-3.0 - grown) * std::cos(t), wet + (rise + grown) * std::sin(t), 1.0 + lift);
+                return market_point((-3.0 - grown) * std::cos(t), wet + (rise + grown) * std::sin(t), 1.0 + lift);
             };
-            site.face(g, {point(0, wet, 1.03), arch(i + 1, 0, 0.03), arch(i, 0, 0.03)}, {0.20f, 0.21f, 0.22f}, 4);
+            site.face(g, {market_point(0, wet, 1.03), arch(i + 1, 0, 0.03), arch(i, 0, 0.03)}, {0.20f, 0.21f, 0.22f},
+                      4);
             site.face(g, {arch(i, 0, 0.06), arch(i + 1, 0, 0.06), arch(i + 1, 0.28, 0.06), arch(i, 0.28, 0.06)},
-                      limestone * (i % 2 == 0 ? 0.95f : 0.82f), 4);
+                      market_limestone * (i % 2 == 0 ? 0.95f : 0.82f), 4);
         }
         pieces.finish(Piece::Kind::landmark);
     }

@@ -1,4 +1,5 @@
 #include "samples/scenes/town/omnibus.h"
+#include "samples/scenes/angles.h"
 
 #include <cmath>
 
@@ -6,8 +7,6 @@ namespace scenes::town
 {
 namespace
 {
-
-constexpr double two_pi = 6.283185307179586;
 
 }
 

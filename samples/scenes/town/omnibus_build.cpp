@@ -1,4 +1,5 @@
 // What an omnibus is made of: benches, panels, an engine under a bonnet, spoked wheels.
+#include "samples/scenes/angles.h"
 #include "samples/scenes/town/omnibus.h"
 
 #include <algorithm>
@@ -9,9 +10,8 @@ namespace scenes::town
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr Rgb cream = {0.95f, 0.90f, 0.76f}, leather = {0.48f, 0.27f, 0.18f}, wood = {0.66f, 0.50f, 0.33f};
-constexpr Rgb boards = {0.50f, 0.40f, 0.30f}, iron = {0.20f, 0.20f, 0.22f}, brass = {0.88f, 0.70f, 0.32f};
+constexpr Rgb boards = {0.50f, 0.40f, 0.30f}, omnibus_iron = {0.20f, 0.20f, 0.22f}, brass = {0.88f, 0.70f, 0.32f};
 constexpr Rgb canvas = {0.80f, 0.74f, 0.60f}, rubber = {0.22f, 0.22f, 0.23f}, glow = {0.99f, 0.97f, 0.88f};
 
 // Seats: the laws of figures that sit (their seat's top, and its front edge behind the feet).
@@ -150,7 +150,7 @@ void nose(Geometry &g, Rgb paint)
         mirrored_box(g, {wide, 0.72f, z0 + 0.22f + 0.18f * static_cast<float>(i)},
                      {wide + 0.015f, 1.0f, z0 + 0.30f + 0.18f * static_cast<float>(i)}, paint * 0.55f);
     g.box({-wide - 0.03f, y0, z1}, {wide + 0.03f, top + 0.06f, front_z}, brass);
-    g.box({-wide + 0.06f, y0 + 0.08f, front_z}, {wide - 0.06f, top - 0.06f, front_z + 0.012f}, iron);
+    g.box({-wide + 0.06f, y0 + 0.08f, front_z}, {wide - 0.06f, top - 0.06f, front_z + 0.012f}, omnibus_iron);
     for (int i = 0; i < 7; ++i) {
         const float x = -0.42f + 0.14f * static_cast<float>(i);
         g.box({x - 0.012f, y0 + 0.08f, front_z + 0.012f}, {x + 0.012f, top - 0.06f, front_z + 0.03f}, brass);
@@ -158,11 +158,11 @@ void nose(Geometry &g, Rgb paint)
     g.turned(0, front_z - 0.07f, {{0.07f, top + 0.06f}, {0.08f, top + 0.13f}, {0, top + 0.15f}}, 8, brass);
     for (const float s : {-1.0f, 1.0f}) {  // lamps on brackets
         const float x = s * 0.80f, z = front_z - 0.30f;
-        g.box({x - 0.03f, 0.56f, z - 0.06f}, {x + 0.03f, 0.98f, z}, iron);
+        g.box({x - 0.03f, 0.56f, z - 0.06f}, {x + 0.03f, 0.98f, z}, omnibus_iron);
         g.box({x - 0.13f, 0.90f, z - 0.14f}, {x + 0.13f, 1.18f, z + 0.10f}, brass);
         g.box({x - 0.10f, 0.93f, z + 0.10f}, {x + 0.10f, 1.15f, z + 0.115f}, glow);
     }
-    g.box({-1.05f, 0.44f, front_z + 0.02f}, {1.05f, 0.54f, front_z + 0.10f}, iron);
+    g.box({-1.05f, 0.44f, front_z + 0.02f}, {1.05f, 0.54f, front_z + 0.10f}, omnibus_iron);
 }
 
 // The wheel in the driver's hands, on its column, and a pane's frame before the first row.
@@ -185,7 +185,7 @@ void cockpit(Geometry &g)
         if (i % 4 == 0) g.quad({rim(i, 0.0, 0.0), rim(i, 0.19, 0), rim(i + 1, 0.19, 0), rim(i + 1, 0.02, 0)}, brass);
     }
     g.box({middle.x - 0.025f, floor_y, middle.z + 0.02f}, {middle.x + 0.025f, middle.y - 0.02f, middle.z + 0.07f},
-          iron);
+          omnibus_iron);
     const float z = 1.60f, low = floor_y + 0.66f, high = floor_y + 1.30f;
     mirrored_box(g, {half_x - 0.16f, low, z - 0.02f}, {half_x - 0.12f, high, z + 0.02f}, brass);
     for (const float y : {low + 0.02f, high - 0.04f})
@@ -218,10 +218,10 @@ Omnibus::Omnibus(Rgb paint)
 void Omnibus::build_body(Rgb paint)
 {
     Geometry &g = body_;
-    mirrored_box(g, {0.42f, 0.40f, rear_z + 0.2f}, {0.54f, 0.56f, front_z - 0.1f}, iron);  // frame and axles
+    mirrored_box(g, {0.42f, 0.40f, rear_z + 0.2f}, {0.54f, 0.56f, front_z - 0.1f}, omnibus_iron);  // frame and axles
     for (const float z : {-1.0f, 1.0f}) {
         const float at = z * static_cast<float>(wheelbase_m) / 2;
-        g.box({-1.0f, 0.42f, at - 0.05f}, {1.0f, 0.52f, at + 0.05f}, iron);
+        g.box({-1.0f, 0.42f, at - 0.05f}, {1.0f, 0.52f, at + 0.05f}, omnibus_iron);
     }
     g.box({-half_x, floor_y - 0.12f, rear_z}, {half_x, floor_y, 1.60f}, boards);
     mirrored_box(g, {half_x, floor_y - 0.14f, rear_z}, {half_x + 0.03f, floor_y + 0.02f, 1.60f}, paint);
@@ -239,8 +239,8 @@ void Omnibus::build_body(Rgb paint)
         lathe(g, x, floor_y + 0.98, rear_z + 0.06, {{0.15, -0.03}, {0.157, -0.03}, {0.157, 0.03}, {0.15, 0.03}}, 8,
               leather);
     mirrored_box(g, {0.95f, 0.30f, -1.35f}, {half_x + 0.16f, 0.35f, 1.35f}, wood);  // running boards
-    mirrored_box(g, {1.05f, 0.35f, -0.6f}, {1.09f, floor_y - 0.12f, -0.55f}, iron);
-    mirrored_box(g, {1.05f, 0.35f, 0.6f}, {1.09f, floor_y - 0.12f, 0.65f}, iron);
+    mirrored_box(g, {1.05f, 0.35f, -0.6f}, {1.09f, floor_y - 0.12f, -0.55f}, omnibus_iron);
+    mirrored_box(g, {1.05f, 0.35f, 0.6f}, {1.09f, floor_y - 0.12f, 0.65f}, omnibus_iron);
     for (const float z : {-1.0f, 1.0f})
         for (const float side : {-1.0f, 1.0f}) {
             const float inner = side * 1.0f, outer = side * 1.33f, at = z * static_cast<float>(wheelbase_m) / 2;

@@ -1,5 +1,6 @@
 #include "samples/scenes/town/plan.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/lot.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace scenes::town
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr int outside = 100;  // groups from here on are fields
 
 double smooth(double t)

@@ -11,7 +11,7 @@ namespace scenes::town
 namespace
 {
 
-double smooth(double t)
+double smooth_height(double t)
 {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -31,8 +31,8 @@ public:
         const Point p = plan_.at(u, v);
         const double away = std::abs(plan_.from_stream(u)), water = -4.4 - 0.0012 * v;
         if (away <= Plan::water_half_m + 0.01) return on_high_street(v) ? water + 2.1 : water;
-        const double valley = smooth((away - Plan::water_half_m - Plan::bank_m) / 140);
-        const double side = smooth(away / 420);  // hills keep away from the stream
+        const double valley = smooth_height((away - Plan::water_half_m - Plan::bank_m) / 140);
+        const double side = smooth_height(away / 420);  // hills keep away from the stream
         return (water + 1.3) * (1 - valley) + (meadows(p) + side * hills(p)) * valley;
     }
 
@@ -48,7 +48,7 @@ private:
     }
     double hills(Point p) const
     {
-        const double ramp = smooth((std::sqrt(p.x * p.x + p.z * p.z) - 320) / 2100);
+        const double ramp = smooth_height((std::sqrt(p.x * p.x + p.z * p.z) - 320) / 2100);
         const double broad = gradient_noise(seed_ + 11, p.x / 720, p.z / 720);
         const double fine = gradient_noise(seed_ + 12, p.x / 260, p.z / 260);
         return ramp * (78 + 120 * broad + 30 * fine);

@@ -1,5 +1,6 @@
 #include "samples/scenes/town/trees.h"
 
+#include "samples/scenes/angles.h"
 #include "samples/scenes/lot.h"
 #include "samples/scenes/town/landmarks.h"
 
@@ -11,7 +12,6 @@ namespace scenes::town
 namespace
 {
 
-constexpr double two_pi = 6.283185307179586;
 constexpr double shaded_m = 620;  // farther trees throw no shadow that anybody sees
 constexpr Rgb bark = {0.42f, 0.34f, 0.27f};
 constexpr Rgb greens[] = {

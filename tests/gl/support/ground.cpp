@@ -10,12 +10,12 @@ namespace
 
 constexpr double near_m = 0.5, far_m = 60;
 
-struct Triangle {
+struct GroundTriangle {
     glm::dvec3 a, b, c;
 };
 
 // Moeller and Trumbore 1997, either side, any t > 0 up to `most`.
-bool meets(const Triangle &t, const glm::dvec3 &from, const glm::dvec3 &way, double most)
+bool meets(const GroundTriangle &t, const glm::dvec3 &from, const glm::dvec3 &way, double most)
 {
     const glm::dvec3 u = t.b - t.a, v = t.c - t.a, p = glm::cross(way, v);
     const double det = glm::dot(u, p);
@@ -27,24 +27,24 @@ bool meets(const Triangle &t, const glm::dvec3 &from, const glm::dvec3 &way, dou
 
 // Of one individual, and a sphere round it.
 struct Body {
-    explicit Body(std::vector<Triangle> of) : triangles(std::move(of)), middle(0)
+    explicit Body(std::vector<GroundTriangle> of) : triangles(std::move(of)), middle(0)
     {
-        for (const Triangle &t : triangles) middle += (t.a + t.b + t.c) / (3.0 * double(triangles.size()));
-        for (const Triangle &t : triangles)
+        for (const GroundTriangle &t : triangles) middle += (t.a + t.b + t.c) / (3.0 * double(triangles.size()));
+        for (const GroundTriangle &t : triangles)
             for (const glm::dvec3 &p : {t.a, t.b, t.c}) radius = std::max(radius, glm::length(p - middle));
     }
     bool meets(const glm::dvec3 &from, const glm::dvec3 &way, double most) const
     {
         if (glm::length(glm::cross(middle - from, way)) > 1.001 * radius * glm::length(way)) return false;
         return std::any_of(triangles.begin(), triangles.end(),
-                           [&](const Triangle &t) { return gltest::meets(t, from, way, most); });
+                           [&](const GroundTriangle &t) { return gltest::meets(t, from, way, most); });
     }
-    std::vector<Triangle> triangles;
+    std::vector<GroundTriangle> triangles;
     glm::dvec3 middle;
     double radius = 0;
 };
 
-std::vector<Triangle> triangles_of(const Item &item, const glm::dmat3 &world_to_eye, const glm::dvec3 &eye)
+std::vector<GroundTriangle> triangles_of(const Item &item, const glm::dmat3 &world_to_eye, const glm::dvec3 &eye)
 {
     const glm::dmat4 model_view(glm::make_mat4(item.model_view));
     const model::Level &level = item.tmpl->levels[item.level];
@@ -52,7 +52,7 @@ std::vector<Triangle> triangles_of(const Item &item, const glm::dmat3 &world_to_
         const float *p = item.vertices.positions + 3 * size_t(v);
         return glm::transpose(world_to_eye) * glm::dvec3(model_view * glm::dvec4(p[0], p[1], p[2], 1)) + eye;
     };
-    std::vector<Triangle> out;
+    std::vector<GroundTriangle> out;
     const auto add = [&](model::IndexRange range) {
         for (uint32_t i = range.first; i < range.first + range.count; i += 3)
             out.push_back({point(level.indices[i]), point(level.indices[i + 1]), point(level.indices[i + 2])});

@@ -17,7 +17,7 @@ namespace claque::animcache
 namespace
 {
 
-struct Error {
+struct PackedError {
     double position = 0, normal_deg = 0;  // the largest
     double mean = 0;                      // of positions
 };
@@ -35,7 +35,7 @@ public:
         packed_.resize(packed.vertex_floats);
     }
 
-    void add(uint32_t level, uint32_t clip, double time_s, Error &error, uint64_t &count)
+    void add(uint32_t level, uint32_t clip, double time_s, PackedError &error, uint64_t &count)
     {
         Request request;
         request.level = level;
@@ -44,7 +44,7 @@ public:
         add(request, error, count);
     }
 
-    void add(Request request, Error &error, uint64_t &count)
+    void add(Request request, PackedError &error, uint64_t &count)
     {
         request.tmpl = &tmpl_;
         request.pose.version = 1;
@@ -59,7 +59,8 @@ public:
     }
 
 private:
-    static void compare(const draw::Vertices &a, const draw::Vertices &b, uint32_t v, Error &error, uint64_t &count)
+    static void compare(const draw::Vertices &a, const draw::Vertices &b, uint32_t v, PackedError &error,
+                        uint64_t &count)
     {
         double square = 0, dot = 0, of_a = 0, of_b = 0;
         for (int k = 0; k < 3; ++k) {
@@ -81,10 +82,10 @@ private:
     std::vector<float> palette_, real_, packed_;
 };
 
-Error error_of(const model::Template &tmpl)
+PackedError error_of(const model::Template &tmpl)
 {
     Both both(tmpl);
-    Error error;
+    PackedError error;
     uint64_t count = 0;
     for (uint32_t level = 0; level < tmpl.levels.size(); ++level)
         for (uint32_t clip = 0; clip < tmpl.rig.clips.size(); ++clip)
@@ -95,7 +96,7 @@ Error error_of(const model::Template &tmpl)
     return error;
 }
 
-double pixels(double metres, double distance_m) { return metres / distance_m * 384 * std::sqrt(3.0); }
+double packed_pixels(double metres, double distance_m) { return metres / distance_m * 384 * std::sqrt(3.0); }
 
 }  // namespace
 
@@ -108,17 +109,17 @@ TEST(Packed, EveryPoseOfTheBuiltInCharactersIsWithinHalfAStepAndHalfADegree)
         meshsplit::BuildOptions options;
         options.max_texture_px = 64;
         meshsplit::build(builtin.make(), options, tmpl);
-        const Error error = error_of(tmpl);
+        const PackedError error = error_of(tmpl);
         std::printf(
             "%-10s position at most %.4f mm (mean %.4f), normal at most %.2f degrees; at 2, 10 and 30 m %.4f, %.4f and "
             "%.4f pixels\n",
-            name, error.position * 1e3, error.mean * 1e3, error.normal_deg, pixels(error.position, 2),
-            pixels(error.position, 10), pixels(error.position, 30));
+            name, error.position * 1e3, error.mean * 1e3, error.normal_deg, packed_pixels(error.position, 2),
+            packed_pixels(error.position, 10), packed_pixels(error.position, 30));
         const double step = double(tmpl.sklsroot.radius) / 32767;
         EXPECT_LE(error.position, 0.5 * std::sqrt(3.0) * step * 1.01) << name;
         EXPECT_GT(error.position, 0.2 * step) << name;
         EXPECT_LT(error.normal_deg, 0.5) << name;
-        EXPECT_LT(pixels(error.position, 2), 0.05) << name;
+        EXPECT_LT(packed_pixels(error.position, 2), 0.05) << name;
     }
 }
 
@@ -139,7 +140,7 @@ TEST(Packed, BlendsThatLeaveTheSphereOfTheClipsAreWithinHalfAStepToo)
     request.layers = {layers, 3};
     request.blend_radius = tmpl.blend_radius.at(6);
     Both both(tmpl);
-    Error error, clamped;
+    PackedError error, clamped;
     uint64_t count = 0;
     for (int k = 0; k < 10; ++k) {
         layers[0].time_s = 0.2 * k;
@@ -165,7 +166,7 @@ TEST(Packed, APoseThatLeavesTheSphereIsHeldAtItsEdge)
 {
     const auto tmpl = testing_support::make_figure();
     tmpl->sklsroot.radius *= 0.25f;
-    const Error error = error_of(*tmpl);
+    const PackedError error = error_of(*tmpl);
     EXPECT_GT(error.position, 0.1);                                // clamped, not wrapped round to the other side:
     EXPECT_LT(error.position, 7 * double(tmpl->sklsroot.radius));  // no farther than it stands out
 }

@@ -24,7 +24,7 @@ Maker walker()
     return maker;
 }
 
-Json &ours(Maker &maker, int animation) { return maker.json["animations"][animation]["extras"]["claque"]; }
+Json &clip_extras(Maker &maker, int animation) { return maker.json["animations"][animation]["extras"]["claque"]; }
 
 Json marker(const char *name, double time_s) { return {{"name", name}, {"time_s", time_s}}; }
 
@@ -44,9 +44,9 @@ Loaded load_all(const Maker &maker)
 TEST(ClipExtras, GiveMarkersInTheOrderOfClipsAndTimes)
 {
     Maker maker = walker();
-    ours(maker, 0)["markers"] = Json::array({marker("right", 2), marker("left", 0.5), marker("middle", 1)});
-    ours(maker, 1)["markers"] = Json::array({marker("left", 0.25)});
-    ours(maker, 1)["a hint for others"] = true;
+    clip_extras(maker, 0)["markers"] = Json::array({marker("right", 2), marker("left", 0.5), marker("middle", 1)});
+    clip_extras(maker, 1)["markers"] = Json::array({marker("left", 0.25)});
+    clip_extras(maker, 1)["a hint for others"] = true;
     const model::Rig rig = load_all(maker).model.rig;
     ASSERT_EQ(rig.markers.size(), 4u);
     const char *names[] = {"left", "middle", "right", "left"};
@@ -62,7 +62,7 @@ TEST(ClipExtras, NameTheNodeWhoseWayIsTakenOut)
 {
     Maker maker = walker();
     EXPECT_TRUE(load_all(maker).root_motions.empty());
-    ours(maker, 1)["root_motion"] = "hips";
+    clip_extras(maker, 1)["root_motion"] = "hips";
     const Loaded loaded = load_all(maker);
     ASSERT_EQ(loaded.root_motions.size(), 1u);
     EXPECT_EQ(loaded.root_motions[0].clip, 1u);
@@ -101,14 +101,14 @@ TEST(ClipExtras, ThatAreMalformedAreRefusedByTheirPlace)
     };
     for (const Case &c : cases) {
         Maker maker = walker();
-        ours(maker, 0) = c.claque;
+        clip_extras(maker, 0) = c.claque;
         const Outcome outcome = outcome_of(maker.glb());
         EXPECT_EQ(outcome.status, CLQ_FORMAT) << c.claque;
         EXPECT_NE(outcome.text.find(c.place), std::string::npos) << outcome.text;
         EXPECT_NE(outcome.text.find(c.what), std::string::npos) << outcome.text;
     }
     Maker maker = walker();
-    for (int i = 0; i < 4097; ++i) ours(maker, 0)["markers"].push_back(marker("m", 1));
+    for (int i = 0; i < 4097; ++i) clip_extras(maker, 0)["markers"].push_back(marker("m", 1));
     EXPECT_EQ(outcome_of(maker.glb()).status, CLQ_LIMIT);
 }
 

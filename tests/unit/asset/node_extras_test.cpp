@@ -23,7 +23,7 @@ Maker puppet()
     return maker;
 }
 
-Json &ours(Maker &maker, int node) { return maker.json["nodes"][node]["extras"]["claque"]; }
+Json &node_extras(Maker &maker, int node) { return maker.json["nodes"][node]["extras"]["claque"]; }
 
 Json turn(const char *name)
 {
@@ -33,7 +33,7 @@ Json turn(const char *name)
 TEST(NodeExtras, GiveDegreesOfFreedomInTheOrderOfTheRig)
 {
     Maker maker = puppet();
-    ours(maker, 0)["dofs"] =
+    node_extras(maker, 0)["dofs"] =
         Json::array({{{"name", "blink"},
                       {"kind", "morph"},
                       {"morph_target", 1},
@@ -41,7 +41,7 @@ TEST(NodeExtras, GiveDegreesOfFreedomInTheOrderOfTheRig)
                       {"last", 1},
                       {"a hint for others", true}},
                      {{"kind", "translation"}, {"axis", {0, 0, -1}}, {"first", -2}, {"last", -1}}});
-    ours(maker, 1)["dofs"] = Json::array({turn("yaw")});
+    node_extras(maker, 1)["dofs"] = Json::array({turn("yaw")});
     const model::Rig rig = load(maker.glb()).rig;
     ASSERT_EQ(rig.dofs.size(), 3u);
     EXPECT_EQ(rig.dof_names[0], "yaw");
@@ -63,9 +63,9 @@ TEST(NodeExtras, GiveDegreesOfFreedomInTheOrderOfTheRig)
 TEST(NodeExtras, SayHowFarNodesAndMeshesGoOn)
 {
     Maker maker = puppet();
-    ours(maker, 1)["deactivation_m"] = 40;
-    ours(maker, 0)["lod_m"] = {0, 12.5};
-    ours(maker, 2)["lod_m"] = {12.5};
+    node_extras(maker, 1)["deactivation_m"] = 40;
+    node_extras(maker, 0)["lod_m"] = {0, 12.5};
+    node_extras(maker, 2)["lod_m"] = {12.5};
     const model::Model m = load(maker.glb());
     ASSERT_EQ(m.rig.deactivation_m.size(), 3u);
     EXPECT_EQ(m.rig.deactivation_of(m.rig.find_node("neck")), 40);
@@ -131,7 +131,7 @@ TEST(NodeExtras, ThatBreakARuleAreRefusedByName)
     };
     for (const Bad &bad : all) {
         Maker maker = puppet();
-        ours(maker, bad.node) = bad.extras;
+        node_extras(maker, bad.node) = bad.extras;
         const Outcome outcome = outcome_of(maker.glb());
         EXPECT_EQ(outcome.status, CLQ_FORMAT) << bad.says;
         EXPECT_NE(outcome.text.find(bad.says), std::string::npos) << outcome.text << "\nshould say: " << bad.says;
@@ -143,11 +143,11 @@ TEST(NodeExtras, OfNodesThatAreNotShownAreCheckedAndLeftOut)
     Maker maker = puppet();
     maker.json["scenes"] = Json::array({{{"nodes", {3}}}});
     maker.json["nodes"].push_back({{"name", "other"}, {"mesh", 0}});
-    ours(maker, 1)["dofs"] = Json::array({turn("yaw")});
-    ours(maker, 1)["deactivation_m"] = 40;
+    node_extras(maker, 1)["dofs"] = Json::array({turn("yaw")});
+    node_extras(maker, 1)["deactivation_m"] = 40;
     const model::Rig rig = load(maker.glb()).rig;
     EXPECT_TRUE(rig.dofs.empty() && rig.deactivation_m.empty());
-    ours(maker, 1)["deactivation_m"] = -40;
+    node_extras(maker, 1)["deactivation_m"] = -40;
     EXPECT_EQ(outcome_of(maker.glb()).status, CLQ_FORMAT);
 }
 

@@ -9,7 +9,7 @@ namespace cost
 namespace
 {
 
-const Scene scene;
+const Scene counted_scene;
 
 void expect_counts(const Counts &computed, const Counts &paper)
 {
@@ -19,14 +19,14 @@ void expect_counts(const Counts &computed, const Counts &paper)
 
 TEST(Counts, table_2_adds_up)
 {
-    EXPECT_EQ(scene.actors(), 100);
-    EXPECT_EQ(scene.refpoint_crossing(), 50);
-    EXPECT_EQ(scene.root_crossing(), 10);
+    EXPECT_EQ(counted_scene.actors(), 100);
+    EXPECT_EQ(counted_scene.refpoint_crossing(), 50);
+    EXPECT_EQ(counted_scene.root_crossing(), 10);
 }
 
 TEST(Counts, table_4_follows_from_table_2)
 {
-    const Factors f = factors_of(scene);
+    const Factors f = factors_of(counted_scene);
     EXPECT_DOUBLE_EQ(f.actors, 100);
     EXPECT_DOUBLE_EQ(f.refpoint_in, 0.3);
     EXPECT_DOUBLE_EQ(f.root_out, 0.2);
@@ -40,13 +40,14 @@ TEST(Counts, table_4_follows_from_table_2)
 
 TEST(Counts, table_5_of_traditional_processing_is_the_paper_s)
 {
-    expect_counts(counts_of_table_5(factors_of(scene), Processing::traditional), {4000, 100, 100, 8200, 460, 4100});
+    expect_counts(counts_of_table_5(factors_of(counted_scene), Processing::traditional),
+                  {4000, 100, 100, 8200, 460, 4100});
 }
 
 TEST(Counts, table_5_of_actor_processing_is_the_paper_s_but_for_NO_04b)
 {
     // The paper prints 200.
-    expect_counts(counts_of_table_5(factors_of(scene), Processing::actor), {400, 100, 30, 160, 220, 100});
+    expect_counts(counts_of_table_5(factors_of(counted_scene), Processing::actor), {400, 100, 30, 160, 220, 100});
 }
 
 TEST(Counts, the_printed_reading_is_table_5_as_printed)
@@ -57,15 +58,15 @@ TEST(Counts, the_printed_reading_is_table_5_as_printed)
 
 TEST(Counts, eighty_pass_the_first_cull_and_sixty_the_second)
 {
-    EXPECT_EQ(scene.pass_first_cull(), 80);
-    EXPECT_EQ(scene.pass_second_cull(), 60);
+    EXPECT_EQ(counted_scene.pass_first_cull(), 80);
+    EXPECT_EQ(counted_scene.pass_second_cull(), 60);
 }
 
 TEST(Counts, by_the_order_of_work_everybody_who_passes_is_counted)
 {
     // 60 x 20 nodes; 80 roots; 10 x 80 spheres; 100 + 50 + 8 + 2 x 40 tests; 60 distances.
-    expect_counts(counts_by_order_of_work(scene, Processing::actor), {1200, 100, 80, 800, 238, 60});
-    expect_counts(counts_by_order_of_work(scene, Processing::traditional), {4000, 100, 100, 8200, 238, 4100});
+    expect_counts(counts_by_order_of_work(counted_scene, Processing::actor), {1200, 100, 80, 800, 238, 60});
+    expect_counts(counts_by_order_of_work(counted_scene, Processing::traditional), {4000, 100, 100, 8200, 238, 4100});
 }
 
 TEST(Counts, the_order_of_work_follows_the_scene_and_not_the_paper_s)

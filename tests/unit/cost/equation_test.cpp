@@ -9,7 +9,7 @@ namespace cost
 namespace
 {
 
-const Scene scene;
+const Scene equation_scene;
 
 void expect_polynomial(const Polynomial &p, double both, double track, double coherence, double constant)
 {
@@ -42,23 +42,23 @@ TEST(Equation, the_constant_is_21_600_by_table_5_and_22_880_by_its_formulas)
 {
     EXPECT_DOUBLE_EQ(as_printed().constant, 23100);
     EXPECT_DOUBLE_EQ(from_printed_counts().constant, 21600);
-    EXPECT_NEAR(from_formulas(scene).constant, 22880, 1e-6);
-    EXPECT_DOUBLE_EQ(by_order_of_work(scene).constant, 800 * 50 + 238 * 64 + 60 * 8);
+    EXPECT_NEAR(from_formulas(equation_scene).constant, 22880, 1e-6);
+    EXPECT_DOUBLE_EQ(by_order_of_work(equation_scene).constant, 800 * 50 + 238 * 64 + 60 * 8);
 }
 
 TEST(Equation, the_printed_expansion_follows_from_the_printed_constant)
 {
     expect_polynomial(as_printed().actor.management, 11600, 21200, 12350, 35290);
     expect_polynomial(from_printed_counts().actor.management, 11600, 21200, 12350, 35290 - 23100 + 21600);
-    expect_polynomial(from_formulas(scene).actor.management, 11600, 21200, 12350, 35290 - 23100 + 22880);
-    expect_polynomial(by_order_of_work(scene).actor.management, 34800, 63600, 31800, 79052);
+    expect_polynomial(from_formulas(equation_scene).actor.management, 11600, 21200, 12350, 35290 - 23100 + 22880);
+    expect_polynomial(by_order_of_work(equation_scene).actor.management, 34800, 63600, 31800, 79052);
 }
 
 TEST(Equation, behaviour_costs_315_as_printed_and_740_by_the_order_of_work)
 {
     EXPECT_DOUBLE_EQ(as_printed().actor.behaviour, 315);
     EXPECT_DOUBLE_EQ(from_printed_counts().actor.behaviour, 315);
-    EXPECT_DOUBLE_EQ(by_order_of_work(scene).actor.behaviour, 740);
+    EXPECT_DOUBLE_EQ(by_order_of_work(equation_scene).actor.behaviour, 740);
 }
 
 TEST(Equation, improvement_as_printed_at_several_points)
@@ -74,16 +74,16 @@ TEST(Equation, improvement_as_printed_at_several_points)
 TEST(Equation, improvement_of_the_other_readings)
 {
     EXPECT_NEAR(from_printed_counts().improvement(0, {0, 0}), 4206240.0 / 33790, 1e-9);
-    EXPECT_NEAR(from_formulas(scene).improvement(10, {0, 0}), 4248240.0 / (3150 + 35070), 1e-6);
-    EXPECT_NEAR(by_order_of_work(scene).improvement(0, {1, 1}), 4192032.0 / 209252, 1e-9);
-    EXPECT_NEAR(by_order_of_work(scene).improvement(50, {0, 0}), (210000 + 4192032.0) / (37000 + 79052), 1e-9);
+    EXPECT_NEAR(from_formulas(equation_scene).improvement(10, {0, 0}), 4248240.0 / (3150 + 35070), 1e-6);
+    EXPECT_NEAR(by_order_of_work(equation_scene).improvement(0, {1, 1}), 4192032.0 / 209252, 1e-9);
+    EXPECT_NEAR(by_order_of_work(equation_scene).improvement(50, {0, 0}), (210000 + 4192032.0) / (37000 + 79052), 1e-9);
 }
 
 TEST(Equation, improvement_falls_to_thirteen_as_printed_and_below_six_in_truth)
 {
     EXPECT_NEAR(as_printed().limit(), 4200.0 / 315, 1e-12);
     EXPECT_NEAR(as_printed().improvement(1e9, {1, 1}), 4200.0 / 315, 1e-3);
-    EXPECT_NEAR(by_order_of_work(scene).limit(), 4200.0 / 740, 1e-12);
+    EXPECT_NEAR(by_order_of_work(equation_scene).limit(), 4200.0 / 740, 1e-12);
 }
 
 TEST(Equation, measured_counts_take_the_place_of_the_actor_side)
@@ -91,15 +91,15 @@ TEST(Equation, measured_counts_take_the_place_of_the_actor_side)
     Measured measured;
     measured.actor = {10, 4, 2, 6, 7, 3};
     measured.shares = {0.5, 0.25};
-    const Reading r = as_measured(measured, scene);
+    const Reading r = as_measured(measured, equation_scene);
     EXPECT_DOUBLE_EQ(r.actor.behaviour, 5 + 4 + 1);
     // 10 x (29/8 + 53/2 + 19/4 + 10) + 4 x (5.5 + 63) + 2 x (21.25 + 63) + 300 + 448 + 24
     EXPECT_NEAR(r.actor.management.at(measured.shares), 448.75 + 274 + 168.5 + 772, 1e-9);
     EXPECT_DOUBLE_EQ(r.traditional.behaviour, 4200) << "counted for the scene where the run did not";
 
     measured.traditional = Counts{40, 4, 4, 20, 8, 44};
-    EXPECT_DOUBLE_EQ(as_measured(measured, scene).traditional.behaviour, 48);
-    EXPECT_DOUBLE_EQ(as_measured(measured, scene).traditional.management.constant,
+    EXPECT_DOUBLE_EQ(as_measured(measured, equation_scene).traditional.behaviour, 48);
+    EXPECT_DOUBLE_EQ(as_measured(measured, equation_scene).traditional.management.constant,
                      40 * 908 + 4 * 454 + 4 * 566 + 20 * 50 + 8 * 64 + 44 * 8);
 }
 

@@ -9,6 +9,9 @@
 
 using namespace claque;
 
+namespace decurion_test
+{
+
 namespace
 {
 
@@ -290,3 +293,5 @@ TEST(DecurionColours, are_rich_below_a_toga_from_cream_to_dyed)
         }
     }
 }
+
+}  // namespace decurion_test

@@ -8,6 +8,9 @@
 #include "puppet.h"
 
 using namespace claque;
+
+namespace figure_test
+{
 using puppet::citizen;
 
 namespace
@@ -123,3 +126,5 @@ TEST(Citizen, is_made_of_the_same_bytes_every_time)
     EXPECT_TRUE(same(part().uvs, b.uvs));
     EXPECT_TRUE(same(citizen().rig.values, again.rig.values));
 }
+
+}  // namespace figure_test

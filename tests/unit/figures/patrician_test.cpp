@@ -9,6 +9,9 @@
 
 using namespace claque;
 
+namespace patrician_test
+{
+
 namespace
 {
 
@@ -254,3 +257,5 @@ TEST(PatricianColours, of_cloth_are_rich)
         EXPECT_GE(z.range.brightness_first, 0.45f) << z.name;
     }
 }
+
+}  // namespace patrician_test

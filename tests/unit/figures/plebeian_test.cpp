@@ -10,6 +10,9 @@
 
 using namespace claque;
 
+namespace plebeian_test
+{
+
 namespace
 {
 
@@ -276,3 +279,5 @@ TEST(Plebeian, keeps_to_his_seat)
                 EXPECT_LT(std::fabs(v.x), 0.325f) << name << " frame " << k << " at height " << v.y;
     }
 }
+
+}  // namespace plebeian_test

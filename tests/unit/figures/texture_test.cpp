@@ -6,6 +6,9 @@
 #include "puppet.h"
 
 using namespace claque;
+
+namespace texture_test
+{
 using puppet::citizen;
 
 namespace
@@ -117,3 +120,5 @@ TEST(CitizenTexture, is_grey_light_and_mostly_bright)
     }
     EXPECT_GT(bright, pixels().size() / 4 * 7 / 10);
 }
+
+}  // namespace texture_test

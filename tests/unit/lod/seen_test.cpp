@@ -29,7 +29,7 @@ void add_box(glm::dvec3 middle, double half, std::vector<lod::Side> &sides)
         }
 }
 
-glm::dvec3 somewhere(uint64_t i)
+glm::dvec3 random_point(uint64_t i)
 {
     const auto lot = [i](uint64_t k) { return double(base::unit(base::mix(3 * i + k))); };
     return {lot(0), lot(1), lot(2)};
@@ -58,15 +58,15 @@ TEST(Obstacles, say_what_is_in_the_way_as_a_look_at_every_triangle_does)
 {
     std::vector<lod::Corners3> triangles;
     for (uint64_t i = 0; i < 60; ++i) {
-        const glm::dvec3 p = 4.0 * somewhere(i);
-        triangles.push_back({p, p + somewhere(1000 + i), p + somewhere(2000 + i)});
+        const glm::dvec3 p = 4.0 * random_point(i);
+        triangles.push_back({p, p + random_point(1000 + i), p + random_point(2000 + i)});
     }
     const lod::Obstacles obstacles(triangles);
     size_t met = 0;
     for (uint64_t i = 0; i < 40; ++i) {
-        lod::Obstacles::Way way(glm::normalize(somewhere(4000 + i) - glm::dvec3(0.5)));
+        lod::Obstacles::Way way(glm::normalize(random_point(4000 + i) - glm::dvec3(0.5)));
         for (uint64_t k = 0; k < 10; ++k) {  // what was in the way of one need not be in that of the next
-            const glm::dvec3 from = 4.0 * somewhere(3000 + 10 * i + k);
+            const glm::dvec3 from = 4.0 * random_point(3000 + 10 * i + k);
             const double after = k % 3 == 0 ? 1.5 : 0;
             const bool meets = obstacles.meets(from, way, after);
             EXPECT_EQ(meets, blocked(triangles, from, way.along, after)) << i;

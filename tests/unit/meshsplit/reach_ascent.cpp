@@ -17,7 +17,7 @@ using model::DofKind;
 namespace
 {
 
-double lot(uint64_t start, uint64_t i) { return double(base::unit(base::hash(start, i, base::Purpose::pick))); }
+double ascent_lot(uint64_t start, uint64_t i) { return double(base::unit(base::hash(start, i, base::Purpose::pick))); }
 
 glm::dmat3 turn_about(const glm::dvec3 &axis, double angle)
 {
@@ -93,7 +93,7 @@ void Reacher::shuffle(uint64_t start)
 {
     for (size_t d = 0; d < dofs.size(); ++d) {
         const model::Dof &dof = tmpl_.rig.dofs[d];
-        const double f = std::clamp(1.5 * lot(start, d) - 0.25, 0.0, 1.0);
+        const double f = std::clamp(1.5 * ascent_lot(start, d) - 0.25, 0.0, 1.0);
         dofs[d] = double(dof.first) + f * (double(dof.last) - double(dof.first));
     }
 }
@@ -235,7 +235,7 @@ double found_reach(const model::Template &tmpl, const glm::dvec3 &centre)
     double most = -ranking[0].first;
     for (uint64_t start = 0; start < 100; ++start) {
         const bool ranked = start % 2 && start / 2 < ranking.size();
-        const size_t any = size_t(lot(start, 1000) * double(times.size()));
+        const size_t any = size_t(ascent_lot(start, 1000) * double(times.size()));
         reacher.pose(times[ranked ? ranking[start / 2].second : any]);
         reacher.shuffle(start);
         most = std::max(most, reacher.climb(centre));

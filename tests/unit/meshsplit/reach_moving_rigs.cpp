@@ -12,7 +12,7 @@ using model::DofKind;
 namespace
 {
 
-model::Model bare(const char *name)
+model::Model bare_moving(const char *name)
 {
     model::Model m;
     m.name = name;
@@ -28,7 +28,7 @@ void add_clip(model::Model &m, float length_s, uint32_t channels)
 // A face that a clip and its degrees of freedom pull out, on a neck that turns.
 FreeModel morphing()
 {
-    model::Model m = bare("morphing");
+    model::Model m = bare_moving("morphing");
     const uint32_t body = add_node(m, model::none, {0, 0, 0}, "body"), head = add_node(m, body, {0, 1, 0}, "head");
     add_box(m, body, {0, 0.4f, 0}, {0.3f, 0.5f, 0.2f});
     add_box(m, head, {0, 0.2f, 0}, {0.2f, 0.2f, 0.2f});
@@ -56,7 +56,7 @@ FreeModel morphing()
 // A turntable that a clip whirls round within a frame; what stands on it leans by degrees of freedom.
 FreeModel whirl()
 {
-    model::Model m = bare("whirl");
+    model::Model m = bare_moving("whirl");
     const uint32_t table = add_node(m, model::none, {0, 0, 0}, "table"), mast = add_node(m, table, {1, 0, 0}, "mast");
     const uint32_t still = add_node(m, model::none, {-2, -2, 0}, "still");
     add_box(m, table, {0, 0, 0}, {1, 0.1f, 1});
@@ -75,7 +75,7 @@ FreeModel whirl()
 // Cubic splines between keys as close as two frames, which leave them far behind.
 FreeModel overshoot()
 {
-    model::Model m = bare("overshoot");
+    model::Model m = bare_moving("overshoot");
     const uint32_t base = add_node(m, model::none, {0, 0, 0}, "base"), arm = add_node(m, base, {0, 1, 0}, "arm");
     add_box(m, base, {0, 0.5f, 0}, {0.2f, 0.5f, 0.2f});
     add_box(m, arm, {0, 0.5f, 0}, {0.1f, 0.5f, 0.1f});
@@ -94,7 +94,7 @@ FreeModel overshoot()
 // farthest where the balls are smaller, and only if their degrees of freedom are at an end.
 FreeModel fold()
 {
-    model::Model m = bare("fold");
+    model::Model m = bare_moving("fold");
     const float s = std::sin(0.6f), c = std::cos(0.6f);
     m.rig.times = {0, 1};
     m.rig.values = {0, 0, 1, 0, 0, 0, -s, c, 0, 0, 0, 1, 0, 0, c, s, 1.1f, 0, 0, 0.9f, 0, 0, -1.1f, 0, 0, -0.9f, 0, 0};
@@ -113,7 +113,7 @@ FreeModel fold()
 // Two tips that are farthest from the middle, and from each other, half way between two frames.
 FreeModel pass()
 {
-    model::Model m = bare("pass");
+    model::Model m = bare_moving("pass");
     const float s = std::sin(0.032f), c = std::cos(0.032f);
     m.rig.times = {0, 1 / 60.0f};
     m.rig.values = {0, 0, -s, c, 0, 0, s, c};

@@ -14,11 +14,11 @@ using model::DofKind;
 namespace
 {
 
-float lot(uint32_t seed, uint32_t i) { return base::unit(base::hash(seed, i, base::Purpose::pick)); }
+float rig_lot(uint32_t seed, uint32_t i) { return base::unit(base::hash(seed, i, base::Purpose::pick)); }
 
 glm::vec3 any_axis(uint32_t seed, uint32_t i)
 {
-    return glm::normalize(glm::vec3(lot(seed, 3 * i), lot(seed, 3 * i + 1), lot(seed, 3 * i + 2)) - 0.4f);
+    return glm::normalize(glm::vec3(rig_lot(seed, 3 * i), rig_lot(seed, 3 * i + 1), rig_lot(seed, 3 * i + 2)) - 0.4f);
 }
 
 model::Model bare(const char *name)
@@ -34,7 +34,7 @@ FreeModel chain(const char *name, float widest)
     model::Model m = bare(name);
     for (uint32_t i = 0; i < 8; ++i) {
         const uint32_t node = add_node(m, i == 0 ? model::none : i - 1, {0, i == 0 ? 0 : 1, 0}, "link");
-        add_dof(m, node, DofKind::rotation, any_axis(7, i), -widest * lot(8, i), widest * lot(9, i));
+        add_dof(m, node, DofKind::rotation, any_axis(7, i), -widest * rig_lot(8, i), widest * rig_lot(9, i));
         add_box(m, node, {0, 0.5f, 0}, {0.1f, 0.5f, 0.2f});
     }
     return {name, std::move(m)};

@@ -17,13 +17,13 @@ namespace
 
 using model::SkinBy;
 
-struct Made {
+struct PlanMade {
     std::vector<uint16_t> joints;
     std::vector<float> weights;
 };
 
 // One run; vertex after vertex the lists of joints and weights that `made` says.
-model::Level level_of(uint32_t influences, const std::vector<Made> &made, uint32_t copies = 0)
+model::Level level_of(uint32_t influences, const std::vector<PlanMade> &made, uint32_t copies = 0)
 {
     std::mt19937 random(uint32_t(5 + made.size()));
     std::uniform_real_distribution<float> real(-1, 1);
@@ -32,7 +32,7 @@ model::Level level_of(uint32_t influences, const std::vector<Made> &made, uint32
     level.vertex_count = level.source_count + copies;
     for (uint32_t i = 0; i < copies; ++i) level.copies.push_back(i);
     level.runs.push_back({0, level.source_count, influences, 0});
-    for (const Made &vertex : made) {
+    for (const PlanMade &vertex : made) {
         level.joints.insert(level.joints.end(), vertex.joints.begin(), vertex.joints.end());
         level.weights.insert(level.weights.end(), vertex.weights.begin(), vertex.weights.end());
         for (int k = 0; k < 3; ++k) level.positions.push_back(real(random)), level.normals.push_back(real(random));
@@ -41,13 +41,13 @@ model::Level level_of(uint32_t influences, const std::vector<Made> &made, uint32
 }
 
 // `groups`: how many vertices follow each list of joints, one after another; the first two changed over now and then.
-std::vector<Made> grouped(const std::vector<uint32_t> &groups, uint32_t influences, uint32_t weights_of_each)
+std::vector<PlanMade> grouped(const std::vector<uint32_t> &groups, uint32_t influences, uint32_t weights_of_each)
 {
     std::mt19937 random(3);
-    std::vector<Made> out;
+    std::vector<PlanMade> out;
     for (uint32_t g = 0; g < groups.size(); ++g)
         for (uint32_t i = 0; i < groups[g]; ++i) {
-            Made vertex;
+            PlanMade vertex;
             for (uint32_t k = 0; k < influences; ++k) {
                 vertex.joints.push_back(uint16_t((g + 2 * k) % 16));
                 vertex.weights.push_back(0.1f * float(1 + (i % weights_of_each + k) % 9));
@@ -59,11 +59,11 @@ std::vector<Made> grouped(const std::vector<uint32_t> &groups, uint32_t influenc
     return out;
 }
 
-struct Result {
+struct PlanResult {
     std::vector<float> positions, normals;
 };
 
-Result run(const model::Level &level, Normals normals, Kernel kernel)
+PlanResult run(const model::Level &level, Normals normals, Kernel kernel)
 {
     std::vector<math::Affine> palette(17);
     std::mt19937 random(9);
@@ -71,7 +71,7 @@ Result run(const model::Level &level, Normals normals, Kernel kernel)
     for (math::Affine &a : palette)
         for (float &c : a.c) c = real(random);
     const size_t floats = 3 * size_t(level.vertex_count);
-    Result out{std::vector<float>(floats + 8, -77.0f), std::vector<float>(floats + 8, -77.0f)};
+    PlanResult out{std::vector<float>(floats + 8, -77.0f), std::vector<float>(floats + 8, -77.0f)};
     std::vector<float> scratch(scratch_floats(level, 16, normals));
     SkinJob job;
     job.level = &level;
@@ -91,7 +91,7 @@ Result run(const model::Level &level, Normals normals, Kernel kernel)
     return out;
 }
 
-void expect_same(const Result &a, const Result &b)
+void expect_same(const PlanResult &a, const PlanResult &b)
 {
     EXPECT_EQ(std::memcmp(a.positions.data(), b.positions.data(), 4 * a.positions.size()), 0);
     EXPECT_EQ(std::memcmp(a.normals.data(), b.normals.data(), 4 * a.normals.size()), 0);
@@ -102,7 +102,7 @@ void expect_no_bit_changed(model::Level level)
 {
     for (const Normals how : {Normals::by_palette, Normals::by_own_matrices}) {
         level.skinning.segments.clear();
-        const Result plain = run(level, how, Kernel::scalar);
+        const PlanResult plain = run(level, how, Kernel::scalar);
         model::plan_skinning(level);
         for (const Kernel kernel : {Kernel::scalar, Kernel::vector, Kernel::wide})
             expect_same(plain, run(level, how, kernel));
@@ -140,7 +140,7 @@ TEST(SkinPlan, PutsNeighboursOnTheSameEntriesIntoBlocksAndFewOthersByThemselves)
 
 TEST(SkinPlan, BlendsOnceForVerticesThatShareJointsAndWeights)
 {
-    std::vector<Made> made;
+    std::vector<PlanMade> made;
     for (uint32_t v = 0; v < 400; ++v) {
         const uint16_t j = uint16_t(v / 4 % 13);
         made.push_back({{j, uint16_t(j + 1), uint16_t(15 - j % 3)}, {0.5f, 0.25f, 0.25f - 1e-4f * float(v / 52)}});
@@ -188,7 +188,7 @@ TEST(SkinPlan, WithFusedMultiplyAddDiffersByAFewUnitsOfTheLastPlace)
         for (uint32_t influences = 1; influences <= 4; ++influences) {
             model::Level level = level_of(influences, grouped({24, 40, 16}, influences, 9), 3);
             model::plan_skinning(level);
-            const Result a = run(level, how, Kernel::wide), b = run(level, how, Kernel::fused);
+            const PlanResult a = run(level, how, Kernel::wide), b = run(level, how, Kernel::fused);
             for (size_t i = 0; i < a.positions.size(); ++i) {
                 most = std::max(most, std::fabs(a.positions[i] - b.positions[i]));
                 most = std::max(most, std::fabs(a.normals[i] - b.normals[i]));

@@ -13,7 +13,7 @@ namespace
 
 constexpr float turn = 6.28318531f;
 
-Paint chest(const Texel &t)
+Paint paint_chest(const Texel &t)
 {
     const float u = t.st.x * turn, y = t.position.y;
     // Folds gather towards the belt and fall from the shoulders in swags.
@@ -31,7 +31,7 @@ Paint chest(const Texel &t)
     return {g, Zone::tunic};
 }
 
-Paint skirt(const Texel &t)
+Paint paint_skirt(const Texel &t)
 {
     const float pleat = std::cos(turn * t.st.x * 6);
     float g = 214 + 22 * pleat * (1 - t.st.y) + 18 * (grain(t.st.x * 48, t.st.y * 3, 12) - 0.5f);
@@ -126,15 +126,15 @@ Paint plain(const Texel &t)
 
 Paint colour(const Texel &t)
 {
-    if (t.chart == head_chart) return paint_head(t);
+    if (t.chart == head_chart) return paint_whole_head(t);
     if (t.chart == far_head_chart) return paint_far_head(t);
     if (t.chart == jaw_chart) return paint_jaw(t);
     if (t.chart == eye_chart) return paint_eye(t);
     if (t.chart == lid_chart) return paint_lid(t);
     if (t.chart == wing_back_chart || t.chart == wing_front_chart) return paint_wing(t, Plumage());
-    if (t.chart == chest_chart) return chest(t);
+    if (t.chart == chest_chart) return paint_chest(t);
     if (t.chart == collar_chart) return collar(t);
-    if (t.chart == skirt_chart) return skirt(t);
+    if (t.chart == skirt_chart) return paint_skirt(t);
     if (t.chart == sleeve_chart) return sleeve(t);
     if (t.chart == arm_chart) return arm(t);
     if (t.chart == leg_chart) return leg(t);

@@ -6,7 +6,7 @@
 namespace claque::figures::flyer::herald
 {
 
-Paint paint_head(const Texel &t);
+Paint paint_whole_head(const Texel &t);
 Paint paint_jaw(const Texel &t);
 Paint paint_far_head(const Texel &t);
 Paint paint_eye(const Texel &t);

@@ -54,7 +54,7 @@ float blush(glm::vec2 q) { return 12 * spot(q, {0.056f, -0.034f}, {0.022f, 0.018
 
 }  // namespace
 
-Paint paint_head(const Texel &t)
+Paint paint_whole_head(const Texel &t)
 {
     const glm::vec3 p = t.position - head_centre;
     const float angle = angle_of(std::fabs(t.st.x));

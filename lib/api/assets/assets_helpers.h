@@ -1,0 +1,27 @@
+// Helpers of the calls of libclaque-assets.
+#pragma once
+
+#include <claque/base.h>
+
+#include <string>
+
+#include "lib/base/error.h"
+
+namespace claque::api
+{
+
+// Fails with the status and the sentence of another public call.
+inline void pass_on(clq_status status)
+{
+    if (status == CLQ_OK) return;
+    const std::string text = clq_last_error();
+    base::fail(status, "%s", text.c_str());
+}
+
+inline std::string folder_of(const std::string &path)
+{
+    const size_t slash = path.find_last_of('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+}  // namespace claque::api
