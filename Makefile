@@ -4,29 +4,38 @@ BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 
-.PHONY: help setup build run video test test-asan test-tsan test-scalar bench golden-accept abi-accept install package test-package docs test-i386 test-arm64 test-mingw test-nehalem check format clean
+.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
+	@echo "make ci         make test, then the readers, the C API and the fuzz corpora under sanitizers"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
+	@echo "make test-bare  make run and make test in a clone on a bare Debian 12, held to 3 and 15 minutes (needs root)"
 	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
 	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
 
 setup:
 	@cmake/setup.sh
 
+CONFIGURE = mkdir -p build && { cmake --preset $(PRESET) $(1) > build/$(PRESET).log 2>&1 || { cat build/$(PRESET).log; exit 1; }; }
+
 build: setup
-	@mkdir -p build
-	@cmake --preset $(PRESET) > build/$(PRESET).log 2>&1 || { cat build/$(PRESET).log; exit 1; }
+	@$(call CONFIGURE,-DCLAQUE_TESTS=ON -DCLAQUE_BENCHMARKS=ON)
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
-run: build
+# The claque command alone: no test, no benchmark, no host.
+command:
+	@cmake/setup.sh run
+	@[ -e $(BUILD)/build.ninja ] || { $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); }
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target claque_cli
+
+run: command
 	@mkdir -p out
 	$(CLAQUE) render --scene odeon --size 1024x768 --out out/odeon.png --json out/odeon.json
 	$(CLAQUE) render --scene odeon --size 1024x768 --camera close --out out/odeon-close.png
@@ -36,7 +45,7 @@ run: build
 	@ls -l out
 
 # Frames go straight into the encoder; the film is there once it is whole.
-video: build
+video: command
 	@command -v ffmpeg > /dev/null || { echo "make video needs ffmpeg: apt-get install ffmpeg" >&2; exit 1; }
 	@mkdir -p out
 	@rm -f out/odeon.part.mp4 out/odeon.failed
@@ -50,6 +59,10 @@ video: build
 test: build
 	ctest --preset $(PRESET) -j $(JOBS)
 
+# The plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary.
+ci: build
+	@cmake/ci.sh $(BUILD) $(JOBS)
+
 test-asan test-tsan test-scalar: test-%:
 	@$(MAKE) --no-print-directory build PRESET=$*
 	ctest --preset $* -j $(JOBS)
@@ -61,13 +74,13 @@ bench: build
 	@mkdir -p out
 	$(CLAQUE) bench odeon --lod off,on --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
-	$(CLAQUE) bench odeon --variety fused --cache none,animation,full,keypose-intermittent,keypose-interpolated --save out/odeon-keyposes.json
+	$(CLAQUE) bench odeon --strategy fused --cache none,animation,full,keypose-intermittent,keypose-interpolated --save out/odeon-keyposes.json
 	$(CLAQUE) plot out/odeon-keyposes.json --out out/odeon-keyposes.svg
-	$(CLAQUE) bench ten_thousand --cache full --variety fused --context egl --flush 16384 --save out/ten-thousand.json
+	$(CLAQUE) bench ten_thousand --cache full --strategy fused --context egl --flush 16384 --save out/ten-thousand.json
 	$(CLAQUE) plot out/ten-thousand.json --out out/ten-thousand.svg
 	$(CLAQUE) bench plaza
 	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
-	$(CLAQUE) bench hundred_actors --threads 1 --counts out/hundred-counts.json
+	$(CLAQUE) bench hundred_actors --threads 1 --operations out/hundred-counts.json
 	$(CLAQUE) cost --measured out/hundred-counts.json --plot out/cost.svg > out/cost.txt
 	$(CLAQUE) bench growth --threads 1 --save out/growth.json
 	$(CLAQUE) plot out/growth.json --out out/growth.svg
@@ -98,7 +111,11 @@ package: build
 
 # What make package makes, on a bare Debian 12.
 test-package: package
-	@tests/bare_debian.sh out/packages
+	@tests/bare_debian.sh packages out/packages
+
+# A clone on a bare Debian 12: both commands of the README, held to their times (two idle cores; needs root).
+test-bare:
+	@tests/bare_debian.sh clone
 
 # The reference of include/claque; a warning is an error.
 docs:
@@ -115,7 +132,7 @@ test-nehalem: build
 check: setup
 	@clang-format --dry-run -Werror $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')
 	@$(MAKE) --no-print-directory build PRESET=dev
-	ctest --preset dev -R '^layers'
+	ctest --preset dev -R '^(Layers|Style)'
 
 format:
 	clang-format -i $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')

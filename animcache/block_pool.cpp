@@ -22,48 +22,50 @@ float *next_of(const float *block)
 }  // namespace
 
 BlockPool::BlockPool(std::pmr::memory_resource *memory, uint64_t budget_bytes)
-    : memory_(memory), budget_bytes_(budget_bytes), shelves_(memory)
+    : memory_(memory), budget_bytes_(budget_bytes), size_classes_(memory)
 {
 }
 
 BlockPool::~BlockPool()
 {
-    for (const Shelf &shelf : shelves_)
-        for (const Slab &slab : shelf.slabs) memory_->deallocate(slab.memory, slab.blocks * shelf.bytes, alignment);
+    for (const SizeClass &size_class : size_classes_)
+        for (const Slab &slab : size_class.slabs)
+            memory_->deallocate(slab.memory, slab.blocks * size_class.bytes, alignment);
 }
 
-BlockPool::Shelf *BlockPool::shelf_of(size_t bytes)
+BlockPool::SizeClass *BlockPool::size_class_of(size_t bytes)
 {
-    for (Shelf &shelf : shelves_)
-        if (shelf.bytes == bytes) return &shelf;
+    for (SizeClass &size_class : size_classes_)
+        if (size_class.bytes == bytes) return &size_class;
     return nullptr;
 }
 
-float *BlockPool::take_from(Shelf &shelf, size_t index)
+float *BlockPool::take_from(SizeClass &size_class, size_t index)
 {
-    Slab &slab = shelf.slabs[index];
+    Slab &slab = size_class.slabs[index];
     float *block = slab.free;
     slab.free = next_of(block);
     ++slab.used;
-    used_bytes_ += shelf.bytes;
+    used_bytes_ += size_class.bytes;
     return block;
 }
 
-float *BlockPool::take_free(size_t bytes)
+float *BlockPool::allocate_from_slabs(size_t bytes)
 {
-    Shelf *shelf = shelf_of(taken_by(bytes));
-    if (!shelf) return nullptr;
-    for (; shelf->roomy < shelf->slabs.size(); ++shelf->roomy)
-        if (shelf->slabs[shelf->roomy].free) return take_from(*shelf, shelf->roomy);
+    SizeClass *size_class = size_class_of(rounded_size(bytes));
+    if (!size_class) return nullptr;
+    for (; size_class->first_free < size_class->slabs.size(); ++size_class->first_free)
+        if (size_class->slabs[size_class->first_free].free) return take_from(*size_class, size_class->first_free);
     return nullptr;
 }
 
 // Everything that may fail comes before the slab, and the slab before it is entered.
 void BlockPool::add_slab(size_t bytes, uint32_t blocks)
 {
-    Shelf *shelf = shelf_of(bytes);
-    if (!shelf) shelf = &shelves_.emplace_back(bytes, memory_);
-    if (shelf->slabs.size() == shelf->slabs.capacity()) shelf->slabs.reserve(2 * shelf->slabs.size() + 8);
+    SizeClass *size_class = size_class_of(bytes);
+    if (!size_class) size_class = &size_classes_.emplace_back(bytes, memory_);
+    if (size_class->slabs.size() == size_class->slabs.capacity())
+        size_class->slabs.reserve(2 * size_class->slabs.size() + 8);
     Slab slab;
     slab.memory = static_cast<std::byte *>(memory_->allocate(blocks * bytes, alignment));
     slab.blocks = blocks;
@@ -72,60 +74,61 @@ void BlockPool::add_slab(size_t bytes, uint32_t blocks)
         set_next(block, slab.free);
         slab.free = block;
     }
-    held_bytes_ += blocks * bytes;
-    const auto place = std::upper_bound(shelf->slabs.begin(), shelf->slabs.end(), slab.memory,
-                                        [](const std::byte *memory, const Slab &other) {
-                                            return std::less<const std::byte *>()(memory, other.memory);
-                                        });
-    shelf->roomy = std::min(shelf->roomy, static_cast<size_t>(place - shelf->slabs.begin()));
-    shelf->slabs.insert(place, slab);
+    reserved_bytes_ += blocks * bytes;
+    const auto position = std::upper_bound(size_class->slabs.begin(), size_class->slabs.end(), slab.memory,
+                                           [](const std::byte *memory, const Slab &other) {
+                                               return std::less<const std::byte *>()(memory, other.memory);
+                                           });
+    size_class->first_free =
+        std::min(size_class->first_free, static_cast<size_t>(position - size_class->slabs.begin()));
+    size_class->slabs.insert(position, slab);
 }
 
-float *BlockPool::take_new(size_t bytes) noexcept
+float *BlockPool::allocate_new_slab(size_t bytes) noexcept
 {
-    constexpr uint64_t most_blocks = 64, least_slabs = 256;  // so that a slab is a small share of the budget
-    const size_t stride = taken_by(bytes);
-    const uint64_t fit = (budget_bytes_ - held_bytes_) / stride;
-    const uint64_t wish = std::clamp<uint64_t>(budget_bytes_ / least_slabs / stride, 1, most_blocks);
+    constexpr uint64_t max_blocks = 64, min_slabs = 256;  // so that a slab is a small share of the budget
+    const size_t stride = rounded_size(bytes);
+    const uint64_t fit = (budget_bytes_ - reserved_bytes_) / stride;
+    const uint64_t wish = std::clamp<uint64_t>(budget_bytes_ / min_slabs / stride, 1, max_blocks);
     if (fit == 0) return nullptr;
     try {
         add_slab(stride, static_cast<uint32_t>(std::min(fit, wish)));
     } catch (...) {
         return nullptr;
     }
-    return take_free(bytes);
+    return allocate_from_slabs(bytes);
 }
 
-void BlockPool::give(float *block, size_t bytes)
+void BlockPool::deallocate(float *block, size_t bytes)
 {
-    Shelf &shelf = *shelf_of(taken_by(bytes));
+    SizeClass &size_class = *size_class_of(rounded_size(bytes));
     const std::byte *address = reinterpret_cast<const std::byte *>(block);
     const auto after = std::upper_bound(
-        shelf.slabs.begin(), shelf.slabs.end(), address,
+        size_class.slabs.begin(), size_class.slabs.end(), address,
         [](const std::byte *at, const Slab &slab) { return std::less<const std::byte *>()(at, slab.memory); });
     Slab &slab = *(after - 1);
     set_next(block, slab.free);
     slab.free = block;
     --slab.used;
-    used_bytes_ -= shelf.bytes;
-    shelf.roomy = std::min(shelf.roomy, static_cast<size_t>(after - 1 - shelf.slabs.begin()));
+    used_bytes_ -= size_class.bytes;
+    size_class.first_free = std::min(size_class.first_free, static_cast<size_t>(after - 1 - size_class.slabs.begin()));
 }
 
 bool BlockPool::trim()
 {
-    const uint64_t before = held_bytes_;
-    for (Shelf &shelf : shelves_) {
-        for (const Slab &slab : shelf.slabs) {
+    const uint64_t before = reserved_bytes_;
+    for (SizeClass &size_class : size_classes_) {
+        for (const Slab &slab : size_class.slabs) {
             if (slab.used > 0) continue;
-            memory_->deallocate(slab.memory, slab.blocks * shelf.bytes, alignment);
-            held_bytes_ -= slab.blocks * shelf.bytes;
+            memory_->deallocate(slab.memory, slab.blocks * size_class.bytes, alignment);
+            reserved_bytes_ -= slab.blocks * size_class.bytes;
         }
-        shelf.slabs.erase(
-            std::remove_if(shelf.slabs.begin(), shelf.slabs.end(), [](const Slab &slab) { return slab.used == 0; }),
-            shelf.slabs.end());
-        shelf.roomy = 0;
+        size_class.slabs.erase(std::remove_if(size_class.slabs.begin(), size_class.slabs.end(),
+                                              [](const Slab &slab) { return slab.used == 0; }),
+                               size_class.slabs.end());
+        size_class.first_free = 0;
     }
-    return held_bytes_ < before;
+    return reserved_bytes_ < before;
 }
 
 }  // namespace claque::animcache

@@ -20,18 +20,18 @@ public:
 
     // Blocks follow each other at whole multiples of a cache line, so that no two individuals share one.
     static constexpr size_t alignment = 64;
-    static size_t taken_by(size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+    static size_t rounded_size(size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 
     // A block that lies free; null: there is none.
-    float *take_free(size_t bytes);
+    float *allocate_from_slabs(size_t bytes);
     // The same after another slab; null: the budget is spent, or the host refuses.
-    float *take_new(size_t bytes) noexcept;
-    void give(float *block, size_t bytes);
+    float *allocate_new_slab(size_t bytes) noexcept;
+    void deallocate(float *block, size_t bytes);
     // Gives slabs without a block in use back to the host. False: there was none.
     bool trim();
 
-    uint64_t used_bytes() const { return used_bytes_; }  // of blocks in use
-    uint64_t held_bytes() const { return held_bytes_; }  // of all slabs: at most the budget
+    uint64_t used_bytes() const { return used_bytes_; }          // of blocks in use
+    uint64_t reserved_bytes() const { return reserved_bytes_; }  // of all slabs: at most the budget
 
 private:
     struct Slab {
@@ -40,20 +40,20 @@ private:
         uint32_t blocks = 0, used = 0;
     };
     // Blocks of one size.
-    struct Shelf {
-        Shelf(size_t block_bytes, std::pmr::memory_resource *memory) : bytes(block_bytes), slabs(memory) {}
+    struct SizeClass {
+        SizeClass(size_t block_bytes, std::pmr::memory_resource *memory) : bytes(block_bytes), slabs(memory) {}
         size_t bytes;
-        size_t roomy = 0;              // no slab before this one has a free block
+        size_t first_free = 0;         // no slab before this one has a free block
         std::pmr::vector<Slab> slabs;  // by address
     };
 
-    Shelf *shelf_of(size_t bytes);
-    float *take_from(Shelf &shelf, size_t slab);
+    SizeClass *size_class_of(size_t bytes);
+    float *take_from(SizeClass &size_class, size_t slab);
     void add_slab(size_t bytes, uint32_t blocks);
 
     std::pmr::memory_resource *memory_;
-    uint64_t budget_bytes_, used_bytes_ = 0, held_bytes_ = 0;
-    std::pmr::vector<Shelf> shelves_;  // two a template
+    uint64_t budget_bytes_, used_bytes_ = 0, reserved_bytes_ = 0;
+    std::pmr::vector<SizeClass> size_classes_;  // two a template
 };
 
 }  // namespace claque::animcache

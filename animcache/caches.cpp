@@ -9,14 +9,14 @@ namespace claque::animcache
 namespace
 {
 
-constexpr uint32_t strands = Caches::strand_count;
+constexpr uint32_t slices = Caches::slice_count;
 
 // A strand's share of n, in order.
 template <class Body>
-void share(uint32_t n, uint32_t strand, const Body &body)
+void for_slice(uint32_t n, uint32_t slice, const Body &body)
 {
-    const uint32_t first = static_cast<uint32_t>(uint64_t(n) * strand / strands);
-    const uint32_t last = static_cast<uint32_t>(uint64_t(n) * (strand + 1) / strands);
+    const uint32_t first = static_cast<uint32_t>(uint64_t(n) * slice / slices);
+    const uint32_t last = static_cast<uint32_t>(uint64_t(n) * (slice + 1) / slices);
     for (uint32_t i = first; i < last; ++i) body(i);
 }
 
@@ -31,8 +31,8 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
       skin_(memory),
       waiting_(memory),
       built_(memory),
-      scratch_(memory, strands),
-      key_poses_(memory, settings.key_poses, settings.geometry)
+      scratch_(memory, slices),
+      key_poses_(memory, settings.key_poses, settings.vertex_format)
 {
 }
 
@@ -47,7 +47,7 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
     skin_.reserve(row_count);
     if (settings_.can_defer) waiting_.reserve(row_count);
     if (entries_.size() < row_count) entries_.resize(row_count);
-    built_.resize(strands);
+    built_.resize(slices);
 }
 
 bool Caches::is_due(const Request &request) const
@@ -93,24 +93,24 @@ void Caches::find_due_vertices()
 // GL's matrix stack moves rigid parts itself, unless there is no room for their matrices.
 bool Caches::needs_vertices(const Request &request) const
 {
-    if (request.shared.method == Method::intermittent && request.shared.served()) return false;
-    return request.drawn && (request.placement == Placement::vertices || !entries_[request.row].palette);
+    if (request.key_pose.mode == KeyPoseMode::intermittent && request.key_pose.served()) return false;
+    return request.drawn && (request.rigid_mode == RigidMode::vertices || !entries_[request.row].palette);
 }
 
 void Caches::animate(const base::Jobs &jobs)
 {
-    jobs.for_each(strands, [this](uint32_t strand) {
-        const Scratch scratch = scratch_.strand(strand);
-        built_[strand] = 0;
-        share(static_cast<uint32_t>(animate_.size()), strand, [&](uint32_t i) {
+    jobs.for_each(slices, [this](uint32_t slice) {
+        const Scratch scratch = scratch_.slice(slice);
+        built_[slice] = 0;
+        for_slice(static_cast<uint32_t>(animate_.size()), slice, [&](uint32_t i) {
             const Request &request = requests_[animate_[i]];
             Entry &entry = entries_[request.row];
-            built_[strand] += animcache::animate(request, scratch, entry.palette);
+            built_[slice] += animcache::animate(request, scratch, entry.palette);
             entry.palette_key = request.pose;
             entry.palette_radius = request.blend_radius;
             entry.shown_s = request.shown_s;
-            entry.renewed_s = moment_.time_s;
-            entry.animated_at = serial_;
+            entry.renewed_s = pose_budget_.time_s;
+            entry.animated_at = frame_number_;
         });
     });
     counters_.animated = static_cast<uint32_t>(animate_.size());
@@ -120,9 +120,9 @@ void Caches::animate(const base::Jobs &jobs)
 void Caches::skin(const Request &request, const Scratch &scratch)
 {
     Entry &entry = entries_[request.row];
-    if (request.shared.method == Method::interpolated)
-        interpolate(request, settings_.geometry, scratch, entry.vertices);
-    else animcache::skin(request, entry.palette, settings_.geometry, scratch, entry.vertices);
+    if (request.key_pose.mode == KeyPoseMode::interpolated)
+        interpolate(request, settings_.vertex_format, scratch, entry.vertices);
+    else animcache::skin(request, entry.palette, settings_.vertex_format, scratch, entry.vertices);
     entry.vertices_key = request.pose;
     entry.vertices_radius = request.blend_radius;
     entry.vertices_level = request.level;
@@ -131,30 +131,30 @@ void Caches::skin(const Request &request, const Scratch &scratch)
 void Caches::skin(const base::Jobs &jobs)
 {
     key_poses_.make(jobs, scratch_);
-    jobs.for_each(strands, [this](uint32_t strand) {
-        const Scratch scratch = scratch_.strand(strand);
-        share(static_cast<uint32_t>(skin_.size()), strand, [&](uint32_t i) { skin(requests_[skin_[i]], scratch); });
+    jobs.for_each(slices, [this](uint32_t slice) {
+        const Scratch scratch = scratch_.slice(slice);
+        for_slice(static_cast<uint32_t>(skin_.size()), slice, [&](uint32_t i) { skin(requests_[skin_[i]], scratch); });
     });
     counters_.skinned = static_cast<uint32_t>(skin_.size());
     counters_.bytes = blocks_.used_bytes();
-    counters_.pool_bytes = blocks_.held_bytes();
+    counters_.pool_bytes = blocks_.reserved_bytes();
 }
 
-const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const
+const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t slice, uint64_t &products) const
 {
     const float *kept = entries_[request.row].palette;
-    if (kept && request.placement == Placement::vertices) return reinterpret_cast<const math::Affine *>(kept);
-    const Scratch scratch = scratch_.strand(strand);
+    if (kept && request.rigid_mode == RigidMode::vertices) return reinterpret_cast<const math::Affine *>(kept);
+    const Scratch scratch = scratch_.slice(slice);
     math::Affine *palette = reinterpret_cast<math::Affine *>(scratch.palette);
     if (!kept) {
         Request anew = request;
-        anew.placement = Placement::vertices;
+        anew.rigid_mode = RigidMode::vertices;
         animcache::animate(anew, scratch, scratch.palette);
         return palette;
     }
     const model::Level &level = request.tmpl->levels[request.level];
-    pose::place_locals(request.tmpl->rig, level, reinterpret_cast<const math::Affine *>(kept), scratch.globals,
-                       palette);
+    pose::palette_from_locals(request.tmpl->rig, level, reinterpret_cast<const math::Affine *>(kept), scratch.globals,
+                              palette);
     products += level.active.empty() ? request.tmpl->rig.node_count() : level.nodes.size();
     return palette;
 }
@@ -162,7 +162,7 @@ const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t
 const math::Affine *Caches::locals_of(uint32_t row) const
 {
     const Entry &entry = entries_[row];
-    if (requests_[entry.request].placement != Placement::matrices) return nullptr;
+    if (requests_[entry.request].rigid_mode != RigidMode::matrices) return nullptr;
     return reinterpret_cast<const math::Affine *>(entry.palette);
 }
 
@@ -170,10 +170,11 @@ draw::Vertices Caches::vertices_of(uint32_t row) const
 {
     const Entry &entry = entries_[row];
     const Request &request = requests_[entry.request];
-    if (request.shared.method == Method::intermittent && request.shared.served())
-        return vertices_in(request.shared.kept[0], *request.tmpl, request.level, settings_.geometry);
+    if (request.key_pose.mode == KeyPoseMode::intermittent && request.key_pose.served())
+        return vertices_in(request.key_pose.kept[0], *request.tmpl, request.level, settings_.vertex_format);
     if (!entry.vertices) return {};
-    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.geometry, entry.vertices_radius);
+    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.vertex_format,
+                       entry.vertices_radius);
 }
 
 }  // namespace claque::animcache

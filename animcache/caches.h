@@ -36,18 +36,18 @@ public:
 
     // An update, in this order.
     std::pmr::vector<Request> &begin();  // to be filled with who is seen, ascending by row, within its capacity
-    void admit_poses();                  // finds room, throwing out who is unseen for longest
+    void allocate_poses();               // finds room, throwing out who is unseen for longest
     void find_due_poses();
     // Leaves all but `moment.budget` of those to a later update, as their poses of an earlier one still serve: see
     // budget.cpp. Their requests are then for what is held.
-    struct Moment {
+    struct PoseBudget {
         double time_s = 0;
-        double gone_s = 0;  // since the update before; 0: unknown
+        double elapsed_s = 0;  // since the update before; 0: unknown
         uint32_t budget = 0;
     };
-    void defer(const Moment &moment);
+    void defer(const PoseBudget &pose_budget);
     void animate(const base::Jobs &jobs);
-    void admit_vertices();  // from here on only for requests that are drawn
+    void allocate_vertices();  // from here on only for requests that are drawn
     void find_due_vertices();
     void skin(const base::Jobs &jobs);
 
@@ -60,13 +60,13 @@ public:
     draw::Vertices vertices_of(uint32_t row) const;
     // The palette of a request's pose; made in the strand's scratch where there is no room for it, or only nodes' own
     // matrices are kept: then the products that this took are added. `strand` below strand_count.
-    const math::Affine *palette_for_spheres(const Request &request, uint32_t strand, uint64_t &products) const;
+    const math::Affine *palette_for_spheres(const Request &request, uint32_t slice, uint64_t &products) const;
     // Of one whose parts GL's matrix stack places; null otherwise.
     const math::Affine *locals_of(uint32_t row) const;
-    static constexpr uint32_t strand_count = 64;  // tasks an update is cut into, whatever the number of threads
+    static constexpr uint32_t slice_count = 64;  // tasks an update is cut into, whatever the number of threads
     const Request &request_of(uint32_t row) const { return requests_[entries_[row].request]; }
 
-    bool was_animated(uint32_t row) const { return entries_[row].animated_at == serial_; }
+    bool was_animated(uint32_t row) const { return entries_[row].animated_at == frame_number_; }
     base::Span<const Request> requests() const { return base::Span<const Request>(requests_); }
     const Counters &counters() const { return counters_; }
     const Settings &settings() const { return settings_; }
@@ -108,13 +108,13 @@ private:
     Settings settings_;
     BlockPool blocks_;
     Counters counters_;
-    uint64_t serial_ = 0;
+    uint64_t frame_number_ = 0;
     std::pmr::vector<Request> requests_;  // of the last update
     std::pmr::vector<Entry> entries_;     // by row
     std::pmr::vector<uint32_t> animate_;  // indices of requests
     std::pmr::vector<uint32_t> skin_;
     std::pmr::vector<Waiting> waiting_;
-    Moment moment_;                                      // of the last update
+    PoseBudget pose_budget_;                             // of the last update
     uint32_t first_ = model::none, last_ = model::none;  // rows by when they were last seen
     std::pmr::vector<uint32_t> built_;                   // by strand: matrices
     mutable ScratchPool scratch_;

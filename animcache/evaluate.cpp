@@ -29,11 +29,11 @@ size_t skinning_floats(const model::Template &tmpl, const model::Level &level)
 
 }  // namespace
 
-size_t vertex_floats(const model::Level &level, Geometry geometry)
+size_t vertex_floats(const model::Level &level, VertexFormat vertex_format)
 {
     constexpr size_t packed_bytes = sizeof(skin::PackedPosition) + sizeof(skin::PackedNormal);
     static_assert(packed_bytes == 3 * sizeof(float), "three floats hold a packed vertex");
-    return (geometry == Geometry::packed ? 3 : 6) * size_t(level.vertex_count) + padding;
+    return (vertex_format == VertexFormat::packed ? 3 : 6) * size_t(level.vertex_count) + padding;
 }
 
 void Sizes::grow_to(const Sizes &other)
@@ -45,14 +45,14 @@ void Sizes::grow_to(const Sizes &other)
     spare_floats = std::max(spare_floats, other.spare_floats);
 }
 
-Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
+Sizes sizes_of(const model::Template &tmpl, VertexFormat vertex_format)
 {
     Sizes sizes;
     sizes.nodes = tmpl.rig.node_count();
     sizes.palette_floats = matrix_floats(tmpl) + tmpl.rig.rest_weights.size() + padding;
     sizes.scratch_floats = std::max(sizes.palette_floats, pose::scratch_floats(tmpl.rig, &tmpl.motion));
     for (const model::Level &level : tmpl.levels) {
-        sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, geometry));
+        sizes.vertex_floats = std::max(sizes.vertex_floats, vertex_floats(level, vertex_format));
         sizes.scratch_floats = std::max(sizes.scratch_floats, skinning_floats(tmpl, level));
     }
     return sizes;
@@ -61,7 +61,7 @@ Sizes sizes_of(const model::Template &tmpl, Geometry geometry)
 Sizes sizes_of(base::Span<const model::Template *const> templates, const Settings &settings)
 {
     Sizes sizes;
-    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl, settings.geometry));
+    for (const model::Template *tmpl : templates) sizes.grow_to(sizes_of(*tmpl, settings.vertex_format));
     if (settings.key_poses.interpolates()) sizes.spare_floats = sizes.vertex_floats;
     return sizes;
 }
@@ -82,15 +82,16 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     job.palette = {reinterpret_cast<math::Affine *>(palette), count32(rig.palette.size())};
     job.weights = {palette + matrix_floats(*request.tmpl), count32(rig.rest_weights.size())};
     job.scratch = {scratch.floats, count32(scratch.sizes->scratch_floats)};
-    if (request.placement == Placement::matrices)
-        return job.run_locals({reinterpret_cast<math::Affine *>(palette), rig.node_count()});
+    if (request.rigid_mode == RigidMode::matrices)
+        return job.run_local_matrices({reinterpret_cast<math::Affine *>(palette), rig.node_count()});
     job.run();
     return job.level->active.empty() ? rig.node_count() : count32(job.level->nodes.size());
 }
 
 const float *morph_weights(const float *palette, const model::Template &tmpl) { return palette + matrix_floats(tmpl); }
 
-void skin(const Request &request, const float *palette, Geometry geometry, const Scratch &scratch, float *vertices)
+void skin(const Request &request, const float *palette, VertexFormat vertex_format, const Scratch &scratch,
+          float *vertices)
 {
     const model::Template &tmpl = *request.tmpl;
     const model::Level &level = tmpl.levels[request.level];
@@ -101,7 +102,7 @@ void skin(const Request &request, const float *palette, Geometry geometry, const
     job.normals = skin::normals_of(tmpl);
     job.scratch = {scratch.floats, count32(skinning_floats(tmpl, level))};
     const uint32_t count = level.vertex_count;
-    if (geometry == Geometry::packed) {
+    if (vertex_format == VertexFormat::packed) {
         job.range = skin::pack_range(tmpl, request.blend_radius);
         job.out_packed_positions = {reinterpret_cast<skin::PackedPosition *>(vertices), count};
         job.out_packed_normals = {reinterpret_cast<skin::PackedNormal *>(vertices + 2 * size_t(count)), count};
@@ -112,12 +113,12 @@ void skin(const Request &request, const float *palette, Geometry geometry, const
     job.run();
 }
 
-draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, Geometry geometry,
+draw::Vertices vertices_in(const float *memory, const model::Template &tmpl, uint32_t level, VertexFormat vertex_format,
                            float blend_radius)
 {
     const size_t count = tmpl.levels[level].vertex_count;
     draw::Vertices out;
-    if (geometry == Geometry::real) {
+    if (vertex_format == VertexFormat::floats) {
         out.positions = memory;
         out.normals = memory + 3 * count;
         return out;

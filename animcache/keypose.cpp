@@ -36,25 +36,26 @@ bool ends_as_it_begins(const model::Template &tmpl, uint32_t clip)
 
 }  // namespace
 
-Method KeyPoseSettings::method_at(float distance) const
+KeyPoseMode KeyPoseSettings::mode_at(float distance) const
 {
-    Method method = Method::individual;
-    for (uint32_t i = 0; i < band_count && bands[i].distance <= distance; ++i) method = bands[i].method;
-    return method;
+    KeyPoseMode mode = KeyPoseMode::individual;
+    for (uint32_t i = 0; i < band_count && bands[i].distance <= distance; ++i) mode = bands[i].mode;
+    return mode;
 }
 
 bool KeyPoseSettings::any() const
 {
-    return std::any_of(bands, bands + band_count, [](const MethodBand &b) { return shows_key_poses(b.method); });
+    return std::any_of(bands, bands + band_count, [](const KeyPoseBand &b) { return shows_key_poses(b.mode); });
 }
 
 bool KeyPoseSettings::interpolates() const
 {
-    return std::any_of(bands, bands + band_count, [](const MethodBand &b) { return b.method == Method::interpolated; });
+    return std::any_of(bands, bands + band_count,
+                       [](const KeyPoseBand &b) { return b.mode == KeyPoseMode::interpolated; });
 }
 
 KeyPoseTable::KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz)
-    : rows_(memory), moments_(memory)
+    : rows_(memory), sample_times_(memory)
 {
     for (uint32_t clip = 0; clip < tmpl.rig.clips.size(); ++clip) {
         const model::Clip &of = tmpl.rig.clips[clip];
@@ -68,36 +69,36 @@ KeyPoseTable::KeyPoseTable(std::pmr::memory_resource *memory, const model::Templ
         }
         const uint32_t poses = row.intervals + (row.closed ? 0 : 1);
         for (uint32_t k = 0; k < poses; ++k)
-            moments_.push_back({clip, row.start_s + (row.intervals ? row.duration_s * k / row.intervals : 0)});
+            sample_times_.push_back({clip, row.start_s + (row.intervals ? row.duration_s * k / row.intervals : 0)});
         rows_.push_back(row);
     }
 }
 
-KeyPoseUse KeyPoseTable::use(Method method, uint32_t clip, double time_s) const
+KeyPoseSelection KeyPoseTable::select(KeyPoseMode mode, uint32_t clip, double time_s) const
 {
     const Row &row = rows_[clip];
-    KeyPoseUse use;
-    use.method = method;
-    use.first = use.second = row.first;
-    use.time_s[0] = use.time_s[1] = row.start_s;
-    if (row.intervals == 0) return use;
+    KeyPoseSelection selection;
+    selection.mode = mode;
+    selection.first = selection.second = row.first;
+    selection.time_s[0] = selection.time_s[1] = row.start_s;
+    if (row.intervals == 0) return selection;
     const double at = std::clamp((time_s - row.start_s) / row.duration_s, 0.0, 1.0) * row.intervals;
     const auto choose = [&](int which, uint32_t k) {
         if (row.closed && k == row.intervals) k = 0;
-        (which == 0 ? use.first : use.second) = row.first + k;
-        use.time_s[which] = moments_[row.first + k].time_s;
+        (which == 0 ? selection.first : selection.second) = row.first + k;
+        selection.time_s[which] = sample_times_[row.first + k].time_s;
     };
-    if (method == Method::intermittent) {
+    if (mode == KeyPoseMode::intermittent) {
         const uint32_t nearest = static_cast<uint32_t>(std::floor(at + 0.5));
         choose(0, nearest);
         choose(1, nearest);
-        return use;
+        return selection;
     }
     const uint32_t before = std::min(static_cast<uint32_t>(at), row.intervals - 1);
     choose(0, before);
     choose(1, before + 1);
-    use.blend = static_cast<float>(at - before);
-    return use;
+    selection.blend = static_cast<float>(at - before);
+    return selection;
 }
 
 }  // namespace claque::animcache

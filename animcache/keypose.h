@@ -10,39 +10,42 @@ namespace claque::animcache
 {
 
 // How an individual comes by its vertices.
-enum class Method : uint8_t {
+enum class KeyPoseMode : uint8_t {
     individual = 0,    // the pose of its tick, in caches of its own (S1 4)
     intermittent = 1,  // the key-pose nearest to its tick (S3 3)
     interpolated = 2,  // the two key-poses round its tick, vertices blended linearly (S3 4)
     skinned = 3        // the pose of each update's own time, skinned anew
 };
 
-inline bool shows_key_poses(Method method) { return method == Method::intermittent || method == Method::interpolated; }
+inline bool shows_key_poses(KeyPoseMode mode)
+{
+    return mode == KeyPoseMode::intermittent || mode == KeyPoseMode::interpolated;
+}
 
-constexpr uint32_t most_method_bands = 4;
+constexpr uint32_t max_key_pose_bands = 4;
 
 // From `distance` to the nearest eye on, world units; nearer than the first band: individual.
-struct MethodBand {
+struct KeyPoseBand {
     float distance = 0;
-    Method method = Method::individual;
+    KeyPoseMode mode = KeyPoseMode::individual;
 };
 
 struct KeyPoseSettings {
-    MethodBand bands[most_method_bands];  // distances ascend
+    KeyPoseBand bands[max_key_pose_bands];  // distances ascend
     uint32_t band_count = 0;
     float rate_hz = 15;                           // key-poses a second of each clip (S3 6)
-    uint32_t most_kept = 256;                     // of each template and level (S3 5)
+    uint32_t max_kept = 256;                      // of each template and level (S3 5)
     uint64_t budget_bytes = uint64_t(256) << 20;  // of all of them
 
-    Method method_at(float distance) const;
+    KeyPoseMode mode_at(float distance) const;
     bool any() const;           // whether anybody may show key-poses
     bool interpolates() const;  // and interpolate them
 };
 
 // What one individual shows in one update. `first` and `second` count the key-poses of its template; they are equal where
 // it shows one. What lies behind the pointers is good until the next update.
-struct KeyPoseUse {
-    Method method = Method::individual;
+struct KeyPoseSelection {
+    KeyPoseMode mode = KeyPoseMode::individual;
     uint32_t tmpl = 0, store = 0;  // of KeyPoses
     uint32_t first = 0, second = 0;
     double time_s[2] = {0, 0};                  // of both, on the clip's axis
@@ -61,14 +64,14 @@ public:
     KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz);
 
     // Fills all but `tmpl`, `store` and `kept`. `clip` of the template, `time_s` on its axis.
-    KeyPoseUse use(Method method, uint32_t clip, double time_s) const;
+    KeyPoseSelection select(KeyPoseMode mode, uint32_t clip, double time_s) const;
 
-    struct Moment {
+    struct SampleTime {
         uint32_t clip = model::none;
         double time_s = 0;  // on the clip's axis
     };
-    uint32_t count() const { return static_cast<uint32_t>(moments_.size()); }
-    const Moment &at(uint32_t pose) const { return moments_[pose]; }
+    uint32_t count() const { return static_cast<uint32_t>(sample_times_.size()); }
+    const SampleTime &at(uint32_t pose) const { return sample_times_[pose]; }
 
 private:
     struct Row {
@@ -78,7 +81,7 @@ private:
     };
 
     model::Array<Row> rows_;
-    model::Array<Moment> moments_;  // by key-pose
+    model::Array<SampleTime> sample_times_;  // by key-pose
 };
 
 }  // namespace claque::animcache

@@ -5,11 +5,8 @@
 namespace claque::animcache
 {
 
-KeyPoseChoice::KeyPoseChoice(std::pmr::memory_resource *memory, uint32_t pose_count, uint32_t most_bins)
-    : poses_(pose_count, memory),
-      by_pose_(2 * size_t(most_bins), 0, memory),
-      heap_(memory),
-      served_(most_bins, 0, memory)
+KeyPoseChoice::KeyPoseChoice(std::pmr::memory_resource *memory, uint32_t pose_count, uint32_t max_bins)
+    : poses_(pose_count, memory), by_pose_(2 * size_t(max_bins), 0, memory), heap_(memory), served_(max_bins, 0, memory)
 {
     heap_.reserve(pose_count);
 }
@@ -33,7 +30,7 @@ void KeyPoseChoice::index(const KeyPoseBin *bins, uint32_t bin_count)
         end += count;
         if (count == 0) continue;
         heap_.push_back(pose);
-        poses_[pose].place = static_cast<uint32_t>(heap_.size() - 1);
+        poses_[pose].heap_index = static_cast<uint32_t>(heap_.size() - 1);
     }
     each([&](Pose &pose, uint32_t b) { by_pose_[pose.end_bin++] = b; });
     std::fill_n(served_.begin(), bin_count, uint8_t(1));
@@ -53,13 +50,13 @@ bool KeyPoseChoice::is_paired(const KeyPoseBin *bins, uint32_t pose) const
 void KeyPoseChoice::refresh(const KeyPoseBin *bins, uint32_t pose, const uint8_t *held)
 {
     poses_[pose].paired = is_paired(bins, pose);
-    sift_up(poses_[pose].place, held);
+    sift_up(poses_[pose].heap_index, held);
     for (uint32_t i = poses_[pose].first_bin; i < poses_[pose].end_bin; ++i) {
         const KeyPoseBin &bin = bins[by_pose_[i]];
-        const uint32_t fellow = bin.first == pose ? bin.second : bin.first;
-        if (!served_[by_pose_[i]] || poses_[fellow].paired || !is_paired(bins, fellow)) continue;
-        poses_[fellow].paired = true;
-        sift_up(poses_[fellow].place, held);
+        const uint32_t partner = bin.first == pose ? bin.second : bin.first;
+        if (!served_[by_pose_[i]] || poses_[partner].paired || !is_paired(bins, partner)) continue;
+        poses_[partner].paired = true;
+        sift_up(poses_[partner].heap_index, held);
     }
 }
 
@@ -71,29 +68,29 @@ bool KeyPoseChoice::goes_before(uint32_t a, uint32_t b, const uint8_t *held) con
     return a > b;
 }
 
-void KeyPoseChoice::put(uint32_t place, uint32_t pose)
+void KeyPoseChoice::put(uint32_t heap_index, uint32_t pose)
 {
-    heap_[place] = pose;
-    poses_[pose].place = place;
+    heap_[heap_index] = pose;
+    poses_[pose].heap_index = heap_index;
 }
 
-void KeyPoseChoice::sift_up(uint32_t place, const uint8_t *held)
+void KeyPoseChoice::sift_up(uint32_t heap_index, const uint8_t *held)
 {
-    const uint32_t pose = heap_[place];
-    for (; place > 0 && goes_before(pose, heap_[(place - 1) / 2], held); place = (place - 1) / 2)
-        put(place, heap_[(place - 1) / 2]);
-    put(place, pose);
+    const uint32_t pose = heap_[heap_index];
+    for (; heap_index > 0 && goes_before(pose, heap_[(heap_index - 1) / 2], held); heap_index = (heap_index - 1) / 2)
+        put(heap_index, heap_[(heap_index - 1) / 2]);
+    put(heap_index, pose);
 }
 
-void KeyPoseChoice::sift_down(uint32_t place, const uint8_t *held)
+void KeyPoseChoice::sift_down(uint32_t heap_index, const uint8_t *held)
 {
-    const uint32_t pose = heap_[place], count = static_cast<uint32_t>(heap_.size());
-    for (uint32_t child; (child = 2 * place + 1) < count; place = child) {
+    const uint32_t pose = heap_[heap_index], count = static_cast<uint32_t>(heap_.size());
+    for (uint32_t child; (child = 2 * heap_index + 1) < count; heap_index = child) {
         if (child + 1 < count && goes_before(heap_[child + 1], heap_[child], held)) ++child;
         if (!goes_before(heap_[child], pose, held)) break;
-        put(place, heap_[child]);
+        put(heap_index, heap_[child]);
     }
-    put(place, pose);
+    put(heap_index, pose);
 }
 
 // Whoever needed it is served no more, and so does not miss its other key-pose either.
@@ -120,7 +117,7 @@ uint32_t KeyPoseChoice::choose(KeyPoseBin *bins, uint32_t bin_count, uint32_t ca
                                uint8_t *chosen)
 {
     index(bins, bin_count);
-    for (uint32_t place = static_cast<uint32_t>(heap_.size()) / 2; place-- > 0;) sift_down(place, held);
+    for (uint32_t heap_index = static_cast<uint32_t>(heap_.size()) / 2; heap_index-- > 0;) sift_down(heap_index, held);
     while (heap_.size() > capacity) drop(bins, held);
     uint32_t used = 0;
     for (const uint32_t pose : heap_)

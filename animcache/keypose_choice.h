@@ -21,7 +21,7 @@ class KeyPoseChoice
 {
 public:
     // Start-up: it allocates. Throws std::bad_alloc.
-    KeyPoseChoice(std::pmr::memory_resource *memory, uint32_t pose_count, uint32_t most_bins);
+    KeyPoseChoice(std::pmr::memory_resource *memory, uint32_t pose_count, uint32_t max_bins);
 
     // Marks in `chosen` at most `capacity` key-poses, and returns how many. What room is left goes to bins that still fit, the
     // fullest first. Ties: key-poses that are held stay, then lower numbers.
@@ -35,8 +35,8 @@ private:
         uint64_t missed = 0;     // individuals who are served and need it
         uint32_t first_bin = 0;  // in by_pose_
         uint32_t end_bin = 0;
-        uint32_t place = 0;   // in heap_
-        bool paired = false;  // they all need one other as well, which nobody else does
+        uint32_t heap_index = 0;  // in heap_
+        bool paired = false;      // they all need one other as well, which nobody else does
     };
     void index(const KeyPoseBin *bins, uint32_t bin_count);
     void drop(const KeyPoseBin *bins, const uint8_t *held);  // whom the fewest would miss
@@ -44,9 +44,9 @@ private:
     // Brings up what fewer would miss, and who is paired by that.
     void refresh(const KeyPoseBin *bins, uint32_t pose, const uint8_t *held);
     bool goes_before(uint32_t a, uint32_t b, const uint8_t *held) const;
-    void sift_up(uint32_t place, const uint8_t *held);
-    void sift_down(uint32_t place, const uint8_t *held);
-    void put(uint32_t place, uint32_t pose);
+    void sift_up(uint32_t heap_index, const uint8_t *held);
+    void sift_down(uint32_t heap_index, const uint8_t *held);
+    void put(uint32_t heap_index, uint32_t pose);
 
     model::Array<Pose> poses_;
     model::Array<uint32_t> by_pose_;  // bins of each

@@ -32,9 +32,9 @@ KeyPoseStore::~KeyPoseStore()
     for (const Slot &slot : slots_) memory_->deallocate(slot.vertices, floats_each_ * sizeof(float), alignof(math::F4));
 }
 
-void KeyPoseStore::begin(uint64_t serial)
+void KeyPoseStore::begin(uint64_t frame_number)
 {
-    serial_ = serial;
+    frame_number_ = frame_number;
     for (const KeyPoseBin &bin : bins_) counts_[bin.first + (bin.first == bin.second ? 0 : pose_count_)] = 0;
     bins_.clear();
     fresh_.clear();
@@ -48,18 +48,18 @@ void KeyPoseStore::want(uint32_t first, uint32_t second)
     if (++count == 1) bins_.push_back({first, second, 0});
 }
 
-uint32_t KeyPoseStore::room_for(uint32_t most, const KeyPoseMemory &memory) const
+uint32_t KeyPoseStore::room_for(uint32_t max_kept, const KeyPoseMemory &memory) const
 {
     const uint64_t left = memory.budget_bytes > memory.bytes ? memory.budget_bytes - memory.bytes : 0;
     const uint64_t more = left / (sizeof(float) * floats_each_);
-    return static_cast<uint32_t>(std::min<uint64_t>(std::min(most, pose_count_), slots_.size() + more));
+    return static_cast<uint32_t>(std::min<uint64_t>(std::min(max_kept, pose_count_), slots_.size() + more));
 }
 
 // A new one while there is room; then that of the key-pose which is not wanted and was used longest ago, ties by place.
-uint32_t KeyPoseStore::find_slot(uint32_t most, KeyPoseMemory &memory)
+uint32_t KeyPoseStore::find_slot(uint32_t max_kept, KeyPoseMemory &memory)
 {
     const size_t bytes = sizeof(float) * floats_each_;
-    if (slots_.size() < room_for(most, memory)) {
+    if (slots_.size() < room_for(max_kept, memory)) {
         try {
             slots_.push_back({static_cast<float *>(memory_->allocate(bytes, alignof(math::F4))), model::none, 0});
             memory.bytes += bytes;
@@ -90,9 +90,9 @@ void KeyPoseStore::close()
     }
 }
 
-bool KeyPoseStore::is_short_of_room(uint32_t most, const KeyPoseMemory &memory) const
+bool KeyPoseStore::is_short_of_room(uint32_t max_kept, const KeyPoseMemory &memory) const
 {
-    return room_for(most, memory) < std::min(most, wanted_);
+    return room_for(max_kept, memory) < std::min(max_kept, wanted_);
 }
 
 void KeyPoseStore::release(KeyPoseMemory &memory)
@@ -104,16 +104,16 @@ void KeyPoseStore::release(KeyPoseMemory &memory)
     std::fill(held_.begin(), held_.end(), uint8_t(0));
 }
 
-void KeyPoseStore::choose(uint32_t most, KeyPoseMemory &memory)
+void KeyPoseStore::choose(uint32_t max_kept, KeyPoseMemory &memory)
 {
-    const uint32_t room = room_for(most, memory);
+    const uint32_t room = room_for(max_kept, memory);
     if (wanted_ > room) {
         std::fill(chosen_.begin(), chosen_.end(), uint8_t(0));
         choice_.choose(bins_.data(), static_cast<uint32_t>(bins_.size()), room, held_.data(), chosen_.data());
     }
     for (uint32_t pose = 0; pose < pose_count_; ++pose) {
         if (!chosen_[pose] || slot_of_[pose] != model::none) continue;
-        const uint32_t slot = find_slot(most, memory);
+        const uint32_t slot = find_slot(max_kept, memory);
         if (slot == model::none) return;
         slots_[slot].pose = pose;
         slot_of_[pose] = slot;
@@ -126,7 +126,7 @@ const float *KeyPoseStore::find(uint32_t pose)
 {
     if (slot_of_[pose] == model::none) return nullptr;
     Slot &slot = slots_[slot_of_[pose]];
-    slot.used = serial_;
+    slot.used = frame_number_;
     return slot.vertices;
 }
 

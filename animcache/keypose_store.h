@@ -25,14 +25,14 @@ public:
     KeyPoseStore &operator=(const KeyPoseStore &) = delete;
     KeyPoseStore &operator=(KeyPoseStore &&) = delete;
 
-    void begin(uint64_t serial);
+    void begin(uint64_t frame_number);
     void want(uint32_t first, uint32_t second);  // one individual's needs
     void close();                                // all have said what they need
     bool is_idle() const { return wanted_ == 0; }
-    bool is_short_of_room(uint32_t most, const KeyPoseMemory &memory) const;
+    bool is_short_of_room(uint32_t max_kept, const KeyPoseMemory &memory) const;
     void release(KeyPoseMemory &memory);  // gives back everything
     // Gives every key-pose that is worth it a place; those that were not there before wait in `fresh`.
-    void choose(uint32_t most, KeyPoseMemory &memory);
+    void choose(uint32_t max_kept, KeyPoseMemory &memory);
     const float *find(uint32_t pose);  // null: not kept. Counts as a use
 
     // Kept from this update on, to be skinned before anybody looks at them.
@@ -51,13 +51,13 @@ private:
         uint32_t pose = model::none;
         uint64_t used = 0;  // in which update last
     };
-    uint32_t find_slot(uint32_t most, KeyPoseMemory &memory);
-    uint32_t room_for(uint32_t most, const KeyPoseMemory &memory) const;
+    uint32_t find_slot(uint32_t max_kept, KeyPoseMemory &memory);
+    uint32_t room_for(uint32_t max_kept, const KeyPoseMemory &memory) const;
 
     std::pmr::memory_resource *memory_;
     size_t floats_each_;
     uint32_t pose_count_;
-    uint64_t serial_ = 0;
+    uint64_t frame_number_ = 0;
     uint32_t wanted_ = 0;
     model::Array<Slot> slots_;
     model::Array<uint32_t> slot_of_;  // by pose, or none

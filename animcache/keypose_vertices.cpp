@@ -42,23 +42,24 @@ void blend_integers(const Int *a, const Int *b, float blend, Int *out, size_t co
 }
 
 // One of the two key-poses, made into `vertices` unless it is kept.
-const float *key_pose(const Request &request, int which, Geometry geometry, const Scratch &scratch, float *vertices)
+const float *key_pose(const Request &request, int which, VertexFormat vertex_format, const Scratch &scratch,
+                      float *vertices)
 {
-    if (request.shared.kept[which]) return request.shared.kept[which];
+    if (request.key_pose.kept[which]) return request.key_pose.kept[which];
     Request alone = request;
-    alone.pose.clip_time_s = request.shared.time_s[which];
+    alone.pose.clip_time_s = request.key_pose.time_s[which];
     animate(alone, scratch, scratch.palette);
-    skin(alone, scratch.palette, geometry, scratch, vertices);
+    skin(alone, scratch.palette, vertex_format, scratch, vertices);
     return vertices;
 }
 
 }  // namespace
 
-void blend_vertices(const model::Level &level, Geometry geometry, const float *a, const float *b, float blend,
+void blend_vertices(const model::Level &level, VertexFormat vertex_format, const float *a, const float *b, float blend,
                     float *out)
 {
     const size_t count = level.vertex_count;
-    if (geometry == Geometry::real) {
+    if (vertex_format == VertexFormat::floats) {
         blend_floats(a, b, blend, out, 6 * count);
         return;
     }
@@ -68,13 +69,13 @@ void blend_vertices(const model::Level &level, Geometry geometry, const float *a
                    blend, reinterpret_cast<int8_t *>(out + 2 * count), 4 * count);
 }
 
-void interpolate(const Request &request, Geometry geometry, const Scratch &scratch, float *vertices)
+void interpolate(const Request &request, VertexFormat vertex_format, const Scratch &scratch, float *vertices)
 {
-    const float *first = key_pose(request, 0, geometry, scratch, vertices);
-    const float *second = request.shared.second == request.shared.first
+    const float *first = key_pose(request, 0, vertex_format, scratch, vertices);
+    const float *second = request.key_pose.second == request.key_pose.first
                               ? first
-                              : key_pose(request, 1, geometry, scratch, scratch.vertices);
-    blend_vertices(request.tmpl->levels[request.level], geometry, first, second, request.shared.blend, vertices);
+                              : key_pose(request, 1, vertex_format, scratch, scratch.vertices);
+    blend_vertices(request.tmpl->levels[request.level], vertex_format, first, second, request.key_pose.blend, vertices);
 }
 
 }  // namespace claque::animcache

@@ -9,11 +9,11 @@ namespace claque::animcache
 
 // requires request.shared.method == Method::interpolated
 //   vertices   [vertex_floats of the level]; scratch with `vertices`
-void interpolate(const Request &request, Geometry geometry, const Scratch &scratch, float *vertices);
+void interpolate(const Request &request, VertexFormat vertex_format, const Scratch &scratch, float *vertices);
 
 // From a to b, `blend` of the way; normals are not renormalised. out may be a or b.
 //   each [vertex_floats of the level]
-void blend_vertices(const model::Level &level, Geometry geometry, const float *a, const float *b, float blend,
+void blend_vertices(const model::Level &level, VertexFormat vertex_format, const float *a, const float *b, float blend,
                     float *out);
 
 }  // namespace claque::animcache

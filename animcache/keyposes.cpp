@@ -5,14 +5,14 @@
 namespace claque::animcache
 {
 
-KeyPoses::KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &settings, Geometry geometry)
+KeyPoses::KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &settings, VertexFormat vertex_format)
     : memory_(memory),
       settings_(settings),
-      geometry_(geometry),
+      vertex_format_(vertex_format),
       owners_(memory),
       stores_(memory),
       work_(memory),
-      asked_(memory)
+      requested_(memory)
 {
     shared_ = {memory, settings.budget_bytes, 0};
 }
@@ -20,7 +20,7 @@ KeyPoses::KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &set
 void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
 {
     if (!settings_.any()) return;
-    asked_.reserve(row_count);
+    requested_.reserve(row_count);
     uint32_t same = 0;
     while (same < owners_.size() && same < templates.count && owners_[same].tmpl == templates[same]) ++same;
     if (same < owners_.size()) {  // another state of the crowd: its templates may stand in another order
@@ -40,17 +40,17 @@ void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *con
         stores_.reserve(stores_.size() + tmpl.levels.size());
         work_.reserve(poses += size_t(owner.table.count()) * tmpl.levels.size());
         for (const model::Level &level : tmpl.levels)
-            stores_.emplace_back(memory_, owner.table.count(), vertex_floats(level, geometry_));
+            stores_.emplace_back(memory_, owner.table.count(), vertex_floats(level, vertex_format_));
         owners_.push_back(std::move(owner));
     }
 }
 
-KeyPoseUse KeyPoses::use(uint32_t tmpl, uint32_t level, Method method, uint32_t clip, double time_s) const
+KeyPoseSelection KeyPoses::select(uint32_t tmpl, uint32_t level, KeyPoseMode mode, uint32_t clip, double time_s) const
 {
-    KeyPoseUse use = owners_[tmpl].table.use(method, clip, time_s);
-    use.tmpl = tmpl;
-    use.store = owners_[tmpl].first_store + level;
-    return use;
+    KeyPoseSelection selection = owners_[tmpl].table.select(mode, clip, time_s);
+    selection.tmpl = tmpl;
+    selection.store = owners_[tmpl].first_store + level;
+    return selection;
 }
 
 // Where the budget is spent, who shows nothing of a template and level in this update gives back what is kept of it.
@@ -58,7 +58,7 @@ void KeyPoses::make_room()
 {
     bool short_of_room = false;
     for (const KeyPoseStore &store : stores_)
-        short_of_room = short_of_room || store.is_short_of_room(settings_.most_kept, shared_);
+        short_of_room = short_of_room || store.is_short_of_room(settings_.max_kept, shared_);
     if (!short_of_room) return;
     for (KeyPoseStore &store : stores_)
         if (store.is_idle()) store.release(shared_);
@@ -69,25 +69,26 @@ void KeyPoses::choose(std::pmr::vector<Request> &requests)
     counters_ = KeyPoseCounters();
     work_.clear();
     if (!settings_.any()) return;
-    ++serial_;
-    asked_.clear();
-    for (KeyPoseStore &store : stores_) store.begin(serial_);
+    ++frame_number_;
+    requested_.clear();
+    for (KeyPoseStore &store : stores_) store.begin(frame_number_);
     for (uint32_t i = 0; i < requests.size(); ++i) {
-        const KeyPoseUse &use = requests[i].shared;
-        if (!shows_key_poses(use.method)) continue;
-        asked_.push_back(i);
-        stores_[use.store].want(use.first, use.second);
+        const KeyPoseSelection &selection = requests[i].key_pose;
+        if (!shows_key_poses(selection.mode)) continue;
+        requested_.push_back(i);
+        stores_[selection.store].want(selection.first, selection.second);
     }
     for (KeyPoseStore &store : stores_) store.close();
     make_room();
-    for (KeyPoseStore &store : stores_) store.choose(settings_.most_kept, shared_);
-    for (const uint32_t i : asked_) {
-        KeyPoseUse &use = requests[i].shared;
-        use.kept[0] = stores_[use.store].find(use.first);
-        use.kept[1] = use.second == use.first ? use.kept[0] : stores_[use.store].find(use.second);
-        counters_.served += use.served();
+    for (KeyPoseStore &store : stores_) store.choose(settings_.max_kept, shared_);
+    for (const uint32_t i : requested_) {
+        KeyPoseSelection &selection = requests[i].key_pose;
+        selection.kept[0] = stores_[selection.store].find(selection.first);
+        selection.kept[1] =
+            selection.second == selection.first ? selection.kept[0] : stores_[selection.store].find(selection.second);
+        counters_.served += selection.served();
     }
-    counters_.asked = static_cast<uint32_t>(asked_.size());
+    counters_.requested = static_cast<uint32_t>(requested_.size());
     list_work();
 }
 
@@ -115,13 +116,13 @@ void KeyPoses::list_work()
 void KeyPoses::make(const base::Jobs &jobs, ScratchPool &scratch)
 {
     if (work_.empty()) return;
-    const uint32_t strands = scratch.strand_count(), count = static_cast<uint32_t>(work_.size());
-    jobs.for_each(strands, [&](uint32_t strand) {
-        const Scratch mine = scratch.strand(strand);
-        const uint32_t last = static_cast<uint32_t>(uint64_t(count) * (strand + 1) / strands);
-        for (uint32_t i = static_cast<uint32_t>(uint64_t(count) * strand / strands); i < last; ++i) {
+    const uint32_t slices = scratch.slice_count(), count = static_cast<uint32_t>(work_.size());
+    jobs.for_each(slices, [&](uint32_t slice) {
+        const Scratch mine = scratch.slice(slice);
+        const uint32_t last = static_cast<uint32_t>(uint64_t(count) * (slice + 1) / slices);
+        for (uint32_t i = static_cast<uint32_t>(uint64_t(count) * slice / slices); i < last; ++i) {
             animate(work_[i].request, mine, mine.palette);
-            skin(work_[i].request, mine.palette, geometry_, mine, work_[i].vertices);
+            skin(work_[i].request, mine.palette, vertex_format_, mine, work_[i].vertices);
         }
     });
 }

@@ -12,26 +12,26 @@ namespace claque::animcache
 {
 
 struct KeyPoseCounters {
-    uint32_t asked = 0;    // last update: individuals that show key-poses
-    uint32_t served = 0;   // of these, whose key-poses are all kept; the others are skinned
-    uint32_t wanted = 0;   // different key-poses that they show
-    uint32_t updated = 0;  // of these, that were skinned into a store: each once, whoever shows it
-    uint32_t held = 0;     // in all stores now
+    uint32_t requested = 0;  // last update: individuals that show key-poses
+    uint32_t served = 0;     // of these, whose key-poses are all kept; the others are skinned
+    uint32_t wanted = 0;     // different key-poses that they show
+    uint32_t updated = 0;    // of these, that were skinned into a store: each once, whoever shows it
+    uint32_t held = 0;       // in all stores now
     uint64_t bytes = 0;
 };
 
 class KeyPoses
 {
 public:
-    KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &settings, Geometry geometry);
+    KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &settings, VertexFormat vertex_format);
 
     // Start-up, and whenever a template has come. The only call that may fail (std::bad_alloc); as it was then, or with
     // less kept.
     void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
 
-    Method method_at(float distance) const { return settings_.method_at(distance); }
+    KeyPoseMode mode_at(float distance) const { return settings_.mode_at(distance); }
     // What an individual of templates[tmpl] shows; requires reserve().
-    KeyPoseUse use(uint32_t tmpl, uint32_t level, Method method, uint32_t clip, double time_s) const;
+    KeyPoseSelection select(uint32_t tmpl, uint32_t level, KeyPoseMode mode, uint32_t clip, double time_s) const;
 
     // An update: fills `kept` of every request that shows key-poses, then makes what is new.
     void choose(std::pmr::vector<Request> &requests);
@@ -56,14 +56,14 @@ private:
 
     std::pmr::memory_resource *memory_;
     KeyPoseSettings settings_;
-    Geometry geometry_;
+    VertexFormat vertex_format_;
     KeyPoseMemory shared_;
     KeyPoseCounters counters_;
-    uint64_t serial_ = 0;
+    uint64_t frame_number_ = 0;
     model::Array<Owner> owners_;  // by template
     model::Array<KeyPoseStore> stores_;
     model::Array<Work> work_;
-    model::Array<uint32_t> asked_;  // scratch: indices of requests
+    model::Array<uint32_t> requested_;  // scratch: indices of requests
 };
 
 }  // namespace claque::animcache

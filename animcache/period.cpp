@@ -11,12 +11,12 @@ namespace claque::animcache
 namespace
 {
 
-constexpr double rates[rung_count] = {0, 50, 40, 32, 25, 20, 16, 12.5, 10, 8, 6.25, 5, 4};
+constexpr double rates[rate_step_count] = {0, 50, 40, 32, 25, 20, 16, 12.5, 10, 8, 6.25, 5, 4};
 
 }  // namespace
 
-double rate_hz(uint32_t rung) { return rates[rung]; }
-double period_s(uint32_t rung) { return rung == 0 ? 0 : 1 / rates[rung]; }
+double rate_hz(uint32_t rate_step) { return rates[rate_step]; }
+double period_s(uint32_t rate_step) { return rate_step == 0 ? 0 : 1 / rates[rate_step]; }
 
 double period_s(const PeriodLaw &law, double distance)
 {
@@ -27,19 +27,19 @@ double period_s(const PeriodLaw &law, double distance)
     return std::clamp(t, double(law.near_s), double(law.far_s));
 }
 
-uint32_t rung_of(const PeriodLaw &law, double distance)
+uint32_t rate_step_of(const PeriodLaw &law, double distance)
 {
     // A setting of 0.02f is a little less than 1/50: what float rounds away is given back.
     const double period = period_s(law, distance) * (1 + 1e-6);
-    for (uint32_t rung = rung_count - 1; rung > 0; --rung)
-        if (period * rates[rung] >= 1) return rung;
+    for (uint32_t rate_step = rate_step_count - 1; rate_step > 0; --rate_step)
+        if (period * rates[rate_step] >= 1) return rate_step;
     return 0;
 }
 
-double tick_s(uint32_t rung, double time_s, uint64_t id_hash)
+double tick_s(uint32_t rate_step, double time_s, uint64_t id_hash)
 {
-    if (rung == 0) return time_s;
-    const double rate = rates[rung];
+    if (rate_step == 0) return time_s;
+    const double rate = rates[rate_step];
     const double phase = double(base::unit(id_hash)) / rate;
     return std::floor((time_s + phase) * rate) / rate - phase;
 }

@@ -15,16 +15,16 @@ struct PeriodLaw {
     float d_far = 50;
 };
 
-constexpr uint32_t rung_count = 13;  // 0: every frame; then 50, 40, 32, 25, 20, 16, 12.5, 10, 8, 6.25, 5, 4 Hz
+constexpr uint32_t rate_step_count = 13;  // 0: every frame; then 50, 40, 32, 25, 20, 16, 12.5, 10, 8, 6.25, 5, 4 Hz
 
-double rate_hz(uint32_t rung);   // 0 for rung 0
-double period_s(uint32_t rung);  // 0 for rung 0
+double rate_hz(uint32_t rate_step);   // 0 for rung 0
+double period_s(uint32_t rate_step);  // 0 for rung 0
 
-double period_s(const PeriodLaw &law, double distance);   // T(d^2), before the ladder
-uint32_t rung_of(const PeriodLaw &law, double distance);  // T rounded down to the ladder; slower than 4 Hz is 4 Hz
+double period_s(const PeriodLaw &law, double distance);        // T(d^2), before the ladder
+uint32_t rate_step_of(const PeriodLaw &law, double distance);  // T rounded down to the ladder; slower than 4 Hz is 4 Hz
 
 // The last tick at or before time_s on a rung: floor((t + phase) f) / f - phase, its phase in [0, 1/f) from the hash
 // of an individual's id. On rung 0 it is time_s itself.
-double tick_s(uint32_t rung, double time_s, uint64_t id_hash);
+double tick_s(uint32_t rate_step, double time_s, uint64_t id_hash);
 
 }  // namespace claque::animcache

@@ -5,8 +5,8 @@
 namespace claque::animcache
 {
 
-ScratchPool::ScratchPool(std::pmr::memory_resource *memory, uint32_t strands)
-    : strands_(strands), locals_(memory), globals_(memory), floats_(memory), palettes_(memory), spares_(memory)
+ScratchPool::ScratchPool(std::pmr::memory_resource *memory, uint32_t slices)
+    : slices_(slices), locals_(memory), globals_(memory), floats_(memory), palettes_(memory), spares_(memory)
 {
 }
 
@@ -15,15 +15,15 @@ void ScratchPool::reserve(const Sizes &sizes)
     Sizes wanted = sizes_;
     wanted.grow_to(sizes);
     // Growing one and failing at the next leaves some longer than they need be, which nobody sees.
-    locals_.resize(std::max(locals_.size(), strands_ * wanted.nodes));
-    globals_.resize(std::max(globals_.size(), strands_ * wanted.nodes));
-    floats_.resize(std::max(floats_.size(), strands_ * wanted.scratch_floats));
-    palettes_.resize(std::max(palettes_.size(), strands_ * wanted.palette_floats));
-    spares_.resize(std::max(spares_.size(), strands_ * wanted.spare_floats));
+    locals_.resize(std::max(locals_.size(), slices_ * wanted.nodes));
+    globals_.resize(std::max(globals_.size(), slices_ * wanted.nodes));
+    floats_.resize(std::max(floats_.size(), slices_ * wanted.scratch_floats));
+    palettes_.resize(std::max(palettes_.size(), slices_ * wanted.palette_floats));
+    spares_.resize(std::max(spares_.size(), slices_ * wanted.spare_floats));
     sizes_ = wanted;
 }
 
-Scratch ScratchPool::strand(uint32_t index)
+Scratch ScratchPool::slice(uint32_t index)
 {
     return {locals_.data() + index * sizes_.nodes,
             globals_.data() + index * sizes_.nodes,

@@ -10,13 +10,13 @@ namespace claque::animcache
 class ScratchPool
 {
 public:
-    ScratchPool(std::pmr::memory_resource *memory, uint32_t strands);
+    ScratchPool(std::pmr::memory_resource *memory, uint32_t slices);
     void reserve(const Sizes &sizes);  // std::bad_alloc: as it was
-    Scratch strand(uint32_t index);
-    uint32_t strand_count() const { return strands_; }
+    Scratch slice(uint32_t index);
+    uint32_t slice_count() const { return slices_; }
 
 private:
-    uint32_t strands_;
+    uint32_t slices_;
     Sizes sizes_;
     std::pmr::vector<math::Trs> locals_;
     std::pmr::vector<math::Columns> globals_;

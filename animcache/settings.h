@@ -16,14 +16,14 @@ enum class Mode : uint8_t {
 };
 
 // How skinned vertices are kept and handed to GL (SPEC 2; peers keep floats).
-enum class Geometry : uint8_t {
-    real = 0,   // 24 bytes a vertex: floats
-    packed = 1  // 12 bytes a vertex: 16-bit positions with one step a template, 8-bit normals (lib/skin/pack.h)
+enum class VertexFormat : uint8_t {
+    floats = 0,  // 24 bytes a vertex: floats
+    packed = 1   // 12 bytes a vertex: 16-bit positions with one step a template, 8-bit normals (lib/skin/pack.h)
 };
 
 struct Settings {
     Mode mode = Mode::full;
-    Geometry geometry = Geometry::real;
+    VertexFormat vertex_format = VertexFormat::floats;
     uint64_t budget_bytes = uint64_t(1) << 30;  // palettes and vertices together
     bool can_defer = false;                     // whether updates may have a budget of poses
     PeriodLaw period;

@@ -47,8 +47,9 @@ function(claque_room name)
 endfunction()
 
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is the build folder of the test.
+# BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci` runs it under sanitizers, too.
 function(claque_test name)
-    cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(ARG "BYTES" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
@@ -63,6 +64,10 @@ function(claque_test name)
         ENVIRONMENT_MODIFICATION XDG_CACHE_HOME=set:${PROJECT_BINARY_DIR}/cache)
     if(ARG_ENVIRONMENT)
         list(APPEND properties ENVIRONMENT ${ARG_ENVIRONMENT})
+    endif()
+    if(ARG_BYTES)
+        list(APPEND properties LABELS bytes)
+        add_dependencies(claque_bytes_tests ${name})
     endif()
     if(CMAKE_CROSSCOMPILING)  # every start of an emulator counts
         add_test(NAME ${name} COMMAND ${name})

@@ -1,18 +1,20 @@
 #!/bin/sh
-# Installs the Debian packages that claque builds and tests with, where they are missing.
-# Without root it says exactly which command a person with root has to run.
+# setup.sh [run]: installs the Debian packages that are missing: all, or with `run` those that the claque command needs alone.
+# Without root it prints the command to run as root.
 set -eu
 
 packages='
-g++ cmake ninja-build make git pkg-config clang-format
+g++ cmake ninja-build make git pkg-config
 libglm-dev libopenmesh-dev nlohmann-json3-dev libstb-dev
 libtbb-dev libcli11-dev libpng-dev libtomlplusplus-dev
 libcairo2-dev fonts-dejavu-core
-libgtest-dev libbenchmark-dev
 libosmesa6 libegl1 libgl1-mesa-dri
+'
+[ "${1:-all}" = run ] || packages="$packages
+clang-format libgtest-dev libbenchmark-dev
 xvfb libglut-dev libopenscenegraph-dev
 python3-numpy python3-pytest
-'
+"
 
 missing=''
 for package in $packages; do

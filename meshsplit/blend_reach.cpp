@@ -29,27 +29,27 @@ struct NodeBall {
     math::Affine frame;  // at rest
 };
 
-std::vector<NodeBall> balls_of(const model::Rig &rig, const std::vector<Span> &spans, double added)
+std::vector<NodeBall> balls_of(const model::Rig &rig, const std::vector<NodeExtent> &extents, double added)
 {
     std::vector<NodeBall> out(rig.node_count());
     for (uint32_t n = 0; n < rig.node_count(); ++n) {
-        const Span &span = spans[n];
+        const NodeExtent &extent = extents[n];
         const uint32_t parent = rig.parents[n];
         const NodeBall above = parent == none ? NodeBall{glm::dvec3(0), 0, 1, true, math::Affine()} : out[parent];
         NodeBall &ball = out[n];
         ball = above;
         ball.frame = math::mul(above.frame, math::affine_of(rig.rest[n]));
-        const double strays = span.spread * (1 + 2 * added) + span.shift;
+        const double strays = extent.offset_range * (1 + 2 * added) + extent.shift;
         if (above.fixed) {
             ball.centre = glm::dvec3(ball.frame.column(3));
             ball.radius = above.radius + above.stretch * strays;
         } else {
-            const double away = std::min(span.offset + 2 * added * span.spread + span.shift,
+            const double away = std::min(extent.offset + 2 * added * extent.offset_range + extent.shift,
                                          glm::length(glm::dvec3(rig.rest[n].translation)) + strays);
             ball.radius = above.radius + above.stretch * away;
         }
-        ball.stretch = above.stretch * (span.scale + 2 * added * span.scale_spread);
-        ball.fixed = above.fixed && !span.turns && span.scale_spread == 0;
+        ball.stretch = above.stretch * (extent.scale + 2 * added * extent.scale_range);
+        ball.fixed = above.fixed && !extent.turns && extent.scale_range == 0;
     }
     return out;
 }
@@ -72,10 +72,10 @@ double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls
         for (const model::PartSphere &sphere : level.part_spheres) {
             const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
             const NodeBall &ball = balls[entry.node];
-            const glm::vec3 centre = math::point(entry.inverse_bind, sphere.bind.centre);
+            const glm::vec3 centre = math::transform_point(entry.inverse_bind, sphere.bind.centre);
             const double radius = double(sphere.bind.radius) * stretch_of(entry.inverse_bind) * morphs;
             if (ball.fixed) {
-                const glm::dvec3 at(math::point(ball.frame, centre));
+                const glm::dvec3 at(math::transform_point(ball.frame, centre));
                 most = std::max(most, glm::distance(at, middle) + ball.radius + ball.stretch * radius);
             } else {
                 const double own = glm::length(glm::dvec3(centre)) + radius;
@@ -87,10 +87,10 @@ double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls
 
 }  // namespace
 
-std::vector<Span> spans_of(const model::Rig &rig)
+std::vector<NodeExtent> node_extents(const model::Rig &rig)
 {
-    std::vector<Span> out(rig.node_count());
-    const std::vector<double> shifts = most_shifts(rig);
+    std::vector<NodeExtent> out(rig.node_count());
+    const std::vector<double> shifts = max_shifts(rig);
     for (uint32_t n = 0; n < rig.node_count(); ++n) {
         out[n].shift = shifts[n];
         out[n].scale = largest(rig.rest[n].scale);
@@ -98,34 +98,37 @@ std::vector<Span> spans_of(const model::Rig &rig)
     }
     for (const model::Dof &dof : rig.dofs)
         if (dof.kind == model::DofKind::rotation) out[dof.node].turns = true;
-    walk_poses(rig, [&](const PoseAt &, const Locals &locals, const Way *since) {
+    walk_poses(rig, [&](const PoseAt &, const Locals &locals, const PoseSegment *since) {
         for (uint32_t n = 0; n < rig.node_count(); ++n) {
             const math::Trs &now = locals.nodes[n], &rest = rig.rest[n];
-            const NodeDrift drift = since ? since->nodes[n] : NodeDrift(now, now);
-            Span &span = out[n];
-            span.offset = std::max(span.offset, drift.offset);
-            span.scale = std::max(span.scale, drift.scale);
-            span.spread =
-                std::max(span.spread, glm::distance(glm::dvec3(now.translation), glm::dvec3(rest.translation)) +
-                                          drift.travel_bend / 8);
-            span.scale_spread = std::max(span.scale_spread, largest(now.scale - rest.scale) + drift.scale_bend / 8);
-            span.turns = span.turns || now.rotation != rest.rotation;
+            const NodeMotionBound motion_bound = since ? since->nodes[n] : NodeMotionBound(now, now);
+            NodeExtent &extent = out[n];
+            extent.offset = std::max(extent.offset, motion_bound.offset);
+            extent.scale = std::max(extent.scale, motion_bound.scale);
+            extent.offset_range =
+                std::max(extent.offset_range, glm::distance(glm::dvec3(now.translation), glm::dvec3(rest.translation)) +
+                                                  motion_bound.travel_acceleration / 8);
+            extent.scale_range =
+                std::max(extent.scale_range, largest(now.scale - rest.scale) + motion_bound.scale_acceleration / 8);
+            extent.turns = extent.turns || now.rotation != rest.rotation;
         }
     });
     return out;
 }
 
-void find_blend_reach(const std::vector<Span> &spans, model::Template &tmpl)
+void find_blend_reach(const std::vector<NodeExtent> &extents, model::Template &tmpl)
 {
-    const std::vector<NodeBall> none_added = balls_of(tmpl.rig, spans, 0);
-    const std::vector<NodeBall> added = balls_of(tmpl.rig, spans, double(model::most_added));
+    const std::vector<NodeBall> none_added = balls_of(tmpl.rig, extents, 0);
+    const std::vector<NodeBall> added = balls_of(tmpl.rig, extents, double(model::max_additive_weight));
     const glm::dvec3 middle(tmpl.sklsroot.centre);
     // Bounds are polynomials of what is added, without negative terms: the chord lies above them.
     const auto chord = [](double from, double to) {
-        return model::ByAdded{float(from * margin), float(margin * (to - from) / double(model::most_added))};
+        return model::AdditiveBound{float(from * margin),
+                                    float(margin * (to - from) / double(model::max_additive_weight))};
     };
-    tmpl.blend_radius = chord(radius_of(tmpl, none_added, 0), radius_of(tmpl, added, double(model::most_added)));
-    tmpl.blend_radius.none = std::max(tmpl.blend_radius.none, tmpl.sklsroot.radius);
+    tmpl.blend_radius =
+        chord(radius_of(tmpl, none_added, 0), radius_of(tmpl, added, double(model::max_additive_weight)));
+    tmpl.blend_radius.base = std::max(tmpl.blend_radius.base, tmpl.sklsroot.radius);
     tmpl.blend_reach.clear();
     for (uint32_t n = 0; n < tmpl.rig.node_count(); ++n) {
         const NodeBall &a = none_added[n], &b = added[n];

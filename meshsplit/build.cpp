@@ -2,8 +2,8 @@
 
 #include "lib/base/error.h"
 #include "meshsplit/blend_reach.h"
-#include "meshsplit/level.h"
-#include "meshsplit/levels.h"
+#include "meshsplit/level_builder.h"
+#include "meshsplit/level_plan.h"
 #include "meshsplit/reach.h"
 #include "meshsplit/rest.h"
 #include "meshsplit/skeletal.h"
@@ -20,9 +20,9 @@ namespace claque::meshsplit
 namespace
 {
 
-void copy_zones(const Looks &looks, model::Template &out)
+void copy_zones(const MaterialPlan &materials, model::Template &out)
 {
-    for (const model::Zone &zone : looks.zones) {
+    for (const model::Zone &zone : materials.zones) {
         out.zone_names.emplace_back(std::string_view(zone.name));
         out.zone_colours.push_back(zone.colour);
         out.zone_ranges.push_back(zone.range);
@@ -66,9 +66,9 @@ class Builder
 public:
     Builder(const model::Model &model, const BuildOptions &options, model::Template &out)
         : model_(model),
-          looks_(plan_looks(model)),
+          materials_(plan_materials(model)),
           plans_(plan_levels(model)),
-          whole_(merge(model, looks_)),
+          whole_(merge(model, materials_)),
           options_(options),
           memory_(out.levels.get_allocator().resource()),
           out_(out)
@@ -76,7 +76,7 @@ public:
         if (whole_.triangles.empty()) refuse_empty(whole_);
         out_.name = model.name;
         out_.rig = model::Rig(model.rig, memory_);
-        copy_zones(looks_, out_);
+        copy_zones(materials_, out_);
         for (const model::TextureSet &set : model.texture_sets)
             out_.texture_sets.emplace_back(std::string_view(set.name));
         for (const model::Part &part : model.parts)
@@ -86,7 +86,8 @@ public:
     void run()
     {
         const auto make = [this] {
-            texture_of_ = make_textures(model_, looks_, texture_limit(options_.max_texture_px), whole_, out_.textures);
+            texture_of_ =
+                make_textures(model_, materials_, texture_limit(options_.max_texture_px), whole_, out_.textures);
         };
         std::vector<Mesh> meshes;
         options_.jobs.try_each(2, [&](uint32_t job) {
@@ -102,7 +103,7 @@ public:
                                [&](uint32_t k) { fill(meshes[k], out_.levels[k]); });
         std::vector<const std::vector<uint8_t> *> active;
         for (const LevelPlan &plan : plans_) active.push_back(&plan.active);
-        fill_skeletons(active, out_.rig.palette.size(), out_.levels);
+        set_skeletons(active, out_.rig.palette.size(), out_.levels);
         out_.similar_only = similar_only(out_.rig);
     }
 
@@ -135,19 +136,19 @@ private:
         selection.entries = surviving_entries(out_.rig, plan.active, used, extent_);
         selection.rig = &out_.rig;
         check_palette(model_, out_.rig);
-        return merge(model_, looks_, selection);
+        return merge(model_, materials_, selection);
     }
 
     void fill(Mesh &mesh, model::Level &level)
     {
         for (MeshSurface &surface : mesh.surfaces) surface.texture = texture_of_[surface.texture];
         const TriangleZones zones = zones_of_triangles(mesh, out_.textures);
-        fill_level(mesh, zones, out_.rig, level);
+        build_level(mesh, zones, out_.rig, level);
         if (&level == &out_.levels[0]) report(mesh, zones, out_);
     }
 
     const model::Model &model_;
-    const Looks looks_;
+    const MaterialPlan materials_;
     const std::vector<LevelPlan> plans_;
     Mesh whole_;  // what is shown at any distance: textures are made for all of it
     const BuildOptions &options_;
@@ -164,7 +165,7 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
     model::check(model);
     check_palette(model, model.rig);
     Builder(model, options, out).run();
-    std::vector<Span> spans;
+    std::vector<NodeExtent> extents;
     float more = 0;
     options.jobs.try_each(2, [&](uint32_t job) {
         if (job == 0) {
@@ -172,12 +173,12 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
             const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
             out.node_reach.assign(reach.begin(), reach.end());
         } else {
-            spans = spans_of(out.rig);
+            extents = node_extents(out.rig);
             more = make_motion(options.motion, out);
         }
     });
-    find_blend_reach(spans, out);
-    give_room(more, out);
+    find_blend_reach(extents, out);
+    inflate(more, out);
 }
 
 }  // namespace claque::meshsplit

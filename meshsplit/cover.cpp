@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_wraps = 16;
-constexpr double most_texels = 1e9;  // beyond, float coordinates do not name a texel at all
+constexpr double max_wraps = 16;
+constexpr double max_texels = 1e9;  // beyond, float coordinates do not name a texel at all
 
 struct Corners {
     double x[3], y[3];
@@ -104,11 +104,11 @@ void cover(const TexelGrid &grid, const UvTriangle &triangle, std::vector<TexelS
     const Corners c = texels_of(grid, triangle);
     const double slack = slack_of(grid, triangle);
     const bool clamped = grid.wrap_t == Wrap::clamp;
-    if (largest_corner(c) > most_texels) return add_all(grid, out);
+    if (largest_corner(c) > max_texels) return add_all(grid, out);
 
     const double bottom = std::min({c.y[0], c.y[1], c.y[2]}) - slack;
     const double top = std::max({c.y[0], c.y[1], c.y[2]}) + slack;
-    if (!clamped && top - bottom > most_wraps * grid.height) return add_all(grid, out);
+    if (!clamped && top - bottom > max_wraps * grid.height) return add_all(grid, out);
 
     const Interval rows = clamped ? Interval{0, grid.height - 0.5} : Interval{-infinity, infinity};
     const int64_t first = texel(bottom, rows), last = texel(top, rows);

@@ -25,8 +25,8 @@ glm::vec3 without_negative_zero(glm::vec3 v) { return v + glm::vec3(0.0f); }
 class Merger
 {
 public:
-    Merger(const model::Model &model, const Looks &looks, const Selection &selection)
-        : model_(model), looks_(looks), selection_(selection), rest_(rest_palette(*selection.rig))
+    Merger(const model::Model &model, const MaterialPlan &materials, const Selection &selection)
+        : model_(model), materials_(materials), selection_(selection), rest_(rest_palette(*selection.rig))
     {
         for (const uint32_t p : selection.parts)
             if (!model.parts[p].colours.empty()) mesh_.has_colours = true;
@@ -53,7 +53,7 @@ private:
         const Part &part = model_.parts[index];
         const auto triangles = model::triangles_of(part);
         if (triangles.empty()) return;
-        const Look &look = looks_.of(part);
+        const MaterialMapping &mapping = materials_.of(part);
         sources_.assign(part.positions.size(), Source());
         welded_.assign(part.positions.size(), none);
         for (const auto &triangle : triangles) {
@@ -63,17 +63,17 @@ private:
                 ++mesh_.degenerate;
                 continue;
             }
-            add_triangle(part, look, surface_of(look), triangle);
+            add_triangle(part, mapping, surface_of(mapping), triangle);
             mesh_.triangles.back().part = index;
         }
     }
 
-    uint32_t surface_of(const Look &look)
+    uint32_t surface_of(const MaterialMapping &mapping)
     {
         for (size_t s = 0; s < mesh_.surfaces.size(); ++s)
-            if (mesh_.surfaces[s].texture == look.texture && mesh_.surfaces[s].double_sided == look.double_sided)
+            if (mesh_.surfaces[s].texture == mapping.texture && mesh_.surfaces[s].double_sided == mapping.double_sided)
                 return static_cast<uint32_t>(s);
-        mesh_.surfaces.push_back({look.texture, look.double_sided});
+        mesh_.surfaces.push_back({mapping.texture, mapping.double_sided});
         return static_cast<uint32_t>(mesh_.surfaces.size() - 1);
     }
 
@@ -157,7 +157,8 @@ private:
         return glm::cross(b - a, c - a);
     }
 
-    void add_triangle(const Part &part, const Look &look, uint32_t surface, const std::array<uint32_t, 3> &t)
+    void add_triangle(const Part &part, const MaterialMapping &mapping, uint32_t surface,
+                      const std::array<uint32_t, 3> &t)
     {
         const glm::dvec3 cross = cross_of(part, t);
         const double length = glm::length(cross);
@@ -166,7 +167,7 @@ private:
         if (is_mirrored(t)) std::swap(order[1], order[2]);
         MeshTriangle triangle;
         triangle.surface = surface;
-        for (size_t k = 0; k < 3; ++k) triangle.corners[k] = vertex_of(part, look, surface, order[k], face);
+        for (size_t k = 0; k < 3; ++k) triangle.corners[k] = vertex_of(part, mapping, surface, order[k], face);
         mesh_.triangles.push_back(triangle);
         note_coincidence(order, mesh_.surfaces[surface].double_sided);
     }
@@ -196,7 +197,7 @@ private:
         return sum;
     }
 
-    uint32_t vertex_of(const Part &part, const Look &look, uint32_t surface, uint32_t v, glm::vec3 face)
+    uint32_t vertex_of(const Part &part, const MaterialMapping &mapping, uint32_t surface, uint32_t v, glm::vec3 face)
     {
         const float length = part.normals.empty() ? 0 : glm::length(part.normals[v]);
         const bool has_normal = length > 1e-12f;
@@ -205,7 +206,8 @@ private:
         MeshVertex vertex;
         vertex.position = without_negative_zero(part.positions[v]);
         vertex.normal = without_negative_zero(has_normal ? part.normals[v] / length : face);
-        vertex.uv = look.uv_offset + look.uv_scale * (part.uvs.empty() ? glm::vec2(0) : part.uvs[v]) + glm::vec2(0.0f);
+        vertex.uv =
+            mapping.uv_offset + mapping.uv_scale * (part.uvs.empty() ? glm::vec2(0) : part.uvs[v]) + glm::vec2(0.0f);
         if (!part.colours.empty()) vertex.colour = part.colours[v];
         vertex.colour[3] = 255;  // alpha belongs to the zones
         vertex.surface = surface;
@@ -265,7 +267,7 @@ private:
     }
 
     const model::Model &model_;
-    const Looks &looks_;
+    const MaterialPlan &materials_;
     const Selection &selection_;
     const std::vector<math::Affine> rest_;
     Mesh mesh_;
@@ -278,12 +280,12 @@ private:
 
 }  // namespace
 
-Mesh merge(const model::Model &model, const Looks &looks, const Selection &selection)
+Mesh merge(const model::Model &model, const MaterialPlan &materials, const Selection &selection)
 {
-    return Merger(model, looks, selection).run();
+    return Merger(model, materials, selection).run();
 }
 
-Mesh merge(const model::Model &model, const Looks &looks)
+Mesh merge(const model::Model &model, const MaterialPlan &materials)
 {
     Selection all;
     all.rig = &model.rig;
@@ -291,7 +293,7 @@ Mesh merge(const model::Model &model, const Looks &looks)
         if (!model.parts[p].hidden) all.parts.push_back(p);
     all.entries.resize(model.rig.palette.size());
     std::iota(all.entries.begin(), all.entries.end(), 0u);
-    return merge(model, looks, all);
+    return merge(model, materials, all);
 }
 
 }  // namespace claque::meshsplit

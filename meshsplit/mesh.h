@@ -2,7 +2,7 @@
 // have no area in any pose are dropped, front faces run counter-clockwise in every pose of a part that hangs mirrored.
 #pragma once
 
-#include "meshsplit/looks.h"
+#include "meshsplit/material_plan.h"
 
 namespace claque::meshsplit
 {
@@ -55,8 +55,8 @@ struct Selection {
     std::vector<uint32_t> entries;    // for each entry of the model's palette the one that vertices follow instead
 };
 
-Mesh merge(const model::Model &model, const Looks &looks, const Selection &selection);
+Mesh merge(const model::Model &model, const MaterialPlan &materials, const Selection &selection);
 // All visible parts, as they are.
-Mesh merge(const model::Model &model, const Looks &looks);
+Mesh merge(const model::Model &model, const MaterialPlan &materials);
 
 }  // namespace claque::meshsplit

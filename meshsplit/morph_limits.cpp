@@ -48,14 +48,14 @@ std::vector<WeightLimits> morph_limits(const model::Rig &rig)
     for (const model::Clip &clip : rig.clips)
         for (uint32_t c = 0; c < clip.channel_count; ++c) {
             const model::Channel &channel = rig.channels[clip.first_channel + c];
-            if (channel.path == model::Path::morph_weights)
+            if (channel.target == model::ChannelTarget::morph_weights)
                 add_keys(rig, channel, limits.data() + rig.morph_sets[channel.node].first_weight);
         }
     for (const model::Dof &dof : rig.dofs) {
         if (dof.kind != model::DofKind::morph) continue;
-        WeightLimits &weight = limits[rig.morph_sets[dof.node].first_weight + dof.target];
-        weight.low += dof.first;
-        weight.high += dof.last;
+        WeightLimits &weight = limits[rig.morph_sets[dof.node].first_weight + dof.morph_target];
+        weight.low += dof.min;
+        weight.high += dof.max;
     }
     return limits;
 }

@@ -17,16 +17,16 @@ namespace
 constexpr double rates_hz[] = {10, 12.5, 15, 20, 25, 30, 50, 60, 100, 120};
 constexpr double highest_key_rate_hz = 250;
 // A template's rows may take this many bytes; clips beyond keep their channels.
-constexpr size_t most_numbers = size_t(1) << 29;
+constexpr size_t max_numbers = size_t(1) << 29;
 
 // How long the arrays were, to take a clip away again.
 struct Lengths {
-    size_t clips, blocks, tracks, exact, rotations, numbers;
+    size_t clips, blocks, curves, exact, rotations, numbers;
 
     explicit Lengths(const model::Motion &m)
         : clips(m.clips.size()),
           blocks(m.blocks.size()),
-          tracks(m.tracks.size()),
+          curves(m.curves.size()),
           exact(m.exact.size()),
           rotations(m.rotations.size()),
           numbers(m.numbers.size())
@@ -34,7 +34,7 @@ struct Lengths {
     }
     void cut(model::Motion &m) const
     {
-        m.clips.resize(clips), m.blocks.resize(blocks), m.tracks.resize(tracks), m.exact.resize(exact);
+        m.clips.resize(clips), m.blocks.resize(blocks), m.curves.resize(curves), m.exact.resize(exact);
         m.rotations.resize(rotations), m.numbers.resize(numbers);
     }
 };
@@ -62,12 +62,12 @@ public:
     {
         const std::vector<uint32_t> counts = interval_counts();
         // Where no rate does, tracks that stray at the highest stay with their channels, then also those that stray less.
-        MotionError strays = most_;
+        MotionError outliers = most_;
         for (int attempt = 0; attempt < 4 && !counts.empty(); ++attempt) {
             for (const uint32_t count : counts)
                 if (fits(count)) return;
-            keep_strays(counts.back(), strays);
-            strays.metres /= 4, strays.radians /= 4;
+            keep_outliers(counts.back(), outliers);
+            outliers.metres /= 4, outliers.radians /= 4;
         }
         std::fill(kept_.begin(), kept_.end(), uint8_t(1));
         put(0);
@@ -120,7 +120,7 @@ private:
         }
         std::vector<uint32_t> out;
         for (const double count : counts)
-            if (count <= model::most_motion_intervals) out.push_back(std::max(1u, static_cast<uint32_t>(count)));
+            if (count <= model::max_motion_intervals) out.push_back(std::max(1u, static_cast<uint32_t>(count)));
         std::sort(out.begin(), out.end());
         out.erase(std::unique(out.begin(), out.end()), out.end());
         return out;
@@ -132,21 +132,21 @@ private:
         append_clip(tmpl_.rig, index_, intervals, kept_, tmpl_.motion);
     }
 
-    void keep_strays(uint32_t intervals, const MotionError &strays)
+    void keep_outliers(uint32_t intervals, const MotionError &outliers)
     {
         put(intervals);
-        const std::vector<uint8_t> found = meter_.strays(index_, times_, strays);
+        const std::vector<uint8_t> found = meter_.outliers(index_, times_, outliers);
         for (size_t i = 0; i < kept_.size(); ++i) kept_[i] |= found[i];
     }
 
     bool fits(uint32_t intervals)
     {
         put(intervals);
-        if (tmpl_.motion.rotations.size() > most_numbers || tmpl_.motion.numbers.size() > most_numbers) return false;
+        if (tmpl_.motion.rotations.size() > max_numbers || tmpl_.motion.numbers.size() > max_numbers) return false;
         meter_.begin();
         MotionError worst = meter_.measure(index_, times_, most_);
         if (!worst.within(most_)) return false;
-        worst.take_in(meter_.measure(index_, between_rows(intervals), most_));
+        worst.merge(meter_.measure(index_, between_rows(intervals), most_));
         if (!worst.within(most_)) return false;
         error_of_clip() = worst;
         meter_.accept();
@@ -187,13 +187,13 @@ float make_motion(const MotionTolerance &tolerance, model::Template &out)
     return static_cast<float>(meter.bound() * 1.25);
 }
 
-void give_room(float more, model::Template &out)
+void inflate(float more, model::Template &out)
 {
     out.sklsroot.radius += more;
     for (model::NodeReach &reach : out.node_reach) reach.distance += more;
     // What is added is the difference of two poses.
-    out.blend_radius.none += more, out.blend_radius.each += 2 * more;
-    for (model::BlendReach &reach : out.blend_reach) reach.distance.none += more, reach.distance.each += 2 * more;
+    out.blend_radius.base += more, out.blend_radius.per_weight += 2 * more;
+    for (model::BlendReach &reach : out.blend_reach) reach.distance.base += more, reach.distance.per_weight += 2 * more;
 }
 
 }  // namespace claque::meshsplit

@@ -18,6 +18,6 @@ struct MotionTolerance {
 // Needs rig and levels of `out`. Returns how much further away than by its channels anything can be.
 float make_motion(const MotionTolerance &tolerance, model::Template &out);
 // Makes the spheres of `out` so large that they hold its clips too.
-void give_room(float more, model::Template &out);
+void inflate(float more, model::Template &out);
 
 }  // namespace claque::meshsplit

@@ -52,7 +52,7 @@ void globals_of(const model::Rig &rig, base::Span<const math::Trs> locals, std::
 
 }  // namespace
 
-void MotionError::take_in(const MotionError &other)
+void MotionError::merge(const MotionError &other)
 {
     metres = std::max(metres, other.metres);
     radians = std::max(radians, other.radians);
@@ -73,7 +73,7 @@ MotionMeter::MotionMeter(const model::Template &tmpl)
     for (const model::PartSphere &sphere : tmpl.levels[0].part_spheres) {
         const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
         const double stretch = std::sqrt(square_sum(entry.inverse_bind) / 3) * (tmpl.similar_only ? 1.0 : 1.7321);
-        balls_.push_back({entry.node, glm::dvec3(math::point(entry.inverse_bind, sphere.bind.centre)),
+        balls_.push_back({entry.node, glm::dvec3(math::transform_point(entry.inverse_bind, sphere.bind.centre)),
                           double(sphere.bind.radius) * stretch});
     }
     // Of nodes that nothing hangs on, the origin: something may be attached to it.
@@ -96,7 +96,7 @@ double MotionMeter::rest_size() const
     glm::dvec3 least(1e300), most(-1e300);
     for (const Ball &ball : balls_) {
         if (!(ball.radius > 0)) continue;
-        const glm::dvec3 centre(math::point(globals[ball.node], glm::vec3(ball.centre)));
+        const glm::dvec3 centre(math::transform_point(globals[ball.node], glm::vec3(ball.centre)));
         const double radius = ball.radius * std::sqrt(square_sum(globals[ball.node]) / 3);
         least = glm::min(least, centre - radius);
         most = glm::max(most, centre + radius);
@@ -111,7 +111,7 @@ MotionError MotionMeter::at(uint32_t clip, double time_s)
         job.clip = clip;
         job.time_s = time_s;
         job.dofs = dofs_.data();
-        job.run_transforms();
+        job.run_local_transforms();
     }
     globals_of(tmpl_.rig, exact_.locals(), exact_globals_);
     globals_of(tmpl_.rig, sampled_.locals(), sampled_globals_);
@@ -123,7 +123,7 @@ MotionError MotionMeter::at(uint32_t clip, double time_s)
         const Affine &exact = exact_globals_[ball.node];
         const Affine off = minus(sampled_globals_[ball.node], exact);
         const double spread = std::sqrt(square_sum(off)), size = std::sqrt(square_sum(exact));
-        const double centre = glm::length(math::point(off, glm::vec3(ball.centre)));
+        const double centre = glm::length(math::transform_point(off, glm::vec3(ball.centre)));
         worst.metres = std::max(worst.metres, centre + spread * ball.radius);
         stretch = std::max(stretch, size);
         // Of a turn by a small angle, the root of the sum of squares changes by the root of 2 times it.
@@ -150,7 +150,7 @@ MotionMeter::Local MotionMeter::difference(const math::Trs &exact, const math::T
     return out;
 }
 
-void MotionMeter::Worst::take_in(const Worst &other)
+void MotionMeter::Worst::merge(const Worst &other)
 {
     morphs = std::max(morphs, other.morphs);
     for (size_t n = 0; n < nodes.size(); ++n) {
@@ -167,25 +167,25 @@ void MotionMeter::take_locals()
     for (uint32_t n = 0; n < now_.nodes.size(); ++n)
         now_.nodes[n] = difference(exact_.locals()[n], sampled_.locals()[n]);
     now_.morphs = morphs_;
-    measured_.take_in(now_);
+    measured_.merge(now_);
 }
 
 void MotionMeter::begin() { measured_.nodes.assign(accepted_.nodes.size(), Local()), measured_.morphs = 0; }
 
-void MotionMeter::accept() { accepted_.take_in(measured_); }
+void MotionMeter::accept() { accepted_.merge(measured_); }
 
 MotionError MotionMeter::measure(uint32_t clip, const std::vector<double> &times, const MotionError &most)
 {
     MotionError worst;
     for (const uint32_t i : coarse_first(times.size())) {
-        worst.take_in(at(clip, times[i]));
+        worst.merge(at(clip, times[i]));
         if (!worst.within(most)) return worst;
         take_locals();
     }
     return worst;
 }
 
-std::vector<uint8_t> MotionMeter::strays(uint32_t clip, const std::vector<double> &times, const MotionError &most)
+std::vector<uint8_t> MotionMeter::outliers(uint32_t clip, const std::vector<double> &times, const MotionError &most)
 {
     const model::Rig &rig = tmpl_.rig;
     const model::Clip &of = rig.clips[clip];
@@ -194,7 +194,7 @@ std::vector<uint8_t> MotionMeter::strays(uint32_t clip, const std::vector<double
         at(clip, time);
         for (uint32_t i = 0; i < of.channel_count; ++i) {
             const model::Channel &channel = rig.channels[of.first_channel + i];
-            if (channel.path == model::Path::morph_weights) {
+            if (channel.target == model::ChannelTarget::morph_weights) {
                 const model::MorphSet &set = rig.morph_sets[channel.node];
                 for (uint32_t w = set.first_weight; w < set.first_weight + set.target_count; ++w)
                     if (std::fabs(exact_.weights()[w] - sampled_.weights()[w]) * morph_metres_[w] > most.metres)
@@ -204,10 +204,11 @@ std::vector<uint8_t> MotionMeter::strays(uint32_t clip, const std::vector<double
             const Local off = difference(exact_.locals()[channel.node], sampled_.locals()[channel.node]);
             const double stretch = std::sqrt(
                 std::max(square_sum(exact_globals_[channel.node]), square_sum(sampled_globals_[channel.node])));
-            const bool strays = channel.path == model::Path::rotation      ? off.turn > most.radians
-                                : channel.path == model::Path::translation ? off.shift * stretch > most.metres
-                                                                           : off.growth > most.radians;
-            if (strays) out[i] = 1;
+            const bool outliers = channel.target == model::ChannelTarget::rotation ? off.turn > most.radians
+                                  : channel.target == model::ChannelTarget::translation
+                                      ? off.shift * stretch > most.metres
+                                      : off.growth > most.radians;
+            if (outliers) out[i] = 1;
         }
     }
     return out;
@@ -216,7 +217,7 @@ std::vector<uint8_t> MotionMeter::strays(uint32_t clip, const std::vector<double
 double MotionMeter::bound() const
 {
     const model::Rig &rig = tmpl_.rig;
-    const std::vector<double> shifts = most_shifts(rig);
+    const std::vector<double> shifts = max_shifts(rig);
     std::vector<double> reach(rig.node_count()), error(rig.node_count());  // in each node's own frame
     for (const Ball &ball : balls_)
         reach[ball.node] = std::max(reach[ball.node], glm::length(ball.centre) + ball.radius);

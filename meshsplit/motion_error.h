@@ -13,7 +13,7 @@ struct MotionError {
     double metres = 0, radians = 0;
 
     bool within(const MotionError &most) const { return metres <= most.metres && radians <= most.radians; }
-    void take_in(const MotionError &other);
+    void merge(const MotionError &other);
 };
 
 class MotionMeter
@@ -28,7 +28,7 @@ public:
     // The largest error of a clip at some moments; stops at the first moment that is not within `most`.
     MotionError measure(uint32_t clip, const std::vector<double> &times, const MotionError &most);
     // Where single tracks are off by more, in their own frames: [channel_count], 1 where so.
-    std::vector<uint8_t> strays(uint32_t clip, const std::vector<double> &times, const MotionError &most);
+    std::vector<uint8_t> outliers(uint32_t clip, const std::vector<double> &times, const MotionError &most);
 
     // What is measured from begin() on counts for bound() once it is accepted.
     void begin();
@@ -60,7 +60,7 @@ private:
     struct Worst {
         std::vector<Local> nodes;
         double morphs = 0;  // in metres, of all weights
-        void take_in(const Worst &other);
+        void merge(const Worst &other);
     };
     Worst now_, measured_, accepted_;
     const std::vector<float> dofs_;  // all at zero

@@ -13,9 +13,9 @@ namespace claque::meshsplit
 {
 
 using model::block_numbers;
+using model::ChannelTarget;
 using model::motion_lanes;
 using model::none;
-using model::Path;
 
 namespace
 {
@@ -74,7 +74,7 @@ private:
     // What is kept is written over this anyway.
     void put_to_rest(const model::Channel &channel, const pose::LocalPose &row) const
     {
-        if (channel.path == Path::morph_weights) {
+        if (channel.target == ChannelTarget::morph_weights) {
             const model::MorphSet &set = rig_.morph_sets[channel.node];
             for (uint32_t i = set.first_weight; i < set.first_weight + set.target_count; ++i)
                 row.weights[i] = rig_.rest_weights[i];
@@ -82,8 +82,8 @@ private:
         }
         const math::Trs &rest = rig_.rest[channel.node];
         math::Trs &trs = row.nodes[channel.node];
-        if (channel.path == Path::translation) trs.translation = rest.translation;
-        else if (channel.path == Path::scale) trs.scale = rest.scale;
+        if (channel.target == ChannelTarget::translation) trs.translation = rest.translation;
+        else if (channel.target == ChannelTarget::scale) trs.scale = rest.scale;
         else trs.rotation = rest.rotation;
     }
 
@@ -168,7 +168,7 @@ private:
     void mark_kept(uint32_t i, size_t first_place)
     {
         const model::Channel &channel = rig_.channels[clip_.first_channel + i];
-        if (!kept_[i] || channel.path != Path::rotation) return;
+        if (!kept_[i] || channel.target != ChannelTarget::rotation) return;
         const uint32_t joint = joint_of(channel.node);
         if (joint != none) out_.blocks[first_place + joint / motion_lanes].moved |= 1u << (joint % motion_lanes);
     }
@@ -183,25 +183,26 @@ private:
     const float *numbers(uint32_t g, uint32_t row) const
     {
         const model::MotionGroup &group = out_.groups[g];
-        if (group.path == Path::morph_weights) return weights_.data() + rig_.rest_weights.size() * row + group.target;
-        const math::Trs &trs = locals_[size_t(rig_.node_count()) * row + out_.nodes[group.target]];
-        return group.path == Path::scale ? &trs.scale.x : &trs.translation.x;
+        if (group.target == ChannelTarget::morph_weights)
+            return weights_.data() + rig_.rest_weights.size() * row + group.index;
+        const math::Trs &trs = locals_[size_t(rig_.node_count()) * row + out_.nodes[group.index]];
+        return group.target == ChannelTarget::scale ? &trs.scale.x : &trs.translation.x;
     }
 
-    model::MotionTrack range_of(uint32_t g) const
+    model::MotionCurve range_of(uint32_t g) const
     {
-        model::MotionTrack track;
+        model::MotionCurve curve;
         for (uint32_t k = 0; k < out_.groups[g].count; ++k) {
             float least = numbers(g, 0)[k], most = least;
             for (uint32_t r = 1; r < row_count(); ++r) {
                 least = std::min(least, numbers(g, r)[k]);
                 most = std::max(most, numbers(g, r)[k]);
             }
-            track.least[k] = least;
-            track.step[k] = (most - least) / 65535.0f;
-            if (track.step[k] > 0) track.stride = 1;
+            curve.min[k] = least;
+            curve.step[k] = (most - least) / 65535.0f;
+            if (curve.step[k] > 0) curve.stride = 1;
         }
-        return track;
+        return curve;
     }
 
     void add_tracks()
@@ -209,40 +210,40 @@ private:
         if (out_.numbers.empty()) out_.numbers.assign(4, 0);  // what still tracks read
         const uint32_t base = static_cast<uint32_t>(out_.numbers.size());
         uint32_t stride = 0;
-        for (model::MotionTrack &track : ranges_) {
-            if (!track.stride) continue;
-            track.first = base + stride;
+        for (model::MotionCurve &curve : ranges_) {
+            if (!curve.stride) continue;
+            curve.first = base + stride;
             stride += 4;
         }
-        for (model::MotionTrack &track : ranges_)
-            if (track.stride) track.stride = stride;
+        for (model::MotionCurve &curve : ranges_)
+            if (curve.stride) curve.stride = stride;
         for (uint32_t r = 0; r < row_count() && stride; ++r)
             for (uint32_t g = 0; g < ranges_.size(); ++g)
                 for (uint32_t k = 0; k < 4 && ranges_[g].stride; ++k)
                     out_.numbers.push_back(k < out_.groups[g].count ? number(g, r, k) : uint16_t(0));
-        out_.tracks.insert(out_.tracks.end(), ranges_.begin(), ranges_.end());
+        out_.curves.insert(out_.curves.end(), ranges_.begin(), ranges_.end());
     }
 
     uint16_t number(uint32_t g, uint32_t row, uint32_t k) const
     {
-        const model::MotionTrack &track = ranges_[g];
-        if (!(track.step[k] > 0)) return 0;
-        const double steps = (double(numbers(g, row)[k]) - double(track.least[k])) / double(track.step[k]);
+        const model::MotionCurve &curve = ranges_[g];
+        if (!(curve.step[k] > 0)) return 0;
+        const double steps = (double(numbers(g, row)[k]) - double(curve.min[k])) / double(curve.step[k]);
         return static_cast<uint16_t>(std::lround(std::clamp(steps, 0.0, 65535.0)));
     }
 
     void keep(uint32_t channel_index)
     {
         const model::Channel &channel = rig_.channels[channel_index];
-        const bool morphs = channel.path == Path::morph_weights;
+        const bool morphs = channel.target == ChannelTarget::morph_weights;
         const uint32_t owner = morphs ? rig_.morph_sets[channel.node].first_weight : joint_of(channel.node);
         if (owner == none) return;  // it never leaves its rest
-        if (channel.path == Path::rotation) {
+        if (channel.target == ChannelTarget::rotation) {
             out_.exact.push_back({channel_index, owner});
             return;
         }
         for (uint32_t g = 0; g < out_.groups.size(); ++g)
-            if (out_.groups[g].path == channel.path && out_.groups[g].target == owner) {
+            if (out_.groups[g].target == channel.target && out_.groups[g].index == owner) {
                 out_.exact.push_back({channel_index, g});
                 return;
             }
@@ -255,7 +256,7 @@ private:
     model::Motion &out_;
     std::vector<math::Trs> locals_;  // row by row
     std::vector<float> weights_;
-    std::vector<model::MotionTrack> ranges_;
+    std::vector<model::MotionCurve> ranges_;
 };
 
 }  // namespace

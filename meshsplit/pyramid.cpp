@@ -27,7 +27,7 @@ struct Axis {
     }
 };
 
-struct Share {
+struct ZoneArea {
     uint16_t zone = 0;
     uint64_t area = 0;
     uint64_t rgb[3] = {0, 0, 0};
@@ -41,61 +41,61 @@ public:
     {
     }
 
-    const Share &texel(uint32_t x, uint32_t y)
+    const ZoneArea &texel(uint32_t x, uint32_t y)
     {
-        gather(x_.box(x), y_.box(y), shares_);
-        if (shares_.size() == 1) return shares_[0];
+        gather(x_.box(x), y_.box(y), zone_areas_);
+        if (zone_areas_.size() == 1) return zone_areas_[0];
         uint64_t most = 0;
-        for (const Share &share : shares_) most = std::max(most, share.area);
+        for (const ZoneArea &zone_area : zone_areas_) most = std::max(most, zone_area.area);
         size_t tied = 0;
-        for (const Share &share : shares_) tied += share.area == most;
+        for (const ZoneArea &zone_area : zone_areas_) tied += zone_area.area == most;
         if (tied > 1) return break_tie(x, y, most);
-        return *std::find_if(shares_.begin(), shares_.end(), [&](const Share &s) { return s.area == most; });
+        return *std::find_if(zone_areas_.begin(), zone_areas_.end(), [&](const ZoneArea &s) { return s.area == most; });
     }
 
 private:
-    void gather(Axis::Range xs, Axis::Range ys, std::vector<Share> &shares) const
+    void gather(Axis::Range xs, Axis::Range ys, std::vector<ZoneArea> &zone_areas) const
     {
-        shares.clear();
+        zone_areas.clear();
         const uint32_t x_first = x_.first(xs), x_end = x_.end(xs), y_end = y_.end(ys);
         for (uint32_t y = y_.first(ys); y < y_end; ++y) {
             const uint64_t height = y_.overlap(ys, y);
             for (uint32_t x = x_first; x < x_end; ++x) {
                 const size_t at = size_t(y) * map_.width + x;
                 const uint64_t area = x_.overlap(xs, x) * height;
-                Share &share = share_of(map_.zones[at], shares);
-                share.area += area;
-                for (size_t k = 0; k < 3; ++k) share.rgb[k] += area * map_.rgb[3 * at + k];
+                ZoneArea &zone_area = zone_area_of(map_.zones[at], zone_areas);
+                zone_area.area += area;
+                for (size_t k = 0; k < 3; ++k) zone_area.rgb[k] += area * map_.rgb[3 * at + k];
             }
         }
     }
 
-    static Share &share_of(uint16_t zone, std::vector<Share> &shares)
+    static ZoneArea &zone_area_of(uint16_t zone, std::vector<ZoneArea> &zone_areas)
     {
-        for (Share &share : shares)
-            if (share.zone == zone) return share;
-        shares.push_back({});
-        shares.back().zone = zone;
-        return shares.back();
+        for (ZoneArea &zone_area : zone_areas)
+            if (zone_area.zone == zone) return zone_area;
+        zone_areas.push_back({});
+        zone_areas.back().zone = zone;
+        return zone_areas.back();
     }
 
-    const Share &break_tie(uint32_t x, uint32_t y, uint64_t most)
+    const ZoneArea &break_tie(uint32_t x, uint32_t y, uint64_t most)
     {
         gather(x_.grown(x), y_.grown(y), around_);
-        const Share *best = nullptr;
+        const ZoneArea *best = nullptr;
         uint64_t best_around = 0;
-        for (const Share &share : shares_) {
-            if (share.area != most) continue;
-            const uint64_t around = share_of(share.zone, around_).area;
-            if (!best || around > best_around || (around == best_around && share.zone < best->zone))
-                best = &share, best_around = around;
+        for (const ZoneArea &zone_area : zone_areas_) {
+            if (zone_area.area != most) continue;
+            const uint64_t around = zone_area_of(zone_area.zone, around_).area;
+            if (!best || around > best_around || (around == best_around && zone_area.zone < best->zone))
+                best = &zone_area, best_around = around;
         }
         return *best;
     }
 
     const ZoneMap &map_;
     Axis x_, y_;
-    std::vector<Share> shares_, around_;
+    std::vector<ZoneArea> zone_areas_, around_;
 };
 
 // What resampling gives where all four texels are of one zone, which is nearly everywhere: the mean of the four.
@@ -187,11 +187,11 @@ ZoneMap resample(const ZoneMap &map, uint32_t width, uint32_t height)
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             if (halved && average_four(map, x, y, out)) continue;
-            const Share &share = resampler.texel(x, y);
+            const ZoneArea &zone_area = resampler.texel(x, y);
             const size_t at = size_t(y) * width + x;
-            out.zones[at] = share.zone;
+            out.zones[at] = zone_area.zone;
             for (size_t k = 0; k < 3; ++k)
-                out.rgb[3 * at + k] = static_cast<uint8_t>((share.rgb[k] + share.area / 2) / share.area);
+                out.rgb[3 * at + k] = static_cast<uint8_t>((zone_area.rgb[k] + zone_area.area / 2) / zone_area.area);
         }
     return out;
 }

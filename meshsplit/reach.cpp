@@ -15,17 +15,17 @@ namespace
 constexpr size_t centre_poses = 64;
 
 // A sphere that is larger than the smallest by this share is not worth a closer look.
-constexpr double waste = 0.01;
+constexpr double sphere_tolerance = 0.01;
 
 // How well a pose has been looked at.
 enum class BoundKind : uint8_t { ball, coarse, fine };
 
-struct Candidate {
+struct PoseCandidate {
     double bound = 0;
     uint32_t pose = 0;
     BoundKind kind = BoundKind::ball;
 
-    bool operator<(const Candidate &other) const
+    bool operator<(const PoseCandidate &other) const
     {
         return bound != other.bound ? bound < other.bound : pose > other.pose;
     }
@@ -34,7 +34,7 @@ struct Candidate {
 }  // namespace
 
 FreeReach::FreeReach(const model::Template &tmpl)
-    : tmpl_(tmpl), free_(tmpl), poser_(tmpl.rig), fill_(tmpl.rig), coarse_(2, tmpl.rig), fine_(3, tmpl.rig)
+    : tmpl_(tmpl), free_(tmpl), poser_(tmpl.rig), solver_(tmpl.rig), coarse_(2, tmpl.rig), fine_(3, tmpl.rig)
 {
     find_poses();
 }
@@ -42,54 +42,56 @@ FreeReach::FreeReach(const model::Template &tmpl)
 void FreeReach::find_poses()
 {
     const model::Rig &rig = tmpl_.rig;
-    const std::vector<double> shifts = most_shifts(rig);
-    std::vector<Drift> drifts(rig.node_count());
+    const std::vector<double> shifts = max_shifts(rig);
+    std::vector<MotionBound> motion_bounds(rig.node_count());
     std::vector<float> weights;
-    walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const Way *since) {
-        double bulge = 0, way = std::numeric_limits<double>::infinity();
+    walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const PoseSegment *since) {
+        double bulge = 0, distance = std::numeric_limits<double>::infinity();
         if (since) {
-            way = 0;
-            std::fill(drifts.begin(), drifts.end(), Drift());
-            for (const Body &body : free_.bodies)
-                drifts[body.node()].take_in(body.drift(weights.data(), locals.weights.data(), *since));
+            distance = 0;
+            std::fill(motion_bounds.begin(), motion_bounds.end(), MotionBound());
+            for (const PointSet &point_set : free_.point_sets)
+                motion_bounds[point_set.node()].merge(
+                    point_set.motion_bound(weights.data(), locals.weights.data(), *since));
             for (uint32_t n = rig.node_count(); n-- > 0;) {
-                if (drifts[n].reach == 0) continue;
-                const Drift drift = since->nodes[n].of(drifts[n], shifts[n]);
+                if (motion_bounds[n].reach == 0) continue;
+                const MotionBound motion_bound = since->nodes[n].of(motion_bounds[n], shifts[n]);
                 if (rig.parents[n] == model::none)
-                    bulge = std::max(bulge, drift.off_line()), way = std::max(way, drift.speed);
-                else drifts[rig.parents[n]].take_in(drift);
+                    bulge = std::max(bulge, motion_bound.chord_deviation()),
+                    distance = std::max(distance, motion_bound.speed);
+                else motion_bounds[rig.parents[n]].merge(motion_bound);
             }
             bulges_.back() = std::max(bulges_.back(), bulge);
         }
         weights = locals.weights;
         poses_.push_back(at);
         bulges_.push_back(bulge);
-        ways_.push_back(way);
+        distances_.push_back(distance);
     });
 }
 
 void FreeReach::look_at(uint32_t pose)
 {
     poser_.pose(poses_[pose], locals_);
-    fill_.take(locals_);
+    solver_.set_pose(locals_);
 }
 
-void FreeReach::own_supports(const Grain &grain, std::vector<Support> &own) const
+void FreeReach::own_supports(const Resolution &resolution, std::vector<Support> &own) const
 {
     const bool first = own.empty();
-    own.resize(free_.bodies.size());
+    own.resize(free_.point_sets.size());
     for (size_t b = 0; b < own.size(); ++b)
-        if (first || free_.bodies[b].morphs())
-            free_.bodies[b].support(grain.directions, free_.ranges, locals_.weights.data(), own[b]);
+        if (first || free_.point_sets[b].morphs())
+            free_.point_sets[b].support(resolution.directions, free_.ranges, locals_.weights.data(), own[b]);
 }
 
-double FreeReach::bound_by(const Grain &grain, std::vector<Support> &own, const Fill::Enough &enough)
+double FreeReach::bound_by(const Resolution &resolution, std::vector<Support> &own, const ReachSolver::Cutoff &cutoff)
 {
     const float *weights = locals_.weights.data();
-    fill_.ball(free_.bodies, weights, enough.centre);
-    own_supports(grain, own);
-    const double left_out = fill_.support(grain, free_.bodies, weights, own, enough, all_);
-    return std::max(left_out, farthest(grain.directions, all_, enough.centre));
+    solver_.ball(free_.point_sets, weights, cutoff.centre);
+    own_supports(resolution, own);
+    const double left_out = solver_.support(resolution, free_.point_sets, weights, own, cutoff, all_);
+    return std::max(left_out, farthest(resolution.directions, all_, cutoff.centre));
 }
 
 glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
@@ -97,7 +99,7 @@ glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
     const Directions &directions = coarse_.directions;
     Support most(directions.count(), -std::numeric_limits<double>::infinity());
     const size_t count = std::min(poses_.size(), centre_poses);
-    for (size_t k = 0; k < count && !free_.bodies.empty(); ++k) {
+    for (size_t k = 0; k < count && !free_.point_sets.empty(); ++k) {
         look_at(static_cast<uint32_t>(k * poses_.size() / count));
         bound_by(coarse_, own_coarse_, {glm::dvec3(0), 0});
         for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], all_[i]);
@@ -120,40 +122,40 @@ glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
 }
 
 // What is known of one pose is known of those beside it too, but for the way between them.
-void FreeReach::tell(uint32_t pose, double bound, std::vector<double> &bounds) const
+void FreeReach::propagate(uint32_t pose, double bound, std::vector<double> &bounds) const
 {
-    const auto lower = [&](size_t i, double way) {
-        if (bound + way + bulges_[i] >= bounds[i]) return false;
-        bounds[i] = bound + way + bulges_[i];
+    const auto lower = [&](size_t i, double distance) {
+        if (bound + distance + bulges_[i] >= bounds[i]) return false;
+        bounds[i] = bound + distance + bulges_[i];
         return true;
     };
     lower(pose, 0);
-    double way = 0;
-    for (size_t i = pose; i > 0 && lower(i - 1, way += ways_[i]);) --i;
-    way = 0;
-    for (size_t i = pose + 1; i < poses_.size() && lower(i, way += ways_[i]);) ++i;
+    double distance = 0;
+    for (size_t i = pose; i > 0 && lower(i - 1, distance += distances_[i]);) --i;
+    distance = 0;
+    for (size_t i = pose + 1; i < poses_.size() && lower(i, distance += distances_[i]);) ++i;
 }
 
 double FreeReach::radius(const glm::dvec3 &centre, double reached)
 {
     double found = reached;
-    if (free_.bodies.empty()) return reached;
+    if (free_.point_sets.empty()) return reached;
     std::vector<double> bounds;
-    std::priority_queue<Candidate> queue;
+    std::priority_queue<PoseCandidate> queue;
     for (uint32_t i = 0; i < poses_.size(); ++i) {
         look_at(i);
-        bounds.push_back(fill_.ball(free_.bodies, locals_.weights.data(), centre) + bulges_[i]);
+        bounds.push_back(solver_.ball(free_.point_sets, locals_.weights.data(), centre) + bulges_[i]);
         queue.push({bounds[i], i, BoundKind::ball});
     }
-    while (queue.top().bound > found * (1 + waste)) {
-        Candidate best = queue.top();
+    while (queue.top().bound > found * (1 + sphere_tolerance)) {
+        PoseCandidate best = queue.top();
         if (best.bound <= bounds[best.pose]) {
             if (best.kind == BoundKind::fine) break;
             look_at(best.pose);
             const bool was_ball = best.kind == BoundKind::ball;
-            const Fill::Enough near = {centre, found - bulges_[best.pose]};
+            const ReachSolver::Cutoff near = {centre, found - bulges_[best.pose]};
             const double bound = was_ball ? bound_by(coarse_, own_coarse_, near) : bound_by(fine_, own_fine_, near);
-            tell(best.pose, bound, bounds);
+            propagate(best.pose, bound, bounds);
             if (!was_ball) found = std::max(found, bound);
             best.kind = was_ball ? BoundKind::coarse : BoundKind::fine;
         }

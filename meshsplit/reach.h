@@ -6,7 +6,7 @@
 // looked at more closely, and what is left is below what was found.
 #pragma once
 
-#include "meshsplit/reach_fill.h"
+#include "meshsplit/reach_solver.h"
 
 namespace claque::meshsplit
 {
@@ -26,20 +26,20 @@ public:
 
 private:
     void look_at(uint32_t pose);
-    double bound_by(const Grain &grain, std::vector<Support> &own, const Fill::Enough &enough);
-    void own_supports(const Grain &grain, std::vector<Support> &own) const;
+    double bound_by(const Resolution &resolution, std::vector<Support> &own, const ReachSolver::Cutoff &cutoff);
+    void own_supports(const Resolution &resolution, std::vector<Support> &own) const;
     void find_poses();
-    void tell(uint32_t pose, double bound, std::vector<double> &bounds) const;
+    void propagate(uint32_t pose, double bound, std::vector<double> &bounds) const;
 
     const model::Template &tmpl_;
-    FreeBodies free_;
+    FreePointSets free_;
     std::vector<PoseAt> poses_;
-    std::vector<double> bulges_;  // per pose: how far vertices may stray towards its neighbours
-    std::vector<double> ways_;    // per pose: how far vertices may go since the one before; infinity after a jump
+    std::vector<double> bulges_;     // per pose: how far vertices may stray towards its neighbours
+    std::vector<double> distances_;  // per pose: how far vertices may go since the one before; infinity after a jump
     LocalPoser poser_;
     Locals locals_;
-    Fill fill_;
-    Grain coarse_, fine_;
+    ReachSolver solver_;
+    Resolution coarse_, fine_;
     std::vector<Support> own_coarse_, own_fine_;  // per body; those with morph targets as in the last pose
     Support all_;
 };

@@ -80,7 +80,7 @@ void Directions::connect(const Corners &faces)
         const glm::dvec3 a = units_[corners[0]], b = units_[corners[1]], c = units_[corners[2]];
         faces_.push_back({corners, {0, 0, 0}, glm::inverse(glm::dmat3(a, b, c))});
         const glm::dvec3 normal = glm::cross(b - a, c - a);
-        most_weight_ = std::max(most_weight_, glm::length(normal) / std::fabs(glm::dot(normal, a)));
+        max_weight_ = std::max(max_weight_, glm::length(normal) / std::fabs(glm::dot(normal, a)));
         for (size_t k = 0; k < 3; ++k) {
             const auto edge = std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]);
             const auto met = open.try_emplace(edge, index);
@@ -121,7 +121,7 @@ uint16_t Directions::walk(uint16_t face, const glm::dvec3 &v) const
     return face;
 }
 
-Blend Directions::find(const glm::dvec3 &v) const
+DirectionBlend Directions::find(const glm::dvec3 &v) const
 {
     const Face &face = faces_[walk(cells_[cell_of(v)], v)];
     const glm::dvec3 weights = glm::max(face.weights * v, glm::dvec3(0));

@@ -14,7 +14,7 @@ namespace claque::meshsplit
 {
 
 // Three neighbouring directions and the weights, none negative, that make a vector of them.
-struct Blend {
+struct DirectionBlend {
     std::array<uint16_t, 3> at;
     std::array<float, 3> weight;
 
@@ -32,11 +32,11 @@ public:
 
     size_t count() const { return units_.size(); }
     const glm::dvec3 &operator[](size_t i) const { return units_[i]; }
-    Blend find(const glm::dvec3 &v) const;
+    DirectionBlend find(const glm::dvec3 &v) const;
 
     // The weights of a unit vector sum up to this at most. A unit vector e between three directions lies on the plane
     // n.x = d through them after division by the sum of its weights; so the sum is n.e / d <= 1 / d.
-    double most_weight() const { return most_weight_; }
+    double max_weight() const { return max_weight_; }
 
 private:
     struct Face {
@@ -55,7 +55,7 @@ private:
     std::vector<glm::dvec3> units_;
     std::vector<Face> faces_;
     std::vector<uint16_t> cells_;  // of a grid over the sides of a cube: a face close by
-    double most_weight_ = 1;
+    double max_weight_ = 1;
 };
 
 }  // namespace claque::meshsplit

@@ -19,7 +19,7 @@ std::vector<PoseAt> poses_of(const model::Rig &rig)
     return poses;
 }
 
-bool leads(const std::vector<PoseAt> &poses, size_t i)
+bool is_continuous(const std::vector<PoseAt> &poses, size_t i)
 {
     return i + 1 < poses.size() && poses[i].clip == poses[i + 1].clip && poses[i].clip != model::none &&
            poses[i + 1].time_s - poses[i].time_s > 1e-5;
@@ -46,14 +46,14 @@ void LocalPoser::pose(const PoseAt &at, Locals &out)
     job.run();
 }
 
-void Drift::take_in(const Drift &other)
+void MotionBound::merge(const MotionBound &other)
 {
     reach = std::max(reach, other.reach);
     speed = std::max(speed, other.speed);
-    bend = std::max(bend, other.bend);
+    acceleration = std::max(acceleration, other.acceleration);
 }
 
-NodeDrift::NodeDrift(const math::Trs &from, const math::Trs &to)
+NodeMotionBound::NodeMotionBound(const math::Trs &from, const math::Trs &to)
 {
     scale = 0;
     for (int k = 0; k < 3; ++k) {
@@ -79,7 +79,7 @@ namespace
 // the larger of them is the largest. (Quaternions that are normalised cubic polynomials are cubic but for terms that
 // vanish with the fourth power of the time between samples.)
 template <class Vector>
-double cubic_bend(const Vector &a, const Vector &b, const Vector &c, const Vector &d)
+double cubic_acceleration(const Vector &a, const Vector &b, const Vector &c, const Vector &d)
 {
     const Vector start = (a * 2.0 - b * 5.0 + c * 4.0 - d) * 9.0, end = (d * 2.0 - c * 5.0 + b * 4.0 - a) * 9.0;
     return std::sqrt(std::max(glm::dot(start, start), glm::dot(end, end)));
@@ -93,45 +93,46 @@ glm::dvec4 near(const glm::quat &q, const glm::quat &other)
 
 }  // namespace
 
-NodeDrift::NodeDrift(const math::Trs *const (&t)[4]) : NodeDrift(*t[0], *t[3])
+NodeMotionBound::NodeMotionBound(const math::Trs *const (&t)[4]) : NodeMotionBound(*t[0], *t[3])
 {
-    const auto bend_of = [&](const auto &part) {
-        return cubic_bend(part(*t[0]), part(*t[1]), part(*t[2]), part(*t[3]));
+    const auto acceleration_of = [&](const auto &part) {
+        return cubic_acceleration(part(*t[0]), part(*t[1]), part(*t[2]), part(*t[3]));
     };
-    travel_bend = bend_of([](const math::Trs &trs) { return glm::dvec3(trs.translation); });
-    scale_bend = bend_of([](const math::Trs &trs) { return glm::dvec3(trs.scale); });
+    travel_acceleration = acceleration_of([](const math::Trs &trs) { return glm::dvec3(trs.translation); });
+    scale_acceleration = acceleration_of([](const math::Trs &trs) { return glm::dvec3(trs.scale); });
     // Angular velocity is twice a unit quaternion's, so is its derivative.
-    turn_bend = 2 * bend_of([&](const math::Trs &trs) { return near(trs.rotation, t[0]->rotation); });
+    turn_acceleration = 2 * acceleration_of([&](const math::Trs &trs) { return near(trs.rotation, t[0]->rotation); });
     // Speed differs from its mean by the second derivative at most, place from the chord by an eighth.
-    travel += travel_bend, growth += scale_bend, turn += turn_bend;
-    offset += travel_bend / 8, scale += scale_bend / 8;
+    travel += travel_acceleration, growth += scale_acceleration, turn += turn_acceleration;
+    offset += travel_acceleration / 8, scale += scale_acceleration / 8;
 }
 
 // x = T + R D S y, by the product rule; D, what degrees of freedom do, stands still.
-Drift NodeDrift::of(const Drift &inner, double most_shift) const
+MotionBound NodeMotionBound::of(const MotionBound &inner, double max_shift) const
 {
-    const double reach = scale * inner.reach + most_shift;
+    const double reach = scale * inner.reach + max_shift;
     const double speed = scale * inner.speed + growth * inner.reach;
-    const double bend = scale * inner.bend + 2 * growth * inner.speed + scale_bend * inner.reach;
+    const double acceleration =
+        scale * inner.acceleration + 2 * growth * inner.speed + scale_acceleration * inner.reach;
     return {offset + reach, travel + turn * reach + speed,
-            travel_bend + (turn * turn + turn_bend) * reach + 2 * turn * speed + bend};
+            travel_acceleration + (turn * turn + turn_acceleration) * reach + 2 * turn * speed + acceleration};
 }
 
 namespace
 {
 
 // The most that anything turns and grows in all between two poses, in radians: where it is more, they are halved.
-constexpr double much = 0.15;
-constexpr int most_halvings = 6;
+constexpr double max_segment_turn = 0.15;
+constexpr int max_halvings = 6;
 
 class Walk
 {
 public:
     Walk(const model::Rig &rig, const Visit &visit) : rig_(rig), visit_(visit), poser_(rig)
     {
-        way_.nodes.resize(rig.node_count());
-        way_.weights.resize(rig.rest_weights.size());
-        way_.weights_bend.resize(rig.rest_weights.size());
+        segment_.nodes.resize(rig.node_count());
+        segment_.weights.resize(rig.rest_weights.size());
+        segment_.weight_accelerations.resize(rig.rest_weights.size());
     }
 
     void run()
@@ -140,7 +141,7 @@ public:
         Locals to;
         for (size_t i = 0; i < poses.size(); ++i) {
             poser_.pose(poses[i], to);
-            if (i > 0 && leads(poses, i - 1)) go(poses[i - 1].time_s, poses[i], to, 0);
+            if (i > 0 && is_continuous(poses, i - 1)) go(poses[i - 1].time_s, poses[i], to, 0);
             else visit_(poses[i], to, nullptr);
             std::swap(from_, to);
         }
@@ -150,8 +151,8 @@ private:
     // From from_, which is of the same clip at `start`.
     void go(double start, const PoseAt &end, const Locals &to, int halvings)
     {
-        find_way(start, end, to);
-        if (halvings < most_halvings && most_turned() > much) {
+        find_segment(start, end, to);
+        if (halvings < max_halvings && max_turn() > max_segment_turn) {
             const PoseAt middle = {end.clip, 0.5 * (start + end.time_s)};
             Locals between;
             poser_.pose(middle, between);
@@ -160,32 +161,33 @@ private:
             go(middle.time_s, end, to, halvings + 1);
             return;
         }
-        visit_(end, to, &way_);
+        visit_(end, to, &segment_);
     }
 
-    void find_way(double start, const PoseAt &end, const Locals &to)
+    void find_segment(double start, const PoseAt &end, const Locals &to)
     {
         const bool cubic = is_cubic(end.clip);
         for (int k = 0; k < 2 && cubic; ++k)
             poser_.pose({end.clip, start + (end.time_s - start) * (k + 1) / 3}, thirds_[k]);
         for (uint32_t n = 0; n < rig_.node_count(); ++n)
-            way_.nodes[n] = cubic
-                                ? NodeDrift({&from_.nodes[n], &thirds_[0].nodes[n], &thirds_[1].nodes[n], &to.nodes[n]})
-                                : NodeDrift(from_.nodes[n], to.nodes[n]);
-        for (size_t w = 0; w < way_.weights.size(); ++w) {
+            segment_.nodes[n] =
+                cubic ? NodeMotionBound({&from_.nodes[n], &thirds_[0].nodes[n], &thirds_[1].nodes[n], &to.nodes[n]})
+                      : NodeMotionBound(from_.nodes[n], to.nodes[n]);
+        for (size_t w = 0; w < segment_.weights.size(); ++w) {
             const auto at = [w](const Locals &locals) { return glm::dvec1(double(locals.weights[w])); };
-            way_.weights_bend[w] = cubic ? cubic_bend(at(from_), at(thirds_[0]), at(thirds_[1]), at(to)) : 0;
-            way_.weights[w] = std::fabs(at(to).x - at(from_).x) + way_.weights_bend[w];
+            segment_.weight_accelerations[w] =
+                cubic ? cubic_acceleration(at(from_), at(thirds_[0]), at(thirds_[1]), at(to)) : 0;
+            segment_.weights[w] = std::fabs(at(to).x - at(from_).x) + segment_.weight_accelerations[w];
         }
     }
 
-    double most_turned() const
+    double max_turn() const
     {
         double most = 0;
         std::vector<double> sums(rig_.node_count());
         for (uint32_t n = 0; n < rig_.node_count(); ++n) {
-            const NodeDrift &drift = way_.nodes[n];
-            sums[n] = drift.turn + drift.growth / std::max(drift.scale, 1e-30);
+            const NodeMotionBound &motion_bound = segment_.nodes[n];
+            sums[n] = motion_bound.turn + motion_bound.growth / std::max(motion_bound.scale, 1e-30);
             if (rig_.parents[n] != model::none) sums[n] += sums[rig_.parents[n]];
             most = std::max(most, sums[n]);
         }
@@ -204,19 +206,19 @@ private:
     const Visit &visit_;
     LocalPoser poser_;
     Locals from_, thirds_[2];
-    Way way_;
+    PoseSegment segment_;
 };
 
 }  // namespace
 
 void walk_poses(const model::Rig &rig, const Visit &visit) { Walk(rig, visit).run(); }
 
-std::vector<double> most_shifts(const model::Rig &rig)
+std::vector<double> max_shifts(const model::Rig &rig)
 {
     std::vector<double> out(rig.node_count());
     for (const model::Dof &dof : rig.dofs)
         if (dof.kind == model::DofKind::translation)
-            out[dof.node] += 1.001 * std::max(std::fabs(double(dof.first)), std::fabs(double(dof.last)));
+            out[dof.node] += 1.001 * std::max(std::fabs(double(dof.min)), std::fabs(double(dof.max)));
     return out;
 }
 

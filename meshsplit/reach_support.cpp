@@ -15,7 +15,7 @@ namespace
 {
 
 // Of a turn about a unit axis, transposed: what the turned set shows along u, the set shows along the result.
-glm::dvec3 turned_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angle)
+glm::dvec3 rotated_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angle)
 {
     const double c = std::cos(angle), s = std::sin(angle);
     return u * c - glm::cross(axis, u) * s + axis * (glm::dot(axis, u) * (1 - c));
@@ -23,9 +23,9 @@ glm::dvec3 turned_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angle
 
 }  // namespace
 
-Map after(const Map &a, const Map &b) { return {a.turn * b.turn, a.turn * b.move + a.move}; }
+AffineMap after(const AffineMap &a, const AffineMap &b) { return {a.turn * b.turn, a.turn * b.move + a.move}; }
 
-void take_in(const Directions &directions, const Support &set, const Map &map, Support &out)
+void merge(const Directions &directions, const Support &set, const AffineMap &map, Support &out)
 {
     const glm::dmat3 back = glm::transpose(map.turn);
     for (size_t i = 0; i < directions.count(); ++i) {
@@ -38,10 +38,10 @@ double farthest(const Directions &directions, const Support &set, const glm::dve
 {
     double most = 0;
     for (size_t i = 0; i < set.size(); ++i) most = std::max(most, set[i] - glm::dot(directions[i], centre));
-    return most * directions.most_weight();
+    return most * directions.max_weight();
 }
 
-Freedom::Freedom(const Directions &directions, const model::Dof &dof)
+DofSweep::DofSweep(const Directions &directions, const model::Dof &dof)
 {
     if (dof.kind == model::DofKind::rotation) {
         plan_turns(directions, dof);
@@ -49,17 +49,17 @@ Freedom::Freedom(const Directions &directions, const model::Dof &dof)
     }
     for (size_t i = 0; i < directions.count(); ++i) {
         const double along = glm::dot(directions[i], glm::dvec3(dof.axis));
-        shift_.push_back(std::max(along * double(dof.first), along * double(dof.last)));
+        shift_.push_back(std::max(along * double(dof.min), along * double(dof.max)));
     }
 }
 
 // A point at rho from the axis shows a + rho * cos(angle - phi) along a direction square to the axis. Between two angles
 // that lie 2 w apart this is above both ends by rho * (1 - cos w) at most.
-void Freedom::plan_turns(const Directions &directions, const model::Dof &dof)
+void DofSweep::plan_turns(const Directions &directions, const model::Dof &dof)
 {
     // About half as far apart as the directions are: their distance goes with the square root of their number.
     const double widest = 1.5 / std::sqrt(double(directions.count()));
-    const double range = std::min(double(dof.last) - double(dof.first), 2 * math::pi);
+    const double range = std::min(double(dof.max) - double(dof.min), 2 * math::pi);
     const glm::dvec3 axis = glm::normalize(glm::dvec3(dof.axis));
     const int steps = static_cast<int>(std::ceil(range / widest));
     angles_ = size_t(steps) + 1;
@@ -70,20 +70,20 @@ void Freedom::plan_turns(const Directions &directions, const model::Dof &dof)
         const double along = glm::dot(directions[i], axis);
         between_.push_back(bulge * std::sqrt(std::max(0.0, 1 - along * along)));
         for (int k = 0; k <= steps; ++k) {
-            const double angle = double(dof.first) + (steps > 0 ? range * k / steps : 0);
-            turned_.push_back(directions.find(turned_back(directions[i], axis, angle)));
+            const double angle = double(dof.min) + (steps > 0 ? range * k / steps : 0);
+            turned_.push_back(directions.find(rotated_back(directions[i], axis, angle)));
         }
     }
 }
 
-void Freedom::spread(double reach, Support &set, Support &scratch) const
+void DofSweep::sweep(double reach, Support &set, Support &scratch) const
 {
     if (turned_.empty()) {
         for (size_t i = 0; i < set.size(); ++i) set[i] += shift_[i];
         return;
     }
     scratch = set;
-    const Blend *blend = turned_.data();
+    const DirectionBlend *blend = turned_.data();
     for (size_t i = 0; i < set.size(); ++i) {
         double most = blend->of(scratch.data());
         for (size_t k = 1; k < angles_; ++k) most = std::max(most, blend[k].of(scratch.data()));

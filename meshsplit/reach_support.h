@@ -12,32 +12,32 @@ namespace claque::meshsplit
 using Support = std::vector<double>;
 
 // x -> turn * x + move
-struct Map {
+struct AffineMap {
     glm::dmat3 turn = glm::dmat3(1);
     glm::dvec3 move = glm::dvec3(0);
 };
-Map after(const Map &a, const Map &b);  // a after b
+AffineMap after(const AffineMap &a, const AffineMap &b);  // a after b
 
 // `out` takes in what `map` makes of `set` too.
-void take_in(const Directions &directions, const Support &set, const Map &map, Support &out);
+void merge(const Directions &directions, const Support &set, const AffineMap &map, Support &out);
 
 // No point of the set is farther from `centre`; see Directions::most_weight.
 double farthest(const Directions &directions, const Support &set, const glm::dvec3 &centre);
 
 // What one degree of freedom of a node makes of a set, over its whole range.
-class Freedom
+class DofSweep
 {
 public:
-    Freedom(const Directions &directions, const model::Dof &dof);
+    DofSweep(const Directions &directions, const model::Dof &dof);
     // No point of the set is farther from the node's origin than `reach`.
-    void spread(double reach, Support &set, Support &scratch) const;
+    void sweep(double reach, Support &set, Support &scratch) const;
 
 private:
     void plan_turns(const Directions &directions, const model::Dof &dof);
 
     std::vector<double> shift_;  // of a translation: added in each direction
     // Of a rotation: for each direction, as the set sees it at angles close enough to each other,
-    std::vector<Blend> turned_;  // and what points may stand out between two of them, as a share of `reach`.
+    std::vector<DirectionBlend> turned_;  // and what points may stand out between two of them, as a share of `reach`.
     std::vector<double> between_;
     size_t angles_ = 0;
 };

@@ -61,7 +61,7 @@ bool similar_only(const model::Rig &rig)
     for (const math::Trs &trs : rig.rest)
         if (!uniform(std::fabs(trs.scale.x), std::fabs(trs.scale.y), std::fabs(trs.scale.z))) return false;
     for (const model::Channel &channel : rig.channels)
-        if (channel.path == model::Path::scale && !uniform_keys(rig, channel)) return false;
+        if (channel.target == model::ChannelTarget::scale && !uniform_keys(rig, channel)) return false;
     for (const model::PaletteEntry &entry : rig.palette)
         if (!math::is_similarity(entry.inverse_bind)) return false;
     return true;

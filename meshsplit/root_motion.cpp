@@ -14,7 +14,7 @@ namespace claque::meshsplit
 {
 
 using base::fail;
-using model::GroundStep;
+using model::GroundTransform;
 using model::none;
 
 namespace
@@ -28,10 +28,11 @@ struct Frame {
     double yaw = 0;
 };
 
-class Taker
+class RootMotionExtractor
 {
 public:
-    Taker(model::Rig &rig, uint32_t clip, uint32_t node) : rig_(rig), clip_(clip), node_(node), poser_(rig)
+    RootMotionExtractor(model::Rig &rig, uint32_t clip, uint32_t node)
+        : rig_(rig), clip_(clip), node_(node), poser_(rig)
     {
         for (uint32_t n = rig.parents[node]; n != none; n = rig.parents[n]) {
             above_ = math::mul(math::affine_of(rig.rest[n]), above_);
@@ -45,8 +46,9 @@ public:
         find_track();
         const size_t first = rig_.clips[clip_].first_channel, count = rig_.clips[clip_].channel_count;
         for (size_t i = first; i < first + count; ++i) {
-            const model::Path path = rig_.channels[i].path;
-            if (path != model::Path::morph_weights && rig_.channels[i].node == node_ && path != model::Path::scale)
+            const model::ChannelTarget path = rig_.channels[i].target;
+            if (path != model::ChannelTarget::morph_weights && rig_.channels[i].node == node_ &&
+                path != model::ChannelTarget::scale)
                 replace(rig_.channels[i]);
         }
         // Only now, as poses were still those of the old channels.
@@ -73,7 +75,7 @@ private:
         poser_.pose({clip_, time_s}, locals_);
         const math::Trs &local = locals_.nodes[node_];
         Frame frame;
-        frame.position = glm::dvec3(math::point(above_, local.translation));
+        frame.position = glm::dvec3(math::transform_point(above_, local.translation));
         frame.rotation = glm::normalize(turned_ * glm::dquat(local.rotation));
         return frame;
     }
@@ -97,19 +99,19 @@ private:
             double yaw = 2 * math::atan2(turn.y, turn.w);
             yaw += 2 * math::pi * std::floor((before - yaw) / (2 * math::pi) + 0.5);  // the turn that goes on
             before = yaw;
-            const GroundStep from = model::after({0, 0, yaw}, {first.position.x, first.position.z, 0});
+            const GroundTransform from = model::compose({0, 0, yaw}, {first.position.x, first.position.z, 0});
             steps_[i] = {now.position.x - from.x, now.position.z - from.z, yaw};
         }
     }
 
-    GroundStep step_at(double time_s) const
+    GroundTransform step_at(double time_s) const
     {
         const model::Clip &clip = rig_.clips[clip_];
         const double length = double(clip.duration_s);
         double at = length > 0 ? (time_s - double(clip.start_s)) / length * double(steps_.size() - 1) : 0;
         at = std::min(std::max(at, 0.0), double(steps_.size() - 1));
         const size_t i = std::min(static_cast<size_t>(at), steps_.size() - 2);
-        const GroundStep &a = steps_[i], &b = steps_[i + 1];
+        const GroundTransform &a = steps_[i], &b = steps_[i + 1];
         const double f = at - double(i);
         return {a.x + f * (b.x - a.x), a.z + f * (b.z - a.z), a.yaw + f * (b.yaw - a.yaw)};
     }
@@ -124,10 +126,10 @@ private:
         fresh.times.erase(std::unique(fresh.times.begin(), fresh.times.end()), fresh.times.end());
         for (const float time : fresh.times) {
             const Frame frame = frame_at(double(time));
-            const GroundStep back = model::inverse(step_at(double(time)));
-            if (channel.path == model::Path::translation) {
-                const GroundStep at = model::after(back, {frame.position.x, frame.position.z, 0});
-                const glm::vec3 local = math::point(below_, glm::vec3(at.x, frame.position.y, at.z));
+            const GroundTransform back = model::inverse(step_at(double(time)));
+            if (channel.target == model::ChannelTarget::translation) {
+                const GroundTransform at = model::compose(back, {frame.position.x, frame.position.z, 0});
+                const glm::vec3 local = math::transform_point(below_, glm::vec3(at.x, frame.position.y, at.z));
                 for (int k = 0; k < 3; ++k) fresh.values.push_back(local[k]);
             } else {
                 const glm::dquat turn(std::cos(0.5 * back.yaw), 0, std::sin(0.5 * back.yaw), 0);
@@ -140,14 +142,14 @@ private:
 
     void add_track()
     {
-        model::RootTrack track;
+        model::RootCurve track;
         track.clip = clip_;
         track.first_sample = static_cast<uint32_t>(rig_.root_samples.size() / 3);
         track.sample_count = static_cast<uint32_t>(steps_.size());
-        for (const GroundStep &step : steps_)
+        for (const GroundTransform &step : steps_)
             for (const double x : {step.x, step.z, step.yaw}) rig_.root_samples.push_back(static_cast<float>(x));
-        const auto later = [&](const model::RootTrack &other) { return other.clip > clip_; };
-        rig_.root_tracks.insert(std::find_if(rig_.root_tracks.begin(), rig_.root_tracks.end(), later), track);
+        const auto later = [&](const model::RootCurve &other) { return other.clip > clip_; };
+        rig_.root_curves.insert(std::find_if(rig_.root_curves.begin(), rig_.root_curves.end(), later), track);
     }
 
     model::Rig &rig_;
@@ -156,25 +158,25 @@ private:
     Locals locals_;
     math::Affine above_, below_;
     glm::dquat turned_ = glm::dquat(1, 0, 0, 0);
-    std::vector<GroundStep> steps_;
+    std::vector<GroundTransform> steps_;
     std::vector<Fresh> fresh_;
 };
 
 }  // namespace
 
-void take_root_motion(model::Rig &rig, uint32_t clip, uint32_t node)
+void extract_root_motion(model::Rig &rig, uint32_t clip, uint32_t node)
 {
     if (clip >= rig.clips.size()) fail(CLQ_ARGUMENT, "root motion of clip %u of %zu", clip, rig.clips.size());
     if (node >= rig.node_count()) fail(CLQ_ARGUMENT, "root motion of node %u of %u", node, rig.node_count());
-    for (const model::RootTrack &track : rig.root_tracks)
+    for (const model::RootCurve &track : rig.root_curves)
         if (track.clip == clip) fail(CLQ_ARGUMENT, "clip '%s' has root motion twice", rig.clip_names[clip].c_str());
     const model::Clip &of = rig.clips[clip];
     for (uint32_t n = rig.parents[node]; n != none; n = rig.parents[n])
         for (uint32_t i = of.first_channel; i < of.first_channel + of.channel_count; ++i)
-            if (rig.channels[i].path != model::Path::morph_weights && rig.channels[i].node == n)
+            if (rig.channels[i].target != model::ChannelTarget::morph_weights && rig.channels[i].node == n)
                 fail(CLQ_ARGUMENT, "root motion of node '%s': clip '%s' animates node '%s' above it",
                      rig.node_names[node].c_str(), rig.clip_names[clip].c_str(), rig.node_names[n].c_str());
-    Taker(rig, clip, node).run();
+    RootMotionExtractor(rig, clip, node).run();
 }
 
 }  // namespace claque::meshsplit

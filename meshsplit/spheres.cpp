@@ -102,7 +102,7 @@ public:
         std::vector<float> most(axes.size(), -std::numeric_limits<float>::infinity());
         std::vector<glm::dvec3> points(axes.size());
         for (size_t i = 0; i < poses_.size(); ++i) {
-            const bool amid = i > 0 && leads(poses_, i - 1) && leads(poses_, i);
+            const bool amid = i > 0 && is_continuous(poses_, i - 1) && is_continuous(poses_, i);
             if (amid && i % 4 != 0) continue;
             const auto palette = workspace_.pose(poses_[i].clip, poses_[i].time_s);
             for (const VertexCloud &cloud : clouds_)
@@ -116,40 +116,40 @@ public:
     }
 
 private:
-    struct Moment {
+    struct PoseSample {
         Palette palette;
         std::vector<float> weights;
         std::vector<Turn> turns;  // since the pose before; none where it does not lead here
     };
     struct Pose {
-        const Moment *before, *here, *after;  // before and after: null where no motion leads there
+        const PoseSample *before, *here, *after;  // before and after: null where no motion leads there
     };
 
     Pose take(size_t i)
     {
         if (i == 0) fill(0);
         if (i + 1 < poses_.size()) fill(i + 1);
-        Pose pose{nullptr, &moments_[i % 3], nullptr};
-        if (i > 0 && leads(poses_, i - 1)) pose.before = &moments_[(i + 2) % 3];
-        if (leads(poses_, i)) pose.after = &moments_[(i + 1) % 3];
+        Pose pose{nullptr, &pose_samples_[i % 3], nullptr};
+        if (i > 0 && is_continuous(poses_, i - 1)) pose.before = &pose_samples_[(i + 2) % 3];
+        if (is_continuous(poses_, i)) pose.after = &pose_samples_[(i + 1) % 3];
         return pose;
     }
 
     void fill(size_t i)
     {
-        Moment &moment = moments_[i % 3];
+        PoseSample &pose_sample = pose_samples_[i % 3];
         const auto palette = workspace_.pose(poses_[i].clip, poses_[i].time_s);
-        moment.palette.assign(palette.begin(), palette.end());
-        moment.weights.assign(workspace_.weights().begin(), workspace_.weights().end());
-        moment.turns.clear();
-        if (i > 0 && leads(poses_, i - 1))
-            for (size_t j = 0; j < moment.palette.size(); ++j)
-                moment.turns.emplace_back(moments_[(i - 1) % 3].palette[j], moment.palette[j]);
+        pose_sample.palette.assign(palette.begin(), palette.end());
+        pose_sample.weights.assign(workspace_.weights().begin(), workspace_.weights().end());
+        pose_sample.turns.clear();
+        if (i > 0 && is_continuous(poses_, i - 1))
+            for (size_t j = 0; j < pose_sample.palette.size(); ++j)
+                pose_sample.turns.emplace_back(pose_samples_[(i - 1) % 3].palette[j], pose_sample.palette[j]);
     }
 
     void grow(const VertexCloud &cloud, const Pose &pose)
     {
-        const double morphing = cloud.most_morphed(pose.here->weights.data());
+        const double morphing = cloud.max_morph_offset(pose.here->weights.data());
         for (uint32_t j = 0; j < pose.here->palette.size(); ++j)
             if (cloud.has(j) && reach_of_entry(cloud, pose, j, morphing) > radius_)
                 for (const uint32_t v : cloud.vertices(j)) radius_ = std::max(radius_, reach_of_vertex(cloud, pose, v));
@@ -162,12 +162,12 @@ private:
         const Affine &m = pose.here->palette[j];
         const double stretch = stretch_of(m);
         const double radius = (double(cloud.sphere(j).radius) + morphing) * stretch;
-        const glm::vec3 centre = math::point(m, cloud.sphere(j).centre);
+        const glm::vec3 centre = math::transform_point(m, cloud.sphere(j).centre);
         double bulge = 0;
-        for (const Moment *other : {pose.before, pose.after}) {
+        for (const PoseSample *other : {pose.before, pose.after}) {
             if (!other) continue;
             const Affine &n = other->palette[j];
-            const double chord = glm::distance(math::point(n, cloud.sphere(j).centre), centre) +
+            const double chord = glm::distance(math::transform_point(n, cloud.sphere(j).centre), centre) +
                                  4 * turn(pose, other, j).tangent * radius;
             bulge = std::max(bulge, turn(pose, other, j).bulge(chord));
         }
@@ -178,7 +178,7 @@ private:
     {
         const glm::vec3 here = cloud.skinned(v, pose.here->palette.data(), pose.here->weights.data());
         double bulge = 0;
-        for (const Moment *other : {pose.before, pose.after}) {
+        for (const PoseSample *other : {pose.before, pose.after}) {
             if (!other) continue;
             const double chord = glm::distance(cloud.skinned(v, other->palette.data(), other->weights.data()), here);
             for (const uint32_t j : cloud.joints(v)) bulge = std::max(bulge, turn(pose, other, j).bulge(chord));
@@ -186,7 +186,7 @@ private:
         return double(glm::distance(here, sphere_.centre)) + bulge;
     }
 
-    static const Turn &turn(const Pose &pose, const Moment *other, uint32_t j)
+    static const Turn &turn(const Pose &pose, const PoseSample *other, uint32_t j)
     {
         return other == pose.before ? pose.here->turns[j] : pose.after->turns[j];
     }
@@ -202,7 +202,7 @@ private:
     const std::vector<PoseAt> poses_;
     pose::Workspace workspace_;
     std::vector<VertexCloud> clouds_;
-    Moment moments_[3];  // pose i stands at i % 3
+    PoseSample pose_samples_[3];  // pose i stands at i % 3
     model::Sphere sphere_;
     double radius_ = 0;
 };

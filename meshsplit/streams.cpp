@@ -17,18 +17,18 @@ constexpr uint16_t no_zone = 0xffff;
 constexpr uint16_t no_slot = 0xffff;
 
 // What one texture set shows: per texel the index of its zone in the texture's keys.
-struct Shown {
+struct ZoneImage {
     TexelGrid grid;
     std::vector<uint16_t> zones;
 };
 
 template <class Image>
-Shown shown_by(const model::Texture &texture, const Image &image)
+ZoneImage zone_image_of(const model::Texture &texture, const Image &image)
 {
     std::array<uint16_t, 256> index{};
     index.fill(no_zone);
     for (size_t i = 0; i < texture.keys.size(); ++i) index[texture.keys[i].key] = static_cast<uint16_t>(i);
-    Shown out{{image.width, image.height, texture.wrap_s, texture.wrap_t}, {}};
+    ZoneImage out{{image.width, image.height, texture.wrap_s, texture.wrap_t}, {}};
     out.zones.resize(size_t(image.width) * image.height);
     for (size_t i = 0; i < out.zones.size(); ++i) out.zones[i] = index[image.rgba[4 * i + 3]];
     return out;
@@ -41,15 +41,16 @@ public:
     explicit ZoneCollector(const model::Texture &texture) : seen_(texture.keys.size())
     {
         if (seen_.size() == 1) return;
-        shown_.push_back(shown_by(texture, texture));
-        for (const model::TextureImage &other : texture.others) shown_.push_back(shown_by(texture, other));
+        zone_images_.push_back(zone_image_of(texture, texture));
+        for (const model::TextureImage &other : texture.set_images)
+            zone_images_.push_back(zone_image_of(texture, other));
     }
 
     void append(const UvTriangle &triangle, std::vector<uint16_t> &out)
     {
         if (seen_.size() == 1) return out.push_back(0);
         std::fill(seen_.begin(), seen_.end(), uint8_t(0));
-        for (const Shown &shown : shown_) collect(shown, triangle);
+        for (const ZoneImage &zone_image : zone_images_) collect(zone_image, triangle);
         const size_t before = out.size();
         for (size_t z = 0; z < seen_.size(); ++z)
             if (seen_[z]) out.push_back(static_cast<uint16_t>(z));
@@ -57,18 +58,18 @@ public:
     }
 
 private:
-    void collect(const Shown &shown, const UvTriangle &triangle)
+    void collect(const ZoneImage &zone_image, const UvTriangle &triangle)
     {
         spans_.clear();
-        cover(shown.grid, triangle, spans_);
+        cover(zone_image.grid, triangle, spans_);
         for (const TexelSpan &span : spans_) {
-            const uint16_t *texel = shown.zones.data() + size_t(span.row) * shown.grid.width + span.first;
+            const uint16_t *texel = zone_image.zones.data() + size_t(span.row) * zone_image.grid.width + span.first;
             for (uint32_t i = 0; i < span.count; ++i)
                 if (texel[i] != no_zone) seen_[texel[i]] = 1;
         }
     }
 
-    std::vector<Shown> shown_;
+    std::vector<ZoneImage> zone_images_;
     std::vector<uint8_t> seen_;
     std::vector<TexelSpan> spans_;
 };
@@ -113,7 +114,7 @@ private:
         surface.dirty = add_range(dirty);
         add_bins(touching, surface.dirty_by_zone);
         surface.fused = add_fused(clean, dirty);
-        if (part_count_ > 1) surface.part_firsts.assign(part_firsts_.begin(), part_firsts_.end());
+        if (part_count_ > 1) surface.part_offsets.assign(part_firsts_.begin(), part_firsts_.end());
     }
 
     void add_bins(const std::vector<std::vector<size_t>> &lists, model::Array<model::Bin> &out)

@@ -106,11 +106,11 @@ Charts charts_of(const Mesh &mesh, uint32_t plan)
     return charts;
 }
 
-Wrap drawn(Wrap wrap) { return wrap == Wrap::clamp ? Wrap::clamp : Wrap::repeat; }
+Wrap gl_wrap(Wrap wrap) { return wrap == Wrap::clamp ? Wrap::clamp : Wrap::repeat; }
 
 void fill_gutters(const TexturePlan &plan, const Charts &charts, ZoneMap &map)
 {
-    const TexelGrid grid{map.width, map.height, drawn(plan.wrap_s), drawn(plan.wrap_t)};
+    const TexelGrid grid{map.width, map.height, gl_wrap(plan.wrap_s), gl_wrap(plan.wrap_t)};
     std::vector<uint8_t> covered(map.zones.size());
     std::vector<TexelSpan> spans;
     for (const UvTriangle &triangle : charts.triangles) {
@@ -122,10 +122,10 @@ void fill_gutters(const TexturePlan &plan, const Charts &charts, ZoneMap &map)
     dilate(map, covered);
 }
 
-ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mesh, uint32_t plan_index, uint32_t image,
-                  uint32_t max_px)
+ZoneMap final_map(const model::Model &model, const MaterialPlan &materials, const Mesh &mesh, uint32_t plan_index,
+                  uint32_t image, uint32_t max_px)
 {
-    const TexturePlan &plan = looks.textures[plan_index];
+    const TexturePlan &plan = materials.textures[plan_index];
     ZoneMap map = source_map(model, plan, image);
     if (image == none) return map;
     if (plan.wrap_s == Wrap::mirror || plan.wrap_t == Wrap::mirror)
@@ -138,9 +138,9 @@ ZoneMap final_map(const model::Model &model, const Looks &looks, const Mesh &mes
 
 // Zones of a texture, those of all its sets, in the order of their keys: as in the file where it has keys, else as the
 // model lists them.
-std::vector<uint32_t> zones_of(const std::vector<ZoneMap> &maps, const Looks &looks, const TexturePlan &plan)
+std::vector<uint32_t> zones_of(const std::vector<ZoneMap> &maps, const MaterialPlan &materials, const TexturePlan &plan)
 {
-    std::vector<uint8_t> present(looks.zones.size());
+    std::vector<uint8_t> present(materials.zones.size());
     for (const ZoneMap &map : maps)
         for (const uint16_t zone : map.zones)
             if (zone != hole) present[zone] = 1;
@@ -150,7 +150,7 @@ std::vector<uint32_t> zones_of(const std::vector<ZoneMap> &maps, const Looks &lo
     if (zones.empty()) zones.push_back(plan.image == none ? plan.cells[0].zone : plan.zone);
     if (plan.zone == none && plan.image != none)
         std::stable_sort(zones.begin(), zones.end(),
-                         [&](uint32_t a, uint32_t b) { return looks.zones[a].key < looks.zones[b].key; });
+                         [&](uint32_t a, uint32_t b) { return materials.zones[a].key < materials.zones[b].key; });
     return zones;
 }
 
@@ -170,28 +170,29 @@ bool encode(const ZoneMap &map, const model::Array<model::ZoneKey> &keys, model:
 }
 
 // What all texture sets show, the first one first; one where they show the same.
-std::vector<ZoneMap> maps_of(const model::Model &model, const Looks &looks, const Mesh &mesh, uint32_t plan_index,
-                             uint32_t max_px)
+std::vector<ZoneMap> maps_of(const model::Model &model, const MaterialPlan &materials, const Mesh &mesh,
+                             uint32_t plan_index, uint32_t max_px)
 {
-    const TexturePlan &plan = looks.textures[plan_index];
-    std::vector<ZoneMap> maps = {final_map(model, looks, mesh, plan_index, plan.image, max_px)};
+    const TexturePlan &plan = materials.textures[plan_index];
+    std::vector<ZoneMap> maps = {final_map(model, materials, mesh, plan_index, plan.image, max_px)};
     const auto differs = [](uint32_t image) { return image != none; };
     if (std::none_of(plan.others.begin(), plan.others.end(), differs)) return maps;
     for (const uint32_t image : plan.others)
-        maps.push_back(image == none ? maps[0] : final_map(model, looks, mesh, plan_index, image, max_px));
+        maps.push_back(image == none ? maps[0] : final_map(model, materials, mesh, plan_index, image, max_px));
     return maps;
 }
 
-void make_texture(const std::vector<ZoneMap> &maps, const Looks &looks, const TexturePlan &plan, model::Texture &out)
+void make_texture(const std::vector<ZoneMap> &maps, const MaterialPlan &materials, const TexturePlan &plan,
+                  model::Texture &out)
 {
-    const std::vector<uint32_t> zones = zones_of(maps, looks, plan);
+    const std::vector<uint32_t> zones = zones_of(maps, materials, plan);
     const std::vector<uint8_t> keys = model::geometric_keys(static_cast<uint32_t>(zones.size()));
     for (size_t i = 0; i < zones.size(); ++i) out.keys.push_back({zones[i], keys[i]});
     out.width = maps[0].width, out.height = maps[0].height;
-    out.wrap_s = drawn(plan.wrap_s), out.wrap_t = drawn(plan.wrap_t);
+    out.wrap_s = gl_wrap(plan.wrap_s), out.wrap_t = gl_wrap(plan.wrap_t);
     out.has_holes = encode(maps[0], out.keys, out.rgba);
     for (size_t i = 1; i < maps.size(); ++i) {
-        model::TextureImage &other = out.others.emplace_back(out.others.get_allocator().resource());
+        model::TextureImage &other = out.set_images.emplace_back(out.set_images.get_allocator().resource());
         other.width = maps[i].width, other.height = maps[i].height;
         out.has_holes = encode(maps[i], out.keys, other.rgba) || out.has_holes;
     }
@@ -213,17 +214,17 @@ ZoneMap source_map(const model::Model &model, const TexturePlan &plan, uint32_t 
     return map;
 }
 
-std::vector<uint32_t> make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px,
+std::vector<uint32_t> make_textures(const model::Model &model, const MaterialPlan &materials, uint32_t max_texture_px,
                                     const Mesh &mesh, model::Array<model::Texture> &out)
 {
-    std::vector<uint32_t> made(looks.textures.size(), none);
+    std::vector<uint32_t> made(materials.textures.size(), none);
     for (const MeshSurface &surface : mesh.surfaces) {
         uint32_t &texture = made[surface.texture];
         if (texture != none) continue;
-        const std::vector<ZoneMap> maps = maps_of(model, looks, mesh, surface.texture, max_texture_px);
+        const std::vector<ZoneMap> maps = maps_of(model, materials, mesh, surface.texture, max_texture_px);
         texture = static_cast<uint32_t>(out.size());
         out.emplace_back(out.get_allocator().resource());
-        make_texture(maps, looks, looks.textures[surface.texture], out.back());
+        make_texture(maps, materials, materials.textures[surface.texture], out.back());
     }
     return made;
 }

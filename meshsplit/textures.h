@@ -15,7 +15,7 @@ ZoneMap source_map(const model::Model &model, const TexturePlan &plan, uint32_t 
 
 // Appends one texture for each plan that the mesh's surfaces show; the mesh holds whatever is shown at any distance.
 // Returns the number of each plan's texture, or none.
-std::vector<uint32_t> make_textures(const model::Model &model, const Looks &looks, uint32_t max_texture_px,
+std::vector<uint32_t> make_textures(const model::Model &model, const MaterialPlan &materials, uint32_t max_texture_px,
                                     const Mesh &mesh, model::Array<model::Texture> &out);
 
 }  // namespace claque::meshsplit

@@ -90,11 +90,11 @@ glm::vec3 VertexCloud::skinned(uint32_t vertex, const math::Affine *palette, con
         for (uint32_t d = first_delta_[vertex]; d < first_delta_[vertex + 1]; ++d)
             bind += morph_weights[deltas_[d].weight] * deltas_[d].position;
     for (uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i)
-        out += level_->weights[i] * math::point(palette[level_->joints[i]], bind);
+        out += level_->weights[i] * math::transform_point(palette[level_->joints[i]], bind);
     return out;
 }
 
-double VertexCloud::most_morphed(const float *morph_weights) const
+double VertexCloud::max_morph_offset(const float *morph_weights) const
 {
     double sum = 0;
     for (size_t r = 0; r < longest_delta_.size(); ++r)

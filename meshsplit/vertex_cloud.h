@@ -30,7 +30,7 @@ public:
     }
     glm::vec3 skinned(uint32_t vertex, const math::Affine *palette, const float *morph_weights) const;
     // No vertex is moved farther than this by morph targets of these weights.
-    double most_morphed(const float *morph_weights) const;
+    double max_morph_offset(const float *morph_weights) const;
 
 private:
     struct Delta {

@@ -17,26 +17,26 @@ public:
 
     // What may stand in a batch: levels of one surface without dirty triangles, so that nobody needs an alpha test of its
     // own, of `most` triangles at most. It does not depend on the strategy, so that all strategies show the same.
-    static bool fits(const model::Template &tmpl, const model::Level &level, uint32_t most);
+    static bool fits(const model::Template &tmpl, const model::Level &level, uint32_t max_triangles);
     // And who: nobody whose host draws round it, lends it a texture or places its parts by GL's matrix stack.
-    bool takes(const Individual &who) const;
+    bool takes(const Individual &individual) const;
 
     // Draws what it holds first where that has another state or leaves no room.
-    void add(const Individual &who);
+    void add(const Individual &individual);
     // Draws what it holds. To be called before anything else is drawn, and at the end.
     void flush();
 
 private:
     // How much of the arrays somebody takes.
-    struct Share {
+    struct ArrayCounts {
         uint32_t vertices, indices;
     };
-    static Share share_of(const Individual &who);
+    static ArrayCounts counts_of(const Individual &individual);
 
-    void add_places(const Individual &who);
-    void add_flat(const Individual &who);
-    void add_looks(const Individual &who);
-    void add_triangles(const Individual &who);
+    void add_vertices(const Individual &individual);
+    void add_flat(const Individual &individual);
+    void add_colours(const Individual &individual);
+    void add_triangles(const Individual &individual);
 
     const Gl11 &gl_;
     const RendererOptions &options_;

@@ -70,12 +70,12 @@ struct Individual {
 };
 
 // One colour a vertex of a level, from the slots of a surface. `table` has room for the slots.
-void slot_colours(const Individual &who, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out);
-void slot_colours(const Individual &who, uint32_t surface_index, Array<Real4> &table, Real4 *out);
+void slot_colours(const Individual &individual, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out);
+void slot_colours(const Individual &individual, uint32_t surface_index, Array<Real4> &table, Real4 *out);
 
 // One colour a vertex of a level in a colour a triangle, what it shows and the texel in one.
-void flat_colours(const Individual &who, Array<Ubyte4> &table, Ubyte4 *out);
-void flat_colours(const Individual &who, Array<Real4> &table, Real4 *out);
+void flat_colours(const Individual &individual, Array<Ubyte4> &table, Ubyte4 *out);
+void flat_colours(const Individual &individual, Array<Real4> &table, Real4 *out);
 
 class Canvas
 {
@@ -86,29 +86,30 @@ public:
     }
     const RendererOptions &options() const { return options_; }
 
-    void place(const Individual &who);  // its matrix and its arrays; colours apart
+    void bind_vertices(const Individual &individual);  // its matrix and its arrays; colours apart
 
     // Whether any triangle of the parts that are drawn stands there.
-    static bool any(const Individual &who, const Stretch &stretch)
+    static bool any(const Individual &individual, const IndexSlice &slice)
     {
-        return who.whole() ? stretch.range.count != 0 : any_of(stretch, who.parts, part_count_of(*who.level));
+        return individual.whole() ? slice.range.count != 0
+                                  : any_of(slice, individual.parts, part_count_of(*individual.level));
     }
 
     // The state that a surface of an individual asks for, without an alpha test.
-    static SurfaceState state_of(const Individual &who, const model::Surface &surface);
+    static SurfaceState state_of(const Individual &individual, const model::Surface &surface);
     void apply(const SurfaceState &wanted) { state_.apply(wanted); }
 
     // One zone's colour for what is drawn next: glColor, or an array where the template has vertex colours.
-    void use_zone_colour(const Individual &who, uint32_t surface_index, const ZoneTest &test);
+    void use_zone_colour(const Individual &individual, uint32_t surface_index, const ZoneTest &test);
 
     // Every vertex of a surface's fused triangles gets the colour and the threshold of its slot.
-    void use_slot_colours(const Individual &who, uint32_t surface_index);
+    void use_slot_colours(const Individual &individual, uint32_t surface_index);
 
     // One call where all parts are drawn, else one for each run of neighbours.
-    void triangles(const Individual &who, const Stretch &stretch);
+    void triangles(const Individual &individual, const IndexSlice &slice);
 
 private:
-    void draw_elements(const Individual &who, model::IndexRange range);
+    void draw_elements(const Individual &individual, model::IndexRange range);
 
     const Gl11 &gl_;
     const RendererOptions &options_;

@@ -12,6 +12,6 @@ namespace claque::passes
 
 // Fills out.flat, of a batched level that shows_texels() (places.h), `most` triangles at most; of any other it
 // stays empty. Throws std::bad_alloc.
-void prepare_flat(PreparedLevel &out, const model::Template &source, const model::Level &level, uint32_t most);
+void prepare_flat(PreparedLevel &out, const model::Template &source, const model::Level &level, uint32_t max_triangles);
 
 }  // namespace claque::passes

@@ -42,7 +42,7 @@ void let_materials_follow(const Gl11 &gl)
 
 }  // namespace
 
-StackPlaces places_of(Guard mode) { return {mode == Guard::full, mode != Guard::none}; }
+StackEntries stack_entries_of(Guard mode) { return {mode == Guard::full, mode != Guard::none}; }
 
 void disable_arrays(const Gl11 &gl)
 {

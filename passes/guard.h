@@ -91,7 +91,7 @@ constexpr Left left_by_none[] = {
 };
 
 // Places that it takes on the host's attribute stacks.
-StackPlaces places_of(Guard mode);
+StackEntries stack_entries_of(Guard mode);
 
 // Saves what the mode promises on construction, puts it back on destruction. Preflight has made sure of the stacks.
 class StateGuard

@@ -14,7 +14,7 @@ namespace claque::passes
 {
 
 // Taken on the attribute stacks while one is open.
-constexpr StackPlaces hook_places = {1, 1};
+constexpr StackEntries hook_stack_entries = {1, 1};
 
 class HookFrame
 {

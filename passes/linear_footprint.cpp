@@ -11,7 +11,7 @@ namespace
 // GL_LINEAR reaches half a texel from a sample; rasterisers snap vertices, extrapolate by as much and round weights: an eighth
 // of a texel more, as where zones of triangles are found for GL_NEAREST.
 constexpr double reach = 0.5 + 0.125;
-constexpr double most_texels_across = 65536;
+constexpr double max_texels_across = 65536;
 
 int64_t wrapped(int64_t at, uint32_t size, model::Wrap wrap)
 {
@@ -42,7 +42,8 @@ void widen(const double (&x)[3], const double (&y)[3], double bottom, double top
 LinearFootprint::LinearFootprint(const model::Texture &texture) : texture_(texture)
 {
     shown_.push_back({texture.width, texture.height, &texture.rgba});
-    for (const model::TextureImage &other : texture.others) shown_.push_back({other.width, other.height, &other.rgba});
+    for (const model::TextureImage &other : texture.set_images)
+        shown_.push_back({other.width, other.height, &other.rgba});
 }
 
 size_t LinearFootprint::texel(const Shown &shown, int64_t x, int64_t y) const
@@ -67,7 +68,7 @@ bool LinearFootprint::one_zone(const Shown &shown, const glm::vec2 (&uv)[3], int
     double x[3], y[3];
     for (int k = 0; k < 3; ++k) {
         x[k] = double(uv[k].x) * shown.width, y[k] = double(uv[k].y) * shown.height;
-        if (!(std::fabs(x[k]) < most_texels_across && std::fabs(y[k]) < most_texels_across)) return false;
+        if (!(std::fabs(x[k]) < max_texels_across && std::fabs(y[k]) < max_texels_across)) return false;
     }
     const auto [least, most] = std::minmax({y[0], y[1], y[2]});
     for (int64_t row = static_cast<int64_t>(std::floor(least - reach));

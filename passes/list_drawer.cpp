@@ -20,27 +20,27 @@ bool shows(const draw::Item &item)
 namespace
 {
 
-constexpr size_t ahead = 3;          // individuals: what one takes is about what memory needs for the next few
-constexpr size_t most_bytes = 4096;  // of one array: those of finer levels GL reads itself, in a call of their own
+constexpr size_t ahead = 3;         // individuals: what one takes is about what memory needs for the next few
+constexpr size_t max_bytes = 4096;  // of one array: those of finer levels GL reads itself, in a call of their own
 
 // Inlined, as GCC takes functions that do nothing else for functions that do nothing.
-#define CLAQUE_FETCH __attribute__((always_inline)) inline void
+#define CLAQUE_PREFETCH __attribute__((always_inline)) inline void
 
-CLAQUE_FETCH fetch(const void *from, size_t bytes)
+CLAQUE_PREFETCH prefetch(const void *from, size_t bytes)
 {
     constexpr size_t line = 64;
     const char *at = static_cast<const char *>(from);
-    for (size_t i = 0; at && i < bytes && bytes <= most_bytes; i += line) __builtin_prefetch(at + i);
+    for (size_t i = 0; at && i < bytes && bytes <= max_bytes; i += line) __builtin_prefetch(at + i);
 }
 
 // Vertices lie wherever the cache had room, and are read once: without this, half of the time of a batch is waiting.
-CLAQUE_FETCH fetch_vertices(const draw::Item &item)
+CLAQUE_PREFETCH prefetch_vertices(const draw::Item &item)
 {
     const size_t count = item.tmpl->levels[item.level].vertex_count;
-    fetch(item.vertices.positions, 3 * sizeof(float) * count);
-    fetch(item.vertices.normals, 3 * sizeof(float) * count);
-    fetch(item.vertices.short_positions, 4 * sizeof(int16_t) * count);
-    fetch(item.vertices.byte_normals, 4 * count);
+    prefetch(item.vertices.positions, 3 * sizeof(float) * count);
+    prefetch(item.vertices.normals, 3 * sizeof(float) * count);
+    prefetch(item.vertices.short_positions, 4 * sizeof(int16_t) * count);
+    prefetch(item.vertices.byte_normals, 4 * count);
 }
 
 }  // namespace
@@ -69,70 +69,71 @@ base::Status ListDrawer::draw()
     const auto by_matrices = [](const draw::Item &item) { return item.locals != nullptr; };
     if (std::any_of(list_.items.begin(), list_.items.end(), by_matrices)) room_ = matrix_room(gl_);
     base::Status first;
-    Individual who;
+    Individual individual;
     for (size_t i = 0; i < list_.items.size(); ++i) {
-        if (i + ahead < list_.items.size()) fetch_vertices(list_.items[i + ahead]);
+        if (i + ahead < list_.items.size()) prefetch_vertices(list_.items[i + ahead]);
         const draw::Item &item = list_.items[i];
         if (!shows(item)) continue;
-        if (!make(item, who)) {
+        if (!make(item, individual)) {
             if (first.ok())
                 first =
                     base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no room to skin it at draw time", item.actor_index);
-        } else if (!item.hooks) draw_individual(who);
-        else if (draw_between_hooks(who, first) == Next::stop) break;
-        if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) let_gl_begin();
+        } else if (!item.hooks) draw_individual(individual);
+        else if (draw_between_hooks(individual, first) == Next::stop) break;
+        if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) flush_gl();
     }
     batch_.flush();
     state_.end_flat();
     return first;
 }
 
-bool ListDrawer::make(const draw::Item &item, Individual &who) const
+bool ListDrawer::make(const draw::Item &item, Individual &individual) const
 {
-    if (!who.prepared || who.prepared->source != item.tmpl) who.prepared = find(templates_, item.tmpl);
-    who.item = &item;
-    who.ready = &who.prepared->levels[item.level];
-    who.level = &who.ready->drawn(item.tmpl->levels[item.level]);
-    who.zone_rgb = item.zone_rgb ? item.zone_rgb : who.prepared->zone_rgb.data();
-    who.parts = item.parts & every_part_of(*who.level);
-    who.own = nullptr;
-    who.vertices = item.vertices;
+    if (!individual.prepared || individual.prepared->source != item.tmpl)
+        individual.prepared = find(templates_, item.tmpl);
+    individual.item = &item;
+    individual.ready = &individual.prepared->levels[item.level];
+    individual.level = &individual.ready->drawn(item.tmpl->levels[item.level]);
+    individual.zone_rgb = item.zone_rgb ? item.zone_rgb : individual.prepared->zone_rgb.data();
+    individual.parts = item.parts & every_part_of(*individual.level);
+    individual.own = nullptr;
+    individual.vertices = item.vertices;
     if (item.locals) {
-        who.vertices = draw::Vertices();
-        who.vertices.positions = who.ready->positions.data();
-        who.vertices.normals = who.ready->normals.data();
-    } else if (!who.vertices.any()) {
-        who.vertices = list_.server->serve(item);
+        individual.vertices = draw::Vertices();
+        individual.vertices.positions = individual.ready->positions.data();
+        individual.vertices.normals = individual.ready->normals.data();
+    } else if (!individual.vertices.any()) {
+        individual.vertices = list_.server->serve(item);
     }
-    return who.vertices.any();
+    return individual.vertices.any();
 }
 
-void ListDrawer::draw_individual(const Individual &who)
+void ListDrawer::draw_individual(const Individual &individual)
 {
-    if (batch_.takes(who)) return batch_.add(who);
+    if (batch_.takes(individual)) return batch_.add(individual);
     batch_.flush();
-    canvas_.place(who);
-    if (who.item->locals) MatrixWalk(gl_, canvas_, scratch_.chain, stats_, room_).draw(who);
-    else draw_parts(canvas_, who);
+    canvas_.bind_vertices(individual);
+    if (individual.item->locals) MatrixWalk(gl_, canvas_, scratch_.chain, stats_, room_).draw(individual);
+    else draw_parts(canvas_, individual);
 }
 
-void ListDrawer::let_gl_begin()
+void ListDrawer::flush_gl()
 {
     batch_.flush();
     gl_.Flush();
     flushed_ = stats_.triangles;
 }
 
-ListDrawer::Next ListDrawer::draw_between_hooks(Individual &who, base::Status &first)
+ListDrawer::Next ListDrawer::draw_between_hooks(Individual &individual, base::Status &first)
 {
     batch_.flush();
-    HookFrame frame(gl_, preflight_, state_, list_, *who.item);
+    HookFrame frame(gl_, preflight_, state_, list_, *individual.item);
     const uint32_t room = room_;
     base::Status status = frame.before();
     if (status.ok()) {
-        who.own = frame.texture();
-        if (who.item->locals && who.item->hooks->before) room_ = matrix_room(gl_);
-        draw_individual(who);
+        individual.own = frame.texture();
+        if (individual.item->locals && individual.item->hooks->before) room_ = matrix_room(gl_);
+        draw_individual(individual);
     }
     room_ = room;
     if (first.ok()) first = status;

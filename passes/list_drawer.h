@@ -26,10 +26,10 @@ public:
 private:
     enum class Next { go_on, stop };
 
-    bool make(const draw::Item &item, Individual &who) const;
-    Next draw_between_hooks(Individual &who, base::Status &first);
-    void draw_individual(const Individual &who);
-    void let_gl_begin();
+    bool make(const draw::Item &item, Individual &individual) const;
+    Next draw_between_hooks(Individual &individual, base::Status &first);
+    void draw_individual(const Individual &individual);
+    void flush_gl();
 
     const Gl11 &gl_;
     const Preflight &preflight_;

@@ -23,16 +23,16 @@ MatrixWalk::MatrixWalk(const Gl11 &gl, Canvas &canvas, Array<math::Affine> &chai
 {
 }
 
-void MatrixWalk::draw(const Individual &who)
+void MatrixWalk::draw(const Individual &individual)
 {
-    const Array<MatrixStep> &steps = who.ready->steps;
+    const Array<MatrixStep> &steps = individual.ready->steps;
     for (uint32_t i = 0; i < steps.size();) {
         const MatrixStep &step = steps[i];
-        if (!(step.below & who.parts)) {
+        if (!(step.below & individual.parts)) {
             i = step.next;
             continue;
         }
-        step.depth <= nested_ ? draw_nested(who, step) : draw_multiplied(who, step);
+        step.depth <= nested_ ? draw_nested(individual, step) : draw_multiplied(individual, step);
         ++i;
     }
     rise_to(0);
@@ -51,30 +51,30 @@ void MatrixWalk::descend(const math::Affine &matrix)
     ++depth_;
 }
 
-void MatrixWalk::draw_nested(const Individual &who, const MatrixStep &step)
+void MatrixWalk::draw_nested(const Individual &individual, const MatrixStep &step)
 {
     rise_to(step.depth - 1);
-    descend(who.item->locals[step.node]);
-    draw_own(who, step);
+    descend(individual.item->locals[step.node]);
+    draw_own(individual, step);
 }
 
-void MatrixWalk::draw_multiplied(const Individual &who, const MatrixStep &step)
+void MatrixWalk::draw_multiplied(const Individual &individual, const MatrixStep &step)
 {
-    const math::Affine &local = who.item->locals[step.node];
+    const math::Affine &local = individual.item->locals[step.node];
     const uint32_t level = step.depth - nested_ - 1;
     chain_[level] = level == 0 ? local : math::mul(chain_[level - 1], local);
-    if (!(step.own & who.parts)) return;
+    if (!(step.own & individual.parts)) return;
     rise_to(nested_);
     if (room_ > 0) descend(chain_[level]);
-    else gl_.LoadMatrixf(glm::value_ptr(glm::make_mat4(who.item->model_view) * math::mat4_of(chain_[level])));
-    draw_own(who, step);
+    else gl_.LoadMatrixf(glm::value_ptr(glm::make_mat4(individual.item->model_view) * math::mat4_of(chain_[level])));
+    draw_own(individual, step);
 }
 
-void MatrixWalk::draw_own(const Individual &who, const MatrixStep &step)
+void MatrixWalk::draw_own(const Individual &individual, const MatrixStep &step)
 {
-    if (!(step.own & who.parts)) return;
-    Individual part = who;
-    part.parts = step.own & who.parts;
+    if (!(step.own & individual.parts)) return;
+    Individual part = individual;
+    part.parts = step.own & individual.parts;
     draw_parts(canvas_, part);
 }
 

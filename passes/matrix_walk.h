@@ -18,14 +18,14 @@ class MatrixWalk
 {
 public:
     MatrixWalk(const Gl11 &gl, Canvas &canvas, Array<math::Affine> &chain, DrawStats &stats, uint32_t room);
-    void draw(const Individual &who);
+    void draw(const Individual &individual);
 
 private:
     void rise_to(uint32_t depth);  // pops what lies deeper
     void descend(const math::Affine &matrix);
-    void draw_nested(const Individual &who, const MatrixStep &step);
-    void draw_multiplied(const Individual &who, const MatrixStep &step);
-    void draw_own(const Individual &who, const MatrixStep &step);
+    void draw_nested(const Individual &individual, const MatrixStep &step);
+    void draw_multiplied(const Individual &individual, const MatrixStep &step);
+    void draw_own(const Individual &individual, const MatrixStep &step);
 
     const Gl11 &gl_;
     Canvas &canvas_;

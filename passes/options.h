@@ -28,7 +28,7 @@ struct RendererOptions {
 // triangle of each.
 struct LuminanceStep {
     uint32_t linear_triangles = 0, triangles = 0, edges = 0;
-    float mean = 0, most = 0;  // of 255
+    float mean = 0, max = 0;  // of 255
 };
 
 struct DrawStats {

@@ -24,26 +24,26 @@ inline uint32_t count_of(uint64_t parts) { return static_cast<uint32_t>(std::bit
 
 // A range of a surface's triangles, and where the level's parts begin in it: one more number than parts; null: one
 // part.
-struct Stretch {
+struct IndexSlice {
     model::IndexRange range;
     const uint32_t *firsts = nullptr;
 };
 
 // The ranges of a surface, as model::Surface::part_firsts counts them.
-class Stretches
+class IndexSlices
 {
 public:
-    Stretches(const model::Level &level, const model::Surface &surface)
+    IndexSlices(const model::Level &level, const model::Surface &surface)
         : surface_(surface), row_(level.parts.size() + 1), clean_(surface.clean.size())
     {
     }
-    Stretch clean(size_t bin) const { return {surface_.clean[bin].range, row(bin)}; }
-    Stretch dirty() const { return {surface_.dirty, row(clean_)}; }
-    Stretch by_zone(size_t bin) const { return {surface_.dirty_by_zone[bin].range, row(clean_ + 1 + bin)}; }
-    Stretch fused() const { return {surface_.fused, row(count() - 1)}; }
+    IndexSlice clean(size_t bin) const { return {surface_.clean[bin].range, row(bin)}; }
+    IndexSlice dirty() const { return {surface_.dirty, row(clean_)}; }
+    IndexSlice by_zone(size_t bin) const { return {surface_.dirty_by_zone[bin].range, row(clean_ + 1 + bin)}; }
+    IndexSlice fused() const { return {surface_.fused, row(count() - 1)}; }
 
     size_t count() const { return clean_ + surface_.dirty_by_zone.size() + 2; }
-    Stretch operator[](size_t i) const
+    IndexSlice operator[](size_t i) const
     {
         if (i < clean_) return clean(i);
         if (i == clean_) return dirty();
@@ -53,27 +53,27 @@ public:
 private:
     const uint32_t *row(size_t i) const
     {
-        return surface_.part_firsts.empty() ? nullptr : surface_.part_firsts.data() + i * row_;
+        return surface_.part_offsets.empty() ? nullptr : surface_.part_offsets.data() + i * row_;
     }
     const model::Surface &surface_;
     size_t row_, clean_;
 };
 
 // The share of one part.
-inline model::IndexRange part_of(const Stretch &stretch, uint32_t part)
+inline model::IndexRange part_of(const IndexSlice &slice, uint32_t part)
 {
-    if (!stretch.firsts) return stretch.range;
-    return {stretch.range.first + stretch.firsts[part], stretch.firsts[part + 1] - stretch.firsts[part]};
+    if (!slice.firsts) return slice.range;
+    return {slice.range.first + slice.firsts[part], slice.firsts[part + 1] - slice.firsts[part]};
 }
 
 // Calls draw(range) for what `parts` have of a stretch: neighbours together, in order.
 template <class Draw>
-void for_runs(const Stretch &stretch, uint64_t parts, uint32_t part_count, Draw draw)
+void for_runs(const IndexSlice &slice, uint64_t parts, uint32_t part_count, Draw draw)
 {
-    model::IndexRange run = {stretch.range.first, 0};
+    model::IndexRange run = {slice.range.first, 0};
     for (uint32_t part = 0; part < part_count; ++part) {
         if (!(parts >> part & 1)) continue;
-        const model::IndexRange share = part_of(stretch, part);
+        const model::IndexRange share = part_of(slice, part);
         if (share.count == 0) continue;
         if (run.count != 0 && run.first + run.count != share.first) {
             draw(run);
@@ -85,10 +85,10 @@ void for_runs(const Stretch &stretch, uint64_t parts, uint32_t part_count, Draw 
     if (run.count != 0) draw(run);
 }
 
-inline bool any_of(const Stretch &stretch, uint64_t parts, uint32_t part_count)
+inline bool any_of(const IndexSlice &slice, uint64_t parts, uint32_t part_count)
 {
     for (uint32_t part = 0; part < part_count; ++part)
-        if ((parts >> part & 1) && part_of(stretch, part).count != 0) return true;
+        if ((parts >> part & 1) && part_of(slice, part).count != 0) return true;
     return false;
 }
 

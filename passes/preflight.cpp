@@ -63,19 +63,19 @@ bool contains_word(const char *words, const char *word)
     return false;
 }
 
-base::Status check_stack(const Gl11 &gl, int32_t places, gl::Enum depth, gl::Enum most, const char *name)
+base::Status check_stack(const Gl11 &gl, int32_t entries, gl::Enum depth, gl::Enum most, const char *name)
 {
-    if (places == 0 || integer(gl, depth) + places <= integer(gl, most)) return base::Status::good();
+    if (entries == 0 || integer(gl, depth) + entries <= integer(gl, most)) return base::Status::good();
     return base::Status::bad(CLQ_GL_STATE, "the host has taken %d of %d places of the %s stack, claque needs %d",
-                             integer(gl, depth), integer(gl, most), name, places);
+                             integer(gl, depth), integer(gl, most), name, entries);
 }
 
-base::Status check_stacks(const Gl11 &gl, StackPlaces places)
+base::Status check_stacks(const Gl11 &gl, StackEntries entries)
 {
     base::Status status =
-        check_stack(gl, places.attributes, gl::attrib_stack_depth, gl::max_attrib_stack_depth, "glPushAttrib");
+        check_stack(gl, entries.attributes, gl::attrib_stack_depth, gl::max_attrib_stack_depth, "glPushAttrib");
     if (!status.ok()) return status;
-    return check_stack(gl, places.client, gl::client_attrib_stack_depth, gl::max_client_attrib_stack_depth,
+    return check_stack(gl, entries.client, gl::client_attrib_stack_depth, gl::max_client_attrib_stack_depth,
                        "glPushClientAttrib");
 }
 
@@ -83,7 +83,7 @@ base::Status check_stacks(const Gl11 &gl, StackPlaces places)
 
 base::Status Preflight::learn(const Gl11 &gl)
 {
-    static_assert(spoiler_count <= most_spoilers, "make room in known_");
+    static_assert(spoiler_count <= max_spoilers, "make room in known_");
     constexpr gl::Enum context_profile_mask = 0x9126;
     constexpr int32_t core_profile_bit = 1;
 
@@ -131,10 +131,10 @@ base::Status Preflight::check_target(const Gl11 &gl) const
     return base::Status::good();
 }
 
-base::Status Preflight::check_draw(const Gl11 &gl, StackPlaces places) const
+base::Status Preflight::check_draw(const Gl11 &gl, StackEntries entries) const
 {
     base::Status status = check_target(gl);
-    return status.ok() ? check_stacks(gl, places) : status;
+    return status.ok() ? check_stacks(gl, entries) : status;
 }
 
 base::Status Preflight::check_upload(const Gl11 &gl) const

@@ -13,7 +13,7 @@ namespace claque::passes
 {
 
 // Places that a draw takes on the attribute stacks.
-struct StackPlaces {
+struct StackEntries {
     int32_t attributes = 0;
     int32_t client = 0;
 };
@@ -26,17 +26,17 @@ public:
     base::Status learn(const Gl11 &gl);
 
     // Fails: CLQ_GL_MISSING (no current context), CLQ_GL_STATE (the first thing that would spoil it).
-    base::Status check_draw(const Gl11 &gl, StackPlaces places) const;
+    base::Status check_draw(const Gl11 &gl, StackEntries entries) const;
     base::Status check_target(const Gl11 &gl) const;  // the same, the stacks apart
     base::Status check_upload(const Gl11 &gl) const;
 
     bool has_multisample() const { return multisample_; }
 
 private:
-    static constexpr int most_spoilers = 24;
+    static constexpr int max_spoilers = 24;
     base::Status check(const Gl11 &gl, bool upload) const;
 
-    bool known_[most_spoilers] = {false};  // which entries of the list in preflight.cpp this GL knows
+    bool known_[max_spoilers] = {false};  // which entries of the list in preflight.cpp this GL knows
     bool multisample_ = false;
 };
 

@@ -3,8 +3,8 @@
 #include "lib/model/keys.h"
 #include "passes/batch.h"
 #include "passes/flat.h"
+#include "passes/linear_clean.h"
 #include "passes/parts.h"
-#include "passes/smooth.h"
 
 #include <algorithm>
 
@@ -27,23 +27,23 @@ bool bins_in_range(const Array<model::Bin> &bins, const model::Level &level, siz
 }
 
 // Rising from 0 to the range's count.
-bool parts_are_sound(const Stretch &stretch, size_t part_count)
+bool parts_are_sound(const IndexSlice &slice, size_t part_count)
 {
-    const uint32_t *firsts = stretch.firsts;
+    const uint32_t *firsts = slice.firsts;
     if (!firsts) return true;
     for (size_t part = 0; part < part_count; ++part)
         if (firsts[part] % 3 != 0 || firsts[part] > firsts[part + 1]) return false;
-    return firsts[0] == 0 && firsts[part_count] == stretch.range.count;
+    return firsts[0] == 0 && firsts[part_count] == slice.range.count;
 }
 
 bool parts_are_sound(const model::Surface &surface, const model::Level &level)
 {
     const size_t parts = level.parts.size();
-    const Stretches stretches(level, surface);
+    const IndexSlices slices(level, surface);
     if (parts > model::max_level_parts) return false;
-    if (surface.part_firsts.size() != (parts < 2 ? 0 : stretches.count() * (parts + 1))) return false;
-    for (size_t i = 0; i < stretches.count(); ++i)
-        if (!parts_are_sound(stretches[i], parts)) return false;
+    if (surface.part_offsets.size() != (parts < 2 ? 0 : slices.count() * (parts + 1))) return false;
+    for (size_t i = 0; i < slices.count(); ++i)
+        if (!parts_are_sound(slices[i], parts)) return false;
     return true;
 }
 
@@ -76,8 +76,8 @@ bool image_is_sound(const Image &image)
 bool texture_is_sound(const model::Texture &texture, const model::Template &source)
 {
     return image_is_sound(texture) && !texture.keys.empty() &&
-           (texture.others.empty() || texture.others.size() == source.texture_sets.size()) &&
-           std::all_of(texture.others.begin(), texture.others.end(),
+           (texture.set_images.empty() || texture.set_images.size() == source.texture_sets.size()) &&
+           std::all_of(texture.set_images.begin(), texture.set_images.end(),
                        [](const model::TextureImage &image) { return image_is_sound(image); }) &&
            std::all_of(texture.keys.begin(), texture.keys.end(),
                        [&](const model::ZoneKey &key) { return key.zone < source.zone_count(); });
@@ -125,7 +125,7 @@ base::Status choose_strategy(PreparedTemplate &out, Strategy wanted, uint32_t al
 
 void prepare_texture(PreparedTexture &out, const model::Texture &texture, const RendererOptions &options)
 {
-    out.names.resize(1 + texture.others.size());
+    out.names.resize(1 + texture.set_images.size());
     if (options.linear_clean) out.linear_names.resize(out.names.size());
     const std::vector<uint8_t> bytes = model::keys_of(texture);
     const model::Keys keys(bytes);
@@ -180,7 +180,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
         ready.batched = Batch::fits(source, level, options.batch_triangles);
         prepare_flat(ready, source, level, options.flat_triangles);
         LuminanceStep step;
-        if (options.linear_clean && !ready.batched) prepare_smooth(ready, source, level, step);
+        if (options.linear_clean && !ready.batched) prepare_linear_clean(ready, source, level, step);
         if (&level == &source.levels[0]) out.step = step;
         prepare_ranges(ready, ready.drawn(level));
         prepare_shadow(ready, level);

@@ -39,7 +39,7 @@ struct VertexRange {
 };
 
 // Vertices that the triangles of one part of one surface reach.
-struct PartReach {
+struct PartVertexRanges {
     VertexRange sources, copies;
 };
 
@@ -56,20 +56,20 @@ struct MatrixStep {
 // the texel that its colour is multiplied by.
 struct FlatLevel {
     explicit FlatLevel(std::pmr::memory_resource *memory)
-        : vertices(memory), looks(memory), indices(memory), zones(memory), rgb(memory)
+        : vertices(memory), colour_entries(memory), indices(memory), zones(memory), rgb(memory)
     {
     }
-    Array<uint16_t> vertices;  // of the level
-    Array<uint16_t> looks;     // one a vertex
-    Array<uint16_t> indices;   // into `vertices`; a triangle shows the look of its last one, whose normal is the sum of
-                               // those of all triangles that it is the last one of
-    Array<uint32_t> zones;     // one a look: of the template
-    uint32_t sets = 1;         // texture sets that differ
-    Array<uint8_t> rgb;        // three a set of a look
+    Array<uint16_t> vertices;        // of the level
+    Array<uint16_t> colour_entries;  // one a vertex
+    Array<uint16_t> indices;  // into `vertices`; a triangle shows the look of its last one, whose normal is the sum of
+                              // those of all triangles that it is the last one of
+    Array<uint32_t> zones;    // one a look: of the template
+    uint32_t sets = 1;        // texture sets that differ
+    Array<uint8_t> rgb;       // three a set of a look
 
-    const uint8_t *texel(uint32_t look, uint32_t set) const
+    const uint8_t *texel(uint32_t colour_entry, uint32_t set) const
     {
-        return &rgb[3 * (size_t(look) * sets + (set < sets ? set : 0))];
+        return &rgb[3 * (size_t(colour_entry) * sets + (set < sets ? set : 0))];
     }
 };
 
@@ -77,20 +77,20 @@ struct PreparedLevel {
     explicit PreparedLevel(std::pmr::memory_resource *memory)
         : short_indices(memory),
           fused_vertices(memory),
-          part_reach(memory),
+          part_vertex_ranges(memory),
           positions(memory),
           normals(memory),
           steps(memory),
           flat(memory),
-          smoothed(memory),
+          filtered(memory),
           linear(memory),
           shadow_indices(memory),
           shadow_firsts(memory)
     {
     }
-    Array<uint16_t> short_indices;      // as model::Level::indices, or empty: those are used
-    Array<VertexRange> fused_vertices;  // per surface: what its fused triangles reach
-    Array<PartReach> part_reach;        // per surface and part; empty where the level has one
+    Array<uint16_t> short_indices;               // as model::Level::indices, or empty: those are used
+    Array<VertexRange> fused_vertices;           // per surface: what its fused triangles reach
+    Array<PartVertexRanges> part_vertex_ranges;  // per surface and part; empty where the level has one
 
     // Where PreparedTemplate::rigid: each vertex, copies included, in the space of the node that its part hangs on.
     Array<float> positions, normals;
@@ -101,9 +101,9 @@ struct PreparedLevel {
 
     // Where clean triangles are filtered (smooth.h): the level, its surfaces parted in two, in place of the template's; and for
     // each of these surfaces whether it is the filtered one. Else both empty.
-    Array<model::Level> smoothed;
+    Array<model::Level> filtered;
     Array<uint8_t> linear;
-    const model::Level &drawn(const model::Level &level) const { return smoothed.empty() ? level : smoothed[0]; }
+    const model::Level &drawn(const model::Level &level) const { return filtered.empty() ? level : filtered[0]; }
 
     Array<uint32_t> shadow_indices;  // every triangle once, part by part, by source vertices: see ShadowDrawer
     Array<uint32_t> shadow_firsts;   // where each part begins, and the end

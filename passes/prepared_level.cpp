@@ -10,9 +10,9 @@ namespace claque::passes
 namespace
 {
 
-constexpr uint32_t most_short_vertices = 65535;  // index 65535 stays free: it is what primitive restart likes
+constexpr uint32_t max_short_vertices = 65535;  // index 65535 stays free: it is what primitive restart likes
 
-VertexRange reach_of(const model::Level &level, model::IndexRange range)
+VertexRange vertex_ranges_of(const model::Level &level, model::IndexRange range)
 {
     VertexRange reach;
     if (range.count == 0) return reach;
@@ -27,11 +27,11 @@ void widen(VertexRange &range, uint32_t vertex)
     range = {std::min(range.first, vertex), std::max(range.end, vertex + 1)};
 }
 
-PartReach reach_of(const model::Level &level, const Stretches &stretches, uint32_t part)
+PartVertexRanges vertex_ranges_of(const model::Level &level, const IndexSlices &slices, uint32_t part)
 {
-    PartReach reach;
-    for (size_t s = 0; s < stretches.count(); ++s) {
-        const model::IndexRange share = part_of(stretches[s], part);
+    PartVertexRanges reach;
+    for (size_t s = 0; s < slices.count(); ++s) {
+        const model::IndexRange share = part_of(slices[s], part);
         for (uint32_t i = share.first; i < share.first + share.count; ++i) {
             const uint32_t vertex = level.indices[i];
             widen(vertex < level.source_count ? reach.sources : reach.copies, vertex);
@@ -64,9 +64,9 @@ uint32_t node_of(const model::Template &source, const model::Level &level, const
 {
     uint32_t node = model::none;
     for (const model::Surface &surface : level.surfaces) {
-        const Stretches stretches(level, surface);
-        for (size_t s = 0; s < stretches.count(); ++s) {
-            const model::IndexRange share = part_of(stretches[s], part);
+        const IndexSlices slices(level, surface);
+        for (size_t s = 0; s < slices.count(); ++s) {
+            const model::IndexRange share = part_of(slices[s], part);
             for (uint32_t i = share.first; i < share.first + share.count; ++i) {
                 const uint32_t vertex = level.indices[i];
                 const uint32_t from = vertex < level.source_count ? vertex : level.copies[vertex - level.source_count];
@@ -120,8 +120,8 @@ void place_in_nodes(PreparedLevel &out, const model::Template &source, const mod
         const uint32_t from = v < level.source_count ? v : level.copies[v - level.source_count];
         const math::Affine &bind = source.rig.palette[entries[from]].inverse_bind;
         const float *p = &level.positions[3 * size_t(from)], *n = &level.normals[3 * size_t(from)];
-        push(out.positions, math::point(bind, glm::vec3(p[0], p[1], p[2])));
-        push(out.normals, math::direction(math::normal_matrix(bind), glm::vec3(n[0], n[1], n[2])));
+        push(out.positions, math::transform_point(bind, glm::vec3(p[0], p[1], p[2])));
+        push(out.normals, math::transform_vector(math::normal_matrix(bind), glm::vec3(n[0], n[1], n[2])));
     }
 }
 
@@ -142,13 +142,13 @@ bool lengths_match(const model::Template &source, const model::Level &level)
 
 void prepare_ranges(PreparedLevel &out, const model::Level &level)
 {
-    if (level.vertex_count <= most_short_vertices) out.short_indices.assign(level.indices.begin(), level.indices.end());
+    if (level.vertex_count <= max_short_vertices) out.short_indices.assign(level.indices.begin(), level.indices.end());
     for (const model::Surface &surface : level.surfaces) {
-        out.fused_vertices.push_back(reach_of(level, surface.fused));
+        out.fused_vertices.push_back(vertex_ranges_of(level, surface.fused));
         if (part_count_of(level) == 1) continue;
-        const Stretches stretches(level, surface);
+        const IndexSlices slices(level, surface);
         for (uint32_t part = 0; part < level.parts.size(); ++part)
-            out.part_reach.push_back(reach_of(level, stretches, part));
+            out.part_vertex_ranges.push_back(vertex_ranges_of(level, slices, part));
     }
 }
 
@@ -161,9 +161,9 @@ void prepare_shadow(PreparedLevel &out, const model::Level &level)
     for (uint32_t part = 0; part < part_count_of(level); ++part) {
         out.shadow_firsts.push_back(static_cast<uint32_t>(out.shadow_indices.size()));
         for (const model::Surface &surface : level.surfaces) {
-            const Stretches stretches(level, surface);
-            for (size_t bin = 0; bin < surface.clean.size(); ++bin) add(part_of(stretches.clean(bin), part));
-            add(part_of(stretches.dirty(), part));
+            const IndexSlices slices(level, surface);
+            for (size_t bin = 0; bin < surface.clean.size(); ++bin) add(part_of(slices.clean(bin), part));
+            add(part_of(slices.dirty(), part));
         }
     }
     out.shadow_firsts.push_back(static_cast<uint32_t>(out.shadow_indices.size()));

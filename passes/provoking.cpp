@@ -11,7 +11,7 @@ namespace claque::passes
 namespace
 {
 
-constexpr float least_cosine = 0.5f;  // between the facings of triangles that are lit as one
+constexpr float min_cosine = 0.5f;  // between the facings of triangles that are lit as one
 
 // Places are taken one after the other, each by the most triangles that can end there together, those that no triangle
 // ends at yet before others: they are sent anyway.
@@ -27,7 +27,7 @@ public:
     {
         for (Provoking best = find_best(); !best.triangles.empty(); best = find_best()) {
             for (const uint32_t t : best.triangles) is_open_[t] = false;
-            taken_.insert(best.place);
+            taken_.insert(best.vertex);
             made_.push_back(std::move(best));
         }
         return std::move(made_);
@@ -39,11 +39,12 @@ private:
         std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> open;  // by place and look
         for (uint32_t t = 0; t < triangles_.size(); ++t)
             if (is_open_[t])
-                for (const uint32_t place : triangles_[t].places) open[{place, triangles_[t].look}].push_back(t);
+                for (const uint32_t vertex : triangles_[t].vertices)
+                    open[{vertex, triangles_[t].colour_entry}].push_back(t);
         Provoking best;
         for (const auto &[where, candidates] : open) {
             std::vector<uint32_t> together = most_alike(candidates);
-            const bool is_free = !taken_.count(where.first), best_free = !taken_.count(best.place);
+            const bool is_free = !taken_.count(where.first), best_free = !taken_.count(best.vertex);
             if (!best.triangles.empty() &&
                 (is_free != best_free ? best_free : together.size() <= best.triangles.size()))
                 continue;
@@ -59,7 +60,7 @@ private:
         for (const uint32_t one : candidates) {
             std::vector<uint32_t> alike;
             for (const uint32_t other : candidates)
-                if (other == one || glm::dot(triangles_[one].facing, triangles_[other].facing) >= least_cosine)
+                if (other == one || glm::dot(triangles_[one].normal, triangles_[other].normal) >= min_cosine)
                     alike.push_back(other);
             if (alike.size() > most.size()) most = std::move(alike);
         }

@@ -11,14 +11,14 @@ namespace claque::passes
 {
 
 struct FlatTriangle {
-    std::array<uint32_t, 3> places = {0, 0, 0};  // of its corners; those of neighbours are the same
-    uint32_t look = 0;                           // what it shows
-    glm::vec3 facing = glm::vec3(0);             // its unit normal at rest
+    std::array<uint32_t, 3> vertices = {0, 0, 0};  // of its corners; those of neighbours are the same
+    uint32_t colour_entry = 0;                     // what it shows
+    glm::vec3 normal = glm::vec3(0);               // its unit normal at rest
 };
 
 // A provoking vertex. Its triangles show one look, and face about one way, as all are lit by one normal.
 struct Provoking {
-    uint32_t place = 0, look = 0;
+    uint32_t vertex = 0, colour_entry = 0;
     std::vector<uint32_t> triangles;
 };
 

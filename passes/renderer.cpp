@@ -13,7 +13,7 @@ namespace claque::passes
 namespace
 {
 
-uint32_t most_slots(const model::Template &tmpl)
+uint32_t max_slots(const model::Template &tmpl)
 {
     size_t most = 0;
     for (const model::Texture &texture : tmpl.textures) most = std::max(most, 2 * texture.keys.size());
@@ -22,21 +22,21 @@ uint32_t most_slots(const model::Template &tmpl)
     return static_cast<uint32_t>(most);
 }
 
-uint32_t most_looks(const PreparedTemplate &prepared)
+uint32_t max_colour_entries(const PreparedTemplate &prepared)
 {
     size_t most = 0;
     for (const PreparedLevel &level : prepared.levels) most = std::max(most, level.flat.zones.size());
     return static_cast<uint32_t>(most);
 }
 
-uint32_t most_vertices(const model::Template &tmpl)
+uint32_t max_vertices(const model::Template &tmpl)
 {
     uint32_t most = 0;
     for (const model::Level &level : tmpl.levels) most = std::max(most, level.vertex_count);
     return most;
 }
 
-uint32_t deepest(const PreparedTemplate &prepared)
+uint32_t max_depth(const PreparedTemplate &prepared)
 {
     uint32_t most = 0;
     for (const PreparedLevel &level : prepared.levels)
@@ -101,9 +101,9 @@ base::Status Renderer::add(const model::Template &tmpl)
     PreparedTemplate &prepared = templates_.emplace_back(memory_);
     status = prepare_without_gl(prepared, tmpl, options_, alpha_bits);
     if (!status.ok()) return status;
-    scratch_.reserve(options_.colours, most_vertices(tmpl), std::max(most_slots(tmpl), most_looks(prepared)));
-    scratch_.reserve_chain(deepest(prepared));
-    scratch_.shadow.reserve(most_vertices(tmpl));
+    scratch_.reserve(options_.colours, max_vertices(tmpl), std::max(max_slots(tmpl), max_colour_entries(prepared)));
+    scratch_.reserve_chain(max_depth(prepared));
+    scratch_.shadow.reserve(max_vertices(tmpl));
     const auto batched = [](const PreparedLevel &level) { return level.batched; };
     if (std::any_of(prepared.levels.begin(), prepared.levels.end(), batched)) scratch_.reserve_batch(options_.colours);
     upload_textures(gl_, prepared);
@@ -142,22 +142,22 @@ base::Status Renderer::check_items(const draw::DrawList &list) const
     return base::Status::good();
 }
 
-StackPlaces Renderer::places_for(const draw::DrawList &list) const
+StackEntries Renderer::stack_entries_for(const draw::DrawList &list) const
 {
-    StackPlaces places = places_of(options_.guard);
+    StackEntries entries = stack_entries_of(options_.guard);
     const auto hooked = [](const draw::Item &item) { return item.hooks != nullptr; };
     if (std::any_of(list.items.begin(), list.items.end(), hooked)) {
-        places.attributes += hook_places.attributes;
-        places.client += hook_places.client;
+        entries.attributes += hook_stack_entries.attributes;
+        entries.client += hook_stack_entries.client;
     }
-    return places;
+    return entries;
 }
 
 base::Status Renderer::draw(const draw::DrawList &list, DrawStats *out_stats)
 {
     DrawStats stats;
     base::Status status = open_ ? check_items(list) : not_open();
-    if (status.ok()) status = preflight_.check_draw(gl_, places_for(list));
+    if (status.ok()) status = preflight_.check_draw(gl_, stack_entries_for(list));
     if (status.ok() && std::any_of(list.items.begin(), list.items.end(), shows))
         status = ListDrawer(gl_, preflight_, options_, templates_, scratch_, list, stats).draw();
     if (out_stats) *out_stats = stats;

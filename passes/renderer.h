@@ -57,7 +57,7 @@ public:
 private:
     base::Status check_items(const draw::DrawList &list) const;
     base::Status check_item(const draw::DrawList &list, const draw::Item &item, const PreparedTemplate &prepared) const;
-    StackPlaces places_for(const draw::DrawList &list) const;
+    StackEntries stack_entries_for(const draw::DrawList &list) const;
     base::Status check_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowTarget &target);
     base::Status add(const model::Template &tmpl);
 

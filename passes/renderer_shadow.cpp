@@ -32,7 +32,7 @@ base::Status Renderer::check_shadows(const draw::DrawList &list, const ShadowOpt
                                      item.tmpl ? item.tmpl->name.c_str() : "(none)");
         if (base::Status status = check_item(list, item, *prepared); !status.ok()) return status;
     }
-    if (base::Status status = preflight_.check_draw(gl_, places_of(Guard::full)); !status.ok()) return status;
+    if (base::Status status = preflight_.check_draw(gl_, stack_entries_of(Guard::full)); !status.ok()) return status;
     if (base::Status status = check_stencil(gl_, options.stencil_bit); !status.ok()) return status;
     int32_t box[4] = {0, 0, 0, 0};
     gl_.GetIntegerv(gl::viewport, box);

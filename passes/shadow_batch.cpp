@@ -8,7 +8,7 @@ namespace
 {
 
 // What costs more to copy than a call does.
-constexpr uint32_t most_indices = 3 * 250;
+constexpr uint32_t max_indices = 3 * 250;
 
 }  // namespace
 
@@ -32,9 +32,9 @@ void ShadowBatch::make_room(uint32_t vertices, uint32_t indices)
         flush();
 }
 
-void ShadowBatch::add(const Flat &flat)
+void ShadowBatch::add(const FlattenedMesh &flat)
 {
-    if (flat.vertices > ShadowArrays::batch_vertices || flat.count > most_indices) {
+    if (flat.vertices > ShadowArrays::batch_vertices || flat.count > max_indices) {
         flush();
         load_identity();
         gl_.VertexPointer(3, gl::real, 0, flat.positions);

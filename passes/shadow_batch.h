@@ -30,7 +30,7 @@ struct ShadowArrays {
 };
 
 // What becomes of flattened triangles. `positions`: in eye space, 3 a vertex.
-struct Flat {
+struct FlattenedMesh {
     const float *positions = nullptr;
     uint32_t vertices = 0;
     const uint32_t *indices = nullptr;
@@ -43,7 +43,7 @@ public:
     ShadowBatch(const Gl11 &gl, ShadowArrays &arrays, ShadowStats &stats) : gl_(gl), arrays_(arrays), stats_(stats) {}
 
     // Draws what it holds first where that leaves no room; large ones by themselves.
-    void add(const Flat &flat);
+    void add(const FlattenedMesh &flat);
     // Two triangles, corners in turn.
     void add(const glm::vec3 (&corners)[4]);
     // Draws what it holds. To be called before anything else is drawn, and at the end.

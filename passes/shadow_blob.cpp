@@ -19,16 +19,16 @@ constexpr double circle[blob_corners][2] = {{1, 0},  {s, h},   {h, s},   {0, 1},
 const uint32_t blob_indices[blob_indices_count] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5,  0, 5,  6,
                                                    0, 6, 7, 0, 7, 8, 0, 8, 9, 0, 9, 10, 0, 10, 11};
 
-Spread::Spread(const Fall &fall)
+PlanarMoments::PlanarMoments(const ShadowPlane &plane)
 {
-    const glm::dvec3 &n = fall.normal;
+    const glm::dvec3 &n = plane.normal;
     const glm::dvec3 other = std::fabs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
     u_ = glm::cross(n, other);
     u_ = u_ / std::sqrt(glm::dot(u_, u_));
     v_ = glm::cross(n, u_);
 }
 
-void Spread::add(const float *p)
+void PlanarMoments::add(const float *p)
 {
     const glm::dvec3 at(p[0], p[1], p[2]);
     if (count_ == 0) first_ = at;
@@ -38,7 +38,7 @@ void Spread::add(const float *p)
     sum_uu_ += u * u, sum_uv_ += u * v, sum_vv_ += v * v;
 }
 
-void Spread::ellipse(float (&out)[3 * blob_corners]) const
+void PlanarMoments::ellipse(float (&out)[3 * blob_corners]) const
 {
     const double mean_u = sum_u_ / count_, mean_v = sum_v_ / count_;
     const double uu = std::max(sum_uu_ / count_ - mean_u * mean_u, 0.0);

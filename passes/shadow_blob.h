@@ -2,7 +2,7 @@
 #pragma once
 
 #include "passes/shadow_batch.h"
-#include "passes/shadow_fall.h"
+#include "passes/shadow_plane.h"
 
 namespace claque::passes
 {
@@ -11,10 +11,10 @@ constexpr uint32_t blob_corners = 12, blob_indices_count = 3 * (blob_corners - 2
 extern const uint32_t blob_indices[blob_indices_count];
 
 // Moments of points on a plane, in its own two directions.
-class Spread
+class PlanarMoments
 {
 public:
-    explicit Spread(const Fall &fall);
+    explicit PlanarMoments(const ShadowPlane &plane);
     void add(const float *p);
     // Corners of the ellipse, 3 numbers each. There has been a point.
     void ellipse(float (&out)[3 * blob_corners]) const;

@@ -46,7 +46,7 @@ ShadowDrawer::ShadowDrawer(const Gl11 &gl, const Preflight &preflight, const Arr
       options_(options),
       target_(target),
       stats_(stats),
-      fall_of_(options, list),
+      plane_finder_(options, list),
       batch_(gl, scratch.shadow, stats)
 {
 }
@@ -83,7 +83,7 @@ base::Status ShadowDrawer::draw()
     const StateGuard guard(gl_, Guard::full, gl::stencil_buffer_bit);
     set_state();
     if (options_.stencil_bit >= 0) set_stencil();
-    else cover_.emplace(list_.projection, target_.width, target_.height, scratch_.shadow, batch_);
+    else shadow_mask_.emplace(list_.projection, target_.width, target_.height, scratch_.shadow, batch_);
     base::Status first;
     const PreparedTemplate *prepared = nullptr;
     for (const draw::Item &item : list_.items) {
@@ -99,8 +99,8 @@ base::Status ShadowDrawer::draw()
 // False where its vertices could not be had.
 bool ShadowDrawer::cast(const draw::Item &item, const PreparedLevel &ready)
 {
-    Fall fall;
-    if (!fall_of_.find(item, fall)) return true;
+    ShadowPlane plane;
+    if (!plane_finder_.find(item, plane)) return true;
     draw::Vertices vertices = item.vertices;
     if (!item.locals && !vertices.any()) {
         vertices = list_.server->serve(item);
@@ -112,16 +112,16 @@ bool ShadowDrawer::cast(const draw::Item &item, const PreparedLevel &ready)
     const bool blob = item.eye_distance_m >= options_.blob_from_m;
     const uint32_t count = item.tmpl->levels[item.level].source_count;
     flat_count_ = count;
-    if (item.locals) flatten_parts(fall, item, ready);
+    if (item.locals) flatten_parts(plane, item, ready);
     else {
-        const Flattener flattener(fall, item.model_view, vertices);
-        if (!blob && !cover_ && fall.parallel && !ready.batched) {
+        const Flattener flattener(plane, item.model_view, vertices);
+        if (!blob && !shadow_mask_ && plane.parallel && !ready.batched) {
             draw_by_matrix(flattener, vertices, ready);
             return true;
         }
         flatten(flattener, vertices, blob ? std::max(1u, count / blob_samples) : 1);
     }
-    blob ? cast_blob(fall, ready, item.locals != nullptr) : cast_mesh(fall, ready);
+    blob ? cast_blob(plane, ready, item.locals != nullptr) : cast_mesh(plane, ready);
     return true;
 }
 
@@ -138,14 +138,14 @@ void ShadowDrawer::flatten(const Flattener &flattener, const draw::Vertices &ver
 }
 
 // As MatrixWalk goes, products made here: parts lie on the ground then, where GL's stack would leave them standing.
-void ShadowDrawer::flatten_parts(const Fall &fall, const draw::Item &item, const PreparedLevel &ready)
+void ShadowDrawer::flatten_parts(const ShadowPlane &plane, const draw::Item &item, const PreparedLevel &ready)
 {
     float *flat = scratch_.shadow.flat.data();
     for (const MatrixStep &step : ready.steps) {
         math::Affine &placed = scratch_.chain[step.depth - 1];
         const math::Affine &local = item.locals[step.node];
         placed = step.depth == 1 ? local : math::mul(scratch_.chain[step.depth - 2], local);
-        const Flattener flattener(fall, item.model_view, placed);
+        const Flattener flattener(plane, item.model_view, placed);
         for (uint32_t part = 0; part + 1 < ready.shadow_firsts.size(); ++part) {
             if (!(step.own >> part & 1)) continue;
             for (uint32_t i = ready.shadow_firsts[part]; i < ready.shadow_firsts[part + 1]; ++i) {
@@ -159,26 +159,29 @@ void ShadowDrawer::flatten_parts(const Fall &fall, const draw::Item &item, const
 }
 
 // `by_indices`: not every vertex need have been flattened, only those of triangles.
-void ShadowDrawer::cast_blob(const Fall &fall, const PreparedLevel &ready, bool by_indices)
+void ShadowDrawer::cast_blob(const ShadowPlane &plane, const PreparedLevel &ready, bool by_indices)
 {
     ++stats_.blobs;
-    Spread spread(fall);
+    PlanarMoments moments(plane);
     const float *flat = scratch_.shadow.flat.data();
     const uint32_t count = by_indices ? static_cast<uint32_t>(ready.shadow_indices.size()) : flat_count_;
     const uint32_t step = std::max(1u, count / blob_samples);
-    for (uint32_t v = 0; v < count; v += step) spread.add(flat + 3 * size_t(by_indices ? ready.shadow_indices[v] : v));
+    for (uint32_t v = 0; v < count; v += step) moments.add(flat + 3 * size_t(by_indices ? ready.shadow_indices[v] : v));
     float corners[3 * blob_corners];
-    spread.ellipse(corners);
-    add(fall, {corners, blob_corners, blob_indices, blob_indices_count});
+    moments.ellipse(corners);
+    add(plane, {corners, blob_corners, blob_indices, blob_indices_count});
 }
 
-void ShadowDrawer::cast_mesh(const Fall &fall, const PreparedLevel &ready)
+void ShadowDrawer::cast_mesh(const ShadowPlane &plane, const PreparedLevel &ready)
 {
-    add(fall, {scratch_.shadow.flat.data(), flat_count_, ready.shadow_indices.data(),
-               static_cast<uint32_t>(ready.shadow_indices.size())});
+    add(plane, {scratch_.shadow.flat.data(), flat_count_, ready.shadow_indices.data(),
+                static_cast<uint32_t>(ready.shadow_indices.size())});
 }
 
-void ShadowDrawer::add(const Fall &fall, const Flat &flat) { cover_ ? cover_->add(fall, flat) : batch_.add(flat); }
+void ShadowDrawer::add(const ShadowPlane &plane, const FlattenedMesh &flat)
+{
+    shadow_mask_ ? shadow_mask_->add(plane, flat) : batch_.add(flat);
+}
 
 // GL goes through the cached vertices itself.
 void ShadowDrawer::draw_by_matrix(const Flattener &flattener, const draw::Vertices &vertices,

@@ -4,7 +4,7 @@
 
 #include "passes/canvas.h"
 #include "passes/preflight.h"
-#include "passes/shadow_cover.h"
+#include "passes/shadow_mask.h"
 
 #include <optional>
 
@@ -32,12 +32,12 @@ private:
     void set_state();
     void set_stencil();
     bool cast(const draw::Item &item, const PreparedLevel &ready);
-    void cast_blob(const Fall &fall, const PreparedLevel &ready, bool by_indices);
-    void cast_mesh(const Fall &fall, const PreparedLevel &ready);
+    void cast_blob(const ShadowPlane &plane, const PreparedLevel &ready, bool by_indices);
+    void cast_mesh(const ShadowPlane &plane, const PreparedLevel &ready);
     void flatten(const Flattener &flattener, const draw::Vertices &vertices, uint32_t step);
-    void flatten_parts(const Fall &fall, const draw::Item &item, const PreparedLevel &ready);
+    void flatten_parts(const ShadowPlane &plane, const draw::Item &item, const PreparedLevel &ready);
     void draw_by_matrix(const Flattener &flattener, const draw::Vertices &vertices, const PreparedLevel &ready);
-    void add(const Fall &fall, const Flat &flat);
+    void add(const ShadowPlane &plane, const FlattenedMesh &flat);
 
     const Gl11 &gl_;
     const Preflight &preflight_;
@@ -47,9 +47,9 @@ private:
     const ShadowOptions &options_;
     ShadowTarget target_;
     ShadowStats &stats_;
-    FallOf fall_of_;
+    ShadowPlaneFinder plane_finder_;
     ShadowBatch batch_;
-    std::optional<Cover> cover_;
+    std::optional<ShadowMask> shadow_mask_;
     uint32_t flat_count_ = 0;  // vertices in scratch_.shadow.flat
 };
 

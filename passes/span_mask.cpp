@@ -99,8 +99,8 @@ void SpanMask::find_runs(int32_t y)
             fresh = from + length >= 64 ? 0 : fresh & ~bits(from, from + length);
             const int32_t x0 = 64 * w + from, x1 = x0 + length;
             if (run_count_ > 0 && end == x0) runs_[run_count_ - 1].x1 = x1;
-            else if (run_count_ < most_runs) runs_[run_count_++] = {x0, x1, y, y + 1};
-            end = run_count_ < most_runs ? x1 : -1;
+            else if (run_count_ < max_runs) runs_[run_count_++] = {x0, x1, y, y + 1};
+            end = run_count_ < max_runs ? x1 : -1;
         }
     }
 }

@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    static constexpr uint32_t most_runs = 256;  // of one row; what is beyond goes unseen
+    static constexpr uint32_t max_runs = 256;  // of one row; what is beyond goes unseen
 
     void fill(int32_t row, int32_t x0, int32_t x1);
     void find_runs(int32_t y);
@@ -68,7 +68,7 @@ private:
     int32_t first_row_ = 0, end_row_ = 0;         // of what was added
     int32_t first_word_ = 0, end_word_ = 0;
     model::Array<uint64_t> done_, own_;
-    PixelBox boxes_[2][most_runs];
+    PixelBox boxes_[2][max_runs];
     PixelBox *open_ = boxes_[0], *runs_ = boxes_[1];
     uint32_t open_count_ = 0, run_count_ = 0;
 };

@@ -50,14 +50,14 @@ base::Status probe_textures(const Gl11 &gl, const model::Template &source, int &
     gl.GetIntegerv(gl::max_texture_size, &most);
     alpha_bits = 8;
     base::Status status = base::Status::good();
-    const auto look_at = [&](uint32_t width, uint32_t height) {
+    const auto probe_image = [&](uint32_t width, uint32_t height) {
         if (status.ok())
             status = probe(gl, source.name.c_str(), static_cast<int32_t>(width), static_cast<int32_t>(height), most,
                            alpha_bits);
     };
     for (const model::Texture &texture : source.textures) {
-        look_at(texture.width, texture.height);
-        for (const model::TextureImage &other : texture.others) look_at(other.width, other.height);
+        probe_image(texture.width, texture.height);
+        for (const model::TextureImage &other : texture.set_images) probe_image(other.width, other.height);
     }
     return status;
 }
@@ -71,7 +71,7 @@ void upload_textures(const Gl11 &gl, PreparedTemplate &prepared)
             if (names.empty()) return;
             gl.GenTextures(static_cast<int32_t>(names.size()), names.data());
             upload(gl, texture, texture, names[0], filter);
-            for (size_t k = 1; k < names.size(); ++k) upload(gl, texture, texture.others[k - 1], names[k], filter);
+            for (size_t k = 1; k < names.size(); ++k) upload(gl, texture, texture.set_images[k - 1], names[k], filter);
         };
         bring(prepared.textures[i].names, gl::nearest);
         bring(prepared.textures[i].linear_names, gl::linear);

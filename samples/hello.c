@@ -49,13 +49,13 @@ int main(void)
         clq_actor actor;
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = citizen;
-        def.place.position[0] = (i % 10 - 4.5) * 0.9 + (i / 10 % 2) * 0.45; /* metres; y is up */
-        def.place.position[2] = -(i / 10) * 0.9;
+        def.transform.position[0] = (i % 10 - 4.5) * 0.9 + (i / 10 % 2) * 0.45; /* metres; y is up */
+        def.transform.position[2] = -(i / 10) * 0.9;
         def.play.clip = clq_template_find_clip(citizen, i % 4 == 0 ? "cheer" : "applaud");
         def.play.phase_s = (float)(i * 7 % 13) * 0.15f;
         def.seed = (uint64_t)i;
         check(clq_actor_create(crowd, &def, &actor));
-        check(clq_actor_draw_colours(crowd, actor, NULL, 0));
+        check(clq_actor_randomise_colours(crowd, actor, NULL, 0));
     }
     /* ---------------------------------------------------------------- and draw a frame at 2.5 s */
     clq_renderer_def renderer_def = clq_renderer_def_init();
@@ -67,7 +67,7 @@ int main(void)
     const double eye[3] = {0, 2.9, 4.2}, target[3] = {0, 0.7, -2.5};
     const float up[3] = {0, 1, 0};
     check(clq_camera_look_at(&camera, eye, target, up, 0.75f, (float)WIDTH / HEIGHT, 0.1f, 100.0f));
-    check(clq_view_look(view, &camera));
+    check(clq_view_set_camera(view, &camera));
     check(clq_crowd_update(crowd, 2.5, &view, 1));
     clear_colour(0.72f, 0.66f, 0.56f, 1), clear(DEPTH_AND_COLOUR);
     check(clq_renderer_draw(renderer, view, NULL));

@@ -1,22 +1,34 @@
 #!/bin/sh
-# bare_debian.sh PACKAGES: installs the .deb files of a folder on a bare Debian 12 (debootstrap's smallest) below a folder of its own,
-# and runs the command there, at last with OpenGL. Needs root, debootstrap and Debian's archive.
+# bare_debian.sh packages FOLDER   installs the .deb files of FOLDER on a bare Debian 12 and runs the command there, at last with OpenGL.
+# bare_debian.sh clone             clones this repository there, runs `make run` and `make test`, and holds both to their times:
+#                                  MAX_RUN_S (180) and MAX_TEST_S (900) seconds once packages are installed, meant for two idle cores.
+# The bare Debian is debootstrap's smallest, in a folder of its own. Needs root, debootstrap and Debian's archive.
 set -eu
-packages=$1
+mode=${1:-}
+case "$mode" in
+packages) packages=$2 ;;
+clone) ;;
+*) sed -n '2,5s/^# //p' "$0" >&2; exit 2 ;;
+esac
 for command in debootstrap unshare chroot; do
-    command -v $command > /dev/null || { echo "skipped: test-package needs $command"; exit 0; }
+    command -v $command > /dev/null || { echo "skipped: $0 needs $command"; exit 0; }
 done
-[ "$(id -u)" = 0 ] || { echo "skipped: test-package needs root"; exit 0; }
+[ "$(id -u)" = 0 ] || { echo "skipped: $0 needs root"; exit 0; }
 
+source=$(cd "$(dirname "$0")/.." && pwd)
 bare=$(mktemp -d)
 chmod 755 "$bare"
 trap 'rm -rf "$bare"' EXIT
 debootstrap --variant=minbase bookworm "$bare" > "$bare.log" || { tail "$bare.log" >&2; exit 1; }
 rm -f "$bare.log"
-mkdir "$bare/packages"
-cp "$packages"/*.deb "$bare/packages"
 cp /etc/resolv.conf "$bare/etc/"
-cat > "$bare/try.sh" <<'end'
+for file in /etc/apt/apt.conf.d/*proxy*; do [ ! -e "$file" ] || cp "$file" "$bare/etc/apt/apt.conf.d/"; done
+
+packages_script() {
+    mkdir "$bare/packages"
+    cp "$packages"/*.deb "$bare/packages"
+    cp "$source/tests/embed/strip_host.c" "$source/tests/golden/strip_host.txt" "$bare/"
+    cat > "$bare/try.sh" << 'end'
 set -eu
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C
 install() { apt-get install -y -qq --no-install-recommends "$@" > /install.log 2>&1 || { tail /install.log; exit 1; }; }
@@ -33,6 +45,34 @@ cc -std=c99 /strip_host.c $(pkg-config --cflags --libs claque) -o /strip_host
 /strip_host | diff /strip_host.txt -
 echo "installed and run on Debian $(cat /etc/debian_version)"
 end
-cp tests/embed/strip_host.c tests/golden/strip_host.txt "$bare/"
+}
+
+clone_script() {
+    git clone -q "$source" "$bare/claque"
+    cat > "$bare/try.sh" << 'end'
+set -eu
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C
+cd /claque
+apt-get update -qq
+apt-get install -y -qq --no-install-recommends make > /install.log 2>&1
+timed() {
+    begun=$(date +%s)
+    "$@"
+    seconds=$(($(date +%s) - begun))
+}
+cmake/setup.sh run
+timed make run
+run=$seconds
+[ -s out/odeon.png ]
+echo "make run: $run s"
+cmake/setup.sh
+timed make test
+echo "make run: $run s (at most $MAX_RUN_S), make test: $seconds s (at most $MAX_TEST_S) on Debian $(cat /etc/debian_version)"
+[ "$run" -le "$MAX_RUN_S" ] && [ "$seconds" -le "$MAX_TEST_S" ]
+end
+}
+
+"${mode}_script"
+export MAX_RUN_S="${MAX_RUN_S:-180}" MAX_TEST_S="${MAX_TEST_S:-900}"
 # Mounts end with the namespace.
-unshare -m sh -c 'mount -t proc proc "$0/proc" && chroot "$0" sh /try.sh' "$bare"
+unshare -m sh -c 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && chroot "$0" sh /try.sh' "$bare"

@@ -44,7 +44,7 @@ static inline clq_asset_options clq_asset_options_init(void)
  *     (clq_root_motion_def); one that is animated from above is refused when the template is built. Both go with the clip
  *     in clq_asset_add_clips.
  *   of a node         "extras": {"claque": {"deactivation_m": 40, "lod_m": [0, 40], "dofs": [{"name": "gaze yaw", "kind":
- *                                           "rotation", "axis": [0, 1, 0], "first": -0.7, "last": 0.7, "rest": 0}]}}
+ *                                           "rotation", "axis": [0, 1, 0], "min": -0.7, "max": 0.7, "rest": 0}]}}
  *     as clq_node_def, clq_part_def and clq_dof_def have them; kinds are rotation, translation, and morph with
  *     "morph_target" in place of the axis
  * Members that are not known are passed over; known ones that break these rules are refused as FORMAT, by their place in
@@ -89,7 +89,7 @@ typedef struct clq_asset_info {
     uint32_t triangle_count, vertex_count, max_influences, morph_target_count;
     uint32_t hidden_part_count;
     uint32_t warning_count;
-    float box_first[3], box_last[3]; /* of the rest pose, all parts that are not hidden */
+    float box_min[3], box_max[3]; /* of the rest pose, all parts that are not hidden */
 } clq_asset_info;
 
 typedef struct clq_asset_part {
@@ -124,17 +124,17 @@ CLQ_API clq_status clq_asset_positions(const clq_asset *asset, uint32_t clip, fl
                                        size_t capacity_floats);
 
 /* What of a joint answers the rest pose of the clips' skeleton. */
-typedef enum clq_rest {
+typedef enum clq_rest_alignment {
     CLQ_REST_KEEP = 0, /* its own rest */
     CLQ_REST_ALIGN =
         1 /* its rest turned so that the bone points where the other's does: A-poses against T-poses. A joint
                           that has no bound joint below it, or several, turns as the bound one above it */
-} clq_rest;
+} clq_rest_alignment;
 
 typedef struct clq_joint_pair {
     const char *source; /* of the clips' skeleton */
     const char *target; /* of the character; each once at most */
-    clq_rest rest;
+    clq_rest_alignment rest;
 } clq_joint_pair;
 
 /* A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh. One that stands in
@@ -145,17 +145,17 @@ typedef struct clq_follower {
     float share;                /* [0, 1] of the leader's turn from its rest, as the joint's parent sees it */
 } clq_follower;
 
-typedef enum clq_clip_way {
-    CLQ_WAY_AUTOMATIC = 0, /* channels, where the skeletons agree and none of first_s, last_s and close_s is set */
-    CLQ_WAY_CHANNELS = 1,  /* keys, steps and splines as they are */
-    CLQ_WAY_MOTION = 2     /* joints turn from their rest in model space as the source's do; the topmost one goes the
+typedef enum clq_retarget_mode {
+    CLQ_RETARGET_AUTOMATIC = 0, /* channels, where the skeletons agree and none of first_s, last_s and close_s is set */
+    CLQ_RETARGET_CHANNELS = 1,  /* keys, steps and splines as they are */
+    CLQ_RETARGET_MOTION = 2 /* joints turn from their rest in model space as the source's do; the topmost one goes the
                               source's way, scaled by the legs and set down so that the feet stand on y = 0 */
-} clq_clip_way;
+} clq_retarget_mode;
 
-typedef enum clq_travel {
-    CLQ_TRAVEL_IN_PLACE = 0, /* without the straight way from the clip's first place to its last */
-    CLQ_TRAVEL_KEEP = 1
-} clq_travel;
+typedef enum clq_root_travel {
+    CLQ_ROOT_TRAVEL_IN_PLACE = 0, /* without the straight way from the clip's first place to its last */
+    CLQ_ROOT_TRAVEL_KEEP = 1
+} clq_root_travel;
 
 typedef struct clq_clips_def {
     uint32_t struct_bytes;        /* set by clq_clips_def_init */
@@ -164,11 +164,11 @@ typedef struct clq_clips_def {
     const char *const *clips; /* [clip_count] names in the source; none: all of them */
     uint32_t clip_count;
     const char *prefix; /* of the names of what is added; may be NULL */
-    clq_clip_way way;
-    /* The rest is for CLQ_WAY_MOTION. */
-    clq_travel travel;
+    clq_retarget_mode mode;
+    /* The rest is for CLQ_RETARGET_MOTION. */
+    clq_root_travel travel;
     float rate_hz;                 /* of keys, [1, 1000]; 0: 30 */
-    float first_s, last_s;         /* what is taken of each clip, from its start on; last_s 0: to its end */
+    float start_s, end_s;          /* what is taken of each clip, from its start on; last_s 0: to its end */
     const clq_follower *followers; /* [follower_count] */
     uint32_t follower_count;
     float close_s; /* so long before its end it begins to turn into its first pose, so that it loops; 0: never */
@@ -185,9 +185,9 @@ static inline clq_clips_def clq_clips_def_init(void)
 }
 
 typedef struct clq_clips_report {
-    clq_clip_way way;     /* that was taken */
-    uint32_t clip_count;  /* that were added, as the last of the asset's */
-    uint32_t joint_count; /* that are bound */
+    clq_retarget_mode mode; /* that was taken */
+    uint32_t clip_count;    /* that were added, as the last of the asset's */
+    uint32_t joint_count;   /* that are bound */
 } clq_clips_report;
 
 /* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. What is not bound is

@@ -26,12 +26,12 @@ typedef struct clq_root_path {
 } clq_root_path;
 
 typedef enum clq_mechanism_kind {
-    CLQ_GAZE = 0,       /* eyes, neck and spine share the turn towards a point */
-    CLQ_EXPRESSION = 1, /* one of several shapes of a face at a time */
-    CLQ_BLINK = 2,
-    CLQ_PHRASE = 3, /* mouth shapes in time */
-    CLQ_IDLE = 4,   /* clips by lot, in place of what the actor plays */
-    CLQ_HOST = 5    /* the host's own */
+    CLQ_MECHANISM_GAZE = 0,       /* eyes, neck and spine share the turn towards a point */
+    CLQ_MECHANISM_EXPRESSION = 1, /* one of several shapes of a face at a time */
+    CLQ_MECHANISM_BLINK = 2,
+    CLQ_MECHANISM_PHRASE = 3, /* mouth shapes in time */
+    CLQ_MECHANISM_IDLE = 4,   /* clips by lot, in place of what the actor plays */
+    CLQ_MECHANISM_HOST = 5    /* the host's own */
 } clq_mechanism_kind;
 
 /* A degree of freedom of the template and where it goes. */
@@ -42,10 +42,10 @@ typedef struct clq_dof_value {
 
 /* Values that belong together: a smile, a mouth that says O. Each degree of freedom once; those that a shape does not name
  * stay as mechanisms of less priority leave them, and are gone over to and from smoothly. */
-typedef struct clq_shape {
+typedef struct clq_dof_pose {
     uint32_t count;
     const clq_dof_value *values; /* [count] */
-} clq_shape;
+} clq_dof_pose;
 
 /* Degrees of freedom are rotations; CLQ_NONE: left out. The spine takes spine_share of the turn, the neck neck_share of the
  * rest, the eyes what is left, each within its range. Yaw is positive to the actor's left, pitch upwards. A point in its
@@ -63,26 +63,26 @@ typedef struct clq_gaze_def {
 
 /* From level 1 on shapes change at once, half-way through the blend; so do lids and mouths. */
 typedef struct clq_expression_def {
-    uint32_t shape_count;
-    const clq_shape *shapes; /* one without values: the face at rest */
-    float hold_s;            /* [> 0] about how long each stays: 0.5 to 1.5 times this, by lot; then another one */
-    float blend_s;           /* [>= 0] from one to the next; at most hold_s / 2 */
+    uint32_t pose_count;
+    const clq_dof_pose *poses; /* one without values: the face at rest */
+    float hold_s;              /* [> 0] about how long each stays: 0.5 to 1.5 times this, by lot; then another one */
+    float blend_s;             /* [>= 0] from one to the next; at most hold_s / 2 */
 } clq_expression_def;
 
 typedef struct clq_blink_def {
-    clq_shape closed; /* lids shut */
-    float period_s;   /* [> close_s] once in each such time, when is drawn by lot */
-    float close_s;    /* [> 0] from open to open again */
+    clq_dof_pose closed; /* lids shut */
+    float period_s;      /* [> close_s] once in each such time, when is drawn by lot */
+    float close_s;       /* [> 0] from open to open again */
 } clq_blink_def;
 
 typedef struct clq_phrase_key {
-    float time_s;   /* ascending from 0 */
-    uint32_t shape; /* CLQ_NONE: the mouth at rest */
+    float time_s;  /* ascending from 0 */
+    uint32_t pose; /* CLQ_NONE: the mouth at rest */
 } clq_phrase_key;
 
 typedef struct clq_phrase_def {
-    uint32_t shape_count;
-    const clq_shape *shapes;
+    uint32_t pose_count;
+    const clq_dof_pose *poses;
     uint32_t key_count;
     const clq_phrase_key *keys;
     float length_s; /* [> 0, >= the last key's time] then the mouth goes to rest */
@@ -110,7 +110,7 @@ typedef struct clq_behaviour_call {
     uint64_t seed;      /* of the actor */
     double time_s;      /* of the pose: the actor's tick, at or before the time of the update */
     float eye_distance; /* world units; of mechanisms that keep a memory from the Reference Point to the nearest eye */
-    int32_t seen;       /* 1: it passed the second cull phase; of mechanisms that keep a memory always 0 */
+    int32_t visible;    /* 1: it passed the second cull phase; of mechanisms that keep a memory always 0 */
 } clq_behaviour_call;
 
 typedef struct clq_dof_writer clq_dof_writer;
@@ -174,19 +174,20 @@ static inline clq_mechanism_def clq_mechanism_def_init(void)
 CLQ_API clq_status clq_crowd_add_mechanism(clq_crowd *crowd, const clq_mechanism_def *def, clq_mechanism *out);
 
 /* How one actor uses a mechanism: its clock stands at time - start_s + phase_s. */
-typedef struct clq_use {
+typedef struct clq_mechanism_attachment {
     clq_mechanism mechanism;
     float priority; /* finite; equal ones run in the order of their use */
     float phase_s;
     double start_s;
-} clq_use;
+} clq_mechanism_attachment;
 
 /* Lets an actor use a mechanism of its template, at most 16; one that it uses already gets the new values.
  * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY. */
-CLQ_API clq_status clq_actor_use(clq_crowd *crowd, clq_actor actor, const clq_use *use);
+CLQ_API clq_status clq_actor_attach_mechanism(clq_crowd *crowd, clq_actor actor,
+                                              const clq_mechanism_attachment *attachment);
 
 /* Ends a use; one that there is not is ignored. Fails: STALE_ID, ARGUMENT. */
-CLQ_API clq_status clq_actor_drop(clq_crowd *crowd, clq_actor actor, clq_mechanism mechanism);
+CLQ_API clq_status clq_actor_detach_mechanism(clq_crowd *crowd, clq_actor actor, clq_mechanism mechanism);
 
 /* Commands of one actor's mechanisms, from at_s on (on the update's clock; times before that show what was commanded
  * before). The last two are remembered; one for an earlier time replaces those that begin later.
@@ -198,7 +199,7 @@ CLQ_API clq_status clq_actor_drop(clq_crowd *crowd, clq_actor actor, clq_mechani
 CLQ_API clq_status clq_actor_gaze(clq_crowd *crowd, clq_actor actor, clq_mechanism gaze, const double *point,
                                   double at_s);
 /* A shape of an expression, or CLQ_NONE: by lot. */
-CLQ_API clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism expression, uint32_t shape,
+CLQ_API clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism expression, uint32_t pose,
                                      double at_s);
 /* Says a phrase, once, from its beginning, over what it says by itself. */
 CLQ_API clq_status clq_actor_say(clq_crowd *crowd, clq_actor actor, clq_mechanism phrase, double at_s);
@@ -214,9 +215,9 @@ typedef struct clq_root_path_def {
      * equal times on a smooth closed curve, looks along it (+z ahead, +y up) and banks into its turns. */
     const float *rotations_xyzw;
     const float *times_s;
-    float duration_s;    /* [> 0] of a round */
-    float bank;          /* flight: [radians] for each radian a second that it turns; 0: never */
-    float most_bank_rad; /* [0, pi] */
+    float duration_s;   /* [> 0] of a round */
+    float bank;         /* flight: [radians] for each radian a second that it turns; 0: never */
+    float max_bank_rad; /* [0, pi] */
 } clq_root_path_def;
 
 static inline clq_root_path_def clq_root_path_def_init(void)
@@ -228,7 +229,7 @@ static inline clq_root_path_def clq_root_path_def_init(void)
     def.struct_bytes = (uint32_t)sizeof def;
     def.duration_s = 1.0f;
     def.bank = 0.5f;
-    def.most_bank_rad = 0.9f;
+    def.max_bank_rad = 0.9f;
     return def;
 }
 
@@ -236,15 +237,15 @@ static inline clq_root_path_def clq_root_path_def_init(void)
 CLQ_API clq_status clq_crowd_add_root_path(clq_crowd *crowd, const clq_root_path_def *def, clq_root_path *out);
 
 /* How one actor goes along a path: it stands at phase_s + speed * (t - start_s), going round. */
-typedef struct clq_root_motion {
+typedef struct clq_root_path_play {
     clq_root_path path; /* {0}: the Skeleton Root stays at the Reference Point */
     float speed;        /* finite; negative goes backwards */
     float phase_s;
     double start_s;
-} clq_root_motion;
+} clq_root_path_play;
 
 /* Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. */
-CLQ_API clq_status clq_actor_move_root(clq_crowd *crowd, clq_actor actor, const clq_root_motion *motion);
+CLQ_API clq_status clq_actor_play_root_path(clq_crowd *crowd, clq_actor actor, const clq_root_path_play *play);
 
 /* The height of the ground, in world units, under (or over) a point in the world. `up_axis` 1: y. Called on the thread of
  * clq_crowd_update for actors that follow the ground and passed the first cull phase; a function of the point alone. May
@@ -252,10 +253,10 @@ CLQ_API clq_status clq_actor_move_root(clq_crowd *crowd, clq_actor actor, const 
 CLQ_API clq_status clq_crowd_set_ground(clq_crowd *crowd, double (*height)(void *user, const double point[3]),
                                         void *user);
 
-/* Lets an actor's Skeleton Root stand on the ground instead of at its Reference Point's height, as far as most_up above or
- * most_down below it (world units, >= 0; both 0: it does not follow). The Refpoint Bsphere grows by the larger of them.
+/* Lets an actor's Skeleton Root stand on the ground instead of at its Reference Point's height, as far as max_up above or
+ * max_down below it (world units, >= 0; both 0: it does not follow). The Refpoint Bsphere grows by the larger of them.
  * Members of groups do not follow: their floor is the group's. Fails: STALE_ID, ARGUMENT. */
-CLQ_API clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float most_up, float most_down);
+CLQ_API clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float max_up, float max_down);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 #include <claque/colours.h>
 #include <claque/context.h>
 #include <claque/crowd.h>
+#include <claque/drawn_actor.h>
 #include <claque/group.h>
 #include <claque/key_poses.h>
 #include <claque/mesh.h>
@@ -18,7 +19,6 @@
 #include <claque/renderer.h>
 #include <claque/save.h>
 #include <claque/shadow.h>
-#include <claque/shown.h>
 #include <claque/simd.h>
 #include <claque/template.h>
 #include <claque/view.h>

@@ -13,11 +13,11 @@ extern "C" {
  *   name = "decurions"
  *   template = "decurion"          who wears them; may be left out
  *   [classes.zones]
- *   tunic = { hue = [190, 290], saturation = [0.4, 0.8], brightness = [0.5, 0.7], uniform = "perceived" }
+ *   tunic = { hue = [190, 290], saturation = [0.4, 0.8], brightness = [0.5, 0.7], colour_space = "oklab" }
  *   hair = { palette = [ { colour = "#2a1a10", weight = 3 },
  *                        { hue = [0, 360], saturation = [0, 0.08], brightness = [0.5, 0.8] } ] }
- *   belt = { like = "sandals", apart = 0.1 }
- * with the members and limits of clq_colour_class, clq_zone_colours and clq_dye; uniform is "hsb" where nothing is said, a
+ *   belt = { linked_to = "sandals", variation = 0.1 }
+ * with the members and limits of clq_colour_class, clq_zone_colours and clq_palette_entry; colour_space is "hsb" where nothing is said, a
  * weight 1. A key that is not known is refused.
  *
  * To change colours while a program runs: load again when the file has changed, and draw from the new map if that went well;

@@ -29,10 +29,10 @@ typedef struct clq_group {
 } clq_group;
 
 /* An object that an actor holds, an id by value: see clq_actor_attach. */
-typedef struct clq_attached {
+typedef struct clq_attachment {
     uint32_t index1;
     uint32_t generation;
-} clq_attached;
+} clq_attachment;
 
 /* Called by clq_renderer_draw before and after one individual is drawn (S0 7.1), on its thread, with its context current.
  * before() may bind a two-dimensional texture of the host's own, with the template's zone keys in its alpha, and returns 1 to
@@ -52,10 +52,10 @@ typedef enum clq_cull_mode {
 } clq_cull_mode;
 
 /* Where rigid parts get their matrices (S0 6.2.2, fTrack). The picture is the same but for GL's own rounding. */
-typedef enum clq_placement {
-    CLQ_PLACE_VERTICES = 0, /* claque moves the vertices */
-    CLQ_PLACE_MATRICES = 1  /* GL's matrix stack does, for templates of rigid parts alone; others as above */
-} clq_placement;
+typedef enum clq_rigid_mode {
+    CLQ_RIGID_VERTICES = 0, /* claque moves the vertices */
+    CLQ_RIGID_MATRICES = 1  /* GL's matrix stack does, for templates of rigid parts alone; others as above */
+} clq_rigid_mode;
 
 /* What is kept from frame to frame (S1 4). It changes what a frame costs, never what it shows. */
 typedef enum clq_cache_mode {
@@ -67,10 +67,10 @@ typedef enum clq_cache_mode {
 /* How skinned vertices are kept and handed to GL. Packed: positions as GL_SHORT in steps of the template's Sklsroot
  * radius / 32767, so that a vertex is wrong by half a step along each axis at most (0.03 mm for a person), and normals
  * as GL_BYTE, wrong by 0.4 degrees at most. */
-typedef enum clq_geometry {
-    CLQ_GEOMETRY_FLOAT = 0, /* 24 bytes a vertex */
-    CLQ_GEOMETRY_PACKED = 1 /* 12 bytes a vertex */
-} clq_geometry;
+typedef enum clq_vertex_format {
+    CLQ_VERTEX_FLOAT = 0, /* 24 bytes a vertex */
+    CLQ_VERTEX_PACKED = 1 /* 12 bytes a vertex */
+} clq_vertex_format;
 
 /* Whether what is shown may have a memory. Live, nobody shows an earlier tick than it has shown, so that nobody steps back
  * when the camera recedes; an update whose time is before that of the last one forgets what was shown. */
@@ -91,14 +91,14 @@ typedef struct clq_crowd_def {
     float metres_per_unit; /* [> 0] of world positions; distances above are in units. Default 1 */
     uint64_t seed;         /* of everything that is drawn by lot in this crowd */
     clq_cull_mode cull;
-    clq_placement placement;
+    clq_rigid_mode rigid_mode;
     /* S0 5: an actor's level of detail follows its effective distance: eyeDistance times 1 - priority, times how much
      * smaller than at home a thing looks in the view (clq_view_set_height). */
     float lod_scale; /* [>= 0] times every effective distance; 0 everything at its finest. Default 1 */
     float
         lod_hysteresis; /* [0, 1) share of a switch distance that must be passed on the way back. Default 0: none, so that
                              what is shown has no memory */
-    clq_geometry geometry;
+    clq_vertex_format vertex_format;
     clq_clock clock;
     /* With CLQ_CLOCK_LIVE and a cache: how many poses an update renews at most. 0: all that are due. Who must wait shows
      * its last pose; first go those who would keep one for nearly twice their period, then the near ones. Who has no
@@ -125,10 +125,10 @@ static inline clq_crowd_def clq_crowd_def_init(void)
     def.metres_per_unit = 1.0f;
     def.seed = 0;
     def.cull = CLQ_CULL_ACTOR;
-    def.placement = CLQ_PLACE_VERTICES;
+    def.rigid_mode = CLQ_RIGID_VERTICES;
     def.lod_scale = 1.0f;
     def.lod_hysteresis = 0.0f;
-    def.geometry = CLQ_GEOMETRY_FLOAT;
+    def.vertex_format = CLQ_VERTEX_FLOAT;
     def.clock = CLQ_CLOCK_REFERENCE;
     def.update_budget = 0;
     def.update_budget_ms = 0.0f;
@@ -146,11 +146,11 @@ CLQ_API clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *d
 CLQ_API void clq_crowd_destroy(clq_crowd *crowd);
 
 /* Where an actor's Reference Point is. */
-typedef struct clq_place {
+typedef struct clq_transform {
     double position[3];
     float orientation_xyzw[4]; /* unit within 0.001; all zero means no rotation */
     float scale;               /* finite, not 0; negative mirrors. 0 means 1 */
-} clq_place;
+} clq_transform;
 
 /* A clip and its clock: at time t the clip stands at phase_s + speed * (t - start_s), looping. */
 typedef struct clq_play {
@@ -163,7 +163,7 @@ typedef struct clq_play {
 typedef struct clq_actor_def {
     uint32_t struct_bytes; /* set by clq_actor_def_init */
     clq_template *tmpl;    /* held until the crowd goes */
-    clq_place place;
+    clq_transform transform;
     clq_play play;
     uint64_t seed;        /* of this individual's draws by lot, with the crowd's seed; equal seeds are twins */
     uint32_t texture_set; /* as clq_actor_set_texture_set takes it. Default 0 */
@@ -174,10 +174,10 @@ static inline clq_actor_def clq_actor_def_init(void)
     clq_actor_def def;
     def.struct_bytes = (uint32_t)sizeof def;
     def.tmpl = NULL;
-    def.place.position[0] = def.place.position[1] = def.place.position[2] = 0.0;
-    def.place.orientation_xyzw[0] = def.place.orientation_xyzw[1] = def.place.orientation_xyzw[2] = 0.0f;
-    def.place.orientation_xyzw[3] = 1.0f;
-    def.place.scale = 1.0f;
+    def.transform.position[0] = def.transform.position[1] = def.transform.position[2] = 0.0;
+    def.transform.orientation_xyzw[0] = def.transform.orientation_xyzw[1] = def.transform.orientation_xyzw[2] = 0.0f;
+    def.transform.orientation_xyzw[3] = 1.0f;
+    def.transform.scale = 1.0f;
     def.play.clip = CLQ_NONE;
     def.play.start_s = 0.0;
     def.play.speed = 1.0f;
@@ -187,7 +187,7 @@ static inline clq_actor_def clq_actor_def_init(void)
     return def;
 }
 
-#define CLQ_BY_LOT 0xffffffffu /* drawn by the seeds of crowd and actor */
+#define CLQ_RANDOM 0xffffffffu /* drawn by the seeds of crowd and actor */
 
 /* Adds an individual; it shows its template's zone colours until it is given its own. Costs its own state only
  * (S0 7.1). Fails: STRUCT_SIZE, ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
@@ -201,7 +201,8 @@ CLQ_API clq_status clq_actor_play(clq_crowd *crowd, clq_actor actor, const clq_p
 
 /* Places `count` actors at once; all or none. Fails: STALE_ID (naming the first), ARGUMENT. Threads: the crowd's
  * writer. */
-CLQ_API clq_status clq_crowd_place(clq_crowd *crowd, const clq_actor *actors, const clq_place *places, uint32_t count);
+CLQ_API clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, const clq_transform *transforms,
+                                            uint32_t count);
 
 /* Gives an individual its colours, one RGB a zone of its template, as glColor takes them, rounded to 8 bits.
  *   rgb   [3 * zone_count], each [0, 1]
@@ -211,11 +212,11 @@ CLQ_API clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, cons
 /* Draws an individual's colours from HSB ranges, repeatably from its seed (S2 5).
  *   ranges   [zone_count], or NULL with zone_count 0: the template's own ranges
  * Fails: as above. */
-CLQ_API clq_status clq_actor_draw_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges,
-                                          uint32_t zone_count);
+CLQ_API clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges,
+                                               uint32_t zone_count);
 
 /* Which of its template's texture sets an individual shows (S1 1): 0 ... texture_set_count - 1 of clq_template_info, or
- * CLQ_BY_LOT. Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
+ * CLQ_RANDOM. Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
 CLQ_API clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t set);
 
 /* Adds an individual like another one: its template, clip, colours, texture set, mechanisms with their commands, way of the Skeleton
@@ -223,7 +224,7 @@ CLQ_API clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, 
  *   place   in the other's group, if it has one; NULL: the other's own
  *   seed    of its draws by lot from now on; its colours are those of the other until they are drawn anew
  * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
-CLQ_API clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_place *place, uint64_t seed,
+CLQ_API clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_transform *transform, uint64_t seed,
                                    clq_actor *out);
 
 /* S0 5: raises the detail of who matters: 0 as its distance says ... 1 always the finest. Of levels of detail and
@@ -236,8 +237,8 @@ CLQ_API clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, flo
  *   out              may be NULL
  * Ends with the actor. Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: the crowd's writer. */
 CLQ_API clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3],
-                                    float radius, clq_attached *out);
-CLQ_API clq_status clq_actor_detach(clq_crowd *crowd, clq_attached attached);
+                                    float radius, clq_attachment *out);
+CLQ_API clq_status clq_actor_detach(clq_crowd *crowd, clq_attachment attachment);
 
 /* Where a node is in the world: column-major, to be multiplied from the left.
  *   time_s   the pose of this moment, evaluated anew; NaN: the pose that the last update showed (its tick), which is
@@ -253,17 +254,17 @@ CLQ_API clq_status clq_actor_set_hooks(clq_crowd *crowd, clq_actor actor, const 
 
 typedef struct clq_actor_info {
     const clq_template *tmpl;
-    clq_place place;
+    clq_transform transform;
     clq_group group; /* that it is a member of, and in whose space its place is given; {0, 0}: none */
     clq_play play;
     uint64_t seed;
     int32_t visible; /* 1: seen by a view in the last update */
     float period_s;  /* of the last update in which it was seen */
-    double shown_s;  /* time of the pose it showed then */
+    double tick_s;   /* time of the pose it showed then */
     float priority;
     float eye_distance; /* of the last update that saw it: from its Skeleton Root to the nearest eye, world units */
     uint32_t level;     /* of detail, then */
-    clq_place root;     /* where its Skeleton Root was in the world then; else where its Reference Point is */
+    clq_transform root; /* where its Skeleton Root was in the world then; else where its Reference Point is */
     /* S0 4.1: of its bounding spheres now, at scale 1, with its way and what is attached to it. */
     float refpoint_radius, sklsroot_radius;
     uint32_t texture_set;

@@ -9,14 +9,14 @@ extern "C" {
 #endif
 
 /* Share of the update work that fell to actors at one distance. */
-typedef struct clq_band {
-    float distance_first, distance_last; /* world units */
-    uint64_t actor_frames;               /* actors seen in this band, summed over updates */
-    double seconds;                      /* the same, in seconds of the host's clock */
-    uint64_t animated;                   /* poses evaluated for them */
-} clq_band;
+typedef struct clq_distance_band {
+    float distance_min, distance_max; /* world units */
+    uint64_t actor_frames;            /* actors seen in this band, summed over updates */
+    double seconds;                   /* the same, in seconds of the host's clock */
+    uint64_t animated;                /* poses evaluated for them */
+} clq_distance_band;
 
-#define CLQ_BAND_COUNT 8
+#define CLQ_DISTANCE_BAND_COUNT 8
 
 typedef struct clq_crowd_stats {
     uint32_t actor_count;
@@ -48,16 +48,16 @@ typedef struct clq_crowd_stats {
     uint32_t over_budget;     /* poses evaluated beyond the budget, because there was none to show */
     uint64_t evicted;         /* entries thrown out since the crowd was made */
     uint64_t cache_bytes, cache_budget_bytes;
-    uint64_t cache_pool_bytes;      /* that the allocator has given for the former: at most the budget */
-    uint64_t actor_bytes;           /* of all actors besides the caches */
-    clq_band bands[CLQ_BAND_COUNT]; /* since the crowd was made, or since clq_crowd_reset_bands */
+    uint64_t cache_pool_bytes; /* that the allocator has given for the former: at most the budget */
+    uint64_t actor_bytes;      /* of all actors besides the caches */
+    clq_distance_band bands[CLQ_DISTANCE_BAND_COUNT]; /* since the crowd was made, or since clq_crowd_reset_bands */
 } clq_crowd_stats;
 
 CLQ_API clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out);
 CLQ_API clq_status clq_crowd_reset_bands(clq_crowd *crowd);
 
 /* A fingerprint of everything a host has set in the crowd; two crowds made by the same calls have the same. */
-CLQ_API uint64_t clq_crowd_fingerprint(const clq_crowd *crowd);
+CLQ_API uint64_t clq_crowd_hash(const clq_crowd *crowd);
 
 #ifdef __cplusplus
 }

@@ -15,7 +15,7 @@ extern "C" {
 /* Makes a group without members, enabled.
  *   place   of its space in the world; NULL: the world's own. Scale within [1e-6, 1e6] either sign
  * Fails: ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
-CLQ_API clq_status clq_group_create(clq_crowd *crowd, const clq_place *place, clq_group *out);
+CLQ_API clq_status clq_group_create(clq_crowd *crowd, const clq_transform *transform, clq_group *out);
 
 /* Ends a group. Its members stay where they are in the world, within rounding; one whose place there is beyond what
  * numbers hold keeps those of its place in the group. Costs a look at every actor.
@@ -24,20 +24,20 @@ CLQ_API clq_status clq_group_destroy(clq_crowd *crowd, clq_group group);
 
 /* Moves a group with all its members; costs the same for any number of them.
  * Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
-CLQ_API clq_status clq_group_place(clq_crowd *crowd, clq_group group, const clq_place *place);
+CLQ_API clq_status clq_group_set_transform(clq_crowd *crowd, clq_group group, const clq_transform *transform);
 
 /* Switches a group off (0) or on: nobody of a group that is off is seen, or costs anything; their clips' clocks go on.
  * Fails: STALE_ID. Threads: the crowd's writer. */
 CLQ_API clq_status clq_group_enable(clq_crowd *crowd, clq_group group, int32_t enabled);
 
-/* Makes an actor a member, in place of any group it was in. From then on clq_crowd_place places it in the group's space.
+/* Makes an actor a member, in place of any group it was in. From then on clq_crowd_set_transforms places it in the group's space.
  *   group   {0, 0}: it leaves its group
  *   place   in the group's space (or the world's, where it leaves); NULL: it stays where it is in the world
  * Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
-CLQ_API clq_status clq_actor_join(clq_crowd *crowd, clq_actor actor, clq_group group, const clq_place *place);
+CLQ_API clq_status clq_actor_join(clq_crowd *crowd, clq_actor actor, clq_group group, const clq_transform *transform);
 
 typedef struct clq_group_info {
-    clq_place place;
+    clq_transform transform;
     uint32_t member_count;
     int32_t enabled;
     int32_t visible; /* 1: enabled, and a view of the last update met its sphere */

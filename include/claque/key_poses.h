@@ -19,29 +19,29 @@ struct clq_crowd;
  * The built-in people at 15 key-poses a second: no vertex by more than 120 mm (9 mm root mean square), and 30 mm (2 mm);
  * within a pixel of a picture 768 lines high over 60 degrees from 80 m on, and from 20 m on. Packed geometry adds one of its
  * steps along each axis at most. */
-typedef enum clq_method {
-    CLQ_METHOD_INDIVIDUAL = 0, /* the pose of its tick, in caches of its own (S1 4) */
-    CLQ_METHOD_INTERMITTENT =
+typedef enum clq_key_pose_mode {
+    CLQ_KEY_POSE_INDIVIDUAL = 0, /* the pose of its tick, in caches of its own (S1 4) */
+    CLQ_KEY_POSE_INTERMITTENT =
         1, /* the key-pose nearest to its tick: half an interval early or late at most (S3 3). The cheapest */
-    CLQ_METHOD_INTERPOLATED = 2, /* the two key-poses round its tick, positions and normals blended linearly (S3 4) */
-    CLQ_METHOD_SKINNED = 3       /* the pose of each update's own time, skinned anew every time */
-} clq_method;
+    CLQ_KEY_POSE_INTERPOLATED = 2, /* the two key-poses round its tick, positions and normals blended linearly (S3 4) */
+    CLQ_KEY_POSE_SKINNED = 3       /* the pose of each update's own time, skinned anew every time */
+} clq_key_pose_mode;
 
 /* Of actors from `distance` to the nearest eye on, world units, up to the next band. */
-typedef struct clq_method_band {
+typedef struct clq_key_pose_band {
     float distance;
-    clq_method method;
-} clq_method_band;
+    clq_key_pose_mode mode;
+} clq_key_pose_band;
 
-#define CLQ_METHOD_BAND_MAX 4
+#define CLQ_KEY_POSE_BAND_MAX 4
 
 typedef struct clq_key_poses {
     /* [band_count] distances ascend, finite, from 0 on. Who is nearer than the first is INDIVIDUAL; so is everybody where
      * there is none, which is the default. One band at distance 0: a method for the whole crowd. */
-    clq_method_band bands[CLQ_METHOD_BAND_MAX];
+    clq_key_pose_band bands[CLQ_KEY_POSE_BAND_MAX];
     uint32_t band_count;
     float rate_hz;         /* [0.5, 120] key-poses a second of each clip, so that they divide it evenly. Default 15 */
-    uint32_t most_kept;    /* key-poses kept skinned for each template and level; may be 0. Default 256 */
+    uint32_t max_kept;     /* key-poses kept skinned for each template and level; may be 0. Default 256 */
     uint64_t budget_bytes; /* of all that are kept; 0: 256 MiB */
 } clq_key_poses;
 
@@ -49,22 +49,22 @@ static inline clq_key_poses clq_key_poses_init(void)
 {
     clq_key_poses key_poses;
     int i;
-    for (i = 0; i < CLQ_METHOD_BAND_MAX; ++i) {
+    for (i = 0; i < CLQ_KEY_POSE_BAND_MAX; ++i) {
         key_poses.bands[i].distance = 0.0f;
-        key_poses.bands[i].method = CLQ_METHOD_INDIVIDUAL;
+        key_poses.bands[i].mode = CLQ_KEY_POSE_INDIVIDUAL;
     }
     key_poses.band_count = 0;
     key_poses.rate_hz = 15.0f;
-    key_poses.most_kept = 256;
+    key_poses.max_kept = 256;
     key_poses.budget_bytes = 0;
     return key_poses;
 }
 
 /* Of the last update (S3 Figs. 11 and 12). */
 typedef struct clq_key_pose_stats {
-    uint32_t asked;  /* actors that show key-poses */
-    uint32_t served; /* of these, whose key-poses are all kept; the others are skinned */
-    uint32_t wanted; /* different key-poses that they show, over templates and levels */
+    uint32_t requested; /* actors that show key-poses */
+    uint32_t served;    /* of these, whose key-poses are all kept; the others are skinned */
+    uint32_t wanted;    /* different key-poses that they show, over templates and levels */
     uint32_t
         updated;    /* key-poses skinned in this update to be kept: each once, whoever shows it in however many views */
     uint32_t held;  /* kept now */

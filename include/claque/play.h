@@ -67,7 +67,7 @@ typedef struct clq_mask_def {
     uint32_t node_count;
     const char *const *nodes; /* [node_count] names of the template's nodes */
     uint32_t feather;         /* over so many nodes down from the named ones the weight grows to 1; 0: at once */
-    int32_t without;          /* 1: all but these */
+    int32_t inverted;         /* 1: all but these */
 } clq_mask_def;
 
 static inline clq_mask_def clq_mask_def_init(void)
@@ -84,18 +84,18 @@ static inline clq_mask_def clq_mask_def_init(void)
 CLQ_API clq_status clq_crowd_add_mask(clq_crowd *crowd, const clq_mask_def *def, clq_mask *out);
 
 /* What a fade goes to: a clip, or two gaits. */
-typedef struct clq_motion {
+typedef struct clq_fade_target {
     clq_play play; /* of a gait: start, speed and phase of its first clip; `clip` is not read */
     clq_gait gait; /* zero: the clip */
     float share;   /* [0, 1] of the gait's second clip */
-} clq_motion;
+} clq_fade_target;
 
 /* Goes over to something else. Gaits go in step with each other, not with what they come from.
  *   at_s       when it begins, on the update's clock; times before show what was commanded before. A fade for an earlier time
  *              than that of others replaces those
  *   length_s   [>= 0] that it takes
  * Fails: STALE_ID, ARGUMENT, LIMIT, UNSUPPORTED (an inertial fade of a gait), OUT_OF_MEMORY. */
-CLQ_API clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_motion *to, double at_s,
+CLQ_API clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_fade_target *to, double at_s,
                                      float length_s, clq_curve curve);
 
 /* Changes the share of the second gait that an actor shows, from what it is at at_s, smoothly within length_s; the pace
@@ -119,7 +119,7 @@ typedef struct clq_layer_def {
     clq_layer_kind kind;
     clq_play play;               /* shown from play.start_s on */
     float weight;                /* REPLACE: [0, 1]; ADD: [-4, 4]. Default 1 */
-    float rounds;                /* [>= 0] of the clip until it is over, fades included; 0: until clq_actor_end_layer */
+    float loops;                 /* [>= 0] of the clip until it is over, fades included; 0: until clq_actor_end_layer */
     float fade_in_s, fade_out_s; /* [>= 0] */
     clq_curve curve;             /* LINEAR or SMOOTH. Default SMOOTH */
     clq_mask mask;               /* zero: the whole body */
@@ -154,18 +154,18 @@ CLQ_API clq_status clq_actor_end_layer(clq_crowd *crowd, clq_actor actor, clq_la
                                        float fade_out_s);
 
 /* Clips by lot (S0 7.1): the noise that keeps a crowd from moving as one. */
-typedef struct clq_variety_def {
-    uint32_t struct_bytes; /* set by clq_variety_def_init */
+typedef struct clq_random_play_def {
+    uint32_t struct_bytes; /* set by clq_random_play_def_init */
     uint32_t clip_count;
     const uint32_t *clips;
     const float *weights; /* [clip_count], each >= 0, not all 0: what share of the lots each has; NULL: equal */
     float speed_spread;   /* [0, 1) speeds are 1 - this to 1 + this */
     float phase_spread;   /* [0, 1] of the clip's length: where in it it begins */
-} clq_variety_def;
+} clq_random_play_def;
 
-static inline clq_variety_def clq_variety_def_init(void)
+static inline clq_random_play_def clq_random_play_def_init(void)
 {
-    clq_variety_def def;
+    clq_random_play_def def;
     unsigned char *p = (unsigned char *)&def;
     size_t i;
     for (i = 0; i < sizeof def; ++i) p[i] = 0;
@@ -177,22 +177,22 @@ static inline clq_variety_def clq_variety_def_init(void)
  *   draw      which of the actor's draws: the same number draws the same again
  *   start_s   of the play
  * Changes nothing. Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. */
-CLQ_API clq_status clq_actor_draw_play(const clq_crowd *crowd, clq_actor actor, const clq_variety_def *def,
-                                       uint32_t draw, double start_s, clq_play *out);
+CLQ_API clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const clq_random_play_def *def,
+                                         uint32_t sample_index, double start_s, clq_play *out);
 
 /* The clips that an actor shows at a moment, in the order in which they are blended, as the finest level has them. */
-typedef struct clq_shown_clip {
+typedef struct clq_active_clip {
     uint32_t clip; /* CLQ_NONE: the rest pose */
     double clip_time_s;
     float weight;
     clq_layer_kind kind;
-} clq_shown_clip;
+} clq_active_clip;
 
-#define CLQ_SHOWN_MOST 8
+#define CLQ_ACTIVE_CLIP_MAX 8
 
 /* Fails: STALE_ID, ARGUMENT. */
-CLQ_API clq_status clq_actor_get_shown(const clq_crowd *crowd, clq_actor actor, double time_s,
-                                       clq_shown_clip out[CLQ_SHOWN_MOST], uint32_t *out_count);
+CLQ_API clq_status clq_actor_get_active_clips(const clq_crowd *crowd, clq_actor actor, double time_s,
+                                              clq_active_clip out[CLQ_ACTIVE_CLIP_MAX], uint32_t *out_count);
 
 /* Events: what happens in an actor's clips, whoever sees it. */
 typedef enum clq_event_kind {
@@ -208,7 +208,7 @@ typedef struct clq_event {
     clq_event_kind kind;
     uint32_t clip;   /* that is played; of a gait its first one; of a fade what it went to */
     uint32_t marker; /* for clq_template_get_marker; else CLQ_NONE */
-    uint64_t round;  /* CLIP_END: how many have ended since the play began */
+    uint64_t loop;   /* CLIP_END: how many have ended since the play began */
     clq_layer layer; /* of a layer's clip; else zero */
 } clq_event;
 
@@ -231,8 +231,8 @@ CLQ_API clq_status clq_crowd_get_events(clq_crowd *crowd, double from_s, double 
  *   from_s, to_s   on the clip's own clock: start_s is its beginning; it goes round, so any finite time will do, to_s may be
  *                  less. At actor's time t that is start_s + phase_s + speed * (t - play.start_s)
  * Of a clip that goes nowhere: zeros. Fails: ARGUMENT. Threads: any. */
-CLQ_API clq_status clq_template_root_motion(const clq_template *tmpl, uint32_t clip, double from_s, double to_s,
-                                            double out[3]);
+CLQ_API clq_status clq_template_get_root_motion(const clq_template *tmpl, uint32_t clip, double from_s, double to_s,
+                                                double out[3]);
 
 #ifdef __cplusplus
 }

@@ -29,11 +29,11 @@ extern "C" {
 typedef struct clq_renderer clq_renderer;
 
 /* How individuals get their colours. All three give the same RGB and depth. */
-typedef enum clq_variety {
-    CLQ_VARIETY_FUSED = 0,   /* everything in one draw a surface */
-    CLQ_VARIETY_BINNED = 1,  /* dirty triangles only in the passes of zones that they touch */
-    CLQ_VARIETY_PER_ZONE = 2 /* S1 3, S2 2.1: one draw a clean bin, all dirty triangles once per zone */
-} clq_variety;
+typedef enum clq_draw_strategy {
+    CLQ_STRATEGY_FUSED = 0,   /* everything in one draw a surface */
+    CLQ_STRATEGY_BINNED = 1,  /* dirty triangles only in the passes of zones that they touch */
+    CLQ_STRATEGY_PER_ZONE = 2 /* S1 3, S2 2.1: one draw a clean bin, all dirty triangles once per zone */
+} clq_draw_strategy;
 
 /* What is left of the host's GL state after a draw. */
 typedef enum clq_guard {
@@ -53,7 +53,7 @@ typedef struct clq_renderer_def {
     uint32_t struct_bytes;                                             /* set by clq_renderer_def_init */
     clq_gl_function (*get_proc_address)(void *user, const char *name); /* required; asked for GL 1.1 names only */
     void *user;
-    clq_variety variety;
+    clq_draw_strategy strategy;
     clq_guard guard;
     clq_colour_format colours;
     clq_key_test key_test;
@@ -70,7 +70,7 @@ typedef struct clq_renderer_def {
        contexts in which a flush shows or copies the picture: front buffers, OSMesa. Nothing else changes. 0 (default): never */
     uint32_t flush_triangles;
     /* Of the levels that batch_triangles is for, those of so many triangles and fewer whose triangles each show one texel
-       in one zone, as far ones do (clq_levels_def.far_from), are drawn GL_FLAT and without a texture: a triangle in the
+       in one zone, as far ones do (clq_levels_def.proxy_max_triangles), are drawn GL_FLAT and without a texture: a triangle in the
        colour of its zone times its texel, lit once, as it faces. Less than half of the vertices; drawing ten thousand people
        takes 0.87 of the time on llvmpipe. Whoever has hooks is drawn as larger levels are. Default 64; 0: never */
     uint32_t flat_triangles;
@@ -82,7 +82,7 @@ static inline clq_renderer_def clq_renderer_def_init(void)
     def.struct_bytes = (uint32_t)sizeof def;
     def.get_proc_address = NULL;
     def.user = NULL;
-    def.variety = CLQ_VARIETY_FUSED;
+    def.strategy = CLQ_STRATEGY_FUSED;
     def.guard = CLQ_GUARD_FULL;
     def.colours = CLQ_COLOUR_UBYTE;
     def.key_test = CLQ_KEY_GREATER_EQUAL;
@@ -106,11 +106,11 @@ CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tm
 
 /* What became of a template that was prepared. */
 typedef struct clq_prepared_info {
-    clq_variety variety; /* as asked for, or BINNED where one draw cannot tell its zones apart on this GL */
+    clq_draw_strategy strategy; /* as asked for, or BINNED where one draw cannot tell its zones apart on this GL */
     /* Of the finest level, all 0 without linear_clean: */
     uint32_t triangle_count, linear_count; /* of which so many are filtered */
     uint32_t edge_count;                   /* between a triangle that is filtered and one that is not */
-    float step_mean, step_most;            /* [0, 255] difference in luminance between the two ways along these edges */
+    float step_mean, step_max;             /* [0, 255] difference in luminance between the two ways along these edges */
 } clq_prepared_info;
 
 /* Fails: ARGUMENT (also for a template that is not prepared). GL: none. */
@@ -123,7 +123,7 @@ typedef struct clq_draw_stats {
     uint32_t triangles; /* sent to GL, each pass counted */
     uint64_t vertices;  /* sent to GL */
     uint32_t parts;     /* of individuals, that were drawn: those out of view are left out (S0 4.2, phase 3) */
-    uint32_t matrices;  /* glMultMatrixf calls, see clq_placement */
+    uint32_t matrices;  /* glMultMatrixf calls, see clq_rigid_mode */
 } clq_draw_stats;
 
 /* Draws a view's list as the last update left it. The crowd is not changed: several views of it may be drawn at once, each

@@ -35,7 +35,7 @@ typedef struct clq_shadow_def {
     int32_t
         stencil_bit; /* 0 ...: this bit of the stencil buffer is claque's for the call; -1 (default): none is lent */
     float blob_distance_m; /* [>= 0] from the eye: from here on an ellipse stands for the mesh. Default: never */
-    float most_distance_m; /* [>= 0] from here on there is no shadow. Default: never */
+    float max_distance_m;  /* [>= 0] from here on there is no shadow. Default: never */
 } clq_shadow_def;
 
 static inline clq_shadow_def clq_shadow_def_init(void)
@@ -53,7 +53,7 @@ static inline clq_shadow_def clq_shadow_def_init(void)
     def.darkness = 0.5f;
     def.stencil_bit = -1;
     def.blob_distance_m = 1e30f;
-    def.most_distance_m = 1e30f;
+    def.max_distance_m = 1e30f;
     return def;
 }
 

@@ -44,7 +44,7 @@ typedef struct clq_dof_def {
     clq_dof_kind kind;
     uint32_t morph_target; /* CLQ_DOF_MORPH: which one */
     float axis[3];         /* unit within 0.001, in the node's own frame; unused for CLQ_DOF_MORPH */
-    float first, last;     /* its range: first <= last */
+    float min, max;        /* its range: first <= last */
     float rest;            /* within the range: where it is when nobody writes it */
 } clq_dof_def;
 
@@ -71,9 +71,9 @@ typedef struct clq_image_def {
 /* Where an individual's colour of one zone may lie (S2 5). Degrees and fractions; a hue range wraps when first > last.
  */
 typedef struct clq_hsb_range {
-    float hue_first_deg, hue_last_deg;       /* [0, 360] */
-    float saturation_first, saturation_last; /* [0, 1] */
-    float brightness_first, brightness_last; /* [0, 1] */
+    float hue_min_deg, hue_max_deg;       /* [0, 360] */
+    float saturation_min, saturation_max; /* [0, 1] */
+    float brightness_min, brightness_max; /* [0, 1] */
 } clq_hsb_range;
 
 /* A region that has one colour per individual. */
@@ -81,7 +81,7 @@ typedef struct clq_zone_def {
     const char *name;
     uint32_t key;        /* [0, 255] the alpha that means this zone, in images whose alpha holds zone keys */
     float colour[3];     /* [0, 1] colour of an individual that was given none, as glColor takes it */
-    clq_hsb_range range; /* what clq_actor_draw_colours draws from */
+    clq_hsb_range range; /* what clq_actor_randomise_colours draws from */
 } clq_zone_def;
 
 typedef struct clq_material_def {
@@ -131,22 +131,26 @@ typedef struct clq_part_def {
     const clq_morph_def *morphs;
     /* S0 5.1: [metres] the distances from the eye at which this part is drawn, first <= d < last. Levels of detail of one
      * piece are several parts with adjoining ranges; each piece may have its own. last 0: no end. */
-    float lod_first_m, lod_last_m;
+    float lod_min_m, lod_max_m;
 } clq_part_def;
 
-typedef enum clq_path {
-    CLQ_PATH_TRANSLATION = 0,
-    CLQ_PATH_ROTATION = 1,
-    CLQ_PATH_SCALE = 2,
-    CLQ_PATH_MORPH_WEIGHTS = 3
-} clq_path;
-typedef enum clq_interpolation { CLQ_STEP = 0, CLQ_LINEAR = 1, CLQ_CUBIC_SPLINE = 2 } clq_interpolation;
+typedef enum clq_channel_target {
+    CLQ_CHANNEL_TRANSLATION = 0,
+    CLQ_CHANNEL_ROTATION = 1,
+    CLQ_CHANNEL_SCALE = 2,
+    CLQ_CHANNEL_MORPH_WEIGHTS = 3
+} clq_channel_target;
+typedef enum clq_interpolation {
+    CLQ_INTERPOLATION_STEP = 0,
+    CLQ_INTERPOLATION_LINEAR = 1,
+    CLQ_INTERPOLATION_CUBIC_SPLINE = 2
+} clq_interpolation;
 
 /* One animated property of one node, as glTF 2.0 has them: cubic splines hold in-tangent, value, out-tangent per key.
  * Morph weights are addressed by the node of the part; all parts on one node share them. */
 typedef struct clq_channel_def {
     uint32_t node;
-    clq_path path;
+    clq_channel_target target;
     clq_interpolation interpolation;
     uint32_t key_count;   /* [>= 1] */
     const float *times_s; /* [key_count], strictly ascending */
@@ -167,7 +171,7 @@ typedef struct clq_marker_def {
 } clq_marker_def;
 
 /* A clip whose way over the ground is taken out of its poses, for a host to move the Reference Point by instead
- * (clq_template_root_motion): translation along x and z, and the turn about y, of one node in model space. */
+ * (clq_template_get_root_motion): translation along x and z, and the turn about y, of one node in model space. */
 typedef struct clq_root_motion_def {
     uint32_t clip;
     uint32_t node; /* whose way that is, hips for example; no node above it is animated by the clip */

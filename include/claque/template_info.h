@@ -50,12 +50,12 @@ typedef struct clq_dof_info {
     const char *name;
     uint32_t node;
     clq_dof_kind kind;
-    float first, last, rest;
+    float min, max, rest;
 } clq_dof_info;
 
 /* One level of detail of the whole template: what all parts and nodes come to between two distances (S0 5). */
 typedef struct clq_level_info {
-    float first_m; /* it serves from here on, up to the next one's */
+    float lod_min_m; /* it serves from here on, up to the next one's */
     uint32_t triangle_count, vertex_count, part_count;
     uint32_t node_count; /* that are evaluated */
 } clq_level_info;

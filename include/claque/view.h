@@ -27,7 +27,7 @@ CLQ_API void clq_view_destroy(clq_view *view);
 
 /* Sets the camera that the next clq_crowd_update uses. Copied. Fails: ARGUMENT (not finite, no rotation).
  * Threads: the crowd's writer. */
-CLQ_API clq_status clq_view_look(clq_view *view, const clq_camera *camera);
+CLQ_API clq_status clq_view_set_camera(clq_view *view, const clq_camera *camera);
 
 /* How high the view's picture is: levels of detail are those for distances in a picture of 768 lines over 60 degrees, and a
  * zoom lens or a larger picture gets more detail, a smaller one less (S0 5). Default 768; 0: distances as they are.

@@ -24,16 +24,16 @@ typedef struct clq_asset_image {
 /* Fails: ARGUMENT. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_get_image(const clq_asset *asset, uint32_t image, clq_asset_image *out);
 
-typedef struct clq_painted_zone {
+typedef struct clq_zone_map_zone {
     const char *name;
     /* 1: its texels become grey, their luminance stretched until the brightest fiftieth is white; the
      * zone's colour (of an individual that was given none) becomes the one with which they look most like before. 0: its texels
      * keep their colours, and its colour is white. */
     int32_t reduced;
     const clq_hsb_range
-        *range; /* what clq_actor_draw_colours draws from; NULL: by the name (skin, hair, leather, ...) and
+        *range; /* what clq_actor_randomise_colours draws from; NULL: by the name (skin, hair, leather, ...) and
                                    the colour */
-} clq_painted_zone;
+} clq_zone_map_zone;
 
 typedef struct clq_zone_map_def {
     uint32_t struct_bytes;        /* set by clq_zone_map_def_init */
@@ -41,7 +41,7 @@ typedef struct clq_zone_map_def {
     uint32_t width_px, height_px; /* [>= 1] of the map, which may have another size than the image */
     const uint16_t *texels; /* [width_px * height_px] zones, or CLQ_NO_ZONE: what lies nearest; row at v = 0 first */
     uint32_t zone_count;    /* [1, 256] */
-    const clq_painted_zone *zones;
+    const clq_zone_map_zone *zones;
 } clq_zone_map_def;
 
 static inline clq_zone_map_def clq_zone_map_def_init(void)
@@ -72,7 +72,7 @@ CLQ_API clq_status clq_asset_set_zone_map(clq_context *context, clq_asset *asset
  *   out_rgb     [3 * wanted] the mean colour of each zone
  *   out_count   how many there are
  * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
-CLQ_API clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, uint32_t wanted,
+CLQ_API clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, uint32_t max_zones,
                                            uint16_t *out_texels, size_t capacity, uint8_t *out_rgb,
                                            uint32_t *out_count);
 

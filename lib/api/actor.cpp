@@ -9,24 +9,24 @@ using namespace claque;
 namespace claque::api
 {
 
-crowd::Place place_of(const clq_place &place)
+crowd::Transform transform_of(const clq_transform &transform)
 {
-    crowd::Place out;
-    out.position = glm::dvec3(place.position[0], place.position[1], place.position[2]);
-    const float *q = place.orientation_xyzw;
+    crowd::Transform out;
+    out.position = glm::dvec3(transform.position[0], transform.position[1], transform.position[2]);
+    const float *q = transform.orientation_xyzw;
     if (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0) out.orientation = glm::quat(q[3], q[0], q[1], q[2]);
-    if (place.scale != 0) out.scale = place.scale;
+    if (transform.scale != 0) out.scale = transform.scale;
     return out;
 }
 
-clq_place place_of(const crowd::Place &place)
+clq_transform transform_of(const crowd::Transform &transform)
 {
-    clq_place out{};
-    for (int k = 0; k < 3; ++k) out.position[k] = place.position[k];
-    const glm::quat &q = place.orientation;
+    clq_transform out{};
+    for (int k = 0; k < 3; ++k) out.position[k] = transform.position[k];
+    const glm::quat &q = transform.orientation;
     out.orientation_xyzw[0] = q.x, out.orientation_xyzw[1] = q.y;
     out.orientation_xyzw[2] = q.z, out.orientation_xyzw[3] = q.w;
-    out.scale = place.scale;
+    out.scale = transform.scale;
     return out;
 }
 
@@ -53,7 +53,7 @@ public:
     ~NewTemplate()
     {
         if (!held_) return;
-        api::let_go(crowd_->held.back());
+        api::release(crowd_->held.back());
         crowd_->held.pop_back();
     }
     void keep() { held_ = false; }
@@ -74,13 +74,13 @@ clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_acto
         api::require_size(def, "clq_actor_def_init");
         api::require(def->tmpl != nullptr, "tmpl is NULL");
         api::require(def->tmpl->context == crowd->context, "the template was made from another context");
-        if (def->texture_set != CLQ_BY_LOT && def->texture_set >= def->tmpl->texture_set_count())
+        if (def->texture_set != CLQ_RANDOM && def->texture_set >= def->tmpl->texture_set_count())
             base::fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", def->texture_set,
                        def->tmpl->name.c_str(), def->tmpl->texture_set_count());
         const api::Busy busy(crowd);
         NewTemplate held(crowd, def->tmpl);
         const crowd::Id id =
-            crowd->crowd.create(*def->tmpl, api::place_of(def->place), api::play_of(def->play), def->seed);
+            crowd->crowd.create(*def->tmpl, api::transform_of(def->transform), api::play_of(def->play), def->seed);
         crowd->crowd.set_texture_set(id, def->texture_set);
         held.keep();
         *out = {id.index1, id.generation};
@@ -114,15 +114,16 @@ clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, const float 
     });
 }
 
-clq_status clq_actor_draw_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges, uint32_t zone_count)
+clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges,
+                                       uint32_t zone_count)
 {
-    return api::boundary("clq_actor_draw_colours", [&] {
+    return api::boundary("clq_actor_randomise_colours", [&] {
         api::require(crowd && (ranges || zone_count == 0), "crowd or ranges is NULL");
         const api::Busy busy(crowd);
         std::pmr::vector<model::HsbRange> wanted(&crowd->context->memory);
         wanted.reserve(zone_count);
         for (uint32_t i = 0; i < zone_count; ++i) wanted.push_back(api::range_of(ranges[i]));
-        crowd->crowd.draw_colours(api::id_of(actor), wanted.data(), zone_count);
+        crowd->crowd.randomise_colours(api::id_of(actor), wanted.data(), zone_count);
     });
 }
 
@@ -132,24 +133,24 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
         api::require(crowd && out, "crowd or out is NULL");
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const crowd::Play &play = crowd->crowd.play_of(row);
-        const frame::Seen seen = crowd->frame.seen(crowd->crowd, row);
+        const frame::ActorVisibility visibility = crowd->frame.visibility(crowd->crowd, row);
         clq_actor_info info{};
         info.tmpl = static_cast<const clq_template *>(&crowd->crowd.template_of(row));
-        info.place = api::place_of(crowd->crowd.place_of(row));
+        info.transform = api::transform_of(crowd->crowd.transform_of(row));
         if (const uint32_t group = crowd->crowd.group_of(row); group != model::none)
             info.group = {group + 1, crowd->crowd.group(group).generation};
         info.play = {play.clip, play.start_s, play.speed, play.phase_s};
         info.seed = crowd->crowd.actor(row).seed;
         info.texture_set = crowd->crowd.actor(row).texture_set;
-        info.visible = seen.visible;
-        info.period_s = seen.period_s;
-        info.shown_s = seen.shown_s;
+        info.visible = visibility.visible;
+        info.period_s = visibility.period_s;
+        info.tick_s = visibility.shown_s;
         info.priority = crowd->crowd.extent_of(row).priority;
-        info.eye_distance = seen.distance;
-        info.level = seen.level;
-        crowd::Place root;
-        if (!crowd->frame.root_of(crowd->crowd, row, root)) root = crowd->crowd.world_place_of(row);
-        info.root = api::place_of(root);
+        info.eye_distance = visibility.distance;
+        info.level = visibility.level;
+        crowd::Transform root;
+        if (!crowd->frame.root_of(crowd->crowd, row, root)) root = crowd->crowd.world_transform_of(row);
+        info.root = api::transform_of(root);
         info.refpoint_radius = crowd->crowd.extent_of(row).refpoint;
         info.sklsroot_radius = crowd->crowd.extent_of(row).sklsroot;
         *out = info;

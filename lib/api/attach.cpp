@@ -5,20 +5,21 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
-#include "lib/frame/exact.h"
+#include "lib/frame/node_matrix.h"
 
 using namespace claque;
 
 extern "C" {
 
-clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_place *place, uint64_t seed, clq_actor *out)
+clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_transform *transform, uint64_t seed,
+                           clq_actor *out)
 {
     return api::boundary("clq_actor_clone", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         const api::Busy busy(crowd);
-        crowd::Place wanted;
-        if (place) wanted = api::place_of(*place);
-        const crowd::Id id = crowd->crowd.clone(api::id_of(actor), place ? &wanted : nullptr, seed);
+        crowd::Transform wanted;
+        if (transform) wanted = api::transform_of(*transform);
+        const crowd::Id id = crowd->crowd.clone(api::id_of(actor), transform ? &wanted : nullptr, seed);
         *out = {id.index1, id.generation};
     });
 }
@@ -42,7 +43,7 @@ clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t
 }
 
 clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3], float radius,
-                            clq_attached *out)
+                            clq_attachment *out)
 {
     return api::boundary("clq_actor_attach", [&] {
         api::require(crowd && centre, "crowd or centre is NULL");
@@ -53,12 +54,12 @@ clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, co
     });
 }
 
-clq_status clq_actor_detach(clq_crowd *crowd, clq_attached attached)
+clq_status clq_actor_detach(clq_crowd *crowd, clq_attachment attachment)
 {
     return api::boundary("clq_actor_detach", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.detach({attached.index1, attached.generation});
+        crowd->crowd.detach({attachment.index1, attachment.generation});
     });
 }
 
@@ -72,7 +73,7 @@ clq_status clq_actor_get_node(clq_crowd *crowd, clq_actor actor, uint32_t node, 
         if (node >= tmpl.rig.node_count())
             base::fail(CLQ_ARGUMENT, "node %u of %u of template '%s'", node, tmpl.rig.node_count(), tmpl.name.c_str());
         if (std::isinf(time_s)) base::fail(CLQ_ARGUMENT, "time_s is infinite");
-        frame::node_in_world(crowd->crowd, crowd->frame, row, node, time_s, out_matrix);
+        frame::node_world_matrix(crowd->crowd, crowd->frame, row, node, time_s, out_matrix);
     });
 }
 

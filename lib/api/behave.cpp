@@ -31,30 +31,30 @@ clq_status clq_crowd_add_mechanism(clq_crowd *crowd, const clq_mechanism_def *de
     });
 }
 
-clq_status clq_actor_use(clq_crowd *crowd, clq_actor actor, const clq_use *use)
+clq_status clq_actor_attach_mechanism(clq_crowd *crowd, clq_actor actor, const clq_mechanism_attachment *attachment)
 {
-    return api::boundary("clq_actor_use", [&] {
-        api::require(crowd && use, "crowd or use is NULL");
+    return api::boundary("clq_actor_attach_mechanism", [&] {
+        api::require(crowd && attachment, "crowd or attachment is NULL");
         const api::Busy busy(crowd);
-        crowd::Use wanted;
-        wanted.mechanism = use->mechanism.index1 - 1;
-        wanted.priority = use->priority;
-        wanted.phase_s = use->phase_s;
-        wanted.start_s = use->start_s;
-        crowd->crowd.use(api::id_of(actor), wanted);
+        crowd::MechanismAttachment wanted;
+        wanted.mechanism = attachment->mechanism.index1 - 1;
+        wanted.priority = attachment->priority;
+        wanted.phase_s = attachment->phase_s;
+        wanted.start_s = attachment->start_s;
+        crowd->crowd.attach_mechanism(api::id_of(actor), wanted);
     });
 }
 
-clq_status clq_actor_drop(clq_crowd *crowd, clq_actor actor, clq_mechanism mechanism)
+clq_status clq_actor_detach_mechanism(clq_crowd *crowd, clq_actor actor, clq_mechanism mechanism)
 {
-    return api::boundary("clq_actor_drop", [&] {
+    return api::boundary("clq_actor_detach_mechanism", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd->crowd.row_of(api::id_of(actor));
         if (mechanism.index1 - 1 >= crowd->crowd.behaviours().mechanism_count())
             base::fail(CLQ_ARGUMENT, "mechanism %u of %u", mechanism.index1,
                        crowd->crowd.behaviours().mechanism_count());
-        crowd->crowd.drop(api::id_of(actor), mechanism.index1 - 1);
+        crowd->crowd.detach_mechanism(api::id_of(actor), mechanism.index1 - 1);
     });
 }
 
@@ -64,7 +64,7 @@ clq_status clq_actor_gaze(clq_crowd *crowd, clq_actor actor, clq_mechanism gaze,
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         const glm::dvec3 wanted = point ? glm::dvec3(point[0], point[1], point[2]) : glm::dvec3(0);
-        behave::look(crowd->crowd, api::id_of(actor), gaze.index1 - 1, point ? &wanted : nullptr, at_s);
+        behave::command_gaze(crowd->crowd, api::id_of(actor), gaze.index1 - 1, point ? &wanted : nullptr, at_s);
     });
 }
 
@@ -73,8 +73,8 @@ clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism ex
     return api::boundary("clq_actor_express", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        behave::express(crowd->crowd, api::id_of(actor), expression.index1 - 1, shape == CLQ_NONE ? model::none : shape,
-                        at_s);
+        behave::command_expression(crowd->crowd, api::id_of(actor), expression.index1 - 1,
+                                   shape == CLQ_NONE ? model::none : shape, at_s);
     });
 }
 
@@ -83,7 +83,7 @@ clq_status clq_actor_say(clq_crowd *crowd, clq_actor actor, clq_mechanism phrase
     return api::boundary("clq_actor_say", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        behave::say(crowd->crowd, api::id_of(actor), phrase.index1 - 1, at_s);
+        behave::command_phrase(crowd->crowd, api::id_of(actor), phrase.index1 - 1, at_s);
     });
 }
 
@@ -97,17 +97,17 @@ clq_status clq_crowd_add_root_path(clq_crowd *crowd, const clq_root_path_def *de
     });
 }
 
-clq_status clq_actor_move_root(clq_crowd *crowd, clq_actor actor, const clq_root_motion *motion)
+clq_status clq_actor_play_root_path(clq_crowd *crowd, clq_actor actor, const clq_root_path_play *motion)
 {
-    return api::boundary("clq_actor_move_root", [&] {
+    return api::boundary("clq_actor_play_root_path", [&] {
         api::require(crowd && motion, "crowd or motion is NULL");
         const api::Busy busy(crowd);
-        crowd::RootMotion wanted;
+        crowd::RootPathPlay wanted;
         wanted.path = motion->path.index1 ? motion->path.index1 - 1 : model::none;
         wanted.speed = motion->speed;
         wanted.phase_s = motion->phase_s;
         wanted.start_s = motion->start_s;
-        crowd->crowd.move_root(api::id_of(actor), wanted);
+        crowd->crowd.play_root_path(api::id_of(actor), wanted);
     });
 }
 
@@ -120,12 +120,12 @@ clq_status clq_crowd_set_ground(clq_crowd *crowd, double (*height)(void *user, c
     });
 }
 
-clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float most_up, float most_down)
+clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float max_up, float max_down)
 {
     return api::boundary("clq_actor_follow_ground", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.follow_ground(api::id_of(actor), most_up, most_down);
+        crowd->crowd.follow_ground(api::id_of(actor), max_up, max_down);
     });
 }
 

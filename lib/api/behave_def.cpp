@@ -46,8 +46,8 @@ public:
 
 private:
     uint32_t turn(const char *name, uint32_t dof);
-    void shape(const clq_shape &shape, uint32_t index, model::Array<crowd::DofValue> &values);
-    void shapes(uint32_t count, const clq_shape *from, model::Array<crowd::Shape> &to,
+    void shape(const clq_dof_pose &shape, uint32_t index, model::Array<crowd::DofValue> &values);
+    void shapes(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
                 model::Array<crowd::DofValue> &values);
     void writes(uint32_t dof)
     {
@@ -73,7 +73,7 @@ uint32_t Reader::turn(const char *name, uint32_t dof)
     return dof;
 }
 
-void Reader::shape(const clq_shape &shape, uint32_t index, model::Array<crowd::DofValue> &values)
+void Reader::shape(const clq_dof_pose &shape, uint32_t index, model::Array<crowd::DofValue> &values)
 {
     const model::Rig &rig = tmpl_.rig;
     if (shape.count && !shape.values)
@@ -86,9 +86,9 @@ void Reader::shape(const clq_shape &shape, uint32_t index, model::Array<crowd::D
                  rig.dofs.size(), tmpl_.name.c_str());
         const model::Dof &dof = rig.dofs[value.dof];
         const char *name = rig.dof_names[value.dof].c_str();
-        if (!(value.value >= dof.first && value.value <= dof.last))
+        if (!(value.value >= dof.min && value.value <= dof.max))
             fail(CLQ_ARGUMENT, "shape %u puts degree of freedom %u '%s' at %g: its range is %g to %g", index, value.dof,
-                 name, double(value.value), double(dof.first), double(dof.last));
+                 name, double(value.value), double(dof.min), double(dof.max));
         for (size_t k = first; k < values.size(); ++k)
             if (values[k].dof == value.dof)
                 fail(CLQ_ARGUMENT, "shape %u names degree of freedom %u '%s' twice", index, value.dof, name);
@@ -97,11 +97,11 @@ void Reader::shape(const clq_shape &shape, uint32_t index, model::Array<crowd::D
     }
 }
 
-void Reader::shapes(uint32_t count, const clq_shape *from, model::Array<crowd::Shape> &to,
+void Reader::shapes(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
                     model::Array<crowd::DofValue> &values)
 {
-    if (count == 0) fail(CLQ_ARGUMENT, "shape_count is 0: at least 1 is wanted");
-    require_array(from, count, "shapes");
+    if (count == 0) fail(CLQ_ARGUMENT, "pose_count is 0: at least 1 is wanted");
+    require_array(from, count, "poses");
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t first = static_cast<uint32_t>(values.size());
         shape(from[i], i, values);
@@ -139,7 +139,7 @@ crowd::Gaze Reader::gaze(const clq_gaze_def &def)
 crowd::Expression Reader::expression(const clq_expression_def &def)
 {
     crowd::Expression out(memory_);
-    shapes(def.shape_count, def.shapes, out.shapes, out.values);
+    shapes(def.pose_count, def.poses, out.poses, out.values);
     require_more("hold_s", def.hold_s, 0);
     require_in("blend_s", def.blend_s, 0, def.hold_s / 2);
     out.hold_s = def.hold_s, out.blend_s = def.blend_s;
@@ -160,7 +160,7 @@ crowd::Blink Reader::blink(const clq_blink_def &def)
 crowd::Phrase Reader::phrase(const clq_phrase_def &def)
 {
     crowd::Phrase out(memory_);
-    shapes(def.shape_count, def.shapes, out.shapes, out.values);
+    shapes(def.pose_count, def.poses, out.poses, out.values);
     if (def.key_count == 0) fail(CLQ_ARGUMENT, "key_count is 0: at least 1 is wanted");
     require_array(def.keys, def.key_count, "keys");
     for (uint32_t i = 0; i < def.key_count; ++i) {
@@ -168,9 +168,9 @@ crowd::Phrase Reader::phrase(const clq_phrase_def &def)
         const bool ascends = i == 0 ? key.time_s == 0 : key.time_s > def.keys[i - 1].time_s;
         if (!ascends || !std::isfinite(key.time_s))
             fail(CLQ_ARGUMENT, "key %u of the phrase is at %g s: they ascend from 0", i, double(key.time_s));
-        if (key.shape != CLQ_NONE && key.shape >= def.shape_count)
-            fail(CLQ_ARGUMENT, "key %u of the phrase names shape %u of %u", i, key.shape, def.shape_count);
-        out.keys.push_back({key.time_s, key.shape == CLQ_NONE ? model::none : key.shape});
+        if (key.pose != CLQ_NONE && key.pose >= def.pose_count)
+            fail(CLQ_ARGUMENT, "key %u of the phrase names shape %u of %u", i, key.pose, def.pose_count);
+        out.keys.push_back({key.time_s, key.pose == CLQ_NONE ? model::none : key.pose});
     }
     require_more("length_s", def.length_s, 0);
     require_in("length_s", def.length_s, def.keys[def.key_count - 1].time_s, crowd::never);
@@ -220,7 +220,7 @@ void take_levels(const clq_mechanism_def &def, crowd::Mechanism &out)
 {
     float last = 0;
     bool ended = false;
-    for (uint32_t k = 0; k < crowd::most_behaviour_levels - 1; ++k) {
+    for (uint32_t k = 0; k < crowd::max_behaviour_levels - 1; ++k) {
         const float at = def.level_m[k];
         if (at == 0) {
             ended = true;
@@ -244,22 +244,22 @@ crowd::Mechanism mechanism_of(const clq_mechanism_def &def, const model::Templat
     take_levels(def, out);
     Reader reader(tmpl, memory, written);
     switch (number_of(def.kind)) {
-        case CLQ_GAZE:
+        case CLQ_MECHANISM_GAZE:
             out.kind = reader.gaze(def.gaze);
             break;
-        case CLQ_EXPRESSION:
+        case CLQ_MECHANISM_EXPRESSION:
             out.kind = reader.expression(def.expression);
             break;
-        case CLQ_BLINK:
+        case CLQ_MECHANISM_BLINK:
             out.kind = reader.blink(def.blink);
             break;
-        case CLQ_PHRASE:
+        case CLQ_MECHANISM_PHRASE:
             out.kind = reader.phrase(def.phrase);
             break;
-        case CLQ_IDLE:
+        case CLQ_MECHANISM_IDLE:
             out.kind = reader.idle(def.idle);
             break;
-        case CLQ_HOST:
+        case CLQ_MECHANISM_HOST:
             out.kind = host_of(def);
             break;
         default:

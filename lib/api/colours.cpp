@@ -71,30 +71,30 @@ uint32_t clq_colour_map_find_template(const clq_colour_map *map, const char *tem
     return find_class(map, template_name, [](const clq_colour_class &one) { return one.tmpl; });
 }
 
-clq_status clq_crowd_draw_colours(clq_crowd *crowd, const clq_colour_map *map, uint32_t colour_class,
-                                  const clq_actor *actors, uint32_t actor_count)
+clq_status clq_crowd_randomise_colours(clq_crowd *crowd, const clq_colour_map *map, uint32_t colour_class,
+                                       const clq_actor *actors, uint32_t actor_count)
 {
-    return api::boundary("clq_crowd_draw_colours", [&] {
+    return api::boundary("clq_crowd_randomise_colours", [&] {
         api::require(crowd && map, "crowd or map is NULL");
         api::require_array(actors, actor_count, "actors");
         const api::Busy busy(crowd);
         std::pmr::vector<crowd::Id> ids(&crowd->context->memory);
         ids.reserve(actor_count);
         for (uint32_t i = 0; i < actor_count; ++i) ids.push_back(api::id_of(actors[i]));
-        crowd->crowd.draw_colours(ids.data(), actor_count, map->map, colour_class);
+        crowd->crowd.randomise_colours(ids.data(), actor_count, map->map, colour_class);
     });
 }
 
-clq_status clq_colour_map_draw(const clq_colour_map *map, uint32_t colour_class, const clq_template *tmpl,
-                               uint64_t crowd_seed, uint64_t actor_seed, float *out_rgb, uint32_t zone_count)
+clq_status clq_colour_map_sample(const clq_colour_map *map, uint32_t colour_class, const clq_template *tmpl,
+                                 uint64_t crowd_seed, uint64_t actor_seed, float *out_rgb, uint32_t zone_count)
 {
-    return api::boundary("clq_colour_map_draw", [&] {
+    return api::boundary("clq_colour_map_sample", [&] {
         api::require(map && tmpl && (out_rgb || zone_count == 0), "map, tmpl or out_rgb is NULL");
         require_zones(zone_count, *tmpl);
         const crowd::ColourRecipe recipe(&map->context->memory, map->map, colour_class, *tmpl);
         for (uint32_t zone = 0; zone < zone_count; ++zone) {
             double rgb[3];
-            recipe.draw(zone, crowd_seed, actor_seed, rgb);
+            recipe.sample(zone, crowd_seed, actor_seed, rgb);
             for (int k = 0; k < 3; ++k) out_rgb[3 * zone + k] = static_cast<float>(rgb[k]);
         }
     });

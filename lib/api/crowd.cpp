@@ -44,18 +44,18 @@ frame::Settings settings_of(const clq_crowd_def &def)
                    static_cast<double>(def.metres_per_unit));
     require(api::number_of(def.cull) <= CLQ_CULL_TRADITIONAL,
             "cull is neither CLQ_CULL_ACTOR nor CLQ_CULL_TRADITIONAL");
-    require(api::number_of(def.placement) <= CLQ_PLACE_MATRICES,
-            "placement is neither CLQ_PLACE_VERTICES nor CLQ_PLACE_MATRICES");
+    require(api::number_of(def.rigid_mode) <= CLQ_RIGID_MATRICES,
+            "rigid_mode is neither CLQ_RIGID_VERTICES nor CLQ_RIGID_MATRICES");
     if (!(def.lod_scale >= 0) || !std::isfinite(def.lod_scale))
         base::fail(CLQ_ARGUMENT, "lod_scale is %g: 0 or more is wanted", static_cast<double>(def.lod_scale));
     if (!(def.lod_hysteresis >= 0 && def.lod_hysteresis < 1))
         base::fail(CLQ_ARGUMENT, "lod_hysteresis is %g: 0 to less than 1 is wanted",
                    static_cast<double>(def.lod_hysteresis));
-    require(api::number_of(def.geometry) <= CLQ_GEOMETRY_PACKED,
-            "geometry is neither CLQ_GEOMETRY_FLOAT nor CLQ_GEOMETRY_PACKED");
+    require(api::number_of(def.vertex_format) <= CLQ_VERTEX_PACKED,
+            "vertex_format is neither CLQ_VERTEX_FLOAT nor CLQ_VERTEX_PACKED");
     require_budget(def);
     frame::Settings settings;
-    settings.caches.geometry = static_cast<animcache::Geometry>(def.geometry);
+    settings.caches.vertex_format = static_cast<animcache::VertexFormat>(def.vertex_format);
     settings.caches.can_defer = def.update_budget > 0 || def.update_budget_ms > 0;
     settings.update_budget = def.update_budget;
     settings.update_budget_ms = def.update_budget_ms;
@@ -67,7 +67,7 @@ frame::Settings settings_of(const clq_crowd_def &def)
     settings.caches.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
     settings.caches.metres_per_unit = def.metres_per_unit;
     settings.cull = static_cast<frame::Cull>(def.cull);
-    settings.placement = static_cast<animcache::Placement>(def.placement);
+    settings.rigid_mode = static_cast<animcache::RigidMode>(def.rigid_mode);
     settings.lod_scale = def.lod_scale;
     settings.lod_hysteresis = def.lod_hysteresis;
     return settings;
@@ -101,13 +101,14 @@ void clq_crowd_destroy(clq_crowd *crowd)
     // Templates go last: the crowd's columns point at them.
     std::pmr::vector<clq_template *> held(std::move(crowd->held));
     api::unmake(crowd->context, crowd);
-    for (clq_template *tmpl : held) api::let_go(tmpl);
+    for (clq_template *tmpl : held) api::release(tmpl);
 }
 
-clq_status clq_crowd_place(clq_crowd *crowd, const clq_actor *actors, const clq_place *places, uint32_t count)
+clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, const clq_transform *transforms,
+                                    uint32_t count)
 {
-    return api::boundary("clq_crowd_place", [&] {
-        api::require(crowd && ((actors && places) || count == 0), "crowd, actors or places is NULL");
+    return api::boundary("clq_crowd_set_transforms", [&] {
+        api::require(crowd && ((actors && transforms) || count == 0), "crowd, actors or places is NULL");
         const api::Busy busy(crowd);
         crowd->placed_ids.clear();
         crowd->placed.clear();
@@ -115,9 +116,9 @@ clq_status clq_crowd_place(clq_crowd *crowd, const clq_actor *actors, const clq_
         crowd->placed.reserve(count);
         for (uint32_t i = 0; i < count; ++i) {
             crowd->placed_ids.push_back(api::id_of(actors[i]));
-            crowd->placed.push_back(api::place_of(places[i]));
+            crowd->placed.push_back(api::transform_of(transforms[i]));
         }
-        crowd->crowd.place(crowd->placed_ids.data(), crowd->placed.data(), count);
+        crowd->crowd.set_transforms(crowd->placed_ids.data(), crowd->placed.data(), count);
     });
 }
 
@@ -128,16 +129,16 @@ clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *vi
     return api::boundary("clq_crowd_update", [&] {
         api::require(crowd && (views || view_count == 0), "crowd or views is NULL");
         const api::Busy busy(crowd);
-        crowd->asked.clear();
+        crowd->views_of_update.clear();
         for (uint32_t i = 0; i < view_count; ++i) {
             api::require(views[i] != nullptr, "a view is NULL");
             if (views[i]->crowd != crowd) base::fail(CLQ_ARGUMENT, "view %u belongs to another crowd", i);
             for (uint32_t k = 0; k < i; ++k)
                 if (views[k] == views[i]) base::fail(CLQ_ARGUMENT, "views %u and %u are the same", k, i);
-            crowd->asked.push_back(&views[i]->view);
+            crowd->views_of_update.push_back(&views[i]->view);
         }
         api::require(frame::update(crowd->crowd, crowd->frame,
-                                   base::Span<frame::View *const>(crowd->asked.data(), view_count), time_s,
+                                   base::Span<frame::View *const>(crowd->views_of_update.data(), view_count), time_s,
                                    crowd->context->jobs));
         for (clq_view *view : crowd->views) {
             bool asked = false;
@@ -155,7 +156,7 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         clq_crowd_stats result{};
         result.actor_count = crowd->crowd.actor_count();
         result.groups = stats.groups;
-        result.groups_visible = stats.groups_seen;
+        result.groups_visible = stats.groups_visible;
         result.tested = stats.tested;
         result.passed_refpoint = stats.passed_refpoint;
         result.passed_sklsroot = stats.passed_sklsroot;
@@ -185,10 +186,10 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         result.cache_pool_bytes = stats.cache_pool_bytes;
         result.cache_budget_bytes = stats.cache_budget_bytes;
         result.actor_bytes = crowd->crowd.bytes();
-        static_assert(CLQ_BAND_COUNT == frame::band_count, "the C API shows every band");
-        for (uint32_t i = 0; i < CLQ_BAND_COUNT; ++i) {
+        static_assert(CLQ_DISTANCE_BAND_COUNT == frame::band_count, "the C API shows every band");
+        for (uint32_t i = 0; i < CLQ_DISTANCE_BAND_COUNT; ++i) {
             const frame::Band &band = stats.bands[i];
-            result.bands[i] = {band.distance_first, band.distance_last, band.actor_frames, band.seconds, band.animated};
+            result.bands[i] = {band.distance_min, band.distance_max, band.actor_frames, band.seconds, band.animated};
         }
         *out = result;
     });
@@ -203,6 +204,6 @@ clq_status clq_crowd_reset_bands(clq_crowd *crowd)
     });
 }
 
-uint64_t clq_crowd_fingerprint(const clq_crowd *crowd) { return crowd ? crowd->crowd.fingerprint() : 0; }
+uint64_t clq_crowd_hash(const clq_crowd *crowd) { return crowd ? crowd->crowd.hash() : 0; }
 
 }  // extern "C"

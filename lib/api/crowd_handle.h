@@ -16,7 +16,7 @@ struct clq_crowd {
           frame(&owner->memory, settings),
           held(&owner->memory),
           views(&owner->memory),
-          asked(&owner->memory),
+          views_of_update(&owner->memory),
           placed_ids(&owner->memory),
           placed(&owner->memory),
           events(&owner->memory)
@@ -29,10 +29,10 @@ struct clq_crowd {
     claque::frame::Frame frame;
     std::pmr::vector<clq_template *> held;  // every template it has used
     std::pmr::vector<clq_view *> views;
-    std::pmr::vector<claque::frame::View *> asked;  // of the update that runs
+    std::pmr::vector<claque::frame::View *> views_of_update;  // of the update that runs
     // Of the call that places: hosts do so every frame, and a frame asks for no memory once it has grown.
     std::pmr::vector<claque::crowd::Id> placed_ids;
-    std::pmr::vector<claque::crowd::Place> placed;
+    std::pmr::vector<claque::crowd::Transform> placed;
     std::pmr::vector<claque::behave::Event> events;  // of the last question for them
     mutable std::atomic<int32_t> users{0};  // calls that draw its views, which only read it; -1: one that changes it
 };
@@ -95,8 +95,8 @@ private:
     const clq_view *view_;
 };
 
-crowd::Place place_of(const clq_place &place);
-clq_place place_of(const crowd::Place &place);
+crowd::Transform transform_of(const clq_transform &transform);
+clq_transform transform_of(const crowd::Transform &transform);
 crowd::Play play_of(const clq_play &play);
 inline crowd::Id id_of(clq_actor actor) { return {actor.index1, actor.generation}; }
 inline crowd::Id id_of(clq_group group) { return {group.index1, group.generation}; }

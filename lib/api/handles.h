@@ -82,7 +82,7 @@ private:
 
 inline void hold(clq_template *tmpl) { ++tmpl->holders; }
 
-inline void let_go(clq_template *tmpl)
+inline void release(clq_template *tmpl)
 {
     if (--tmpl->holders == 0) unmake(tmpl->context, tmpl);
 }

@@ -16,29 +16,29 @@ namespace claque::api
 
 animcache::KeyPoseSettings settings_of(const clq_key_poses &wanted)
 {
-    static_assert(CLQ_METHOD_BAND_MAX == animcache::most_method_bands, "the C API shows every band");
-    if (wanted.band_count > CLQ_METHOD_BAND_MAX)
-        base::fail(CLQ_ARGUMENT, "key_poses has %u bands: %d at most", wanted.band_count, CLQ_METHOD_BAND_MAX);
+    static_assert(CLQ_KEY_POSE_BAND_MAX == animcache::max_key_pose_bands, "the C API shows every band");
+    if (wanted.band_count > CLQ_KEY_POSE_BAND_MAX)
+        base::fail(CLQ_ARGUMENT, "key_poses has %u bands: %d at most", wanted.band_count, CLQ_KEY_POSE_BAND_MAX);
     if (!(wanted.rate_hz >= 0.5f && wanted.rate_hz <= 120))
         base::fail(CLQ_ARGUMENT, "key_poses.rate_hz is %g: 0.5 to 120 is wanted", static_cast<double>(wanted.rate_hz));
     animcache::KeyPoseSettings out;
     for (uint32_t i = 0; i < wanted.band_count; ++i) {
-        const clq_method_band &band = wanted.bands[i];
-        if (number_of(band.method) > CLQ_METHOD_SKINNED)
+        const clq_key_pose_band &band = wanted.bands[i];
+        if (number_of(band.mode) > CLQ_KEY_POSE_SKINNED)
             base::fail(CLQ_ARGUMENT,
-                       "key_poses.bands[%u].method is %u: none of CLQ_METHOD_INDIVIDUAL to "
-                       "CLQ_METHOD_SKINNED",
-                       i, static_cast<unsigned>(number_of(band.method)));
+                       "key_poses.bands[%u].mode is %u: none of CLQ_KEY_POSE_INDIVIDUAL to "
+                       "CLQ_KEY_POSE_SKINNED",
+                       i, static_cast<unsigned>(number_of(band.mode)));
         if (!(band.distance >= 0) || !std::isfinite(band.distance) ||
             (i > 0 && !(band.distance > wanted.bands[i - 1].distance)))
             base::fail(CLQ_ARGUMENT,
                        "key_poses.bands[%u].distance is %g: 0 or more, and more than that of the band before", i,
                        static_cast<double>(band.distance));
-        out.bands[i] = {band.distance, static_cast<animcache::Method>(band.method)};
+        out.bands[i] = {band.distance, static_cast<animcache::KeyPoseMode>(band.mode)};
     }
     out.band_count = wanted.band_count;
     out.rate_hz = wanted.rate_hz;
-    out.most_kept = wanted.most_kept;
+    out.max_kept = wanted.max_kept;
     if (wanted.budget_bytes) out.budget_bytes = wanted.budget_bytes;
     return out;
 }
@@ -50,7 +50,7 @@ extern "C" clq_status clq_crowd_get_key_pose_stats(const clq_crowd *crowd, clq_k
     return api::boundary("clq_crowd_get_key_pose_stats", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         const animcache::KeyPoseCounters &counters = crowd->frame.stats().key_poses;
-        *out = {counters.asked, counters.served, counters.wanted, counters.updated, counters.held, counters.bytes};
+        *out = {counters.requested, counters.served, counters.wanted, counters.updated, counters.held, counters.bytes};
     });
 }
 

@@ -7,7 +7,7 @@
 #include "lib/api/crowd_handle.h"
 #include "lib/api/play_def.h"
 #include "lib/base/hash.h"
-#include "lib/behave/layers.h"
+#include "lib/behave/active_clips.h"
 #include "lib/model/root_motion.h"
 
 using namespace claque;
@@ -23,12 +23,12 @@ const model::Template &known(const clq_crowd *crowd, const clq_template *tmpl)
     return *tmpl;
 }
 
-double lot(const crowd::Crowd &crowd, uint32_t row, base::Purpose purpose, uint32_t draw)
+double lot(const crowd::Crowd &crowd, uint32_t row, base::Purpose purpose, uint32_t sample_index)
 {
-    return static_cast<double>(base::unit(base::hash(crowd.seed(), crowd.actor(row).seed, purpose, draw)));
+    return static_cast<double>(base::unit(base::hash(crowd.seed(), crowd.actor(row).seed, purpose, sample_index)));
 }
 
-uint32_t clip_by_lot(const clq_variety_def &def, double unit)
+uint32_t clip_by_lot(const clq_random_play_def &def, double unit)
 {
     if (!def.weights) return static_cast<uint32_t>(unit * def.clip_count);
     double sum = 0;
@@ -80,7 +80,7 @@ clq_status clq_crowd_add_mask(clq_crowd *crowd, const clq_mask_def *def, clq_mas
     });
 }
 
-clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_motion *to, double at_s, float length_s,
+clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_fade_target *to, double at_s, float length_s,
                              clq_curve curve)
 {
     return api::boundary("clq_actor_fade_to", [&] {
@@ -109,8 +109,8 @@ clq_status clq_actor_add_layer(clq_crowd *crowd, clq_actor actor, const clq_laye
         api::require_size(def, "clq_layer_def_init");
         const api::Busy busy(crowd);
         const model::Template &tmpl = crowd->crowd.template_of(crowd->crowd.row_of(api::id_of(actor)));
-        const uint32_t serial = crowd->crowd.add_gesture(api::id_of(actor), api::gesture_of(*def, tmpl));
-        if (out) *out = {serial};
+        const uint32_t layer_id = crowd->crowd.add_layer(api::id_of(actor), api::layer_of(*def, tmpl));
+        if (out) *out = {layer_id};
     });
 }
 
@@ -119,45 +119,47 @@ clq_status clq_actor_end_layer(clq_crowd *crowd, clq_actor actor, clq_layer laye
     return api::boundary("clq_actor_end_layer", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.end_gesture(api::id_of(actor), layer.index1, at_s, fade_out_s);
+        crowd->crowd.end_layer(api::id_of(actor), layer.index1, at_s, fade_out_s);
     });
 }
 
-clq_status clq_actor_draw_play(const clq_crowd *crowd, clq_actor actor, const clq_variety_def *def, uint32_t draw,
-                               double start_s, clq_play *out)
+clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const clq_random_play_def *def,
+                                 uint32_t sample_index, double start_s, clq_play *out)
 {
-    return api::boundary("clq_actor_draw_play", [&] {
+    return api::boundary("clq_actor_sample_play", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_variety_def_init");
+        api::require_size(def, "clq_random_play_def_init");
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Template &tmpl = crowd->crowd.template_of(row);
         api::require(def->clip_count > 0 && def->clips, "a draw from no clip");
         check_spread("speed_spread", def->speed_spread, false);
         check_spread("phase_spread", def->phase_spread, true);
         crowd::Play play;
-        play.clip = def->clips[clip_by_lot(*def, lot(crowd->crowd, row, base::Purpose::clip, draw))];
+        play.clip = def->clips[clip_by_lot(*def, lot(crowd->crowd, row, base::Purpose::clip, sample_index))];
         play.start_s = start_s;
-        const double speed = 2 * lot(crowd->crowd, row, base::Purpose::speed, draw) - 1;
+        const double speed = 2 * lot(crowd->crowd, row, base::Purpose::speed, sample_index) - 1;
         play.speed = static_cast<float>(1 + speed * double(def->speed_spread));
         crowd::check_play(play, tmpl);
         if (play.clip != model::none)
-            play.phase_s = static_cast<float>(lot(crowd->crowd, row, base::Purpose::phase, draw) *
+            play.phase_s = static_cast<float>(lot(crowd->crowd, row, base::Purpose::phase, sample_index) *
                                               double(def->phase_spread) * double(tmpl.rig.clips[play.clip].duration_s));
         *out = {play.clip, play.start_s, play.speed, play.phase_s};
     });
 }
 
-clq_status clq_actor_get_shown(const clq_crowd *crowd, clq_actor actor, double time_s,
-                               clq_shown_clip out[CLQ_SHOWN_MOST], uint32_t *out_count)
+clq_status clq_actor_get_active_clips(const clq_crowd *crowd, clq_actor actor, double time_s,
+                                      clq_active_clip out[CLQ_ACTIVE_CLIP_MAX], uint32_t *out_count)
 {
-    static_assert(CLQ_SHOWN_MOST == pose::most_layers && CLQ_SHOWN_MOST == crowd::most_shown, "one limit");
-    return api::boundary("clq_actor_get_shown", [&] {
+    static_assert(CLQ_ACTIVE_CLIP_MAX == pose::max_layers && CLQ_ACTIVE_CLIP_MAX == crowd::max_active_clips,
+                  "one limit");
+    return api::boundary("clq_actor_get_active_clips", [&] {
         api::require(crowd && out && out_count, "crowd, out or out_count is NULL");
         if (!std::isfinite(time_s)) base::fail(CLQ_ARGUMENT, "time_s is not finite");
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Level &level = crowd->crowd.template_of(row).levels[0];
-        behave::Shown shown;
-        behave::shown_at(crowd->crowd, row, time_s, behave::levels_of(crowd->crowd, row, 0, level), shown);
+        behave::ActiveClips shown;
+        behave::active_clips_at(crowd->crowd, row, time_s, behave::mechanism_levels(crowd->crowd, row, 0, level),
+                                shown);
         if (shown.count == 0) {
             out[0] = {shown.clip, shown.clip_time_s, 1, CLQ_LAYER_REPLACE};
             *out_count = 1;
@@ -172,16 +174,17 @@ clq_status clq_actor_get_shown(const clq_crowd *crowd, clq_actor actor, double t
     });
 }
 
-clq_status clq_template_root_motion(const clq_template *tmpl, uint32_t clip, double from_s, double to_s, double out[3])
+clq_status clq_template_get_root_motion(const clq_template *tmpl, uint32_t clip, double from_s, double to_s,
+                                        double out[3])
 {
-    return api::boundary("clq_template_root_motion", [&] {
+    return api::boundary("clq_template_get_root_motion", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
         if (clip >= tmpl->rig.clips.size())
             base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
                        tmpl->rig.clips.size());
         if (!std::isfinite(from_s) || !std::isfinite(to_s))
             base::fail(CLQ_ARGUMENT, "root motion from %g to %g s: finite times are wanted", from_s, to_s);
-        const model::GroundStep step = model::root_motion(tmpl->rig, clip, from_s, to_s);
+        const model::GroundTransform step = model::root_motion(tmpl->rig, clip, from_s, to_s);
         out[0] = step.x, out[1] = step.z, out[2] = step.yaw;
     });
 }

@@ -94,41 +94,41 @@ crowd::MaskOf mask_of(const clq_mask_def &def, const model::Template &tmpl, std:
             depth[n] = depth[n] ? std::max(depth[n], depth[parent] + 1) : depth[parent] + 1;
         const float inside =
             depth[n] > def.feather ? 1.0f : static_cast<float>(depth[n]) / static_cast<float>(def.feather + 1);
-        weights[n] = def.without ? 1 - inside : inside;
+        weights[n] = def.inverted ? 1 - inside : inside;
     }
     return crowd::checked_mask(tmpl, std::move(weights));
 }
 
-crowd::Gesture gesture_of(const clq_layer_def &def, const model::Template &tmpl)
+crowd::Layer layer_of(const clq_layer_def &def, const model::Template &tmpl)
 {
     require(number_of(def.kind) <= CLQ_LAYER_ADD, "kind is neither CLQ_LAYER_REPLACE nor CLQ_LAYER_ADD");
-    crowd::Gesture gesture;
-    gesture.adds = number_of(def.kind) == CLQ_LAYER_ADD;
-    gesture.play = {def.play.clip, def.play.start_s, def.play.speed, def.play.phase_s};
-    crowd::check_play(gesture.play, tmpl);
-    gesture.weight = def.weight;
-    gesture.start_s = def.play.start_s;
-    gesture.fade_in_s = def.fade_in_s, gesture.fade_out_s = def.fade_out_s;
-    gesture.curve = curve_of(def.curve);
-    gesture.mask = def.mask.index1 ? def.mask.index1 - 1 : none;
+    crowd::Layer layer;
+    layer.additive = number_of(def.kind) == CLQ_LAYER_ADD;
+    layer.play = {def.play.clip, def.play.start_s, def.play.speed, def.play.phase_s};
+    crowd::check_play(layer.play, tmpl);
+    layer.weight = def.weight;
+    layer.start_s = def.play.start_s;
+    layer.fade_in_s = def.fade_in_s, layer.fade_out_s = def.fade_out_s;
+    layer.curve = curve_of(def.curve);
+    layer.mask = def.mask.index1 ? def.mask.index1 - 1 : none;
     const bool moves = def.play.clip != CLQ_NONE;
-    if (!(def.rounds >= 0) || !std::isfinite(def.rounds))
-        fail(CLQ_ARGUMENT, "a layer of %g rounds: 0 or more is wanted", double(def.rounds));
-    if (def.rounds > 0) {
+    if (!(def.loops >= 0) || !std::isfinite(def.loops))
+        fail(CLQ_ARGUMENT, "a layer of %g loops: 0 or more is wanted", double(def.loops));
+    if (def.loops > 0) {
         const double length = moves ? double(tmpl.rig.clips[def.play.clip].duration_s) : 0;
         const double speed = std::fabs(double(def.play.speed));
         if (!(length > 0) || !(speed > 0))
-            fail(CLQ_ARGUMENT, "a layer of %g rounds of a clip that stands still", double(def.rounds));
-        gesture.end_s = gesture.start_s + double(def.rounds) * length / speed;
+            fail(CLQ_ARGUMENT, "a layer of %g loops of a clip that stands still", double(def.loops));
+        layer.end_s = layer.start_s + double(def.loops) * length / speed;
     }
     if (def.has_reference) {
-        gesture.reference_clip = def.reference_clip == CLQ_NONE ? none : def.reference_clip;
-        gesture.reference_time_s = double(def.reference_time_s);
-    } else if (moves && gesture.adds) {
-        gesture.reference_clip = def.play.clip;
-        gesture.reference_time_s = double(tmpl.rig.clips[def.play.clip].start_s);
+        layer.reference_clip = def.reference_clip == CLQ_NONE ? none : def.reference_clip;
+        layer.reference_time_s = double(def.reference_time_s);
+    } else if (moves && layer.additive) {
+        layer.reference_clip = def.play.clip;
+        layer.reference_time_s = double(tmpl.rig.clips[def.play.clip].start_s);
     }
-    return gesture;
+    return layer;
 }
 
 }  // namespace claque::api

@@ -15,12 +15,12 @@ namespace
 passes::RendererOptions options_of(const clq_renderer_def &def)
 {
     using api::require;
-    require(api::number_of(def.variety) <= CLQ_VARIETY_PER_ZONE, "variety is none of CLQ_VARIETY_...");
+    require(api::number_of(def.strategy) <= CLQ_STRATEGY_PER_ZONE, "strategy is none of CLQ_VARIETY_...");
     require(api::number_of(def.guard) <= CLQ_GUARD_NONE, "guard is none of CLQ_GUARD_...");
     require(api::number_of(def.colours) <= CLQ_COLOUR_FLOAT, "colours is none of CLQ_COLOUR_...");
     require(api::number_of(def.key_test) <= CLQ_KEY_EQUAL, "key_test is none of CLQ_KEY_...");
     passes::RendererOptions options;
-    options.strategy = static_cast<passes::Strategy>(def.variety);
+    options.strategy = static_cast<passes::Strategy>(def.strategy);
     options.guard = static_cast<passes::Guard>(def.guard);
     options.colours = static_cast<passes::ColourFormat>(def.colours);
     options.key_test = static_cast<passes::KeyTest>(def.key_test);
@@ -36,7 +36,8 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
 // fail when everything is done.
 void report_fallback(const clq_renderer &renderer, const clq_template &tmpl) noexcept
 {
-    if (renderer.asked != passes::Strategy::fused || renderer.renderer.strategy_of(tmpl) == renderer.asked) return;
+    if (renderer.requested != passes::Strategy::fused || renderer.renderer.strategy_of(tmpl) == renderer.requested)
+        return;
     size_t most = 0;
     for (const model::Texture &texture : tmpl.textures) most = std::max(most, texture.keys.size());
     char text[512];
@@ -51,7 +52,7 @@ void end(clq_renderer *renderer)
 {
     std::pmr::vector<clq_template *> held(std::move(renderer->held));
     api::unmake(renderer->context, renderer);
-    for (clq_template *tmpl : held) api::let_go(tmpl);
+    for (clq_template *tmpl : held) api::release(tmpl);
 }
 
 }  // namespace
@@ -92,12 +93,12 @@ clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_tem
         if (std::find(renderer->held.begin(), renderer->held.end(), tmpl) == renderer->held.end())
             base::fail(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer", tmpl->name.c_str());
         const passes::LuminanceStep step = renderer->renderer.step_of(*tmpl);
-        *out = {static_cast<clq_variety>(renderer->renderer.strategy_of(*tmpl)),
+        *out = {static_cast<clq_draw_strategy>(renderer->renderer.strategy_of(*tmpl)),
                 step.triangles,
                 step.linear_triangles,
                 step.edges,
                 step.mean,
-                step.most};
+                step.max};
     });
 }
 

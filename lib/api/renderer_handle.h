@@ -8,11 +8,11 @@
 
 struct clq_renderer {
     clq_renderer(clq_context *owner, const claque::passes::RendererOptions &options)
-        : context(owner), asked(options.strategy), renderer(&owner->memory, options), held(&owner->memory)
+        : context(owner), requested(options.strategy), renderer(&owner->memory, options), held(&owner->memory)
     {
     }
     clq_context *context;
-    claque::passes::Strategy asked;
+    claque::passes::Strategy requested;
     claque::passes::Renderer renderer;
     std::pmr::vector<clq_template *> held;  // every template it was prepared for
 };

@@ -56,11 +56,11 @@ crowd::RootPath path_of(const clq_root_path_def &def, std::pmr::memory_resource 
     if (!(def.duration_s > 0) || !std::isfinite(def.duration_s))
         fail(CLQ_ARGUMENT, "duration_s is %g: a finite number of more than 0 is wanted", double(def.duration_s));
     if (!std::isfinite(def.bank)) fail(CLQ_ARGUMENT, "bank is not finite");
-    if (!(def.most_bank_rad >= 0 && def.most_bank_rad <= 3.1415927f))
-        fail(CLQ_ARGUMENT, "most_bank_rad is %g: 0 to 3.14159 is wanted", double(def.most_bank_rad));
+    if (!(def.max_bank_rad >= 0 && def.max_bank_rad <= 3.1415927f))
+        fail(CLQ_ARGUMENT, "max_bank_rad is %g: 0 to 3.14159 is wanted", double(def.max_bank_rad));
     crowd::RootPath path(memory);
     path.duration_s = def.duration_s;
-    path.bank = def.bank, path.most_bank = def.most_bank_rad;
+    path.bank = def.bank, path.max_bank = def.max_bank_rad;
     for (uint32_t i = 0; i < def.count; ++i) {
         const float *p = def.positions + 3 * size_t(i);
         for (int k = 0; k < 3; ++k)

@@ -31,23 +31,23 @@ private:
 };
 
 // The host's templates and callbacks, for the crowd that is restored.
-class HostLender : public crowd::Lender
+class HostResolver : public crowd::Resolver
 {
 public:
-    HostLender(const clq_crowd &crowd, clq_template *const *templates, uint32_t count)
+    HostResolver(const clq_crowd &crowd, clq_template *const *templates, uint32_t count)
         : crowd_(crowd), left_(&crowd.context->memory), used_(&crowd.context->memory)
     {
         left_.assign(templates, templates + count);
         used_.reserve(count);
     }
 
-    const model::Template &like(std::string_view name, uint64_t structure) override
+    const model::Template &find_template(std::string_view name, uint64_t structure) override
     {
         bool named = false;
         for (clq_template *&tmpl : left_) {
             if (!tmpl || tmpl->name != name) continue;
             named = true;
-            if (crowd::structure_of(*tmpl) != structure) continue;
+            if (crowd::structure_hash(*tmpl) != structure) continue;
             used_.push_back(tmpl);
             return *std::exchange(tmpl, nullptr);
         }
@@ -147,18 +147,18 @@ clq_status clq_crowd_restore(clq_crowd *crowd, const void *bytes, size_t size_by
         api::require(crowd && bytes, "crowd or bytes is NULL");
         const api::Busy busy(crowd);
         check_templates(*crowd, templates, template_count);
-        HostLender lender(*crowd, templates, template_count);
+        HostResolver resolver(*crowd, templates, template_count);
         crowd::Crowd restored(&crowd->context->memory);
-        crowd::restore(static_cast<const uint8_t *>(bytes), size_bytes, lender, restored);
+        crowd::restore(static_cast<const uint8_t *>(bytes), size_bytes, resolver, restored);
 
         // Those that were used before stay held: caches and lists may still be of them.
         const std::pmr::vector<clq_template *> &held = crowd->held;
         std::pmr::vector<clq_template *> fresh(&crowd->context->memory);
-        fresh.reserve(lender.used().size());
-        for (clq_template *tmpl : lender.used())
+        fresh.reserve(resolver.used().size());
+        for (clq_template *tmpl : resolver.used())
             if (std::find(held.begin(), held.end(), tmpl) == held.end()) fresh.push_back(tmpl);
         crowd->held.reserve(held.size() + fresh.size());
-        crowd->crowd.become(restored);
+        crowd->crowd.swap_state(restored);
         for (clq_template *tmpl : fresh) {
             api::hold(tmpl);
             crowd->held.push_back(tmpl);

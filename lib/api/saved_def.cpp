@@ -8,41 +8,42 @@ namespace claque::api
 using base::fail;
 
 MechanismDef::MechanismDef(const crowd::Mechanism &mechanism, std::pmr::memory_resource *memory)
-    : def(clq_mechanism_def_init()), values_(memory), shapes_(memory), keys_(memory)
+    : def(clq_mechanism_def_init()), values_(memory), poses_(memory), keys_(memory)
 {
     // A description says 0 for what never is.
     const auto distance = [](float m) {
         if (m == 0) fail(CLQ_FORMAT, "a level of a mechanism begins at 0 m");
         return m == crowd::never ? 0.0f : m;
     };
-    for (uint32_t k = 0; k < crowd::most_behaviour_levels - 1; ++k) def.level_m[k] = distance(mechanism.level_m[k]);
+    for (uint32_t k = 0; k < crowd::max_behaviour_levels - 1; ++k) def.level_m[k] = distance(mechanism.level_m[k]);
     def.off_m = distance(mechanism.off_m);
-    static_assert(std::is_same_v<std::variant_alternative_t<CLQ_GAZE, crowd::MechanismKind>, crowd::Gaze> &&
-                      std::is_same_v<std::variant_alternative_t<CLQ_HOST, crowd::MechanismKind>, crowd::HostMechanism>,
-                  "kinds stand in the order of clq_mechanism_kind");
+    static_assert(
+        std::is_same_v<std::variant_alternative_t<CLQ_MECHANISM_GAZE, crowd::MechanismKind>, crowd::Gaze> &&
+            std::is_same_v<std::variant_alternative_t<CLQ_MECHANISM_HOST, crowd::MechanismKind>, crowd::HostMechanism>,
+        "kinds stand in the order of clq_mechanism_kind");
     def.kind = static_cast<clq_mechanism_kind>(mechanism.kind.index());
-    std::visit([this](const auto &kind) { tell(kind); }, mechanism.kind);
+    std::visit([this](const auto &kind) { describe(kind); }, mechanism.kind);
 }
 
-void MechanismDef::take_values(const model::Array<crowd::DofValue> &values)
+void MechanismDef::copy_values(const model::Array<crowd::DofValue> &values)
 {
     values_.reserve(values.size());
     for (const crowd::DofValue &value : values) values_.push_back({value.dof, value.value});
 }
 
-void MechanismDef::take_shapes(const model::Array<crowd::Shape> &shapes, const model::Array<crowd::DofValue> &values)
+void MechanismDef::copy_poses(const model::Array<crowd::DofPose> &shapes, const model::Array<crowd::DofValue> &values)
 {
-    take_values(values);
-    shapes_.reserve(shapes.size());
-    for (const crowd::Shape &shape : shapes) {
+    copy_values(values);
+    poses_.reserve(shapes.size());
+    for (const crowd::DofPose &shape : shapes) {
         if (shape.first > values_.size() || shape.count > values_.size() - shape.first)
             fail(CLQ_FORMAT, "a shape has values %u to %u of %zu", shape.first, shape.first + shape.count,
                  values_.size());
-        shapes_.push_back({shape.count, values_.data() + shape.first});
+        poses_.push_back({shape.count, values_.data() + shape.first});
     }
 }
 
-void MechanismDef::tell(const crowd::Gaze &gaze)
+void MechanismDef::describe(const crowd::Gaze &gaze)
 {
     for (int k = 0; k < 2; ++k) def.gaze.eye_yaw[k] = gaze.eye_yaw[k], def.gaze.eye_pitch[k] = gaze.eye_pitch[k];
     def.gaze.neck_yaw = gaze.neck_yaw, def.gaze.neck_pitch = gaze.neck_pitch;
@@ -53,34 +54,34 @@ void MechanismDef::tell(const crowd::Gaze &gaze)
     def.gaze.wander_yaw_rad = gaze.wander_yaw, def.gaze.wander_pitch_rad = gaze.wander_pitch;
 }
 
-void MechanismDef::tell(const crowd::Expression &expression)
+void MechanismDef::describe(const crowd::Expression &expression)
 {
-    take_shapes(expression.shapes, expression.values);
-    def.expression.shape_count = static_cast<uint32_t>(shapes_.size());
-    def.expression.shapes = shapes_.data();
+    copy_poses(expression.poses, expression.values);
+    def.expression.pose_count = static_cast<uint32_t>(poses_.size());
+    def.expression.poses = poses_.data();
     def.expression.hold_s = expression.hold_s, def.expression.blend_s = expression.blend_s;
 }
 
-void MechanismDef::tell(const crowd::Blink &blink)
+void MechanismDef::describe(const crowd::Blink &blink)
 {
-    take_values(blink.closed);
+    copy_values(blink.closed);
     def.blink.closed = {static_cast<uint32_t>(values_.size()), values_.data()};
     def.blink.period_s = blink.period_s, def.blink.close_s = blink.close_s;
 }
 
-void MechanismDef::tell(const crowd::Phrase &phrase)
+void MechanismDef::describe(const crowd::Phrase &phrase)
 {
-    take_shapes(phrase.shapes, phrase.values);
+    copy_poses(phrase.poses, phrase.values);
     keys_.reserve(phrase.keys.size());
-    for (const crowd::PhraseKey &key : phrase.keys) keys_.push_back({key.time_s, key.shape});
-    def.phrase.shape_count = static_cast<uint32_t>(shapes_.size());
-    def.phrase.shapes = shapes_.data();
+    for (const crowd::PhraseKey &key : phrase.keys) keys_.push_back({key.time_s, key.pose});
+    def.phrase.pose_count = static_cast<uint32_t>(poses_.size());
+    def.phrase.poses = poses_.data();
     def.phrase.key_count = static_cast<uint32_t>(keys_.size());
     def.phrase.keys = keys_.data();
     def.phrase.length_s = phrase.length_s, def.phrase.pause_s = phrase.pause_s, def.phrase.blend_s = phrase.blend_s;
 }
 
-void MechanismDef::tell(const crowd::Idle &idle)
+void MechanismDef::describe(const crowd::Idle &idle)
 {
     def.idle.clip_count = static_cast<uint32_t>(idle.clips.size());
     def.idle.clips = idle.clips.data();
@@ -94,7 +95,7 @@ void MechanismDef::tell(const crowd::Idle &idle)
     def.idle.speed_spread = idle.speed_spread, def.idle.phase_spread = idle.phase_spread;
 }
 
-void MechanismDef::tell(const crowd::HostMechanism &host)
+void MechanismDef::describe(const crowd::HostMechanism &host)
 {
     def.host.run = host.run;
     def.host.user = host.user;
@@ -118,7 +119,7 @@ RootPathDef::RootPathDef(const crowd::RootPath &path, std::pmr::memory_resource 
     def.positions = positions_.data();
     if (!path.flight) def.rotations_xyzw = rotations_.data(), def.times_s = path.times_s.data();
     def.duration_s = path.duration_s;
-    def.bank = path.bank, def.most_bank_rad = path.most_bank;
+    def.bank = path.bank, def.max_bank_rad = path.max_bank;
 }
 
 }  // namespace claque::api

@@ -20,17 +20,17 @@ public:
     clq_mechanism_def def;
 
 private:
-    void tell(const crowd::Gaze &gaze);
-    void tell(const crowd::Expression &expression);
-    void tell(const crowd::Blink &blink);
-    void tell(const crowd::Phrase &phrase);
-    void tell(const crowd::Idle &idle);
-    void tell(const crowd::HostMechanism &host);
-    void take_values(const model::Array<crowd::DofValue> &values);
-    void take_shapes(const model::Array<crowd::Shape> &shapes, const model::Array<crowd::DofValue> &values);
+    void describe(const crowd::Gaze &gaze);
+    void describe(const crowd::Expression &expression);
+    void describe(const crowd::Blink &blink);
+    void describe(const crowd::Phrase &phrase);
+    void describe(const crowd::Idle &idle);
+    void describe(const crowd::HostMechanism &host);
+    void copy_values(const model::Array<crowd::DofValue> &values);
+    void copy_poses(const model::Array<crowd::DofPose> &shapes, const model::Array<crowd::DofValue> &values);
 
     model::Array<clq_dof_value> values_;
-    model::Array<clq_shape> shapes_;
+    model::Array<clq_dof_pose> poses_;
     model::Array<clq_phrase_key> keys_;
 };
 

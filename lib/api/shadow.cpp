@@ -63,9 +63,9 @@ void set_look(const clq_shadow_def &def, passes::ShadowOptions &options)
     if (def.stencil_bit < -1 || def.stencil_bit > 31)
         base::fail(CLQ_ARGUMENT, "stencil_bit is %d: 0 to 31, or -1 for none, is wanted", def.stencil_bit);
     options.stencil_bit = def.stencil_bit;
-    require(def.blob_distance_m >= 0 && def.most_distance_m >= 0, "a distance is negative or not a number");
+    require(def.blob_distance_m >= 0 && def.max_distance_m >= 0, "a distance is negative or not a number");
     options.blob_from_m = def.blob_distance_m;
-    options.none_from_m = def.most_distance_m;
+    options.none_from_m = def.max_distance_m;
 }
 
 }  // namespace

@@ -1,26 +1,26 @@
 #include <claque/simd.h>
 
 #include "lib/api/boundary.h"
-#include "lib/math/kernel.h"
+#include "lib/math/simd_level.h"
 
 using namespace claque;
 
 namespace
 {
 
-math::Kernel kernel_of(unsigned number)
+math::SimdLevel simd_level_of(unsigned number)
 {
     switch (number) {
         case CLQ_SIMD_SCALAR:
-            return math::Kernel::scalar;
+            return math::SimdLevel::scalar;
         case CLQ_SIMD_128:
-            return math::Kernel::vector;
+            return math::SimdLevel::simd128;
         case CLQ_SIMD_256:
-            return math::Kernel::wide;
+            return math::SimdLevel::simd256;
         case CLQ_SIMD_FMA:
-            return math::Kernel::fused;
+            return math::SimdLevel::fma;
         case CLQ_SIMD_WIDEST:
-            return math::can_run(math::Kernel::wide) ? math::Kernel::wide : math::Kernel::vector;
+            return math::can_run(math::SimdLevel::simd256) ? math::SimdLevel::simd256 : math::SimdLevel::simd128;
         default:
             base::fail(CLQ_ARGUMENT, "%u is no instruction set", number);
     }
@@ -33,24 +33,24 @@ extern "C" {
 clq_status clq_simd_use(clq_simd simd)
 {
     return api::boundary("clq_simd_use", [&] {
-        const math::Kernel kernel = kernel_of(api::number_of(simd));
-        if (!math::can_run(kernel))
+        const math::SimdLevel simd_level = simd_level_of(api::number_of(simd));
+        if (!math::can_run(simd_level))
             base::fail(CLQ_UNSUPPORTED, "this processor has no %s",
-                       kernel == math::Kernel::wide ? "AVX2" : "AVX2 with fused multiply-add");
-        math::use_kernel(kernel);
+                       simd_level == math::SimdLevel::simd256 ? "AVX2" : "AVX2 with fused multiply-add");
+        math::set_simd_level(simd_level);
     });
 }
 
 clq_simd clq_simd_in_use(void)
 {
-    switch (math::default_kernel()) {
-        case math::Kernel::scalar:
+    switch (math::default_simd_level()) {
+        case math::SimdLevel::scalar:
             return CLQ_SIMD_SCALAR;
-        case math::Kernel::vector:
+        case math::SimdLevel::simd128:
             return CLQ_SIMD_128;
-        case math::Kernel::wide:
+        case math::SimdLevel::simd256:
             return CLQ_SIMD_256;
-        case math::Kernel::fused:
+        case math::SimdLevel::fma:
             break;
     }
     return CLQ_SIMD_FMA;

@@ -25,7 +25,7 @@ uint64_t bytes_of(const model::Template &t)
     bytes += model::motion_bytes(t.motion);
     for (const model::Texture &texture : t.textures) {
         bytes += sizeof texture + size(texture.rgba) + size(texture.keys);
-        for (const model::TextureImage &other : texture.others) bytes += sizeof other + size(other.rgba);
+        for (const model::TextureImage &other : texture.set_images) bytes += sizeof other + size(other.rgba);
     }
     for (const model::Level &l : t.levels)
         bytes += sizeof l + size(l.positions) + size(l.normals) + size(l.runs) + size(l.joints) + size(l.weights) +
@@ -85,7 +85,7 @@ clq_status clq_template_build(clq_context *context, const clq_template_def *def,
 
 void clq_template_destroy(clq_template *tmpl)
 {
-    if (tmpl) api::let_go(tmpl);
+    if (tmpl) api::release(tmpl);
 }
 
 clq_status clq_template_save(const clq_template *tmpl, int (*write)(void *user, const void *bytes, size_t size_bytes),
@@ -206,7 +206,7 @@ clq_status clq_template_get_dof(const clq_template *tmpl, uint32_t dof, clq_dof_
                        tmpl->name.c_str());
         const model::Dof &d = rig.dofs[dof];
         const uint32_t node = d.kind == model::DofKind::morph ? rig.morph_sets[d.node].node : d.node;
-        *out = {rig.dof_names[dof].c_str(), node, static_cast<clq_dof_kind>(d.kind), d.first, d.last, d.rest};
+        *out = {rig.dof_names[dof].c_str(), node, static_cast<clq_dof_kind>(d.kind), d.min, d.max, d.rest};
     });
 }
 
@@ -219,7 +219,7 @@ clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_
                        tmpl->name.c_str());
         const model::Level &l = tmpl->levels[level];
         clq_level_info info{};
-        info.first_m = l.switch_distance_m;
+        info.lod_min_m = l.switch_distance_m;
         for (const model::Surface &surface : l.surfaces) {
             info.triangle_count += surface.dirty.count / 3;
             for (const model::Bin &bin : surface.clean) info.triangle_count += bin.range.count / 3;

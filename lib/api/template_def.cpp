@@ -26,8 +26,8 @@ void check_zone(const clq_zone_def &zone, uint32_t index)
             fail(CLQ_ARGUMENT, "zone %u '%s' has a colour with a channel of %g: 0 to 1 is wanted", index, name,
                  static_cast<double>(c));
     const clq_hsb_range &r = zone.range;
-    if (!within(r.hue_first_deg, 360) || !within(r.hue_last_deg, 360) || !within(r.saturation_first, 1) ||
-        !within(r.saturation_last, 1) || !within(r.brightness_first, 1) || !within(r.brightness_last, 1))
+    if (!within(r.hue_min_deg, 360) || !within(r.hue_max_deg, 360) || !within(r.saturation_min, 1) ||
+        !within(r.saturation_max, 1) || !within(r.brightness_min, 1) || !within(r.brightness_max, 1))
         fail(CLQ_ARGUMENT, "zone %u '%s' has a range that leaves [0, 360] degrees or [0, 1]", index, name);
 }
 
@@ -101,14 +101,14 @@ void add_channel(const clq_channel_def &channel, model::Model &model, uint32_t c
 {
     if (channel.key_count == 0 || !channel.times_s || !channel.values)
         fail(CLQ_ARGUMENT, "channel %u of clip %u has no keys", index, clip);
-    if (number_of(channel.path) > 3 || number_of(channel.interpolation) > 2)
+    if (number_of(channel.target) > 3 || number_of(channel.interpolation) > 2)
         fail(CLQ_ARGUMENT, "channel %u of clip %u has a path or interpolation that is none", index, clip);
     model::Channel made;
-    made.path = static_cast<model::Path>(channel.path);
+    made.target = static_cast<model::ChannelTarget>(channel.target);
     made.interpolation = static_cast<model::Interpolation>(channel.interpolation);
     made.node = channel.node;
-    made.component_count = channel.path == CLQ_PATH_ROTATION ? 4 : 3;
-    if (channel.path == CLQ_PATH_MORPH_WEIGHTS) {
+    made.component_count = channel.target == CLQ_CHANNEL_ROTATION ? 4 : 3;
+    if (channel.target == CLQ_CHANNEL_MORPH_WEIGHTS) {
         made.node = model::none;
         for (uint32_t i = 0; i < model.rig.morph_sets.size(); ++i)
             if (model.rig.morph_sets[i].node == channel.node) {
@@ -173,21 +173,19 @@ void add_notes(const clq_template_def &def, model::Model &model)
     if (def.root_motion_count == 0) return;
     model::check(model.rig);  // as poses are looked at
     for (uint32_t i = 0; i < def.root_motion_count; ++i)
-        meshsplit::take_root_motion(model.rig, def.root_motions[i].clip, def.root_motions[i].node);
+        meshsplit::extract_root_motion(model.rig, def.root_motions[i].clip, def.root_motions[i].node);
 }
 
 }  // namespace
 
 model::HsbRange range_of(const clq_hsb_range &r)
 {
-    return {r.hue_first_deg,   r.hue_last_deg,     r.saturation_first,
-            r.saturation_last, r.brightness_first, r.brightness_last};
+    return {r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max};
 }
 
 clq_hsb_range range_of(const model::HsbRange &r)
 {
-    return {r.hue_first_deg,   r.hue_last_deg,     r.saturation_first,
-            r.saturation_last, r.brightness_first, r.brightness_last};
+    return {r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max};
 }
 
 model::Model model_of(const clq_template_def &def)

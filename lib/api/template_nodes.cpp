@@ -84,9 +84,9 @@ void add_dofs(const clq_template_def &def, model::Model &model)
         model::Dof made;
         made.kind = static_cast<model::DofKind>(dof.kind);
         made.node = dof.kind == CLQ_DOF_MORPH ? morph_set_of(model.rig, dof.node, i) : dof.node;
-        made.target = dof.morph_target;
+        made.morph_target = dof.morph_target;
         if (dof.kind != CLQ_DOF_MORPH) made.axis = glm::vec3(dof.axis[0], dof.axis[1], dof.axis[2]);
-        made.first = dof.first, made.last = dof.last, made.rest = dof.rest;
+        made.min = dof.min, made.max = dof.max, made.rest = dof.rest;
         model.rig.dofs.push_back(made);
         model.rig.dof_names.emplace_back(name_of(dof.name));
     }

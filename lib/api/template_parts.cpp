@@ -48,8 +48,8 @@ public:
                 made.colours.push_back({part.colours[4ull * v], part.colours[4ull * v + 1], part.colours[4ull * v + 2],
                                         part.colours[4ull * v + 3]});
         if (part.index_count) made.indices.assign(part.indices, part.indices + part.index_count);
-        made.lod_first_m = part.lod_first_m;
-        if (part.lod_last_m != 0) made.lod_last_m = part.lod_last_m;
+        made.lod_min_m = part.lod_min_m;
+        if (part.lod_max_m != 0) made.lod_max_m = part.lod_max_m;
         read_influences(part, made, index);
         read_morphs(part, made, index);
         model_.parts.push_back(std::move(made));

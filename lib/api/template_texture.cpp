@@ -60,8 +60,8 @@ clq_status clq_template_get_set_texture(const clq_template *tmpl, uint32_t set, 
             *out_width_px = image.width;
             *out_height_px = image.height;
         };
-        if (set == 0 || from.others.empty()) give(from);
-        else give(from.others[set - 1]);
+        if (set == 0 || from.set_images.empty()) give(from);
+        else give(from.set_images[set - 1]);
     });
 }
 

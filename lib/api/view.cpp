@@ -52,9 +52,9 @@ void clq_view_destroy(clq_view *view)
     crowd->context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
 }
 
-clq_status clq_view_look(clq_view *view, const clq_camera *camera)
+clq_status clq_view_set_camera(clq_view *view, const clq_camera *camera)
 {
-    return api::boundary("clq_view_look", [&] {
+    return api::boundary("clq_view_set_camera", [&] {
         api::require(view && camera, "view or camera is NULL");
         const api::Busy busy(view->crowd);
         frame::Camera wanted;

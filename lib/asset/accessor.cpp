@@ -9,7 +9,7 @@ using base::fail;
 namespace
 {
 
-constexpr uint64_t most_bytes = 1ull << 48;
+constexpr uint64_t max_bytes = 1ull << 48;
 
 struct Type {
     const char *name;
@@ -18,7 +18,7 @@ struct Type {
 constexpr Type types[] = {{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1}, {"VEC4", 4, 1},
                           {"MAT2", 4, 2},   {"MAT3", 9, 3}, {"MAT4", 16, 4}};
 
-Component component_of(const View &view)
+Component component_of(const JsonView &view)
 {
     const uint64_t code = view.integer(0, 0xffffffffu);
     for (const Component c :
@@ -47,9 +47,10 @@ uint32_t bytes_of(Component component)
     return 0;
 }
 
-Accessors::Accessors(const View &document, const Buffers &buffers, Budget &budget) : buffers_(buffers), budget_(budget)
+Accessors::Accessors(const JsonView &document, const Buffers &buffers, Budget &budget)
+    : buffers_(buffers), budget_(budget)
 {
-    const View list = document["accessors"];
+    const JsonView list = document["accessors"];
     accessors_.reserve(list.count());
     for (size_t i = 0; i < list.count(); ++i) parse(list.at(i));
 }
@@ -80,7 +81,7 @@ void Accessors::check_range(const Accessor &a, uint32_t view_index, uint64_t off
              big(offset), big(view.offset), big(row.unit));
 }
 
-void Accessors::parse(const View &view)
+void Accessors::parse(const JsonView &view)
 {
     Accessor out;
     out.path = view.path();
@@ -93,7 +94,7 @@ void Accessors::parse(const View &view)
     if (out.normalized && (out.component == Component::f32 || out.component == Component::u32))
         fail(CLQ_FORMAT, "%s: floats and 32-bit integers cannot be normalized", out.path.c_str());
     out.view = view["bufferView"].index_or_none(buffers_.view_count(), "buffer view");
-    out.offset = view["byteOffset"].integer_or(0, 0, most_bytes);
+    out.offset = view["byteOffset"].integer_or(0, 0, max_bytes);
     const bool known = out.width != 0 && out.component != Component::unknown;
     if (out.columns > 1 && out.offset % 4 != 0)
         fail(CLQ_FORMAT, "%s: matrices start at byte %llu: no multiple of 4", out.path.c_str(), big(out.offset));
@@ -105,16 +106,16 @@ void Accessors::parse(const View &view)
     accessors_.push_back(std::move(out));
 }
 
-void Accessors::parse_sparse(const View &view, Accessor &out) const
+void Accessors::parse_sparse(const JsonView &view, Accessor &out) const
 {
     Sparse &sparse = out.sparse;
-    const View indices = view["indices"], values = view["values"];
+    const JsonView indices = view["indices"], values = view["values"];
     sparse.count = static_cast<uint32_t>(view["count"].integer(1, out.count));
     sparse.index_view = indices["bufferView"].index(buffers_.view_count(), "buffer view");
-    sparse.index_offset = indices["byteOffset"].integer_or(0, 0, most_bytes);
+    sparse.index_offset = indices["byteOffset"].integer_or(0, 0, max_bytes);
     sparse.index_type = component_of(indices["componentType"]);
     sparse.value_view = values["bufferView"].index(buffers_.view_count(), "buffer view");
-    sparse.value_offset = values["byteOffset"].integer_or(0, 0, most_bytes);
+    sparse.value_offset = values["byteOffset"].integer_or(0, 0, max_bytes);
     const Component t = sparse.index_type;
     if (t != Component::u8 && t != Component::u16 && t != Component::u32)
         fail(CLQ_FORMAT, "%s.indices.componentType is none of 5121, 5123 and 5125", view.path().c_str());

@@ -33,7 +33,7 @@ struct Accessor {
 class Accessors
 {
 public:
-    Accessors(const View &document, const Buffers &buffers, Budget &budget);
+    Accessors(const JsonView &document, const Buffers &buffers, Budget &budget);
 
     size_t count() const { return accessors_.size(); }
     const Accessor &at(uint32_t index) const { return accessors_[index]; }
@@ -42,7 +42,7 @@ public:
     bool has_data(uint32_t index) const;
 
     // An index of an accessor in the file, refused where out of range.
-    uint32_t reference(const View &view) const { return view.index(accessors_.size(), "accessor"); }
+    uint32_t reference(const JsonView &view) const { return view.index(accessors_.size(), "accessor"); }
 
     // All components in a row as floats, finite; normalised integers in [0, 1] or [-1, 1]. Refused unless elements
     // have `width` components; `who` wants them.
@@ -52,8 +52,8 @@ public:
     std::vector<uint32_t> integers(uint32_t index, uint32_t width, const std::string &who) const;
 
 private:
-    void parse(const View &accessor);
-    void parse_sparse(const View &sparse, Accessor &out) const;
+    void parse(const JsonView &accessor);
+    void parse_sparse(const JsonView &sparse, Accessor &out) const;
     // How elements lie: the last one ends after `bytes`, though columns of matrices before it are padded.
     struct Row {
         uint64_t count, bytes, stride, unit;

@@ -56,7 +56,7 @@ float float_at(const Accessor &a, const uint8_t *p)
 template <class Out, class Read>
 std::vector<Out> Accessors::decode(const Accessor &a, const std::string &who, const Read &read) const
 {
-    budget_.take(uint64_t(a.count) * a.width * sizeof(Out), who.c_str());
+    budget_.charge(uint64_t(a.count) * a.width * sizeof(Out), who.c_str());
     std::vector<Out> out(size_t(a.count) * a.width);
     const uint64_t size = bytes_of(a.component);
     const uint64_t element = size * a.width;  // only 4 x 4 matrices are read, whose columns have no padding

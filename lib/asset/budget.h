@@ -19,19 +19,19 @@ public:
     explicit Budget(uint64_t limit_bytes) : limit_(limit_bytes) {}
 
     // Bytes that came in: the file itself, external buffers.
-    void bring(uint64_t bytes) { allowed_ += multiple * bytes; }
+    void add_input(uint64_t bytes) { allowed_ += multiple * bytes; }
 
     // Throws base::Error (CLQ_LIMIT), naming `what`.
-    void take(uint64_t bytes, const char *what)
+    void charge(uint64_t bytes, const char *what)
     {
-        take_image(bytes, what);
+        charge_image(bytes, what);
         if (bytes > allowed_ - taken_)
             base::fail(CLQ_LIMIT, "%s would take %llu bytes: more than %llu times what the file holds", what,
                        static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(multiple));
         taken_ += bytes;
     }
 
-    void take_image(uint64_t bytes, const char *what)
+    void charge_image(uint64_t bytes, const char *what)
     {
         if (bytes > limit_ - all_)
             base::fail(CLQ_LIMIT, "%s would take %llu bytes: the limit of %llu bytes for one file is reached", what,
@@ -39,7 +39,7 @@ public:
         all_ += bytes;
     }
 
-    uint64_t left() const { return limit_ - all_; }
+    uint64_t remaining() const { return limit_ - all_; }
 
 private:
     uint64_t limit_ = 0, all_ = 0;

@@ -12,14 +12,14 @@ using base::fail;
 namespace
 {
 
-constexpr uint64_t most_buffer_bytes = 1ull << 48;
+constexpr uint64_t max_buffer_bytes = 1ull << 48;
 
 }  // namespace
 
-Buffers::Buffers(const View &document, const Container &container, const LoadOptions &options, Budget &budget)
+Buffers::Buffers(const JsonView &document, const Container &container, const LoadOptions &options, Budget &budget)
     : options_(options)
 {
-    const View buffers = document["buffers"], views = document["bufferViews"];
+    const JsonView buffers = document["buffers"], views = document["bufferViews"];
     stored_.reserve(buffers.count());
     for (size_t i = 0; i < buffers.count(); ++i) load(buffers.at(i), i, container, budget);
     views_.reserve(views.count());
@@ -29,19 +29,19 @@ Buffers::Buffers(const View &document, const Container &container, const LoadOpt
 std::vector<uint8_t> Buffers::fetch(const std::string &uri, const std::string &who, Budget &budget) const
 {
     if (is_data_uri(uri)) {
-        budget.take(data_uri_bound(uri), who.c_str());
+        budget.charge(data_uri_bound(uri), who.c_str());
         return decode_data_uri(uri);
     }
     const std::string path = decode_relative_path(uri);
     if (options_.base_folder.empty())
         fail(CLQ_IO, "%s needs the file '%s', and no folder was given to look in", who.c_str(), path.c_str());
-    const std::vector<uint8_t> bytes = read_file(options_.base_folder + "/" + path, budget.left());
-    budget.bring(bytes.size());
-    budget.take(bytes.size(), who.c_str());
+    const std::vector<uint8_t> bytes = read_file(options_.base_folder + "/" + path, budget.remaining());
+    budget.add_input(bytes.size());
+    budget.charge(bytes.size(), who.c_str());
     return bytes;
 }
 
-void Buffers::load_from_uri(const View &buffer, Buffer &out, Budget &budget)
+void Buffers::load_from_uri(const JsonView &buffer, Buffer &out, Budget &budget)
 {
     const std::string &uri = buffer["uri"].text();
     for (size_t i = 0; i < stored_.size() && !uri.empty() && !out.bytes.data; ++i)
@@ -56,11 +56,11 @@ void Buffers::load_from_uri(const View &buffer, Buffer &out, Budget &budget)
              big(out.bytes.size));
 }
 
-void Buffers::load(const View &buffer, size_t index, const Container &container, Budget &budget)
+void Buffers::load(const JsonView &buffer, size_t index, const Container &container, Budget &budget)
 {
     buffer.object();
     Buffer out;
-    out.length = buffer["byteLength"].integer(1, most_buffer_bytes);
+    out.length = buffer["byteLength"].integer(1, max_buffer_bytes);
     if (buffer["uri"].exists()) {
         load_from_uri(buffer, out, budget);
     } else if (index == 0 && container.is_glb) {
@@ -78,18 +78,18 @@ void Buffers::load(const View &buffer, size_t index, const Container &container,
     buffers_.push_back(out);
 }
 
-void Buffers::check_view(const View &view)
+void Buffers::check_view(const JsonView &view)
 {
     BufferView out;
     out.buffer = view["buffer"].index(buffers_.size(), "buffer");
-    out.offset = view["byteOffset"].integer_or(0, 0, most_buffer_bytes);
-    out.length = view["byteLength"].integer(1, most_buffer_bytes);
+    out.offset = view["byteOffset"].integer_or(0, 0, max_buffer_bytes);
+    out.length = view["byteLength"].integer(1, max_buffer_bytes);
     out.stride = static_cast<uint32_t>(view["byteStride"].integer_or(0, 4, 252));
     if (out.stride % 4 != 0) fail(CLQ_FORMAT, "%s.byteStride is %u: no multiple of 4", view.path().c_str(), out.stride);
     if (out.offset + out.length > buffers_[out.buffer].length)
         fail(CLQ_FORMAT, "%s ends at byte %llu of buffer %u, which has %llu", view.path().c_str(),
              big(out.offset + out.length), out.buffer, big(buffers_[out.buffer].length));
-    const View extensions = view["extensions"];
+    const JsonView extensions = view["extensions"];
     out.meshopt = extensions["EXT_meshopt_compression"].exists() || extensions["KHR_meshopt_compression"].exists();
     views_.push_back(out);
 }

@@ -27,7 +27,7 @@ struct BufferView {
 class Buffers
 {
 public:
-    Buffers(const View &document, const Container &container, const LoadOptions &options, Budget &budget);
+    Buffers(const JsonView &document, const Container &container, const LoadOptions &options, Budget &budget);
 
     size_t view_count() const { return views_.size(); }
     const BufferView &view(uint32_t index) const { return views_[index]; }
@@ -46,9 +46,9 @@ private:
         Bytes bytes;          // data null: none came
     };
 
-    void load(const View &buffer, size_t index, const Container &container, Budget &budget);
-    void load_from_uri(const View &buffer, Buffer &out, Budget &budget);
-    void check_view(const View &view);
+    void load(const JsonView &buffer, size_t index, const Container &container, Budget &budget);
+    void load_from_uri(const JsonView &buffer, Buffer &out, Budget &budget);
+    void check_view(const JsonView &view);
 
     const LoadOptions &options_;
     std::vector<Buffer> buffers_;

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double degrees = 3.14159265358979323846 / 180;
-constexpr uint32_t most_frames = 100u << 20;
+constexpr uint32_t max_frames = 100u << 20;
 
 struct Quat {
     double w = 1, x = 0, y = 0, z = 0;
@@ -43,7 +43,7 @@ public:
     void read()
     {
         text_.expect_label("Frames", "");
-        const uint32_t frames = text_.count("a number of frames", most_frames);
+        const uint32_t frames = text_.count("a number of frames", max_frames);
         text_.expect_label("Frame", "Time");
         const double frame_s = text_.number("the time of a frame");
         if (frames == 0) {
@@ -76,23 +76,24 @@ private:
     void plan(uint32_t frames)
     {
         uint64_t values = 0;
-        for (const BvhJoint &joint : joints_) values += (joint.positioned() ? 3 : 0) + (joint.turned() ? 4 : 0);
-        budget_.take(sizeof(float) * frames * (values + 1), "the motion");
+        for (const BvhJoint &joint : joints_) values += (joint.has_position() ? 3 : 0) + (joint.has_rotation() ? 4 : 0);
+        budget_.charge(sizeof(float) * frames * (values + 1), "the motion");
         if (values * frames > 0xffffffffull) fail(CLQ_LIMIT, "%u frames are more than a clip holds", frames);
         rig_.times.reserve(frames);
         for (uint32_t j = 0; j < joints_.size(); ++j) {
             Places places;
-            if (joints_[j].positioned()) places.translation = add_channel(j, model::Path::translation, 3, frames);
-            if (joints_[j].turned()) places.rotation = add_channel(j, model::Path::rotation, 4, frames);
+            if (joints_[j].has_position())
+                places.translation = add_channel(j, model::ChannelTarget::translation, 3, frames);
+            if (joints_[j].has_rotation()) places.rotation = add_channel(j, model::ChannelTarget::rotation, 4, frames);
             places_.push_back(places);
         }
     }
 
-    uint32_t add_channel(uint32_t node, model::Path path, uint16_t components, uint32_t frames)
+    uint32_t add_channel(uint32_t node, model::ChannelTarget path, uint16_t components, uint32_t frames)
     {
         model::Channel channel;
         channel.node = node;
-        channel.path = path;
+        channel.target = path;
         channel.component_count = components;
         channel.key_count = frames;
         channel.first_value = static_cast<uint32_t>(rig_.values.size());
@@ -160,7 +161,7 @@ model::Model load_bvh(const uint8_t *bytes, size_t size, const LoadOptions &opti
     if (!(options.motion_unit_m > 0 && options.motion_unit_m <= 1e6))
         fail(CLQ_ARGUMENT, "a unit of %g m: more than 0 and at most 1e6 is wanted", options.motion_unit_m);
     Budget budget(options.memory_limit_bytes);
-    budget.bring(size);
+    budget.add_input(size);
     BvhText text(bytes, size);
     model::Model model;
     const std::vector<BvhJoint> joints = read_hierarchy(text, budget);

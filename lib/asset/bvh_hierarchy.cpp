@@ -78,8 +78,8 @@ private:
 
     void open(std::string name)
     {
-        if (joints_.size() >= most_bvh_joints) base::fail(CLQ_LIMIT, "there are more than %u joints", most_bvh_joints);
-        budget_.take(sizeof(BvhJoint) + 200 + name.size(), "a joint");
+        if (joints_.size() >= max_bvh_joints) base::fail(CLQ_LIMIT, "there are more than %u joints", max_bvh_joints);
+        budget_.charge(sizeof(BvhJoint) + 200 + name.size(), "a joint");
         BvhJoint joint;
         joint.name = std::move(name);
         joint.parent = open_.empty() ? no_joint : open_.back().joint;
@@ -100,12 +100,12 @@ private:
 
 }  // namespace
 
-bool BvhJoint::positioned() const
+bool BvhJoint::has_position() const
 {
     return std::any_of(channels.begin(), channels.end(), [](BvhChannel c) { return c <= BvhChannel::z_position; });
 }
 
-bool BvhJoint::turned() const
+bool BvhJoint::has_rotation() const
 {
     return std::any_of(channels.begin(), channels.end(), [](BvhChannel c) { return c > BvhChannel::z_position; });
 }

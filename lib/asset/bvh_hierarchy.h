@@ -18,11 +18,11 @@ struct BvhJoint {
     uint32_t parent = 0xffffffffu;             // of an earlier one; none for roots
     std::array<double, 3> offset = {0, 0, 0};  // from the parent, in the file's unit
     std::vector<BvhChannel> channels;          // as listed, each once; none for end sites
-    bool positioned() const;
-    bool turned() const;
+    bool has_position() const;
+    bool has_rotation() const;
 };
 
-constexpr uint32_t most_bvh_joints = 10000;
+constexpr uint32_t max_bvh_joints = 10000;
 
 // From the word HIERARCHY up to MOTION, which it takes as well. Parents stand before their children.
 std::vector<BvhJoint> read_hierarchy(BvhText &text, Budget &budget);

@@ -10,14 +10,14 @@ using base::fail;
 namespace
 {
 
-constexpr size_t most_markers = 4096;  // of one clip
+constexpr size_t max_markers = 4096;  // of one clip
 
 struct Named {
     float time_s;
     std::string name;
 };
 
-Named read_marker(const View &view, const model::Clip &clip)
+Named read_marker(const JsonView &view, const model::Clip &clip)
 {
     view.object();
     const Named marker = {view["time_s"].real(), view["name"].text()};
@@ -29,11 +29,11 @@ Named read_marker(const View &view, const model::Clip &clip)
     return marker;
 }
 
-void read_markers(const View &list, Budget &budget, model::Rig &rig)
+void read_markers(const JsonView &list, Budget &budget, model::Rig &rig)
 {
-    if (list.count() > most_markers)
-        fail(CLQ_LIMIT, "%s has %zu markers: %zu are the most", list.path().c_str(), list.count(), most_markers);
-    budget.take(list.count() * (sizeof(model::Marker) + 4 * sizeof(std::string)), list.path().c_str());
+    if (list.count() > max_markers)
+        fail(CLQ_LIMIT, "%s has %zu markers: %zu are the most", list.path().c_str(), list.count(), max_markers);
+    budget.charge(list.count() * (sizeof(model::Marker) + 4 * sizeof(std::string)), list.path().c_str());
     std::vector<Named> markers;
     for (size_t i = 0; i < list.count(); ++i) markers.push_back(read_marker(list.at(i), rig.clips.back()));
     std::stable_sort(markers.begin(), markers.end(),
@@ -44,7 +44,7 @@ void read_markers(const View &list, Budget &budget, model::Rig &rig)
     }
 }
 
-uint32_t read_root(const View &view, const model::Rig &rig)
+uint32_t read_root(const JsonView &view, const model::Rig &rig)
 {
     const std::string &name = view.text();
     const uint32_t node = rig.find_node(name);
@@ -55,15 +55,15 @@ uint32_t read_root(const View &view, const model::Rig &rig)
 
 }  // namespace
 
-void read_clip_extras(const View &extras, File &file, model::Rig &rig)
+void read_clip_extras(const JsonView &extras, File &file, model::Rig &rig)
 {
     // Extras of others may be anything; only what carries our name is ours to judge.
     if (!extras.exists() || !extras.is_object()) return;
-    const View ours = extras["claque"];
+    const JsonView ours = extras["claque"];
     if (!ours.exists()) return;
     ours.object();
     if (ours["markers"].exists()) read_markers(ours["markers"], file.budget, rig);
-    const View root = ours["root_motion"];
+    const JsonView root = ours["root_motion"];
     if (root.exists()) file.root_motions.push_back({static_cast<uint32_t>(rig.clips.size()) - 1, read_root(root, rig)});
 }
 

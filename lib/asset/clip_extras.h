@@ -18,6 +18,6 @@ namespace claque::asset
 {
 
 // Of the rig's last clip; `extras` may be absent. Throws base::Error: CLQ_FORMAT, CLQ_LIMIT.
-void read_clip_extras(const View &extras, File &file, model::Rig &rig);
+void read_clip_extras(const JsonView &extras, File &file, model::Rig &rig);
 
 }  // namespace claque::asset

@@ -18,7 +18,7 @@ using base::fail;
 namespace
 {
 
-constexpr size_t most_file_bytes = size_t(4) << 20;
+constexpr size_t max_file_bytes = size_t(4) << 20;
 
 // "#3a5fcd" as hue, saturation and brightness of one colour.
 bool read_hex(const std::string &text, clq_hsb_range &out)
@@ -47,7 +47,7 @@ public:
         out_.def.class_count = uint32_t(out_.classes.size());
         out_.def.classes = out_.classes.data();
         const model::BrokenColourRule rule = model::first_broken_rule(out_.def);
-        if (rule.broken) refuse(place_of(rule, all), rule.text);
+        if (rule.broken) refuse(source_of(rule, all), rule.text);
     }
 
     [[noreturn]] void refuse(const toml::source_region &at, const std::string &sentence) const
@@ -105,7 +105,7 @@ private:
         if (const toml::node *name = from.get("name")) made.name = text(*name, "name");
         if (const toml::node *tmpl = from.get("template")) made.tmpl = text(*tmpl, "template");
         std::vector<clq_zone_colours> &zones = out_.zones.emplace_back();
-        places_.push_back({&from, {}});
+        sources_.push_back({&from, {}});
         if (const toml::node *all = from.get("zones"))
             for (const auto &[key, node] : in_order(table(*all, "'zones'"))) read_zone(*key, *node, zones);
         made.zone_count = uint32_t(zones.size());
@@ -128,36 +128,36 @@ private:
     void read_zone(const toml::key &key, const toml::node &node, std::vector<clq_zone_colours> &zones)
     {
         const toml::table &from = table(node, "zone '" + std::string(key.str()) + "'");
-        known(from, {"hue", "saturation", "brightness", "colour", "palette", "uniform", "like", "apart"});
+        known(from, {"hue", "saturation", "brightness", "colour", "palette", "colour_space", "linked_to", "variation"});
         clq_zone_colours made = {};
         made.zone = keep(std::string(key.str()), node);
-        if (const toml::node *uniform = from.get("uniform")) {
-            const std::string word = text(*uniform, "uniform");
-            if (word != "hsb" && word != "perceived")
-                refuse(*uniform, "uniform is '" + word + "'; there are: hsb, perceived");
-            made.uniform = word == "perceived" ? CLQ_UNIFORM_PERCEIVED : CLQ_UNIFORM_HSB;
+        if (const toml::node *colour_space = from.get("colour_space")) {
+            const std::string word = text(*colour_space, "colour_space");
+            if (word != "hsb" && word != "oklab")
+                refuse(*colour_space, "colour_space is '" + word + "'; there are: hsb, oklab");
+            made.colour_space = word == "oklab" ? CLQ_COLOUR_SPACE_OKLAB : CLQ_COLOUR_SPACE_HSB;
         }
-        if (const toml::node *like = from.get("like")) made.like = text(*like, "like");
-        if (const toml::node *apart = from.get("apart")) made.apart = number(*apart, "apart");
-        std::vector<clq_dye> &dyes = out_.dyes.emplace_back();
-        std::vector<const toml::table *> &places = places_.back().zones.emplace_back(&from, key.source()).dyes;
+        if (const toml::node *linked_to = from.get("linked_to")) made.linked_to = text(*linked_to, "linked_to");
+        if (const toml::node *variation = from.get("variation")) made.variation = number(*variation, "variation");
+        std::vector<clq_palette_entry> &entries = out_.palettes.emplace_back();
+        std::vector<const toml::table *> &sources = sources_.back().zones.emplace_back(&from, key.source()).tables;
         if (const toml::node *palette = from.get("palette")) {
             for (const char *own : {"hue", "saturation", "brightness", "colour"})
                 if (const toml::node *other = from.get(own))
                     refuse(*other, "it has a palette and '" + std::string(own) + "' beside it");
             for (const toml::node &one : list(*palette, "palette")) {
-                const toml::table &dye = table(one, "a dye of the palette");
-                known(dye, {"hue", "saturation", "brightness", "colour", "weight"});
-                const toml::node *weight = dye.get("weight");
-                dyes.push_back({read_range(dye), weight ? number(*weight, "weight") : 1});
-                places.push_back(&dye);
+                const toml::table &palette_entry = table(one, "an entry of the palette");
+                known(palette_entry, {"hue", "saturation", "brightness", "colour", "weight"});
+                const toml::node *weight = palette_entry.get("weight");
+                entries.push_back({read_range(palette_entry), weight ? number(*weight, "weight") : 1});
+                sources.push_back(&palette_entry);
             }
         } else if (from.get("hue") || from.get("saturation") || from.get("brightness") || from.get("colour")) {
-            dyes.push_back({read_range(from), 1});
-            places.push_back(&from);
+            entries.push_back({read_range(from), 1});
+            sources.push_back(&from);
         }
-        made.dye_count = uint32_t(dyes.size());
-        made.dyes = dyes.data();
+        made.palette_count = uint32_t(entries.size());
+        made.palette = entries.data();
         zones.push_back(made);
     }
 
@@ -172,9 +172,9 @@ private:
                 refuse(*colour, "'colour' is no text like \"#8a3b12\"");
             return range;
         }
-        read_pair(from, "hue", range.hue_first_deg, range.hue_last_deg);
-        read_pair(from, "saturation", range.saturation_first, range.saturation_last);
-        read_pair(from, "brightness", range.brightness_first, range.brightness_last);
+        read_pair(from, "hue", range.hue_min_deg, range.hue_max_deg);
+        read_pair(from, "saturation", range.saturation_min, range.saturation_max);
+        read_pair(from, "brightness", range.brightness_min, range.brightness_max);
         return range;
     }
 
@@ -189,10 +189,10 @@ private:
     }
 
     // Where what a rule is about stands.
-    toml::source_region place_of(const model::BrokenColourRule &rule, const toml::table &all) const
+    toml::source_region source_of(const model::BrokenColourRule &rule, const toml::table &all) const
     {
         if (rule.colour_class == CLQ_NONE) return all.source();
-        const ClassPlace &of_class = places_[rule.colour_class];
+        const ClassSource &of_class = sources_[rule.colour_class];
         const auto in = [](const toml::table &where, std::initializer_list<const char *> keys) {
             for (const char *key : keys)
                 if (const toml::node *node = where.get(key)) return node->source();
@@ -200,46 +200,46 @@ private:
         };
         if (rule.zone == CLQ_NONE)
             return in(*of_class.whole, {rule.field == model::ColourField::name ? "name" : "zones"});
-        const ZonePlace &zone = of_class.zones[rule.zone];
+        const ZoneSource &zone = of_class.zones[rule.zone];
         switch (rule.field) {
-            case model::ColourField::like:
-                return in(*zone.whole, {"like"});
-            case model::ColourField::apart:
-                return in(*zone.whole, {"apart"});
+            case model::ColourField::linked_to:
+                return in(*zone.whole, {"linked_to"});
+            case model::ColourField::variation:
+                return in(*zone.whole, {"variation"});
             case model::ColourField::hue:
-                return in(*zone.dyes[rule.dye], {"hue", "colour"});
+                return in(*zone.tables[rule.palette_entry], {"hue", "colour"});
             case model::ColourField::saturation:
-                return in(*zone.dyes[rule.dye], {"saturation", "colour"});
+                return in(*zone.tables[rule.palette_entry], {"saturation", "colour"});
             case model::ColourField::brightness:
-                return in(*zone.dyes[rule.dye], {"brightness", "colour"});
+                return in(*zone.tables[rule.palette_entry], {"brightness", "colour"});
             case model::ColourField::weight:
-                return in(*zone.dyes[rule.dye], {"weight"});
+                return in(*zone.tables[rule.palette_entry], {"weight"});
             default:
                 return zone.key;
         }
     }
 
-    struct ZonePlace {
-        ZonePlace(const toml::table *where, const toml::source_region &name) : whole(where), key(name) {}
+    struct ZoneSource {
+        ZoneSource(const toml::table *where, const toml::source_region &name) : whole(where), key(name) {}
         const toml::table *whole;
         toml::source_region key;
-        std::vector<const toml::table *> dyes;
+        std::vector<const toml::table *> tables;
     };
-    struct ClassPlace {
+    struct ClassSource {
         const toml::table *whole;
-        std::deque<ZonePlace> zones;
+        std::deque<ZoneSource> zones;
     };
     const std::string &name_;
     ColourFile &out_;
-    std::vector<ClassPlace> places_;
+    std::vector<ClassSource> sources_;
 };
 
 }  // namespace
 
 void read_colours(std::string_view text, const std::string &name, ColourFile &out)
 {
-    if (text.size() > most_file_bytes)
-        fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), most_file_bytes);
+    if (text.size() > max_file_bytes)
+        fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), max_file_bytes);
     const toml::parse_result parsed = toml::parse(text);
     Reader reader(name, out);
     if (!parsed) reader.refuse(parsed.error().source(), "no TOML: " + std::string(parsed.error().description()));

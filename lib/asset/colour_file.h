@@ -21,7 +21,7 @@ struct ColourFile {
     std::deque<std::string> texts;
     std::vector<clq_colour_class> classes;
     std::deque<std::vector<clq_zone_colours>> zones;
-    std::deque<std::vector<clq_dye>> dyes;
+    std::deque<std::vector<clq_palette_entry>> palettes;
 };
 
 // Into an empty one. `name` stands before the sentence. Throws base::Error: CLQ_FORMAT with line, column and the rule that is

@@ -12,8 +12,9 @@ namespace
 
 constexpr char preface[] =
     "# Colours of people: for each class and zone where its hue (degrees; wraps), saturation and brightness may lie.\n"
-    "# palette: several such dyes, with weights. like: drawn by the lots of another zone, `apart` away at most.\n"
-    "# uniform: \"hsb\", or \"perceived\" for colours that are spread evenly to the eye.\n";
+    "# palette: several such ranges, with weights. linked_to: the zone whose colour this one follows, `variation` away "
+    "at most.\n"
+    "# colour_space: \"hsb\", or \"oklab\" for colours that are spread evenly to the eye.\n";
 
 // The shortest digits that are read back as the same float.
 std::string show(float value)
@@ -70,15 +71,15 @@ std::string key(const char *name)
 bool is_hex(const clq_hsb_range &range, std::string &out)
 {
     double rgb[3], hsb[3];
-    math::hsb_to_rgb(double(range.hue_first_deg), double(range.saturation_first), double(range.brightness_first), rgb);
+    math::hsb_to_rgb(double(range.hue_min_deg), double(range.saturation_min), double(range.brightness_min), rgb);
     const math::Rgb8 bytes = math::rgb8_of(rgb);
     const double back[3] = {bytes.r / 255.0, bytes.g / 255.0, bytes.b / 255.0};
     math::rgb_to_hsb(back, hsb);
-    for (const float hue : {range.hue_first_deg, range.hue_last_deg})
+    for (const float hue : {range.hue_min_deg, range.hue_max_deg})
         if (hue != float(hsb[0])) return false;
-    for (const float saturation : {range.saturation_first, range.saturation_last})
+    for (const float saturation : {range.saturation_min, range.saturation_max})
         if (saturation != float(hsb[1])) return false;
-    for (const float brightness : {range.brightness_first, range.brightness_last})
+    for (const float brightness : {range.brightness_min, range.brightness_max})
         if (brightness != float(hsb[2])) return false;
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", bytes.r, bytes.g, bytes.b);
@@ -86,27 +87,27 @@ bool is_hex(const clq_hsb_range &range, std::string &out)
     return true;
 }
 
-std::string dye_text(const clq_hsb_range &r)
+std::string range_text(const clq_hsb_range &r)
 {
     std::string hex;
     if (is_hex(r, hex)) return "colour = \"" + hex + "\"";
-    return pair("hue", r.hue_first_deg, r.hue_last_deg) + ", " +
-           pair("saturation", r.saturation_first, r.saturation_last) + ", " +
-           pair("brightness", r.brightness_first, r.brightness_last);
+    return pair("hue", r.hue_min_deg, r.hue_max_deg) + ", " + pair("saturation", r.saturation_min, r.saturation_max) +
+           ", " + pair("brightness", r.brightness_min, r.brightness_max);
 }
 
 std::string zone_text(const clq_zone_colours &zone)
 {
     std::string out;
     const auto say = [&](const std::string &what) { out += (out.empty() ? "" : ", ") + what; };
-    if (zone.uniform == CLQ_UNIFORM_PERCEIVED) say("uniform = \"perceived\"");
-    if (zone.like) say("like = " + quoted(zone.like));
-    if (zone.apart > 0) say("apart = " + show(zone.apart));
-    if (zone.dye_count == 1 && zone.dyes[0].weight == 1) say(dye_text(zone.dyes[0].range));
-    else if (zone.dye_count > 0) {
+    if (zone.colour_space == CLQ_COLOUR_SPACE_OKLAB) say("colour_space = \"oklab\"");
+    if (zone.linked_to) say("linked_to = " + quoted(zone.linked_to));
+    if (zone.variation > 0) say("variation = " + show(zone.variation));
+    if (zone.palette_count == 1 && zone.palette[0].weight == 1) say(range_text(zone.palette[0].range));
+    else if (zone.palette_count > 0) {
         std::string palette = "palette = [\n";
-        for (uint32_t i = 0; i < zone.dye_count; ++i)
-            palette += "    { " + dye_text(zone.dyes[i].range) + ", weight = " + show(zone.dyes[i].weight) + " },\n";
+        for (uint32_t i = 0; i < zone.palette_count; ++i)
+            palette +=
+                "    { " + range_text(zone.palette[i].range) + ", weight = " + show(zone.palette[i].weight) + " },\n";
         say(palette + "]");
     }
     return key(zone.zone) + " = { " + out + " }\n";

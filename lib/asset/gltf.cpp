@@ -1,7 +1,7 @@
 #include "lib/asset/gltf.h"
 
 #include "lib/asset/gltf_build.h"
-#include "lib/asset/gltf_head.h"
+#include "lib/asset/gltf_header.h"
 
 namespace claque::asset
 {
@@ -24,15 +24,15 @@ void check_as_format(const model::Model &model)
 }  // namespace
 
 model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options,
-                       std::vector<RootMotion> *root_motions)
+                       std::vector<RootMotionRequest> *root_motions)
 {
     if (size == 0) fail(CLQ_FORMAT, "the file is empty");
     Budget budget(options.memory_limit_bytes);
-    budget.bring(size);
+    budget.add_input(size);
     const Container container = open_container(bytes, size);
-    const Document document(container.json, container.json_size, budget.left());
-    const View root = document.root();
-    check_head(root);
+    const JsonDocument document(container.json, container.json_size, budget.remaining());
+    const JsonView root = document.root();
+    check_header(root);
     File file(root, container, options, budget);
     model::Model model;
     build_model(file, model);

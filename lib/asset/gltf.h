@@ -27,7 +27,7 @@ struct LoadOptions {
 
 // Whose way over the ground a file wants taken out of a clip (clip_extras.h, meshsplit/root_motion.h): nodes and clips of the
 // model's rig.
-struct RootMotion {
+struct RootMotionRequest {
     uint32_t clip = 0, node = 0;
 };
 
@@ -39,6 +39,6 @@ struct RootMotion {
 // and std::bad_alloc. Model::warnings says in one sentence each what was shown otherwise than the file has it.
 // root_motions: filled unless null.
 model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options,
-                       std::vector<RootMotion> *root_motions = nullptr);
+                       std::vector<RootMotionRequest> *root_motions = nullptr);
 
 }  // namespace claque::asset

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lib/asset/gltf_clip.h"
-#include "lib/asset/gltf_freedoms.h"
+#include "lib/asset/gltf_dofs.h"
 #include "lib/asset/gltf_mesh.h"
 #include "lib/asset/gltf_skin.h"
 
@@ -40,7 +40,7 @@ public:
         hide();
         for (const uint32_t node : shown_)
             if (tree_.nodes[node].mesh != none) add_mesh(node);
-        add_freedoms(tree_, places_, model_.rig);
+        add_dofs(tree_, places_, model_.rig);
         TargetCounts targets;
         for (const FileNode &node : tree_.nodes)
             targets.push_back(node.mesh == none ? 0 : meshes_[node.mesh].target_count);
@@ -74,7 +74,7 @@ private:
     void add_nodes(const std::vector<uint32_t> &order)
     {
         model::Rig &rig = model_.rig;
-        file_.budget.take(order.size() * (sizeof(math::Trs) + sizeof(std::pmr::string) + 8), "the rig");
+        file_.budget.charge(order.size() * (sizeof(math::Trs) + sizeof(std::pmr::string) + 8), "the rig");
         for (const uint32_t i : order) {
             const FileNode &node = tree_.nodes[i];
             places_.node[i] = rig.node_count();
@@ -120,7 +120,7 @@ private:
         set.node = places_.node[node];
         set.first_weight = static_cast<uint32_t>(rig.rest_weights.size());
         set.target_count = mesh.target_count;
-        file_.budget.take(sizeof set + 4ull * weights.size(), "morph weights");
+        file_.budget.charge(sizeof set + 4ull * weights.size(), "morph weights");
         rig.morph_sets.push_back(set);
         rig.rest_weights.insert(rig.rest_weights.end(), weights.begin(), weights.end());
         return places_.morph_set[node];
@@ -134,13 +134,13 @@ private:
         std::vector<uint32_t> entries;
         if (from.skin != none) entries = entries_of(skins_[from.skin]);
         for (const Primitive &primitive : mesh.primitives) {
-            file_.budget.take(bytes_of(primitive.part) + 8 * primitive.part.positions.size(), "a mesh on its nodes");
+            file_.budget.charge(bytes_of(primitive.part) + 8 * primitive.part.positions.size(), "a mesh on its nodes");
             model::Part part = primitive.part;
             part.name = mesh.name.empty() ? from.name : mesh.name;
             part.node = places_.node[node];
             part.hidden = hidden_[node];
             part.morph_set = morph_set;
-            if (from.extras) part.lod_first_m = from.extras->lod_first_m, part.lod_last_m = from.extras->lod_last_m;
+            if (from.extras) part.lod_min_m = from.extras->lod_min_m, part.lod_max_m = from.extras->lod_max_m;
             if (from.skin != none && !primitive.has_joints)
                 file_.warn(
                     base::text_of("nodes[%u] '%.60s' has a skin, a primitive of its mesh has no joints: it "
@@ -154,7 +154,7 @@ private:
 
     std::vector<uint32_t> entries_of(const Skin &skin)
     {
-        file_.budget.take(skin.joints.size() * 3 * sizeof(model::PaletteEntry), "the matrix palette");
+        file_.budget.charge(skin.joints.size() * 3 * sizeof(model::PaletteEntry), "the matrix palette");
         std::vector<uint32_t> out;
         out.reserve(skin.joints.size());
         for (size_t i = 0; i < skin.joints.size(); ++i)
@@ -189,7 +189,7 @@ private:
     const std::vector<uint32_t> shown_;  // nodes, depth first
     const std::vector<Mesh> meshes_;
     Palette palette_;
-    RigPlaces places_;
+    RigMapping places_;
     std::vector<bool> hidden_;
 };
 

@@ -13,8 +13,8 @@ namespace claque::asset
 
 using base::fail;
 using model::Channel;
+using model::ChannelTarget;
 using model::Interpolation;
-using model::Path;
 
 namespace
 {
@@ -22,20 +22,21 @@ namespace
 class ClipReader
 {
 public:
-    ClipReader(File &file, const NodeTree &tree, const TargetCounts &targets, const RigPlaces &places, model::Rig &rig)
-        : file_(file), tree_(tree), targets_(targets), places_(places), rig_(rig)
+    ClipReader(File &file, const NodeTree &tree, const TargetCounts &targets, const RigMapping &mapping,
+               model::Rig &rig)
+        : file_(file), tree_(tree), targets_(targets), mapping_(mapping), rig_(rig)
     {
     }
 
-    void read(const View &animation, size_t number)
+    void read(const JsonView &animation, size_t number)
     {
         animation.object();
-        const View channels = animation["channels"], samplers = animation["samplers"];
-        for (const View *list : {&channels, &samplers})
+        const JsonView channels = animation["channels"], samplers = animation["samplers"];
+        for (const JsonView *list : {&channels, &samplers})
             if (!list->exists()) fail(CLQ_FORMAT, "%s is missing", list->path().c_str());
         model::Clip clip;
         clip.first_channel = static_cast<uint32_t>(rig_.channels.size());
-        std::set<std::pair<uint32_t, Path>> taken;
+        std::set<std::pair<uint32_t, ChannelTarget>> taken;
         for (size_t i = 0; i < channels.count(); ++i) read_channel(channels.at(i), samplers, taken);
         clip.channel_count = static_cast<uint32_t>(rig_.channels.size()) - clip.first_channel;
         settle_span(clip);
@@ -46,7 +47,7 @@ public:
 
 private:
     struct Sampler {
-        View view;
+        JsonView view;
         uint32_t input = 0, output = 0;
         Interpolation interpolation = Interpolation::linear;
     };
@@ -65,7 +66,7 @@ private:
         clip.duration_s = last - first;
     }
 
-    Sampler sampler_of(const View &view) const
+    Sampler sampler_of(const JsonView &view) const
     {
         Sampler out;
         out.view = view;
@@ -82,44 +83,45 @@ private:
     }
 
     // False for what the format lets other extensions animate.
-    bool path_of(const View &view, Path &out)
+    bool path_of(const JsonView &view, ChannelTarget &out)
     {
         const std::string &name = view.text();
-        if (name == "translation") return out = Path::translation, true;
-        if (name == "rotation") return out = Path::rotation, true;
-        if (name == "scale") return out = Path::scale, true;
-        if (name == "weights") return out = Path::morph_weights, true;
+        if (name == "translation") return out = ChannelTarget::translation, true;
+        if (name == "rotation") return out = ChannelTarget::rotation, true;
+        if (name == "scale") return out = ChannelTarget::scale, true;
+        if (name == "weights") return out = ChannelTarget::morph_weights, true;
         file_.warn(base::text_of("%s is '%.40s': not animated", view.path().c_str(), name.c_str()));
         return false;
     }
 
-    void read_channel(const View &view, const View &samplers, std::set<std::pair<uint32_t, Path>> &taken)
+    void read_channel(const JsonView &view, const JsonView &samplers,
+                      std::set<std::pair<uint32_t, ChannelTarget>> &taken)
     {
         view.object();
         const uint32_t number = view["sampler"].index(samplers.count(), "sampler");
-        const View target = view["target"];
+        const JsonView target = view["target"];
         target.object();
-        Path path{};
+        ChannelTarget path{};
         if (!path_of(target["path"], path)) return;
         const uint32_t node = target["node"].index_or_none(tree_.nodes.size(), "node");
         if (node == none) return;  // legal: an extension may say what is meant
         if (!taken.insert({node, path}).second)
             fail(CLQ_FORMAT, "%s: another channel of the same clip moves the same", target.path().c_str());
         Channel channel;
-        channel.path = path;
+        channel.target = path;
         channel.component_count = static_cast<uint16_t>(components(node, path, target));
         read_keys(sampler_of(samplers.at(number)), channel);
-        channel.node = path == Path::morph_weights ? places_.morph_set[node] : places_.node[node];
+        channel.node = path == ChannelTarget::morph_weights ? mapping_.morph_set[node] : mapping_.node[node];
         if (channel.node != none) rig_.channels.push_back(channel);
         if (tree_.nodes[node].has_matrix)
             file_.warn(base::text_of("%s moves a node that has a matrix: moved as its translation, rotation and scale",
                                      target.path().c_str()));
     }
 
-    uint32_t components(uint32_t node, Path path, const View &target) const
+    uint32_t components(uint32_t node, ChannelTarget path, const JsonView &target) const
     {
-        if (path == Path::rotation) return 4;
-        if (path != Path::morph_weights) return 3;
+        if (path == ChannelTarget::rotation) return 4;
+        if (path != ChannelTarget::morph_weights) return 3;
         if (targets_[node] == 0)
             fail(CLQ_FORMAT, "%s animates morph weights of a node without morph targets", target.path().c_str());
         return targets_[node];
@@ -177,17 +179,17 @@ private:
     {
         const std::string who = sampler.view["output"].path();
         const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
-        const bool morphs = channel.path == Path::morph_weights;
+        const bool morphs = channel.target == ChannelTarget::morph_weights;
         const uint64_t wanted = groups * listed * (morphs ? channel.component_count : 1);
         if (file_.accessors.at(sampler.output).count != wanted)
             fail(CLQ_FORMAT, "%s has %u elements instead of %llu for %u keys", who.c_str(),
                  file_.accessors.at(sampler.output).count, static_cast<unsigned long long>(wanted), listed);
-        const auto key = std::make_tuple(sampler.output, kept.empty() ? none : sampler.input, channel.path,
+        const auto key = std::make_tuple(sampler.output, kept.empty() ? none : sampler.input, channel.target,
                                          channel.interpolation, channel.component_count);
         const auto [place, is_new] = values_.emplace(key, static_cast<uint32_t>(rig_.values.size()));
         if (!is_new) return place->second;
         std::vector<float> values = file_.accessors.floats(sampler.output, morphs ? 1 : channel.component_count, who);
-        if (channel.path == Path::rotation) make_unit(values, groups == 3, who);
+        if (channel.target == ChannelTarget::rotation) make_unit(values, groups == 3, who);
         if (!kept.empty()) values = picked(values, kept, groups * channel.component_count);
         grow(rig_.values, values, who);
         return place->second;
@@ -220,25 +222,26 @@ private:
     void grow(model::Array<float> &to, const std::vector<float> &from, const std::string &who)
     {
         if (to.size() + from.size() > 0xffffffffull) fail(CLQ_LIMIT, "%s: too many keys", who.c_str());
-        file_.budget.take(2 * sizeof(float) * from.size(), who.c_str());
+        file_.budget.charge(2 * sizeof(float) * from.size(), who.c_str());
         to.insert(to.end(), from.begin(), from.end());
     }
 
     File &file_;
     const NodeTree &tree_;
     const TargetCounts &targets_;
-    const RigPlaces &places_;
+    const RigMapping &mapping_;
     model::Rig &rig_;
     std::map<uint32_t, Times> times_;  // by accessor
-    std::map<std::tuple<uint32_t, uint32_t, Path, Interpolation, uint16_t>, uint32_t> values_;
+    std::map<std::tuple<uint32_t, uint32_t, ChannelTarget, Interpolation, uint16_t>, uint32_t> values_;
 };
 
 }  // namespace
 
-void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, const RigPlaces &places, model::Rig &rig)
+void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, const RigMapping &mapping,
+                model::Rig &rig)
 {
-    ClipReader reader(file, tree, targets, places, rig);
-    const View list = file.root["animations"];
+    ClipReader reader(file, tree, targets, mapping, rig);
+    const JsonView list = file.root["animations"];
     for (size_t i = 0; i < list.count(); ++i) {
         reader.read(list.at(i), i);
         read_clip_extras(list.at(i)["extras"], file, rig);

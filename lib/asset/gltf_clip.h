@@ -7,7 +7,7 @@ namespace claque::asset
 {
 
 // Where a file's nodes went: none for those that are not part of the rig.
-struct RigPlaces {
+struct RigMapping {
     std::vector<uint32_t> node;       // by node of the file
     std::vector<uint32_t> morph_set;  // by node of the file
 };
@@ -16,7 +16,7 @@ struct RigPlaces {
 using TargetCounts = std::vector<uint32_t>;
 
 // Adds clips, channels, key times, values and what extras say to the rig. Channels of nodes outside the rig are checked and left out.
-void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, const RigPlaces &places,
+void read_clips(File &file, const NodeTree &tree, const TargetCounts &targets, const RigMapping &mapping,
                 model::Rig &rig);
 
 }  // namespace claque::asset

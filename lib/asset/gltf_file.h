@@ -14,7 +14,7 @@ namespace claque::asset
 using model::none;
 
 struct File {
-    File(const View &document, const Container &container, const LoadOptions &wanted, Budget &shared)
+    File(const JsonView &document, const Container &container, const LoadOptions &wanted, Budget &shared)
         : root(document),
           options(wanted),
           budget(shared),
@@ -32,13 +32,13 @@ struct File {
         if (warnings.size() < 64) warnings.push_back(std::move(text));
     }
 
-    View root;
+    JsonView root;
     const LoadOptions &options;
     Budget &budget;
     Buffers buffers;
     Accessors accessors;
     std::vector<std::string> warnings;
-    std::vector<RootMotion> root_motions;
+    std::vector<RootMotionRequest> root_motions;
 };
 
 }  // namespace claque::asset

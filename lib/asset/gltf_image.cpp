@@ -10,19 +10,19 @@ using base::fail;
 namespace
 {
 
-std::string name_of(const View &view)
+std::string name_of(const JsonView &view)
 {
     std::string name = view["name"].text_or("");
     return name.empty() ? view.path() : name;
 }
 
-model::Image decode(File &file, const View &view, const uint8_t *bytes, uint64_t size)
+model::Image decode(File &file, const JsonView &view, const uint8_t *bytes, uint64_t size)
 {
     ImageLimits limits;
     limits.max_px = file.options.max_image_px;
-    limits.max_bytes = file.budget.left();
+    limits.max_bytes = file.budget.remaining();
     model::Image image = decode_image(bytes, size, name_of(view), limits);
-    file.budget.take_image(image.rgba.size(), view.path().c_str());
+    file.budget.charge_image(image.rgba.size(), view.path().c_str());
     return image;
 }
 
@@ -30,7 +30,7 @@ model::Image decode(File &file, const View &view, const uint8_t *bytes, uint64_t
 
 model::Image read_image(File &file, uint32_t index)
 {
-    const View view = file.root["images"].at(index);
+    const JsonView view = file.root["images"].at(index);
     if (view["bufferView"].exists()) {
         const uint32_t buffer_view = view["bufferView"].index(file.buffers.view_count(), "buffer view");
         const Bytes bytes = file.buffers.bytes(buffer_view, view.path());

@@ -15,7 +15,7 @@ struct Set {
     std::vector<float> weights;
 };
 
-Set read_set(File &file, const View &joints, const View &weights, size_t vertices)
+Set read_set(File &file, const JsonView &joints, const JsonView &weights, size_t vertices)
 {
     Set set;
     set.joints = file.accessors.integers(file.accessors.reference(joints), 4, joints.path());
@@ -28,12 +28,12 @@ Set read_set(File &file, const View &joints, const View &weights, size_t vertice
     return set;
 }
 
-std::vector<Set> read_sets(File &file, const View &attributes, size_t vertices)
+std::vector<Set> read_sets(File &file, const JsonView &attributes, size_t vertices)
 {
     std::vector<Set> sets;
     for (size_t n = 0;; ++n) {
-        const View joints = attributes[("JOINTS_" + std::to_string(n)).c_str()];
-        const View weights = attributes[("WEIGHTS_" + std::to_string(n)).c_str()];
+        const JsonView joints = attributes[("JOINTS_" + std::to_string(n)).c_str()];
+        const JsonView weights = attributes[("WEIGHTS_" + std::to_string(n)).c_str()];
         if (!joints.exists() && !weights.exists()) return sets;
         sets.push_back(read_set(file, joints, weights, vertices));
     }
@@ -77,13 +77,13 @@ bool gather(const std::vector<Set> &sets, size_t v, uint32_t count, uint32_t *jo
 
 }  // namespace
 
-bool read_influences(File &file, const View &attributes, model::Part &part)
+bool read_influences(File &file, const JsonView &attributes, model::Part &part)
 {
     const size_t vertices = part.positions.size();
     const std::vector<Set> sets = read_sets(file, attributes, vertices);
     if (sets.empty()) return false;
     part.influence_count = busiest(sets, vertices);
-    file.budget.take(uint64_t(8) * vertices * part.influence_count, attributes.path().c_str());
+    file.budget.charge(uint64_t(8) * vertices * part.influence_count, attributes.path().c_str());
     part.joints.resize(vertices * part.influence_count);
     part.weights.resize(vertices * part.influence_count);
     size_t weightless = 0;

@@ -17,7 +17,7 @@ using model::Material;
 namespace
 {
 
-model::Wrap wrap_of(const View &view)
+model::Wrap wrap_of(const JsonView &view)
 {
     switch (view.integer_or(10497, 0, 0xffff)) {
         case 10497:
@@ -32,7 +32,7 @@ model::Wrap wrap_of(const View &view)
     fail(CLQ_FORMAT, "%s is none of 10497, 33071 and 33648", view.path().c_str());
 }
 
-UvTransform transform_of(const View &view)
+UvTransform transform_of(const JsonView &view)
 {
     UvTransform out;
     if (!view.exists()) return out;
@@ -47,21 +47,21 @@ UvTransform transform_of(const View &view)
 }
 
 // Sections that are not otherwise read must be what they are called all the same.
-void check_objects(const View &list)
+void check_objects(const JsonView &list)
 {
     for (size_t i = 0; i < list.count(); ++i) list.at(i).object();
 }
 
 void check_textures(const File &file)
 {
-    const View textures = file.root["textures"];
+    const JsonView textures = file.root["textures"];
     check_objects(file.root["samplers"]);
     for (size_t i = 0; i < textures.count(); ++i) {
         textures.at(i).object();
         textures.at(i)["source"].index_or_none(file.root["images"].count(), "image");
         textures.at(i)["sampler"].index_or_none(file.root["samplers"].count(), "sampler");
     }
-    const View images = file.root["images"];
+    const JsonView images = file.root["images"];
     for (size_t i = 0; i < images.count(); ++i) {
         images.at(i).object();
         images.at(i)["bufferView"].index_or_none(file.buffers.view_count(), "buffer view");
@@ -73,11 +73,11 @@ void check_textures(const File &file)
 Materials::Materials(File &file) : file_(file), variants_(file)
 {
     check_textures(file);
-    const View list = file.root["materials"];
+    const JsonView list = file.root["materials"];
     for (size_t i = 0; i < list.count(); ++i) read(list.at(i));
 }
 
-void Materials::read(const View &view)
+void Materials::read(const JsonView &view)
 {
     Material out;
     UvUse use;
@@ -86,14 +86,14 @@ void Materials::read(const View &view)
     if (out.name.empty()) out.name = "material " + std::to_string(materials_.size());
     out.double_sided = view["doubleSided"].boolean_or(false);
     // The old way to say it, still found in files that offer nothing newer.
-    const View glossy = view["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    const JsonView glossy = view["extensions"]["KHR_materials_pbrSpecularGlossiness"];
     const bool is_glossy = glossy.exists() && !view["pbrMetallicRoughness"].exists();
-    const View look = is_glossy ? glossy : view["pbrMetallicRoughness"];
-    const View factor = look[is_glossy ? "diffuseFactor" : "baseColorFactor"];
+    const JsonView look = is_glossy ? glossy : view["pbrMetallicRoughness"];
+    const JsonView factor = look[is_glossy ? "diffuseFactor" : "baseColorFactor"];
     if (factor.exists()) factor.numbers(out.base_colour.data(), 4);
     for (size_t k = 0; k < 3; ++k) out.base_colour[k] = encoded(out.base_colour[k]);
     out.base_colour[3] = std::fmin(std::fmax(out.base_colour[3], 0.0f), 1.0f);
-    const View texture = look[is_glossy ? "diffuseTexture" : "baseColorTexture"];
+    const JsonView texture = look[is_glossy ? "diffuseTexture" : "baseColorTexture"];
     if (texture.exists()) read_texture(texture, out, use);
     read_alpha(view, out);
     materials_.push_back(out);
@@ -101,9 +101,9 @@ void Materials::read(const View &view)
     views_.push_back(view);
 }
 
-void Materials::read_texture(const View &info, Material &out, UvUse &use)
+void Materials::read_texture(const JsonView &info, Material &out, UvUse &use)
 {
-    const View texture = file_.root["textures"].at(info["index"].index(file_.root["textures"].count(), "texture"));
+    const JsonView texture = file_.root["textures"].at(info["index"].index(file_.root["textures"].count(), "texture"));
     out.image = image_source(texture);
     if (out.image == none) return;
     const uint32_t sampler = texture["sampler"].index_or_none(file_.root["samplers"].count(), "sampler");
@@ -111,18 +111,18 @@ void Materials::read_texture(const View &info, Material &out, UvUse &use)
         out.wrap_s = wrap_of(file_.root["samplers"].at(sampler)["wrapS"]);
         out.wrap_t = wrap_of(file_.root["samplers"].at(sampler)["wrapT"]);
     }
-    const View transform = info["extensions"]["KHR_texture_transform"];
+    const JsonView transform = info["extensions"]["KHR_texture_transform"];
     use.has_texture = true;
     use.set = static_cast<uint32_t>(info["texCoord"].integer_or(0, 0, 1000));
     use.set = static_cast<uint32_t>(transform["texCoord"].integer_or(use.set, 0, 1000));
     use.transform = transform_of(transform);
 }
 
-uint32_t Materials::image_source(const View &texture)
+uint32_t Materials::image_source(const JsonView &texture)
 {
     const uint32_t source = texture["source"].index_or_none(file_.root["images"].count(), "image");
     if (source != none) return source;
-    const View extensions = texture["extensions"];
+    const JsonView extensions = texture["extensions"];
     for (const char *name : {"EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds", "EXT_texture_avif"})
         if (extensions[name].exists())
             fail(CLQ_UNSUPPORTED, "%s has an image by %s only, and no PNG or JPEG beside it", texture.path().c_str(),
@@ -131,7 +131,7 @@ uint32_t Materials::image_source(const View &texture)
     return none;
 }
 
-void Materials::read_alpha(const View &view, Material &out)
+void Materials::read_alpha(const JsonView &view, Material &out)
 {
     const std::string mode = view["alphaMode"].text_or("OPAQUE");
     out.alpha_cutoff = view["alphaCutoff"].real_or(0.5f);
@@ -142,7 +142,7 @@ void Materials::read_alpha(const View &view, Material &out)
             base::text_of("material '%s' has the alpha mode '%.40s': drawn opaque", out.name.c_str(), mode.c_str()));
 }
 
-uint32_t Materials::reference(const View &view)
+uint32_t Materials::reference(const JsonView &view)
 {
     if (view.exists()) return view.index(views_.size(), "material");
     if (default_ == none) {
@@ -156,7 +156,7 @@ uint32_t Materials::reference(const View &view)
 
 uint32_t Materials::without_texture(uint32_t material)
 {
-    const auto [place, is_new] = bare_.emplace(material, static_cast<uint32_t>(materials_.size()));
+    const auto [place, is_new] = untextured_.emplace(material, static_cast<uint32_t>(materials_.size()));
     if (is_new) {
         Material bare = materials_[material];
         bare.image = none;
@@ -185,7 +185,7 @@ void Materials::decode_images(const std::vector<bool> &used, model::Model &model
     }
 }
 
-void Materials::add_keys(model::Image &image, const View &extras, model::Model &model)
+void Materials::add_keys(model::Image &image, const JsonView &extras, model::Model &model)
 {
     const std::vector<model::Zone> zones = read_zone_extras(extras);
     if (zones.empty()) return;
@@ -232,7 +232,7 @@ uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const st
 
 void Materials::add_texture_sets(const std::vector<bool> &used, model::Model &model)
 {
-    for (size_t v = 0; v < variants_.count() && v + 1 < model::most_texture_sets; ++v) {
+    for (size_t v = 0; v < variants_.count() && v + 1 < model::max_texture_sets; ++v) {
         model::TextureSet set;
         set.name = variants_.name(v);
         set.images.assign(materials_.size(), none);

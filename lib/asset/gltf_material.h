@@ -33,34 +33,37 @@ public:
     explicit Materials(File &file);
 
     // The material of a primitive; marks nothing as used.
-    uint32_t reference(const View &view);
+    uint32_t reference(const JsonView &view);
     uint32_t without_texture(uint32_t material);
     const UvUse &uv_use(uint32_t material) const { return uv_uses_[material]; }
     size_t count() const { return materials_.size(); }
     // What variants show of a primitive with this material.
-    void note_variants(uint32_t material, const View &primitive) { variants_.note(material, primitive, views_.size()); }
+    void note_variants(uint32_t material, const JsonView &primitive)
+    {
+        variants_.note(material, primitive, views_.size());
+    }
 
     // Decodes what `used` (by material) need, gives every used material a zone (or its image's alpha the meaning of
     // zone keys), and hands everything over. Once, at the end.
     void finish(const std::vector<bool> &used, model::Model &model);
 
 private:
-    void read(const View &view);
-    void read_texture(const View &info, model::Material &out, UvUse &use);
-    void read_alpha(const View &view, model::Material &out);
-    uint32_t image_source(const View &texture);
+    void read(const JsonView &view);
+    void read_texture(const JsonView &info, model::Material &out, UvUse &use);
+    void read_alpha(const JsonView &view, model::Material &out);
+    uint32_t image_source(const JsonView &texture);
     void decode_images(const std::vector<bool> &used, model::Model &model);
     uint32_t decoded(uint32_t source, model::Model &model);
     void add_texture_sets(const std::vector<bool> &used, model::Model &model);
     uint32_t image_of_variant(uint32_t material, uint32_t other, const std::string &variant, model::Model &model);
-    void add_keys(model::Image &image, const View &extras, model::Model &model);
+    void add_keys(model::Image &image, const JsonView &extras, model::Model &model);
     void mark_keyed(const std::vector<bool> &used, model::Model &model);
 
     File &file_;
     std::vector<model::Material> materials_;  // image: an index of the file's images until finish()
     std::vector<UvUse> uv_uses_;
-    std::vector<View> views_;
-    std::map<uint32_t, uint32_t> bare_;  // copies without texture
+    std::vector<JsonView> views_;
+    std::map<uint32_t, uint32_t> untextured_;  // copies without texture
     uint32_t default_ = none;
     Variants variants_;
     std::vector<uint32_t> sources_;         // by image of the model: the image of the file

@@ -22,7 +22,7 @@ std::vector<glm::vec3> vec3s(const std::vector<float> &values)
 class PrimitiveReader
 {
 public:
-    PrimitiveReader(File &file, Materials &materials, const View &view)
+    PrimitiveReader(File &file, Materials &materials, const JsonView &view)
         : file_(file), materials_(materials), view_(view), attributes_(view["attributes"])
     {
     }
@@ -30,15 +30,15 @@ public:
     // Whether everything that it names is there to be read. References are checked in any case.
     bool has_data() const
     {
-        const View indices = view_["indices"];
+        const JsonView indices = view_["indices"];
         const uint32_t index_view =
             indices.exists() ? file_.accessors.at(file_.accessors.reference(indices)).view : none;
         if (index_view != none && file_.buffers.view(index_view).stride)
             fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", indices.path().c_str());
-        const auto there = [&](const View &view) {
+        const auto there = [&](const JsonView &view) {
             return !view.exists() || file_.accessors.has_data(file_.accessors.reference(view));
         };
-        const auto all_there = [&](const View &attributes) {
+        const auto all_there = [&](const JsonView &attributes) {
             for (const auto &member : attributes.object().items())
                 if (!there(attributes[member.key().c_str()])) return false;
             return true;
@@ -73,7 +73,7 @@ public:
 private:
     void refuse_compression() const
     {
-        const View draco = view_["extensions"]["KHR_draco_mesh_compression"];
+        const JsonView draco = view_["extensions"]["KHR_draco_mesh_compression"];
         const uint32_t positions = file_.accessors.reference(attributes_["POSITION"]);
         if (draco.exists() && file_.accessors.at(positions).view == none)
             fail(CLQ_UNSUPPORTED, "%s is compressed with KHR_draco_mesh_compression", view_.path().c_str());
@@ -81,13 +81,13 @@ private:
 
     std::vector<float> attribute(const char *name, uint32_t width) const
     {
-        const View view = attributes_[name];
+        const JsonView view = attributes_[name];
         std::vector<float> out = file_.accessors.floats(file_.accessors.reference(view), width, view.path());
         check_count(out.size() / width, view);
         return out;
     }
 
-    void check_count(size_t count, const View &view) const
+    void check_count(size_t count, const JsonView &view) const
     {
         const size_t vertices = file_.accessors.at(file_.accessors.reference(attributes_["POSITION"])).count;
         if (count != vertices)
@@ -114,7 +114,7 @@ private:
 
     void read_colours(Part &part) const
     {
-        const View view = attributes_["COLOR_0"];
+        const JsonView view = attributes_["COLOR_0"];
         if (!view.exists()) return;
         const bool opaque = file_.accessors.at(file_.accessors.reference(view)).width == 3;
         const uint32_t width = opaque ? 3 : 4;
@@ -129,7 +129,7 @@ private:
 
     void read_indices(Part &part) const
     {
-        const View view = view_["indices"];
+        const JsonView view = view_["indices"];
         if (!view.exists()) return;
         part.indices = file_.accessors.integers(file_.accessors.reference(view), 1, view.path());
         for (size_t i = 0; i < part.indices.size(); ++i)
@@ -138,7 +138,7 @@ private:
                      part.indices[i], part.positions.size());
     }
 
-    std::vector<glm::vec3> deltas(const View &view) const
+    std::vector<glm::vec3> deltas(const JsonView &view) const
     {
         if (!view.exists()) return {};
         const std::vector<float> values = file_.accessors.floats(file_.accessors.reference(view), 3, view.path());
@@ -148,9 +148,9 @@ private:
 
     void read_targets(Part &part) const
     {
-        const View targets = view_["targets"];
+        const JsonView targets = view_["targets"];
         for (size_t i = 0; i < targets.count(); ++i) {
-            const View target = targets.at(i);
+            const JsonView target = targets.at(i);
             target.object();
             if (target["NORMAL"].exists() && part.normals.empty())
                 fail(CLQ_FORMAT, "%s.NORMAL moves normals that the primitive does not have", target.path().c_str());
@@ -160,12 +160,12 @@ private:
 
     File &file_;
     Materials &materials_;
-    const View view_, attributes_;
+    const JsonView view_, attributes_;
 };
 
-void read_weights(const View &view, Mesh &mesh)
+void read_weights(const JsonView &view, Mesh &mesh)
 {
-    const View weights = view["weights"];
+    const JsonView weights = view["weights"];
     mesh.morph_weights.assign(mesh.target_count, 0);
     if (!weights.exists()) return;
     if (weights.count() != mesh.target_count)
@@ -174,15 +174,15 @@ void read_weights(const View &view, Mesh &mesh)
     weights.numbers(mesh.morph_weights.data(), mesh.target_count);
 }
 
-Mesh read_mesh(const View &view, File &file, Materials &materials, bool shown)
+Mesh read_mesh(const JsonView &view, File &file, Materials &materials, bool shown)
 {
     Mesh mesh;
     view.object();
     mesh.name = view["name"].text_or("");
-    const View primitives = view["primitives"];
+    const JsonView primitives = view["primitives"];
     if (!primitives.exists()) fail(CLQ_FORMAT, "%s is missing", primitives.path().c_str());
     for (size_t i = 0; i < primitives.count(); ++i) {
-        const View primitive_view = primitives.at(i);
+        const JsonView primitive_view = primitives.at(i);
         const size_t targets = primitive_view["targets"].count();
         if (i > 0 && targets != mesh.target_count)
             fail(CLQ_FORMAT, "%s has %zu morph targets, the primitive before it has %u", primitive_view.path().c_str(),
@@ -194,7 +194,7 @@ Mesh read_mesh(const View &view, File &file, Materials &materials, bool shown)
         if (!reader.has_data() && !shown) continue;
         if (!reader.read(primitive)) continue;
         materials.note_variants(primitive.part.material, primitive_view);
-        file.budget.take(bytes_of(primitive.part), primitive_view.path().c_str());
+        file.budget.charge(bytes_of(primitive.part), primitive_view.path().c_str());
         mesh.primitives.push_back(std::move(primitive));
     }
     read_weights(view, mesh);
@@ -214,7 +214,7 @@ uint64_t bytes_of(const Part &part)
 
 std::vector<Mesh> read_meshes(File &file, Materials &materials, const std::vector<bool> &shown)
 {
-    const View list = file.root["meshes"];
+    const JsonView list = file.root["meshes"];
     std::vector<Mesh> meshes;
     meshes.reserve(list.count());
     for (size_t i = 0; i < list.count(); ++i) meshes.push_back(read_mesh(list.at(i), file, materials, shown[i]));

@@ -15,7 +15,7 @@ namespace
 // A matrix that is further from any translation, rotation and scale shears, which a node may not.
 constexpr double shear_refused = 1e-3, shear_noted = 1e-5;
 
-void read_matrix(const View &view, FileNode &node, File &file)
+void read_matrix(const JsonView &view, FileNode &node, File &file)
 {
     float m[16];
     view.numbers(m, 16);
@@ -23,7 +23,7 @@ void read_matrix(const View &view, FileNode &node, File &file)
         fail(CLQ_FORMAT, "%s: the last row of the matrix is %g %g %g %g instead of 0 0 0 1", view.path().c_str(),
              static_cast<double>(m[3]), static_cast<double>(m[7]), static_cast<double>(m[11]),
              static_cast<double>(m[15]));
-    const Parts parts = take_apart(m);
+    const DecomposedMatrix parts = decompose(m);
     if (parts.error > shear_refused)
         fail(CLQ_FORMAT, "%s: the matrix shears: it is no translation, rotation and scale", view.path().c_str());
     if (parts.error > shear_noted) file.warn(base::text_of("%s shears a little: shown without", view.path().c_str()));
@@ -31,9 +31,9 @@ void read_matrix(const View &view, FileNode &node, File &file)
     node.has_matrix = true;
 }
 
-void read_transform(const View &view, FileNode &node, File &file)
+void read_transform(const JsonView &view, FileNode &node, File &file)
 {
-    const View t = view["translation"], r = view["rotation"], s = view["scale"];
+    const JsonView t = view["translation"], r = view["rotation"], s = view["scale"];
     if (view["matrix"].exists()) {
         if (t.exists() || r.exists() || s.exists())
             fail(CLQ_FORMAT, "%s has a matrix and a translation, rotation or scale", view.path().c_str());
@@ -51,19 +51,19 @@ void read_transform(const View &view, FileNode &node, File &file)
     node.rest.rotation = glm::quat(q[3], q[0], q[1], q[2]);
 }
 
-FileNode read_node(const View &view, File &file, size_t node_count)
+FileNode read_node(const JsonView &view, File &file, size_t node_count)
 {
     FileNode node;
     view.object();
     node.name = view["name"].text_or("");
-    const View children = view["children"];
+    const JsonView children = view["children"];
     node.children.reserve(children.count());
     for (size_t i = 0; i < children.count(); ++i) node.children.push_back(children.at(i).index(node_count, "node"));
     read_transform(view, node, file);
     node.mesh = view["mesh"].index_or_none(file.root["meshes"].count(), "mesh");
     node.skin = view["skin"].index_or_none(file.root["skins"].count(), "skin");
     if (node.skin != none && node.mesh == none) fail(CLQ_FORMAT, "%s has a skin but no mesh", view.path().c_str());
-    const View weights = view["weights"];
+    const JsonView weights = view["weights"];
     if (weights.exists()) {
         node.morph_weights.resize(weights.count());
         weights.numbers(node.morph_weights.data(), node.morph_weights.size());
@@ -92,7 +92,7 @@ void link_parents(NodeTree &tree)
 
 void choose_scene(NodeTree &tree, const File &file)
 {
-    const View scenes = file.root["scenes"];
+    const JsonView scenes = file.root["scenes"];
     const uint32_t by_default = file.root["scene"].index_or_none(scenes.count(), "scene");
     if (file.options.scene >= 0 && static_cast<size_t>(file.options.scene) >= scenes.count())
         fail(CLQ_ARGUMENT, "scene %d is asked for: the file has %zu", file.options.scene, scenes.count());
@@ -107,7 +107,7 @@ void choose_scene(NodeTree &tree, const File &file)
     std::vector<bool> listed(tree.nodes.size(), false);
     for (size_t s = 0; s < scenes.count(); ++s) {
         scenes.at(s).object();
-        const View nodes = scenes.at(s)["nodes"];
+        const JsonView nodes = scenes.at(s)["nodes"];
         for (size_t i = 0; i < nodes.count(); ++i) {
             const uint32_t node = nodes.at(i).index(tree.nodes.size(), "node");
             if (tree.nodes[node].parent != none)
@@ -145,8 +145,8 @@ uint32_t NodeTree::root_of(uint32_t node) const
 NodeTree read_nodes(File &file)
 {
     NodeTree tree;
-    const View list = file.root["nodes"];
-    file.budget.take(list.count() * sizeof(FileNode), "the list of nodes");
+    const JsonView list = file.root["nodes"];
+    file.budget.charge(list.count() * sizeof(FileNode), "the list of nodes");
     tree.nodes.reserve(list.count());
     for (size_t i = 0; i < list.count(); ++i) tree.nodes.push_back(read_node(list.at(i), file, list.count()));
     link_parents(tree);

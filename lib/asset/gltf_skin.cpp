@@ -11,7 +11,7 @@ using base::fail;
 namespace
 {
 
-math::Affine affine_of(const float *m, const View &view, size_t joint)
+math::Affine affine_of(const float *m, const JsonView &view, size_t joint)
 {
     // Accessors may leave out their data and mean zeros; a joint that collapses what it holds is then what was said.
     const bool zero = std::all_of(m, m + 16, [](float x) { return x == 0; });
@@ -22,10 +22,10 @@ math::Affine affine_of(const float *m, const View &view, size_t joint)
     return out;
 }
 
-Skin read_skin(const View &view, File &file, const NodeTree &tree)
+Skin read_skin(const JsonView &view, File &file, const NodeTree &tree)
 {
     Skin skin;
-    const View joints = view["joints"], binds = view["inverseBindMatrices"];
+    const JsonView joints = view["joints"], binds = view["inverseBindMatrices"];
     if (joints.count() == 0) fail(CLQ_FORMAT, "%s is missing or empty", joints.path().c_str());
     view["skeleton"].index_or_none(tree.nodes.size(), "node");
     for (size_t i = 0; i < joints.count(); ++i) skin.joints.push_back(joints.at(i).index(tree.nodes.size(), "node"));
@@ -48,7 +48,7 @@ Skin read_skin(const View &view, File &file, const NodeTree &tree)
 std::vector<Skin> read_skins(File &file, const NodeTree &tree)
 {
     std::vector<Skin> skins;
-    const View list = file.root["skins"];
+    const JsonView list = file.root["skins"];
     skins.reserve(list.count());
     for (size_t i = 0; i < list.count(); ++i) skins.push_back(read_skin(list.at(i), file, tree));
     return skins;
@@ -60,7 +60,7 @@ uint32_t Palette::entry(uint32_t rig_node, const math::Affine &inverse_bind)
     key.first = rig_node;
     // Adding zero makes -0 a 0: the same matrix.
     for (size_t k = 0; k < 12; ++k) key.second[k] = inverse_bind.c[k] + 0.0f;
-    const auto [place, is_new] = places_.emplace(key, static_cast<uint32_t>(rig_.palette.size()));
+    const auto [place, is_new] = entries_.emplace(key, static_cast<uint32_t>(rig_.palette.size()));
     if (is_new) {
         model::PaletteEntry entry;
         entry.node = rig_node;

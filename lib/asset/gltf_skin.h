@@ -26,7 +26,7 @@ public:
 private:
     using Key = std::pair<uint32_t, std::array<float, 12>>;
     model::Rig &rig_;
-    std::map<Key, uint32_t> places_;
+    std::map<Key, uint32_t> entries_;
 };
 
 }  // namespace claque::asset

@@ -5,20 +5,20 @@ namespace claque::asset
 
 Variants::Variants(File &file) : file_(file)
 {
-    const View list = file.root["extensions"]["KHR_materials_variants"]["variants"];
+    const JsonView list = file.root["extensions"]["KHR_materials_variants"]["variants"];
     for (size_t i = 0; i < list.count(); ++i) names_.push_back(list.at(i)["name"].text());
-    if (names_.size() >= model::most_texture_sets) {
+    if (names_.size() >= model::max_texture_sets) {
         file.warn(base::text_of("%s: %zu variants, of which the first %u are taken", list.path().c_str(), names_.size(),
-                                model::most_texture_sets - 1));
+                                model::max_texture_sets - 1));
     }
     mapped_.resize(names_.size());
 }
 
-void Variants::note(uint32_t material, const View &primitive, size_t material_count)
+void Variants::note(uint32_t material, const JsonView &primitive, size_t material_count)
 {
-    const View mappings = primitive["extensions"]["KHR_materials_variants"]["mappings"];
+    const JsonView mappings = primitive["extensions"]["KHR_materials_variants"]["mappings"];
     for (size_t i = 0; i < mappings.count(); ++i) {
-        const View mapping = mappings.at(i), variants = mapping["variants"];
+        const JsonView mapping = mappings.at(i), variants = mapping["variants"];
         const uint32_t to = mapping["material"].index(material_count, "material");
         for (size_t k = 0; k < variants.count(); ++k)
             map(variants.at(k).index(names_.size(), "variant"), material, to, variants.at(k).path());

@@ -15,7 +15,7 @@ public:
     explicit Variants(File &file);
 
     // What a primitive that shows `material` maps to. Throws base::Error (FORMAT) where that breaks the format's rules.
-    void note(uint32_t material, const View &primitive, size_t material_count);
+    void note(uint32_t material, const JsonView &primitive, size_t material_count);
 
     size_t count() const { return names_.size(); }
     const std::string &name(size_t variant) const { return names_[variant]; }

@@ -15,7 +15,7 @@ namespace
 
 constexpr uint8_t png_magic[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 // Each scan of a progressive JPEG walks all of the picture: files in use have about ten.
-constexpr uint32_t most_scans = 100;
+constexpr uint32_t max_scans = 100;
 
 bool starts_with(const uint8_t *bytes, size_t size, const void *magic, size_t length, size_t at = 0)
 {
@@ -44,7 +44,7 @@ void check_jpeg(const uint8_t *bytes, size_t size, const char *name)
     uint32_t scans = 0;
     for (size_t i = 0; i + 1 < size; ++i)
         if (bytes[i] == 0xff && bytes[i + 1] == 0xda) ++scans;
-    if (scans > most_scans) fail(CLQ_LIMIT, "image '%s': the JPEG has %u scans, %u are read", name, scans, most_scans);
+    if (scans > max_scans) fail(CLQ_LIMIT, "image '%s': the JPEG has %u scans, %u are read", name, scans, max_scans);
 }
 
 void check_format(const uint8_t *bytes, size_t size, const char *name)

@@ -65,7 +65,7 @@ void parse(const uint8_t *bytes, size_t size, nlohmann::json &out)
 
 }  // namespace
 
-Document::Document(const uint8_t *bytes, size_t size, uint64_t memory_bytes)
+JsonDocument::JsonDocument(const uint8_t *bytes, size_t size, uint64_t memory_bytes)
 {
     const Scan found = scan(bytes, size);
     const uint64_t estimate = found.values * value_bytes + 2 * found.string_bytes;
@@ -86,6 +86,6 @@ Document::Document(const uint8_t *bytes, size_t size, uint64_t memory_bytes)
     }
 }
 
-Document::~Document() { dismantle(root_); }
+JsonDocument::~JsonDocument() { dismantle(root_); }
 
 }  // namespace claque::asset

@@ -8,72 +8,72 @@ namespace claque::asset
 
 using base::fail;
 
-View View::operator[](const char *key) const
+JsonView JsonView::operator[](const char *key) const
 {
     std::string path = path_.empty() ? std::string(key) : path_ + "." + key;
-    if (!exists()) return View(nullptr, std::move(path));
+    if (!exists()) return JsonView(nullptr, std::move(path));
     const nlohmann::json &members = object();
     const auto found = members.find(key);
-    return View(found == members.end() ? nullptr : &*found, std::move(path));
+    return JsonView(found == members.end() ? nullptr : &*found, std::move(path));
 }
 
-size_t View::count() const
+size_t JsonView::count() const
 {
     if (!exists()) return 0;
     if (!value_->is_array()) refuse("an array");
     return value_->size();
 }
 
-View View::at(size_t index) const
+JsonView JsonView::at(size_t index) const
 {
     if (index >= count()) fail(CLQ_FORMAT, "%s has no element %zu", path_.c_str(), index);
-    return View(&(*value_)[index], path_ + "[" + std::to_string(index) + "]");
+    return JsonView(&(*value_)[index], path_ + "[" + std::to_string(index) + "]");
 }
 
-const nlohmann::json &View::value() const
+const nlohmann::json &JsonView::value() const
 {
     if (!exists()) fail(CLQ_FORMAT, "%s is missing", path_.c_str());
     return *value_;
 }
 
-void View::refuse(const char *expected) const
+void JsonView::refuse(const char *expected) const
 {
     fail(CLQ_FORMAT, "%s is %s instead of %s", path_.empty() ? "the document" : path_.c_str(), value().type_name(),
          expected);
 }
 
-const nlohmann::json &View::object() const
+const nlohmann::json &JsonView::object() const
 {
     if (!value().is_object()) refuse("an object");
     return *value_;
 }
 
-const std::string &View::text() const
+const std::string &JsonView::text() const
 {
     if (!value().is_string()) refuse("a string");
     return value_->get_ref<const std::string &>();
 }
 
-bool View::boolean() const
+bool JsonView::boolean() const
 {
     if (!value().is_boolean()) refuse("true or false");
     return value_->get<bool>();
 }
 
-double View::number() const
+double JsonView::number() const
 {
     if (!value().is_number()) refuse("a number");
     return value_->get<double>();
 }
 
-float View::real() const
+float JsonView::real() const
 {
     const double x = number();
     if (!(std::fabs(x) <= static_cast<double>(FLT_MAX))) fail(CLQ_FORMAT, "%s is %g: too large", path_.c_str(), x);
     return static_cast<float>(x);
 }
 
-uint64_t View::integer(uint64_t first, uint64_t last) const
+uint64_t JsonView::integer(uint64_t first, uint64_t last) const
 {
     // Whole numbers are exact in double below 2^53, and nothing here is larger.
     const double x = number();
@@ -84,7 +84,7 @@ uint64_t View::integer(uint64_t first, uint64_t last) const
     return static_cast<uint64_t>(x);
 }
 
-uint32_t View::index(size_t count, const char *what) const
+uint32_t JsonView::index(size_t count, const char *what) const
 {
     const uint64_t i = integer(0, 0xfffffffeu);
     if (i >= count)
@@ -92,7 +92,7 @@ uint32_t View::index(size_t count, const char *what) const
     return static_cast<uint32_t>(i);
 }
 
-void View::numbers(float *out, size_t wanted) const
+void JsonView::numbers(float *out, size_t wanted) const
 {
     if (!value().is_array()) refuse("an array");
     if (count() != wanted) fail(CLQ_FORMAT, "%s has %zu numbers instead of %zu", path_.c_str(), count(), wanted);

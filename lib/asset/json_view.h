@@ -13,22 +13,22 @@ namespace claque::asset
 
 // Points into a parsed document, which must outlive it. A View may be of something absent: exists() tells; reading it
 // is refused as a missing property. All reads throw base::Error (CLQ_FORMAT).
-class View
+class JsonView
 {
 public:
-    View() = default;
-    View(const nlohmann::json *value, std::string path) : value_(value), path_(std::move(path)) {}
+    JsonView() = default;
+    JsonView(const nlohmann::json *value, std::string path) : value_(value), path_(std::move(path)) {}
 
     bool exists() const { return value_ != nullptr; }
     bool is_object() const { return value_ && value_->is_object(); }
     const std::string &path() const { return path_; }
 
     // A member of an object; absent where the object has none of that name, or is itself absent.
-    View operator[](const char *key) const;
+    JsonView operator[](const char *key) const;
 
     // Elements of an array; 0 where the array is absent.
     size_t count() const;
-    View at(size_t index) const;
+    JsonView at(size_t index) const;
 
     const nlohmann::json &object() const;  // refused unless it is an object
     const std::string &text() const;
@@ -59,17 +59,17 @@ private:
 
 // A parsed text. Taking it apart asks for no memory: nlohmann's own destructor does, and would end the process where
 // there is none, so leaves go first.
-class Document
+class JsonDocument
 {
 public:
     // After a pass of our own over the bytes: nesting at most 128 deep, and an estimate of the parsed size within
     // `memory_bytes`, so that the parser is never asked for more. Throws base::Error (CLQ_FORMAT, CLQ_LIMIT).
-    Document(const uint8_t *bytes, size_t size, uint64_t memory_bytes);
-    ~Document();
-    Document(const Document &) = delete;
-    Document &operator=(const Document &) = delete;
+    JsonDocument(const uint8_t *bytes, size_t size, uint64_t memory_bytes);
+    ~JsonDocument();
+    JsonDocument(const JsonDocument &) = delete;
+    JsonDocument &operator=(const JsonDocument &) = delete;
 
-    View root() const { return View(&root_, ""); }
+    JsonView root() const { return JsonView(&root_, ""); }
 
 private:
     nlohmann::json root_;

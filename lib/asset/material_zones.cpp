@@ -20,7 +20,7 @@ void add_material_zones(const std::vector<bool> &used, model::Model &model)
         model::Zone zone;
         zone.name = material.name;
         zone.colour = colour;
-        zone.range = default_range(material.name, colour, has_image ? Surface::textured : Surface::plain);
+        zone.range = default_range(material.name, colour, has_image ? Texturing::textured : Texturing::untextured);
         material.zone = static_cast<uint32_t>(model.zones.size());
         model.zones.push_back(zone);
     }

@@ -14,9 +14,9 @@ using model::DofKind;
 namespace
 {
 
-constexpr size_t most_dofs = 4096;  // of one node
+constexpr size_t max_dofs = 4096;  // of one node
 
-DofKind kind_of(const View &view)
+DofKind kind_of(const JsonView &view)
 {
     const std::string &text = view.text();
     if (text == "rotation") return DofKind::rotation;
@@ -25,7 +25,7 @@ DofKind kind_of(const View &view)
     fail(CLQ_FORMAT, "%s is '%.60s': rotation, translation and morph are known", view.path().c_str(), text.c_str());
 }
 
-glm::vec3 read_axis(const View &view)
+glm::vec3 read_axis(const JsonView &view)
 {
     float a[3];
     view.numbers(a, 3);
@@ -35,61 +35,60 @@ glm::vec3 read_axis(const View &view)
     return glm::vec3(float(a[0] / length), float(a[1] / length), float(a[2] / length));
 }
 
-model::Dof read_dof(const View &view)
+model::Dof read_dof(const JsonView &view)
 {
     model::Dof dof;
     view.object();
     dof.kind = kind_of(view["kind"]);
-    if (dof.kind == DofKind::morph) dof.target = static_cast<uint32_t>(view["morph_target"].integer(0, 0xffff));
+    if (dof.kind == DofKind::morph) dof.morph_target = static_cast<uint32_t>(view["morph_target"].integer(0, 0xffff));
     else dof.axis = read_axis(view["axis"]);
-    dof.first = view["first"].real();
-    dof.last = view["last"].real();
-    if (!(dof.first <= dof.last))
+    dof.min = view["min"].real();
+    dof.max = view["max"].real();
+    if (!(dof.min <= dof.max))
         fail(CLQ_FORMAT, "%s has a range from %g to %g, which goes down", view.path().c_str(),
-             static_cast<double>(dof.first), static_cast<double>(dof.last));
-    dof.rest = view["rest"].real_or(std::clamp(0.0f, dof.first, dof.last));
-    if (!(dof.first <= dof.rest && dof.rest <= dof.last))
+             static_cast<double>(dof.min), static_cast<double>(dof.max));
+    dof.rest = view["rest"].real_or(std::clamp(0.0f, dof.min, dof.max));
+    if (!(dof.min <= dof.rest && dof.rest <= dof.max))
         fail(CLQ_FORMAT, "%s is %g, outside the range from %g to %g", view["rest"].path().c_str(),
-             static_cast<double>(dof.rest), static_cast<double>(dof.first), static_cast<double>(dof.last));
+             static_cast<double>(dof.rest), static_cast<double>(dof.min), static_cast<double>(dof.max));
     return dof;
 }
 
-void read_dofs(const View &list, Budget &budget, NodeExtras &out)
+void read_dofs(const JsonView &list, Budget &budget, NodeExtras &out)
 {
-    if (list.count() > most_dofs)
-        fail(CLQ_LIMIT, "%s has %zu degrees of freedom: %zu are the most", list.path().c_str(), list.count(),
-             most_dofs);
-    budget.take(list.count() * (sizeof(model::Dof) + 4 * sizeof(std::string)), list.path().c_str());
+    if (list.count() > max_dofs)
+        fail(CLQ_LIMIT, "%s has %zu degrees of freedom: %zu are the most", list.path().c_str(), list.count(), max_dofs);
+    budget.charge(list.count() * (sizeof(model::Dof) + 4 * sizeof(std::string)), list.path().c_str());
     for (size_t i = 0; i < list.count(); ++i) {
-        const View view = list.at(i);
+        const JsonView view = list.at(i);
         out.dofs.push_back(read_dof(view));
         out.dof_names.push_back(view["name"].text_or(""));
         out.dof_paths.push_back(view.path());
     }
 }
 
-void read_lod(const View &view, NodeExtras &out)
+void read_lod(const JsonView &view, NodeExtras &out)
 {
     float range[2] = {0, std::numeric_limits<float>::infinity()};
     view.numbers(range, view.count() == 1 ? 1 : 2);
     if (!(range[0] >= 0 && range[1] > range[0]))
         fail(CLQ_FORMAT, "%s is from %g m to %g m: 0 <= first < last is wanted", view.path().c_str(),
              static_cast<double>(range[0]), static_cast<double>(range[1]));
-    out.lod_first_m = range[0], out.lod_last_m = range[1];
+    out.lod_min_m = range[0], out.lod_max_m = range[1];
     out.has_lod = true;
 }
 
 }  // namespace
 
-std::unique_ptr<NodeExtras> read_node_extras(const View &extras, Budget &budget)
+std::unique_ptr<NodeExtras> read_node_extras(const JsonView &extras, Budget &budget)
 {
     // Extras of others may be anything; only what carries our name is ours to judge.
     if (!extras.exists() || !extras.is_object()) return nullptr;
-    const View ours = extras["claque"];
+    const JsonView ours = extras["claque"];
     if (!ours.exists()) return nullptr;
-    budget.take(sizeof(NodeExtras), ours.path().c_str());
+    budget.charge(sizeof(NodeExtras), ours.path().c_str());
     auto out = std::make_unique<NodeExtras>();
-    const View stop = ours["deactivation_m"];
+    const JsonView stop = ours["deactivation_m"];
     if (stop.exists()) out->deactivation_m = stop.real();
     if (!(out->deactivation_m > 0))
         fail(CLQ_FORMAT, "%s is %g m: more than 0 is wanted", stop.path().c_str(),

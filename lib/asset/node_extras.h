@@ -11,8 +11,8 @@
 //           {"name": "gaze yaw",        how mechanisms find it, no other may have it; none
 //            "kind": "rotation",        required: rotation, translation or morph
 //            "axis": [0, 1, 0],         of a rotation or translation, required: in the node's own frame
-//            "first": -0.7,             required, the range: radians, model units or weight; first <= last
-//            "last": 0.7,
+//            "min": -0.7,             required, the range: radians, model units or weight; first <= last
+//            "max": 0.7,
 //            "rest": 0,                 within the range; 0, or the end of the range that is nearest to it
 //            "morph_target": 2}         of a morph one, required: which target of the node's mesh its number is added to
 //       ]
@@ -33,7 +33,7 @@ namespace claque::asset
 
 struct NodeExtras {
     float deactivation_m = std::numeric_limits<float>::infinity();
-    float lod_first_m = 0, lod_last_m = std::numeric_limits<float>::infinity();
+    float lod_min_m = 0, lod_max_m = std::numeric_limits<float>::infinity();
     bool has_lod = false;
     std::vector<model::Dof> dofs;  // without node
     std::vector<std::string> dof_names;
@@ -42,6 +42,6 @@ struct NodeExtras {
 
 // Null where they say nothing in our name. Throws base::Error (CLQ_FORMAT) where something breaks the rules above; names
 // and morph targets are looked at when the rig is put together.
-std::unique_ptr<NodeExtras> read_node_extras(const View &extras, Budget &budget);
+std::unique_ptr<NodeExtras> read_node_extras(const JsonView &extras, Budget &budget);
 
 }  // namespace claque::asset

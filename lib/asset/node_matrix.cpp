@@ -38,7 +38,7 @@ void complete(glm::dvec3 axis[3], const double length[3], double tiny)
 
 }  // namespace
 
-Parts take_apart(const float m[16])
+DecomposedMatrix decompose(const float m[16])
 {
     glm::dvec3 given[3], axis[3];
     double length[3], longest = 0;
@@ -53,7 +53,7 @@ Parts take_apart(const float m[16])
     // The rotation nearest to the axes that a quaternion can say; what it cannot say is the error.
     const glm::dquat q = glm::normalize(glm::quat_cast(glm::dmat3(axis[0], axis[1], axis[2])));
     const glm::dmat3 turned = glm::mat3_cast(q);
-    Parts out;
+    DecomposedMatrix out;
     for (int k = 0; k < 3; ++k) {
         const glm::dvec3 off = turned[k] * length[k] - given[k];
         if (longest > 0) out.error = std::fmax(out.error, glm::length(off) / longest);

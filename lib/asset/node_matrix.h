@@ -6,7 +6,7 @@
 namespace claque::asset
 {
 
-struct Parts {
+struct DecomposedMatrix {
     math::Trs trs;
     // Largest difference of an axis put together again to the one given, as a share of the longest axis. Of a matrix
     // that shears it is large; of rounded ones about 1e-7.
@@ -15,6 +15,6 @@ struct Parts {
 
 // `matrix` is 16 numbers by column; its last row is the caller's business. A mirrored one gets a negative x scale; an
 // axis of no length gets a direction that fits the others.
-Parts take_apart(const float matrix[16]);
+DecomposedMatrix decompose(const float matrix[16]);
 
 }  // namespace claque::asset

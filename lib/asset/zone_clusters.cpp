@@ -15,12 +15,12 @@ using base::fail;
 namespace
 {
 
-constexpr uint32_t most_proposed = 48;
+constexpr uint32_t max_proposed = 48;
 constexpr uint32_t bins = 32;              // a channel
 constexpr double light_share = 0.5;        // of a difference in lightness, beside those in colour
 constexpr double least_difference = 0.04;  // between two zones
 constexpr uint64_t least_share = 200;      // a zone has one texel in so many
-constexpr int most_rounds = 64, calming_rounds = 3;
+constexpr int max_rounds = 64, calming_rounds = 3;
 
 using Point = std::array<double, 3>;
 
@@ -133,7 +133,7 @@ size_t nearest(const std::vector<Point> &middles, const Point &at)
 
 void settle(std::vector<Bin> &all, std::vector<Point> &middles)
 {
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         bool changed = round == 0;
         std::vector<std::array<double, 4>> sums(middles.size());
         for (Bin &bin : all) {
@@ -153,7 +153,7 @@ void settle(std::vector<Bin> &all, std::vector<Point> &middles)
 void calm(ZoneProposal &out)
 {
     const int w = static_cast<int>(out.width), h = static_cast<int>(out.height);
-    std::vector<uint32_t> counts(most_proposed);
+    std::vector<uint32_t> counts(max_proposed);
     for (int round = 0; round < calming_rounds; ++round) {
         const std::vector<uint16_t> before = out.zones;
         for (int y = 0; y < h; ++y)
@@ -183,8 +183,8 @@ void order(const model::Image &image, ZoneProposal &out)
         uint64_t texels = 0;
         uint16_t zone = 0;
     };
-    std::vector<Sum> sums(most_proposed);
-    for (uint16_t z = 0; z < most_proposed; ++z) sums[z].zone = z;
+    std::vector<Sum> sums(max_proposed);
+    for (uint16_t z = 0; z < max_proposed; ++z) sums[z].zone = z;
     for (size_t i = 0; i < out.zones.size(); ++i) {
         if (out.zones[i] == unknown_zone) continue;
         Sum &sum = sums[out.zones[i]];
@@ -194,7 +194,7 @@ void order(const model::Image &image, ZoneProposal &out)
     std::stable_sort(sums.begin(), sums.end(), [](const Sum &a, const Sum &b) { return a.texels > b.texels; });
     uint64_t all = 0;
     for (const Sum &sum : sums) all += sum.texels;
-    std::vector<uint16_t> to(most_proposed, unknown_zone);
+    std::vector<uint16_t> to(max_proposed, unknown_zone);
     for (const Sum &sum : sums) {
         if (sum.texels * least_share < all || sum.texels == 0) continue;
         to[sum.zone] = static_cast<uint16_t>(out.means.size());
@@ -212,8 +212,8 @@ ZoneProposal propose_zones(const model::Model &model, uint32_t image, uint32_t c
 {
     if (image >= model.images.size())
         fail(CLQ_ARGUMENT, "image %u of '%s', which has %zu", image, model.name.c_str(), model.images.size());
-    if (count == 0 || count > most_proposed)
-        fail(CLQ_ARGUMENT, "%u zones to propose: 1 to %u are wanted", count, most_proposed);
+    if (count == 0 || count > max_proposed)
+        fail(CLQ_ARGUMENT, "%u zones to propose: 1 to %u are wanted", count, max_proposed);
     const model::Image &texels = model.images[image];
     const std::vector<uint8_t> covered = covered_texels(model, image);
     if (std::find(covered.begin(), covered.end(), 1) == covered.end())

@@ -11,7 +11,7 @@ using model::Zone;
 namespace
 {
 
-void read_pair(const View &view, float limit, bool may_wrap, float &first, float &last)
+void read_pair(const JsonView &view, float limit, bool may_wrap, float &first, float &last)
 {
     float pair[2];
     view.numbers(pair, 2);
@@ -23,36 +23,36 @@ void read_pair(const View &view, float limit, bool may_wrap, float &first, float
     last = pair[1];
 }
 
-Zone read_zone(const View &view)
+Zone read_zone(const JsonView &view)
 {
     Zone zone;
     zone.name = view["name"].text();
     if (zone.name.empty()) fail(CLQ_FORMAT, "%s is empty", view["name"].path().c_str());
     zone.key = static_cast<uint8_t>(view["key"].integer(0, 255));
-    const View colour = view["colour"];
+    const JsonView colour = view["colour"];
     if (colour.exists()) colour.numbers(zone.colour.data(), 3);
     for (const float c : zone.colour)
         if (!(c >= 0 && c <= 1)) fail(CLQ_FORMAT, "%s has a number outside 0 to 1", colour.path().c_str());
-    const View hue = view["hue_deg"], saturation = view["saturation"], brightness = view["brightness"];
+    const JsonView hue = view["hue_deg"], saturation = view["saturation"], brightness = view["brightness"];
     if (!hue.exists() && !saturation.exists() && !brightness.exists()) {
-        zone.range = default_range(zone.name, zone.colour, Surface::textured);
+        zone.range = default_range(zone.name, zone.colour, Texturing::textured);
         return zone;
     }
-    read_pair(hue, 360, true, zone.range.hue_first_deg, zone.range.hue_last_deg);
-    read_pair(saturation, 1, false, zone.range.saturation_first, zone.range.saturation_last);
-    read_pair(brightness, 1, false, zone.range.brightness_first, zone.range.brightness_last);
+    read_pair(hue, 360, true, zone.range.hue_min_deg, zone.range.hue_max_deg);
+    read_pair(saturation, 1, false, zone.range.saturation_min, zone.range.saturation_max);
+    read_pair(brightness, 1, false, zone.range.brightness_min, zone.range.brightness_max);
     return zone;
 }
 
 }  // namespace
 
-std::vector<Zone> read_zone_extras(const View &extras)
+std::vector<Zone> read_zone_extras(const JsonView &extras)
 {
     // Extras of others may be anything; only what carries our name is ours to judge.
     if (!extras.exists() || !extras.is_object()) return {};
-    const View ours = extras["claque"];
+    const JsonView ours = extras["claque"];
     if (!ours.exists() || !ours["zones"].exists()) return {};
-    const View list = ours["zones"];
+    const JsonView list = ours["zones"];
     std::vector<Zone> out;
     if (list.count() == 0) fail(CLQ_FORMAT, "%s is empty", list.path().c_str());
     if (list.count() > 256) fail(CLQ_FORMAT, "%s has %zu zones: 256 keys exist", list.path().c_str(), list.count());

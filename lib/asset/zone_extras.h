@@ -21,7 +21,7 @@ namespace claque::asset
 
 // The zones that `extras` declares; empty where it says nothing about them. Throws base::Error (CLQ_FORMAT) for a
 // list that breaks the rules above.
-std::vector<model::Zone> read_zone_extras(const View &extras);
+std::vector<model::Zone> read_zone_extras(const JsonView &extras);
 
 // Adds zones to a list in which a key stands for one name. Throws base::Error (CLQ_FORMAT) where it stands for two.
 void add_keyed_zones(std::vector<model::Zone> &to, const std::vector<model::Zone> &zones, const std::string &who);

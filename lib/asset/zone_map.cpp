@@ -31,7 +31,7 @@ std::vector<uint32_t> users_of(const model::Model &model, uint32_t image)
     return users;
 }
 
-void check(const model::Model &model, uint32_t image, const PaintedMap &map, size_t zone_count)
+void check(const model::Model &model, uint32_t image, const ZoneMap &map, size_t zone_count)
 {
     if (image >= model.images.size())
         fail(CLQ_ARGUMENT, "image %u of '%s', which has %zu", image, model.name.c_str(), model.images.size());
@@ -56,7 +56,7 @@ void check(const model::Model &model, uint32_t image, const PaintedMap &map, siz
 }
 
 // What lies at the middle of each texel of an image; unknown ones take what spreads to them first from known ones.
-std::vector<uint16_t> texels_of(const PaintedMap &map, uint32_t width, uint32_t height)
+std::vector<uint16_t> texels_of(const ZoneMap &map, uint32_t width, uint32_t height)
 {
     std::vector<uint16_t> zones(size_t(width) * height);
     std::vector<uint32_t> front, next;
@@ -177,7 +177,7 @@ void drop_unused_zones(model::Model &model)
 }
 
 // The key of a painted zone: that of a keyed zone with its name, or the lowest that no keyed zone has.
-uint8_t key_for(model::Model &next, const PaintedZone &painted, const Rgb &colour)
+uint8_t key_for(model::Model &next, const ZoneMapZone &painted, const Rgb &colour)
 {
     std::vector<bool> named(next.zones.size());
     for (const model::Material &material : next.materials)
@@ -194,16 +194,16 @@ uint8_t key_for(model::Model &next, const PaintedZone &painted, const Rgb &colou
     zone.name = painted.name;
     zone.key = static_cast<uint8_t>(free - taken.begin());
     zone.colour = colour;
-    zone.range = painted.range
-                     ? *painted.range
-                     : default_range(painted.name, zone.colour, painted.reduced ? Surface::plain : Surface::textured);
+    zone.range = painted.range ? *painted.range
+                               : default_range(painted.name, zone.colour,
+                                               painted.reduced ? Texturing::untextured : Texturing::textured);
     next.zones.push_back(zone);
     return zone.key;
 }
 
 }  // namespace
 
-void set_zone_map(model::Model &model, uint32_t image, const PaintedMap &map, const std::vector<PaintedZone> &zones)
+void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones)
 {
     check(model, image, map, zones.size());
     model::Model next;

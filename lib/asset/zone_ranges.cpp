@@ -13,20 +13,20 @@ namespace
 
 struct Word {
     const char *part;
-    Matter matter;
+    ZoneKind zone_kind;
 };
 
 // The first that occurs decides: eyebrows are hair, eyes are not.
 constexpr Word words[] = {
-    {"brow", Matter::hair},    {"beard", Matter::hair}, {"moustache", Matter::hair}, {"mustache", Matter::hair},
-    {"hair", Matter::hair},    {"fur", Matter::hair},   {"lash", Matter::eyes},      {"eye", Matter::eyes},
-    {"pupil", Matter::eyes},   {"iris", Matter::eyes},  {"teeth", Matter::teeth},    {"tooth", Matter::teeth},
-    {"lips", Matter::lips},    {"mouth", Matter::lips}, {"tongue", Matter::lips},    {"skin", Matter::skin},
-    {"face", Matter::skin},    {"flesh", Matter::skin}, {"nail", Matter::skin},      {"metal", Matter::hard},
-    {"steel", Matter::hard},   {"iron", Matter::hard},  {"gold", Matter::hard},      {"silver", Matter::hard},
-    {"leather", Matter::hard}, {"shoe", Matter::hard},  {"boot", Matter::hard},      {"sandal", Matter::hard},
-    {"belt", Matter::hard},    {"wood", Matter::hard},  {"stone", Matter::hard},     {"glass", Matter::hard},
-    {"wheel", Matter::hard},   {"hoof", Matter::hard},  {"horn", Matter::hard}};
+    {"brow", ZoneKind::hair},    {"beard", ZoneKind::hair}, {"moustache", ZoneKind::hair}, {"mustache", ZoneKind::hair},
+    {"hair", ZoneKind::hair},    {"fur", ZoneKind::hair},   {"lash", ZoneKind::eyes},      {"eye", ZoneKind::eyes},
+    {"pupil", ZoneKind::eyes},   {"iris", ZoneKind::eyes},  {"teeth", ZoneKind::teeth},    {"tooth", ZoneKind::teeth},
+    {"lips", ZoneKind::lips},    {"mouth", ZoneKind::lips}, {"tongue", ZoneKind::lips},    {"skin", ZoneKind::skin},
+    {"face", ZoneKind::skin},    {"flesh", ZoneKind::skin}, {"nail", ZoneKind::skin},      {"metal", ZoneKind::hard},
+    {"steel", ZoneKind::hard},   {"iron", ZoneKind::hard},  {"gold", ZoneKind::hard},      {"silver", ZoneKind::hard},
+    {"leather", ZoneKind::hard}, {"shoe", ZoneKind::hard},  {"boot", ZoneKind::hard},      {"sandal", ZoneKind::hard},
+    {"belt", ZoneKind::hard},    {"wood", ZoneKind::hard},  {"stone", ZoneKind::hard},     {"glass", ZoneKind::hard},
+    {"wheel", ZoneKind::hard},   {"hoof", ZoneKind::hard},  {"horn", ZoneKind::hard}};
 
 struct Hsb {
     float hue_deg, saturation, brightness;
@@ -51,46 +51,46 @@ HsbRange around(const Hsb &c, float hue_deg, float saturation, float brightness)
 {
     const auto unit = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
     HsbRange out;
-    out.hue_first_deg = on_circle(c.hue_deg - hue_deg);
-    out.hue_last_deg = on_circle(c.hue_deg + hue_deg);
-    out.saturation_first = unit(c.saturation - saturation);
-    out.saturation_last = unit(c.saturation + saturation);
-    out.brightness_first = unit(c.brightness - brightness);
-    out.brightness_last = unit(c.brightness + brightness);
+    out.hue_min_deg = on_circle(c.hue_deg - hue_deg);
+    out.hue_max_deg = on_circle(c.hue_deg + hue_deg);
+    out.saturation_min = unit(c.saturation - saturation);
+    out.saturation_max = unit(c.saturation + saturation);
+    out.brightness_min = unit(c.brightness - brightness);
+    out.brightness_max = unit(c.brightness + brightness);
     return out;
 }
 
 // The range, stretched to hold the colour. Both ends of the hues may move; they never pass each other.
 HsbRange with(HsbRange range, const Hsb &c)
 {
-    range.saturation_first = std::min(range.saturation_first, c.saturation);
-    range.saturation_last = std::max(range.saturation_last, c.saturation);
-    range.brightness_first = std::min(range.brightness_first, c.brightness);
-    range.brightness_last = std::max(range.brightness_last, c.brightness);
-    const float width = on_circle(range.hue_last_deg - range.hue_first_deg);
-    const float above = on_circle(c.hue_deg - range.hue_first_deg);
+    range.saturation_min = std::min(range.saturation_min, c.saturation);
+    range.saturation_max = std::max(range.saturation_max, c.saturation);
+    range.brightness_min = std::min(range.brightness_min, c.brightness);
+    range.brightness_max = std::max(range.brightness_max, c.brightness);
+    const float width = on_circle(range.hue_max_deg - range.hue_min_deg);
+    const float above = on_circle(c.hue_deg - range.hue_min_deg);
     if (c.saturation > 0 && above > width) {
-        if (above - width < 360 - above) range.hue_last_deg = c.hue_deg;
-        else range.hue_first_deg = c.hue_deg;
+        if (above - width < 360 - above) range.hue_max_deg = c.hue_deg;
+        else range.hue_min_deg = c.hue_deg;
     }
     return range;
 }
 
 // Under a texture that has the colours: a shade of white that leaves them recognisable.
-HsbRange tint(Matter matter)
+HsbRange tint(ZoneKind zone_kind)
 {
-    switch (matter) {
-        case Matter::skin:
-        case Matter::lips:
+    switch (zone_kind) {
+        case ZoneKind::skin:
+        case ZoneKind::lips:
             return {15, 40, 0, 0.12f, 0.75f, 1};
-        case Matter::hair:
+        case ZoneKind::hair:
             return {15, 45, 0, 0.35f, 0.5f, 1};
-        case Matter::eyes:
-        case Matter::teeth:
+        case ZoneKind::eyes:
+        case ZoneKind::teeth:
             return {30, 60, 0, 0.04f, 0.92f, 1};
-        case Matter::hard:
+        case ZoneKind::hard:
             return {20, 60, 0, 0.1f, 0.8f, 1};
-        case Matter::cloth:
+        case ZoneKind::cloth:
             break;
     }
     return {0, 359, 0, 0.22f, 0.8f, 1};
@@ -100,40 +100,40 @@ HsbRange of_cloth(const Hsb &c)
 {
     // Grey, black and white clothes take on a little colour; coloured ones most others.
     HsbRange out = around(c, 160, 0.15f, 0.2f);
-    if (c.saturation < 0.12f) out.saturation_last = std::min(1.0f, c.saturation + 0.3f);
+    if (c.saturation < 0.12f) out.saturation_max = std::min(1.0f, c.saturation + 0.3f);
     return out;
 }
 
 }  // namespace
 
-Matter matter_of(const std::string &name)
+ZoneKind zone_kind_of(const std::string &name)
 {
     std::string lower;
     for (const char c : name) lower.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
     for (const Word &word : words)
-        if (lower.find(word.part) != std::string::npos) return word.matter;
-    return Matter::cloth;
+        if (lower.find(word.part) != std::string::npos) return word.zone_kind;
+    return ZoneKind::cloth;
 }
 
-HsbRange default_range(const std::string &name, const std::array<float, 3> &colour, Surface surface)
+HsbRange default_range(const std::string &name, const std::array<float, 3> &colour, Texturing texturing)
 {
     const Hsb c = hsb_of(colour);
-    const Matter matter = matter_of(name);
+    const ZoneKind zone_kind = zone_kind_of(name);
     const bool white = c.brightness > 0.85f && c.saturation < 0.1f;
-    if (surface == Surface::textured && white) return with(tint(matter), c);
-    switch (matter) {
-        case Matter::skin:
+    if (texturing == Texturing::textured && white) return with(tint(zone_kind), c);
+    switch (zone_kind) {
+        case ZoneKind::skin:
             return around(c, 6, 0.1f, 0.15f);
-        case Matter::lips:
+        case ZoneKind::lips:
             return around(c, 6, 0.1f, 0.1f);
-        case Matter::eyes:
-        case Matter::teeth:
+        case ZoneKind::eyes:
+        case ZoneKind::teeth:
             return around(c, 8, 0.04f, 0.05f);
-        case Matter::hair:
+        case ZoneKind::hair:
             return with({12, 42, 0.15f, 0.65f, 0.12f, 0.7f}, c);
-        case Matter::hard:
+        case ZoneKind::hard:
             return around(c, 10, 0.1f, 0.12f);
-        case Matter::cloth:
+        case ZoneKind::cloth:
             break;
     }
     return of_cloth(c);

@@ -15,7 +15,7 @@ enum class Purpose : uint32_t {
     clip = 5,
     speed = 6,
     phase = 7,
-    place = 8,
+    position = 8,
     heading = 9,
     size = 10,
     pick = 11,

@@ -22,28 +22,32 @@ struct Counts {
 // The level of each of an actor's mechanisms at a distance, four bits a use in the order of its chain; 15: off.
 //   distance_m   effective: priority and the view's screen size are in it already
 //   level        of the template: what is left of the skeleton
-using Levels = uint64_t;
+using MechanismLevels = uint64_t;
 constexpr uint32_t off = 15;
-Levels levels_of(const crowd::Crowd &crowd, uint32_t row, float distance_m, const model::Level &level) noexcept;
+MechanismLevels mechanism_levels(const crowd::Crowd &crowd, uint32_t row, float distance_m,
+                                 const model::Level &level) noexcept;
 
-inline uint32_t level_at(Levels levels, uint32_t use) { return static_cast<uint32_t>(levels >> (4 * use)) & 15; }
+inline uint32_t mechanism_level(MechanismLevels levels, uint32_t attachment)
+{
+    return static_cast<uint32_t>(levels >> (4 * attachment)) & 15;
+}
 
 // Whether one of its mechanisms is the host's, and whether one of these keeps a memory.
 bool has_host(const crowd::Crowd &crowd, uint32_t row) noexcept;
 bool has_memory(const crowd::Crowd &crowd, uint32_t row) noexcept;
 
-struct Moment {
+struct EvaluationContext {
     double time_s = 0;  // the tick that is shown
-    Levels levels = 0;
+    MechanismLevels levels = 0;
     const model::Level *level = nullptr;  // of the template
     float distance = 0;                   // to the eye, world units: told to the host
-    bool seen = true;                     // told to the host
+    bool visible = true;                  // told to the host
     bool wanted = true;                   // false: nobody asks for the degrees of freedom; only memories are kept up
 };
 
 // Runs an actor's mechanisms, the lowest priority first. `dofs`: [rig.dofs.size()], set to rest first; every value stays
 // within its range.
-void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Span<float> dofs,
+void run(const crowd::Crowd &crowd, uint32_t row, const EvaluationContext &context, base::Span<float> dofs,
          Counts &counts) noexcept;
 
 // What it plays: its own, or what the last of its idle mechanisms that is not off has drawn.
@@ -52,14 +56,14 @@ struct Plays {
     double weight = 1;
     bool idle = false;  // drawn
 };
-Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept;
-crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept;
+Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept;
+crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept;
 
 // Where its Skeleton Root is in the Reference Point's space, and how it is turned; scale 1. Without the ground.
-crowd::Place root_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
+crowd::Transform root_transform_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
 
 // A path alone. `round` in [0, duration_s).
-crowd::Place place_on(const crowd::RootPath &path, double round_s) noexcept;
+crowd::Transform transform_on(const crowd::RootPath &path, double round_s) noexcept;
 // No point of it is farther from the origin: an upper bound that is tight.
 float reach_of(const crowd::RootPath &path);
 

@@ -18,11 +18,11 @@ double closing(double share)
 
 void run(const crowd::Blink &blink, const Call &call, Writer &writer) noexcept
 {
-    const Lot lot = call.lot(base::Purpose::blink);
+    const RandomSlots random_slots = call.random_slots(base::Purpose::blink);
     const double t = call.clock_s(), period = static_cast<double>(blink.period_s),
                  length = static_cast<double>(blink.close_s);
     const Slot slot = slot_at(t, period);
-    const double begin = slot.begin_s + lot.unit(slot.index) * (period - length);
+    const double begin = slot.begin_s + random_slots.unit(slot.index) * (period - length);
     double shut = closing((t - begin) / length);
     if (call.level > 0) shut = shut > 0.5 ? 1 : 0;
     for (const crowd::DofValue &value : blink.closed) writer.write(value.dof, value.value, static_cast<float>(shut));

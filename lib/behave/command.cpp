@@ -32,26 +32,26 @@ void check_time(double at_s)
     if (!std::isfinite(at_s)) fail(CLQ_ARGUMENT, "a command begins at %g s: a finite time is wanted", at_s);
 }
 
-const crowd::Use &use_of(const crowd::Behaviours &behaviours, uint32_t row, uint32_t mechanism)
+const crowd::MechanismAttachment &attachment_of(const crowd::Behaviours &behaviours, uint32_t row, uint32_t mechanism)
 {
-    for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next)
-        if (behaviours.use_at(i).mechanism == mechanism) return behaviours.use_at(i);
+    for (uint32_t i = behaviours.first_attachment(row); i != model::none; i = behaviours.attachment_at(i).next)
+        if (behaviours.attachment_at(i).mechanism == mechanism) return behaviours.attachment_at(i);
     fail(CLQ_ARGUMENT, "the actor does not use mechanism %u", mechanism + 1);
 }
 
 // What is told for a time before the last order replaces that one.
-void tell(crowd::Command &told, const crowd::Order &order)
+void push_command(crowd::CommandHistory &history, const crowd::Command &command)
 {
-    if (order.at_s > told.at_s) told.before = told;
-    if (order.at_s <= told.before.at_s) told.before = crowd::Order();
-    static_cast<crowd::Order &>(told) = order;
+    if (command.at_s > history.at_s) history.before = history;
+    if (command.at_s <= history.before.at_s) history.before = crowd::Command();
+    static_cast<crowd::Command &>(history) = command;
 }
 
-glm::vec3 point_of(const crowd::Place &place, const glm::dvec3 &world)
+glm::vec3 point_of(const crowd::Transform &transform, const glm::dvec3 &world)
 {
-    crowd::Place target;
+    crowd::Transform target;
     target.position = world;
-    const glm::dvec3 p = crowd::relative(place, target).position;
+    const glm::dvec3 p = crowd::relative(transform, target).position;
     if (!(std::fabs(p.x) < 1e30 && std::fabs(p.y) < 1e30 && std::fabs(p.z) < 1e30))
         fail(CLQ_ARGUMENT, "a point to look at is (%g, %g, %g) from the actor: finite and less than 1e30 is wanted",
              p.x, p.y, p.z);
@@ -60,60 +60,60 @@ glm::vec3 point_of(const crowd::Place &place, const glm::dvec3 &world)
 
 }  // namespace
 
-void look(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, const glm::dvec3 *point, double at_s)
+void command_gaze(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, const glm::dvec3 *point, double at_s)
 {
     const uint32_t row = crowd.row_of(id);
     const crowd::Gaze &gaze = kind_of<crowd::Gaze>(crowd, mechanism, "gaze");
     check_time(at_s);
-    crowd::Order order;
-    order.at_s = at_s;
+    crowd::Command command;
+    command.at_s = at_s;
     if (point) {
-        order.choice = 0;
-        order.point = point_of(crowd.place_of(row), *point);
+        command.choice = 0;
+        command.point = point_of(crowd.transform_of(row), *point);
     }
-    const double clock = clock_of(use_of(crowd.behaviours(), row, mechanism), at_s);
-    const Lot lot = lot_of(crowd, row, mechanism, base::Purpose::gaze);
-    crowd::Command &told = crowd.command(id, mechanism);
-    const Look from = look_at(gaze, lot, clock, told, crowd, row, at_s);
-    order.from_yaw = static_cast<float>(from.yaw), order.from_pitch = static_cast<float>(from.pitch);
-    if (point && told.choice == 0 && at_s >= told.at_s) {
-        const Look last = target_of(gaze, lot, clock, told, crowd, row, at_s);
-        order.side = static_cast<float>(last.yaw);
-        const Look next = target_of(gaze, lot, clock, order, crowd, row, at_s);
+    const double clock = clock_of(attachment_of(crowd.behaviours(), row, mechanism), at_s);
+    const RandomSlots random_slots = random_slots_of(crowd, row, mechanism, base::Purpose::gaze);
+    crowd::CommandHistory &history = crowd.command_history(id, mechanism);
+    const GazeDirection from = gaze_direction_at(gaze, random_slots, clock, history, crowd, row, at_s);
+    command.from_yaw = static_cast<float>(from.yaw), command.from_pitch = static_cast<float>(from.pitch);
+    if (point && history.choice == 0 && at_s >= history.at_s) {
+        const GazeDirection last = target_of(gaze, random_slots, clock, history, crowd, row, at_s);
+        command.side = static_cast<float>(last.yaw);
+        const GazeDirection next = target_of(gaze, random_slots, clock, command, crowd, row, at_s);
         if (std::fabs(next.yaw - last.yaw) < same_point && std::fabs(next.pitch - last.pitch) < same_point) {
-            told.point = order.point;
-            told.side = order.side;
+            history.point = command.point;
+            history.side = command.side;
             return;
         }
     }
-    order.side = order.from_yaw;
-    tell(told, order);
+    command.side = command.from_yaw;
+    push_command(history, command);
 }
 
-void express(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, uint32_t shape, double at_s)
+void command_expression(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, uint32_t pose, double at_s)
 {
     crowd.row_of(id);
     const crowd::Expression &expression = kind_of<crowd::Expression>(crowd, mechanism, "expression");
     check_time(at_s);
-    if (shape != model::none && shape >= expression.shapes.size())
-        fail(CLQ_ARGUMENT, "shape %u of %zu of an expression", shape, expression.shapes.size());
-    crowd::Command &told = crowd.command(id, mechanism);
-    crowd::Order order;
-    order.at_s = at_s;
-    order.choice = shape;
-    order.choice_before = at_s > told.at_s ? told.choice : told.choice_before;
-    tell(told, order);
+    if (pose != model::none && pose >= expression.poses.size())
+        fail(CLQ_ARGUMENT, "shape %u of %zu of an expression", pose, expression.poses.size());
+    crowd::CommandHistory &history = crowd.command_history(id, mechanism);
+    crowd::Command command;
+    command.at_s = at_s;
+    command.choice = pose;
+    command.choice_before = at_s > history.at_s ? history.choice : history.choice_before;
+    push_command(history, command);
 }
 
-void say(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, double at_s)
+void command_phrase(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, double at_s)
 {
     crowd.row_of(id);
     kind_of<crowd::Phrase>(crowd, mechanism, "phrase");
     check_time(at_s);
-    crowd::Order order;
-    order.at_s = at_s;
-    order.choice = 0;
-    tell(crowd.command(id, mechanism), order);
+    crowd::Command command;
+    command.at_s = at_s;
+    command.choice = 0;
+    push_command(crowd.command_history(id, mechanism), command);
 }
 
 }  // namespace claque::behave

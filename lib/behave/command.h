@@ -8,8 +8,8 @@ namespace claque::behave
 {
 
 // `point`: in the world, or in its group's space for a member; null: none.
-void look(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, const glm::dvec3 *point, double at_s);
-void express(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, uint32_t shape, double at_s);
-void say(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, double at_s);
+void command_gaze(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, const glm::dvec3 *point, double at_s);
+void command_expression(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, uint32_t pose, double at_s);
+void command_phrase(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, double at_s);
 
 }  // namespace claque::behave

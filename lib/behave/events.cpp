@@ -32,24 +32,24 @@ public:
     {
         row_ = row;
         rig_ = &crowd_.template_of(row).rig;
-        if (const crowd::Use *use = idle_of(row)) {
-            idle(*use, window);
+        if (const crowd::MechanismAttachment *attachment = idle_of(row)) {
+            idle(*attachment, window);
         } else {
-            const crowd::Layering *layering = crowd_.layers().of(row);
+            const crowd::LayerState *layer_state = crowd_.layers().of(row);
             Source plain;
             plain.play = crowd_.play_of(row);
-            if (layering) base(*layering, window);
+            if (layer_state) base(*layer_state, window);
             else source(plain, window, 0);
         }
-        if (const crowd::Layering *layering = crowd_.layers().of(row))
-            for (uint32_t k = 0; k < layering->gesture_count; ++k) gesture(layering->gestures[k], window);
+        if (const crowd::LayerState *layer_state = crowd_.layers().of(row))
+            for (uint32_t k = 0; k < layer_state->layer_count; ++k) layer(layer_state->layers[k], window);
     }
 
 private:
     void put(double time_s, EventKind kind, uint32_t clip, uint32_t layer)
     {
-        if (out_.size() == most_events)
-            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+        if (out_.size() == max_events)
+            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", max_events);
         Event event;
         event.time_s = time_s, event.row = row_, event.kind = kind, event.clip = clip, event.layer = layer;
         out_.push_back(event);
@@ -66,8 +66,8 @@ private:
         const double high = std::max(rounds(window.first_s), rounds(window.last_s));
         // One more at each end: rounding decides by the moment alone.
         const double count = std::floor(high) - std::ceil(low) + 3;
-        if (!(count < 2.0 * static_cast<double>(most_events)))
-            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+        if (!(count < 2.0 * static_cast<double>(max_events)))
+            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", max_events);
         // Counted by whole steps: beyond 2^53 one more round is the same number.
         for (uint32_t i = 0; i < static_cast<uint32_t>(count); ++i) {
             const double k = std::ceil(low) - 1 + i;
@@ -113,8 +113,8 @@ private:
         const auto all = [&](double share, const auto &each) {
             if (!(window.first_s < window.last_s)) return;
             const double a = rounds(window.first_s), b = rounds(window.last_s);
-            if (!(std::fabs(b - a) < 2.0 * static_cast<double>(most_events)))
-                base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
+            if (!(std::fabs(b - a) < 2.0 * static_cast<double>(max_events)))
+                base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", max_events);
             const bool back = b < a;
             const uint32_t count = static_cast<uint32_t>(std::fabs(b - a)) + 4;
             for (uint32_t i = 0; i < count; ++i) {
@@ -153,47 +153,47 @@ private:
         else gait(source, played);
     }
 
-    void base(const crowd::Layering &layering, Window window)
+    void base(const crowd::LayerState &layer_state, Window window)
     {
         double first = -crowd::never_s;
-        for (uint32_t k = 0; k <= layering.fade_count; ++k) {
-            const bool last = k == layering.fade_count;
-            const double next = last ? crowd::never_s : layering.fades[k].at_s;
-            source(last ? layering.now : layering.fades[k].from, window.within(first, next), 0);
+        for (uint32_t k = 0; k <= layer_state.fade_count; ++k) {
+            const bool last = k == layer_state.fade_count;
+            const double next = last ? crowd::never_s : layer_state.fades[k].at_s;
+            source(last ? layer_state.now : layer_state.fades[k].from, window.within(first, next), 0);
             first = next;
             if (last) break;
-            const double end = next + static_cast<double>(layering.fades[k].length_s);
-            const Source &to = k + 1 < layering.fade_count ? layering.fades[k + 1].from : layering.now;
+            const double end = next + static_cast<double>(layer_state.fades[k].length_s);
+            const Source &to = k + 1 < layer_state.fade_count ? layer_state.fades[k + 1].from : layer_state.now;
             if (window.holds(end)) put(end, EventKind::fade_end, to.play.clip, 0);
         }
     }
 
-    void gesture(const crowd::Gesture &gesture, Window window)
+    void layer(const crowd::Layer &layer, Window window)
     {
-        clip(gesture.play, window.within(gesture.start_s, gesture.end_s), gesture.serial);
-        if (window.holds(gesture.end_s)) put(gesture.end_s, EventKind::layer_end, gesture.play.clip, gesture.serial);
+        clip(layer.play, window.within(layer.start_s, layer.end_s), layer.layer_id);
+        if (window.holds(layer.end_s)) put(layer.end_s, EventKind::layer_end, layer.play.clip, layer.layer_id);
     }
 
-    const crowd::Use *idle_of(uint32_t row) const
+    const crowd::MechanismAttachment *idle_of(uint32_t row) const
     {
         const crowd::Behaviours &behaviours = crowd_.behaviours();
-        const crowd::Use *last = nullptr;
-        for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next)
-            if (std::holds_alternative<crowd::Idle>(behaviours.mechanism(behaviours.use_at(i).mechanism).kind))
-                last = &behaviours.use_at(i);
+        const crowd::MechanismAttachment *last = nullptr;
+        for (uint32_t i = behaviours.first_attachment(row); i != model::none; i = behaviours.attachment_at(i).next)
+            if (std::holds_alternative<crowd::Idle>(behaviours.mechanism(behaviours.attachment_at(i).mechanism).kind))
+                last = &behaviours.attachment_at(i);
         return last;
     }
 
     // Slot by slot, each with what was drawn for it.
-    void idle(const crowd::Use &use, Window window)
+    void idle(const crowd::MechanismAttachment &attachment, Window window)
     {
-        const crowd::Idle &idle = std::get<crowd::Idle>(crowd_.behaviours().mechanism(use.mechanism).kind);
+        const crowd::Idle &idle = std::get<crowd::Idle>(crowd_.behaviours().mechanism(attachment.mechanism).kind);
         const double length = static_cast<double>(idle.slot_s);
-        if (!((window.last_s - window.first_s) / length < static_cast<double>(most_events)))
-            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", most_events);
-        crowd::Play play = drawn(idle, crowd_, row_, use, window.first_s).now;
+        if (!((window.last_s - window.first_s) / length < static_cast<double>(max_events)))
+            base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", max_events);
+        crowd::Play play = idle_plays(idle, crowd_, row_, attachment, window.first_s).now;
         while (play.start_s < window.last_s) {
-            const crowd::Play next = drawn(idle, crowd_, row_, use, play.start_s + 1.5 * length).now;
+            const crowd::Play next = idle_plays(idle, crowd_, row_, attachment, play.start_s + 1.5 * length).now;
             clip(play, window.within(play.start_s, next.start_s), 0);
             if (!(next.start_s > play.start_s)) break;  // a clock so large that it knows no such times
             play = next;

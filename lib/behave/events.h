@@ -20,7 +20,7 @@ struct Event {
     uint32_t layer = 0;  // a gesture's serial
 };
 
-constexpr size_t most_events = 1000000;  // in one interval
+constexpr size_t max_events = 1000000;  // in one interval
 
 // Those after from_s, up to and with to_s, of all who are watched, in their order; `out` is emptied first. Throws base::Error
 // (CLQ_LIMIT: more than most_events) or std::bad_alloc.

@@ -6,11 +6,11 @@ namespace claque::behave
 namespace
 {
 
-base::Span<const crowd::DofValue> values_of(const Face::Layer &layer, base::Span<const crowd::Shape> shapes,
+base::Span<const crowd::DofValue> values_of(const Face::Entry &layer, base::Span<const crowd::DofPose> poses,
                                             base::Span<const crowd::DofValue> values)
 {
-    const crowd::Shape &shape = shapes[layer.shape];
-    return {values.data + shape.first, shape.count};
+    const crowd::DofPose &pose = poses[layer.pose];
+    return {values.data + pose.first, pose.count};
 }
 
 const crowd::DofValue *find(base::Span<const crowd::DofValue> values, uint32_t dof)
@@ -22,10 +22,10 @@ const crowd::DofValue *find(base::Span<const crowd::DofValue> values, uint32_t d
 
 }  // namespace
 
-Face Face::of(uint32_t shape)
+Face Face::of(uint32_t pose)
 {
     Face face;
-    if (shape != model::none) face.layers[face.count++] = {shape, 1};
+    if (pose != model::none) face.entries[face.count++] = {pose, 1};
     return face;
 }
 
@@ -36,24 +36,24 @@ void Face::blend(const Face &other, double by)
         *this = other;
         return;
     }
-    for (uint32_t i = 0; i < count; ++i) layers[i].weight *= 1 - by;
-    for (uint32_t i = 0; i < other.count; ++i) layers[count++] = {other.layers[i].shape, other.layers[i].weight * by};
+    for (uint32_t i = 0; i < count; ++i) entries[i].weight *= 1 - by;
+    for (uint32_t i = 0; i < other.count; ++i) entries[count++] = {other.entries[i].pose, other.entries[i].weight * by};
 }
 
-void lay(const Face &face, base::Span<const crowd::Shape> shapes, base::Span<const crowd::DofValue> values,
-         Writer &writer) noexcept
+void apply_face(const Face &face, base::Span<const crowd::DofPose> poses, base::Span<const crowd::DofValue> values,
+                Writer &writer) noexcept
 {
     for (uint32_t i = 0; i < face.count; ++i) {
-        for (const crowd::DofValue &value : values_of(face.layers[i], shapes, values)) {
+        for (const crowd::DofValue &value : values_of(face.entries[i], poses, values)) {
             bool done = false;
             for (uint32_t k = 0; k < i && !done; ++k)
-                done = find(values_of(face.layers[k], shapes, values), value.dof) != nullptr;
+                done = find(values_of(face.entries[k], poses, values), value.dof) != nullptr;
             if (done) continue;
             double sum = 0, weight = 0;
             for (uint32_t k = i; k < face.count; ++k)
-                if (const crowd::DofValue *other = find(values_of(face.layers[k], shapes, values), value.dof)) {
-                    weight += face.layers[k].weight;
-                    sum += face.layers[k].weight * static_cast<double>(other->value);
+                if (const crowd::DofValue *other = find(values_of(face.entries[k], poses, values), value.dof)) {
+                    weight += face.entries[k].weight;
+                    sum += face.entries[k].weight * static_cast<double>(other->value);
                 }
             if (weight > 0)
                 writer.write(value.dof, static_cast<float>(sum / weight), static_cast<float>(weight < 1 ? weight : 1));

@@ -9,11 +9,11 @@ namespace
 {
 
 // One segment as a Bezier curve.
-struct Piece {
+struct BezierSegment {
     glm::dvec3 c[4];
 };
 
-Piece piece_of(const crowd::RootPath &path, uint32_t segment)
+BezierSegment bezier_segment_of(const crowd::RootPath &path, uint32_t segment)
 {
     const uint32_t n = static_cast<uint32_t>(path.positions.size());
     const uint32_t next = segment + 1 < n ? segment + 1 : 0;
@@ -23,20 +23,20 @@ Piece piece_of(const crowd::RootPath &path, uint32_t segment)
     return {{a, a + (b - before) * (1.0 / 6), b - (after - a) * (1.0 / 6), b}};
 }
 
-glm::dvec3 point(const Piece &p, double u)
+glm::dvec3 point(const BezierSegment &p, double u)
 {
     const double v = 1 - u;
     return p.c[0] * (v * v * v) + p.c[1] * (3 * v * v * u) + p.c[2] * (3 * v * u * u) + p.c[3] * (u * u * u);
 }
 
-glm::dvec3 velocity(const Piece &p, double u)
+glm::dvec3 velocity(const BezierSegment &p, double u)
 {
     const double v = 1 - u;
     return (p.c[1] - p.c[0]) * (v * v) + (p.c[2] - p.c[1]) * (2 * v * u) + (p.c[3] - p.c[2]) * (u * u);
 }
 
 // Where a curve stands still, the way it goes on.
-glm::dvec3 onward(const Piece &p, double u)
+glm::dvec3 onward(const BezierSegment &p, double u)
 {
     return (p.c[2] - p.c[1] * 2.0 + p.c[0]) * (1 - u) + (p.c[3] - p.c[2] * 2.0 + p.c[1]) * u;
 }
@@ -58,7 +58,7 @@ Where where(double at, uint32_t count)
 glm::dvec3 velocity_at(const crowd::RootPath &path, double at)
 {
     const Where w = where(at, static_cast<uint32_t>(path.positions.size()));
-    return velocity(piece_of(path, w.segment), w.u);
+    return velocity(bezier_segment_of(path, w.segment), w.u);
 }
 
 // [radians] to the left from one direction to another, seen from above: the first terms of the angle over its sine, which
@@ -102,7 +102,7 @@ glm::quat heading(const glm::dvec3 &along, double roll)
 double length_of(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 // The corners of halves of halves come close to the curve.
-double corners(const Piece &p, int halvings)
+double corners(const BezierSegment &p, int halvings)
 {
     if (halvings == 0)
         return std::fmax(std::fmax(length_of(p.c[0]), length_of(p.c[1])),
@@ -115,31 +115,32 @@ double corners(const Piece &p, int halvings)
 
 }  // namespace
 
-crowd::Place flown(const crowd::RootPath &path, double round_s) noexcept
+crowd::Transform flight_transform(const crowd::RootPath &path, double round_s) noexcept
 {
     const uint32_t count = static_cast<uint32_t>(path.positions.size());
     const double each_s = static_cast<double>(path.duration_s) / count, at = round_s / each_s;
     const Where w = where(at, count);
-    const Piece piece = piece_of(path, w.segment);
+    const BezierSegment piece = bezier_segment_of(path, w.segment);
     glm::dvec3 along = velocity(piece, w.u);
     if (length_of(along) < 1e-9 * length_of(onward(piece, w.u))) along = onward(piece, w.u);
     // The turn over the length of a segment: the curve's own bend jumps where segments meet.
     double roll = 0;
     if (path.bank != 0) {
         const double rate = turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5)) / each_s;
-        const double most = static_cast<double>(path.most_bank);
+        const double most = static_cast<double>(path.max_bank);
         roll = std::fmin(std::fmax(static_cast<double>(path.bank) * rate, -most), most);
     }
-    crowd::Place place;
-    place.position = point(piece, w.u);
-    place.orientation = heading(along, roll);
-    return place;
+    crowd::Transform transform;
+    transform.position = point(piece, w.u);
+    transform.orientation = heading(along, roll);
+    return transform;
 }
 
 double flight_reach(const crowd::RootPath &path)
 {
     double reach = 0;
-    for (uint32_t i = 0; i < path.positions.size(); ++i) reach = std::fmax(reach, corners(piece_of(path, i), 4));
+    for (uint32_t i = 0; i < path.positions.size(); ++i)
+        reach = std::fmax(reach, corners(bezier_segment_of(path, i), 4));
     return reach;
 }
 

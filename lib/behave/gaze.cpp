@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "lib/behave/mechanisms.h"
-#include "lib/math/place.h"
+#include "lib/math/eye_transform.h"
 #include "lib/math/trig.h"
 
 namespace claque::behave
@@ -20,23 +20,24 @@ double let_go(double yaw)
     return beyond > 0 ? yaw * (1 - ease(beyond, math::pi - in_the_back)) : yaw;
 }
 
-Look mixed(const Look &a, const Look &b, double by)
+GazeDirection mixed(const GazeDirection &a, const GazeDirection &b, double by)
 {
     return {a.yaw + (b.yaw - a.yaw) * by, a.pitch + (b.pitch - a.pitch) * by};
 }
 
-Look wandering(const crowd::Gaze &gaze, const Lot &lot, double clock_s)
+GazeDirection wandering(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s)
 {
     const double often = static_cast<double>(gaze.wander_s);
-    if (!(often > 0)) return Look();
+    if (!(often > 0)) return GazeDirection();
     // Mostly ahead: the sum of two draws.
-    const auto place = [&](int64_t k) {
-        return Look{(lot.unit(k, 0) + lot.unit(k, 1) - 1) * static_cast<double>(gaze.wander_yaw),
-                    (lot.unit(k, 2) + lot.unit(k, 3) - 1) * static_cast<double>(gaze.wander_pitch)};
+    const auto target = [&](int64_t k) {
+        return GazeDirection{
+            (random_slots.unit(k, 0) + random_slots.unit(k, 1) - 1) * static_cast<double>(gaze.wander_yaw),
+            (random_slots.unit(k, 2) + random_slots.unit(k, 3) - 1) * static_cast<double>(gaze.wander_pitch)};
     };
-    const Slot slot = uneven_slot_at(clock_s, often, lot);
+    const Slot slot = uneven_slot_at(clock_s, often, random_slots);
     const double turn = std::fmin(static_cast<double>(gaze.turn_s), 0.5 * often);
-    return mixed(place(slot.index - 1), place(slot.index), ease(clock_s - slot.begin_s, turn));
+    return mixed(target(slot.index - 1), target(slot.index), ease(clock_s - slot.begin_s, turn));
 }
 
 // What is left of a turn, part by part. A part takes its share, as far as its range lets it; below a level that does
@@ -44,12 +45,12 @@ Look wandering(const crowd::Gaze &gaze, const Lot &lot, double clock_s)
 struct Turn {
     const model::Rig &rig;
     Writer &writer;
-    Look rest;
+    GazeDirection rest;
 
     double share(uint32_t dof, double wanted, bool moves)
     {
         if (dof == model::none) return 0;
-        const float taken = held(rig.dofs[dof], static_cast<float>(wanted));
+        const float taken = clamped(rig.dofs[dof], static_cast<float>(wanted));
         if (moves) writer.write(dof, taken, 1);
         return static_cast<double>(taken);
     }
@@ -64,45 +65,47 @@ bool has(uint32_t a, uint32_t b) { return a != model::none || b != model::none; 
 
 }  // namespace
 
-Look target_of(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const crowd::Order &order,
-               const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
+GazeDirection target_of(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s,
+                        const crowd::Command &command, const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
 {
-    if (order.choice == model::none) return wandering(gaze, lot, clock_s);
-    const bool moves = crowd.behaviours().has_root_motion(row);
-    glm::dvec3 p(order.point);
+    if (command.choice == model::none) return wandering(gaze, random_slots, clock_s);
+    const bool moves = crowd.behaviours().has_root_path_play(row);
+    glm::dvec3 p(command.point);
     if (moves) {
-        const crowd::Place root = root_at(crowd, row, time_s);
+        const crowd::Transform root = root_transform_at(crowd, row, time_s);
         p = (p - root.position) * math::rotation_of(root.orientation);  // the transpose turns back
     }
     const glm::dvec3 v = p - glm::dvec3(gaze.eyes);
     const double level = std::sqrt(v.x * v.x + v.z * v.z), length = std::sqrt(level * level + v.y * v.y);
-    Look look{math::atan2(v.x, v.z), math::atan2(v.y, level)};
+    GazeDirection direction{math::atan2(v.x, v.z), math::atan2(v.y, level)};
     // Who is carried past a point must not turn its head over in one moment; who stands keeps to the side that it chose.
-    if (moves) look.yaw = let_go(look.yaw);
-    else if (std::fabs(look.yaw) > in_the_back && static_cast<double>(order.side) * look.yaw < 0)
-        look.yaw += look.yaw < 0 ? 2 * math::pi : -2 * math::pi;
+    if (moves) direction.yaw = let_go(direction.yaw);
+    else if (std::fabs(direction.yaw) > in_the_back && static_cast<double>(command.side) * direction.yaw < 0)
+        direction.yaw += direction.yaw < 0 ? 2 * math::pi : -2 * math::pi;
     // Straight up there is no yaw; it comes smoothly.
-    look.yaw *= ease(level, 0.17 * length);
-    return look;
+    direction.yaw *= ease(level, 0.17 * length);
+    return direction;
 }
 
-Look look_at(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const crowd::Command &told,
-             const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
+GazeDirection gaze_direction_at(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s,
+                                const crowd::CommandHistory &history, const crowd::Crowd &crowd, uint32_t row,
+                                double time_s) noexcept
 {
-    const auto under = [&](const crowd::Order &order) {
-        const double by = ease(time_s - order.at_s, static_cast<double>(gaze.turn_s));
-        const Look from{static_cast<double>(order.from_yaw), static_cast<double>(order.from_pitch)};
-        return mixed(from, target_of(gaze, lot, clock_s, order, crowd, row, time_s), by);
+    const auto under = [&](const crowd::Command &command) {
+        const double by = ease(time_s - command.at_s, static_cast<double>(gaze.turn_s));
+        const GazeDirection from{static_cast<double>(command.from_yaw), static_cast<double>(command.from_pitch)};
+        return mixed(from, target_of(gaze, random_slots, clock_s, command, crowd, row, time_s), by);
     };
-    if (time_s >= told.at_s) return under(told);
-    if (time_s >= told.before.at_s) return under(told.before);
-    return wandering(gaze, lot, clock_s);
+    if (time_s >= history.at_s) return under(history);
+    if (time_s >= history.before.at_s) return under(history.before);
+    return wandering(gaze, random_slots, clock_s);
 }
 
 void run(const crowd::Gaze &gaze, const Call &call, Writer &writer) noexcept
 {
-    const Look look = look_at(gaze, call.lot(base::Purpose::gaze), call.clock_s(), call.command(), call.crowd, call.row,
-                              call.moment.time_s);
+    const GazeDirection direction =
+        gaze_direction_at(gaze, call.random_slots(base::Purpose::gaze), call.clock_s(), call.command_history(),
+                          call.crowd, call.row, call.context.time_s);
     // Each level does without the finest part that is left; the last part without its pitch.
     const bool eyes = has(gaze.eye_yaw[0], gaze.eye_pitch[0]) || has(gaze.eye_yaw[1], gaze.eye_pitch[1]);
     const bool neck = has(gaze.neck_yaw, gaze.neck_pitch), spine = has(gaze.spine_yaw, gaze.spine_pitch);
@@ -110,7 +113,7 @@ void run(const crowd::Gaze &gaze, const Call &call, Writer &writer) noexcept
     const uint32_t left = call.level < parts ? parts - call.level : 1;
     const bool tilts = call.level < parts;
     const uint32_t with_neck = uint32_t(spine) + 1, with_eyes = with_neck + uint32_t(neck);
-    Turn turn{*writer.rig, writer, look};
+    Turn turn{*writer.rig, writer, direction};
     turn.take(gaze.spine_yaw, gaze.spine_pitch, static_cast<double>(gaze.spine_share), true, tilts);
     turn.take(gaze.neck_yaw, gaze.neck_pitch, static_cast<double>(gaze.neck_share), left >= with_neck,
               tilts && left >= with_neck);

@@ -10,9 +10,9 @@ void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noe
     told.actor = {id.index1, id.generation};
     told.level = call.level;
     told.seed = call.crowd.actor(call.row).seed;
-    told.time_s = call.moment.time_s;
-    told.eye_distance = call.moment.distance;
-    told.seen = call.moment.seen;
+    told.time_s = call.context.time_s;
+    told.eye_distance = call.context.distance;
+    told.visible = call.context.visible;
     host.run(host.user, &told, &writer);
 }
 

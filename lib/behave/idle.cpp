@@ -9,14 +9,15 @@ namespace
 {
 
 // Which draw: slot 0 has one more, of where slots begin.
-enum Draw : uint32_t { clip_drawn = 0, shift_drawn = 1, speed_drawn = 2, phase_drawn = 3 };
+enum Sample : uint32_t { clip_sample = 0, shift_sample = 1, speed_sample = 2, phase_sample = 3 };
 
-uint32_t clip_of(const crowd::Idle &idle, const Lot &lot, int64_t slot)
+uint32_t clip_of(const crowd::Idle &idle, const RandomSlots &random_slots, int64_t slot)
 {
-    if (idle.weights.empty()) return idle.clips[static_cast<size_t>(lot.bits(slot, clip_drawn) % idle.clips.size())];
+    if (idle.weights.empty())
+        return idle.clips[static_cast<size_t>(random_slots.bits(slot, clip_sample) % idle.clips.size())];
     double sum = 0;
     for (const float weight : idle.weights) sum += static_cast<double>(weight);
-    double left = lot.unit(slot, clip_drawn) * sum;
+    double left = random_slots.unit(slot, clip_sample) * sum;
     size_t last = 0;
     for (size_t k = 0; k < idle.clips.size(); ++k) {
         if (!(idle.weights[k] > 0)) continue;
@@ -29,21 +30,22 @@ uint32_t clip_of(const crowd::Idle &idle, const Lot &lot, int64_t slot)
 
 }  // namespace
 
-Plays drawn(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row, const crowd::Use &use,
-            double time_s) noexcept
+Plays idle_plays(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row,
+                 const crowd::MechanismAttachment &attachment, double time_s) noexcept
 {
-    const Lot lot = lot_of(crowd, row, use.mechanism, base::Purpose::idle);
-    const double length = static_cast<double>(idle.slot_s), shift = lot.unit(0, shift_drawn) * length;
-    const double clock = clock_of(use, time_s) + shift;
+    const RandomSlots random_slots = random_slots_of(crowd, row, attachment.mechanism, base::Purpose::idle);
+    const double length = static_cast<double>(idle.slot_s), shift = random_slots.unit(0, shift_sample) * length;
+    const double clock = clock_of(attachment, time_s) + shift;
     const Slot slot = slot_at(clock, length);
     const auto play_in = [&](int64_t index, double begin_s) {
         crowd::Play play;
-        play.clip = clip_of(idle, lot, index);
-        play.start_s = begin_s - shift - static_cast<double>(use.phase_s) + use.start_s;
+        play.clip = clip_of(idle, random_slots, index);
+        play.start_s = begin_s - shift - static_cast<double>(attachment.phase_s) + attachment.start_s;
         if (idle.speed_spread > 0)
-            play.speed = static_cast<float>(1 + (2 * lot.unit(index, speed_drawn) - 1) * double(idle.speed_spread));
+            play.speed =
+                static_cast<float>(1 + (2 * random_slots.unit(index, speed_sample) - 1) * double(idle.speed_spread));
         if (idle.phase_spread > 0)
-            play.phase_s = static_cast<float>(lot.unit(index, phase_drawn) * double(idle.phase_spread) *
+            play.phase_s = static_cast<float>(random_slots.unit(index, phase_sample) * double(idle.phase_spread) *
                                               double(crowd.template_of(row).rig.clips[play.clip].duration_s));
         return play;
     };

@@ -1,7 +1,7 @@
 // The kinds of control mechanisms: what each writes at a moment. A file for each.
 #pragma once
 
-#include "lib/behave/lot.h"
+#include "lib/behave/random_slots.h"
 #include "lib/behave/writer.h"
 
 namespace claque::behave
@@ -11,17 +11,20 @@ namespace claque::behave
 struct Call {
     const crowd::Crowd &crowd;
     uint32_t row;
-    const crowd::Use &use;
+    const crowd::MechanismAttachment &attachment;
     uint32_t level;
-    const Moment &moment;
+    const EvaluationContext &context;
 
-    const crowd::Mechanism &mechanism() const { return crowd.behaviours().mechanism(use.mechanism); }
-    double clock_s() const { return clock_of(use, moment.time_s); }
-    Lot lot(base::Purpose purpose) const { return lot_of(crowd, row, use.mechanism, purpose); }
-    crowd::Command command() const
+    const crowd::Mechanism &mechanism() const { return crowd.behaviours().mechanism(attachment.mechanism); }
+    double clock_s() const { return clock_of(attachment, context.time_s); }
+    RandomSlots random_slots(base::Purpose purpose) const
     {
-        const crowd::Command *told = crowd.behaviours().command_of(use);
-        return told ? *told : crowd::Command();
+        return random_slots_of(crowd, row, attachment.mechanism, purpose);
+    }
+    crowd::CommandHistory command_history() const
+    {
+        const crowd::CommandHistory *history = crowd.behaviours().command_history_of(attachment);
+        return history ? *history : crowd::CommandHistory();
     }
 };
 
@@ -34,18 +37,19 @@ void run(const crowd::Blink &blink, const Call &call, Writer &writer) noexcept;
 void run(const crowd::Phrase &phrase, const Call &call, Writer &writer) noexcept;
 void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noexcept;
 
-Plays drawn(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row, const crowd::Use &use,
-            double time_s) noexcept;
+Plays idle_plays(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row,
+                 const crowd::MechanismAttachment &attachment, double time_s) noexcept;
 
 // Where an actor looks: yaw to its left, pitch upwards, before anything is held to a range.
-struct Look {
+struct GazeDirection {
     double yaw = 0, pitch = 0;
 };
 // At a moment, as it was told to.
-Look look_at(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const crowd::Command &told,
-             const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
+GazeDirection gaze_direction_at(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s,
+                                const crowd::CommandHistory &history, const crowd::Crowd &crowd, uint32_t row,
+                                double time_s) noexcept;
 // Where one order alone ends.
-Look target_of(const crowd::Gaze &gaze, const Lot &lot, double clock_s, const crowd::Order &order,
-               const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
+GazeDirection target_of(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s,
+                        const crowd::Command &command, const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
 
 }  // namespace claque::behave

@@ -5,24 +5,24 @@
 namespace claque::behave
 {
 
-crowd::Place place_on(const crowd::RootPath &path, double round_s) noexcept
+crowd::Transform transform_on(const crowd::RootPath &path, double round_s) noexcept
 {
-    return path.flight ? flown(path, round_s) : looked_up(path, round_s);
+    return path.flight ? flight_transform(path, round_s) : table_transform(path, round_s);
 }
 
-crowd::Place root_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
+crowd::Transform root_transform_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept
 {
     const crowd::Behaviours &behaviours = crowd.behaviours();
-    if (!behaviours.has_root_motion(row)) return crowd::Place();
-    const crowd::RootMotion &motion = behaviours.root_motion(row);
-    const crowd::RootPath &path = behaviours.path(motion.path);
+    if (!behaviours.has_root_path_play(row)) return crowd::Transform();
+    const crowd::RootPathPlay &root_play = behaviours.root_path_play(row);
+    const crowd::RootPath &path = behaviours.path(root_play.path);
     const double duration = static_cast<double>(path.duration_s);
     const double clock =
-        static_cast<double>(motion.phase_s) + static_cast<double>(motion.speed) * (time_s - motion.start_s);
+        static_cast<double>(root_play.phase_s) + static_cast<double>(root_play.speed) * (time_s - root_play.start_s);
     double round = std::fmod(clock, duration);
     if (round < 0) round += duration;
     if (!(round >= 0 && round < duration)) round = 0;  // also of a clock that is beyond numbers
-    return place_on(path, round);
+    return transform_on(path, round);
 }
 
 float reach_of(const crowd::RootPath &path)

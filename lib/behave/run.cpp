@@ -10,19 +10,21 @@ double change(const Call &call, double t_s, double length_s) noexcept
     return call.level == 0 ? share : share >= 0.5 ? 1 : 0;
 }
 
-void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Span<float> dofs, Counts &counts) noexcept
+void run(const crowd::Crowd &crowd, uint32_t row, const EvaluationContext &context, base::Span<float> dofs,
+         Counts &counts) noexcept
 {
     const model::Rig &rig = crowd.template_of(row).rig;
     for (uint32_t i = 0; i < dofs.count; ++i) dofs[i] = rig.dofs[i].rest;
     const crowd::Behaviours &behaviours = crowd.behaviours();
-    Writer writer{&rig, moment.level, dofs, &counts};
-    uint32_t place = 0;
-    for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next, ++place) {
-        const uint32_t level = level_at(moment.levels, place);
-        const Call call{crowd, row, behaviours.use_at(i), level, moment};
+    Writer writer{&rig, context.level, dofs, &counts};
+    uint32_t slot = 0;
+    for (uint32_t i = behaviours.first_attachment(row); i != model::none;
+         i = behaviours.attachment_at(i).next, ++slot) {
+        const uint32_t level = mechanism_level(context.levels, slot);
+        const Call call{crowd, row, behaviours.attachment_at(i), level, context};
         const crowd::MechanismKind &kind = call.mechanism().kind;
         const crowd::HostMechanism *host = std::get_if<crowd::HostMechanism>(&kind);
-        if (level == off || (!moment.wanted && !(host && host->memory))) continue;
+        if (level == off || (!context.wanted && !(host && host->memory))) continue;
         ++counts.calls[kind.index()];
         if (host) run(*host, call, writer);
         if (const auto *gaze = std::get_if<crowd::Gaze>(&kind)) run(*gaze, call, writer);
@@ -32,23 +34,24 @@ void run(const crowd::Crowd &crowd, uint32_t row, const Moment &moment, base::Sp
     }
 }
 
-crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept
+crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept
 {
     return plays_at(crowd, row, time_s, levels).now;
 }
 
-Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Levels levels) noexcept
+Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept
 {
     const crowd::Behaviours &behaviours = crowd.behaviours();
-    const crowd::Use *last = nullptr;
+    const crowd::MechanismAttachment *last = nullptr;
     const crowd::Idle *idle = nullptr;
-    uint32_t place = 0;
-    for (uint32_t i = behaviours.first_use(row); i != model::none; i = behaviours.use_at(i).next, ++place) {
-        const crowd::Use &use = behaviours.use_at(i);
-        const auto *found = std::get_if<crowd::Idle>(&behaviours.mechanism(use.mechanism).kind);
-        if (found && level_at(levels, place) != off) last = &use, idle = found;
+    uint32_t slot = 0;
+    for (uint32_t i = behaviours.first_attachment(row); i != model::none;
+         i = behaviours.attachment_at(i).next, ++slot) {
+        const crowd::MechanismAttachment &attachment = behaviours.attachment_at(i);
+        const auto *found = std::get_if<crowd::Idle>(&behaviours.mechanism(attachment.mechanism).kind);
+        if (found && mechanism_level(levels, slot) != off) last = &attachment, idle = found;
     }
-    if (idle) return drawn(*idle, crowd, row, *last, time_s);
+    if (idle) return idle_plays(*idle, crowd, row, *last, time_s);
     Plays own;
     own.now = crowd.play_of(row);
     return own;

@@ -6,7 +6,7 @@
 namespace claque::behave
 {
 
-crowd::Place looked_up(const crowd::RootPath &path, double round_s) noexcept
+crowd::Transform table_transform(const crowd::RootPath &path, double round_s) noexcept
 {
     const auto after = std::upper_bound(path.times_s.begin(), path.times_s.end(), round_s,
                                         [](double t, float key) { return t < static_cast<double>(key); });
@@ -17,10 +17,10 @@ crowd::Place looked_up(const crowd::RootPath &path, double round_s) noexcept
     const glm::dvec3 a(path.positions[i]), b(path.positions[i + 1]);
     const glm::quat &p = path.rotations[i], &q = path.rotations[i + 1];
     const float from[4] = {p.x, p.y, p.z, p.w}, to[4] = {q.x, q.y, q.z, q.w};
-    crowd::Place place;
-    place.position = a + (b - a) * share;
-    place.orientation = math::slerp(from, to, share);
-    return place;
+    crowd::Transform transform;
+    transform.position = a + (b - a) * share;
+    transform.orientation = math::slerp(from, to, share);
+    return transform;
 }
 
 }  // namespace claque::behave

@@ -20,8 +20,8 @@ void clq_dof_writer::write(uint32_t dof, float value, float weight) noexcept
     if (dof >= dofs.count || !std::isfinite(value) || !(weight > 0)) return;
     if (!behave::is_active(*rig, *level, dof)) return;
     const model::Dof &d = rig->dofs[dof];
-    const float wanted = behave::held(d, value);
+    const float wanted = behave::clamped(d, value);
     float &there = dofs[dof];
-    there = weight < 1 ? behave::held(d, there + (wanted - there) * weight) : wanted;
+    there = weight < 1 ? behave::clamped(d, there + (wanted - there) * weight) : wanted;
     ++counts->writes;
 }

@@ -23,9 +23,9 @@ using Writer = ::clq_dof_writer;
 // Whether what it moves is evaluated at this level.
 bool is_active(const model::Rig &rig, const model::Level &level, uint32_t dof) noexcept;
 
-inline float held(const model::Dof &dof, float value) noexcept
+inline float clamped(const model::Dof &dof, float value) noexcept
 {
-    return value < dof.first ? dof.first : value > dof.last ? dof.last : value;
+    return value < dof.min ? dof.min : value > dof.max ? dof.max : value;
 }
 
 }  // namespace claque::behave

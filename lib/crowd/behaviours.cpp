@@ -38,11 +38,11 @@ Behaviours::Behaviours(std::pmr::memory_resource *memory)
     : mechanisms_(memory),
       written_(memory),
       paths_(memory),
-      first_use_(memory),
-      motions_(memory),
-      uses_(memory),
-      commands_(memory),
-      root_motions_(memory)
+      first_attachment_(memory),
+      root_path_play_of_(memory),
+      attachments_(memory),
+      command_histories_(memory),
+      root_path_plays_(memory)
 {
 }
 
@@ -71,136 +71,139 @@ uint32_t Behaviours::add(RootPath &&path)
 
 void Behaviours::reserve_row()
 {
-    reserve_one(first_use_);
-    reserve_one(motions_);
+    reserve_one(first_attachment_);
+    reserve_one(root_path_play_of_);
 }
 
 void Behaviours::push_row()
 {
-    first_use_.push_back(none);
-    motions_.push_back(none);
+    first_attachment_.push_back(none);
+    root_path_play_of_.push_back(none);
 }
 
-void Behaviours::free_use(uint32_t index)
+void Behaviours::free_attachment(uint32_t index)
 {
-    Use &use = uses_[index];
-    if (use.command != none) {
-        commands_[use.command].choice = free_command_;
-        free_command_ = use.command;
+    MechanismAttachment &attachment = attachments_[index];
+    if (attachment.command_history != none) {
+        command_histories_[attachment.command_history].choice = free_command_history_;
+        free_command_history_ = attachment.command_history;
     }
-    use = Use();
-    use.next = free_use_;
-    free_use_ = index;
+    attachment = MechanismAttachment();
+    attachment.next = free_attachment_;
+    free_attachment_ = index;
 }
 
 void Behaviours::clear_row(uint32_t row)
 {
-    while (first_use_[row] != none) {
-        const uint32_t index = first_use_[row];
-        first_use_[row] = uses_[index].next;
-        free_use(index);
+    while (first_attachment_[row] != none) {
+        const uint32_t index = first_attachment_[row];
+        first_attachment_[row] = attachments_[index].next;
+        free_attachment(index);
     }
-    move_root(row, RootMotion());
+    play_root_path(row, RootPathPlay());
 }
 
 bool Behaviours::blends(uint32_t row) const
 {
-    for (uint32_t i = first_use_[row]; any_blend_ && i != none; i = uses_[i].next)
-        if (const Idle *idle = std::get_if<Idle>(&mechanisms_[uses_[i].mechanism].kind); idle && idle->fade_s > 0)
+    for (uint32_t i = first_attachment_[row]; any_blend_ && i != none; i = attachments_[i].next)
+        if (const Idle *idle = std::get_if<Idle>(&mechanisms_[attachments_[i].mechanism].kind);
+            idle && idle->fade_s > 0)
             return true;
     return false;
 }
 
-uint32_t Behaviours::find_use(uint32_t row, uint32_t mechanism) const
+uint32_t Behaviours::find_attachment(uint32_t row, uint32_t mechanism) const
 {
-    uint32_t i = first_use_[row];
-    while (i != none && uses_[i].mechanism != mechanism) i = uses_[i].next;
+    uint32_t i = first_attachment_[row];
+    while (i != none && attachments_[i].mechanism != mechanism) i = attachments_[i].next;
     return i;
 }
 
 void Behaviours::unlink(uint32_t row, uint32_t index)
 {
-    uint32_t *link = &first_use_[row];
-    while (*link != index) link = &uses_[*link].next;
-    *link = uses_[index].next;
+    uint32_t *link = &first_attachment_[row];
+    while (*link != index) link = &attachments_[*link].next;
+    *link = attachments_[index].next;
 }
 
 // Behind all of its priority or less.
 void Behaviours::link(uint32_t row, uint32_t index)
 {
-    uint32_t *link = &first_use_[row];
-    while (*link != none && uses_[*link].priority <= uses_[index].priority) link = &uses_[*link].next;
-    uses_[index].next = *link;
+    uint32_t *link = &first_attachment_[row];
+    while (*link != none && attachments_[*link].priority <= attachments_[index].priority)
+        link = &attachments_[*link].next;
+    attachments_[index].next = *link;
     *link = index;
 }
 
-void Behaviours::use(uint32_t row, const Use &use)
+void Behaviours::attach_mechanism(uint32_t row, const MechanismAttachment &attachment)
 {
-    const uint32_t known = find_use(row, use.mechanism);
+    const uint32_t known = find_attachment(row, attachment.mechanism);
     if (known != none) {
-        Use &there = uses_[known];
-        const bool moves = there.priority != use.priority;
+        MechanismAttachment &there = attachments_[known];
+        const bool moves = there.priority != attachment.priority;
         if (moves) unlink(row, known);
-        there.priority = use.priority, there.phase_s = use.phase_s, there.start_s = use.start_s;
+        there.priority = attachment.priority, there.phase_s = attachment.phase_s, there.start_s = attachment.start_s;
         if (moves) link(row, known);
         return;
     }
     uint32_t count = 0;
-    for (uint32_t i = first_use_[row]; i != none; i = uses_[i].next) ++count;
-    if (count == most_uses) fail(CLQ_LIMIT, "an actor uses at most %u mechanisms", most_uses);
-    reserve_slot(uses_, free_use_);
-    const uint32_t index = take(uses_, free_use_, [](const Use &u) { return u.next; });
-    uses_[index] = use;
-    uses_[index].command = none;
+    for (uint32_t i = first_attachment_[row]; i != none; i = attachments_[i].next) ++count;
+    if (count == max_mechanisms) fail(CLQ_LIMIT, "an actor uses at most %u mechanisms", max_mechanisms);
+    reserve_slot(attachments_, free_attachment_);
+    const uint32_t index = take(attachments_, free_attachment_, [](const MechanismAttachment &u) { return u.next; });
+    attachments_[index] = attachment;
+    attachments_[index].command_history = none;
     link(row, index);
 }
 
-void Behaviours::drop(uint32_t row, uint32_t mechanism)
+void Behaviours::detach_mechanism(uint32_t row, uint32_t mechanism)
 {
-    const uint32_t index = find_use(row, mechanism);
+    const uint32_t index = find_attachment(row, mechanism);
     if (index == none) return;
     unlink(row, index);
-    free_use(index);
+    free_attachment(index);
 }
 
-Command &Behaviours::command(uint32_t row, uint32_t mechanism)
+CommandHistory &Behaviours::command_history(uint32_t row, uint32_t mechanism)
 {
-    const uint32_t index = find_use(row, mechanism);
+    const uint32_t index = find_attachment(row, mechanism);
     if (index == none) fail(CLQ_ARGUMENT, "the actor does not use mechanism %u", mechanism + 1);
-    if (uses_[index].command == none) {
-        reserve_slot(commands_, free_command_);
-        uses_[index].command = take(commands_, free_command_, [](const Command &c) { return c.choice; });
+    if (attachments_[index].command_history == none) {
+        reserve_slot(command_histories_, free_command_history_);
+        attachments_[index].command_history =
+            take(command_histories_, free_command_history_, [](const CommandHistory &c) { return c.choice; });
     }
-    return commands_[uses_[index].command];
+    return command_histories_[attachments_[index].command_history];
 }
 
-void Behaviours::move_root(uint32_t row, const RootMotion &motion)
+void Behaviours::play_root_path(uint32_t row, const RootPathPlay &root_play)
 {
-    uint32_t &slot = motions_[row];
-    if (motion.path == none) {
+    uint32_t &slot = root_path_play_of_[row];
+    if (root_play.path == none) {
         if (slot == none) return;
-        root_motions_[slot].path = free_motion_;
-        free_motion_ = slot;
+        root_path_plays_[slot].path = free_root_path_play_;
+        free_root_path_play_ = slot;
         slot = none;
         return;
     }
     if (slot == none) {
-        reserve_slot(root_motions_, free_motion_);
-        slot = take(root_motions_, free_motion_, [](const RootMotion &m) { return m.path; });
+        reserve_slot(root_path_plays_, free_root_path_play_);
+        slot = take(root_path_plays_, free_root_path_play_, [](const RootPathPlay &m) { return m.path; });
     }
-    root_motions_[slot] = motion;
+    root_path_plays_[slot] = root_play;
 }
 
 void Behaviours::copy_row(uint32_t from, uint32_t to)
 {
     try {
-        for (uint32_t i = first_use_[from]; i != none; i = uses_[i].next) {
-            use(to, Use(uses_[i]));
-            if (uses_[i].command == none) continue;
-            const Command told = commands_[uses_[i].command];
-            command(to, uses_[i].mechanism) = told;
+        for (uint32_t i = first_attachment_[from]; i != none; i = attachments_[i].next) {
+            attach_mechanism(to, MechanismAttachment(attachments_[i]));
+            if (attachments_[i].command_history == none) continue;
+            const CommandHistory history = command_histories_[attachments_[i].command_history];
+            command_history(to, attachments_[i].mechanism) = history;
         }
-        if (has_root_motion(from)) move_root(to, RootMotion(root_motion(from)));
+        if (has_root_path_play(from)) play_root_path(to, RootPathPlay(root_path_play(from)));
     } catch (...) {
         clear_row(to);
         throw;
@@ -210,9 +213,10 @@ void Behaviours::copy_row(uint32_t from, uint32_t to)
 uint64_t Behaviours::bytes() const
 {
     return mechanisms_.capacity() * sizeof(Mechanism) + written_.capacity() * sizeof(uint32_t) +
-           paths_.capacity() * sizeof(RootPath) + (first_use_.capacity() + motions_.capacity()) * sizeof(uint32_t) +
-           uses_.capacity() * sizeof(Use) + commands_.capacity() * sizeof(Command) +
-           root_motions_.capacity() * sizeof(RootMotion);
+           paths_.capacity() * sizeof(RootPath) +
+           (first_attachment_.capacity() + root_path_play_of_.capacity()) * sizeof(uint32_t) +
+           attachments_.capacity() * sizeof(MechanismAttachment) +
+           command_histories_.capacity() * sizeof(CommandHistory) + root_path_plays_.capacity() * sizeof(RootPathPlay);
 }
 
 }  // namespace claque::crowd

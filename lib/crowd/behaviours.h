@@ -28,26 +28,27 @@ public:
     // Rows.
     void reserve_row();
     void push_row();
-    void pop_row() { first_use_.pop_back(), motions_.pop_back(); }  // a clear one
+    void pop_row() { first_attachment_.pop_back(), root_path_play_of_.pop_back(); }  // a clear one
     void clear_row(uint32_t row);
     void copy_row(uint32_t from, uint32_t to);  // `to` is clear; may throw and then it is still
 
-    void use(uint32_t row, const Use &use);
-    void drop(uint32_t row, uint32_t mechanism);
-    Command &command(uint32_t row,
-                     uint32_t mechanism);  // of this use, made when there is none yet; throws CLQ_ARGUMENT
-    void move_root(uint32_t row, const RootMotion &motion);
+    void attach_mechanism(uint32_t row, const MechanismAttachment &attachment);
+    void detach_mechanism(uint32_t row, uint32_t mechanism);
+    CommandHistory &command_history(
+        uint32_t row,
+        uint32_t mechanism);  // of this use, made when there is none yet; throws CLQ_ARGUMENT
+    void play_root_path(uint32_t row, const RootPathPlay &root_play);
 
     bool blends(uint32_t row) const;  // whether idle clips fade into each other
-    bool has_uses(uint32_t row) const { return first_use_[row] != model::none; }
-    uint32_t first_use(uint32_t row) const { return first_use_[row]; }
-    const Use &use_at(uint32_t i) const { return uses_[i]; }
-    const Command *command_of(const Use &use) const
+    bool has_mechanisms(uint32_t row) const { return first_attachment_[row] != model::none; }
+    uint32_t first_attachment(uint32_t row) const { return first_attachment_[row]; }
+    const MechanismAttachment &attachment_at(uint32_t i) const { return attachments_[i]; }
+    const CommandHistory *command_history_of(const MechanismAttachment &attachment) const
     {
-        return use.command == model::none ? nullptr : &commands_[use.command];
+        return attachment.command_history == model::none ? nullptr : &command_histories_[attachment.command_history];
     }
-    bool has_root_motion(uint32_t row) const { return motions_[row] != model::none; }
-    const RootMotion &root_motion(uint32_t row) const { return root_motions_[motions_[row]]; }
+    bool has_root_path_play(uint32_t row) const { return root_path_play_of_[row] != model::none; }
+    const RootPathPlay &root_path_play(uint32_t row) const { return root_path_plays_[root_path_play_of_[row]]; }
 
     bool any_host() const { return any_host_; }      // whether there is a mechanism of the host's
     bool any_blend() const { return any_blend_; }    // whether there are idle clips that fade into each other
@@ -56,20 +57,20 @@ public:
 
 private:
     bool any_host_ = false, any_memory_ = false, any_blend_ = false;
-    uint32_t find_use(uint32_t row, uint32_t mechanism) const;  // none: it does not
+    uint32_t find_attachment(uint32_t row, uint32_t mechanism) const;  // none: it does not
     void link(uint32_t row, uint32_t index);
     void unlink(uint32_t row, uint32_t index);
-    void free_use(uint32_t index);
+    void free_attachment(uint32_t index);
 
     Array<Mechanism> mechanisms_;
     Array<uint32_t> written_;
     Array<RootPath> paths_;
-    Array<uint32_t> first_use_;  // by row
-    Array<uint32_t> motions_;    // by row, of root_motions_
-    Array<Use> uses_;
-    Array<Command> commands_;
-    Array<RootMotion> root_motions_;
-    uint32_t free_use_ = model::none, free_command_ = model::none, free_motion_ = model::none;
+    Array<uint32_t> first_attachment_;   // by row
+    Array<uint32_t> root_path_play_of_;  // by row, of root_motions_
+    Array<MechanismAttachment> attachments_;
+    Array<CommandHistory> command_histories_;
+    Array<RootPathPlay> root_path_plays_;
+    uint32_t free_attachment_ = model::none, free_command_history_ = model::none, free_root_path_play_ = model::none;
 };
 
 }  // namespace claque::crowd

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "lib/base/error.h"
-#include "lib/crowd/colour_lots.h"
+#include "lib/crowd/colour_sample.h"
 #include "lib/model/colour_rules.h"
 
 namespace claque::crowd
@@ -16,8 +16,7 @@ namespace
 
 model::HsbRange range_of(const clq_hsb_range &r)
 {
-    return {r.hue_first_deg,   r.hue_last_deg,     r.saturation_first,
-            r.saturation_last, r.brightness_first, r.brightness_last};
+    return {r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max};
 }
 
 size_t bytes_of(const char *text) { return text ? std::strlen(text) + 1 : 0; }
@@ -25,25 +24,25 @@ size_t bytes_of(const char *text) { return text ? std::strlen(text) + 1 : 0; }
 }  // namespace
 
 ColourMap::ColourMap(std::pmr::memory_resource *memory, const clq_colour_map_def &def)
-    : def_(def), texts_(memory), classes_(memory), zones_(memory), dyes_(memory), table_of_(memory), tables_(memory)
+    : def_(def), texts_(memory), classes_(memory), zones_(memory), palette_(memory), table_of_(memory), tables_(memory)
 {
     const model::BrokenColourRule rule = model::first_broken_rule(def);
     if (rule.broken) fail(CLQ_ARGUMENT, "%s", rule.text.c_str());
-    size_t text_bytes = 0, zones = 0, dyes = 0;
+    size_t text_bytes = 0, zones = 0, palette = 0;
     for (uint32_t c = 0; c < def.class_count; ++c) {
         const clq_colour_class &colours = def.classes[c];
         text_bytes += bytes_of(colours.name) + bytes_of(colours.tmpl);
         zones += colours.zone_count;
         for (uint32_t z = 0; z < colours.zone_count; ++z) {
-            text_bytes += bytes_of(colours.zones[z].zone) + bytes_of(colours.zones[z].like);
-            dyes += colours.zones[z].dye_count;
+            text_bytes += bytes_of(colours.zones[z].zone) + bytes_of(colours.zones[z].linked_to);
+            palette += colours.zones[z].palette_count;
         }
     }
     // What is pointed into must not move.
     texts_.reserve(text_bytes);
     classes_.reserve(def.class_count);
     zones_.reserve(zones);
-    dyes_.reserve(dyes);
+    palette_.reserve(palette);
     for (uint32_t c = 0; c < def.class_count; ++c) {
         clq_colour_class colours = def.classes[c];
         const clq_zone_colours *given = colours.zones;
@@ -53,13 +52,13 @@ ColourMap::ColourMap(std::pmr::memory_resource *memory, const clq_colour_map_def
         for (uint32_t z = 0; z < colours.zone_count; ++z) {
             clq_zone_colours zone = given[z];
             zone.zone = keep(zone.zone);
-            zone.like = keep(zone.like);
-            zone.dyes = dyes_.data() + dyes_.size();
-            for (uint32_t d = 0; d < zone.dye_count; ++d) {
-                dyes_.push_back(given[z].dyes[d]);
-                const bool even = zone.uniform == CLQ_UNIFORM_PERCEIVED;
+            zone.linked_to = keep(zone.linked_to);
+            zone.palette = palette_.data() + palette_.size();
+            for (uint32_t d = 0; d < zone.palette_count; ++d) {
+                palette_.push_back(given[z].palette[d]);
+                const bool even = zone.colour_space == CLQ_COLOUR_SPACE_OKLAB;
                 table_of_.push_back(even ? static_cast<uint32_t>(tables_.size()) : model::none);
-                if (even) tables_.emplace_back(memory, range_of(dyes_.back().range));
+                if (even) tables_.emplace_back(memory, range_of(palette_.back().range));
             }
             zones_.push_back(zone);
         }
@@ -86,24 +85,24 @@ ColourRecipe::ColourRecipe(std::pmr::memory_resource *memory, const ColourMap &m
     const clq_colour_class &colours = def.classes[colour_class];
     own_.reserve(tmpl.zone_count());
     for (const model::HsbRange &r : tmpl.zone_ranges)
-        own_.push_back({{r.hue_first_deg, r.hue_last_deg, r.saturation_first, r.saturation_last, r.brightness_first,
-                         r.brightness_last},
-                        1});
+        own_.push_back(
+            {{r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max},
+             1});
     for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone) zones_.push_back({&own_[zone], 1, false, zone, 0});
     // Those that others are like first, since these may take over their dyes.
-    for (const bool likes : {false, true})
+    for (const bool linked : {false, true})
         for (uint32_t z = 0; z < colours.zone_count; ++z) {
             const clq_zone_colours &from = colours.zones[z];
-            if ((from.like != nullptr) != likes) continue;
+            if ((from.linked_to != nullptr) != linked) continue;
             Zone &to = zones_[zone_named(tmpl, from.zone, colours)];
-            if (likes) {
-                const uint32_t leader = zone_named(tmpl, from.like, colours);
+            if (linked) {
+                const uint32_t leader = zone_named(tmpl, from.linked_to, colours);
                 to = zones_[leader];
-                to.apart = from.apart;
+                to.variation = from.variation;
             }
-            if (from.dye_count == 0) continue;
-            to.dyes = from.dyes;
-            to.dye_count = from.dye_count;
+            if (from.palette_count == 0) continue;
+            to.palette = from.palette;
+            to.palette_count = from.palette_count;
             to.of_map = true;
         }
 }
@@ -118,18 +117,19 @@ uint32_t ColourRecipe::zone_named(const model::Template &tmpl, const char *name,
          tmpl.name.c_str(), names.c_str());
 }
 
-void ColourRecipe::draw(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const
+void ColourRecipe::sample(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const
 {
     const Zone &from = zones_[zone];
-    ColourLots lots(crowd_seed, seed, from.lots);
-    if (from.apart > 0) lots.move(crowd_seed, seed, zone, double(from.apart));
+    ColourSample sample(crowd_seed, seed, from.sample_zone);
+    if (from.variation > 0) sample.vary(crowd_seed, seed, zone, double(from.variation));
     double sum = 0;
-    for (uint32_t i = 0; i < from.dye_count; ++i) sum += double(from.dyes[i].weight);
-    double left = lots.dye * sum;
-    uint32_t dye = 0;
-    while (dye + 1 < from.dye_count && left >= double(from.dyes[dye].weight)) left -= double(from.dyes[dye++].weight);
-    const Perceived *even = from.of_map ? map_.perceived(from.dyes + dye) : nullptr;
-    rgb_of(even ? even->at(lots.place) : lots.in(range_of(from.dyes[dye].range)), out_rgb);
+    for (uint32_t i = 0; i < from.palette_count; ++i) sum += double(from.palette[i].weight);
+    double left = sample.entry * sum;
+    uint32_t entry = 0;
+    while (entry + 1 < from.palette_count && left >= double(from.palette[entry].weight))
+        left -= double(from.palette[entry++].weight);
+    const OklabSampler *even = from.of_map ? map_.oklab_sampler(from.palette + entry) : nullptr;
+    rgb_of(even ? even->at(sample.hsb) : sample.in(range_of(from.palette[entry].range)), out_rgb);
 }
 
 }  // namespace claque::crowd

@@ -3,7 +3,7 @@
 
 #include <claque/colours.h>
 
-#include "lib/crowd/perceived.h"
+#include "lib/crowd/oklab_sampler.h"
 #include "lib/model/template.h"
 
 namespace claque::crowd
@@ -19,9 +19,9 @@ public:
 
     const clq_colour_map_def &def() const { return def_; }
     // Of one of its dyes; null: uniform in HSB.
-    const Perceived *perceived(const clq_dye *dye) const
+    const OklabSampler *oklab_sampler(const clq_palette_entry *entry) const
     {
-        const uint32_t table = table_of_[static_cast<size_t>(dye - dyes_.data())];
+        const uint32_t table = table_of_[static_cast<size_t>(entry - palette_.data())];
         return table == model::none ? nullptr : &tables_[table];
     }
 
@@ -32,9 +32,9 @@ private:
     std::pmr::vector<char> texts_;
     std::pmr::vector<clq_colour_class> classes_;
     std::pmr::vector<clq_zone_colours> zones_;
-    std::pmr::vector<clq_dye> dyes_;
+    std::pmr::vector<clq_palette_entry> palette_;
     std::pmr::vector<uint32_t> table_of_;  // one a dye
-    std::pmr::vector<Perceived> tables_;
+    std::pmr::vector<OklabSampler> tables_;
 };
 
 // A class of a map for one template, zone by zone; the map and the template have to outlive it.
@@ -47,20 +47,20 @@ public:
     ColourRecipe(ColourRecipe &&) = default;
 
     uint32_t zone_count() const { return static_cast<uint32_t>(zones_.size()); }
-    void draw(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const;
+    void sample(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const;
 
 private:
     struct Zone {
-        const clq_dye *dyes;
-        uint32_t dye_count;
-        bool of_map;    // else the template's own range
-        uint32_t lots;  // the zone whose lots it takes: itself, or the one that it is like
-        float apart;
+        const clq_palette_entry *palette;
+        uint32_t palette_count;
+        bool of_map;           // else the template's own range
+        uint32_t sample_zone;  // the zone whose lots it takes: itself, or the one that it is like
+        float variation;
     };
     uint32_t zone_named(const model::Template &tmpl, const char *name, const clq_colour_class &by) const;
 
     const ColourMap &map_;
-    std::pmr::vector<clq_dye> own_;  // the template's ranges
+    std::pmr::vector<clq_palette_entry> own_;  // the template's ranges
     std::pmr::vector<Zone> zones_;
 };
 

@@ -32,7 +32,7 @@ Crowd::Crowd(std::pmr::memory_resource *memory, uint64_t seed)
       templates_(memory),
       colours_(memory),
       actors_(memory),
-      places_(memory),
+      transforms_(memory),
       groups_of_(memory),
       groups_(memory),
       plays_(memory),
@@ -66,7 +66,7 @@ void Crowd::reserve_row()
     if (first_free_ != model::none) return;
     if (actors_.size() >= max_rows) fail(CLQ_LIMIT, "a crowd holds at most %u actors", max_rows);
     reserve_one(actors_);
-    reserve_one(places_);
+    reserve_one(transforms_);
     reserve_one(groups_of_);
     reserve_one(plays_);
     reserve_one(extents_);
@@ -85,7 +85,7 @@ uint32_t Crowd::take_row()
         return row;
     }
     actors_.emplace_back();
-    places_.emplace_back();
+    transforms_.emplace_back();
     groups_of_.push_back(model::none);
     plays_.emplace_back();
     extents_.emplace_back();
@@ -95,9 +95,9 @@ uint32_t Crowd::take_row()
     return static_cast<uint32_t>(actors_.size() - 1);
 }
 
-Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &play, uint64_t seed)
+Id Crowd::create(const model::Template &tmpl, const Transform &transform, const Play &play, uint64_t seed)
 {
-    const Place placed = checked(place);
+    const Transform placed = checked(transform);
     check_play(play, tmpl);
     const Play playing = play;  // which may be a column's, and columns grow below
     const uint32_t index =
@@ -115,17 +115,17 @@ Id Crowd::create(const model::Template &tmpl, const Place &place, const Play &pl
     }
     const uint32_t row = take_row();
     actors_[row] = Actor{index, actors_[row].generation + 1, seed, next_version_++, model::none, 0};
-    places_[row] = placed;
+    transforms_[row] = placed;
     plays_[row] = playing;
     extents_[row].priority = 0;
     measure(row);
     return id_of(row);
 }
 
-Id Crowd::clone(Id id, const Place *place, uint64_t seed)
+Id Crowd::clone(Id id, const Transform *transform, uint64_t seed)
 {
     const uint32_t from = row_of(id);
-    const Place placed = checked(place ? *place : places_[from]);
+    const Transform placed = checked(transform ? *transform : transforms_[from]);
     const uint32_t rows = row_count();
     const Id made = create(template_of(from), placed, plays_[from], seed);
     const uint32_t row = made.index1 - 1;
@@ -133,10 +133,10 @@ Id Crowd::clone(Id id, const Place *place, uint64_t seed)
         behaviours_.copy_row(from, row);
         layers_.copy_row(from, row);
         if (const Extra *extra = extra_of(from)) {
-            const Extra like = *extra;
+            const Extra original = *extra;
             Extra &own = extras_[extra_slot(row)];
-            own.hooks = like.hooks;
-            own.most_up = like.most_up, own.most_down = like.most_down;
+            own.hooks = original.hooks;
+            own.max_up = original.max_up, own.max_down = original.max_down;
         }
         if (const uint8_t *rgb = zone_rgb(from)) {
             const uint32_t slot = colour_slot(row);
@@ -165,7 +165,7 @@ void Crowd::take_back(uint32_t row, uint32_t rows_before)
     actors_[row].generation = generation;
     first_free_ = row < rows_before ? row : actors_[row].tmpl;
     if (row < rows_before) return;
-    actors_.pop_back(), places_.pop_back(), groups_of_.pop_back(), plays_.pop_back();
+    actors_.pop_back(), transforms_.pop_back(), groups_of_.pop_back(), plays_.pop_back();
     extents_.pop_back(), extras_of_.pop_back(), behaviours_.pop_row(), layers_.pop_row();
 }
 
@@ -180,7 +180,7 @@ void Crowd::destroy(Id id)
     Actor &actor = actors_[row];
     if (actor.colours != model::none) colours_[actor.tmpl].give_back(actor.colours);
     actor = Actor{first_free_, actor.generation + 1, 0, 0, model::none, 0};
-    places_[row] = Place();
+    transforms_[row] = Transform();
     plays_[row] = Play();
     extents_[row] = Extent();
     // A row whose generations are used up stays empty, so that no old id comes to life again.
@@ -189,37 +189,37 @@ void Crowd::destroy(Id id)
     ++structure_version_;
 }
 
-void Crowd::use(Id id, const Use &use)
+void Crowd::attach_mechanism(Id id, const MechanismAttachment &attachment)
 {
     const uint32_t row = row_of(id);
-    if (use.mechanism >= behaviours_.mechanism_count())
-        fail(CLQ_ARGUMENT, "mechanism %u of %u", use.mechanism + 1, behaviours_.mechanism_count());
-    const model::Template *tmpl = behaviours_.mechanism(use.mechanism).tmpl;
+    if (attachment.mechanism >= behaviours_.mechanism_count())
+        fail(CLQ_ARGUMENT, "mechanism %u of %u", attachment.mechanism + 1, behaviours_.mechanism_count());
+    const model::Template *tmpl = behaviours_.mechanism(attachment.mechanism).tmpl;
     if (tmpl != &template_of(row))
-        fail(CLQ_ARGUMENT, "mechanism %u is of template '%s', the actor of '%s'", use.mechanism + 1,
+        fail(CLQ_ARGUMENT, "mechanism %u is of template '%s', the actor of '%s'", attachment.mechanism + 1,
              tmpl ? tmpl->name.c_str() : "(none)", template_of(row).name.c_str());
-    if (!std::isfinite(use.priority) || !std::isfinite(use.phase_s) || !std::isfinite(use.start_s))
+    if (!std::isfinite(attachment.priority) || !std::isfinite(attachment.phase_s) || !std::isfinite(attachment.start_s))
         fail(CLQ_ARGUMENT, "priority, phase and start of a mechanism's use are %g, %g and %g: they must be finite",
-             double(use.priority), double(use.phase_s), use.start_s);
-    behaviours_.use(row, use);
+             double(attachment.priority), double(attachment.phase_s), attachment.start_s);
+    behaviours_.attach_mechanism(row, attachment);
     new_version(row);
     measure(row);
 }
 
-void Crowd::drop(Id id, uint32_t mechanism)
+void Crowd::detach_mechanism(Id id, uint32_t mechanism)
 {
     const uint32_t row = row_of(id);
-    behaviours_.drop(row, mechanism);
+    behaviours_.detach_mechanism(row, mechanism);
     new_version(row);
     measure(row);
 }
 
-Command &Crowd::command(Id id, uint32_t mechanism)
+CommandHistory &Crowd::command_history(Id id, uint32_t mechanism)
 {
     const uint32_t row = row_of(id);
-    Command &command = behaviours_.command(row, mechanism);
+    CommandHistory &command_history = behaviours_.command_history(row, mechanism);
     new_version(row);
-    return command;
+    return command_history;
 }
 
 void Crowd::play(Id id, const Play &play)
@@ -231,15 +231,15 @@ void Crowd::play(Id id, const Play &play)
     new_version(row);
 }
 
-void Crowd::place(const Id *ids, const Place *places, uint32_t count)
+void Crowd::set_transforms(const Id *ids, const Transform *transforms, uint32_t count)
 {
     for (uint32_t i = 0; i < count; ++i) {
         row_of(ids[i]);
-        checked(places[i]);
+        checked(transforms[i]);
     }
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t row = ids[i].index1 - 1;
-        places_[row] = places[i];
+        transforms_[row] = transforms[i];
         touch_group(row);
     }
 }
@@ -259,12 +259,12 @@ size_t Crowd::colour_bytes() const
 
 uint64_t Crowd::bytes() const
 {
-    uint64_t sum = actors_.capacity() * sizeof(Actor) + places_.capacity() * sizeof(Place) +
+    uint64_t sum = actors_.capacity() * sizeof(Actor) + transforms_.capacity() * sizeof(Transform) +
                    plays_.capacity() * sizeof(Play) + groups_of_.capacity() * sizeof(uint32_t) +
                    groups_.capacity() * sizeof(Group) + templates_.capacity() * sizeof(void *) +
                    colours_.capacity() * sizeof(ColourTable) + extents_.capacity() * sizeof(Extent) +
                    extras_of_.capacity() * sizeof(uint32_t) + extras_.capacity() * sizeof(Extra) +
-                   attached_.capacity() * sizeof(Attached) + behaviours_.bytes() + layers_.bytes() +
+                   attached_.capacity() * sizeof(Attachment) + behaviours_.bytes() + layers_.bytes() +
                    watched_.capacity() * sizeof(uint32_t);
     for (const ColourTable &table : colours_) sum += table.bytes();
     return sum;

@@ -10,7 +10,7 @@
 #include "lib/crowd/colours.h"
 #include "lib/crowd/extras.h"
 #include "lib/crowd/layers.h"
-#include "lib/crowd/place.h"
+#include "lib/crowd/transform.h"
 #include "lib/model/template.h"
 
 namespace claque::crowd
@@ -23,7 +23,7 @@ struct Id {
     uint32_t generation = 0;
 };
 
-constexpr uint32_t drawn_by_lot = model::none;  // for Crowd::set_texture_set
+constexpr uint32_t random_texture_set = model::none;  // for Crowd::set_texture_set
 
 // What lasts as long as an individual does.
 struct Actor {
@@ -37,7 +37,7 @@ struct Actor {
 
 // Actors that are tested and moved together: a vehicle with its occupants, a flock, a block of seats (S0 4.3, 8).
 struct Group {
-    Place place;              // of the group's space in the world
+    Transform transform;      // of the group's space in the world
     uint32_t generation = 0;  // odd while it exists
     uint32_t members = 0;
     bool enabled = true;   // the members of a disabled group are nowhere to be seen
@@ -56,34 +56,34 @@ public:
     Crowd &operator=(const Crowd &) = delete;
 
     // The template must outlive the crowd; `has_template` tells beforehand whether it will be a new one to hold.
-    Id create(const model::Template &tmpl, const Place &place, const Play &play, uint64_t seed);
+    Id create(const model::Template &tmpl, const Transform &transform, const Play &play, uint64_t seed);
     void destroy(Id id);
     void play(Id id, const Play &play);
-    void place(const Id *ids, const Place *places, uint32_t count);  // all or none
-    void set_colours(Id id, const float *rgb, uint32_t zone_count);  // [3 * zone_count], each [0, 1]
+    void set_transforms(const Id *ids, const Transform *transforms, uint32_t count);  // all or none
+    void set_colours(Id id, const float *rgb, uint32_t zone_count);                   // [3 * zone_count], each [0, 1]
     // count 0: the template's own ranges. Drawn by (seed of crowd, seed of actor, zone): repeatable.
-    void draw_colours(Id id, const model::HsbRange *ranges, uint32_t count);
+    void randomise_colours(Id id, const model::HsbRange *ranges, uint32_t count);
     // Out of a class of a map; all or none.
-    void draw_colours(const Id *ids, uint32_t count, const ColourMap &map, uint32_t colour_class);
+    void randomise_colours(const Id *ids, uint32_t count, const ColourMap &map, uint32_t colour_class);
 
     void set_texture_set(Id id, uint32_t set);  // drawn_by_lot: by the seeds of crowd and actor
 
     // An individual like another: everything but what is attached to it. `place` null: the other's own.
-    Id clone(Id id, const Place *place, uint64_t seed);
+    Id clone(Id id, const Transform *transform, uint64_t seed);
     void set_priority(Id id, float priority);  // [0, 1]
     Id attach(Id id, uint32_t node, const model::Sphere &sphere);
     void detach(Id attached);
     void set_hooks(Id id, const clq_actor_hooks &hooks);                               // both null: none
     void set_ground(double (*height)(void *user, const double point[3]), void *user);  // null: none
-    void follow_ground(Id id, float most_up, float most_down);                         // world units; both 0: not
+    void follow_ground(Id id, float max_up, float max_down);                           // world units; both 0: not
 
     // Behaviour (S0 5.3, 7.1). Descriptions go to behaviours() directly.
     Behaviours &behaviours() { return behaviours_; }
     const Behaviours &behaviours() const { return behaviours_; }
-    void use(Id id, const Use &use);
-    void drop(Id id, uint32_t mechanism);
-    Command &command(Id id, uint32_t mechanism);  // of this use, for the caller to change
-    void move_root(Id id, const RootMotion &motion);
+    void attach_mechanism(Id id, const MechanismAttachment &attachment);
+    void detach_mechanism(Id id, uint32_t mechanism);
+    CommandHistory &command_history(Id id, uint32_t mechanism);  // of this use, for the caller to change
+    void play_root_path(Id id, const RootPathPlay &root_play);
 
     // Fades, gaits and gestures (layers.h). Descriptions go to layers() directly.
     Layers &layers() { return layers_; }
@@ -94,18 +94,18 @@ public:
     // What is told for a time before the last fade's replaces that one.
     void fade_to(Id id, const Source &source, double at_s, float length_s, Curve curve);
     void change_share(Id id, float share, double at_s, float length_s);
-    uint32_t add_gesture(Id id, const Gesture &gesture);  // its name
-    void end_gesture(Id id, uint32_t serial, double at_s, float fade_out_s);
-    Layering layering_of(uint32_t row) const;
+    uint32_t add_layer(Id id, const Layer &layer);  // its name
+    void end_layer(Id id, uint32_t layer_id, double at_s, float fade_out_s);
+    LayerState layer_state_of(uint32_t row) const;
     void watch(Id id, bool watched);  // whether anybody asks what happens in its clips
     base::Span<const uint32_t> watched() const { return base::Span<const uint32_t>(watched_); }  // rows, ascending
 
-    Id create_group(const Place &place);
+    Id create_group(const Transform &transform);
     void destroy_group(Id id);  // its members stay where they are in the world
-    void place_group(Id id, const Place &place);
+    void set_group_transform(Id id, const Transform &transform);
     void enable_group(Id id, bool enabled);
     // `place`: in the group's space, or null: it stays where it is in the world. Group none: it leaves.
-    void join(Id id, Id group, const Place *place);
+    void join(Id id, Id group, const Transform *transform);
 
     bool has_template(const model::Template &tmpl) const;
     uint32_t row_of(Id id) const;        // throws CLQ_STALE_ID
@@ -116,21 +116,25 @@ public:
     uint32_t row_capacity() const { return static_cast<uint32_t>(actors_.capacity()); }  // grows in steps
     uint64_t seed() const { return seed_; }
     std::pmr::memory_resource *memory() const { return actors_.get_allocator().resource(); }
-    uint64_t bytes() const;        // held for the individuals
-    uint64_t fingerprint() const;  // of what save.h writes
+    uint64_t bytes() const;  // held for the individuals
+    uint64_t hash() const;   // of what save.h writes
 
     // Takes over what `restored` holds, and gives it what was here (save.h). Callbacks stay: the ground, and the hooks of
     // actors with the same id in both. No version is one that was here before, so that nothing that was made for this crowd
     // passes for the restored one's. std::bad_alloc: this is as it was. Same memory.
-    void become(Crowd &restored);
+    void swap_state(Crowd &restored);
 
     // Columns, by row.
     bool alive(uint32_t row) const { return actors_[row].generation & 1; }
     const Actor &actor(uint32_t row) const { return actors_[row]; }
-    const Place &place_of(uint32_t row) const { return places_[row]; }  // in its group's space, where it has one
-    Place world_place_of(uint32_t row) const
+    const Transform &transform_of(uint32_t row) const
     {
-        return groups_of_[row] == model::none ? places_[row] : composed(groups_[groups_of_[row]].place, places_[row]);
+        return transforms_[row];
+    }  // in its group's space, where it has one
+    Transform world_transform_of(uint32_t row) const
+    {
+        return groups_of_[row] == model::none ? transforms_[row]
+                                              : composed(groups_[groups_of_[row]].transform, transforms_[row]);
     }
     uint32_t group_of(uint32_t row) const { return groups_of_[row]; }  // its row, or none
     const Play &play_of(uint32_t row) const { return plays_[row]; }
@@ -171,10 +175,10 @@ private:
     void clear_extra(uint32_t row);
     void free_attached(uint32_t index);
     void check_source(uint32_t row, const Source &source) const;
-    void restore_layering(uint32_t row, const Layering &read);  // that may hold anything
-    void check_gesture(uint32_t row, const Gesture &gesture) const;
-    void change(uint32_t row, const Layering &wanted);  // may throw, and then has changed nothing
-    void measure(uint32_t row);                         // its extent, and that of its group
+    void restore_layer_state(uint32_t row, const LayerState &read);  // that may hold anything
+    void check_layer(uint32_t row, const Layer &layer) const;
+    void change(uint32_t row, const LayerState &wanted);  // may throw, and then has changed nothing
+    void measure(uint32_t row);                           // its extent, and that of its group
     void touch_group(uint32_t row);
 
     uint64_t seed_;
@@ -186,14 +190,14 @@ private:
     std::pmr::vector<const model::Template *> templates_;
     std::pmr::vector<ColourTable> colours_;  // by template
     std::pmr::vector<Actor> actors_;
-    std::pmr::vector<Place> places_;
+    std::pmr::vector<Transform> transforms_;
     std::pmr::vector<uint32_t> groups_of_;
     std::pmr::vector<Group> groups_;
     std::pmr::vector<Play> plays_;
     std::pmr::vector<Extent> extents_;
     std::pmr::vector<uint32_t> extras_of_;  // of extras_, or none
     std::pmr::vector<Extra> extras_;
-    std::pmr::vector<Attached> attached_;
+    std::pmr::vector<Attachment> attached_;
     uint32_t first_free_extra_ = model::none, first_free_attached_ = model::none;
     Behaviours behaviours_;
     Layers layers_;

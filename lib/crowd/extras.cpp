@@ -24,12 +24,12 @@ double length(const glm::vec3 &v)
 
 float up(double x) { return static_cast<float>(x * (1 + 1e-6)); }
 
-float blended_reach_of(const model::Template &tmpl, const Attached &attached, float added)
+float blended_reach_of(const model::Template &tmpl, const Attachment &attached, float added)
 {
     const double own = length(attached.sphere.centre) + static_cast<double>(attached.sphere.radius);
     if (attached.node >= tmpl.blend_reach.size()) return up(4 * double(tmpl.sklsroot.radius) + 2 * own);
     const model::BlendReach &reach = tmpl.blend_reach[attached.node];
-    return up(double(reach.distance.at(added)) + double(reach.stretch.at(added)) * own);
+    return up(double(reach.distance.at(added)) + double(reach.scale.at(added)) * own);
 }
 
 }  // namespace
@@ -40,12 +40,12 @@ float blended_reach_of(const model::Template &tmpl, float added)
     return up(double(tmpl.blend_radius.at(added)));
 }
 
-float reach_of(const model::Template &tmpl, const Attached &attached)
+float reach_of(const model::Template &tmpl, const Attachment &attached)
 {
     const double own = length(attached.sphere.centre) + static_cast<double>(attached.sphere.radius);
     if (attached.node >= tmpl.node_reach.size()) return up(2 * double(tmpl.sklsroot.radius) + own);
     const model::NodeReach &reach = tmpl.node_reach[attached.node];
-    return up(double(reach.distance) + double(reach.stretch) * own);
+    return up(double(reach.distance) + double(reach.scale) * own);
 }
 
 uint32_t Crowd::extra_slot(uint32_t row)
@@ -68,7 +68,7 @@ void Crowd::clear_extra(uint32_t row)
     const uint32_t slot = extras_of_[row];
     if (slot == none) return;
     for (uint32_t i = extras_[slot].first_attached; i != none;) {
-        Attached &attached = attached_[i];
+        Attachment &attached = attached_[i];
         const uint32_t next = attached.next;
         free_attached(i);
         i = next;
@@ -81,9 +81,9 @@ void Crowd::clear_extra(uint32_t row)
 
 void Crowd::free_attached(uint32_t index)
 {
-    Attached &attached = attached_[index];
+    Attachment &attached = attached_[index];
     const uint32_t generation = attached.generation + 1;
-    attached = Attached();
+    attached = Attachment();
     attached.generation = generation;
     if (generation == 0xfffffffeu) return;
     attached.next = first_free_attached_;
@@ -95,9 +95,9 @@ void Crowd::measure(uint32_t row)
 {
     const model::Template &tmpl = template_of(row);
     Extent &extent = extents_[row];
-    const Layering *layering = layers_.of(row);
-    const bool blends = layering || behaviours_.blends(row);
-    const float added = layering ? layering->most_added() : 0;
+    const LayerState *layer_state = layers_.of(row);
+    const bool blends = layer_state || behaviours_.blends(row);
+    const float added = layer_state ? layer_state->max_additive_weight() : 0;
     extent.sklsroot = blends ? blended_reach_of(tmpl, added) : tmpl.sklsroot.radius;
     extent.slack = 0;
     if (extras_of_[row] != none) {
@@ -105,10 +105,10 @@ void Crowd::measure(uint32_t row)
         for (uint32_t i = extra.first_attached; i != none; i = attached_[i].next)
             extent.sklsroot = std::max(
                 extent.sklsroot, blends ? blended_reach_of(tmpl, attached_[i], added) : reach_of(tmpl, attached_[i]));
-        extent.slack = std::max(extra.most_up, extra.most_down);
+        extent.slack = std::max(extra.max_up, extra.max_down);
     }
-    const double way = behaviours_.has_root_motion(row)
-                           ? static_cast<double>(behaviours_.path(behaviours_.root_motion(row).path).reach)
+    const double way = behaviours_.has_root_path_play(row)
+                           ? static_cast<double>(behaviours_.path(behaviours_.root_path_play(row).path).reach)
                            : 0.0;
     extent.refpoint = up(length(tmpl.sklsroot.centre) + static_cast<double>(extent.sklsroot) + way);
     touch_group(row);
@@ -137,7 +137,7 @@ Id Crowd::attach(Id id, uint32_t node, const model::Sphere &sphere)
     } else {
         first_free_attached_ = attached_[index].next;
     }
-    Attached &attached = attached_[index];
+    Attachment &attached = attached_[index];
     attached.row = row;
     attached.node = node;
     attached.sphere = sphere;
@@ -169,14 +169,14 @@ void Crowd::set_hooks(Id id, const clq_actor_hooks &hooks)
     extras_[extra_slot(row)].hooks = hooks;
 }
 
-void Crowd::follow_ground(Id id, float most_up, float most_down)
+void Crowd::follow_ground(Id id, float max_up, float max_down)
 {
     const uint32_t row = row_of(id);
-    if (!(most_up >= 0) || !(most_down >= 0) || !std::isfinite(most_up) || !std::isfinite(most_down))
+    if (!(max_up >= 0) || !(max_down >= 0) || !std::isfinite(max_up) || !std::isfinite(max_down))
         fail(CLQ_ARGUMENT, "an actor follows the ground %g up and %g down: 0 or more is wanted",
-             static_cast<double>(most_up), static_cast<double>(most_down));
+             static_cast<double>(max_up), static_cast<double>(max_down));
     Extra &extra = extras_[extra_slot(row)];
-    extra.most_up = most_up, extra.most_down = most_down;
+    extra.max_up = max_up, extra.max_down = max_down;
     measure(row);
 }
 
@@ -194,15 +194,15 @@ void Crowd::set_ground(double (*height)(void *user, const double point[3]), void
     ground_user_ = user;
 }
 
-void Crowd::move_root(Id id, const RootMotion &motion)
+void Crowd::play_root_path(Id id, const RootPathPlay &root_play)
 {
     const uint32_t row = row_of(id);
-    if (motion.path != none && motion.path >= behaviours_.path_count())
-        fail(CLQ_ARGUMENT, "path %u of %u", motion.path + 1, behaviours_.path_count());
-    if (!std::isfinite(motion.speed) || !std::isfinite(motion.phase_s) || !std::isfinite(motion.start_s))
+    if (root_play.path != none && root_play.path >= behaviours_.path_count())
+        fail(CLQ_ARGUMENT, "path %u of %u", root_play.path + 1, behaviours_.path_count());
+    if (!std::isfinite(root_play.speed) || !std::isfinite(root_play.phase_s) || !std::isfinite(root_play.start_s))
         fail(CLQ_ARGUMENT, "speed, phase and start of a root's motion are %g, %g and %g: they must be finite",
-             static_cast<double>(motion.speed), static_cast<double>(motion.phase_s), motion.start_s);
-    behaviours_.move_root(row, motion);
+             static_cast<double>(root_play.speed), static_cast<double>(root_play.phase_s), root_play.start_s);
+    behaviours_.play_root_path(row, root_play);
     new_version(row);
     measure(row);
 }

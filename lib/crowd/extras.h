@@ -18,7 +18,7 @@ struct Extent {
 };
 
 // An object of the scene that an actor holds (S0 4.3): claque knows its sphere alone.
-struct Attached {
+struct Attachment {
     uint32_t row = model::none;  // none: free, chained through `next`
     uint32_t next = model::none;
     uint32_t generation = 0;  // odd while it is there
@@ -29,13 +29,13 @@ struct Attached {
 struct Extra {
     clq_actor_hooks hooks = {nullptr, nullptr, nullptr};
     uint32_t first_attached = model::none;
-    float most_up = 0, most_down = 0;  // world units
+    float max_up = 0, max_down = 0;  // world units
     uint32_t next_free = model::none;
 };
 
 // How far from the template's Sklsroot centre what is attached may come, at scale 1. Without node_reach (a template that
 // knows none) as far as a sphere of the skeleton and the object can lie apart.
-float reach_of(const model::Template &tmpl, const Attached &attached);
+float reach_of(const model::Template &tmpl, const Attachment &attached);
 
 // How far from there any vertex comes where clips are blended and the weights of differences that are added sum to
 // `added`. A template without blend_reach was made by hand: nothing is known but that joints turn.

@@ -15,20 +15,20 @@ namespace
 
 constexpr uint32_t max_groups = 1u << 28;
 
-Place checked_space(const Place &place)
+Transform checked_group_transform(const Transform &transform)
 {
-    const float size = std::fabs(checked(place).scale);
+    const float size = std::fabs(checked(transform).scale);
     if (!(size >= 1e-6f && size <= 1e6f))
         fail(CLQ_ARGUMENT, "a group's scale is %g: 1e-6 to 1e6 is wanted, either sign",
-             static_cast<double>(place.scale));
-    return place;
+             static_cast<double>(transform.scale));
+    return transform;
 }
 
 // Whether numbers can hold it: the place of a member may be beyond them in the world.
-bool is_somewhere(const Place &place)
+bool is_representable(const Transform &transform)
 {
-    bool good = std::isfinite(place.scale) && place.scale != 0;
-    for (int k = 0; k < 3; ++k) good = good && std::isfinite(place.position[k]);
+    bool good = std::isfinite(transform.scale) && transform.scale != 0;
+    for (int k = 0; k < 3; ++k) good = good && std::isfinite(transform.position[k]);
     return good;
 }
 
@@ -42,9 +42,9 @@ uint32_t Crowd::group_row_of(Id id) const
     return row;
 }
 
-Id Crowd::create_group(const Place &place)
+Id Crowd::create_group(const Transform &transform)
 {
-    const Place placed = checked_space(place);
+    const Transform placed = checked_group_transform(transform);
     if (first_free_group_ == model::none) {
         if (groups_.size() >= max_groups) fail(CLQ_LIMIT, "a crowd holds at most %u groups", max_groups);
         reserve_one(groups_);
@@ -68,19 +68,19 @@ void Crowd::destroy_group(Id id)
     if (group.members)
         for (uint32_t i = 0; i < row_count(); ++i)
             if (groups_of_[i] == row) {
-                const Place world = world_place_of(i);
-                if (is_somewhere(world)) places_[i] = world;
+                const Transform world = world_transform_of(i);
+                if (is_representable(world)) transforms_[i] = world;
                 leave(i);
             }
-    group = Group{Place(), group.generation + 1, first_free_group_, true, 0};
+    group = Group{Transform(), group.generation + 1, first_free_group_, true, 0};
     if (group.generation != 0xfffffffeu) first_free_group_ = row;
     ++structure_version_;
 }
 
-void Crowd::place_group(Id id, const Place &place)
+void Crowd::set_group_transform(Id id, const Transform &transform)
 {
     const uint32_t row = group_row_of(id);
-    groups_[row].place = checked_space(place);
+    groups_[row].transform = checked_group_transform(transform);
 }
 
 void Crowd::enable_group(Id id, bool enabled) { groups_[group_row_of(id)].enabled = enabled; }
@@ -95,15 +95,17 @@ void Crowd::leave(uint32_t row)
     ++structure_version_;
 }
 
-void Crowd::join(Id id, Id group_id, const Place *place)
+void Crowd::join(Id id, Id group_id, const Transform *transform)
 {
     const uint32_t row = row_of(id);
     const bool leaves = group_id.index1 == 0 && group_id.generation == 0;
     const uint32_t group = leaves ? model::none : group_row_of(group_id);
-    const Place world = world_place_of(row);
-    const Place placed = checked(place ? *place : leaves ? world : relative(groups_[group].place, world));
+    const Transform world = world_transform_of(row);
+    const Transform placed = checked(transform ? *transform
+                                     : leaves  ? world
+                                               : relative(groups_[group].transform, world));
     leave(row);
-    places_[row] = placed;
+    transforms_[row] = placed;
     if (leaves) return;
     groups_of_[row] = group;
     ++groups_[group].members;

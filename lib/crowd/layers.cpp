@@ -10,16 +10,16 @@ namespace claque::crowd
 
 using model::none;
 
-uint32_t Layering::most_layers() const
+uint32_t LayerState::max_clip_count() const
 {
     uint32_t sum = now.gait == none ? 1 : 2;
     // An inertial fade shows its source as two differences.
     for (uint32_t k = 0; k < fade_count; ++k)
         sum += fades[k].from.gait != none || fades[k].curve == Curve::inertial ? 2 : 1;
-    return sum + gesture_count;
+    return sum + layer_count;
 }
 
-float Layering::most_added() const
+float LayerState::max_additive_weight() const
 {
     float sum = 0;
     bool inertial = false;
@@ -27,8 +27,8 @@ float Layering::most_added() const
     // Where there is an inertial fade, the others before it go on as differences too.
     for (uint32_t k = 0; k < fade_count; ++k)
         sum += fades[k].curve == Curve::inertial ? inertial_weight : inertial ? 1.0f : 0.0f;
-    for (uint32_t k = 0; k < gesture_count; ++k)
-        if (gestures[k].adds) sum += std::fabs(gestures[k].weight);
+    for (uint32_t k = 0; k < layer_count; ++k)
+        if (layers[k].additive) sum += std::fabs(layers[k].weight);
     return sum;
 }
 
@@ -67,13 +67,13 @@ void Layers::clear_row(uint32_t row)
 {
     const uint32_t slot = of_[row];
     if (slot == none) return;
-    slots_[slot] = Layering();
+    slots_[slot] = LayerState();
     slots_[slot].next_free = first_free_;
     first_free_ = slot;
     of_[row] = none;
 }
 
-Layering &Layers::make(uint32_t row)
+LayerState &Layers::make(uint32_t row)
 {
     if (of_[row] != none) return slots_[of_[row]];
     uint32_t slot = first_free_;
@@ -83,13 +83,13 @@ Layering &Layers::make(uint32_t row)
         slots_.emplace_back();
     } else {
         first_free_ = slots_[slot].next_free;
-        slots_[slot] = Layering();
+        slots_[slot] = LayerState();
     }
     of_[row] = slot;
     return slots_[slot];
 }
 
-void Layers::settle(uint32_t row)
+void Layers::release_if_plain(uint32_t row)
 {
     if (of_[row] != none && slots_[of_[row]].is_plain()) clear_row(row);
 }
@@ -97,7 +97,7 @@ void Layers::settle(uint32_t row)
 void Layers::copy_row(uint32_t from, uint32_t to)
 {
     if (of_[from] == none) return;
-    Layering &made = make(to);
+    LayerState &made = make(to);
     made = slots_[of_[from]];
     made.next_free = none;
 }
@@ -105,7 +105,7 @@ void Layers::copy_row(uint32_t from, uint32_t to)
 uint64_t Layers::bytes() const
 {
     uint64_t sum = gaits_.capacity() * sizeof(Gait) + masks_.capacity() * sizeof(MaskOf) +
-                   slots_.capacity() * sizeof(Layering) + of_.capacity() * sizeof(uint32_t);
+                   slots_.capacity() * sizeof(LayerState) + of_.capacity() * sizeof(uint32_t);
     for (const MaskOf &mask : masks_) sum += mask.weights->size() * sizeof(float);
     return sum;
 }

@@ -61,10 +61,10 @@ struct Fade {
 };
 
 // Laid over what is below. Order is that of their coming.
-struct Gesture {
-    uint32_t serial = 0;  // its name
+struct Layer {
+    uint32_t layer_id = 0;  // its name
     Play play;
-    bool adds = false;  // the difference from the reference; else it replaces
+    bool additive = false;  // the difference from the reference; else it replaces
     uint32_t reference_clip = model::none;
     double reference_time_s = 0;
     uint32_t mask = model::none;
@@ -74,22 +74,22 @@ struct Gesture {
     Curve curve = Curve::smooth;
 };
 
-constexpr uint32_t most_fades = 3;     // remembered of one actor
-constexpr uint32_t most_gestures = 4;  // likewise
-constexpr float most_weight = 4;       // of what a gesture adds
-constexpr uint32_t most_shown = 8;     // clips that one actor's fades and gestures may show together
+constexpr uint32_t max_fades = 3;         // remembered of one actor
+constexpr uint32_t max_layers = 4;        // likewise
+constexpr float max_layer_weight = 4;     // of what a gesture adds
+constexpr uint32_t max_active_clips = 8;  // clips that one actor's fades and gestures may show together
 
 // Of one actor. What is remembered may all be running at once, so that is what limits count.
-struct Layering {
+struct LayerState {
     Source now;  // its play is Crowd::play_of()
-    Fade fades[most_fades];
-    Gesture gestures[most_gestures];
-    uint32_t fade_count = 0, gesture_count = 0;
+    Fade fades[max_fades];
+    Layer layers[max_layers];
+    uint32_t fade_count = 0, layer_count = 0;
     uint32_t next_free = model::none;
 
-    bool is_plain() const { return now.gait == model::none && fade_count == 0 && gesture_count == 0; }
-    uint32_t most_layers() const;  // that it can come to
-    float most_added() const;      // sum of the weights of differences that are added, at the most
+    bool is_plain() const { return now.gait == model::none && fade_count == 0 && layer_count == 0; }
+    uint32_t max_clip_count() const;    // that it can come to
+    float max_additive_weight() const;  // sum of the weights of differences that are added, at the most
 };
 
 // Differences that inertial fades add: the offset itself, and what its velocity carries on (behave/layers.cpp).
@@ -113,16 +113,16 @@ public:
     void pop_row() { of_.pop_back(); }  // a clear one
     void clear_row(uint32_t row);
     void copy_row(uint32_t from, uint32_t to);  // `to` is clear; may throw and then it is still
-    Layering &make(uint32_t row);               // as it was, or plain; may throw
-    void settle(uint32_t row);                  // gives the memory back where it is plain
-    const Layering *of(uint32_t row) const { return of_[row] == model::none ? nullptr : &slots_[of_[row]]; }
+    LayerState &make(uint32_t row);             // as it was, or plain; may throw
+    void release_if_plain(uint32_t row);        // gives the memory back where it is plain
+    const LayerState *of(uint32_t row) const { return of_[row] == model::none ? nullptr : &slots_[of_[row]]; }
 
-    uint32_t next_serial()  // of a gesture that comes; never 0
+    uint32_t next_layer_id()  // of a gesture that comes; never 0
     {
-        if (++last_serial == 0) ++last_serial;
-        return last_serial;
+        if (++last_layer_id == 0) ++last_layer_id;
+        return last_layer_id;
     }
-    uint32_t last_serial = 0;
+    uint32_t last_layer_id = 0;
 
     uint32_t slot_count() const { return static_cast<uint32_t>(slots_.size()); }  // at most so many have one
     uint64_t bytes() const;
@@ -131,7 +131,7 @@ public:
 private:
     Array<Gait> gaits_;
     Array<MaskOf> masks_;
-    Array<Layering> slots_;
+    Array<LayerState> slots_;
     Array<uint32_t> of_;  // by row, of slots_
     uint32_t first_free_ = model::none;
 };

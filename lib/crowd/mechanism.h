@@ -23,14 +23,14 @@ struct DofValue {
 };
 
 // Values that belong together: a smile, a mouth that says O. They stand in an array of the mechanism.
-struct Shape {
+struct DofPose {
     uint32_t first = 0, count = 0;
 };
 
 // Where a shape begins in a phrase.
 struct PhraseKey {
-    float time_s = 0;              // from the phrase's beginning, ascending
-    uint32_t shape = model::none;  // none: the mouth at rest
+    float time_s = 0;             // from the phrase's beginning, ascending
+    uint32_t pose = model::none;  // none: the mouth at rest
 };
 
 // Eyes, neck and spine share the turn towards a point (S0 5.3): the spine its share, the neck its share of the rest, the
@@ -47,8 +47,8 @@ struct Gaze {
 
 // One of several shapes at a time, each held for about hold_s, by lot, unless the host commands one.
 struct Expression {
-    explicit Expression(std::pmr::memory_resource *memory) : shapes(memory), values(memory) {}
-    Array<Shape> shapes;
+    explicit Expression(std::pmr::memory_resource *memory) : poses(memory), values(memory) {}
+    Array<DofPose> poses;
     Array<DofValue> values;
     float hold_s = 4, blend_s = 0.4f;
 };
@@ -62,9 +62,9 @@ struct Blink {
 
 // Mouth shapes in time, once from a command on, or over and over with pauses.
 struct Phrase {
-    explicit Phrase(std::pmr::memory_resource *memory) : keys(memory), shapes(memory), values(memory) {}
+    explicit Phrase(std::pmr::memory_resource *memory) : keys(memory), poses(memory), values(memory) {}
     Array<PhraseKey> keys;
-    Array<Shape> shapes;
+    Array<DofPose> poses;
     Array<DofValue> values;
     float length_s = 0;  // then the mouth goes to rest
     float pause_s = 0;   // of about this length between two rounds; negative: only when the host commands it
@@ -93,7 +93,7 @@ struct HostMechanism {
 
 using MechanismKind = std::variant<Gaze, Expression, Blink, Phrase, Idle, HostMechanism>;
 
-constexpr uint32_t most_behaviour_levels = 4;
+constexpr uint32_t max_behaviour_levels = 4;
 constexpr float never = std::numeric_limits<float>::infinity();
 
 struct Mechanism {
@@ -101,13 +101,13 @@ struct Mechanism {
     const model::Template *tmpl = nullptr;  // whose degrees of freedom or clips it names
     // S0 5.3: level k + 1 begins at level_m[k], ascending; infinity: never. From off_m on it does not run at all. Where the
     // skeleton has lost all nodes that it writes, it is off as well.
-    float level_m[most_behaviour_levels - 1] = {never, never, never};
+    float level_m[max_behaviour_levels - 1] = {never, never, never};
     float off_m = never;
     uint32_t first_dof = 0, dof_count = 0;  // of Behaviours::written(): what it may write; none of a host's: all
 };
 
 // Something that the host has told one actor's mechanism.
-struct Order {
+struct Command {
     double at_s = -std::numeric_limits<double>::infinity();  // from when on
     uint32_t choice = model::none;  // gaze: 0 a point; expression: a shape; phrase: 0 speaks; none: left to itself
     uint32_t choice_before = model::none;  // expression: what was chosen until then
@@ -117,22 +117,22 @@ struct Order {
 };
 
 // The last thing that it was told, and the one before.
-struct Command : Order {
-    Order before;
+struct CommandHistory : Command {
+    Command before;
 };
 
 // One actor's use of one mechanism. Those of an actor form a chain, the lowest priority first: the later ones have the
 // last word.
-struct Use {
+struct MechanismAttachment {
     uint32_t mechanism = 0;
     uint32_t next = model::none;
     float priority = 0;
     float phase_s = 0;
     double start_s = 0;
-    uint32_t command = model::none;  // of Behaviours::command(); none: nothing was ever commanded
+    uint32_t command_history = model::none;  // of Behaviours::command(); none: nothing was ever commanded
 };
 
-constexpr uint32_t most_uses = 16;  // by one actor
+constexpr uint32_t max_mechanisms = 16;  // by one actor
 
 // The movement of the Skeleton Root round the Reference Point (S0 3, 4.1), a closed curve or a table, in the Reference
 // Point's space. Many actors move along one, each with a clock of its own.
@@ -145,13 +145,13 @@ struct RootPath {
     Array<glm::vec3> positions;
     Array<glm::quat> rotations;  // table
     float duration_s = 1;
-    float bank = 0;       // flight: radians for each radian a second that it turns
-    float most_bank = 0;  // [radians]
-    float reach = 0;      // no position is farther from the Reference Point
+    float bank = 0;      // flight: radians for each radian a second that it turns
+    float max_bank = 0;  // [radians]
+    float reach = 0;     // no position is farther from the Reference Point
 };
 
 // How one actor goes along one.
-struct RootMotion {
+struct RootPathPlay {
     uint32_t path = model::none;  // none: the Skeleton Root stays at the Reference Point
     float speed = 1;              // times the path's own; negative goes backwards
     float phase_s = 0;

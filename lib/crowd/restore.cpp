@@ -27,7 +27,7 @@ void check_generation(const char *what, uint32_t index, uint32_t generation)
 class Restorer
 {
 public:
-    Restorer(Reader &in, Lender &lender, Crowd &out) : in_(in), lender_(lender), out_(out) {}
+    Restorer(Reader &in, Resolver &resolver, Crowd &out) : in_(in), resolver_(resolver), out_(out) {}
 
     void read()
     {
@@ -62,7 +62,7 @@ private:
             in_.array(name, 1, [&](char &c) { in_.value(c); });
             uint64_t structure = 0;
             in_.value(structure);
-            const model::Template &tmpl = lender_.like(name, structure);
+            const model::Template &tmpl = resolver_.find_template(name, structure);
             out_.templates_.push_back(&tmpl);
             out_.colours_.emplace_back(memory(), tmpl.zone_count());
         }
@@ -80,13 +80,13 @@ private:
             made.tmpl = template_at(tmpl);
             walk_levels(in_, made);
             std::visit([&](auto &of) { walk_kind(in_, of); }, made.kind);
-            lender_.add(out_.behaviours_, i, std::move(made));
+            resolver_.add(out_.behaviours_, i, std::move(made));
         }
         const uint32_t paths = in_.count(25);
         for (uint32_t i = 0; i < paths; ++i) {
             RootPath path(memory());
             walk_path(in_, path);
-            lender_.add(out_.behaviours_, i, std::move(path));
+            resolver_.add(out_.behaviours_, i, std::move(path));
         }
     }
 
@@ -132,8 +132,8 @@ private:
             in_.value(group.generation);
             check_generation("group", i, group.generation);
             if (!(group.generation & 1)) continue;
-            walk_place(in_, group.place);
-            checked(group.place);
+            walk_transform(in_, group.transform);
+            checked(group.transform);
             in_.flag(group.enabled);
         }
         out_.first_free_group_ = free_chain(
@@ -162,19 +162,19 @@ private:
     {
         Actor &actor = out_.actors_[row];
         uint32_t group = none;
-        Place place;
+        Transform transform;
         Play play;
         float priority = 0, up = 0, down = 0;
         uint32_t texture_set = 0;
         in_.value(actor.tmpl), in_.value(actor.seed), in_.value(texture_set), in_.value(group);
         template_at(actor.tmpl);
-        walk_place(in_, place), walk_play(in_, play);
+        walk_transform(in_, transform), walk_play(in_, play);
         in_.value(priority), in_.value(up), in_.value(down);
         const Id id = out_.id_of(row);
-        out_.place(&id, &place, 1);
+        out_.set_transforms(&id, &transform, 1);
         out_.play(id, play);
         out_.set_priority(id, priority);
-        if (texture_set == drawn_by_lot) fail(CLQ_FORMAT, "a saved crowd's actor %u has no texture set", row);
+        if (texture_set == random_texture_set) fail(CLQ_FORMAT, "a saved crowd's actor %u has no texture set", row);
         out_.set_texture_set(id, texture_set);
         if (up != 0 || down != 0) out_.follow_ground(id, up, down);
         if (group != none) {
@@ -185,21 +185,21 @@ private:
         }
         colours(row);
         behaviour(row);
-        layering(row);
+        layer_state(row);
     }
 
-    void layering(uint32_t row)
+    void layer_state(uint32_t row)
     {
         bool watched = false;
         in_.flag(watched);
         if (watched) out_.watch(out_.id_of(row), true);
-        Layering read;
-        if (!read_layering(in_, row, read)) return;
+        LayerState read;
+        if (!read_layer_state(in_, row, read)) return;
         const Play &play = out_.play_of(row), &now = read.now.play;
         if (now.clip != play.clip || now.start_s != play.start_s || now.speed != play.speed ||
             now.phase_s != play.phase_s)
             fail(CLQ_FORMAT, "a saved crowd's actor %u fades to what it does not play", row);
-        out_.restore_layering(row, read);
+        out_.restore_layer_state(row, read);
     }
 
     void colours(uint32_t row)
@@ -219,39 +219,40 @@ private:
         bool moves = false;
         in_.flag(moves);
         if (moves) {
-            RootMotion motion;
-            walk_motion(in_, motion);
-            if (motion.path == none) fail(CLQ_FORMAT, "a saved crowd's actor %u moves along no path", row);
-            out_.move_root(id, motion);
+            RootPathPlay root_play;
+            walk_root_path_play(in_, root_play);
+            if (root_play.path == none) fail(CLQ_FORMAT, "a saved crowd's actor %u moves along no path", row);
+            out_.play_root_path(id, root_play);
         }
         uint8_t uses = 0;
         in_.value(uses);
-        Use use, before;
-        for (uint32_t i = 0; i < uses; ++i, before = use) {
-            walk_use(in_, use);
-            for (uint32_t k = out_.behaviours_.first_use(row); k != none; k = out_.behaviours_.use_at(k).next)
-                if (out_.behaviours_.use_at(k).mechanism == use.mechanism)
-                    fail(CLQ_FORMAT, "a saved crowd's actor %u uses mechanism %u twice", row, use.mechanism + 1);
-            out_.use(id, use);
-            if (i > 0 && use.priority < before.priority)
+        MechanismAttachment attachment, before;
+        for (uint32_t i = 0; i < uses; ++i, before = attachment) {
+            walk_mechanism_attachment(in_, attachment);
+            for (uint32_t k = out_.behaviours_.first_attachment(row); k != none;
+                 k = out_.behaviours_.attachment_at(k).next)
+                if (out_.behaviours_.attachment_at(k).mechanism == attachment.mechanism)
+                    fail(CLQ_FORMAT, "a saved crowd's actor %u uses mechanism %u twice", row, attachment.mechanism + 1);
+            out_.attach_mechanism(id, attachment);
+            if (i > 0 && attachment.priority < before.priority)
                 fail(CLQ_FORMAT, "a saved crowd's actor %u uses mechanisms out of order", row);
-            bool told = false;
-            in_.flag(told);
-            if (told) command(id, use.mechanism);
+            bool history = false;
+            in_.flag(history);
+            if (history) command_history(id, attachment.mechanism);
         }
     }
 
-    void command(Id id, uint32_t number)
+    void command_history(Id id, uint32_t number)
     {
         const Mechanism &mechanism = out_.behaviours_.mechanism(number);
         if (!std::holds_alternative<Gaze>(mechanism.kind) && !std::holds_alternative<Expression>(mechanism.kind) &&
             !std::holds_alternative<Phrase>(mechanism.kind))
             fail(CLQ_FORMAT, "a saved crowd holds a command for mechanism %u, which takes none", number + 1);
-        Command &told = out_.command(id, number);
-        walk_order(in_, told), walk_order(in_, told.before);
-        check_order(mechanism, told, number);
-        check_order(mechanism, told.before, number);
-        if (std::isfinite(told.before.at_s) && !(told.before.at_s < told.at_s))
+        CommandHistory &history = out_.command_history(id, number);
+        walk_command(in_, history), walk_command(in_, history.before);
+        check_command(mechanism, history, number);
+        check_command(mechanism, history.before, number);
+        if (std::isfinite(history.before.at_s) && !(history.before.at_s < history.at_s))
             fail(CLQ_FORMAT, "a saved crowd holds commands of mechanism %u out of order", number + 1);
     }
 
@@ -262,7 +263,7 @@ private:
             uint32_t generation = 0;
             in_.value(generation);
             check_generation("attached object", i, generation);
-            Attached read;
+            Attachment read;
             if (generation & 1) walk_attached(in_, read);
             if ((generation & 1) && (read.row >= out_.row_count() || !out_.alive(read.row)))
                 fail(CLQ_FORMAT, "a saved crowd's attached object %u is of actor %u, which there is not", i, read.row);
@@ -279,14 +280,14 @@ private:
     }
 
     Reader &in_;
-    Lender &lender_;
+    Resolver &resolver_;
     Crowd &out_;
 };
 
-void restore(const uint8_t *bytes, size_t size, Lender &lender, Crowd &out)
+void restore(const uint8_t *bytes, size_t size, Resolver &resolver, Crowd &out)
 {
     Reader in = contents_of(bytes, size);
-    Restorer(in, lender, out).read();
+    Restorer(in, resolver, out).read();
 }
 
 }  // namespace claque::crowd

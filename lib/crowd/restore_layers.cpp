@@ -29,22 +29,22 @@ void read_layers(Reader &in, const std::function<const model::Template *(uint32_
         in.array(weights, 4, [&](float &weight) { in.value(weight); });
         out.add(checked_mask(*template_at(tmpl), std::move(weights)));
     }
-    in.value(out.last_serial);
+    in.value(out.last_layer_id);
 }
 
-bool read_layering(Reader &in, uint32_t row, Layering &out)
+bool read_layer_state(Reader &in, uint32_t row, LayerState &out)
 {
     bool some = false;
     in.flag(some);
     if (!some) return false;
-    uint8_t fades = 0, gestures = 0;
+    uint8_t fades = 0, layers = 0;
     walk_source(in, out.now);
-    in.value(fades), in.value(gestures);
-    if (fades > most_fades || gestures > most_gestures)
-        fail(CLQ_FORMAT, "a saved crowd's actor %u has %u fades and %u layers", row, fades, gestures);
-    out.fade_count = fades, out.gesture_count = gestures;
+    in.value(fades), in.value(layers);
+    if (fades > max_fades || layers > max_layers)
+        fail(CLQ_FORMAT, "a saved crowd's actor %u has %u fades and %u layers", row, fades, layers);
+    out.fade_count = fades, out.layer_count = layers;
     for (uint32_t k = 0; k < fades; ++k) walk_fade(in, out.fades[k]);
-    for (uint32_t k = 0; k < gestures; ++k) walk_gesture(in, out.gestures[k]);
+    for (uint32_t k = 0; k < layers; ++k) walk_layer(in, out.layers[k]);
     if (out.is_plain()) fail(CLQ_FORMAT, "a saved crowd's actor %u blends one clip alone", row);
     return true;
 }

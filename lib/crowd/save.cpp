@@ -34,7 +34,7 @@ private:
         out_.count(crowd_.templates_.size());
         for (const model::Template *tmpl : crowd_.templates_) {
             out_.array(tmpl->name, 1, [&](char c) { out_.value(c); });
-            out_.value(structure_of(*tmpl));
+            out_.value(structure_hash(*tmpl));
         }
     }
 
@@ -73,7 +73,7 @@ private:
             out_.value(number_of(from.mask(i).tmpl));
             out_.array(*from.mask(i).weights, 4, [&](float weight) { out_.value(weight); });
         }
-        out_.value(from.last_serial);
+        out_.value(from.last_layer_id);
     }
 
     // `next` of a free row: none ends the chain.
@@ -92,7 +92,7 @@ private:
         for (const Group &group : crowd_.groups_) {
             out_.value(group.generation);
             if (!(group.generation & 1)) continue;
-            walk_place(out_, group.place);
+            walk_transform(out_, group.transform);
             out_.flag(group.enabled);
         }
         free_chain(crowd_.first_free_group_, [&](uint32_t i) { return crowd_.groups_[i].members; });
@@ -113,51 +113,51 @@ private:
         const Actor &actor = crowd_.actors_[row];
         out_.value(actor.tmpl), out_.value(actor.seed), out_.value(actor.texture_set);
         out_.value(crowd_.groups_of_[row]);
-        walk_place(out_, crowd_.places_[row]);
+        walk_transform(out_, crowd_.transforms_[row]);
         walk_play(out_, crowd_.plays_[row]);
         out_.value(crowd_.extents_[row].priority);
         const Extra *extra = crowd_.extra_of(row);
-        out_.value(extra ? extra->most_up : 0.0f), out_.value(extra ? extra->most_down : 0.0f);
+        out_.value(extra ? extra->max_up : 0.0f), out_.value(extra ? extra->max_down : 0.0f);
         const uint8_t *rgb = crowd_.zone_rgb(row);
         out_.flag(rgb != nullptr);
         for (uint32_t i = 0; rgb && i < crowd_.colours_[actor.tmpl].stride(); ++i) out_.value(rgb[i]);
         behaviour(row);
-        layering(row);
+        layer_state(row);
     }
 
-    void layering(uint32_t row)
+    void layer_state(uint32_t row)
     {
         const Array<uint32_t> &watched = crowd_.watched_;
         out_.flag(std::binary_search(watched.begin(), watched.end(), row));
-        const Layering *from = crowd_.layers_.of(row);
+        const LayerState *from = crowd_.layers_.of(row);
         out_.flag(from != nullptr);
         if (!from) return;
         walk_source(out_, from->now);
-        out_.value(static_cast<uint8_t>(from->fade_count)), out_.value(static_cast<uint8_t>(from->gesture_count));
+        out_.value(static_cast<uint8_t>(from->fade_count)), out_.value(static_cast<uint8_t>(from->layer_count));
         for (uint32_t k = 0; k < from->fade_count; ++k) walk_fade(out_, from->fades[k]);
-        for (uint32_t k = 0; k < from->gesture_count; ++k) walk_gesture(out_, from->gestures[k]);
+        for (uint32_t k = 0; k < from->layer_count; ++k) walk_layer(out_, from->layers[k]);
     }
 
     void behaviour(uint32_t row)
     {
         const Behaviours &from = crowd_.behaviours_;
-        out_.flag(from.has_root_motion(row));
-        if (from.has_root_motion(row)) walk_motion(out_, from.root_motion(row));
+        out_.flag(from.has_root_path_play(row));
+        if (from.has_root_path_play(row)) walk_root_path_play(out_, from.root_path_play(row));
         uint8_t uses = 0;
-        for (uint32_t i = from.first_use(row); i != none; i = from.use_at(i).next) ++uses;
+        for (uint32_t i = from.first_attachment(row); i != none; i = from.attachment_at(i).next) ++uses;
         out_.value(uses);
-        for (uint32_t i = from.first_use(row); i != none; i = from.use_at(i).next) {
-            walk_use(out_, from.use_at(i));
-            const Command *told = from.command_of(from.use_at(i));
-            out_.flag(told != nullptr);
-            if (told) walk_order(out_, *told), walk_order(out_, told->before);
+        for (uint32_t i = from.first_attachment(row); i != none; i = from.attachment_at(i).next) {
+            walk_mechanism_attachment(out_, from.attachment_at(i));
+            const CommandHistory *history = from.command_history_of(from.attachment_at(i));
+            out_.flag(history != nullptr);
+            if (history) walk_command(out_, *history), walk_command(out_, history->before);
         }
     }
 
     void attached()
     {
         out_.count(crowd_.attached_.size());
-        for (const Attached &attached : crowd_.attached_) {
+        for (const Attachment &attached : crowd_.attached_) {
             out_.value(attached.generation);
             if (attached.generation & 1) walk_attached(out_, attached);
         }
@@ -172,7 +172,7 @@ void save_contents(const Crowd &crowd, Sink &sink) { Saver(crowd, sink).write();
 
 void save(const Crowd &crowd, Sink &sink)
 {
-    Measure measure;
+    HashingSink measure;
     save_contents(crowd, measure);
     Writer header(sink);
     for (const uint8_t byte : save_magic) header.value(byte);

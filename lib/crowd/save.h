@@ -28,15 +28,15 @@ void save_contents(const Crowd &crowd, Sink &sink);  // without what stands in f
 
 // What a template must have for a saved crowd to fit it: nodes, degrees of freedom, clips, zones and levels, with their
 // names and sizes; not where its vertices are or how it is painted.
-uint64_t structure_of(const model::Template &tmpl);
+uint64_t structure_hash(const model::Template &tmpl);
 
 // What restoring needs and bytes cannot hold.
-class Lender
+class Resolver
 {
 public:
-    virtual ~Lender() = default;
+    virtual ~Resolver() = default;
     // The template of this name and structure; another one at each call. Throws base::Error (CLQ_ARGUMENT).
-    virtual const model::Template &like(std::string_view name, uint64_t structure) = 0;
+    virtual const model::Template &find_template(std::string_view name, uint64_t structure) = 0;
     // Checks a description that may hold anything, and adds it to `out` as number `index`; a host's mechanism comes
     // without its callback. Throws base::Error (CLQ_FORMAT; CLQ_ARGUMENT where the host has no callback to lend).
     virtual void add(Behaviours &out, uint32_t index, Mechanism &&mechanism) = 0;
@@ -46,6 +46,6 @@ public:
 // The bytes may be anything. `out` is empty and after a throw good for nothing but destruction. Memory is asked for in
 // proportion to the bytes. Throws base::Error (CLQ_FORMAT: cut, changed, of another version, or no state that a crowd can
 // be in; what the lender throws) or std::bad_alloc.
-void restore(const uint8_t *bytes, size_t size, Lender &lender, Crowd &out);
+void restore(const uint8_t *bytes, size_t size, Resolver &resolver, Crowd &out);
 
 }  // namespace claque::crowd

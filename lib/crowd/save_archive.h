@@ -55,7 +55,7 @@ private:
 };
 
 // How long what it is given is, and its hash, without keeping any of it.
-class Measure : public Sink
+class HashingSink : public Sink
 {
 public:
     void take(const uint8_t *bytes, size_t count) override

@@ -48,16 +48,16 @@ MechanismKind kind_of(uint8_t index, std::pmr::memory_resource *memory)
     }
 }
 
-void check_order(const Mechanism &mechanism, const Order &order, uint32_t number)
+void check_command(const Mechanism &mechanism, const Command &command, uint32_t number)
 {
     uint32_t choices = 1;
     if (const Expression *expression = std::get_if<Expression>(&mechanism.kind))
-        choices = static_cast<uint32_t>(expression->shapes.size());
+        choices = static_cast<uint32_t>(expression->poses.size());
     const auto known = [&](uint32_t choice) { return choice == none || choice < choices; };
-    bool good = known(order.choice) && known(order.choice_before);
-    good = good && (std::isfinite(order.at_s) || order.at_s == -std::numeric_limits<double>::infinity());
-    for (int k = 0; k < 3; ++k) good = good && std::fabs(order.point[k]) <= 1e30f;
-    good = good && std::isfinite(order.from_yaw) && std::isfinite(order.from_pitch) && std::isfinite(order.side);
+    bool good = known(command.choice) && known(command.choice_before);
+    good = good && (std::isfinite(command.at_s) || command.at_s == -std::numeric_limits<double>::infinity());
+    for (int k = 0; k < 3; ++k) good = good && std::fabs(command.point[k]) <= 1e30f;
+    good = good && std::isfinite(command.from_yaw) && std::isfinite(command.from_pitch) && std::isfinite(command.side);
     if (!good) fail(CLQ_FORMAT, "a saved crowd holds a command that mechanism %u never gets", number + 1);
 }
 

@@ -15,10 +15,10 @@ Reader contents_of(const uint8_t *bytes, size_t size);  // behind a header that 
 MechanismKind kind_of(uint8_t index, std::pmr::memory_resource *memory);
 
 // Orders as behave::look, express and say leave them: of a point, of a shape, or of nothing.
-void check_order(const Mechanism &mechanism, const Order &order, uint32_t number);
+void check_command(const Mechanism &mechanism, const Command &command, uint32_t number);
 
 // restore_layers.cpp. What actors blend is checked by Crowd::restore_layering.
 void read_layers(Reader &in, const std::function<const model::Template *(uint32_t)> &template_at, Layers &out);
-bool read_layering(Reader &in, uint32_t row, Layering &out);  // false: none
+bool read_layer_state(Reader &in, uint32_t row, LayerState &out);  // false: none
 
 }  // namespace claque::crowd

@@ -8,11 +8,11 @@ namespace claque::crowd
 {
 
 template <class Archive, class P>
-void walk_place(Archive &a, P &place)
+void walk_transform(Archive &a, P &transform)
 {
-    for (int k = 0; k < 3; ++k) a.value(place.position[k]);
-    a.value(place.orientation.x), a.value(place.orientation.y), a.value(place.orientation.z);
-    a.value(place.orientation.w), a.value(place.scale);
+    for (int k = 0; k < 3; ++k) a.value(transform.position[k]);
+    a.value(transform.orientation.x), a.value(transform.orientation.y), a.value(transform.orientation.z);
+    a.value(transform.orientation.w), a.value(transform.scale);
 }
 
 template <class Archive, class P>
@@ -37,14 +37,14 @@ void walk_fade(Archive &a, F &fade)
 }
 
 template <class Archive, class G>
-void walk_gesture(Archive &a, G &gesture)
+void walk_layer(Archive &a, G &layer)
 {
-    a.value(gesture.serial);
-    walk_play(a, gesture.play);
-    a.flag(gesture.adds);
-    a.value(gesture.reference_clip), a.value(gesture.reference_time_s), a.value(gesture.mask), a.value(gesture.weight);
-    a.value(gesture.start_s), a.value(gesture.end_s), a.value(gesture.fade_in_s), a.value(gesture.fade_out_s);
-    a.value(gesture.curve);
+    a.value(layer.layer_id);
+    walk_play(a, layer.play);
+    a.flag(layer.additive);
+    a.value(layer.reference_clip), a.value(layer.reference_time_s), a.value(layer.mask), a.value(layer.weight);
+    a.value(layer.start_s), a.value(layer.end_s), a.value(layer.fade_in_s), a.value(layer.fade_out_s);
+    a.value(layer.curve);
 }
 
 template <class Archive, class G>
@@ -56,23 +56,24 @@ void walk_gait(Archive &a, G &gait)
 }
 
 template <class Archive, class U>
-void walk_use(Archive &a, U &use)
+void walk_mechanism_attachment(Archive &a, U &attachment)
 {
-    a.value(use.mechanism), a.value(use.priority), a.value(use.phase_s), a.value(use.start_s);
+    a.value(attachment.mechanism), a.value(attachment.priority), a.value(attachment.phase_s),
+        a.value(attachment.start_s);
 }
 
 template <class Archive, class O>
-void walk_order(Archive &a, O &order)
+void walk_command(Archive &a, O &command)
 {
-    a.value(order.at_s), a.value(order.choice), a.value(order.choice_before);
-    for (int k = 0; k < 3; ++k) a.value(order.point[k]);
-    a.value(order.from_yaw), a.value(order.from_pitch), a.value(order.side);
+    a.value(command.at_s), a.value(command.choice), a.value(command.choice_before);
+    for (int k = 0; k < 3; ++k) a.value(command.point[k]);
+    a.value(command.from_yaw), a.value(command.from_pitch), a.value(command.side);
 }
 
 template <class Archive, class M>
-void walk_motion(Archive &a, M &motion)
+void walk_root_path_play(Archive &a, M &root_play)
 {
-    a.value(motion.path), a.value(motion.speed), a.value(motion.phase_s), a.value(motion.start_s);
+    a.value(root_play.path), a.value(root_play.speed), a.value(root_play.phase_s), a.value(root_play.start_s);
 }
 
 template <class Archive, class O>
@@ -90,9 +91,9 @@ void walk_values(Archive &a, Values &values)
 }
 
 template <class Archive, class Shapes>
-void walk_shapes(Archive &a, Shapes &shapes)
+void walk_poses(Archive &a, Shapes &poses)
 {
-    a.array(shapes, 8, [&](auto &s) { a.value(s.first), a.value(s.count); });
+    a.array(poses, 8, [&](auto &s) { a.value(s.first), a.value(s.count); });
 }
 
 // Of each kind of mechanism; Mechanism itself has its template as a number, which is no field of it.
@@ -107,14 +108,14 @@ void walk_kind(Archive &a, Kind &kind)
         for (int k = 0; k < 3; ++k) a.value(kind.eyes[k]);
         a.value(kind.turn_s), a.value(kind.wander_s), a.value(kind.wander_yaw), a.value(kind.wander_pitch);
     } else if constexpr (std::is_same_v<K, Expression>) {
-        walk_shapes(a, kind.shapes), walk_values(a, kind.values);
+        walk_poses(a, kind.poses), walk_values(a, kind.values);
         a.value(kind.hold_s), a.value(kind.blend_s);
     } else if constexpr (std::is_same_v<K, Blink>) {
         walk_values(a, kind.closed);
         a.value(kind.period_s), a.value(kind.close_s);
     } else if constexpr (std::is_same_v<K, Phrase>) {
-        a.array(kind.keys, 8, [&](auto &key) { a.value(key.time_s), a.value(key.shape); });
-        walk_shapes(a, kind.shapes), walk_values(a, kind.values);
+        a.array(kind.keys, 8, [&](auto &key) { a.value(key.time_s), a.value(key.pose); });
+        walk_poses(a, kind.poses), walk_values(a, kind.values);
         a.value(kind.length_s), a.value(kind.pause_s), a.value(kind.blend_s);
     } else if constexpr (std::is_same_v<K, Idle>) {
         a.array(kind.clips, 4, [&](auto &clip) { a.value(clip); });
@@ -138,7 +139,7 @@ template <class Archive, class P>
 void walk_path(Archive &a, P &path)
 {
     a.flag(path.flight);
-    a.value(path.duration_s), a.value(path.bank), a.value(path.most_bank);
+    a.value(path.duration_s), a.value(path.bank), a.value(path.max_bank);
     a.array(path.times_s, 4, [&](auto &t) { a.value(t); });
     a.array(path.positions, 12, [&](auto &p) {
         for (int k = 0; k < 3; ++k) a.value(p[k]);

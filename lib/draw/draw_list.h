@@ -69,9 +69,10 @@ public:
 
 struct DrawList {
     explicit DrawList(std::pmr::memory_resource *memory) : items(memory) {}
-    model::Array<Item> items;    // by template, texture set, front to back (frame/order.h), actor: order is part of the picture
-    float projection[16] = {0};  // column-major, as the view has it
-    double eye[3] = {0, 0, 0};   // in the world
+    model::Array<Item>
+        items;  // by template, texture set, front to back (frame/order.h), actor: order is part of the picture
+    float projection[16] = {0};                            // column-major, as the view has it
+    double eye[3] = {0, 0, 0};                             // in the world
     double world_to_eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major: a rotation
     VertexServer *server = nullptr;
 };

@@ -3,7 +3,7 @@
 #include <map>
 #include <tuple>
 
-#include "lib/figures/occlusion.h"
+#include "lib/figures/ambient_occlusion.h"
 
 namespace claque::figures
 {
@@ -45,20 +45,20 @@ model::Model assemble(const Figure &figure)
     Mesh mesh;
     figure.add_pieces(mesh);
     unwrap(mesh, figure.layout);
-    const Occlusion occlusion(mesh);
+    const AmbientOcclusion occlusion(mesh);
     model::Model model;
     model.name = figure.name;
     add_skeleton(model.rig);
     for (const ClipMaker &clip : figure.clips) add_clip(model.rig, clip);
     model.zones = zones_of(figure.zones);
     std::vector<Painter> painters = {figure.painter};
-    for (const Figure::Look &look : figure.looks) painters.push_back(look.painter);
+    for (const Figure::TextureSet &look : figure.texture_sets) painters.push_back(look.painter);
     model.images = paint(
-        mesh, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p, n); }, painters, figure.zones);
+        mesh, [&](glm::vec3 p, glm::vec3 n) { return occlusion.ambient_visibility(p, n); }, painters, figure.zones);
     model.images[0].name = figure.name;
-    for (uint32_t i = 0; i < figure.looks.size(); ++i) {
-        model.images[i + 1].name = std::string(figure.name) + " " + figure.looks[i].name;
-        model.texture_sets.push_back({figure.looks[i].name, {i + 1}});
+    for (uint32_t i = 0; i < figure.texture_sets.size(); ++i) {
+        model.images[i + 1].name = std::string(figure.name) + " " + figure.texture_sets[i].name;
+        model.texture_sets.push_back({figure.texture_sets[i].name, {i + 1}});
     }
     model::Material material;
     material.name = figure.name;

@@ -15,11 +15,11 @@ struct Figure {
     void (*add_pieces)(Mesh &) = nullptr;  // body and dress, from parts.h
     Painter painter;
     // Further texture sets.
-    struct Look {
+    struct TextureSet {
         const char *name;
         Painter painter;
     };
-    std::vector<Look> looks;
+    std::vector<TextureSet> texture_sets;
     Layout layout;
     Zones zones;
     std::vector<ClipMaker> clips;

@@ -10,7 +10,7 @@
 namespace claque::figures
 {
 
-inline float soft_step(float from, float to, float x)
+inline float smoothstep(float from, float to, float x)
 {
     const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
     return t * t * (3 - 2 * t);
@@ -50,7 +50,7 @@ inline float to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b)
 }
 
 // Smooth noise in [0, 1) with features one unit large.
-inline float grain(float x, float y, uint64_t layer)
+inline float value_noise(float x, float y, uint64_t layer)
 {
     const auto value = [layer](float i, float k) {
         return base::unit(base::mix(base::mix(layer + 0x51ed2701u) ^
@@ -58,7 +58,7 @@ inline float grain(float x, float y, uint64_t layer)
                                      static_cast<uint64_t>(static_cast<int64_t>(k)))));
     };
     const float i = std::floor(x), k = std::floor(y);
-    const float u = soft_step(0, 1, x - i), v = soft_step(0, 1, y - k);
+    const float u = smoothstep(0, 1, x - i), v = smoothstep(0, 1, y - k);
     return (value(i, k) * (1 - u) + value(i + 1, k) * u) * (1 - v) +
            (value(i, k + 1) * (1 - u) + value(i + 1, k + 1) * u) * v;
 }

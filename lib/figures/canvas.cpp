@@ -52,7 +52,7 @@ void cover(const Mesh &mesh, const std::vector<glm::vec3> &normals, const Face &
 }
 
 // Openness is soft: it is asked for at every fourth texel of a chart and blended between.
-void shade(const Openness &openness, std::vector<Cover> &covers)
+void shade(const AmbientVisibility &ambient_visibility, std::vector<Cover> &covers)
 {
     constexpr int pitch = 4;
     struct Sample {
@@ -66,7 +66,8 @@ void shade(const Openness &openness, std::vector<Cover> &covers)
             for (int i = 0; i < pitch * pitch; ++i) {
                 const size_t k = at(x + i % pitch, y + i / pitch);
                 if (!covers[k].covered) continue;
-                sampled[at(x, y)] = {openness(covers[k].texel.position, covers[k].texel.normal), covers[k].texel.chart};
+                sampled[at(x, y)] = {ambient_visibility(covers[k].texel.position, covers[k].texel.normal),
+                                     covers[k].texel.chart};
                 break;
             }
         }
@@ -87,7 +88,7 @@ void shade(const Openness &openness, std::vector<Cover> &covers)
                     sum += w * sample.value;
                     weight += w;
                 }
-            c.texel.openness = weight > 0 ? sum / weight : 1;
+            c.texel.ambient_visibility = weight > 0 ? sum / weight : 1;
         }
 }
 
@@ -134,13 +135,13 @@ model::Image image_of(const std::vector<Cover> &covers, const Painter &painter, 
 
 }  // namespace
 
-std::vector<model::Image> paint(const Mesh &mesh, const Openness &openness, const std::vector<Painter> &painters,
-                                const Zones &zones)
+std::vector<model::Image> paint(const Mesh &mesh, const AmbientVisibility &ambient_visibility,
+                                const std::vector<Painter> &painters, const Zones &zones)
 {
     const std::vector<glm::vec3> normals = mesh.smooth_normals();
     std::vector<Cover> covers(size_t(size) * size);
     for (const Face &face : mesh.faces) cover(mesh, normals, face, covers);
-    shade(openness, covers);
+    shade(ambient_visibility, covers);
     std::vector<model::Image> images;
     for (const Painter &painter : painters) images.push_back(image_of(covers, painter, zones));
     return images;

@@ -15,8 +15,8 @@ struct Texel {
     Chart chart = Chart::head;
     Region region = Region::torso;
     Side side = Side::left;
-    glm::vec2 st;        // in the chart's own units
-    float openness = 1;  // 1: sees the whole sky round its normal, 0: nothing
+    glm::vec2 st;                  // in the chart's own units
+    float ambient_visibility = 1;  // 1: sees the whole sky round its normal, 0: nothing
 };
 
 struct Paint {
@@ -27,10 +27,10 @@ struct Paint {
 using Painter = std::function<Paint(const Texel &)>;
 
 // How much of its surroundings each texel sees, for soft shadows between limbs and under cloth.
-using Openness = std::function<float(glm::vec3 position, glm::vec3 normal)>;
+using AmbientVisibility = std::function<float(glm::vec3 position, glm::vec3 normal)>;
 
 // One image for each painter. `mesh` is unwrapped. Deterministic; no texel is left without a key.
-std::vector<model::Image> paint(const Mesh &mesh, const Openness &openness, const std::vector<Painter> &painters,
-                                const Zones &zones);
+std::vector<model::Image> paint(const Mesh &mesh, const AmbientVisibility &ambient_visibility,
+                                const std::vector<Painter> &painters, const Zones &zones);
 
 }  // namespace claque::figures

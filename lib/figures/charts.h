@@ -71,10 +71,10 @@ struct ChartRect {
 };
 
 // Where a figure's charts lie in its texture; those it does not name must have no faces.
-struct Placed {
+struct PlacedChart {
     Chart chart;
     ChartRect rect;
 };
-using Layout = std::vector<Placed>;
+using Layout = std::vector<PlacedChart>;
 
 }  // namespace claque::figures

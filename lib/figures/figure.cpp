@@ -3,7 +3,7 @@
 #include "lib/figures/assemble.h"
 #include "lib/figures/clips/variant.h"
 #include "lib/figures/parts.h"
-#include "lib/figures/second_looks.h"
+#include "lib/figures/texture_variants.h"
 
 namespace claque::figures
 {
@@ -73,7 +73,7 @@ model::Model citizen()
     figure.name = "citizen";
     figure.add_pieces = add_citizen;
     figure.painter = paint_citizen;
-    figure.looks = {{"bearded", paint_bearded_citizen}};
+    figure.texture_sets = {{"bearded", paint_bearded_citizen}};
     figure.layout = citizen_layout();
     figure.zones = citizen_zones();
     figure.clips = figure_clips();

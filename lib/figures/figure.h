@@ -45,7 +45,7 @@ model::Model winged_herald();
 // arm_right, its tail is legs. 1.6 m from tufts to tail, wings 3.1 m across. Eight zones.
 model::Model letter_owl();
 
-constexpr uint32_t most_clips = 2000;
+constexpr uint32_t max_clips = 2000;
 
 // Adds clips to one of the people, made by varying its own, until there are so many: "sit_talk.03" and the like
 // (clips/variant.h).

@@ -54,7 +54,7 @@ bool on_stripe(const Texel &t)
 Paint belt(glm::vec3 p)
 {
     const float height = (p.y - belt_low) / (belt_high - belt_low);
-    float g = 214 + 20 * grain(around_body(p) * 30, p.y * 80, 21) - 50 * soft_step(0.66f, 1.0f, height);
+    float g = 214 + 20 * value_noise(around_body(p) * 30, p.y * 80, 21) - 50 * smoothstep(0.66f, 1.0f, height);
     if (std::fabs(height - 0.12f) < 0.05f || std::fabs(height - 0.62f) < 0.05f) g -= 44;  // stitching
     const glm::vec2 q(p.x, p.y - 1.032f);
     if (p.z > 0.05f) {  // buckle
@@ -79,22 +79,23 @@ float cloth_folds(glm::vec3 p, glm::vec3 n)
     float g = 222;
     if (p.y < belt_low) {
         const float down = (belt_low - p.y) / (belt_low - hem);
-        const float wander = 0.22f * (grain(a * 2, p.y * 5, 11) - 0.5f);
-        const float broad = grain((a + wander) * 5.2f / (0.8f + 0.3f * down), p.y * 1.3f, 12);
-        const float fine = grain((a + wander) * 15, p.y * 2.2f, 13);
-        g += 34 * furrow(broad) * soft_step(-0.05f, 0.35f, down) + 18 * furrow(fine) * (1 - 0.75f * down);
+        const float wander = 0.22f * (value_noise(a * 2, p.y * 5, 11) - 0.5f);
+        const float broad = value_noise((a + wander) * 5.2f / (0.8f + 0.3f * down), p.y * 1.3f, 12);
+        const float fine = value_noise((a + wander) * 15, p.y * 2.2f, 13);
+        g += 34 * furrow(broad) * smoothstep(-0.05f, 0.35f, down) + 18 * furrow(fine) * (1 - 0.75f * down);
         g -= 66 * spot(p.y - belt_low, 0.026f);  // shadow of the belt
         return g;
     }
     const float up = p.y - 1.05f;
-    const float pleat = grain(a * 11 + 0.5f * grain(a * 4, p.y * 9, 14), p.y * 4, 15);
-    g += 30 * furrow(pleat) * soft_step(0.19f, 0.01f, up);                 // gathered above the belt
-    g -= 74 * soft_step(-0.2f, -0.85f, n.y) * soft_step(0.05f, 0.0f, up);  // underside of the overhang
+    const float pleat = value_noise(a * 11 + 0.5f * value_noise(a * 4, p.y * 9, 14), p.y * 4, 15);
+    g += 30 * furrow(pleat) * smoothstep(0.19f, 0.01f, up);                  // gathered above the belt
+    g -= 74 * smoothstep(-0.2f, -0.85f, n.y) * smoothstep(0.05f, 0.0f, up);  // underside of the overhang
     g -= 26 * spot(up, 0.022f);
     const float sag = std::fabs(p.x);
-    const float swing = p.y + (p.z > 0 ? -3.2f : -1.6f) * sag * sag + 0.016f * grain(p.x * 26, p.y * 9, 16);
-    const float hang = 0.55f * grain(swing * 16, 3.0f + sag * 3, 17) + 0.45f * grain(swing * 34, 5.0f + sag * 5, 19);
-    g += 32 * furrow(hang) * soft_step(0.05f, 0.16f, up) * soft_step(0.42f, 0.33f, up);
+    const float swing = p.y + (p.z > 0 ? -3.2f : -1.6f) * sag * sag + 0.016f * value_noise(p.x * 26, p.y * 9, 16);
+    const float hang =
+        0.55f * value_noise(swing * 16, 3.0f + sag * 3, 17) + 0.45f * value_noise(swing * 34, 5.0f + sag * 5, 19);
+    g += 32 * furrow(hang) * smoothstep(0.05f, 0.16f, up) * smoothstep(0.42f, 0.33f, up);
     g -= 16 * spot(p.x, 0.05f) * spot(p.y - 1.26f, 0.12f) * (p.z > 0 ? 1.0f : 0.4f);
     g += 10 * spot(sag - 0.085f, 0.06f) * spot(p.y - 1.31f, 0.07f);
     return g;
@@ -104,7 +105,7 @@ float sleeve_folds(glm::vec3 p, float along)
 {
     const glm::vec3 from = glm::vec3(std::fabs(p.x), p.y, p.z) - skeleton().joint(Bone::upper_arm);
     const float round = glm::dot(from, arm_dorsal()) * 12 + p.z * 16;
-    const float g = 222 + 26 * furrow(grain(round * 2.4f + along * 2, along * 3, 18));
+    const float g = 222 + 26 * furrow(value_noise(round * 2.4f + along * 2, along * 3, 18));
     return g - 26 * spot(glm::dot(from, arm_dorsal()) + 0.08f, 0.04f);
 }
 

@@ -27,7 +27,7 @@ float step(float from, float to, float x)
 void chain(BoneWeights &w, float whole, std::initializer_list<Link> links)
 {
     for (const Link &link : links) {
-        give(w, link.bone, whole * (1 - link.share));
+        add_weight(w, link.bone, whole * (1 - link.share));
         whole *= link.share;
     }
 }
@@ -52,7 +52,7 @@ void weigh_shoulder(BoneWeights &w, glm::vec3 p, Side side, float whole)
                       step(1.20f, 1.34f, q.y + (q.x > 0.2f ? 1 : 0));
     const float along = glm::dot(q - joint, arm_direction());
     weigh_trunk(w, p, whole * (1 - arm) * (1 - 0.75f * out));
-    give(w, on(side, Bone::clavicle), whole * (1 - arm) * 0.75f * out);
+    add_weight(w, on(side, Bone::clavicle), whole * (1 - arm) * 0.75f * out);
     chain(w, whole * arm,
           {{on(side, Bone::upper_arm), 0.12f * step(0.19f, 0.31f, along)}, {on(side, Bone::forearm), 0}});
 }
@@ -77,12 +77,12 @@ void hang_cloth(BoneWeights &w, glm::vec3 p, float whole, float below)
     weigh_trunk(w, p, whole * (1 - hang));
     const float left = step(-0.13f, 0.13f, p.x), front = step(-0.12f, 0.12f, p.z);
     const float above = whole * hang * (1 - below);
-    give(w, Bone::skirt_front, above * left * front);
-    give(w, Bone::skirt_front_r, above * (1 - left) * front);
-    give(w, Bone::skirt_back, above * left * (1 - front));
-    give(w, Bone::skirt_back_r, above * (1 - left) * (1 - front));
-    give(w, Bone::shin, whole * hang * below * left);
-    give(w, Bone::shin_r, whole * hang * below * (1 - left));
+    add_weight(w, Bone::skirt_front, above * left * front);
+    add_weight(w, Bone::skirt_front_r, above * (1 - left) * front);
+    add_weight(w, Bone::skirt_back, above * left * (1 - front));
+    add_weight(w, Bone::skirt_back_r, above * (1 - left) * (1 - front));
+    add_weight(w, Bone::shin, whole * hang * below * left);
+    add_weight(w, Bone::shin_r, whole * hang * below * (1 - left));
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ void leg(Dense &w, glm::vec3 p, Side side)
 void foot(Dense &w, glm::vec3 p, Side side)
 {
     const float down = step(0.125f, 0.070f, p.y);
-    give(w, on(side, Bone::shin), 1 - down);
+    add_weight(w, on(side, Bone::shin), 1 - down);
     chain(w, down, {{on(side, Bone::foot), step(0.080f, 0.135f, p.z)}, {on(side, Bone::toes), 0}});
 }
 

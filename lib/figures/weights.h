@@ -17,7 +17,7 @@ struct Binding {
 
 using BoneWeights = std::array<float, bone_count>;  // before the strongest four are kept
 
-inline void give(BoneWeights &w, Bone bone, float weight) { w[static_cast<size_t>(bone)] += weight; }
+inline void add_weight(BoneWeights &w, Bone bone, float weight) { w[static_cast<size_t>(bone)] += weight; }
 
 // Hands `whole` down a chain: at each joint the part beyond it goes on to the next bone.
 struct Link {

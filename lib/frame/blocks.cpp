@@ -11,7 +11,7 @@ model::Sphere sphere_of(const crowd::Crowd &crowd, const uint32_t *rows, uint32_
     if (count == 0) return model::Sphere();
     glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
     for (uint32_t i = 0; i < count; ++i) {
-        const glm::dvec3 &p = crowd.place_of(rows[i]).position;
+        const glm::dvec3 &p = crowd.transform_of(rows[i]).position;
         for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
     }
     model::Sphere sphere;
@@ -19,9 +19,9 @@ model::Sphere sphere_of(const crowd::Crowd &crowd, const uint32_t *rows, uint32_
     const glm::dvec3 centre(sphere.centre);
     double radius = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        const crowd::Place &place = crowd.place_of(rows[i]);
-        const glm::dvec3 d = place.position - centre;
-        const double own = std::fabs(static_cast<double>(place.scale)) * double(crowd.extent_of(rows[i]).refpoint);
+        const crowd::Transform &transform = crowd.transform_of(rows[i]);
+        const glm::dvec3 d = transform.position - centre;
+        const double own = std::fabs(static_cast<double>(transform.scale)) * double(crowd.extent_of(rows[i]).refpoint);
         radius = std::max(radius, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) + own);
     }
     sphere.radius = static_cast<float>(radius * (1 + 1e-6));

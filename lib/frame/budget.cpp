@@ -37,20 +37,20 @@ void Update::learn_cost(double spent_s)
 void Update::keep_to_budget()
 {
     if (!frame.settings_.caches.can_defer) return;
-    animcache::Caches::Moment moment;
-    moment.time_s = time_s;
-    moment.gone_s = frame.has_last_time_ ? std::max(0.0, time_s - frame.last_time_s_) : 0;
-    moment.budget = budget();
-    frame.caches_.defer(moment);
+    animcache::Caches::PoseBudget context;
+    context.time_s = time_s;
+    context.elapsed_s = frame.has_last_time_ ? std::max(0.0, time_s - frame.last_time_s_) : 0;
+    context.budget = budget();
+    frame.caches_.defer(context);
     if (frame.caches_.counters().deferred == 0) return;
     const std::pmr::vector<animcache::Request> &requests = frame.caches_.pending();
     for (uint32_t i = 0; i < requests.size(); ++i) {
         const animcache::Request &request = requests[i];
         Row &row = frame.rows_[request.row];
-        if (row.seen.shown_s == request.shown_s) continue;
-        row.seen.shown_s = request.shown_s;
-        if (crowd.behaviours().has_uses(request.row))
-            frame.candidates_[frame.asked_[i]].levels = request.pose.behaviour_levels;
+        if (row.visibility.shown_s == request.shown_s) continue;
+        row.visibility.shown_s = request.shown_s;
+        if (crowd.behaviours().has_mechanisms(request.row))
+            frame.candidates_[frame.requested_[i]].levels = request.pose.behaviour_levels;
     }
 }
 

@@ -12,15 +12,15 @@ void Frame::reset_bands()
     const auto edge = [&](uint32_t k) { return near + (far - near) * float(k) / float(band_count - 2); };
     for (uint32_t i = 0; i < band_count; ++i) {
         stats_.bands[i] = Band();
-        stats_.bands[i].distance_first = i == 0 ? 0 : edge(i - 1);
-        stats_.bands[i].distance_last = edge(std::min(i, band_count - 2));
+        stats_.bands[i].distance_min = i == 0 ? 0 : edge(i - 1);
+        stats_.bands[i].distance_max = edge(std::min(i, band_count - 2));
     }
 }
 
 uint32_t Update::band_of(float distance) const
 {
     uint32_t band = 0;
-    while (band + 1 < band_count && distance >= frame.stats_.bands[band + 1].distance_first) ++band;
+    while (band + 1 < band_count && distance >= frame.stats_.bands[band + 1].distance_min) ++band;
     return band;
 }
 
@@ -50,9 +50,9 @@ void Update::count()
     for (const animcache::Request &request : frame.caches_.requests()) {
         if (!request.drawn) continue;
         const Row &row = frame.rows_[request.row];
-        Band &band = stats.bands[band_of(row.seen.distance)];
+        Band &band = stats.bands[band_of(row.visibility.distance)];
         ++band.actor_frames;
-        if (!passes || !row.steady) continue;
+        if (!passes || !row.visible_before) continue;
         band.seconds += gone;
         band.animated += frame.caches_.was_animated(request.row);
     }

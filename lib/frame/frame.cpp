@@ -26,12 +26,12 @@ Frame::Frame(std::pmr::memory_resource *memory, const Settings &settings)
       groups_(memory),
       blocks_(memory),
       eyes_(memory),
-      block_seen_(memory),
+      block_visible_(memory),
       tested_(memory),
       passed_(memory),
       candidates_(memory),
-      sights_(memory),
-      asked_(memory),
+      view_visibilities_(memory),
+      requested_(memory),
       visible_(memory),
       layers_(memory),
       masks_(memory),
@@ -51,22 +51,22 @@ void Frame::forget()
     has_last_time_ = false;
 }
 
-Seen Frame::seen(const crowd::Crowd &crowd, uint32_t row) const
+ActorVisibility Frame::visibility(const crowd::Crowd &crowd, uint32_t row) const
 {
-    if (row >= rows_.size() || rows_[row].generation != crowd.actor(row).generation) return Seen();
-    Seen seen = rows_[row].seen;
-    seen.visible = seen.visible && rows_[row].update == update_;
-    return seen;
+    if (row >= rows_.size() || rows_[row].generation != crowd.actor(row).generation) return ActorVisibility();
+    ActorVisibility visibility = rows_[row].visibility;
+    visibility.visible = visibility.visible && rows_[row].update == update_;
+    return visibility;
 }
 
-bool Frame::root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Place &out) const
+bool Frame::root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &out) const
 {
-    if (!seen(crowd, row).visible) return false;
+    if (!visibility(crowd, row).visible) return false;
     out = candidates_[rows_[row].candidate].root;
     return true;
 }
 
-bool Frame::group_seen(const crowd::Crowd &crowd, uint32_t group) const
+bool Frame::group_visible(const crowd::Crowd &crowd, uint32_t group) const
 {
     return group < groups_.size() && update_ > 0 && groups_[group].update == update_ &&
            groups_[group].generation == crowd.group(group).generation;
@@ -86,19 +86,19 @@ void Update::reserve()
             view->grown.reserve(colours + colours / 2);
     }
     frame.passed_.reserve(size_t(views.count) * rows);
-    frame.sights_.reserve(size_t(views.count) * rows);
+    frame.view_visibilities_.reserve(size_t(views.count) * rows);
     frame.tested_.reserve(rows);
-    frame.asked_.reserve(rows);
+    frame.requested_.reserve(rows);
     frame.behaving_.reserve(rows);
-    frame.most_dofs_ = 0;
+    frame.max_dofs_ = 0;
     for (const model::Template *tmpl : crowd.templates())
-        frame.most_dofs_ = std::max(frame.most_dofs_, static_cast<uint32_t>(tmpl->rig.dofs.size()));
+        frame.max_dofs_ = std::max(frame.max_dofs_, static_cast<uint32_t>(tmpl->rig.dofs.size()));
     if (crowd.behaviours().mechanism_count() > 0) {
-        const size_t dofs = (size_t(rows) + 1) * frame.most_dofs_;
+        const size_t dofs = (size_t(rows) + 1) * frame.max_dofs_;
         if (frame.dofs_.size() < dofs) frame.dofs_.resize(dofs);
     }
     frame.blocks_.follow(crowd);
-    frame.block_seen_.assign(size_t(views.count) * frame.blocks_.blocks().count, 0);
+    frame.block_visible_.assign(size_t(views.count) * frame.blocks_.blocks().count, 0);
     frame.candidates_.reserve(rows);
     frame.visible_.reserve(rows);
     frame.listed_.reserve(rows);
@@ -111,7 +111,7 @@ void Update::reserve()
 
 void Update::find_due()
 {
-    frame.caches_.admit_poses();
+    frame.caches_.allocate_poses();
     frame.caches_.find_due_poses();
     keep_to_budget();
 }
@@ -120,7 +120,7 @@ void Update::animate() { frame.caches_.animate(jobs); }
 
 void Update::skin()
 {
-    frame.caches_.admit_vertices();
+    frame.caches_.allocate_vertices();
     frame.caches_.find_due_vertices();
     frame.caches_.skin(jobs);
 }

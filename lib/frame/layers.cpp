@@ -1,5 +1,5 @@
 // What each request's pose is made of: one clip, or layers in memory that lives as long as the lists of this update.
-#include "lib/behave/layers.h"
+#include "lib/behave/active_clips.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace claque::frame
 void Update::reserve_layers()
 {
     const crowd::Layers &layers = crowd.layers();
-    const size_t most = size_t(layers.slot_count()) * pose::most_layers +
+    const size_t most = size_t(layers.slot_count()) * pose::max_layers +
                         (crowd.behaviours().any_blend() ? 2 * size_t(crowd.row_count()) : 0);
     std::pmr::vector<pose::Layer> grown(frame.layers_.get_allocator());
     if (frame.layers_.capacity() < most) grown.reserve(most + most / 2);
@@ -30,7 +30,7 @@ void Update::reserve_layers()
 void Update::choose_clips(animcache::Request &request, uint64_t levels)
 {
     const uint32_t row = request.row;
-    if (!crowd.behaviours().has_uses(row) && !crowd.layers().of(row)) {
+    if (!crowd.behaviours().has_mechanisms(row) && !crowd.layers().of(row)) {
         const crowd::Play &play = crowd.play_of(row);
         request.pose.clip = play.clip;
         if (play.clip != model::none)
@@ -38,19 +38,19 @@ void Update::choose_clips(animcache::Request &request, uint64_t levels)
                                                        request.tmpl->rig.clips[play.clip], request.shown_s);
         return;
     }
-    behave::Shown shown;
-    behave::shown_at(crowd, row, request.shown_s, levels, shown);
-    request.pose.clip = shown.clip;
-    request.pose.clip_time_s = shown.clip_time_s;
-    if (shown.count == 0) return;
+    behave::ActiveClips active_clips;
+    behave::active_clips_at(crowd, row, request.shown_s, levels, active_clips);
+    request.pose.clip = active_clips.clip;
+    request.pose.clip_time_s = active_clips.clip_time_s;
+    if (active_clips.count == 0) return;
     // What the layers are is a function of the tick.
     request.pose.tick_s = request.shown_s;
-    request.pose.layers = shown.count;
-    const crowd::Layering *layering = crowd.layers().of(row);
-    request.blend_radius = crowd::blended_reach_of(*request.tmpl, layering ? layering->most_added() : 0);
+    request.pose.layers = active_clips.count;
+    const crowd::LayerState *layer_state = crowd.layers().of(row);
+    request.blend_radius = crowd::blended_reach_of(*request.tmpl, layer_state ? layer_state->max_additive_weight() : 0);
     const size_t first = frame.layers_.size();
-    frame.layers_.insert(frame.layers_.end(), shown.layers, shown.layers + shown.count);
-    request.layers = {frame.layers_.data() + first, shown.count};
+    frame.layers_.insert(frame.layers_.end(), active_clips.layers, active_clips.layers + active_clips.count);
+    request.layers = {frame.layers_.data() + first, active_clips.count};
 }
 
 }  // namespace claque::frame

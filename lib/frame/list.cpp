@@ -3,33 +3,33 @@
 
 #include "lib/frame/order.h"
 #include "lib/frame/steps.h"
-#include "lib/math/place.h"
+#include "lib/math/eye_transform.h"
 
 namespace claque::frame
 {
 
-draw::Item Update::item_of(const EyeOf &eye, uint32_t view, const Listed &listed) const
+draw::Item Update::item_of(const CameraState &eye, uint32_t view, const SortEntry &listed) const
 {
     const Row &found = frame.rows_[listed.row];
-    const crowd::Place &place = frame.candidates_[found.candidate].root;
-    const Sight &seen = sight(view, found.candidate);
+    const crowd::Transform &transform = frame.candidates_[found.candidate].root;
+    const ViewVisibility &visibility = view_visibility(view, found.candidate);
     draw::Item item;
     item.tmpl = &crowd.template_of(listed.row);
-    item.level = found.seen.level;
+    item.level = found.visibility.level;
     item.actor_index = listed.row;
     item.texture_set = listed.texture_set;
     item.generation = crowd.actor(listed.row).generation;
-    item.parts = seen.parts;
-    item.shadow_only = seen.shadow_only;
+    item.parts = visibility.parts;
+    item.shadow_only = visibility.shadow_only;
     item.locals = frame.caches_.locals_of(listed.row);
     if (!item.locals) item.vertices = frame.caches_.vertices_of(listed.row);
     item.zone_rgb = crowd.zone_rgb(listed.row);
-    math::store_matrix(
-        math::eye_place(eye.world_to_eye, eye.eye, place.position, place.orientation, double(place.scale)),
-        item.model_view);
+    math::store_matrix(math::eye_transform(eye.world_to_eye, eye.eye, transform.position, transform.orientation,
+                                           double(transform.scale)),
+                       item.model_view);
     item.eye_distance_m = listed.distance * frame.settings_.caches.metres_per_unit;
-    item.mirrored = place.scale < 0;
-    const glm::dvec3 ground = follows_ground(listed.row) ? place.position : position_of(listed.row);
+    item.mirrored = transform.scale < 0;
+    const glm::dvec3 ground = follows_ground(listed.row) ? transform.position : position_of(listed.row);
     for (int k = 0; k < 3; ++k) item.ground[k] = ground[k];
     return item;
 }
@@ -87,21 +87,21 @@ void keep_hooks(const crowd::Crowd &crowd, View &view)
 void Update::list_view(uint32_t v)
 {
     View &view = *views[v];
-    std::pmr::vector<Listed> &listed = frame.listed_;
+    std::pmr::vector<SortEntry> &listed = frame.listed_;
     listed.clear();
     for (const uint32_t i : frame.visible_) {
         const uint32_t row = frame.candidates_[i].row;
-        const Sight &seen = sight(v, i);
-        if (seen.inside != math::Inside::no)
-            listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, seen.distance, row});
+        const ViewVisibility &visibility = view_visibility(v, i);
+        if (visibility.inside != math::Containment::outside)
+            listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, visibility.distance, row});
     }
-    put_in_order(listed, frame.ordered_);
+    sort_entries(listed, frame.ordered_);
 
     view.list.items.resize(listed.size());
     view.list.server = &view.server;
     view.server.attach(frame.caches_);
     std::copy(std::begin(view.camera.projection), std::end(view.camera.projection), view.list.projection);
-    const EyeOf &eye = frame.eyes_[v];
+    const CameraState &eye = frame.eyes_[v];
     for (int k = 0; k < 3; ++k) view.list.eye[k] = eye.eye[k];
     for (int k = 0; k < 9; ++k) view.list.world_to_eye[k] = eye.world_to_eye[k / 3][k % 3];
     for_slices(static_cast<uint32_t>(listed.size()),

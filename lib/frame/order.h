@@ -12,7 +12,7 @@ namespace claque::frame
 {
 
 // One individual in one view, before its Item is written.
-struct Listed {
+struct SortEntry {
     uint32_t tmpl = 0;  // of Crowd::templates()
     uint32_t texture_set = 0;
     float distance = 0;  // not below 0, and a number
@@ -21,6 +21,6 @@ struct Listed {
 
 // `spare` is grown to as many. Sorts by digits (Knuth, volume 3, 5.2.5): time goes with the number of individuals, and
 // thousands that are compared take a sixth of a whole update.
-void put_in_order(std::pmr::vector<Listed> &listed, std::pmr::vector<Listed> &spare);
+void sort_entries(std::pmr::vector<SortEntry> &listed, std::pmr::vector<SortEntry> &spare);
 
 }  // namespace claque::frame

@@ -9,28 +9,28 @@ namespace claque::frame
 void Update::place_root(Candidate &candidate) const
 {
     const uint32_t row = candidate.row;
-    candidate.root = crowd.world_place_of(row);
-    if (crowd.behaviours().has_root_motion(row))
-        candidate.root = composed(candidate.root, behave::root_at(crowd, row, time_s));
+    candidate.root = crowd.world_transform_of(row);
+    if (crowd.behaviours().has_root_path_play(row))
+        candidate.root = composed(candidate.root, behave::root_transform_at(crowd, row, time_s));
 }
 
 bool Update::follows_ground(uint32_t row) const
 {
     const crowd::Extra *extra = crowd.ground() ? crowd.extra_of(row) : nullptr;
-    return extra && (extra->most_up != 0 || extra->most_down != 0) && crowd.group_of(row) == model::none;
+    return extra && (extra->max_up != 0 || extra->max_down != 0) && crowd.group_of(row) == model::none;
 }
 
 namespace
 {
 
 // Host's code: on the caller's thread, one after the other.
-void put_on_ground(const crowd::Crowd &crowd, uint32_t row, crowd::Place &root)
+void put_on_ground(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &root)
 {
     const crowd::Extra *extra = crowd.extra_of(row);
     const double at[3] = {root.position.x, root.position.y, root.position.z};
     const double step = crowd.ground()(crowd.ground_user(), at) - root.position.y;
     // Not a number: there is no ground here.
-    if (step == step) root.position.y += std::clamp(step, -double(extra->most_down), double(extra->most_up));
+    if (step == step) root.position.y += std::clamp(step, -double(extra->max_down), double(extra->max_up));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace claque::frame
 {
 
-using math::Inside;
+using math::Containment;
 
 namespace
 {
@@ -32,7 +32,7 @@ Ball united(const Ball &a, const Ball &b)
 }
 
 // No length grows by more: the largest column of a similarity, else the root of all squares.
-double stretch_of(const math::Affine &m, bool similar)
+double max_scale_of(const math::Affine &m, bool similar)
 {
     double most = 0, sum = 0;
     for (int k = 0; k < 3; ++k) {
@@ -55,14 +55,14 @@ Ball ball_of(const model::Template &tmpl, const model::Level &level, const model
         const model::PartSphere &sphere = level.part_spheres[i];
         const math::Affine &m = palette[sphere.entry];
         Ball one;
-        one.centre = glm::dvec3(math::point(m, sphere.bind.centre));
-        one.radius = double(sphere.bind.radius) * stretch_of(m, tmpl.similar_only) * margin;
+        one.centre = glm::dvec3(math::transform_point(m, sphere.bind.centre));
+        one.radius = double(sphere.bind.radius) * max_scale_of(m, tmpl.similar_only) * margin;
         ball = united(ball, one);
     }
     return ball;
 }
 
-constexpr uint32_t most_nodes = 256;  // beyond, parts are tested one by one: the stack is not for thousands
+constexpr uint32_t max_nodes = 256;  // beyond, parts are tested one by one: the stack is not for thousands
 
 }  // namespace
 
@@ -80,10 +80,10 @@ PartsInView parts_in_view(const model::Template &tmpl, const model::Level &level
     out.built = parts;
 
     const uint32_t nodes = tmpl.rig.node_count();
-    Inside state[most_nodes];
-    const bool tree = parts > 2 && nodes <= most_nodes;
+    Containment state[max_nodes];
+    const bool tree = parts > 2 && nodes <= max_nodes;
     if (tree) {
-        Ball below[most_nodes];
+        Ball below[max_nodes];
         for (uint32_t k = 0; k < parts; ++k) below[level.parts[k].node] = united(below[level.parts[k].node], balls[k]);
         for (uint32_t n = nodes; n-- > 0;) {
             if (below[n].radius < 0) continue;
@@ -93,14 +93,14 @@ PartsInView parts_in_view(const model::Template &tmpl, const model::Level &level
         }
         for (uint32_t n = 0; n < nodes; ++n) {
             const uint32_t parent = tmpl.rig.parents[n];
-            state[n] = parent == model::none || below[parent].radius < 0 ? Inside::crosses : state[parent];
-            if (state[n] == Inside::crosses && below[n].radius >= 0) state[n] = inside(below[n]);
+            state[n] = parent == model::none || below[parent].radius < 0 ? Containment::intersects : state[parent];
+            if (state[n] == Containment::intersects && below[n].radius >= 0) state[n] = inside(below[n]);
         }
     }
     for (uint32_t k = 0; k < parts; ++k) {
-        Inside where = tree ? state[level.parts[k].node] : Inside::crosses;
-        if (where == Inside::crosses) where = inside(balls[k]);
-        if (where != Inside::no) out.parts |= uint64_t(1) << k;
+        Containment where = tree ? state[level.parts[k].node] : Containment::intersects;
+        if (where == Containment::intersects) where = inside(balls[k]);
+        if (where != Containment::outside) out.parts |= uint64_t(1) << k;
     }
     return out;
 }

@@ -13,16 +13,16 @@ constexpr uint32_t band_count = 8;
 
 // What fell to individuals at one distance, since the counters were reset. animated / seconds is the rate reached.
 struct Band {
-    float distance_first = 0, distance_last = 0;  // world units; the last band is open
-    uint64_t actor_frames = 0;                    // individuals seen, summed over updates
+    float distance_min = 0, distance_max = 0;  // world units; the last band is open
+    uint64_t actor_frames = 0;                 // individuals seen, summed over updates
     double seconds = 0;     // of the host's clock, between updates that both saw the individual and were < 1 s apart
     uint64_t animated = 0;  // poses evaluated in that time
 };
 
 struct Stats {
-    uint32_t groups = 0;       // that have members
-    uint32_t groups_seen = 0;  // of these, enabled and met by a view
-    uint32_t tested = 0;       // actors without a group, and members of groups seen: phase 1
+    uint32_t groups = 0;          // that have members
+    uint32_t groups_visible = 0;  // of these, enabled and met by a view
+    uint32_t tested = 0;          // actors without a group, and members of groups seen: phase 1
     // S0 4.2, in any view: who passed phase 1 and phase 2, and who then crossed a frustum's edge.
     uint32_t passed_refpoint = 0, passed_sklsroot = 0, crossing = 0;
     uint64_t sphere_tests = 0;      // against a frustum, all three phases (S0 table 1: NO_04b)

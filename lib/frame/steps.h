@@ -8,10 +8,10 @@ namespace claque::frame
 
 // What one task of phase 3 found.
 struct PartsTested {
-    uint32_t strand = 0;
+    uint32_t slice = 0;
     const math::Affine *palette = nullptr;  // of the individual at hand; null until it is needed
     uint64_t spheres_built = 0, sphere_tests = 0, products_tracked = 0;
-    uint64_t products_unseen = 0;  // of these, for who turned out to be invisible
+    uint64_t products_invisible = 0;  // of these, for who turned out to be invisible
     uint32_t crossing = 0;
 };
 
@@ -45,19 +45,19 @@ struct Update {
 private:
     using Row = Frame::Row;
     using Candidate = Frame::Candidate;
-    using Sight = Frame::Sight;
+    using ViewVisibility = Frame::ViewVisibility;
 
     bool traditional() const { return frame.settings_.cull == Cull::traditional; }
-    bool sees(const EyeOf &eye, const Block &block) const;
-    Sight &sight(uint32_t view, uint32_t candidate) const
+    bool is_visible(const CameraState &eye, const Block &block) const;
+    ViewVisibility &view_visibility(uint32_t view, uint32_t candidate) const
     {
-        return frame.sights_[size_t(view) * frame.candidates_.size() + candidate];
+        return frame.view_visibilities_[size_t(view) * frame.candidates_.size() + candidate];
     }
     glm::dvec3 position_of(uint32_t row) const;
     bool follows_ground(uint32_t row) const;
     void place_root(Candidate &candidate) const;
-    void look_at(uint32_t candidate);
-    uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_m) const;
+    void evaluate_candidate(uint32_t candidate);
+    uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_distance_m) const;
     void request(uint32_t candidate);
     void reserve_layers();  // layers.cpp: of all memory the last, as lists of the update before still point at it
     void choose_clips(animcache::Request &request, uint64_t levels);
@@ -65,21 +65,21 @@ private:
     uint32_t budget() const;
     void keep_to_budget();
     void run_memories();
-    const animcache::Request *asked(uint32_t row) const;
+    const animcache::Request *find_request(uint32_t row) const;
     float *dofs_of(const animcache::Request &request) const;
     void test_parts(uint32_t view, uint32_t index, const animcache::Request &request, PartsTested &tested) const;
     void list_view(uint32_t view);
-    draw::Item item_of(const EyeOf &eye, uint32_t view, const Listed &listed) const;
+    draw::Item item_of(const CameraState &eye, uint32_t view, const SortEntry &listed) const;
     uint32_t band_of(float distance) const;
 
     // A loop over n in slices whose number does not follow the number of threads.
     template <class Body>
     void for_slices(uint32_t n, const Body &body) const
     {
-        constexpr uint32_t slice = 256;
-        jobs.for_each((n + slice - 1) / slice, [&](uint32_t k) {
-            const uint32_t last = n - k * slice < slice ? n : (k + 1) * slice;
-            for (uint32_t i = k * slice; i < last; ++i) body(i);
+        constexpr uint32_t slice_size = 256;
+        jobs.for_each((n + slice_size - 1) / slice_size, [&](uint32_t k) {
+            const uint32_t last = n - k * slice_size < slice_size ? n : (k + 1) * slice_size;
+            for (uint32_t i = k * slice_size; i < last; ++i) body(i);
         });
     }
 };

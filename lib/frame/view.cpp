@@ -48,10 +48,10 @@ Camera look_at(const glm::dvec3 &eye, const glm::dvec3 &target, const glm::vec3 
         !std::isfinite(aspect) || !std::isfinite(z_far))
         base::fail(CLQ_ARGUMENT, "a perspective of %g rad, aspect %g, from %g to %g", double(fov_y_rad), double(aspect),
                    double(z_near), double(z_far));
-    const glm::dvec3 sight = target - eye;
-    if (!(square(sight) > 0) || !std::isfinite(square(sight)))
+    const glm::dvec3 direction = target - eye;
+    if (!(square(direction) > 0) || !std::isfinite(square(direction)))
         base::fail(CLQ_ARGUMENT, "the eye and what it looks at are the same point, or not finite");
-    const glm::dvec3 back = -unit(sight);
+    const glm::dvec3 back = -unit(direction);
     const glm::dvec3 side = glm::cross(glm::dvec3(up), back);
     if (!(square(side) > 1e-12 * square(glm::dvec3(up)))) base::fail(CLQ_ARGUMENT, "up lies along the line of sight");
 

@@ -13,7 +13,7 @@ namespace claque::lod
 namespace
 {
 
-constexpr double least_cosine = 0.5;  // of a triangle's normal and its chart's: lengths are halved at most
+constexpr double min_cosine = 0.5;  // of a triangle's normal and its chart's: lengths are halved at most
 
 using Flat = std::array<glm::dvec2, 3>;
 
@@ -26,7 +26,7 @@ glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 other)
 }
 
 // Whether no point lies inside both, which turn the same way: some side of one has all of the other outside of it.
-bool apart(const Flat &a, const Flat &b)
+bool disjoint(const Flat &a, const Flat &b)
 {
     for (const auto &[one, other] : {std::make_pair(&a, &b), std::make_pair(&b, &a)})
         for (size_t k = 0; k < 3; ++k) {
@@ -40,10 +40,10 @@ bool apart(const Flat &a, const Flat &b)
 }
 
 // A triangle, and who may lie beside it: charts grow from the largest triangle on, over what faces most like it.
-class Growth
+class ChartGrowth
 {
 public:
-    explicit Growth(const PosedParts &level)
+    explicit ChartGrowth(const PosedParts &level)
         : level_(level), beside_(neighbours_of(level)), chart_(level.triangles().size(), model::none)
     {
         for (const PosedParts::Triangle &t : level.triangles()) {
@@ -52,22 +52,22 @@ public:
         }
     }
 
-    void run(std::vector<std::vector<uint32_t>> &charts, std::vector<Flat> &places)
+    void run(std::vector<std::vector<uint32_t>> &charts, std::vector<Flat> &texel_coords)
     {
         std::vector<uint32_t> order(chart_.size());
         std::iota(order.begin(), order.end(), 0u);
         std::stable_sort(order.begin(), order.end(),
                          [&](uint32_t a, uint32_t b) { return area_of(level_, a) > area_of(level_, b); });
-        places.resize(chart_.size());
+        texel_coords.resize(chart_.size());
         for (const uint32_t seed : order)
             if (chart_[seed] == model::none) {
                 charts.emplace_back();
-                grow(seed, static_cast<uint32_t>(charts.size() - 1), charts.back(), places);
+                grow(seed, static_cast<uint32_t>(charts.size() - 1), charts.back(), texel_coords);
             }
     }
 
 private:
-    void grow(uint32_t seed, uint32_t chart, std::vector<uint32_t> &members, std::vector<Flat> &places)
+    void grow(uint32_t seed, uint32_t chart, std::vector<uint32_t> &members, std::vector<Flat> &texel_coords)
     {
         const glm::dvec3 normal = unit_or(normals_[seed], glm::dvec3(0, 0, 1));
         const glm::dvec3 most = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -83,15 +83,16 @@ private:
             const uint32_t t = open.begin()->second;
             open.erase(open.begin());
             if (chart_[t] != model::none) continue;
-            const Flat place = flat(t);
-            if (!std::all_of(members.begin(), members.end(), [&](uint32_t m) { return apart(place, places[m]); }))
+            const Flat projected = flat(t);
+            if (!std::all_of(members.begin(), members.end(),
+                             [&](uint32_t m) { return disjoint(projected, texel_coords[m]); }))
                 continue;
             chart_[t] = chart;
             members.push_back(t);
-            places[t] = place;
+            texel_coords[t] = projected;
             for (const uint32_t next : beside_[t]) {
                 const double cosine = glm::dot(normals_[next], normal);
-                if (chart_[next] == model::none && cosine >= least_cosine) open.insert({-cosine, next});
+                if (chart_[next] == model::none && cosine >= min_cosine) open.insert({-cosine, next});
             }
         }
     }
@@ -106,11 +107,11 @@ struct Box {
     glm::dvec2 first = glm::dvec2(0), size = glm::dvec2(0);
 };
 
-Box box_of(const std::vector<uint32_t> &chart, const std::vector<Flat> &places, glm::dvec2 along)
+Box box_of(const std::vector<uint32_t> &chart, const std::vector<Flat> &texel_coords, glm::dvec2 along)
 {
     glm::dvec2 first(std::numeric_limits<double>::infinity()), last = -first;
     for (const uint32_t t : chart)
-        for (const glm::dvec2 p : places[t]) {
+        for (const glm::dvec2 p : texel_coords[t]) {
             const glm::dvec2 q(glm::dot(p, along), cross(along, p));
             first = glm::min(first, q), last = glm::max(last, q);
         }
@@ -118,32 +119,32 @@ Box box_of(const std::vector<uint32_t> &chart, const std::vector<Flat> &places, 
 }
 
 // Along the side of a triangle that makes its box least, the longer way across, from 0 on; the box's size.
-glm::dvec2 set_upright(const std::vector<uint32_t> &chart, std::vector<Flat> &places)
+glm::dvec2 rotate_to_smallest_box(const std::vector<uint32_t> &chart, std::vector<Flat> &texel_coords)
 {
     glm::dvec2 best(1, 0);
     double least = std::numeric_limits<double>::infinity();
     for (const uint32_t t : chart)
         for (size_t k = 0; k < 3; ++k) {
-            const glm::dvec2 side = places[t][(k + 1) % 3] - places[t][k];
+            const glm::dvec2 side = texel_coords[t][(k + 1) % 3] - texel_coords[t][k];
             const double length = glm::length(side);
             if (!(length > 0)) continue;
-            const glm::dvec2 size = box_of(chart, places, side / length).size;
+            const glm::dvec2 size = box_of(chart, texel_coords, side / length).size;
             if (size.x * size.y < least)
                 least = size.x * size.y, best = size.x < size.y ? glm::dvec2(-side.y, side.x) / length : side / length;
         }
-    const Box box = box_of(chart, places, best);
+    const Box box = box_of(chart, texel_coords, best);
     for (const uint32_t t : chart)
-        for (glm::dvec2 &p : places[t]) p = glm::dvec2(glm::dot(p, best), cross(best, p)) - box.first;
+        for (glm::dvec2 &p : texel_coords[t]) p = glm::dvec2(glm::dot(p, best), cross(best, p)) - box.first;
     return box.size;
 }
 
 // Charts on shelves, the tallest first; false where they do not all find room.
-bool stand(const std::vector<glm::dvec2> &sizes, const std::vector<uint32_t> &order, Atlas &atlas)
+bool pack(const std::vector<glm::dvec2> &sizes, const std::vector<uint32_t> &order, Atlas &atlas)
 {
     uint32_t x = 0, y = 0, tall = 0;
     for (const uint32_t i : order) {
         Chart &chart = atlas.charts[i];
-        const glm::dvec2 texels = glm::ceil(sizes[i] / atlas.texel);
+        const glm::dvec2 texels = glm::ceil(sizes[i] / atlas.texel_size);
         if (texels.x > atlas.width || texels.y > atlas.height) return false;
         chart.width = static_cast<uint32_t>(texels.x) + 2 * atlas_gutter;
         chart.height = static_cast<uint32_t>(texels.y) + 2 * atlas_gutter;
@@ -157,16 +158,16 @@ bool stand(const std::vector<glm::dvec2> &sizes, const std::vector<uint32_t> &or
 
 }  // namespace
 
-Atlas laid_flat(const PosedParts &level, uint32_t texels)
+Atlas build_atlas(const PosedParts &level, uint32_t texels)
 {
     Atlas atlas;
     std::vector<std::vector<uint32_t>> charts;
-    Growth(level).run(charts, atlas.places);
+    ChartGrowth(level).run(charts, atlas.texel_coords);
     std::vector<glm::dvec2> sizes;
     std::vector<uint32_t> order(charts.size());
     std::iota(order.begin(), order.end(), 0u);
     for (std::vector<uint32_t> &chart : charts) {
-        sizes.push_back(set_upright(chart, atlas.places));
+        sizes.push_back(rotate_to_smallest_box(chart, atlas.texel_coords));
         atlas.charts.emplace_back();
         atlas.charts.back().triangles = std::move(chart);
     }
@@ -177,18 +178,18 @@ Atlas laid_flat(const PosedParts &level, uint32_t texels)
     for (uint32_t bits = 0;; ++bits) {
         atlas.width = 1u << (bits + 1) / 2, atlas.height = 1u << bits / 2;
         if (size_t(atlas.width) * atlas.height < wanted) continue;
-        atlas.texel = std::sqrt(area / (double(atlas.width) * atlas.height));
-        if (!(atlas.texel > 0)) atlas.texel = 1;
-        bool stands = false;
+        atlas.texel_size = std::sqrt(area / (double(atlas.width) * atlas.height));
+        if (!(atlas.texel_size > 0)) atlas.texel_size = 1;
+        bool packed = false;
         // Finer texels than half of what would be there without gutters and gaps are not worth a search.
-        for (int step = 0; step < 100 && !stands; ++step, atlas.texel *= stands ? 1 : 1.02)
-            stands = stand(sizes, order, atlas);
-        if (stands) break;
+        for (int step = 0; step < 100 && !packed; ++step, atlas.texel_size *= packed ? 1 : 1.02)
+            packed = pack(sizes, order, atlas);
+        if (packed) break;
     }
     for (const Chart &chart : atlas.charts)
         for (const uint32_t t : chart.triangles)
-            for (glm::dvec2 &p : atlas.places[t])
-                p = p / atlas.texel + glm::dvec2(chart.x + atlas_gutter, chart.y + atlas_gutter);
+            for (glm::dvec2 &p : atlas.texel_coords[t])
+                p = p / atlas.texel_size + glm::dvec2(chart.x + atlas_gutter, chart.y + atlas_gutter);
     return atlas;
 }
 

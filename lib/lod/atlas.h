@@ -4,7 +4,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "lib/lod/samples.h"
+#include "lib/lod/surface_samples.h"
 
 namespace claque::lod
 {
@@ -17,14 +17,14 @@ struct Chart {
 };
 
 struct Atlas {
-    uint32_t width = 0, height = 0;                 // texels, powers of two
-    double texel = 0;                               // its size on the surface, where that lies flat
-    std::vector<Chart> charts;                      // each triangle is in one
-    std::vector<std::array<glm::dvec2, 3>> places;  // [triangles] of their corners, in texels
+    uint32_t width = 0, height = 0;                       // texels, powers of two
+    double texel_size = 0;                                // its size on the surface, where that lies flat
+    std::vector<Chart> charts;                            // each triangle is in one
+    std::vector<std::array<glm::dvec2, 3>> texel_coords;  // [triangles] of their corners, in texels
 };
 
 // Of `texels` for each triangle, gutters included, rounded up to powers of two; twice as many where that leaves some chart no
 // room. Vertices that triangles share join them. Deterministic.
-Atlas laid_flat(const PosedParts &level, uint32_t texels);
+Atlas build_atlas(const PosedParts &level, uint32_t texels);
 
 }  // namespace claque::lod

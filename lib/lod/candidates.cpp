@@ -7,23 +7,23 @@
 namespace claque::lod
 {
 
-size_t triangles_of(const Candidate &made)
+size_t triangle_count_of(const Candidate &made)
 {
     size_t count = 0;
     for (const model::Part &part : made.parts) count += model::triangles_of(part).size();
     return count;
 }
 
-std::vector<Candidate> in_use(std::vector<Candidate> all)
+std::vector<Candidate> prune(std::vector<Candidate> all)
 {
     std::vector<Candidate> made, kept;
     for (Candidate &one : all) {
-        if (one.level.triangles < 20 && one.level.zone_drift > most_drift) continue;
+        if (one.level.triangles < 20 && one.level.zone_area_error > max_zone_area_error) continue;
         if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
     }
     // Of two that come to the same the finer one goes, but the finest stays.
-    const auto one_is_enough = [](const ChainLevel &finer, const ChainLevel &next) {
-        return finer.first_m >= next.first_m || finer.triangles * 10 < next.triangles * 11;
+    const auto one_is_enough = [](const LevelReport &finer, const LevelReport &next) {
+        return finer.distance_m >= next.distance_m || finer.triangles * 10 < next.triangles * 11;
     };
     for (size_t k = made.size(); k-- > 0;) {
         while (k == 0 && !kept.empty() && one_is_enough(made[0].level, kept.back().level)) kept.pop_back();
@@ -33,59 +33,59 @@ std::vector<Candidate> in_use(std::vector<Candidate> all)
     return kept;
 }
 
-void stay_near(std::vector<Candidate> &made, std::vector<size_t> &far_targets)
+void prefer_near(std::vector<Candidate> &made, std::vector<size_t> &proxy_targets)
 {
     const auto alike = [](size_t a, size_t b) { return std::max(a, b) * 20 <= std::min(a, b) * 21; };
     std::vector<Candidate> stay;
     for (Candidate &one : made) {
-        if (one.is_far) continue;
+        if (one.is_proxy) continue;
         const size_t triangles = one.level.triangles;
-        const auto far = std::find_if(made.begin(), made.end(), [&](const Candidate &other) {
-            return other.is_far && alike(other.level.triangles, triangles);
+        const auto proxy = std::find_if(made.begin(), made.end(), [&](const Candidate &other) {
+            return other.is_proxy && alike(other.level.triangles, triangles);
         });
-        if (far != made.end() && far->level.error_m <= one.level.error_m) continue;
+        if (proxy != made.end() && proxy->level.error_m <= one.level.error_m) continue;
         stay.push_back(std::move(one));
         const auto theirs = [&](size_t target) { return alike(target, triangles); };
-        far_targets.erase(std::remove_if(far_targets.begin(), far_targets.end(), theirs), far_targets.end());
+        proxy_targets.erase(std::remove_if(proxy_targets.begin(), proxy_targets.end(), theirs), proxy_targets.end());
     }
     made = std::move(stay);
 }
 
-bool give_way(std::vector<Candidate> &made, std::vector<size_t> &far_targets)
+bool replace_by_proxy(std::vector<Candidate> &made, std::vector<size_t> &proxy_targets)
 {
     double least = std::numeric_limits<double>::infinity();
     for (const Candidate &one : made)
-        if (one.is_far) least = std::min(least, one.level.error_m);
+        if (one.is_proxy) least = std::min(least, one.level.error_m);
     size_t stay = 1;
-    while (stay < made.size() && !made[stay].is_far && made[stay].level.error_m < least) ++stay;
+    while (stay < made.size() && !made[stay].is_proxy && made[stay].level.error_m < least) ++stay;
     std::vector<size_t> more;
-    for (size_t k = stay; k < made.size() && !made[k].is_far; ++k) more.push_back(made[k].level.triangles);
+    for (size_t k = stay; k < made.size() && !made[k].is_proxy; ++k) more.push_back(made[k].level.triangles);
     if (more.empty()) return false;
     made.resize(stay);
-    far_targets.insert(far_targets.begin(), more.begin(), more.end());
+    proxy_targets.insert(proxy_targets.begin(), more.begin(), more.end());
     return true;
 }
 
-std::vector<model::Part> laid_out(const model::Model &model, const std::vector<size_t> &places,
+std::vector<model::Part> assemble(const model::Model &model, const std::vector<size_t> &part_indices,
                                   std::vector<Candidate> made)
 {
     std::vector<model::Part> parts;
     const auto take = [&](size_t k, model::Part &part) {
-        part.lod_first_m = static_cast<float>(made[k].level.first_m);
-        if (k + 1 < made.size()) part.lod_last_m = static_cast<float>(made[k + 1].level.first_m);
+        part.lod_min_m = static_cast<float>(made[k].level.distance_m);
+        if (k + 1 < made.size()) part.lod_max_m = static_cast<float>(made[k + 1].level.distance_m);
         parts.push_back(std::move(part));
     };
     for (size_t i = 0, at = 0; i < model.parts.size(); ++i) {
-        if (at == places.size() || places[at] != i) {
+        if (at == part_indices.size() || part_indices[at] != i) {
             parts.push_back(model.parts[i]);
             continue;
         }
         for (size_t k = 0; k < made.size(); ++k)
-            if (!made[k].is_far && (k == 0 || !made[k].parts[at].indices.empty())) take(k, made[k].parts[at]);
+            if (!made[k].is_proxy && (k == 0 || !made[k].parts[at].indices.empty())) take(k, made[k].parts[at]);
         ++at;
     }
     for (size_t k = 0; k < made.size(); ++k)
-        if (made[k].is_far) take(k, made[k].parts[0]);
+        if (made[k].is_proxy) take(k, made[k].parts[0]);
     return parts;
 }
 

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "lib/base/error.h"
+#include "lib/lod/area_fractions.h"
 #include "lib/lod/candidates.h"
-#include "lib/lod/far.h"
-#include "lib/lod/plain.h"
-#include "lib/lod/samples.h"
-#include "lib/lod/seen.h"
-#include "lib/lod/shares.h"
+#include "lib/lod/proxy.h"
+#include "lib/lod/quadric_only.h"
+#include "lib/lod/surface_samples.h"
+#include "lib/lod/visibility.h"
 
 namespace claque::lod
 {
@@ -21,20 +21,20 @@ namespace
 // A pixel at one metre, with 768 lines over 60 degrees: where distances of levels are at home (S0 5).
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
 
-constexpr int most_tries = 3;  // to keep to most_drift
+constexpr int max_tries = 3;  // to keep to most_drift
 
 bool takes_part(const model::Part &part)
 {
-    return !part.hidden && part.lod_first_m == 0 && std::isinf(part.lod_last_m) && !model::triangles_of(part).empty();
+    return !part.hidden && part.lod_min_m == 0 && std::isinf(part.lod_max_m) && !model::triangles_of(part).empty();
 }
 
 // What levels are made of.
 struct Source {
-    std::vector<size_t> places;  // of model.parts
+    std::vector<size_t> part_indices;  // of model.parts
     std::vector<const model::Part *> parts;
     size_t triangles = 0;
-    bool articulated = false;          // skinned, or on several nodes
-    std::vector<double> seen, shares;  // seen.h, shares.h
+    bool articulated = false;                        // skinned, or on several nodes
+    std::vector<double> visibility, area_fractions;  // seen.h, shares.h
 };
 
 Source source_of(const model::Model &model, const base::Jobs &jobs)
@@ -43,15 +43,15 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
     for (size_t i = 0; i < model.parts.size(); ++i) {
         const model::Part &part = model.parts[i];
         if (!takes_part(part)) continue;
-        source.places.push_back(i);
+        source.part_indices.push_back(i);
         source.parts.push_back(&part);
         source.triangles += model::triangles_of(part).size();
         source.articulated = source.articulated || part.skinned || part.node != source.parts[0]->node;
     }
     if (source.parts.empty()) base::fail(CLQ_ARGUMENT, "'%s' has no part to make levels of", model.name.c_str());
     const PosedParts rest = posed_at_rest(model.rig, source.parts);
-    source.seen = seen_of(model, rest, jobs);
-    source.shares = zone_shares(model, rest, source.seen);
+    source.visibility = visibility_of(model, rest, jobs);
+    source.area_fractions = zone_area_fractions(model, rest, source.visibility);
     return source;
 }
 
@@ -67,54 +67,60 @@ Candidate finest_of(const Source &source)
 }
 
 // Near levels as far as seams let them come down, and how far each is from the zones of the source.
-struct Near {
+struct NearLevels {
     std::vector<Decimated> levels;
-    std::vector<double> drifts;
-    size_t good = 0;       // those from this one on do not keep to what is promised
-    bool drifted = false;  // by their zones
+    std::vector<double> zone_area_errors;
+    size_t valid_count = 0;           // those from this one on do not keep to what is promised
+    bool exceeds_zone_error = false;  // by their zones
 };
 
-Near made_near(const model::Model &model, const std::vector<Piece> &pieces, const std::vector<double> &shares,
-               const Decimation &how, const ChainWish &wish)
+NearLevels make_near(const model::Model &model, const std::vector<SourcePart> &pieces,
+                     const std::vector<double> &area_fractions, const DecimationOptions &decimation,
+                     const ChainOptions &options)
 {
-    Near near;
-    near.levels = wish.plain ? decimated_plainly(pieces, how.targets) : decimate(pieces, how, wish.jobs);
-    near.drifts.resize(near.levels.size());
-    wish.jobs.try_each(static_cast<uint32_t>(near.levels.size()), [&](uint32_t k) {
-        near.drifts[k] = largest_drift(shares, zone_shares(model, pointers(near.levels[k].parts)));
+    NearLevels near;
+    near.levels = options.quadric_only ? decimate_quadric_only(pieces, decimation.targets)
+                                       : decimate(pieces, decimation, options.jobs);
+    near.zone_area_errors.resize(near.levels.size());
+    options.jobs.try_each(static_cast<uint32_t>(near.levels.size()), [&](uint32_t k) {
+        near.zone_area_errors[k] =
+            zone_area_error(area_fractions, zone_area_fractions(model, pointers(near.levels[k].parts)));
     });
-    while (near.good < near.levels.size() && near.drifts[near.good] <= most_drift &&
-           near.levels[near.good].triangles * 20 <= how.targets[near.good] * 21)
-        ++near.good;
-    near.drifted = near.good < near.levels.size() && near.drifts[near.good] > most_drift;
+    while (near.valid_count < near.levels.size() && near.zone_area_errors[near.valid_count] <= max_zone_area_error &&
+           near.levels[near.valid_count].triangles * 20 <= decimation.targets[near.valid_count] * 21)
+        ++near.valid_count;
+    near.exceeds_zone_error =
+        near.valid_count < near.levels.size() && near.zone_area_errors[near.valid_count] > max_zone_area_error;
     return near;
 }
 
 // Those of `targets`, descending, from the first on that seams and borders keep it from or that would not keep its zones: where
 // there are far levels these take over there.
-std::vector<size_t> add_near(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
-                             const ChainWish &wish, bool has_far, std::vector<Candidate> &made)
+std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
+                                    const ChainOptions &options, bool has_proxies, std::vector<Candidate> &made)
 {
-    Decimation how = wish.how;
-    how.targets = targets, how.model = &model;
-    const std::vector<std::vector<glm::vec3>> rest = at_rest(model.rig, source.parts);
-    std::vector<Piece> pieces;
+    DecimationOptions decimation = options.decimation;
+    decimation.targets = targets, decimation.model = &model;
+    const std::vector<std::vector<glm::vec3>> rest = rest_positions(model.rig, source.parts);
+    std::vector<SourcePart> pieces;
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
-    Near near = made_near(model, pieces, source.shares, how, wish);
+    NearLevels near = make_near(model, pieces, source.area_fractions, decimation, options);
     // A little beyond what is promised is often within it where zones cost more.
-    for (int i = 0; i < most_tries && has_far && near.drifted && near.drifts[near.good] < 1.25 * most_drift &&
-                    targets[near.good] > wish.far_from;
+    for (int i = 0; i < max_tries && has_proxies && near.exceeds_zone_error &&
+                    near.zone_area_errors[near.valid_count] < 1.25 * max_zone_area_error &&
+                    targets[near.valid_count] > options.proxy_max_triangles;
          ++i) {
-        how.drift *= 1.4;
-        if (Near again = made_near(model, pieces, source.shares, how, wish); again.good > near.good)
+        decimation.zone_area *= 1.4;
+        if (NearLevels again = make_near(model, pieces, source.area_fractions, decimation, options);
+            again.valid_count > near.valid_count)
             near = std::move(again);
     }
     for (size_t k = 0; k < near.levels.size(); ++k) {
-        if (has_far && k == near.good) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
-        if (near.levels[k].triangles >= triangles_of(made.back())) continue;
+        if (has_proxies && k == near.valid_count) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
+        if (near.levels[k].triangles >= triangle_count_of(made.back())) continue;
         Candidate next;
         next.level.flipped = near.levels[k].flipped;
-        next.level.zone_drift = near.drifts[k];
+        next.level.zone_area_error = near.zone_area_errors[k];
         next.parts = std::move(near.levels[k].parts);
         made.push_back(std::move(next));
     }
@@ -122,40 +128,42 @@ std::vector<size_t> add_near(const model::Model &model, const Source &source, co
 }
 
 // `model` gets the materials and the images of these levels, and keys that tell all its zones apart.
-void add_far(model::Model &model, const std::vector<const model::Part *> &source, const FarWish &wish,
-             const base::Jobs &jobs, std::vector<Candidate> &made)
+void add_proxies(model::Model &model, const std::vector<const model::Part *> &source, const ProxyOptions &options,
+                 const base::Jobs &jobs, std::vector<Candidate> &made)
 {
-    FarLevels far = make_far(model, source, wish, jobs);
-    enter(far, model);
-    for (model::Part &part : far.parts) {
+    ProxyLevels proxies = make_proxies(model, source, options, jobs);
+    add_to_model(proxies, model);
+    for (model::Part &part : proxies.parts) {
         Candidate next;
-        next.is_far = true;
+        next.is_proxy = true;
         next.parts.push_back(std::move(part));
         made.push_back(std::move(next));
     }
 }
 
-void measure(const model::Model &model, const Source &source, const ChainWish &wish, std::vector<Candidate> &made)
+void measure(const model::Model &model, const Source &source, const ChainOptions &options, std::vector<Candidate> &made)
 {
     std::vector<const std::vector<model::Part> *> levels;
     std::vector<size_t> fresh;
     for (size_t k = 1; k < made.size(); ++k)
         if (!made[k].is_measured) fresh.push_back(k), levels.push_back(&made[k].parts);
-    const std::vector<Deviation> found =
-        deviations(model, source.parts, source.seen, levels, wish.sampling, wish.metres_per_unit, wish.jobs);
+    const std::vector<Deviation> found = deviations(model, source.parts, source.visibility, levels, options.sampling,
+                                                    options.metres_per_unit, options.jobs);
     for (size_t i = 0; i < fresh.size(); ++i) {
         const size_t k = fresh[i];
-        ChainLevel &level = made[k].level;
+        LevelReport &level = made[k].level;
         made[k].is_measured = true;
-        level.triangles = triangles_of(made[k]), level.vertices = 0;
+        level.triangles = triangle_count_of(made[k]), level.vertices = 0;
         for (const model::Part &part : made[k].parts) level.vertices += part.positions.size();
         level.deviation = found[i];
         level.error_m = 2 * level.deviation.posed_rms_m;
-        level.first_m = distance_of(level.error_m, wish.tolerance_px);
+        level.distance_m = switch_distance(level.error_m, options.tolerance_px);
         // Where each is kept distances must ascend; else what is coarser and no further off takes a level's place.
-        if (wish.plain) level.first_m = std::max(level.first_m, made[k - 1].level.first_m * 1.001 + 0.001);
-        if (made[k].is_far)
-            level.zone_drift = largest_drift(source.shares, zone_shares(model, pointers(made[k].parts)));
+        if (options.quadric_only)
+            level.distance_m = std::max(level.distance_m, made[k - 1].level.distance_m * 1.001 + 0.001);
+        if (made[k].is_proxy)
+            level.zone_area_error =
+                zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(made[k].parts)));
     }
 }
 
@@ -170,7 +178,7 @@ std::vector<size_t> checked(std::vector<size_t> targets)
 
 }  // namespace
 
-std::vector<size_t> usual_targets(size_t triangles)
+std::vector<size_t> default_targets(size_t triangles)
 {
     std::vector<size_t> targets;
     for (size_t n = triangles / 2; n > 1300; n /= 2) targets.push_back(n);
@@ -179,19 +187,20 @@ std::vector<size_t> usual_targets(size_t triangles)
     return targets;
 }
 
-double distance_of(double error_m, double pixels) { return error_m / (pixels * pixel_at_a_metre); }
+double switch_distance(double error_m, double pixels) { return error_m / (pixels * pixel_at_a_metre); }
 
-std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
+std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options)
 {
-    const Source source = source_of(model, wish.jobs);
-    if (!(wish.tolerance_px > 0))
-        base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", wish.tolerance_px);
-    const bool has_far = source.articulated && wish.far_from > 0 && !wish.plain;
-    std::vector<size_t> near_targets, far_targets;
-    for (const size_t n : checked(wish.targets.empty() ? usual_targets(source.triangles) : wish.targets)) {
+    const Source source = source_of(model, options.jobs);
+    if (!(options.tolerance_px > 0))
+        base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", options.tolerance_px);
+    const bool has_proxies = source.articulated && options.proxy_max_triangles > 0 && !options.quadric_only;
+    std::vector<size_t> near_targets, proxy_targets;
+    for (const size_t n : checked(options.targets.empty() ? default_targets(source.triangles) : options.targets)) {
         if (n >= source.triangles) continue;
-        if (!has_far || n > std::min<size_t>(wish.far_from, most_clean)) near_targets.push_back(n);
-        if (has_far && n <= wish.far_from) far_targets.push_back(n);
+        if (!has_proxies || n > std::min<size_t>(options.proxy_max_triangles, max_clean_triangles))
+            near_targets.push_back(n);
+        if (has_proxies && n <= options.proxy_max_triangles) proxy_targets.push_back(n);
     }
     // Materials, images and keys as they will be.
     model::Model next;
@@ -201,27 +210,28 @@ std::vector<ChainLevel> make_chain(model::Model &model, const ChainWish &wish)
 
     std::vector<Candidate> made = {finest_of(source)};
     if (!near_targets.empty()) {
-        std::vector<size_t> missed = add_near(next, source, near_targets, wish, has_far, made);
-        while (!missed.empty() && missed.back() <= wish.far_from) missed.pop_back();
-        far_targets.insert(far_targets.begin(), missed.begin(), missed.end());
+        std::vector<size_t> missed = add_near_levels(next, source, near_targets, options, has_proxies, made);
+        while (!missed.empty() && missed.back() <= options.proxy_max_triangles) missed.pop_back();
+        proxy_targets.insert(proxy_targets.begin(), missed.begin(), missed.end());
     }
     const size_t materials = next.materials.size(), images = next.images.size();
     // Where near levels came as far down as far ones go, those far ones first, to see which are nearer.
-    bool compares = has_far && triangles_of(made.back()) <= wish.far_from;
+    bool compares = has_proxies && triangle_count_of(made.back()) <= options.proxy_max_triangles;
     for (bool again = true; again;) {
         next.materials.resize(materials), next.images.resize(images);
-        std::vector<size_t> targets = far_targets;
-        while (compares && !targets.empty() && targets.back() <= most_clean) targets.pop_back();
-        if (!targets.empty()) add_far(next, source.parts, {targets, wish.how.influence}, wish.jobs, made);
-        measure(next, source, wish, made);
-        again = compares || (has_far && give_way(made, far_targets));
-        if (compares) stay_near(made, far_targets);
+        std::vector<size_t> targets = proxy_targets;
+        while (compares && !targets.empty() && targets.back() <= max_clean_triangles) targets.pop_back();
+        if (!targets.empty())
+            add_proxies(next, source.parts, {targets, options.decimation.influence}, options.jobs, made);
+        measure(next, source, options, made);
+        again = compares || (has_proxies && replace_by_proxy(made, proxy_targets));
+        if (compares) prefer_near(made, proxy_targets);
         compares = false;
     }
-    if (!wish.plain) made = in_use(std::move(made));
-    std::vector<ChainLevel> report;
+    if (!options.quadric_only) made = prune(std::move(made));
+    std::vector<LevelReport> report;
     for (const Candidate &one : made) report.push_back(one.level);
-    model.parts = laid_out(model, source.places, std::move(made));
+    model.parts = assemble(model, source.part_indices, std::move(made));
     model.images = std::move(next.images), model.materials = std::move(next.materials);
     model.zones = std::move(next.zones), model.texture_sets = std::move(next.texture_sets);
     return report;

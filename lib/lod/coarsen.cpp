@@ -7,8 +7,8 @@
 #include <optional>
 #include <queue>
 
-#include "lib/lod/pinch.h"
-#include "lib/lod/surface.h"
+#include "lib/lod/non_manifold_collapse.h"
+#include "lib/lod/welded_surface.h"
 
 namespace claque::lod
 {
@@ -19,29 +19,29 @@ namespace
 class Coarsening
 {
 public:
-    Coarsening(const Boundary &surface, const std::vector<Attributes> &features);
+    Coarsening(const ClosedMesh &surface, const std::vector<Attributes> &features);
     void run(size_t target);
     size_t triangles() const { return faces_; }
-    Coarse result() const { return result(nullptr); }
-    Pinch pinched() const;  // to go on with where no lawful collapse is left
+    CoarseMesh result() const { return result(nullptr); }
+    NonManifoldCollapse non_manifold() const;  // to go on with where no lawful collapse is left
 
 private:
-    struct Wish {
+    struct Collapse {
         double cost = 0;
         int from = 0, to = 0;
         uint32_t from_age = 0, to_age = 0;
-        bool operator<(const Wish &o) const  // the queue's top is the largest: the cheapest, then the first
+        bool operator<(const Collapse &o) const  // the queue's top is the largest: the cheapest, then the first
         {
             if (cost != o.cost) return cost > o.cost;
             return from != o.from ? from > o.from : to > o.to;
         }
     };
-    void wish(Mesh::HalfedgeHandle h);
-    glm::dvec3 place_of(int a, int b) const;
+    void enqueue(Mesh::HalfedgeHandle h);
+    glm::dvec3 collapse_position(int a, int b) const;
     double cost(int a, int b, glm::dvec3 at) const;
-    bool turns(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const;
+    bool flips(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const;
     void collapse(Mesh::HalfedgeHandle h, glm::dvec3 at);
-    Coarse result(std::vector<PlaneQuadric> *planes) const;  // planes: those of its vertices, where wanted
+    CoarseMesh result(std::vector<PlaneQuadric> *planes) const;  // planes: those of its vertices, where wanted
 
     Mesh mesh_;
     size_t faces_ = 0;
@@ -49,10 +49,10 @@ private:
     std::vector<PlaneQuadric> planes_;
     std::vector<Features> features_;
     std::vector<uint32_t> ages_;
-    std::priority_queue<Wish> queue_;
+    std::priority_queue<Collapse> queue_;
 };
 
-Coarsening::Coarsening(const Boundary &surface, const std::vector<Attributes> &features)
+Coarsening::Coarsening(const ClosedMesh &surface, const std::vector<Attributes> &features)
 {
     mesh_.request_vertex_status();
     mesh_.request_edge_status();
@@ -77,14 +77,14 @@ Coarsening::Coarsening(const Boundary &surface, const std::vector<Attributes> &f
     double all = 0;
     for (const Features &one : features_) all += one.area;
     if (faces_ > 0) sliver_ = 0.05 * all / double(faces_);
-    for (const auto edge : mesh_.edges()) wish(mesh_.halfedge_handle(edge, 0));
+    for (const auto edge : mesh_.edges()) enqueue(mesh_.halfedge_handle(edge, 0));
 }
 
-glm::dvec3 Coarsening::place_of(int a, int b) const
+glm::dvec3 Coarsening::collapse_position(int a, int b) const
 {
     PlaneQuadric sum = planes_[size_t(a)];
     sum += planes_[size_t(b)];
-    return best_place(sum, point(mesh_, Mesh::VertexHandle(a)), point(mesh_, Mesh::VertexHandle(b)));
+    return optimal_position(sum, point(mesh_, Mesh::VertexHandle(a)), point(mesh_, Mesh::VertexHandle(b)));
 }
 
 double Coarsening::cost(int a, int b, glm::dvec3 at) const
@@ -93,15 +93,15 @@ double Coarsening::cost(int a, int b, glm::dvec3 at) const
            variance_of(features_[size_t(a)], features_[size_t(b)]);
 }
 
-void Coarsening::wish(Mesh::HalfedgeHandle h)
+void Coarsening::enqueue(Mesh::HalfedgeHandle h)
 {
     const int a = mesh_.from_vertex_handle(h).idx(), b = mesh_.to_vertex_handle(h).idx();
     const int from = std::min(a, b), to = std::max(a, b);
-    queue_.push({cost(from, to, place_of(from, to)), from, to, ages_[size_t(from)], ages_[size_t(to)]});
+    queue_.push({cost(from, to, collapse_position(from, to)), from, to, ages_[size_t(from)], ages_[size_t(to)]});
 }
 
 // Whether a triangle of `moved` that stays would turn away when it goes to `at`.
-bool Coarsening::turns(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const
+bool Coarsening::flips(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const
 {
     for (auto f = mesh_.cvf_iter(moved); f.is_valid(); ++f) {
         std::array<glm::dvec3, 3> before, after;
@@ -113,7 +113,7 @@ bool Coarsening::turns(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::
             after[k] = *v == moved ? at : before[k];
         }
         if (goes) continue;
-        if (lod::turns(TriangleFrame(before[0], before[1], before[2]), TriangleFrame(after[0], after[1], after[2]),
+        if (lod::flips(TriangleFrame(before[0], before[1], before[2]), TriangleFrame(after[0], after[1], after[2]),
                        sliver_))
             return true;
     }
@@ -125,42 +125,42 @@ void Coarsening::collapse(Mesh::HalfedgeHandle h, glm::dvec3 at)
     const Mesh::VertexHandle from = mesh_.from_vertex_handle(h), to = mesh_.to_vertex_handle(h);
     faces_ -= 2;
     planes_[size_t(to.idx())] += planes_[size_t(from.idx())];
-    features_[size_t(to.idx())] = joined(features_[size_t(from.idx())], features_[size_t(to.idx())]);
+    features_[size_t(to.idx())] = merged(features_[size_t(from.idx())], features_[size_t(to.idx())]);
     mesh_.collapse(h);
     mesh_.set_point(to, {at.x, at.y, at.z});
     ++ages_[size_t(to.idx())];
-    for (auto out = mesh_.cvoh_iter(to); out.is_valid(); ++out) wish(*out);
+    for (auto out = mesh_.cvoh_iter(to); out.is_valid(); ++out) enqueue(*out);
 }
 
 void Coarsening::run(size_t target)
 {
-    std::vector<Wish> refused;  // what is not lawful now may be later, when more round it has gone
+    std::vector<Collapse> refused;  // what is not lawful now may be later, when more round it has gone
     while (faces_ > target && !queue_.empty()) {
-        const Wish next = queue_.top();
+        const Collapse next = queue_.top();
         queue_.pop();
         const Mesh::VertexHandle from(next.from), to(next.to);
         if (mesh_.status(from).deleted() || mesh_.status(to).deleted()) continue;
         if (ages_[size_t(next.from)] != next.from_age || ages_[size_t(next.to)] != next.to_age) continue;
         const Mesh::HalfedgeHandle h = mesh_.find_halfedge(from, to);
         if (!h.is_valid()) continue;
-        const glm::dvec3 at = place_of(next.from, next.to);
-        if (!mesh_.is_collapse_ok(h) || turns(from, to, at) || turns(to, from, at)) {
+        const glm::dvec3 at = collapse_position(next.from, next.to);
+        if (!mesh_.is_collapse_ok(h) || flips(from, to, at) || flips(to, from, at)) {
             refused.push_back(next);
             continue;
         }
         collapse(h, at);
         // All of them would be asked again after every step otherwise.
         if (queue_.empty() || refused.size() > 256 + faces_) {
-            for (const Wish &again : refused) queue_.push(again);
+            for (const Collapse &again : refused) queue_.push(again);
             refused.clear();
         }
     }
-    for (const Wish &again : refused) queue_.push(again);
+    for (const Collapse &again : refused) queue_.push(again);
 }
 
-Coarse Coarsening::result(std::vector<PlaneQuadric> *planes) const
+CoarseMesh Coarsening::result(std::vector<PlaneQuadric> *planes) const
 {
-    Coarse out;
+    CoarseMesh out;
     std::vector<uint32_t> number(mesh_.n_vertices(), model::none);
     for (const Mesh::FaceHandle face : mesh_.all_faces()) {
         if (mesh_.status(face).deleted()) continue;
@@ -181,15 +181,15 @@ Coarse Coarsening::result(std::vector<PlaneQuadric> *planes) const
     return out;
 }
 
-Pinch Coarsening::pinched() const
+NonManifoldCollapse Coarsening::non_manifold() const
 {
     std::vector<PlaneQuadric> planes;
-    Coarse level = result(&planes);
-    return Pinch(std::move(level), std::move(planes), sliver_);
+    CoarseMesh level = result(&planes);
+    return NonManifoldCollapse(std::move(level), std::move(planes), sliver_);
 }
 
 // Without the small pieces.
-Boundary large_pieces_of(const Boundary &surface)
+ClosedMesh large_pieces_of(const ClosedMesh &surface)
 {
     std::vector<uint32_t> piece(surface.positions.size());
     std::iota(piece.begin(), piece.end(), 0u);
@@ -207,7 +207,7 @@ Boundary large_pieces_of(const Boundary &surface)
         areas[root(t[0])] += area;
         all += area;
     }
-    Boundary out;
+    ClosedMesh out;
     out.positions = surface.positions;
     const double most = *std::max_element(areas.begin(), areas.end());
     for (const auto &t : surface.triangles)
@@ -217,15 +217,15 @@ Boundary large_pieces_of(const Boundary &surface)
 
 }  // namespace
 
-std::vector<Coarse> coarsened(const Boundary &surface, const std::vector<Attributes> &features,
-                              const std::vector<size_t> &targets)
+std::vector<CoarseMesh> coarsen(const ClosedMesh &surface, const std::vector<Attributes> &features,
+                                const std::vector<size_t> &targets)
 {
     Coarsening work(large_pieces_of(surface), features);
-    std::vector<Coarse> out;
-    std::optional<Pinch> last;
+    std::vector<CoarseMesh> out;
+    std::optional<NonManifoldCollapse> last;
     for (const size_t target : targets) {
         if (!last) work.run(target);
-        if (!last && work.triangles() > target) last = work.pinched();
+        if (!last && work.triangles() > target) last = work.non_manifold();
         if (last) last->run(target);
         out.push_back(last ? last->result() : work.result());
     }

@@ -2,14 +2,14 @@
 // keeping vertices of the source would make spikes of arms and heads. Between the files of this room only.
 #pragma once
 
-#include "lib/lod/boundary.h"
 #include "lib/lod/features.h"
+#include "lib/lod/marching_tetrahedra.h"
 
 namespace claque::lod
 {
 
-struct Coarse {
-    Boundary surface;
+struct CoarseMesh {
+    ClosedMesh surface;
     std::vector<Features> features;  // [positions]
 };
 
@@ -17,7 +17,7 @@ struct Coarse {
 // Heckbert 1997); vertices whose features differ are brought together last, by what it adds to the variance of each
 // (Ward's rule). No triangle turns over, and no edge comes to have more than two, while there is another way down to a
 // target (pinch.h). Pieces of less than a fiftieth of the surface are left out. Deterministic.
-std::vector<Coarse> coarsened(const Boundary &surface, const std::vector<Attributes> &features,
-                              const std::vector<size_t> &targets);
+std::vector<CoarseMesh> coarsen(const ClosedMesh &surface, const std::vector<Attributes> &features,
+                                const std::vector<size_t> &targets);
 
 }  // namespace claque::lod

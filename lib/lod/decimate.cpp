@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "lib/base/error.h"
-#include "lib/lod/compact.h"
-#include "lib/lod/rules.h"
-#include "lib/lod/sway.h"
+#include "lib/lod/decimated_parts.h"
+#include "lib/lod/decimater_modules.h"
+#include "lib/lod/joint_displacement.h"
 
 namespace claque::lod
 {
@@ -16,23 +16,23 @@ namespace claque::lod
 namespace
 {
 
-Left left_of(const Surface &surface, const UvSides &sides)
+LevelTriangles level_triangles(const WeldedSurface &surface, const UvOrientations &orientations)
 {
-    Left left;
+    LevelTriangles remaining;
     for (const Mesh::FaceHandle face : surface.mesh.all_faces()) {
         if (surface.mesh.status(face).deleted()) continue;
         std::array<uint32_t, 3> t{};
         size_t k = 0;
         for (auto v = surface.mesh.cfv_iter(face); v.is_valid() && k < 3; ++v)
             t[k++] = surface.mesh.property(surface.corners, face).of(v->idx());
-        left.triangles.push_back({Vertex{t[0], t[0]}, Vertex{t[1], t[1]}, Vertex{t[2], t[2]}});
-        left.flipped += sides.flipped(surface, face, t);
+        remaining.triangles.push_back({LevelVertex{t[0], t[0]}, LevelVertex{t[1], t[1]}, LevelVertex{t[2], t[2]}});
+        remaining.flipped += orientations.flipped(surface, face, t);
     }
-    return left;
+    return remaining;
 }
 
 // Metres for each 1 of u or v, from the areas of all triangles here and in the texture.
-double metres_per_uv(const Surface &surface)
+double metres_per_uv(const WeldedSurface &surface)
 {
     double here = 0, there = 0;
     for (const Mesh::FaceHandle face : surface.mesh.faces()) {
@@ -56,71 +56,73 @@ size_t faces_of(const Mesh &mesh)
     return count;
 }
 
-double size_of(const Surface &surface)
+double size_of(const WeldedSurface &surface)
 {
-    glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
+    glm::dvec3 min(std::numeric_limits<double>::infinity()), max = -min;
     for (const Mesh::VertexHandle v : surface.mesh.vertices()) {
         const glm::dvec3 p = point(surface.mesh, v);
-        first = glm::min(first, p), last = glm::max(last, p);
+        min = glm::min(min, p), max = glm::max(max, p);
     }
-    return std::max({last.x - first.x, last.y - first.y, last.z - first.z});
+    return std::max({max.x - min.x, max.y - min.y, max.z - min.z});
 }
 
 // What joints cost that the clips do not part: a host's may.
-constexpr double least_influence = 0.01;
+constexpr double min_influence_cost = 0.01;
 
 // What it costs that an influence goes from one entry of the palette to another, in metres.
-std::vector<double> influences_of(const std::vector<Piece> &parts, const Decimation &wish, double size)
+std::vector<double> influence_costs(const std::vector<SourcePart> &parts, const DecimationOptions &options, double size)
 {
     std::vector<double> found;
-    if (wish.model) found = sways_of(*wish.model, parts);
-    for (double &one : found) one = wish.sway * one + least_influence * size;
+    if (options.model) found = joint_displacements(*options.model, parts);
+    for (double &one : found) one = options.joint_displacement * one + min_influence_cost * size;
     uint32_t entries = static_cast<uint32_t>(found.size());
-    for (const Piece &piece : parts)
+    for (const SourcePart &piece : parts)
         for (const uint32_t joint : piece.part->joints) entries = std::max(entries, joint + 1);
-    found.resize(entries, wish.influence * size);
+    found.resize(entries, options.influence * size);
     return found;
 }
 
 }  // namespace
 
-std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish, const base::Jobs &jobs)
+std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options,
+                                const base::Jobs &jobs)
 {
     namespace om = OpenMesh::Decimater;
     omerr().disable();
-    Surface surface(parts);
+    WeldedSurface surface(parts);
     if (surface.mesh.n_faces() == 0) base::fail(CLQ_ARGUMENT, "%zu parts have no triangles to decimate", parts.size());
-    if (wish.targets.empty()) base::fail(CLQ_ARGUMENT, "a decimation has no target");
+    if (options.targets.empty()) base::fail(CLQ_ARGUMENT, "a decimation has no target");
     om::DecimaterT<Mesh> decimater(surface.mesh);
     om::ModHandleT<ModCost<Mesh>> cost;
-    om::ModHandleT<ModTurns<Mesh>> turns;
+    om::ModHandleT<ModFlips<Mesh>> flips;
     om::ModHandleT<ModSeams<Mesh>> seams;
     decimater.add(cost);
     decimater.add(seams);
-    decimater.add(turns);
-    decimater.module(seams).use(&surface);
-    decimater.module(turns).use(&surface, wish.turn_deg);
-    std::unique_ptr<ZoneDrift> drift;
-    if (wish.model && wish.model->zones.size() > 1 && wish.drift > 0)
-        drift = std::make_unique<ZoneDrift>(surface, *wish.model, wish.drift, jobs);
-    decimater.module(cost).use(
-        &surface, {influences_of(parts, wish, size_of(surface)), wish.texture * metres_per_uv(surface), 1, wish.area},
-        drift.get());
+    decimater.add(flips);
+    decimater.module(seams).configure(&surface);
+    decimater.module(flips).configure(&surface, options.turn_deg);
+    std::unique_ptr<ZoneAreaCost> zone_area;
+    if (options.model && options.model->zones.size() > 1 && options.zone_area > 0)
+        zone_area = std::make_unique<ZoneAreaCost>(surface, *options.model, options.zone_area, jobs);
+    decimater.module(cost).configure(
+        &surface,
+        {influence_costs(parts, options, size_of(surface)), options.texture * metres_per_uv(surface), 1, options.area},
+        zone_area.get());
     if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0].part->name.c_str());
-    const UvSides sides(surface);
-    std::vector<Left> left;
-    for (const size_t target : wish.targets) {
+    const UvOrientations orientations(surface);
+    std::vector<LevelTriangles> remaining;
+    for (const size_t target : options.targets) {
         for (size_t before = faces_of(surface.mesh), now = before; before > target; before = now) {
-            if (drift) drift->measure();
-            const size_t next = drift ? std::max(target, before * 97 / 100) : target;
+            if (zone_area) zone_area->measure();
+            const size_t next = zone_area ? std::max(target, before * 97 / 100) : target;
             // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.
             decimater.decimate_to_faces(0, next + surface.mesh.n_faces() - before);
             now = faces_of(surface.mesh);
             if (now == before || now > next) break;
         }
-        left.push_back(left_of(surface, sides));
+        remaining.push_back(level_triangles(surface, orientations));
     }
-    return compact(surface, parts.size(), left);
+    return build_decimated(surface, parts.size(), remaining);
 }
 
 }  // namespace claque::lod

@@ -19,12 +19,12 @@ namespace claque::lod
 
 // A part, and where its vertices are at rest in the space that all parts share: what is near on the character is near
 // there, whatever node a rigid part hangs on.
-struct Piece {
+struct SourcePart {
     const model::Part *part = nullptr;
     const std::vector<glm::vec3> *rest = nullptr;  // [positions.size()]; null: the part's own positions
 };
 
-struct Decimation {
+struct DecimationOptions {
     std::vector<size_t> targets;  // triangles of all parts together, descending strictly
     double turn_deg = 60;         // no triangle may turn further in one collapse
     // What a difference costs beside a distance. An influence that another joint takes: how far the two part over the clips
@@ -35,21 +35,23 @@ struct Decimation {
     // is between them, become thin, and skin loses to clothes.
     double area = 10;
     // Of half the square of what zones have gained or lost of the surface that is seen.
-    double drift = 30;
+    double zone_area = 30;
     const model::Model *model = nullptr;  // whose zones and clips; null: nobody's
-    double sway = 1;                      // of what influences cost by clips
+    double joint_displacement = 1;        // of what influences cost by clips
 };
 
 struct Decimated {
-    std::vector<model::Part> parts;           // those of the source, in order; one may have no triangle left
-    std::vector<std::vector<uint32_t>> kept;  // of each part, of each vertex: which of the source's it is
+    std::vector<model::Part> parts;                      // those of the source, in order; one may have no triangle left
+    std::vector<std::vector<uint32_t>> source_vertices;  // of each part, of each vertex: which of the source's it is
     size_t triangles = 0;
     size_t flipped = 0;  // triangles that have turned over in their texture
-    size_t refused = 0;  // triangles on edges with more than two faces: kept as they are, beyond the target if need be
+    size_t non_manifold_triangles =
+        0;  // triangles on edges with more than two faces: kept as they are, beyond the target if need be
 };
 
 // One for each target, finest first. `parts` have passed model::check. Stops above a target where no lawful collapse is
 // left. The same whatever the jobs. Throws base::Error (CLQ_ARGUMENT) where there are no triangles or no targets. Deterministic.
-std::vector<Decimated> decimate(const std::vector<Piece> &parts, const Decimation &wish, const base::Jobs &jobs = {});
+std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options,
+                                const base::Jobs &jobs = {});
 
 }  // namespace claque::lod

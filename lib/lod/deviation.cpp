@@ -7,8 +7,8 @@
 #include <map>
 #include <tuple>
 
-#include "lib/lod/samples.h"
-#include "lib/lod/seen.h"
+#include "lib/lod/surface_samples.h"
+#include "lib/lod/visibility.h"
 #include "lib/math/simd.h"
 #include "lib/pose/pose.h"
 
@@ -19,13 +19,13 @@ namespace
 {
 
 struct Sum {
-    double most_square = 0, squares = 0, weight = 0;
+    double max_square = 0, squares = 0, weight = 0;
     void add(double square, double w)
     {
-        most_square = std::max(most_square, square);
+        max_square = std::max(max_square, square);
         squares += w * square, weight += w;
     }
-    double most() const { return std::sqrt(most_square); }
+    double max() const { return std::sqrt(max_square); }
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
 
@@ -75,17 +75,17 @@ void add_distances(const Points &from, const Points &to, const Links &links, Sum
 
 // Without those that stand for nothing. area(pair): what it stands for.
 template <class Area>
-Links links_of(const PosedParts &from, const PosedParts &to, const std::vector<Pair> &pairs, const Area &area)
+Links links_of(const PosedParts &from, const PosedParts &to, const std::vector<PointPair> &pairs, const Area &area)
 {
     Links out;
     std::vector<uint32_t> of_vertex(from.positions().size(), model::none);
     for (size_t i = 0; i < pairs.size(); ++i) {
-        const Pair &pair = pairs[i];
+        const PointPair &pair = pairs[i];
         const double stands_for = area(pair);
         if (!(stands_for > 0)) continue;
-        const size_t corner = i % spots_per_triangle;
+        const size_t corner = i % samples_per_triangle;
         const std::array<uint32_t, 3> here = from.vertices_of(pair.here.triangle);
-        uint32_t *known = corner < area_spots ? nullptr : &of_vertex[here[corner - area_spots]];
+        uint32_t *known = corner < area_samples ? nullptr : &of_vertex[here[corner - area_samples]];
         const uint32_t link = known && *known != model::none ? *known : static_cast<uint32_t>(out.links.size());
         if (link == out.links.size())
             out.links.push_back({here, to.vertices_of(pair.there.triangle), as_floats(pair.here.weights),
@@ -97,11 +97,11 @@ Links links_of(const PosedParts &from, const PosedParts &to, const std::vector<P
 }
 
 double wrong_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
-                   const std::vector<Pair> &pairs, const std::vector<double> &areas)
+                   const std::vector<PointPair> &pairs, const std::vector<double> &areas)
 {
     double wrong = 0, all = 0;
     for (size_t i = 0; i < pairs.size(); ++i) {
-        if (i % spots_per_triangle >= area_spots) continue;
+        if (i % samples_per_triangle >= area_samples) continue;
         const double area = areas[pairs[i].here.triangle];
         all += area;
         if (zone_at(model, source, pairs[i].here) != zone_at(model, level, pairs[i].there)) wrong += area;
@@ -134,26 +134,27 @@ std::vector<double> areas_of(const PosedParts &parts)
 }
 
 // One level against the source, of which each triangle counts by its area, as much of it as can be seen.
-struct Beside {
+struct LevelComparison {
     PosedParts coarse;
     Links out, back;  // from the source to the level, and from the level
     Sum rest, posed;
     double wrong_zone = 0;
     size_t open_edges = 0;
 
-    explicit Beside(const std::vector<model::Part> &level) : coarse(pointers(level)) {}
+    explicit LevelComparison(const std::vector<model::Part> &level) : coarse(pointers(level)) {}
     void match_out(const model::Model &model, const PosedParts &fine, const std::vector<double> &areas)
     {
-        const std::vector<Pair> pairs = nearest_pairs(fine, coarse);
-        out = links_of(fine, coarse, pairs, [&](const Pair &pair) { return areas[pair.here.triangle]; });
+        const std::vector<PointPair> pairs = nearest_pairs(fine, coarse);
+        out = links_of(fine, coarse, pairs, [&](const PointPair &pair) { return areas[pair.here.triangle]; });
         wrong_zone = wrong_zones(model, fine, coarse, pairs, areas);
     }
     // What is nearest to something hidden is hidden as well.
-    void match_back(const PosedParts &fine, const PartTrees &trees, const std::vector<double> &seen)
+    void match_back(const PosedParts &fine, const PartTrees &trees, const std::vector<double> &visibility)
     {
         const std::vector<double> areas = areas_of(coarse);
-        back = links_of(coarse, fine, trees.nearest_pairs(coarse),
-                        [&](const Pair &pair) { return areas[pair.here.triangle] * seen[pair.there.triangle]; });
+        back = links_of(coarse, fine, trees.nearest_pairs(coarse), [&](const PointPair &pair) {
+            return areas[pair.here.triangle] * visibility[pair.there.triangle];
+        });
         open_edges = lod::open_edges(coarse);
     }
     void add(const Points &fine, Sum &sum) const
@@ -165,7 +166,7 @@ struct Beside {
 };
 
 // A pose of the rig, and what becomes of the source in it.
-struct Moment {
+struct SampledPose {
     std::vector<math::Affine> palette;
     std::vector<float> weights;
     Points fine;
@@ -179,12 +180,12 @@ struct Moment {
 }  // namespace
 
 std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
-                                  const std::vector<double> &seen,
+                                  const std::vector<double> &visibility,
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
                                   double metres_per_unit, const base::Jobs &jobs)
 {
     PosedParts fine(source);
-    std::vector<Beside> all;
+    std::vector<LevelComparison> all;
     for (const std::vector<model::Part> *level : levels) all.emplace_back(*level);
     const uint32_t count = static_cast<uint32_t>(all.size());
     pose::Workspace workspace(model.rig);
@@ -192,40 +193,41 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
         const base::Span<const math::Affine> palette = workspace.pose(clip, time_s);
         const base::Span<const float> weights = workspace.weights();
         fine.pose(model.rig, palette, weights);
-        return Moment{{palette.begin(), palette.end()}, {weights.begin(), weights.end()}, points_of(fine.positions())};
+        return SampledPose{
+            {palette.begin(), palette.end()}, {weights.begin(), weights.end()}, points_of(fine.positions())};
     };
-    const auto go = [&](Beside &one, const Moment &moment, Sum &sum) {
-        moment.pose(model.rig, one.coarse);
-        one.add(moment.fine, sum);
+    const auto go = [&](LevelComparison &one, const SampledPose &sampled_pose, Sum &sum) {
+        sampled_pose.pose(model.rig, one.coarse);
+        one.add(sampled_pose.fine, sum);
     };
-    const Moment rest = pose(model::none, 0);
+    const SampledPose rest = pose(model::none, 0);
     std::vector<double> areas = areas_of(fine);
-    for (size_t t = 0; t < areas.size(); ++t) areas[t] *= seen[t];
+    for (size_t t = 0; t < areas.size(); ++t) areas[t] *= visibility[t];
     const size_t open_before = open_edges(fine);
     const PartTrees trees(fine);
     jobs.try_each(count, [&](uint32_t k) { rest.pose(model.rig, all[k].coarse); });
     jobs.try_each(2 * count, [&](uint32_t k) {
         if (k % 2 == 0) all[k / 2].match_out(model, fine, areas);
-        else all[k / 2].match_back(fine, trees, seen);
+        else all[k / 2].match_back(fine, trees, visibility);
     });
     jobs.try_each(count, [&](uint32_t k) { go(all[k], rest, all[k].rest); });
-    const uint32_t clips = std::min(sampling.most_clips, static_cast<uint32_t>(model.rig.clips.size()));
+    const uint32_t clips = std::min(sampling.max_clips, static_cast<uint32_t>(model.rig.clips.size()));
     for (uint32_t clip = 0; clip < clips; ++clip) {
         const model::Clip &c = model.rig.clips[clip];
-        std::vector<Moment> moments;
+        std::vector<SampledPose> sampled_poses;
         for (uint32_t i = 0; i < sampling.poses_per_clip; ++i)
-            moments.push_back(
+            sampled_poses.push_back(
                 pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip));
         // Sums are made in the order of time, each by one task.
         jobs.try_each(count, [&](uint32_t k) {
-            for (const Moment &moment : moments) go(all[k], moment, all[k].posed);
+            for (const SampledPose &sampled_pose : sampled_poses) go(all[k], sampled_pose, all[k].posed);
         });
     }
     std::vector<Deviation> found(all.size());
     for (size_t k = 0; k < all.size(); ++k) {
         const Sum &at_rest = all[k].rest, &moving = clips == 0 || sampling.poses_per_clip == 0 ? at_rest : all[k].posed;
-        found[k].rest_m = at_rest.most() * metres_per_unit, found[k].rest_rms_m = at_rest.rms() * metres_per_unit;
-        found[k].posed_m = moving.most() * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
+        found[k].rest_max_m = at_rest.max() * metres_per_unit, found[k].rest_rms_m = at_rest.rms() * metres_per_unit;
+        found[k].posed_max_m = moving.max() * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
         found[k].wrong_zone = all[k].wrong_zone;
         found[k].open_edges = all[k].open_edges > open_before ? all[k].open_edges - open_before : 0;
     }
@@ -235,7 +237,7 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
 Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,
                     const std::vector<model::Part> &level, const Sampling &sampling, double metres_per_unit)
 {
-    return deviations(model, source, seen_of(model, posed_at_rest(model.rig, source)), {&level}, sampling,
+    return deviations(model, source, visibility_of(model, posed_at_rest(model.rig, source)), {&level}, sampling,
                       metres_per_unit)[0];
 }
 

@@ -12,15 +12,15 @@ namespace claque::lod
 {
 
 struct Deviation {
-    double rest_m = 0, rest_rms_m = 0;    // the most, and the root of the mean of squares
-    double posed_m = 0, posed_rms_m = 0;  // over all poses; bounds from above, as places are matched at rest
-    double wrong_zone = 0;                // [0, 1] share of the source's area that shows another zone
-    size_t open_edges = 0;                // edges with one triangle, of all parts together, beyond the source's
+    double rest_max_m = 0, rest_rms_m = 0;    // the most, and the root of the mean of squares
+    double posed_max_m = 0, posed_rms_m = 0;  // over all poses; bounds from above, as places are matched at rest
+    double wrong_zone = 0;                    // [0, 1] share of the source's area that shows another zone
+    size_t open_edges = 0;                    // edges with one triangle, of all parts together, beyond the source's
 };
 
 struct Sampling {
     uint32_t poses_per_clip = 8;  // at even times
-    uint32_t most_clips = 32;     // the first ones
+    uint32_t max_clips = 32;      // the first ones
 };
 
 // Metres: model units times `metres_per_unit`. `level` has the parts of a Decimated of `model`'s visible parts with
@@ -31,7 +31,7 @@ Deviation deviation(const model::Model &model, const std::vector<const model::Pa
 // Of several levels, each as by itself; poses of the source are made once for all of them. `seen`: of the source at rest
 // (seen.h). The same whatever the jobs.
 std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
-                                  const std::vector<double> &seen,
+                                  const std::vector<double> &visibility,
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
                                   double metres_per_unit = 1, const base::Jobs &jobs = {});
 

@@ -7,7 +7,7 @@ namespace
 {
 
 // Squared distance of two means.
-double apart(const Attributes &a, const Attributes &b)
+double squared_distance(const Attributes &a, const Attributes &b)
 {
     double sum = 0;
     for (size_t i = 0, j = 0; i < a.size() || j < b.size();) {
@@ -22,7 +22,7 @@ double apart(const Attributes &a, const Attributes &b)
 
 }  // namespace
 
-Features joined(const Features &a, const Features &b)
+Features merged(const Features &a, const Features &b)
 {
     Features out;
     out.area = a.area + b.area;
@@ -40,21 +40,21 @@ Features joined(const Features &a, const Features &b)
 double variance_of(const Features &a, const Features &b)
 {
     const double areas = a.area + b.area;
-    return areas > 0 ? a.area * b.area / areas * apart(a.mean, b.mean) : 0;
+    return areas > 0 ? a.area * b.area / areas * squared_distance(a.mean, b.mean) : 0;
 }
 
-glm::dvec3 best_place(const PlaneQuadric &planes, glm::dvec3 p, glm::dvec3 q)
+glm::dvec3 optimal_position(const PlaneQuadric &planes, glm::dvec3 p, glm::dvec3 q)
 {
     const glm::dvec3 middle = 0.5 * (p + q);
     glm::dvec3 best = middle, found;
     const double reach = 2 * glm::length(q - p);
-    if (planes.lowest(middle, found) && glm::length(found - middle) <= reach) best = found;
+    if (planes.find_minimum(middle, found) && glm::length(found - middle) <= reach) best = found;
     for (const glm::dvec3 other : {p, q, middle})
         if (planes.at(other) < planes.at(best)) best = other;
     return best;
 }
 
-bool turns(const TriangleFrame &was, const TriangleFrame &is, double sliver)
+bool flips(const TriangleFrame &was, const TriangleFrame &is, double sliver)
 {
     if (was.area < sliver || is.area < sliver) return false;
     return glm::dot(was.normal, is.normal) < 0.2;

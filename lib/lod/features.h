@@ -13,16 +13,16 @@ struct Features {
 };
 
 // Of both.
-Features joined(const Features &a, const Features &b);
+Features merged(const Features &a, const Features &b);
 
 // What joining two adds to the variance of each (Ward's rule).
 double variance_of(const Features &a, const Features &b);
 
 // Where the vertex is to stand that takes the places of two at `p` and `q`: nearest to the planes of both, and not far from
 // the edge, as flat regions have no best place along themselves.
-glm::dvec3 best_place(const PlaneQuadric &planes, glm::dvec3 p, glm::dvec3 q);
+glm::dvec3 optimal_position(const PlaneQuadric &planes, glm::dvec3 p, glm::dvec3 q);
 
 // Whether a triangle turns away between the one place and the other. Those of less than `sliver` of area point anywhere.
-bool turns(const TriangleFrame &was, const TriangleFrame &is, double sliver);
+bool flips(const TriangleFrame &was, const TriangleFrame &is, double sliver);
 
 }  // namespace claque::lod

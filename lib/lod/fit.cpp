@@ -13,14 +13,14 @@ namespace
 {
 
 constexpr double hold = 0.02;      // how much vertices keep to where they are, against what they stand for
-constexpr double most_lines = 12;  // of places on a triangle
-constexpr double enough = 0.01;    // of the squared distance: less gained is the last round
+constexpr double max_lines = 12;   // of places on a triangle
+constexpr double min_gain = 0.01;  // of the squared distance: less gained is the last round
 
 // What places that are weighted sums of n unknowns say of them, by least squares: Cholesky's way.
-class Normal
+class NormalEquations
 {
 public:
-    explicit Normal(size_t n) : n_(n), a_(n * n, 0) {}
+    explicit NormalEquations(size_t n) : n_(n), a_(n * n, 0) {}
 
     void add(const std::array<uint32_t, 3> &at, glm::dvec3 weights, double area)
     {
@@ -56,7 +56,7 @@ private:
     std::vector<double> a_;
 };
 
-bool turns_over(const Boundary &was, const std::vector<glm::dvec3> &positions, double sliver)
+bool any_flips(const ClosedMesh &was, const std::vector<glm::dvec3> &positions, double sliver)
 {
     for (const auto &t : was.triangles) {
         const glm::dvec3 before = twice_area({was.positions[t[0]], was.positions[t[1]], was.positions[t[2]]});
@@ -67,20 +67,20 @@ bool turns_over(const Boundary &was, const std::vector<glm::dvec3> &positions, d
     return false;
 }
 
-struct FitLink {  // a place of the coarse surface, and where it should be
+struct Correspondence {  // a place of the coarse surface, and where it should be
     std::array<uint32_t, 3> vertices{};
     glm::dvec3 weights = glm::dvec3(0);
-    glm::dvec3 wanted = glm::dvec3(0);
+    glm::dvec3 target = glm::dvec3(0);
     double area = 0;
     const Attributes *features = nullptr;  // null: of a place of the coarse surface's own
 };
 
 // From the fine surface's samples; and from places of the coarse one, about as many for its area.
-std::vector<FitLink> links_of(const FineSurface &fine, const Boundary &coarse)
+std::vector<Correspondence> correspondences_of(const FineSurface &fine, const ClosedMesh &coarse)
 {
     const std::vector<NearestPoint::Triangle> triangles = corners_of(coarse);
     const NearestPoint nearest(triangles);
-    std::vector<FitLink> out;
+    std::vector<Correspondence> out;
     uint32_t guess = model::none;
     for (const FineSurface::Sample &sample : fine.samples()) {
         const NearestPoint::Found found = nearest.to(sample.at, guess);
@@ -91,7 +91,7 @@ std::vector<FitLink> links_of(const FineSurface &fine, const Boundary &coarse)
     guess = model::none;
     for (size_t t = 0; t < triangles.size(); ++t) {
         const double area = 0.5 * glm::length(twice_area(triangles[t]));
-        const double n = std::clamp(std::ceil(std::sqrt(area / each)), 1.0, most_lines);
+        const double n = std::clamp(std::ceil(std::sqrt(area / each)), 1.0, max_lines);
         for (double i = 0; i < n; ++i)
             for (double j = 0; i + j < n; ++j)
                 for (const double third : {1.0, 2.0}) {
@@ -105,43 +105,43 @@ std::vector<FitLink> links_of(const FineSurface &fine, const Boundary &coarse)
     return out;
 }
 
-double sum_of(const std::vector<FitLink> &links, const Boundary &coarse)
+double sum_of(const std::vector<Correspondence> &links, const ClosedMesh &coarse)
 {
     double sum = 0;
-    for (const FitLink &link : links) {
+    for (const Correspondence &link : links) {
         const auto &v = link.vertices;
         const glm::dvec3 at =
             point_on({coarse.positions[v[0]], coarse.positions[v[1]], coarse.positions[v[2]]}, link.weights);
-        sum += link.area * glm::dot(at - link.wanted, at - link.wanted);
+        sum += link.area * glm::dot(at - link.target, at - link.target);
     }
     return sum;
 }
 
-std::vector<glm::dvec3> wanted_places(const FineSurface &fine, const std::vector<FitLink> &links,
-                                      const Boundary &coarse)
+std::vector<glm::dvec3> solve_positions(const FineSurface &fine, const std::vector<Correspondence> &links,
+                                        const ClosedMesh &coarse)
 {
     const size_t n = coarse.positions.size();
     const double held = hold * fine.area() / double(n);
-    Normal normal(n);
-    std::vector<glm::dvec3> places(n);
-    for (const FitLink &link : links) {
+    NormalEquations normal(n);
+    std::vector<glm::dvec3> positions(n);
+    for (const Correspondence &link : links) {
         normal.add(link.vertices, link.weights, link.area);
-        for (int k = 0; k < 3; ++k) places[link.vertices[size_t(k)]] += link.area * link.weights[k] * link.wanted;
+        for (int k = 0; k < 3; ++k) positions[link.vertices[size_t(k)]] += link.area * link.weights[k] * link.target;
     }
-    for (size_t v = 0; v < n; ++v) normal.hold(v, held), places[v] += held * coarse.positions[v];
+    for (size_t v = 0; v < n; ++v) normal.hold(v, held), positions[v] += held * coarse.positions[v];
     normal.factor();
-    normal.solve(places);
-    return places;
+    normal.solve(positions);
+    return positions;
 }
 
 // The mean of what is nearest to a vertex, each by its share of the place.
-void stand_for(const std::vector<FitLink> &links, Coarse &coarse)
+void update_features(const std::vector<Correspondence> &links, CoarseMesh &coarse)
 {
     std::vector<Features> sums(coarse.features.size());
-    for (const FitLink &link : links)
+    for (const Correspondence &link : links)
         for (int k = 0; k < 3 && link.features; ++k) {
             Features &sum = sums[link.vertices[size_t(k)]];
-            if (link.weights[k] > 0) sum = joined(sum, {link.area * link.weights[k], *link.features});
+            if (link.weights[k] > 0) sum = merged(sum, {link.area * link.weights[k], *link.features});
         }
     for (size_t v = 0; v < sums.size(); ++v)
         if (sums[v].area > 0) coarse.features[v] = std::move(sums[v]);
@@ -149,27 +149,27 @@ void stand_for(const std::vector<FitLink> &links, Coarse &coarse)
 
 }  // namespace
 
-void fit(const FineSurface &fine, Coarse &coarse, int rounds)
+void fit(const FineSurface &fine, CoarseMesh &coarse, int rounds)
 {
-    Boundary &surface = coarse.surface;
+    ClosedMesh &surface = coarse.surface;
     if (surface.triangles.empty() || fine.samples().empty()) return;
     const double sliver = 0.05 * fine.area() / double(surface.triangles.size());
-    std::vector<FitLink> links = links_of(fine, surface);
+    std::vector<Correspondence> links = correspondences_of(fine, surface);
     double sum = sum_of(links, surface);
     for (int round = 0; round < rounds; ++round) {
-        const std::vector<glm::dvec3> wanted = wanted_places(fine, links, surface);
+        const std::vector<glm::dvec3> target = solve_positions(fine, links, surface);
         const double before = sum;
         for (double step = 1; step > 0.1 && sum == before; step *= 0.5) {
-            Boundary next = surface;
-            for (size_t v = 0; v < wanted.size(); ++v) next.positions[v] += step * (wanted[v] - surface.positions[v]);
-            if (turns_over(surface, next.positions, sliver)) continue;
-            std::vector<FitLink> then = links_of(fine, next);
+            ClosedMesh next = surface;
+            for (size_t v = 0; v < target.size(); ++v) next.positions[v] += step * (target[v] - surface.positions[v]);
+            if (any_flips(surface, next.positions, sliver)) continue;
+            std::vector<Correspondence> then = correspondences_of(fine, next);
             const double sum_then = sum_of(then, next);
             if (sum_then < sum) surface = std::move(next), links = std::move(then), sum = sum_then;
         }
-        if (before - sum < enough * before) break;
+        if (before - sum < min_gain * before) break;
     }
-    stand_for(links, coarse);
+    update_features(links, coarse);
 }
 
 }  // namespace claque::lod

@@ -3,15 +3,15 @@
 // what is thin: hands, feet, heads. Between the files of this room only.
 #pragma once
 
-#include "lib/lod/fine.h"
+#include "lib/lod/fine_surface.h"
 
 namespace claque::lod
 {
 
-constexpr int most_fit_rounds = 12;
+constexpr int max_fit_rounds = 12;
 
 // Its vertices' places, in so many rounds at most, and what they stand for. The mean squared distance between the two surfaces, from either to the
 // other, does not grow, and no triangle turns over. Deterministic.
-void fit(const FineSurface &fine, Coarse &coarse, int rounds = most_fit_rounds);
+void fit(const FineSurface &fine, CoarseMesh &coarse, int rounds = max_fit_rounds);
 
 }  // namespace claque::lod

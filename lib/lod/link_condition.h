@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    static constexpr size_t most_near = 32;  // neighbours that are looked through one by one
+    static constexpr size_t max_near = 32;  // neighbours that are looked through one by one
 
     bool is_border(Halfedge h) const { return !mesh_.face_handle(h).is_valid(); }
 
@@ -64,10 +64,10 @@ private:
 
     bool share_others(Vertex from, Vertex to, Vertex left, Vertex right) const
     {
-        std::array<Vertex, most_near> near;
+        std::array<Vertex, max_near> near;
         size_t count = 0;
         const bool many = any_neighbour(to, [&](Vertex v) {
-            if (count == most_near) return true;
+            if (count == max_near) return true;
             near[count++] = v;
             return false;
         });

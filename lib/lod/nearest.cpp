@@ -11,26 +11,26 @@ namespace claque::lod
 namespace
 {
 
-double distance_squared(glm::dvec3 first, glm::dvec3 last, glm::dvec3 p)
+double distance_squared(glm::dvec3 min, glm::dvec3 max, glm::dvec3 p)
 {
-    const glm::dvec3 outside = glm::max(glm::max(first - p, p - last), glm::dvec3(0));
+    const glm::dvec3 outside = glm::max(glm::max(min - p, p - max), glm::dvec3(0));
     return glm::dot(outside, outside);
 }
 
 }  // namespace
 
-KnownTriangle::KnownTriangle(const Corners3 &t)
+PrecomputedTriangle::PrecomputedTriangle(const Corners3 &t)
     : corners(t),
       edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]},
       normal(glm::cross(t[1] - t[0], t[2] - t[0])),
-      first(glm::min(glm::min(t[0], t[1]), t[2])),
-      last(glm::max(glm::max(t[0], t[1]), t[2])),
+      min(glm::min(glm::min(t[0], t[1]), t[2])),
+      max(glm::max(glm::max(t[0], t[1]), t[2])),
       square(glm::dot(normal, normal))
 {
     for (size_t i = 0; i < 3; ++i) squares[i] = glm::dot(edges[i], edges[i]);
 }
 
-glm::dvec3 KnownTriangle::nearest(glm::dvec3 p) const
+glm::dvec3 PrecomputedTriangle::nearest(glm::dvec3 p) const
 {
     const Corners3 &c = corners, &e = edges;
     const Corners3 to = {p - c[0], p - c[1], p - c[2]};
@@ -55,13 +55,13 @@ glm::dvec3 KnownTriangle::nearest(glm::dvec3 p) const
     return best;
 }
 
-NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : tree_(triangles), places_(triangles.size())
+NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : tree_(triangles), slots_(triangles.size())
 {
     for (const uint32_t t : tree_.order) {
-        places_[t] = static_cast<uint32_t>(known_.size());
-        known_.emplace_back(triangles[t]);
+        slots_[t] = static_cast<uint32_t>(triangles_.size());
+        triangles_.emplace_back(triangles[t]);
     }
-    const glm::dvec3 most = glm::max(glm::abs(tree_.boxes[0].first), glm::abs(tree_.boxes[0].last));
+    const glm::dvec3 most = glm::max(glm::abs(tree_.boxes[0].min), glm::abs(tree_.boxes[0].max));
     slack_ = 1e-18 * glm::dot(most, most);
 }
 
@@ -74,8 +74,8 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
     const double slack = slack_ + 1e-18 * glm::dot(p, p);
     double enough = std::numeric_limits<double>::infinity();
     const auto a_little_more = [slack](double square) { return square + 1e-9 * square + slack; };
-    if (guess < places_.size()) {
-        const KnownTriangle &t = known_[places_[guess]];
+    if (guess < slots_.size()) {
+        const PrecomputedTriangle &t = triangles_[slots_[guess]];
         const glm::dvec3 off = point_on(t.corners, t.nearest(p)) - p;
         enough = a_little_more(glm::dot(off, off));
     }
@@ -89,19 +89,19 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
     while (count) {
         const Open next = open[--count];
         if (next.square >= best.distance_squared || next.square > enough) continue;
-        const BoxTree::Box &box = tree_.boxes[next.box];
+        const AabbTree::Box &box = tree_.boxes[next.box];
         if (box.left) {
-            const BoxTree::Box &left = tree_.boxes[box.left], &right = tree_.boxes[box.left + 1];
-            const Open a = {box.left, distance_squared(left.first, left.last, p)},
-                       b = {box.left + 1, distance_squared(right.first, right.last, p)};
+            const AabbTree::Box &left = tree_.boxes[box.left], &right = tree_.boxes[box.left + 1];
+            const Open a = {box.left, distance_squared(left.min, left.max, p)},
+                       b = {box.left + 1, distance_squared(right.min, right.max, p)};
             const bool left_first = a.square <= b.square;
             open[count++] = left_first ? b : a;
             open[count++] = left_first ? a : b;
             continue;
         }
         for (uint32_t i = box.begin; i < box.end; ++i) {
-            const KnownTriangle &t = known_[i];
-            if (distance_squared(t.first, t.last, p) > enough) continue;
+            const PrecomputedTriangle &t = triangles_[i];
+            if (distance_squared(t.min, t.max, p) > enough) continue;
             const glm::dvec3 weights = t.nearest(p);
             const glm::dvec3 off = point_on(t.corners, weights) - p;
             const double square = glm::dot(off, off);
@@ -114,7 +114,7 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
     return best;
 }
 
-NearestPoint::Found nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p)
+NearestPoint::Found nearest_of(const std::vector<PrecomputedTriangle> &triangles, glm::dvec3 p)
 {
     NearestPoint::Found best;
     best.distance_squared = std::numeric_limits<double>::infinity();

@@ -1,20 +1,20 @@
 // The nearest point of a set of triangles, by a tree of boxes.
 #pragma once
 
-#include "lib/lod/box_tree.h"
+#include "lib/lod/aabb_tree.h"
 
 namespace claque::lod
 {
 
 // A triangle, with what finding the nearest place on it needs for every place.
-struct KnownTriangle {
-    explicit KnownTriangle(const Corners3 &t);
+struct PrecomputedTriangle {
+    explicit PrecomputedTriangle(const Corners3 &t);
     // Weights of the corners at the point nearest to p: not below 0, their sum 1.
     glm::dvec3 nearest(glm::dvec3 p) const;
 
     Corners3 corners, edges;
     std::array<double, 3> squares;  // of the edges' lengths
-    glm::dvec3 normal, first, last;
+    glm::dvec3 normal, min, max;
     double square;  // of the normal's length
 };
 
@@ -34,17 +34,17 @@ public:
     Found to(glm::dvec3 p, uint32_t guess = 0xffffffff) const;
 
 private:
-    BoxTree tree_;
-    std::vector<KnownTriangle> known_;  // in the tree's order
-    std::vector<uint32_t> places_;      // [triangles] of known_
-    double slack_ = 0;                  // of a squared distance: more than roundings make of it
+    AabbTree tree_;
+    std::vector<PrecomputedTriangle> triangles_;  // in the tree's order
+    std::vector<uint32_t> slots_;                 // [triangles] of known_
+    double slack_ = 0;                            // of a squared distance: more than roundings make of it
 };
 
 // The same by looking at each of a few triangles; of none infinitely far.
-NearestPoint::Found nearest_of(const std::vector<KnownTriangle> &triangles, glm::dvec3 p);
+NearestPoint::Found nearest_of(const std::vector<PrecomputedTriangle> &triangles, glm::dvec3 p);
 
 // Weights of the corners of t at its point nearest to p.
-inline glm::dvec3 nearest_on(const Corners3 &t, glm::dvec3 p) { return KnownTriangle(t).nearest(p); }
+inline glm::dvec3 nearest_on(const Corners3 &t, glm::dvec3 p) { return PrecomputedTriangle(t).nearest(p); }
 
 inline glm::dvec3 point_on(const Corners3 &t, glm::dvec3 weights)
 {

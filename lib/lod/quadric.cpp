@@ -18,7 +18,7 @@ TriangleFrame::TriangleFrame(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2) : orig
 }
 
 // Cramer's rule, about a point near by so that rounding does not depend on where the character stands.
-bool PlaneQuadric::lowest(glm::dvec3 near, glm::dvec3 &out) const
+bool PlaneQuadric::find_minimum(glm::dvec3 near, glm::dvec3 &out) const
 {
     const glm::dvec3 x(xx_, xy_, xz_), y(xy_, yy_, yz_), z(xz_, yz_, zz_);
     const glm::dvec3 r(-(glm::dot(x, near) + b_.x), -(glm::dot(y, near) + b_.y), -(glm::dot(z, near) + b_.z));

@@ -36,7 +36,7 @@ public:
                2 * (p.x * p.y * xy_ + p.x * p.z * xz_ + p.y * p.z * yz_) + 2 * glm::dot(b_, p) + c_;
     }
     // Where it is least; false where the planes leave a direction open, or nearly so.
-    bool lowest(glm::dvec3 near, glm::dvec3 &out) const;
+    bool find_minimum(glm::dvec3 near, glm::dvec3 &out) const;
 
 private:
     double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0, c_ = 0;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "lib/lod/fit.h"
-#include "lib/lod/joins.h"
+#include "lib/lod/vertex_merge.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -16,14 +16,14 @@ namespace claque::lod
 namespace
 {
 
-constexpr size_t fewest_whole = 30;  // triangles: below, holes are closed as soon as that is best
-constexpr size_t fitted_often = 40;  // triangles: from here down after each collapse
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr size_t min_manifold_triangles = 30;  // triangles: below, holes are closed as soon as that is best
+constexpr size_t refit_triangles = 40;         // triangles: from here down after each collapse
+constexpr double illegal_cost = std::numeric_limits<double>::infinity();
 
 class Reduction
 {
 public:
-    Reduction(const FineSurface &fine, const Coarse &from, const base::Jobs &jobs) : fine_(fine), jobs_(jobs)
+    Reduction(const FineSurface &fine, const CoarseMesh &from, const base::Jobs &jobs) : fine_(fine), jobs_(jobs)
     {
         begin(from);
     }
@@ -32,27 +32,27 @@ public:
     bool collapse()
     {
         if (collapse_next()) return true;
-        if (pinches_) return false;
-        allow_pinches();
+        if (non_manifold_allowed_) return false;
+        allow_non_manifold();
         return collapse_next();
     }
     // From here on edges may come to have four triangles, where holes close.
-    void allow_pinches()
+    void allow_non_manifold()
     {
-        if (!pinches_) wishes_.clear();
-        pinches_ = true;
+        if (!non_manifold_allowed_) collapses_.clear();
+        non_manifold_allowed_ = true;
     }
     void refit(int rounds)
     {
-        Coarse now = result();
+        CoarseMesh now = result();
         fit(fine_, now, rounds);
         begin(now);
     }
     size_t count() const { return level_.surface.triangles.size(); }
     // Without vertices that no triangle has.
-    Coarse result() const
+    CoarseMesh result() const
     {
-        Coarse out;
+        CoarseMesh out;
         std::map<uint32_t, uint32_t> numbers;
         for (Triangle t : level_.surface.triangles) {
             for (uint32_t &v : t) {
@@ -69,8 +69,8 @@ public:
     }
 
 private:
-    struct Wish {
-        double cost = never;
+    struct Collapse {
+        double cost = illegal_cost;
         glm::dvec3 at = glm::dvec3(0);
     };
     struct Star {  // of an edge
@@ -82,36 +82,37 @@ private:
 
     bool collapse_next()
     {
-        std::vector<std::pair<Edge, Wish *>> fresh;
+        std::vector<std::pair<Edge, Collapse *>> fresh;
         for (const Triangle &t : level_.surface.triangles)
             for (size_t k = 0; k < 3; ++k)
-                if (const auto [at, is_new] = wishes_.try_emplace(edge_of(t, k)); is_new)
+                if (const auto [at, is_new] = collapses_.try_emplace(edge_of(t, k)); is_new)
                     fresh.emplace_back(at->first, &at->second);
         jobs_.try_each(static_cast<uint32_t>(fresh.size()),
-                       [&](uint32_t i) { *fresh[i].second = wish_of(fresh[i].first); });
-        const auto best = std::min_element(wishes_.begin(), wishes_.end(),
+                       [&](uint32_t i) { *fresh[i].second = best_collapse(fresh[i].first); });
+        const auto best = std::min_element(collapses_.begin(), collapses_.end(),
                                            [](const auto &x, const auto &y) { return x.second.cost < y.second.cost; });
-        if (best == wishes_.end() || best->second.cost == never) return false;
-        take(best->first, best->second.at);
+        if (best == collapses_.end() || best->second.cost == illegal_cost) return false;
+        apply(best->first, best->second.at);
         return true;
     }
-    void begin(const Coarse &from)
+    void begin(const CoarseMesh &from)
     {
         level_ = from;
-        wishes_.clear(), back_.clear(), linked_.clear(), distances_.clear();
+        collapses_.clear(), distance_costs_.clear(), nearest_triangles_.clear(), distances_.clear();
         uint32_t guess = model::none;
-        for (const NearestPoint::Triangle &t : corners_of(level_.surface)) back_.push_back(back_of(t, guess));
+        for (const NearestPoint::Triangle &t : corners_of(level_.surface))
+            distance_costs_.push_back(distance_cost(t, guess));
         sliver_ = 0.05 * fine_.area() / double(count());
         const NearestPoint nearest(corners_of(level_.surface));
         for (const FineSurface::Sample &sample : fine_.samples()) {
             const NearestPoint::Found found = nearest.to(sample.at);
-            linked_.push_back(found.triangle), distances_.push_back(found.distance_squared);
+            nearest_triangles_.push_back(found.triangle), distances_.push_back(found.distance_squared);
         }
     }
     glm::dvec3 at(uint32_t v) const { return level_.surface.positions[v]; }
 
     // Squared distance of a triangle from the fine surface, times its area. `guess`: where the last one was near.
-    double back_of(const NearestPoint::Triangle &t, uint32_t &guess) const
+    double distance_cost(const NearestPoint::Triangle &t, uint32_t &guess) const
     {
         double sum = 0;
         for (const glm::dvec3 weights : {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
@@ -128,11 +129,11 @@ private:
         for (uint32_t t = 0; t < count(); ++t) {
             const Triangle &triangle = level_.surface.triangles[t];
             in[t] = has(triangle, edge.first) || has(triangle, edge.second);
-            if (in[t]) star.before.push_back(triangle), star.now += back_[t];
+            if (in[t]) star.before.push_back(triangle), star.now += distance_costs_[t];
         }
-        star.after = joined_at(edge.first, edge.second, star.before);
-        for (uint32_t s = 0; s < linked_.size(); ++s) {
-            if (!in[linked_[s]]) continue;
+        star.after = merge_vertices(edge.first, edge.second, star.before);
+        for (uint32_t s = 0; s < nearest_triangles_.size(); ++s) {
+            if (!in[nearest_triangles_[s]]) continue;
             star.samples.push_back(s);
             star.now += fine_.samples()[s].area * distances_[s];
         }
@@ -140,12 +141,12 @@ private:
     }
 
     // Whether a limb would come off: where the surface is round a neck that the edge is part of.
-    bool parts(Edge edge, const Star &star) const
+    bool disconnects(Edge edge, const Star &star) const
     {
         if (star.after.size() + 2 == star.before.size() && common_neighbours(star, edge) == 2) return false;
-        if (!pinches_) return true;
+        if (!non_manifold_allowed_) return true;
         const std::vector<Triangle> &all = level_.surface.triangles;
-        return pieces_of(joined_at(edge.first, edge.second, all)) > pieces_of(all);
+        return component_count(merge_vertices(edge.first, edge.second, all)) > component_count(all);
     }
     static size_t common_neighbours(const Star &star, Edge edge)
     {
@@ -158,68 +159,69 @@ private:
         for (const uint32_t v : of_first) both += v != edge.first && v != edge.second && of_second.count(v);
         return both;
     }
-    Wish wish_of(Edge edge) const
+    Collapse best_collapse(Edge edge) const
     {
         const Star star = star_of(edge);
-        Wish best;
-        const auto look = [&](glm::dvec3 place) {
-            const double cost = cost_of(edge, place, star, best.cost + star.now) - star.now;
+        Collapse best;
+        const auto try_position = [&](glm::dvec3 position) {
+            const double cost = cost_of(edge, position, star, best.cost + star.now) - star.now;
             const bool better = cost < best.cost;
-            if (better) best = {cost, place};
+            if (better) best = {cost, position};
             return better;
         };
-        if (star.after.empty() || parts(edge, star)) return best;
+        if (star.after.empty() || disconnects(edge, star)) return best;
         for (const double of_b : {0.5, 0.0, 1.0})
-            if (look((1 - of_b) * at(edge.first) + of_b * at(edge.second))) break;
-        for (int round = 0; round < 2 && best.cost < never; ++round)
-            if (!look(settled(edge, best.at, star))) break;
+            if (try_position((1 - of_b) * at(edge.first) + of_b * at(edge.second))) break;
+        for (int round = 0; round < 2 && best.cost < illegal_cost; ++round)
+            if (!try_position(least_squares_position(edge, best.at, star))) break;
         best.cost += variance_of(level_.features[edge.first], level_.features[edge.second]);
         return best;
     }
 
     // With both ends at one place.
-    NearestPoint::Triangle corners(const Triangle &t, Edge edge, glm::dvec3 place) const
+    NearestPoint::Triangle corners(const Triangle &t, Edge edge, glm::dvec3 position) const
     {
         NearestPoint::Triangle out;
-        for (size_t k = 0; k < 3; ++k) out[k] = t[k] == edge.first || t[k] == edge.second ? place : at(t[k]);
+        for (size_t k = 0; k < 3; ++k) out[k] = t[k] == edge.first || t[k] == edge.second ? position : at(t[k]);
         return out;
     }
-    std::vector<KnownTriangle> after(const Star &star, Edge edge, glm::dvec3 place) const
+    std::vector<PrecomputedTriangle> after(const Star &star, Edge edge, glm::dvec3 position) const
     {
-        std::vector<KnownTriangle> out;
-        for (const Triangle &t : star.after) out.emplace_back(corners(t, edge, place));
+        std::vector<PrecomputedTriangle> out;
+        for (const Triangle &t : star.after) out.emplace_back(corners(t, edge, position));
         return out;
     }
-    bool turns(Edge edge, glm::dvec3 place, const Star &star) const
+    bool flips(Edge edge, glm::dvec3 position, const Star &star) const
     {
         for (const Triangle &t : star.before) {
             if (has(t, edge.first) && has(t, edge.second)) continue;
-            const glm::dvec3 was = twice_area({at(t[0]), at(t[1]), at(t[2])}), is = twice_area(corners(t, edge, place));
+            const glm::dvec3 was = twice_area({at(t[0]), at(t[1]), at(t[2])}),
+                             is = twice_area(corners(t, edge, position));
             const double was_long = glm::length(was), is_long = glm::length(is);
             if (was_long > sliver_ && is_long > sliver_ && glm::dot(was, is) < 0.2 * was_long * is_long) return true;
         }
         return false;
     }
-    double cost_of(Edge edge, glm::dvec3 place, const Star &star, double most) const
+    double cost_of(Edge edge, glm::dvec3 position, const Star &star, double most) const
     {
-        if (turns(edge, place, star)) return never;
-        const std::vector<KnownTriangle> next = after(star, edge, place);
+        if (flips(edge, position, star)) return illegal_cost;
+        const std::vector<PrecomputedTriangle> next = after(star, edge, position);
         double sum = 0;
         for (const uint32_t s : star.samples) {
             sum += fine_.samples()[s].area * nearest_of(next, fine_.samples()[s].at).distance_squared;
-            if (sum >= most) return never;
+            if (sum >= most) return illegal_cost;
         }
-        for (const KnownTriangle &t : next) {
-            if (sum >= most) return never;
-            sum += back_of(t.corners, star.guess);
+        for (const PrecomputedTriangle &t : next) {
+            if (sum >= most) return illegal_cost;
+            sum += distance_cost(t.corners, star.guess);
         }
         return sum;
     }
 
     // Where the vertex in place of both lies best for the samples of its triangles, by least squares.
-    glm::dvec3 settled(Edge edge, glm::dvec3 place, const Star &star) const
+    glm::dvec3 least_squares_position(Edge edge, glm::dvec3 position, const Star &star) const
     {
-        const std::vector<KnownTriangle> next = after(star, edge, place);
+        const std::vector<PrecomputedTriangle> next = after(star, edge, position);
         glm::dvec3 sum(0);
         double all = 0;
         for (const uint32_t s : star.samples) {
@@ -230,19 +232,19 @@ private:
             while (k < 3 && t[size_t(k)] != edge.first) ++k;
             const double weight = k < 3 ? nearest.weights[k] : 0;
             const glm::dvec3 off = sample.at - point_on(next[nearest.triangle].corners, nearest.weights);
-            sum += sample.area * weight * (off + weight * place);
+            sum += sample.area * weight * (off + weight * position);
             all += sample.area * weight * weight;
         }
-        return all > 0 ? sum / all : place;
+        return all > 0 ? sum / all : position;
     }
 
-    void take(Edge edge, glm::dvec3 place)
+    void apply(Edge edge, glm::dvec3 position)
     {
         const Star star = star_of(edge);
-        Coarse next;
+        CoarseMesh next;
         next.features = level_.features;
-        next.surface.positions = level_.surface.positions, next.surface.positions[edge.first] = place;
-        next.features[edge.first] = joined(level_.features[edge.first], level_.features[edge.second]);
+        next.surface.positions = level_.surface.positions, next.surface.positions[edge.first] = position;
+        next.features[edge.first] = merged(level_.features[edge.first], level_.features[edge.second]);
         std::set<uint32_t> touched;
         std::vector<double> back;
         std::vector<uint32_t> renamed;
@@ -253,45 +255,48 @@ private:
                 touched.insert(triangle.begin(), triangle.end());
                 continue;
             }
-            next.surface.triangles.push_back(triangle), back.push_back(back_[t]);
+            next.surface.triangles.push_back(triangle), back.push_back(distance_costs_[t]);
         }
         const size_t stay = back.size();
-        const std::vector<KnownTriangle> moved = after(star, edge, place);
+        const std::vector<PrecomputedTriangle> moved = after(star, edge, position);
         for (size_t i = 0; i < moved.size(); ++i)
-            next.surface.triangles.push_back(star.after[i]), back.push_back(back_of(moved[i].corners, star.guess));
-        for (uint32_t &t : linked_) t = renamed[t];
+            next.surface.triangles.push_back(star.after[i]),
+                back.push_back(distance_cost(moved[i].corners, star.guess));
+        for (uint32_t &t : nearest_triangles_) t = renamed[t];
         for (const uint32_t s : star.samples) {
             const NearestPoint::Found nearest = nearest_of(moved, fine_.samples()[s].at);
-            linked_[s] = static_cast<uint32_t>(stay + nearest.triangle), distances_[s] = nearest.distance_squared;
+            nearest_triangles_[s] = static_cast<uint32_t>(stay + nearest.triangle),
+            distances_[s] = nearest.distance_squared;
         }
-        level_ = std::move(next), back_ = std::move(back);
-        for (auto it = wishes_.begin(); it != wishes_.end();)
-            it = touched.count(it->first.first) || touched.count(it->first.second) ? wishes_.erase(it) : std::next(it);
+        level_ = std::move(next), distance_costs_ = std::move(back);
+        for (auto it = collapses_.begin(); it != collapses_.end();)
+            it = touched.count(it->first.first) || touched.count(it->first.second) ? collapses_.erase(it)
+                                                                                   : std::next(it);
     }
 
     const FineSurface &fine_;
     const base::Jobs &jobs_;
-    Coarse level_;
-    std::vector<double> back_;       // [triangles]
-    std::vector<uint32_t> linked_;   // [samples] triangle where each is nearest
-    std::vector<double> distances_;  // [samples] squared, to it
-    std::map<Edge, Wish> wishes_;
-    bool pinches_ = false;
+    CoarseMesh level_;
+    std::vector<double> distance_costs_;       // [triangles]
+    std::vector<uint32_t> nearest_triangles_;  // [samples] triangle where each is nearest
+    std::vector<double> distances_;            // [samples] squared, to it
+    std::map<Edge, Collapse> collapses_;
+    bool non_manifold_allowed_ = false;
     double sliver_ = 0;  // twice the area below which a triangle points anywhere
 };
 
 }  // namespace
 
-std::vector<Coarse> reduced(const FineSurface &fine, const Coarse &from, const std::vector<size_t> &targets,
-                            const base::Jobs &jobs)
+std::vector<CoarseMesh> reduce_by_distance(const FineSurface &fine, const CoarseMesh &from,
+                                           const std::vector<size_t> &targets, const base::Jobs &jobs)
 {
     Reduction work(fine, from, jobs);
-    std::vector<Coarse> out;
+    std::vector<CoarseMesh> out;
     for (const size_t target : targets) {
-        if (target < fewest_whole) work.allow_pinches();
+        if (target < min_manifold_triangles) work.allow_non_manifold();
         while (work.count() > target && work.collapse())
-            if (work.count() <= fitted_often) work.refit(2);
-        work.refit(most_fit_rounds);
+            if (work.count() <= refit_triangles) work.refit(2);
+        work.refit(max_fit_rounds);
         out.push_back(work.result());
     }
     return out;

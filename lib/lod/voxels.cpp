@@ -11,15 +11,15 @@ namespace claque::lod
 
 Voxels::Voxels(const std::vector<Triangle> &triangles, uint32_t cells)
 {
-    glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
+    glm::dvec3 min(std::numeric_limits<double>::infinity()), max = -min;
     for (const Triangle &t : triangles)
-        for (const glm::dvec3 corner : t) first = glm::min(first, corner), last = glm::max(last, corner);
-    const glm::dvec3 box = last - first;
+        for (const glm::dvec3 corner : t) min = glm::min(min, corner), max = glm::max(max, corner);
+    const glm::dvec3 box = max - min;
     const double longest = std::max({box.x, box.y, box.z});
     cell_ = longest > 0 ? longest / cells : 1;
     size_ = glm::uvec3(glm::floor(box / cell_)) + 3u;
     // The box lies in the middle of its cells.
-    origin_ = 0.5 * (first + last) - 0.5 * cell_ * glm::dvec3(size_);
+    origin_ = 0.5 * (min + max) - 0.5 * cell_ * glm::dvec3(size_);
     cells_.assign(size_t(size_.x) * size_.y * size_.z, 0);
     for (const Triangle &t : triangles) add(t);
 }

@@ -29,20 +29,20 @@ glm::mat4 mat4_of(const Affine &a)
                      glm::vec4(a.column(3), 1));
 }
 
-glm::vec3 direction(const Affine &a, glm::vec3 d)
+glm::vec3 transform_vector(const Affine &a, glm::vec3 d)
 {
     const float *c = a.c;
     return glm::vec3(c[0] * d.x + c[3] * d.y + c[6] * d.z, c[1] * d.x + c[4] * d.y + c[7] * d.z,
                      c[2] * d.x + c[5] * d.y + c[8] * d.z);
 }
 
-glm::vec3 point(const Affine &a, glm::vec3 p) { return direction(a, p) + a.column(3); }
+glm::vec3 transform_point(const Affine &a, glm::vec3 p) { return transform_vector(a, p) + a.column(3); }
 
 Affine mul(const Affine &a, const Affine &b)
 {
     Affine out;
-    for (int k = 0; k < 3; ++k) out.set_column(k, direction(a, b.column(k)));
-    out.set_column(3, point(a, b.column(3)));
+    for (int k = 0; k < 3; ++k) out.set_column(k, transform_vector(a, b.column(k)));
+    out.set_column(3, transform_point(a, b.column(3)));
     return out;
 }
 
@@ -61,7 +61,7 @@ Affine inverse(const Affine &a)
     out.set_column(1, glm::vec3(r0.y, r1.y, r2.y));
     out.set_column(2, glm::vec3(r0.z, r1.z, r2.z));
     out.set_column(3, glm::vec3(0));
-    out.set_column(3, -direction(out, a.column(3)));
+    out.set_column(3, -transform_vector(out, a.column(3)));
     return out;
 }
 

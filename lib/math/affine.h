@@ -31,8 +31,8 @@ glm::mat4 mat4_of(const Affine &a);
 Affine mul(const Affine &a, const Affine &b);  // a after b
 Affine inverse(const Affine &a);               // of a singular one: the identity; ask determinant() first
 float determinant(const Affine &a);
-glm::vec3 point(const Affine &a, glm::vec3 p);
-glm::vec3 direction(const Affine &a, glm::vec3 d);
+glm::vec3 transform_point(const Affine &a, glm::vec3 p);
+glm::vec3 transform_vector(const Affine &a, glm::vec3 d);
 
 // Directions of normals: inverse transpose of the upper 3x3, without translation, scaled to the size of a rotation.
 // The same matrix up to that factor where `a` is a similarity, mirrored or not.

@@ -22,35 +22,35 @@ Frustum frustum_of(const float projection[16])
     return out;
 }
 
-Frustum turned_back(const Frustum &frustum, const glm::dmat3 &turned)
+Frustum rotated_back(const Frustum &frustum, const glm::dmat3 &turned)
 {
     Frustum out = frustum;
     for (int i = 0; i < out.count; ++i) out.planes[i].normal = frustum.planes[i].normal * turned;
     return out;
 }
 
-Inside test_swept(const Frustum &frustum, const glm::dvec3 &c, double radius, const glm::dvec3 &way)
+Containment test_swept(const Frustum &frustum, const glm::dvec3 &c, double radius, const glm::dvec3 &sweep)
 {
-    Inside result = Inside::wholly;
+    Containment result = Containment::inside;
     for (int i = 0; i < frustum.count; ++i) {
         const Plane &p = frustum.planes[i];
         const double from = p.normal.x * c.x + p.normal.y * c.y + p.normal.z * c.z + p.offset;
-        const double along = p.normal.x * way.x + p.normal.y * way.y + p.normal.z * way.z;
+        const double along = p.normal.x * sweep.x + p.normal.y * sweep.y + p.normal.z * sweep.z;
         const double to = from + along;
-        if (from < -radius && to < -radius) return Inside::no;
-        if (from < radius || to < radius) result = Inside::crosses;
+        if (from < -radius && to < -radius) return Containment::outside;
+        if (from < radius || to < radius) result = Containment::intersects;
     }
     return result;
 }
 
-Inside test(const Frustum &frustum, const glm::dvec3 &c, double radius)
+Containment test(const Frustum &frustum, const glm::dvec3 &c, double radius)
 {
-    Inside result = Inside::wholly;
+    Containment result = Containment::inside;
     for (int i = 0; i < frustum.count; ++i) {
         const Plane &p = frustum.planes[i];
         const double distance = p.normal.x * c.x + p.normal.y * c.y + p.normal.z * c.z + p.offset;
-        if (distance < -radius) return Inside::no;
-        if (distance < radius) result = Inside::crosses;
+        if (distance < -radius) return Containment::outside;
+        if (distance < radius) result = Containment::intersects;
     }
     return result;
 }

@@ -17,18 +17,18 @@ struct Frustum {
     int count = 0;    // planes that bound anything: an infinite far plane leaves five
 };
 
-enum class Inside : unsigned char { no = 0, crosses = 1, wholly = 2 };
+enum class Containment : unsigned char { outside = 0, intersects = 1, inside = 2 };
 
 // Of a column-major GL projection, perspective or parallel, from clip space's six bounds (Gribb and Hartmann 2001).
 Frustum frustum_of(const float projection[16]);
 
 // The same planes where the axes are turned: inside is where the frustum of `turned` * p was.
-Frustum turned_back(const Frustum &frustum, const glm::dmat3 &turned);
+Frustum rotated_back(const Frustum &frustum, const glm::dmat3 &turned);
 
 // `no` is certain; a sphere near an edge outside may be said to cross.
-Inside test(const Frustum &frustum, const glm::dvec3 &centre, double radius);
+Containment test(const Frustum &frustum, const glm::dvec3 &centre, double radius);
 
 // Of all that the sphere sweeps on its way by `way`: a shadow's caster. `no` is certain.
-Inside test_swept(const Frustum &frustum, const glm::dvec3 &centre, double radius, const glm::dvec3 &way);
+Containment test_swept(const Frustum &frustum, const glm::dvec3 &centre, double radius, const glm::dvec3 &sweep);
 
 }  // namespace claque::math

@@ -35,10 +35,10 @@ Rgb8 rgb8_of(const double rgb[3])
     return {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
 }
 
-double hue_in(double first_deg, double last_deg, double u)
+double lerp_hue(double min_deg, double max_deg, double u)
 {
-    const double width = last_deg - first_deg + (first_deg > last_deg ? 360 : 0);
-    const double hue = first_deg + u * width;
+    const double width = max_deg - min_deg + (min_deg > max_deg ? 360 : 0);
+    const double hue = min_deg + u * width;
     return hue >= 360 ? hue - 360 : hue;
 }
 

@@ -16,6 +16,6 @@ void rgb_to_hsb(const double rgb[3], double out_hsb[3]);  // hue [0, 360); 0 for
 Rgb8 rgb8_of(const double rgb[3]);                        // rounded to the nearest of 256, clamped
 
 // A hue between two, going up from the first; past 360 when first > last. u in [0, 1).
-double hue_in(double first_deg, double last_deg, double u);
+double lerp_hue(double min_deg, double max_deg, double u);
 
 }  // namespace claque::math

@@ -30,7 +30,7 @@ struct Light {
 Light light_of(double channel)
 {
     if (channel <= 0.04045) return {channel / 12.92, 1 / 12.92};
-    const double t = (channel + 0.055) / 1.055, value = t * t * root(t * t, 5);  // t to the 2.4
+    const double t = (channel + 0.055) / 1.055, value = t * t * nth_root(t * t, 5);  // t to the 2.4
     return {value, 2.4 / 1.055 * value / t};
 }
 
@@ -48,7 +48,7 @@ Light share_of(double hue_deg, int channel)
 
 }  // namespace
 
-double root(double x, int n)
+double nth_root(double x, int n)
 {
     if (!(x > 0)) return 0;
     int exponent = 0;
@@ -69,7 +69,7 @@ void oklab_of(const double rgb[3], double out[3])
     double light[3], cones[3];
     for (int k = 0; k < 3; ++k) light[k] = light_of(rgb[k]).value;
     times(cones_of, light, cones);
-    for (double &cone : cones) cone = root(cone, 3);
+    for (double &cone : cones) cone = nth_root(cone, 3);
     times(lab_of, cones, out);
 }
 
@@ -90,7 +90,7 @@ OklabSlopes oklab_slopes(double hue_deg, double saturation, double brightness)
         double slope[3];
         times(cones_of, light_slope, slope);
         for (int k = 0; k < 3; ++k) {
-            const double cube_root = root(cones[k], 3);
+            const double cube_root = nth_root(cones[k], 3);
             slope[k] /= 3 * cube_root * cube_root;
         }
         times(lab_of, slope, out);

@@ -6,7 +6,7 @@ namespace claque::math
 {
 
 // The positive n-th root of x, 2 <= n <= 5; 0 for x <= 0. By +, *, / alone, so the same on every processor.
-double root(double x, int n);
+double nth_root(double x, int n);
 
 // rgb: each [0, 1]. out: lightness [0, 1], green to red, blue to yellow.
 void oklab_of(const double rgb[3], double out[3]);

@@ -13,7 +13,7 @@ namespace
 using base::text_of;
 using Field = ColourField;
 
-constexpr float heaviest = 1e6f;
+constexpr float max_weight = 1e6f;
 
 bool named(const char *name) { return name && *name; }
 
@@ -25,7 +25,7 @@ public:
 
     BrokenColourRule go()
     {
-        if (!count("classes", def_.class_count, most_colour_classes, def_.classes, 1)) return found_;
+        if (!count("classes", def_.class_count, max_colour_classes, def_.classes, 1)) return found_;
         for (uint32_t i = 0; i < def_.class_count; ++i) {
             found_.colour_class = i;
             if (!walk_class(def_.classes[i])) return found_;
@@ -46,7 +46,7 @@ private:
             if (found_.zone != CLQ_NONE && named(colours.zones[found_.zone].zone))
                 where += text_of(", zone '%s'", colours.zones[found_.zone].zone);
             else if (found_.zone != CLQ_NONE) where += text_of(", zone %u", found_.zone + 1);
-            if (found_.dye != CLQ_NONE) where += text_of(", dye %u", found_.dye + 1);
+            if (found_.palette_entry != CLQ_NONE) where += text_of(", palette entry %u", found_.palette_entry + 1);
             where += ": ";
         }
         found_.text = where + sentence;
@@ -63,12 +63,12 @@ private:
 
     bool walk_class(const clq_colour_class &colours)
     {
-        found_.zone = found_.dye = CLQ_NONE;
+        found_.zone = found_.palette_entry = CLQ_NONE;
         if (!named(colours.name)) return refuse(Field::name, "it has no name");
         for (uint32_t i = 0; i < found_.colour_class; ++i)
             if (std::strcmp(def_.classes[i].name, colours.name) == 0)
                 return refuse(Field::name, text_of("class %u has this name already", i + 1));
-        if (!count("zones", colours.zone_count, most_colour_zones, colours.zones)) return false;
+        if (!count("zones", colours.zone_count, max_colour_zones, colours.zones)) return false;
         for (uint32_t i = 0; i < colours.zone_count; ++i) {
             found_.zone = i;
             if (!walk_zone(colours, i)) return false;
@@ -78,53 +78,57 @@ private:
 
     bool walk_zone(const clq_colour_class &colours, uint32_t index)
     {
-        found_.dye = CLQ_NONE;
+        found_.palette_entry = CLQ_NONE;
         const clq_zone_colours &zone = colours.zones[index];
         if (!named(zone.zone)) return refuse(Field::zone, "it has no name");
         if (find_zone(colours, zone.zone) < index) return refuse(Field::zone, "it stands twice in its class");
-        unsigned uniform = 0;  // what C let a host put there
-        std::memcpy(&uniform, &zone.uniform, sizeof uniform);
-        if (uniform > CLQ_UNIFORM_PERCEIVED)
-            return refuse(Field::uniform,
-                          text_of("uniform is %u: neither CLQ_UNIFORM_HSB nor CLQ_UNIFORM_PERCEIVED", uniform));
-        if (!count("dyes", zone.dye_count, most_zone_dyes, zone.dyes)) return false;
-        if (!walk_like(colours, zone)) return false;
-        dyes_ += zone.dye_count;
-        if (dyes_ > most_dyes) return refuse(Field::dyes, text_of("more than %u dyes in all classes", most_dyes));
-        for (uint32_t i = 0; i < zone.dye_count; ++i) {
-            found_.dye = i;
-            if (!walk_dye(zone.dyes[i])) return false;
+        unsigned colour_space = 0;  // what C let a host put there
+        std::memcpy(&colour_space, &zone.colour_space, sizeof colour_space);
+        if (colour_space > CLQ_COLOUR_SPACE_OKLAB)
+            return refuse(
+                Field::colour_space,
+                text_of("colour_space is %u: neither CLQ_COLOUR_SPACE_HSB nor CLQ_COLOUR_SPACE_OKLAB", colour_space));
+        if (!count("palette entries", zone.palette_count, max_palette_entries, zone.palette)) return false;
+        if (!walk_link(colours, zone)) return false;
+        palette_entries_ += zone.palette_count;
+        if (palette_entries_ > max_map_entries)
+            return refuse(Field::palette, text_of("more than %u palette entries in all classes", max_map_entries));
+        for (uint32_t i = 0; i < zone.palette_count; ++i) {
+            found_.palette_entry = i;
+            if (!walk_palette_entry(zone.palette[i])) return false;
         }
         return true;
     }
 
-    bool walk_like(const clq_colour_class &colours, const clq_zone_colours &zone)
+    bool walk_link(const clq_colour_class &colours, const clq_zone_colours &zone)
     {
-        if (!(zone.apart >= 0 && zone.apart <= 1))
-            return refuse(Field::apart, text_of("apart is %g: 0 to 1 is wanted", double(zone.apart)));
-        if (!zone.like) {
-            if (zone.dye_count == 0) return refuse(Field::whole, "it has neither a dye nor a zone that it is like");
-            if (zone.apart > 0) return refuse(Field::apart, "it is like no zone that it could be apart from");
+        if (!(zone.variation >= 0 && zone.variation <= 1))
+            return refuse(Field::variation, text_of("variation is %g: 0 to 1 is wanted", double(zone.variation)));
+        if (!zone.linked_to) {
+            if (zone.palette_count == 0)
+                return refuse(Field::whole, "it has neither a palette entry nor a zone that it is linked to");
+            if (zone.variation > 0) return refuse(Field::variation, "it has a variation and is linked to no zone");
             return true;
         }
-        if (!named(zone.like)) return refuse(Field::like, "the zone that it is like has no name");
-        if (std::strcmp(zone.like, zone.zone) == 0) return refuse(Field::like, "it is like itself");
-        const uint32_t leader = find_zone(colours, zone.like);
-        if (leader != CLQ_NONE && colours.zones[leader].like)
-            return refuse(Field::like, text_of("it is like '%s', which is itself like '%s': name that one", zone.like,
-                                               colours.zones[leader].like));
+        if (!named(zone.linked_to)) return refuse(Field::linked_to, "the zone that it is linked to has no name");
+        if (std::strcmp(zone.linked_to, zone.zone) == 0) return refuse(Field::linked_to, "it is linked to itself");
+        const uint32_t leader = find_zone(colours, zone.linked_to);
+        if (leader != CLQ_NONE && colours.zones[leader].linked_to)
+            return refuse(Field::linked_to,
+                          text_of("it is linked to '%s', which is itself linked to '%s': name that one", zone.linked_to,
+                                  colours.zones[leader].linked_to));
         return true;
     }
 
-    bool walk_dye(const clq_dye &dye)
+    bool walk_palette_entry(const clq_palette_entry &palette_entry)
     {
-        const clq_hsb_range &r = dye.range;
-        if (!within(Field::hue, "hue", r.hue_first_deg, r.hue_last_deg, 360)) return false;
-        if (!within(Field::saturation, "saturation", r.saturation_first, r.saturation_last, 1)) return false;
-        if (!within(Field::brightness, "brightness", r.brightness_first, r.brightness_last, 1)) return false;
-        if (!(dye.weight > 0 && dye.weight <= heaviest))
+        const clq_hsb_range &r = palette_entry.range;
+        if (!within(Field::hue, "hue", r.hue_min_deg, r.hue_max_deg, 360)) return false;
+        if (!within(Field::saturation, "saturation", r.saturation_min, r.saturation_max, 1)) return false;
+        if (!within(Field::brightness, "brightness", r.brightness_min, r.brightness_max, 1)) return false;
+        if (!(palette_entry.weight > 0 && palette_entry.weight <= max_weight))
             return refuse(Field::weight, text_of("weight is %g: more than 0 and at most %g is wanted",
-                                                 double(dye.weight), double(heaviest)));
+                                                 double(palette_entry.weight), double(max_weight)));
         return true;
     }
 
@@ -141,7 +145,7 @@ private:
 
     const clq_colour_map_def &def_;
     BrokenColourRule found_;
-    uint32_t dyes_ = 0;
+    uint32_t palette_entries_ = 0;
 };
 
 }  // namespace

@@ -10,16 +10,29 @@ namespace claque::model
 {
 
 // Which member of a class, zone or dye a sentence is about.
-enum class ColourField { whole, name, tmpl, zone, dyes, uniform, like, apart, hue, saturation, brightness, weight };
+enum class ColourField {
+    whole,
+    name,
+    tmpl,
+    zone,
+    palette,
+    colour_space,
+    linked_to,
+    variation,
+    hue,
+    saturation,
+    brightness,
+    weight
+};
 
 struct BrokenColourRule {
     bool broken = false;
-    uint32_t colour_class = CLQ_NONE, zone = CLQ_NONE, dye = CLQ_NONE;  // none: about what holds it
+    uint32_t colour_class = CLQ_NONE, zone = CLQ_NONE, palette_entry = CLQ_NONE;  // none: about what holds it
     ColourField field = ColourField::whole;
     std::string text;
 };
 
-constexpr uint32_t most_colour_classes = 256, most_colour_zones = 255, most_zone_dyes = 64, most_dyes = 4096;
+constexpr uint32_t max_colour_classes = 256, max_colour_zones = 255, max_palette_entries = 64, max_map_entries = 4096;
 
 BrokenColourRule first_broken_rule(const clq_colour_map_def &def);
 

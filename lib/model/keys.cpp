@@ -41,7 +41,7 @@ template <class Accepts>
 uint32_t limit_of(const Accepts &accepts)
 {
     uint32_t n = 1;
-    while (n < most_zone_keys && accepts(geometric_keys(n + 1))) ++n;
+    while (n < max_zone_keys && accepts(geometric_keys(n + 1))) ++n;
     return n;
 }
 
@@ -49,8 +49,8 @@ uint32_t limit_of(const Accepts &accepts)
 
 std::vector<uint8_t> geometric_keys(uint32_t count)
 {
-    if (count == 0 || count > most_zone_keys)
-        base::fail(CLQ_LIMIT, "a texture with %u zones: zone keys tell 1 to %u apart", count, most_zone_keys);
+    if (count == 0 || count > max_zone_keys)
+        base::fail(CLQ_LIMIT, "a texture with %u zones: zone keys tell 1 to %u apart", count, max_zone_keys);
     if (count == 1) return {255};
     const int n = static_cast<int>(count);
     const int first = std::min<int>(lowest_key, 256 - n);

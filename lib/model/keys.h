@@ -17,8 +17,8 @@ namespace claque::model
 
 using Keys = base::Span<const uint8_t>;  // strictly ascending
 
-constexpr uint32_t lowest_key = 94;       // with two zones or more; one zone alone is 255
-constexpr uint32_t most_zone_keys = 256;  // that one texture can tell apart at all
+constexpr uint32_t lowest_key = 94;      // with two zones or more; one zone alone is 255
+constexpr uint32_t max_zone_keys = 256;  // that one texture can tell apart at all
 
 // `count` keys [1, 256], strictly ascending up to 255: geometric steps from 94 (a ratio between neighbours is what
 // the fused product sees), steps of at least 1, from below 94 where more than 162 are asked for. Only 256 of them

@@ -24,8 +24,8 @@ void check_runs(const Level &level, size_t palette_count)
     if (vertex != level.source_count)
         fail(CLQ_ARGUMENT, "runs of influences hold %llu of %u vertices", static_cast<unsigned long long>(vertex),
              level.source_count);
-    must_count(level.weights.size(), level.joints.size(), "weights");
-    must_be_finite(level.weights.data(), level.weights.size(), "weights");
+    require_count(level.weights.size(), level.joints.size(), "weights");
+    require_finite(level.weights.data(), level.weights.size(), "weights");
     for (const uint16_t joint : level.joints)
         if (joint >= palette_count) fail(CLQ_ARGUMENT, "a vertex follows matrix %u of %zu", joint, palette_count);
 }
@@ -38,8 +38,8 @@ void check_morphs(const Level &level, size_t weight_count)
     for (const MorphDelta &delta : level.morph_deltas) {
         if (delta.vertex >= level.source_count)
             fail(CLQ_ARGUMENT, "a morph delta of vertex %u of %u", delta.vertex, level.source_count);
-        must_be_finite(delta.position, 3, "morph delta");
-        must_be_finite(delta.normal, 3, "morph delta");
+        require_finite(delta.position, 3, "morph delta");
+        require_finite(delta.normal, 3, "morph delta");
     }
 }
 
@@ -49,14 +49,14 @@ void check_vertices(const Level &level)
     if (count != level.vertex_count)
         fail(CLQ_ARGUMENT, "%u vertices, of which %u are skinned and %zu are copies", level.vertex_count,
              level.source_count, level.copies.size());
-    must_count(level.positions.size(), size_t(3) * level.source_count, "positions");
-    must_count(level.normals.size(), size_t(3) * level.source_count, "normals");
-    must_count(level.uvs.size(), size_t(2) * level.vertex_count, "texture coordinates");
-    must_count(level.slots.size(), level.vertex_count, "slots");
-    if (!level.colours.empty()) must_count(level.colours.size(), size_t(4) * level.vertex_count, "colours");
-    must_be_finite(level.positions.data(), level.positions.size(), "positions");
-    must_be_finite(level.normals.data(), level.normals.size(), "normals");
-    must_be_finite(level.uvs.data(), level.uvs.size(), "texture coordinates");
+    require_count(level.positions.size(), size_t(3) * level.source_count, "positions");
+    require_count(level.normals.size(), size_t(3) * level.source_count, "normals");
+    require_count(level.uvs.size(), size_t(2) * level.vertex_count, "texture coordinates");
+    require_count(level.slots.size(), level.vertex_count, "slots");
+    if (!level.colours.empty()) require_count(level.colours.size(), size_t(4) * level.vertex_count, "colours");
+    require_finite(level.positions.data(), level.positions.size(), "positions");
+    require_finite(level.normals.data(), level.normals.size(), "normals");
+    require_finite(level.uvs.data(), level.uvs.size(), "texture coordinates");
     for (const uint32_t source : level.copies)
         if (source >= level.source_count) fail(CLQ_ARGUMENT, "a copy of vertex %u of %u", source, level.source_count);
 }
@@ -108,7 +108,7 @@ void check_empty(const Level &level, size_t index)
 void check_distance(const Template &tmpl, size_t index)
 {
     const float own = tmpl.levels[index].switch_distance_m;
-    must_be_finite(&own, 1, "switch distance");
+    require_finite(&own, 1, "switch distance");
     if (index == 0 ? own != 0 : !(own > tmpl.levels[index - 1].switch_distance_m))
         fail(CLQ_ARGUMENT, "level %zu begins at %g m: distances begin at 0 and ascend", index,
              static_cast<double>(own));

@@ -10,13 +10,13 @@ namespace claque::model
 {
 
 template <class T>
-void must_be_finite(const T *values, size_t count, const char *what)
+void require_finite(const T *values, size_t count, const char *what)
 {
     for (size_t i = 0; i < count; ++i)
         if (!std::isfinite(values[i])) base::fail(CLQ_ARGUMENT, "%s: number %zu is not finite", what, i);
 }
 
-inline void must_count(size_t have, size_t wanted, const char *what)
+inline void require_count(size_t have, size_t wanted, const char *what)
 {
     if (have != wanted) base::fail(CLQ_ARGUMENT, "%s: %zu instead of %zu", what, have, wanted);
 }

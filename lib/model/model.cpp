@@ -73,9 +73,9 @@ void check_part(const Model &model, const Part &part, size_t index)
             fail(CLQ_ARGUMENT, "part %zu '%s' has index %u of %zu vertices", index, name, i, part.positions.size());
     if (part.material != none && part.material >= model.materials.size())
         fail(CLQ_ARGUMENT, "part %zu '%s' has material %u of %zu", index, name, part.material, model.materials.size());
-    if (!(part.lod_first_m >= 0) || !std::isfinite(part.lod_first_m) || !(part.lod_last_m > part.lod_first_m))
-        fail(CLQ_ARGUMENT, "part %zu '%s' is drawn from %g m to %g m", index, name,
-             static_cast<double>(part.lod_first_m), static_cast<double>(part.lod_last_m));
+    if (!(part.lod_min_m >= 0) || !std::isfinite(part.lod_min_m) || !(part.lod_max_m > part.lod_min_m))
+        fail(CLQ_ARGUMENT, "part %zu '%s' is drawn from %g m to %g m", index, name, static_cast<double>(part.lod_min_m),
+             static_cast<double>(part.lod_max_m));
     if (!part.morphs.empty()) {
         if (part.morph_set >= model.rig.morph_sets.size())
             fail(CLQ_ARGUMENT, "part %zu '%s' has morph targets without a morph set", index, name);
@@ -111,9 +111,9 @@ void check_looks(const Model &model)
 
 void check_texture_sets(const Model &model)
 {
-    if (model.texture_sets.size() >= most_texture_sets)
+    if (model.texture_sets.size() >= max_texture_sets)
         fail(CLQ_LIMIT, "model '%s' has %zu texture sets: %u are the most", model.name.c_str(),
-             model.texture_sets.size() + 1, most_texture_sets);
+             model.texture_sets.size() + 1, max_texture_sets);
     for (const TextureSet &set : model.texture_sets) {
         const char *name = set.name.c_str();
         if (set.images.size() != model.materials.size())

@@ -40,9 +40,9 @@ struct Image {
 
 // A hue range may wrap (first > last). Degrees [0, 360), fractions [0, 1]. S2 5.
 struct HsbRange {
-    float hue_first_deg = 0, hue_last_deg = 0;
-    float saturation_first = 0, saturation_last = 0;
-    float brightness_first = 1, brightness_last = 1;
+    float hue_min_deg = 0, hue_max_deg = 0;
+    float saturation_min = 0, saturation_max = 0;
+    float brightness_min = 1, brightness_max = 1;
 };
 
 // A region that has one colour per individual.
@@ -86,7 +86,7 @@ struct Part {
 
     // S0 5.1: at which distances from the eye it is drawn, first <= d < last. A geometry in several levels of detail is
     // several parts with adjoining ranges.
-    float lod_first_m = 0, lod_last_m = std::numeric_limits<float>::infinity();
+    float lod_min_m = 0, lod_max_m = std::numeric_limits<float>::infinity();
 
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  // one per vertex, or empty: flat normals are made where the format wants it
@@ -105,7 +105,7 @@ struct Part {
     std::vector<MorphTarget> morphs;
 };
 
-constexpr uint32_t most_texture_sets = 64;
+constexpr uint32_t max_texture_sets = 64;
 
 struct Model {
     std::string name;

@@ -54,15 +54,15 @@ void fill_groups(const Rig &rig, Motion &m)
     m.scales_move = false;
     for (uint32_t g = 0; g < m.groups.size(); ++g) {
         const MotionGroup &group = m.groups[g];
-        const bool scales = group.path == Path::scale, morphs = group.path == Path::morph_weights;
-        if (!morphs) m.group_of[2 * group.target + (scales ? 1 : 0)] = g;
-        m.group_nodes.push_back(morphs ? node_of_weight(rig, group.target) : m.nodes[group.target]);
+        const bool scales = group.target == ChannelTarget::scale, morphs = group.target == ChannelTarget::morph_weights;
+        if (!morphs) m.group_of[2 * group.index + (scales ? 1 : 0)] = g;
+        m.group_nodes.push_back(morphs ? node_of_weight(rig, group.index) : m.nodes[group.index]);
         m.scales_move |= scales;
         for (uint32_t k = 0; k < group.count; ++k) {
             float &to = m.rest_groups[4 * size_t(g) + k];
-            if (morphs) to = rig.rest_weights[group.target + k];
-            else if (scales) to = rig.rest[m.nodes[group.target]].scale[int(k)];
-            else to = rig.rest[m.nodes[group.target]].translation[int(k)];
+            if (morphs) to = rig.rest_weights[group.index + k];
+            else if (scales) to = rig.rest[m.nodes[group.index]].scale[int(k)];
+            else to = rig.rest[m.nodes[group.index]].translation[int(k)];
         }
     }
 }
@@ -81,14 +81,14 @@ void fill_still(const Rig &rig, Motion &m)
 
 void check_group(const Motion &m, const Rig &rig, const MotionGroup &group)
 {
-    if (group.path == Path::rotation || group.path > Path::morph_weights)
-        fail(CLQ_ARGUMENT, "a motion group of path %u", unsigned(group.path));
-    const bool morphs = group.path == Path::morph_weights;
+    if (group.target == ChannelTarget::rotation || group.target > ChannelTarget::morph_weights)
+        fail(CLQ_ARGUMENT, "a motion group of path %u", unsigned(group.target));
+    const bool morphs = group.target == ChannelTarget::morph_weights;
     const uint64_t owners = morphs ? rig.rest_weights.size() : m.nodes.size();
     const bool counted = morphs ? group.count >= 1 && group.count <= 4 : group.count == 3;
-    if (!counted || uint64_t(group.target) + (morphs ? group.count : 1) > owners ||
-        (!morphs && m.nodes[group.target] == none))
-        fail(CLQ_ARGUMENT, "a motion group of %u numbers for number %u of %llu", group.count, group.target,
+    if (!counted || uint64_t(group.index) + (morphs ? group.count : 1) > owners ||
+        (!morphs && m.nodes[group.index] == none))
+        fail(CLQ_ARGUMENT, "a motion group of %u numbers for number %u of %llu", group.count, group.index,
              static_cast<unsigned long long>(owners));
 }
 
@@ -104,25 +104,25 @@ void check_rows(uint64_t first, uint64_t stride, uint64_t intervals, uint64_t nu
 void check_shift(const Motion &m, const Dof &dof)
 {
     const auto shifts = [&](const MotionGroup &group) {
-        return group.path == Path::translation && m.nodes[group.target] == dof.node;
+        return group.target == ChannelTarget::translation && m.nodes[group.index] == dof.node;
     };
     if (dof.kind == DofKind::translation && std::none_of(m.groups.begin(), m.groups.end(), shifts))
         fail(CLQ_ARGUMENT, "motion has no place for the shift of node %u", dof.node);
 }
 
 // A channel of this clip, going where its path says.
-void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const MotionExact &exact)
+void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const MotionExactChannel &exact)
 {
     if (exact.channel < clip.first_channel || exact.channel - clip.first_channel >= clip.channel_count)
         fail(CLQ_ARGUMENT, "channel %u is kept by motion of another clip", exact.channel);
     const Channel &channel = rig.channels[exact.channel];
-    if (channel.path == Path::rotation) {
-        if (exact.target >= m.nodes.size()) fail(CLQ_ARGUMENT, "motion keeps channel %u for no joint", exact.channel);
+    if (channel.target == ChannelTarget::rotation) {
+        if (exact.index >= m.nodes.size()) fail(CLQ_ARGUMENT, "motion keeps channel %u for no joint", exact.channel);
         return;
     }
     const uint64_t groups = (uint64_t(channel.component_count) + 3) / 4;
     uint32_t numbers = 0;
-    for (uint64_t g = exact.target; g < exact.target + groups && g < m.groups.size(); ++g) numbers += m.groups[g].count;
+    for (uint64_t g = exact.index; g < exact.index + groups && g < m.groups.size(); ++g) numbers += m.groups[g].count;
     if (numbers != channel.component_count)
         fail(CLQ_ARGUMENT, "motion keeps %u numbers of channel %u, which has %u", numbers, exact.channel,
              channel.component_count);
@@ -132,7 +132,7 @@ void check_clip(const Motion &m, const Rig &rig, uint32_t c)
 {
     const MotionClip &clip = m.clips[c];
     const bool sound = std::isfinite(clip.rate_hz) && clip.rate_hz >= 0 && clip.error_m >= 0 && clip.error_rad >= 0;
-    if (!sound || clip.intervals > most_motion_intervals)
+    if (!sound || clip.intervals > max_motion_intervals)
         fail(CLQ_ARGUMENT, "motion of clip %u at %g Hz in %u intervals", c, double(clip.rate_hz), clip.intervals);
     for (uint32_t b = 0; b < m.block_count(); ++b) {
         const MotionBlock &block = m.blocks[size_t(c) * m.block_count() + b];
@@ -140,10 +140,10 @@ void check_clip(const Motion &m, const Rig &rig, uint32_t c)
             check_rows(block.first, block.stride, clip.intervals, block_numbers, m.rotations.size());
     }
     for (uint32_t g = 0; g < m.group_count(); ++g) {
-        const MotionTrack &track = m.tracks[size_t(c) * m.group_count() + g];
-        check_rows(track.first, track.stride, clip.intervals, 4, m.numbers.size());
+        const MotionCurve &curve = m.curves[size_t(c) * m.group_count() + g];
+        check_rows(curve.first, curve.stride, clip.intervals, 4, m.numbers.size());
         for (int k = 0; k < 4; ++k)
-            if (!std::isfinite(track.least[k]) || !std::isfinite(track.step[k]))
+            if (!std::isfinite(curve.min[k]) || !std::isfinite(curve.step[k]))
                 fail(CLQ_ARGUMENT, "motion of clip %u has a range that is not finite", c);
     }
     if (uint64_t(clip.first_exact) + clip.exact_count > m.exact.size())
@@ -157,7 +157,7 @@ void check(const Motion &m, const Rig &rig)
 {
     if (m.empty()) return;
     if (m.clips.size() != rig.clips.size() || m.nodes.size() % motion_lanes != 0 ||
-        m.blocks.size() != m.clips.size() * m.block_count() || m.tracks.size() != m.clips.size() * m.groups.size())
+        m.blocks.size() != m.clips.size() * m.block_count() || m.curves.size() != m.clips.size() * m.groups.size())
         fail(CLQ_ARGUMENT, "motion of %zu clips and %zu joints does not fit a rig of %zu clips", m.clips.size(),
              m.nodes.size(), rig.clips.size());
     Array<uint8_t> taken(rig.node_count(), 0, m.nodes.get_allocator());
@@ -186,16 +186,16 @@ uint64_t motion_bytes(const Motion &m, const Rig &rig, uint32_t c)
 {
     if (m.empty()) return 0;
     const MotionClip &clip = m.clips[c];
-    uint64_t bytes = sizeof clip + sizeof(MotionBlock) * m.block_count() + sizeof(MotionTrack) * m.group_count();
+    uint64_t bytes = sizeof clip + sizeof(MotionBlock) * m.block_count() + sizeof(MotionCurve) * m.group_count();
     const uint64_t rows = uint64_t(clip.intervals) + 1;
     for (uint32_t b = 0; b < m.block_count(); ++b)
         if (m.blocks[size_t(c) * m.block_count() + b].stride) bytes += rows * block_numbers * sizeof(int16_t);
     for (uint32_t g = 0; g < m.group_count(); ++g)
-        if (m.tracks[size_t(c) * m.group_count() + g].stride) bytes += rows * 4 * sizeof(uint16_t);
+        if (m.curves[size_t(c) * m.group_count() + g].stride) bytes += rows * 4 * sizeof(uint16_t);
     for (uint32_t i = 0; i < clip.exact_count; ++i) {
         const Channel &channel = rig.channels[m.exact[clip.first_exact + i].channel];
         const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
-        bytes += sizeof(MotionExact) + sizeof channel;
+        bytes += sizeof(MotionExactChannel) + sizeof channel;
         bytes += channel.key_count * (1 + groups * channel.component_count) * sizeof(float);
     }
     return bytes;
@@ -203,7 +203,7 @@ uint64_t motion_bytes(const Motion &m, const Rig &rig, uint32_t c)
 
 uint64_t motion_bytes(const Motion &m)
 {
-    return size_of(m.nodes) + size_of(m.groups) + size_of(m.clips) + size_of(m.blocks) + size_of(m.tracks) +
+    return size_of(m.nodes) + size_of(m.groups) + size_of(m.clips) + size_of(m.blocks) + size_of(m.curves) +
            size_of(m.exact) + size_of(m.rotations) + size_of(m.numbers) + size_of(m.joint_of) + size_of(m.group_of) +
            size_of(m.group_nodes) + size_of(m.rest_rotations) + size_of(m.rest_scales) + size_of(m.rest_offsets) +
            size_of(m.rest_groups) + size_of(m.still_nodes) + size_of(m.still_columns);

@@ -8,10 +8,10 @@
 namespace claque::model
 {
 
-constexpr uint32_t motion_lanes = 8;                                // joints in a block
-constexpr uint32_t block_numbers = 4 * motion_lanes;                // x of eight joints, then y, z and w
-constexpr float rotation_unit = 32767;                              // what 1 is stored as
-constexpr uint32_t most_motion_intervals = 0x7fffffffu / 32 / 256;  // rows of a clip, so that places fit 32 bits
+constexpr uint32_t motion_lanes = 8;                               // joints in a block
+constexpr uint32_t block_numbers = 4 * motion_lanes;               // x of eight joints, then y, z and w
+constexpr float rotation_unit = 32767;                             // what 1 is stored as
+constexpr uint32_t max_motion_intervals = 0x7fffffffu / 32 / 256;  // rows of a clip, so that places fit 32 bits
 
 // Where a clip has the rotations of one block of joints, in Motion::rotations.
 struct MotionBlock {
@@ -21,24 +21,24 @@ struct MotionBlock {
 };
 
 // Where a clip has one group of numbers, in Motion::numbers: least + step * number, four a row.
-struct MotionTrack {
+struct MotionCurve {
     uint32_t first = 0;
     uint32_t stride = 0;  // 0: they stand still
-    float least[4] = {0, 0, 0, 0};
+    float min[4] = {0, 0, 0, 0};
     float step[4] = {0, 0, 0, 0};
 };
 
 // Four numbers at most that some clip or degree of freedom moves, other than rotations.
 struct MotionGroup {
-    Path path = Path::translation;
-    uint32_t target = 0;  // the joint, an index of Motion::nodes; for morph_weights the first weight
+    ChannelTarget target = ChannelTarget::translation;
+    uint32_t index = 0;  // the joint, an index of Motion::nodes; for morph_weights the first weight
     uint32_t count = 3;
 };
 
 // What stays with its channel, because no rate follows it within the error: STEP keys, cuts.
-struct MotionExact {
+struct MotionExactChannel {
     uint32_t channel = 0;
-    uint32_t target = 0;  // the joint, or the first of its groups
+    uint32_t index = 0;  // the joint, or the first of its groups
 };
 
 struct MotionClip {
@@ -56,7 +56,7 @@ struct Motion {
           groups(memory),
           clips(memory),
           blocks(memory),
-          tracks(memory),
+          curves(memory),
           exact(memory),
           rotations(memory),
           numbers(memory),
@@ -77,8 +77,8 @@ struct Motion {
     Array<MotionGroup> groups;
     Array<MotionClip> clips;    // one each of the rig's; empty: clips are sampled from their channels
     Array<MotionBlock> blocks;  // [clips * block_count()]
-    Array<MotionTrack> tracks;  // [clips * groups.size()]
-    Array<MotionExact> exact;
+    Array<MotionCurve> curves;  // [clips * groups.size()]
+    Array<MotionExactChannel> exact;
     Array<int16_t> rotations;
     Array<uint16_t> numbers;
 

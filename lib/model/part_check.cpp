@@ -23,8 +23,8 @@ void check_sphere(const Template &tmpl, const PartSphere &sphere)
 {
     if (sphere.entry >= tmpl.rig.palette.size())
         fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u of %zu", sphere.entry, tmpl.rig.palette.size());
-    must_be_finite(&sphere.bind.centre.x, 3, "centre of a part's sphere");
-    must_be_finite(&sphere.bind.radius, 1, "radius of a part's sphere");
+    require_finite(&sphere.bind.centre.x, 3, "centre of a part's sphere");
+    require_finite(&sphere.bind.radius, 1, "radius of a part's sphere");
     if (sphere.bind.radius < 0) fail(CLQ_ARGUMENT, "a part's sphere of negative radius");
 }
 
@@ -80,7 +80,7 @@ void check_entries(const Template &tmpl, const Level &level)
 void check_nodes(const Template &tmpl, const Level &level)
 {
     const Rig &rig = tmpl.rig;
-    must_count(level.active.size(), rig.node_count(), "active nodes");
+    require_count(level.active.size(), rig.node_count(), "active nodes");
     size_t kept = 0;
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
         if (level.active[i] > 1) fail(CLQ_ARGUMENT, "node %u is active %u times", i, unsigned(level.active[i]));
@@ -91,7 +91,7 @@ void check_nodes(const Template &tmpl, const Level &level)
             fail(CLQ_ARGUMENT, "active node %u is not in the list of nodes", i);
         ++kept;
     }
-    must_count(level.nodes.size(), kept, "nodes of a level");
+    require_count(level.nodes.size(), kept, "nodes of a level");
 }
 
 }  // namespace
@@ -99,15 +99,16 @@ void check_nodes(const Template &tmpl, const Level &level)
 void check_skeleton(const Template &tmpl, size_t index)
 {
     const Level &level = tmpl.levels[index];
-    if (level.skeletal > index || tmpl.levels[level.skeletal].skeletal != level.skeletal)
-        fail(CLQ_ARGUMENT, "level %zu shares poses with level %u", index, level.skeletal);
-    const Level &first = tmpl.levels[level.skeletal];
+    if (level.skeletal_level > index || tmpl.levels[level.skeletal_level].skeletal_level != level.skeletal_level)
+        fail(CLQ_ARGUMENT, "level %zu shares poses with level %u", index, level.skeletal_level);
+    const Level &first = tmpl.levels[level.skeletal_level];
     if (level.active != first.active || level.nodes != first.nodes || level.entries != first.entries)
-        fail(CLQ_ARGUMENT, "levels %zu and %u share poses and have different skeletons", index, level.skeletal);
-    if (index > 0 && level.active == tmpl.levels[index - 1].active && level.skeletal != tmpl.levels[index - 1].skeletal)
+        fail(CLQ_ARGUMENT, "levels %zu and %u share poses and have different skeletons", index, level.skeletal_level);
+    if (index > 0 && level.active == tmpl.levels[index - 1].active &&
+        level.skeletal_level != tmpl.levels[index - 1].skeletal_level)
         fail(CLQ_ARGUMENT, "levels %zu and %zu have one skeleton and do not share poses", index - 1, index);
     if (level.active.empty()) {
-        must_count(level.nodes.size() + level.entries.size(), 0, "nodes and matrices of a whole skeleton");
+        require_count(level.nodes.size() + level.entries.size(), 0, "nodes and matrices of a whole skeleton");
         return;
     }
     check_nodes(tmpl, level);
@@ -120,7 +121,7 @@ void check_parts(const Template &tmpl, const Level &level)
         fail(CLQ_ARGUMENT, "a level of %zu parts: %u are the most", level.parts.size(), max_level_parts);
     uint64_t triangles = 0;
     for (const LevelPart &part : level.parts) triangles += part.triangles;
-    must_count(triangles, triangles_of(level), "triangles of all parts");
+    require_count(triangles, triangles_of(level), "triangles of all parts");
     for (size_t p = 0; p < level.parts.size(); ++p) check_part(tmpl, level, p);
     for (const PartSphere &sphere : level.part_spheres) check_sphere(tmpl, sphere);
 }
@@ -131,12 +132,12 @@ void check_part_firsts(const Level &level)
     std::vector<uint64_t> triangles(parts);
     for (const Surface &surface : level.surfaces) {
         if (parts < 2) {
-            must_count(surface.part_firsts.size(), 0, "places of parts where there is one");
+            require_count(surface.part_offsets.size(), 0, "places of parts where there is one");
             continue;
         }
         const size_t ranges = surface.clean.size() + surface.dirty_by_zone.size() + 2;
-        must_count(surface.part_firsts.size(), ranges * (parts + 1), "places of parts");
-        const uint32_t *firsts = surface.part_firsts.data();
+        require_count(surface.part_offsets.size(), ranges * (parts + 1), "places of parts");
+        const uint32_t *firsts = surface.part_offsets.data();
         const auto next = [&](uint32_t count, std::vector<uint64_t> *sums) {
             check_firsts(firsts, parts, count, sums);
             firsts += parts + 1;

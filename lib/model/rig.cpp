@@ -65,12 +65,12 @@ void check_nodes(const Rig &rig)
 
 void check_channel(const Rig &rig, const Channel &channel, size_t index)
 {
-    const bool morphs = channel.path == Path::morph_weights;
+    const bool morphs = channel.target == ChannelTarget::morph_weights;
     const size_t targets = morphs ? rig.morph_sets.size() : rig.parents.size();
     if (channel.node >= targets) fail(CLQ_ARGUMENT, "channel %zu moves number %u of %zu", index, channel.node, targets);
-    const uint32_t wanted = morphs                           ? rig.morph_sets[channel.node].target_count
-                            : channel.path == Path::rotation ? 4u
-                                                             : 3u;
+    const uint32_t wanted = morphs                                      ? rig.morph_sets[channel.node].target_count
+                            : channel.target == ChannelTarget::rotation ? 4u
+                                                                        : 3u;
     if (channel.component_count != wanted)
         fail(CLQ_ARGUMENT, "channel %zu has %u components a key instead of %u", index, channel.component_count, wanted);
     if (channel.key_count == 0) fail(CLQ_ARGUMENT, "channel %zu has no keys", index);
@@ -107,17 +107,17 @@ void check_dof(const Rig &rig, const Dof &dof, size_t index)
     if (dof.node >= owners)
         fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of %s %u of %zu", index, name, morphs ? "morph set" : "node",
              dof.node, owners);
-    if (morphs && dof.target >= rig.morph_sets[dof.node].target_count)
-        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of morph target %u of %u", index, name, dof.target,
+    if (morphs && dof.morph_target >= rig.morph_sets[dof.node].target_count)
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of morph target %u of %u", index, name, dof.morph_target,
              rig.morph_sets[dof.node].target_count);
     const glm::vec3 &a = dof.axis;
     const float length2 = a.x * a.x + a.y * a.y + a.z * a.z;
     if (!morphs && !(length2 > 0.998f && length2 < 1.002f))
         fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' has an axis of length %g: a unit one is wanted", index, name,
              std::sqrt(static_cast<double>(length2)));
-    if (!std::isfinite(dof.first) || !std::isfinite(dof.last) || !(dof.first <= dof.rest && dof.rest <= dof.last))
+    if (!std::isfinite(dof.min) || !std::isfinite(dof.max) || !(dof.min <= dof.rest && dof.rest <= dof.max))
         fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' rests at %g in a range from %g to %g", index, name,
-             static_cast<double>(dof.rest), static_cast<double>(dof.first), static_cast<double>(dof.last));
+             static_cast<double>(dof.rest), static_cast<double>(dof.min), static_cast<double>(dof.max));
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ Rig::Rig(const Rig &other, std::pmr::memory_resource *memory)
       dof_names(copy_of(other.dof_names, memory)),
       markers(copy_of(other.markers, memory)),
       marker_names(copy_of(other.marker_names, memory)),
-      root_tracks(copy_of(other.root_tracks, memory)),
+      root_curves(copy_of(other.root_curves, memory)),
       root_samples(copy_of(other.root_samples, memory))
 {
 }
@@ -178,7 +178,7 @@ void check(const Rig &rig)
     if (rig.dofs.size() != rig.dof_names.size())
         fail(CLQ_ARGUMENT, "%zu degrees of freedom have %zu names", rig.dofs.size(), rig.dof_names.size());
     for (size_t i = 0; i < rig.dofs.size(); ++i) check_dof(rig, rig.dofs[i], i);
-    check_notes(rig);
+    check_annotations(rig);
 }
 
 }  // namespace claque::model

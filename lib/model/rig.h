@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lib/math/affine.h"
-#include "lib/model/clip_notes.h"
+#include "lib/model/clip_annotations.h"
 
 #include <cstdint>
 #include <memory_resource>
@@ -20,7 +20,7 @@ using Array = std::pmr::vector<T>;
 
 constexpr uint32_t none = 0xffffffffu;
 
-enum class Path : uint8_t { translation = 0, rotation = 1, scale = 2, morph_weights = 3 };
+enum class ChannelTarget : uint8_t { translation = 0, rotation = 1, scale = 2, morph_weights = 3 };
 enum class Interpolation : uint8_t { step = 0, linear = 1, cubic_spline = 2 };
 
 // One animated property of one node. `times[first_time .. +key_count)` ascend strictly, in seconds on the clip's own
@@ -29,7 +29,7 @@ enum class Interpolation : uint8_t { step = 0, linear = 1, cubic_spline = 2 };
 // `node` is the index of the morph set instead, see MorphSet.
 struct Channel {
     uint32_t node = 0;
-    Path path = Path::translation;
+    ChannelTarget target = ChannelTarget::translation;
     Interpolation interpolation = Interpolation::linear;
     uint16_t component_count = 3;
     uint32_t first_time = 0;
@@ -65,9 +65,9 @@ enum class DofKind : uint8_t { rotation = 0, translation = 1, morph = 2 };
 struct Dof {
     uint32_t node = 0;  // morph: the index of the morph set instead, see MorphSet
     DofKind kind = DofKind::rotation;
-    uint32_t target = 0;                  // morph: of the set
+    uint32_t morph_target = 0;            // morph: of the set
     glm::vec3 axis = glm::vec3(0, 1, 0);  // unit, in the node's own frame
-    float first = 0, last = 0;            // its range, first <= last: radians, model units, or weight
+    float min = 0, max = 0;               // its range, first <= last: radians, model units, or weight
     float rest = 0;                       // within the range: where it is when nobody writes it
 };
 
@@ -89,7 +89,7 @@ struct Rig {
           dof_names(memory),
           markers(memory),
           marker_names(memory),
-          root_tracks(memory),
+          root_curves(memory),
           root_samples(memory)
     {
     }
@@ -124,7 +124,7 @@ struct Rig {
 
     Array<Marker> markers;
     Array<std::pmr::string> marker_names;  // one each
-    Array<RootTrack> root_tracks;
+    Array<RootCurve> root_curves;
     Array<float> root_samples;
 
     uint32_t node_count() const { return static_cast<uint32_t>(parents.size()); }

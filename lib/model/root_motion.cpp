@@ -8,67 +8,67 @@ namespace claque::model
 namespace
 {
 
-GroundStep sample(const Rig &rig, const RootTrack &track, uint32_t i)
+GroundTransform sample(const Rig &rig, const RootCurve &curve, uint32_t i)
 {
-    const float *s = rig.root_samples.data() + 3 * (size_t(track.first_sample) + i);
+    const float *s = rig.root_samples.data() + 3 * (size_t(curve.first_sample) + i);
     return {static_cast<double>(s[0]), static_cast<double>(s[1]), static_cast<double>(s[2])};
 }
 
 // `share` of the clip in [0, 1].
-GroundStep within(const Rig &rig, const RootTrack &track, double share)
+GroundTransform within(const Rig &rig, const RootCurve &curve, double share)
 {
-    const double at = share * (track.sample_count - 1);
+    const double at = share * (curve.sample_count - 1);
     uint32_t i = static_cast<uint32_t>(at);
-    if (i > track.sample_count - 2) i = track.sample_count - 2;
+    if (i > curve.sample_count - 2) i = curve.sample_count - 2;
     const double f = at - i;
-    const GroundStep a = sample(rig, track, i), b = sample(rig, track, i + 1);
+    const GroundTransform a = sample(rig, curve, i), b = sample(rig, curve, i + 1);
     return {a.x + f * (b.x - a.x), a.z + f * (b.z - a.z), a.yaw + f * (b.yaw - a.yaw)};
 }
 
 }  // namespace
 
-GroundStep after(const GroundStep &outer, const GroundStep &inner)
+GroundTransform compose(const GroundTransform &outer, const GroundTransform &inner)
 {
     const double c = std::cos(outer.yaw), s = std::sin(outer.yaw);
     return {outer.x + c * inner.x + s * inner.z, outer.z - s * inner.x + c * inner.z, outer.yaw + inner.yaw};
 }
 
-GroundStep inverse(const GroundStep &step)
+GroundTransform inverse(const GroundTransform &step)
 {
     const double c = std::cos(step.yaw), s = std::sin(step.yaw);
     return {-(c * step.x - s * step.z), -(s * step.x + c * step.z), -step.yaw};
 }
 
 // The steps' shifts are a geometric series of turns.
-GroundStep repeated(const GroundStep &step, double times)
+GroundTransform repeated(const GroundTransform &step, double times)
 {
     const double half = 0.5 * step.yaw, s = std::sin(half);
-    GroundStep out;
+    GroundTransform out;
     out.yaw = times * step.yaw;
     if (std::fabs(s) < 1e-9) {
         out.x = times * step.x, out.z = times * step.z;
         return out;
     }
     const double length = std::sin(times * half) / s, turn = (times - 1) * half;
-    const GroundStep turned = after({0, 0, turn}, {length * step.x, length * step.z, 0});
+    const GroundTransform turned = compose({0, 0, turn}, {length * step.x, length * step.z, 0});
     out.x = turned.x, out.z = turned.z;
     return out;
 }
 
-GroundStep root_motion(const Rig &rig, uint32_t clip, double from_s, double to_s)
+GroundTransform root_motion(const Rig &rig, uint32_t clip, double from_s, double to_s)
 {
-    for (const RootTrack &track : rig.root_tracks) {
-        if (track.clip != clip) continue;
+    for (const RootCurve &curve : rig.root_curves) {
+        if (curve.clip != clip) continue;
         const double start = static_cast<double>(rig.clips[clip].start_s);
         const double length = static_cast<double>(rig.clips[clip].duration_s);
-        if (!(length > 0)) return GroundStep();
+        if (!(length > 0)) return GroundTransform();
         const double from = (from_s - start) / length, to = (to_s - start) / length;
         const double rounds = std::floor(to) - std::floor(from);
-        const GroundStep round = repeated(within(rig, track, 1), rounds);
-        const GroundStep last = after(round, within(rig, track, to - std::floor(to)));
-        return after(inverse(within(rig, track, from - std::floor(from))), last);
+        const GroundTransform round = repeated(within(rig, curve, 1), rounds);
+        const GroundTransform last = compose(round, within(rig, curve, to - std::floor(to)));
+        return compose(inverse(within(rig, curve, from - std::floor(from))), last);
     }
-    return GroundStep();
+    return GroundTransform();
 }
 
 }  // namespace claque::model

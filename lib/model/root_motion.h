@@ -7,16 +7,17 @@ namespace claque::model
 {
 
 // First the turn about y, then the shift.
-struct GroundStep {
+struct GroundTransform {
     double x = 0, z = 0, yaw = 0;
 };
 
-GroundStep after(const GroundStep &outer, const GroundStep &inner);  // inner in the space that outer leads to
-GroundStep inverse(const GroundStep &step);
-GroundStep repeated(const GroundStep &step, double times);  // `times` whole
+GroundTransform compose(const GroundTransform &outer,
+                        const GroundTransform &inner);  // inner in the space that outer leads to
+GroundTransform inverse(const GroundTransform &step);
+GroundTransform repeated(const GroundTransform &step, double times);  // `times` whole
 
 // From one moment to another on the clip's own axis, round and round, in the space that it has reached at the first. Nothing
 // of a clip that goes nowhere.
-GroundStep root_motion(const Rig &rig, uint32_t clip, double from_s, double to_s);
+GroundTransform root_motion(const Rig &rig, uint32_t clip, double from_s, double to_s);
 
 }  // namespace claque::model

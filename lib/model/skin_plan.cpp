@@ -41,10 +41,10 @@ private:
         return level_.weights.data() + run_->first_influence + size_t(v) * run_->influences;
     }
 
-    SkinSegment segment(SkinBy by, uint32_t first, uint32_t count) const
+    SkinSegment segment(SkinMethod method, uint32_t first, uint32_t count) const
     {
         SkinSegment out;
-        out.by = by;
+        out.method = method;
         out.influences = run_->influences;
         out.first = run_->first + first, out.count = count;
         out.first_influence = run_->first_influence + first * run_->influences;
@@ -75,18 +75,18 @@ private:
 
     void add_blocks_of(uint32_t first, uint32_t count)
     {
-        const bool goes_on = !plan_.segments.empty() && plan_.segments.back().by == SkinBy::block &&
+        const bool goes_on = !plan_.segments.empty() && plan_.segments.back().method == SkinMethod::block &&
                              plan_.segments.back().influences == run_->influences &&
                              plan_.segments.back().first + plan_.segments.back().count == run_->first + first;
         if (!goes_on) {
-            plan_.segments.push_back(segment(SkinBy::block, first, 0));
-            plan_.segments.back().first_part = static_cast<uint32_t>(plan_.blocks.size());
+            plan_.segments.push_back(segment(SkinMethod::block, first, 0));
+            plan_.segments.back().first_item = static_cast<uint32_t>(plan_.blocks.size());
         }
         SkinSegment &to = plan_.segments.back();
         to.count += count;
         for (uint32_t v = first; v < first + count; v += lane_count) {
             add_block(v, std::min(lane_count, first + count - v));
-            ++to.part_count;
+            ++to.item_count;
         }
     }
 
@@ -117,11 +117,11 @@ private:
     {
         if (run_->influences == 1 && first < end) return add_vertices(first, end);
         while (first < end) {
-            SkinSegment chunk = segment(SkinBy::set, first, 0);
-            chunk.first_part = static_cast<uint32_t>(plan_.set_joints.size());
+            SkinSegment chunk = segment(SkinMethod::set, first, 0);
+            chunk.first_item = static_cast<uint32_t>(plan_.set_joints.size());
             chunk.first_set_of = static_cast<uint32_t>(plan_.set_of.size());
             while (first < end && add_to_set(chunk, first)) ++first;
-            if (chunk.part_count * vertices_per_set <= chunk.count) {
+            if (chunk.item_count * vertices_per_set <= chunk.count) {
                 plan_.segments.push_back(chunk);
             } else {
                 forget(chunk);
@@ -133,27 +133,27 @@ private:
     void add_vertices(uint32_t first, uint32_t end)
     {
         Array<SkinSegment> &to = plan_.segments;
-        const bool goes_on = !to.empty() && to.back().by == SkinBy::vertex &&
+        const bool goes_on = !to.empty() && to.back().method == SkinMethod::vertex &&
                              to.back().influences == run_->influences &&
                              to.back().first + to.back().count == run_->first + first;
         if (goes_on) to.back().count += end - first;
-        else to.push_back(segment(SkinBy::vertex, first, end - first));
+        else to.push_back(segment(SkinMethod::vertex, first, end - first));
     }
 
     // False: the chunk has no room for the set that the vertex would bring.
     bool add_to_set(SkinSegment &chunk, uint32_t v)
     {
         const size_t joint_bytes = run_->influences * sizeof(uint16_t), weight_bytes = run_->influences * sizeof(float);
-        uint32_t set = chunk.part_count;
+        uint32_t set = chunk.item_count;
         while (set-- > 0) {  // neighbours are alike more often
-            const size_t at = chunk.first_part + size_t(set) * run_->influences;
+            const size_t at = chunk.first_item + size_t(set) * run_->influences;
             if (std::memcmp(&plan_.set_joints[at], joints(v), joint_bytes) == 0 &&
                 std::memcmp(&plan_.set_weights[at], weights(v), weight_bytes) == 0)
                 break;
         }
         if (set == none) {
-            if (chunk.part_count == max_chunk_sets) return false;
-            set = chunk.part_count++;
+            if (chunk.item_count == max_chunk_sets) return false;
+            set = chunk.item_count++;
             plan_.set_joints.insert(plan_.set_joints.end(), joints(v), joints(v) + run_->influences);
             plan_.set_weights.insert(plan_.set_weights.end(), weights(v), weights(v) + run_->influences);
         }
@@ -164,8 +164,8 @@ private:
 
     void forget(const SkinSegment &chunk)
     {
-        plan_.set_joints.resize(chunk.first_part);
-        plan_.set_weights.resize(chunk.first_part);
+        plan_.set_joints.resize(chunk.first_item);
+        plan_.set_weights.resize(chunk.first_item);
         plan_.set_of.resize(chunk.first_set_of);
     }
 

@@ -26,7 +26,7 @@ struct LaneBlock {
     uint16_t joints[max_block_influences] = {0, 0, 0, 0};
 };
 
-enum class SkinBy : uint8_t {
+enum class SkinMethod : uint8_t {
     vertex = 0,  // matrices are blended for each vertex
     block = 1,   // for eight vertices at once
     set = 2      // once for each of few sets of (joints, weights) that many vertices share
@@ -34,12 +34,12 @@ enum class SkinBy : uint8_t {
 
 // Neighbouring vertices of one run.
 struct SkinSegment {
-    SkinBy by = SkinBy::vertex;
+    SkinMethod method = SkinMethod::vertex;
     uint32_t influences = 1;
     uint32_t first = 0, count = 0;  // vertices
     uint32_t first_influence = 0;   // of Level::joints and weights
-    uint32_t first_part = 0;        // block: of blocks; set: of set_joints and set_weights
-    uint32_t part_count = 0;        // block: blocks; set: sets, at most max_chunk_sets
+    uint32_t first_item = 0;        // block: of blocks; set: of set_joints and set_weights
+    uint32_t item_count = 0;        // block: blocks; set: sets, at most max_chunk_sets
     uint32_t first_set_of = 0;      // set: of set_of, which has for each vertex its set, counted within the segment
 };
 

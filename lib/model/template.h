@@ -52,7 +52,7 @@ struct TextureImage {
 };
 
 struct Texture {
-    explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory), others(memory) {}
+    explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory), set_images(memory) {}
     uint32_t width = 0, height = 0;                     // powers of two
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;  // repeat or clamp; mirror has been baked
     Array<uint8_t> rgba;     // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
@@ -60,7 +60,7 @@ struct Texture {
     bool has_holes = false;  // in any set
     // One for each of Template::texture_sets, where any of them differs; empty: all show the same. Triangles are clean
     // or dirty by what they show in any set, so that all sets share indices and vertices.
-    Array<TextureImage> others;
+    Array<TextureImage> set_images;
 };
 
 // Index ranges of the triangles of one zone. `zone_index` counts within the texture's keys.
@@ -71,7 +71,7 @@ struct Bin {
 
 // What one texture and one sidedness cover: the unit of drawing. Most characters have one.
 struct Surface {
-    explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory), part_firsts(memory) {}
+    explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory), part_offsets(memory) {}
     uint32_t texture = 0;
     bool double_sided = false;
     Array<Bin> clean;          // triangles of one zone, one bin a zone that has any
@@ -82,7 +82,7 @@ struct Surface {
     // Where the parts of the level begin in each of these ranges, whose triangles stand part by part: the ranges in the
     // order clean bins, dirty, dirty_by_zone bins, fused; for each, level.parts.size() + 1 places within it, from 0 to
     // its count. Empty where the level has one part.
-    Array<uint32_t> part_firsts;
+    Array<uint32_t> part_offsets;
 };
 
 struct Sphere {
@@ -156,9 +156,9 @@ struct Level {
 
     // S0 5.2: what is left of the skeleton at this level. Levels with equal nodes and entries have equal `skeletal`, and
     // share poses.
-    uint32_t skeletal = 0;    // the first level that evaluates these nodes and entries
-    Array<uint8_t> active;    // one a node: whether it is evaluated; empty, all three: everything is
-    Array<uint32_t> nodes;    // those that are, ascending, so parents first
+    uint32_t skeletal_level = 0;  // the first level that evaluates these nodes and entries
+    Array<uint8_t> active;        // one a node: whether it is evaluated; empty, all three: everything is
+    Array<uint32_t> nodes;        // those that are, ascending, so parents first
     Array<uint32_t> entries;  // of the palette that this level's vertices, or a later one's of equal skeletal, ask for
 
     Array<LevelPart> parts;  // at most max_level_parts, at least one where there are triangles
@@ -168,20 +168,20 @@ struct Level {
 // In every pose that the Sklsroot Bsphere holds.
 struct NodeReach {
     float distance = 0;  // of the node's origin from sklsroot.centre
-    float stretch = 1;   // that lengths in the node's frame undergo
+    float scale = 1;     // that lengths in the node's frame undergo
 };
 
 // A bound that grows with the weights of what is added to a pose (pose/layer.h), which sum to most_added at most.
-struct ByAdded {
-    float none = 0;  // where nothing is added
-    float each = 0;  // for each 1 of weight
-    float at(float added) const { return none + each * added; }
+struct AdditiveBound {
+    float base = 0;        // where nothing is added
+    float per_weight = 0;  // for each 1 of weight
+    float at(float added) const { return base + per_weight * added; }
 };
-constexpr float most_added = 32;
+constexpr float max_additive_weight = 32;
 
 // As NodeReach, whatever clips are blended (S2 3.3).
 struct BlendReach {
-    ByAdded distance, stretch;
+    AdditiveBound distance, scale;
 };
 
 struct SplitReport {
@@ -231,8 +231,8 @@ struct Template {
         sklsroot;  // S0 4.1: holds every vertex of every level in every pose of every clip with the degrees of freedom
                    // anywhere in their ranges, in the actor's own space
     Array<NodeReach>
-        node_reach;        // per node: where it gets to in all these poses, so that what is attached to it can be held
-    ByAdded blend_radius;  // of a sphere round sklsroot.centre that holds every vertex in every blend
+        node_reach;  // per node: where it gets to in all these poses, so that what is attached to it can be held
+    AdditiveBound blend_radius;     // of a sphere round sklsroot.centre that holds every vertex in every blend
     Array<BlendReach> blend_reach;  // per node
     SplitReport report;
 

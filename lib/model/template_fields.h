@@ -30,7 +30,7 @@ void walk_rig(Archive &a, R &rig)
     });
     a.array(rig.clip_names, 8, [&](auto &name) { a.text(name); });
     a.array(rig.channels, 20, [&](auto &channel) {
-        a.value(channel.node), a.value(channel.path), a.value(channel.interpolation);
+        a.value(channel.node), a.value(channel.target), a.value(channel.interpolation);
         a.value(channel.component_count);
         a.value(channel.first_time), a.value(channel.key_count), a.value(channel.first_value);
     });
@@ -38,15 +38,15 @@ void walk_rig(Archive &a, R &rig)
     a.array(rig.values, 4, [&](auto &v) { a.value(v); });
     a.array(rig.deactivation_m, 4, [&](auto &v) { a.value(v); });
     a.array(rig.dofs, 33, [&](auto &dof) {
-        a.value(dof.node), a.value(dof.kind), a.value(dof.target);
+        a.value(dof.node), a.value(dof.kind), a.value(dof.morph_target);
         for (int k = 0; k < 3; ++k) a.value(dof.axis[k]);
-        a.value(dof.first), a.value(dof.last), a.value(dof.rest);
+        a.value(dof.min), a.value(dof.max), a.value(dof.rest);
     });
     a.array(rig.dof_names, 8, [&](auto &name) { a.text(name); });
     a.array(rig.markers, 8, [&](auto &marker) { a.value(marker.clip), a.value(marker.time_s); });
     a.array(rig.marker_names, 8, [&](auto &name) { a.text(name); });
-    a.array(rig.root_tracks, 12,
-            [&](auto &track) { a.value(track.clip), a.value(track.first_sample), a.value(track.sample_count); });
+    a.array(rig.root_curves, 12,
+            [&](auto &curve) { a.value(curve.clip), a.value(curve.first_sample), a.value(curve.sample_count); });
     a.array(rig.root_samples, 4, [&](auto &v) { a.value(v); });
 }
 
@@ -72,7 +72,7 @@ void walk_surface(Archive &a, S &surface)
     walk_range(a, surface.dirty);
     a.array(surface.dirty_by_zone, 12, bin);
     walk_range(a, surface.fused);
-    a.array(surface.part_firsts, 4, [&](auto &v) { a.value(v); });
+    a.array(surface.part_offsets, 4, [&](auto &v) { a.value(v); });
 }
 
 template <class Archive, class L>
@@ -101,7 +101,7 @@ void walk_level(Archive &a, L &level)
     a.array(level.indices, 4, number);
     a.rows(level.surfaces, 45, [&](auto &surface) { walk_surface(a, surface); });
     a.value(level.switch_distance_m);
-    a.value(level.skeletal);
+    a.value(level.skeletal_level);
     a.array(level.active, 1, number);
     a.array(level.nodes, 4, number);
     a.array(level.entries, 4, number);
@@ -118,7 +118,7 @@ void walk_texture(Archive &a, T &texture)
     a.array(texture.rgba, 1, [&](auto &v) { a.value(v); });
     a.array(texture.keys, 5, [&](auto &key) { a.value(key.zone), a.value(key.key); });
     a.flag(texture.has_holes);
-    a.rows(texture.others, 12, [&](auto &image) {
+    a.rows(texture.set_images, 12, [&](auto &image) {
         a.value(image.width), a.value(image.height);
         a.array(image.rgba, 1, [&](auto &v) { a.value(v); });
     });
@@ -129,18 +129,18 @@ template <class Archive, class M>
 void walk_motion(Archive &a, M &motion)
 {
     a.array(motion.nodes, 4, [&](auto &v) { a.value(v); });
-    a.array(motion.groups, 9, [&](auto &group) { a.value(group.path), a.value(group.target), a.value(group.count); });
+    a.array(motion.groups, 9, [&](auto &group) { a.value(group.target), a.value(group.index), a.value(group.count); });
     a.array(motion.clips, 24, [&](auto &clip) {
         a.value(clip.intervals), a.value(clip.rate_hz), a.value(clip.first_exact), a.value(clip.exact_count);
         a.value(clip.error_m), a.value(clip.error_rad);
     });
     a.array(motion.blocks, 12, [&](auto &block) { a.value(block.first), a.value(block.stride), a.value(block.moved); });
-    a.array(motion.tracks, 40, [&](auto &track) {
-        a.value(track.first), a.value(track.stride);
-        for (auto &v : track.least) a.value(v);
-        for (auto &v : track.step) a.value(v);
+    a.array(motion.curves, 40, [&](auto &curve) {
+        a.value(curve.first), a.value(curve.stride);
+        for (auto &v : curve.min) a.value(v);
+        for (auto &v : curve.step) a.value(v);
     });
-    a.array(motion.exact, 8, [&](auto &exact) { a.value(exact.channel), a.value(exact.target); });
+    a.array(motion.exact, 8, [&](auto &exact) { a.value(exact.channel), a.value(exact.index); });
     a.array(motion.rotations, 2, [&](auto &v) { a.value(v); });
     a.array(motion.numbers, 2, [&](auto &v) { a.value(v); });
 }
@@ -157,19 +157,19 @@ void walk_template(Archive &a, Tmpl &tmpl)
         for (auto &v : colour) a.value(v);
     });
     a.array(tmpl.zone_ranges, 24, [&](auto &range) {
-        a.value(range.hue_first_deg), a.value(range.hue_last_deg);
-        a.value(range.saturation_first), a.value(range.saturation_last);
-        a.value(range.brightness_first), a.value(range.brightness_last);
+        a.value(range.hue_min_deg), a.value(range.hue_max_deg);
+        a.value(range.saturation_min), a.value(range.saturation_max);
+        a.value(range.brightness_min), a.value(range.brightness_max);
     });
     a.array(tmpl.zone_clean, 4, [&](auto &v) { a.value(v); });
     a.array(tmpl.texture_sets, 8, [&](auto &name) { a.text(name); });
     a.rows(tmpl.textures, 31, [&](auto &texture) { walk_texture(a, texture); });
     a.rows(tmpl.levels, 160, [&](auto &level) { walk_level(a, level); });
     walk_sphere(a, tmpl.sklsroot);
-    a.array(tmpl.node_reach, 8, [&](auto &reach) { a.value(reach.distance), a.value(reach.stretch); });
-    const auto by_added = [&](auto &bound) { a.value(bound.none), a.value(bound.each); };
+    a.array(tmpl.node_reach, 8, [&](auto &reach) { a.value(reach.distance), a.value(reach.scale); });
+    const auto by_added = [&](auto &bound) { a.value(bound.base), a.value(bound.per_weight); };
     by_added(tmpl.blend_radius);
-    a.array(tmpl.blend_reach, 16, [&](auto &reach) { by_added(reach.distance), by_added(reach.stretch); });
+    a.array(tmpl.blend_reach, 16, [&](auto &reach) { by_added(reach.distance), by_added(reach.scale); });
     auto &r = tmpl.report;
     a.value(r.triangles), a.value(r.degenerate), a.value(r.dirty), a.value(r.dirty_zone_sum), a.value(r.coincident);
     a.value(r.fused_triangles), a.value(r.copies);

@@ -41,7 +41,7 @@ glm::quat unit_at(const float *v) { return math::unit_quat(v[3], v[0], v[1], v[2
 
 }  // namespace
 
-KeyPlace find_key(const float *times, uint32_t count, double time_s)
+KeyInterval find_key(const float *times, uint32_t count, double time_s)
 {
     if (count < 2 || !(time_s > times[0])) return {0, 0};
     if (time_s >= times[count - 1]) return {count - 1, 0};
@@ -61,7 +61,7 @@ KeyPlace find_key(const float *times, uint32_t count, double time_s)
     return {key, (time_s - times[key]) / (double(times[key + 1]) - double(times[key]))};
 }
 
-void sample_numbers(const model::Rig &rig, const model::Channel &channel, KeyPlace place, float *out)
+void sample_numbers(const model::Rig &rig, const model::Channel &channel, KeyInterval place, float *out)
 {
     const uint32_t n = channel.component_count;
     const float *a = value_at(rig, channel, place.key);
@@ -81,7 +81,7 @@ void sample_numbers(const model::Rig &rig, const model::Channel &channel, KeyPla
         out[i] = static_cast<float>(h.v0 * a[i] + h.m0 * out_tangent[i] + h.v1 * b[i] + h.m1 * in_tangent[i]);
 }
 
-glm::quat sample_rotation(const model::Rig &rig, const model::Channel &channel, KeyPlace place)
+glm::quat sample_rotation(const model::Rig &rig, const model::Channel &channel, KeyInterval place)
 {
     const float *a = value_at(rig, channel, place.key);
     if (place.f == 0 || channel.interpolation == model::Interpolation::step) return unit_at(a);

@@ -8,18 +8,18 @@ namespace claque::pose
 {
 
 // Between key and key + 1, `f` of the way in [0, 1); f = 0 means exactly at `key`.
-struct KeyPlace {
+struct KeyInterval {
     uint32_t key = 0;
     double f = 0;
 };
 
 // times ascend strictly. Keys at a uniform rate are found at once, others by halving.
-KeyPlace find_key(const float *times, uint32_t count, double time_s);
+KeyInterval find_key(const float *times, uint32_t count, double time_s);
 
 // `out` takes channel.component_count numbers. Not for rotations.
-void sample_numbers(const model::Rig &rig, const model::Channel &channel, KeyPlace place, float *out);
+void sample_numbers(const model::Rig &rig, const model::Channel &channel, KeyInterval place, float *out);
 
 // A unit quaternion: LINEAR by the shorter arc, CUBICSPLINE renormalised.
-glm::quat sample_rotation(const model::Rig &rig, const model::Channel &channel, KeyPlace place);
+glm::quat sample_rotation(const model::Rig &rig, const model::Channel &channel, KeyInterval place);
 
 }  // namespace claque::pose

@@ -18,7 +18,7 @@ void apply_dofs(const model::Rig &rig, const float *dofs, float *weights, Pose &
         const float value = dofs ? dofs[i] : dof.rest;
         if (value == 0) continue;
         if (dof.kind == model::DofKind::morph) {
-            weights[rig.morph_sets[dof.node].first_weight + dof.target] += value;
+            weights[rig.morph_sets[dof.node].first_weight + dof.morph_target] += value;
         } else if (dof.kind == model::DofKind::translation) {
             pose.shift(dof.node, dof.axis * value);
         } else {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/pose/blend.h"
 #include "lib/pose/channel.h"
-#include "lib/pose/mix.h"
 
 namespace claque::pose
 {
@@ -11,19 +11,19 @@ namespace claque::pose
 namespace
 {
 
-void apply(const model::Rig &rig, const model::Channel &channel, KeyPlace place, const LocalPose &out)
+void apply(const model::Rig &rig, const model::Channel &channel, KeyInterval place, const LocalPose &out)
 {
-    switch (channel.path) {
-        case model::Path::translation:
+    switch (channel.target) {
+        case model::ChannelTarget::translation:
             sample_numbers(rig, channel, place, &out.nodes[channel.node].translation.x);
             break;
-        case model::Path::rotation:
+        case model::ChannelTarget::rotation:
             out.nodes[channel.node].rotation = sample_rotation(rig, channel, place);
             break;
-        case model::Path::scale:
+        case model::ChannelTarget::scale:
             sample_numbers(rig, channel, place, &out.nodes[channel.node].scale.x);
             break;
-        case model::Path::morph_weights:
+        case model::ChannelTarget::morph_weights:
             sample_numbers(rig, channel, place, out.weights + rig.morph_sets[channel.node].first_weight);
             break;
     }
@@ -33,14 +33,14 @@ void replace(math::Trs &below, const math::Trs &to, float weight)
 {
     below.translation += weight * (to.translation - below.translation);
     below.scale += weight * (to.scale - below.scale);
-    below.rotation = mixed(below.rotation, to.rotation, weight);
+    below.rotation = nlerp(below.rotation, to.rotation, weight);
 }
 
 void add(math::Trs &below, const math::Trs &to, const math::Trs &from, float weight)
 {
     below.translation += weight * (to.translation - from.translation);
     below.scale += weight * (to.scale - from.scale);
-    below.rotation = turned_on(below.rotation, from.rotation, to.rotation, weight);
+    below.rotation = add_rotation(below.rotation, from.rotation, to.rotation, weight);
 }
 
 float mask_of(const Layer &layer, uint32_t node) { return layer.mask ? layer.mask[node] : 1.0f; }
@@ -67,10 +67,10 @@ void sample_exact(const model::Rig &rig, uint32_t clip_index, double time_s, con
     const model::Clip &clip = rig.clips[clip_index];
     // Channels often share their key times: what was found for the last serves the next.
     const model::Channel *last = nullptr;
-    KeyPlace place;
+    KeyInterval place;
     for (uint32_t i = 0; i < clip.channel_count; ++i) {
         const model::Channel &channel = rig.channels[clip.first_channel + i];
-        if (active && channel.path != model::Path::morph_weights && !active[channel.node]) continue;
+        if (active && channel.target != model::ChannelTarget::morph_weights && !active[channel.node]) continue;
         if (!last || channel.first_time != last->first_time || channel.key_count != last->key_count)
             place = find_key(rig.times.data() + channel.first_time, channel.key_count, time_s);
         apply(rig, channel, place, out);

@@ -25,6 +25,6 @@ struct Layer {
 };
 
 // Most that one individual shows at once.
-constexpr uint32_t most_layers = 8;
+constexpr uint32_t max_layers = 8;
 
 }  // namespace claque::pose

@@ -80,7 +80,7 @@ void take(const PoseJob &job, Sampler &sampler)
 {
     if (active_of(job)) sampler.limit_to({job.level->nodes.data(), count32(job.level->nodes)});
     if (job.layers.empty()) sampler.sample(job.clip, job.time_s);
-    else sampler.mix(job.layers);
+    else sampler.blend(job.layers);
     std::copy(job.rig->rest_weights.begin(), job.rig->rest_weights.end(), job.weights.data);
     sampler.read_weights(job.weights.data);
     if (!job.rig->dofs.empty()) apply_dofs(*job.rig, job.dofs, job.weights.data, sampler);
@@ -128,10 +128,10 @@ base::Status PoseJob::check() const
 
 bool PoseJob::has_rows() const { return motion && !motion->empty(); }
 
-void PoseJob::run_transforms() const
+void PoseJob::run_local_transforms() const
 {
     if (has_rows()) {
-        Sampler sampler(*rig, *motion, kernel, scratch.data);
+        Sampler sampler(*rig, *motion, simd_level, scratch.data);
         take(*this, sampler);
         sampler.read_locals(layers.empty() && clip != model::none ? clip : model::none, locals.data);
         return;
@@ -143,29 +143,29 @@ void PoseJob::run_transforms() const
 
 void PoseJob::run() const
 {
-    const Steps &steps = steps_of(kernel);
+    const PoseKernels &kernels = pose_kernels_of(simd_level);
     const bool some = active_of(*this);
     const uint32_t *nodes = some ? level->nodes.data() : nullptr;
     const uint32_t node_count = some ? count32(level->nodes) : rig->node_count();
     if (has_rows()) {
-        Sampler sampler(*rig, *motion, kernel, scratch.data);
+        Sampler sampler(*rig, *motion, simd_level, scratch.data);
         take(*this, sampler);
-        sampler.place(globals.data);
+        sampler.local_matrices(globals.data);
     } else {
-        run_transforms();
+        run_local_transforms();
         for (uint32_t i = 0; i < node_count; ++i) {
             const uint32_t node = some ? nodes[i] : i;
             globals[node] = columns_of(locals[node]);
         }
     }
-    steps.chain(rig->parents.data(), nodes, node_count, globals.data);
-    steps.fill(rig->palette.data(), some ? level->entries.data() : nullptr,
-               some ? count32(level->entries) : count32(rig->palette), globals.data, palette.data);
+    kernels.local_to_model(rig->parents.data(), nodes, node_count, globals.data);
+    kernels.fill_palette(rig->palette.data(), some ? level->entries.data() : nullptr,
+                         some ? count32(level->entries) : count32(rig->palette), globals.data, palette.data);
 }
 
-uint32_t PoseJob::run_locals(base::Span<math::Affine> out) const
+uint32_t PoseJob::run_local_matrices(base::Span<math::Affine> out) const
 {
-    run_transforms();
+    run_local_transforms();
     uint32_t built = 0;
     const auto build = [&](uint32_t node) {
         const math::Trs &now = locals[node], &rest = rig->rest[node];

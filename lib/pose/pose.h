@@ -3,8 +3,8 @@
 
 #include "lib/base/span.h"
 #include "lib/base/status.h"
-#include "lib/math/kernel.h"
 #include "lib/math/simd.h"
+#include "lib/math/simd_level.h"
 #include "lib/model/template.h"
 #include "lib/pose/layer.h"
 
@@ -26,7 +26,7 @@ struct PoseJob {
     const float *dofs = nullptr;          // [rig.dofs.size()], on top of the clip; null: all at rest
     const model::Level *level = nullptr;  // only what is left of the skeleton there (S0 5.2); null: everything
 
-    math::Kernel kernel = math::default_kernel();
+    math::SimdLevel simd_level = math::default_simd_level();
 
     // scratch; what is left in it: globals in model space. Locals only by run_transforms() and run_locals().
     base::Span<math::Trs> locals;       // [node_count]
@@ -42,18 +42,18 @@ struct PoseJob {
     bool has_rows() const;       // whether clips are sampled from motion
 
     // Instead of run(): local transforms in `locals`, and the weights.
-    void run_transforms() const;
+    void run_local_transforms() const;
 
     // Instead of run(): each active node's matrix relative to its parent, for GL's matrix stack; no palette. Returns how
     // many are not those of the rest pose: the others cost a copy (S0 6.2.2, fCoh).
     //   out   [node_count]
-    uint32_t run_locals(base::Span<math::Affine> out) const;
+    uint32_t run_local_matrices(base::Span<math::Affine> out) const;
 };
 
 // From what run_locals() left to the palette of a level, for who needs to know where rigid parts are (S0 6.2.2).
 //   globals   [node_count]; palette [rig.palette.size()], with one more float of memory behind the last
-void place_locals(const model::Rig &rig, const model::Level &level, const math::Affine *locals, math::Columns *globals,
-                  math::Affine *palette);
+void palette_from_locals(const model::Rig &rig, const model::Level &level, const math::Affine *locals,
+                         math::Columns *globals, math::Affine *palette);
 
 // Owns what a PoseJob asks for. For start-up code and tests: it allocates when it is made.
 class Workspace

@@ -49,8 +49,12 @@ size_t sampled_floats(const model::Motion &motion)
     return 3 * pose_floats(motion) + 3 * joints + joints + 8;
 }
 
-Sampler::Sampler(const model::Rig &rig, const model::Motion &motion, math::Kernel kernel, float *scratch)
-    : rig_(rig), motion_(motion), steps_(steps_of(kernel)), scratch_(scratch), blocks_(motion.block_count())
+Sampler::Sampler(const model::Rig &rig, const model::Motion &motion, math::SimdLevel simd_level, float *scratch)
+    : rig_(rig),
+      motion_(motion),
+      kernels_(pose_kernels_of(simd_level)),
+      scratch_(scratch),
+      blocks_(motion.block_count())
 {
     // Rows of eight floats that cross no line of the cache.
     scratch_ = reinterpret_cast<float *>((reinterpret_cast<uintptr_t>(scratch) + 31) & ~uintptr_t(31));
@@ -92,14 +96,14 @@ void Sampler::sample(uint32_t index, double time_s, const SampledPose &out) cons
     rows.block_count = blocks_;
     rows.row = at.row;
     rows.part = at.part;
-    steps_.sample(rows, out.rotations);
-    const model::MotionTrack *tracks = motion_.tracks.data() + size_t(index) * groups;
+    kernels_.sample(rows, out.rotations);
+    const model::MotionCurve *curves = motion_.curves.data() + size_t(index) * groups;
     for (uint32_t g = 0; g < groups; ++g) {
-        const model::MotionTrack &track = tracks[g];
-        const uint16_t *from = motion_.numbers.data() + track.first + size_t(track.stride) * at.row;
-        const F4 a = widened(from), b = widened(from + track.stride);
+        const model::MotionCurve &curve = curves[g];
+        const uint16_t *from = motion_.numbers.data() + curve.first + size_t(curve.stride) * at.row;
+        const F4 a = widened(from), b = widened(from + curve.stride);
         math::store4(out.groups + 4 * size_t(g),
-                     math::load4(track.least) + math::load4(track.step) * (a + math::splat(at.part) * (b - a)));
+                     math::load4(curve.min) + math::load4(curve.step) * (a + math::splat(at.part) * (b - a)));
     }
     if (clip.exact_count) sample_exact(clip, time_s, out);
 }
@@ -107,17 +111,17 @@ void Sampler::sample(uint32_t index, double time_s, const SampledPose &out) cons
 void Sampler::sample_exact(const model::MotionClip &clip, double time_s, const SampledPose &out) const
 {
     for (uint32_t i = clip.first_exact; i < clip.first_exact + clip.exact_count; ++i) {
-        const model::MotionExact &exact = motion_.exact[i];
+        const model::MotionExactChannel &exact = motion_.exact[i];
         const model::Channel &channel = rig_.channels[exact.channel];
-        const KeyPlace place = find_key(rig_.times.data() + channel.first_time, channel.key_count, time_s);
-        if (channel.path == model::Path::rotation) {
-            if (exact.target >= motion_lanes * blocks_) continue;
+        const KeyInterval place = find_key(rig_.times.data() + channel.first_time, channel.key_count, time_s);
+        if (channel.target == model::ChannelTarget::rotation) {
+            if (exact.index >= motion_lanes * blocks_) continue;
             const glm::quat q = sample_rotation(rig_, channel, place);
-            float *lane = out.rotations + lane_of(exact.target);
+            float *lane = out.rotations + lane_of(exact.index);
             lane[0] = q.x, lane[motion_lanes] = q.y, lane[2 * motion_lanes] = q.z, lane[3 * motion_lanes] = q.w;
         } else {
             // Groups of four lie one behind the other, as the channel's numbers do.
-            sample_numbers(rig_, channel, place, out.groups + 4 * size_t(exact.target));
+            sample_numbers(rig_, channel, place, out.groups + 4 * size_t(exact.index));
         }
     }
 }
@@ -131,7 +135,7 @@ const float *Sampler::joint_weights(const Layer &layer) const
     return weights;
 }
 
-void Sampler::mix_groups(const Layer &layer) const
+void Sampler::blend_groups(const Layer &layer) const
 {
     const SampledPose now = pose(0), to = pose(1), from = layer.kind == LayerKind::add ? pose(2) : pose(0);
     for (uint32_t g = 0; g < motion_.group_count(); ++g) {
@@ -143,7 +147,7 @@ void Sampler::mix_groups(const Layer &layer) const
     }
 }
 
-void Sampler::mix(base::Span<const Layer> layers)
+void Sampler::blend(base::Span<const Layer> layers)
 {
     const SampledPose now = pose(0), other = pose(1), reference = pose(2);
     bool first = true;
@@ -157,11 +161,11 @@ void Sampler::mix(base::Span<const Layer> layers)
         const JointWeights weights = {layer.weight, joint_weights(layer)};
         if (adds) {
             sample(layer.reference_clip, layer.reference_time_s, reference);
-            steps_.add(now.rotations, other.rotations, reference.rotations, weights, blocks_);
+            kernels_.add(now.rotations, other.rotations, reference.rotations, weights, blocks_);
         } else {
-            steps_.replace(now.rotations, other.rotations, weights, blocks_);
+            kernels_.replace(now.rotations, other.rotations, weights, blocks_);
         }
-        mix_groups(layer);
+        blend_groups(layer);
     }
 }
 
@@ -193,7 +197,7 @@ void Sampler::read_weights(float *weights) const
 {
     const float *from = pose(0).groups;
     for (const model::MotionGroup &group : motion_.groups) {
-        if (group.path == model::Path::morph_weights) std::copy_n(from, group.count, weights + group.target);
+        if (group.target == model::ChannelTarget::morph_weights) std::copy_n(from, group.count, weights + group.index);
         from += 4;
     }
 }
@@ -211,18 +215,18 @@ void Sampler::read_locals(uint32_t clip, math::Trs *locals) const
     const float *from = pose(0).groups;
     for (const model::MotionGroup &group : motion_.groups) {
         const glm::vec3 v(from[0], from[1], from[2]);
-        if (group.path == model::Path::translation) locals[motion_.nodes[group.target]].translation = v;
-        if (group.path == model::Path::scale) locals[motion_.nodes[group.target]].scale = v;
+        if (group.target == model::ChannelTarget::translation) locals[motion_.nodes[group.index]].translation = v;
+        if (group.target == model::ChannelTarget::scale) locals[motion_.nodes[group.index]].scale = v;
         from += 4;
     }
 }
 
-void Sampler::place(math::Columns *out) const
+void Sampler::local_matrices(math::Columns *out) const
 {
     for (uint32_t i = 0; i < motion_.still_nodes.size(); ++i)
         std::memcpy(out + motion_.still_nodes[i], motion_.still_columns.data() + 16 * size_t(i), 16 * sizeof(float));
     const SampledPose now = pose(0);
-    JointPlaces places;
+    JointTransforms places;
     places.nodes = motion_.nodes.data();
     places.scales = motion_.rest_scales.data();
     places.offsets = motion_.rest_offsets.data();
@@ -232,18 +236,17 @@ void Sampler::place(math::Columns *out) const
         std::copy(motion_.rest_scales.begin(), motion_.rest_scales.end(), scales);
         for (uint32_t g = 0; g < motion_.group_count(); ++g) {
             const model::MotionGroup &group = motion_.groups[g];
-            if (group.path != model::Path::scale) continue;
-            float *lane =
-                scales + size_t(3) * motion_lanes * (group.target / motion_lanes) + group.target % motion_lanes;
+            if (group.target != model::ChannelTarget::scale) continue;
+            float *lane = scales + size_t(3) * motion_lanes * (group.index / motion_lanes) + group.index % motion_lanes;
             for (uint32_t k = 0; k < 3; ++k) lane[k * motion_lanes] = now.groups[4 * size_t(g) + k];
         }
         places.scales = scales;
     }
-    steps_.place(now.rotations, places, out);
+    kernels_.local_matrices(now.rotations, places, out);
     for (uint32_t g = 0; g < motion_.group_count(); ++g)
-        if (motion_.groups[g].path == model::Path::translation) {
+        if (motion_.groups[g].target == model::ChannelTarget::translation) {
             const float *t = now.groups + 4 * size_t(g);
-            out[motion_.nodes[motion_.groups[g].target]].c[3] = F4{t[0], t[1], t[2], 0};
+            out[motion_.nodes[motion_.groups[g].index]].c[3] = F4{t[0], t[1], t[2], 0};
         }
 }
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "lib/retarget/added.h"
+#include "lib/retarget/new_clips.h"
 
 namespace claque::retarget
 {
@@ -16,8 +16,8 @@ namespace
 
 // From the frame that the source's channels of a joint are told in to that of the target's.
 struct Rebase {
-    math::Affine place;
-    glm::quat turn = glm::quat(1, 0, 0, 0);
+    math::Affine transform;
+    glm::quat rotation = glm::quat(1, 0, 0, 0);
     bool changes = false;
 };
 
@@ -30,20 +30,20 @@ bool alike(const math::Affine &a, const math::Affine &b, float size)
 
 // What a joint of one side hangs on, told in the frame of the bound joint above it (none: in model space).
 struct Frame {
-    math::Affine place;
-    glm::dquat turn = glm::dquat(1, 0, 0, 0);
+    math::Affine transform;
+    glm::dquat rotation = glm::dquat(1, 0, 0, 0);
 };
 
-Frame frame_of(const Stance &rest, const model::Rig &rig, uint32_t node, uint32_t anchor)
+Frame frame_of(const GlobalPose &rest, const model::Rig &rig, uint32_t node, uint32_t anchor)
 {
     Frame out;
     const uint32_t parent = rig.parents[node];
     if (parent == anchor) return out;
-    out.place = rest.globals[parent];
-    out.turn = rest.turns[parent];
+    out.transform = rest.globals[parent];
+    out.rotation = rest.rotations[parent];
     if (anchor == none) return out;
-    out.place = math::mul(math::inverse(rest.globals[anchor]), out.place);
-    out.turn = glm::conjugate(rest.turns[anchor]) * out.turn;
+    out.transform = math::mul(math::inverse(rest.globals[anchor]), out.transform);
+    out.rotation = glm::conjugate(rest.rotations[anchor]) * out.rotation;
     return out;
 }
 
@@ -54,27 +54,27 @@ struct Frames {
 class Pairs
 {
 public:
-    Pairs(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches)
-        : target_(target), source_(source), matches_(matches), rest_t_(rest_of(target)), rest_s_(rest_of(source))
+    Pairs(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches)
+        : target_(target), source_(source), matches_(matches), rest_t_(rest_pose(target)), rest_s_(rest_pose(source))
     {
     }
 
-    Frames frames(const Match &match) const
+    Frames frames(const JointMatch &match) const
     {
         const bool top = match.above == none;
         return {frame_of(rest_t_, target_, match.target, top ? none : matches_[match.above].target),
                 frame_of(rest_s_, source_, match.source, top ? none : matches_[match.above].source)};
     }
 
-    Rebase rebase(const Match &match) const
+    Rebase rebase(const JointMatch &match) const
     {
         Rebase out;
         const Frames f = frames(match);
-        if (alike(f.target.place, f.source.place, 1e-4f)) return out;
-        const glm::dquat turn = glm::normalize(glm::conjugate(f.target.turn) * f.source.turn);
-        out.place = math::mul(math::inverse(f.target.place), f.source.place);
-        out.turn = glm::quat(static_cast<float>(turn.w), static_cast<float>(turn.x), static_cast<float>(turn.y),
-                             static_cast<float>(turn.z));
+        if (alike(f.target.transform, f.source.transform, 1e-4f)) return out;
+        const glm::dquat rotation = glm::normalize(glm::conjugate(f.target.rotation) * f.source.rotation);
+        out.transform = math::mul(math::inverse(f.target.transform), f.source.transform);
+        out.rotation = glm::quat(static_cast<float>(rotation.w), static_cast<float>(rotation.x),
+                                 static_cast<float>(rotation.y), static_cast<float>(rotation.z));
         out.changes = true;
         return out;
     }
@@ -83,15 +83,15 @@ public:
     float size() const
     {
         double most = 0;
-        const glm::dvec3 top = rest_t_.places[matches_[0].target];
-        for (const Match &m : matches_) most = std::max(most, glm::length(rest_t_.places[m.target] - top));
+        const glm::dvec3 top = rest_t_.positions[matches_[0].target];
+        for (const JointMatch &m : matches_) most = std::max(most, glm::length(rest_t_.positions[m.target] - top));
         return static_cast<float>(most);
     }
 
 private:
     const model::Rig &target_, &source_;
-    const std::vector<Match> &matches_;
-    Stance rest_t_, rest_s_;
+    const std::vector<JointMatch> &matches_;
+    GlobalPose rest_t_, rest_s_;
 };
 
 uint32_t morph_set_on(const model::Rig &rig, uint32_t node, uint32_t target_count)
@@ -109,13 +109,13 @@ void append_values(const model::Rig &source, const model::Channel &channel, cons
     const size_t count = size_t(channel.key_count) * (cubic ? 3 : 1), width = channel.component_count;
     const float *from = source.values.data() + channel.first_value;
     for (size_t i = 0; i < count; ++i, from += width) {
-        if (rebase.changes && channel.path == model::Path::rotation) {
-            const glm::quat q = rebase.turn * glm::quat(from[3], from[0], from[1], from[2]);
+        if (rebase.changes && channel.target == model::ChannelTarget::rotation) {
+            const glm::quat q = rebase.rotation * glm::quat(from[3], from[0], from[1], from[2]);
             out.insert(out.end(), {q.x, q.y, q.z, q.w});
-        } else if (rebase.changes && channel.path == model::Path::translation) {
+        } else if (rebase.changes && channel.target == model::ChannelTarget::translation) {
             const glm::vec3 v(from[0], from[1], from[2]);
-            const glm::vec3 moved =
-                cubic && i % 3 != 1 ? math::direction(rebase.place, v) : math::point(rebase.place, v);
+            const glm::vec3 moved = cubic && i % 3 != 1 ? math::transform_vector(rebase.transform, v)
+                                                        : math::transform_point(rebase.transform, v);
             out.insert(out.end(), {moved.x, moved.y, moved.z});
         } else out.insert(out.end(), from, from + width);
     }
@@ -123,11 +123,11 @@ void append_values(const model::Rig &source, const model::Channel &channel, cons
 
 }  // namespace
 
-bool agree(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches)
+bool rest_poses_agree(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches)
 {
     const Pairs pairs(target, source, matches);
     const float size = pairs.size();
-    for (const Match &match : matches) {
+    for (const JointMatch &match : matches) {
         // The source's joint hangs, at any distance, on the one that answers what the target's hangs on.
         const uint32_t anchor = match.above == none ? none : matches[match.above].source;
         uint32_t up = source.parents[match.source];
@@ -135,15 +135,15 @@ bool agree(const model::Rig &target, const model::Rig &source, const std::vector
             if (moves(source, up)) return false;
         if (up != anchor) return false;
         const Frames frames = pairs.frames(match);
-        if (!alike(math::mul(frames.target.place, math::affine_of(target.rest[match.target])),
-                   math::mul(frames.source.place, math::affine_of(source.rest[match.source])), size))
+        if (!alike(math::mul(frames.target.transform, math::affine_of(target.rest[match.target])),
+                   math::mul(frames.source.transform, math::affine_of(source.rest[match.source])), size))
             return false;
     }
     return true;
 }
 
-void copy_channels(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, uint32_t clip,
-                   Added &added)
+void copy_channels(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
+                   uint32_t clip, NewClips &added)
 {
     const Pairs pairs(target, source, matches);
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> times;  // samplers mostly share them
@@ -152,20 +152,20 @@ void copy_channels(const model::Rig &target, const model::Rig &source, const std
     made.first_channel = static_cast<uint32_t>(added.channels.size());
     made.start_s = from.start_s;
     made.duration_s = from.duration_s;
-    for (const Match &match : matches) {
+    for (const JointMatch &match : matches) {
         const Rebase rebase = pairs.rebase(match);
         for (uint32_t c = 0; c < from.channel_count; ++c) {
             const model::Channel &channel = source.channels[from.first_channel + c];
-            const bool morphs = channel.path == model::Path::morph_weights;
+            const bool morphs = channel.target == model::ChannelTarget::morph_weights;
             if ((morphs ? source.morph_sets[channel.node].node : channel.node) != match.source) continue;
             model::Channel out = channel;
             out.node = morphs ? morph_set_on(target, match.target, channel.component_count) : match.target;
             if (out.node == none) continue;
             const auto first = source.times.begin() + channel.first_time;
-            const auto [place, fresh] = times.emplace(std::make_pair(channel.first_time, channel.key_count),
+            const auto [entry, fresh] = times.emplace(std::make_pair(channel.first_time, channel.key_count),
                                                       static_cast<uint32_t>(added.times.size()));
             if (fresh) added.times.insert(added.times.end(), first, first + channel.key_count);
-            out.first_time = place->second;
+            out.first_time = entry->second;
             out.first_value = static_cast<uint32_t>(added.values.size());
             append_values(source, channel, rebase, added.values);
             added.channels.push_back(out);

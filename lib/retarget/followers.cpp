@@ -16,21 +16,21 @@ namespace
 {
 
 // Of a share, where one of several leaders goes away from what follows it: cloth hangs then, and is pulled a little.
-constexpr double pulled = 0.3;
+constexpr double min_pull = 0.3;
 
-Leading leading_of(const model::Rig &target, const std::vector<Match> &matches, uint32_t joint, uint32_t match,
-                   double share)
+LeaderBinding leader_binding(const model::Rig &target, const std::vector<JointMatch> &matches, uint32_t joint,
+                             uint32_t match, double share)
 {
-    Leading out;
+    LeaderBinding out;
     out.match = match, out.share = share;
-    const Stance rest = rest_of(target);
-    const glm::dvec3 leader = rest.places[matches[match].target];
-    for (const Match &below : matches) {
+    const GlobalPose rest = rest_pose(target);
+    const glm::dvec3 leader = rest.positions[matches[match].target];
+    for (const JointMatch &below : matches) {
         if (below.above != match) continue;
-        const glm::dvec3 bone = rest.places[below.target] - leader;
+        const glm::dvec3 bone = rest.positions[below.target] - leader;
         if (!(glm::length(bone) > 0)) continue;
         out.along = glm::normalize(bone);
-        const glm::dvec3 off = rest.places[joint] - leader, side = off - out.along * glm::dot(off, out.along);
+        const glm::dvec3 off = rest.positions[joint] - leader, side = off - out.along * glm::dot(off, out.along);
         if (glm::length(side) > 1e-3 * glm::length(bone)) out.side = glm::normalize(side);
         break;
     }
@@ -38,22 +38,22 @@ Leading leading_of(const model::Rig &target, const std::vector<Match> &matches, 
 }
 
 // How much of its share a leader has that turns like this, as the follower's parent sees it.
-double push_of(const Leading &leader, const glm::dquat &turn)
+double push_of(const LeaderBinding &leader, const glm::dquat &rotation)
 {
-    const double towards = glm::dot(turn * leader.along - leader.along, leader.side);
+    const double towards = glm::dot(rotation * leader.along - leader.along, leader.side);
     if (leader.side == glm::dvec3(0)) return 1;
     const double t = std::clamp(0.5 + 5 * towards, 0.0, 1.0);
-    return pulled + (1 - pulled) * t * t * (3 - 2 * t);
+    return min_pull + (1 - min_pull) * t * t * (3 - 2 * t);
 }
 
 }  // namespace
 
-std::vector<Following> match_followers(const model::Rig &target, const std::vector<Match> &matches,
-                                       const Options &options)
+std::vector<FollowerBinding> match_followers(const model::Rig &target, const std::vector<JointMatch> &matches,
+                                             const Options &options)
 {
     std::vector<uint32_t> match_of(target.node_count(), none);
     for (uint32_t i = 0; i < matches.size(); ++i) match_of[matches[i].target] = i;
-    std::vector<Following> out;
+    std::vector<FollowerBinding> out;
     for (const Follower &follower : options.followers) {
         const uint32_t joint = target.find_node(follower.joint), leader = target.find_node(follower.leader);
         if (joint == none || match_of[joint] != none)
@@ -65,35 +65,35 @@ std::vector<Following> match_followers(const model::Rig &target, const std::vect
         if (!(follower.share >= 0 && follower.share <= 1))
             fail(CLQ_ARGUMENT, "'%s' follows by a share of %g: 0 to 1 are wanted", follower.joint.c_str(),
                  follower.share);
-        auto made = std::find_if(out.begin(), out.end(), [&](const Following &f) { return f.joint == joint; });
+        auto made = std::find_if(out.begin(), out.end(), [&](const FollowerBinding &f) { return f.joint == joint; });
         if (made == out.end()) {
-            Following fresh;
+            FollowerBinding fresh;
             fresh.joint = joint;
             for (uint32_t up = target.parents[joint]; up != none && fresh.above == none; up = target.parents[up])
                 fresh.above = match_of[up];
             made = out.insert(out.end(), fresh);
         }
-        made->leaders.push_back(leading_of(target, matches, joint, match_of[leader], follower.share));
+        made->leaders.push_back(leader_binding(target, matches, joint, match_of[leader], follower.share));
     }
     return out;
 }
 
-glm::dquat local_of(const Following &f, const model::Rig &target, const Stance &rest, const std::vector<Match> &matches,
-                    const std::vector<glm::dquat> &turns)
+glm::dquat local_rotation(const FollowerBinding &f, const model::Rig &target, const GlobalPose &rest,
+                          const std::vector<JointMatch> &matches, const std::vector<glm::dquat> &rotations)
 {
     const uint32_t parent = target.parents[f.joint];
-    const glm::dquat parent_rest = parent == none ? glm::dquat(1, 0, 0, 0) : rest.turns[parent];
+    const glm::dquat parent_rest = parent == none ? glm::dquat(1, 0, 0, 0) : rest.rotations[parent];
     glm::dquat moved(1, 0, 0, 0);  // of what is above, since rest
-    if (f.above != none) moved = turns[f.above] * glm::conjugate(rest.turns[matches[f.above].target]);
+    if (f.above != none) moved = rotations[f.above] * glm::conjugate(rest.rotations[matches[f.above].target]);
     const glm::dquat above = moved * parent_rest;
-    const glm::dquat at_rest = glm::conjugate(parent_rest) * rest.turns[f.joint];
+    const glm::dquat at_rest = glm::conjugate(parent_rest) * rest.rotations[f.joint];
     // Who turns it farther counts for more, smoothly: by the cube of the turn.
     glm::dquat sum(0, 0, 0, 0);
-    for (const Leading &leader : f.leaders) {
-        const glm::dquat led = turns[leader.match] * glm::conjugate(rest.turns[matches[leader.match].target]);
-        const glm::dquat whole = glm::conjugate(above) * led * rest.turns[f.joint];
+    for (const LeaderBinding &leader : f.leaders) {
+        const glm::dquat led = rotations[leader.match] * glm::conjugate(rest.rotations[matches[leader.match].target]);
+        const glm::dquat whole = glm::conjugate(above) * led * rest.rotations[f.joint];
         const double push = f.leaders.size() > 1 ? push_of(leader, glm::conjugate(moved) * led) : 1;
-        glm::dquat own = share_of(glm::conjugate(at_rest) * whole, leader.share * push);
+        glm::dquat own = partial_rotation(glm::conjugate(at_rest) * whole, leader.share * push);
         if (own.w < 0) own = -own;
         const double sine = glm::length(glm::dvec3(own.x, own.y, own.z)) + 1e-6;
         const double weight = f.leaders.size() > 1 ? sine * sine * sine : 1;
@@ -102,11 +102,11 @@ glm::dquat local_of(const Following &f, const model::Rig &target, const Stance &
     return glm::normalize(at_rest * glm::normalize(sum));
 }
 
-glm::dquat share_of(const glm::dquat &turn, double share)
+glm::dquat partial_rotation(const glm::dquat &rotation, double share)
 {
     const float nothing[4] = {0, 0, 0, 1};
-    const float whole[4] = {static_cast<float>(turn.x), static_cast<float>(turn.y), static_cast<float>(turn.z),
-                            static_cast<float>(turn.w)};
+    const float whole[4] = {static_cast<float>(rotation.x), static_cast<float>(rotation.y),
+                            static_cast<float>(rotation.z), static_cast<float>(rotation.w)};
     return dquat_of(math::slerp(nothing, whole, share));
 }
 

@@ -6,28 +6,28 @@
 namespace claque::retarget
 {
 
-struct Leading {
+struct LeaderBinding {
     uint32_t match = 0;
     double share = 1;
     glm::dvec3 along = glm::dvec3(0),
                side = glm::dvec3(0);  // its bone, and on which side of it the follower lies; 0: unknown
 };
 
-struct Following {
-    uint32_t joint = 0;            // of the target
-    uint32_t above = model::none;  // the match of the nearest bound joint above it
-    std::vector<Leading> leaders;  // in the order in which they are listed
+struct FollowerBinding {
+    uint32_t joint = 0;                  // of the target
+    uint32_t above = model::none;        // the match of the nearest bound joint above it
+    std::vector<LeaderBinding> leaders;  // in the order in which they are listed
 };
 
 // Throws base::Error (CLQ_ARGUMENT) for names that are not there, a joint that is bound itself, and shares out of range.
-std::vector<Following> match_followers(const model::Rig &target, const std::vector<Match> &matches,
-                                       const Options &options);
+std::vector<FollowerBinding> match_followers(const model::Rig &target, const std::vector<JointMatch> &matches,
+                                             const Options &options);
 
 // Its rotation as its parent sees it. `turns`: of the matches, in model space.
-glm::dquat local_of(const Following &following, const model::Rig &target, const Stance &rest,
-                    const std::vector<Match> &matches, const std::vector<glm::dquat> &turns);
+glm::dquat local_rotation(const FollowerBinding &following, const model::Rig &target, const GlobalPose &rest,
+                          const std::vector<JointMatch> &matches, const std::vector<glm::dquat> &rotations);
 
 // So much of a turn, by the shorter way.
-glm::dquat share_of(const glm::dquat &turn, double share);
+glm::dquat partial_rotation(const glm::dquat &rotation, double share);
 
 }  // namespace claque::retarget

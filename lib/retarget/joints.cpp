@@ -16,26 +16,26 @@ using model::none;
 namespace
 {
 
-constexpr size_t most_listed = 12;
+constexpr size_t max_listed = 12;
 
 // "3 joints of the map are not in the source: a, b, c".
 void warn(std::vector<std::string> &warnings, const std::vector<std::string> &names, const char *what)
 {
     if (names.empty()) return;
     std::string text = std::to_string(names.size()) + (names.size() == 1 ? " joint " : " joints ") + what + ":";
-    for (size_t i = 0; i < names.size() && i < most_listed; ++i) text += (i == 0 ? " " : ", ") + names[i];
-    if (names.size() > most_listed) text += " ...";
+    for (size_t i = 0; i < names.size() && i < max_listed; ++i) text += (i == 0 ? " " : ", ") + names[i];
+    if (names.size() > max_listed) text += " ...";
     warnings.push_back(text);
 }
 
-std::vector<Match> by_map(const model::Rig &target, const model::Rig &source, const Options &options,
-                          std::vector<std::string> &warnings)
+std::vector<JointMatch> by_map(const model::Rig &target, const model::Rig &source, const Options &options,
+                               std::vector<std::string> &warnings)
 {
-    std::vector<Match> out;
+    std::vector<JointMatch> out;
     std::vector<std::string> not_in_source, not_in_target;
     std::map<uint32_t, std::string> taken;
-    for (const Pair &pair : options.joints) {
-        const Match match = {source.find_node(pair.source), target.find_node(pair.target), pair.rest, none};
+    for (const JointPair &pair : options.joints) {
+        const JointMatch match = {source.find_node(pair.source), target.find_node(pair.target), pair.rest, none};
         if (match.source == none) not_in_source.push_back(pair.source);
         if (match.target == none) not_in_target.push_back(pair.target);
         if (match.source == none || match.target == none) continue;
@@ -50,18 +50,18 @@ std::vector<Match> by_map(const model::Rig &target, const model::Rig &source, co
     return out;
 }
 
-std::vector<Match> by_name(const model::Rig &target, const model::Rig &source, std::vector<std::string> &warnings)
+std::vector<JointMatch> by_name(const model::Rig &target, const model::Rig &source, std::vector<std::string> &warnings)
 {
     std::map<std::string_view, uint32_t> places;
     for (uint32_t i = 0; i < target.node_count(); ++i)
         if (!target.node_names[i].empty()) places.emplace(std::string_view(target.node_names[i]), i);
-    std::vector<Match> out;
+    std::vector<JointMatch> out;
     std::vector<std::string> lost;
     std::map<uint32_t, bool> taken;
     for (uint32_t i = 0; i < source.node_count(); ++i) {
         const auto found = places.find(std::string_view(source.node_names[i]));
         if (found != places.end() && taken.emplace(found->second, true).second)
-            out.push_back({i, found->second, Rest::keep, none});
+            out.push_back({i, found->second, RestAlignment::keep, none});
         else if (moves(source, i)) lost.emplace_back(source.node_names[i].c_str());
     }
     warn(warnings, lost, "of the clips not in the character");
@@ -69,30 +69,30 @@ std::vector<Match> by_name(const model::Rig &target, const model::Rig &source, s
 }
 
 // A node that is called the same and moves nothing makes no binding.
-bool binds(const std::vector<Match> &matches, const model::Rig &source)
+bool binds(const std::vector<JointMatch> &matches, const model::Rig &source)
 {
     std::vector<bool> matched(source.node_count(), false);
-    for (const Match &match : matches) matched[match.source] = true;
+    for (const JointMatch &match : matches) matched[match.source] = true;
     for (const model::Channel &channel : source.channels)
-        if (channel.path != model::Path::morph_weights && matched[channel.node]) return true;
+        if (channel.target != model::ChannelTarget::morph_weights && matched[channel.node]) return true;
     return false;
 }
 
 }  // namespace
 
-std::vector<Match> match_joints(const model::Rig &target, const model::Rig &source, const Options &options,
-                                std::vector<std::string> &warnings)
+std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig &source, const Options &options,
+                                     std::vector<std::string> &warnings)
 {
-    std::vector<Match> out =
+    std::vector<JointMatch> out =
         options.joints.empty() ? by_name(target, source, warnings) : by_map(target, source, options, warnings);
     if (!binds(out, source))
         fail(CLQ_ARGUMENT, "none of the %zu joints that the clips move is bound to one of the %u of the character%s",
              static_cast<size_t>(source.node_count()), target.node_count(),
              options.joints.empty() ? " (no names are equal; a map says which joint is which)" : " by the map");
-    std::sort(out.begin(), out.end(), [](const Match &a, const Match &b) { return a.target < b.target; });
+    std::sort(out.begin(), out.end(), [](const JointMatch &a, const JointMatch &b) { return a.target < b.target; });
     std::vector<uint32_t> match_of(target.node_count(), none);
     for (uint32_t i = 0; i < out.size(); ++i) match_of[out[i].target] = i;
-    for (Match &match : out)
+    for (JointMatch &match : out)
         for (uint32_t up = target.parents[match.target]; up != none && match.above == none; up = target.parents[up])
             match.above = match_of[up];
     return out;
@@ -109,30 +109,31 @@ bool moves(const model::Rig &rig, uint32_t node)
         return false;
     };
     for (const model::Channel &channel : rig.channels) {
-        if (channel.path == model::Path::morph_weights || channel.node != node) continue;
+        if (channel.target == model::ChannelTarget::morph_weights || channel.node != node) continue;
         const size_t width = channel.component_count;
         const bool cubic = channel.interpolation == model::Interpolation::cubic_spline;
         for (size_t k = 0; k < channel.key_count; ++k) {
             const float *value = rig.values.data() + channel.first_value + width * (cubic ? 3 * k + 1 : k);
-            if (channel.path == model::Path::rotation) {
+            if (channel.target == model::ChannelTarget::rotation) {
                 if (differs(value, turns, 4) && differs(value, turns_other, 4)) return true;
-            } else if (differs(value, channel.path == model::Path::scale ? &rest.scale.x : &rest.translation.x, 3))
+            } else if (differs(value,
+                               channel.target == model::ChannelTarget::scale ? &rest.scale.x : &rest.translation.x, 3))
                 return true;
         }
     }
     return false;
 }
 
-Stance rest_of(const model::Rig &rig)
+GlobalPose rest_pose(const model::Rig &rig)
 {
-    Stance out;
+    GlobalPose out;
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
         const uint32_t parent = rig.parents[i];
         const glm::dquat turn = glm::normalize(dquat_of(rig.rest[i].rotation));
         const math::Affine local = math::affine_of(rig.rest[i]);
-        out.turns.push_back(parent == none ? turn : out.turns[parent] * turn);
+        out.rotations.push_back(parent == none ? turn : out.rotations[parent] * turn);
         out.globals.push_back(parent == none ? local : math::mul(out.globals[parent], local));
-        out.places.push_back(dvec_of(out.globals.back().column(3)));
+        out.positions.push_back(dvec_of(out.globals.back().column(3)));
     }
     return out;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "lib/base/error.h"
-#include "lib/retarget/added.h"
-#include "lib/retarget/fit.h"
+#include "lib/retarget/alignment.h"
+#include "lib/retarget/new_clips.h"
 
 namespace claque::retarget
 {
@@ -18,8 +18,8 @@ namespace
 void check(const Options &o)
 {
     if (!(o.rate_hz >= 1 && o.rate_hz <= 1000)) fail(CLQ_ARGUMENT, "%g keys a second: 1 to 1000 are wanted", o.rate_hz);
-    if (!(o.first_s >= 0) || !(o.last_s >= o.first_s))
-        fail(CLQ_ARGUMENT, "from %g s to %g s of the clips: 0 <= first <= last is wanted", o.first_s, o.last_s);
+    if (!(o.start_s >= 0) || !(o.end_s >= o.start_s))
+        fail(CLQ_ARGUMENT, "from %g s to %g s of the clips: 0 <= first <= last is wanted", o.start_s, o.end_s);
     if (!(o.close_s >= 0)) fail(CLQ_ARGUMENT, "clips close within %g s", o.close_s);
 }
 
@@ -37,13 +37,13 @@ std::vector<uint32_t> wanted_clips(const model::Rig &source, const Options &opti
     return out;
 }
 
-bool is_taken(const model::Rig &target, const Added &added, const std::string &name)
+bool is_taken(const model::Rig &target, const NewClips &added, const std::string &name)
 {
     return target.find_clip(name) != none ||
            std::find(added.names.begin(), added.names.end(), name) != added.names.end();
 }
 
-std::string free_name(const model::Rig &target, const Added &added, const std::string &name, Report &report)
+std::string unique_name(const model::Rig &target, const NewClips &added, const std::string &name, Report &report)
 {
     if (!is_taken(target, added, name)) return name;
     for (int number = 2;; ++number) {
@@ -55,15 +55,15 @@ std::string free_name(const model::Rig &target, const Added &added, const std::s
 }
 
 // Of a clip that was added last.
-void take_markers(const model::Rig &source, uint32_t clip, const Options &options, Way way, Added &added)
+void copy_markers(const model::Rig &source, uint32_t clip, const Options &options, Mode mode, NewClips &added)
 {
     const model::Clip &made = added.clips.back();
     for (size_t i = 0; i < source.markers.size(); ++i) {
         const model::Marker &marker = source.markers[i];
         if (marker.clip != clip) continue;
         double time_s = static_cast<double>(marker.time_s);
-        if (way == Way::motion) {
-            time_s -= static_cast<double>(source.clips[clip].start_s) + options.first_s;
+        if (mode == Mode::motion) {
+            time_s -= static_cast<double>(source.clips[clip].start_s) + options.start_s;
             if (time_s < 0 || time_s > static_cast<double>(made.duration_s)) continue;
         }
         added.markers.push_back({static_cast<uint32_t>(added.clips.size()) - 1, static_cast<float>(time_s)});
@@ -78,7 +78,7 @@ void append(To &to, const From &from)
 }
 
 // Everything that may fail comes before the first change.
-void merge(model::Rig &target, Added &&added)
+void merge(model::Rig &target, NewClips &&added)
 {
     const uint64_t room = 0xffffffffull;
     if (target.times.size() + added.times.size() > room || target.values.size() + added.values.size() > room)
@@ -119,27 +119,27 @@ Report add_clips(model::Rig &target, const model::Rig &source, const Options &op
     check(options);
     Report report;
     const std::vector<uint32_t> clips = wanted_clips(source, options);
-    const std::vector<Match> matches = match_joints(target, source, options, report.warnings);
+    const std::vector<JointMatch> matches = match_joints(target, source, options, report.warnings);
     report.joint_count = static_cast<uint32_t>(matches.size());
     report.clip_count = static_cast<uint32_t>(clips.size());
-    report.way = options.way;
-    if (options.way == Way::automatic) {
+    report.mode = options.mode;
+    if (options.mode == Mode::automatic) {
         const bool whole =
-            options.first_s == 0 && options.close_s == 0 && options.last_s == std::numeric_limits<double>::infinity();
-        report.way = whole && agree(target, source, matches) ? Way::channels : Way::motion;
+            options.start_s == 0 && options.close_s == 0 && options.end_s == std::numeric_limits<double>::infinity();
+        report.mode = whole && rest_poses_agree(target, source, matches) ? Mode::channels : Mode::motion;
     }
-    const Fit fit = fit_of(matches, rest_of(target), rest_of(source));
-    Added added;
+    const SkeletonAlignment alignment = align_skeletons(matches, rest_pose(target), rest_pose(source));
+    NewClips added;
     for (const uint32_t clip : clips) {
-        if (report.way == Way::channels) copy_channels(target, source, matches, clip, added);
-        else transfer(target, source, matches, fit, options, clip, added);
-        take_markers(source, clip, options, report.way, added);
+        if (report.mode == Mode::channels) copy_channels(target, source, matches, clip, added);
+        else transfer(target, source, matches, alignment, options, clip, added);
+        copy_markers(source, clip, options, report.mode, added);
         const std::string name = options.prefix + source.clip_names[clip].c_str();
-        added.names.push_back(free_name(target, added, name, report));
+        added.names.push_back(unique_name(target, added, name, report));
     }
     merge(target, std::move(added));
     report.clips = clips;
-    for (const Match &match : matches) report.joints.emplace_back(match.source, match.target);
+    for (const JointMatch &match : matches) report.joints.emplace_back(match.source, match.target);
     return report;
 }
 

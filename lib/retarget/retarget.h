@@ -17,14 +17,14 @@ namespace claque::retarget
 {
 
 // What answers the source's rest pose.
-enum class Rest : uint8_t {
+enum class RestAlignment : uint8_t {
     keep = 0,  // the joint's own rest: whoever stands the same way at rest stands the same way in motion
     align = 1  // the joint turned so that its bone points where the source's does: T-poses against A-poses
 };
 
-struct Pair {
+struct JointPair {
     std::string source, target;
-    Rest rest = Rest::keep;
+    RestAlignment rest = RestAlignment::keep;
 };
 
 // A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh.
@@ -36,29 +36,29 @@ struct Follower {
 };
 
 // automatic: channels, where the skeletons agree and whole clips are wanted, unclosed.
-enum class Way : uint8_t { automatic = 0, channels = 1, motion = 2 };
+enum class Mode : uint8_t { automatic = 0, channels = 1, motion = 2 };
 
 // Of the topmost joint over the ground.
-enum class Travel : uint8_t {
+enum class RootTravel : uint8_t {
     in_place = 0,  // without the straight way from its first place to its last
     keep = 1       // as the source goes, from the joint's own rest place on
 };
 
 struct Options {
-    std::vector<Pair> joints;         // empty: joints of equal names
+    std::vector<JointPair> joints;    // empty: joints of equal names
     std::vector<Follower> followers;  // of motion that is transferred
     std::vector<std::string> clips;   // of the source; empty: all
     std::string prefix;               // of the names of what is added
-    Way way = Way::automatic;
+    Mode mode = Mode::automatic;
     // The rest is for motion that is transferred.
-    Travel travel = Travel::in_place;
-    double rate_hz = 30;                                                   // of keys
-    double first_s = 0, last_s = std::numeric_limits<double>::infinity();  // what is taken, from the clip's start on
+    RootTravel travel = RootTravel::in_place;
+    double rate_hz = 30;                                                  // of keys
+    double start_s = 0, end_s = std::numeric_limits<double>::infinity();  // what is taken, from the clip's start on
     double close_s = 0;  // so long before its end a clip begins to turn into its first pose; 0: it does not
 };
 
 struct Report {
-    Way way = Way::channels;
+    Mode mode = Mode::channels;
     uint32_t clip_count = 0;
     uint32_t joint_count = 0;                           // that are bound
     std::vector<uint32_t> clips;                        // of the source: the last of the target's, in their order

@@ -12,14 +12,14 @@ public:
     SourcePose(const model::Rig &rig, uint32_t clip);
     void at(double time_s);  // on the clip's own axis
 
-    glm::dquat turn(uint32_t node) const { return turns_[node]; }
-    glm::dvec3 place(uint32_t node) const { return dvec_of(globals_[node].column(3)); }
+    glm::dquat rotation(uint32_t node) const { return rotations_[node]; }
+    glm::dvec3 position(uint32_t node) const { return dvec_of(globals_[node].column(3)); }
 
 private:
     const model::Rig &rig_;
     model::Clip clip_;
     std::vector<math::Trs> locals_;
-    std::vector<glm::dquat> turns_;
+    std::vector<glm::dquat> rotations_;
     std::vector<math::Affine> globals_;
 };
 

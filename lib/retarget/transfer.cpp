@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
-#include "lib/retarget/added.h"
-#include "lib/retarget/fit.h"
+#include "lib/retarget/alignment.h"
 #include "lib/retarget/followers.h"
+#include "lib/retarget/new_clips.h"
 #include "lib/retarget/source_pose.h"
 
 namespace claque::retarget
@@ -20,34 +20,34 @@ namespace
 // Poses of the target, one a key: turns of the bound joints in model space and places of the topmost ones.
 struct Keys {
     std::vector<double> times_s;
-    std::vector<std::vector<glm::dquat>> turns;   // [key][match]
-    std::vector<std::vector<glm::dvec3>> places;  // [key][match]: meaningful for topmost ones
+    std::vector<std::vector<glm::dquat>> rotations;  // [key][match]
+    std::vector<std::vector<glm::dvec3>> positions;  // [key][match]: meaningful for topmost ones
 };
 
 class Transfer
 {
 public:
-    Transfer(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, const Fit &fit,
-             const Options &options)
+    Transfer(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
+             const SkeletonAlignment &alignment, const Options &options)
         : target_(target),
           source_(source),
           matches_(matches),
-          fit_(fit),
+          alignment_(alignment),
           options_(options),
-          rest_t_(rest_of(target)),
-          rest_s_(rest_of(source)),
+          rest_t_(rest_pose(target)),
+          rest_s_(rest_pose(source)),
           match_of_(target.node_count(), none),
-          followings_(match_followers(target, matches, options))
+          follower_bindings_(match_followers(target, matches, options))
     {
         for (uint32_t i = 0; i < matches.size(); ++i) match_of_[matches[i].target] = i;
         find_soles();
     }
 
-    void run(uint32_t clip, Added &added)
+    void run(uint32_t clip, NewClips &added)
     {
-        Keys keys = take(clip);
-        if (options_.travel == Travel::in_place) stay(keys);
-        set_down(keys);
+        Keys keys = sample_keys(clip);
+        if (options_.travel == RootTravel::in_place) remove_travel(keys);
+        place_on_ground(keys);
         const std::vector<std::vector<glm::dquat>> locals = locals_of(keys);
         write(keys, locals, added);
     }
@@ -57,25 +57,25 @@ private:
     void find_soles()
     {
         double low = 1e300, high = -1e300;
-        for (const Match &m : matches_) {
-            low = std::min(low, rest_t_.places[m.target].y);
-            high = std::max(high, rest_t_.places[m.target].y);
+        for (const JointMatch &m : matches_) {
+            low = std::min(low, rest_t_.positions[m.target].y);
+            high = std::max(high, rest_t_.positions[m.target].y);
         }
-        for (const Match &m : matches_)
-            if (rest_t_.places[m.target].y <= low + 0.08 * (high - low)) soles_.push_back(m.target);
+        for (const JointMatch &m : matches_)
+            if (rest_t_.positions[m.target].y <= low + 0.08 * (high - low)) soles_.push_back(m.target);
     }
 
-    Keys take(uint32_t clip) const
+    Keys sample_keys(uint32_t clip) const
     {
         const model::Clip &from = source_.clips[clip];
-        const double length = static_cast<double>(from.duration_s), first = std::min(options_.first_s, length);
-        const double last = std::min(options_.last_s, length);
-        if (options_.first_s > length && length > 0)
+        const double length = static_cast<double>(from.duration_s), first = std::min(options_.start_s, length);
+        const double last = std::min(options_.end_s, length);
+        if (options_.start_s > length && length > 0)
             base::fail(CLQ_ARGUMENT, "clip '%s' is %g s long: from %g s on nothing is left of it",
-                       source_.clip_names[clip].c_str(), length, options_.first_s);
+                       source_.clip_names[clip].c_str(), length, options_.start_s);
         if (!(last >= first))
-            base::fail(CLQ_ARGUMENT, "from %g s to %g s of clip '%s', which is %g s long", options_.first_s,
-                       options_.last_s, source_.clip_names[clip].c_str(), length);
+            base::fail(CLQ_ARGUMENT, "from %g s to %g s of clip '%s', which is %g s long", options_.start_s,
+                       options_.end_s, source_.clip_names[clip].c_str(), length);
         const double steps = std::ceil((last - first) * options_.rate_hz - 1e-6);
         if (steps > 1e7) base::fail(CLQ_LIMIT, "clip '%s' would have %g keys", source_.clip_names[clip].c_str(), steps);
         const uint32_t count = static_cast<uint32_t>(std::max(steps, 0.0));
@@ -85,91 +85,92 @@ private:
             const double time_s = count == 0 ? 0 : (last - first) * k / count;
             keys.times_s.push_back(time_s);
             pose.at(static_cast<double>(from.start_s) + first + time_s);
-            keys.turns.emplace_back();
-            keys.places.emplace_back();
+            keys.rotations.emplace_back();
+            keys.positions.emplace_back();
             for (uint32_t i = 0; i < matches_.size(); ++i) {
-                const Match &m = matches_[i];
-                const glm::dquat turned = pose.turn(m.source) * glm::conjugate(rest_s_.turns[m.source]);
-                keys.turns.back().push_back(fit_.axes * turned * glm::conjugate(fit_.axes) * fit_.aligned[i] *
-                                            rest_t_.turns[m.target]);
-                keys.places.back().push_back(fit_.scale * (fit_.axes * pose.place(m.source)));
+                const JointMatch &m = matches_[i];
+                const glm::dquat turned = pose.rotation(m.source) * glm::conjugate(rest_s_.rotations[m.source]);
+                keys.rotations.back().push_back(alignment_.axes * turned * glm::conjugate(alignment_.axes) *
+                                                alignment_.aligned[i] * rest_t_.rotations[m.target]);
+                keys.positions.back().push_back(alignment_.scale * (alignment_.axes * pose.position(m.source)));
             }
         }
-        settle(keys);
+        move_to_rest(keys);
         return keys;
     }
 
     // All start over the place where the first topmost joint rests; up and down is set_down's.
-    void settle(Keys &keys) const
+    void move_to_rest(Keys &keys) const
     {
-        glm::dvec3 by = rest_t_.places[matches_[0].target] - keys.places[0][0];
+        glm::dvec3 by = rest_t_.positions[matches_[0].target] - keys.positions[0][0];
         by.y = 0;
-        for (auto &places : keys.places)
-            for (glm::dvec3 &place : places) place += by;
+        for (auto &positions : keys.positions)
+            for (glm::dvec3 &position : positions) position += by;
     }
 
-    void stay(Keys &keys) const
+    void remove_travel(Keys &keys) const
     {
-        glm::dvec3 way = keys.places.back()[0] - keys.places.front()[0];
-        way.y = 0;
-        for (size_t k = 0; k < keys.places.size(); ++k) {
+        glm::dvec3 travelled = keys.positions.back()[0] - keys.positions.front()[0];
+        travelled.y = 0;
+        for (size_t k = 0; k < keys.positions.size(); ++k) {
             const double share = keys.times_s.back() > 0 ? keys.times_s[k] / keys.times_s.back() : 0;
-            for (glm::dvec3 &place : keys.places[k]) place -= way * share;
+            for (glm::dvec3 &position : keys.positions[k]) position -= travelled * share;
         }
     }
 
     // Places of all joints of the target with these turns, unbound ones at rest.
-    std::vector<glm::dvec3> posed(const std::vector<glm::dquat> &turns, const std::vector<glm::dvec3> &tops) const
+    std::vector<glm::dvec3> posed(const std::vector<glm::dquat> &rotations, const std::vector<glm::dvec3> &tops) const
     {
-        std::vector<glm::dquat> turn(target_.node_count());
-        std::vector<glm::dvec3> place(target_.node_count());
+        std::vector<glm::dquat> rotation(target_.node_count());
+        std::vector<glm::dvec3> position(target_.node_count());
         for (uint32_t i = 0; i < target_.node_count(); ++i) {
             const uint32_t parent = target_.parents[i], match = match_of_[i];
-            const glm::dquat above = parent == none ? glm::dquat(1, 0, 0, 0) : turn[parent];
-            turn[i] = match != none ? turns[match] : above * glm::normalize(dquat_of(target_.rest[i].rotation));
-            if (match != none && matches_[match].above == none) place[i] = tops[match];
-            else if (parent == none) place[i] = rest_t_.places[i];
+            const glm::dquat above = parent == none ? glm::dquat(1, 0, 0, 0) : rotation[parent];
+            rotation[i] = match != none ? rotations[match] : above * glm::normalize(dquat_of(target_.rest[i].rotation));
+            if (match != none && matches_[match].above == none) position[i] = tops[match];
+            else if (parent == none) position[i] = rest_t_.positions[i];
             else  // the bone as it lies at rest, turned with its parent
-                place[i] = place[parent] + above * (glm::conjugate(rest_t_.turns[parent]) *
-                                                    (rest_t_.places[i] - rest_t_.places[parent]));
+                position[i] = position[parent] + above * (glm::conjugate(rest_t_.rotations[parent]) *
+                                                          (rest_t_.positions[i] - rest_t_.positions[parent]));
         }
-        return place;
+        return position;
     }
 
     // So that soles are on the ground where they stand: the lowest of each pose counts, and of these the lower quarter's
     // middle, so that neither a jump nor one bad frame lifts or sinks the whole.
-    void set_down(Keys &keys) const
+    void place_on_ground(Keys &keys) const
     {
         std::vector<double> gaps;
         for (size_t k = 0; k < keys.times_s.size(); ++k) {
-            const std::vector<glm::dvec3> places = posed(keys.turns[k], keys.places[k]);
+            const std::vector<glm::dvec3> positions = posed(keys.rotations[k], keys.positions[k]);
             double gap = 1e300;
-            for (const uint32_t sole : soles_) gap = std::min(gap, places[sole].y - rest_t_.places[sole].y);
+            for (const uint32_t sole : soles_) gap = std::min(gap, positions[sole].y - rest_t_.positions[sole].y);
             gaps.push_back(gap);
         }
         std::sort(gaps.begin(), gaps.end());
         const double gap = gaps[gaps.size() / 8];
-        for (auto &places : keys.places)
-            for (glm::dvec3 &place : places) place.y -= gap;
+        for (auto &positions : keys.positions)
+            for (glm::dvec3 &position : positions) position.y -= gap;
     }
 
     // Of the matches, then of those that follow.
     std::vector<std::vector<glm::dquat>> locals_of(const Keys &keys) const
     {
         std::vector<std::vector<glm::dquat>> out;
-        for (const std::vector<glm::dquat> &turns : keys.turns) {
+        for (const std::vector<glm::dquat> &rotations : keys.rotations) {
             out.emplace_back();
-            for (const Match &m : matches_) {
+            for (const JointMatch &m : matches_) {
                 // What lies between a joint and the bound one above it rests.
                 glm::dquat above(1, 0, 0, 0);
                 const uint32_t parent = target_.parents[m.target];
-                if (parent != none) above = rest_t_.turns[parent];
+                if (parent != none) above = rest_t_.rotations[parent];
                 if (m.above != none)
-                    above = turns[m.above] * glm::conjugate(rest_t_.turns[matches_[m.above].target]) * above;
+                    above = rotations[m.above] * glm::conjugate(rest_t_.rotations[matches_[m.above].target]) * above;
                 out.back().push_back(
-                    glm::normalize(glm::conjugate(above) * turns[static_cast<size_t>(&m - matches_.data())]));
+                    glm::normalize(glm::conjugate(above) * rotations[static_cast<size_t>(&m - matches_.data())]));
             }
-            for (const Following &f : followings_) out.back().push_back(local_of(f, target_, rest_t_, matches_, turns));
+            for (const FollowerBinding &f : follower_bindings_)
+                out.back().push_back(local_rotation(f, target_, rest_t_, matches_, rotations));
         }
         return out;
     }
@@ -183,7 +184,7 @@ private:
         return t * t * t * (10 + t * (6 * t - 15));
     }
 
-    void write(const Keys &keys, const std::vector<std::vector<glm::dquat>> &locals, Added &added) const
+    void write(const Keys &keys, const std::vector<std::vector<glm::dquat>> &locals, NewClips &added) const
     {
         model::Clip made;
         made.first_channel = static_cast<uint32_t>(added.channels.size());
@@ -194,36 +195,37 @@ private:
         for (const double time_s : keys.times_s) added.times.push_back(static_cast<float>(time_s));
         for (uint32_t i = 0; i < matches_.size(); ++i) {
             channel.node = matches_[i].target;
-            if (matches_[i].above == none) write_places(keys, i, channel, added);
-            write_turns(keys, locals, i, channel, added);
+            if (matches_[i].above == none) write_positions(keys, i, channel, added);
+            write_rotations(keys, locals, i, channel, added);
         }
-        for (uint32_t i = 0; i < followings_.size(); ++i) {
-            channel.node = followings_[i].joint;
-            write_turns(keys, locals, static_cast<uint32_t>(matches_.size()) + i, channel, added);
+        for (uint32_t i = 0; i < follower_bindings_.size(); ++i) {
+            channel.node = follower_bindings_[i].joint;
+            write_rotations(keys, locals, static_cast<uint32_t>(matches_.size()) + i, channel, added);
         }
         made.channel_count = static_cast<uint32_t>(added.channels.size()) - made.first_channel;
         added.clips.push_back(made);
     }
 
-    void write_places(const Keys &keys, uint32_t i, model::Channel channel, Added &added) const
+    void write_positions(const Keys &keys, uint32_t i, model::Channel channel, NewClips &added) const
     {
-        channel.path = model::Path::translation;
+        channel.target = model::ChannelTarget::translation;
         channel.component_count = 3;
         channel.first_value = static_cast<uint32_t>(added.values.size());
         const uint32_t parent = target_.parents[matches_[i].target];
         const math::Affine local = parent == none ? math::Affine() : math::inverse(rest_t_.globals[parent]);
-        const glm::dvec3 closes = keys.places.front()[i] - keys.places.back()[i];
-        for (size_t k = 0; k < keys.places.size(); ++k) {
-            const glm::vec3 p = math::point(local, glm::vec3(keys.places[k][i] + closing(keys, k) * closes));
+        const glm::dvec3 closes = keys.positions.front()[i] - keys.positions.back()[i];
+        for (size_t k = 0; k < keys.positions.size(); ++k) {
+            const glm::vec3 p =
+                math::transform_point(local, glm::vec3(keys.positions[k][i] + closing(keys, k) * closes));
             added.values.insert(added.values.end(), {p.x, p.y, p.z});
         }
         added.channels.push_back(channel);
     }
 
-    void write_turns(const Keys &keys, const std::vector<std::vector<glm::dquat>> &locals, uint32_t i,
-                     model::Channel channel, Added &added) const
+    void write_rotations(const Keys &keys, const std::vector<std::vector<glm::dquat>> &locals, uint32_t i,
+                         model::Channel channel, NewClips &added) const
     {
-        channel.path = model::Path::rotation;
+        channel.target = model::ChannelTarget::rotation;
         channel.component_count = 4;
         channel.first_value = static_cast<uint32_t>(added.values.size());
         const glm::dquat closes = glm::conjugate(locals.back()[i]) * locals.front()[i];
@@ -231,7 +233,7 @@ private:
         for (size_t k = 0; k < locals.size(); ++k) {
             const double share = closing(keys, k);
             glm::dquat q = locals[k][i];
-            if (share > 0) q = glm::normalize(q * share_of(closes, share));
+            if (share > 0) q = glm::normalize(q * partial_rotation(closes, share));
             if (glm::dot(before, q) < 0) q = -q;  // the short way from key to key
             before = q;
             added.values.insert(added.values.end(), {static_cast<float>(q.x), static_cast<float>(q.y),
@@ -241,21 +243,21 @@ private:
     }
 
     const model::Rig &target_, &source_;
-    const std::vector<Match> &matches_;
-    const Fit &fit_;
+    const std::vector<JointMatch> &matches_;
+    const SkeletonAlignment &alignment_;
     const Options &options_;
-    Stance rest_t_, rest_s_;
+    GlobalPose rest_t_, rest_s_;
     std::vector<uint32_t> match_of_;  // by node of the target
-    std::vector<Following> followings_;
+    std::vector<FollowerBinding> follower_bindings_;
     std::vector<uint32_t> soles_;
 };
 
 }  // namespace
 
-void transfer(const model::Rig &target, const model::Rig &source, const std::vector<Match> &matches, const Fit &fit,
-              const Options &options, uint32_t clip, Added &added)
+void transfer(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
+              const SkeletonAlignment &alignment, const Options &options, uint32_t clip, NewClips &added)
 {
-    Transfer(target, source, matches, fit, options).run(clip, added);
+    Transfer(target, source, matches, alignment, options).run(clip, added);
 }
 
 }  // namespace claque::retarget

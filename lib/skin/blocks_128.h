@@ -37,34 +37,35 @@ CLAQUE_BLOCKS_INLINE F4 spread(const float *column)
 }
 
 // The same number of eight vertices.
-struct Eight {
+struct Float8 {
     F4 low, high;
 };
 
-CLAQUE_BLOCKS_INLINE Eight lanes(const model::Lanes &from) { return {aligned<F4>(from.v), aligned<F4>(from.v + 4)}; }
-CLAQUE_BLOCKS_INLINE Eight operator*(const Eight &a, const Eight &b) { return {a.low * b.low, a.high * b.high}; }
-CLAQUE_BLOCKS_INLINE Eight operator*(F4 a, const Eight &b) { return {a * b.low, a * b.high}; }
-CLAQUE_BLOCKS_INLINE Eight operator+(const Eight &a, const Eight &b) { return {a.low + b.low, a.high + b.high}; }
+CLAQUE_BLOCKS_INLINE Float8 lanes(const model::Lanes &from) { return {aligned<F4>(from.v), aligned<F4>(from.v + 4)}; }
+CLAQUE_BLOCKS_INLINE Float8 operator*(const Float8 &a, const Float8 &b) { return {a.low * b.low, a.high * b.high}; }
+CLAQUE_BLOCKS_INLINE Float8 operator*(F4 a, const Float8 &b) { return {a * b.low, a * b.high}; }
+CLAQUE_BLOCKS_INLINE Float8 operator+(const Float8 &a, const Float8 &b) { return {a.low + b.low, a.high + b.high}; }
 
 // The matrices of a block and what each lane takes of them.
 template <uint32_t K>
-struct Mixed {
+struct BlendedMatrix {
     const float *matrices[K];
     const model::Lanes *weights;
 
-    CLAQUE_BLOCKS_INLINE Mixed(const float *palette, const model::LaneBlock &block, const model::Lanes *lane_weights)
+    CLAQUE_BLOCKS_INLINE BlendedMatrix(const float *palette, const model::LaneBlock &block,
+                                       const model::Lanes *lane_weights)
         : weights(lane_weights)
     {
         for (uint32_t k = 0; k < K; ++k) matrices[k] = palette + aligned_matrix_floats * block.joints[k];
     }
     template <int Row>
-    CLAQUE_BLOCKS_INLINE Eight number(int column) const
+    CLAQUE_BLOCKS_INLINE Float8 number(int column) const
     {
         const F4 first = spread<Row>(matrices[0] + 4 * column);
         if constexpr (K == 1) {
             return {first, first};
         } else {
-            Eight out = first * lanes(weights[0]);
+            Float8 out = first * lanes(weights[0]);
             out = out + spread<Row>(matrices[1] + 4 * column) * lanes(weights[1]);
             if constexpr (K > 2) out = out + spread<Row>(matrices[2] + 4 * column) * lanes(weights[2]);
             if constexpr (K > 3) out = out + spread<Row>(matrices[3] + 4 * column) * lanes(weights[3]);
@@ -74,10 +75,10 @@ struct Mixed {
 };
 
 template <uint32_t K, bool OwnNormalMatrices, int Row>
-CLAQUE_BLOCKS_INLINE void skin_row(const Mixed<K> &m, const Mixed<K> &own, const model::Lanes *in, Eight *position,
-                                   Eight *normal)
+CLAQUE_BLOCKS_INLINE void skin_row(const BlendedMatrix<K> &m, const BlendedMatrix<K> &own, const model::Lanes *in,
+                                   Float8 *position, Float8 *normal)
 {
-    const Eight x = m.template number<Row>(0), y = m.template number<Row>(1), z = m.template number<Row>(2);
+    const Float8 x = m.template number<Row>(0), y = m.template number<Row>(1), z = m.template number<Row>(2);
     position[Row] = x * lanes(in[0]) + y * lanes(in[1]) + z * lanes(in[2]) + m.template number<Row>(3);
     if constexpr (OwnNormalMatrices)
         normal[Row] = own.template number<Row>(0) * lanes(in[3]) + own.template number<Row>(1) * lanes(in[4]) +
@@ -95,19 +96,21 @@ CLAQUE_BLOCKS_INLINE F4 mix(F4 a, F4 b)
 #endif
 }
 
-struct Reals {
-    using Position = Real3;
-    using Normal = Real3;
-    Real3 *positions, *normals;
+struct Floats {
+    using Position = Float3;
+    using Normal = Float3;
+    Float3 *positions, *normals;
 
-    CLAQUE_BLOCKS_INLINE explicit Reals(const BlockRun &run) : positions(run.out_positions), normals(run.out_normals) {}
+    CLAQUE_BLOCKS_INLINE explicit Floats(const BlockRun &run) : positions(run.out_positions), normals(run.out_normals)
+    {
+    }
 
-    CLAQUE_BLOCKS_INLINE static void write_positions(const Eight v[3], Real3 *to)
+    CLAQUE_BLOCKS_INLINE static void write_positions(const Float8 v[3], Float3 *to)
     {
         store(&to[0].x, v[0].low, v[1].low, v[2].low);
         store(&to[4].x, v[0].high, v[1].high, v[2].high);
     }
-    CLAQUE_BLOCKS_INLINE static void write_normals(const Eight v[3], Real3 *to) { write_positions(v, to); }
+    CLAQUE_BLOCKS_INLINE static void write_normals(const Float8 v[3], Float3 *to) { write_positions(v, to); }
 
 private:
     // x, y and z of four vertices to twelve numbers, vertex after vertex.
@@ -131,12 +134,12 @@ struct Packed {
     {
     }
 
-    CLAQUE_BLOCKS_INLINE void write_positions(const Eight v[3], PackedPosition *to) const
+    CLAQUE_BLOCKS_INLINE void write_positions(const Float8 v[3], PackedPosition *to) const
     {
         packer_.positions(v[0].low, v[1].low, v[2].low, to);
         packer_.positions(v[0].high, v[1].high, v[2].high, to + 4);
     }
-    CLAQUE_BLOCKS_INLINE static void write_normals(const Eight v[3], PackedNormal *to)
+    CLAQUE_BLOCKS_INLINE static void write_normals(const Float8 v[3], PackedNormal *to)
     {
         FourPacker::normals(v[0].low, v[1].low, v[2].low, to);
         FourPacker::normals(v[0].high, v[1].high, v[2].high, to + 4);
@@ -151,9 +154,9 @@ CLAQUE_BLOCKS_INLINE void skin_block(const BlockRun &run, const model::LaneBlock
                                      typename Form::Position *positions, typename Form::Normal *normals)
 {
     const model::Lanes *in = run.lanes + block.first_lanes;
-    const Mixed<K> m(run.palette, block, in + 6);
-    const Mixed<K> own(OwnNormalMatrices ? run.normal_palette : run.palette, block, in + 6);
-    Eight position[3], normal[3];
+    const BlendedMatrix<K> m(run.palette, block, in + 6);
+    const BlendedMatrix<K> own(OwnNormalMatrices ? run.normal_palette : run.palette, block, in + 6);
+    Float8 position[3], normal[3];
     skin_row<K, OwnNormalMatrices, 0>(m, own, in, position, normal);
     skin_row<K, OwnNormalMatrices, 1>(m, own, in, position, normal);
     skin_row<K, OwnNormalMatrices, 2>(m, own, in, position, normal);

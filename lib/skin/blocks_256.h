@@ -18,17 +18,17 @@ namespace
 
 CLAQUE_BLOCKS_INLINE __m256 lanes(const model::Lanes &from) { return _mm256_loadu_ps(from.v); }
 
-CLAQUE_BLOCKS_INLINE Three times(const Three &a, __m256 b)
+CLAQUE_BLOCKS_INLINE Float8x3 times(const Float8x3 &a, __m256 b)
 {
     return {_mm256_mul_ps(a.x, b), _mm256_mul_ps(a.y, b), _mm256_mul_ps(a.z, b)};
 }
 
-CLAQUE_BLOCKS_INLINE Three plus(const Three &a, const Three &b)
+CLAQUE_BLOCKS_INLINE Float8x3 plus(const Float8x3 &a, const Float8x3 &b)
 {
     return {_mm256_add_ps(a.x, b.x), _mm256_add_ps(a.y, b.y), _mm256_add_ps(a.z, b.z)};
 }
 
-CLAQUE_BLOCKS_INLINE Three plus_times(const Three &sum, const Three &a, __m256 b)
+CLAQUE_BLOCKS_INLINE Float8x3 plus_times(const Float8x3 &sum, const Float8x3 &a, __m256 b)
 {
     return {CLAQUE_BLOCKS_PLUS_TIMES(sum.x, a.x, b), CLAQUE_BLOCKS_PLUS_TIMES(sum.y, a.y, b),
             CLAQUE_BLOCKS_PLUS_TIMES(sum.z, a.z, b)};
@@ -36,17 +36,18 @@ CLAQUE_BLOCKS_INLINE Three plus_times(const Three &sum, const Three &a, __m256 b
 
 // The matrices of a block and what each lane takes of them.
 template <uint32_t K>
-struct Mixed {
+struct BlendedMatrix {
     const float *matrices[K];
     const model::Lanes *weights;
 
-    CLAQUE_BLOCKS_INLINE Mixed(const float *palette, const model::LaneBlock &block, const model::Lanes *lane_weights)
+    CLAQUE_BLOCKS_INLINE BlendedMatrix(const float *palette, const model::LaneBlock &block,
+                                       const model::Lanes *lane_weights)
         : weights(lane_weights)
     {
         for (uint32_t k = 0; k < K; ++k) matrices[k] = palette + aligned_matrix_floats * block.joints[k];
     }
     // One after the other, so that few registers are in use beside the sums.
-    CLAQUE_BLOCKS_INLINE Three column(int c) const { return {number(4 * c), number(4 * c + 1), number(4 * c + 2)}; }
+    CLAQUE_BLOCKS_INLINE Float8x3 column(int c) const { return {number(4 * c), number(4 * c + 1), number(4 * c + 2)}; }
 
 private:
     CLAQUE_BLOCKS_INLINE __m256 number(int i) const
@@ -69,11 +70,11 @@ CLAQUE_BLOCKS_INLINE void skin_block(const BlockRun &run, const model::LaneBlock
                                      typename Form::Position *positions, typename Form::Normal *normals)
 {
     const model::Lanes *in = run.lanes + block.first_lanes;
-    const Mixed<K> m(run.palette, block, in + 6);
-    const Mixed<K> own(OwnNormalMatrices ? run.normal_palette : run.palette, block, in + 6);
-    Three column = m.column(0);
-    Three position = times(column, lanes(in[0]));
-    Three normal = times(OwnNormalMatrices ? own.column(0) : column, lanes(in[3]));
+    const BlendedMatrix<K> m(run.palette, block, in + 6);
+    const BlendedMatrix<K> own(OwnNormalMatrices ? run.normal_palette : run.palette, block, in + 6);
+    Float8x3 column = m.column(0);
+    Float8x3 position = times(column, lanes(in[0]));
+    Float8x3 normal = times(OwnNormalMatrices ? own.column(0) : column, lanes(in[3]));
     column = m.column(1);
     position = plus_times(position, column, lanes(in[1]));
     normal = plus_times(normal, OwnNormalMatrices ? own.column(1) : column, lanes(in[4]));

@@ -12,23 +12,25 @@ namespace claque::skin
 namespace
 {
 
-struct Three {
+struct Float8x3 {
     __m256 x, y, z;
 };
 
-struct Reals {
-    using Position = Real3;
-    using Normal = Real3;
-    Real3 *positions, *normals;
+struct Floats {
+    using Position = Float3;
+    using Normal = Float3;
+    Float3 *positions, *normals;
 
-    CLAQUE_BLOCKS_INLINE explicit Reals(const BlockRun &run) : positions(run.out_positions), normals(run.out_normals) {}
+    CLAQUE_BLOCKS_INLINE explicit Floats(const BlockRun &run) : positions(run.out_positions), normals(run.out_normals)
+    {
+    }
 
-    CLAQUE_BLOCKS_INLINE static void write_positions(const Three &v, Real3 *to) { store(&to->x, v); }
-    CLAQUE_BLOCKS_INLINE static void write_normals(const Three &v, Real3 *to) { store(&to->x, v); }
+    CLAQUE_BLOCKS_INLINE static void write_positions(const Float8x3 &v, Float3 *to) { store(&to->x, v); }
+    CLAQUE_BLOCKS_INLINE static void write_normals(const Float8x3 &v, Float3 *to) { store(&to->x, v); }
 
 private:
     // x, y and z of eight vertices to 24 numbers, vertex after vertex.
-    CLAQUE_BLOCKS_INLINE static void store(float *out, const Three &v)
+    CLAQUE_BLOCKS_INLINE static void store(float *out, const Float8x3 &v)
     {
         const __m256 xy = _mm256_shuffle_ps(v.x, v.y, _MM_SHUFFLE(2, 0, 2, 0));  // x0 x2 y0 y2 of each half
         const __m256 yz = _mm256_shuffle_ps(v.y, v.z, _MM_SHUFFLE(3, 1, 3, 1));  // y1 y3 z1 z3
@@ -61,7 +63,7 @@ struct Packed {
     {
     }
 
-    CLAQUE_BLOCKS_INLINE void write_positions(const Three &p, PackedPosition *to) const
+    CLAQUE_BLOCKS_INLINE void write_positions(const Float8x3 &p, PackedPosition *to) const
     {
         const __m256i x = step(p.x, offset_.x), y = step(p.y, offset_.y), z = step(p.z, offset_.z);
         const __m256i xy = _mm256_blend_epi16(x, _mm256_slli_epi32(y, 16), 0xaa);
@@ -71,11 +73,11 @@ struct Packed {
         _mm256_storeu_si256(reinterpret_cast<__m256i *>(to + 4), _mm256_permute2x128_si256(a, b, 0x31));
     }
 
-    CLAQUE_BLOCKS_INLINE static void write_normals(const Three &n, PackedNormal *to)
+    CLAQUE_BLOCKS_INLINE static void write_normals(const Float8x3 &n, PackedNormal *to)
     {
         const __m256 square =
             _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(n.x, n.x), _mm256_mul_ps(n.y, n.y)), _mm256_mul_ps(n.z, n.z));
-        const __m256 length = _mm256_sqrt_ps(_mm256_max_ps(square, _mm256_set1_ps(least_square)));
+        const __m256 length = _mm256_sqrt_ps(_mm256_max_ps(square, _mm256_set1_ps(min_square)));
         const __m256 scale = _mm256_div_ps(_mm256_set1_ps(normal_limit), length);
         const __m256i byte = _mm256_set1_epi32(0xff);
         const __m256i x = _mm256_and_si256(whole(_mm256_mul_ps(n.x, scale), normal_limit), byte);
@@ -95,7 +97,7 @@ private:
         return whole(_mm256_mul_ps(_mm256_sub_ps(x, offset), per_step_), position_limit);
     }
 
-    Three offset_;
+    Float8x3 offset_;
     __m256 per_step_;
 };
 

@@ -39,7 +39,7 @@ void choose(const BlockRun &run)
 template <uint32_t K>
 void choose_form(const BlockRun &run)
 {
-    run.packed.positions ? choose<Packed, K>(run) : choose<Reals, K>(run);
+    run.packed.positions ? choose<Packed, K>(run) : choose<Floats, K>(run);
 }
 
 }  // namespace

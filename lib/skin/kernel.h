@@ -35,12 +35,12 @@ struct Run {
     }
 };
 
-struct Real3 {
+struct Float3 {
     float x, y, z;
 };
 
 // Where packed vertices go, of vertex 0 on; null: they stay floats.
-struct PackedOut {
+struct PackedOutput {
     PackRange range;
     PackedPosition *positions = nullptr;
     PackedNormal *normals = nullptr;
@@ -55,8 +55,8 @@ struct BlockRun {
     const float *palette = nullptr;         // aligned matrices
     const float *normal_palette = nullptr;  // null: palette
     uint32_t vertex_count = 0;              // that there is room for; those behind a block are written after it
-    Real3 *out_positions = nullptr, *out_normals = nullptr;  // of vertex 0
-    PackedOut packed;                                        // instead of them
+    Float3 *out_positions = nullptr, *out_normals = nullptr;  // of vertex 0
+    PackedOutput packed;                                      // instead of them
 };
 
 // Sets of joints and weights to the matrices that their vertices follow.
@@ -70,14 +70,14 @@ struct SetRun {
 };
 
 void run_scalar(const Run &run);
-void run_vector(const Run &run);
-void blend_vector(const SetRun &run);
-void run_vector_blocks(const BlockRun &run);
-void run_avx_blocks(const BlockRun &run);  // the same lanes in fewer instructions; requires has_avx()
+void run_128(const Run &run);
+void blend_128(const SetRun &run);
+void run_128_blocks(const BlockRun &run);
+void run_128_avx_blocks(const BlockRun &run);  // the same lanes in fewer instructions; requires has_avx()
 bool has_avx();
 
-void run_wide(const Run &run);
-void run_wide_blocks(const BlockRun &run);
-void run_fused_blocks(const BlockRun &run);  // other bits: products are not rounded
+void run_256(const Run &run);
+void run_256_blocks(const BlockRun &run);
+void run_256_fma_blocks(const BlockRun &run);  // other bits: products are not rounded
 
 }  // namespace claque::skin

@@ -40,6 +40,6 @@ base::Status PackJob::check() const
     return Status::good();
 }
 
-void PackJob::run() const { pack_scalar(*this, kernel == Kernel::scalar ? 0 : pack_vector(*this)); }
+void PackJob::run() const { pack_scalar(*this, simd_level == SimdLevel::scalar ? 0 : pack_128(*this)); }
 
 }  // namespace claque::skin

@@ -4,14 +4,14 @@
 
 #include "lib/base/span.h"
 #include "lib/base/status.h"
-#include "lib/math/kernel.h"
+#include "lib/math/simd_level.h"
 #include "lib/model/template.h"
 
 namespace claque::skin
 {
 
-using math::default_kernel;
-using math::Kernel;
+using math::default_simd_level;
+using math::SimdLevel;
 
 // A position p is kept as the whole numbers nearest to (p - offset) / step, halves to the even one, within 16 bits.
 struct PackRange {
@@ -42,7 +42,7 @@ struct PackJob {
     base::Span<const float> positions;  // 3 a vertex
     base::Span<const float> normals;    // 3 a vertex, as many
     PackRange range;
-    Kernel kernel = default_kernel();
+    SimdLevel simd_level = default_simd_level();
 
     // out
     base::Span<PackedPosition> out_positions;  // one a vertex

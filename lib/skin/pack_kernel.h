@@ -10,7 +10,7 @@ namespace claque::skin
 {
 
 constexpr float position_limit = 32767, normal_limit = 127;
-constexpr float least_square = 1e-30f;  // of a normal's length, so that one of no length is divided by something
+constexpr float min_square = 1e-30f;  // of a normal's length, so that one of no length is divided by something
 
 // A number within 2^22 of zero, to the nearest whole one, halves to the even one, without a call: added to this one, it loses its fraction.
 constexpr float rounder = 12582912;  // 1.5 * 2^23
@@ -44,7 +44,7 @@ inline PackedPosition packed_position(float x, float y, float z, const PackRange
 inline PackedNormal packed_normal(float x, float y, float z)
 {
     const float square = x * x + y * y + z * z;
-    const float scale = normal_limit / std::sqrt(square > least_square ? square : least_square);
+    const float scale = normal_limit / std::sqrt(square > min_square ? square : min_square);
     PackedNormal out;
     out.x = static_cast<int8_t>(nearest(within(x * scale, normal_limit)));
     out.y = static_cast<int8_t>(nearest(within(y * scale, normal_limit)));
@@ -53,6 +53,6 @@ inline PackedNormal packed_normal(float x, float y, float z)
 }
 
 void pack_scalar(const PackJob &job, uint32_t first);  // from vertex `first` on
-uint32_t pack_vector(const PackJob &job);              // how many it did, from the first on
+uint32_t pack_128(const PackJob &job);                 // how many it did, from the first on
 
 }  // namespace claque::skin

@@ -48,7 +48,7 @@ public:
     CLAQUE_PACK_INLINE static void normals(math::F4 x, math::F4 y, math::F4 z, PackedNormal *to)
     {
         const __m128 square = _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, x), _mm_mul_ps(y, y)), _mm_mul_ps(z, z));
-        const __m128 length = _mm_sqrt_ps(_mm_max_ps(square, _mm_set1_ps(least_square)));
+        const __m128 length = _mm_sqrt_ps(_mm_max_ps(square, _mm_set1_ps(min_square)));
         const __m128 scale = _mm_div_ps(_mm_set1_ps(normal_limit), length);
         const __m128i z_byte = _mm_and_si128(part(z, scale), _mm_set1_epi32(0xff));
         const __m128i xy = low_of(part(y, scale), part(x, scale), 8);

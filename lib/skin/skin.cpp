@@ -44,7 +44,7 @@ void fill_copies(const model::Level &level, Form *out)
     for (const uint32_t source : level.copies) *to++ = out[source];
 }
 
-Real3 *vertices_of(base::Span<float> floats) { return reinterpret_cast<Real3 *>(floats.data); }
+Float3 *vertices_of(base::Span<float> floats) { return reinterpret_cast<Float3 *>(floats.data); }
 
 constexpr size_t alignment_floats = 8;
 
@@ -88,11 +88,11 @@ public:
 
     void run() const
     {
-        const Kernel kernel = can_run(job_.kernel) ? job_.kernel : Kernel::vector;
+        const SimdLevel simd_level = can_run(job_.simd_level) ? job_.simd_level : SimdLevel::simd128;
         const auto &segments = level_.skinning.segments;
-        if (kernel == Kernel::scalar || segments.empty()) run_plainly(kernel);
+        if (simd_level == SimdLevel::scalar || segments.empty()) run_plainly(simd_level);
         else
-            for (const model::SkinSegment &segment : segments) run_segment(segment, kernel);
+            for (const model::SkinSegment &segment : segments) run_segment(segment, simd_level);
         if (packed_.positions) {
             fill_copies(level_, packed_.positions);
             fill_copies(level_, packed_.normals);
@@ -103,21 +103,21 @@ public:
     }
 
 private:
-    void run_plainly(Kernel kernel) const
+    void run_plainly(SimdLevel simd_level) const
     {
         for (const model::InfluenceRun &part : level_.runs) {
             model::SkinSegment all;
             all.influences = part.influences;
             all.first = part.first, all.count = part.count, all.first_influence = part.first_influence;
-            run_vertices(run_of(all), part.first, kernel);
+            run_vertices(run_of(all), part.first, simd_level);
         }
     }
 
-    void run_segment(const model::SkinSegment &segment, Kernel kernel) const
+    void run_segment(const model::SkinSegment &segment, SimdLevel simd_level) const
     {
-        if (segment.by == model::SkinBy::block && !morphed_) run_blocks(segment, kernel);
-        else if (segment.by == model::SkinBy::set) run_sets(segment, kernel);
-        else run_vertices(run_of(segment), segment.first, kernel);
+        if (segment.method == model::SkinMethod::block && !morphed_) run_blocks(segment, simd_level);
+        else if (segment.method == model::SkinMethod::set) run_sets(segment, simd_level);
+        else run_vertices(run_of(segment), segment.first, simd_level);
     }
 
     Run run_of(const model::SkinSegment &segment) const
@@ -138,24 +138,24 @@ private:
     }
 
     // `first`: of the level's vertices.
-    void run_vertices(const Run &run, uint32_t first, Kernel kernel) const
+    void run_vertices(const Run &run, uint32_t first, SimdLevel simd_level) const
     {
-        if (packed_.positions) run_packed(run, first, kernel);
-        else run_floats(run, kernel);
+        if (packed_.positions) run_packed(run, first, simd_level);
+        else run_floats(run, simd_level);
     }
 
     // By way of as many floats as stay in the nearest cache.
-    void run_packed(Run run, uint32_t first, Kernel kernel) const
+    void run_packed(Run run, uint32_t first, SimdLevel simd_level) const
     {
         constexpr uint32_t most = 64;
         float positions[3 * most], normals[3 * most];
         run.out_positions = positions, run.out_normals = normals;
         PackJob pack;
         pack.range = packed_.range;
-        pack.kernel = kernel;
+        pack.simd_level = simd_level;
         for (uint32_t left = run.count; left > 0; left -= run.count) {
             run.count = std::min(left, most);
-            run_floats(run, kernel);
+            run_floats(run, simd_level);
             pack.positions = {positions, 3 * run.count}, pack.normals = {normals, 3 * run.count};
             pack.out_positions = {packed_.positions + first, run.count};
             pack.out_normals = {packed_.normals + first, run.count};
@@ -165,56 +165,56 @@ private:
         }
     }
 
-    static void run_floats(const Run &run, Kernel kernel)
+    static void run_floats(const Run &run, SimdLevel simd_level)
     {
-        if (kernel == Kernel::scalar) run_scalar(run);
-        else if (kernel == Kernel::wide || kernel == Kernel::fused) run_wide(run);
-        else run_vector(run);
+        if (simd_level == SimdLevel::scalar) run_scalar(run);
+        else if (simd_level == SimdLevel::simd256 || simd_level == SimdLevel::fma) run_256(run);
+        else run_128(run);
     }
 
-    void run_sets(const model::SkinSegment &segment, Kernel kernel) const
+    void run_sets(const model::SkinSegment &segment, SimdLevel simd_level) const
     {
         SetRun sets;
-        sets.count = segment.part_count;
+        sets.count = segment.item_count;
         sets.influences = segment.influences;
-        sets.joints = level_.skinning.set_joints.data() + segment.first_part;
-        sets.weights = level_.skinning.set_weights.data() + segment.first_part;
+        sets.joints = level_.skinning.set_joints.data() + segment.first_item;
+        sets.weights = level_.skinning.set_weights.data() + segment.first_item;
         sets.palette = palette_, sets.out = set_palette_;
-        blend_vector(sets);
+        blend_128(sets);
         Run run = run_of(segment);
         run.influences = 1;
         run.joints = level_.skinning.set_of.data() + segment.first_set_of;
         run.palette = set_palette_;
         if (normal_palette_) {
             sets.palette = normal_palette_, sets.out = set_normal_palette_;
-            blend_vector(sets);
+            blend_128(sets);
             run.normal_palette = set_normal_palette_;
         }
-        run_vertices(run, segment.first, kernel);
+        run_vertices(run, segment.first, simd_level);
     }
 
-    void run_blocks(const model::SkinSegment &segment, Kernel kernel) const
+    void run_blocks(const model::SkinSegment &segment, SimdLevel simd_level) const
     {
         BlockRun run;
-        run.blocks = level_.skinning.blocks.data() + segment.first_part;
-        run.count = segment.part_count;
+        run.blocks = level_.skinning.blocks.data() + segment.first_item;
+        run.count = segment.item_count;
         run.influences = segment.influences;
         run.lanes = level_.skinning.lanes.data();
         run.palette = palette_, run.normal_palette = normal_palette_;
         run.vertex_count = level_.vertex_count;
         run.out_positions = vertices_of(job_.out_positions), run.out_normals = vertices_of(job_.out_normals);
         run.packed = packed_;
-        if (kernel == Kernel::fused) run_fused_blocks(run);
-        else if (kernel == Kernel::wide) run_wide_blocks(run);
-        else if (has_avx()) run_avx_blocks(run);
-        else run_vector_blocks(run);
+        if (simd_level == SimdLevel::fma) run_256_fma_blocks(run);
+        else if (simd_level == SimdLevel::simd256) run_256_blocks(run);
+        else if (has_avx()) run_128_avx_blocks(run);
+        else run_128_blocks(run);
     }
 
     const SkinJob &job_;
     const model::Level &level_;
     const float *positions_, *normals_;  // bind pose, or morphed
     bool morphed_ = false;
-    PackedOut packed_;
+    PackedOutput packed_;
     float *palette_ = nullptr, *normal_palette_ = nullptr;
     float *set_palette_ = nullptr, *set_normal_palette_ = nullptr;
 };

@@ -27,7 +27,7 @@ struct SkinJob {
     base::Span<const math::Affine> palette;  // every entry that the level uses; one more float readable behind it
     base::Span<const float> morph_weights;   // of the pose; empty means none
     Normals normals = Normals::by_palette;
-    Kernel kernel = default_kernel();
+    SimdLevel simd_level = default_simd_level();
 
     // scratch
     base::Span<float> scratch;  // [scratch_floats(level, palette.count, normals)]

@@ -32,7 +32,7 @@ void legend(Sheet &sheet, const BarChart &chart)
     sheet.legend(swatches);
 }
 
-void bars(Sheet &sheet, const BarChart &chart, const Panel &panel, const Ruler &ruler, double top)
+void bars(Sheet &sheet, const BarChart &chart, const Panel &panel, const AxisScale &axis_scale, double top)
 {
     const double floor = top + panel.height_px, each = static_cast<double>(chart.colours.size());
     const double room = (sheet.right - sheet.left) / static_cast<double>(chart.groups.size());
@@ -46,7 +46,7 @@ void bars(Sheet &sheet, const BarChart &chart, const Panel &panel, const Ruler &
             for (size_t c = 0; c < chart.colours.size(); ++c, x += wide) {
                 const double value = panel.values[g][k][c];
                 if (value < 0) continue;
-                const double height = ruler.share(value) * panel.height_px;
+                const double height = axis_scale.share(value) * panel.height_px;
                 sheet.add(Box{{x + 1, floor - height},
                               wide - 2,
                               std::max(height, 0.5),
@@ -70,9 +70,9 @@ Drawing drawing_of(const BarChart &chart)
     for (const Panel &panel : chart.panels) {
         sheet.add(Label{{sheet.left, sheet.y + 16}, panel.title, Face::panel});
         const double top = sheet.y + 34;
-        const Ruler ruler = ruler_of(Scale::linear, 0, largest(panel), 6, Zero::always);
-        sheet.upright(ruler, top, top + panel.height_px, panel.unit);
-        bars(sheet, chart, panel, ruler, top);
+        const AxisScale axis_scale = axis_scale_of(Scale::linear, 0, largest(panel), 6, Zero::always);
+        sheet.upright(axis_scale, top, top + panel.height_px, panel.unit);
+        bars(sheet, chart, panel, axis_scale, top);
         sheet.y = top + panel.height_px + 46;
     }
     for (const std::string &note : chart.notes) sheet.note(note);

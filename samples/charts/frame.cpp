@@ -68,13 +68,13 @@ void Sheet::legend(const std::vector<Swatch> &swatches)
     y += 26;
 }
 
-void Sheet::upright(const Ruler &ruler, double top, double bottom, const std::string &title)
+void Sheet::upright(const AxisScale &axis_scale, double top, double bottom, const std::string &title)
 {
-    for (const double tick : ruler.ticks) {
-        const double at = bottom - ruler.share(tick) * (bottom - top);
-        const bool ground = tick == ruler.from || tick == 0;
+    for (const double tick : axis_scale.ticks) {
+        const double at = bottom - axis_scale.share(tick) * (bottom - top);
+        const bool ground = tick == axis_scale.from || tick == 0;
         add(Line{{{left, at}, {right, at}}, {ground ? Ink::axis : Ink::grid, 0}});
-        add(Label{{left - 8, at + 4}, tick_text(ruler, tick), Face::detail, Anchor::end});
+        add(Label{{left - 8, at + 4}, tick_text(axis_scale, tick), Face::detail, Anchor::end});
     }
     add(Label{{18, (top + bottom) / 2}, title, Face::detail, Anchor::middle, Turn::upwards});
 }

@@ -1,8 +1,8 @@
 // What all charts have: the sheet with its title above and notes below, and a legend.
 #pragma once
 
+#include "samples/charts/axis_scale.h"
 #include "samples/charts/drawing.h"
-#include "samples/charts/ruler.h"
 
 namespace charts
 {
@@ -35,7 +35,7 @@ public:
     void legend(const std::vector<Swatch> &swatches);
 
     // Grid, numbers and title of an upright axis over the full width, between these two heights.
-    void upright(const Ruler &ruler, double top, double bottom, const std::string &title);
+    void upright(const AxisScale &axis_scale, double top, double bottom, const std::string &title);
 
     Drawing finish(const std::string &title);
 

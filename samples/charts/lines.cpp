@@ -16,7 +16,7 @@ constexpr double plot_height_px = 380, line_width_px = 2.2, dot_radius_px = 3.4;
 // The first colour, a grey, comes last.
 size_t colour_of(const LineChart &chart, size_t i) { return chart.series[i].colour.value_or(i + 1); }
 
-Ruler ruler_along(const LineChart &chart, const Axis &axis, double Point::*part, int most, Zero zero)
+AxisScale ruler_along(const LineChart &chart, const Axis &axis, double Point::*part, int most, Zero zero)
 {
     double least = std::numeric_limits<double>::infinity(), largest = -least;
     for (const Series &one : chart.series)
@@ -24,37 +24,38 @@ Ruler ruler_along(const LineChart &chart, const Axis &axis, double Point::*part,
             least = std::min(least, point.*part);
             largest = std::max(largest, point.*part);
         }
-    return ruler_of(axis.scale, std::min(least, axis.from.value_or(least)),
-                    std::max(largest, axis.to.value_or(largest)), most, zero);
+    return axis_scale_of(axis.scale, std::min(least, axis.from.value_or(least)),
+                         std::max(largest, axis.to.value_or(largest)), most, zero);
 }
 
-double widest_tick(const Ruler &ruler)
+double widest_tick(const AxisScale &axis_scale)
 {
     double widest = 0;
-    for (const double tick : ruler.ticks) widest = std::max(widest, width_of(tick_text(ruler, tick), Face::detail));
+    for (const double tick : axis_scale.ticks)
+        widest = std::max(widest, width_of(tick_text(axis_scale, tick), Face::detail));
     return widest;
 }
 
 // As many numbers as stand apart.
-Ruler ruler_below(const LineChart &chart, double width)
+AxisScale ruler_below(const LineChart &chart, double width)
 {
     int most = 12;
-    Ruler ruler = ruler_along(chart, chart.x, &Point::x, most, Zero::near);
-    while (most > 2 && (widest_tick(ruler) + 14) * static_cast<double>(ruler.ticks.size() - 1) > width)
-        ruler = ruler_along(chart, chart.x, &Point::x, --most, Zero::near);
-    return ruler;
+    AxisScale axis_scale = ruler_along(chart, chart.x, &Point::x, most, Zero::near);
+    while (most > 2 && (widest_tick(axis_scale) + 14) * static_cast<double>(axis_scale.ticks.size() - 1) > width)
+        axis_scale = ruler_along(chart, chart.x, &Point::x, --most, Zero::near);
+    return axis_scale;
 }
 
-void level(Sheet &sheet, const Ruler &ruler, double top, double bottom, const std::string &title)
+void level(Sheet &sheet, const AxisScale &axis_scale, double top, double bottom, const std::string &title)
 {
-    for (const double tick : ruler.ticks) {
-        const double at = sheet.left + ruler.share(tick) * (sheet.right - sheet.left);
-        sheet.add(Line{{{at, top}, {at, bottom}}, {tick == ruler.from ? Ink::axis : Ink::grid, 0}});
-        const bool last = tick == ruler.ticks.back();  // kept on the sheet
+    for (const double tick : axis_scale.ticks) {
+        const double at = sheet.left + axis_scale.share(tick) * (sheet.right - sheet.left);
+        sheet.add(Line{{{at, top}, {at, bottom}}, {tick == axis_scale.from ? Ink::axis : Ink::grid, 0}});
+        const bool last = tick == axis_scale.ticks.back();  // kept on the sheet
         sheet.add(
-            Label{{last ? std::min(at, sheet.right - width_of(tick_text(ruler, tick), Face::detail) / 2 + 16) : at,
+            Label{{last ? std::min(at, sheet.right - width_of(tick_text(axis_scale, tick), Face::detail) / 2 + 16) : at,
                    bottom + 18},
-                  tick_text(ruler, tick),
+                  tick_text(axis_scale, tick),
                   Face::detail,
                   Anchor::middle});
     }
@@ -65,9 +66,9 @@ void level(Sheet &sheet, const Ruler &ruler, double top, double bottom, const st
 
 Drawing drawing_of(const LineChart &chart)
 {
-    const Ruler y = ruler_along(chart, chart.y, &Point::y, 8, Zero::always);
+    const AxisScale y = ruler_along(chart, chart.y, &Point::y, 8, Zero::always);
     Sheet sheet(std::max(64.0, 44 + widest_tick(y)));
-    const Ruler x = ruler_below(chart, sheet.right - sheet.left);
+    const AxisScale x = ruler_below(chart, sheet.right - sheet.left);
     sheet.head(chart.title, chart.subtitle);
     std::vector<Sheet::Swatch> swatches;
     for (size_t i = 0; i < chart.series.size(); ++i)

@@ -1,8 +1,8 @@
 // Line charts: several named series over one number, which may be scaled by its logarithm.
 #pragma once
 
+#include "samples/charts/axis_scale.h"
 #include "samples/charts/drawing.h"
-#include "samples/charts/ruler.h"
 
 #include <optional>
 

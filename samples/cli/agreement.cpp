@@ -28,20 +28,20 @@ void Agreement::begin(const std::string &what)
     hashes_.clear();
 }
 
-void Agreement::check(const std::vector<uint8_t> &rgb, const std::string &cache, const std::string &variety)
+void Agreement::check(const std::vector<uint8_t> &rgb, const std::string &cache, const std::string &strategy)
 {
-    const std::string hash = hex(scenes::hash_of(rgb)), with = " with cache " + cache + " and variety " + variety;
+    const std::string hash = hex(scenes::hash_of(rgb)), with = " with cache " + cache + " and strategy " + strategy;
     if (reference_.empty()) {
         reference_ = rgb;
         first_ = hash;
     }
-    expect_same_picture(hashes_[variety], hash, what_ + with);
+    expect_same_picture(hashes_[strategy], hash, what_ + with);
     if (hash == first_) return;
     const size_t differ = different_pixels(rgb, reference_);
     if (differ * pixels_a_tie > rgb.size() / 3)
         throw scenes::Failure("the picture of " + what_ + with + " differs in " + std::to_string(differ) +
                               " pixels, so the times mean nothing");
-    most_ties_ = std::max(most_ties_, differ);
+    max_ties_ = std::max(max_ties_, differ);
 }
 
 }  // namespace cli

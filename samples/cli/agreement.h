@@ -19,16 +19,16 @@ public:
     // `what` names the frame in sentences.
     void begin(const std::string &what);
     // Throws scenes::Failure where this picture is not that of the frame. rgb: three bytes a pixel.
-    void check(const std::vector<uint8_t> &rgb, const std::string &cache, const std::string &variety);
+    void check(const std::vector<uint8_t> &rgb, const std::string &cache, const std::string &strategy);
 
     const std::string &hash() const { return first_; }  // of the frame's first picture
-    size_t most_ties() const { return most_ties_; }     // of one picture so far, in pixels
+    size_t max_ties() const { return max_ties_; }       // of one picture so far, in pixels
 
 private:
     std::string what_, first_;
     std::vector<uint8_t> reference_;
     std::map<std::string, std::string> hashes_;  // by variety
-    size_t most_ties_ = 0;
+    size_t max_ties_ = 0;
 };
 
 }  // namespace cli

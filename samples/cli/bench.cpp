@@ -25,33 +25,33 @@ namespace
 bool of_actors(const BenchArguments &a)
 {
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
-        if (a.stage.scene == entry.name) return entry.actors;
+        if (a.setup.scene == entry.name) return entry.actors;
     return false;
 }
 
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
-bool is_geometry(const BenchArguments &a) { return a.subject == "geometry"; }
+bool is_vertex_format(const BenchArguments &a) { return a.subject == "vertex_format"; }
 bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
-bool has_no_scene(const BenchArguments &a) { return is_growth(a) || is_geometry(a) || is_of_key_poses(a); }
+bool has_no_scene(const BenchArguments &a) { return is_growth(a) || is_vertex_format(a) || is_of_key_poses(a); }
 
 void bench(const BenchArguments &a)
 {
     for (const std::string &path : {a.save, a.operations})
         if (!path.empty()) expect_writable(path);
-    const bool along_path = a.stage.camera == "path";
-    const Json report = is_growth(a)         ? bench_growth(a)
-                        : is_geometry(a)     ? bench_geometry(a)
-                        : is_of_key_poses(a) ? bench_key_poses(a)
-                        : is_of_shadows(a)   ? bench_shadows(a)
-                        : along_path         ? bench_along_path(a)
-                        : of_actors(a)       ? bench_actors(a)
-                                             : bench_by_count(a);
+    const bool along_path = a.setup.camera == "path";
+    const Json report = is_growth(a)          ? bench_growth(a)
+                        : is_vertex_format(a) ? bench_vertex_format(a)
+                        : is_of_key_poses(a)  ? bench_key_poses(a)
+                        : is_of_shadows(a)    ? bench_shadows(a)
+                        : along_path          ? bench_along_path(a)
+                        : of_actors(a)        ? bench_actors(a)
+                                              : bench_by_count(a);
     if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << (is_of_key_poses(a) ? markdown_of_key_poses(report) : markdown_of(report));
     else if (is_growth(a)) print_growth(report);
-    else if (is_geometry(a)) print_geometry(report);
+    else if (is_vertex_format(a)) print_vertex_format(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
     else if (is_of_shadows(a)) print_shadows(report);
     else if (along_path) print_sections(report);
@@ -62,14 +62,14 @@ void bench(const BenchArguments &a)
 void choose_scene(BenchArguments &a)
 {
     if (has_no_scene(a)) return;
-    a.stage.file = a.subject;
+    a.setup.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
-            a.stage.scene = a.subject;
-            a.stage.file.clear();
+            a.setup.scene = a.subject;
+            a.setup.file.clear();
         }
-    if (a.stage.camera.empty()) a.stage.camera = has_path(a.stage) ? "path" : "overview";
-    check_stage_usage(a.stage);
+    if (a.setup.camera.empty()) a.setup.camera = has_path(a.setup) ? "path" : "overview";
+    check_scene_usage(a.setup);
 }
 
 // What is not given is as a host would have it who wants ten thousand people fast: on a GL that rasterises while more is sent,
@@ -77,12 +77,12 @@ void choose_scene(BenchArguments &a)
 void prefer_speed(const CLI::App &command, BenchArguments &a)
 {
     if (command.count("--cache") == 0) a.caches = {"full"};
-    if (command.count("--variety") == 0) a.varieties = {"fused"};
+    if (command.count("--strategy") == 0) a.strategies = {"fused"};
     if (command.count("--context") != 0) return;
     std::string why_not;
     if (!contexts::make_offscreen(contexts::Kind::egl, 16, 16, contexts::PixelFormat::rgba8888, why_not)) return;
-    a.stage.context = "egl";
-    if (command.count("--flush") == 0) a.stage.flush_triangles = 16384;
+    a.setup.context = "egl";
+    if (command.count("--flush") == 0) a.setup.flush_triangles = 16384;
 }
 
 }  // namespace
@@ -91,20 +91,20 @@ void add_bench(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<BenchArguments>();
     CLI::App *c = app.add_subcommand(
-        "bench", "Measure update and draw by cache and variety, along a camera path or by number of people");
+        "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
     c->add_option("SCENE", a->subject,
-                  "A scene's name (ten_thousand: with --cache full --variety fused, and on EGL --flush 16384, unless "
+                  "A scene's name (ten_thousand: with --cache full --strategy fused, and on EGL --flush 16384, unless "
                   "said otherwise), or a character's file, or growth: updates of 1000 to 100 000 actors; "
-                  "or geometry: packed vertices against floats; "
+                  "or vertex_format: packed vertices against floats; "
                   "or of shared key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
         ->required();
     CLI::Option *count = c->add_option("--count", a->counts, "Numbers of people, with commas; along a path one at most")
                              ->delimiter(',')
                              ->check(CLI::Range(1, 1000000))
                              ->capture_default_str();
-    c->add_option("--variety", a->varieties, "Which, with commas")
+    c->add_option("--strategy", a->strategies, "Which, with commas")
         ->delimiter(',')
-        ->check(CLI::IsMember(variety_names()))
+        ->check(CLI::IsMember(strategy_names()))
         ->capture_default_str();
     c->add_option("--cache", a->caches,
                   "Which, with commas; those of key-poses (S3) may have a size, as keypose-intermittent:100")
@@ -131,11 +131,11 @@ void add_bench(CLI::App &app, Work &chosen)
                             ->delimiter(',')
                             ->check(CLI::IsMember({"actor", "traditional"}))
                             ->capture_default_str();
-    c->add_option("--counts", a->operations,
+    c->add_option("--operations", a->operations,
                   "Of a scene of actors: also write how often each operation of S0's Table 1 was done, for claque cost "
                   "--measured")
         ->type_name("FILE");
-    add_stage_options(*c, a->stage);
+    add_scene_options(*c, a->setup);
     CLI::Option *json = c->add_flag("--json", a->json, "As JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path, or of shared key-poses: as a table for a README")
         ->excludes(json);
@@ -146,7 +146,7 @@ void add_bench(CLI::App &app, Work &chosen)
             throw CLI::ValidationError("--cull",
                                        "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
         if (a->lods != std::vector<std::string>{"off"} && !is_of_shadows(*a) &&
-            (a->stage.camera != "path" || scene_of(a->stage) != "odeon"))
+            (a->setup.camera != "path" || scene_of(a->setup) != "odeon"))
             throw CLI::ValidationError("--lod", "is for the odeon along its path");
         if (a->subject == "ten_thousand" && count->count() == 0) a->counts = {100, 1000, 10000, 20000};
         if (a->subject == "ten_thousand" && !is_of_shadows(*a)) prefer_speed(*c, *a);
@@ -154,19 +154,19 @@ void add_bench(CLI::App &app, Work &chosen)
         if (is_of_key_poses(*a) && count->count() == 0) a->counts = {a->subject == "keypose-script" ? 2500u : 10000u};
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())
-                if (a->stage.scene == entry.name) a->counts = {entry.default_count};
+                if (a->setup.scene == entry.name) a->counts = {entry.default_count};
         if (is_of_shadows(*a) && (has_no_scene(*a) || of_actors(*a) || !a->operations.empty()))
             throw CLI::ValidationError("--shadows",
                                        "is for scenes with a ground: plaza, multitude, ten_thousand, parade");
         if (!a->operations.empty() && (!of_actors(*a) || a->counts.size() > 1))
-            throw CLI::ValidationError("--counts",
+            throw CLI::ValidationError("--operations",
                                        "is for one scene of actors, of one number: hundred_actors, town_sky, vehicle");
-        if (a->stage.camera != "path" && !is_of_key_poses(*a) && a->markdown)
+        if (a->setup.camera != "path" && !is_of_key_poses(*a) && a->markdown)
             throw CLI::ValidationError("--markdown", "is for cameras that follow a path, and for key-poses");
-        if (a->stage.camera == "path" && count->count() > 0) {
+        if (a->setup.camera == "path" && count->count() > 0) {
             if (a->counts.size() > 1)
                 throw CLI::ValidationError("--count", "along a path there is one crowd, and so one number at most");
-            a->stage.count = a->counts[0];
+            a->setup.count = a->counts[0];
         }
         chosen = [a] { bench(*a); };
     });

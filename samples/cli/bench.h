@@ -1,16 +1,16 @@
 // What `bench` measures, and how it is said.
 #pragma once
 
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 
 namespace cli
 {
 
 struct BenchArguments {
-    StageArguments stage;
+    SceneArguments setup;
     std::string subject;
     std::vector<uint32_t> counts = {100, 500, 1000};
-    std::vector<std::string> varieties = variety_names(), caches = cache_names();
+    std::vector<std::string> strategies = strategy_names(), caches = cache_names();
     std::vector<std::string> lods = {"off"};
     std::vector<std::string> culls = {"actor", "traditional"};
     std::vector<std::string> shadows;  // empty: as the scene paints them, and caches and varieties are compared
@@ -52,8 +52,8 @@ Json bench_shadows(const BenchArguments &arguments);
 void print_shadows(const Json &report);
 
 // Floats against packed vertices.
-Json bench_geometry(const BenchArguments &arguments);
-void print_geometry(const Json &report);
+Json bench_vertex_format(const BenchArguments &arguments);
+void print_vertex_format(const Json &report);
 
 // Throws scenes::Failure unless `now` is what the variants before it drew; `what` names what was drawn.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);

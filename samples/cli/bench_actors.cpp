@@ -15,7 +15,7 @@ namespace
 
 struct ActorsRival {
     std::string cull, cache;
-    std::unique_ptr<scenes::Stage> stage;
+    std::unique_ptr<scenes::SceneRenderer> scene_renderer;
     Times update, draw;
     clq_draw_stats drawn = {};
     std::string hash;
@@ -28,8 +28,8 @@ double share(uint64_t part, uint64_t whole)
 
 Json result_of(const ActorsRival &rival, uint32_t count)
 {
-    const clq_crowd_stats stats = rival.stage->crowd_stats();
-    const clq_view_stats seen = rival.stage->view_stats();
+    const clq_crowd_stats stats = rival.scene_renderer->crowd_stats();
+    const clq_view_stats seen = rival.scene_renderer->view_stats();
     return {{"count", count},
             {"cull", rival.cull},
             {"cache", rival.cache},
@@ -51,24 +51,24 @@ void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
     for (int frame = 0; frame <= a.frames; ++frame)
         for (ActorsRival &rival : rivals) {
             stop_if_asked();
-            rival.stage->make_current();
+            rival.scene_renderer->make_current();
             const Stopwatch updating;
-            rival.stage->update(2 + frame / 25.0);
+            rival.scene_renderer->update(2 + frame / 25.0);
             const double update_ms = updating.ms();
             // Pictures are dear and alike: the first and the last of a run.
             const bool draws = frame <= 1 || frame == a.frames;
             double draw_ms = 0;
             if (draws) {
-                rival.stage->draw_setting();
-                rival.stage->gl().Finish();
+                rival.scene_renderer->draw_environment();
+                rival.scene_renderer->gl().Finish();
                 const Stopwatch drawing;
-                rival.drawn = rival.stage->draw_crowd();
+                rival.drawn = rival.scene_renderer->draw_crowd();
                 draw_ms = drawing.ms();
             }
             if (frame == 0) continue;
             rival.update.ms.push_back(update_ms);
             if (draws) rival.draw.ms.push_back(draw_ms);
-            if (frame == a.frames) rival.hash = hex(scenes::hash_of(rival.stage->read()));
+            if (frame == a.frames) rival.hash = hex(scenes::hash_of(rival.scene_renderer->read()));
         }
 }
 
@@ -77,7 +77,7 @@ void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
 Json bench_actors(const BenchArguments &a)
 {
     Progress progress("claque bench");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     Json report = {{"claque", version()}, {"kind", "actors"}};
     report["runs"] = Json::array();
     for (const uint32_t count : a.counts) {
@@ -89,12 +89,12 @@ Json bench_actors(const BenchArguments &a)
             modes.push_back({cull, "none"});
         }
         for (const auto &[cull, cache] : modes) {
-            StageArguments stage_arguments = a.stage;
-            stage_arguments.count = count;
-            stage_arguments.cull = cull;
-            stage_arguments.cache = cache;
-            const scenes::StageOptions options = stage_options(stage_arguments, LoadedCharacter());
-            rivals.push_back({cull, cache, std::make_unique<scenes::Stage>(library, options), {}, {}, {}, {}});
+            SceneArguments scene_arguments = a.setup;
+            scene_arguments.count = count;
+            scene_arguments.cull = cull;
+            scene_arguments.cache = cache;
+            const scenes::SceneOptions options = scene_options(scene_arguments, LoadedCharacter());
+            rivals.push_back({cull, cache, std::make_unique<scenes::SceneRenderer>(library, options), {}, {}, {}, {}});
             report["scene"] = options.scene;
             report["size_px"] = {options.width, options.height};
         }
@@ -113,10 +113,10 @@ Json bench_actors(const BenchArguments &a)
                                             {"traditional_to_actor", slow.median() / rival.update.median()},
                                             {"by_minimum", slow.minimum() / rival.update.minimum()}});
             }
-        report["context"] = rivals[0].stage->context_name();
+        report["context"] = rivals[0].scene_renderer->context_name();
         progress.step(report["runs"].size(), a.counts.size() * modes.size());
     }
-    report["threads"] = thread_count(a.stage);
+    report["threads"] = thread_count(a.setup);
     report["frames"] = a.frames;
     return report;
 }

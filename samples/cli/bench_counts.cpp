@@ -14,13 +14,13 @@ namespace
 {
 
 // One moment drawn again and again: by claque with a GL that does nothing; with one that clips every triangle away; whole.
-Json draw_parts(scenes::Stage &stage, int frames)
+Json draw_parts(scenes::SceneRenderer &scene_renderer, int frames)
 {
-    using Part = scenes::Stage::DrawPart;
+    using Part = scenes::SceneRenderer::DrawPart;
     Times library, vertices, all;
     const auto timed = [&](Times &times, Part part) {
         const Stopwatch watch;
-        stage.draw_crowd_up_to(part);
+        scene_renderer.draw_crowd_up_to(part);
         times.ms.push_back(watch.ms());
     };
     for (int frame = 0; frame < frames; ++frame) {
@@ -35,32 +35,32 @@ Json draw_parts(scenes::Stage &stage, int frames)
 
 // Frames 1 to n of a warm crowd, each part waited for; the one before them fills the caches and is not counted. Then as
 // many whole ones, as a host draws them: update, setting, shadows, people, and one wait.
-Json run(scenes::Stage &stage, const BenchArguments &a)
+Json run(scenes::SceneRenderer &scene_renderer, const BenchArguments &a)
 {
     Times update, draw;
     clq_draw_stats drawn = {};
-    scenes::check(clq_crowd_reset_bands(stage.scene().crowd()));
+    scenes::check(clq_crowd_reset_bands(scene_renderer.scene().crowd()));
     for (int frame = 0; frame <= a.frames; ++frame) {
         stop_if_asked();
         const Stopwatch updating;
-        stage.update(frame / 25.0);
+        scene_renderer.update(frame / 25.0);
         const double update_ms = updating.ms();
-        stage.draw_setting();
-        stage.gl().Finish();
+        scene_renderer.draw_environment();
+        scene_renderer.gl().Finish();
         const Stopwatch drawing;
-        drawn = stage.draw_crowd();
+        drawn = scene_renderer.draw_crowd();
         if (frame == 0) continue;
         update.ms.push_back(update_ms);
         draw.ms.push_back(drawing.ms());
     }
-    const clq_crowd_stats stats = stage.crowd_stats();
-    const Json parts = draw_parts(stage, a.frames);
-    const std::string picture = hex(scenes::hash_of(stage.read()));
+    const clq_crowd_stats stats = scene_renderer.crowd_stats();
+    const Json parts = draw_parts(scene_renderer, a.frames);
+    const std::string picture = hex(scenes::hash_of(scene_renderer.read()));
     Times whole;
     for (int frame = 1; frame <= a.frames; ++frame) {
         stop_if_asked();
         const Stopwatch watch;
-        stage.frame((a.frames + frame) / 25.0);
+        scene_renderer.frame((a.frames + frame) / 25.0);
         whole.ms.push_back(watch.ms());
     }
     return {{"update_ms", {{"minimum", update.minimum()}, {"median", update.median()}}},
@@ -83,7 +83,7 @@ void chart(Json &report)
         Json points = Json::array();
         const Json &first = report["runs"][0];
         for (const Json &r : report["runs"])
-            if (r["cache"] == first["cache"] && r["variety"] == first["variety"])
+            if (r["cache"] == first["cache"] && r["strategy"] == first["strategy"])
                 points.push_back({r["count"], std::max(median(r)["median"].template get<double>(), least_ms)});
         report["series"].push_back({{"name", name}, {"points", std::move(points)}});
     };
@@ -106,32 +106,33 @@ void chart(Json &report)
 Json bench_by_count(const BenchArguments &a)
 {
     Progress progress("claque bench");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden);
+    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden);
     Json report = {{"claque", version()}};
     report["runs"] = Json::array();
-    const size_t all = a.counts.size() * a.caches.size() * a.varieties.size();
+    const size_t all = a.counts.size() * a.caches.size() * a.strategies.size();
     for (uint32_t count : a.counts) {
         std::map<std::string, std::string> hashes;  // by what caches show
         for (const std::string &cache : a.caches) {
-            StageArguments stage_arguments = a.stage;
-            stage_arguments.count = count;
-            stage_arguments.cache = cache;
-            scenes::StageOptions options = stage_options(stage_arguments, loaded);
+            SceneArguments scene_arguments = a.setup;
+            scene_arguments.count = count;
+            scene_arguments.cache = cache;
+            scenes::SceneOptions options = scene_options(scene_arguments, loaded);
             options.tells_parts = true;
-            scenes::Stage stage(library, options);
+            scenes::SceneRenderer scene_renderer(library, options);
             report["scene"] = options.scene;
             report["size_px"] = {options.width, options.height};
-            report["threads"] = thread_count(a.stage);
-            report["context"] = stage.context_name();
+            report["threads"] = thread_count(a.setup);
+            report["context"] = scene_renderer.context_name();
             report["frames"] = a.frames;
-            for (const std::string &variety : a.varieties) {
-                stage.use_variety(variety_named(variety));
-                Json result = {{"count", count}, {"cache", cache}, {"variety", variety}};
-                result.update(run(stage, a));
-                expect_same_picture(hashes[picture_of(cache)], result["picture_hash"].get<std::string>(),
-                                    std::to_string(count) + " people with cache " + cache + " and variety " + variety);
+            for (const std::string &strategy : a.strategies) {
+                scene_renderer.use_strategy(strategy_named(strategy));
+                Json result = {{"count", count}, {"cache", cache}, {"strategy", strategy}};
+                result.update(run(scene_renderer, a));
+                expect_same_picture(
+                    hashes[picture_of(cache)], result["picture_hash"].get<std::string>(),
+                    std::to_string(count) + " people with cache " + cache + " and strategy " + strategy);
                 report["runs"].push_back(std::move(result));
                 progress.step(report["runs"].size(), all);
             }
@@ -150,14 +151,14 @@ void print_counts(const Json &report)
     for (const Json &r : report["runs"]) wide = std::max(wide, r["cache"].get<std::string>().size());
     const int cache_wide = static_cast<int>(wide);
     std::printf("%6s  %-*s  %-8s  %8s %8s  %8s %8s  %8s %8s %8s  %8s %8s  %8s %6s  %s\n", "people", cache_wide, "cache",
-                "variety", "update", "median", "draw", "median", "claque", "vertices", "pixels", "frame", "median",
+                "strategy", "update", "median", "draw", "median", "claque", "vertices", "pixels", "frame", "median",
                 "animated", "draws", "picture");
     const auto ms = [](const Json &times, const char *which) { return times[which].get<double>(); };
     for (const Json &r : report["runs"]) {
         const Json &parts = r["draw_parts_ms"];
         std::printf("%6u  %-*s  %-8s  %8.2f %8.2f  %8.2f %8.2f  %8.2f %8.2f %8.2f  %8.2f %8.2f  %8u %6u  %s\n",
                     r["count"].get<unsigned>(), cache_wide, r["cache"].get<std::string>().c_str(),
-                    r["variety"].get<std::string>().c_str(), ms(r["update_ms"], "minimum"),
+                    r["strategy"].get<std::string>().c_str(), ms(r["update_ms"], "minimum"),
                     ms(r["update_ms"], "median"), ms(r["draw_ms"], "minimum"), ms(r["draw_ms"], "median"),
                     ms(parts["claque"], "minimum"), ms(parts["gl_vertices"], "minimum"),
                     ms(parts["gl_pixels"], "minimum"), ms(r["frame_ms"], "minimum"), ms(r["frame_ms"], "median"),

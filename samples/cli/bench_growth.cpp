@@ -4,7 +4,7 @@
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <cmath>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace cli
 namespace
 {
 
-using scenes::Lot;
+using scenes::Purpose;
 
 constexpr double field_m = 400, growth_fov_deg = 60, growth_aspect = 4.0 / 3.0;
 constexpr uint32_t kept_in_view = 1000;
@@ -24,14 +24,15 @@ enum class Rest { alone, grouped };
 
 // Citizens on a disc round the eye: everywhere, or `kept_in_view` of them ahead and all others behind.
 struct GrowthField {
-    GrowthField(scenes::Library &library, uint32_t count, View view, Rest rest) : cast(library, scenes::Casting())
+    GrowthField(scenes::Library &library, uint32_t count, View view, Rest rest) : cast(library, scenes::CrowdOptions())
     {
         clq_template *citizen = library.builtin("citizen");
         clq_group behind = {};
         if (rest == Rest::grouped) scenes::check(clq_group_create(cast.crowd(), nullptr, &behind));
         for (uint32_t who = 0; who < count; ++who) {
             const bool ahead = view == View::number && who < kept_in_view;
-            const double turn = lot(7, who, Lot::heading), away = 8 + field_m * std::sqrt(lot(7, who, Lot::radius));
+            const double turn = random_unit(7, who, Purpose::heading),
+                         away = 8 + field_m * std::sqrt(random_unit(7, who, Purpose::radius));
             constexpr double tau = 2 * 3.14159265358979323846;
             const double angle = ahead ? 0.5 * (turn - 0.5) : tau * turn;
             // Those behind stand on a disc of their own, so that the sphere round all of them is behind as well.
@@ -39,7 +40,7 @@ struct GrowthField {
             clq_play play = {};
             play.clip = clq_template_find_clip(citizen, "stand");
             play.speed = 1;
-            play.phase_s = static_cast<float>(lot(7, who, Lot::phase));
+            play.phase_s = static_cast<float>(random_unit(7, who, Purpose::phase));
             cast.enter(
                 {citizen, scenes::stand(-away * std::sin(angle), 0, back - away * std::cos(angle), 0, 1, 1), play});
             if (rest == Rest::grouped && !ahead)
@@ -50,14 +51,14 @@ struct GrowthField {
         eye.reset(made);
         const double at[3] = {0, 1.7, 0}, ahead[3] = {0, 1.6, -10};
         const clq_camera camera = scenes::look(at, ahead, growth_fov_deg, growth_aspect, 0.5, 1000);
-        scenes::check(clq_view_look(made, &camera));
+        scenes::check(clq_view_set_camera(made, &camera));
     }
     void update(double time_s)
     {
         clq_view *views[] = {eye.get()};
         scenes::check(clq_crowd_update(cast.crowd(), time_s, views, 1));
     }
-    scenes::Cast cast;
+    scenes::SceneCrowd cast;
     scenes::Own<clq_view> eye;
 };
 
@@ -85,7 +86,7 @@ Measured measure(scenes::Library &library, uint32_t count, View view, Rest rest,
 Json bench_growth(const BenchArguments &a)
 {
     Progress progress("claque bench");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     Json report = {{"claque", version()},
                    {"kind", "lines"},
                    {"title", "How an update grows with the crowd"},
@@ -93,7 +94,7 @@ Json bench_growth(const BenchArguments &a)
                    {"y", {{"title", "milliseconds an update, median"}, {"scale", "log"}}},
                    {"series", Json::array()},
                    {"runs", Json::array()},
-                   {"threads", thread_count(a.stage)},
+                   {"threads", thread_count(a.setup)},
                    {"frames", a.frames}};
     const struct {
         const char *name;
@@ -125,7 +126,7 @@ Json bench_growth(const BenchArguments &a)
         }
         report["series"].push_back({{"name", kind.name}, {"points", std::move(points)}});
     }
-    report["note"] = "citizens, animation and geometry caches, " + std::to_string(thread_count(a.stage)) +
+    report["note"] = "citizens, animation and geometry caches, " + std::to_string(thread_count(a.setup)) +
                      " threads, medians of " + std::to_string(a.frames) + " updates";
     return report;
 }

@@ -56,7 +56,7 @@ double rate_of_200_hz(const clq_template *tmpl)
 Json bench_key_poses(const BenchArguments &a)
 {
     if (a.subject == "keypose-choice") return key_pose_choice();
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     if (a.subject == "keypose-error") return key_pose_error(library);
     return a.subject == "keypose-path" ? key_poses_along_path(a, library) : key_poses_by_script(a, library);
 }

@@ -1,7 +1,7 @@
 // S3 Fig. 7: 30 individuals draw two of 22 key-poses each with normal distribution; how many can be served from a cache of 7,
 // 15, 22 or 30 that is filled greedily, as well as can be (every set tried), with the first n, with n at random.
 #include "samples/cli/bench_keypose.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ uint32_t normal_pose(uint64_t crowd, uint64_t draw)
 {
     for (uint64_t again = 0;; ++again) {
         const uint64_t who = (draw << 8) + again;
-        const double u = scenes::lot(crowd, who, scenes::Lot::place_x),
-                     v = scenes::lot(crowd, who, scenes::Lot::place_z);
+        const double u = scenes::random_unit(crowd, who, scenes::Purpose::place_x),
+                     v = scenes::random_unit(crowd, who, scenes::Purpose::place_z);
         const double normal = std::sqrt(-2 * std::log(1 - u)) * std::cos(2 * 3.14159265358979323846 * v);
         const double pose = std::floor(poses / 2.0 + normal * poses / 6.0);
         if (pose >= 0 && pose < poses) return static_cast<uint32_t>(pose);
@@ -96,7 +96,7 @@ uint32_t random_set(uint64_t crowd, uint32_t size)
 {
     uint32_t kept = 0, count = 0;
     for (uint64_t k = 0; count < std::min(size, poses); ++k) {
-        const uint32_t bit = 1u << scenes::lot_bits(crowd, k, scenes::Lot::clip) % poses;
+        const uint32_t bit = 1u << scenes::random_bits(crowd, k, scenes::Purpose::clip) % poses;
         count += !(kept & bit);
         kept |= bit;
     }

@@ -3,7 +3,7 @@
 #include "samples/cli/bench_keypose.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 namespace cli
 {
@@ -25,18 +25,18 @@ struct ServedMean {
 
 // The multitude with nothing but its key-poses kept.
 struct ServedField {
-    ServedField(scenes::Library &library, uint32_t count, clq_method method, uint32_t most_kept, uint64_t seed)
+    ServedField(scenes::Library &library, uint32_t count, clq_key_pose_mode method, uint32_t max_kept, uint64_t seed)
     {
-        scenes::Casting casting;
-        casting.count = count;
-        casting.seed = seed;
-        casting.cache = CLQ_CACHE_NONE;
-        casting.cache_budget_bytes = 1;
-        casting.key_poses.bands[0].method = method;
-        casting.key_poses.band_count = 1;
-        casting.key_poses.most_kept = most_kept;
-        casting.key_poses.rate_hz = static_cast<float>(rate_of_200_hz(library.builtin("decurion")));
-        scene = scenes::make_scene("multitude", library, casting, {});
+        scenes::CrowdOptions crowd_options;
+        crowd_options.count = count;
+        crowd_options.seed = seed;
+        crowd_options.cache = CLQ_CACHE_NONE;
+        crowd_options.cache_budget_bytes = 1;
+        crowd_options.key_poses.bands[0].mode = method;
+        crowd_options.key_poses.band_count = 1;
+        crowd_options.key_poses.max_kept = max_kept;
+        crowd_options.key_poses.rate_hz = static_cast<float>(rate_of_200_hz(library.builtin("decurion")));
+        scene = scenes::make_scene("multitude", library, crowd_options, {});
         clq_view *made = nullptr;
         scenes::check(clq_view_create(scene->crowd(), &made));
         view.reset(made);
@@ -46,7 +46,7 @@ struct ServedField {
     {
         stop_if_asked();
         clq_view *views[] = {view.get()};
-        scenes::check(clq_view_look(view.get(), &camera));
+        scenes::check(clq_view_set_camera(view.get(), &camera));
         scenes::check(clq_crowd_update(scene->crowd(), time_s, views, 1));
         clq_key_pose_stats stats = {};
         scenes::check(clq_crowd_get_key_pose_stats(scene->crowd(), &stats));
@@ -64,13 +64,13 @@ void play(ServedField &field, uint64_t seed, uint32_t turn)
     for (uint32_t who = 0; who < field.actors.size(); ++who) {
         clq_actor_info info = {};
         scenes::check(clq_actor_get_info(field.scene->crowd(), field.actors[who], &info));
-        const uint64_t bits = scenes::lot_bits(seed + turn, who, scenes::Lot::act);
+        const uint64_t bits = scenes::random_bits(seed + turn, who, scenes::Purpose::act);
         clq_play play = {};
         play.clip = clq_template_find_clip(info.tmpl, multitude_clips()[bits % open].c_str());
         play.speed = 1;
         clq_clip_info clip = {};
         scenes::check(clq_template_get_clip(info.tmpl, play.clip, &clip));
-        play.phase_s = static_cast<float>(scenes::lot(seed + turn, who, scenes::Lot::phase) *
+        play.phase_s = static_cast<float>(scenes::random_unit(seed + turn, who, scenes::Purpose::phase) *
                                           static_cast<double>(clip.duration_s));
         scenes::check(clq_actor_play(field.scene->crowd(), field.actors[who], &play));
     }
@@ -78,8 +78,8 @@ void play(ServedField &field, uint64_t seed, uint32_t turn)
 
 const struct {
     const char *name;
-    clq_method method;
-} methods[] = {{"intermittent", CLQ_METHOD_INTERMITTENT}, {"interpolated", CLQ_METHOD_INTERPOLATED}};
+    clq_key_pose_mode method;
+} methods[] = {{"intermittent", CLQ_KEY_POSE_INTERMITTENT}, {"interpolated", CLQ_KEY_POSE_INTERPOLATED}};
 
 }  // namespace
 
@@ -94,14 +94,14 @@ Json key_poses_along_path(const BenchArguments &a, scenes::Library &library)
     size_t done = 0;
     for (const auto &way : methods)
         for (const uint32_t most : {50u, 100u, 150u, 200u}) {
-            ServedField field(library, count, way.method, most, a.stage.seed);
+            ServedField field(library, count, way.method, most, a.setup.seed);
             Json points = Json::array();
             ServedMean served, wanted, updated, lately;
             double least = 100;
             int frame = 0;
             for (double t = 0; t <= path_s + 1e-9; t = ++frame * step_s) {
                 const clq_key_pose_stats stats = field.update(path.camera(t, served_aspect), t);
-                const double share = stats.asked ? 100.0 * stats.served / stats.asked : 100;
+                const double share = stats.requested ? 100.0 * stats.served / stats.requested : 100;
                 served.add(share), wanted.add(stats.wanted), lately.add(share);
                 if (frame > 0) updated.add(stats.updated);
                 least = std::min(least, share);
@@ -111,7 +111,7 @@ Json key_poses_along_path(const BenchArguments &a, scenes::Library &library)
             report["series"].push_back({{"name", name},
                                         {"points", std::move(points)},
                                         {"colour", most / 50 - 1},
-                                        {"dash", way.method == CLQ_METHOD_INTERMITTENT ? "solid" : "dashed"},
+                                        {"dash", way.method == CLQ_KEY_POSE_INTERMITTENT ? "solid" : "dashed"},
                                         {"dots", "never"}});
             report["runs"].push_back({{"stores", name},
                                       {"served %", served.take()},
@@ -135,16 +135,16 @@ Json key_poses_by_script(const BenchArguments &a, scenes::Library &library)
         chart_of_lines("Key-poses kept as the number of clips grows", "seconds", "% served, key-poses a frame");
     report["columns"] = {"clips", "method", "served", "of", "wanted", "updated a frame"};
     for (const auto &way : methods) {
-        ServedField field(library, count, way.method, most, a.stage.seed);
+        ServedField field(library, count, way.method, most, a.setup.seed);
         const clq_camera camera = field.scene->camera(scenes::Shot::overview, served_aspect, 0);
         Json share = Json::array(), updates = Json::array();
         ServedMean served, asked, wanted, updated, share_lately, updated_lately;
         const int frames = static_cast<int>(script_s / step_s + 0.5), turn = static_cast<int>(turn_s / step_s + 0.5);
         for (int frame = 0; frame < frames; ++frame) {
-            if (frame % turn == 0) play(field, a.stage.seed, static_cast<uint32_t>(frame / turn));
+            if (frame % turn == 0) play(field, a.setup.seed, static_cast<uint32_t>(frame / turn));
             const clq_key_pose_stats stats = field.update(camera, frame * step_s);
-            served.add(stats.served), asked.add(stats.asked), wanted.add(stats.wanted);
-            share_lately.add(100.0 * stats.served / std::max(stats.asked, 1u));
+            served.add(stats.served), asked.add(stats.requested), wanted.add(stats.wanted);
+            share_lately.add(100.0 * stats.served / std::max(stats.requested, 1u));
             if (frame % turn > 0) updated.add(stats.updated), updated_lately.add(stats.updated);
             if (frame % 10 == 5) {
                 share.push_back({frame * step_s, share_lately.take()});
@@ -160,7 +160,7 @@ Json key_poses_by_script(const BenchArguments &a, scenes::Library &library)
                                       {"wanted", wanted.take()},
                                       {"updated a frame", updated.take()}});
         }
-        const size_t colour = way.method == CLQ_METHOD_INTERMITTENT ? 0 : 1;
+        const size_t colour = way.method == CLQ_KEY_POSE_INTERMITTENT ? 0 : 1;
         const std::string name = way.name;
         report["series"].push_back(
             {{"name", name + ", % served"}, {"points", share}, {"colour", colour}, {"dots", "never"}});

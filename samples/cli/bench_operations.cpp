@@ -1,4 +1,4 @@
-// claque bench --counts: the operations of S0's Table 1 as the library counted them frame by frame, for `claque cost
+// claque bench --operations: the operations of S0's Table 1 as the library counted them frame by frame, for `claque cost
 // --measured`. Beside actor mode stands S0's traditional processing, which knows neither culling before behaviour nor levels of
 // detail; that traditional culling draws the same picture is made sure of at equal levels.
 #include "samples/cli/bench.h"
@@ -31,19 +31,19 @@ double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, Levels levels)
 {
-    StageArguments arguments = a.stage;
+    SceneArguments arguments = a.setup;
     arguments.count = a.counts.front();
-    scenes::StageOptions options = stage_options(arguments, LoadedCharacter());
-    options.casting.cull = cull;
-    if (levels == Levels::finest) options.casting.lod_scale = 0;
-    scenes::Stage stage(library, options);
+    scenes::SceneOptions options = scene_options(arguments, LoadedCharacter());
+    options.crowd_options.cull = cull;
+    if (levels == Levels::finest) options.crowd_options.lod_scale = 0;
+    scenes::SceneRenderer scene_renderer(library, options);
     Run out;
     double needed = 0, built = 0, products = 0, tracked = 0;
     for (int frame = 0; frame <= a.frames; ++frame) {
         stop_if_asked();
-        stage.update(2 + frame / 25.0);
+        scene_renderer.update(2 + frame / 25.0);
         if (frame == 0) continue;  // everything is new in it
-        const clq_crowd_stats stats = stage.crowd_stats();
+        const clq_crowd_stats stats = scene_renderer.crowd_stats();
         const cost::Counts counts = counts_of(stats);
         for (size_t i = 0; i < cost::operation_count; ++i) out.counts[i] += counts[i];
         needed += static_cast<double>(stats.matrices_needed);
@@ -54,9 +54,9 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
     out.shares = {share(tracked, products), share(built, needed)};
     for (double &count : out.counts) count /= a.frames;
     if (levels == Levels::finest) return out;
-    stage.draw_setting();
-    stage.draw_crowd();
-    out.picture = hex(scenes::hash_of(stage.read()));
+    scene_renderer.draw_environment();
+    scene_renderer.draw_crowd();
+    out.picture = hex(scenes::hash_of(scene_renderer.read()));
     return out;
 }
 
@@ -64,7 +64,7 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
 
 void write_operations(const BenchArguments &a)
 {
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     const Run actor = run(library, a, CLQ_CULL_ACTOR, Levels::by_distance);
     std::string picture = actor.picture;
     const std::string who = std::to_string(a.counts.front()) + " actors";
@@ -74,9 +74,9 @@ void write_operations(const BenchArguments &a)
     measured.actor = actor.counts;
     measured.shares = actor.shares;
     measured.traditional = run(library, a, CLQ_CULL_TRADITIONAL, Levels::finest).counts;
-    measured.note = "scene " + scene_of(a.stage) + ", " + who + ", means of " + std::to_string(a.frames) +
+    measured.note = "scene " + scene_of(a.setup) + ", " + who + ", means of " + std::to_string(a.frames) +
                     " frames at 25 a second, parts placed by " +
-                    (a.stage.placement == "matrices" ? "OpenGL" : "claque") + "; traditional: all at its finest";
+                    (a.setup.rigid_mode == "matrices" ? "OpenGL" : "claque") + "; traditional: all at its finest";
     write_whole(a.operations, json_of(measured));
 }
 

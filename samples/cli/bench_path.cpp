@@ -35,7 +35,7 @@ struct Mean {
 
 // One cache and one variety over one section.
 struct Variant {
-    Times update, setting, draw, frame;
+    Times update, environment, draw, frame;
     Mean draws, triangles_sent, vertices_sent, animated, skinned, asked, served, updated;
 };
 
@@ -43,7 +43,7 @@ struct Variant {
 struct PathRival {
     std::string cache;    // and levels, as reports have it
     std::string picture;  // what shows the same has the same one
-    std::unique_ptr<scenes::Stage> stage;
+    std::unique_ptr<scenes::SceneRenderer> scene_renderer;
     std::vector<Variant> variants;  // by variety
 };
 
@@ -67,7 +67,7 @@ std::vector<std::vector<double>> bursts_of(const scenes::PathSection &section, i
     std::vector<std::vector<double>> bursts;
     for (int b = 0; b < count; ++b) {
         const int here = frames * (b + 1) / count - frames * b / count;
-        const double middle = section.first_s + (section.last_s - section.first_s) * (b + 0.5) / count;
+        const double middle = section.start_s + (section.end_s - section.start_s) * (b + 0.5) / count;
         bursts.emplace_back();
         for (int f = 0; f < here; ++f) bursts.back().push_back(middle + (f - (here - 1) * 0.5) * frame_s);
     }
@@ -84,25 +84,25 @@ public:
             for (const std::string &cache : a.caches) {
                 const std::string label = cache + (lod == "on" ? with_levels : "");
                 progress.phase("preparing, cache " + label);
-                StageArguments arguments = a.stage;
+                SceneArguments arguments = a.setup;
                 arguments.cache = cache;
                 arguments.lod = lod;
-                const scenes::StageOptions options = stage_options(arguments, nobody);
+                const scenes::SceneOptions options = scene_options(arguments, nobody);
                 rivals_.push_back({label,
                                    picture_of(cache) + (lod == "on" ? with_levels : ""),
-                                   std::make_unique<scenes::Stage>(library, options),
+                                   std::make_unique<scenes::SceneRenderer>(library, options),
                                    {}});
                 // First draws of a renderer cost more than any later one.
-                rivals_.back().stage->update(options.path->first_s());
-                for (const std::string &variety : a.varieties) {
-                    rivals_.back().stage->use_variety(variety_named(variety));
-                    rivals_.back().stage->draw_setting();
-                    rivals_.back().stage->draw_crowd();
+                rivals_.back().scene_renderer->update(options.path->start_s());
+                for (const std::string &strategy : a.strategies) {
+                    rivals_.back().scene_renderer->use_strategy(strategy_named(strategy));
+                    rivals_.back().scene_renderer->draw_environment();
+                    rivals_.back().scene_renderer->draw_crowd();
                 }
             }
     }
 
-    const scenes::Stage &stage() const { return *rivals_.front().stage; }
+    const scenes::SceneRenderer &scene_renderer() const { return *rivals_.front().scene_renderer; }
 
     void begin(const std::string &section)
     {
@@ -110,14 +110,14 @@ public:
         seen_ = {};
         agreements_.clear();
         hashes_.clear();
-        for (PathRival &rival : rivals_) rival.variants.assign(a_.varieties.size(), {});
+        for (PathRival &rival : rivals_) rival.variants.assign(a_.strategies.size(), {});
     }
 
     void burst(const std::vector<double> &times_s)
     {
         for (PathRival &rival : rivals_) {
-            rival.stage->make_current();
-            rival.stage->update(times_s.front() - frame_s);
+            rival.scene_renderer->make_current();
+            rival.scene_renderer->update(times_s.front() - frame_s);
         }
         for (const double time_s : times_s) {
             stop_if_asked();
@@ -125,7 +125,7 @@ public:
                 agreements_[rival.picture].begin("section '" + section_ + "' at " + std::to_string(time_s) + " s");
             for (size_t i = 0; i < rivals_.size(); ++i) frame(rivals_[(i + turn_) % rivals_.size()], time_s);
             for (const auto &[picture, agreement] : agreements_) hashes_ += agreement.hash();
-            seen_.note(stage().view_stats());
+            seen_.note(scene_renderer().view_stats());
             ++turn_;
         }
     }
@@ -133,24 +133,24 @@ public:
     Json section_report(const scenes::PathSection &section) const
     {
         return {{"name", section.name},
-                {"first_s", section.first_s},
-                {"last_s", section.last_s},
+                {"start_s", section.start_s},
+                {"end_s", section.end_s},
                 {"people", {{"minimum", seen_.least}, {"mean", seen_.people.value()}, {"maximum", seen_.most}}},
                 {"triangles", seen_.triangles.value()},
-                {"depth_ties", most_ties()},
+                {"depth_ties", max_ties()},
                 {"pictures_hash", hex(scenes::hash_of({hashes_.begin(), hashes_.end()}))}};
     }
 
     void report_runs(Json &runs) const
     {
         for (const PathRival &rival : rivals_)
-            for (size_t v = 0; v < a_.varieties.size(); ++v) {
+            for (size_t v = 0; v < a_.strategies.size(); ++v) {
                 const Variant &variant = rival.variants[v];
                 runs.push_back({{"section", section_},
                                 {"cache", rival.cache},
-                                {"variety", a_.varieties[v]},
+                                {"strategy", a_.strategies[v]},
                                 {"update_ms", spread(variant.update)},
-                                {"setting_ms", spread(variant.setting)},
+                                {"environment_ms", spread(variant.environment)},
                                 {"draw_ms", spread(variant.draw)},
                                 {"frame_ms", spread(variant.frame)},
                                 {"draws", variant.draws.value()},
@@ -158,55 +158,55 @@ public:
                                 {"vertices_sent", variant.vertices_sent.value()},
                                 {"animated", variant.animated.value()},
                                 {"skinned", variant.skinned.value()},
-                                {"key_poses_asked", variant.asked.value()},
+                                {"key_poses_requested", variant.asked.value()},
                                 {"key_poses_served", variant.served.value()},
                                 {"key_poses_updated", variant.updated.value()}});
             }
     }
 
 private:
-    size_t most_ties() const
+    size_t max_ties() const
     {
         size_t most = 0;
-        for (const auto &[picture, agreement] : agreements_) most = std::max(most, agreement.most_ties());
+        for (const auto &[picture, agreement] : agreements_) most = std::max(most, agreement.max_ties());
         return most;
     }
 
     // One update, which is the same for every variety, and a picture in each.
     void frame(PathRival &rival, double time_s)
     {
-        scenes::Stage &stage = *rival.stage;
-        stage.make_current();
+        scenes::SceneRenderer &scene_renderer = *rival.scene_renderer;
+        scene_renderer.make_current();
         const Stopwatch updating;
-        stage.update(time_s);
+        scene_renderer.update(time_s);
         const double update_ms = updating.ms();
-        const clq_crowd_stats stats = stage.crowd_stats();
+        const clq_crowd_stats stats = scene_renderer.crowd_stats();
         clq_key_pose_stats key_poses = {};
-        scenes::check(clq_crowd_get_key_pose_stats(stage.scene().crowd(), &key_poses));
-        for (size_t i = 0; i < a_.varieties.size(); ++i) {
-            const size_t v = (i + turn_) % a_.varieties.size();
+        scenes::check(clq_crowd_get_key_pose_stats(scene_renderer.scene().crowd(), &key_poses));
+        for (size_t i = 0; i < a_.strategies.size(); ++i) {
+            const size_t v = (i + turn_) % a_.strategies.size();
             Variant &variant = rival.variants[v];
-            stage.use_variety(variety_named(a_.varieties[v]));
-            const Stopwatch setting;
-            stage.draw_setting();
-            stage.gl().Finish();
-            const double setting_ms = setting.ms();
+            scene_renderer.use_strategy(strategy_named(a_.strategies[v]));
+            const Stopwatch environment;
+            scene_renderer.draw_environment();
+            scene_renderer.gl().Finish();
+            const double environment_ms = environment.ms();
             const Stopwatch drawing;
-            const clq_draw_stats drawn = stage.draw_crowd();
+            const clq_draw_stats drawn = scene_renderer.draw_crowd();
             const double draw_ms = drawing.ms();
             variant.update.ms.push_back(update_ms);
-            variant.setting.ms.push_back(setting_ms);
+            variant.environment.ms.push_back(environment_ms);
             variant.draw.ms.push_back(draw_ms);
-            variant.frame.ms.push_back(update_ms + setting_ms + draw_ms);
+            variant.frame.ms.push_back(update_ms + environment_ms + draw_ms);
             variant.draws.add(drawn.draws);
             variant.triangles_sent.add(static_cast<double>(drawn.triangles));
             variant.vertices_sent.add(static_cast<double>(drawn.vertices));
             variant.animated.add(stats.animated);
             variant.skinned.add(stats.skinned);
-            variant.asked.add(key_poses.asked);
+            variant.asked.add(key_poses.requested);
             variant.served.add(key_poses.served);
             variant.updated.add(key_poses.updated);
-            agreements_[rival.picture].check(stage.read(), rival.cache, a_.varieties[v]);
+            agreements_[rival.picture].check(scene_renderer.read(), rival.cache, a_.strategies[v]);
         }
     }
 
@@ -224,16 +224,16 @@ private:
 Json bench_along_path(const BenchArguments &a)
 {
     Progress progress("claque bench");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     Race race(a, library, progress);
-    const std::vector<scenes::PathSection> &sections = race.stage().path()->sections();
-    if (sections.empty()) throw scenes::Failure(a.stage.path + ": the camera path has no sections to measure");
+    const std::vector<scenes::PathSection> &sections = race.scene_renderer().path()->sections();
+    if (sections.empty()) throw scenes::Failure(a.setup.path + ": the camera path has no sections to measure");
     Json report = {{"claque", version()},
-                   {"scene", scene_of(a.stage)},
-                   {"count", race.stage().crowd_stats().actor_count},
-                   {"size_px", {a.stage.width, a.stage.height}},
-                   {"threads", thread_count(a.stage)},
-                   {"context", race.stage().context_name()},
+                   {"scene", scene_of(a.setup)},
+                   {"count", race.scene_renderer().crowd_stats().actor_count},
+                   {"size_px", {a.setup.width, a.setup.height}},
+                   {"threads", thread_count(a.setup)},
+                   {"context", race.scene_renderer().context_name()},
                    {"machine", machine()},
                    {"frames", a.frames},
                    {"burst_frames", std::min(a.frames, burst_frames)}};

@@ -32,7 +32,7 @@ private:
 
 struct ShadowsRival {
     std::string name;
-    std::unique_ptr<scenes::Stage> stage;
+    std::unique_ptr<scenes::SceneRenderer> scene_renderer;
     Times update, shadows, draw;
     clq_shadow_stats drawn = {};
     uint64_t skinned = 0;             // by updates
@@ -41,24 +41,24 @@ struct ShadowsRival {
 
 void frame(ShadowsRival &rival, double time_s, bool counts)
 {
-    rival.stage->make_current();
+    rival.scene_renderer->make_current();
     const ProcessorWatch updating;
-    rival.stage->update(time_s);
+    rival.scene_renderer->update(time_s);
     const double update_ms = updating.ms();
-    rival.stage->draw_setting();
-    rival.stage->gl().Finish();
+    rival.scene_renderer->draw_environment();
+    rival.scene_renderer->gl().Finish();
     const ProcessorWatch darkening;
-    rival.drawn = rival.stage->draw_shadows();
+    rival.drawn = rival.scene_renderer->draw_shadows();
     const double shadow_ms = darkening.ms();
     const ProcessorWatch drawing;
-    rival.stage->draw_crowd();
+    rival.scene_renderer->draw_crowd();
     const double draw_ms = drawing.ms();
     if (!counts) return;
     rival.update.ms.push_back(update_ms);
     rival.shadows.ms.push_back(shadow_ms);
     rival.draw.ms.push_back(draw_ms);
-    rival.skinned += rival.stage->crowd_stats().skinned;
-    rival.skinned_when_drawn += rival.drawn.skinned + rival.stage->crowd_stats().on_demand;
+    rival.skinned += rival.scene_renderer->crowd_stats().skinned;
+    rival.skinned_when_drawn += rival.drawn.skinned + rival.scene_renderer->crowd_stats().on_demand;
 }
 
 Json about(const ShadowsRival &rival, uint32_t count)
@@ -66,7 +66,7 @@ Json about(const ShadowsRival &rival, uint32_t count)
     const auto both = [](const Times &times) -> Json {
         return {{"minimum", times.minimum()}, {"median", times.median()}};
     };
-    const clq_view_stats seen = rival.stage->view_stats();
+    const clq_view_stats seen = rival.scene_renderer->view_stats();
     Json run = {{"count", count}, {"shadows", rival.name}};
     run["visible"] = seen.visible - seen.shadow_only;
     run["shadow_only"] = seen.shadow_only;
@@ -87,23 +87,23 @@ Json about(const ShadowsRival &rival, uint32_t count)
 Json bench_shadows(const BenchArguments &a)
 {
     Progress progress("claque bench");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden);
-    Json report = {{"claque", version()}, {"threads", thread_count(a.stage)}, {"frames", a.frames}};
+    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden);
+    Json report = {{"claque", version()}, {"threads", thread_count(a.setup)}, {"frames", a.frames}};
     report["time"] = "processor time of all threads";
-    report["size_px"] = {a.stage.width, a.stage.height};
+    report["size_px"] = {a.setup.width, a.setup.height};
     report["runs"] = Json::array();
     for (const uint32_t count : a.counts) {
         std::vector<ShadowsRival> rivals(a.shadows.size());
         for (size_t k = 0; k < rivals.size(); ++k) {
-            StageArguments arguments = a.stage;
+            SceneArguments arguments = a.setup;
             arguments.count = count;
             arguments.lod = a.lods.front();
             arguments.shadows = rivals[k].name = a.shadows[k];
-            const scenes::StageOptions options = stage_options(arguments, loaded);
+            const scenes::SceneOptions options = scene_options(arguments, loaded);
             report["scene"] = options.scene;
-            rivals[k].stage = std::make_unique<scenes::Stage>(library, options);
+            rivals[k].scene_renderer = std::make_unique<scenes::SceneRenderer>(library, options);
         }
         for (int f = 0; f <= a.frames; ++f) {
             stop_if_asked();

@@ -41,10 +41,11 @@ std::string conditions(const Json &report)
            std::to_string(report["machine"]["cores"].get<unsigned>()) + " cores";
 }
 
-const Json *run_of(const Json &report, const std::string &section, const std::string &cache, const std::string &variety)
+const Json *run_of(const Json &report, const std::string &section, const std::string &cache,
+                   const std::string &strategy)
 {
     for (const Json &run : report["runs"])
-        if (words(run, "section") == section && words(run, "cache") == cache && words(run, "variety") == variety)
+        if (words(run, "section") == section && words(run, "cache") == cache && words(run, "strategy") == strategy)
             return &run;
     return nullptr;
 }
@@ -93,7 +94,7 @@ std::string counts(const Json &run, bool key_poses)
     if (!key_poses) return whole("animated") + " |";
     std::string text = whole("animated") + " | " + whole("skinned") + " | ";
     if (!shares_key_poses(words(run, "cache"))) return text + "| |";
-    const double asked = run["key_poses_asked"].get<double>();
+    const double asked = run["key_poses_requested"].get<double>();
     text += asked > 0 ? with_digits(100 * run["key_poses_served"].get<double>() / asked, 0) + " %" : "nobody asks";
     return text + " | " + with_digits(run["key_poses_updated"].get<double>(), 1) + " |";
 }
@@ -113,16 +114,17 @@ void print_sections(const Json &report)
         std::printf("\n%s: %s people in view, %.0f triangles, pictures %s, %u depth ties\n", name.c_str(),
                     people(section).c_str(), section["triangles"].get<double>(),
                     words(section, "pictures_hash").c_str(), section["depth_ties"].get<unsigned>());
-        std::printf("%-*s %-9s %17s %17s %17s %17s %9s %9s %9s", wide, "cache", "variety", "update ms", "setting ms",
-                    "draw ms", "frame ms", "animated", "draws", "sent");
+        std::printf("%-*s %-9s %17s %17s %17s %17s %9s %9s %9s", wide, "cache", "strategy", "update ms",
+                    "environment ms", "draw ms", "frame ms", "animated", "draws", "sent");
         if (key_poses) std::printf(" %9s %9s %9s", "skinned", "served", "updated");
         std::printf("\n");
         for (const Json &r : report["runs"]) {
             if (words(r, "section") != name) continue;
             std::printf("%-*s %-9s %17s %17s %17s %17s %9.0f %9.0f %9.0f", wide, words(r, "cache").c_str(),
-                        words(r, "variety").c_str(), spread(r["update_ms"]).c_str(), spread(r["setting_ms"]).c_str(),
-                        spread(r["draw_ms"]).c_str(), spread(r["frame_ms"]).c_str(), r["animated"].get<double>(),
-                        r["draws"].get<double>(), r["triangles_sent"].get<double>());
+                        words(r, "strategy").c_str(), spread(r["update_ms"]).c_str(),
+                        spread(r["environment_ms"]).c_str(), spread(r["draw_ms"]).c_str(),
+                        spread(r["frame_ms"]).c_str(), r["animated"].get<double>(), r["draws"].get<double>(),
+                        r["triangles_sent"].get<double>());
             if (key_poses)
                 std::printf(" %9.0f %9.0f %9.1f", r["skinned"].get<double>(), r["key_poses_served"].get<double>(),
                             r["key_poses_updated"].get<double>());
@@ -134,7 +136,7 @@ void print_sections(const Json &report)
 
 std::string markdown_of(const Json &report)
 {
-    const std::vector<std::string> caches = different(report, "cache"), varieties = different(report, "variety");
+    const std::vector<std::string> caches = different(report, "cache"), strategies = different(report, "strategy");
     std::string text = "Measured with `claque bench " + words(report, "scene") + " --frames " +
                        std::to_string(report["frames"].get<int>()) + "`: " + conditions(report) + ". " +
                        std::to_string(report["count"].get<unsigned>()) +
@@ -144,20 +146,20 @@ std::string markdown_of(const Json &report)
                        "*setting* all that is not people.\n\n| section | people in view | caches | update | animated |";
     const bool key_poses = has_key_poses(report);
     if (key_poses) text += " skinned | served by key-poses | key-poses skinned |";
-    for (const std::string &variety : varieties) text += " draw " + variety + " |";
-    text += " setting | frames a second, " + varieties.back() + " |\n|---|---|---|---|---|";
+    for (const std::string &strategy : strategies) text += " draw " + strategy + " |";
+    text += " setting | frames a second, " + strategies.back() + " |\n|---|---|---|---|---|";
     if (key_poses) text += "---|---|---|";
-    for (size_t i = 0; i < varieties.size(); ++i) text += "---|";
+    for (size_t i = 0; i < strategies.size(); ++i) text += "---|";
     text += "---|---|\n";
     for (const Json &section : report["sections"])
         for (const std::string &cache : caches) {
             const std::string name = words(section, "name");
-            const Json &last = *run_of(report, name, cache, varieties.back());
+            const Json &last = *run_of(report, name, cache, strategies.back());
             text += "| " + name + " | " + people(section) + " | " + cache + " | " + spread(last["update_ms"]) + " | " +
                     counts(last, key_poses);
-            for (const std::string &variety : varieties)
-                text += " " + spread((*run_of(report, name, cache, variety))["draw_ms"]) + " |";
-            text += " " + spread(last["setting_ms"]) + " | " +
+            for (const std::string &strategy : strategies)
+                text += " " + spread((*run_of(report, name, cache, strategy))["draw_ms"]) + " |";
+            text += " " + spread(last["environment_ms"]) + " | " +
                     with_digits(1000 / last["frame_ms"]["median"].get<double>(), 1) + " |\n";
         }
     return text;

@@ -6,7 +6,7 @@
 #include "samples/cli/letters.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,21 +24,21 @@ constexpr int row_gap_px = 2, row_label_px = (letter_height + 4) * 2;
 struct BlendArguments {
     std::string file, out;
     ClipArguments clips;
-    BlendWishes wishes;
+    BlendOptions options;
     int width = 1600, height = 1500;
 };
 
 // What a row shows at a moment, as far as it is blended.
 std::string shown_at(scenes::Library &library, clq_template *tmpl, const BlendRow &row, double time_s)
 {
-    scenes::Casting casting;
-    casting.count = 1;
-    scenes::Cast cast(library, casting);
+    scenes::CrowdOptions crowd_options;
+    crowd_options.count = 1;
+    scenes::SceneCrowd cast(library, crowd_options);
     cast.enter({tmpl, scenes::stand(0, 0, 0, 0, 1, 1), {CLQ_NONE, 0, 0, 0}});
     row.command(cast.crowd(), cast.actors()[0]);
-    clq_shown_clip shown[CLQ_SHOWN_MOST];
+    clq_active_clip shown[CLQ_ACTIVE_CLIP_MAX];
     uint32_t count = 0;
-    scenes::check(clq_actor_get_shown(cast.crowd(), cast.actors()[0], time_s, shown, &count));
+    scenes::check(clq_actor_get_active_clips(cast.crowd(), cast.actors()[0], time_s, shown, &count));
     std::string text;
     for (uint32_t i = 0; i < count; ++i) {
         clq_clip_info clip = {};
@@ -61,7 +61,7 @@ void print_row(scenes::Library &library, clq_template *tmpl, size_t number, cons
 
 void draw_rows(Board &board, Portraits &portraits, const std::vector<BlendRow> &rows, const BlendArguments &a)
 {
-    const int count = static_cast<int>(rows.size()), columns = static_cast<int>(a.wishes.phases);
+    const int count = static_cast<int>(rows.size()), columns = static_cast<int>(a.options.phases);
     const int wide = (a.width - 2 * margin_px + row_gap_px) / columns - row_gap_px;
     const int tall = (a.height - 2 * margin_px) / count - row_label_px;
     if (wide < 8 || tall < 8)
@@ -90,7 +90,7 @@ void blend(const BlendArguments &a)
     scenes::Library library(1);
     const LoadedCharacter loaded = load_character(library, a.file, {}, a.clips);
     clq_template *tmpl = loaded.tmpl.get();
-    const std::vector<BlendRow> rows = blend_rows(tmpl, a.wishes);
+    const std::vector<BlendRow> rows = blend_rows(tmpl, a.options);
     Board board(a.width, a.height, paper);
     Portraits portraits(library, loaded, 1);
     portraits.make_room(0.05, 0.12);
@@ -114,23 +114,23 @@ void add_blend(CLI::App &app, Work &chosen)
     c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
         ->required();
     c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
-    c->add_option("--fade", a->wishes.fade,
+    c->add_option("--fade", a->options.fade,
                   "The clips of the first three rows, with a comma (default stand_wave,sit_cheer)")
         ->delimiter(',')
         ->expected(2)
         ->type_name("FROM,TO");
-    c->add_option("--length", a->wishes.length_s, "Seconds of the fade")
+    c->add_option("--length", a->options.length_s, "Seconds of the fade")
         ->check(CLI::Range(0.0, 60.0))
         ->capture_default_str();
-    c->add_option("--over", a->wishes.over, "The clip below the layers")->capture_default_str();
-    c->add_option("--layer", a->wishes.layer, "The clip in its place from a node on")->capture_default_str();
-    c->add_option("--added", a->wishes.added, "The clip that is added from a node on")->capture_default_str();
-    c->add_option("--node", a->wishes.node, "Where both begin")->capture_default_str();
-    c->add_option("--gaits", a->wishes.gaits, "The clips of the last row, with a comma (default walk,jog)")
+    c->add_option("--over", a->options.over, "The clip below the layers")->capture_default_str();
+    c->add_option("--layer", a->options.layer, "The clip in its place from a node on")->capture_default_str();
+    c->add_option("--additive", a->options.added, "The clip that is added from a node on")->capture_default_str();
+    c->add_option("--node", a->options.node, "Where both begin")->capture_default_str();
+    c->add_option("--gaits", a->options.gaits, "The clips of the last row, with a comma (default walk,jog)")
         ->delimiter(',')
         ->expected(2)
         ->type_name("A,B");
-    c->add_option("--phases", a->wishes.phases, "Pictures a row")->check(CLI::Range(2, 100))->capture_default_str();
+    c->add_option("--phases", a->options.phases, "Pictures a row")->check(CLI::Range(2, 100))->capture_default_str();
     add_clip_options(*c, a->clips);
     add_size_option(*c, a->width, a->height);
     c->callback([a, &chosen] { chosen = [a] { blend(*a); }; });

@@ -60,18 +60,18 @@ std::string seconds(double value)
 }
 
 BlendRow fade_row(const NamedClip &from, const NamedClip &to, clq_curve curve, const char *label,
-                  const BlendWishes &wishes)
+                  const BlendOptions &options)
 {
     // In the middle of a movement, so that there is something to go on with.
-    const double at_s = from.length_s * 0.4, length_s = wishes.length_s;
+    const double at_s = from.length_s * 0.4, length_s = options.length_s;
     BlendRow row;
     row.label = label;
     row.about = from.name + " to " + to.name + " within " + seconds(length_s);
-    row.times_s = evenly(at_s, at_s + length_s, wishes.phases);
+    row.times_s = evenly(at_s, at_s + length_s, options.phases);
     row.command = [=](clq_crowd *crowd, clq_actor actor) {
         const clq_play play = play_of(from, 0);
         check(clq_actor_play(crowd, actor, &play));
-        clq_motion motion = {};
+        clq_fade_target motion = {};
         motion.play = play_of(to, at_s);
         check(clq_actor_fade_to(crowd, actor, &motion, at_s, static_cast<float>(length_s), curve));
     };
@@ -79,19 +79,19 @@ BlendRow fade_row(const NamedClip &from, const NamedClip &to, clq_curve curve, c
 }
 
 BlendRow layer_row(const clq_template *tmpl, const NamedClip &over, const NamedClip &layer, clq_layer_kind kind,
-                   const BlendWishes &wishes)
+                   const BlendOptions &options)
 {
     // It comes in on the way to its middle, and the strip ends there.
     const double fade_s = layer.length_s * 0.35, last_s = layer.length_s * 0.5;
     BlendRow row;
     row.label = kind == CLQ_LAYER_ADD ? "added" : "masked";
-    row.about = layer.name + (kind == CLQ_LAYER_ADD ? " added to " : " over ") + over.name + " from " + wishes.node +
+    row.about = layer.name + (kind == CLQ_LAYER_ADD ? " added to " : " over ") + over.name + " from " + options.node +
                 " on within " + seconds(fade_s);
-    row.times_s = evenly(0, last_s, wishes.phases);
+    row.times_s = evenly(0, last_s, options.phases);
     row.command = [=](clq_crowd *crowd, clq_actor actor) {
         const clq_play play = play_of(over, 0);
         check(clq_actor_play(crowd, actor, &play));
-        const char *node = wishes.node.c_str();
+        const char *node = options.node.c_str();
         clq_mask_def mask = clq_mask_def_init();
         mask.tmpl = tmpl;
         mask.nodes = &node;
@@ -107,7 +107,7 @@ BlendRow layer_row(const clq_template *tmpl, const NamedClip &over, const NamedC
     return row;
 }
 
-BlendRow gait_row(const clq_template *tmpl, const NamedClip &a, const NamedClip &b, const BlendWishes &wishes)
+BlendRow gait_row(const clq_template *tmpl, const NamedClip &a, const NamedClip &b, const BlendOptions &options)
 {
     const double length_s = a.length_s + b.length_s;  // about two cycles
     BlendRow row;
@@ -115,12 +115,12 @@ BlendRow gait_row(const clq_template *tmpl, const NamedClip &a, const NamedClip 
     row.about =
         a.name + " and " + b.name + " in step - share of " + b.name + " from 0 to 1 within " + seconds(length_s);
     row.from_the_side = true;
-    row.times_s = evenly(0, length_s, wishes.phases);
+    row.times_s = evenly(0, length_s, options.phases);
     row.command = [=](clq_crowd *crowd, clq_actor actor) {
         clq_gait_def def = clq_gait_def_init();
         def.tmpl = tmpl;
         def.clip_a = a.clip, def.clip_b = b.clip;
-        clq_motion motion = {};
+        clq_fade_target motion = {};
         check(clq_crowd_add_gait(crowd, &def, &motion.gait));
         motion.play = play_of(a, -a.length_s);  // a round before the strip begins
         check(clq_actor_fade_to(crowd, actor, &motion, -a.length_s, 0, CLQ_CURVE_SMOOTH));
@@ -131,26 +131,26 @@ BlendRow gait_row(const clq_template *tmpl, const NamedClip &a, const NamedClip 
 
 }  // namespace
 
-std::vector<BlendRow> blend_rows(const clq_template *tmpl, const BlendWishes &wishes)
+std::vector<BlendRow> blend_rows(const clq_template *tmpl, const BlendOptions &options)
 {
-    const NamedClip from = clip_named(tmpl, wishes.fade[0]), to = clip_named(tmpl, wishes.fade[1]);
-    const NamedClip over = clip_named(tmpl, wishes.over);
+    const NamedClip from = clip_named(tmpl, options.fade[0]), to = clip_named(tmpl, options.fade[1]);
+    const NamedClip over = clip_named(tmpl, options.over);
     std::vector<BlendRow> rows;
-    rows.push_back(fade_row(from, to, CLQ_CURVE_LINEAR, "linear", wishes));
-    rows.push_back(fade_row(from, to, CLQ_CURVE_SMOOTH, "smooth", wishes));
-    rows.push_back(fade_row(from, to, CLQ_CURVE_INERTIAL, "inertial", wishes));
-    rows.push_back(layer_row(tmpl, over, clip_named(tmpl, wishes.layer), CLQ_LAYER_REPLACE, wishes));
-    rows.push_back(layer_row(tmpl, over, clip_named(tmpl, wishes.added), CLQ_LAYER_ADD, wishes));
-    rows.push_back(gait_row(tmpl, clip_named(tmpl, wishes.gaits[0]), clip_named(tmpl, wishes.gaits[1]), wishes));
+    rows.push_back(fade_row(from, to, CLQ_CURVE_LINEAR, "linear", options));
+    rows.push_back(fade_row(from, to, CLQ_CURVE_SMOOTH, "smooth", options));
+    rows.push_back(fade_row(from, to, CLQ_CURVE_INERTIAL, "inertial", options));
+    rows.push_back(layer_row(tmpl, over, clip_named(tmpl, options.layer), CLQ_LAYER_REPLACE, options));
+    rows.push_back(layer_row(tmpl, over, clip_named(tmpl, options.added), CLQ_LAYER_ADD, options));
+    rows.push_back(gait_row(tmpl, clip_named(tmpl, options.gaits[0]), clip_named(tmpl, options.gaits[1]), options));
     return rows;
 }
 
 double fastest_node(scenes::Library &library, clq_template *tmpl, const BlendRow &row)
 {
     constexpr double step_s = 0.002;
-    scenes::Casting casting;
-    casting.count = 1;
-    scenes::Cast cast(library, casting);
+    scenes::CrowdOptions crowd_options;
+    crowd_options.count = 1;
+    scenes::SceneCrowd cast(library, crowd_options);
     cast.enter({tmpl, scenes::stand(0, 0, 0, 0, 1, 1), {CLQ_NONE, 0, 0, 0}});
     row.command(cast.crowd(), cast.actors()[0]);
     double fastest = 0;

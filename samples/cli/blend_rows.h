@@ -9,7 +9,7 @@
 namespace cli
 {
 
-struct BlendWishes {
+struct BlendOptions {
     std::vector<std::string> fade = {"stand_wave", "sit_cheer"};  // from, to
     std::string over = "walk", layer = "stand_wave", added = "sit_laugh", node = "chest";
     std::vector<std::string> gaits = {"walk", "jog"};
@@ -25,7 +25,7 @@ struct BlendRow {
 };
 
 // Throws Failure where there is no clip or node of a name, and says which there are.
-std::vector<BlendRow> blend_rows(const clq_template *tmpl, const BlendWishes &wishes);
+std::vector<BlendRow> blend_rows(const clq_template *tmpl, const BlendOptions &options);
 
 // The greatest speed of any node in model units a second, against the root, while a row goes by: what pops is fast.
 double fastest_node(scenes::Library &library, clq_template *tmpl, const BlendRow &row);

@@ -56,10 +56,10 @@ clq_cache_mode cache_named(const std::string &cache)
 void take_key_poses(const std::string &cache, clq_key_poses &key_poses)
 {
     if (!shares_key_poses(cache)) return;
-    key_poses.bands[0].method = picture_of(cache) == intermittent ? CLQ_METHOD_INTERMITTENT : CLQ_METHOD_INTERPOLATED;
+    key_poses.bands[0].mode = picture_of(cache) == intermittent ? CLQ_KEY_POSE_INTERMITTENT : CLQ_KEY_POSE_INTERPOLATED;
     key_poses.band_count = 1;
     if (const std::string digits = digits_of(cache); !digits.empty())
-        key_poses.most_kept = static_cast<uint32_t>(std::stoul(digits));
+        key_poses.max_kept = static_cast<uint32_t>(std::stoul(digits));
 }
 
 }  // namespace cli

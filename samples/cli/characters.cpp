@@ -37,8 +37,8 @@ void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::
         }
     }
     for (int axis = 0; axis < 3; ++axis) {
-        character.box_first[axis] = static_cast<float>(first[axis]);
-        character.box_last[axis] = static_cast<float>(last[axis]);
+        character.box_min[axis] = static_cast<float>(first[axis]);
+        character.box_max[axis] = static_cast<float>(last[axis]);
     }
 }
 
@@ -52,8 +52,8 @@ scenes::Character LoadedCharacter::character() const
     if (asset) {
         const clq_asset_info info = info_of(asset.get());
         character.has_box = true;
-        std::copy(info.box_first, info.box_first + 3, character.box_first);
-        std::copy(info.box_last, info.box_last + 3, character.box_last);
+        std::copy(info.box_min, info.box_min + 3, character.box_min);
+        std::copy(info.box_max, info.box_max + 3, character.box_max);
         if (info.hidden_part_count == 0) take_posed_box(asset.get(), info, character);
     }
     return character;

@@ -15,8 +15,8 @@ JointMap map_of(const ClipArguments &a)
 {
     JointMap map = a.map.empty() ? JointMap() : read_joint_map(text_of(a.map), a.map);
     if (a.unit_m > 0) map.unit_m = a.unit_m;
-    if (a.first_s >= 0) map.first_s = a.first_s;
-    if (a.last_s >= 0) map.last_s = a.last_s;
+    if (a.start_s >= 0) map.start_s = a.start_s;
+    if (a.end_s >= 0) map.end_s = a.end_s;
     if (a.close_s >= 0) map.close_s = a.close_s;
     if (a.rate_hz > 0) map.rate_hz = a.rate_hz;
     if (!a.travel.empty()) travel_named(a.travel, map.travel);
@@ -42,17 +42,18 @@ void add_clip_options(CLI::App &command, ClipArguments &a)
         ->needs(files);
     command.add_option("--unit", a.unit_m, "Metres a unit of BVH files (default 1, or what the map says)")
         ->check(CLI::Range(1e-6, 1e6));
-    command.add_option("--from", a.first_s, "Seconds that are left out at the beginning of the clips")
+    command.add_option("--from", a.start_s, "Seconds that are left out at the beginning of the clips")
         ->check(CLI::Range(0.0, 1e6))
         ->needs(files);
-    command.add_option("--to", a.last_s, "Where the clips end, in seconds")->check(CLI::Range(0.0, 1e6))->needs(files);
+    command.add_option("--to", a.end_s, "Where the clips end, in seconds")->check(CLI::Range(0.0, 1e6))->needs(files);
     command.add_option("--close", a.close_s, "Seconds before its end in which a clip turns into its first pose")
         ->check(CLI::Range(0.0, 1e6))
         ->needs(files);
     command.add_option("--rate", a.rate_hz, "Keys a second of clips that are transferred (default 30)")
         ->check(CLI::Range(1.0, 1000.0))
         ->needs(files);
-    command.add_option("--travel", a.travel, "Whether the topmost joint goes the clips' way or stays in its place")
+    command
+        .add_option("--root-travel", a.travel, "Whether the topmost joint goes the clips' way or stays in its place")
         ->check(CLI::IsMember({"in-place", "keep"}))
         ->needs(files);
 }
@@ -81,8 +82,8 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     def.prefix = map.prefix.c_str();
     def.travel = map.travel;
     def.rate_hz = static_cast<float>(map.rate_hz);
-    def.first_s = static_cast<float>(map.first_s);
-    def.last_s = static_cast<float>(map.last_s);
+    def.start_s = static_cast<float>(map.start_s);
+    def.end_s = static_cast<float>(map.end_s);
     def.close_s = static_cast<float>(map.close_s);
     const clq_asset_info before = info_of(asset);
     ClipArguments source_arguments;

@@ -16,7 +16,7 @@ struct ClipArguments {
     uint32_t vary = 0;   // so many clips of a built-in person in all; 0: its own
     std::string map;     // file
     std::string travel;  // empty: as the map says
-    double unit_m = 0, first_s = -1, last_s = -1, close_s = -1, rate_hz = 0;  // 0 and negative: as the map says
+    double unit_m = 0, start_s = -1, end_s = -1, close_s = -1, rate_hz = 0;  // 0 and negative: as the map says
 };
 
 void add_clip_options(CLI::App &command, ClipArguments &arguments);

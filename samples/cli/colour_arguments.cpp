@@ -19,20 +19,20 @@ void add_colour_options(CLI::App &command, ColourArguments &arguments)
         ->needs(file);
 }
 
-Wardrobe::Wardrobe(scenes::Library &library, const ColourArguments &arguments, uint64_t seed)
+SceneColours::SceneColours(scenes::Library &library, const ColourArguments &arguments, uint64_t seed)
     : reload_(arguments.reload), seed_(seed)
 {
     if (!arguments.file.empty()) file_.emplace(library, arguments.file);
 }
 
-void Wardrobe::dress(const scenes::Stage &stage)
+void SceneColours::apply_to(const scenes::SceneRenderer &scene_renderer)
 {
-    if (!file_ || (dressed_ && !reload_)) return;
+    if (!file_ || (applied_ && !reload_)) return;
     try {
-        file_->apply(stage.scene(), seed_);
-        dressed_ = true;
+        file_->apply(scene_renderer.scene(), seed_);
+        applied_ = true;
     } catch (const scenes::Failure &broken) {
-        if (!dressed_) throw;
+        if (!applied_) throw;
         std::cerr << "claque: colours stay as they were: " << broken.what() << '\n';
     }
 }

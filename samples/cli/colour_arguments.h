@@ -2,7 +2,7 @@
 #pragma once
 
 #include "samples/scenes/colours.h"
-#include "samples/scenes/stage.h"
+#include "samples/scenes/scene_renderer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,18 +19,18 @@ struct ColourArguments {
 void add_colour_options(CLI::App &command, ColourArguments &arguments);
 
 // What the people on a stage wear.
-class Wardrobe
+class SceneColours
 {
 public:
-    Wardrobe(scenes::Library &library, const ColourArguments &arguments, uint64_t seed);
+    SceneColours(scenes::Library &library, const ColourArguments &arguments, uint64_t seed);
 
     // Before each frame. The first time it throws scenes::Failure where the file cannot be worn. With --reload a file that has
     // changed is taken up; one that is broken leaves the colours as they were, and standard error says why.
-    void dress(const scenes::Stage &stage);
+    void apply_to(const scenes::SceneRenderer &scene_renderer);
 
 private:
     std::optional<scenes::ColourFile> file_;
-    bool reload_, dressed_ = false;
+    bool reload_, applied_ = false;
     uint64_t seed_;
 };
 

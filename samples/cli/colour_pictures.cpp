@@ -3,7 +3,7 @@
 #include "samples/cli/interrupt.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/portraits.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <functional>
@@ -40,7 +40,7 @@ void colour_at_random(clq_crowd *crowd, clq_actor actor, uint64_t seed, uint32_t
     scenes::check(clq_template_get_info(info.tmpl, &tmpl));
     std::vector<float> rgb(3 * static_cast<size_t>(tmpl.zone_count));
     for (size_t i = 0; i < rgb.size(); ++i)
-        rgb[i] = static_cast<float>(scenes::lot(seed, rgb.size() * who + i, scenes::Lot::tone));
+        rgb[i] = static_cast<float>(scenes::random_unit(seed, rgb.size() * who + i, scenes::Purpose::tone));
     scenes::check(clq_actor_set_colours(crowd, actor, rgb.data(), tmpl.zone_count));
 }
 
@@ -92,7 +92,7 @@ ColourPicture classes_picture(scenes::Library &library, const clq_colour_map *ma
         for (uint32_t who = 0; who < each; ++who) {
             stop_if_asked();
             const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
-                scenes::check(clq_crowd_draw_colours(crowd, map, c, &actor, 1));
+                scenes::check(clq_crowd_randomise_colours(crowd, map, c, &actor, 1));
             };
             rows.paste(static_cast<int>(c), static_cast<int>(who), portraits.picture(who, dress, 0));
         }
@@ -120,7 +120,7 @@ ColourPicture comparison_picture(scenes::Library &library, const clq_colour_map 
                 colour_at_random(crowd, actor, seed, c * each + who);
             };
             const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
-                scenes::check(clq_crowd_draw_colours(crowd, map, c, &actor, 1));
+                scenes::check(clq_crowd_randomise_colours(crowd, map, c, &actor, 1));
             };
             rows.paste(0, column, portraits.picture(who, at_random, 0));
             rows.paste(1, column, portraits.picture(who, dress, 0));

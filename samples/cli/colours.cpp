@@ -4,7 +4,7 @@
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/scenes/odeon/theatre.h"
 
 #include <deque>
@@ -25,7 +25,7 @@ struct MapArguments {
 // A map under construction; `def` points into the rest.
 struct Making {
     std::deque<std::vector<clq_zone_colours>> zones;
-    std::deque<clq_dye> dyes;
+    std::deque<clq_palette_entry> dyes;
     std::vector<clq_colour_class> classes;
 
     // Every zone of the template, in its own range.
@@ -37,7 +37,7 @@ struct Making {
             clq_zone_info zone = {};
             scenes::check(clq_template_get_zone(tmpl, i, &zone));
             dyes.push_back({zone.range, 1});
-            all.push_back({zone.name, 1, &dyes.back(), CLQ_UNIFORM_HSB, nullptr, 0});
+            all.push_back({zone.name, 1, &dyes.back(), CLQ_COLOUR_SPACE_HSB, nullptr, 0});
         }
         classes.push_back({name, info.name, info.zone_count, all.data()});
         return all;
@@ -63,13 +63,13 @@ scenes::ColourMap map_of_theatre(scenes::Library &library, const std::string &fi
     for (const scenes::SocialClass &one : theatre.classes) {
         const clq_template *tmpl = library.builtin(one.figure);
         std::vector<clq_zone_colours> &zones = making.add(one.name.c_str(), tmpl);
-        for (const scenes::SocialClass::Dye &dye : one.dyes) {
+        for (const scenes::SocialClass::Dye &dye : one.palette) {
             const uint32_t zone = clq_template_find_zone(tmpl, dye.zone.c_str());
             if (zone == CLQ_NONE)
                 throw scenes::Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" +
                                       one.figure + "' has no such zone");
             making.dyes.push_back({dye.range, 1});
-            zones[zone].dyes = &making.dyes.back();
+            zones[zone].palette = &making.dyes.back();
         }
     }
     return made(library, making);

@@ -5,16 +5,16 @@
 namespace cli
 {
 
-nlohmann::json filtering(const scenes::Stage &stage)
+nlohmann::json filtering(const scenes::SceneRenderer &scene_renderer)
 {
     nlohmann::json all = nlohmann::json::array();
-    for (const clq_template *tmpl : stage.scene().templates()) {
-        const clq_prepared_info info = stage.prepared(tmpl);
+    for (const clq_template *tmpl : scene_renderer.scene().templates()) {
+        const clq_prepared_info info = scene_renderer.prepared(tmpl);
         all.push_back({{"template", info_of(tmpl).name},
                        {"triangles", info.triangle_count},
                        {"filtered", info.linear_count},
                        {"edges_between", info.edge_count},
-                       {"luminance_step", {{"mean", info.step_mean}, {"most", info.step_most}}}});
+                       {"luminance_step", {{"mean", info.step_mean}, {"max", info.step_max}}}});
     }
     return all;
 }

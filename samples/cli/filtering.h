@@ -1,7 +1,7 @@
 // What --filter linear came to.
 #pragma once
 
-#include "samples/scenes/stage.h"
+#include "samples/scenes/scene_renderer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +9,6 @@ namespace cli
 {
 
 // For each of the scene's templates: how many triangles are filtered, and how far they are from neighbours that are not.
-nlohmann::json filtering(const scenes::Stage &stage);
+nlohmann::json filtering(const scenes::SceneRenderer &scene_renderer);
 
 }  // namespace cli

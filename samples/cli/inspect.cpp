@@ -1,7 +1,7 @@
 // claque inspect: what a character is made of, as loaded and as split.
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 
 #include <cmath>
 #include <iomanip>
@@ -52,8 +52,8 @@ Json asset_json(const clq_asset *asset)
                  {"morph_targets", info.morph_target_count},
                  {"materials", info.material_count},
                  {"images", info.image_count},
-                 {"box_first", info.box_first},
-                 {"box_last", info.box_last}};
+                 {"box_min", info.box_min},
+                 {"box_max", info.box_max}};
     json["part_list"] = Json::array();
     for (uint32_t i = 0; i < info.part_count; ++i) {
         clq_asset_part part = {};

@@ -1,6 +1,6 @@
 #include "samples/cli/joint_map.h"
 
-#include "samples/scenes/odeon/described.h"
+#include "samples/scenes/odeon/toml_table.h"
 
 #include <algorithm>
 
@@ -11,14 +11,14 @@ namespace
 
 constexpr scenes::Limits seconds_key = {0, 1e6};
 
-void read_options(scenes::Described &all, JointMap &map)
+void read_options(scenes::TomlTable &all, JointMap &map)
 {
     if (all.has("unit_m")) map.unit_m = all.number("unit_m", {1e-6, 1e6});
     if (all.has("prefix")) map.prefix = all.text("prefix");
     if (all.has("clips")) map.clips = all.texts("clips");
     if (all.has("rate_hz")) map.rate_hz = all.number("rate_hz", {1, 1000});
-    if (all.has("first_s")) map.first_s = all.number("first_s", seconds_key);
-    if (all.has("last_s")) map.last_s = all.number("last_s", seconds_key);
+    if (all.has("start_s")) map.start_s = all.number("start_s", seconds_key);
+    if (all.has("end_s")) map.end_s = all.number("end_s", seconds_key);
     if (all.has("close_s")) map.close_s = all.number("close_s", seconds_key);
     if (all.has("travel") && !travel_named(all.text("travel"), map.travel))
         all.refuse("has the travel '" + all.text("travel") + "'; there are: in-place, keep", "travel");
@@ -26,17 +26,17 @@ void read_options(scenes::Described &all, JointMap &map)
 
 }  // namespace
 
-bool travel_named(const std::string &name, clq_travel &out)
+bool travel_named(const std::string &name, clq_root_travel &out)
 {
     if (name != "in-place" && name != "keep") return false;
-    out = name == "keep" ? CLQ_TRAVEL_KEEP : CLQ_TRAVEL_IN_PLACE;
+    out = name == "keep" ? CLQ_ROOT_TRAVEL_KEEP : CLQ_ROOT_TRAVEL_IN_PLACE;
     return true;
 }
 
 JointMap read_joint_map(const std::string &text, const std::string &where)
 {
-    const toml::table table = scenes::described(text, where);
-    scenes::Described all(table, where, "the map");
+    const toml::table table = scenes::parse_toml(text, where);
+    scenes::TomlTable all(table, where, "the map");
     JointMap map;
     read_options(all, map);
     if (all.has("joints"))

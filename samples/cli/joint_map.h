@@ -12,7 +12,7 @@ namespace cli
 struct JointMap {
     struct Joint {
         std::string source, target;
-        clq_rest rest = CLQ_REST_KEEP;
+        clq_rest_alignment rest = CLQ_REST_KEEP;
     };
     std::vector<Joint> joints;                                       // none: those of equal names
     std::vector<std::pair<std::string, std::string>> followers;      // each a joint and its leader
@@ -21,14 +21,14 @@ struct JointMap {
     std::vector<std::string> clips;  // none: all
     std::string prefix;
     double unit_m = 0;  // of BVH files; 0: 1
-    clq_travel travel = CLQ_TRAVEL_IN_PLACE;
-    double rate_hz = 0, first_s = 0, last_s = 0, close_s = 0;
+    clq_root_travel travel = CLQ_ROOT_TRAVEL_IN_PLACE;
+    double rate_hz = 0, start_s = 0, end_s = 0, close_s = 0;
 };
 
 // Throws Failure, with the line and what is wrong with it.
 JointMap read_joint_map(const std::string &text, const std::string &where);
 
 // "in-place" or "keep"; false where it is neither.
-bool travel_named(const std::string &name, clq_travel &out);
+bool travel_named(const std::string &name, clq_root_travel &out);
 
 }  // namespace cli

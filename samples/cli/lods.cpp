@@ -8,7 +8,7 @@
 #include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/cli/stopwatch.h"
 
 #include <algorithm>
@@ -28,20 +28,20 @@ struct LodsArguments {
     std::string file, out;
     std::vector<std::string> hidden;
     std::vector<uint32_t> targets;
-    uint32_t far_from = 250;
+    uint32_t proxy_max_triangles = 250;
     double tolerance_px = 1;
     bool json = false, compare = false;
     int width = 1600, height = 560;
 };
 
-Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArguments &a, bool plain = false)
+Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArguments &a, bool quadric_only = false)
 {
     clq_levels_def def = clq_levels_def_init();
     def.targets = a.targets.data();
     def.target_count = static_cast<uint32_t>(a.targets.size());
     def.tolerance_px = static_cast<float>(a.tolerance_px);
-    def.far_from = a.far_from;
-    def.plain = plain;
+    def.proxy_max_triangles = a.proxy_max_triangles;
+    def.quadric_only = quadric_only;
     Levels levels(64);
     uint32_t count = 0;
     scenes::check(clq_asset_make_levels(library.context(), asset, &def, levels.data(),
@@ -70,7 +70,7 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
     Portraits portraits(library, loaded, 1);
     for (int i = 0; i < columns; ++i) {
         stop_if_asked();
-        const clq_made_level &level = levels[static_cast<size_t>(i)];
+        const clq_level_report &level = levels[static_cast<size_t>(i)];
         const int x = margin_px + i * (wide + column_gap_px);
         portraits.show_level(static_cast<uint32_t>(i));
         portraits.resize(wide, tall);
@@ -80,11 +80,11 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
         y += 2 * line_px;
         board.write(x, y, 1, number(1000 * double(level.error_m), "%.1f") + " MM", quiet);
         y += line_px;
-        board.write(x, y, 1, "FROM " + number(double(level.first_m), "%.0f") + " M", quiet);
-        if (level.first_m <= 0) continue;
-        const double scale = pixels_a_metre(double(level.first_m));
-        const int small_tall = static_cast<int>(std::lround(portraits.seen_m() * scale));
-        const int small_wide = static_cast<int>(std::lround(portraits.seen_m() * portraits.aspect() * scale));
+        board.write(x, y, 1, "FROM " + number(double(level.lod_min_m), "%.0f") + " M", quiet);
+        if (level.lod_min_m <= 0) continue;
+        const double scale = pixels_a_metre(double(level.lod_min_m));
+        const int small_tall = static_cast<int>(std::lround(portraits.visible_m() * scale));
+        const int small_wide = static_cast<int>(std::lround(portraits.visible_m() * portraits.aspect() * scale));
         if (small_wide < 1 || small_wide > wide || y + line_px + small_tall > a.height - 4) continue;
         portraits.resize(small_wide, small_tall);
         board.paste(x, y + line_px + 4, small_wide, small_tall, portraits.picture(0));
@@ -99,22 +99,22 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
 // The same number of triangles by both ways.
 void compare(const LodsArguments &a, scenes::Library &library)
 {
-    LevelsBeside beside;
-    const auto make = [&](const LodsArguments &how, bool plain, double &took_s) {
+    LevelsComparison comparison;
+    const auto make = [&](const LodsArguments &how, bool quadric_only, double &took_s) {
         const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden);
         const Stopwatch watch;
-        Levels levels = make_levels(library, asset.get(), how, plain);
+        Levels levels = make_levels(library, asset.get(), how, quadric_only);
         took_s = watch.ms() / 1000;
         return levels;
     };
-    beside.ours = make(a, false, beside.ours_s);
+    comparison.ours = make(a, false, comparison.ours_s);
     LodsArguments reached = a;
     reached.targets.clear();
-    for (size_t k = 1; k < beside.ours.size(); ++k) reached.targets.push_back(beside.ours[k].triangle_count);
+    for (size_t k = 1; k < comparison.ours.size(); ++k) reached.targets.push_back(comparison.ours[k].triangle_count);
     if (reached.targets.empty()) throw scenes::Failure(a.file + " has no levels to compare");
-    beside.plain = make(reached, true, beside.plain_s);
-    if (a.json) std::cout << json_of(beside).dump(2) << '\n';
-    else print(beside);
+    comparison.quadric_only = make(reached, true, comparison.quadric_only_s);
+    if (a.json) std::cout << json_of(comparison).dump(2) << '\n';
+    else print(comparison);
 }
 
 void show(const LodsArguments &a)
@@ -127,7 +127,7 @@ void show(const LodsArguments &a)
     loaded.asset = load_asset(library, a.file, a.hidden);
     const Levels levels = make_levels(library, loaded.asset.get(), a);
     if (a.json) std::cout << json_of(levels).dump(2) << '\n';
-    else print(levels), print(levels, zone_shares(loaded.asset.get(), levels));
+    else print(levels), print(levels, zone_areas(loaded.asset.get(), levels));
     if (a.out.empty()) return;
     clq_template *made = nullptr;
     scenes::check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), a.file);
@@ -145,7 +145,8 @@ void add_lods(CLI::App &app, Work &chosen)
     c->add_option("FILE", a->file, "glTF, GLB, or a built-in figure's name (citizen, patrician ...)")->required();
     c->add_option("--picture,--out,-o", a->out, "PNG: levels at equal size, and below at the size where they begin");
     c->add_option("--targets", a->targets, "Triangles of the levels, descending, with commas")->delimiter(',');
-    c->add_option("--far-from", a->far_from, "Levels of so many triangles and fewer are one closed surface; 0: none")
+    c->add_option("--proxy-max-triangles", a->proxy_max_triangles,
+                  "Levels of so many triangles and fewer are one closed surface; 0: none")
         ->capture_default_str();
     c->add_option("--tolerance", a->tolerance_px, "Pixels that a level may be off by where it begins")
         ->check(CLI::Range(0.01, 100.0))

@@ -1,7 +1,7 @@
 // What figures were measured on.
 #pragma once
 
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 
 namespace cli
 {

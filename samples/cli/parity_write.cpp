@@ -1,7 +1,7 @@
 // claque parity export and capture: a crowd for somebody else's renderer, and what the CPU path made of the same moment.
 #include "samples/cli/parity.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/parity/write/write.h"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace
 {
 
 struct ParityArguments {
-    StageArguments stage;
+    SceneArguments setup;
     ClipArguments clips;
     std::string subject, out;
     double time_s = 2;
 };
 
-using Writer = size_t (*)(scenes::Stage &, const parity::Moment &, const std::string &);
+using Writer = size_t (*)(scenes::SceneRenderer &, const parity::CaptureTime &, const std::string &);
 
 // A scene's name, or else a character.
 void take_subject(ParityArguments &a)
@@ -28,36 +28,38 @@ void take_subject(ParityArguments &a)
     const std::vector<scenes::SceneEntry> &entries = scenes::scene_entries();
     const bool is_scene = std::any_of(entries.begin(), entries.end(),
                                       [&](const scenes::SceneEntry &entry) { return a.subject == entry.name; });
-    (is_scene ? a.stage.scene : a.stage.file) = a.subject;
+    (is_scene ? a.setup.scene : a.setup.file) = a.subject;
 }
 
-std::string words_about(const ParityArguments &a, const scenes::StageOptions &options)
+std::string words_about(const ParityArguments &a, const scenes::SceneOptions &options)
 {
     const char *shots[] = {"overview", "close", "path"};
     return a.subject + ", camera " + shots[static_cast<int>(options.shot)] + ", count " +
-           std::to_string(options.casting.count) + ", seed " + std::to_string(a.stage.seed) + ", lod " + a.stage.lod;
+           std::to_string(options.crowd_options.count) + ", seed " + std::to_string(a.setup.seed) + ", lod " +
+           a.setup.lod;
 }
 
 void write(const ParityArguments &a, Writer writer)
 {
     Progress progress("claque parity");
     progress.phase("preparing");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden, a.clips);
-    const scenes::StageOptions options = stage_options(a.stage, loaded);
-    scenes::Stage stage(library, options);
-    const size_t count = writer(stage, {words_about(a, options), a.time_s, options.width, options.height}, a.out);
-    progress.conclude(a.out + ": " + std::to_string(count) + " individuals, " + stage.context_name());
+    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);
+    const scenes::SceneOptions options = scene_options(a.setup, loaded);
+    scenes::SceneRenderer scene_renderer(library, options);
+    const size_t count =
+        writer(scene_renderer, {words_about(a, options), a.time_s, options.width, options.height}, a.out);
+    progress.conclude(a.out + ": " + std::to_string(count) + " individuals, " + scene_renderer.context_name());
 }
 
 void check_usage(ParityArguments &a)
 {
     take_subject(a);
-    if ((!a.clips.files.empty() || a.clips.vary > 0) && a.stage.file.empty())
+    if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE whose character gets them");
-    check_stage_usage(a.stage);
-    if (a.stage.format != "rgba8888")
+    check_scene_usage(a.setup);
+    if (a.setup.format != "rgba8888")
         throw CLI::ValidationError("--format", "parity wants 8 bits a channel, which rgba8888 has");
     if (!std::isfinite(a.time_s)) throw CLI::ValidationError("--time", "has to be finite");
 }
@@ -70,13 +72,13 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
                   "A scene by name, as claque render --scene has them, or a character that stands on a ground: glTF, "
                   "GLB, prepared .clq, or a built-in figure's name")
         ->required();
-    c->add_option("--count", a->stage.count, "Individuals (default 12 of a FILE, else the scene's own number)")
+    c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
-    a->stage.flat_triangles = 0;  // lit smoothly, as other renderers do
-    add_stage_options(*c, a->stage);
+    a->setup.flat_triangles = 0;  // lit smoothly, as other renderers do
+    add_scene_options(*c, a->setup);
     add_clip_options(*c, a->clips);
     c->add_option(
-         "--lod", a->stage.lod,
+         "--lod", a->setup.lod,
          "On the plaza and in the odeon: people with levels of detail, or without; finest: the first level, everywhere")
         ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();

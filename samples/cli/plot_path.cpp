@@ -75,17 +75,17 @@ private:
 // One value a section, cluster and cache; negative where that was not measured.
 using Measure = double (*)(const Report &, const Json &run);
 
-Panel panel_of(const Report &report, const BarChart &chart, const std::vector<std::string> &varieties, Measure measure)
+Panel panel_of(const Report &report, const BarChart &chart, const std::vector<std::string> &strategies, Measure measure)
 {
     Panel panel;
     panel.values.assign(chart.groups.size(), std::vector<std::vector<double>>(
-                                                 varieties.size(), std::vector<double>(chart.colours.size(), -1)));
+                                                 strategies.size(), std::vector<double>(chart.colours.size(), -1)));
     for (const Json &run : report.list("runs"))
         for (size_t g = 0; g < chart.groups.size(); ++g)
-            for (size_t v = 0; v < varieties.size(); ++v)
+            for (size_t v = 0; v < strategies.size(); ++v)
                 for (size_t c = 0; c < chart.colours.size(); ++c)
                     if (report.text(run, "section") == chart.groups[g].name &&
-                        report.text(run, "variety") == varieties[v] &&
+                        report.text(run, "strategy") == strategies[v] &&
                         "caches: " + report.text(run, "cache") == chart.colours[c])
                         panel.values[g][v][c] = measure(report, run);
     return panel;
@@ -105,11 +105,11 @@ double update_ms(const Report &report, const Json &run)
 double draw_ms(const Report &report, const Json &run) { return report.number(report.member(run, "draw_ms"), "median"); }
 
 // What is left of a frame's time once nothing but the library counted: for the note below.
-std::string library_share(const Report &report, const std::string &variety)
+std::string library_share(const Report &report, const std::string &strategy)
 {
     double least = 1, most = 0;
     for (const Json &run : report.list("runs")) {
-        if (report.text(run, "variety") != variety) continue;
+        if (report.text(run, "strategy") != strategy) continue;
         const double frame = report.number(report.member(run, "frame_ms"), "median");
         const double share = frame > 0 ? update_ms(report, run) / frame : 0;
         least = std::min(least, share);
@@ -141,20 +141,20 @@ BarChart chart_of(const Report &report)
         chart.groups.push_back({report.text(section, "name"),
                                 std::to_string(std::lround(report.number(people, "mean"))) + " people in view"});
     }
-    const std::vector<std::string> measured = report.different("runs", "variety");
-    std::vector<std::string> varieties;
+    const std::vector<std::string> measured = report.different("runs", "strategy");
+    std::vector<std::string> strategies;
     for (const char *wanted : {"per-zone", "fused"})
-        if (std::find(measured.begin(), measured.end(), wanted) != measured.end()) varieties.emplace_back(wanted);
-    if (varieties.empty()) varieties.push_back(measured.front());
+        if (std::find(measured.begin(), measured.end(), wanted) != measured.end()) strategies.emplace_back(wanted);
+    if (strategies.empty()) strategies.push_back(measured.front());
 
-    Panel frames = panel_of(report, chart, varieties, frames_a_second);
+    Panel frames = panel_of(report, chart, strategies, frames_a_second);
     frames.title = "Whole frames: library, setting and crowd with GL";
     frames.unit = "frames a second";
-    for (size_t v = 0; v < varieties.size(); ++v)
-        frames.clusters.push_back({varieties[v], v + 1 < varieties.size() ? Fill::hatched : Fill::solid});
+    for (size_t v = 0; v < strategies.size(); ++v)
+        frames.clusters.push_back({strategies[v], v + 1 < strategies.size() ? Fill::hatched : Fill::solid});
     chart.panels.push_back(frames);
 
-    Panel update = panel_of(report, chart, {varieties.back()}, update_ms);
+    Panel update = panel_of(report, chart, {strategies.back()}, update_ms);
     update.title = "The library's share of them: who is where, poses, skinning";
     update.unit = "milliseconds a frame";
     update.clusters.push_back({"", Fill::solid});
@@ -162,7 +162,7 @@ BarChart chart_of(const Report &report)
     chart.panels.push_back(update);
 
     if (key_poses) {
-        Panel draw = panel_of(report, chart, {varieties.back()}, draw_ms);
+        Panel draw = panel_of(report, chart, {strategies.back()}, draw_ms);
         draw.title = "The crowd's drawing, with GL: what key-poses cannot save";
         draw.unit = update.unit;
         draw.clusters.push_back({"", Fill::solid});
@@ -173,8 +173,8 @@ BarChart chart_of(const Report &report)
     const Json &machine = report.member(report.root(), "machine"), &size = report.member(report.root(), "size_px");
     if (!size.is_array() || size.size() != 2 || !size[0].is_number() || !size[1].is_number())
         report.refuse("its 'size_px' is no size");
-    chart.notes.push_back("The library takes " + library_share(report, varieties.back()) + " of a frame (" +
-                          varieties.back() + "). Higher is better above, lower is better below it.");
+    chart.notes.push_back("The library takes " + library_share(report, strategies.back()) + " of a frame (" +
+                          strategies.back() + "). Higher is better above, lower is better below it.");
     chart.notes.push_back(report.text(machine, "processor") + ", " +
                           std::to_string(std::lround(report.number(machine, "cores"))) + " cores, " +
                           report.text(report.root(), "context") + ", " + std::to_string(size[0].get<int>()) + " x " +

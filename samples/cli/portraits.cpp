@@ -22,7 +22,7 @@ Portraits::Portraits(scenes::Library &library, const LoadedCharacter &loaded, ui
     : library_(library), loaded_(loaded), seed_(seed), sky_(1, scenes::Sky::Land::studio)
 {
     measure();
-    furnish();
+    build_surroundings();
 }
 
 Portraits::~Portraits()
@@ -62,8 +62,8 @@ void Portraits::measure()
     }
     if (loaded_.asset) {
         const clq_asset_info asset = info_of(loaded_.asset.get());
-        std::copy(asset.box_first, asset.box_first + 3, low);
-        std::copy(asset.box_last, asset.box_last + 3, high);
+        std::copy(asset.box_min, asset.box_min + 3, low);
+        std::copy(asset.box_max, asset.box_max + 3, high);
         const clq_play play = pose();
         if (asset.hidden_part_count == 0 && play.clip != CLQ_NONE && asset.vertex_count > 0) {
             clq_clip_info clip = {};
@@ -78,33 +78,33 @@ void Portraits::measure()
         }
     }
     const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    stature_.scale = longest > 0 && std::isfinite(longest) ? person_m / longest : 1;
-    const auto middle = [&](int axis) { return (low[axis] + high[axis]) / 2 * stature_.scale; };
-    const auto half = [&](int axis) { return (high[axis] - low[axis]) / 2 * stature_.scale; };
+    extents_.scale = longest > 0 && std::isfinite(longest) ? person_m / longest : 1;
+    const auto middle = [&](int axis) { return (low[axis] + high[axis]) / 2 * extents_.scale; };
+    const auto half = [&](int axis) { return (high[axis] - low[axis]) / 2 * extents_.scale; };
     const double turned[] = {turn_z_ * middle(0) + turn_x_ * middle(2), middle(1),
                              turn_z_ * middle(2) - turn_x_ * middle(0)};
     const double reach[] = {turn_z_ * half(0) + turn_x_ * half(2), half(1), turn_z_ * half(2) + turn_x_ * half(0)};
     for (int axis = 0; axis < 3; ++axis) {
-        stature_.first[axis] = turned[axis] - reach[axis];
-        stature_.last[axis] = turned[axis] + reach[axis];
+        extents_.first[axis] = turned[axis] - reach[axis];
+        extents_.last[axis] = turned[axis] + reach[axis];
     }
 }
 
 double Portraits::aspect() const
 {
-    return (stature_.last[0] - stature_.first[0] + 2 * (beside_m + room_beside_m_)) / seen_m();
+    return (extents_.last[0] - extents_.first[0] + 2 * (beside_m + room_beside_m_)) / visible_m();
 }
 
-double Portraits::seen_m() const { return stature_.last[1] - stature_.first[1] + above_m + room_above_m_ + below_m; }
+double Portraits::visible_m() const { return extents_.last[1] - extents_.first[1] + above_m + room_above_m_ + below_m; }
 
 // A floor that fades into the backdrop.
-void Portraits::furnish()
+void Portraits::build_surroundings()
 {
     constexpr scenes::Rgb near = {0.60f, 0.59f, 0.57f}, far = scenes::Sky::backdrop;
     constexpr float ahead = 1.2f;  // the middle of the floor, towards the eye
     constexpr float radii[] = {2.0f, 2.6f, 3.3f, 4.1f, 5.0f, 40}, shares[] = {0, 0.2f, 0.5f, 0.8f, 1, 1};
     constexpr uint32_t sides = 48, rings = 6;
-    const float y = static_cast<float>(stature_.first[1]);
+    const float y = static_cast<float>(extents_.first[1]);
     const uint32_t middle = ground_.add({0, y, ahead}, {0, 1, 0}, 0, 0, near);
     for (uint32_t ring = 0; ring < rings; ++ring)
         for (uint32_t i = 0; i < sides; ++i) {
@@ -142,24 +142,24 @@ void Portraits::resize(int width, int height)
     renderer_.reset(made);
     check(clq_renderer_prepare(made, loaded_.tmpl.get()));
     shadows_ = std::make_unique<scenes::Shadows>();
-    const auto middle = [this](int axis) { return (stature_.first[axis] + stature_.last[axis]) / 2; };
-    const auto half = [this](int axis) { return (stature_.last[axis] - stature_.first[axis]) / 2; };
+    const auto middle = [this](int axis) { return (extents_.first[axis] + extents_.last[axis]) / 2; };
+    const auto half = [this](int axis) { return (extents_.last[axis] - extents_.first[axis]) / 2; };
     // Arms that the pose spreads throw no shadow to speak of.
     const double wide = std::min(half(0), std::max(half(2), 0.22)) * 1.15 + 0.10, deep = half(2) * 1.15 + 0.10;
-    shadows_->ring(static_cast<float>(middle(0)), static_cast<float>(stature_.first[1]),
+    shadows_->ring(static_cast<float>(middle(0)), static_cast<float>(extents_.first[1]),
                    static_cast<float>(middle(2)) - 0.02f, static_cast<float>(wide), static_cast<float>(deep));
     shadows_->prepare(gl_);
 }
 
 clq_camera Portraits::camera() const
 {
-    const double low = stature_.first[1] - below_m, high = stature_.last[1] + above_m + room_above_m_;
-    const double wide = stature_.last[0] - stature_.first[0] + 2 * (beside_m + room_beside_m_);
+    const double low = extents_.first[1] - below_m, high = extents_.last[1] + above_m + room_above_m_;
+    const double wide = extents_.last[0] - extents_.first[0] + 2 * (beside_m + room_beside_m_);
     const double shape = static_cast<double>(width_) / height_;
     const double seen = std::max(high - low, wide / shape), tangent = std::sin(half_fov) / std::cos(half_fov);
-    const double away = seen / 2 / tangent + stature_.last[2];
-    const double x = (stature_.first[0] + stature_.last[0]) / 2, y = (low + high) / 2;
-    const double eye[3] = {x, y + 0.12 * away, stature_.last[2] + away * 0.992}, target[3] = {x, y, 0};
+    const double away = seen / 2 / tangent + extents_.last[2];
+    const double x = (extents_.first[0] + extents_.last[0]) / 2, y = (low + high) / 2;
+    const double eye[3] = {x, y + 0.12 * away, extents_.last[2] + away * 0.992}, target[3] = {x, y, 0};
     return scenes::look(eye, target, fov_deg, shape, away * 0.05, away * 12 + 60);
 }
 
@@ -169,10 +169,10 @@ float Portraits::lod_scale(const clq_camera &seen) const
     if (level_ == 0) return 0;
     clq_level_info level = {}, next = {};
     check(clq_template_get_level(loaded_.tmpl.get(), level_, &level));
-    double wanted = 2 * static_cast<double>(level.first_m);
+    double wanted = 2 * static_cast<double>(level.lod_min_m);
     if (level_ + 1 < info_of(loaded_.tmpl.get()).level_count) {
         check(clq_template_get_level(loaded_.tmpl.get(), level_ + 1, &next));
-        wanted = (static_cast<double>(level.first_m) + static_cast<double>(next.first_m)) / 2;
+        wanted = (static_cast<double>(level.lod_min_m) + static_cast<double>(next.lod_min_m)) / 2;
     }
     const double away = std::hypot(seen.eye[0], seen.eye[1], seen.eye[2]);
     return static_cast<float>(wanted / away);
@@ -186,19 +186,19 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who)
 
 const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &command, double time_s)
 {
-    scenes::Casting casting;
+    scenes::CrowdOptions crowd_options;
     const clq_camera seen = camera();
-    casting.count = 1;
-    casting.seed = seed_;
-    casting.lod_scale = lod_scale(seen);
-    scenes::Cast cast(library_, casting);
-    const clq_place place = scenes::stand(0, 0, 0, turn_x_, turn_z_, static_cast<float>(stature_.scale));
+    crowd_options.count = 1;
+    crowd_options.seed = seed_;
+    crowd_options.lod_scale = lod_scale(seen);
+    scenes::SceneCrowd cast(library_, crowd_options);
+    const clq_transform place = scenes::stand(0, 0, 0, turn_x_, turn_z_, static_cast<float>(extents_.scale));
     cast.enter({loaded_.tmpl.get(), place, pose()}, who, {});
     command(cast.crowd(), cast.actors()[0]);
     clq_view *made = nullptr;
     check(clq_view_create(cast.crowd(), &made));
     const scenes::Own<clq_view> view(made);
-    check(clq_view_look(made, &seen));
+    check(clq_view_set_camera(made, &seen));
     check(clq_view_set_height(made, 0));  // the camera's narrow angle is no reason for more detail here
     check(clq_crowd_update(cast.crowd(), time_s, &made, 1));
     clq_actor_info shown = {};
@@ -212,7 +212,7 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &comm
     gl_.ClearColor(0, 0, 0, 1);
     gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
     sky_.draw(gl_, eye);
-    scenes::shine(gl_, light_, eye);
+    scenes::set_lights(gl_, light_, eye);
     gl_.Disable(gl::lighting);
     ground_.draw(gl_);
     shadows_->draw(gl_);

@@ -17,7 +17,7 @@ namespace cli
 {
 
 // How much room a character takes in the pose and the turn that it is shown in, in metres; Y up.
-struct Stature {
+struct Extents {
     double scale = 1;  // of the character, so that its longest side is a person's height
     double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
 };
@@ -35,7 +35,7 @@ public:
     double aspect() const;
     void resize(int width, int height);
     // Metres that a picture shows from its lower edge to its upper one, at best.
-    double seen_m() const;
+    double visible_m() const;
     // From now on at this level of detail, whatever the size. Level 0 until then.
     void show_level(uint32_t level) { level_ = level; }
     // From now on with so much more room round the person, for poses that reach farther than the one that was measured,
@@ -53,7 +53,7 @@ public:
 private:
     clq_play pose() const;
     void measure();
-    void furnish();
+    void build_surroundings();
     clq_camera camera() const;
     float lod_scale(const clq_camera &seen) const;
 
@@ -64,7 +64,7 @@ private:
     double room_beside_m_ = 0, room_above_m_ = 0;
     double turn_x_ = 0.34, turn_z_ = 0.94;  // breast and a side are seen
     int width_ = 1, height_ = 1;
-    Stature stature_;
+    Extents extents_;
     scenes::Sky sky_;
     scenes::Daylight light_;
     scenes::Geometry ground_;

@@ -2,7 +2,7 @@
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/cli/zone_arguments.h"
 
 #include <memory>

@@ -7,8 +7,8 @@
 #include "samples/cli/measured_rates.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/cli/sequence.h"
-#include "samples/cli/stage_arguments.h"
 #include "samples/cli/stopwatch.h"
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ namespace
 {
 
 struct RenderArguments {
-    StageArguments stage;
+    SceneArguments setup;
     ColourArguments colours;
     ClipArguments clips;  // of the stage's file
     double time_s = 2.0, fps = 25.0;
@@ -39,64 +39,67 @@ struct Frame {
     std::string path;
 };
 
-std::vector<Frame> planned(const RenderArguments &a, const scenes::StageOptions &options)
+std::vector<Frame> planned(const RenderArguments &a, const scenes::SceneOptions &options)
 {
     if (a.frames.empty()) return {{-1, a.time_s, a.out}};
     std::vector<Frame> frames;
     FrameRange range = a.range;
-    if (a.whole_path) range.last = static_cast<int>(options.path->last_s() * a.fps);
+    if (a.whole_path) range.last = static_cast<int>(options.path->end_s() * a.fps);
     for (int number : frames_of(range)) frames.push_back({number, number / a.fps, frame_path(a.out, number)});
     return frames;
 }
 
-bool finished(const RenderArguments &a, const scenes::StageOptions &options, const Frame &frame)
+bool finished(const RenderArguments &a, const scenes::SceneOptions &options, const Frame &frame)
 {
     return frame.number >= 0 && !a.again && frame.path != "-" &&
            is_whole_png(frame.path, options.width, options.height);
 }
 
-Words words_about(const scenes::StageOptions &options, const scenes::Stage &stage, double time_s)
+Words words_about(const scenes::SceneOptions &options, const scenes::SceneRenderer &scene_renderer, double time_s)
 {
     char time[32];
     std::snprintf(time, sizeof time, "%.6g", time_s);
     return {{"Software", "claque " + version()},
-            {"Description", options.scene + ", " + std::to_string(stage.crowd_stats().actor_count) +
-                                " individuals, seed " + std::to_string(options.casting.seed) + ", time " + time + " s"},
-            {"Source", stage.context_name()}};
+            {"Description", options.scene + ", " + std::to_string(scene_renderer.crowd_stats().actor_count) +
+                                " individuals, seed " + std::to_string(options.crowd_options.seed) + ", time " + time +
+                                " s"},
+            {"Source", scene_renderer.context_name()}};
 }
 
-Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame &frame, uint32_t samples)
+Json draw(scenes::SceneRenderer &scene_renderer, const scenes::SceneOptions &options, const Frame &frame,
+          uint32_t samples)
 {
     const Stopwatch updating;
-    stage.update(frame.time_s);
+    scene_renderer.update(frame.time_s);
     const double update_ms = updating.ms();
-    const Stopwatch setting;
-    stage.draw_setting();
-    stage.gl().Finish();
-    const double setting_ms = setting.ms();
+    const Stopwatch environment;
+    scene_renderer.draw_environment();
+    scene_renderer.gl().Finish();
+    const double environment_ms = environment.ms();
     const Stopwatch darkening;
-    const clq_shadow_stats darkened = stage.draw_shadows();
+    const clq_shadow_stats darkened = scene_renderer.draw_shadows();
     const double shadow_ms = darkening.ms();
     const Stopwatch drawing;
-    const clq_draw_stats drawn = stage.draw_crowd();
+    const clq_draw_stats drawn = scene_renderer.draw_crowd();
     const double draw_ms = drawing.ms();
-    stage.draw_show();
-    const std::vector<uint8_t> &rgb = samples > 1 ? stage.picture(frame.time_s, samples) : stage.read();
+    scene_renderer.draw_show();
+    const std::vector<uint8_t> &rgb =
+        samples > 1 ? scene_renderer.picture(frame.time_s, samples) : scene_renderer.read();
     if (frame.path == "-") write_whole("-", rgb.data(), rgb.size());
     else {
         const std::vector<unsigned char> file =
-            png(rgb.data(), options.width, options.height, words_about(options, stage, frame.time_s));
+            png(rgb.data(), options.width, options.height, words_about(options, scene_renderer, frame.time_s));
         write_whole(frame.path, file.data(), file.size());
     }
-    const clq_view_stats seen = stage.view_stats();
+    const clq_view_stats seen = scene_renderer.view_stats();
     Json report;
     if (frame.number >= 0) report["frame"] = frame.number;
     report["time_s"] = frame.time_s;
     if (frame.path != "-") report["file"] = frame.path;
     report["picture_hash"] = hex(scenes::hash_of(rgb));
-    report["list_hash"] = hex(stage.view_hash());
+    report["list_hash"] = hex(scene_renderer.view_hash());
     report["update_ms"] = update_ms;
-    report["setting_ms"] = setting_ms;
+    report["environment_ms"] = environment_ms;
     report["draw_ms"] = draw_ms;
     report["drawn"] = {{"individuals", drawn.individuals},
                        {"draws", drawn.draws},
@@ -105,27 +108,27 @@ Json draw(scenes::Stage &stage, const scenes::StageOptions &options, const Frame
                        {"vertices_sent", drawn.vertices}};
     if (options.shadows.form != scenes::ShadowChoice::Form::painted)
         report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
-    report["counters"] = counters(stage.crowd_stats());
+    report["counters"] = counters(scene_renderer.crowd_stats());
     return report;
 }
 
-Json about(const RenderArguments &a, const scenes::StageOptions &options)
+Json about(const RenderArguments &a, const scenes::SceneOptions &options)
 {
     Json report;
     report["claque"] = version();
     report["scene"] = options.scene;
-    if (!a.stage.file.empty()) report["file"] = a.stage.file;
-    report["seed"] = options.casting.seed;
+    if (!a.setup.file.empty()) report["file"] = a.setup.file;
+    report["seed"] = options.crowd_options.seed;
     report["size_px"] = {options.width, options.height};
     report["camera"] = options.shot == scenes::Shot::path    ? "path"
                        : options.shot == scenes::Shot::close ? "close"
                                                              : "overview";
-    if (!a.stage.path.empty()) report["path"] = a.stage.path;
-    if (!a.stage.theatre.empty()) report["theatre"] = a.stage.theatre;
+    if (!a.setup.path.empty()) report["path"] = a.setup.path;
+    if (!a.setup.theatre.empty()) report["theatre"] = a.setup.theatre;
     if (!a.colours.file.empty()) report["colours"] = a.colours.file;
-    report["variety"] = a.stage.variety;
-    report["cache"] = a.stage.cache;
-    report["threads"] = thread_count(a.stage);
+    report["strategy"] = a.setup.strategy;
+    report["cache"] = a.setup.cache;
+    report["threads"] = thread_count(a.setup);
     return report;
 }
 
@@ -135,9 +138,9 @@ void render(const RenderArguments &a)
     expect_writable(frame_path(a.out, 0));
     if (!a.json.empty()) expect_writable(a.json);
 
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    scenes::StageOptions options = stage_options(a.stage, loaded);
+    scenes::SceneOptions options = scene_options(a.setup, loaded);
     std::vector<Frame> frames;
     Json report = about(a, options);
     report["skipped"] = Json::array();
@@ -146,45 +149,45 @@ void render(const RenderArguments &a)
         else frames.push_back(std::move(frame));
     }
 
-    Wardrobe wardrobe(library, a.colours, options.casting.seed);
-    std::optional<scenes::Stage> stage;
+    SceneColours wardrobe(library, a.colours, options.crowd_options.seed);
+    std::optional<scenes::SceneRenderer> scene_renderer;
     report["frames"] = Json::array();
     for (size_t i = 0; i < frames.size(); ++i) {
         stop_if_asked();
-        if (!stage) {
+        if (!scene_renderer) {
             progress.phase("preparing");
-            if (!a.stage.file.empty()) loaded = load_character(library, a.stage.file, a.stage.hidden, a.clips);
-            options = stage_options(a.stage, loaded);
-            stage.emplace(library, options);
-            report["count"] = stage->crowd_stats().actor_count;
-            report["context"] = stage->context_name();
+            if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);
+            options = scene_options(a.setup, loaded);
+            scene_renderer.emplace(library, options);
+            report["count"] = scene_renderer->crowd_stats().actor_count;
+            report["context"] = scene_renderer->context_name();
         }
-        wardrobe.dress(*stage);
-        report["frames"].push_back(draw(*stage, options, frames[i], a.samples));
+        wardrobe.apply_to(*scene_renderer);
+        report["frames"].push_back(draw(*scene_renderer, options, frames[i], a.samples));
         progress.step(i + 1, frames.size());
     }
     if (!a.json.empty()) {
         progress.phase("measuring rates");
-        if (stage && options.linear_clean) report["filtering"] = filtering(*stage);
-        if (stage) report["measured"] = measured_rates(*stage, frames.back().time_s);
+        if (scene_renderer && options.linear_clean) report["filtering"] = filtering(*scene_renderer);
+        if (scene_renderer) report["measured"] = measured_rates(*scene_renderer, frames.back().time_s);
         report["warnings"] = library.warnings();
         write_whole(a.json, report.dump(2) + "\n");
     }
-    progress.conclude(
-        a.out + ": " + std::to_string(frames.size()) + " drawn" +
-        (stage ? ", " + std::to_string(stage->crowd_stats().actor_count) + " individuals, " + stage->context_name()
-               : ""));
+    progress.conclude(a.out + ": " + std::to_string(frames.size()) + " drawn" +
+                      (scene_renderer ? ", " + std::to_string(scene_renderer->crowd_stats().actor_count) +
+                                            " individuals, " + scene_renderer->context_name()
+                                      : ""));
 }
 
 void check_usage(RenderArguments &a)
 {
-    if ((!a.clips.files.empty() || a.clips.vary > 0) && a.stage.file.empty())
+    if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE whose character gets them");
-    check_stage_usage(a.stage);
+    check_scene_usage(a.setup);
     if (!a.frames.empty()) {
-        if (a.stage.camera.empty() && has_path(a.stage)) a.stage.camera = "path";
+        if (a.setup.camera.empty() && has_path(a.setup)) a.setup.camera = "path";
         a.whole_path = a.frames == "all";
-        if (a.whole_path && a.stage.camera != "path")
+        if (a.whole_path && a.setup.camera != "path")
             throw CLI::ValidationError("--frames", "all is for cameras that follow a path");
         const std::string wrong = a.whole_path ? "" : read_range(a.frames, a.range);
         if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
@@ -209,46 +212,46 @@ void add_render(CLI::App &app, Work &chosen)
     std::string abouts;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         abouts += std::string(abouts.empty() ? "" : "; ") + entry.name + ": " + entry.about;
-    CLI::Option *file = c->add_option("FILE", a->stage.file,
+    CLI::Option *file = c->add_option("FILE", a->setup.file,
                                       "Stand this character on a ground: glTF, GLB, prepared .clq, or a built-in "
                                       "figure's name (citizen, patrician ...)");
-    c->add_option("--scene", a->stage.scene, "A scene of built-in figures (default plaza). " + abouts)
+    c->add_option("--scene", a->setup.scene, "A scene of built-in figures (default plaza). " + abouts)
         ->check(scene_names())
         ->excludes(file);
-    c->add_option("--count", a->stage.count, "Individuals (default 12 of a FILE, else the scene's own number)")
+    c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
-    add_stage_options(*c, a->stage);
+    add_scene_options(*c, a->setup);
     add_colour_options(*c, a->colours);
     add_clip_options(*c, a->clips);
-    c->add_option("--variety", a->stage.variety, "How individuals get their colours; all give the same picture")
-        ->check(CLI::IsMember(variety_names()))
+    c->add_option("--strategy", a->setup.strategy, "How individuals get their colours; all give the same picture")
+        ->check(CLI::IsMember(strategy_names()))
         ->capture_default_str();
     c->add_option(
-         "--cache", a->stage.cache,
+         "--cache", a->setup.cache,
          "What is kept from frame to frame, which never changes the picture; keypose-*: everybody shows key-poses (S3)")
         ->check(cache_choice)
         ->capture_default_str();
-    c->add_option("--filter", a->stage.filter,
+    c->add_option("--filter", a->setup.filter,
                   "How textures are sampled; linear: clean triangles, where that mixes no zones")
         ->check(CLI::IsMember({"nearest", "linear"}))
         ->capture_default_str();
     c->add_option(
-         "--lod", a->stage.lod,
+         "--lod", a->setup.lod,
          "On the plaza and in the odeon: people with levels of detail, or without; finest: the first level, everywhere")
         ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();
-    c->add_option("--cull", a->stage.cull,
+    c->add_option("--cull", a->setup.cull,
                   "Behaviour between the phases, or everything for everybody and culled last (S0 4)")
         ->check(CLI::IsMember({"actor", "traditional"}))
         ->capture_default_str();
-    c->add_option("--cull-scale", a->stage.cull_scale,
+    c->add_option("--cull-scale", a->setup.cull_scale,
                   "Cull by a pyramid of this share of the picture's, and show its edge (S0 Fig. 10)")
         ->check(CLI::Range(0.01, 1.0));
     c->add_option(
-         "--show", a->stage.show,
+         "--show", a->setup.show,
          "spheres: the actors' bounding spheres (S0 Fig. 2); levels: a colour for each level of detail (S0 Fig. 9)")
         ->check(CLI::IsMember({"nothing", "spheres", "levels"}));
-    c->add_option("--shadows", a->stage.shadows,
+    c->add_option("--shadows", a->setup.shadows,
                   "Of people on the ground: as painted, or claque's ellipses or meshes; -stencil: with a bit lent")
         ->check(CLI::IsMember(shadow_names()));
     CLI::Option *time = c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();

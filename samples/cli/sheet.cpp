@@ -5,7 +5,7 @@
 #include "samples/cli/interrupt.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 
 #include <algorithm>
 #include <memory>
@@ -19,7 +19,7 @@ constexpr int tile_gap_px = 6;
 constexpr uint8_t gap_grey = 24;
 
 struct SheetArguments {
-    StageArguments stage;
+    SceneArguments setup;
     ColourArguments colours;
     std::string out, json;
 };
@@ -70,37 +70,37 @@ void draw_sheet(const SheetArguments &a)
     expect_writable(a.out);
     if (!a.json.empty()) expect_writable(a.json);
     progress.phase("preparing");
-    scenes::Library library(thread_count(a.stage));
+    scenes::Library library(thread_count(a.setup));
     const LoadedCharacter nobody;
-    const scenes::StageOptions options = stage_options(a.stage, nobody);
+    const scenes::SceneOptions options = scene_options(a.setup, nobody);
     const std::vector<scenes::PathSection> &sections = options.path->sections();
-    if (sections.empty()) throw scenes::Failure(a.stage.path + ": the camera path has no sections to show");
-    scenes::Stage stage(library, options);
-    Wardrobe wardrobe(library, a.colours, options.casting.seed);
+    if (sections.empty()) throw scenes::Failure(a.setup.path + ": the camera path has no sections to show");
+    scenes::SceneRenderer scene_renderer(library, options);
+    SceneColours wardrobe(library, a.colours, options.crowd_options.seed);
     Sheet sheet(sections.size(), options.width, options.height);
     Json report = {{"claque", version()},
                    {"scene", options.scene},
-                   {"count", stage.crowd_stats().actor_count},
+                   {"count", scene_renderer.crowd_stats().actor_count},
                    {"size_px", {sheet.width(), sheet.height()}},
                    {"tile_px", {options.width, options.height}},
-                   {"context", stage.context_name()}};
+                   {"context", scene_renderer.context_name()}};
     report["tiles"] = Json::array();
     for (size_t i = 0; i < sections.size(); ++i) {
         stop_if_asked();
-        wardrobe.dress(stage);
-        const double time_s = (sections[i].first_s + sections[i].last_s) / 2;
-        const std::vector<uint8_t> &picture = stage.picture(time_s);
+        wardrobe.apply_to(scene_renderer);
+        const double time_s = (sections[i].start_s + sections[i].end_s) / 2;
+        const std::vector<uint8_t> &picture = scene_renderer.picture(time_s);
         sheet.lay(i, picture);
         report["tiles"].push_back({{"section", sections[i].name},
                                    {"time_s", time_s},
-                                   {"in_view", stage.view_stats().visible},
+                                   {"in_view", scene_renderer.view_stats().visible},
                                    {"picture_hash", hex(scenes::hash_of(picture))}});
         progress.step(i + 1, sections.size());
     }
     write(sheet, a.out,
           {{"Software", "claque " + version()},
            {"Description", options.scene + ": the sections of its camera path"},
-           {"Source", stage.context_name()}});
+           {"Source", scene_renderer.context_name()}});
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(a.out + ": " + std::to_string(sections.size()) + " sections");
 }
@@ -111,20 +111,20 @@ void add_sheet(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<SheetArguments>();
     CLI::App *c = app.add_subcommand("sheet", "Draw the sections of a camera path side by side, each at its middle");
-    a->stage.scene = "odeon";
-    c->add_option("--scene", a->stage.scene, "Which scene")->capture_default_str()->check(scene_names());
-    c->add_option("--count", a->stage.count, "Individuals (default: what the scene says)")
+    a->setup.scene = "odeon";
+    c->add_option("--scene", a->setup.scene, "Which scene")->capture_default_str()->check(scene_names());
+    c->add_option("--count", a->setup.count, "Individuals (default: what the scene says)")
         ->check(CLI::Range(1, 1000000));
-    a->stage.width = 640;
-    a->stage.height = 480;
-    add_stage_options(*c, a->stage);
+    a->setup.width = 640;
+    a->setup.height = 480;
+    add_scene_options(*c, a->setup);
     add_colour_options(*c, a->colours);
     c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
     c->add_option("--json", a->json, "Write what each tile shows here; - is standard output");
     c->callback([a, &chosen] {
-        if (a->stage.camera.empty()) a->stage.camera = "path";
-        if (a->stage.camera != "path") throw CLI::ValidationError("--camera", "a sheet follows the path");
-        check_stage_usage(a->stage);
+        if (a->setup.camera.empty()) a->setup.camera = "path";
+        if (a->setup.camera != "path") throw CLI::ValidationError("--camera", "a sheet follows the path");
+        check_scene_usage(a->setup);
         if (a->out == "-" && a->json == "-")
             throw CLI::ValidationError("--json", "standard output takes the picture already");
         chosen = [a] { draw_sheet(*a); };

@@ -3,7 +3,7 @@
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 
 #include <cstdio>
 #include <memory>

@@ -7,7 +7,7 @@
 #include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/scenes/colours.h"
 
 #include <algorithm>
@@ -176,7 +176,7 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
                               std::to_string(board.width()) + " x " + std::to_string(board.height()));
     portraits.resize(grid.width, grid.height);
     const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
-        if (worn.map) scenes::check(clq_crowd_draw_colours(crowd, worn.map.get(), worn.colour_class, &actor, 1));
+        if (worn.map) scenes::check(clq_crowd_randomise_colours(crowd, worn.map.get(), worn.colour_class, &actor, 1));
     };
     for (uint32_t who = 0; who < count; ++who) {
         stop_if_asked();
@@ -236,7 +236,7 @@ void add_variety(CLI::App &app, Work &chosen)
     colours->type_name("FILE");
     c->add_option("--class", a->colour_class, "Which class of it (default: the one for this template)")->needs(colours);
     c->add_option("--texture", a->texture, "Which texture to show")->capture_default_str();
-    c->add_option("--set", a->set, "Of which texture set; people show them by lot")->capture_default_str();
+    c->add_option("--texture-set", a->set, "Of which texture set; people show them by lot")->capture_default_str();
     c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
         ->expected(1)
         ->take_all();

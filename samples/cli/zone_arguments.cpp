@@ -4,7 +4,7 @@
 
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
-#include "samples/cli/stage_arguments.h"
+#include "samples/cli/scene_arguments.h"
 #include "samples/scenes/check.h"
 
 #include <algorithm>
@@ -143,12 +143,12 @@ void write_map(const clq_asset *asset, const ZoneArguments &a, const Zones &zone
     write_whole(a.map, file.data(), file.size());
 }
 
-std::vector<clq_painted_zone> painted_of(const Zones &zones, const std::vector<std::string> &reduced)
+std::vector<clq_zone_map_zone> painted_of(const Zones &zones, const std::vector<std::string> &reduced)
 {
     for (const std::string &name : reduced)
         if (name != "all" && std::find(zones.names.begin(), zones.names.end(), name) == zones.names.end())
             throw scenes::Failure("--reduce " + name + ": no zone has that name");
-    std::vector<clq_painted_zone> out;
+    std::vector<clq_zone_map_zone> out;
     for (const std::string &name : zones.names) {
         const auto asked = [&](const std::string &one) { return one == "all" || one == name; };
         out.push_back({name.c_str(), std::any_of(reduced.begin(), reduced.end(), asked), nullptr});
@@ -188,7 +188,7 @@ void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments 
     if (!a.map.empty()) expect_writable(a.map);
     Zones zones = a.painted.empty() ? propose(asset, a) : read_painted(library, a.painted);
     name_zones(zones, a.names);
-    const std::vector<clq_painted_zone> painted = painted_of(zones, a.reduced);
+    const std::vector<clq_zone_map_zone> painted = painted_of(zones, a.reduced);
     clq_zone_map_def def = clq_zone_map_def_init();
     def.image = a.image;
     def.width_px = zones.width, def.height_px = zones.height;

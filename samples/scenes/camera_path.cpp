@@ -2,7 +2,7 @@
 
 #include "samples/scenes/check.h"
 #include "samples/scenes/eye.h"
-#include "samples/scenes/odeon/described.h"
+#include "samples/scenes/odeon/toml_table.h"
 
 #include <cmath>
 
@@ -35,7 +35,7 @@ bool is_upright(const Viewpoint &v)
     return std::sqrt(x * x + z * z) > 0.035 * distance(v.eye, v.target);
 }
 
-PathPoint point(Described &key, const char *name)
+PathPoint point(TomlTable &key, const char *name)
 {
     const std::vector<double> numbers = key.numbers(name, anywhere);
     if (numbers.size() != 3)
@@ -45,7 +45,7 @@ PathPoint point(Described &key, const char *name)
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-KeyFrame read_key(Described &d, double far_m)
+KeyFrame read_key(TomlTable &d, double far_m)
 {
     KeyFrame key;
     key.time_s = d.number("time_s", film);
@@ -63,10 +63,10 @@ KeyFrame read_key(Described &d, double far_m)
     return key;
 }
 
-std::vector<KeyFrame> read_keys(Described &path, double far_m)
+std::vector<KeyFrame> read_keys(TomlTable &path, double far_m)
 {
     std::vector<KeyFrame> keys;
-    for (Described &d : path.tables("keys", "key frame")) {
+    for (TomlTable &d : path.tables("keys", "key frame")) {
         const KeyFrame key = read_key(d, far_m);
         if (!keys.empty() && !(key.time_s > keys.back().time_s))
             d.refuse("is at " + show(key.time_s) + " s, which is not after the one before it, at " +
@@ -79,25 +79,25 @@ std::vector<KeyFrame> read_keys(Described &path, double far_m)
     return keys;
 }
 
-std::vector<PathSection> read_sections(Described &path, double first_s, double last_s)
+std::vector<PathSection> read_sections(TomlTable &path, double start_s, double end_s)
 {
     std::vector<PathSection> sections;
-    for (Described &d : path.tables("sections", "section")) {
+    for (TomlTable &d : path.tables("sections", "section")) {
         PathSection s;
         s.name = d.text("name");
-        s.first_s = d.number("first_s", film);
-        s.last_s = d.number("last_s", film);
+        s.start_s = d.number("start_s", film);
+        s.end_s = d.number("end_s", film);
         d.done();
-        const std::string span = "'" + s.name + "' from " + show(s.first_s) + " to " + show(s.last_s) + " s ";
+        const std::string span = "'" + s.name + "' from " + show(s.start_s) + " to " + show(s.end_s) + " s ";
         if (s.name.empty()) d.refuse("has no name");
         for (const PathSection &other : sections)
             if (other.name == s.name) d.refuse("has the name '" + s.name + "' of another one");
-        if (!(s.last_s > s.first_s)) d.refuse(span + "ends before it begins");
-        if (s.first_s < first_s || s.last_s > last_s)
-            d.refuse(span + "is not within the key frames, which are from " + show(first_s) + " to " + show(last_s) +
+        if (!(s.end_s > s.start_s)) d.refuse(span + "ends before it begins");
+        if (s.start_s < start_s || s.end_s > end_s)
+            d.refuse(span + "is not within the key frames, which are from " + show(start_s) + " to " + show(end_s) +
                      " s");
-        if (!sections.empty() && s.first_s < sections.back().last_s)
-            d.refuse(span + "begins before the one before it ends, at " + show(sections.back().last_s) + " s");
+        if (!sections.empty() && s.start_s < sections.back().end_s)
+            d.refuse(span + "begins before the one before it ends, at " + show(sections.back().end_s) + " s");
         sections.push_back(s);
     }
     if (sections.size() > 16)
@@ -123,11 +123,11 @@ double between(const double (&t)[4], const double (&v)[4], double time)
 
 CameraPath::CameraPath(const std::string &toml, const std::string &where)
 {
-    const toml::table table = described(toml, where);
-    Described path(table, where, "");
+    const toml::table table = parse_toml(toml, where);
+    TomlTable path(table, where, "");
     far_m_ = path.number("far_m", depth);
     keys_ = read_keys(path, far_m_);
-    sections_ = read_sections(path, first_s(), last_s());
+    sections_ = read_sections(path, start_s(), end_s());
     path.done();
     // Between key frames a camera may still cross its own target, or swing over it.
     for (size_t k = 0; k + 1 < keys_.size(); ++k)
@@ -143,8 +143,8 @@ CameraPath::CameraPath(const std::string &toml, const std::string &where)
 
 Viewpoint CameraPath::at(double time_s) const
 {
-    if (!(time_s > first_s())) return keys_.front().view;
-    if (time_s >= last_s()) return keys_.back().view;
+    if (!(time_s > start_s())) return keys_.front().view;
+    if (time_s >= end_s()) return keys_.back().view;
     size_t k = 0;
     while (keys_[k + 1].time_s <= time_s) ++k;
     const KeyFrame &a = keys_[k], &b = keys_[k + 1];

@@ -24,7 +24,7 @@ struct KeyFrame {
 
 struct PathSection {
     std::string name;
-    double first_s = 0, last_s = 0;
+    double start_s = 0, end_s = 0;
 };
 
 class CameraPath
@@ -39,8 +39,8 @@ public:
     Viewpoint at(double time_s) const;
     clq_camera camera(double time_s, double aspect) const;
 
-    double first_s() const { return keys_.front().time_s; }
-    double last_s() const { return keys_.back().time_s; }
+    double start_s() const { return keys_.front().time_s; }
+    double end_s() const { return keys_.back().time_s; }
     const std::vector<KeyFrame> &keys() const { return keys_; }
     const std::vector<PathSection> &sections() const { return sections_; }
 

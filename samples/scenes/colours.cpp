@@ -1,6 +1,6 @@
 #include "samples/scenes/colours.h"
 
-#include "samples/scenes/social.h"
+#include "samples/scenes/social_classes.h"
 
 #include <fstream>
 #include <sstream>
@@ -27,7 +27,7 @@ clq_template_info info_of(const clq_template *tmpl)
 std::vector<Group> groups_of(const Scene &scene, const clq_colour_map *map)
 {
     std::vector<Group> groups;
-    const Social *social = dynamic_cast<const Social *>(&scene);
+    const SocialClasses *social = dynamic_cast<const SocialClasses *>(&scene);
     const std::vector<clq_actor> actors = scene.actors();
     for (size_t who = 0; who < actors.size(); ++who) {
         clq_actor_info actor = {};
@@ -63,12 +63,12 @@ void colour(const Scene &scene, const clq_colour_map *map, uint64_t crowd_seed)
     if (groups.empty()) throw Failure("the colours are for classes and templates that nobody in the scene is of");
     for (const Group &group : groups) {  // what does not fit is found before anybody is changed
         std::vector<float> rgb(3 * static_cast<size_t>(info_of(group.tmpl).zone_count));
-        check(clq_colour_map_draw(map, group.colour_class, group.tmpl, crowd_seed, 0, rgb.data(),
-                                  static_cast<uint32_t>(rgb.size() / 3)));
+        check(clq_colour_map_sample(map, group.colour_class, group.tmpl, crowd_seed, 0, rgb.data(),
+                                    static_cast<uint32_t>(rgb.size() / 3)));
     }
     for (const Group &group : groups)
-        check(clq_crowd_draw_colours(scene.crowd(), map, group.colour_class, group.actors.data(),
-                                     static_cast<uint32_t>(group.actors.size())));
+        check(clq_crowd_randomise_colours(scene.crowd(), map, group.colour_class, group.actors.data(),
+                                          static_cast<uint32_t>(group.actors.size())));
 }
 
 ColourFile::ColourFile(Library &library, std::string path) : library_(library), path_(std::move(path)) {}

@@ -14,7 +14,7 @@ clq_shadow_def shadows_in(const Daylight &light)
     return def;
 }
 
-void shine(const Gl &g, const Daylight &light, const Eye &eye)
+void set_lights(const Gl &g, const Daylight &light, const Eye &eye)
 {
     const float none[4] = {0, 0, 0, 1};
     const float sky[4] = {light.sky.r, light.sky.g, light.sky.b, 1};

@@ -21,6 +21,6 @@ clq_shadow_def shadows_in(const Daylight &light);
 
 // Switches lighting on with lights 0 and 1 and sets what claque inherits; the model-view matrix is the eye's view
 // afterwards. Materials follow colours.
-void shine(const Gl &gl, const Daylight &light, const Eye &eye);
+void set_lights(const Gl &gl, const Daylight &light, const Eye &eye);
 
 }  // namespace scenes

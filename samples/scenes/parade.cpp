@@ -1,6 +1,6 @@
 // Rows of one character, whatever it is, scaled to the size of a person, coloured apart and playing its clips in turn.
 #include "samples/scenes/light.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
@@ -31,8 +31,8 @@ Extent extent_of(const Character &character, const clq_template_info &info)
     double first[3], last[3];
     for (int axis = 0; axis < 3; ++axis) {
         if (character.has_box) {
-            first[axis] = character.box_first[axis];
-            last[axis] = character.box_last[axis];
+            first[axis] = character.box_min[axis];
+            last[axis] = character.box_max[axis];
             continue;
         }
         // Prepared files have no box but a sphere of all poses: most who fill it are upright and slimmer than it, and
@@ -58,21 +58,24 @@ Extent extent_of(const Character &character, const clq_template_info &info)
 class Parade final : public Scene
 {
 public:
-    Parade(Library &library, const Casting &casting, const Character &character)
-        : seed_(casting.seed), character_(character), cast_(library, casting), sky_(casting.seed, Sky::Land::studio)
+    Parade(Library &library, const CrowdOptions &crowd_options, const Character &character)
+        : seed_(crowd_options.seed),
+          character_(character),
+          scene_crowd_(library, crowd_options),
+          sky_(crowd_options.seed, Sky::Land::studio)
     {
         if (!character_.tmpl) take_citizen(library);
         check(clq_template_get_info(character_.tmpl, &info_));
         extent_ = extent_of(character_, info_);
         across_ = std::max(0.75, 2.3 * extent_.half_x);
         deep_ = std::max(1.0, 2.2 * extent_.half_z);
-        line_up(static_cast<int>(casting.count));
-        for (uint32_t i = 0; i < casting.count; ++i) enter(i, casting.count);
+        line_up(static_cast<int>(crowd_options.count));
+        for (uint32_t i = 0; i < crowd_options.count; ++i) enter(i, crowd_options.count);
         lay_ground();
     }
 
-    clq_crowd *crowd() const override { return cast_.crowd(); }
-    std::vector<clq_actor> actors() const override { return cast_.actors(); }
+    clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
+    std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
     std::vector<clq_template *> templates() const override { return {character_.tmpl}; }
 
     clq_camera camera(Shot shot, double aspect, double) const override
@@ -93,10 +96,10 @@ public:
 
     void prepare(const Gl &gl) override { shadows_.prepare(gl); }
 
-    void draw_setting(const Gl &g, const Eye &eye) const override
+    void draw_environment(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
-        shine(g, light_, eye);
+        set_lights(g, light_, eye);
         g.Disable(gl::lighting);
         ground_.draw(g);
         if (paints_people_) shadows_.draw(g);
@@ -162,8 +165,8 @@ private:
         character_.tmpl = library.builtin("citizen");
         character_.has_box = true;
         const float first[3] = {-0.35f, 0.0f, -0.2f}, last[3] = {0.35f, 1.75f, 0.2f};
-        std::copy(first, first + 3, character_.box_first);
-        std::copy(last, last + 3, character_.box_last);
+        std::copy(first, first + 3, character_.box_min);
+        std::copy(last, last + 3, character_.box_max);
     }
 
     clq_play play(uint32_t who) const
@@ -171,10 +174,10 @@ private:
         clq_play play = {};
         const uint32_t first = std::min(character_.first_clip, info_.clip_count);
         play.clip = info_.clip_count > first ? first + who % (info_.clip_count - first) : CLQ_NONE;
-        play.speed = static_cast<float>(lot_between(seed_, who, Lot::speed, 0.9, 1.1));
+        play.speed = static_cast<float>(random_between(seed_, who, Purpose::speed, 0.9, 1.1));
         clq_clip_info clip = {};
         if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)
-            play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * clip.duration_s);
+            play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * clip.duration_s);
         return play;
     }
 
@@ -185,9 +188,9 @@ private:
         const double x =
             (column - (here - 1) * 0.5) * across_ + (row % 2 == 1 && here == columns_ ? across_ * 0.25 : 0);
         const double z = -row * deep_;
-        clq_place place =
+        clq_transform place =
             stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
-        cast_.enter({character_.tmpl, place, play(who)});
+        scene_crowd_.enter({character_.tmpl, place, play(who)});
         // Arms that the rest pose spreads throw no shadow to speak of.
         const double body = std::max(extent_.half_z, 0.22 * extent_.height);
         const float rx = static_cast<float>(std::min(extent_.half_x, body) * 1.25 + 0.12);
@@ -225,7 +228,7 @@ private:
 
     uint64_t seed_;
     Character character_;
-    Cast cast_;
+    SceneCrowd scene_crowd_;
     clq_template_info info_ = {};
     Extent extent_;
     int columns_ = 1, rows_ = 1;
@@ -239,9 +242,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character)
+std::unique_ptr<Scene> make_parade(Library &library, const CrowdOptions &crowd_options, const Character &character)
 {
-    return std::make_unique<Parade>(library, casting, character);
+    return std::make_unique<Parade>(library, crowd_options, character);
 }
 
 }  // namespace scenes

@@ -1,7 +1,7 @@
 // Citizens on a Roman plaza: rings of talkers, an audience before its speaker, walkers round them all.
 #include "samples/scenes/light.h"
-#include "samples/scenes/lot.h"
 #include "samples/scenes/plaza_buildings.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
@@ -21,24 +21,24 @@ constexpr float citizen_height_m = 1.75f, citizen_shadow_width_m = 0.95f;
 class Plaza final : public Scene
 {
 public:
-    Plaza(Library &library, const Casting &casting)
-        : seed_(casting.seed),
-          citizen_(casting.lod == Lod::on ? library.builtin("citizen", {}) : library.builtin("citizen")),
+    Plaza(Library &library, const CrowdOptions &crowd_options)
+        : seed_(crowd_options.seed),
+          citizen_(crowd_options.lod == Lod::on ? library.builtin("citizen", {}) : library.builtin("citizen")),
           walk_speed_(walk_speed(citizen_)),
-          layout_(lay_out_plaza(casting.count, casting.seed, walk_speed_)),
-          cast_(library, casting),
-          sky_(casting.seed, Sky::Land::hills)
+          layout_(lay_out_plaza(crowd_options.count, crowd_options.seed, walk_speed_)),
+          scene_crowd_(library, crowd_options),
+          sky_(crowd_options.seed, Sky::Land::hills)
     {
         for (const Standing &s : layout_.standing) enter(s);
         for (const Walking &w : layout_.walking) enter(w);
-        pave(ground_, layout_, casting.seed);
-        grow(field_, layout_, casting.seed);
-        build(stone_, layout_, casting.seed);
+        pave(ground_, layout_, crowd_options.seed);
+        grow(field_, layout_, crowd_options.seed);
+        build(stone_, layout_, crowd_options.seed);
         rims();
     }
 
-    clq_crowd *crowd() const override { return cast_.crowd(); }
-    std::vector<clq_actor> actors() const override { return cast_.actors(); }
+    clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
+    std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
     std::vector<clq_template *> templates() const override { return {citizen_}; }
 
     clq_camera camera(Shot shot, double aspect, double) const override
@@ -55,10 +55,10 @@ public:
     {
         const size_t first = layout_.standing.size();
         for (size_t i = 0; i < layout_.walking.size(); ++i) {
-            clq_place &place = cast_.places()[first + i];
+            clq_transform &place = scene_crowd_.places()[first + i];
             place = walked(layout_.walking[i], time_s, place.scale);
         }
-        if (!layout_.walking.empty() || !placed_) cast_.move();
+        if (!layout_.walking.empty() || !placed_) scene_crowd_.move();
         placed_ = true;
     }
 
@@ -76,10 +76,10 @@ public:
         shadows_.prepare(gl);
     }
 
-    void draw_setting(const Gl &g, const Eye &eye) const override
+    void draw_environment(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
-        shine(g, light_, eye);
+        set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         field_.draw(g);
         flagstones_->use();
@@ -87,7 +87,8 @@ public:
         g.Enable(gl::cull_face);
         plaster_->use();
         stone_.draw(g);
-        if (paints_people_) shadows_.cast(cast_.places(), light_.to_sun, citizen_height_m, citizen_shadow_width_m);
+        if (paints_people_)
+            shadows_.cast(scene_crowd_.places(), light_.to_sun, citizen_height_m, citizen_shadow_width_m);
         shadows_.draw(g);
     }
 
@@ -99,7 +100,10 @@ private:
         return citizen_stride_m / static_cast<double>(walk.duration_s);
     }
 
-    float size_of(size_t who) const { return static_cast<float>(lot_between(seed_, who, Lot::size, 0.94, 1.06)); }
+    float size_of(size_t who) const
+    {
+        return static_cast<float>(random_between(seed_, who, Purpose::size, 0.94, 1.06));
+    }
 
     clq_play play(const char *clip, double speed, size_t who) const
     {
@@ -108,13 +112,13 @@ private:
         play.speed = static_cast<float>(speed);
         clq_clip_info info = {};
         if (play.clip != CLQ_NONE && clq_template_get_clip(citizen_, play.clip, &info) == CLQ_OK)
-            play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * info.duration_s);
+            play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * info.duration_s);
         return play;
     }
 
     const char *clip_of(Standing::Role role, size_t who) const
     {
-        const double share = lot(seed_, who, Lot::clip);
+        const double share = random_unit(seed_, who, Purpose::clip);
         if (role == Standing::Role::speaker) return "cheer";
         if (role == Standing::Role::listener) return share < 0.60 ? "applaud" : share < 0.86 ? "cheer" : "stand";
         return share < 0.90 ? "stand" : "applaud";
@@ -122,22 +126,22 @@ private:
 
     void enter(const Standing &s)
     {
-        const size_t who = cast_.places().size();
-        const double speed = lot_between(seed_, who, Lot::speed, 0.9, 1.1);
-        cast_.enter({citizen_, stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(who)),
-                     play(clip_of(s.role, who), speed, who)});
+        const size_t who = scene_crowd_.places().size();
+        const double speed = random_between(seed_, who, Purpose::speed, 0.9, 1.1);
+        scene_crowd_.enter({citizen_, stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(who)),
+                            play(clip_of(s.role, who), speed, who)});
     }
 
     void enter(const Walking &w)
     {
-        const size_t who = cast_.places().size();
+        const size_t who = scene_crowd_.places().size();
         const float size = size_of(who);
         // All in a lane go at one pace; short people take more steps for it.
         const double speed = std::abs(layout_.lanes[w.lane].speed) / (walk_speed_ * size);
-        cast_.enter({citizen_, walked(w, 0, size), play("walk", speed, who)});
+        scene_crowd_.enter({citizen_, walked(w, 0, size), play("walk", speed, who)});
     }
 
-    clq_place walked(const Walking &w, double time_s, float size) const
+    clq_transform walked(const Walking &w, double time_s, float size) const
     {
         const Lane &lane = layout_.lanes[w.lane];
         const Step step = lane.way.at(w.start + lane.speed * time_s);
@@ -159,7 +163,7 @@ private:
     clq_template *citizen_;  // of the library
     double walk_speed_;      // metres a second of the walk clip at speed and scale 1
     PlazaLayout layout_;
-    Cast cast_;
+    SceneCrowd scene_crowd_;
     bool placed_ = false, paints_people_ = true;
     Daylight light_;
     Sky sky_;
@@ -170,9 +174,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_plaza(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_plaza(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Plaza>(library, casting);
+    return std::make_unique<Plaza>(library, crowd_options);
 }
 
 }  // namespace scenes

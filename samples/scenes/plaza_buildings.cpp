@@ -1,6 +1,6 @@
 #include "samples/scenes/plaza_buildings.h"
 
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/stone.h"
 
 #include <algorithm>
@@ -138,10 +138,10 @@ void fountain(Geometry &g, float x, float z, float r)
 void cypresses(Geometry &g, const PlazaLayout &layout, uint64_t seed)
 {
     for (uint64_t i = 0; i < 22; ++i) {
-        const float along = static_cast<float>(lot_between(seed, i, Lot::place_x, -1.5, 1.5) * layout.half_x);
-        const float back = static_cast<float>(-layout.half_z - 14 - 12 * lot(seed, i, Lot::place_z));
-        const float high = static_cast<float>(lot_between(seed, i, Lot::tree, 7.5, 12.5));
-        const Rgb green = cypress * static_cast<float>(lot_between(seed, i, Lot::tone, 0.85, 1.25));
+        const float along = static_cast<float>(random_between(seed, i, Purpose::place_x, -1.5, 1.5) * layout.half_x);
+        const float back = static_cast<float>(-layout.half_z - 14 - 12 * random_unit(seed, i, Purpose::place_z));
+        const float high = static_cast<float>(random_between(seed, i, Purpose::tree, 7.5, 12.5));
+        const Rgb green = cypress * static_cast<float>(random_between(seed, i, Purpose::tone, 0.85, 1.25));
         g.turned(along, back, {{0.16f, 0.0f}, {0.14f, 1.0f}}, 6, bark);
         g.turned(
             along, back,
@@ -180,7 +180,7 @@ void pave(Geometry &ground, const PlazaLayout &layout, uint64_t seed)
 {
     const float half_x = static_cast<float>(layout.half_x) + 5, half_z = static_cast<float>(layout.half_z) + 24;
     sheet(ground, half_x, half_z, 2.5f, 0, flagstone_metres, [&](float, float, uint64_t who) {
-        return Rgb{1.0f, 0.985f, 0.95f} * static_cast<float>(lot_between(seed, who, Lot::tone, 0.90, 1.0));
+        return Rgb{1.0f, 0.985f, 0.95f} * static_cast<float>(random_between(seed, who, Purpose::tone, 0.90, 1.0));
     });
 }
 
@@ -190,7 +190,7 @@ void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed)
     const float half = static_cast<float>(std::max(layout.half_x, layout.half_z)) + 260;
     sheet(field, half, half, 11.0f, -0.08f, plaster_metres, [&](float x, float z, uint64_t who) {
         const float t = std::min(1.0f, std::sqrt(x * x + z * z) / half);
-        const float tone = static_cast<float>(lot_between(seed, who, Lot::tone, 0.85, 1.1)) * (1 - t) + t;
+        const float tone = static_cast<float>(random_between(seed, who, Purpose::tone, 0.85, 1.1)) * (1 - t) + t;
         return Rgb{grass.r + (far_away.r - grass.r) * t, grass.g + (far_away.g - grass.g) * t,
                    grass.b + (far_away.b - grass.b) * t} *
                tone;

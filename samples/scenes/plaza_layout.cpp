@@ -1,8 +1,8 @@
 #include "samples/scenes/plaza_layout.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/elbow_room.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/occupancy_grid.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 
@@ -61,7 +61,7 @@ private:
         for (uint32_t lane = 0; lane < (wide_street_ ? 4u : 2u); ++lane) {
             const double offset = wide_street_ ? 1.35 - 0.9 * lane : 0.45 - 0.9 * lane;
             const double in = middle - offset;  // of the edge
-            const double pace = walk_speed * lot_between(seed_, lane, Lot::lane, 0.96, 1.04);
+            const double pace = walk_speed * random_between(seed_, lane, Purpose::lane, 0.96, 1.04);
             const bool back = wide_street_ ? lane >= 2 : lane == 1;
             plan_.lanes.push_back({Circuit(plan_.half_x - in, plan_.half_z - in, 4.6 - in), back ? -pace : pace});
         }
@@ -71,7 +71,7 @@ private:
     {
         if (left() == 0) return;
         const uint64_t who = plan_.standing.size();
-        const double turn = lot_between(seed_, who, Lot::heading, -0.22, 0.22);
+        const double turn = random_between(seed_, who, Purpose::heading, -0.22, 0.22);
         const double dx = to_x - x, dz = to_z - z;
         plan_.standing.push_back({x, y, z, dx + turn * dz, dz - turn * dx, role});
         room_.take(x, z);
@@ -114,7 +114,7 @@ private:
             const uint32_t walkers = std::min(share, static_cast<uint32_t>(length / 2.2));
             const double gap = walkers > 0 ? length / walkers : 0;
             for (uint32_t k = 0; k < walkers; ++k) {
-                const double jitter = lot_between(seed_, lane * 100000u + k, Lot::gap, -0.27, 0.27);
+                const double jitter = random_between(seed_, lane * 100000u + k, Purpose::gap, -0.27, 0.27);
                 plan_.walking.push_back({lane, gap * (k + jitter)});
             }
         }
@@ -126,8 +126,8 @@ private:
         uint64_t draw = 0;
         for (double radius = 3.6; wanted > 0 && radius < 0.9 * inner_z_; radius += 1.02)
             for (double at = -1.05 * radius; at < 1.0 * radius && wanted > 0; at += 0.98, ++draw) {
-                const double angle = (at + lot_between(seed_, draw, Lot::place_x, -0.2, 0.2)) / radius - 0.15;
-                const double r = radius + lot_between(seed_, draw, Lot::radius, -0.22, 0.22);
+                const double angle = (at + random_between(seed_, draw, Purpose::place_x, -0.2, 0.2)) / radius - 0.15;
+                const double r = radius + random_between(seed_, draw, Purpose::radius, -0.22, 0.22);
                 const double x = plan_.rostra[0] + r * std::sin(angle), z = plan_.rostra[1] - r * std::cos(angle);
                 if (!may_stand(x, z, 0.86)) continue;
                 add(x, 0, z, plan_.rostra[0], plan_.rostra[1], Standing::Role::listener);
@@ -139,8 +139,8 @@ private:
     {
         uint32_t failures = 0;
         for (uint64_t draw = 0; left() > 0 && failures < 600; ++draw) {
-            const double x = lot_between(seed_, draw, Lot::place_x, -inner_x_, inner_x_);
-            const double z = lot_between(seed_, draw, Lot::place_z, -inner_z_, inner_z_);
+            const double x = random_between(seed_, draw, Purpose::place_x, -inner_x_, inner_x_);
+            const double z = random_between(seed_, draw, Purpose::place_z, -inner_z_, inner_z_);
             // Where large groups find no room any more, small ones still may.
             if (!gather(x, z, std::min(group_size(draw), failures > 450 ? 1u : failures > 250 ? 2u : 5u), draw))
                 ++failures;
@@ -150,18 +150,18 @@ private:
 
     uint32_t group_size(uint64_t draw) const
     {
-        const double share = lot(seed_, draw, Lot::group_size);
+        const double share = random_unit(seed_, draw, Purpose::group_size);
         return share < 0.10 ? 1 : share < 0.40 ? 2 : share < 0.70 ? 3 : share < 0.90 ? 4 : 5;
     }
 
     bool gather(double x, double z, uint32_t size, uint64_t draw)
     {
         constexpr double radii[] = {0, 0.0, 0.50, 0.58, 0.68, 0.80};
-        const double first = lot_between(seed_, draw, Lot::heading, 0, 360 * radians);
+        const double first = random_between(seed_, draw, Purpose::heading, 0, 360 * radians);
         double px[5], pz[5];
         for (uint32_t k = 0; k < size; ++k) {
             const double angle =
-                first + (k + lot_between(seed_, draw * 8 + k, Lot::row, -0.08, 0.08)) * 360 * radians / size;
+                first + (k + random_between(seed_, draw * 8 + k, Purpose::row, -0.08, 0.08)) * 360 * radians / size;
             px[k] = x + radii[size] * std::sin(angle);
             pz[k] = z + radii[size] * std::cos(angle);
             if (!may_stand(px[k], pz[k], 1.02)) return false;
@@ -193,7 +193,7 @@ private:
     uint64_t seed_;
     bool wide_street_;
     double inner_x_, inner_z_;  // where people stand
-    ElbowRoom room_;
+    OccupancyGrid room_;
 };
 
 }  // namespace

@@ -22,12 +22,12 @@ const std::vector<SceneEntry> &scene_entries()
     return entries;
 }
 
-std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const Casting &casting,
+std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const CrowdOptions &crowd_options,
                                   const Character &character)
 {
     std::string names;
     for (const SceneEntry &entry : scene_entries()) {
-        if (name == entry.name) return entry.make(library, casting, character);
+        if (name == entry.name) return entry.make(library, crowd_options, character);
         names += (names.empty() ? "" : ", ") + std::string(entry.name);
     }
     throw Failure("there is no scene '" + name + "'; there are: " + names);

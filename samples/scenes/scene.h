@@ -3,9 +3,9 @@
 // time: any frame can be made by itself.
 #pragma once
 
-#include "samples/scenes/cast.h"
 #include "samples/scenes/eye.h"
 #include "samples/scenes/gl.h"
+#include "samples/scenes/scene_crowd.h"
 
 #include <claque/shadow.h>
 
@@ -23,7 +23,7 @@ enum class Shot { overview, close, path };
 struct Character {
     clq_template *tmpl = nullptr;
     bool has_box = false;
-    float box_first[3] = {0, 0, 0}, box_last[3] = {0, 0, 0};
+    float box_min[3] = {0, 0, 0}, box_max[3] = {0, 0, 0};
     uint32_t first_clip = 0;  // a parade plays this one and what follows it
 };
 
@@ -44,7 +44,7 @@ public:
     // Brings textures to the current context, which must be current again when the scene ends.
     virtual void prepare(const Gl &gl) = 0;
     // Draws all but the crowd into a cleared picture, and leaves the lights on for it.
-    virtual void draw_setting(const Gl &gl, const Eye &eye) const = 0;
+    virtual void draw_environment(const Gl &gl, const Eye &eye) const = 0;
     // Shadows of people are claque's to draw from now on, or nobody's: those that the scene paints itself are left out. Says
     // what light they fall in; false where the scene has no ground for them, and then nothing has changed.
     virtual bool take_shadows(clq_shadow_def &) { return false; }
@@ -55,7 +55,7 @@ public:
 struct SceneEntry {
     const char *name;
     const char *about;
-    std::unique_ptr<Scene> (*make)(Library &library, const Casting &casting, const Character &character);
+    std::unique_ptr<Scene> (*make)(Library &library, const CrowdOptions &crowd_options, const Character &character);
     uint32_t default_count;  // of individuals, where nobody asks for a number
     bool actors = false;     // a scene of S0, which is measured in both cull modes
 };
@@ -64,16 +64,18 @@ struct SceneEntry {
 const std::vector<SceneEntry> &scene_entries();
 
 // Throws Failure, naming what there is, where none has this name. character.tmpl null: the built-in citizen.
-std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const Casting &casting,
+std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const CrowdOptions &crowd_options,
                                   const Character &character);
 
-std::unique_ptr<Scene> make_plaza(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_odeon(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_vehicle(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_town_sky(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_hundred_actors(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_multitude(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_ten_thousand(Library &library, const Casting &casting, const Character &character);
-std::unique_ptr<Scene> make_parade(Library &library, const Casting &casting, const Character &character);
+std::unique_ptr<Scene> make_plaza(Library &library, const CrowdOptions &crowd_options, const Character &character);
+std::unique_ptr<Scene> make_odeon(Library &library, const CrowdOptions &crowd_options, const Character &character);
+std::unique_ptr<Scene> make_vehicle(Library &library, const CrowdOptions &crowd_options, const Character &character);
+std::unique_ptr<Scene> make_town_sky(Library &library, const CrowdOptions &crowd_options, const Character &character);
+std::unique_ptr<Scene> make_hundred_actors(Library &library, const CrowdOptions &crowd_options,
+                                           const Character &character);
+std::unique_ptr<Scene> make_multitude(Library &library, const CrowdOptions &crowd_options, const Character &character);
+std::unique_ptr<Scene> make_ten_thousand(Library &library, const CrowdOptions &crowd_options,
+                                         const Character &character);
+std::unique_ptr<Scene> make_parade(Library &library, const CrowdOptions &crowd_options, const Character &character);
 
 }  // namespace scenes

@@ -87,15 +87,15 @@ Image Shadows::picture() { return person_and_blot(); }
 
 void Shadows::prepare(const Gl &gl) { image_.emplace(gl, picture(), false); }
 
-void Shadows::cast(const std::vector<clq_place> &places, Vec3 to_sun, float height_m, float width_m)
+void Shadows::cast(const std::vector<clq_transform> &places, Vec3 to_sun, float height_m, float width_m)
 {
     people_.clear();
     for (size_t i = 0; i < places.size(); ++i) lay(places, i, to_sun, height_m, width_m);
 }
 
-void Shadows::lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, float height_m, float width_m)
+void Shadows::lay(const std::vector<clq_transform> &places, size_t i, Vec3 to_sun, float height_m, float width_m)
 {
-    const clq_place &place = places[i];
+    const clq_transform &place = places[i];
     const float level = std::sqrt(to_sun.x * to_sun.x + to_sun.z * to_sun.z);
     const float dx = -to_sun.x / level, dz = -to_sun.z / level;  // away from the sun
     const float reach = place.scale * height_m * level / to_sun.y / static_cast<float>(0.94 - foot);

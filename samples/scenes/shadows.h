@@ -24,7 +24,7 @@ public:
     void release() { image_.reset(); }
 
     // Who stands where: position[1] is the ground there. height_m and width_m are of a person of scale 1.
-    void cast(const std::vector<clq_place> &places, Vec3 to_sun, float height_m, float width_m);
+    void cast(const std::vector<clq_transform> &places, Vec3 to_sun, float height_m, float width_m);
     // A dark rim round something that stands on the ground.
     void ring(float x, float y, float z, float half_x, float half_z);
     // On top of what is drawn; the view must be set. Leaves blending off.
@@ -35,7 +35,7 @@ public:
     static constexpr float darkness = 0.58f;
 
 private:
-    void lay(const std::vector<clq_place> &places, size_t i, Vec3 to_sun, float height_m, float width_m);
+    void lay(const std::vector<clq_transform> &places, size_t i, Vec3 to_sun, float height_m, float width_m);
 
     std::optional<Texture> image_;
     Geometry people_, rims_;

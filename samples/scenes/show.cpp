@@ -72,7 +72,7 @@ void draw_sphere(const Gl &g, const Eye &eye, const Wires &wires, const double (
 }
 
 // `offset` turned and scaled by a place, and moved to it.
-void put(const clq_place &place, const float (&offset)[3], double (&out)[3])
+void put(const clq_transform &place, const float (&offset)[3], double (&out)[3])
 {
     const double x = static_cast<double>(place.orientation_xyzw[0]), y = static_cast<double>(place.orientation_xyzw[1]);
     const double z = static_cast<double>(place.orientation_xyzw[2]), w = static_cast<double>(place.orientation_xyzw[3]);
@@ -104,7 +104,7 @@ void draw_spheres(const Gl &g, const Eye &eye, clq_crowd *crowd, const std::vect
         // A member's place is in its group's space.
         if (info.group.index1 != 0) continue;
         g.Color4f(0.10f, 0.30f, 0.80f, alpha);
-        draw_sphere(g, eye, wires, info.place.position, scale * static_cast<double>(info.refpoint_radius));
+        draw_sphere(g, eye, wires, info.transform.position, scale * static_cast<double>(info.refpoint_radius));
     }
     end_lines(g);
 }
@@ -128,7 +128,7 @@ void tint_by_level(clq_crowd *crowd, const std::vector<clq_actor> &actors)
     }
 }
 
-void draw_pyramid(const Gl &g, float share)
+void draw_frustum(const Gl &g, float share)
 {
     const Point corners[4] = {{-share, -share, 0}, {share, -share, 0}, {share, share, 0}, {-share, share, 0}};
     const uint32_t edges[8] = {0, 1, 1, 2, 2, 3, 3, 0};

@@ -20,6 +20,6 @@ void draw_spheres(const Gl &gl, const Eye &eye, clq_crowd *crowd, const std::vec
 void tint_by_level(clq_crowd *crowd, const std::vector<clq_actor> &actors);
 
 // The edge of what a pyramid of this share of the picture's meets.
-void draw_pyramid(const Gl &gl, float share);
+void draw_frustum(const Gl &gl, float share);
 
 }  // namespace scenes

@@ -1,6 +1,6 @@
 #include "samples/scenes/stone.h"
 
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ public:
     Noise(uint64_t seed, int cells_x, int cells_y)
         : wide_(cells_x), high_(cells_y), values_(static_cast<size_t>(cells_x) * static_cast<size_t>(cells_y))
     {
-        for (size_t i = 0; i < values_.size(); ++i) values_[i] = lot(seed, i, Lot::grain);
+        for (size_t i = 0; i < values_.size(); ++i) values_[i] = random_unit(seed, i, Purpose::grain);
     }
     double operator()(double u, double v) const
     {
@@ -46,10 +46,10 @@ struct Course {
 Course course(uint64_t seed, uint64_t row)
 {
     Course made;
-    made.shift = lot(seed, row, Lot::row);
+    made.shift = random_unit(seed, row, Purpose::row);
     double at = 0;
     for (uint64_t slab = 0; at < 1; ++slab) {
-        at += lot_between(seed, row * 64 + slab, Lot::slab, 0.11, 0.22);
+        at += random_between(seed, row * 64 + slab, Purpose::slab, 0.11, 0.22);
         if (at > 0.9) at = 1;
         made.ends.push_back(at);
     }
@@ -94,13 +94,13 @@ Image flagstones(uint64_t seed)
             const double to_joint = std::min({to_course, along - first, stones.ends[slab] - along}) * flagstone_metres;
             const uint64_t id = static_cast<uint64_t>(row) * 64 + slab;
 
-            double tone = 0.86 + 0.13 * (lot(seed, id, Lot::tone) - 0.5) + 0.10 * (clouds(u, v) - 0.5);
+            double tone = 0.86 + 0.13 * (random_unit(seed, id, Purpose::tone) - 0.5) + 0.10 * (clouds(u, v) - 0.5);
             tone += 0.055 * (bands(u, v) - 0.5) + 0.045 * (fine(u, v) - 0.5);
             if (pits(u, v) > 0.86) tone -= 0.06;
             const double worn = smooth_noise(std::clamp(to_joint / 0.05, 0.0, 1.0));   // edges are a little darker
             const double open = smooth_noise(std::clamp(to_joint / 0.014, 0.0, 1.0));  // the joint itself, in metres
             tone *= (0.93 + 0.07 * worn) * (0.55 + 0.45 * open);
-            const double warm = 0.035 * (lot(seed, id, Lot::grain) - 0.3);
+            const double warm = 0.035 * (random_unit(seed, id, Purpose::grain) - 0.3);
             put(image, static_cast<size_t>(y) * side + static_cast<size_t>(x), tone * (1.01 + warm), tone * 0.975,
                 tone * (0.915 - warm));
         }

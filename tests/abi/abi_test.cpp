@@ -47,10 +47,7 @@ void expect_as_listed(const std::string &file, const std::string &library)
         std::puts("If that is meant: make abi-accept, and a new soname where an export is gone or changed.");
 }
 
-TEST(abi, of_libclaque_is_the_one_that_is_listed) { expect_as_listed("libclaque.abi", CLAQUE_LIBRARY); }
-TEST(abi, of_libclaque_assets_is_the_one_that_is_listed)
-{
-    expect_as_listed("libclaque-assets.abi", CLAQUE_ASSETS_LIBRARY);
-}
+TEST(Abi, OfLibclaqueIsTheOneThatIsListed) { expect_as_listed("libclaque.abi", CLAQUE_LIBRARY); }
+TEST(Abi, OfLibclaqueAssetsIsTheOneThatIsListed) { expect_as_listed("libclaque-assets.abi", CLAQUE_ASSETS_LIBRARY); }
 
 }  // namespace

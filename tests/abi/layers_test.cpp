@@ -84,14 +84,14 @@ const fs::path root = CLAQUE_SOURCE_DIR;
 
 }  // namespace
 
-TEST(layers, every_include_is_one_that_the_table_allows)
+TEST(Layers, EveryIncludeIsOneThatTheTableAllows)
 {
     const Table table = read_table(root / "tests/abi/layers.txt");
     ASSERT_GT(table.size(), 10u);
     for (const std::string &offence : offences(table, root)) ADD_FAILURE() << offence;
 }
 
-TEST(layers, an_include_upwards_or_of_gl_is_caught)
+TEST(Layers, AnIncludeUpwardsOrOfGlIsCaught)
 {
     const Table table = read_table(root / "tests/abi/layers.txt");
     EXPECT_NE(verdict(table, "passes", "#include \"lib/crowd/crowd.h\""), "");
@@ -102,7 +102,7 @@ TEST(layers, an_include_upwards_or_of_gl_is_caught)
     EXPECT_EQ(verdict(table, "lib/frame", "#include \"animcache/period.h\""), "");
 }
 
-TEST(layers, architecture_shows_the_same_table)
+TEST(Layers, ArchitectureShowsTheSameTable)
 {
     std::ifstream file(root / "ARCHITECTURE.md");
     std::stringstream text;
@@ -113,7 +113,7 @@ TEST(layers, architecture_shows_the_same_table)
         }
 }
 
-TEST(layers, files_are_short)
+TEST(Layers, FilesAreShort)
 {
     for (const char *top : {"lib", "passes", "meshsplit", "animcache", "samples", "include", "tests"})
         for (const auto &entry : fs::recursive_directory_iterator(root / top)) {

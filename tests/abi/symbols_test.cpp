@@ -39,7 +39,7 @@ bool forbidden(const std::string &name)
 
 }  // namespace
 
-TEST(symbols, the_libraries_export_the_c_api_and_nothing_else)
+TEST(Symbols, TheLibrariesExportTheCApiAndNothingElse)
 {
     for (const char *library : {CLAQUE_LIBRARY, CLAQUE_ASSETS_LIBRARY}) {
         const std::vector<std::string> names = symbols(library, "--defined-only");
@@ -48,7 +48,7 @@ TEST(symbols, the_libraries_export_the_c_api_and_nothing_else)
     }
 }
 
-TEST(symbols, libclaque_imports_no_gl_no_printing_no_exit)
+TEST(Symbols, LibclaqueImportsNoGlNoPrintingNoExit)
 {
     if (CLAQUE_SANITIZED) GTEST_SKIP() << "sanitizers bring their own imports";
     const std::vector<std::string> names = symbols(CLAQUE_LIBRARY, "--undefined-only");
@@ -61,7 +61,7 @@ TEST(symbols, libclaque_imports_no_gl_no_printing_no_exit)
     EXPECT_FALSE(forbidden("snprintf") || forbidden("memcpy"));
 }
 
-TEST(symbols, libclaque_needs_libc_and_libstdcxx_alone)
+TEST(Symbols, LibclaqueNeedsLibcAndLibstdcxxAlone)
 {
     if (CLAQUE_SANITIZED) GTEST_SKIP() << "sanitizers bring their own libraries";
     const std::regex allowed(".*NEEDED.*\\[(libc\\.so|libm\\.so|libstdc\\+\\+\\.so|libgcc_s\\.so|ld-linux).*");

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
-#include "lib/frame/exact.h"
+#include "lib/frame/node_matrix.h"
 #include "tests/actors/robot.h"
 
 using namespace actors;
@@ -45,7 +45,7 @@ TEST(Attached, ObjectsEnlargeTheSpheresAndLetThemShrinkAgain)
     for (int k = 0; k < 200; ++k) {
         world.update(0.017 * k);
         double m[16];
-        frame::node_in_world(world.crowd, world.frame, 0, hand_left, 0.017 * k, m);
+        frame::node_world_matrix(world.crowd, world.frame, 0, hand_left, 0.017 * k, m);
         farthest = std::max(farthest, length(times(m, glm::dvec3(lance.centre)) - centre) + double(lance.radius));
     }
     EXPECT_LE(farthest, double(with.sklsroot));
@@ -77,11 +77,11 @@ TEST(Nodes, AreWhereTheirVerticesAre)
     world.look({5, 1, 5}, {5, 1, -3});
     for (int k = 0; k < 40; ++k) {
         world.update(0.031 * k);
-        const frame::Seen seen = world.seen(id);
+        const frame::ActorVisibility seen = world.seen(id);
         ASSERT_TRUE(seen.visible);
         double shown[16], exact[16];
-        frame::node_in_world(world.crowd, world.frame, 0, arm_left, std::nan(""), shown);
-        frame::node_in_world(world.crowd, world.frame, 0, arm_left, seen.shown_s, exact);
+        frame::node_world_matrix(world.crowd, world.frame, 0, arm_left, std::nan(""), shown);
+        frame::node_world_matrix(world.crowd, world.frame, 0, arm_left, seen.shown_s, exact);
         for (int i = 0; i < 16; ++i) EXPECT_EQ(shown[i], exact[i]) << i;
         // The first vertex of the arm's box stands at a corner of the box in the node's frame.
         const model::Level &level = world.tmpl->levels[0];
@@ -97,7 +97,7 @@ TEST(Nodes, AreWhereTheirVerticesAre)
     }
 }
 
-TEST(Shadows, CastersAreKeptAliveByTheSphereTheySweepAndNotDrawn)
+TEST(Shadows, CastersAreUpdatedByTheirSweptSphereAndNotDrawn)
 {
     World world;
     world.add({0, 12, 0});
@@ -117,7 +117,7 @@ TEST(Shadows, CastersAreKeptAliveByTheSphereTheySweepAndNotDrawn)
     EXPECT_EQ(view.list.items.size(), 0u);
 }
 
-TEST(Ground, CarriesWhoFollowsItWithinItsReach)
+TEST(Ground, CarriesActorsThatFollowItWithinItsReach)
 {
     World world;
     const crowd::Id follows = world.add({0, 0, 0}), stays = world.add({2, 0, 0}), far = world.add({-2, 0, 0});
@@ -126,7 +126,7 @@ TEST(Ground, CarriesWhoFollowsItWithinItsReach)
     world.crowd.set_ground(flat_at_two, nullptr);
     world.look({0, 2, 9}, {0, 2, 0});
     world.update(0);
-    crowd::Place root;
+    crowd::Transform root;
     ASSERT_TRUE(world.frame.root_of(world.crowd, 0, root));
     EXPECT_EQ(root.position.y, 2);
     ASSERT_TRUE(world.frame.root_of(world.crowd, stays.index1 - 1, root));
@@ -135,17 +135,17 @@ TEST(Ground, CarriesWhoFollowsItWithinItsReach)
     EXPECT_EQ(root.position.y, 0.5);
     EXPECT_EQ(world.crowd.extent_of(0).slack, 3.0f);
 
-    crowd::Place place;
+    crowd::Transform place;
     place.position = {10, 0, 0};
     world.crowd.set_ground(slope, nullptr);
-    world.crowd.place(&follows, &place, 1);
+    world.crowd.set_transforms(&follows, &place, 1);
     world.views[0]->camera = frame::look_at({10, 2, 9}, {10, 1, 0}, glm::vec3(0, 1, 0), 1, 1.3f, 0.1f, 100);
     world.update(0.1);
     ASSERT_TRUE(world.frame.root_of(world.crowd, 0, root));
     EXPECT_DOUBLE_EQ(root.position.y, 1);
 }
 
-TEST(Clones, AreLikeWhatTheyWereMadeFromAndThenGoTheirOwnWay)
+TEST(Clones, StartEqualToTheirOriginalAndThenDiverge)
 {
     World world;
     const crowd::Id id = world.add({0, 0, 0}, 0.3f, 11);
@@ -153,14 +153,14 @@ TEST(Clones, AreLikeWhatTheyWereMadeFromAndThenGoTheirOwnWay)
     world.crowd.set_colours(id, red, 1);
     world.crowd.set_priority(id, 0.25f);
     world.crowd.follow_ground(id, 1, 2);
-    crowd::Place group_place;
+    crowd::Transform group_place;
     group_place.position = {1, 0, -4};
     const crowd::Id group = world.crowd.create_group(group_place);
     world.crowd.join(id, group, nullptr);
     const crowd::Id attached = world.crowd.attach(id, head, {glm::vec3(0), 5});
     (void)attached;
 
-    crowd::Place place;
+    crowd::Transform place;
     place.position = {2, 0, 0};
     const crowd::Id twin = world.crowd.clone(id, &place, 11);
     const uint32_t row = twin.index1 - 1;
@@ -182,7 +182,7 @@ TEST(Clones, OfOneSeedShowTheSamePose)
 {
     World world;
     const crowd::Id id = world.add({-1, 0, 0}, 0, 5);
-    crowd::Place place;
+    crowd::Transform place;
     place.position = {1, 0, 0};
     world.crowd.clone(id, &place, 5);
     world.look({0, 1, 3}, {0, 1, 0}, 1.4f);

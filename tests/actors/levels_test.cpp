@@ -95,7 +95,7 @@ TEST(Levels, AParallelProjectionChoosesBySizeAlone)
     EXPECT_EQ(world.seen(world.ids[0]).level, 2u);
 }
 
-TEST(Levels, HysteresisHoldsTheCoarserLevelOnTheWayBack)
+TEST(Levels, HysteresisHoldsTheCoarserLevelOnReturn)
 {
     frame::Settings settings;
     settings.lod_hysteresis = 0.2f;
@@ -122,14 +122,14 @@ TEST(Levels, SeveralViewsGetTheDetailOfTheNearest)
     EXPECT_NEAR(world.seen(world.ids[0]).distance, 30, 0.1);
 }
 
-TEST(Levels, ASwitchOfGeometryAloneKeepsThePose)
+TEST(Levels, ASwitchOfTheMeshAloneKeepsThePose)
 {
     // Both levels of one skeleton: the robot without deactivations.
     model::Model model = robot_model();
     model.rig.deactivation_m.clear();
     for (model::Part &part : model.parts) {
-        if (part.name == "whole") part.lod_first_m = 30;
-        else part.lod_last_m = 30, part.lod_first_m = 0;
+        if (part.name == "whole") part.lod_min_m = 30;
+        else part.lod_max_m = 30, part.lod_min_m = 0;
     }
     model.parts.erase(std::remove_if(model.parts.begin(), model.parts.end(),
                                      [](const model::Part &p) { return p.name.find("and hand") != std::string::npos; }),

@@ -42,7 +42,7 @@ uint32_t outside(const Corner (&c)[3])
 uint32_t part_of(const model::Level &level, const model::Surface &surface, uint32_t offset)
 {
     const uint32_t parts = static_cast<uint32_t>(level.parts.size());
-    const uint32_t *firsts = surface.part_firsts.data() + surface.part_firsts.size() - (parts + 1);
+    const uint32_t *firsts = surface.part_offsets.data() + surface.part_offsets.size() - (parts + 1);
     uint32_t part = 0;
     while (firsts[part + 1] <= offset) ++part;
     return part;
@@ -50,17 +50,19 @@ uint32_t part_of(const model::Level &level, const model::Surface &surface, uint3
 
 }  // namespace
 
-TEST(Parts, OverAThousandCamerasNoTriangleThatMayBeSeenIsLeftOut)
+TEST(Parts, OverAThousandCamerasNoVisibleTriangleIsLeftOut)
 {
     World world;
-    for (uint32_t i = 0; i < 12; ++i) world.add({4 * lot(1, i) - 2, 0, 4 * lot(2, i) - 2}, float(6 * lot(3, i)), i);
+    for (uint32_t i = 0; i < 12; ++i)
+        world.add({4 * random_unit(1, i) - 2, 0, 4 * random_unit(2, i) - 2}, float(6 * random_unit(3, i)), i);
     world.look({0, 1, 5}, {0, 1, 0});
     uint64_t left_out = 0, kept = 0, checked = 0;
     for (uint32_t k = 0; k < 1000; ++k) {
-        const glm::dvec3 eye(6 * lot(4, k) - 3, 3 * lot(5, k), 6 * lot(6, k) - 3);
-        const glm::dvec3 target = eye + glm::dvec3(lot(7, k) - 0.5, 0.6 * lot(8, k) - 0.3, lot(9, k) - 0.5);
+        const glm::dvec3 eye(6 * random_unit(4, k) - 3, 3 * random_unit(5, k), 6 * random_unit(6, k) - 3);
+        const glm::dvec3 target =
+            eye + glm::dvec3(random_unit(7, k) - 0.5, 0.6 * random_unit(8, k) - 0.3, random_unit(9, k) - 0.5);
         world.views[0]->camera =
-            frame::look_at(eye, target, glm::vec3(0, 1, 0), 0.3f + 1.2f * float(lot(10, k)), 1.3f, 0.05f, 50);
+            frame::look_at(eye, target, glm::vec3(0, 1, 0), 0.3f + 1.2f * float(random_unit(10, k)), 1.3f, 0.05f, 50);
         world.update(0.01 * k);
         std::vector<bool> listed(12, false);
         for (const draw::Item &item : world.views[0]->list.items) {
@@ -86,7 +88,7 @@ TEST(Parts, OverAThousandCamerasNoTriangleThatMayBeSeenIsLeftOut)
     EXPECT_GT(checked, 50000u);
 }
 
-TEST(Parts, WhoIsWhollyInsideIsNotTestedByParts)
+TEST(Parts, AnActorWhollyInsideIsNotTestedByParts)
 {
     World world;
     world.add({0, 0, -10});

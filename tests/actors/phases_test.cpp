@@ -48,7 +48,7 @@ uint32_t add_circle(World &world, float radius)
     for (int k = 0; k < 8; ++k)
         path.positions.push_back(glm::vec3(radius * std::cos(0.7853982f * float(k)), 0.5f * float(k % 3),
                                            radius * std::sin(0.7853982f * float(k))));
-    path.duration_s = 6, path.bank = 0.5f, path.most_bank = 0.6f;
+    path.duration_s = 6, path.bank = 0.5f, path.max_bank = 0.6f;
     path.reach = behave::reach_of(path);
     return world.crowd.behaviours().add(std::move(path));
 }
@@ -59,16 +59,17 @@ void populate(World &world)
     const uint32_t gaze = add_gaze(world), circle = add_circle(world, 4);
     std::vector<crowd::Id> groups;
     for (uint32_t g = 0; g < 3; ++g) {
-        crowd::Place place;
+        crowd::Transform place;
         place.position = {20.0 * g - 20, 0, -25};
         place.orientation = turned(float(g));
         groups.push_back(world.crowd.create_group(place));
     }
     for (uint32_t i = 0; i < 150; ++i) {
-        const double angle = 6.2831853 * lot(1, i), away = 2 + 78 * lot(2, i);
-        const crowd::Id id = world.add({away * std::sin(angle), 0, away * std::cos(angle)}, float(6 * lot(3, i)), i);
-        if (i % 2 == 0) world.crowd.use(id, {gaze, model::none, 0, 0, 0, model::none});
-        if (i % 3 == 0) world.crowd.move_root(id, {circle, 1, float(6 * lot(4, i)), 0});
+        const double angle = 6.2831853 * random_unit(1, i), away = 2 + 78 * random_unit(2, i);
+        const crowd::Id id =
+            world.add({away * std::sin(angle), 0, away * std::cos(angle)}, float(6 * random_unit(3, i)), i);
+        if (i % 2 == 0) world.crowd.attach_mechanism(id, {gaze, model::none, 0, 0, 0, model::none});
+        if (i % 3 == 0) world.crowd.play_root_path(id, {circle, 1, float(6 * random_unit(4, i)), 0});
         if (i % 5 == 0) world.crowd.join(id, groups[i % 3], nullptr);
         if (i % 7 == 0) world.crowd.set_priority(id, 0.8f);
     }
@@ -108,7 +109,7 @@ TEST(Phases, EachPhaseLeavesFewerAndBehaviourRunsForTheseAlone)
     populate(world);
     Calls calls;
     const uint32_t host = add_host(world, calls, false);
-    for (const crowd::Id id : world.ids) world.crowd.use(id, {host, model::none, 1, 0, 0, model::none});
+    for (const crowd::Id id : world.ids) world.crowd.attach_mechanism(id, {host, model::none, 1, 0, 0, model::none});
     world.look({0, 1.7, 0}, {0, 1, -30});
     world.update(1);
     const frame::Stats &stats = world.frame.stats();
@@ -125,7 +126,7 @@ TEST(Phases, EachPhaseLeavesFewerAndBehaviourRunsForTheseAlone)
     EXPECT_EQ(stats.behaviour.calls[5], calls.made.size());
     EXPECT_EQ(stats.roots_placed, stats.passed_refpoint);
     for (const clq_behaviour_call &call : calls.made) {
-        EXPECT_EQ(call.seen, 1);
+        EXPECT_EQ(call.visible, 1);
         EXPECT_LE(call.time_s, 1.0);
         EXPECT_NEAR(double(call.eye_distance), double(world.seen({call.actor.index1, call.actor.generation}).distance),
                     1e-4);
@@ -136,7 +137,7 @@ TEST(Phases, EachPhaseLeavesFewerAndBehaviourRunsForTheseAlone)
     EXPECT_EQ(calls.made.size(), 0u);
 }
 
-TEST(Phases, AMechanismWithAMemoryRunsInEveryUpdateForEverybodyInOrderInBothModes)
+TEST(Phases, AMechanismWithMemoryRunsInEveryUpdateForEveryActorInOrderInBothModes)
 {
     World actor, all(traditional());
     Calls calls[2];
@@ -145,7 +146,7 @@ TEST(Phases, AMechanismWithAMemoryRunsInEveryUpdateForEverybodyInOrderInBothMode
         populate(*worlds[w]);
         const uint32_t host = add_host(*worlds[w], calls[w], true);
         for (size_t i = 0; i < worlds[w]->ids.size(); i += 4)
-            worlds[w]->crowd.use(worlds[w]->ids[i], {host, model::none, 1, 0, 0, model::none});
+            worlds[w]->crowd.attach_mechanism(worlds[w]->ids[i], {host, model::none, 1, 0, 0, model::none});
         worlds[w]->look({0, 1.7, 0}, {0, 1, -30});
         for (int frame = 0; frame < 3; ++frame) worlds[w]->update(0.01 * frame);
     }
@@ -157,7 +158,7 @@ TEST(Phases, AMechanismWithAMemoryRunsInEveryUpdateForEverybodyInOrderInBothMode
         EXPECT_EQ(a.level, b.level);
         EXPECT_EQ(a.time_s, b.time_s);
         EXPECT_EQ(a.eye_distance, b.eye_distance);
-        EXPECT_EQ(a.seen, 0);
+        EXPECT_EQ(a.visible, 0);
         if (i % 38 > 0) {
             EXPECT_GT(a.actor.index1, calls[0].made[i - 1].actor.index1);
         }
@@ -170,24 +171,24 @@ TEST(Phases, TheRefpointBsphereHoldsTheSklsrootBsphereWhereverTheRootGoes)
     World world;
     const uint32_t circle = add_circle(world, 6);
     const crowd::Id id = world.add({3, 1, -2}, 0.4f);
-    world.crowd.move_root(id, {circle, 1.3f, 0.2f, 0});
+    world.crowd.play_root_path(id, {circle, 1.3f, 0.2f, 0});
     const crowd::Extent &extent = world.crowd.extent_of(0);
     const model::Sphere &sklsroot = world.tmpl->sklsroot;
     double farthest = 0;
     for (int k = 0; k < 2000; ++k) {
-        const crowd::Place root = behave::root_at(world.crowd, 0, 0.0123 * k);
+        const crowd::Transform root = behave::root_transform_at(world.crowd, 0, 0.0123 * k);
         const glm::dvec3 centre = root.position + glm::dvec3(root.orientation * sklsroot.centre);
         farthest = std::max(farthest, std::sqrt(centre.x * centre.x + centre.y * centre.y + centre.z * centre.z) +
                                           double(sklsroot.radius));
     }
     EXPECT_LE(farthest, double(extent.refpoint));
     EXPECT_GE(farthest * 1.25, double(extent.refpoint)) << "it is not needlessly large";
-    world.crowd.move_root(id, {});
+    world.crowd.play_root_path(id, {});
     EXPECT_LT(world.crowd.extent_of(0).refpoint, extent.refpoint + 1e-6f);
     EXPECT_LT(world.crowd.extent_of(0).refpoint, 4.0f);
 }
 
-TEST(Phases, WhoComesBackIntoViewIsWhereItsClockSays)
+TEST(Phases, AnActorThatReturnsIntoViewIsAtItsClock)
 {
     World seen_always, away;
     for (World *world : {&seen_always, &away}) populate(*world);

@@ -27,7 +27,7 @@ void add_box(model::Model &model, const Box &box)
     model::Part part;
     part.name = box.name;
     part.node = box.node;
-    part.lod_first_m = box.first_m, part.lod_last_m = box.last_m;
+    part.lod_min_m = box.first_m, part.lod_max_m = box.last_m;
     part.material = 0;
     for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 2; ++side) {
@@ -71,7 +71,7 @@ void add_dof(model::Model &model, const char *name, Node node, model::DofKind ki
              float last)
 {
     model::Dof dof;
-    dof.node = node, dof.kind = kind, dof.axis = axis, dof.first = first, dof.last = last;
+    dof.node = node, dof.kind = kind, dof.axis = axis, dof.min = first, dof.max = last;
     model.rig.dofs.push_back(dof);
     model.rig.dof_names.emplace_back(name);
 }
@@ -82,10 +82,10 @@ void add_clip(model::Model &model)
     model::Rig &rig = model.rig;
     for (const float t : {0.0f, 0.5f, 1.0f}) rig.times.push_back(t);
     model::Channel bob;
-    bob.node = body, bob.path = model::Path::translation, bob.key_count = 3;
+    bob.node = body, bob.target = model::ChannelTarget::translation, bob.key_count = 3;
     for (const float y : {0.9f, 1.0f, 0.9f}) rig.values.insert(rig.values.end(), {0.0f, y, 0.0f});
     model::Channel lift;
-    lift.node = arm_left, lift.path = model::Path::rotation, lift.component_count = 4, lift.key_count = 3;
+    lift.node = arm_left, lift.target = model::ChannelTarget::rotation, lift.component_count = 4, lift.key_count = 3;
     lift.first_value = 9;
     for (const float angle : {0.0f, 2.0f, 0.0f})
         rig.values.insert(rig.values.end(), {0.0f, 0.0f, std::sin(angle / 2), std::cos(angle / 2)});
@@ -161,14 +161,14 @@ World::World(const frame::Settings &settings, uint64_t seed)
 
 glm::quat turned(float yaw_rad) { return glm::quat(std::cos(yaw_rad / 2), 0, std::sin(yaw_rad / 2), 0); }
 
-double lot(uint64_t series, uint64_t k)
+double random_unit(uint64_t series, uint64_t k)
 {
     return static_cast<double>(base::unit(base::mix(base::mix(series + 1) ^ (k + 1))));
 }
 
 crowd::Id World::add(const glm::dvec3 &at, float yaw_rad, uint64_t seed)
 {
-    crowd::Place place;
+    crowd::Transform place;
     place.position = at;
     place.orientation = turned(yaw_rad);
     crowd::Play play;

@@ -39,7 +39,7 @@ struct World {
                       float aspect = 4.0f / 3);
     void update(double time_s);
     uint64_t hash() const;  // of all views' lists
-    frame::Seen seen(crowd::Id id) const { return frame.seen(crowd, id.index1 - 1); }
+    frame::ActorVisibility seen(crowd::Id id) const { return frame.visibility(crowd, id.index1 - 1); }
 
     std::unique_ptr<model::Template> tmpl;
     crowd::Crowd crowd;
@@ -51,6 +51,6 @@ struct World {
 // A turn about the upright axis.
 glm::quat turned(float yaw_rad);
 // In [0, 1): the k-th draw of a series.
-double lot(uint64_t series, uint64_t k);
+double random_unit(uint64_t series, uint64_t k);
 
 }  // namespace actors

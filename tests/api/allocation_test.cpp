@@ -73,21 +73,21 @@ protected:
         const double eye[3] = {0, 1, 12}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.0f, 0.1f, 100.0f), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     }
 
     clq_status add_actor(int i)
     {
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = tmpl_;
-        def.place.position[0] = 0.5 * (i % 16) - 4;
-        def.place.position[2] = -0.5 * (i / 16);
+        def.transform.position[0] = 0.5 * (i % 16) - 4;
+        def.transform.position[2] = -0.5 * (i / 16);
         def.play.clip = 0;
         def.seed = static_cast<uint64_t>(i);
         clq_actor actor;
         const clq_status status = clq_actor_create(crowd_, &def, &actor);
         if (status == CLQ_OK && first_.index1 == 0) first_ = actor;
-        return status != CLQ_OK ? status : clq_actor_draw_colours(crowd_, actor, nullptr, 0);
+        return status != CLQ_OK ? status : clq_actor_randomise_colours(crowd_, actor, nullptr, 0);
     }
 
     SmallTemplate small_;
@@ -106,7 +106,7 @@ std::vector<char> bytes_of(const std::string &path)
 
 }  // namespace
 
-TEST(allocation, a_context_that_finds_no_memory_is_not_made)
+TEST(Allocation, AContextThatFindsNoMemoryIsNotMade)
 {
     clq_context_def def = clq_context_def_init();
     def.allocator = fm::allocator;
@@ -121,7 +121,7 @@ TEST(allocation, a_context_that_finds_no_memory_is_not_made)
         [] {});
 }
 
-TEST_F(Allocation, building_a_template_fails_cleanly_at_every_allocation)
+TEST_F(Allocation, BuildingATemplateFailsCleanlyAtEveryAllocation)
 {
     fail_each(
         "clq_template_build", fm::Reach::everything, 1,
@@ -134,12 +134,12 @@ TEST_F(Allocation, building_a_template_fails_cleanly_at_every_allocation)
         [] {});
 }
 
-TEST_F(Allocation, creating_actors_fails_cleanly_at_every_allocation)
+TEST_F(Allocation, CreatingActorsFailsCleanlyAtEveryAllocation)
 {
     make_crowd(0);
     // Enough actors that every column has to grow at least twice on the way.
     for (int i = 0; i < 100; ++i) {
-        const uint64_t before = clq_crowd_fingerprint(crowd_);
+        const uint64_t before = clq_crowd_hash(crowd_);
         const uint32_t count = clq_crowd_actor_count(crowd_);
         uint64_t n = 1;
         for (;; ++n) {
@@ -154,19 +154,19 @@ TEST_F(Allocation, creating_actors_fails_cleanly_at_every_allocation)
             }
             ASSERT_EQ(status, CLQ_OUT_OF_MEMORY);
             ASSERT_EQ(actor.index1, 0u) << "out is written only on success";
-            ASSERT_EQ(clq_crowd_fingerprint(crowd_), before);
+            ASSERT_EQ(clq_crowd_hash(crowd_), before);
             ASSERT_EQ(clq_crowd_actor_count(crowd_), count);
         }
     }
 }
 
-TEST_F(Allocation, an_update_fails_cleanly_at_every_allocation_and_the_next_one_is_the_same)
+TEST_F(Allocation, AnUpdateFailsCleanlyAtEveryAllocationAndTheNextOneIsTheSame)
 {
     make_crowd(60);
-    const uint64_t crowd_before = clq_crowd_fingerprint(crowd_);
+    const uint64_t crowd_before = clq_crowd_hash(crowd_);
     ASSERT_EQ(clq_crowd_update(crowd_, 0.1, &view_, 1), CLQ_OK) << clq_last_error();
     const uint64_t first = clq_view_hash(view_);
-    ASSERT_EQ(crowd_before, clq_crowd_fingerprint(crowd_)) << "an update changes nothing that the host has set";
+    ASSERT_EQ(crowd_before, clq_crowd_hash(crowd_)) << "an update changes nothing that the host has set";
 
     for (int i = 60; i < 200; ++i) ASSERT_EQ(add_actor(i), CLQ_OK);  // so that the update must make room
     ASSERT_EQ(first, clq_view_hash(view_));
@@ -186,13 +186,13 @@ TEST_F(Allocation, an_update_fails_cleanly_at_every_allocation_and_the_next_one_
     clq_template_destroy(old);
 }
 
-TEST_F(Allocation, frames_that_place_and_update_allocate_nothing)
+TEST_F(Allocation, FramesThatSetTransformsAndUpdateAllocateNothing)
 {
     make_crowd(100);
     const std::vector<clq_actor> actors(1, first_);
-    const std::vector<clq_place> places(1, clq_place{{0, 0, 0}, {0, 0, 0, 1}, 1});
+    const std::vector<clq_transform> places(1, clq_transform{{0, 0, 0}, {0, 0, 0, 1}, 1});
     const auto frame = [&](int number) {
-        return clq_crowd_place(crowd_, actors.data(), places.data(), 1) == CLQ_OK &&
+        return clq_crowd_set_transforms(crowd_, actors.data(), places.data(), 1) == CLQ_OK &&
                clq_crowd_update(crowd_, 0.02 * number, &view_, 1) == CLQ_OK;
     };
     for (int number = 0; number < 3; ++number) ASSERT_TRUE(frame(number)) << clq_last_error();
@@ -203,7 +203,7 @@ TEST_F(Allocation, frames_that_place_and_update_allocate_nothing)
     EXPECT_TRUE(good);
 }
 
-TEST_F(Allocation, loading_the_smallest_asset_fails_cleanly_at_every_allocation_and_a_larger_one_at_a_stride)
+TEST_F(Allocation, LoadingTheSmallestAssetFailsCleanlyAtEveryAllocationAndALargerOneAtAStride)
 {
     const std::string folder = CLAQUE_ASSETS_DIR;
     const struct {
@@ -232,7 +232,7 @@ TEST_F(Allocation, loading_the_smallest_asset_fails_cleanly_at_every_allocation_
     }
 }
 
-TEST_F(Allocation, a_renderer_fails_cleanly_and_drawing_allocates_nothing)
+TEST_F(Allocation, ARendererFailsCleanlyAndDrawingAllocatesNothing)
 {
     make_crowd(50);
     ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);

@@ -30,7 +30,7 @@ protected:
         clq_template_destroy(tmpl_);
         EXPECT_EQ(clq_context_destroy(context_), CLQ_OK) << clq_last_error();
     }
-    bool told(const char *word) const { return std::string(clq_last_error()).find(word) != std::string::npos; }
+    bool mentions(const char *word) const { return std::string(clq_last_error()).find(word) != std::string::npos; }
 
     SmallTemplate small_;
     clq_context *context_ = nullptr;
@@ -44,7 +44,7 @@ const float nan_argument = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-TEST_F(Arguments, null_pointers_are_refused_by_every_call)
+TEST_F(Arguments, NullPointersAreRefusedByEveryCall)
 {
     clq_template *tmpl = nullptr;
     clq_crowd *crowd = nullptr;
@@ -61,14 +61,14 @@ TEST_F(Arguments, null_pointers_are_refused_by_every_call)
     EXPECT_EQ(clq_crowd_create(nullptr, nullptr, &crowd), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_update(nullptr, 0, nullptr, 0), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_update(crowd_, 0, nullptr, 1), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_place(crowd_, nullptr, nullptr, 1), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_crowd_set_transforms(crowd_, nullptr, nullptr, 1), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_get_stats(crowd_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_create(crowd_, nullptr, &actor), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_play(crowd_, actor_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_set_colours(crowd_, actor_, nullptr, 2), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_get_info(crowd_, actor_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_view_create(nullptr, &view), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_view_look(view_, nullptr), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_view_set_camera(view_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_camera_look_at(&camera, nullptr, nullptr, nullptr, 1, 1, 1, 2), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_create(context_, nullptr, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_draw(nullptr, view_, nullptr), CLQ_ARGUMENT);
@@ -78,20 +78,20 @@ TEST_F(Arguments, null_pointers_are_refused_by_every_call)
     EXPECT_EQ(clq_context_destroy(nullptr), CLQ_OK);
 }
 
-TEST_F(Arguments, a_def_of_another_size_is_named)
+TEST_F(Arguments, ADefOfAnotherSizeIsNamed)
 {
     clq_actor_def def = clq_actor_def_init();
     def.struct_bytes -= 4;
     clq_actor actor;
     EXPECT_EQ(clq_actor_create(crowd_, &def, &actor), CLQ_STRUCT_SIZE);
-    EXPECT_TRUE(told("clq_actor_def_init"));
+    EXPECT_TRUE(mentions("clq_actor_def_init"));
     clq_crowd_def crowd_def = clq_crowd_def_init();
     crowd_def.struct_bytes = 0;
     clq_crowd *crowd;
     EXPECT_EQ(clq_crowd_create(context_, &crowd_def, &crowd), CLQ_STRUCT_SIZE);
 }
 
-TEST_F(Arguments, crowd_settings_outside_their_limits_are_refused)
+TEST_F(Arguments, CrowdSettingsOutsideTheirLimitsAreRefused)
 {
     clq_crowd *crowd;
     clq_crowd_def def = clq_crowd_def_init();
@@ -108,46 +108,46 @@ TEST_F(Arguments, crowd_settings_outside_their_limits_are_refused)
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
 }
 
-TEST_F(Arguments, a_budget_is_refused_where_nobody_may_wait_or_nothing_is_kept)
+TEST_F(Arguments, ABudgetIsRefusedWhereNoActorMayWaitOrNothingIsKept)
 {
     clq_crowd *crowd = nullptr;
     clq_crowd_def def = clq_crowd_def_init();
     def.update_budget = 10;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("CLQ_CLOCK_LIVE"));
+    EXPECT_TRUE(mentions("CLQ_CLOCK_LIVE"));
     def.clock = CLQ_CLOCK_LIVE;
     def.cache = CLQ_CACHE_NONE;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("CLQ_CACHE_NONE"));
+    EXPECT_TRUE(mentions("CLQ_CACHE_NONE"));
     def.cache = CLQ_CACHE_FULL;
     def.update_budget_ms = 2;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("now_s"));
+    EXPECT_TRUE(mentions("now_s"));
     def.update_budget_ms = nan_argument;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     def.update_budget_ms = 0;
-    def.geometry = static_cast<clq_geometry>(2);
+    def.vertex_format = static_cast<clq_vertex_format>(2);
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
-    def.geometry = CLQ_GEOMETRY_PACKED;
+    def.vertex_format = CLQ_VERTEX_PACKED;
     ASSERT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_OK) << clq_last_error();
     clq_crowd_destroy(crowd);
 }
 
-TEST_F(Arguments, a_stale_or_invented_id_is_an_error_and_changes_nothing)
+TEST_F(Arguments, AStaleOrInventedIdIsAnErrorAndChangesNothing)
 {
     const clq_actor invented[] = {{0, 0}, {2, 1}, {1, 99}, {0xffffffffu, 1}};
     clq_play play = {0, 0, 1, 0};
-    clq_place place = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    clq_transform transform = {{0, 0, 0}, {0, 0, 0, 1}, 1};
     clq_actor_info info;
-    const uint64_t before = clq_crowd_fingerprint(crowd_);
+    const uint64_t before = clq_crowd_hash(crowd_);
     for (const clq_actor &actor : invented) {
         EXPECT_EQ(clq_actor_play(crowd_, actor, &play), CLQ_STALE_ID);
-        EXPECT_EQ(clq_crowd_place(crowd_, &actor, &place, 1), CLQ_STALE_ID);
-        EXPECT_EQ(clq_actor_draw_colours(crowd_, actor, nullptr, 0), CLQ_STALE_ID);
+        EXPECT_EQ(clq_crowd_set_transforms(crowd_, &actor, &transform, 1), CLQ_STALE_ID);
+        EXPECT_EQ(clq_actor_randomise_colours(crowd_, actor, nullptr, 0), CLQ_STALE_ID);
         EXPECT_EQ(clq_actor_get_info(crowd_, actor, &info), CLQ_STALE_ID);
         EXPECT_EQ(clq_actor_destroy(crowd_, actor), CLQ_STALE_ID);
     }
-    EXPECT_EQ(clq_crowd_fingerprint(crowd_), before);
+    EXPECT_EQ(clq_crowd_hash(crowd_), before);
     EXPECT_EQ(clq_actor_destroy(crowd_, actor_), CLQ_OK);
     EXPECT_EQ(clq_actor_destroy(crowd_, actor_), CLQ_STALE_ID);
     clq_actor_def def = clq_actor_def_init();
@@ -157,34 +157,34 @@ TEST_F(Arguments, a_stale_or_invented_id_is_an_error_and_changes_nothing)
     EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_STALE_ID) << "the row is in use again, the old id is not";
 }
 
-TEST_F(Arguments, placing_is_all_or_nothing)
+TEST_F(Arguments, SettingTransformsIsAllOrNothing)
 {
     clq_actor_def def = clq_actor_def_init();
     def.tmpl = tmpl_;
     clq_actor other;
     ASSERT_EQ(clq_actor_create(crowd_, &def, &other), CLQ_OK);
-    const uint64_t before = clq_crowd_fingerprint(crowd_);
+    const uint64_t before = clq_crowd_hash(crowd_);
     const clq_actor actors[2] = {actor_, other};
-    clq_place places[2] = {{{1, 2, 3}, {0, 0, 0, 1}, 1}, {{1, 2, 3}, {0, 0, 0, 1}, nan_argument}};
-    EXPECT_EQ(clq_crowd_place(crowd_, actors, places, 2), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_fingerprint(crowd_), before);
+    clq_transform places[2] = {{{1, 2, 3}, {0, 0, 0, 1}, 1}, {{1, 2, 3}, {0, 0, 0, 1}, nan_argument}};
+    EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_crowd_hash(crowd_), before);
     places[1].scale = 1;
     places[1].orientation_xyzw[0] = 3;
-    EXPECT_EQ(clq_crowd_place(crowd_, actors, places, 2), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_ARGUMENT);
     places[1].orientation_xyzw[0] = 0;
     places[1].position[1] = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(clq_crowd_place(crowd_, actors, places, 2), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_fingerprint(crowd_), before);
+    EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_crowd_hash(crowd_), before);
     places[1].position[1] = 0;
-    EXPECT_EQ(clq_crowd_place(crowd_, actors, places, 2), CLQ_OK);
-    EXPECT_NE(clq_crowd_fingerprint(crowd_), before);
+    EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_OK);
+    EXPECT_NE(clq_crowd_hash(crowd_), before);
 }
 
-TEST_F(Arguments, clips_and_colours_of_another_template_are_refused)
+TEST_F(Arguments, ClipsAndColoursOfAnotherTemplateAreRefused)
 {
     clq_play play = {1, 0, 1, 0};
     EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("strip")) << clq_last_error();
+    EXPECT_TRUE(mentions("strip")) << clq_last_error();
     play = {0, 0, nan_argument, 0};
     EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_ARGUMENT);
     const float rgb[9] = {0, 0, 0, 1, 1, 1, 0, 0, 0};
@@ -194,7 +194,7 @@ TEST_F(Arguments, clips_and_colours_of_another_template_are_refused)
     EXPECT_EQ(clq_actor_set_colours(crowd_, actor_, wrong, 2), CLQ_ARGUMENT);
 }
 
-TEST_F(Arguments, cameras_that_see_nothing_are_refused)
+TEST_F(Arguments, CamerasThatSeeNothingAreRefused)
 {
     clq_camera camera;
     const double eye[3] = {0, 0, 0}, target[3] = {0, 1, 0}, ahead[3] = {0, 0, -1};
@@ -205,13 +205,13 @@ TEST_F(Arguments, cameras_that_see_nothing_are_refused)
     EXPECT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 4, 1, 0.1f, 10), CLQ_ARGUMENT);
     EXPECT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 1, 1, 10, 0.1f), CLQ_ARGUMENT);
     ASSERT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 1, 1, 0.1f, 10), CLQ_OK);
-    EXPECT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+    EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     camera.projection[0] = nan_argument;
-    EXPECT_EQ(clq_view_look(view_, &camera), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_update(crowd_, std::nan(""), &view_, 1), CLQ_ARGUMENT);
 }
 
-TEST_F(Arguments, what_is_still_needed_outlives_its_destroy)
+TEST_F(Arguments, WhatIsStillNeededOutlivesItsDestroy)
 {
     EXPECT_EQ(clq_context_destroy(context_), CLQ_IN_USE);
     clq_template_destroy(tmpl_);  // the crowd still holds it
@@ -224,7 +224,7 @@ TEST_F(Arguments, what_is_still_needed_outlives_its_destroy)
     EXPECT_STREQ(template_info.name, "strip");
 }
 
-TEST_F(Arguments, statuses_have_names)
+TEST_F(Arguments, StatusesHaveNames)
 {
     EXPECT_STREQ(clq_status_name(CLQ_STALE_ID), "CLQ_STALE_ID");
     EXPECT_STREQ(clq_status_name(CLQ_IO), "CLQ_IO");

@@ -32,8 +32,8 @@ Arm::Arm(const clq_crowd_def *def)
                 for (const double x : {0.0, 0.0, std::sin(half), std::cos(half)})
                     values_[c][joint].push_back(static_cast<float>(x));
             }
-            channels_[c][joint] = {joint, CLQ_PATH_ROTATION, CLQ_LINEAR,
-                                   keys,  times_[c].data(),  values_[c][joint].data()};
+            channels_[c][joint] = {joint, CLQ_CHANNEL_ROTATION, CLQ_INTERPOLATION_LINEAR,
+                                   keys,  times_[c].data(),     values_[c][joint].data()};
         }
         static const char *const names[] = {"slow", "fast", "bent", "wave"};
         clips_[c] = {names[c], 3, channels_[c]};
@@ -75,16 +75,16 @@ double Arm::angle(uint32_t joint, double time_s)
     return own;
 }
 
-clq_motion Arm::motion(uint32_t clip, double start_s) const
+clq_fade_target Arm::motion(uint32_t clip, double start_s) const
 {
-    clq_motion out{};
+    clq_fade_target out{};
     out.play.clip = clip, out.play.start_s = start_s, out.play.speed = 1;
     return out;
 }
 
 void Arm::fade(uint32_t clip, double at_s, float length, clq_curve curve)
 {
-    const clq_motion to = motion(clip, at_s);
+    const clq_fade_target to = motion(clip, at_s);
     EXPECT_EQ(clq_actor_fade_to(crowd, actor, &to, at_s, length, curve), CLQ_OK) << clq_last_error();
 }
 
@@ -108,11 +108,11 @@ clq_mask Arm::add_mask(const char *node, uint32_t feather)
     return out;
 }
 
-std::vector<clq_shown_clip> Arm::shown(double time_s)
+std::vector<clq_active_clip> Arm::shown(double time_s)
 {
-    clq_shown_clip clips[CLQ_SHOWN_MOST];
+    clq_active_clip clips[CLQ_ACTIVE_CLIP_MAX];
     uint32_t count = 0;
-    EXPECT_EQ(clq_actor_get_shown(crowd, actor, time_s, clips, &count), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(clq_actor_get_active_clips(crowd, actor, time_s, clips, &count), CLQ_OK) << clq_last_error();
     return {clips, clips + count};
 }
 

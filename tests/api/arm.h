@@ -23,12 +23,12 @@ public:
     static double angle_in(uint32_t clip, uint32_t joint, double clip_time_s);
     // Of a joint as it is shown, against that above it.
     double angle(uint32_t joint, double time_s);
-    clq_motion motion(uint32_t clip, double start_s) const;
+    clq_fade_target motion(uint32_t clip, double start_s) const;
     void fade(uint32_t clip, double at_s, float length_s, clq_curve curve = CLQ_CURVE_SMOOTH);
     clq_gait add_gait(uint32_t a, uint32_t b, const std::vector<float> &sync_a = {},
                       const std::vector<float> &sync_b = {});
     clq_mask add_mask(const char *node, uint32_t feather = 0);
-    std::vector<clq_shown_clip> shown(double time_s);
+    std::vector<clq_active_clip> shown(double time_s);
     std::vector<clq_event> events(double from_s, double to_s);
 
     clq_context *context = nullptr;

@@ -27,14 +27,14 @@ protected:
         ASSERT_EQ(clq_crowd_create(context_, nullptr, &crowd_), CLQ_OK);
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = tmpl_;
-        def.place.position[2] = -10;
+        def.transform.position[2] = -10;
         ASSERT_EQ(clq_actor_create(crowd_, &def, &actor_), CLQ_OK);
         ASSERT_EQ(clq_view_create(crowd_, &view_), CLQ_OK);
         clq_camera camera;
         const double eye[3] = {0, 1, 0}, target[3] = {0, 1, -10};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 100), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
         shape_ = {1, &value_};
     }
     void TearDown() override
@@ -51,8 +51,8 @@ protected:
         out.kind = kind;
         out.tmpl = tmpl_;
         out.gaze.neck_yaw = turn, out.gaze.neck_pitch = nod;
-        out.expression.shape_count = out.phrase.shape_count = 1;
-        out.expression.shapes = out.phrase.shapes = &shape_;
+        out.expression.pose_count = out.phrase.pose_count = 1;
+        out.expression.poses = out.phrase.poses = &shape_;
         out.blink.closed = shape_;
         out.phrase.key_count = 1, out.phrase.keys = &key_, out.phrase.length_s = 1;
         out.idle.clip_count = 1, out.idle.clips = &clip_;
@@ -68,10 +68,10 @@ protected:
         EXPECT_EQ(clq_crowd_add_mechanism(crowd_, &wanted, &out), CLQ_OK) << clq_last_error();
         return out;
     }
-    clq_status use(clq_mechanism mechanism, float priority = 0)
+    clq_status attach_mechanism(clq_mechanism mechanism, float priority = 0)
     {
-        const clq_use wanted = {mechanism, priority, 0, 0};
-        return clq_actor_use(crowd_, actor_, &wanted);
+        const clq_mechanism_attachment wanted = {mechanism, priority, 0, 0};
+        return clq_actor_attach_mechanism(crowd_, actor_, &wanted);
     }
     // Changes one thing of a def that is good, and expects the sentence about it.
     void refused(clq_mechanism_kind kind, const char *sentence, const std::function<void(clq_mechanism_def &)> &change)
@@ -115,7 +115,7 @@ protected:
     clq_view *view_ = nullptr;
     clq_actor actor_{};
     clq_dof_value value_ = {turn, 0.5f};
-    clq_shape shape_{};
+    clq_dof_pose shape_{};
     clq_phrase_key key_ = {0, 0};
     uint32_t clip_ = 0;
     float positions_[9] = {3, 0, 0, 0, 1, 3, -3, 0, 0};

@@ -6,17 +6,18 @@
 TEST_F(BehaveApi, TakesOneOfEachKindAndMovesTheActor)
 {
     const uint64_t still = hash(1.5);
-    for (const clq_mechanism_kind kind : {CLQ_EXPRESSION, CLQ_BLINK, CLQ_PHRASE, CLQ_IDLE, CLQ_HOST}) {
+    for (const clq_mechanism_kind kind : {CLQ_MECHANISM_EXPRESSION, CLQ_MECHANISM_BLINK, CLQ_MECHANISM_PHRASE,
+                                          CLQ_MECHANISM_IDLE, CLQ_MECHANISM_HOST}) {
         clq_mechanism_def wanted = def(kind);
         wanted.blink.period_s = 1.01f, wanted.blink.close_s = 1;
         const clq_mechanism mechanism = add(wanted);
-        ASSERT_EQ(use(mechanism), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(attach_mechanism(mechanism), CLQ_OK) << clq_last_error();
         EXPECT_NE(hash(1.5), still) << kind;
-        ASSERT_EQ(clq_actor_drop(crowd_, actor_, mechanism), CLQ_OK);
+        ASSERT_EQ(clq_actor_detach_mechanism(crowd_, actor_, mechanism), CLQ_OK);
         EXPECT_EQ(hash(1.5), still) << kind;
     }
-    const clq_mechanism gaze = add(def(CLQ_GAZE));
-    ASSERT_EQ(use(gaze), CLQ_OK);
+    const clq_mechanism gaze = add(def(CLQ_MECHANISM_GAZE));
+    ASSERT_EQ(attach_mechanism(gaze), CLQ_OK);
     const double point[3] = {5, 0, -7};
     ASSERT_EQ(clq_actor_gaze(crowd_, actor_, gaze, point, 0), CLQ_OK) << clq_last_error();
     EXPECT_NE(hash(1.5), still);
@@ -24,22 +25,22 @@ TEST_F(BehaveApi, TakesOneOfEachKindAndMovesTheActor)
     EXPECT_EQ(hash(1.5), still) << "straight on again";
 }
 
-TEST_F(BehaveApi, RunsTheHostsMechanismForWhoIsSeen)
+TEST_F(BehaveApi, RunsTheHostsMechanismForVisibleActors)
 {
-    ASSERT_EQ(use(add(def(CLQ_HOST))), CLQ_OK);
+    ASSERT_EQ(attach_mechanism(add(def(CLQ_MECHANISM_HOST))), CLQ_OK);
     const uint64_t left = hash(1);
     ASSERT_EQ(calls_.size(), 1u);
     EXPECT_EQ(calls_[0].actor.index1, actor_.index1);
     EXPECT_LE(calls_[0].time_s, 1.0);
     EXPECT_GT(calls_[0].time_s, 0.7) << "its tick";
     EXPECT_NEAR(calls_[0].eye_distance, 10, 1.1);
-    EXPECT_EQ(calls_[0].seen, 1);
+    EXPECT_EQ(calls_[0].visible, 1);
     wanted_ = NAN;
     EXPECT_NE(hash(2), left) << "what is no number is ignored";
     wanted_ = 0.7f;
     EXPECT_EQ(hash(3), left);
-    const clq_place away = {{0, 0, 50}, {0, 0, 0, 1}, 1};
-    ASSERT_EQ(clq_crowd_place(crowd_, &actor_, &away, 1), CLQ_OK);
+    const clq_transform away = {{0, 0, 50}, {0, 0, 0, 1}, 1};
+    ASSERT_EQ(clq_crowd_set_transforms(crowd_, &actor_, &away, 1), CLQ_OK);
     const size_t before = calls_.size();
     hash(4);
     EXPECT_EQ(calls_.size(), before);
@@ -47,19 +48,19 @@ TEST_F(BehaveApi, RunsTheHostsMechanismForWhoIsSeen)
 
 TEST_F(BehaveApi, RunsMemoriesInEveryUpdateAlsoUnseen)
 {
-    clq_mechanism_def wanted = def(CLQ_HOST);
+    clq_mechanism_def wanted = def(CLQ_MECHANISM_HOST);
     wanted.host.has_memory = 1;
-    ASSERT_EQ(use(add(wanted)), CLQ_OK);
+    ASSERT_EQ(attach_mechanism(add(wanted)), CLQ_OK);
     const uint64_t still = hash(1);
     wanted_ = -0.7f;
     EXPECT_NE(hash(1.001), still) << "due in every frame";
-    const clq_place away = {{0, 0, 50}, {0, 0, 0, 1}, 1};
-    ASSERT_EQ(clq_crowd_place(crowd_, &actor_, &away, 1), CLQ_OK);
+    const clq_transform away = {{0, 0, 50}, {0, 0, 0, 1}, 1};
+    ASSERT_EQ(clq_crowd_set_transforms(crowd_, &actor_, &away, 1), CLQ_OK);
     hash(1.002);
     ASSERT_EQ(calls_.size(), 3u);
     EXPECT_EQ(calls_[1].time_s, 1.001);
     EXPECT_EQ(calls_[2].time_s, 1.002);
-    EXPECT_EQ(calls_[2].seen, 0);
+    EXPECT_EQ(calls_[2].visible, 0);
 }
 
 TEST_F(BehaveApi, CarriesTheSkeletonRootAlongAPath)
@@ -71,15 +72,15 @@ TEST_F(BehaveApi, CarriesTheSkeletonRootAlongAPath)
     ASSERT_EQ(clq_crowd_add_root_path(crowd_, &way, &flight), CLQ_OK) << clq_last_error();
     way.rotations_xyzw = rotations_, way.times_s = times_;
     ASSERT_EQ(clq_crowd_add_root_path(crowd_, &way, &table), CLQ_OK) << clq_last_error();
-    clq_root_motion motion = {flight, 1, 0, 0};
-    ASSERT_EQ(clq_actor_move_root(crowd_, actor_, &motion), CLQ_OK) << clq_last_error();
+    clq_root_path_play motion = {flight, 1, 0, 0};
+    ASSERT_EQ(clq_actor_play_root_path(crowd_, actor_, &motion), CLQ_OK) << clq_last_error();
     const uint64_t flown = hash(1);
     EXPECT_NE(flown, still);
     motion.path = table;
-    ASSERT_EQ(clq_actor_move_root(crowd_, actor_, &motion), CLQ_OK);
+    ASSERT_EQ(clq_actor_play_root_path(crowd_, actor_, &motion), CLQ_OK);
     EXPECT_NE(hash(1), flown);
     motion.path = {0};
-    ASSERT_EQ(clq_actor_move_root(crowd_, actor_, &motion), CLQ_OK);
+    ASSERT_EQ(clq_actor_play_root_path(crowd_, actor_, &motion), CLQ_OK);
     EXPECT_EQ(hash(1), still);
 }
 
@@ -102,9 +103,9 @@ TEST_F(BehaveApi, LetsActorsFollowTheGround)
 TEST_F(BehaveApi, LetsAnActorUseSixteen)
 {
     std::vector<clq_mechanism> all;
-    for (int i = 0; i < 17; ++i) all.push_back(add(def(CLQ_BLINK)));
-    for (int i = 0; i < 16; ++i) ASSERT_EQ(use(all[i]), CLQ_OK) << i;
-    EXPECT_EQ(use(all[16]), CLQ_LIMIT);
-    EXPECT_EQ(use(all[3], 5), CLQ_OK) << "one that it uses already";
+    for (int i = 0; i < 17; ++i) all.push_back(add(def(CLQ_MECHANISM_BLINK)));
+    for (int i = 0; i < 16; ++i) ASSERT_EQ(attach_mechanism(all[i]), CLQ_OK) << i;
+    EXPECT_EQ(attach_mechanism(all[16]), CLQ_LIMIT);
+    EXPECT_EQ(attach_mechanism(all[3], 5), CLQ_OK) << "one that it uses already";
     hash(1);
 }

@@ -43,13 +43,13 @@ const char whole[] = R"([[classes]]
 name = "rich \"and\" poor"   # a comment
 template = "strip"
 [classes.zones]
-zero = { hue = [190, 290.5], saturation = [0.1, 0.333], brightness = [0.5, 0.7], uniform = "perceived" }
+zero = { hue = [190, 290.5], saturation = [0.1, 0.333], brightness = [0.5, 0.7], colour_space = "oklab" }
 "zone \u00e9 \\" = { colour = "#8a3b12" }
 two = { palette = [
     { colour = "#000000", weight = 5 },
     { hue = [340, 20], saturation = [0, 1], brightness = [0.25, 1] },
 ] }
-one = { like = "two", apart = 0.125 }
+one = { linked_to = "two", variation = 0.125 }
 
 [[classes]]
 name = "nobody"
@@ -57,7 +57,7 @@ name = "nobody"
 
 }  // namespace
 
-TEST_F(ColourFiles, that_are_saved_and_loaded_are_saved_again_byte_for_byte)
+TEST_F(ColourFiles, ThatAreSavedAndLoadedAreSavedAgainByteForByte)
 {
     const Loaded first(context_, whole);
     ASSERT_EQ(first.status, CLQ_OK) << first.says;
@@ -65,40 +65,41 @@ TEST_F(ColourFiles, that_are_saved_and_loaded_are_saved_again_byte_for_byte)
     const Loaded second(context_, once);
     ASSERT_EQ(second.status, CLQ_OK) << second.says << once;
     EXPECT_EQ(saved(second.map), once);
-    for (const char *part : {"\"rich \\\"and\\\" poor\"", "[0.1, 0.333]", "\"#8a3b12\"", "weight = 5", "apart = 0.125",
-                             "like = \"two\"", "\"perceived\"", "nobody"})
+    for (const char *part : {"\"rich \\\"and\\\" poor\"", "[0.1, 0.333]", "\"#8a3b12\"", "weight = 5",
+                             "variation = 0.125", "linked_to = \"two\"", "\"oklab\"", "nobody"})
         EXPECT_NE(once.find(part), std::string::npos) << part << " in " << once;
     EXPECT_LT(once.find("zero"), once.find("two")) << "in the order of the file";
     EXPECT_LT(once.find("two ="), once.find("one ="));
 }
 
 // Ranges with numbers that no few digits tell, drawn by hash.
-TEST_F(ColourFiles, keep_every_float_to_the_bit)
+TEST_F(ColourFiles, KeepEveryFloatToTheBit)
 {
     uint32_t state = 12345;
     const auto next = [&] { return float((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f; };
     for (int round = 0; round < 40; ++round) {
-        std::vector<clq_dye> dyes(8);
-        for (clq_dye &dye : dyes) {
-            dye = {{360 * next(), 360 * next(), next(), 0, next(), 0}, 1e-3f + 1e5f * next() * next()};
-            dye.range.saturation_last = std::min(1.0f, dye.range.saturation_first + next());
-            dye.range.brightness_last = std::min(1.0f, dye.range.brightness_first + next() * 1e-6f);
+        std::vector<clq_palette_entry> dyes(8);
+        for (clq_palette_entry &entry : dyes) {
+            entry = {{360 * next(), 360 * next(), next(), 0, next(), 0}, 1e-3f + 1e5f * next() * next()};
+            entry.range.saturation_max = std::min(1.0f, entry.range.saturation_min + next());
+            entry.range.brightness_max = std::min(1.0f, entry.range.brightness_min + next() * 1e-6f);
         }
-        make({zone("one", dyes), like("two", "one", next())});
+        make({zone("one", dyes), linked_to("two", "one", next())});
         const Loaded back(context_, saved(map_));
         ASSERT_EQ(back.status, CLQ_OK) << back.says;
         clq_colour_map_def was, is;
         ASSERT_EQ(clq_colour_map_get_def(map_, &was), CLQ_OK);
         ASSERT_EQ(clq_colour_map_get_def(back.map, &is), CLQ_OK);
-        EXPECT_EQ(was.classes[0].zones[1].apart, is.classes[0].zones[1].apart);
+        EXPECT_EQ(was.classes[0].zones[1].variation, is.classes[0].zones[1].variation);
         for (uint32_t i = 0; i < 8; ++i)
-            EXPECT_EQ(std::memcmp(&was.classes[0].zones[0].dyes[i], &is.classes[0].zones[0].dyes[i], sizeof(clq_dye)),
+            EXPECT_EQ(std::memcmp(&was.classes[0].zones[0].palette[i], &is.classes[0].zones[0].palette[i],
+                                  sizeof(clq_palette_entry)),
                       0)
                 << i;
     }
 }
 
-TEST_F(ColourFiles, colours_in_hexadecimal_are_drawn_as_they_stand)
+TEST_F(ColourFiles, ColoursInHexadecimalAreUsedExactly)
 {
     for (const char *hex : {"#000000", "#ffffff", "#8a3b12", "#010203", "#FE0001", "#7f7f80", "#12fe9c", "#9988f7"}) {
         const Loaded file(context_,
@@ -110,7 +111,7 @@ TEST_F(ColourFiles, colours_in_hexadecimal_are_drawn_as_they_stand)
         def.tmpl = tmpl_;
         clq_actor actor;
         ASSERT_EQ(clq_actor_create(crowd, &def, &actor), CLQ_OK);
-        ASSERT_EQ(clq_crowd_draw_colours(crowd, file.map, 0, &actor, 1), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(clq_crowd_randomise_colours(crowd, file.map, 0, &actor, 1), CLQ_OK) << clq_last_error();
         float rgb[3 * zone_count];
         ASSERT_EQ(clq_actor_get_colours(crowd, actor, rgb, zone_count), CLQ_OK);
         char got[8];
@@ -124,7 +125,7 @@ TEST_F(ColourFiles, colours_in_hexadecimal_are_drawn_as_they_stand)
     }
 }
 
-TEST_F(ColourFiles, that_are_broken_are_told_by_line_column_and_rule)
+TEST_F(ColourFiles, ThatAreBrokenAreToldByLineColumnAndRule)
 {
     const std::string head = "[[classes]]\nname = \"a\"\n[classes.zones]\n";
     const std::string hsb = "hue = [0, 9], saturation = [0, 1], brightness = [0, 1]";
@@ -158,15 +159,15 @@ TEST_F(ColourFiles, that_are_broken_are_told_by_line_column_and_rule)
         {head + "one = { hue = [0, nan], saturation = [0, 1], brightness = [0, 1] }\n", "line 4, column 15", {"hue"}},
         {head + "one = { colour = \"red\" }\n", "line 4, column 18", {"#8a3b12"}},
         {head + "one = { colour = \"#123456\", hue = [1, 2] }\n", "line 4, column 35", {"beside it"}},
-        {head + "one = { " + hsb + ", uniform = \"even\" }\n", "line 4, column 75", {"'even'", "hsb, perceived"}},
+        {head + "one = { " + hsb + ", colour_space = \"even\" }\n", "line 4, column 80", {"'even'", "hsb, oklab"}},
         {head + "\none = { palette = [\n{ colour = \"#123456\", weight = -2 } ] }\n",
          "line 6, column 32",
-         {"weight is -2", "dye 1"}},
-        {head + "one = { palette = [] }\n", "line 4, column 1", {"neither a dye"}},
-        {head + "one = { like = \"one\" }\n", "line 4, column 16", {"like itself"}},
-        {head + "one = { like = \"two\", apart = 3 }\n", "line 4, column 31", {"apart is 3"}},
+         {"weight is -2", "palette entry 1"}},
+        {head + "one = { palette = [] }\n", "line 4, column 1", {"neither a palette entry"}},
+        {head + "one = { linked_to = \"one\" }\n", "line 4, column 21", {"linked to itself"}},
+        {head + "one = { linked_to = \"two\", variation = 3 }\n", "line 4, column 40", {"variation is 3"}},
         {head + "one = { " + hsb + " }\none = { " + hsb + " }\n", "line 5", {"no TOML", "one"}},
-        {head + "one = { like = \"a\\u0000b\" }\n", "line 4", {"zero byte"}},
+        {head + "one = { linked_to = \"a\\u0000b\" }\n", "line 4", {"zero byte"}},
         {head + "\"\" = { " + hsb + " }\n", "line 4, column 1", {"no name"}},
         {"\xff\xfe", "line 1", {"no TOML"}},
         {"x = " + std::string(2000, '['), "line 1", {"no TOML"}},
@@ -185,7 +186,7 @@ TEST_F(ColourFiles, that_are_broken_are_told_by_line_column_and_rule)
 }
 
 // Whatever a few bytes of a good file become: a map or a sentence, never anything else.
-TEST_F(ColourFiles, that_are_damaged_are_maps_or_sentences)
+TEST_F(ColourFiles, ThatAreDamagedAreMapsOrSentences)
 {
     uint64_t state = 99;
     const auto below = [&](size_t n) {
@@ -212,30 +213,30 @@ TEST_F(ColourFiles, that_are_damaged_are_maps_or_sentences)
     EXPECT_GT(refused, 1000);
 }
 
-TEST_F(ColourFiles, that_cannot_be_read_or_written_are_told)
+TEST_F(ColourFiles, ThatCannotBeReadOrWrittenAreTold)
 {
     clq_colour_map *map = nullptr;
     EXPECT_EQ(clq_colour_map_load_file(context_, "/no/such/file.toml", &map), CLQ_IO);
-    EXPECT_TRUE(told("/no/such/file.toml"));
+    EXPECT_TRUE(mentions("/no/such/file.toml"));
     const std::string large((size_t(4) << 20) + 1, ' ');
     EXPECT_EQ(clq_colour_map_load(context_, large.data(), large.size(), nullptr, &map), CLQ_LIMIT);
     EXPECT_EQ(clq_colour_map_load(nullptr, "", 0, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(clq_colour_map_load(context_, nullptr, 5, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(map, nullptr);
-    const std::vector<clq_dye> dye = {{{0, 1, 0, 1, 0, 1}, 1}};
-    make({zone("one", dye)});
+    const std::vector<clq_palette_entry> entry = {{{0, 1, 0, 1, 0, 1}, 1}};
+    make({zone("one", entry)});
     EXPECT_EQ(clq_colour_map_save(
                   map_, [](void *, const void *, size_t) { return 1; }, nullptr),
               CLQ_IO);
-    ASSERT_EQ(try_map({zone("one", dye)}, "no \xff utf"), CLQ_OK);
+    ASSERT_EQ(try_map({zone("one", entry)}, "no \xff utf"), CLQ_OK);
     EXPECT_EQ(clq_colour_map_save(
                   map_, [](void *, const void *, size_t) { return 0; }, nullptr),
               CLQ_ARGUMENT);
-    EXPECT_TRUE(told("UTF-8")) << clq_last_error();
+    EXPECT_TRUE(mentions("UTF-8")) << clq_last_error();
 }
 
 // The map that comes with claque, and the place where the README says it is.
-TEST_F(ColourFiles, of_claque_itself_are_whole)
+TEST_F(ColourFiles, OfClaqueItselfAreWhole)
 {
     ASSERT_EQ(clq_colour_map_load_file(context_, CLAQUE_SOURCE_DIR "/samples/maps/roman-classes.toml", &map_), CLQ_OK)
         << clq_last_error();

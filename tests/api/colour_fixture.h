@@ -77,13 +77,13 @@ protected:
     std::vector<Rgb> draw(uint64_t seed, uint64_t crowd_seed = 7) const
     {
         float rgb[3 * zone_count];
-        EXPECT_EQ(clq_colour_map_draw(map_, 0, tmpl_, crowd_seed, seed, rgb, zone_count), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(clq_colour_map_sample(map_, 0, tmpl_, crowd_seed, seed, rgb, zone_count), CLQ_OK) << clq_last_error();
         std::vector<Rgb> out;
         for (uint32_t i = 0; i < zone_count; ++i)
             out.push_back({double(rgb[3 * i]), double(rgb[3 * i + 1]), double(rgb[3 * i + 2])});
         return out;
     }
-    bool told(const char *word) const { return std::string(clq_last_error()).find(word) != std::string::npos; }
+    bool mentions(const char *word) const { return std::string(clq_last_error()).find(word) != std::string::npos; }
 
     SmallTemplate small_;
     clq_zone_def zones_[zone_count];
@@ -92,14 +92,15 @@ protected:
     clq_colour_map *map_ = nullptr;
 };
 
-inline clq_zone_colours zone(const char *name, const std::vector<clq_dye> &dyes, clq_uniform uniform = CLQ_UNIFORM_HSB)
+inline clq_zone_colours zone(const char *name, const std::vector<clq_palette_entry> &palette,
+                             clq_colour_space uniform = CLQ_COLOUR_SPACE_HSB)
 {
-    return {name, uint32_t(dyes.size()), dyes.data(), uniform, nullptr, 0};
+    return {name, uint32_t(palette.size()), palette.data(), uniform, nullptr, 0};
 }
 
-inline clq_zone_colours like(const char *name, const char *leader, float apart = 0)
+inline clq_zone_colours linked_to(const char *name, const char *leader, float variation = 0)
 {
-    return {name, 0, nullptr, CLQ_UNIFORM_HSB, leader, apart};
+    return {name, 0, nullptr, CLQ_COLOUR_SPACE_HSB, leader, variation};
 }
 
 }  // namespace colours

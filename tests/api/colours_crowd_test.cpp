@@ -21,18 +21,18 @@ protected:
         const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
         for (int i = 0; i < 60; ++i) {
             clq_actor_def def = clq_actor_def_init();
             def.tmpl = tmpl_;
-            def.place.position[0] = (i % 10 - 5) * 0.3;
-            def.place.position[2] = -(i / 10);
+            def.transform.position[0] = (i % 10 - 5) * 0.3;
+            def.transform.position[2] = -(i / 10);
             def.seed = uint64_t(i);
             clq_actor actor;
             ASSERT_EQ(clq_actor_create(crowd_, &def, &actor), CLQ_OK);
             actors_.push_back(actor);
         }
-        make({zone("zero", wide_, CLQ_UNIFORM_PERCEIVED), zone("one", wide_), like("two", "zero", 0.2f)});
+        make({zone("zero", wide_, CLQ_COLOUR_SPACE_OKLAB), zone("one", wide_), linked_to("two", "zero", 0.2f)});
     }
     void TearDown() override
     {
@@ -41,7 +41,7 @@ protected:
     }
     clq_status colour(const std::vector<clq_actor> &who)
     {
-        return clq_crowd_draw_colours(crowd_, map_, 0, who.data(), uint32_t(who.size()));
+        return clq_crowd_randomise_colours(crowd_, map_, 0, who.data(), uint32_t(who.size()));
     }
     std::vector<float> colours() const
     {
@@ -59,8 +59,9 @@ protected:
         return clq_view_hash(view_);
     }
 
-    const std::vector<clq_dye> wide_ = {{{200, 100, 0.2f, 0.9f, 0.2f, 1}, 2}, {{30, 60, 0, 0.1f, 0.5f, 1}, 1}};
-    const std::vector<clq_dye> red_ = {{{0, 0, 1, 1, 1, 1}, 1}};
+    const std::vector<clq_palette_entry> wide_ = {{{200, 100, 0.2f, 0.9f, 0.2f, 1}, 2},
+                                                  {{30, 60, 0, 0.1f, 0.5f, 1}, 1}};
+    const std::vector<clq_palette_entry> red_ = {{{0, 0, 1, 1, 1, 1}, 1}};
     clq_crowd *crowd_ = nullptr;
     clq_view *view_ = nullptr;
     std::vector<clq_actor> actors_;
@@ -68,7 +69,7 @@ protected:
 
 }  // namespace
 
-TEST_F(ColouredCrowd, shows_what_was_drawn_with_the_next_update)
+TEST_F(ColouredCrowd, ShowsNewColoursWithTheNextUpdate)
 {
     const std::vector<float> before = colours();
     EXPECT_EQ(before[0], zones_[0].colour[0]) << "the template's own, until there are others";
@@ -82,7 +83,7 @@ TEST_F(ColouredCrowd, shows_what_was_drawn_with_the_next_update)
     EXPECT_NE(shown(), dyed) << "one individual";
 }
 
-TEST_F(ColouredCrowd, has_the_same_colours_in_any_order_at_once_or_one_by_one)
+TEST_F(ColouredCrowd, HasTheSameColoursInAnyOrderAtOnceOrOneByOne)
 {
     ASSERT_EQ(colour(actors_), CLQ_OK);
     const std::vector<float> at_once = colours();
@@ -94,20 +95,20 @@ TEST_F(ColouredCrowd, has_the_same_colours_in_any_order_at_once_or_one_by_one)
     EXPECT_EQ(colours(), at_once);
 }
 
-TEST_F(ColouredCrowd, has_the_same_colours_under_every_instruction_set)
+TEST_F(ColouredCrowd, HasTheSameColoursUnderEveryInstructionSet)
 {
     ASSERT_EQ(colour(actors_), CLQ_OK);
     const std::vector<float> usual = colours();
     for (const clq_simd simd : {CLQ_SIMD_SCALAR, CLQ_SIMD_128, CLQ_SIMD_256}) {
         if (clq_simd_use(simd) != CLQ_OK) continue;
-        make({zone("zero", wide_, CLQ_UNIFORM_PERCEIVED), zone("one", wide_), like("two", "zero", 0.2f)});
+        make({zone("zero", wide_, CLQ_COLOUR_SPACE_OKLAB), zone("one", wide_), linked_to("two", "zero", 0.2f)});
         ASSERT_EQ(colour(actors_), CLQ_OK);
         EXPECT_EQ(colours(), usual);
     }
     ASSERT_EQ(clq_simd_use(CLQ_SIMD_WIDEST), CLQ_OK);
 }
 
-TEST_F(ColouredCrowd, may_share_a_map_with_others_on_other_threads)
+TEST_F(ColouredCrowd, MayShareAMapWithOthersOnOtherThreads)
 {
     std::vector<std::vector<Rgb>> alone;
     for (uint64_t seed = 0; seed < 300; ++seed) alone.push_back(draw(seed));
@@ -127,7 +128,7 @@ TEST_F(ColouredCrowd, may_share_a_map_with_others_on_other_threads)
 }
 
 // A sum over all bytes that 60 people get: it is the same on every machine.
-TEST_F(ColouredCrowd, has_the_colours_that_it_has_everywhere)
+TEST_F(ColouredCrowd, HasTheColoursThatItHasEverywhere)
 {
     ASSERT_EQ(colour(actors_), CLQ_OK);
     uint64_t hash = 0xcbf29ce484222325u;
@@ -135,7 +136,7 @@ TEST_F(ColouredCrowd, has_the_colours_that_it_has_everywhere)
     EXPECT_EQ(hash, 0xba5788422c1354edu);
 }
 
-TEST_F(ColouredCrowd, stays_as_it_was_where_anything_is_wrong)
+TEST_F(ColouredCrowd, StaysAsItWasWhereAnythingIsWrong)
 {
     ASSERT_EQ(colour({actors_.begin(), actors_.begin() + 30}), CLQ_OK);
     const std::vector<float> before = colours();
@@ -143,18 +144,18 @@ TEST_F(ColouredCrowd, stays_as_it_was_where_anything_is_wrong)
     std::vector<clq_actor> gone = actors_;
     gone[40].generation += 2;
     EXPECT_EQ(colour(gone), CLQ_STALE_ID);
-    EXPECT_EQ(clq_crowd_draw_colours(crowd_, map_, 1, actors_.data(), 60), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("no class 1"));
-    EXPECT_EQ(clq_crowd_draw_colours(crowd_, map_, 0, nullptr, 1), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_draw_colours(crowd_, nullptr, 0, actors_.data(), 1), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_crowd_randomise_colours(crowd_, map_, 1, actors_.data(), 60), CLQ_ARGUMENT);
+    EXPECT_TRUE(mentions("no class 1"));
+    EXPECT_EQ(clq_crowd_randomise_colours(crowd_, map_, 0, nullptr, 1), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_crowd_randomise_colours(crowd_, nullptr, 0, actors_.data(), 1), CLQ_ARGUMENT);
     make({zone("wings", red_)});
     EXPECT_EQ(colour(actors_), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("'wings'") && told("zero, one, two, three")) << clq_last_error();
-    make({like("one", "wings")});
+    EXPECT_TRUE(mentions("'wings'") && mentions("zero, one, two, three")) << clq_last_error();
+    make({linked_to("one", "wings")});
     EXPECT_EQ(colour(actors_), CLQ_ARGUMENT);
     float rgb[3];
     EXPECT_EQ(clq_actor_get_colours(crowd_, actors_[0], rgb, 1), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_colour_map_draw(map_, 0, tmpl_, 0, 0, rgb, 1), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_colour_map_sample(map_, 0, tmpl_, 0, 0, rgb, 1), CLQ_ARGUMENT);
     EXPECT_EQ(colours(), before);
 }
 
@@ -181,7 +182,7 @@ void release(void *user, void *memory, size_t, size_t)
 
 }  // namespace
 
-TEST(colour_memory, that_runs_out_anywhere_leaves_people_as_they_were)
+TEST(ColourMemory, ThatRunsOutAnywhereLeavesPeopleAsTheyWere)
 {
     Countdown countdown;
     clq_context_def context_def = clq_context_def_init();
@@ -198,8 +199,8 @@ TEST(colour_memory, that_runs_out_anywhere_leaves_people_as_they_were)
     def.tmpl = tmpl;
     for (clq_actor &actor : actors) ASSERT_EQ(clq_actor_create(crowd, &def, &actor), CLQ_OK);
 
-    const clq_dye dye = {{0, 360, 0, 1, 0, 1}, 1};
-    const clq_zone_colours skin = {"skin", 1, &dye, CLQ_UNIFORM_PERCEIVED, nullptr, 0};
+    const clq_palette_entry entry = {{0, 360, 0, 1, 0, 1}, 1};
+    const clq_zone_colours skin = {"skin", 1, &entry, CLQ_COLOUR_SPACE_OKLAB, nullptr, 0};
     const clq_colour_class people = {"people", nullptr, 1, &skin};
     clq_colour_map_def map_def = clq_colour_map_def_init();
     map_def.class_count = 1;
@@ -220,7 +221,7 @@ TEST(colour_memory, that_runs_out_anywhere_leaves_people_as_they_were)
     for (int n = 1;; ++n, ++failed) {
         countdown.left = n;
         const clq_status status =
-            clq_crowd_draw_colours(crowd, map, 0, actors.data(), static_cast<uint32_t>(actors.size()));
+            clq_crowd_randomise_colours(crowd, map, 0, actors.data(), static_cast<uint32_t>(actors.size()));
         countdown.left = 0;
         if (status == CLQ_OK) break;
         ASSERT_EQ(status, CLQ_OUT_OF_MEMORY);

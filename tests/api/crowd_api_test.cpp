@@ -41,15 +41,15 @@ public:
         for (int i = 0; i < 300; ++i) {
             clq_actor_def actor_def = clq_actor_def_init();
             actor_def.tmpl = tmpl;
-            actor_def.place.position[0] = (i % 20 - 9.5) * 0.8;
-            actor_def.place.position[2] = -(i / 20) * 4.0;
+            actor_def.transform.position[0] = (i % 20 - 9.5) * 0.8;
+            actor_def.transform.position[2] = -(i / 20) * 4.0;
             actor_def.play.clip = 0;
             actor_def.play.speed = 1 + 0.01f * static_cast<float>(i % 7);
             actor_def.play.phase_s = 0.05f * static_cast<float>(i % 19);
             actor_def.seed = static_cast<uint64_t>(i);
             clq_actor actor;
             EXPECT_EQ(clq_actor_create(crowd, &actor_def, &actor), CLQ_OK);
-            EXPECT_EQ(clq_actor_draw_colours(crowd, actor, nullptr, 0), CLQ_OK);
+            EXPECT_EQ(clq_actor_randomise_colours(crowd, actor, nullptr, 0), CLQ_OK);
             actors.push_back(actor);
         }
         EXPECT_EQ(clq_view_create(crowd, &view), CLQ_OK);
@@ -67,7 +67,7 @@ public:
         const double eye[3] = {x, 1.5, 6}, target[3] = {0, 1, -20};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view, &camera), CLQ_OK);
     }
     uint64_t at(double time_s)
     {
@@ -102,7 +102,7 @@ clq_crowd_def with(clq_cache_mode cache, uint64_t budget_bytes)
 
 }  // namespace
 
-TEST(crowd, a_frame_by_itself_is_the_frame_of_a_sequence)
+TEST(Crowd, AFrameByItselfIsTheFrameOfASequence)
 {
     Strips sequence, alone;
     uint64_t last = 0;
@@ -112,7 +112,7 @@ TEST(crowd, a_frame_by_itself_is_the_frame_of_a_sequence)
     EXPECT_EQ(alone.at(2.0), last) << "time may go back";
 }
 
-TEST(crowd, threads_and_caches_change_the_cost_and_not_the_list)
+TEST(Crowd, ThreadsAndCachesChangeTheCostAndNotTheList)
 {
     Strips reference;
     const uint64_t full_hash = reference.at(0.5);
@@ -136,7 +136,7 @@ TEST(crowd, threads_and_caches_change_the_cost_and_not_the_list)
     }
 }
 
-TEST(crowd, the_cache_serves_what_is_not_due)
+TEST(Crowd, TheCacheServesWhatIsNotDue)
 {
     Strips strips;
     strips.at(1.0);
@@ -155,14 +155,14 @@ TEST(crowd, the_cache_serves_what_is_not_due)
     EXPECT_EQ(none.stats().animated, none.stats().visible);
 }
 
-TEST(crowd, who_is_out_of_view_is_not_animated_and_is_in_time_on_return)
+TEST(Crowd, ActorsOutOfViewAreNotAnimatedAndAreInTimeOnReturn)
 {
     Strips strips, other;
     clq_camera away;
     const double eye[3] = {0, 1.5, 6}, target[3] = {0, 1, 60};
     const float up[3] = {0, 1, 0};
     ASSERT_EQ(clq_camera_look_at(&away, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
-    ASSERT_EQ(clq_view_look(strips.view, &away), CLQ_OK);
+    ASSERT_EQ(clq_view_set_camera(strips.view, &away), CLQ_OK);
     strips.at(0.5);
     EXPECT_EQ(strips.stats().visible, 0u);
     EXPECT_EQ(strips.stats().animated, 0u);
@@ -170,7 +170,7 @@ TEST(crowd, who_is_out_of_view_is_not_animated_and_is_in_time_on_return)
     EXPECT_EQ(strips.at(1.7), other.at(1.7));
 }
 
-TEST(crowd, setting_changes_are_seen_at_once)
+TEST(Crowd, ChangesOfSettingsShowAtOnce)
 {
     Strips strips;
     const uint64_t before = strips.at(1.0);
@@ -187,7 +187,7 @@ TEST(crowd, setting_changes_are_seen_at_once)
     EXPECT_EQ(strips.stats().visible, visible - 1);
 }
 
-TEST(crowd, a_destroyed_actor_leaves_nothing_of_its_poses_to_the_next)
+TEST(Crowd, ADestroyedActorLeavesNothingOfItsPosesToTheNext)
 {
     Strips used, fresh;
     used.at(1.0);  // so that row 7 has cached poses
@@ -196,23 +196,23 @@ TEST(crowd, a_destroyed_actor_leaves_nothing_of_its_poses_to_the_next)
         ASSERT_EQ(clq_actor_get_info(strips->crowd, strips->actors[7], &info), CLQ_OK);
         ASSERT_EQ(clq_actor_destroy(strips->crowd, strips->actors[7]), CLQ_OK);
         clq_actor_def def = clq_actor_def_init();
-        def.tmpl = strips->tmpl, def.place = info.place, def.play = info.play, def.seed = info.seed;
+        def.tmpl = strips->tmpl, def.transform = info.transform, def.play = info.play, def.seed = info.seed;
         def.play.phase_s += 0.4f;
         clq_actor actor;
         ASSERT_EQ(clq_actor_create(strips->crowd, &def, &actor), CLQ_OK);
-        ASSERT_EQ(clq_actor_draw_colours(strips->crowd, actor, nullptr, 0), CLQ_OK);
+        ASSERT_EQ(clq_actor_randomise_colours(strips->crowd, actor, nullptr, 0), CLQ_OK);
     }
     EXPECT_EQ(used.at(1.0), fresh.at(1.0));
 }
 
-TEST(crowd, an_individual_costs_at_most_512_bytes_besides_its_caches)
+TEST(Crowd, AnIndividualCostsAtMost512BytesBesidesItsCaches)
 {
     Strips strips;
     strips.at(1.0);
     EXPECT_LE(strips.stats().actor_bytes / strips.stats().actor_count, 512u);
 }
 
-TEST(crowd, several_views_share_one_update)
+TEST(Crowd, SeveralViewsShareOneUpdate)
 {
     Strips strips;
     clq_view *second = nullptr;
@@ -221,7 +221,7 @@ TEST(crowd, several_views_share_one_update)
     const double eye[3] = {20, 1.5, -20}, target[3] = {0, 1, -20};
     const float up[3] = {0, 1, 0};
     ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
-    ASSERT_EQ(clq_view_look(second, &camera), CLQ_OK);
+    ASSERT_EQ(clq_view_set_camera(second, &camera), CLQ_OK);
     clq_view *const views[2] = {strips.view, second};
     ASSERT_EQ(clq_crowd_update(strips.crowd, 1.0, views, 2), CLQ_OK) << clq_last_error();
     clq_view_stats a, b;
@@ -235,24 +235,24 @@ TEST(crowd, several_views_share_one_update)
     EXPECT_EQ(b.visible, 0u) << "a view that was not asked for has an empty list";
 }
 
-TEST(crowd, a_thousand_kilometres_away_people_look_the_same)
+TEST(Crowd, AThousandKilometresAwayPeopleLookTheSame)
 {
     Strips near_by, far_off;
-    std::vector<clq_place> places;
+    std::vector<clq_transform> places;
     for (const clq_actor &actor : far_off.actors) {
         clq_actor_info info;
         ASSERT_EQ(clq_actor_get_info(far_off.crowd, actor, &info), CLQ_OK);
-        info.place.position[0] += 1048576, info.place.position[2] += 1048576;
-        places.push_back(info.place);
+        info.transform.position[0] += 1048576, info.transform.position[2] += 1048576;
+        places.push_back(info.transform);
     }
-    ASSERT_EQ(
-        clq_crowd_place(far_off.crowd, far_off.actors.data(), places.data(), static_cast<uint32_t>(places.size())),
-        CLQ_OK);
+    ASSERT_EQ(clq_crowd_set_transforms(far_off.crowd, far_off.actors.data(), places.data(),
+                                       static_cast<uint32_t>(places.size())),
+              CLQ_OK);
     clq_camera camera;
     const double eye[3] = {1048576, 1.5, 1048576 + 6}, target[3] = {1048576, 1, 1048576 - 20};
     const float up[3] = {0, 1, 0};
     ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
-    ASSERT_EQ(clq_view_look(far_off.view, &camera), CLQ_OK);
+    ASSERT_EQ(clq_view_set_camera(far_off.view, &camera), CLQ_OK);
     near_by.at(1.0), far_off.at(1.0);
     EXPECT_EQ(near_by.stats().visible, far_off.stats().visible);
     EXPECT_EQ(near_by.stats().animated, far_off.stats().animated);

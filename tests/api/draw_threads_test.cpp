@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "passes/gl11.h"
-#include "tests/api/stage.h"
+#include "tests/api/test_world.h"
 
 namespace
 {
@@ -138,13 +138,13 @@ GlFunction find(void *, const char *name)
     return found == functions.end() ? nullptr : found->second;
 }
 
-clq_renderer *new_renderer(Stage &stage)
+clq_renderer *new_renderer(TestWorld &test_world)
 {
     clq_renderer_def def = clq_renderer_def_init();
     def.get_proc_address = find;
     clq_renderer *renderer = nullptr;
-    EXPECT_EQ(clq_renderer_create(stage.context, &def, &renderer), CLQ_OK) << clq_last_error();
-    for (clq_template *tmpl : stage.templates)
+    EXPECT_EQ(clq_renderer_create(test_world.context, &def, &renderer), CLQ_OK) << clq_last_error();
+    for (clq_template *tmpl : test_world.templates)
         EXPECT_EQ(clq_renderer_prepare(renderer, tmpl), CLQ_OK) << clq_last_error();
     return renderer;
 }
@@ -163,16 +163,16 @@ struct Tried {
 // Threads draw views of one crowd while this one updates it.
 void draw_while_updating(const clq_crowd_def &def)
 {
-    Stage stage;
-    clq_crowd *crowd = stage.new_crowd(&def);
-    stage.set_up(crowd);
-    stage.fill(crowd, 200, 5);
+    TestWorld test_world;
+    clq_crowd *crowd = test_world.new_crowd(&def);
+    test_world.set_up(crowd);
+    test_world.fill(crowd, 200, 5);
     constexpr uint32_t drawers = 3;
     clq_view *views[drawers];
     clq_renderer *renderers[drawers];
     for (uint32_t k = 0; k < drawers; ++k) {
-        views[k] = stage.new_view(crowd, 3.0 * k);
-        renderers[k] = new_renderer(stage);
+        views[k] = test_world.new_view(crowd, 3.0 * k);
+        renderers[k] = new_renderer(test_world);
     }
     ASSERT_EQ(clq_crowd_update(crowd, 1, views, drawers), CLQ_OK) << clq_last_error();
     std::atomic<bool> stop{false};
@@ -206,24 +206,24 @@ void draw_while_updating(const clq_crowd_def &def)
 
 }  // namespace
 
-TEST(draw_threads, draws_and_updates_are_done_or_busy_and_never_a_race)
+TEST(DrawThreads, DrawsAndUpdatesAreDoneOrBusyAndNeverARace)
 {
-    for (const clq_geometry geometry : {CLQ_GEOMETRY_FLOAT, CLQ_GEOMETRY_PACKED})
+    for (const clq_vertex_format geometry : {CLQ_VERTEX_FLOAT, CLQ_VERTEX_PACKED})
         for (const uint64_t budget : {uint64_t(0), uint64_t(20000)}) {  // much of the latter is skinned by the draws
             clq_crowd_def def = clq_crowd_def_init();
-            def.geometry = geometry;
+            def.vertex_format = geometry;
             def.cache_budget_bytes = budget;
             draw_while_updating(def);
         }
 }
 
-TEST(draw_threads, hooks_that_update_are_told_busy_and_the_view_that_is_drawn_is_nobody_elses)
+TEST(DrawThreads, HooksThatUpdateGetBusyAndADrawnViewCannotBeUsedElsewhere)
 {
-    Stage stage;
-    clq_crowd *crowd = stage.new_crowd();
-    stage.set_up(crowd);
-    std::vector<clq_actor> actors = stage.fill(crowd, 30, 5);
-    clq_view *view = stage.new_view(crowd, 0), *other = stage.new_view(crowd, 4);
+    TestWorld test_world;
+    clq_crowd *crowd = test_world.new_crowd();
+    test_world.set_up(crowd);
+    std::vector<clq_actor> actors = test_world.fill(crowd, 30, 5);
+    clq_view *view = test_world.new_view(crowd, 0), *other = test_world.new_view(crowd, 4);
     struct Asked {
         clq_crowd *crowd;
         clq_view *view, *other;
@@ -244,7 +244,7 @@ TEST(draw_threads, hooks_that_update_are_told_busy_and_the_view_that_is_drawn_is
     for (const clq_actor actor : actors) ASSERT_EQ(clq_actor_set_hooks(crowd, actor, &hooks), CLQ_OK);
     clq_view *views[] = {view, other};
     ASSERT_EQ(clq_crowd_update(crowd, 1, views, 2), CLQ_OK) << clq_last_error();
-    clq_renderer *renderer = new_renderer(stage);
+    clq_renderer *renderer = new_renderer(test_world);
     EXPECT_EQ(clq_renderer_draw(renderer, view, nullptr), CLQ_OK) << clq_last_error();
     EXPECT_GT(asked.calls, 0u);
     EXPECT_EQ(asked.update, CLQ_BUSY);

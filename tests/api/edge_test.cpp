@@ -41,7 +41,7 @@ protected:
         const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     }
     void TearDown() override
     {
@@ -54,7 +54,7 @@ protected:
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = tmpl_;
         def.play.clip = 0;
-        def.place.position[0] = x;
+        def.transform.position[0] = x;
         clq_actor actor = {0, 0};
         EXPECT_EQ(clq_actor_create(crowd_, &def, &actor), CLQ_OK) << clq_last_error();
         return actor;
@@ -85,7 +85,7 @@ const float nan_edge = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-TEST_F(Edge, somebody_new_has_not_been_seen_even_where_another_stood)
+TEST_F(Edge, ANewActorHasNotBeenVisibleEvenInAReusedRow)
 {
     const clq_actor first = add(0);
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
@@ -97,10 +97,10 @@ TEST_F(Edge, somebody_new_has_not_been_seen_even_where_another_stood)
     ASSERT_EQ(clq_actor_get_info(crowd_, second, &info), CLQ_OK);
     EXPECT_EQ(info.visible, 0);
     EXPECT_EQ(info.period_s, 0.0f);
-    EXPECT_EQ(info.shown_s, 0.0);
+    EXPECT_EQ(info.tick_s, 0.0);
 }
 
-TEST_F(Edge, a_list_keeps_the_colours_that_its_update_found)
+TEST_F(Edge, AListKeepsTheColoursThatItsUpdateFound)
 {
     const clq_actor actor = add(0);
     colour(actor, 1);
@@ -119,7 +119,7 @@ TEST_F(Edge, a_list_keeps_the_colours_that_its_update_found)
     EXPECT_NE(clq_view_hash(view_), list) << "the next update shows them";
 }
 
-TEST_F(Edge, counters_cannot_be_reset_by_a_task_of_an_update)
+TEST_F(Edge, CountersCannotBeResetByATaskOfAnUpdate)
 {
     add(0);
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
@@ -127,7 +127,7 @@ TEST_F(Edge, counters_cannot_be_reset_by_a_task_of_an_update)
     EXPECT_EQ(clq_crowd_reset_bands(crowd_), CLQ_OK);
 }
 
-TEST_F(Edge, zones_outside_their_limits_are_refused_when_they_are_given)
+TEST_F(Edge, ZonesOutsideTheirLimitsAreRefusedWhenTheyAreGiven)
 {
     const clq_zone_def good = small_.zones[0];
     for (const float bad : {-0.5f, 2.0f, nan_edge}) {
@@ -135,17 +135,17 @@ TEST_F(Edge, zones_outside_their_limits_are_refused_when_they_are_given)
         EXPECT_EQ(build(), CLQ_ARGUMENT) << "colour " << bad;
         EXPECT_NE(std::string(clq_last_error()).find("cloth"), std::string::npos) << clq_last_error();
         small_.zones[0] = good;
-        small_.zones[0].range.brightness_last = bad;
+        small_.zones[0].range.brightness_max = bad;
         EXPECT_EQ(build(), CLQ_ARGUMENT) << "brightness " << bad;
         small_.zones[0] = good;
     }
-    small_.zones[0].range.hue_first_deg = 361;
+    small_.zones[0].range.hue_min_deg = 361;
     EXPECT_EQ(build(), CLQ_ARGUMENT);
     small_.zones[0] = good;
     EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
 }
 
-TEST_F(Edge, a_joint_beyond_the_hosts_own_is_refused_beside_rigid_parts_too)
+TEST_F(Edge, AJointBeyondTheHostsOwnIsRefusedBesideRigidPartsToo)
 {
     // A rigid part brings a matrix of its own, which stands where joint 2 would.
     clq_part_def parts[2] = {small_.parts[0], small_.parts[0]};
@@ -164,7 +164,7 @@ TEST_F(Edge, a_joint_beyond_the_hosts_own_is_refused_beside_rigid_parts_too)
     EXPECT_NE(std::string(clq_last_error()).find("joint 2 of 2"), std::string::npos) << clq_last_error();
 }
 
-TEST_F(Edge, a_rotation_that_would_scale_its_node_is_refused)
+TEST_F(Edge, ARotationThatWouldScaleItsNodeIsRefused)
 {
     float *q = small_.nodes[1].rotation_xyzw;
     q[1] = 0.6f, q[3] = 0.8f;
@@ -178,7 +178,7 @@ TEST_F(Edge, a_rotation_that_would_scale_its_node_is_refused)
     EXPECT_EQ(build(), CLQ_OK) << "all zero means none";
 }
 
-TEST_F(Edge, materials_that_are_no_numbers_are_refused)
+TEST_F(Edge, MaterialsThatAreNoNumbersAreRefused)
 {
     small_.materials[0].base_colour[2] = nan_edge;
     EXPECT_EQ(build(), CLQ_ARGUMENT);
@@ -189,7 +189,7 @@ TEST_F(Edge, materials_that_are_no_numbers_are_refused)
     EXPECT_EQ(build(), CLQ_OK) << clq_last_error();
 }
 
-TEST_F(Edge, a_view_too_narrow_for_its_projection_is_refused)
+TEST_F(Edge, AViewTooNarrowForItsProjectionIsRefused)
 {
     clq_camera camera;
     const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
@@ -197,10 +197,10 @@ TEST_F(Edge, a_view_too_narrow_for_its_projection_is_refused)
     EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-44f, 1, 0.1f, 100), CLQ_ARGUMENT);
     EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1, 1e-42f, 0.1f, 100), CLQ_ARGUMENT);
     ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-6f, 1, 0.1f, 100), CLQ_OK) << clq_last_error();
-    EXPECT_EQ(clq_view_look(view_, &camera), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK) << clq_last_error();
 }
 
-TEST_F(Edge, who_is_farther_than_float_reaches_has_the_far_period)
+TEST_F(Edge, AnActorFartherThanFloatReachesHasTheLongestPeriod)
 {
     clq_crowd_def def = clq_crowd_def_init();
     def.period_near_s = def.period_far_s = 0.1f;
@@ -212,10 +212,10 @@ TEST_F(Edge, who_is_farther_than_float_reaches_has_the_far_period)
     clq_camera camera = {};  // a perspective without a far plane
     camera.rotation_xyzw[3] = camera.projection[0] = camera.projection[5] = 1;
     camera.projection[10] = camera.projection[11] = -1, camera.projection[14] = -0.2f;
-    ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK) << clq_last_error();
     const clq_actor actor = add(0);
-    const clq_place place = {{0, 0, -1e100}, {0, 0, 0, 1}, 1};
-    ASSERT_EQ(clq_crowd_place(crowd_, &actor, &place, 1), CLQ_OK);
+    const clq_transform transform = {{0, 0, -1e100}, {0, 0, 0, 1}, 1};
+    ASSERT_EQ(clq_crowd_set_transforms(crowd_, &actor, &transform, 1), CLQ_OK);
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
     clq_actor_info info;
     ASSERT_EQ(clq_actor_get_info(crowd_, actor, &info), CLQ_OK);

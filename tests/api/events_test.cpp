@@ -14,7 +14,7 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
     ASSERT_EQ(clq_actor_watch(arm.crowd, arm.actor, 1), CLQ_OK);
     arm.fade(Arm::fast, 5.1, 0.5f);
     clq_layer_def layer = clq_layer_def_init();
-    layer.play.clip = Arm::wave, layer.play.start_s = 6.05, layer.rounds = 3;
+    layer.play.clip = Arm::wave, layer.play.start_s = 6.05, layer.loops = 3;
     ASSERT_EQ(clq_actor_add_layer(arm.crowd, arm.actor, &layer, nullptr), CLQ_OK);
     const std::vector<clq_event> all = arm.events(0, 10);
     for (size_t i = 1; i < all.size(); ++i) EXPECT_LE(all[i - 1].time_s, all[i].time_s);
@@ -25,7 +25,7 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
     for (size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(parts[i].time_s, all[i].time_s);
         EXPECT_EQ(parts[i].kind, all[i].kind);
-        EXPECT_EQ(parts[i].round, all[i].round);
+        EXPECT_EQ(parts[i].loop, all[i].loop);
     }
     EXPECT_TRUE(arm.events(9, 3).empty()) << "time that has jumped back";
 
@@ -33,7 +33,7 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
     int ends[Arm::clip_count] = {}, markers[Arm::clip_count] = {}, fades = 0, layers = 0;
     for (const clq_event &e : all) {
         if (e.kind == CLQ_EVENT_CLIP_END) {
-            EXPECT_EQ(e.round, uint64_t(++ends[e.clip])) << e.time_s;
+            EXPECT_EQ(e.loop, uint64_t(++ends[e.clip])) << e.time_s;
         }
         if (e.kind == CLQ_EVENT_MARKER) {
             ++markers[e.clip];
@@ -63,7 +63,7 @@ TEST_P(GaitEvents, AreThoseOfTheFirstClipAtItsPresentPace)
 {
     Arm arm;
     ASSERT_EQ(clq_actor_watch(arm.crowd, arm.actor, 1), CLQ_OK);
-    clq_motion motion = arm.motion(0, 1);
+    clq_fade_target motion = arm.motion(0, 1);
     motion.gait = GetParam() ? arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f})
                              : arm.add_gait(Arm::slow, Arm::fast);
     ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 1, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
@@ -75,15 +75,15 @@ TEST_P(GaitEvents, AreThoseOfTheFirstClipAtItsPresentPace)
         if (last > a) walked.push_back(t);
         last = a;
     }
-    std::vector<double> told;
+    std::vector<double> mentions;
     for (int i = 10; i < 120; ++i)
         for (const clq_event &e : arm.events(0.1 * i, 0.1 * (i + 1)))
             if (e.kind == CLQ_EVENT_CLIP_END && e.time_s > 1) {
-                told.push_back(e.time_s);
-                EXPECT_EQ(e.round, told.size());
+                mentions.push_back(e.time_s);
+                EXPECT_EQ(e.loop, mentions.size());
             }
-    ASSERT_EQ(told.size(), walked.size());
-    for (size_t i = 0; i < told.size(); ++i) EXPECT_NEAR(told[i], walked[i], 0.001);
+    ASSERT_EQ(mentions.size(), walked.size());
+    for (size_t i = 0; i < mentions.size(); ++i) EXPECT_NEAR(mentions[i], walked[i], 0.001);
 }
 
 INSTANTIATE_TEST_SUITE_P(Moments, GaitEvents, testing::Bool(),
@@ -114,7 +114,7 @@ TEST(Events, OfSeveralComeInTheOrderOfTimeHoweverLongTheStep)
     ASSERT_EQ(parts.size(), all.size());
     for (size_t i = 0; i < all.size(); ++i) {
         ASSERT_EQ(key(parts[i]), key(all[i])) << i;
-        ASSERT_EQ(parts[i].round, all[i].round) << i;
+        ASSERT_EQ(parts[i].loop, all[i].loop) << i;
         ASSERT_EQ(parts[i].marker, all[i].marker) << i;
     }
 }

@@ -7,20 +7,20 @@ namespace fuzz
 void World::describe_play()
 {
     if (gaits_ + masks_ > 20) return;
-    const clq_template *tmpl = lots_.one_in(40) ? nullptr : templates_[lots_.below(4)];
+    const clq_template *tmpl = random_.one_in(40) ? nullptr : templates_[random_.below(4)];
     clq_gait_def gait = clq_gait_def_init();
-    gait.tmpl = tmpl, gait.clip_a = lots_.index(1), gait.clip_b = lots_.index(1);
-    const float sync_a[2] = {lots_.oddf(0, 0.4), lots_.oddf(0.4, 0.9)},
-                sync_b[2] = {lots_.oddf(0, 0.4), lots_.oddf(0.4, 1)};
-    gait.sync_count = lots_.below(3), gait.sync_a_s = sync_a, gait.sync_b_s = sync_b;
-    if (lots_.one_in(10)) gait.sync_marker = "down";
+    gait.tmpl = tmpl, gait.clip_a = random_.index(1), gait.clip_b = random_.index(1);
+    const float sync_a[2] = {random_.oddf(0, 0.4), random_.oddf(0.4, 0.9)},
+                sync_b[2] = {random_.oddf(0, 0.4), random_.oddf(0.4, 1)};
+    gait.sync_count = random_.below(3), gait.sync_a_s = sync_a, gait.sync_b_s = sync_b;
+    if (random_.one_in(10)) gait.sync_marker = "down";
     clq_gait made_gait;
     gaits_ += call("clq_crowd_add_gait", [&] { return clq_crowd_add_gait(crowd_, &gait, &made_gait); });
-    const char *names[2] = {lots_.one_in(20) ? nullptr : "tip", lots_.one_in(10) ? "nobody" : "root"};
+    const char *names[2] = {random_.one_in(20) ? nullptr : "tip", random_.one_in(10) ? "nobody" : "root"};
     clq_mask_def mask = clq_mask_def_init();
-    mask.tmpl = tmpl, mask.node_count = lots_.index(2), mask.nodes = names, mask.feather = lots_.below(3);
+    mask.tmpl = tmpl, mask.node_count = random_.index(2), mask.nodes = names, mask.feather = random_.below(3);
     if (mask.node_count > 2) mask.node_count = 2;
-    mask.without = lots_.below(2);
+    mask.inverted = random_.below(2);
     clq_mask made_mask;
     masks_ += call("clq_crowd_add_mask", [&] { return clq_crowd_add_mask(crowd_, &mask, &made_mask); });
 }
@@ -28,35 +28,36 @@ void World::describe_play()
 void World::blend()
 {
     const clq_actor id = who();
-    clq_motion to{};
-    to.play = {lots_.index(1), lots_.odd(-5, 30), lots_.oddf(-2, 2), lots_.oddf(-2, 2)};
-    if (lots_.one_in(2)) to.gait = {lots_.index(gaits_ + 1)}, to.share = lots_.oddf(0, 1);
-    const double at_s = lots_.odd(-5, 30);
-    const float length_s = lots_.oddf(0, 3);
-    const auto curve = static_cast<clq_curve>(lots_.below(4));  // one more than there are: what the type can hold
+    clq_fade_target to{};
+    to.play = {random_.index(1), random_.odd(-5, 30), random_.oddf(-2, 2), random_.oddf(-2, 2)};
+    if (random_.one_in(2)) to.gait = {random_.index(gaits_ + 1)}, to.share = random_.oddf(0, 1);
+    const double at_s = random_.odd(-5, 30);
+    const float length_s = random_.oddf(0, 3);
+    const auto curve = static_cast<clq_curve>(random_.below(4));  // one more than there are: what the type can hold
     call("clq_actor_fade_to", [&] { return clq_actor_fade_to(crowd_, id, &to, at_s, length_s, curve); });
-    const float share = lots_.oddf(0, 1);
-    if (lots_.one_in(2))
+    const float share = random_.oddf(0, 1);
+    if (random_.one_in(2))
         call("clq_actor_set_gait_share", [&] { return clq_actor_set_gait_share(crowd_, id, share, at_s, length_s); });
     clq_layer_def def = clq_layer_def_init();
-    def.kind = static_cast<clq_layer_kind>(lots_.index(2)), def.play = to.play;
-    def.weight = lots_.oddf(0, 1), def.rounds = lots_.oddf(0, 3), def.fade_in_s = lots_.oddf(0, 1);
-    def.fade_out_s = lots_.oddf(0, 1), def.mask = {lots_.index(masks_ + 1)};
-    def.has_reference = lots_.below(2), def.reference_clip = lots_.index(1), def.reference_time_s = lots_.oddf(0, 1);
-    clq_layer layer = {1 + lots_.below(200)};
+    def.kind = static_cast<clq_layer_kind>(random_.index(2)), def.play = to.play;
+    def.weight = random_.oddf(0, 1), def.loops = random_.oddf(0, 3), def.fade_in_s = random_.oddf(0, 1);
+    def.fade_out_s = random_.oddf(0, 1), def.mask = {random_.index(masks_ + 1)};
+    def.has_reference = random_.below(2), def.reference_clip = random_.index(1),
+    def.reference_time_s = random_.oddf(0, 1);
+    clq_layer layer = {1 + random_.below(200)};
     call("clq_actor_add_layer", [&] { return clq_actor_add_layer(crowd_, id, &def, &layer); });
-    if (lots_.one_in(2))
+    if (random_.one_in(2))
         call("clq_actor_end_layer", [&] { return clq_actor_end_layer(crowd_, id, layer, at_s, length_s); });
 }
 
 void World::watch()
 {
     const clq_actor id = who();
-    const int32_t watched = !lots_.one_in(3);
+    const int32_t watched = !random_.one_in(3);
     call("clq_actor_watch", [&] { return clq_actor_watch(crowd_, id, watched); });
     clq_event events[200];
     size_t count = 0;
-    const double from = lots_.odd(-5, 30), to = lots_.odd(-5, 30);
+    const double from = random_.odd(-5, 30), to = random_.odd(-5, 30);
     if (call("clq_crowd_get_events", [&] { return clq_crowd_get_events(crowd_, from, to, events, 200, &count); }))
         for (size_t i = 0; i < count; ++i) {
             EXPECT_GT(events[i].time_s, from);
@@ -65,18 +66,19 @@ void World::watch()
                 EXPECT_LE(events[i - 1].time_s, events[i].time_s);
             }
         }
-    clq_shown_clip shown[CLQ_SHOWN_MOST];
+    clq_active_clip shown[CLQ_ACTIVE_CLIP_MAX];
     uint32_t shown_count = 0;
-    const double at_s = lots_.odd(-5, 30);
-    call("clq_actor_get_shown", [&] { return clq_actor_get_shown(crowd_, id, at_s, shown, &shown_count); });
-    EXPECT_LE(shown_count, uint32_t(CLQ_SHOWN_MOST));
-    clq_variety_def def = clq_variety_def_init();
-    const uint32_t clips[2] = {lots_.index(1), lots_.index(1)};
-    const float weights[2] = {lots_.oddf(0, 1), lots_.oddf(0, 1)};
-    def.clip_count = lots_.below(3), def.clips = clips, def.weights = lots_.one_in(2) ? weights : nullptr;
-    def.speed_spread = lots_.oddf(0, 0.9), def.phase_spread = lots_.oddf(0, 1);
+    const double at_s = random_.odd(-5, 30);
+    call("clq_actor_get_active_clips",
+         [&] { return clq_actor_get_active_clips(crowd_, id, at_s, shown, &shown_count); });
+    EXPECT_LE(shown_count, uint32_t(CLQ_ACTIVE_CLIP_MAX));
+    clq_random_play_def def = clq_random_play_def_init();
+    const uint32_t clips[2] = {random_.index(1), random_.index(1)};
+    const float weights[2] = {random_.oddf(0, 1), random_.oddf(0, 1)};
+    def.clip_count = random_.below(3), def.clips = clips, def.weights = random_.one_in(2) ? weights : nullptr;
+    def.speed_spread = random_.oddf(0, 0.9), def.phase_spread = random_.oddf(0, 1);
     clq_play play;
-    call("clq_actor_draw_play", [&] { return clq_actor_draw_play(crowd_, id, &def, 3, at_s, &play); });
+    call("clq_actor_sample_play", [&] { return clq_actor_sample_play(crowd_, id, &def, 3, at_s, &play); });
 }
 
 }  // namespace fuzz

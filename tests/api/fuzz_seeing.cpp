@@ -17,7 +17,7 @@ void World::new_view()
 void World::end_view()
 {
     if (views_.empty()) return clq_view_destroy(nullptr);
-    const uint32_t which = lots_.below(static_cast<uint32_t>(views_.size()));
+    const uint32_t which = random_.below(static_cast<uint32_t>(views_.size()));
     clq_view_destroy(views_[which]);
     views_.erase(views_.begin() + which);
 }
@@ -25,38 +25,38 @@ void World::end_view()
 void World::look()
 {
     if (views_.empty()) return;
-    clq_view *view = views_[lots_.below(static_cast<uint32_t>(views_.size()))];
+    clq_view *view = views_[random_.below(static_cast<uint32_t>(views_.size()))];
     clq_camera camera;
-    const double eye[3] = {lots_.odd(-20, 20), lots_.odd(0, 5), lots_.odd(0, 20)};
-    const double target[3] = {lots_.odd(-20, 20), lots_.odd(0, 5), lots_.odd(-20, 0)};
-    const float up[3] = {0, lots_.oddf(1, 1), 0};
+    const double eye[3] = {random_.odd(-20, 20), random_.odd(0, 5), random_.odd(0, 20)};
+    const double target[3] = {random_.odd(-20, 20), random_.odd(0, 5), random_.odd(-20, 0)};
+    const float up[3] = {0, random_.oddf(1, 1), 0};
     if (call("clq_camera_look_at", [&] {
-            return clq_camera_look_at(&camera, eye, target, up, lots_.oddf(0.3, 2), lots_.oddf(0.5, 2),
-                                      lots_.oddf(0.1, 1), lots_.oddf(20, 200));
+            return clq_camera_look_at(&camera, eye, target, up, random_.oddf(0.3, 2), random_.oddf(0.5, 2),
+                                      random_.oddf(0.1, 1), random_.oddf(20, 200));
         })) {
-        if (lots_.one_in(20)) camera.projection[lots_.below(16)] = lots_.oddf(-1, 1, 2);
-        if (lots_.one_in(20)) camera.rotation_xyzw[lots_.below(4)] = lots_.oddf(-1, 1, 2);
-        call("clq_view_look", [&] { return clq_view_look(view, &camera); });
+        if (random_.one_in(20)) camera.projection[random_.below(16)] = random_.oddf(-1, 1, 2);
+        if (random_.one_in(20)) camera.rotation_xyzw[random_.below(4)] = random_.oddf(-1, 1, 2);
+        call("clq_view_set_camera", [&] { return clq_view_set_camera(view, &camera); });
     }
-    const float fall[3] = {lots_.oddf(-3, 3), lots_.oddf(-3, 0), lots_.oddf(-3, 3)}, none[3] = {0, 0, 0};
-    call("clq_view_set_shadow", [&] { return clq_view_set_shadow(view, lots_.one_in(2) ? none : fall); });
-    call("clq_view_set_height", [&] { return clq_view_set_height(view, lots_.oddf(0, 2000)); });
-    call("clq_view_set_cull_scale", [&] { return clq_view_set_cull_scale(view, lots_.oddf(0.4, 1)); });
+    const float fall[3] = {random_.oddf(-3, 3), random_.oddf(-3, 0), random_.oddf(-3, 3)}, none[3] = {0, 0, 0};
+    call("clq_view_set_shadow", [&] { return clq_view_set_shadow(view, random_.one_in(2) ? none : fall); });
+    call("clq_view_set_height", [&] { return clq_view_set_height(view, random_.oddf(0, 2000)); });
+    call("clq_view_set_cull_scale", [&] { return clq_view_set_cull_scale(view, random_.oddf(0.4, 1)); });
 }
 
 void World::update()
 {
-    time_s_ += lots_.one_in(12) ? lots_.in(-20, 20) : 0.03;
-    const double time_s = lots_.odd(time_s_, time_s_, 25);
+    time_s_ += random_.one_in(12) ? random_.in(-20, 20) : 0.03;
+    const double time_s = random_.odd(time_s_, time_s_, 25);
     std::vector<clq_view *> views;
     for (clq_view *view : views_)
-        if (!lots_.one_in(4)) views.push_back(view);
+        if (!random_.one_in(4)) views.push_back(view);
     const uint32_t asked = static_cast<uint32_t>(views.size());
-    const uint64_t print = clq_crowd_fingerprint(crowd_);
+    const uint64_t print = clq_crowd_hash(crowd_);
     bool good = std::isfinite(time_s);
-    if (lots_.one_in(30)) {
+    if (random_.one_in(30)) {
         clq_view *wrong[] = {nullptr, strange_view_, views.empty() ? nullptr : views[0]};
-        views.push_back(wrong[lots_.below(3)]);
+        views.push_back(wrong[random_.below(3)]);
         good = false;
     }
     const uint32_t count = static_cast<uint32_t>(views.size());
@@ -67,7 +67,7 @@ void World::update()
         return status;
     });
     EXPECT_EQ(done, good && !refused) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
-    EXPECT_EQ(clq_crowd_fingerprint(crowd_), print) << "an update changes nothing that a host has set";
+    EXPECT_EQ(clq_crowd_hash(crowd_), print) << "an update changes nothing that a host has set";
     if (!done) return;
     for (uint32_t v = 0; v < asked; ++v) {
         clq_view_stats stats;
@@ -82,18 +82,18 @@ void World::ask()
 {
     const clq_actor id = who();
     double matrix[16];
-    const double time_s = lots_.odd(-9, 9, 4);
-    call("clq_actor_get_node", [&] { return clq_actor_get_node(crowd_, id, lots_.index(2), time_s, matrix); });
+    const double time_s = random_.odd(-9, 9, 4);
+    call("clq_actor_get_node", [&] { return clq_actor_get_node(crowd_, id, random_.index(2), time_s, matrix); });
     clq_crowd_stats stats;
     ASSERT_TRUE(call("clq_crowd_get_stats", [&] { return clq_crowd_get_stats(crowd_, &stats); }));
     EXPECT_EQ(stats.actor_count, known_.actors.size());
     EXPECT_LE(stats.cache_bytes, stats.cache_budget_bytes);
-    if (lots_.one_in(5)) call("clq_crowd_reset_bands", [&] { return clq_crowd_reset_bands(crowd_); });
+    if (random_.one_in(5)) call("clq_crowd_reset_bands", [&] { return clq_crowd_reset_bands(crowd_); });
 }
 
 void World::save()
 {
-    if (lots_.one_in(6)) {
+    if (random_.one_in(6)) {
         const auto refuse = [](void *, const void *, size_t) { return 1; };
         call("clq_crowd_save", [&] { return clq_crowd_save(crowd_, refuse, nullptr); });
     }
@@ -106,13 +106,14 @@ void World::restore()
     if (bytes_.empty()) return;
     saved::Bytes bytes = bytes_;
     uint32_t count = 4;
-    const uint32_t lot = lots_.below(6);
-    if (lot == 0) bytes[lots_.below(static_cast<uint32_t>(bytes.size()))] ^= static_cast<uint8_t>(1u << lots_.below(8));
-    if (lot == 1) bytes.resize(lots_.below(static_cast<uint32_t>(bytes.size())));
-    if (lot == 2) count = lots_.below(4);
+    const uint32_t choice = random_.below(6);
+    if (choice == 0)
+        bytes[random_.below(static_cast<uint32_t>(bytes.size()))] ^= static_cast<uint8_t>(1u << random_.below(8));
+    if (choice == 1) bytes.resize(random_.below(static_cast<uint32_t>(bytes.size())));
+    if (choice == 2) count = random_.below(4);
     clq_template *given[4] = {templates_[0], templates_[1], templates_[2], templates_[3]};
-    std::rotate(given, given + lots_.below(count ? count : 1), given + count);
-    const bool mine = lot > 2;
+    std::rotate(given, given + random_.below(count ? count : 1), given + count);
+    const bool mine = choice > 2;
     bool refused = false;
     const bool done = call("clq_crowd_restore", [&] {
         const clq_status status =
@@ -125,7 +126,7 @@ void World::restore()
     if (mine) {
         EXPECT_TRUE(done || refused || lacks) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
     }
-    if (lot < 2) {
+    if (choice < 2) {
         EXPECT_FALSE(done) << "seed " << seed_ << ", step " << step_;
     }
     if (!done) return;
@@ -136,7 +137,7 @@ void World::restore()
 void World::nonsense()
 {
     const clq_actor a = who();
-    const clq_place place = any_place();
+    const clq_transform place = any_place();
     clq_actor made;
     clq_mechanism mechanism;
     clq_root_path path;
@@ -149,17 +150,17 @@ void World::nonsense()
         {"create", clq_actor_create(nullptr, nullptr, nullptr)},
         {"destroy", clq_actor_destroy(nullptr, a)},
         {"clone", clq_actor_clone(crowd_, a, &place, 1, nullptr)},
-        {"place", clq_crowd_place(crowd_, nullptr, nullptr, huge)},
+        {"place", clq_crowd_set_transforms(crowd_, nullptr, nullptr, huge)},
         {"play", clq_actor_play(crowd_, a, nullptr)},
         {"colours", clq_actor_set_colours(crowd_, a, nullptr, huge)},
-        {"draw", clq_actor_draw_colours(crowd_, a, nullptr, huge)},
+        {"draw", clq_actor_randomise_colours(crowd_, a, nullptr, huge)},
         {"attach", clq_actor_attach(crowd_, a, 0, nullptr, 1, nullptr)},
         {"attach", clq_actor_attach(crowd_, a, huge, centre, 1, nullptr)},
         {"group", clq_group_create(crowd_, &place, nullptr)},
         {"mechanism", clq_crowd_add_mechanism(crowd_, nullptr, &mechanism)},
         {"path", clq_crowd_add_root_path(crowd_, nullptr, &path)},
-        {"use", clq_actor_use(crowd_, a, nullptr)},
-        {"move", clq_actor_move_root(crowd_, a, nullptr)},
+        {"use", clq_actor_attach_mechanism(crowd_, a, nullptr)},
+        {"move", clq_actor_play_root_path(crowd_, a, nullptr)},
         {"update", clq_crowd_update(crowd_, 0, nullptr, huge)},
         {"info", clq_actor_get_info(crowd_, a, nullptr)},
         {"info", clq_group_get_info(crowd_, group = any_group(), nullptr)},

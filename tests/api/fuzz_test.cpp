@@ -8,14 +8,14 @@ namespace fm = failing_memory;
 namespace
 {
 
-void fail_now_and_then(uint64_t lot)
+void fail_now_and_then(uint64_t bits)
 {
-    if (lot % 4 == 0) fm::arm(1 + (lot >> 8) % 12, fm::Reach::everything, (lot >> 20) % 2 == 0);
+    if (bits % 4 == 0) fm::arm(1 + (bits >> 8) % 12, fm::Reach::everything, (bits >> 20) % 2 == 0);
 }
 
 }  // namespace
 
-TEST(fuzz, calls_at_random_keep_to_the_laws)
+TEST(Fuzz, CallsAtRandomKeepToTheLaws)
 {
     uint32_t good = 0, bad = 0;
     for (uint64_t seed = 1; seed <= 20 && !HasFailure(); ++seed) {
@@ -29,7 +29,7 @@ TEST(fuzz, calls_at_random_keep_to_the_laws)
     EXPECT_GT(bad, 15000u);
 }
 
-TEST(fuzz, calls_at_random_keep_to_the_laws_where_memory_fails)
+TEST(Fuzz, CallsAtRandomKeepToTheLawsWhereMemoryFails)
 {
     clq_context_def context = clq_context_def_init();
     context.allocator = fm::allocator;

@@ -3,16 +3,16 @@
 #pragma once
 
 #include "tests/api/saved_bytes.h"
-#include "tests/api/stage.h"
+#include "tests/api/test_world.h"
 
 namespace fuzz
 {
 
 // Lots, one after the other.
-class Lots
+class Random
 {
 public:
-    explicit Lots(uint64_t seed) : seed_(seed) {}
+    explicit Random(uint64_t seed) : seed_(seed) {}
     uint64_t number() { return mixed(seed_, ++drawn_); }
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(number() >> 20) % n; }
     bool one_in(uint32_t n) { return below(n) == 0; }
@@ -30,7 +30,7 @@ struct Options {
     uint32_t steps = 2000;
     const clq_context_def *context = nullptr;
     // Round every call: to let memory fail. A call that fails then must leave the crowd as it was, like any other.
-    void (*before)(uint64_t lot) = nullptr;
+    void (*before)(uint64_t bits) = nullptr;
     void (*after)() = nullptr;
 };
 
@@ -44,7 +44,7 @@ struct Known {
     std::vector<Actor> actors;
     std::vector<clq_actor> gone;
     std::vector<clq_group> groups, gone_groups;
-    std::vector<clq_attached> objects;  // some of them gone with their actors
+    std::vector<clq_attachment> objects;  // some of them gone with their actors
     uint32_t mechanisms = 0, paths = 0;
 };
 
@@ -67,8 +67,8 @@ private:
     template <class Body>
     bool call(const char *name, const Body &body)
     {
-        const uint64_t print = clq_crowd_fingerprint(crowd_);
-        if (options_.before) options_.before(lots_.number());
+        const uint64_t print = clq_crowd_hash(crowd_);
+        if (options_.before) options_.before(random_.number());
         const clq_status status = body();
         if (options_.after) options_.after();
         judge(name, status, print);
@@ -96,8 +96,8 @@ private:
     // fuzz_behaviour.cpp
     void add_mechanism();
     void add_path();
-    void use();
-    void drop();
+    void attach_mechanism();
+    void detach_mechanism();
     void command();
     void ground();
     void move_root();
@@ -119,15 +119,15 @@ private:
 
     clq_actor who();  // mostly somebody
     clq_group any_group();
-    clq_mechanism any_mechanism() { return {lots_.one_in(20) ? 0 : 1 + lots_.index(known_.mechanisms + 1)}; }
-    clq_place any_place();
-    clq_shape any_shape();
+    clq_mechanism any_mechanism() { return {random_.one_in(20) ? 0 : 1 + random_.index(known_.mechanisms + 1)}; }
+    clq_transform any_place();
+    clq_dof_pose any_shape();
     void leave(clq_group group);
 
     uint32_t gaits_ = 0, masks_ = 0;
     Options options_;
-    Lots lots_;
-    Stage stage_;
+    Random random_;
+    TestWorld test_world_;
     SmallTemplate far_def_, rigid_def_;
     clq_part_def far_parts_[2];
     clq_template *templates_[4] = {nullptr, nullptr, nullptr, nullptr};

@@ -59,7 +59,7 @@ public:
         clq_gait_def def = clq_gait_def_init();
         def.tmpl = tmpl, def.clip_a = slow, def.clip_b = fast;
         def.sync_count = 1, def.sync_a_s = at_a, def.sync_b_s = at_b;
-        clq_motion motion{};
+        clq_fade_target motion{};
         ASSERT_EQ(clq_crowd_add_gait(crowd, &def, &motion.gait), CLQ_OK) << clq_last_error();
         motion.play.speed = 1, motion.share = share;
         ASSERT_EQ(clq_actor_fade_to(crowd, actor, &motion, 0, 0, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
@@ -75,9 +75,9 @@ public:
         double steps = 0, before[2][3] = {};
         bool planted_before[2] = {false, false};
         constexpr double step_s = 1.0 / 480;
-        std::vector<clq_shown_clip> last;
+        std::vector<clq_active_clip> last;
         for (double t = from_s; t < to_s; t += step_s) {
-            const std::vector<clq_shown_clip> now = shown(t);
+            const std::vector<clq_active_clip> now = shown(t);
             if (!last.empty()) advance(last, now);
             last = now;
             for (int side = 0; side < 2; ++side) {
@@ -107,29 +107,29 @@ public:
     clq_actor actor{};
 
 private:
-    std::vector<clq_shown_clip> shown(double t)
+    std::vector<clq_active_clip> shown(double t)
     {
-        clq_shown_clip clips[CLQ_SHOWN_MOST];
+        clq_active_clip clips[CLQ_ACTIVE_CLIP_MAX];
         uint32_t count = 0;
-        EXPECT_EQ(clq_actor_get_shown(crowd, actor, t, clips, &count), CLQ_OK);
+        EXPECT_EQ(clq_actor_get_active_clips(crowd, actor, t, clips, &count), CLQ_OK);
         return {clips, clips + count};
     }
 
     // By the ways of what is shown: each goes over the part of those below that it replaces.
-    void advance(const std::vector<clq_shown_clip> &from, const std::vector<clq_shown_clip> &to)
+    void advance(const std::vector<clq_active_clip> &from, const std::vector<clq_active_clip> &to)
     {
         double way[3] = {0, 0, 0};
-        for (const clq_shown_clip &clip : to) {
+        for (const clq_active_clip &clip : to) {
             double first_s = clip.clip_time_s;
-            for (const clq_shown_clip &other : from)
+            for (const clq_active_clip &other : from)
                 if (other.clip == clip.clip) first_s = other.clip_time_s;
             const double last_s = clip.clip_time_s + (clip.clip_time_s < first_s ? length_s[clip.clip] : 0);
             double own[3];
-            ASSERT_EQ(clq_template_root_motion(tmpl, clip.clip, first_s, last_s, own), CLQ_OK);
+            ASSERT_EQ(clq_template_get_root_motion(tmpl, clip.clip, first_s, last_s, own), CLQ_OK);
             for (int k = 0; k < 3; ++k) way[k] += double(clip.weight) * (own[k] - way[k]);
         }
         place_.position[0] += way[0], place_.position[2] += way[1];
-        ASSERT_EQ(clq_crowd_place(crowd, &actor, &place_, 1), CLQ_OK);
+        ASSERT_EQ(clq_crowd_set_transforms(crowd, &actor, &place_, 1), CLQ_OK);
     }
 
     static void make_leg(double stride, double phase, double hips_z, float thigh[4], float shin[4])
@@ -165,11 +165,12 @@ private:
                 turns_[clip][2 * side + 1].insert(turns_[clip][2 * side + 1].end(), shin, shin + 4);
             }
         }
-        channels_[clip][0] = {hips, CLQ_PATH_TRANSLATION, CLQ_LINEAR, keys, times_[clip].data(), places_[clip].data()};
+        channels_[clip][0] = {hips, CLQ_CHANNEL_TRANSLATION, CLQ_INTERPOLATION_LINEAR,
+                              keys, times_[clip].data(),     places_[clip].data()};
         static const uint32_t turning[4] = {thigh_l, shin_l, thigh_r, shin_r};
         for (int k = 0; k < 4; ++k)
-            channels_[clip][k + 1] = {turning[k], CLQ_PATH_ROTATION,   CLQ_LINEAR,
-                                      keys,       times_[clip].data(), turns_[clip][k].data()};
+            channels_[clip][k + 1] = {turning[k], CLQ_CHANNEL_ROTATION, CLQ_INTERPOLATION_LINEAR,
+                                      keys,       times_[clip].data(),  turns_[clip][k].data()};
         clips_[clip] = {clip == slow ? "slow" : "fast", 5, channels_[clip]};
         ways_[clip] = {clip, hips};
     }
@@ -180,7 +181,7 @@ private:
     clq_channel_def channels_[clip_count][5];
     clq_clip_def clips_[clip_count];
     clq_root_motion_def ways_[clip_count];
-    clq_place place_ = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    clq_transform place_ = {{0, 0, 0}, {0, 0, 0, 1}, 1};
 };
 
 // m/s; the slower clip goes 0.82, the faster one 1.53.

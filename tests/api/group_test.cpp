@@ -20,8 +20,8 @@ protected:
         for (int i = 0; i < 6; ++i) {
             clq_actor_def def = clq_actor_def_init();
             def.tmpl = tmpl_;
-            def.place.position[0] = i - 2.5;
-            def.place.position[2] = -10;
+            def.transform.position[0] = i - 2.5;
+            def.transform.position[2] = -10;
             clq_actor actor;
             ASSERT_EQ(clq_actor_create(crowd_, &def, &actor), CLQ_OK);
             actors_.push_back(actor);
@@ -31,7 +31,7 @@ protected:
         const double eye[3] = {0, 1, 0}, target[3] = {0, 1, -10};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 100), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     }
     void TearDown() override
     {
@@ -65,15 +65,15 @@ protected:
 
 TEST_F(GroupApi, CarriesItsMembersOutOfViewAndBack)
 {
-    clq_place place = {{0, 0, -10}, {0, 0, 0, 1}, 1};
+    clq_transform transform = {{0, 0, -10}, {0, 0, 0, 1}, 1};
     clq_group group;
-    ASSERT_EQ(clq_group_create(crowd_, &place, &group), CLQ_OK);
+    ASSERT_EQ(clq_group_create(crowd_, &transform, &group), CLQ_OK);
     for (int i = 0; i < 4; ++i) ASSERT_EQ(clq_actor_join(crowd_, actors_[i], group, nullptr), CLQ_OK);
     EXPECT_EQ(info(group).member_count, 4u);
     EXPECT_EQ(seen(1), 6u);
     EXPECT_TRUE(info(group).visible);
-    place.position[2] = 500;
-    ASSERT_EQ(clq_group_place(crowd_, group, &place), CLQ_OK);
+    transform.position[2] = 500;
+    ASSERT_EQ(clq_group_set_transform(crowd_, group, &transform), CLQ_OK);
     EXPECT_EQ(seen(2), 2u);
     EXPECT_FALSE(info(group).visible);
     clq_crowd_stats stats;
@@ -84,10 +84,10 @@ TEST_F(GroupApi, CarriesItsMembersOutOfViewAndBack)
     clq_actor_info member;
     ASSERT_EQ(clq_actor_get_info(crowd_, actors_[0], &member), CLQ_OK);
     EXPECT_EQ(member.group.index1, group.index1);
-    EXPECT_NEAR(member.place.position[2], 0, 1e-6) << "in the group's space";
+    EXPECT_NEAR(member.transform.position[2], 0, 1e-6) << "in the group's space";
     EXPECT_FALSE(member.visible);
-    place.position[2] = -10;
-    ASSERT_EQ(clq_group_place(crowd_, group, &place), CLQ_OK);
+    transform.position[2] = -10;
+    ASSERT_EQ(clq_group_set_transform(crowd_, group, &transform), CLQ_OK);
     EXPECT_EQ(seen(3), 6u);
     ASSERT_EQ(clq_group_enable(crowd_, group, 0), CLQ_OK);
     EXPECT_EQ(seen(4), 2u);
@@ -102,11 +102,11 @@ TEST_F(GroupApi, RefusesInOneSentence)
     ASSERT_EQ(clq_group_create(crowd_, nullptr, &group), CLQ_OK);
     EXPECT_EQ(clq_group_create(nullptr, nullptr, &group), CLQ_ARGUMENT);
     EXPECT_EQ(clq_group_create(crowd_, nullptr, nullptr), CLQ_ARGUMENT);
-    const clq_place huge = {{0, 0, 0}, {0, 0, 0, 1}, 1e9f};
-    EXPECT_EQ(clq_group_place(crowd_, group, &huge), CLQ_ARGUMENT);
+    const clq_transform huge = {{0, 0, 0}, {0, 0, 0, 1}, 1e9f};
+    EXPECT_EQ(clq_group_set_transform(crowd_, group, &huge), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("1e+09"), std::string::npos) << clq_last_error();
-    EXPECT_EQ(clq_group_place(crowd_, group, nullptr), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_group_place(crowd_, none, &huge), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_group_set_transform(crowd_, group, nullptr), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_group_set_transform(crowd_, none, &huge), CLQ_ARGUMENT);
     EXPECT_EQ(clq_group_enable(crowd_, none, 1), CLQ_STALE_ID);
     EXPECT_EQ(clq_group_destroy(crowd_, none), CLQ_STALE_ID);
     EXPECT_EQ(clq_actor_join(crowd_, actors_[0], {7, 7}, nullptr), CLQ_STALE_ID);

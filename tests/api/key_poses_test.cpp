@@ -26,7 +26,7 @@ protected:
         clq_template_destroy(tmpl_);
         EXPECT_EQ(clq_context_destroy(context_), CLQ_OK) << clq_last_error();
     }
-    bool told(const char *word) const { return std::string(clq_last_error()).find(word) != std::string::npos; }
+    bool mentions(const char *word) const { return std::string(clq_last_error()).find(word) != std::string::npos; }
 
     clq_status create(const clq_key_poses &key_poses)
     {
@@ -43,7 +43,7 @@ protected:
         for (uint32_t i = 0; i < count; ++i) {
             clq_actor_def def = clq_actor_def_init();
             def.tmpl = tmpl_;
-            def.place.position[0] = 0.1 * i;
+            def.transform.position[0] = 0.1 * i;
             def.play.clip = clq_template_find_clip(tmpl_, "bend");
             def.play.phase_s = static_cast<float>(i) / static_cast<float>(count);
             clq_actor actor;
@@ -56,7 +56,7 @@ protected:
         views_.resize(view_count);
         for (clq_view *&view : views_) {
             ASSERT_EQ(clq_view_create(crowd_, &view), CLQ_OK);
-            ASSERT_EQ(clq_view_look(view, &camera), CLQ_OK);
+            ASSERT_EQ(clq_view_set_camera(view, &camera), CLQ_OK);
         }
     }
     clq_key_pose_stats update(double time_s)
@@ -77,31 +77,31 @@ protected:
 
 const float nan_value = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
 
-clq_key_poses whole_crowd(clq_method method)
+clq_key_poses whole_crowd(clq_key_pose_mode method)
 {
     clq_key_poses key_poses = clq_key_poses_init();
-    key_poses.bands[0].method = method;
+    key_poses.bands[0].mode = method;
     key_poses.band_count = 1;
     return key_poses;
 }
 
 }  // namespace
 
-TEST_F(KeyPoses, are_shown_by_nobody_unless_they_are_asked_for)
+TEST_F(KeyPoses, AreNotShownUnlessRequested)
 {
     ASSERT_EQ(create(clq_key_poses_init()), CLQ_OK) << clq_last_error();
     stand(10, 1);
     const clq_key_pose_stats stats = update(1);
-    EXPECT_EQ(stats.asked, 0u);
+    EXPECT_EQ(stats.requested, 0u);
     EXPECT_EQ(stats.bytes, 0u);
 }
 
-TEST_F(KeyPoses, of_rates_and_bands_that_make_no_sense_are_refused_with_the_number)
+TEST_F(KeyPoses, OfRatesAndBandsThatMakeNoSenseAreRefusedWithTheNumber)
 {
     const auto refused = [&](const clq_key_poses &key_poses, const char *name, const char *number) {
         EXPECT_EQ(create(key_poses), CLQ_ARGUMENT);
         EXPECT_EQ(crowd_, nullptr) << "written only where it goes well";
-        EXPECT_TRUE(told(name) && told(number)) << clq_last_error();
+        EXPECT_TRUE(mentions(name) && mentions(number)) << clq_last_error();
     };
     for (const float rate : {0.4f, 121.0f, -1.0f, infinite, nan_value}) {
         clq_key_poses key_poses = clq_key_poses_init();
@@ -109,46 +109,46 @@ TEST_F(KeyPoses, of_rates_and_bands_that_make_no_sense_are_refused_with_the_numb
         refused(key_poses, "rate_hz", "0.5 to 120");
     }
     clq_key_poses key_poses = clq_key_poses_init();
-    key_poses.band_count = CLQ_METHOD_BAND_MAX + 1;
+    key_poses.band_count = CLQ_KEY_POSE_BAND_MAX + 1;
     refused(key_poses, "5 bands", "4");
     for (const float distance : {-1.0f, infinite, nan_value}) {
-        key_poses = whole_crowd(CLQ_METHOD_INTERMITTENT);
+        key_poses = whole_crowd(CLQ_KEY_POSE_INTERMITTENT);
         key_poses.bands[0].distance = distance;
         refused(key_poses, "bands[0].distance", "0 or more");
     }
     for (const float second : {5.0f, 4.0f, nan_value}) {
-        key_poses = whole_crowd(CLQ_METHOD_INTERPOLATED);
+        key_poses = whole_crowd(CLQ_KEY_POSE_INTERPOLATED);
         key_poses.bands[0].distance = 5;
         key_poses.bands[1].distance = second;
-        key_poses.bands[1].method = CLQ_METHOD_INTERMITTENT;
+        key_poses.bands[1].mode = CLQ_KEY_POSE_INTERMITTENT;
         key_poses.band_count = 2;
         refused(key_poses, "bands[1].distance", "before");
     }
-    key_poses = whole_crowd(static_cast<clq_method>(CLQ_METHOD_SKINNED + 1));
-    refused(key_poses, "bands[0].method", "4");
+    key_poses = whole_crowd(static_cast<clq_key_pose_mode>(CLQ_KEY_POSE_SKINNED + 1));
+    refused(key_poses, "bands[0].mode", "4");
 }
 
-TEST_F(KeyPoses, at_the_limits_are_taken)
+TEST_F(KeyPoses, AtTheLimitsAreTaken)
 {
     for (const float rate : {0.5f, 120.0f}) {
-        clq_key_poses key_poses = whole_crowd(CLQ_METHOD_INTERPOLATED);
+        clq_key_poses key_poses = whole_crowd(CLQ_KEY_POSE_INTERPOLATED);
         key_poses.rate_hz = rate;
-        key_poses.band_count = CLQ_METHOD_BAND_MAX;
-        for (uint32_t i = 0; i < CLQ_METHOD_BAND_MAX; ++i) key_poses.bands[i].distance = static_cast<float>(10 * i);
-        key_poses.most_kept = 0;
+        key_poses.band_count = CLQ_KEY_POSE_BAND_MAX;
+        for (uint32_t i = 0; i < CLQ_KEY_POSE_BAND_MAX; ++i) key_poses.bands[i].distance = static_cast<float>(10 * i);
+        key_poses.max_kept = 0;
         key_poses.budget_bytes = 1;
         EXPECT_EQ(create(key_poses), CLQ_OK) << clq_last_error();
     }
 }
 
-TEST_F(KeyPoses, are_skinned_once_however_many_look_and_not_again_while_they_are_wanted)
+TEST_F(KeyPoses, AreSkinnedOnceWhateverTheNumberOfViewsAndNotAgainWhileWanted)
 {
-    clq_key_poses key_poses = whole_crowd(CLQ_METHOD_INTERMITTENT);
+    clq_key_poses key_poses = whole_crowd(CLQ_KEY_POSE_INTERMITTENT);
     key_poses.rate_hz = 10;
     ASSERT_EQ(create(key_poses), CLQ_OK) << clq_last_error();
     stand(40, 3);
     const clq_key_pose_stats first = update(1);
-    EXPECT_EQ(first.asked, 40u);
+    EXPECT_EQ(first.requested, 40u);
     EXPECT_EQ(first.served, 40u);
     EXPECT_EQ(first.updated, first.wanted) << "each once, for 40 individuals in three views";
     EXPECT_LE(first.wanted, 11u) << "the clip lasts one second";
@@ -160,18 +160,18 @@ TEST_F(KeyPoses, are_skinned_once_however_many_look_and_not_again_while_they_are
     EXPECT_EQ(again.served, 40u);
 }
 
-TEST_F(KeyPoses, that_find_no_room_are_skinned_for_each_who_shows_them)
+TEST_F(KeyPoses, ThatFindNoRoomAreSkinnedForEachActorThatShowsThem)
 {
-    clq_key_poses key_poses = whole_crowd(CLQ_METHOD_INTERMITTENT);
+    clq_key_poses key_poses = whole_crowd(CLQ_KEY_POSE_INTERMITTENT);
     key_poses.rate_hz = 10;
     uint64_t hashes[3];
     const uint32_t kept[] = {256, 3, 0};
     for (int i = 0; i < 3; ++i) {
-        key_poses.most_kept = kept[i];
+        key_poses.max_kept = kept[i];
         ASSERT_EQ(create(key_poses), CLQ_OK) << clq_last_error();
         stand(40, 1);
         const clq_key_pose_stats stats = update(1);
-        EXPECT_EQ(stats.asked, 40u);
+        EXPECT_EQ(stats.requested, 40u);
         EXPECT_LE(stats.held, kept[i]);
         EXPECT_EQ(stats.served == 40, i == 0) << stats.served;
         EXPECT_EQ(stats.served == 0, i == 2) << stats.served;
@@ -181,7 +181,7 @@ TEST_F(KeyPoses, that_find_no_room_are_skinned_for_each_who_shows_them)
     EXPECT_EQ(hashes[2], hashes[0]);
 }
 
-TEST_F(KeyPoses, null_pointers_are_refused)
+TEST_F(KeyPoses, NullPointersAreRefused)
 {
     ASSERT_EQ(create(clq_key_poses_init()), CLQ_OK);
     clq_key_pose_stats stats = {};
@@ -194,12 +194,12 @@ TEST_F(KeyPoses, null_pointers_are_refused)
     EXPECT_EQ(clq_key_poses_choose(nullptr, 0, 0, 2, nullptr), CLQ_OK) << "nothing to choose from";
 }
 
-TEST_F(KeyPoses, a_choice_among_key_poses_that_are_not_there_is_refused_and_writes_nothing)
+TEST_F(KeyPoses, AChoiceAmongKeyPosesThatAreNotThereIsRefusedAndWritesNothing)
 {
     uint8_t chosen[4] = {7, 7, 7, 7};
     const clq_key_pose_bin bins[] = {{0, 1, 5}, {3, 4, 1}};
     EXPECT_EQ(clq_key_poses_choose(bins, 2, 4, 2, chosen), CLQ_ARGUMENT);
-    EXPECT_TRUE(told("bin 1") && told("3 and 4") && told("there are 4")) << clq_last_error();
+    EXPECT_TRUE(mentions("bin 1") && mentions("3 and 4") && mentions("there are 4")) << clq_last_error();
     for (const uint8_t one : chosen) EXPECT_EQ(one, 7);
     EXPECT_EQ(clq_key_poses_choose(bins, 1, 4, 0, chosen), CLQ_OK);
     for (const uint8_t one : chosen) EXPECT_EQ(one, 0) << "no room, none chosen";

@@ -59,7 +59,7 @@ TEST(Play, FadesIntoFadesDoNotJump)
     EXPECT_NEAR(arm.angle(0, 10.3), between, close);
 }
 
-TEST(Play, AnInertialFadeKeepsPlaceAndVelocityAndEndsInTheNewClip)
+TEST(Play, AnInertialFadeKeepsPositionAndVelocityAndEndsInTheNewClip)
 {
     Arm arm;
     arm.fade(Arm::wave, 10.3, 0.4f, CLQ_CURVE_INERTIAL);
@@ -93,7 +93,7 @@ TEST(Play, AnInertialFadeKeepsPlaceAndVelocityAndEndsInTheNewClip)
 TEST(Play, GaitsGoInStepAtAnyShareAndThroughItsChanges)
 {
     Arm arm;
-    clq_motion motion = arm.motion(0, 10);
+    clq_fade_target motion = arm.motion(0, 10);
     motion.gait = arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f});
     ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 10, 0, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
     EXPECT_EQ(arm.shown(10.3).size(), 1u) << "a share of 0";
@@ -129,7 +129,7 @@ TEST(Play, GaitsGoInStepAtAnyShareAndThroughItsChanges)
 TEST(Play, AGaitBeginsAtThePhaseOfItsFirstClipWhateverBelongsTogether)
 {
     Arm arm;
-    clq_motion motion = arm.motion(0, 10);
+    clq_fade_target motion = arm.motion(0, 10);
     motion.gait = arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f});
     for (const float phase_s : {0.0f, 0.25f, 0.9f, 1.75f}) {
         motion.play.phase_s = phase_s, motion.share = 0.5f;
@@ -143,7 +143,7 @@ TEST(Play, AMaskedLayerMovesWhatIsBelowItsNodeAndIsOverAfterItsRounds)
     Arm arm;
     clq_layer_def def = clq_layer_def_init();
     def.play.clip = Arm::bent, def.play.start_s = 5;
-    def.rounds = 2, def.fade_in_s = 0.2f, def.fade_out_s = 0.4f;
+    def.loops = 2, def.fade_in_s = 0.2f, def.fade_out_s = 0.4f;
     def.mask = arm.add_mask("elbow", 1);
     ASSERT_EQ(clq_actor_add_layer(arm.crowd, arm.actor, &def, nullptr), CLQ_OK) << clq_last_error();
     for (const double t : {4.9, 5.1, 6.0, 6.8, 7.0, 9.0}) {
@@ -172,11 +172,11 @@ TEST(Play, AnAddedLayerTurnsOnTopAndGoesWhenItIsEnded)
     EXPECT_EQ(clq_actor_end_layer(arm.crowd, arm.actor, layer, 8, 0.5f), CLQ_STALE_ID);
 }
 
-TEST(Play, WhatHasNoRoomBesideWhatRunsIsRefusedAndWhatIsOverMakesRoom)
+TEST(Play, FinishedFadesMakeRoomAndOneWithoutRoomIsRefused)
 {
     Arm arm;
     for (int i = 0; i < 3; ++i) arm.fade(Arm::fast + i, 10 + i, 5);
-    const clq_motion to = arm.motion(Arm::slow, 13);
+    const clq_fade_target to = arm.motion(Arm::slow, 13);
     EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &to, 14, 1, CLQ_CURVE_SMOOTH), CLQ_LIMIT);
     EXPECT_NE(std::string(clq_last_error()).find("at most 3 fades"), std::string::npos) << clq_last_error();
     EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &to, 15, 1, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
@@ -190,7 +190,7 @@ TEST(Play, WhatHasNoRoomBesideWhatRunsIsRefusedAndWhatIsOverMakesRoom)
     EXPECT_EQ(clq_actor_add_layer(arm.crowd, arm.actor, &def, nullptr), CLQ_LIMIT);
 }
 
-TEST(Play, AnyMomentShowsItselfWhateverIsKept)
+TEST(Play, AnyTimeShowsTheSameWhateverIsKept)
 {
     std::vector<uint64_t> hashes[3];
     for (int mode = 0; mode < 3; ++mode) {
@@ -198,13 +198,13 @@ TEST(Play, AnyMomentShowsItselfWhateverIsKept)
         def.cache = mode == 2 ? CLQ_CACHE_NONE : CLQ_CACHE_FULL;
         if (mode == 1) def.cache_budget_bytes = 1;
         Arm arm(&def);
-        clq_motion motion = arm.motion(0, 1);
+        clq_fade_target motion = arm.motion(0, 1);
         motion.gait = arm.add_gait(Arm::slow, Arm::fast);
         motion.share = 0.4f;
         ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 1, 0.5f, CLQ_CURVE_SMOOTH), CLQ_OK);
         arm.fade(Arm::bent, 2, 0.5f);
         clq_layer_def layer = clq_layer_def_init();
-        layer.kind = CLQ_LAYER_ADD, layer.play.clip = Arm::wave, layer.play.start_s = 1.5, layer.rounds = 2;
+        layer.kind = CLQ_LAYER_ADD, layer.play.clip = Arm::wave, layer.play.start_s = 1.5, layer.loops = 2;
         layer.mask = arm.add_mask("hand");
         ASSERT_EQ(clq_actor_add_layer(arm.crowd, arm.actor, &layer, nullptr), CLQ_OK);
         clq_view *view;
@@ -213,7 +213,7 @@ TEST(Play, AnyMomentShowsItselfWhateverIsKept)
         const double eye[3] = {0, 1, 12}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1, 1, 0.1f, 100), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view, &camera), CLQ_OK);
         hashes[mode].resize(60);
         for (int i = 0; i < 60; ++i) {
             const int frame = mode == 0 ? i : (i * 37) % 60;
@@ -223,7 +223,7 @@ TEST(Play, AnyMomentShowsItselfWhateverIsKept)
             clq_actor_info info;
             ASSERT_EQ(clq_actor_get_info(arm.crowd, arm.actor, &info), CLQ_OK);
             ASSERT_EQ(clq_actor_get_node(arm.crowd, arm.actor, 2, NAN, shown), CLQ_OK);
-            ASSERT_EQ(clq_actor_get_node(arm.crowd, arm.actor, 2, info.shown_s, again), CLQ_OK);
+            ASSERT_EQ(clq_actor_get_node(arm.crowd, arm.actor, 2, info.tick_s, again), CLQ_OK);
             for (int k = 0; k < 16; ++k) EXPECT_EQ(shown[k], again[k]) << "at its cached age or exactly";
         }
     }
@@ -232,10 +232,10 @@ TEST(Play, AnyMomentShowsItselfWhateverIsKept)
     EXPECT_NE(hashes[0][24], hashes[0][25]);
 }
 
-TEST(Play, DrawsFollowTheirWeightsAndRepeat)
+TEST(Play, RandomPlaysFollowTheirWeightsAndRepeat)
 {
     Arm arm;
-    clq_variety_def def = clq_variety_def_init();
+    clq_random_play_def def = clq_random_play_def_init();
     const uint32_t clips[3] = {Arm::slow, Arm::fast, Arm::bent};
     const float weights[3] = {1, 0, 3};
     def.clip_count = 3, def.clips = clips, def.weights = weights;
@@ -244,8 +244,8 @@ TEST(Play, DrawsFollowTheirWeightsAndRepeat)
     double least = 9, most = 0;
     for (uint32_t i = 0; i < 4000; ++i) {
         clq_play play, again;
-        ASSERT_EQ(clq_actor_draw_play(arm.crowd, arm.actor, &def, i, 3, &play), CLQ_OK) << clq_last_error();
-        ASSERT_EQ(clq_actor_draw_play(arm.crowd, arm.actor, &def, i, 3, &again), CLQ_OK);
+        ASSERT_EQ(clq_actor_sample_play(arm.crowd, arm.actor, &def, i, 3, &play), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(clq_actor_sample_play(arm.crowd, arm.actor, &def, i, 3, &again), CLQ_OK);
         EXPECT_EQ(play.speed, again.speed);
         ++drawn[play.clip];
         least = std::min(least, double(play.speed)), most = std::max(most, double(play.speed));

@@ -95,7 +95,7 @@ protected:
     clq_context *context_ = nullptr;
 };
 
-TEST_F(Prepare, makes_once_and_then_takes_the_same_bytes_from_disk)
+TEST_F(Prepare, MakesOnceAndThenTakesTheSameBytesFromDisk)
 {
     clq_prepare_report first = {}, second = {};
     const Bytes fresh = made(owl(), first), kept = made(owl(), second);
@@ -107,7 +107,7 @@ TEST_F(Prepare, makes_once_and_then_takes_the_same_bytes_from_disk)
     EXPECT_EQ(read(files()[0]), fresh);
 }
 
-TEST_F(Prepare, mends_a_file_that_was_cut_or_changed)
+TEST_F(Prepare, MendsAFileThatWasCutOrChanged)
 {
     clq_prepare_report report = {};
     const Bytes fresh = made(owl(), report);
@@ -123,7 +123,7 @@ TEST_F(Prepare, mends_a_file_that_was_cut_or_changed)
     }
 }
 
-TEST_F(Prepare, keeps_what_was_asked_for_otherwise_apart)
+TEST_F(Prepare, KeepsWhatWasAskedForOtherwiseApart)
 {
     clq_prepare_report report = {};
     clq_prepare_def def = owl();
@@ -145,7 +145,7 @@ TEST_F(Prepare, keeps_what_was_asked_for_otherwise_apart)
     EXPECT_EQ(files().size(), 5u);
 }
 
-TEST_F(Prepare, sees_that_a_file_beside_the_character_changed)
+TEST_F(Prepare, SeesThatAFileBesideTheCharacterChanged)
 {
     clq_prepare_def def = owl();
     const std::string path = triangle().string(), kept = (folder_ / "kept").string();
@@ -161,7 +161,7 @@ TEST_F(Prepare, sees_that_a_file_beside_the_character_changed)
     EXPECT_FALSE(report.from_disk);
 }
 
-TEST_F(Prepare, works_where_nothing_can_be_kept_and_says_why)
+TEST_F(Prepare, WorksWhereNothingCanBeKeptAndSaysWhy)
 {
     fs::create_directories(folder_);
     clq_prepare_def def = owl();
@@ -177,7 +177,7 @@ TEST_F(Prepare, works_where_nothing_can_be_kept_and_says_why)
     EXPECT_FALSE(report.stored);
 }
 
-TEST_F(Prepare, refuses_what_names_no_one_character)
+TEST_F(Prepare, RefusesWhatNamesNoOneCharacter)
 {
     clq_prepare_def def = owl();
     clq_template *tmpl = nullptr;

@@ -23,8 +23,8 @@ struct Walker {
                 places.push_back(static_cast<float>(x));
             for (const double x : {0.0, std::sin(half), 0.0, std::cos(half)}) turns.push_back(static_cast<float>(x));
         }
-        channels[0] = {0, CLQ_PATH_TRANSLATION, CLQ_LINEAR, 21, times.data(), places.data()};
-        channels[1] = {0, CLQ_PATH_ROTATION, CLQ_LINEAR, 21, times.data(), turns.data()};
+        channels[0] = {0, CLQ_CHANNEL_TRANSLATION, CLQ_INTERPOLATION_LINEAR, 21, times.data(), places.data()};
+        channels[1] = {0, CLQ_CHANNEL_ROTATION, CLQ_INTERPOLATION_LINEAR, 21, times.data(), turns.data()};
         small.clips[0] = {"walk", 2, channels};
         if (taken) small.def.root_motion_count = 1, small.def.root_motions = &wanted;
         EXPECT_EQ(clq_context_create(nullptr, &context), CLQ_OK);
@@ -43,9 +43,9 @@ struct Walker {
     // Of the tip, with the Reference Point at a place and turned.
     void tip(double t, double x, double z, double yaw, double out[3])
     {
-        const clq_place place = {
+        const clq_transform transform = {
             {x, 0, z}, {0, static_cast<float>(std::sin(yaw / 2)), 0, static_cast<float>(std::cos(yaw / 2))}, 1};
-        ASSERT_EQ(clq_crowd_place(crowd, &actor, &place, 1), CLQ_OK);
+        ASSERT_EQ(clq_crowd_set_transforms(crowd, &actor, &transform, 1), CLQ_OK);
         double m[16];
         ASSERT_EQ(clq_actor_get_node(crowd, actor, 1, t, m), CLQ_OK);
         std::memcpy(out, m + 12, 3 * sizeof *out);
@@ -66,7 +66,7 @@ TEST(RootMotion, TakenOutAndGivenBackIsTheClip)
     Walker whole(false), taken(true);
     for (double t = 0; t < 0.999; t += 0.013) {
         double step[3], a[3], b[3];
-        ASSERT_EQ(clq_template_root_motion(taken.tmpl, 0, 0, t, step), CLQ_OK);
+        ASSERT_EQ(clq_template_get_root_motion(taken.tmpl, 0, 0, t, step), CLQ_OK);
         whole.tip(t, 0, 0, 0, a);
         taken.tip(t, step[0], step[1], step[2], b);
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1.5e-3) << t;
@@ -82,7 +82,7 @@ TEST(RootMotion, StepsJoinWhereverTheyAreCutAndGoRound)
     Walker taken(true);
     const auto step = [&](double from, double to) {
         std::array<double, 3> out{};
-        EXPECT_EQ(clq_template_root_motion(taken.tmpl, 0, from, to, out.data()), CLQ_OK);
+        EXPECT_EQ(clq_template_get_root_motion(taken.tmpl, 0, from, to, out.data()), CLQ_OK);
         return out;
     };
     const auto joined = [](const std::array<double, 3> &a, const std::array<double, 3> &b) {

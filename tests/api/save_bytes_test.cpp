@@ -12,7 +12,7 @@ class SaveBytes : public SaveFixture
 
 }  // namespace
 
-TEST_F(SaveBytes, bytes_that_are_cut_changed_or_of_another_version_are_refused)
+TEST_F(SaveBytes, BytesThatAreCutChangedOrOfAnotherVersionAreRefused)
 {
     const Bytes bytes = saved::save(crowd_);
     refused({}, CLQ_ARGUMENT, "bytes is NULL");
@@ -43,23 +43,23 @@ TEST_F(SaveBytes, bytes_that_are_cut_changed_or_of_another_version_are_refused)
     EXPECT_EQ(saved::save(crowd_), bytes);
 }
 
-TEST_F(SaveBytes, forged_bytes_are_refused_or_give_a_crowd_that_works)
+TEST_F(SaveBytes, ForgedBytesAreRefusedOrGiveACrowdThatWorks)
 {
-    crowd_ = stage_.new_crowd();
-    stage_.set_up(crowd_);
-    actors_ = stage_.fill(crowd_, 3, 4);
-    const clq_place in_front = {{0, 1, -8}, {0, 0, 0, 1}, 1};
-    ASSERT_EQ(clq_crowd_place(crowd_, actors_.data(), &in_front, 1), CLQ_OK);
-    for (uint32_t kind = Stage::gaze; kind <= Stage::host; ++kind) {
-        const clq_use use = {{kind + 1}, 1, 0, 0};
-        ASSERT_EQ(clq_actor_use(crowd_, actors_[0], &use), CLQ_OK) << clq_last_error();
+    crowd_ = test_world_.new_crowd();
+    test_world_.set_up(crowd_);
+    actors_ = test_world_.fill(crowd_, 3, 4);
+    const clq_transform in_front = {{0, 1, -8}, {0, 0, 0, 1}, 1};
+    ASSERT_EQ(clq_crowd_set_transforms(crowd_, actors_.data(), &in_front, 1), CLQ_OK);
+    for (uint32_t kind = TestWorld::gaze; kind <= TestWorld::host; ++kind) {
+        const clq_mechanism_attachment use = {{kind + 1}, 1, 0, 0};
+        ASSERT_EQ(clq_actor_attach_mechanism(crowd_, actors_[0], &use), CLQ_OK) << clq_last_error();
     }
     const double point[3] = {3, 1, 2};
-    ASSERT_EQ(clq_actor_gaze(crowd_, actors_[0], {Stage::gaze + 1}, point, 0.5), CLQ_OK);
-    ASSERT_EQ(clq_actor_express(crowd_, actors_[0], {Stage::expression + 1}, 0, 0.5), CLQ_OK);
-    ASSERT_EQ(clq_actor_express(crowd_, actors_[0], {Stage::expression + 1}, 1, 0.9), CLQ_OK);
-    ASSERT_EQ(clq_actor_say(crowd_, actors_[0], {Stage::phrase + 1}, 0.5), CLQ_OK);
-    clq_view *view = stage_.new_view(crowd_, 0);
+    ASSERT_EQ(clq_actor_gaze(crowd_, actors_[0], {TestWorld::gaze + 1}, point, 0.5), CLQ_OK);
+    ASSERT_EQ(clq_actor_express(crowd_, actors_[0], {TestWorld::expression + 1}, 0, 0.5), CLQ_OK);
+    ASSERT_EQ(clq_actor_express(crowd_, actors_[0], {TestWorld::expression + 1}, 1, 0.9), CLQ_OK);
+    ASSERT_EQ(clq_actor_say(crowd_, actors_[0], {TestWorld::phrase + 1}, 0.5), CLQ_OK);
+    clq_view *view = test_world_.new_view(crowd_, 0);
     const Bytes bytes = saved::save(crowd_);
     uint32_t taken = 0, refused_count = 0;
     for (size_t at = saved::header_bytes; at < bytes.size(); ++at)
@@ -68,12 +68,12 @@ TEST_F(SaveBytes, forged_bytes_are_refused_or_give_a_crowd_that_works)
             if (other[at] == value) continue;
             other[at] = value;
             saved::forge(other);
-            const uint64_t before = clq_crowd_fingerprint(crowd_);
+            const uint64_t before = clq_crowd_hash(crowd_);
             const clq_status status = restore(crowd_, other);
             if (status != CLQ_OK) {
                 ++refused_count;
                 ASSERT_TRUE(status == CLQ_FORMAT || status == CLQ_ARGUMENT) << clq_last_error();
-                ASSERT_EQ(clq_crowd_fingerprint(crowd_), before) << at << clq_last_error();
+                ASSERT_EQ(clq_crowd_hash(crowd_), before) << at << clq_last_error();
                 continue;
             }
             ++taken;

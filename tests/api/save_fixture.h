@@ -4,34 +4,34 @@
 #include <string>
 
 #include "tests/api/saved_bytes.h"
-#include "tests/api/stage.h"
+#include "tests/api/test_world.h"
 
 class SaveFixture : public testing::Test
 {
 protected:
-    SaveFixture() : crowd_(stage_.new_crowd())
+    SaveFixture() : crowd_(test_world_.new_crowd())
     {
-        stage_.set_up(crowd_);
-        actors_ = stage_.fill(crowd_, 40, 1);
+        test_world_.set_up(crowd_);
+        actors_ = test_world_.fill(crowd_, 40, 1);
     }
     clq_crowd *other()  // set up as a host would, and with other people in it
     {
-        clq_crowd *crowd = stage_.new_crowd();
-        stage_.set_up(crowd);
-        stage_.fill(crowd, 25, 2);
+        clq_crowd *crowd = test_world_.new_crowd();
+        test_world_.set_up(crowd);
+        test_world_.fill(crowd, 25, 2);
         return crowd;
     }
     clq_status restore(clq_crowd *crowd, const saved::Bytes &bytes)
     {
-        return clq_crowd_restore(crowd, bytes.data(), bytes.size(), stage_.templates, 2);
+        return clq_crowd_restore(crowd, bytes.data(), bytes.size(), test_world_.templates, 2);
     }
     // A story of 100 frames; the hashes of what two views show.
     std::vector<uint64_t> story(clq_crowd *crowd, std::vector<clq_actor> actors, uint64_t seed)
     {
         std::vector<uint64_t> out;
-        clq_view *views[2] = {stage_.new_view(crowd, 0), stage_.new_view(crowd, 12)};
+        clq_view *views[2] = {test_world_.new_view(crowd, 0), test_world_.new_view(crowd, 12)};
         for (uint32_t frame = 0; frame < 100; ++frame) {
-            stage_.happen(crowd, actors, seed, frame);
+            test_world_.happen(crowd, actors, seed, frame);
             EXPECT_EQ(clq_crowd_update(crowd, 3 + 0.05 * frame, views, 2), CLQ_OK) << clq_last_error();
             out.push_back(clq_view_hash(views[0]));
             out.push_back(clq_view_hash(views[1]));
@@ -41,13 +41,13 @@ protected:
     }
     void refused(const saved::Bytes &bytes, clq_status status, const char *sentence)
     {
-        const uint64_t before = clq_crowd_fingerprint(crowd_);
+        const uint64_t before = clq_crowd_hash(crowd_);
         EXPECT_EQ(restore(crowd_, bytes), status) << sentence;
         EXPECT_NE(std::string(clq_last_error()).find(sentence), std::string::npos) << clq_last_error();
-        EXPECT_EQ(clq_crowd_fingerprint(crowd_), before) << sentence;
+        EXPECT_EQ(clq_crowd_hash(crowd_), before) << sentence;
     }
 
-    Stage stage_;
+    TestWorld test_world_;
     clq_crowd *crowd_;
     std::vector<clq_actor> actors_;
 };

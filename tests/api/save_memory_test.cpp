@@ -1,40 +1,40 @@
 // Saving asks for no memory; restoring that finds none changes nothing.
 #include "tests/api/failing_memory.h"
 #include "tests/api/saved_bytes.h"
-#include "tests/api/stage.h"
+#include "tests/api/test_world.h"
 
 namespace fm = failing_memory;
 
-TEST(save_memory, saving_and_the_fingerprint_ask_for_none)
+TEST(SaveMemory, SavingAndHashingAllocateNothing)
 {
-    Stage stage;
-    clq_crowd *crowd = stage.new_crowd();
-    stage.set_up(crowd);
-    stage.fill(crowd, 30, 1);
+    TestWorld test_world;
+    clq_crowd *crowd = test_world.new_crowd();
+    test_world.set_up(crowd);
+    test_world.fill(crowd, 30, 1);
     const auto forget = [](void *, const void *, size_t) { return 0; };
     fm::arm(0, fm::Reach::everything);
     const clq_status status = clq_crowd_save(crowd, forget, nullptr);
-    clq_crowd_fingerprint(crowd);
+    clq_crowd_hash(crowd);
     EXPECT_EQ(fm::disarm(), 0u);
     EXPECT_EQ(status, CLQ_OK) << clq_last_error();
 }
 
-TEST(save_memory, restoring_fails_cleanly_at_every_allocation)
+TEST(SaveMemory, RestoringFailsCleanlyAtEveryAllocation)
 {
     clq_context_def def = clq_context_def_init();
     def.allocator = fm::allocator;
     {
-        Stage stage(&def);
-        clq_crowd *from = stage.new_crowd(), *to = stage.new_crowd();
-        stage.set_up(from);
-        stage.fill(from, 20, 1);
+        TestWorld test_world(&def);
+        clq_crowd *from = test_world.new_crowd(), *to = test_world.new_crowd();
+        test_world.set_up(from);
+        test_world.fill(from, 20, 1);
         const saved::Bytes bytes = saved::save(from);
-        stage.set_up(to);
-        std::vector<clq_actor> people = stage.fill(to, 12, 2);
+        test_world.set_up(to);
+        std::vector<clq_actor> people = test_world.fill(to, 12, 2);
         // Hooks that have to be taken over ask for memory as well.
         const clq_actor_hooks hooks = {[](void *, clq_actor) { return 0; }, nullptr, nullptr};
         for (const clq_actor actor : people) ASSERT_EQ(clq_actor_set_hooks(to, actor, &hooks), CLQ_OK);
-        clq_view *view = stage.new_view(to, 0);
+        clq_view *view = test_world.new_view(to, 0);
         ASSERT_EQ(clq_crowd_update(to, 1, &view, 1), CLQ_OK);
         const uint64_t shown = clq_view_hash(view);
         const saved::Bytes before = saved::save(to);
@@ -42,7 +42,7 @@ TEST(save_memory, restoring_fails_cleanly_at_every_allocation)
         for (;; ++n) {
             const int64_t held = fm::host_bytes();
             fm::arm(n, fm::Reach::everything);
-            const clq_status status = clq_crowd_restore(to, bytes.data(), bytes.size(), stage.templates, 2);
+            const clq_status status = clq_crowd_restore(to, bytes.data(), bytes.size(), test_world.templates, 2);
             if (fm::disarm() < n) {
                 EXPECT_EQ(status, CLQ_OK) << clq_last_error();
                 break;
@@ -55,10 +55,10 @@ TEST(save_memory, restoring_fails_cleanly_at_every_allocation)
         EXPECT_EQ(saved::save(to), bytes);
         EXPECT_EQ(clq_view_hash(view), shown);
         for (int i = 0; i < 200; ++i)
-            ASSERT_EQ(clq_crowd_restore(to, bytes.data(), bytes.size(), stage.templates, 2), CLQ_OK);
+            ASSERT_EQ(clq_crowd_restore(to, bytes.data(), bytes.size(), test_world.templates, 2), CLQ_OK);
         const int64_t held = fm::host_bytes();
         for (int i = 0; i < 200; ++i)
-            ASSERT_EQ(clq_crowd_restore(to, bytes.data(), bytes.size(), stage.templates, 2), CLQ_OK);
+            ASSERT_EQ(clq_crowd_restore(to, bytes.data(), bytes.size(), test_world.templates, 2), CLQ_OK);
         EXPECT_EQ(fm::host_bytes(), held) << "going back again and again keeps nothing";
     }
     EXPECT_EQ(fm::host_bytes(), 0);

@@ -14,13 +14,13 @@ double slope(void *, const double point[3]) { return 0.1 * point[0]; }
 
 }  // namespace
 
-TEST_F(Save, a_fresh_crowd_restored_goes_on_as_the_saved_one)
+TEST_F(Save, AFreshCrowdRestoredGoesOnAsTheSavedOne)
 {
     const Bytes bytes = saved::save(crowd_);
-    clq_crowd *fresh = stage_.new_crowd();
-    stage_.set_up(fresh);
+    clq_crowd *fresh = test_world_.new_crowd();
+    test_world_.set_up(fresh);
     ASSERT_EQ(restore(fresh, bytes), CLQ_OK) << clq_last_error();
-    EXPECT_EQ(clq_crowd_fingerprint(fresh), clq_crowd_fingerprint(crowd_));
+    EXPECT_EQ(clq_crowd_hash(fresh), clq_crowd_hash(crowd_));
     EXPECT_EQ(clq_crowd_actor_count(fresh), clq_crowd_actor_count(crowd_));
     EXPECT_EQ(saved::save(fresh), bytes);
     const std::vector<uint64_t> shown = story(crowd_, actors_, 7);
@@ -29,9 +29,9 @@ TEST_F(Save, a_fresh_crowd_restored_goes_on_as_the_saved_one)
     EXPECT_EQ(saved::save(fresh), saved::save(crowd_)) << "the same calls gave the same ids";
 }
 
-TEST_F(Save, a_crowd_goes_back_in_time_and_shows_the_same_again)
+TEST_F(Save, ACrowdGoesBackInTimeAndShowsTheSameAgain)
 {
-    clq_view *view = stage_.new_view(crowd_, 0);
+    clq_view *view = test_world_.new_view(crowd_, 0);
     const Bytes bytes = saved::save(crowd_);
     const std::vector<uint64_t> first = story(crowd_, actors_, 7);
     for (int take = 0; take < 3; ++take) {
@@ -45,15 +45,15 @@ TEST_F(Save, a_crowd_goes_back_in_time_and_shows_the_same_again)
     }
 }
 
-TEST_F(Save, another_crowds_state_replaces_everything_that_was_there)
+TEST_F(Save, AnotherCrowdsStateReplacesEverythingThatWasThere)
 {
     clq_crowd *full = other();
     const std::vector<uint64_t> shown = story(crowd_, actors_, 7);
     const Bytes bytes = saved::save(crowd_);
-    story(full, stage_.fill(full, 60, 3), 9);
+    story(full, test_world_.fill(full, 60, 3), 9);
     ASSERT_EQ(restore(full, bytes), CLQ_OK) << clq_last_error();
     EXPECT_EQ(saved::save(full), bytes);
-    clq_view *views[2] = {stage_.new_view(crowd_, 0), stage_.new_view(full, 0)};
+    clq_view *views[2] = {test_world_.new_view(crowd_, 0), test_world_.new_view(full, 0)};
     for (int frame = 0; frame < 20; ++frame) {
         ASSERT_EQ(clq_crowd_update(crowd_, 9 + 0.1 * frame, &views[0], 1), CLQ_OK);
         ASSERT_EQ(clq_crowd_update(full, 9 + 0.1 * frame, &views[1], 1), CLQ_OK);
@@ -61,11 +61,11 @@ TEST_F(Save, another_crowds_state_replaces_everything_that_was_there)
     }
 }
 
-TEST_F(Save, ids_are_valid_again_and_stale_where_they_were_stale)
+TEST_F(Save, IdsAreValidAgainAndStaleWhereTheyWereStale)
 {
     const clq_actor gone = actors_[3];
     ASSERT_EQ(clq_actor_destroy(crowd_, gone), CLQ_OK);
-    clq_attached object, lost;
+    clq_attachment object, lost;
     const float centre[3] = {0, 0, 0};
     ASSERT_EQ(clq_actor_attach(crowd_, actors_[4], 0, centre, 1, &lost), CLQ_OK);
     ASSERT_EQ(clq_actor_detach(crowd_, lost), CLQ_OK);
@@ -74,7 +74,7 @@ TEST_F(Save, ids_are_valid_again_and_stale_where_they_were_stale)
     ASSERT_EQ(clq_actor_get_info(crowd_, actors_[4], &before), CLQ_OK);
     const Bytes bytes = saved::save(crowd_);
     clq_crowd *crowd = other();
-    clq_view *view = stage_.new_view(crowd, 0);
+    clq_view *view = test_world_.new_view(crowd, 0);
     ASSERT_EQ(clq_crowd_update(crowd, 1, &view, 1), CLQ_OK);
     ASSERT_EQ(restore(crowd, bytes), CLQ_OK) << clq_last_error();
     for (const clq_actor actor : actors_)
@@ -90,7 +90,7 @@ TEST_F(Save, ids_are_valid_again_and_stale_where_they_were_stale)
     ASSERT_EQ(clq_actor_get_info(crowd, actors_[4], &after), CLQ_OK);
     EXPECT_LT(after.sklsroot_radius, before.sklsroot_radius) << "what is attached is held by its actor again";
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = stage_.templates[1];
+    def.tmpl = test_world_.templates[1];
     clq_actor next, same;
     ASSERT_EQ(clq_actor_create(crowd_, &def, &next), CLQ_OK);
     ASSERT_EQ(clq_actor_create(crowd, &def, &same), CLQ_OK);
@@ -98,35 +98,35 @@ TEST_F(Save, ids_are_valid_again_and_stale_where_they_were_stale)
     EXPECT_EQ(same.generation, next.generation);
 }
 
-TEST_F(Save, the_ground_stays_with_the_crowd)
+TEST_F(Save, TheGroundStaysWithTheCrowd)
 {
     for (const clq_actor actor : actors_) ASSERT_EQ(clq_actor_follow_ground(crowd_, actor, 5, 5), CLQ_OK);
     const Bytes bytes = saved::save(crowd_);
     ASSERT_EQ(clq_crowd_set_ground(crowd_, slope, nullptr), CLQ_OK);
     EXPECT_EQ(saved::save(crowd_), bytes) << "a callback is no state";
-    clq_crowd *fresh = stage_.new_crowd();
-    stage_.set_up(fresh);
+    clq_crowd *fresh = test_world_.new_crowd();
+    test_world_.set_up(fresh);
     ASSERT_EQ(clq_crowd_set_ground(fresh, slope, nullptr), CLQ_OK);
     ASSERT_EQ(restore(fresh, bytes), CLQ_OK) << clq_last_error();
     EXPECT_EQ(story(fresh, actors_, 3), story(crowd_, actors_, 3));
 }
 
-TEST_F(Save, host_mechanisms_are_taken_over_by_number_or_refused_by_it)
+TEST_F(Save, HostMechanismsAreTakenOverByNumberOrRefusedByIt)
 {
     const Bytes bytes = saved::save(crowd_);
-    clq_crowd *bare = stage_.new_crowd();
-    const uint64_t before = clq_crowd_fingerprint(bare);
+    clq_crowd *bare = test_world_.new_crowd();
+    const uint64_t before = clq_crowd_hash(bare);
     EXPECT_EQ(restore(bare, bytes), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("mechanism 6 of the saved crowd is the host's own"), std::string::npos)
         << clq_last_error();
-    EXPECT_EQ(clq_crowd_fingerprint(bare), before);
+    EXPECT_EQ(clq_crowd_hash(bare), before);
 
     // One with a memory where the saved one has none.
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = stage_.templates[0];
+    def.tmpl = test_world_.templates[0];
     clq_actor actor;
     ASSERT_EQ(clq_actor_create(bare, &def, &actor), CLQ_OK);
-    clq_mechanism_def wanted = stage_.mechanism(Stage::host);
+    clq_mechanism_def wanted = test_world_.mechanism(TestWorld::host);
     wanted.host.has_memory = 1;
     clq_mechanism made;
     for (int i = 0; i < 6; ++i) ASSERT_EQ(clq_crowd_add_mechanism(bare, &wanted, &made), CLQ_OK);
@@ -135,7 +135,7 @@ TEST_F(Save, host_mechanisms_are_taken_over_by_number_or_refused_by_it)
         << clq_last_error();
 }
 
-TEST_F(Save, templates_are_found_by_name_and_structure)
+TEST_F(Save, TemplatesAreFoundByNameAndStructure)
 {
     const Bytes bytes = saved::save(crowd_);
     const auto with = [&](std::vector<clq_template *> templates) {
@@ -145,26 +145,26 @@ TEST_F(Save, templates_are_found_by_name_and_structure)
     const auto says = [](const char *sentence) {
         return std::string(clq_last_error()).find(sentence) != std::string::npos ? "" : clq_last_error();
     };
-    const uint64_t before = clq_crowd_fingerprint(crowd_);
-    EXPECT_EQ(with({stage_.templates[1]}), CLQ_ARGUMENT);
+    const uint64_t before = clq_crowd_hash(crowd_);
+    EXPECT_EQ(with({test_world_.templates[1]}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 'figure' of the saved crowd is not among those given"), "");
-    EXPECT_EQ(with({stage_.templates[0], stage_.templates[0]}), CLQ_ARGUMENT);
+    EXPECT_EQ(with({test_world_.templates[0], test_world_.templates[0]}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("templates 0 and 1 are the same"), "");
-    EXPECT_EQ(with({stage_.templates[0], nullptr}), CLQ_ARGUMENT);
+    EXPECT_EQ(with({test_world_.templates[0], nullptr}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 1 is NULL"), "");
-    stage_.dofs[Stage::turn].last = 0.9f;
+    test_world_.dofs[TestWorld::turn].max = 0.9f;
     clq_template *changed = nullptr, *foreign = nullptr, *same = nullptr;
-    ASSERT_EQ(clq_template_build(stage_.context, &stage_.with_dofs.def, &changed), CLQ_OK);
-    stage_.dofs[Stage::turn].last = 1;
-    EXPECT_EQ(with({changed, stage_.templates[1]}), CLQ_ARGUMENT);
+    ASSERT_EQ(clq_template_build(test_world_.context, &test_world_.with_dofs.def, &changed), CLQ_OK);
+    test_world_.dofs[TestWorld::turn].max = 1;
+    EXPECT_EQ(with({changed, test_world_.templates[1]}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 'figure' is not the one that the saved crowd used"), "");
-    Stage abroad;
-    EXPECT_EQ(with({stage_.templates[0], abroad.templates[1]}), CLQ_ARGUMENT);
+    TestWorld abroad;
+    EXPECT_EQ(with({test_world_.templates[0], abroad.templates[1]}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 1 was made from another context"), "");
-    EXPECT_EQ(clq_crowd_fingerprint(crowd_), before);
+    EXPECT_EQ(clq_crowd_hash(crowd_), before);
     // One that was built anew serves as well, in any order, and is held.
-    ASSERT_EQ(clq_template_build(stage_.context, &stage_.with_dofs.def, &same), CLQ_OK);
-    EXPECT_EQ(with({changed, stage_.templates[1], same}), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(clq_template_build(test_world_.context, &test_world_.with_dofs.def, &same), CLQ_OK);
+    EXPECT_EQ(with({changed, test_world_.templates[1], same}), CLQ_OK) << clq_last_error();
     for (clq_template *tmpl : {changed, foreign, same}) clq_template_destroy(tmpl);
     EXPECT_EQ(saved::save(crowd_), bytes);
     clq_actor_info info;
@@ -173,24 +173,24 @@ TEST_F(Save, templates_are_found_by_name_and_structure)
     story(crowd_, actors_, 3);
 }
 
-TEST_F(Save, no_cache_takes_its_poses_for_those_of_another_state)
+TEST_F(Save, NoCacheTakesItsPosesForThoseOfAnotherState)
 {
-    clq_crowd *fresh = stage_.new_crowd();
-    stage_.set_up(crowd_ = stage_.new_crowd());
-    stage_.set_up(fresh);
-    const clq_place in_front = {{0, 1, -8}, {0, 0, 0, 1}, 1};
-    const clq_use use = {{Stage::gaze + 1}, 1, 0, 0};
+    clq_crowd *fresh = test_world_.new_crowd();
+    test_world_.set_up(crowd_ = test_world_.new_crowd());
+    test_world_.set_up(fresh);
+    const clq_transform in_front = {{0, 1, -8}, {0, 0, 0, 1}, 1};
+    const clq_mechanism_attachment use = {{TestWorld::gaze + 1}, 1, 0, 0};
     const clq_actor actor = {1, 1};
-    ASSERT_EQ(clq_crowd_place(crowd_, &actor, &in_front, 1), CLQ_OK);
-    ASSERT_EQ(clq_actor_use(crowd_, actor, &use), CLQ_OK);
+    ASSERT_EQ(clq_crowd_set_transforms(crowd_, &actor, &in_front, 1), CLQ_OK);
+    ASSERT_EQ(clq_actor_attach_mechanism(crowd_, actor, &use), CLQ_OK);
     // Two states that differ in nothing but where one actor looks.
     Bytes states[2];
     for (int i = 0; i < 2; ++i) {
         const double point[3] = {i ? 9.0 : -9.0, 1, 2};
-        ASSERT_EQ(clq_actor_gaze(crowd_, actor, {Stage::gaze + 1}, point, 0), CLQ_OK);
+        ASSERT_EQ(clq_actor_gaze(crowd_, actor, {TestWorld::gaze + 1}, point, 0), CLQ_OK);
         states[i] = saved::save(crowd_);
     }
-    clq_view *view = stage_.new_view(crowd_, 0), *fresh_view = stage_.new_view(fresh, 0);
+    clq_view *view = test_world_.new_view(crowd_, 0), *fresh_view = test_world_.new_view(fresh, 0);
     uint64_t last = 0;
     for (int take = 0; take < 4; ++take) {
         ASSERT_EQ(restore(crowd_, states[take % 2]), CLQ_OK) << clq_last_error();
@@ -205,7 +205,7 @@ TEST_F(Save, no_cache_takes_its_poses_for_those_of_another_state)
     }
 }
 
-TEST_F(Save, a_writer_that_refuses_stops_it)
+TEST_F(Save, AWriterThatRefusesStopsIt)
 {
     const auto none = [](void *, const void *, size_t) { return 1; };
     EXPECT_EQ(clq_crowd_save(crowd_, none, nullptr), CLQ_IO);

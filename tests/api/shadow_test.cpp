@@ -6,7 +6,7 @@
 #include <string>
 
 #include "samples/contexts/offscreen.h"
-#include "tests/api/stage.h"
+#include "tests/api/test_world.h"
 
 namespace
 {
@@ -19,27 +19,27 @@ protected:
         std::string why_not;
         screen_ = contexts::make_offscreen(contexts::Kind::any, 96, 72, contexts::PixelFormat::rgba8888, why_not);
         if (!screen_) GTEST_SKIP() << "no software GL here: " << why_not;
-        crowd_ = stage_.new_crowd();
+        crowd_ = test_world_.new_crowd();
         clq_actor_def def = clq_actor_def_init();
-        def.tmpl = stage_.templates[0];
+        def.tmpl = test_world_.templates[0];
         for (int k = 0; k < 12; ++k) {
-            def.place.position[0] = k;
-            def.place.position[1] = 1;
+            def.transform.position[0] = k;
+            def.transform.position[1] = 1;
             clq_actor actor;
             ASSERT_EQ(clq_actor_create(crowd_, &def, &actor), CLQ_OK) << clq_last_error();
         }
-        view_ = stage_.new_view(crowd_, 5);
+        view_ = test_world_.new_view(crowd_, 5);
         clq_camera camera;
         const double eye[3] = {5, 6, 14}, target[3] = {5, 1, 0};
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 4.0f / 3.0f, 0.5f, 100), CLQ_OK);
-        ASSERT_EQ(clq_view_look(view_, &camera), CLQ_OK);
+        ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
         ASSERT_EQ(clq_crowd_update(crowd_, 1.0, &view_, 1), CLQ_OK) << clq_last_error();
         clq_renderer_def renderer = clq_renderer_def_init();
         renderer.get_proc_address = screen_->get_proc_address();
         renderer.user = screen_->user();
-        ASSERT_EQ(clq_renderer_create(stage_.context, &renderer, &renderer_), CLQ_OK) << clq_last_error();
-        for (clq_template *tmpl : stage_.templates) ASSERT_EQ(clq_renderer_prepare(renderer_, tmpl), CLQ_OK);
+        ASSERT_EQ(clq_renderer_create(test_world_.context, &renderer, &renderer_), CLQ_OK) << clq_last_error();
+        for (clq_template *tmpl : test_world_.templates) ASSERT_EQ(clq_renderer_prepare(renderer_, tmpl), CLQ_OK);
     }
     void TearDown() override { clq_renderer_destroy(renderer_); }
 
@@ -55,14 +55,14 @@ protected:
         EXPECT_NE(std::string(clq_last_error()).find(because), std::string::npos) << clq_last_error();
     }
 
-    Stage stage_;
+    TestWorld test_world_;
     std::unique_ptr<contexts::Offscreen> screen_;
     clq_crowd *crowd_ = nullptr;
     clq_view *view_ = nullptr;
     clq_renderer *renderer_ = nullptr;
 };
 
-TEST_F(Shadow, a_def_that_makes_no_sense_is_refused_with_its_reason)
+TEST_F(Shadow, ADefThatMakesNoSenseIsRefusedWithItsReason)
 {
     refused("light is not finite", [](clq_shadow_def &d) { d.light[1] = NAN; });
     refused("light[3] is 0.5", [](clq_shadow_def &d) { d.light[3] = 0.5; });
@@ -85,7 +85,7 @@ TEST_F(Shadow, a_def_that_makes_no_sense_is_refused_with_its_reason)
     EXPECT_EQ(draw(def), CLQ_GL_STATE);
 }
 
-TEST_F(Shadow, nobody_is_posed_or_skinned_for_it)
+TEST_F(Shadow, NothingIsPosedOrSkinnedForIt)
 {
     clq_crowd_stats before, after;
     ASSERT_EQ(clq_crowd_get_stats(crowd_, &before), CLQ_OK);
@@ -105,7 +105,7 @@ TEST_F(Shadow, nobody_is_posed_or_skinned_for_it)
     EXPECT_EQ(after.animated, before.animated);
 }
 
-TEST_F(Shadow, the_hosts_ground_is_asked_at_everybodys_reference_point)
+TEST_F(Shadow, TheHostsGroundIsSampledAtEveryReferencePoint)
 {
     struct Asked {
         double sum = 0;

@@ -15,7 +15,7 @@ protected:
     const clq_simd before_ = clq_simd_in_use();
 };
 
-TEST_F(Simd, is_read_back_as_it_was_said)
+TEST_F(Simd, IsReadBackAsItWasSaid)
 {
     for (const clq_simd simd : {CLQ_SIMD_SCALAR, CLQ_SIMD_128, CLQ_SIMD_256, CLQ_SIMD_FMA}) {
         const clq_simd was = clq_simd_in_use();
@@ -30,7 +30,7 @@ TEST_F(Simd, is_read_back_as_it_was_said)
     }
 }
 
-TEST_F(Simd, is_the_widest_of_equal_bits_where_nothing_is_named)
+TEST_F(Simd, IsTheWidestOfEqualBitsWhereNothingIsNamed)
 {
     ASSERT_EQ(clq_simd_use(CLQ_SIMD_WIDEST), CLQ_OK);
     const clq_simd widest = clq_simd_in_use();
@@ -38,7 +38,7 @@ TEST_F(Simd, is_the_widest_of_equal_bits_where_nothing_is_named)
     EXPECT_EQ(clq_simd_use(CLQ_SIMD_256), widest == CLQ_SIMD_256 ? CLQ_OK : CLQ_UNSUPPORTED);
 }
 
-TEST_F(Simd, of_no_name_is_refused_and_changes_nothing)
+TEST_F(Simd, OfNoNameIsRefusedAndChangesNothing)
 {
     const int number = 5;
     clq_simd none;

@@ -43,7 +43,7 @@ SmallTemplate::SmallTemplate()
     const float times[3] = {0, 0.5f, 1}, values[12] = {0, 0, 0, 1, 0, 0, 0.5f, 0.8660254f, 0, 0, 0, 1};
     std::memcpy(times_, times, sizeof times);
     std::memcpy(values_, values, sizeof values);
-    channels[0] = {1, CLQ_PATH_ROTATION, CLQ_LINEAR, 3, times_, values_};
+    channels[0] = {1, CLQ_CHANNEL_ROTATION, CLQ_INTERPOLATION_LINEAR, 3, times_, values_};
     clips[0] = {"bend", 1, channels};
 
     def = clq_template_def_init();

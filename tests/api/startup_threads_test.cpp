@@ -60,8 +60,8 @@ Made made(Context &host, const char *figure, bool plain)
     clq_asset *asset = nullptr;
     EXPECT_EQ(clq_asset_builtin(host.context, figure, &asset), CLQ_OK) << clq_last_error();
     clq_levels_def def = clq_levels_def_init();
-    def.plain = plain;
-    std::vector<clq_made_level> levels(32);
+    def.quadric_only = plain;
+    std::vector<clq_level_report> levels(32);
     uint32_t count = 0;
     EXPECT_EQ(clq_asset_make_levels(host.context, asset, &def, levels.data(), 32, &count), CLQ_OK) << clq_last_error();
     EXPECT_GT(count, 8u);
@@ -96,11 +96,11 @@ void is_the_same_by_threads(const char *figure, bool plain)
 
 }  // namespace
 
-TEST(StartUp, of_a_figure_is_the_same_by_two_and_five_threads) { is_the_same_by_threads("citizen", false); }
+TEST(StartUp, OfAFigureIsTheSameByTwoAndFiveThreads) { is_the_same_by_threads("citizen", false); }
 
-TEST(StartUp, of_another_by_a_quadric_alone_is_too) { is_the_same_by_threads("decurion", true); }
+TEST(StartUp, OfAnotherByQuadricOnlyIsToo) { is_the_same_by_threads("decurion", true); }
 
-TEST(Tasks, of_a_context_are_lent_to_others_and_run_each_job_once)
+TEST(Tasks, OfAContextAreLentToOthersAndRunEachJobOnce)
 {
     for (const uint32_t threads : {1u, 3u}) {
         Context host(threads);
@@ -113,7 +113,7 @@ TEST(Tasks, of_a_context_are_lent_to_others_and_run_each_job_once)
 }
 
 // A failure in a task is the call's.
-TEST(StartUp, refuses_by_threads_what_it_refuses_alone)
+TEST(StartUp, RefusesByThreadsWhatItRefusesAlone)
 {
     for (const uint32_t threads : {1u, 4u}) {
         Context host(threads);

@@ -42,7 +42,7 @@ protected:
 
 }  // namespace
 
-TEST_F(Templates, the_first_broken_rule_is_named)
+TEST_F(Templates, TheFirstBrokenRuleIsNamed)
 {
     refused([](SmallTemplate &s) { s.nodes[0].parent = 1; }, CLQ_ARGUMENT, "root");
     refused([](SmallTemplate &s) { s.joints[1].node = 9; }, CLQ_ARGUMENT, "9");
@@ -64,7 +64,7 @@ TEST_F(Templates, the_first_broken_rule_is_named)
     refused([](SmallTemplate &s) { s.def.struct_bytes = 8; }, CLQ_STRUCT_SIZE, "clq_template_def_init");
 }
 
-TEST_F(Templates, facts_of_the_split_are_those_of_the_strip)
+TEST_F(Templates, FactsOfTheSplitAreThoseOfTheStrip)
 {
     SmallTemplate small;
     clq_template *tmpl = nullptr;
@@ -94,7 +94,7 @@ TEST_F(Templates, facts_of_the_split_are_those_of_the_strip)
     clq_template_destroy(tmpl);
 }
 
-TEST_F(Templates, a_prepared_template_comes_back_the_same_and_a_damaged_one_does_not)
+TEST_F(Templates, APreparedTemplateComesBackTheSameAndADamagedOneDoesNot)
 {
     SmallTemplate small;
     clq_template *tmpl = nullptr, *again = nullptr;
@@ -116,7 +116,7 @@ TEST_F(Templates, a_prepared_template_comes_back_the_same_and_a_damaged_one_does
     }
 }
 
-TEST_F(Templates, a_writer_that_refuses_is_an_io_error)
+TEST_F(Templates, AWriterThatRefusesIsAnIoError)
 {
     SmallTemplate small;
     clq_template *tmpl = nullptr;
@@ -127,7 +127,7 @@ TEST_F(Templates, a_writer_that_refuses_is_an_io_error)
     clq_template_destroy(tmpl);
 }
 
-TEST_F(Templates, a_texture_tells_its_texels_and_their_zones)
+TEST_F(Templates, ATextureReturnsItsTexelsAndTheirZones)
 {
     SmallTemplate small;
     clq_template *tmpl = nullptr;
@@ -149,7 +149,7 @@ TEST_F(Templates, a_texture_tells_its_texels_and_their_zones)
     clq_template_destroy(tmpl);
 }
 
-TEST_F(Templates, the_split_picture_is_as_large_as_said)
+TEST_F(Templates, TheSplitPictureIsAsLargeAsSaid)
 {
     SmallTemplate small;
     clq_template *tmpl = nullptr;

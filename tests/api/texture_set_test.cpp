@@ -67,7 +67,7 @@ protected:
 
 }  // namespace
 
-TEST_F(TextureSet, a_template_knows_its_sets_by_number_and_by_name)
+TEST_F(TextureSet, ATemplateKnowsItsSetsByNumberAndByName)
 {
     clq_template_info info = {};
     ASSERT_EQ(clq_template_get_info(tmpl_, &info), CLQ_OK);
@@ -79,7 +79,7 @@ TEST_F(TextureSet, a_template_knows_its_sets_by_number_and_by_name)
     EXPECT_EQ(clq_template_find_texture_set(tmpl_, "other"), CLQ_NONE);
 }
 
-TEST_F(TextureSet, the_texels_of_each_set_can_be_read)
+TEST_F(TextureSet, TheTexelsOfEachSetCanBeRead)
 {
     uint32_t width = 0, height = 0;
     std::vector<uint32_t> zones(64);
@@ -98,7 +98,7 @@ TEST_F(TextureSet, the_texels_of_each_set_can_be_read)
     EXPECT_NE(std::string(clq_last_error()).find("texture set 3 of 'strip', which has 3"), std::string::npos);
 }
 
-TEST_F(TextureSet, an_individual_shows_the_set_that_it_is_given_and_keeps_it_when_it_is_refused_another)
+TEST_F(TextureSet, AnIndividualShowsTheSetThatItIsGivenAndKeepsItWhenItIsRefusedAnother)
 {
     clq_actor actor = {};
     ASSERT_EQ(create(0, 1, actor), CLQ_OK);
@@ -117,27 +117,27 @@ TEST_F(TextureSet, an_individual_shows_the_set_that_it_is_given_and_keeps_it_whe
     EXPECT_EQ(clq_actor_set_texture_set(crowd_, actor, 0), CLQ_STALE_ID);
 }
 
-TEST_F(TextureSet, by_lot_the_seed_decides_and_every_set_gets_its_share)
+TEST_F(TextureSet, AtRandomTheSeedDecidesAndEverySetGetsItsShare)
 {
     uint32_t counts[3] = {0, 0, 0};
     for (uint64_t seed = 0; seed < 3000; ++seed) {
         clq_actor actor = {}, twin = {};
-        ASSERT_EQ(create(CLQ_BY_LOT, seed, actor), CLQ_OK);
+        ASSERT_EQ(create(CLQ_RANDOM, seed, actor), CLQ_OK);
         ASSERT_LT(set_of(actor), 3u);
         ++counts[set_of(actor)];
         if (seed % 100 != 0) continue;
         ASSERT_EQ(create(0, seed, twin), CLQ_OK);
-        ASSERT_EQ(clq_actor_set_texture_set(crowd_, twin, CLQ_BY_LOT), CLQ_OK);
+        ASSERT_EQ(clq_actor_set_texture_set(crowd_, twin, CLQ_RANDOM), CLQ_OK);
         EXPECT_EQ(set_of(twin), set_of(actor)) << "seed " << seed;
     }
     // Five standard deviations of a binomial of 3000 draws at 1/3 are 129.
     for (const uint32_t count : counts) EXPECT_NEAR(count, 1000, 129);
 }
 
-TEST_F(TextureSet, a_saved_crowd_keeps_them)
+TEST_F(TextureSet, ASavedCrowdKeepsThem)
 {
     std::vector<clq_actor> actors(40);
-    for (size_t i = 0; i < actors.size(); ++i) ASSERT_EQ(create(CLQ_BY_LOT, i, actors[i]), CLQ_OK);
+    for (size_t i = 0; i < actors.size(); ++i) ASSERT_EQ(create(CLQ_RANDOM, i, actors[i]), CLQ_OK);
     std::vector<uint32_t> sets;
     for (const clq_actor actor : actors) sets.push_back(set_of(actor));
     const saved::Bytes bytes = saved::save(crowd_);
@@ -149,7 +149,7 @@ TEST_F(TextureSet, a_saved_crowd_keeps_them)
     EXPECT_EQ(saved::save(crowd_), bytes);
 }
 
-TEST_F(TextureSet, a_prepared_template_keeps_them)
+TEST_F(TextureSet, APreparedTemplateKeepsThem)
 {
     std::vector<uint8_t> bytes;
     const auto append = [](void *user, const void *more, size_t size) {
@@ -167,7 +167,7 @@ TEST_F(TextureSet, a_prepared_template_keeps_them)
     clq_template_destroy(again);
 }
 
-TEST_F(TextureSet, a_template_whose_sets_break_a_rule_is_refused)
+TEST_F(TextureSet, ATemplateWhoseSetsBreakARuleIsRefused)
 {
     const auto refused = [&](const char *why) {
         clq_template *made = nullptr;

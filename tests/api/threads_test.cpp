@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "tests/api/saved_bytes.h"
-#include "tests/api/stage.h"
+#include "tests/api/test_world.h"
 
 namespace
 {
@@ -28,23 +28,23 @@ void run_tasks_on_threads(void *user, uint32_t count, void (*job)(void *job_data
 // What two views show over a story with mechanisms, groups, paths, and a saved state that comes back.
 std::vector<uint64_t> shown(const clq_context_def *context, clq_cache_mode cache, uint32_t last_mechanism)
 {
-    Stage stage(context);
+    TestWorld test_world(context);
     clq_crowd_def def = clq_crowd_def_init();
     def.cache = cache;
-    clq_crowd *crowd = stage.new_crowd(&def);
-    stage.set_up(crowd);
-    std::vector<clq_actor> actors = stage.fill(crowd, 300, 5);
+    clq_crowd *crowd = test_world.new_crowd(&def);
+    test_world.set_up(crowd);
+    std::vector<clq_actor> actors = test_world.fill(crowd, 300, 5);
     for (const clq_actor actor : actors)
-        for (uint32_t kind = last_mechanism; kind < 6; ++kind) clq_actor_drop(crowd, actor, {kind + 1});
-    clq_view *views[2] = {stage.new_view(crowd, -3), stage.new_view(crowd, 9)};
+        for (uint32_t kind = last_mechanism; kind < 6; ++kind) clq_actor_detach_mechanism(crowd, actor, {kind + 1});
+    clq_view *views[2] = {test_world.new_view(crowd, -3), test_world.new_view(crowd, 9)};
     std::vector<uint64_t> out;
     saved::Bytes bytes;
     std::vector<clq_actor> actors_then;
     for (uint32_t frame = 0; frame < 24; ++frame) {
-        stage.happen(crowd, actors, 6, frame);
+        test_world.happen(crowd, actors, 6, frame);
         if (frame == 8) bytes = saved::save(crowd), actors_then = actors;
         if (frame == 16) {
-            EXPECT_EQ(clq_crowd_restore(crowd, bytes.data(), bytes.size(), stage.templates, 2), CLQ_OK)
+            EXPECT_EQ(clq_crowd_restore(crowd, bytes.data(), bytes.size(), test_world.templates, 2), CLQ_OK)
                 << clq_last_error();
             actors = actors_then;
         }
@@ -56,7 +56,7 @@ std::vector<uint64_t> shown(const clq_context_def *context, clq_cache_mode cache
 
 }  // namespace
 
-TEST(threads, show_what_one_thread_shows)
+TEST(Threads, ShowWhatOneThreadShows)
 {
     std::atomic<uint64_t> tasks{0};
     clq_context_def threaded = clq_context_def_init();

@@ -35,7 +35,7 @@ void add_clip(model::Rig &rig, double length_s, std::mt19937 &random)
     clip.duration_s = rig.times.back();
     for (uint32_t i = 0; i < joint_count; ++i) {
         model::Channel channel;
-        channel.node = i, channel.path = model::Path::rotation, channel.component_count = 4;
+        channel.node = i, channel.target = model::ChannelTarget::rotation, channel.component_count = 4;
         channel.first_time = first_time, channel.key_count = keys;
         channel.first_value = uint32_t(rig.values.size());
         rig.channels.push_back(channel);
@@ -85,7 +85,7 @@ std::unique_ptr<model::Template> make_body(uint32_t influences)
     out->levels.push_back(make_level(influences));
     out->sklsroot.radius = 2;
     // So tight that every clip keeps the rate of its keys.
-    meshsplit::give_room(meshsplit::make_motion({0.001f, 0.01f}, *out), *out);
+    meshsplit::inflate(meshsplit::make_motion({0.001f, 0.01f}, *out), *out);
     return out;
 }
 

@@ -20,7 +20,7 @@ struct Scene {
         std::mt19937 random(2);
         std::uniform_real_distribution<double> real(-field_m, field_m);
         for (uint32_t i = 0; i < count; ++i) {
-            crowd::Place place;
+            crowd::Transform place;
             place.position = glm::dvec3(real(random), 0, real(random));
             crowd::Play play;
             play.clip = 0;
@@ -40,19 +40,19 @@ struct Scene {
 };
 
 // All of a field of 100 m by 100 m is in view, and everybody due in every update.
-struct EverybodyDue : Scene {
-    EverybodyDue(uint32_t count, animcache::Geometry geometry) : Scene(count, 50, settings(geometry))
+struct AllDue : Scene {
+    AllDue(uint32_t count, animcache::VertexFormat vertex_format) : Scene(count, 50, settings(vertex_format))
     {
         view.camera = frame::look_at({0, 10, 120}, {0, 0, 0}, {0, 1, 0}, 1.2f, 1.5f, 0.1f, 1000);
         update(0);
     }
 
 private:
-    static frame::Settings settings(animcache::Geometry geometry)
+    static frame::Settings settings(animcache::VertexFormat vertex_format)
     {
         frame::Settings out;
         out.caches.period = {0, 0, 1, 2};
-        out.caches.geometry = geometry;
+        out.caches.vertex_format = vertex_format;
         return out;
     }
 };

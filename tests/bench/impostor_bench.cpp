@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/figures/figure.h"
-#include "lib/lod/far.h"
+#include "lib/lod/proxy.h"
 #include "tests/bench/measure.h"
 #include "tests/gl/support/pictures.h"
 #include "tests/gl/support/split.h"
@@ -25,18 +25,18 @@ double all_threads_ns()
     return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
 }
 
-Figure mesh_of(uint32_t triangles)
+PosedModel mesh_of(uint32_t triangles)
 {
     model::Model model = figures::citizen();
     std::vector<const model::Part *> parts;
     for (const model::Part &part : model.parts) parts.push_back(&part);
-    lod::FarWish wish;
-    wish.targets = {triangles};
-    lod::FarLevels far = lod::make_far(model, parts, wish);
-    lod::enter(far, model);
+    lod::ProxyOptions options;
+    options.targets = {triangles};
+    lod::ProxyLevels proxies = lod::make_proxies(model, parts, options);
+    lod::add_to_model(proxies, model);
     model.texture_sets.clear();
-    model.parts = far.parts;
-    return split_figure(model);
+    model.parts = proxies.parts;
+    return split_posed(model);
 }
 
 // People in rows, `tall_px` high, all in view.
@@ -94,18 +94,18 @@ void mesh(benchmark::State &state, uint32_t triangles, float tall_px)
 {
     const Field field(tall_px);
     if (!field.context) return state.SkipWithError("no software GL here");
-    const Figure figure = mesh_of(triangles);
+    const PosedModel posed = mesh_of(triangles);
     passes::Renderer renderer(std::pmr::get_default_resource(), {});
     if (!renderer.open(field.context->get_proc_address(), field.context->user()).ok() ||
-        !renderer.prepare(*figure.tmpl).ok())
+        !renderer.prepare(*posed.tmpl).ok())
         return state.SkipWithError("the renderer refused");
     draw::DrawList list(std::pmr::get_default_resource());
     std::copy_n(field.projection, 16, list.projection);
     for (uint32_t who = 0; who < people; ++who) {
         draw::Item item;
-        item.tmpl = figure.tmpl.get();
-        item.vertices.positions = figure.positions.data();
-        item.vertices.normals = figure.normals.data();
+        item.tmpl = posed.tmpl.get();
+        item.vertices.positions = posed.positions.data();
+        item.vertices.normals = posed.normals.data();
         item.zone_rgb = field.colours.data() + size_t(3) * Field::zones * who;
         const float c = std::cos(0.1f * float(who)), s = std::sin(0.1f * float(who));
         const glm::vec3 at = field.places[who];
@@ -114,7 +114,7 @@ void mesh(benchmark::State &state, uint32_t triangles, float tall_px)
         list.items.push_back(item);
     }
     field.measure(state, [&] { renderer.draw(list, nullptr); });
-    state.counters["triangles"] = double(figure.tmpl->report.triangles);
+    state.counters["triangles"] = double(posed.tmpl->report.triangles);
 }
 
 // Bodies on a sheet of eight by eight views, each a column of `zones` bands; beyond it holes.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "lib/math/kernel.h"
+#include "lib/math/simd_level.h"
 
 namespace claque::bench
 {
@@ -64,9 +64,9 @@ inline void report(benchmark::State &state, const Shortest &shortest, const char
     if (textbook_ns > 0) state.counters["ratio"] = textbook_ns * things / shortest.ns();
 }
 
-inline bool can_run(benchmark::State &state, math::Kernel kernel)
+inline bool can_run(benchmark::State &state, math::SimdLevel simd_level)
 {
-    if (math::can_run(kernel)) return true;
+    if (math::can_run(simd_level)) return true;
     state.SkipWithError("this processor cannot run it");
     return false;
 }

@@ -15,7 +15,7 @@ namespace
 using namespace claque;
 using bench::Blend;
 using bench::joint_count;
-using math::Kernel;
+using math::SimdLevel;
 
 constexpr uint32_t character_count = 1000;
 constexpr double joints = double(character_count) * joint_count;
@@ -85,12 +85,12 @@ double textbook_palette_ns(const Times &times, Blend blend)
 }
 
 // Two rows to rotations, no more.
-void sample(benchmark::State &state, Kernel kernel)
+void sample(benchmark::State &state, SimdLevel simd_level)
 {
-    if (!bench::can_run(state, kernel)) return;
+    if (!bench::can_run(state, simd_level)) return;
     const model::Template &tmpl = character();
     std::vector<float> scratch(pose::sampled_floats(tmpl.motion));
-    pose::Sampler sampler(tmpl.rig, tmpl.motion, kernel, scratch.data());
+    pose::Sampler sampler(tmpl.rig, tmpl.motion, simd_level, scratch.data());
     const Times times(state.range(0));
     const double textbook_ns = textbook_sample_ns(times);
     uint64_t tick = 0;
@@ -143,14 +143,14 @@ private:
 
 enum class Source { rows, channels };
 
-void palette(benchmark::State &state, Kernel kernel, Blend blend, Source source = Source::rows)
+void palette(benchmark::State &state, SimdLevel simd_level, Blend blend, Source source = Source::rows)
 {
-    if (!bench::can_run(state, kernel)) return;
+    if (!bench::can_run(state, simd_level)) return;
     const model::Template &tmpl = character();
     pose::Workspace workspace(tmpl.rig, source == Source::rows ? &tmpl.motion : nullptr);
     std::vector<math::Affine> palettes(character_count * joint_count + 1);
     pose::PoseJob job = workspace.job();
-    job.kernel = kernel;
+    job.simd_level = simd_level;
     job.clip = 0;
     Layers layers(blend);
     const Times times(state.range(0));
@@ -177,18 +177,18 @@ void at_rates(benchmark::internal::Benchmark *b)
     b->ArgName("Hz")->Unit(benchmark::kMicrosecond)->MinTime(0.2);
 }
 
-BENCHMARK_CAPTURE(sample, 256, Kernel::wide)->Apply(at_rates);
-BENCHMARK_CAPTURE(sample, 128, Kernel::vector)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, one_clip_256, Kernel::wide, Blend::one_clip)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, one_clip_128, Kernel::vector, Blend::one_clip)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, one_clip_exact, Kernel::wide, Blend::one_clip, Source::channels)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, two_clips_256, Kernel::wide, Blend::two_clips)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, two_clips_128, Kernel::vector, Blend::two_clips)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, two_clips_scalar, Kernel::scalar, Blend::two_clips)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, two_clips_exact, Kernel::wide, Blend::two_clips, Source::channels)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, upper_body_256, Kernel::wide, Blend::upper_body)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, upper_body_128, Kernel::vector, Blend::upper_body)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, inertial_256, Kernel::wide, Blend::inertial)->Apply(at_rates);
-BENCHMARK_CAPTURE(palette, inertial_128, Kernel::vector, Blend::inertial)->Apply(at_rates);
+BENCHMARK_CAPTURE(sample, 256, SimdLevel::simd256)->Apply(at_rates);
+BENCHMARK_CAPTURE(sample, 128, SimdLevel::simd128)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, one_clip_256, SimdLevel::simd256, Blend::one_clip)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, one_clip_128, SimdLevel::simd128, Blend::one_clip)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, one_clip_exact, SimdLevel::simd256, Blend::one_clip, Source::channels)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, two_clips_256, SimdLevel::simd256, Blend::two_clips)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, two_clips_128, SimdLevel::simd128, Blend::two_clips)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, two_clips_scalar, SimdLevel::scalar, Blend::two_clips)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, two_clips_exact, SimdLevel::simd256, Blend::two_clips, Source::channels)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, upper_body_256, SimdLevel::simd256, Blend::upper_body)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, upper_body_128, SimdLevel::simd128, Blend::upper_body)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, inertial_256, SimdLevel::simd256, Blend::inertial)->Apply(at_rates);
+BENCHMARK_CAPTURE(palette, inertial_128, SimdLevel::simd128, Blend::inertial)->Apply(at_rates);
 
 }  // namespace

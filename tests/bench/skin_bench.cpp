@@ -15,7 +15,7 @@ namespace
 using namespace claque;
 using bench::joint_count;
 using bench::vertex_count;
-using math::Kernel;
+using math::SimdLevel;
 
 struct Crowd {
     explicit Crowd(const benchmark::State &state)
@@ -57,16 +57,16 @@ double textbook_ns(Crowd &crowd)
 
 enum class Form { floats, packed };
 
-void skin(benchmark::State &state, Kernel kernel, Form form = Form::floats)
+void skin(benchmark::State &state, SimdLevel simd_level, Form form = Form::floats)
 {
-    if (!bench::can_run(state, kernel)) return;
+    if (!bench::can_run(state, simd_level)) return;
     Crowd crowd(state);
     const double book_ns = textbook_ns(crowd);
     std::vector<float> scratch(skin::scratch_floats(crowd.level, joint_count, skin::Normals::by_palette));
     skin::SkinJob job;
     job.scratch = base::Span<float>(scratch);
     job.level = &crowd.level;
-    job.kernel = kernel;
+    job.simd_level = simd_level;
     job.range.step = 4.0f / 32767;
     bench::Shortest shortest;
     for (auto _ : state) {
@@ -97,11 +97,11 @@ void sizes(benchmark::internal::Benchmark *b)
     b->ArgNames({"influences", "characters"})->Unit(benchmark::kMicrosecond)->MinTime(0.2);
 }
 
-BENCHMARK_CAPTURE(skin, fma, Kernel::fused)->Apply(sizes);
-BENCHMARK_CAPTURE(skin, 256, Kernel::wide)->Apply(sizes);
-BENCHMARK_CAPTURE(skin, 256_packed, Kernel::wide, Form::packed)->Apply(sizes);
-BENCHMARK_CAPTURE(skin, 128, Kernel::vector)->Apply(sizes);
-BENCHMARK_CAPTURE(skin, 128_packed, Kernel::vector, Form::packed)->Apply(sizes);
-BENCHMARK_CAPTURE(skin, scalar, Kernel::scalar)->Apply(sizes);
+BENCHMARK_CAPTURE(skin, fma, SimdLevel::fma)->Apply(sizes);
+BENCHMARK_CAPTURE(skin, 256, SimdLevel::simd256)->Apply(sizes);
+BENCHMARK_CAPTURE(skin, 256_packed, SimdLevel::simd256, Form::packed)->Apply(sizes);
+BENCHMARK_CAPTURE(skin, 128, SimdLevel::simd128)->Apply(sizes);
+BENCHMARK_CAPTURE(skin, 128_packed, SimdLevel::simd128, Form::packed)->Apply(sizes);
+BENCHMARK_CAPTURE(skin, scalar, SimdLevel::scalar)->Apply(sizes);
 
 }  // namespace

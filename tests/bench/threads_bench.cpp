@@ -103,9 +103,9 @@ void compare(benchmark::State &state, const Body &body)
     state.counters["ratio"] = one_ms / two_ms;
 }
 
-void two_threads(benchmark::State &state, animcache::Geometry geometry)
+void two_threads(benchmark::State &state, animcache::VertexFormat vertex_format)
 {
-    bench::EverybodyDue scene(uint32_t(state.range(0)), geometry);
+    bench::AllDue scene(uint32_t(state.range(0)), vertex_format);
     double t = 0;
     compare(state, [&](const base::Jobs &jobs) { scene.update(t += 0.0167, jobs); });
 }
@@ -133,13 +133,13 @@ void skinning_alone(benchmark::State &state)
 }
 
 BENCHMARK(skinning_alone)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(two_threads, floats, animcache::Geometry::real)
+BENCHMARK_CAPTURE(two_threads, floats, animcache::VertexFormat::floats)
     ->ArgName("characters")
     ->Arg(1000)
     ->Arg(20000)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(two_threads, packed, animcache::Geometry::packed)
+BENCHMARK_CAPTURE(two_threads, packed, animcache::VertexFormat::packed)
     ->ArgName("characters")
     ->Arg(1000)
     ->Arg(20000)

@@ -11,9 +11,9 @@ namespace
 {
 
 using namespace claque;
-using animcache::Geometry;
+using animcache::VertexFormat;
 using bench::Scene;
-using math::Kernel;
+using math::SimdLevel;
 
 // Posing and skinning alone, with nothing of culling, periods and lists.
 double textbook_ns(const model::Template &tmpl, uint32_t count)
@@ -30,13 +30,13 @@ double textbook_ns(const model::Template &tmpl, uint32_t count)
     return bench::shortest_ns(count < 10000 ? 5 : 2, frame) / count;
 }
 
-void everybody_due(benchmark::State &state, Kernel kernel, Geometry geometry)
+void everybody_due(benchmark::State &state, SimdLevel simd_level, VertexFormat vertex_format)
 {
-    if (!bench::can_run(state, kernel)) return;
-    const Kernel before = math::default_kernel();
-    math::use_kernel(kernel);
+    if (!bench::can_run(state, simd_level)) return;
+    const SimdLevel before = math::default_simd_level();
+    math::set_simd_level(simd_level);
     const uint32_t count = uint32_t(state.range(0));
-    bench::EverybodyDue scene(count, geometry);
+    bench::AllDue scene(count, vertex_format);
     const uint32_t animated = scene.frame.stats().animated;
     const double book_ns = textbook_ns(*scene.tmpl, animated);
     double t = 0;
@@ -48,7 +48,7 @@ void everybody_due(benchmark::State &state, Kernel kernel, Geometry geometry)
     if (animated != count) state.SkipWithError("not everybody is due");
     state.counters["individuals/ms"] = 1e6 * animated / shortest.ns();
     bench::report(state, shortest, "ns/individual", animated, book_ns);
-    math::use_kernel(before);
+    math::set_simd_level(before);
 }
 
 void one_in_five_seen(benchmark::State &state)
@@ -69,9 +69,9 @@ void out_of_view(benchmark::State &state)
     std::uniform_real_distribution<double> real(-300, 300);
     const int64_t groups = state.range(1);
     std::vector<crowd::Id> ids;
-    for (int64_t g = 0; g < groups; ++g) ids.push_back(scene.crowd.create_group(crowd::Place()));
+    for (int64_t g = 0; g < groups; ++g) ids.push_back(scene.crowd.create_group(crowd::Transform()));
     for (int64_t i = 0; i < state.range(0); ++i) {
-        crowd::Place place;
+        crowd::Transform place;
         place.position = glm::dvec3(real(random), 0, 900 + real(random));
         const crowd::Id id = scene.crowd.create(*scene.tmpl, place, crowd::Play(), uint64_t(i));
         if (groups) scene.crowd.join(id, ids[size_t(i % groups)], nullptr);
@@ -91,10 +91,10 @@ void crowds(benchmark::internal::Benchmark *b)
     b->ArgName("characters")->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK_CAPTURE(everybody_due, 256, Kernel::wide, Geometry::real)->Apply(crowds);
-BENCHMARK_CAPTURE(everybody_due, 256_packed, Kernel::wide, Geometry::packed)->Apply(crowds);
-BENCHMARK_CAPTURE(everybody_due, 128, Kernel::vector, Geometry::real)->Apply(crowds);
-BENCHMARK_CAPTURE(everybody_due, 128_packed, Kernel::vector, Geometry::packed)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 256, SimdLevel::simd256, VertexFormat::floats)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 256_packed, SimdLevel::simd256, VertexFormat::packed)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 128, SimdLevel::simd128, VertexFormat::floats)->Apply(crowds);
+BENCHMARK_CAPTURE(everybody_due, 128_packed, SimdLevel::simd128, VertexFormat::packed)->Apply(crowds);
 BENCHMARK(one_in_five_seen)->Arg(2000)->Arg(6000)->Unit(benchmark::kMillisecond);
 BENCHMARK(out_of_view)
     ->Args({1000, 0})

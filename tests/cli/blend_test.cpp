@@ -9,7 +9,7 @@ namespace
 {
 
 using Blend = Drawing;
-using BlendUse = Command;
+using BlendUsage = Command;
 
 std::string strip(std::vector<std::string> more)
 {
@@ -20,7 +20,7 @@ std::string strip(std::vector<std::string> more)
     return done.out;
 }
 
-TEST_F(Blend, leaves_a_picture_and_says_what_each_row_shows)
+TEST_F(Blend, LeavesAPictureAndSaysWhatEachRowShows)
 {
     const Outcome done = claque({"blend", "citizen", "--size", "300x600", "--phases", "3", "--out", path("strip.png")});
     ASSERT_EQ(done.code, 0) << done.err;
@@ -36,7 +36,7 @@ TEST_F(Blend, leaves_a_picture_and_says_what_each_row_shows)
     EXPECT_EQ(left(), std::vector<std::string>{"strip.png"});
 }
 
-TEST_F(Blend, rows_follow_the_clips_that_are_asked_for)
+TEST_F(Blend, RowsFollowTheClipsThatAreAskedFor)
 {
     const std::string one = strip({});
     EXPECT_EQ(strip({}), one) << "the same on every call";
@@ -46,7 +46,7 @@ TEST_F(Blend, rows_follow_the_clips_that_are_asked_for)
     EXPECT_NE(strip({"--length", "2"}), one);
 }
 
-TEST_F(BlendUse, refuses_in_one_sentence_what_is_not_there)
+TEST_F(BlendUsage, RefusesInOneSentenceWhatIsNotThere)
 {
     const auto sentence = [this](std::vector<std::string> more) {
         more.insert(more.begin(), {"blend", "citizen", "--out", path("s.png")});

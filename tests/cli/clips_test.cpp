@@ -103,7 +103,7 @@ Json last_clip(const Json &report)
     return report["split"]["clips"].empty() ? Json() : report["split"]["clips"].back();
 }
 
-TEST_F(Clips, of_a_motion_file_come_behind_the_characters_own)
+TEST_F(Clips, OfAMotionFileComeBehindTheCharactersOwn)
 {
     const size_t own = report({"citizen"})["split"]["clips"].size();
     const Json with = report({"citizen", "--clips", path("bow.bvh"), "--map", path("bow.toml")});
@@ -113,7 +113,7 @@ TEST_F(Clips, of_a_motion_file_come_behind_the_characters_own)
     EXPECT_GT(last_clip(with)["bytes"].get<int>(), 0);
 }
 
-TEST_F(Clips, are_cut_closed_and_sampled_as_the_options_say)
+TEST_F(Clips, AreCutClosedAndSampledAsTheOptionsSay)
 {
     const std::vector<std::string> all = {"citizen", "--clips", path("bow.bvh"), "--map", path("bow.toml")};
     const auto with = [&](const std::vector<std::string> &more) {
@@ -134,11 +134,11 @@ TEST_F(Clips, are_cut_closed_and_sampled_as_the_options_say)
     EXPECT_GT(farthest(first, last, 2), 0.01f) << "the thigh has swung";
     EXPECT_LT(farthest(first, dump("0.5", {"--close", "0.2"}), 2), 1e-5f) << "closed";
     // 20 units of 37 that the hips are high, of a man whose hips are about 0.95 m high.
-    const std::vector<float> keeps = dump("0.5", {"--travel", "keep"});
+    const std::vector<float> keeps = dump("0.5", {"--root-travel", "keep"});
     EXPECT_NEAR(farthest(keeps, last, 2), 0.95 * 20 / 37, 0.1);
 }
 
-TEST_F(Clips, of_another_character_are_taken_by_joint_name)
+TEST_F(Clips, OfAnotherCharacterAreTakenByJointName)
 {
     const Json with = report({"citizen", "--clips", "plebeian"});
     const size_t own = report({"citizen"})["split"]["clips"].size();
@@ -147,7 +147,7 @@ TEST_F(Clips, of_another_character_are_taken_by_joint_name)
     EXPECT_FALSE(with["loaded"]["warnings"].empty());
 }
 
-TEST_F(Clips, that_make_no_sense_are_refused_in_one_sentence)
+TEST_F(Clips, ThatMakeNoSenseAreRefusedInOneSentence)
 {
     const std::string bvh = path("bow.bvh"), map = path("bow.toml");
     EXPECT_NE(failure({"citizen", "--clips", path("none.bvh")}).find("none.bvh"), std::string::npos);
@@ -173,12 +173,12 @@ TEST_F(Clips, that_make_no_sense_are_refused_in_one_sentence)
     EXPECT_NE(failure({"owl", "--vary", "150"}).find("owl"), std::string::npos);
 }
 
-TEST_F(Clips, options_that_do_not_go_together_are_code_2)
+TEST_F(Clips, OptionsThatDoNotGoTogetherAreCode2)
 {
     const std::string bvh = path("bow.bvh"), map = path("bow.toml");
     EXPECT_EQ(usage({"citizen", "--map", map}), 2);
     EXPECT_EQ(usage({"citizen", "--from", "1"}), 2);
-    EXPECT_EQ(usage({"citizen", "--clips", bvh, "--travel", "there"}), 2);
+    EXPECT_EQ(usage({"citizen", "--clips", bvh, "--root-travel", "there"}), 2);
     EXPECT_EQ(usage({"citizen", "--clips", bvh, "--rate", "0.5"}), 2);
     EXPECT_EQ(usage({"citizen", "--clips", bvh, "--close", "-1"}), 2);
     EXPECT_EQ(usage({"citizen", "--unit", "0"}), 2);
@@ -187,7 +187,7 @@ TEST_F(Clips, options_that_do_not_go_together_are_code_2)
     EXPECT_EQ(claque({"render", "--clips", bvh, "--out", path("x.png")}).code, 2) << "nobody to give them to";
 }
 
-TEST_F(Clips, a_motion_file_alone_is_a_skeleton_without_anything_to_split)
+TEST_F(Clips, AMotionFileAloneIsASkeletonWithoutAnythingToSplit)
 {
     const Json alone = report({path("bow.bvh"), "--unit", "0.0254"});
     EXPECT_EQ(alone["loaded"]["nodes"].get<int>(), 3) << "two joints and an end";
@@ -195,7 +195,7 @@ TEST_F(Clips, a_motion_file_alone_is_a_skeleton_without_anything_to_split)
     EXPECT_TRUE(alone.contains("not_split"));
 }
 
-TEST_F(Clips, a_hundred_and_fifty_take_a_small_part_of_the_meshes_that_they_move)
+TEST_F(Clips, AHundredAndFiftyTakeASmallPartOfTheMeshesThatTheyMove)
 {
     const Json varied = report({"citizen", "--vary", "150"});
     ASSERT_EQ(varied["split"]["clips"].size(), 150u);
@@ -226,7 +226,7 @@ protected:
     }
 };
 
-TEST_P(Mocap, moves_a_built_in_person)
+TEST_P(Mocap, MovesABuiltInPerson)
 {
     const Json with = report({"citizen", "--clips", file(), "--map", map(), "--to", "2", "--close", "0.3"});
     ASSERT_EQ(with["split"]["clips"].size(), report({"citizen"})["split"]["clips"].size() + 1);

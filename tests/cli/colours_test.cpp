@@ -10,9 +10,9 @@ namespace
 {
 
 using Colours = Drawing;
-using ColoursUse = Command;
+using ColoursUsage = Command;
 
-TEST_F(ColoursUse, a_saved_map_is_saved_again_byte_for_byte)
+TEST_F(ColoursUsage, ASavedMapIsSavedAgainByteForByte)
 {
     for (const char *from : {"odeon", "roman-classes", "patrician"}) {
         const Outcome once = claque({"colours", "save", from, "--out", path("once.toml")});
@@ -25,7 +25,7 @@ TEST_F(ColoursUse, a_saved_map_is_saved_again_byte_for_byte)
     EXPECT_EQ(left(), (std::vector<std::string>{"once.toml"}));
 }
 
-TEST_F(ColoursUse, what_cannot_be_done_is_one_sentence)
+TEST_F(ColoursUsage, WhatCannotBeDoneIsOneSentence)
 {
     std::ofstream(path("broken.toml")) << "[[classes]]\nname = \"a\"\nzones.skin = { hue = [1, 2, 3] }\n";
     std::ofstream(path("bare.toml")) << "[[classes]]\nname = \"a\"\n";
@@ -54,7 +54,7 @@ TEST_F(ColoursUse, what_cannot_be_done_is_one_sentence)
     EXPECT_EQ(left(), (std::vector<std::string>{"bare.toml", "broken.toml"}));
 }
 
-TEST_F(Colours, the_map_of_the_odeon_changes_nothing_in_the_odeon_and_another_one_does)
+TEST_F(Colours, TheMapOfTheOdeonChangesNothingInTheOdeonAndAnotherOneDoes)
 {
     ASSERT_EQ(claque({"colours", "save", "odeon", "--out", path("odeon.toml")}).code, 0);
     ASSERT_EQ(claque({"colours", "save", "roman-classes", "--out", path("roman.toml")}).code, 0);
@@ -69,7 +69,7 @@ TEST_F(Colours, the_map_of_the_odeon_changes_nothing_in_the_odeon_and_another_on
     EXPECT_NE(with("roman.toml"), own);
 }
 
-TEST_F(Colours, people_of_a_template_wear_the_map_that_is_made_for_it)
+TEST_F(Colours, ActorsOfATemplateGetTheClassThatIsMadeForIt)
 {
     std::ofstream(path("red.toml"))
         << "[[classes]]\nname = \"reds\"\ntemplate = \"citizen\"\nzones.tunic = { colour = \"#ff0000\" }\n";
@@ -88,7 +88,7 @@ TEST_F(Colours, people_of_a_template_wear_the_map_that_is_made_for_it)
     EXPECT_TRUE(draw({"--colours", path("red.toml"), "--class", "reds"}) == red);
 }
 
-TEST_F(Colours, classes_and_the_comparison_are_pictures)
+TEST_F(Colours, ClassesAndTheComparisonArePictures)
 {
     std::ofstream(path("one.toml")) << "[[classes]]\nname = \"a\"\ntemplate = \"citizen\"\n"
                                        "[[classes]]\nname = \"b\"\ntemplate = \"citizen\"\n"
@@ -107,7 +107,7 @@ TEST_F(Colours, classes_and_the_comparison_are_pictures)
 }
 
 // A frame is larger than a pipe: whoever has drawn frame 1 waits until most of it is read, and looks at the file after that.
-TEST_F(Colours, a_file_that_changes_is_taken_up_by_the_frames_that_follow)
+TEST_F(Colours, AFileThatChangesIsTakenUpByTheFramesThatFollow)
 {
     const auto write =
         [&](const std::string &colour) {

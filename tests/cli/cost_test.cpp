@@ -25,7 +25,7 @@ std::string cost_output(const std::vector<std::string> &arguments)
     return done.out;
 }
 
-TEST_F(Cost, all_tables_are_printed_and_what_does_not_follow)
+TEST_F(Cost, AllTablesArePrintedAndWhatDoesNotFollow)
 {
     const std::string text = cost_output({"cost"});
     for (const char *words : {"Table 1.", "Table 2.", "Table 3.", "Table 4.", "Table 5.", "Table 6.", "Equation (3)",
@@ -34,14 +34,14 @@ TEST_F(Cost, all_tables_are_printed_and_what_does_not_follow)
     EXPECT_EQ(text, cost_output({"cost"}));
 }
 
-TEST_F(Cost, markdown_has_every_table_too)
+TEST_F(Cost, MarkdownHasEveryTableToo)
 {
     const std::string text = cost_output({"cost", "--markdown"});
     EXPECT_NE(text.find("**Table 5. Operations in a frame, actor processing**\n\n|  | printed |"), std::string::npos);
     EXPECT_NE(text.find("\n- NO_04b of actor processing"), std::string::npos);
 }
 
-TEST_F(Cost, measured_counts_stand_beside_the_paper_s)
+TEST_F(Cost, MeasuredCountsStandBesideThePaperS)
 {
     std::ofstream(path("counts.json")) << counts;
     const std::string text = cost_output({"cost", "--measured", path("counts.json"), "--json", path("cost.json")});
@@ -58,7 +58,7 @@ TEST_F(Cost, measured_counts_stand_beside_the_paper_s)
     EXPECT_EQ(cost_output({"cost", "--measured", path("counts.json"), "--json", "-"}), file_text(path("cost.json")));
 }
 
-TEST_F(Cost, a_file_that_counts_nothing_is_refused_in_one_sentence)
+TEST_F(Cost, AFileThatCountsNothingIsRefusedInOneSentence)
 {
     std::ofstream(path("counts.json")) << R"({"NO_01": 4})";
     const Outcome outcome = claque({"cost", "--measured", path("counts.json"), "--plot", path("x.png")});
@@ -67,7 +67,7 @@ TEST_F(Cost, a_file_that_counts_nothing_is_refused_in_one_sentence)
     EXPECT_EQ(left(), std::vector<std::string>{"counts.json"});
 }
 
-TEST_F(Cost, the_plot_shows_four_curves_as_printed_and_four_by_the_order_of_work)
+TEST_F(Cost, ThePlotShowsFourCurvesAsPrintedAndFourByTheOrderOfWork)
 {
     cost_output({"cost", "--plot", path("a.png")});
     cost_output({"cost", "--plot", path("b.png")});
@@ -81,14 +81,14 @@ TEST_F(Cost, the_plot_shows_four_curves_as_printed_and_four_by_the_order_of_work
     EXPECT_EQ(picture.count_of({0xd0, 0x45, 0x4c}), 0) << "nothing was measured";
 }
 
-TEST_F(Cost, the_plot_shows_what_was_measured)
+TEST_F(Cost, ThePlotShowsWhatWasMeasured)
 {
     std::ofstream(path("counts.json")) << counts;
     cost_output({"cost", "--measured", path("counts.json"), "--plot", path("a.png")});
     EXPECT_GT(picture_of(path("a.png")).count_of({0xd0, 0x45, 0x4c}), 1000);
 }
 
-TEST_F(Cost, the_plot_is_svg_where_its_name_says_so)
+TEST_F(Cost, ThePlotIsSvgWhereItsNameSaysSo)
 {
     cost_output({"cost", "--plot", path("a.svg")});
     const std::string svg = cost_output({"cost", "--plot", "-"});

@@ -47,7 +47,7 @@ Table read_npy(const std::string &path)
     return table;
 }
 
-TEST_F(Files, inspect_as_json_says_what_the_citizen_is)
+TEST_F(Files, InspectAsJsonSaysWhatTheCitizenIs)
 {
     const Json json = inspected("citizen");
     EXPECT_EQ(json["loaded"]["clips"].size(), 19u);
@@ -58,7 +58,7 @@ TEST_F(Files, inspect_as_json_says_what_the_citizen_is)
     EXPECT_EQ(json["loaded"]["part_list"].size(), json["loaded"]["parts"].get<size_t>());
 }
 
-TEST_F(Files, inspect_as_text_names_parts_clips_and_zones)
+TEST_F(Files, InspectAsTextNamesPartsClipsAndZones)
 {
     const Outcome outcome = claque({"inspect", "citizen"});
     EXPECT_EQ(outcome.code, 0);
@@ -66,7 +66,7 @@ TEST_F(Files, inspect_as_text_names_parts_clips_and_zones)
         EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
 }
 
-TEST_F(Files, dump_has_a_row_a_vertex)
+TEST_F(Files, DumpHasARowAVertex)
 {
     const std::string out = path("rest.npy");
     ASSERT_EQ(claque({"dump", "citizen", "--out", out}).code, 0);
@@ -83,7 +83,7 @@ TEST_F(Files, dump_has_a_row_a_vertex)
     EXPECT_NEAR(high, 1.75f, 0.08f);
 }
 
-TEST_F(Files, dump_takes_clips_by_name_and_number_and_clamps_the_time)
+TEST_F(Files, DumpTakesClipsByNameAndNumberAndClampsTheTime)
 {
     const Json clips = inspected("citizen")["loaded"]["clips"];
     const std::string name = clips[1]["name"];
@@ -99,7 +99,7 @@ TEST_F(Files, dump_takes_clips_by_name_and_number_and_clamps_the_time)
     EXPECT_EQ(dump(name, "1e6", "f.npy"), dump(name, "999", "g.npy"));
 }
 
-TEST_F(Files, split_reports_and_draws_the_zone_map)
+TEST_F(Files, SplitReportsAndDrawsTheZoneMap)
 {
     const std::string picture = path("split.png");
     const Outcome outcome = claque({"split", "citizen", "--picture", picture, "--scale", "2"});
@@ -113,14 +113,14 @@ TEST_F(Files, split_reports_and_draws_the_zone_map)
     EXPECT_EQ(left(), (std::vector<std::string>{"split.png"}));
 }
 
-TEST_F(Files, a_prepared_citizen_is_split_as_the_citizen_is)
+TEST_F(Files, APreparedCitizenIsSplitAsTheCitizenIs)
 {
     const std::string clq = path("citizen.clq");
     ASSERT_EQ(claque({"prepare", "citizen", "--out", clq}).code, 0);
     EXPECT_EQ(inspected(clq)["split"], inspected("citizen")["split"]);
 }
 
-TEST_F(Files, a_prepared_file_that_is_cut_is_refused)
+TEST_F(Files, APreparedFileThatIsCutIsRefused)
 {
     const std::string clq = path("citizen.clq"), cut = path("cut.clq");
     ASSERT_EQ(claque({"prepare", "citizen", "--out", clq}).code, 0);
@@ -129,7 +129,7 @@ TEST_F(Files, a_prepared_file_that_is_cut_is_refused)
     EXPECT_EQ(claque({"inspect", cut}).code, 1);
 }
 
-TEST_F(Files, a_real_character_is_inspected_dumped_split_and_prepared)
+TEST_F(Files, ARealCharacterIsInspectedDumpedSplitAndPrepared)
 {
     const std::string fox = std::string(CLAQUE_ASSETS_DIR) + "/animals/khronos/Fox.glb";
     if (!std::filesystem::exists(fox)) GTEST_SKIP() << fox << " is not there";

@@ -1,4 +1,4 @@
-// claque bench hundred_actors --counts, and claque cost --measured with what it wrote.
+// claque bench hundred_actors --operations, and claque cost --measured with what it wrote.
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
@@ -11,10 +11,10 @@ namespace
 using Hundred = Drawing;
 using Json = nlohmann::json;
 
-TEST_F(Hundred, counts_of_a_run_are_those_of_table_2_and_stand_beside_the_paper_s)
+TEST_F(Hundred, CountsOfARunAreThoseOfTable2AndStandBesideThePaperS)
 {
     const Outcome bench = claque(
-        {"bench", "hundred_actors", "--frames", "2", "--placement", "matrices", "--counts", path("counts.json")});
+        {"bench", "hundred_actors", "--frames", "2", "--rigid-mode", "matrices", "--operations", path("counts.json")});
     ASSERT_EQ(bench.code, 0) << bench.err;
     const Json counts = Json::parse(file_text(path("counts.json")));
     EXPECT_EQ(counts["NO_01"], 1200);
@@ -37,7 +37,7 @@ TEST_F(Hundred, counts_of_a_run_are_those_of_table_2_and_stand_beside_the_paper_
     EXPECT_NE(cost.out.find("Measured: scene hundred_actors, 100 actors"), std::string::npos) << cost.out;
 }
 
-TEST_F(Hundred, both_modes_draw_one_picture)
+TEST_F(Hundred, BothModesDrawOnePicture)
 {
     std::string pictures[2];
     for (const size_t k : {0u, 1u}) {
@@ -50,15 +50,15 @@ TEST_F(Hundred, both_modes_draw_one_picture)
     EXPECT_EQ(pictures[0], pictures[1]);
 }
 
-TEST_F(Hundred, counts_are_for_scenes_of_actors)
+TEST_F(Hundred, CountsAreForScenesOfActors)
 {
-    const Outcome outcome = claque({"bench", "plaza", "--counts", path("counts.json")});
+    const Outcome outcome = claque({"bench", "plaza", "--operations", path("counts.json")});
     EXPECT_NE(outcome.code, 0);
-    EXPECT_NE(outcome.err.find("--counts"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--operations"), std::string::npos) << outcome.err;
     EXPECT_TRUE(left().empty());
 }
 
-TEST_F(Hundred, another_number_of_actors_is_refused)
+TEST_F(Hundred, AnotherNumberOfActorsIsRefused)
 {
     const Outcome outcome =
         claque({"render", "--scene", "hundred_actors", "--count", "40", "--out", path("picture.png")});

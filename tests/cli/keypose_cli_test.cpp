@@ -9,7 +9,7 @@ namespace cli_test
 namespace
 {
 
-using KeyPosesUse = Command;
+using KeyPosesUsage = Command;
 using Json = nlohmann::json;
 
 Json report_of(const std::vector<std::string> &arguments)
@@ -19,7 +19,7 @@ Json report_of(const std::vector<std::string> &arguments)
     return Json::parse(done.out, nullptr, false);
 }
 
-TEST_F(KeyPosesUse, the_choice_is_nearly_the_best_of_all_and_better_than_that_of_s3_and_the_naive_ones)
+TEST_F(KeyPosesUsage, TheChoiceIsNearlyTheBestOfAllAndBetterThanThatOfS3AndTheNaiveOnes)
 {
     const Json report = report_of({"bench", "keypose-choice", "--json"});
     ASSERT_EQ(report["runs"].size(), 4u);
@@ -41,7 +41,7 @@ TEST_F(KeyPosesUse, the_choice_is_nearly_the_best_of_all_and_better_than_that_of
     }
 }
 
-TEST_F(KeyPosesUse, more_room_serves_more_of_the_multitude_and_room_for_all_serves_all)
+TEST_F(KeyPosesUsage, MoreRoomServesMoreOfTheMultitudeAndRoomForAllServesAll)
 {
     const Json report = report_of({"bench", "keypose-path", "--count", "150", "--threads", "1", "--json"});
     ASSERT_EQ(report["runs"].size(), 8u);
@@ -58,7 +58,7 @@ TEST_F(KeyPosesUse, more_room_serves_more_of_the_multitude_and_room_for_all_serv
     EXPECT_LE(report["runs"][4]["served %"], report["runs"][0]["served %"]) << "two at a time are harder to have";
 }
 
-TEST_F(KeyPosesUse, one_clip_is_served_whole_and_five_are_not)
+TEST_F(KeyPosesUsage, OneClipIsServedWholeAndFiveAreNot)
 {
     const Json report = report_of({"bench", "keypose-script", "--count", "800", "--threads", "1", "--json"});
     ASSERT_EQ(report["runs"].size(), 12u);
@@ -71,7 +71,7 @@ TEST_F(KeyPosesUse, one_clip_is_served_whole_and_five_are_not)
     }
 }
 
-TEST_F(KeyPosesUse, tables_for_a_readme_have_a_row_for_each_run)
+TEST_F(KeyPosesUsage, TablesForAReadmeHaveARowForEachRun)
 {
     const Outcome done = claque({"bench", "keypose-choice", "--markdown", "--save", path("c.json")});
     ASSERT_EQ(done.code, 0) << done.err;
@@ -81,7 +81,7 @@ TEST_F(KeyPosesUse, tables_for_a_readme_have_a_row_for_each_run)
     EXPECT_NE(file_text(path("c.svg")).find("individuals served, of 30"), std::string::npos);
 }
 
-TEST_F(KeyPosesUse, sizes_that_are_none_are_refused_with_the_names_there_are)
+TEST_F(KeyPosesUsage, SizesThatAreNoneAreRefusedWithTheNamesThereAre)
 {
     for (const char *cache :
          {"keypose", "keypose-intermittent:", "keypose-interpolated:many", "full:7", "keypose-intermittent:12345678"}) {
@@ -96,13 +96,13 @@ class KeyPoseBench : public Drawing
 protected:
     Json measured(const std::string &caches, const std::string &scene = "odeon") const
     {
-        return report_of({"bench", scene, "--frames", "1", "--count", "40", "--size", "48x36", "--variety", "fused",
+        return report_of({"bench", scene, "--frames", "1", "--count", "40", "--size", "48x36", "--strategy", "fused",
                           "--cache", caches, "--json"});
     }
 };
 
 // The command itself refuses to go on where sizes of one method differ in their pictures.
-TEST_F(KeyPoseBench, every_size_of_a_method_draws_the_same_picture)
+TEST_F(KeyPoseBench, EverySizeOfAKeyPoseModeDrawsTheSamePicture)
 {
     const std::string kinds[] = {"keypose-intermittent", "keypose-interpolated"};
     for (const char *scene : {"odeon", "multitude"}) {
@@ -111,7 +111,7 @@ TEST_F(KeyPoseBench, every_size_of_a_method_draws_the_same_picture)
         ASSERT_EQ(report["runs"].size(), 4 * report["sections"].size());
         for (const Json &run : report["runs"]) {
             const std::string cache = run["cache"];
-            const double asked = run["key_poses_asked"], served = run["key_poses_served"];
+            const double asked = run["key_poses_requested"], served = run["key_poses_served"];
             if (cache == kinds[0] + ":0") {
                 EXPECT_EQ(served, 0.0);
             } else if (cache == kinds[1] + ":3") {
@@ -123,10 +123,10 @@ TEST_F(KeyPoseBench, every_size_of_a_method_draws_the_same_picture)
     }
 }
 
-TEST_F(KeyPoseBench, is_said_as_a_table_and_drawn_with_the_library_and_gl_apart)
+TEST_F(KeyPoseBench, IsPrintedAsATableAndPlottedWithTheLibraryAndGlApart)
 {
     const Outcome done =
-        claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "48x36", "--variety", "fused", "--cache",
+        claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "48x36", "--strategy", "fused", "--cache",
                 "none,keypose-intermittent,keypose-interpolated:4", "--markdown", "--save", path("b.json")});
     ASSERT_EQ(done.code, 0) << done.err;
     EXPECT_NE(done.out.find("served by key-poses | key-poses skinned"), std::string::npos);

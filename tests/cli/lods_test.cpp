@@ -11,42 +11,42 @@ namespace
 {
 
 using Lods = Drawing;
-using LodsUse = Command;
+using LodsUsage = Command;
 using Json = nlohmann::json;
 
-TEST_F(LodsUse, lists_levels_from_the_finest_with_growing_errors)
+TEST_F(LodsUsage, ListsLevelsFromTheFinestWithGrowingErrors)
 {
     const Outcome outcome = claque({"lods", "citizen", "--targets", "600,200,50", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json levels = Json::parse(outcome.out);
     ASSERT_EQ(levels.size(), 4u);
-    EXPECT_EQ(levels[0]["first_m"], 0.0);
+    EXPECT_EQ(levels[0]["min_m"], 0.0);
     for (size_t i = 1; i < levels.size(); ++i) {
         EXPECT_LT(levels[i]["triangles"].get<int>(), levels[i - 1]["triangles"].get<int>());
         EXPECT_GT(levels[i]["error_mm"].get<double>(), levels[i - 1]["error_mm"].get<double>());
-        EXPECT_GT(levels[i]["first_m"].get<double>(), levels[i - 1]["first_m"].get<double>());
+        EXPECT_GT(levels[i]["min_m"].get<double>(), levels[i - 1]["min_m"].get<double>());
         EXPECT_EQ(levels[i]["open_edges"], 0);
     }
 }
 
-TEST_F(LodsUse, compares_with_a_quadric_alone_at_equal_triangles)
+TEST_F(LodsUsage, ComparesWithQuadricOnlyAtEqualTriangles)
 {
     const Outcome outcome = claque({"lods", "citizen", "--targets", "600,60", "--compare", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json beside = Json::parse(outcome.out);
     ASSERT_EQ(beside["claque"].size(), 3u);
-    ASSERT_EQ(beside["plain"].size(), 3u);
+    ASSERT_EQ(beside["quadric_only"].size(), 3u);
     for (size_t i = 1; i < 3; ++i) {
         const int ours = beside["claque"][i]["triangles"].get<int>(),
-                  plain = beside["plain"][i]["triangles"].get<int>();
+                  plain = beside["quadric_only"][i]["triangles"].get<int>();
         EXPECT_NEAR(ours, plain, 1);
         EXPECT_EQ(beside["claque"][i]["flipped_uvs"], 0);
-        EXPECT_GT(beside["plain"][i]["flipped_uvs"], 0);
-        EXPECT_GT(beside["plain"][i]["posed_rms_mm"], 0.0);
+        EXPECT_GT(beside["quadric_only"][i]["flipped_uvs"], 0);
+        EXPECT_GT(beside["quadric_only"][i]["posed_rms_mm"], 0.0);
     }
 }
 
-TEST_F(LodsUse, says_how_much_of_the_surface_each_zone_has)
+TEST_F(LodsUsage, SaysHowMuchOfTheSurfaceEachZoneHas)
 {
     const Outcome outcome = claque({"lods", "citizen", "--targets", "60"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -54,14 +54,14 @@ TEST_F(LodsUse, says_how_much_of_the_surface_each_zone_has)
     EXPECT_NE(outcome.out.find("\ntunic"), std::string::npos) << outcome.out;
 }
 
-TEST_F(LodsUse, refuses_targets_that_go_up)
+TEST_F(LodsUsage, RefusesTargetsThatGoUp)
 {
     const Outcome outcome = claque({"lods", "citizen", "--targets", "100,200"});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("200 triangles"), std::string::npos) << outcome.err;
 }
 
-TEST_F(Lods, a_picture_is_a_png_of_the_size_that_was_asked_for)
+TEST_F(Lods, APictureIsAPngOfTheSizeThatWasAskedFor)
 {
     const Outcome outcome =
         claque({"lods", "citizen", "--targets", "300,60", "--size", "300x200", "--picture", path("lods.png")});
@@ -73,9 +73,9 @@ TEST_F(Lods, a_picture_is_a_png_of_the_size_that_was_asked_for)
 }
 
 // The command itself refuses to go on where caches differ in a picture with levels, or in one without.
-TEST_F(Lods, save_triangles_in_the_odeon_and_every_cache_shows_the_same)
+TEST_F(Lods, SaveTrianglesInTheOdeonAndEveryCacheShowsTheSame)
 {
-    const Outcome done = claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "64x48", "--variety",
+    const Outcome done = claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "64x48", "--strategy",
                                  "fused", "--cache", "none,full", "--lod", "off,on", "--json"});
     ASSERT_EQ(done.code, 0) << done.err;
     const Json report = Json::parse(done.out);
@@ -91,7 +91,7 @@ TEST_F(Lods, save_triangles_in_the_odeon_and_every_cache_shows_the_same)
     }
 }
 
-TEST_F(Lods, of_ten_thousand_are_drawn_many_with_one_call)
+TEST_F(Lods, OfTenThousandAreDrawnManyWithOneCall)
 {
     const Outcome done = claque({"render", "--scene", "ten_thousand", "--count", "400", "--size", "64x48", "--out",
                                  path("t.png"), "--json", "-"});
@@ -103,13 +103,13 @@ TEST_F(Lods, of_ten_thousand_are_drawn_many_with_one_call)
 }
 
 // Whole frames are with the setting; what a draw is made of adds up to one; flushing changes no pixel.
-TEST_F(Lods, bench_says_how_frames_of_ten_thousand_grow_and_what_of)
+TEST_F(Lods, BenchSaysHowFramesOfTenThousandGrowAndWhatOf)
 {
     std::string hashes[2];
     for (const char *flush : {"0", "50"}) {
         const Outcome done =
             claque({"bench", "ten_thousand", "--count", "20,60", "--frames", "2", "--size", "64x48", "--cache", "full",
-                    "--variety", "fused", "--flush", flush, "--save", path("grow.json")});
+                    "--strategy", "fused", "--flush", flush, "--save", path("grow.json")});
         ASSERT_EQ(done.code, 0) << done.err;
         EXPECT_NE(done.out.find("vertices"), std::string::npos) << done.out;
         const Json report = Json::parse(file_text(path("grow.json")));
@@ -130,7 +130,7 @@ TEST_F(Lods, bench_says_how_frames_of_ten_thousand_grow_and_what_of)
 }
 
 // As somebody would draw them who wants them fast, unless said otherwise.
-TEST_F(Lods, bench_draws_ten_thousand_cached_in_one_draw_unless_told)
+TEST_F(Lods, BenchDrawsTenThousandCachedInOneDrawUnlessTold)
 {
     const auto runs_of = [&](std::vector<std::string> more) {
         std::vector<std::string> command = {"bench", "ten_thousand", "--count", "20",    "--frames",
@@ -143,12 +143,12 @@ TEST_F(Lods, bench_draws_ten_thousand_cached_in_one_draw_unless_told)
     const Json usual = runs_of({});
     ASSERT_EQ(usual.size(), 1u);
     EXPECT_EQ(usual[0]["cache"], "full");
-    EXPECT_EQ(usual[0]["variety"], "fused");
-    EXPECT_EQ(runs_of({"--variety", "binned,fused", "--cache", "none,full"}).size(), 4u);
+    EXPECT_EQ(usual[0]["strategy"], "fused");
+    EXPECT_EQ(runs_of({"--strategy", "binned,fused", "--cache", "none,full"}).size(), 4u);
     EXPECT_NE(runs_of({"--flat", "0"})[0]["vertices_sent"], usual[0]["vertices_sent"]);
 }
 
-TEST_F(LodsUse, are_refused_where_no_path_compares_them)
+TEST_F(LodsUsage, AreRefusedWhereNoPathComparesThem)
 {
     for (const char *scene : {"plaza", "multitude"}) {
         const Outcome outcome = claque({"bench", scene, "--lod", "on"});

@@ -31,7 +31,7 @@ std::string output(const std::vector<std::string> &arguments)
     return done.out;
 }
 
-TEST_F(Odeon, frames_follow_the_path_and_each_is_the_same_alone)
+TEST_F(Odeon, FramesFollowThePathAndEachIsTheSameAlone)
 {
     const std::string both =
         output(joined({"render", "--scene", "odeon", "--frames", "100:900", "--stride", "800", "--out", "-"}, small));
@@ -45,7 +45,7 @@ TEST_F(Odeon, frames_follow_the_path_and_each_is_the_same_alone)
     EXPECT_NE(overview, late) << "a single picture is the overview, unless the path is asked for";
 }
 
-TEST_F(Odeon, a_path_of_the_users_takes_the_place_of_the_recorded_one_in_any_scene)
+TEST_F(Odeon, APathOfTheUsersTakesThePlaceOfTheRecordedOneInAnyScene)
 {
     const std::string toml = path("p.toml");
     std::ofstream(toml)
@@ -61,7 +61,7 @@ TEST_F(Odeon, a_path_of_the_users_takes_the_place_of_the_recorded_one_in_any_sce
     EXPECT_NE(no_sections.err.find("no sections"), std::string::npos) << no_sections.err;
 }
 
-TEST_F(Odeon, a_sheet_shows_the_middle_of_each_section_as_it_is_rendered_alone)
+TEST_F(Odeon, ASheetShowsTheMiddleOfEachSectionAsItIsRenderedAlone)
 {
     const std::string json = path("s.json");
     const std::string sheet = output(joined({"sheet", "--out", "-", "--json", json}, small));
@@ -94,7 +94,7 @@ protected:
     }
 };
 
-TEST_F(Bench, has_a_run_for_each_section_cache_and_variety)
+TEST_F(Bench, HasARunForEachSectionCacheAndStrategy)
 {
     const Json report = measured({});
     EXPECT_EQ(report["scene"], "odeon");
@@ -106,8 +106,8 @@ TEST_F(Bench, has_a_run_for_each_section_cache_and_variety)
     std::set<std::string> runs;
     for (const Json &run : report["runs"]) {
         runs.insert(run["section"].get<std::string>() + "/" + run["cache"].get<std::string>() + "/" +
-                    run["variety"].get<std::string>());
-        for (const char *name : {"update_ms", "setting_ms", "draw_ms", "frame_ms"}) {
+                    run["strategy"].get<std::string>());
+        for (const char *name : {"update_ms", "environment_ms", "draw_ms", "frame_ms"}) {
             EXPECT_GT(run[name]["minimum"].get<double>(), 0.0) << name;
             EXPECT_LE(run[name]["minimum"].get<double>(), run[name]["median"].get<double>()) << name;
         }
@@ -124,7 +124,7 @@ TEST_F(Bench, has_a_run_for_each_section_cache_and_variety)
     EXPECT_EQ(report["sections"][3]["people"]["maximum"], 40) << "everybody is in view in the last section";
 }
 
-TEST_F(Bench, finds_more_work_without_caches_and_the_same_pictures)
+TEST_F(Bench, FindsMoreWorkWithoutCachesAndTheSamePictures)
 {
     const Json with = measured({"--cache", "full"}), without = measured({"--cache", "none"});
     for (size_t i = 0; i < 4; ++i)
@@ -135,11 +135,11 @@ TEST_F(Bench, finds_more_work_without_caches_and_the_same_pictures)
     EXPECT_LT(animated_with, animated_without);
 }
 
-TEST_F(Bench, is_said_as_tables_and_drawn_as_a_chart)
+TEST_F(Bench, IsPrintedAsTablesAndPlottedAsAChart)
 {
     const std::string json = path("b.json"), svg = path("b.svg");
     const std::vector<std::string> quick =
-        joined({"--frames", "1", "--cache", "none,full", "--variety", "per-zone,fused"}, small);
+        joined({"--frames", "1", "--cache", "none,full", "--strategy", "per-zone,fused"}, small);
     const std::string table = output(joined({"bench", "odeon", "--save", json}, quick));
     const std::string markdown = output(joined({"bench", "odeon", "--markdown"}, quick));
     const Json report = Json::parse(file_text(json));
@@ -159,9 +159,9 @@ TEST_F(Bench, is_said_as_tables_and_drawn_as_a_chart)
     EXPECT_EQ(file_text(path("chart.png")).substr(1, 3), "PNG");
 }
 
-TEST_F(Bench, what_it_did_not_write_is_no_chart)
+TEST_F(Bench, WhatItDidNotWriteIsNoChart)
 {
-    const Json report = measured({"--cache", "full", "--variety", "fused"});
+    const Json report = measured({"--cache", "full", "--strategy", "fused"});
     Json no_runs = report, no_time = report, odd_time = report, no_size = report;
     no_runs["runs"] = Json::array();
     no_time["runs"][1].erase("frame_ms");

@@ -39,7 +39,7 @@ protected:
 
 bool one_line(const std::string &text) { return !text.empty() && text.find('\n') == text.size() - 1; }
 
-TEST_F(ParityCompare, two_captures_of_one_moment_are_equal)
+TEST_F(ParityCompare, TwoCapturesOfOneTimeAreEqual)
 {
     const Outcome done = compare({"--tolerance", "exact", "--json", path("r.json"), "--html", path("r.html")});
     EXPECT_EQ(done.code, 0) << done.err;
@@ -56,7 +56,7 @@ TEST_F(ParityCompare, two_captures_of_one_moment_are_equal)
     EXPECT_EQ(compare({"--tolerance", "exact", "--json", "-"}).out, file_text(path("r.json")));
 }
 
-TEST_F(ParityCompare, what_is_beyond_the_tolerance_fails_in_one_line)
+TEST_F(ParityCompare, WhatIsBeyondTheToleranceFailsInOneLine)
 {
     overwrite("yours/colour.npy", 128 + 3 * 160 * 40, std::string(3 * 160 * 40, '\xff'));  // 40 lines white
     const Outcome done = compare({"--json", path("r.json")});
@@ -68,7 +68,7 @@ TEST_F(ParityCompare, what_is_beyond_the_tolerance_fails_in_one_line)
     EXPECT_EQ(compare({"--tolerance", path("mine.toml")}).code, 0);
 }
 
-TEST_F(ParityCompare, what_cannot_be_compared_is_refused_in_one_line)
+TEST_F(ParityCompare, WhatCannotBeComparedIsRefusedInOneLine)
 {
     const auto refused = [this](const std::vector<std::string> &more, const std::string &sentence) {
         const Outcome done = compare(more);
@@ -88,7 +88,7 @@ TEST_F(ParityCompare, what_cannot_be_compared_is_refused_in_one_line)
     refused({}, "yours is not a folder.");
 }
 
-TEST_F(ParityCompare, another_moment_is_no_comparison)
+TEST_F(ParityCompare, CapturesOfDifferentTimesAreNotCompared)
 {
     const Outcome later = claque(
         {"parity", "capture", "citizen", "--count", "3", "--size", "160x120", "--time", "3", "--out", path("yours")});
@@ -98,7 +98,7 @@ TEST_F(ParityCompare, another_moment_is_no_comparison)
     EXPECT_NE(done.err.find("yours shows the moment 3 s, and "), std::string::npos) << done.err;
 }
 
-TEST(ParityCompareUsage, is_checked)
+TEST(ParityCompareUsage, IsChecked)
 {
     EXPECT_EQ(claque({"parity"}).code, 2);
     EXPECT_EQ(claque({"parity", "compare", "one"}).code, 2);

@@ -31,7 +31,7 @@ protected:
     }
 };
 
-TEST_F(ParityWrite, a_scene_has_what_the_page_promises)
+TEST_F(ParityWrite, ASceneHasWhatThePagePromises)
 {
     write("export", "scene");
     EXPECT_EQ(files(path("scene")),
@@ -50,7 +50,7 @@ TEST_F(ParityWrite, a_scene_has_what_the_page_promises)
     EXPECT_EQ(file_text(path("scene") + "/scene.glb").substr(0, 4), "glTF");
 }
 
-TEST_F(ParityWrite, a_result_takes_the_place_of_an_older_scene)
+TEST_F(ParityWrite, AResultTakesThePlaceOfAnOlderScene)
 {
     write("export", "folder");
     write("capture", "folder");
@@ -63,7 +63,7 @@ TEST_F(ParityWrite, a_result_takes_the_place_of_an_older_scene)
     EXPECT_EQ(file_text(path("folder") + "/depth.npy").size(), 128u + 4 * 80 * 60);
 }
 
-TEST_F(ParityWrite, the_same_command_writes_the_same_bytes)
+TEST_F(ParityWrite, TheSameCommandWritesTheSameBytes)
 {
     for (const char *what : {"export", "capture"}) {
         write(what, "a");
@@ -76,7 +76,7 @@ TEST_F(ParityWrite, the_same_command_writes_the_same_bytes)
     EXPECT_NE(file_text(path("a") + "/positions.npy"), file_text(path("later") + "/positions.npy"));
 }
 
-TEST_F(ParityWrite, refuses_what_cannot_be_numbered_or_found)
+TEST_F(ParityWrite, RefusesWhatCannotBeNumberedOrFound)
 {
     Outcome outcome = claque({"parity", "capture", "citizen", "--format", "rgb565", "--out", path("a")});
     EXPECT_EQ(outcome.code, 2);

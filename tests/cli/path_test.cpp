@@ -41,7 +41,7 @@ double distance(const std::array<double, 3> &a, const std::array<double, 3> &b)
     return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-TEST(camera_path, goes_through_its_key_frames)
+TEST(CameraPath, GoesThroughItsKeyFrames)
 {
     const CameraPath path(whole, "p.toml");
     ASSERT_EQ(path.keys().size(), 3u);
@@ -54,20 +54,20 @@ TEST(camera_path, goes_through_its_key_frames)
     }
 }
 
-TEST(camera_path, is_held_before_its_first_key_frame_and_after_its_last)
+TEST(CameraPath, IsHeldBeforeItsFirstKeyFrameAndAfterItsLast)
 {
     const CameraPath path(whole, "p.toml");
     EXPECT_EQ(path.at(-5).eye, path.keys().front().view.eye);
     EXPECT_EQ(path.at(1e9).eye, path.keys().back().view.eye);
 }
 
-TEST(camera_path, has_no_jump_in_place_or_speed)
+TEST(CameraPath, HasNoJumpInPlaceOrSpeed)
 {
     for (const std::string &toml : {whole, *scenes::recorded_path("odeon")}) {
         const CameraPath path(toml, "p.toml");
         const double step = 1e-3;
         double speed_before = 0;
-        for (double t = path.first_s() - 0.1; t < path.last_s() + 0.1; t += step) {
+        for (double t = path.start_s() - 0.1; t < path.end_s() + 0.1; t += step) {
             const Viewpoint a = path.at(t), b = path.at(t + step);
             const double speed = distance(a.eye, b.eye) / step;
             ASSERT_LT(speed, 10) << "metres a second at " << t;
@@ -79,7 +79,7 @@ TEST(camera_path, has_no_jump_in_place_or_speed)
     }
 }
 
-TEST(camera_path, of_the_odeon_has_four_sections_and_never_zooms_beyond_its_keys)
+TEST(CameraPath, OfTheOdeonHasFourSectionsAndNeverZoomsBeyondItsKeys)
 {
     const CameraPath path(*scenes::recorded_path("odeon"), "path.toml");
     EXPECT_EQ(path.sections().size(), 4u);
@@ -93,7 +93,7 @@ TEST(camera_path, of_the_odeon_has_four_sections_and_never_zooms_beyond_its_keys
     }
 }
 
-TEST(camera_path, that_cannot_be_filmed_is_refused_with_its_key_frame_and_the_numbers)
+TEST(CameraPath, ThatCannotBeFilmedIsRefusedWithItsKeyFrameAndTheNumbers)
 {
     ASSERT_EQ(refusal(whole), "");
     const struct {
@@ -119,8 +119,8 @@ TEST(camera_path, that_cannot_be_filmed_is_refused_with_its_key_frame_and_the_nu
         {with("far_m = 900.0", "far_m = 1.0"), {"key frame 3", "near_m = 2", "far_m = 1"}},
         {with("fov_deg = 50.0", "fov_deg = 50.0\nroll_deg = 3.0"), {"key frame 2", "unknown key 'roll_deg'"}},
         {with("far_m", "speed = 2.0\nfar_m"), {"unknown key 'speed'"}},
-        {with("first_s = 1.0", "first_s = 6.5"), {"section 1", "'all'", "6.5", "ends before it begins"}},
-        {with("last_s = 6.0", "last_s = 60.0"), {"section 1", "60", "0 to 7 s"}},
+        {with("start_s = 1.0", "start_s = 6.5"), {"section 1", "'all'", "6.5", "ends before it begins"}},
+        {with("end_s = 6.0", "end_s = 60.0"), {"section 1", "60", "0 to 7 s"}},
         {with("name = \"all\"", "name = \"\""), {"section 1", "no name"}},
         {whole + "[[sections]]\nname = \"more\"\nfirst_s = 5.0\nlast_s = 7.0\n", {"section 2", "'more'", "6 s"}},
         {whole + "[[sections]]\nname = \"all\"\nfirst_s = 6.0\nlast_s = 7.0\n", {"section 2", "'all'"}},
@@ -133,7 +133,7 @@ TEST(camera_path, that_cannot_be_filmed_is_refused_with_its_key_frame_and_the_nu
     }
 }
 
-TEST(camera_path, that_swings_over_its_target_between_two_key_frames_is_refused)
+TEST(CameraPath, ThatSwingsOverItsTargetBetweenTwoKeyFramesIsRefused)
 {
     const std::string sentence = refusal(
         "far_m = 9.0\n"

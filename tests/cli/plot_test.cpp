@@ -24,7 +24,7 @@ protected:
     }
 };
 
-TEST_F(Plot, lines_become_svg)
+TEST_F(Plot, LinesBecomeSvg)
 {
     const Outcome done = plot(growth, "-");
     EXPECT_EQ(done.code, 0) << done.err;
@@ -35,7 +35,7 @@ TEST_F(Plot, lines_become_svg)
     EXPECT_EQ(file_text(path("a.svg")), done.out);
 }
 
-TEST_F(Plot, lines_become_png_with_their_colours_and_the_same_bytes_twice)
+TEST_F(Plot, LinesBecomePngWithTheirColoursAndTheSameBytesTwice)
 {
     EXPECT_EQ(plot(growth, "a.png").err, "");
     EXPECT_EQ(plot(growth, "b.png").code, 0);
@@ -48,14 +48,14 @@ TEST_F(Plot, lines_become_png_with_their_colours_and_the_same_bytes_twice)
     EXPECT_EQ(left(), (std::vector<std::string>{"a.png", "b.png", "in.json"})) << "no part is left behind";
 }
 
-TEST_F(Plot, a_picture_that_was_there_stays_where_a_new_one_fails)
+TEST_F(Plot, APictureThatWasThereStaysWhereANewOneFails)
 {
     std::ofstream(path("a.png")) << "old";
     EXPECT_EQ(plot(R"({"kind": "lines", "title": "t", "series": []})", "a.png").code, 1);
     EXPECT_EQ(file_text(path("a.png")), "old");
 }
 
-TEST_F(Plot, what_is_no_chart_is_refused_in_one_sentence)
+TEST_F(Plot, WhatIsNoChartIsRefusedInOneSentence)
 {
     for (const auto &[text, said] : std::vector<std::pair<std::string, std::string>>{
              {R"({"kind": "pie"})", "'kind' is not 'lines'"},

@@ -10,7 +10,7 @@ namespace
 using Prepare = Command;
 
 // The map that a proposal wrote, painted on by nobody, is the same map again.
-TEST_F(Prepare, a_proposed_map_given_back_as_a_painted_one_makes_the_same_zones)
+TEST_F(Prepare, AProposedMapGivenBackAsAPaintedOneMakesTheSameZones)
 {
     const Outcome proposed = claque({"prepare", "citizen", "--propose", "4", "--zone", "1=light", "--zone", "2=dark",
                                      "--reduce", "light", "--zones-out", path("map.png"), "--out", path("a.clq")});
@@ -29,7 +29,7 @@ TEST_F(Prepare, a_proposed_map_given_back_as_a_painted_one_makes_the_same_zones)
     EXPECT_EQ(counts(split.out), counts(before)) << "triangles, clean, dirty and the number of zones";
 }
 
-TEST_F(Prepare, names_what_is_wrong_with_its_options)
+TEST_F(Prepare, NamesWhatIsWrongWithItsOptions)
 {
     const auto refused = [&](std::vector<std::string> more, const char *why) {
         std::vector<std::string> all = {"prepare", "citizen", "--out", path("c.clq")};
@@ -47,7 +47,7 @@ TEST_F(Prepare, names_what_is_wrong_with_its_options)
     EXPECT_TRUE(left().empty()) << "nothing is written where something is wrong";
 }
 
-TEST_F(Prepare, keeps_a_texture_within_the_size_that_it_is_given)
+TEST_F(Prepare, KeepsATextureWithinTheSizeThatItIsGiven)
 {
     ASSERT_EQ(claque({"prepare", "citizen", "--texture-size", "64", "--out", path("small.clq")}).code, 0);
     const Outcome split = claque({"split", path("small.clq"), "--scale", "1", "--picture", path("split.png")});

@@ -12,7 +12,7 @@ namespace
 using Render = Drawing;
 using Json = nlohmann::json;
 
-TEST_F(Render, a_picture_is_a_png_of_the_size_that_was_asked_for)
+TEST_F(Render, APictureIsAPngOfTheSizeThatWasAskedFor)
 {
     render({"--out", path("a.png")});
     const std::string png = file_text(path("a.png"));
@@ -24,7 +24,7 @@ TEST_F(Render, a_picture_is_a_png_of_the_size_that_was_asked_for)
     EXPECT_EQ(left(), (std::vector<std::string>{"a.png"}));
 }
 
-TEST_F(Render, the_same_frame_alone_and_in_a_sequence_has_the_same_bytes)
+TEST_F(Render, TheSameFrameAloneAndInASequenceHasTheSameBytes)
 {
     render({"--frames", "0:6", "--stride", "3", "--out", path("s-%05d.png")});
     EXPECT_EQ(left(), (std::vector<std::string>{"s-00000.png", "s-00003.png", "s-00006.png"}));
@@ -33,7 +33,7 @@ TEST_F(Render, the_same_frame_alone_and_in_a_sequence_has_the_same_bytes)
     EXPECT_NE(file_text(path("s-00000.png")), file_text(path("s-00006.png")));
 }
 
-TEST_F(Render, a_sequence_skips_what_is_finished_and_mends_what_is_not)
+TEST_F(Render, ASequenceSkipsWhatIsFinishedAndMendsWhatIsNot)
 {
     render({"--frames", "0:2", "--out", path("s-%05d.png")});
     const std::string first = file_text(path("s-00000.png")), last = file_text(path("s-00002.png"));
@@ -52,7 +52,7 @@ TEST_F(Render, a_sequence_skips_what_is_finished_and_mends_what_is_not)
     EXPECT_EQ(file_text(path("s-00000.png")), first);
 }
 
-TEST_F(Render, the_raw_stream_has_three_bytes_a_pixel_and_nothing_else)
+TEST_F(Render, TheRawStreamHasThreeBytesAPixelAndNothingElse)
 {
     const Outcome one = claque({"render", "--count", "9", "--size", "50x30", "--time", "0.04", "--out", "-"});
     ASSERT_EQ(one.code, 0) << one.err;
@@ -63,7 +63,7 @@ TEST_F(Render, the_raw_stream_has_three_bytes_a_pixel_and_nothing_else)
     EXPECT_EQ(three.out.substr(one.out.size(), one.out.size()), one.out) << "frame 1 is that of 0.04 s";
 }
 
-TEST_F(Render, threads_do_not_change_the_picture)
+TEST_F(Render, ThreadsDoNotChangeThePicture)
 {
     const std::string one = picture_hash({"--threads", "1"});
     EXPECT_EQ(one.size(), 16u);
@@ -71,17 +71,17 @@ TEST_F(Render, threads_do_not_change_the_picture)
     EXPECT_NE(picture_hash({"--threads", "1", "--seed", "2"}), one) << "a check that cannot fail is none";
 }
 
-TEST_F(Render, caches_and_varieties_do_not_change_the_picture)
+TEST_F(Render, CachesAndStrategiesDoNotChangeThePicture)
 {
     const std::string plain = picture_hash({});
     for (const char *cache : {"none", "animation", "full"})
-        for (const char *variety : {"per-zone", "binned", "fused"})
-            EXPECT_EQ(picture_hash({"--cache", cache, "--variety", variety}), plain) << cache << " " << variety;
+        for (const char *strategy : {"per-zone", "binned", "fused"})
+            EXPECT_EQ(picture_hash({"--cache", cache, "--strategy", strategy}), plain) << cache << " " << strategy;
     EXPECT_EQ(picture_hash({"--cache-mib", "1"}), plain);
 }
 
 // All of them show poses that the first one made.
-TEST_F(Render, samples_smooth_edges_and_skin_nobody_again)
+TEST_F(Render, SamplesSmoothEdgesAndSkinNothingAgain)
 {
     EXPECT_EQ(picture_hash({"--samples", "1"}), picture_hash({}));
     EXPECT_EQ(picture_hash({"--samples", "5"}), picture_hash({"--samples", "5"}));
@@ -93,7 +93,7 @@ TEST_F(Render, samples_smooth_edges_and_skin_nobody_again)
     EXPECT_GT(counters["visible"].get<int>(), 20);
 }
 
-TEST_F(Render, shadows_by_claque_are_another_picture_and_skin_nobody)
+TEST_F(Render, ShadowsByClaqueAreAnotherPictureAndSkinNothing)
 {
     const std::string none = picture_hash({"--shadows", "none"}), mesh = picture_hash({"--shadows", "mesh"});
     const Json report = Json::parse(file_text(path("hash.json")));
@@ -107,7 +107,7 @@ TEST_F(Render, shadows_by_claque_are_another_picture_and_skin_nobody)
     EXPECT_NE(seats.err.find("'odeon' has no ground that shadows could fall on"), std::string::npos) << seats.err;
 }
 
-TEST_F(Render, bench_compares_kinds_of_shadows_in_one_run)
+TEST_F(Render, BenchComparesKindsOfShadowsInOneRun)
 {
     const Outcome done = claque({"bench", "plaza", "--count", "20", "--frames", "2", "--size", "96x72", "--shadows",
                                  "none,blob,mesh-stencil", "--json"});
@@ -120,14 +120,14 @@ TEST_F(Render, bench_compares_kinds_of_shadows_in_one_run)
     EXPECT_GT(runs[2]["drawn"]["triangles"], 1000);
 }
 
-TEST_F(Render, osmesa_and_egl_draw_the_same_picture)
+TEST_F(Render, OsmesaAndEglDrawTheSamePicture)
 {
     for (const char *kind : {"osmesa", "egl"})
         if (!why_no_context(kind).empty()) GTEST_SKIP() << why_no_context(kind);
     EXPECT_EQ(picture_hash({"--context", "osmesa"}), picture_hash({"--context", "egl"}));
 }
 
-TEST_F(Render, the_report_counts_who_is_there_and_who_is_seen)
+TEST_F(Render, TheReportCountsAllActorsAndVisibleOnes)
 {
     render({"--out", path("a.png"), "--json", path("a.json")});
     const Json report = Json::parse(file_text(path("a.json")));
@@ -144,7 +144,7 @@ TEST_F(Render, the_report_counts_who_is_there_and_who_is_seen)
     EXPECT_NE(report["context"].get<std::string>().find("Mesa"), std::string::npos);
 }
 
-TEST_F(Render, one_character_stands_there_twelve_times_unless_told_otherwise)
+TEST_F(Render, OneCharacterStandsThereTwelveTimesUnlessToldOtherwise)
 {
     const Outcome outcome =
         claque({"render", "citizen", "--size", "96x72", "-o", path("a.png"), "--json", path("a.json")});
@@ -152,7 +152,7 @@ TEST_F(Render, one_character_stands_there_twelve_times_unless_told_otherwise)
     EXPECT_EQ(Json::parse(file_text(path("a.json")))["frames"][0]["counters"]["actors"], 12);
 }
 
-TEST_F(Render, a_picture_that_fails_leaves_the_one_before_it)
+TEST_F(Render, APictureThatFailsLeavesTheOneBeforeIt)
 {
     std::ofstream(path("a.png")) << "before";
     const Outcome outcome = claque({"render", path("none.glb"), "--out", path("a.png"), "--json", path("a.json")});
@@ -161,14 +161,14 @@ TEST_F(Render, a_picture_that_fails_leaves_the_one_before_it)
     EXPECT_EQ(left(), (std::vector<std::string>{"a.png"}));
 }
 
-TEST_F(Render, both_cameras_and_both_formats_show_something_else)
+TEST_F(Render, BothCamerasAndBothFormatsShowSomethingElse)
 {
     const std::string overview = picture_hash({});
     EXPECT_NE(picture_hash({"--camera", "close"}), overview);
     EXPECT_NE(picture_hash({"--format", "rgb565"}), overview);
 }
 
-TEST_F(Render, a_character_of_a_file_is_drawn_as_its_prepared_self)
+TEST_F(Render, ACharacterOfAFileIsDrawnAsItsPreparedSelf)
 {
     const std::string fox = std::string(CLAQUE_ASSETS_DIR) + "/animals/khronos/Fox.glb";
     if (!std::filesystem::exists(fox)) GTEST_SKIP() << fox << " is not there";
@@ -176,7 +176,7 @@ TEST_F(Render, a_character_of_a_file_is_drawn_as_its_prepared_self)
     EXPECT_GT(std::filesystem::file_size(path("fox.png")), 500u);
 }
 
-TEST_F(Render, bench_has_a_run_for_each_of_its_matrix_and_one_hash)
+TEST_F(Render, BenchHasARunForEachOfItsMatrixAndOneHash)
 {
     const Outcome outcome = claque(
         {"bench", "plaza", "--count", "5,9", "--frames", "2", "--size", "64x48", "--cache", "none,full", "--json"});
@@ -191,7 +191,7 @@ TEST_F(Render, bench_has_a_run_for_each_of_its_matrix_and_one_hash)
     EXPECT_NE(report["runs"][0]["picture_hash"], report["runs"][6]["picture_hash"]);
 }
 
-TEST_F(Render, filters_clean_triangles_where_it_is_asked_to_and_says_what_that_comes_to)
+TEST_F(Render, FiltersCleanTrianglesWhereItIsAskedToAndSaysWhatThatComesTo)
 {
     const auto render = [&](const char *filter, const char *name) {
         const Outcome outcome =

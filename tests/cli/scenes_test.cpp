@@ -28,7 +28,7 @@ std::vector<Point> everybody(const PlazaLayout &plan, double time_s)
     return points;
 }
 
-TEST(plaza, everybody_who_was_asked_for_is_there)
+TEST(Plaza, EveryRequestedActorIsThere)
 {
     for (uint32_t count : {1u, 2u, 7u, 30u, 149u, 150u, 400u, 1000u, 3000u}) {
         const PlazaLayout plan = lay_out_plaza(count, 1, walk_speed);
@@ -36,7 +36,7 @@ TEST(plaza, everybody_who_was_asked_for_is_there)
     }
 }
 
-TEST(plaza, nobody_stands_or_walks_inside_anybody_at_any_time)
+TEST(Plaza, NoTwoActorsIntersectAtAnyTime)
 {
     for (uint64_t seed : {1u, 2u, 3u})
         for (double time_s : {0.0, 1.5, 33.0, 1e5}) {
@@ -47,7 +47,7 @@ TEST(plaza, nobody_stands_or_walks_inside_anybody_at_any_time)
         }
 }
 
-TEST(plaza, nobody_stands_in_the_fountain_or_the_platform)
+TEST(Plaza, NoActorStandsInTheFountainOrThePlatform)
 {
     const PlazaLayout plan = lay_out_plaza(400, 1, walk_speed);
     for (const Point &p : everybody(plan, 12.0)) {
@@ -57,7 +57,7 @@ TEST(plaza, nobody_stands_in_the_fountain_or_the_platform)
     }
 }
 
-TEST(plaza, a_circuit_is_closed_and_walked_without_jumps_the_way_it_faces)
+TEST(Plaza, ACircuitIsClosedAndWalkedForwardWithoutJumps)
 {
     const Circuit way(10, 14, 3);
     const double step = 0.01;

@@ -13,7 +13,7 @@ using Usage = Command;
 
 size_t lines(const std::string &text) { return static_cast<size_t>(std::count(text.begin(), text.end(), '\n')); }
 
-TEST_F(Usage, help_is_there_for_every_command_and_costs_nothing)
+TEST_F(Usage, HelpIsThereForEveryCommandAndCostsNothing)
 {
     for (const char *command : {"render", "sheet", "inspect", "dump", "split", "prepare", "bench", "plot", "cost"}) {
         const Outcome help = claque({command, "--help"});
@@ -25,7 +25,7 @@ TEST_F(Usage, help_is_there_for_every_command_and_costs_nothing)
     EXPECT_EQ(claque({"--version"}).out.substr(0, 7), "claque ");
 }
 
-TEST_F(Usage, wrong_arguments_are_code_2)
+TEST_F(Usage, WrongArgumentsAreCode2)
 {
     const std::string out = path("x.png");
     const std::vector<std::vector<std::string>> wrong = {
@@ -37,7 +37,7 @@ TEST_F(Usage, wrong_arguments_are_code_2)
         {"render", "--out", out, "--size", "99999x5"},
         {"render", "--out", out, "--count", "0"},
         {"render", "--out", out, "--count", "-3"},
-        {"render", "--out", out, "--variety", "gaudy"},
+        {"render", "--out", out, "--strategy", "gaudy"},
         {"render", "--out", out, "--cache", "some"},
         {"render", "--out", out, "--context", "metal"},
         {"render", "--out", out, "--camera", "hidden"},
@@ -62,7 +62,7 @@ TEST_F(Usage, wrong_arguments_are_code_2)
         {"bench", "plaza", "--count", "1,x"},
         {"bench", "odeon", "--count", "10,20"},
         {"bench", "odeon", "--cache", "some"},
-        {"bench", "odeon", "--variety", "gaudy"},
+        {"bench", "odeon", "--strategy", "gaudy"},
         {"bench", "odeon", "--frames", "0"},
         {"bench", "odeon", "--json", "--markdown"},
         {"bench", "odeon", "--camera", "close", "--path", "p.toml"},
@@ -93,7 +93,7 @@ TEST_F(Usage, wrong_arguments_are_code_2)
     EXPECT_TRUE(left().empty());
 }
 
-TEST_F(Usage, what_fails_says_why_in_one_sentence)
+TEST_F(Usage, WhatFailsSaysWhyInOneSentence)
 {
     const std::string bad = path("bad.glb"), clq = path("bad.clq");
     const std::string toml = path("bad.toml");
@@ -141,7 +141,7 @@ TEST_F(Usage, what_fails_says_why_in_one_sentence)
     EXPECT_EQ(left(), (std::vector<std::string>{"bad.clq", "bad.glb", "bad.toml"})) << "nothing is left of what failed";
 }
 
-TEST_F(Usage, a_clip_that_is_not_there_is_answered_with_those_that_are)
+TEST_F(Usage, AClipThatIsNotThereIsAnsweredWithThoseThatAre)
 {
     const Outcome outcome = claque({"dump", "citizen", "--clip", "dance", "--out", path("x.npy")});
     for (const char *clip : {"dance", "stand", "walk", "applaud", "cheer"})

@@ -10,7 +10,7 @@ namespace
 {
 
 using Variety = Drawing;
-using VarietyUse = Command;
+using VarietyUsage = Command;
 
 // A raw picture by pixels.
 struct Picture {
@@ -37,7 +37,7 @@ Picture draw(std::vector<std::string> arguments, size_t width, size_t height)
     return {width, height, outcome.out};
 }
 
-TEST_F(Variety, the_picture_is_a_png_of_the_size_that_was_asked_for)
+TEST_F(Variety, ThePictureIsAPngOfTheSizeThatWasAskedFor)
 {
     const Outcome outcome = claque({"variety", "citizen", "--size", "400x260", "--out", path("v.png")});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -51,7 +51,7 @@ TEST_F(Variety, the_picture_is_a_png_of_the_size_that_was_asked_for)
 }
 
 // Left above the grey texture, below it the map in a few flat colours; the citizen has eight zones.
-TEST_F(Variety, left_is_the_light_and_below_it_the_map_of_zones)
+TEST_F(Variety, LeftIsTheLightAndBelowItTheMapOfZones)
 {
     const Picture p = draw({"citizen"}, 640, 400);
     std::set<std::string> colours;
@@ -66,7 +66,7 @@ TEST_F(Variety, left_is_the_light_and_below_it_the_map_of_zones)
     EXPECT_LE(colours.size(), 10u);
 }
 
-TEST_F(Variety, the_same_seed_gives_the_same_people_and_another_one_others)
+TEST_F(Variety, TheSameSeedGivesTheSamePeopleAndAnotherOneOthers)
 {
     const Picture one = draw({"plebeian", "--count", "6"}, 480, 300);
     EXPECT_TRUE(draw({"plebeian", "--count", "6"}, 480, 300).rgb == one.rgb);
@@ -76,7 +76,7 @@ TEST_F(Variety, the_same_seed_gives_the_same_people_and_another_one_others)
 }
 
 // Each tile has the same pixels of backdrop and other colours on the same person.
-TEST_F(Variety, people_stand_alike_and_are_coloured_apart)
+TEST_F(Variety, PeopleStandTheSameAndDifferInColours)
 {
     const Picture p = draw({"patrician", "--count", "4"}, 900, 320);
     std::set<std::string> tiles;
@@ -94,13 +94,13 @@ TEST_F(Variety, people_stand_alike_and_are_coloured_apart)
     EXPECT_EQ(tiles.size(), 4u);
 }
 
-TEST_F(Variety, prepared_files_are_drawn_too)
+TEST_F(Variety, PreparedFilesAreDrawnToo)
 {
     ASSERT_EQ(claque({"prepare", "citizen", "--out", path("c.clq")}).code, 0);
     EXPECT_EQ(draw({path("c.clq"), "--count", "2"}, 300, 200).rgb.size(), 180000u);
 }
 
-TEST_F(VarietyUse, what_cannot_be_done_is_one_sentence)
+TEST_F(VarietyUsage, WhatCannotBeDoneIsOneSentence)
 {
     std::ofstream(path("text.glb")) << "this is no character";
     const struct {
@@ -130,7 +130,7 @@ TEST_F(VarietyUse, what_cannot_be_done_is_one_sentence)
     EXPECT_EQ(left(), (std::vector<std::string>{"text.glb"}));
 }
 
-TEST_F(Variety, people_who_find_no_room_are_refused_by_their_number)
+TEST_F(Variety, TooManyPeopleAreRefusedByTheirNumber)
 {
     const Outcome outcome = claque({"variety", "citizen", "--count", "300", "--size", "90x60", "--out", path("a.png")});
     EXPECT_EQ(outcome.code, 1);

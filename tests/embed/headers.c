@@ -1,12 +1,12 @@
 #include <claque/assets.h>
 #include <claque/claque.h>
+#include <claque/drawn_actor.h>
 #include <claque/mesh.h>
-#include <claque/shown.h>
 
 /* Twice, so that guards are tried as well. */
 #include <claque/claque.h>
+#include <claque/drawn_actor.h>
 #include <claque/mesh.h>
-#include <claque/shown.h>
 
 unsigned long clq_headers_compile(void);
 unsigned long clq_headers_compile(void)

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-TEST(hello, the_picture_shows_a_coloured_crowd)
+TEST(Hello, ThePictureShowsAColouredCrowd)
 {
     std::ifstream file(HELLO_PICTURE, std::ios::binary);
     if (!file) GTEST_SKIP() << "samples/hello.c did not run here";

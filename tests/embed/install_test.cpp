@@ -38,7 +38,7 @@ protected:
     Scratch home_;
 };
 
-TEST_F(Install, brings_every_header_and_both_libraries)
+TEST_F(Install, BringsEveryHeaderAndBothLibraries)
 {
     int headers = 0;
     for (const auto &file : fs::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
@@ -60,7 +60,7 @@ TEST_F(Install, brings_every_header_and_both_libraries)
               "claque " CLAQUE_VERSION "\n");
 }
 
-TEST_F(Install, leaves_no_path_of_the_build_behind)
+TEST_F(Install, LeavesNoPathOfTheBuildBehind)
 {
     // The prefix itself lies in the build folder here.
     EXPECT_EQ(printed("grep -r -e '" CLAQUE_BUILD_DIR "' prefix/lib/pkgconfig prefix/lib/cmake prefix/share | "
@@ -69,7 +69,7 @@ TEST_F(Install, leaves_no_path_of_the_build_behind)
     EXPECT_EQ(printed("readelf -d prefix/bin/claque prefix/lib/*.so | grep -E 'R(UN)?PATH' || true"), "");
 }
 
-TEST_F(Install, goes_below_destdir_and_is_found_where_it_will_be)
+TEST_F(Install, GoesBelowDestdirAndIsFoundWhereItWillBe)
 {
     const auto [code, said] = home_.run(make("install DESTDIR='" + home_.path() + "/stage' PREFIX=/opt/claque"));
     ASSERT_EQ(code, 0) << said;
@@ -80,7 +80,7 @@ TEST_F(Install, goes_below_destdir_and_is_found_where_it_will_be)
               "");
 }
 
-TEST_F(Install, lets_hosts_in_c_link_each_library_shared_or_static)
+TEST_F(Install, LetsHostsInCLinkEachLibrarySharedOrStatic)
 {
     const std::string built = printed("export CFLAGS='" CLAQUE_C_FLAGS "' CXXFLAGS='" CLAQUE_CXX_FLAGS
                                       "'\n"
@@ -97,7 +97,7 @@ TEST_F(Install, lets_hosts_in_c_link_each_library_shared_or_static)
     EXPECT_EQ(printed("readelf -d hosts/*_static | grep 'NEEDED.*claque' || true"), "");
 }
 
-TEST_F(Install, lets_pkg_config_link_statically)
+TEST_F(Install, LetsPkgConfigLinkStatically)
 {
     EXPECT_EQ(printed("export PKG_CONFIG_PATH='" + prefix() +
                       "/lib/pkgconfig'\nrm prefix/lib/*.so*\n"

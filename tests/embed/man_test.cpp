@@ -33,14 +33,14 @@ std::set<std::string> subcommands()
     return all_of(help.substr(help.find("Subcommands:")), "\n  ([a-z][a-z-]*)");
 }
 
-TEST(manual, has_a_section_for_each_subcommand_and_no_other)
+TEST(Manual, HasASectionForEachSubcommandAndNoOther)
 {
     const std::set<std::string> names = subcommands();
     ASSERT_GT(names.size(), 5u);
     EXPECT_EQ(all_of(manual(), "\n\\.SS claque ([a-z][a-z-]*)"), names);
 }
 
-TEST(manual, names_each_option_of_each_subcommand_in_its_section)
+TEST(Manual, NamesEachOptionOfEachSubcommandInItsSection)
 {
     const std::string text = manual();
     for (const std::string &name : subcommands()) {
@@ -53,7 +53,7 @@ TEST(manual, names_each_option_of_each_subcommand_in_its_section)
     }
 }
 
-TEST(manual, is_set_without_a_warning)
+TEST(Manual, IsSetWithoutAWarning)
 {
     if (!has_command("groff")) GTEST_SKIP() << "needs groff";
     const auto [code, said] = Scratch().run("groff -man -Tutf8 -ww '" CLAQUE_MAN "' > page");

@@ -6,7 +6,7 @@
 namespace
 {
 
-TEST(Package, is_four_that_unpacked_together_run)
+TEST(Package, IsFourThatUnpackedTogetherRun)
 {
     if (!has_command("dpkg-shlibdeps")) GTEST_SKIP() << "needs dpkg-shlibdeps (dpkg-dev)";
     if (*CLAQUE_CXX_FLAGS) GTEST_SKIP() << "of a build without flags of its own";

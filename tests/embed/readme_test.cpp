@@ -57,19 +57,19 @@ protected:
     int blocks_ = 0;
 };
 
-TEST_F(Readme, says_how_to_embed_with_pkg_config)
+TEST_F(Readme, SaysHowToEmbedWithPkgConfig)
 {
     expect_a_crowd(follow({"", "With pkg-config"}));
     EXPECT_EQ(blocks_, 3);
 }
 
-TEST_F(Readme, says_how_to_embed_with_cmake)
+TEST_F(Readme, SaysHowToEmbedWithCmake)
 {
     expect_a_crowd(follow({"", "With CMake"}));
     EXPECT_EQ(blocks_, 4);
 }
 
-TEST_F(Readme, says_how_to_embed_claque_as_a_folder)
+TEST_F(Readme, SaysHowToEmbedClaqueAsAFolder)
 {
     ASSERT_EQ(home_.run("ln -s '" CLAQUE_SOURCE_DIR "' claque").first, 0);
     expect_a_crowd(follow({"", "As a folder of your project"}));

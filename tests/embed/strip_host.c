@@ -59,7 +59,7 @@ static clq_template *strip(clq_context *context)
     part.positions = positions[0][0], part.normals = normals[0][0], part.uvs = uvs[0][0];
     part.influence_count = 2, part.joints = joints[0][0], part.weights = weights[0][0];
     part.index_count = 6 * (ROWS - 1), part.indices = indices[0];
-    const clq_channel_def channel = {1, CLQ_PATH_ROTATION, CLQ_LINEAR, 3, times, turns[0]};
+    const clq_channel_def channel = {1, CLQ_CHANNEL_ROTATION, CLQ_INTERPOLATION_LINEAR, 3, times, turns[0]};
     const clq_clip_def clip = {"bend", 1, &channel};
 
     clq_template_def def = clq_template_def_init();
@@ -82,11 +82,11 @@ static int stand(clq_crowd *crowd, clq_template *tmpl)
         clq_actor actor;
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = tmpl;
-        def.place.position[0] = 2.0 * (i % 8 - 3.5), def.place.position[2] = -3.0 * (i / 8);
+        def.transform.position[0] = 2.0 * (i % 8 - 3.5), def.transform.position[2] = -3.0 * (i / 8);
         def.play.clip = 0, def.play.phase_s = 0.125f * (float)(i % 7);
         def.seed = (uint64_t)i;
         if (!check(clq_actor_create(crowd, &def, &actor))) return 0;
-        if (!check(clq_actor_draw_colours(crowd, actor, NULL, 0))) return 0;
+        if (!check(clq_actor_randomise_colours(crowd, actor, NULL, 0))) return 0;
     }
     return 1;
 }
@@ -106,7 +106,7 @@ int main(void)
     if (!tmpl || !check(clq_crowd_create(context, NULL, &crowd)) || !check(clq_view_create(crowd, &view))) return 1;
     if (!stand(crowd, tmpl)) return 1;
     if (!check(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.25f, 0.1f, 100))) return 1;
-    if (!check(clq_view_look(view, &camera))) return 1;
+    if (!check(clq_view_set_camera(view, &camera))) return 1;
     for (int frame = 0; frame <= 50; ++frame) {
         if (!check(clq_crowd_update(crowd, frame / 25.0, &view, 1))) return 1;
         all = all * 1099511628211u + clq_view_hash(view);

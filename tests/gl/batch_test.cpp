@@ -14,7 +14,7 @@ TEST_F(Batches, TakeManyIndividualsInOneCall)
     passes::DrawStats together, one_by_one;
     shown(many(), {}, &together);
     shown(many(), apart(), &one_by_one);
-    const uint32_t vertices = figure_->tmpl->levels[0].vertex_count;
+    const uint32_t vertices = posed_->tmpl->levels[0].vertex_count;
     const uint32_t a_call = passes::Scratch::batch_vertices / vertices;
     ASSERT_GT(a_call, 3u);
     EXPECT_EQ(together.draws, (crowd + a_call - 1) / a_call);
@@ -31,7 +31,7 @@ TEST_F(Batches, ShowWhatSingleCallsShow)
     ASSERT_GT(covered(one_by_one), 5000u);
     EXPECT_LE(different(together, one_by_one, 0) * 1000, covered(one_by_one));
     DrawList moved = many();
-    moved.items[crowd - 1].model_view[12] += 0.05f * figure_->radius;
+    moved.items[crowd - 1].model_view[12] += 0.05f * posed_->radius;
     EXPECT_GT(different(shown(moved, {}), one_by_one, 0) * 1000, covered(one_by_one));
 }
 
@@ -47,7 +47,7 @@ TEST_F(Batches, LightTheirIndividualsAsGlWould)
     EXPECT_LE(different(together, one_by_one, 1) * 500, covered(one_by_one));
 }
 
-TEST_F(Batches, AreDrawnBeforeTheHooksOfWhoComesNext)
+TEST_F(Batches, AreDrawnBeforeTheHooksOfTheNextActor)
 {
     std::vector<uint32_t> seen;
     DrawList list = many();
@@ -70,7 +70,7 @@ TEST_F(Batches, AreDrawnBeforeTheHooksOfWhoComesNext)
     EXPECT_EQ(stats.individuals, crowd);
 }
 
-TEST_F(Batches, LeaveWhoHasMoreTrianglesToASingleCall)
+TEST_F(Batches, LeaveActorsWithMoreTrianglesToASingleCall)
 {
     passes::RendererOptions few;
     few.batch_triangles = 60;

@@ -64,21 +64,21 @@ TEST_F(Calls, NameEachFunctionThatIsMissing)
         EXPECT_EQ(status.code, CLQ_GL_MISSING);
         EXPECT_NE(std::string(status.text).find(name + ","), std::string::npos) << status.text;
         EXPECT_EQ(spy_->call_count(), 0u);
-        const Figure figure = small_figure();
-        EXPECT_EQ(renderer->prepare(*figure.tmpl).code, CLQ_GL_MISSING);
-        EXPECT_EQ(renderer->draw(list_of(figure, whole_view(figure)), nullptr).code, CLQ_GL_MISSING);
+        const PosedModel posed = small_posed();
+        EXPECT_EQ(renderer->prepare(*posed.tmpl).code, CLQ_GL_MISSING);
+        EXPECT_EQ(renderer->draw(list_of(posed, whole_view(posed)), nullptr).code, CLQ_GL_MISSING);
     }
 }
 
 TEST_F(Calls, MakeNoObjectAndAskForNoErrorInADraw)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     for (const passes::Strategy strategy : all_strategies) {
         const auto renderer = fresh(options_of(strategy));
         ASSERT_TRUE(open(*renderer).ok());
-        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
         spy_->reset();
-        draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+        draw(*context_, *renderer, list_of(posed, whole_view(posed)));
         for (const char *name : {"glGenTextures", "glTexImage2D", "glDeleteTextures", "glTexParameteri"})
             EXPECT_EQ(spy_->calls[name], 0u) << name;
         EXPECT_EQ(spy_->calls["glPushAttrib"], spy_->calls["glPopAttrib"]);
@@ -90,8 +90,8 @@ TEST_F(Calls, MakeNoObjectAndAskForNoErrorInADraw)
 
 TEST_F(Calls, AreAsManyDrawsAsTheStatisticsSay)
 {
-    const Figure figure = small_figure();
-    const model::Surface &surface = figure.tmpl->levels[0].surfaces[0];
+    const PosedModel posed = small_posed();
+    const model::Surface &surface = posed.tmpl->levels[0].surfaces[0];
     const size_t expected[] = {1, surface.clean.size() + surface.dirty_by_zone.size(), surface.clean.size() + 8};
     uint32_t once = surface.dirty.count;
     for (const model::Bin &bin : surface.clean) once += bin.range.count;
@@ -99,10 +99,10 @@ TEST_F(Calls, AreAsManyDrawsAsTheStatisticsSay)
     for (const passes::Strategy strategy : all_strategies) {
         const auto renderer = fresh(options_of(strategy));
         ASSERT_TRUE(open(*renderer).ok());
-        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
         spy_->reset();
         passes::DrawStats stats;
-        ASSERT_TRUE(renderer->draw(list_of(figure, whole_view(figure)), &stats).ok());
+        ASSERT_TRUE(renderer->draw(list_of(posed, whole_view(posed)), &stats).ok());
         EXPECT_EQ(stats.draws, spy_->calls["glDrawElements"]);
         EXPECT_EQ(stats.draws, expected[size_t(strategy)]);
         EXPECT_EQ(stats.individuals, 1u);
@@ -113,9 +113,9 @@ TEST_F(Calls, AreAsManyDrawsAsTheStatisticsSay)
 // As often as was asked for, by count of triangles, and by default never; the picture is the same.
 TEST_F(Calls, FlushAfterSoManyTriangles)
 {
-    const Figure figure = small_figure();
-    const Camera view = whole_view(figure);
-    const std::vector<Individual> five(5, individual_of(figure, view, nullptr));
+    const PosedModel posed = small_posed();
+    const Camera view = whole_view(posed);
+    const std::vector<Individual> five(5, individual_of(posed, view, nullptr));
     const claque::draw::DrawList list = list_of(five, view.projection);
     Picture expected;
     uint32_t one = 0;
@@ -125,7 +125,7 @@ TEST_F(Calls, FlushAfterSoManyTriangles)
         options.flush_triangles = individuals == never ? never : individuals * one;
         const auto renderer = fresh(options);
         ASSERT_TRUE(open(*renderer).ok());
-        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
         const Picture shown = draw(*context_, *renderer, list);
         if (individuals == 0) expected = shown;
         EXPECT_TRUE(shown == expected) << individuals;
@@ -141,25 +141,25 @@ TEST_F(Calls, FlushAfterSoManyTriangles)
 
 TEST_F(Calls, BringATemplateToGlOnceOnly)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     const auto renderer = fresh();
     ASSERT_TRUE(open(*renderer).ok());
-    ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
     spy_->reset();
-    ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
     EXPECT_EQ(spy_->call_count(), 0u);
 }
 
 TEST_F(Calls, AreNoneAfterTheContextWasLost)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     {
         const auto renderer = fresh();
         ASSERT_TRUE(open(*renderer).ok());
-        ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+        ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
         spy_->reset();
         renderer->abandon();
-        EXPECT_EQ(renderer->draw(list_of(figure, whole_view(figure)), nullptr).code, CLQ_GL_MISSING);
+        EXPECT_EQ(renderer->draw(list_of(posed, whole_view(posed)), nullptr).code, CLQ_GL_MISSING);
         renderer->destroy();
     }
     EXPECT_EQ(spy_->call_count(), 0u);
@@ -167,23 +167,23 @@ TEST_F(Calls, AreNoneAfterTheContextWasLost)
 
 TEST_F(Calls, OfANewRendererAfterALossGiveTheSamePicture)
 {
-    const Figure figure = small_figure();
-    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
-    const auto renderer = make_renderer_of(figure);
+    const PosedModel posed = small_posed();
+    const claque::draw::DrawList list = list_of(posed, whole_view(posed));
+    const auto renderer = make_renderer_of(posed);
     const Picture before = draw(*context_, *renderer, list);
     renderer->abandon();
     GlTest::SetUp();
     ASSERT_TRUE(renderer->open(context_->get_proc_address(), context_->user()).ok());
-    ASSERT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    ASSERT_TRUE(renderer->prepare(*posed.tmpl).ok());
     EXPECT_EQ(draw(*context_, *renderer, list), before);
 }
 
 TEST_F(Calls, LeaveNoTextureBehindInAHundredLives)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     for (int life = 0; life < 100; ++life) {
-        const auto renderer = make_renderer_of(figure);
-        renderer->draw(list_of(figure, whole_view(figure)), nullptr);
+        const auto renderer = make_renderer_of(posed);
+        renderer->draw(list_of(posed, whole_view(posed)), nullptr);
         renderer->destroy();
     }
     for (uint32_t name = 1; name < 1000; ++name) EXPECT_FALSE(host_->IsTexture(name)) << name;

@@ -53,10 +53,10 @@ void rezone(model::Model &character, uint32_t zone_count)
 }
 
 // In the midst of its first clip.
-Figure figure_of(const model::Model &character)
+PosedModel posed_of(const model::Model &character)
 {
     const bool still = character.rig.clips.empty();
-    return split_figure(character, still ? model::none : 0, still ? 0 : character.rig.clips[0].start_s + 0.3);
+    return split_posed(character, still ? model::none : 0, still ? 0 : character.rig.clips[0].start_s + 0.3);
 }
 
 const std::string folder = CLAQUE_ASSETS_DIR "/";
@@ -82,7 +82,7 @@ TEST_P(AllCharactersLaw, HoldsOnRealCharacters)
     EXPECT_GT(paths.size(), 20u);
     for (const std::string &path : paths) {
         SCOPED_TRACE(path);
-        hold(figure_of(load(path)));
+        hold(posed_of(load(path)));
     }
 }
 
@@ -96,9 +96,9 @@ TEST_P(CharactersLaw, HoldsOnRealCharactersWithZonesAcrossTheirTriangles)
         SCOPED_TRACE(name);
         model::Model character = load(folder + name);
         rezone(character, 10);
-        const Figure figure = figure_of(character);
-        EXPECT_GT(figure.tmpl->report.dirty, 50u);
-        hold(figure);
+        const PosedModel posed = posed_of(character);
+        EXPECT_GT(posed.tmpl->report.dirty, 50u);
+        hold(posed);
     }
 }
 

@@ -16,16 +16,16 @@ constexpr const char *clips[] = {"applaud", "cheer", "sit_applaud"};
 TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
 {
     most_ties_share_ = 1e-5;  // where a band of cloth goes into the dress
-    for (const claque::figures::Builtin &figure : claque::figures::people()) {
-        SCOPED_TRACE(figure.name);
-        const model::Model made = figure.make();
-        hold(split_figure(made));
+    for (const claque::figures::Builtin &posed : claque::figures::people()) {
+        SCOPED_TRACE(posed.name);
+        const model::Model made = posed.make();
+        hold(split_posed(made));
         for (const char *clip : clips) {
             SCOPED_TRACE(clip);
             uint32_t at = 0;
             while (at < made.rig.clips.size() && made.rig.clip_names[at] != clip) ++at;
             ASSERT_LT(at, made.rig.clips.size());
-            hold(split_figure(made, at, 0.4));
+            hold(split_posed(made, at, 0.4));
         }
     }
 }

@@ -1,6 +1,6 @@
 // Levels in a colour a triangle: what they show unlit and lit, what they send, and that nobody else is touched by it.
 #include "passes/flat.h"
-#include "passes/places.h"
+#include "passes/welded.h"
 #include "tests/gl/support/crowds.h"
 #include "tests/gl/support/hooked.h"
 
@@ -20,7 +20,7 @@ protected:
     const passes::FlatLevel &flat_level()
     {
         if (prepared_.levels.empty()) {
-            EXPECT_TRUE(passes::prepare_without_gl(prepared_, *figure_->tmpl, {}, 8).ok());
+            EXPECT_TRUE(passes::prepare_without_gl(prepared_, *posed_->tmpl, {}, 8).ok());
         }
         return prepared_.levels[0].flat;
     }
@@ -53,8 +53,8 @@ std::vector<Flat::Colour> Flat::colours_lit_from(const glm::dvec3 &light, const 
         const double lit = ambient + std::max(0.0, glm::dot(glm::normalize(normals[v]), glm::normalize(light)));
         Colour colour;
         for (size_t k = 0; k < 3; ++k) {
-            const double zone = zone_rgb[3 * flat.zones[flat.looks[v]] + k] / 255.0;
-            colour[k] = 255 * std::min(1.0, lit * zone * flat.texel(flat.looks[v], 0)[k] / 255.0);
+            const double zone = zone_rgb[3 * flat.zones[flat.colour_entries[v]] + k] / 255.0;
+            colour[k] = 255 * std::min(1.0, lit * zone * flat.texel(flat.colour_entries[v], 0)[k] / 255.0);
         }
         out.push_back(colour);
     }
@@ -71,18 +71,18 @@ TEST_F(Flat, ShowUnlitWhatTheyShowSmooth)
 TEST_F(Flat, ShowUnlitWhatTheyShowSmoothInPaintToo)
 {
     constexpr uint32_t block = 4;  // texels across that far levels have alike
-    Figure painted = far_figure(60);
+    PosedModel painted = proxy_posed(60);
     model::Texture &texture = painted.tmpl->textures[painted.tmpl->levels[0].surfaces[0].texture];
     for (uint32_t y = 0; y < texture.height; ++y)
         for (uint32_t x = 0; x < texture.width; ++x)
             for (uint32_t c = 0; c < 3; ++c)
                 texture.rgba[4 * size_t(y * texture.width + x) + c] =
                     static_cast<uint8_t>(110 + (40 * (x / block) + 25 * (y / block) + 60 * c) % 146);
-    figure_ = &painted;
+    posed_ = &painted;
     const Picture flat = shown(many(), {}), expected = shown(many(), smooth());
     EXPECT_GT(different(expected, shown(squeezed(), smooth()), 8), 1000u);
     EXPECT_EQ(different(flat, expected, 1), 0u);
-    figure_ = &figure();
+    posed_ = &posed();
     EXPECT_GT(different(flat, shown(many(), {}), 8), 1000u) << "the paint does not show";
 }
 
@@ -139,14 +139,14 @@ TEST_F(Flat, AreOnlyThoseOfFewTrianglesAtOneTexelEach)
     passes::RendererOptions fewer;
     fewer.flat_triangles = 59;
     passes::PreparedTemplate prepared(std::pmr::get_default_resource());
-    ASSERT_TRUE(passes::prepare_without_gl(prepared, *figure_->tmpl, fewer, 8).ok());
+    ASSERT_TRUE(passes::prepare_without_gl(prepared, *posed_->tmpl, fewer, 8).ok());
     EXPECT_TRUE(prepared.levels[0].flat.indices.empty());
 
-    Figure moved = far_figure(60);
+    PosedModel moved = proxy_posed(60);
     moved.tmpl->levels[0].uvs[0] += 0.001f;
     EXPECT_FALSE(passes::shows_texels(moved.tmpl->levels[0], 64));
-    EXPECT_TRUE(passes::shows_texels(figure_->tmpl->levels[0], 64));
-    const Figure sheet = small_figure();
+    EXPECT_TRUE(passes::shows_texels(posed_->tmpl->levels[0], 64));
+    const PosedModel sheet = small_posed();
     EXPECT_FALSE(passes::shows_texels(sheet.tmpl->levels[0], 1000));
 }
 
@@ -177,7 +177,7 @@ TEST_F(Flat, LeaveOthersTheHostsShadeModel)
     }
 }
 
-TEST_F(Flat, LetWhoHasHooksBeDrawnSmoothBetweenThem)
+TEST_F(Flat, DrawActorsWithHooksSmoothBetweenThem)
 {
     light_from({1, 0.4f, 0.2f, 0});
     const auto nothing = [] { return 0; };

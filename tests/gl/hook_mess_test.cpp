@@ -34,7 +34,7 @@ TEST_F(MessHooks, ThatMessWithWhatClaqueSetsLeaveNoTraceInThePicture)
                     const auto make = [&] { return mess.with_what_claque_sets(), 0; };
                     const Callbacks hooks(first ? make : std::function<int32_t()>(),
                                           last ? make : std::function<void()>());
-                    const auto renderer = make_renderer_of(figure_, options);
+                    const auto renderer = make_renderer_of(posed_, options);
                     DrawList list = trio();
                     list.items[place].hooks = &hooks.hooks;
                     EXPECT_TRUE(draw(*context_, *renderer, list) == expected)
@@ -55,7 +55,7 @@ TEST_F(MessHooks, ThatMessWithEverythingDoNotReachTheNeighbours)
             Mess mess(*host_);
             const auto make = [&] { return mess.with_everything(), 0; };
             const Callbacks hooks(first ? make : std::function<int32_t()>(), last ? make : std::function<void()>());
-            const Picture messed = draw(*context_, *make_renderer_of(figure_, options_of(strategy)), trio(hooks));
+            const Picture messed = draw(*context_, *make_renderer_of(posed_, options_of(strategy)), trio(hooks));
             expect_same_neighbours(messed, expected);
             EXPECT_EQ(same_middle(messed, expected), !first) << "what claque inherits acts on it";
         }
@@ -66,7 +66,7 @@ TEST_F(MessHooks, ThatMessWithEverythingDoNotReachTheNeighbours)
 TEST_F(MessHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
 {
     for (const passes::Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(figure_, options_of(strategy));
+        const auto renderer = make_renderer_of(posed_, options_of(strategy));
         const HostileHost hostile(*host_);
         Mess mess(*host_);
         const auto make = [&] { return mess.with_everything(), 0; };
@@ -84,7 +84,7 @@ TEST_F(MessHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
 TEST_F(MessHooks, LeaveNothingThatIsNotDocumentedInTheOtherGuardModes)
 {
     for (const Guard guard : {Guard::minimal, Guard::none}) {
-        const auto renderer = make_renderer_of(figure_, options_of(passes::Strategy::fused, guard));
+        const auto renderer = make_renderer_of(posed_, options_of(passes::Strategy::fused, guard));
         Mess mess(*host_);
         const auto make = [&] { return mess.with_everything(), 0; };
         const Callbacks both(make, make);
@@ -111,7 +111,7 @@ TEST_F(MessHooks, ThatLeaveADisplayListOrSelectionOpenAreClosed)
     const Callbacks selects([&] { return host_->SelectBuffer(8, names), host_->RenderMode(0x1C02), 0; },
                             [&] { host_->RenderMode(0x1C02); });
     for (const Callbacks *hooks : {&lists, &selects}) {
-        EXPECT_EQ(draw(*context_, *make_renderer_of(figure_), trio(*hooks)), expected);
+        EXPECT_EQ(draw(*context_, *make_renderer_of(posed_), trio(*hooks)), expected);
         EXPECT_EQ(host_->GetError(), 0u);
     }
 }
@@ -130,7 +130,7 @@ TEST_F(MessHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
     host_->ask<One>("glLinkProgram")(program);
     const auto use = host_->ask<One>("glUseProgram");
     const Picture expected = calm();
-    const auto renderer = make_renderer_of(figure_);
+    const auto renderer = make_renderer_of(posed_);
     passes::DrawStats stats;
 
     const Callbacks between([&] { return use(program), 0; }, [&] { use(0); });
@@ -156,7 +156,7 @@ TEST_F(MessHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
 TEST_F(MessHooks, ThatPopTooMuchLeaveTheStacksBalanced)
 {
     const Callbacks pops([&] { return host_->PopAttrib(), host_->PopAttrib(), 0; }, [&] { host_->PopClientAttrib(); });
-    const auto renderer = make_renderer_of(figure_);
+    const auto renderer = make_renderer_of(posed_);
     host_->PushAttrib(gl::current_bit);
     host_->PushClientAttrib(gl::client_vertex_array_bit);
     EXPECT_EQ(draw(*context_, *renderer, trio(pops)), calm());

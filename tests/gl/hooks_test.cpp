@@ -14,9 +14,9 @@ TEST_F(Hooks, AreCalledBeforeAndAfterTheDrawOfTheirIndividual)
     Spy spy(*context_);
     passes::Renderer renderer(std::pmr::get_default_resource(), options_of(passes::Strategy::per_zone));
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
-    ASSERT_TRUE(renderer.prepare(*figure_.tmpl).ok());
+    ASSERT_TRUE(renderer.prepare(*posed_.tmpl).ok());
     passes::DrawStats alone;
-    ASSERT_TRUE(renderer.draw(list_of(figure_, whole_view(figure_)), &alone).ok());
+    ASSERT_TRUE(renderer.draw(list_of(posed_, whole_view(posed_)), &alone).ok());
     std::vector<uint32_t> draws;
     const auto note = [&] { draws.push_back(spy.calls["glDrawElements"]); };
     const Callbacks both([&] { return note(), 0; }, note), first([&] { return note(), 0; }, nullptr),
@@ -34,11 +34,11 @@ TEST_F(Hooks, AreCalledBeforeAndAfterTheDrawOfTheirIndividual)
     EXPECT_EQ(last.index1, 13u);
 }
 
-TEST_F(Hooks, AreNotCalledForWhoIsNotDrawn)
+TEST_F(Hooks, AreNotCalledForActorsThatAreNotDrawn)
 {
     uint32_t calls = 0;
     const Callbacks counting([&] { return ++calls, 0; }, [&] { ++calls; });
-    const auto renderer = make_renderer_of(figure_);
+    const auto renderer = make_renderer_of(posed_);
     DrawList list = trio(counting);
     list.items[1].shadow_only = true;
     draw(*context_, *renderer, list);
@@ -48,7 +48,7 @@ TEST_F(Hooks, AreNotCalledForWhoIsNotDrawn)
     EXPECT_EQ(calls, 0u);
 }
 
-TEST_F(Hooks, FindTheirIndividualsPlaceNoArraysAndNoTexture)
+TEST_F(Hooks, FindTheirIndividualsTransformNoArraysAndNoTexture)
 {
     const auto look = [&] {
         EXPECT_EQ(host_->IsEnabled(gl::vertex_array) + host_->IsEnabled(gl::colour_array), 0);
@@ -67,7 +67,7 @@ TEST_F(Hooks, FindTheirIndividualsPlaceNoArraysAndNoTexture)
     };
     const Callbacks looking(look, look);
     for (const passes::Strategy strategy : all_strategies)
-        draw(*context_, *make_renderer_of(figure_, options_of(strategy)), trio(looking));
+        draw(*context_, *make_renderer_of(posed_, options_of(strategy)), trio(looking));
 }
 
 // What one hook pushes the other may pop: lights of their own for one individual.
@@ -84,7 +84,7 @@ TEST_F(Hooks, MayLightTheirIndividual)
         },
         [&] { host_->PopAttrib(); });
     const Picture expected = calm();
-    const Picture dimmed = draw(*context_, *make_renderer_of(figure_), trio(dims));
+    const Picture dimmed = draw(*context_, *make_renderer_of(posed_), trio(dims));
     expect_same_neighbours(dimmed, expected);
     EXPECT_FALSE(same_middle(dimmed, expected));
     uint64_t sum = 0, expected_sum = 0;
@@ -97,7 +97,7 @@ TEST_F(Hooks, MayLightTheirIndividual)
 // The same template with another picture on it, and the zone keys that it needs.
 TEST_F(Hooks, MayBindATextureOfTheirOwn)
 {
-    Figure other = small_figure();
+    PosedModel other = small_posed();
     paint(*other.tmpl);
     model::Texture &texture = other.tmpl->textures[0];
     for (size_t i = 0; i < texture.rgba.size(); i += 4)
@@ -118,7 +118,7 @@ TEST_F(Hooks, MayBindATextureOfTheirOwn)
         for (claque::draw::Item &item : list.items) item.tmpl = other.tmpl.get();
         const Picture all_other = draw(*context_, *make_renderer_of(other, options_of(strategy)), list);
         EXPECT_FALSE(same_middle(all_other, expected));
-        const auto renderer = make_renderer_of(figure_, options_of(strategy));
+        const auto renderer = make_renderer_of(posed_, options_of(strategy));
         answer = 1;
         const Picture swapped = draw(*context_, *renderer, trio(binds));
         expect_same_neighbours(swapped, expected);
@@ -128,10 +128,10 @@ TEST_F(Hooks, MayBindATextureOfTheirOwn)
     }
 }
 
-TEST_F(Hooks, NeedAPlaceMoreOnTheAttributeStacks)
+TEST_F(Hooks, NeedOneMoreLevelOfTheAttributeStacks)
 {
     const Callbacks none([] { return 0; }, nullptr);
-    const auto renderer = make_renderer_of(figure_);
+    const auto renderer = make_renderer_of(posed_);
     int32_t most = 0;
     host_->GetIntegerv(gl::max_attrib_stack_depth, &most);
     for (int32_t i = 1; i < most; ++i) host_->PushAttrib(gl::current_bit);

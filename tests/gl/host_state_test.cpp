@@ -34,11 +34,11 @@ protected:
             for (const Host kind : {Host::calm, Host::arrays_on, Host::hostile})
                 for (const bool turned : {false, true}) {
                     SetUp();
-                    Figure figure = small_figure();
-                    figure.tmpl->levels[0].surfaces[0].double_sided = turned;
-                    const auto renderer = make_renderer_of(figure, options_of(strategy, guard));
+                    PosedModel posed = small_posed();
+                    posed.tmpl->levels[0].surfaces[0].double_sided = turned;
+                    const auto renderer = make_renderer_of(posed, options_of(strategy, guard));
                     const std::unique_ptr<HostileHost> hostile = become(kind);
-                    claque::draw::DrawList list = list_of(figure, whole_view(figure));
+                    claque::draw::DrawList list = list_of(posed, whole_view(posed));
                     list.items[0].mirrored = turned;
                     for (const std::string &name : changed_by_draw(*renderer, list))
                         if (!is_of_a_texture(name)) names.insert(after_.at(name).name);
@@ -75,11 +75,11 @@ protected:
 
 TEST_F(HostState, IsAsItWasAfterADrawInGuardModeFullForEveryStrategy)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     for (const passes::Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(figure, options_of(strategy));
+        const auto renderer = make_renderer_of(posed, options_of(strategy));
         const HostileHost hostile(*host_);
-        const std::vector<std::string> changed = changed_by_draw(*renderer, list_of(figure, whole_view(figure)));
+        const std::vector<std::string> changed = changed_by_draw(*renderer, list_of(posed, whole_view(posed)));
         for (const std::string &name : changed) ADD_FAILURE() << name << " is now " << text_of(after_.at(name));
         SetUp();
     }
@@ -87,10 +87,10 @@ TEST_F(HostState, IsAsItWasAfterADrawInGuardModeFullForEveryStrategy)
 
 TEST_F(HostState, IsAsItWasAfterATemplateWasPreparedAndAfterTheRendererWasDestroyed)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     const HostileHost hostile(*host_);
     const State before = dump_state(*host_);
-    const auto renderer = make_renderer_of(figure);
+    const auto renderer = make_renderer_of(posed);
     EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>());
     renderer->destroy();
     EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>());
@@ -111,39 +111,39 @@ TEST_F(HostState, IsLeftExactlyAsDocumentedInGuardModeNone)
 
 TEST_F(HostState, OfAHostileHostDoesNotSpoilThePicture)
 {
-    const Figure figure = small_figure();
-    const Camera camera = whole_view(figure);
+    const PosedModel posed = small_posed();
+    const Camera camera = whole_view(posed);
     for (const passes::Strategy strategy : all_strategies)
         for (const Guard guard : {Guard::full, Guard::minimal, Guard::none}) {
-            const auto renderer = make_renderer_of(figure, options_of(strategy, guard));
-            const Picture calm = draw(*context_, *renderer, list_of(figure, camera));
+            const auto renderer = make_renderer_of(posed, options_of(strategy, guard));
+            const Picture calm = draw(*context_, *renderer, list_of(posed, camera));
             renderer->destroy();
             SetUp();
             const HostileHost hostile(*host_);
-            const auto again = make_renderer_of(figure, options_of(strategy, guard));
-            EXPECT_EQ(draw(*context_, *again, list_of(figure, camera)), calm) << int(strategy) << " " << int(guard);
+            const auto again = make_renderer_of(posed, options_of(strategy, guard));
+            EXPECT_EQ(draw(*context_, *again, list_of(posed, camera)), calm) << int(strategy) << " " << int(guard);
             SetUp();
         }
 }
 
 TEST_F(HostState, OfEdgeFlagsLeftOnDoesNotSpoilAWireframe)
 {
-    const Figure figure = small_figure();
-    const auto renderer = make_renderer_of(figure);
+    const PosedModel posed = small_posed();
+    const auto renderer = make_renderer_of(posed);
     constexpr gl::Enum line = 0x1B01;
     host_->PolygonMode(gl::front_and_back, line);
-    const Picture calm = draw(*context_, *renderer, list_of(figure, whole_view(figure)));
-    const std::vector<uint8_t> no_edges(figure.tmpl->levels[0].vertex_count, 0);
+    const Picture calm = draw(*context_, *renderer, list_of(posed, whole_view(posed)));
+    const std::vector<uint8_t> no_edges(posed.tmpl->levels[0].vertex_count, 0);
     host_->ask<void (*)(int32_t, const void *)>("glEdgeFlagPointer")(1, no_edges.data());
     host_->EnableClientState(gl::edge_flag_array);
-    EXPECT_EQ(draw(*context_, *renderer, list_of(figure, whole_view(figure))), calm);
+    EXPECT_EQ(draw(*context_, *renderer, list_of(posed, whole_view(posed))), calm);
 }
 
 // Colours have to reach the materials whatever the host had following them; emission and highlights are the host's.
 TEST_F(HostState, OfAHostileHostDoesNotSpoilThePictureUnderLight)
 {
-    const Figure figure = small_figure();
-    const Camera camera = whole_view(figure);
+    const PosedModel posed = small_posed();
+    const Camera camera = whole_view(posed);
     const auto light_up = [&] {
         const float direction[4] = {0.3f, 0.5f, 0.8f, 0}, none[4] = {0, 0, 0, 1}, dim[4] = {0.2f, 0.2f, 0.2f, 1};
         host_->Disable(gl::colour_material);
@@ -157,25 +157,25 @@ TEST_F(HostState, OfAHostileHostDoesNotSpoilThePictureUnderLight)
     };
     for (const passes::Strategy strategy : all_strategies) {
         light_up();
-        const Picture calm = draw(*context_, *make_renderer_of(figure, options_of(strategy)), list_of(figure, camera));
+        const Picture calm = draw(*context_, *make_renderer_of(posed, options_of(strategy)), list_of(posed, camera));
         SetUp();
         const HostileHost hostile(*host_);
         light_up();
         host_->ColorMaterial(gl::back, 0x1600);  // GL_EMISSION
         host_->Enable(gl::colour_material);
-        const auto renderer = make_renderer_of(figure, options_of(strategy));
-        EXPECT_EQ(draw(*context_, *renderer, list_of(figure, camera)), calm) << int(strategy);
+        const auto renderer = make_renderer_of(posed, options_of(strategy));
+        EXPECT_EQ(draw(*context_, *renderer, list_of(posed, camera)), calm) << int(strategy);
         SetUp();
     }
 }
 
 TEST_F(HostState, KeepsTheHostsRgbMaskAndNeverWritesAlpha)
 {
-    const Figure figure = small_figure();
-    const auto renderer = make_renderer_of(figure);
+    const PosedModel posed = small_posed();
+    const auto renderer = make_renderer_of(posed);
     host_->Viewport(0, 0, width, height);
     host_->ColorMask(1, 0, 1, 1);
-    const Picture picture = draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    const Picture picture = draw(*context_, *renderer, list_of(posed, whole_view(posed)));
     for (size_t i = 1; i < picture.size(); i += 3) ASSERT_EQ(picture[i], background[1]);
     std::vector<uint8_t> rgba(4 * width * height);
     host_->ask<void (*)(int, int, int, int, unsigned, unsigned, void *)>("glReadPixels")(
@@ -186,13 +186,13 @@ TEST_F(HostState, KeepsTheHostsRgbMaskAndNeverWritesAlpha)
 // A host that tracks what claque tracks: popping its attributes is not enough for Mesa 22.3.6.
 TEST_F(HostState, OfMaterialsThatFollowColoursIsTheHostsOwn)
 {
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     for (const passes::Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(figure, options_of(strategy));
+        const auto renderer = make_renderer_of(posed, options_of(strategy));
         host_->ColorMaterial(gl::front_and_back, gl::ambient_and_diffuse);
         host_->Enable(gl::colour_material);
         host_->Color4f(0.125f, 0.25f, 0.5f, 0.75f);
-        for (const std::string &name : changed_by_draw(*renderer, list_of(figure, whole_view(figure))))
+        for (const std::string &name : changed_by_draw(*renderer, list_of(posed, whole_view(posed))))
             ADD_FAILURE() << int(strategy) << ": " << name << " is now " << text_of(after_.at(name));
         SetUp();
     }
@@ -201,23 +201,23 @@ TEST_F(HostState, OfMaterialsThatFollowColoursIsTheHostsOwn)
 TEST_F(HostState, OfErrorsIsTheHostsOwn)
 {
     constexpr gl::Enum invalid_enum = 0x0500;
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     const HostileHost hostile(*host_);
-    const auto renderer = make_renderer_of(figure);
+    const auto renderer = make_renderer_of(posed);
     EXPECT_EQ(host_->GetError(), 0u) << "left by prepare";
-    draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    draw(*context_, *renderer, list_of(posed, whole_view(posed)));
     EXPECT_EQ(host_->GetError(), 0u) << "left by draw";
     host_->Enable(0xffff);
-    draw(*context_, *renderer, list_of(figure, whole_view(figure)));
+    draw(*context_, *renderer, list_of(posed, whole_view(posed)));
     EXPECT_EQ(host_->GetError(), invalid_enum) << "the host's pending error was eaten";
     EXPECT_EQ(host_->GetError(), 0u);
 }
 
 TEST_F(HostState, IsNotTouchedByAnEmptyListOrARefusal)
 {
-    const Figure figure = small_figure(), other = small_figure();
+    const PosedModel posed = small_posed(), other = small_posed();
     for (const Guard guard : {Guard::full, Guard::none}) {
-        const auto renderer = make_renderer_of(figure, options_of(passes::Strategy::fused, guard));
+        const auto renderer = make_renderer_of(posed, options_of(passes::Strategy::fused, guard));
         const State before = dump_state(*host_);
         const claque::draw::DrawList empty(std::pmr::get_default_resource());
         EXPECT_TRUE(renderer->draw(empty, nullptr).ok());

@@ -21,8 +21,8 @@ class LevelsLaw : public LevelsTest, public testing::WithParamInterface<Case>
 
 model::Model made(const std::string &name)
 {
-    for (const claque::figures::Builtin &figure : claque::figures::people())
-        if (figure.name == name) return figure.make();
+    for (const claque::figures::Builtin &posed : claque::figures::people())
+        if (posed.name == name) return posed.make();
     throw std::runtime_error(name);
 }
 

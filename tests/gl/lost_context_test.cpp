@@ -34,8 +34,8 @@ protected:
 TEST_F(LostContexts, LeaveTheSamePictureAndNoMemoryAThousandTimes)
 {
     constexpr int lives = 1000, lives_a_context = 25;  // making one takes Mesa longer than a life
-    const Figure figure = make_figure(sheet(3, 0.2f), torture_map(16, 2, 3));
-    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    const PosedModel posed = make_posed(sheet(3, 0.2f), torture_map(16, 2, 3));
+    const claque::draw::DrawList list = list_of(posed, whole_view(posed));
     Ledger ledger;
     passes::Renderer renderer(&ledger, {});
     Picture first;
@@ -43,7 +43,7 @@ TEST_F(LostContexts, LeaveTheSamePictureAndNoMemoryAThousandTimes)
     for (int life = 0; life < lives; ++life) {
         if (life % lives_a_context == 0 && life > 0) make_context(32, 24);
         ASSERT_TRUE(renderer.open(context_->get_proc_address(), context_->user()).ok());
-        ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+        ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
         const Picture picture = draw(*context_, renderer, list);
         if (life == 0) first = picture, in_use = ledger.bytes;
         ASSERT_EQ(picture, first) << life;

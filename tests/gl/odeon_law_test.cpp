@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "lib/figures/figure.h"
-#include "lib/math/place.h"
+#include "lib/math/eye_transform.h"
 #include "lib/pose/clock.h"
 #include "samples/scenes/scene.h"
 #include "tests/gl/support/law_fixture.h"
@@ -19,7 +19,7 @@ constexpr int width = 480, height = 360;
 struct Person {
     const model::Template *tmpl = nullptr;
     std::vector<float> positions, normals;
-    clq_place place = {};
+    clq_transform place = {};
 };
 
 // Layers of cloth go through one another, and from the stage a step of the depth buffer is a tenth of a millimetre: along
@@ -34,21 +34,21 @@ protected:
         std::string why;
         context_ = contexts::make_offscreen(GetParam().kind, width, height, GetParam().format, why);
         if (!context_) GTEST_SKIP() << why;
-        scenes::Casting casting;
-        casting.count = 0;
-        scene_ = scenes::make_scene("odeon", library_, casting, scenes::Character());
+        scenes::CrowdOptions crowd_options;
+        crowd_options.count = 0;
+        scene_ = scenes::make_scene("odeon", library_, crowd_options, scenes::Character());
         for (clq_template *tmpl : scene_->templates()) looks_.push_back(split(tmpl));
     }
 
     // The model of the same name, split anew.
-    Figure split(const clq_template *tmpl)
+    PosedModel split(const clq_template *tmpl)
     {
         clq_template_info info = {};
         scenes::check(clq_template_get_info(tmpl, &info));
         for (const claque::figures::Builtin &builtin : claque::figures::builtins())
-            if (std::strcmp(builtin.name, info.name) == 0) return split_figure(builtin.make());
+            if (std::strcmp(builtin.name, info.name) == 0) return split_posed(builtin.make());
         ADD_FAILURE() << "no built-in figure is called " << info.name;
-        return Figure();
+        return PosedModel();
     }
 
     Person person(uint32_t index, double time_s)
@@ -64,7 +64,7 @@ protected:
              claque::pose::clip_time({info.play.start_s, info.play.speed, info.play.phase_s}, rig.clips[info.play.clip],
                                      time_s),
              person.positions, person.normals);
-        person.place = info.place;
+        person.place = info.transform;
         return person;
     }
 
@@ -83,9 +83,9 @@ protected:
             Individual one = {p.tmpl, p.positions.data(), p.normals.data(), colours.data(), {}, 0};
             const float *o = p.place.orientation_xyzw;
             const auto place =
-                claque::math::eye_place(world_to_eye, glm::dvec3(camera.eye[0], camera.eye[1], camera.eye[2]),
-                                        glm::dvec3(p.place.position[0], p.place.position[1], p.place.position[2]),
-                                        glm::quat(o[3], o[0], o[1], o[2]), double(p.place.scale));
+                claque::math::eye_transform(world_to_eye, glm::dvec3(camera.eye[0], camera.eye[1], camera.eye[2]),
+                                            glm::dvec3(p.place.position[0], p.place.position[1], p.place.position[2]),
+                                            glm::quat(o[3], o[0], o[1], o[2]), double(p.place.scale));
             claque::math::store_matrix(place, one.model_view);
             individuals.push_back(one);
         }
@@ -105,9 +105,9 @@ protected:
             passes::Renderer renderer(std::pmr::get_default_resource(), options);
             const auto opened = renderer.open(context_->get_proc_address(), context_->user());
             ASSERT_TRUE(opened.ok()) << opened.text;
-            for (const Figure &figure : looks_) ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
-            const Picture variety = draw(*context_, renderer, list_of(individuals, projection));
-            const Comparison c = compare(plain, variety, forwards, backwards);
+            for (const PosedModel &posed : looks_) ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
+            const Picture coloured = draw(*context_, renderer, list_of(individuals, projection));
+            const Comparison c = compare(plain, coloured, forwards, backwards);
             EXPECT_GT(c.covered, uint32_t(width * height / 8));
             EXPECT_EQ(c.wrong, 0u) << "of " << c.covered << " pixels";
             EXPECT_EQ(c.holes, 0u) << "of " << c.covered << " pixels";
@@ -118,18 +118,18 @@ protected:
 
     scenes::Library library_{1};
     std::unique_ptr<scenes::Scene> scene_;
-    std::vector<Figure> looks_;
+    std::vector<PosedModel> looks_;
 };
 
 }  // namespace
 
-TEST_P(OdeonLaw, HoldsOnEverybodyFromTheStage)
+TEST_P(OdeonLaw, HoldsOnEveryActorFromTheTheatreStage)
 {
     most_ties_share_ = ties_of_cloth;
     hold(scenes::Shot::overview, 4.3, 1);
 }
 
-TEST_P(OdeonLaw, HoldsOnThoseWhoAreNear)
+TEST_P(OdeonLaw, HoldsOnNearActors)
 {
     most_ties_share_ = ties_of_cloth;
     hold(scenes::Shot::close, 9.7, 1);

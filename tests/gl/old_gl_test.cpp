@@ -23,11 +23,11 @@ protected:
     }
 
     // A renderer's whole life.
-    void live(const passes::RendererOptions &options, const Figure &figure, const std::vector<DrawList> &lists)
+    void live(const passes::RendererOptions &options, const PosedModel &posed, const std::vector<DrawList> &lists)
     {
         passes::Renderer renderer(std::pmr::get_default_resource(), options);
         ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy_->user()).ok());
-        ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+        ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
         for (const DrawList &list : lists) ASSERT_TRUE(renderer.draw(list, nullptr).ok());
         renderer.destroy();
     }
@@ -54,7 +54,7 @@ TEST_F(OldGl, IsAskedForNothingThatItDoesNotKnow)
             for (const passes::ColourFormat format : {passes::ColourFormat::ubyte, passes::ColourFormat::real}) {
                 passes::RendererOptions options = options_of(strategy, guard);
                 options.colours = format;
-                live(options, figure_, {list_of(figure_, whole_view(figure_)), trio(nothing)});
+                live(options, posed_, {list_of(posed_, whole_view(posed_)), trio(nothing)});
             }
     expect_no_offence();
 }
@@ -63,13 +63,13 @@ TEST_F(OldGl, HasStacksDeepEnoughForAnyTree)
 {
     const Jointed jointed = make_jointed(rope(48), torture_map(128, 2, 64));
     for (const passes::Guard guard : {passes::Guard::full, passes::Guard::none})
-        live(options_of(passes::Strategy::fused, guard), jointed.figure,
-             {by_matrices(jointed, whole_view(jointed.figure))});
+        live(options_of(passes::Strategy::fused, guard), jointed.posed,
+             {by_matrices(jointed, whole_view(jointed.posed))});
     expect_no_offence();
 }
 
 // The tests above can fail.
-TEST_F(OldGl, IsSeenToBeOverstrained)
+TEST_F(OldGl, IsFoundOverstrained)
 {
     call<void (*)(gl::Enum)>("glEnable")(0x806F);                                            // GL_TEXTURE_3D
     call<void (*)(gl::Enum, gl::Enum, int32_t)>("glTexParameteri")(0x0DE1, 0x2802, 0x812F);  // GL_CLAMP_TO_EDGE

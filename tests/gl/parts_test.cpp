@@ -29,11 +29,11 @@ TEST_F(Parts, OutOfViewMayBeLeftOutWithoutATraceInThePicture)
     ASSERT_EQ(puppet_on.parts.size(), 11u);
     const uint64_t all = (uint64_t(1) << puppet_on.parts.size()) - 1;
     for (const passes::Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(puppet_on.figure, options_of(strategy));
+        const auto renderer = make_renderer_of(puppet_on.posed, options_of(strategy));
         uint32_t partial = 0, drawn = 0;
         for (uint32_t i = 0; i < 200; ++i) {
-            const Camera camera = hashed_camera(puppet_on.figure, i, aspect);
-            const DrawList list = list_of(puppet_on.figure, camera);
+            const Camera camera = hashed_camera(puppet_on.posed, i, aspect);
+            const DrawList list = list_of(puppet_on.posed, camera);
             const uint64_t in = parts_in(puppet_on, camera);
             const Picture whole = draw_with(*renderer, list, ~uint64_t(0));
             EXPECT_TRUE(draw_with(*renderer, list, in) == whole) << "camera " << i << ", parts " << in;
@@ -48,9 +48,9 @@ TEST_F(Parts, OutOfViewMayBeLeftOutWithoutATraceInThePicture)
 TEST_F(Parts, InViewAreMissedWhenLeftOut)
 {
     const Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
-    const DrawList list = list_of(puppet_on.figure, camera_on(puppet_on.figure, 2.6f, 0, 0.1f, aspect));
+    const DrawList list = list_of(puppet_on.posed, camera_on(puppet_on.posed, 2.6f, 0, 0.1f, aspect));
     for (const passes::Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(puppet_on.figure, options_of(strategy));
+        const auto renderer = make_renderer_of(puppet_on.posed, options_of(strategy));
         const Picture whole = draw_with(*renderer, list, ~uint64_t(0));
         for (size_t part = 0; part < puppet_on.parts.size(); ++part)
             EXPECT_FALSE(draw_with(*renderer, list, ~(uint64_t(1) << part)) == whole) << "part " << part;
@@ -61,14 +61,14 @@ TEST_F(Parts, DrawnOneByOneGiveThePictureOfTheWhole)
 {
     for (const bool coloured : {false, true}) {
         Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
-        model::Level &level = puppet_on.figure.tmpl->levels[0];
+        model::Level &level = puppet_on.posed.tmpl->levels[0];
         for (uint32_t v = 0; v < level.vertex_count && coloured; ++v) {
             const uint32_t from = v < level.source_count ? v : level.copies[v - level.source_count];
             level.colours.insert(level.colours.end(), {uint8_t(from * 7), uint8_t(255 - from), uint8_t(from), 255});
         }
         for (const passes::Strategy strategy : all_strategies)
             for (uint32_t i = 0; i < 10; ++i) {
-                const DrawList whole = list_of(puppet_on.figure, hashed_camera(puppet_on.figure, i, aspect));
+                const DrawList whole = list_of(puppet_on.posed, hashed_camera(puppet_on.posed, i, aspect));
                 DrawList one_by_one(std::pmr::get_default_resource());
                 std::copy_n(whole.projection, 16, one_by_one.projection);
                 for (uint32_t part = 0; part < puppet_on.parts.size(); ++part) {
@@ -76,7 +76,7 @@ TEST_F(Parts, DrawnOneByOneGiveThePictureOfTheWhole)
                     one_by_one.items.back().parts = uint64_t(1) << part;
                 }
                 // A new one, in which no colour is left from earlier pictures.
-                const auto renderer = make_renderer_of(puppet_on.figure, options_of(strategy));
+                const auto renderer = make_renderer_of(puppet_on.posed, options_of(strategy));
                 const Picture parts = draw(*context_, *renderer, one_by_one);
                 EXPECT_TRUE(parts == draw(*context_, *renderer, whole)) << i;
             }
@@ -87,12 +87,12 @@ TEST_F(Parts, DrawnOneByOneGiveThePictureOfTheWhole)
 TEST_F(Parts, ThatAreNeighboursAreDrawnTogether)
 {
     const Jointed rope_of_8 = make_jointed(rope(8), torture_map(128, 1, 3));
-    const DrawList list = list_of(rope_of_8.figure, camera_on(rope_of_8.figure, 2.6f, 0, 0, aspect));
-    const model::Level &level = rope_of_8.figure.tmpl->levels[0];
+    const DrawList list = list_of(rope_of_8.posed, camera_on(rope_of_8.posed, 2.6f, 0, 0, aspect));
+    const model::Level &level = rope_of_8.posed.tmpl->levels[0];
     Spy spy(*context_);
     passes::Renderer renderer(std::pmr::get_default_resource(), options_of(passes::Strategy::fused));
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
-    ASSERT_TRUE(renderer.prepare(*rope_of_8.figure.tmpl).ok());
+    ASSERT_TRUE(renderer.prepare(*rope_of_8.posed.tmpl).ok());
     // Even parts are of one surface, odd ones of the other: in each, the four have nothing between them.
     const struct {
         uint64_t parts;
@@ -115,11 +115,11 @@ TEST_F(Parts, ThatAreNeighboursAreDrawnTogether)
     }
 }
 
-TEST_F(Parts, OfWhoIsKeptForTheShadowAloneAreNotDrawn)
+TEST_F(Parts, OfActorsKeptForTheirShadowAloneAreNotDrawn)
 {
-    const Figure figure = small_figure();
-    const auto renderer = make_renderer_of(figure);
-    const DrawList one = list_of(figure, whole_view(figure));
+    const PosedModel posed = small_posed();
+    const auto renderer = make_renderer_of(posed);
+    const DrawList one = list_of(posed, whole_view(posed));
     const Picture picture = draw(*context_, *renderer, one);
     DrawList two = one;
     two.items.push_back(one.items[0]);
@@ -135,13 +135,13 @@ TEST_F(Parts, OfWhoIsKeptForTheShadowAloneAreNotDrawn)
 
 TEST_F(Parts, OfALevelWithoutTrianglesAskForNothing)
 {
-    Figure figure = small_figure();
-    figure.tmpl->levels.emplace_back(std::pmr::get_default_resource());
+    PosedModel posed = small_posed();
+    posed.tmpl->levels.emplace_back(std::pmr::get_default_resource());
     Spy spy(*context_);
     passes::Renderer renderer(std::pmr::get_default_resource(), passes::RendererOptions());
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
-    ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
-    DrawList list = list_of(figure, whole_view(figure));
+    ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
+    DrawList list = list_of(posed, whole_view(posed));
     list.items[0].level = 1;
     list.items[0].vertices = {};
     spy.reset();
@@ -152,12 +152,12 @@ TEST_F(Parts, OfALevelWithoutTrianglesAskForNothing)
     EXPECT_EQ(spy.calls["glPushAttrib"], 0u) << "nothing to draw, nothing to touch";
 }
 
-TEST_F(Parts, WhosePlacesDoNotRiseAreRefused)
+TEST_F(Parts, WhoseOffsetsDoNotRiseAreRefused)
 {
     Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
-    model::Array<uint32_t> &firsts = puppet_on.figure.tmpl->levels[0].surfaces[0].part_firsts;
+    model::Array<uint32_t> &firsts = puppet_on.posed.tmpl->levels[0].surfaces[0].part_offsets;
     const auto refused = [&](const char *what) {
-        const Status status = make_renderer()->prepare(*puppet_on.figure.tmpl);
+        const Status status = make_renderer()->prepare(*puppet_on.posed.tmpl);
         EXPECT_EQ(status.code, CLQ_ARGUMENT) << what;
         EXPECT_NE(std::string(status.text).find("part"), std::string::npos) << status.text;
     };
@@ -171,7 +171,7 @@ TEST_F(Parts, WhosePlacesDoNotRiseAreRefused)
     firsts.pop_back();
     refused("too few");
     firsts = good;
-    EXPECT_TRUE(make_renderer()->prepare(*puppet_on.figure.tmpl).ok());
+    EXPECT_TRUE(make_renderer()->prepare(*puppet_on.posed.tmpl).ok());
 }
 
 }  // namespace

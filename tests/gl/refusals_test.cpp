@@ -17,13 +17,13 @@ protected:
     // Sets something, draws, expects CLQ_GL_STATE with `word` and an untouched host and picture; undoes it.
     void expect_refusal(const char *word, const std::function<void()> &set, const std::function<void()> &undo)
     {
-        const Figure figure = small_figure();
-        const auto renderer = make_renderer_of(figure);
+        const PosedModel posed = small_posed();
+        const auto renderer = make_renderer_of(posed);
         host_->clear(0, 0, 0);
         set();
         const bool readable = std::string(word) != "render mode";
         const State before = readable ? dump_state(*host_) : State();
-        const Status status = renderer->draw(list_of(figure, whole_view(figure)), nullptr);
+        const Status status = renderer->draw(list_of(posed, whole_view(posed)), nullptr);
         EXPECT_EQ(status.code, CLQ_GL_STATE) << word;
         EXPECT_NE(std::string(status.text).find(word), std::string::npos) << status.text;
         if (readable) {
@@ -34,7 +34,7 @@ protected:
         Picture picture;
         context_->read_rgb(picture);
         EXPECT_EQ(picture, Picture(picture.size(), 0)) << word;
-        EXPECT_TRUE(renderer->draw(list_of(figure, whole_view(figure)), nullptr).ok()) << word;
+        EXPECT_TRUE(renderer->draw(list_of(posed, whole_view(posed)), nullptr).ok()) << word;
         renderer->destroy();
     }
 
@@ -159,22 +159,22 @@ TEST_F(Refusals, OfAnUploadNameAnUnpackBuffer)
     host_->ask<Gen>("glGenBuffers")(1, &buffer);
     const auto bind = host_->ask<Bind>("glBindBuffer");
     bind(0x88EC, buffer);
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     const auto renderer = make_renderer();
-    const Status status = renderer->prepare(*figure.tmpl);
+    const Status status = renderer->prepare(*posed.tmpl);
     EXPECT_EQ(status.code, CLQ_GL_STATE);
     EXPECT_NE(std::string(status.text).find("GL_PIXEL_UNPACK_BUFFER"), std::string::npos) << status.text;
     bind(0x88EC, 0);
-    EXPECT_TRUE(renderer->prepare(*figure.tmpl).ok());
+    EXPECT_TRUE(renderer->prepare(*posed.tmpl).ok());
 }
 
 TEST_F(Refusals, NameTheLackOfACurrentContext)
 {
-    const Figure figure = small_figure();
-    const auto renderer = make_renderer_of(figure);
+    const PosedModel posed = small_posed();
+    const auto renderer = make_renderer_of(posed);
     context_->release();
-    EXPECT_EQ(renderer->draw(list_of(figure, whole_view(figure)), nullptr).code, CLQ_GL_MISSING);
-    EXPECT_EQ(renderer->prepare(*small_figure().tmpl).code, CLQ_GL_MISSING);
+    EXPECT_EQ(renderer->draw(list_of(posed, whole_view(posed)), nullptr).code, CLQ_GL_MISSING);
+    EXPECT_EQ(renderer->prepare(*small_posed().tmpl).code, CLQ_GL_MISSING);
     passes::Renderer late(std::pmr::get_default_resource(), {});
     const Status status = late.open(context_->get_proc_address(), context_->user());
     EXPECT_EQ(status.code, CLQ_GL_MISSING);
@@ -182,9 +182,9 @@ TEST_F(Refusals, NameTheLackOfACurrentContext)
 
     context_->make_current();
     Status elsewhere;
-    std::thread([&] { elsewhere = renderer->draw(list_of(figure, whole_view(figure)), nullptr); }).join();
+    std::thread([&] { elsewhere = renderer->draw(list_of(posed, whole_view(posed)), nullptr); }).join();
     EXPECT_EQ(elsewhere.code, CLQ_GL_MISSING) << "drawn on a thread that has no context";
-    EXPECT_TRUE(renderer->draw(list_of(figure, whole_view(figure)), nullptr).ok());
+    EXPECT_TRUE(renderer->draw(list_of(posed, whole_view(posed)), nullptr).ok());
 }
 
 TEST_F(Refusals, NameACoreProfile)
@@ -205,12 +205,12 @@ TEST_F(Refusals, AskAnOldGlForNothingNew)
     spy.strings[gl::extensions] = "GL_EXT_bgra GL_ARB_multitexture_of_sorts";
     for (const gl::Enum newer : {0x84E0u, 0x84E1u, 0x8894u, 0x8895u, 0x85B5u, 0x8B8Du, 0x8919u, 0x8E4Fu})
         spy.answers[newer] = 5;
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     passes::Renderer renderer(std::pmr::get_default_resource(), {});
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
-    ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+    ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
     spy.reset();
-    EXPECT_TRUE(renderer.draw(list_of(figure, whole_view(figure)), nullptr).ok());
+    EXPECT_TRUE(renderer.draw(list_of(posed, whole_view(posed)), nullptr).ok());
     EXPECT_EQ(spy.calls["glIsEnabled"], 0u);
 }
 
@@ -218,10 +218,10 @@ TEST_F(Refusals, NameATextureThatIsTooLarge)
 {
     Spy spy(*context_);
     spy.answers[gl::max_texture_size] = 64;
-    const Figure figure = small_figure();
+    const PosedModel posed = small_posed();
     passes::Renderer renderer(std::pmr::get_default_resource(), {});
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
-    const Status status = renderer.prepare(*figure.tmpl);
+    const Status status = renderer.prepare(*posed.tmpl);
     EXPECT_EQ(status.code, CLQ_LIMIT);
     EXPECT_NE(std::string(status.text).find("128 x 128"), std::string::npos) << status.text;
     EXPECT_NE(std::string(status.text).find("64"), std::string::npos) << status.text;
@@ -230,9 +230,9 @@ TEST_F(Refusals, NameATextureThatIsTooLarge)
 
 TEST_F(Refusals, NameTheTemplateThatIsNotPrepared)
 {
-    const Figure figure = small_figure(), other = small_figure();
+    const PosedModel posed = small_posed(), other = small_posed();
     other.tmpl->name = "the other one";
-    const auto renderer = make_renderer_of(figure);
+    const auto renderer = make_renderer_of(posed);
     const Status status = renderer->draw(list_of(other, whole_view(other)), nullptr);
     EXPECT_EQ(status.code, CLQ_ARGUMENT);
     EXPECT_NE(std::string(status.text).find("the other one"), std::string::npos) << status.text;
@@ -240,24 +240,24 @@ TEST_F(Refusals, NameTheTemplateThatIsNotPrepared)
 
 TEST_F(Refusals, NameTheZonesThatCannotBeToldApart)
 {
-    Figure figure = make_figure(sheet(9, 0.2f), torture_map(128, 48, 3));
-    model::Texture &texture = figure.tmpl->textures[0];
+    PosedModel posed = make_posed(sheet(9, 0.2f), torture_map(128, 48, 3));
+    model::Texture &texture = posed.tmpl->textures[0];
     texture.keys[47].key = texture.keys[46].key;
     const auto renderer = make_renderer();
-    const Status status = renderer->prepare(*figure.tmpl);
+    const Status status = renderer->prepare(*posed.tmpl);
     EXPECT_EQ(status.code, CLQ_KEY_RESOLUTION) << status.text;
     EXPECT_NE(std::string(status.text).find("48 zones"), std::string::npos) << status.text;
-    EXPECT_EQ(renderer->draw(list_of(figure, whole_view(figure)), nullptr).code, CLQ_ARGUMENT);
+    EXPECT_EQ(renderer->draw(list_of(posed, whole_view(posed)), nullptr).code, CLQ_ARGUMENT);
 }
 
 TEST_F(Refusals, OfTheFusedStrategyAloneFallBackToBinned)
 {
-    const Figure figure = make_figure(sheet(9, 0.2f), torture_map(128, 120, 2));
-    const auto renderer = make_renderer_of(figure);
-    EXPECT_EQ(renderer->strategy_of(*figure.tmpl), passes::Strategy::binned);
-    const Comparison c = zone_law(*context_, *renderer, figure, whole_view(figure));
+    const PosedModel posed = make_posed(sheet(9, 0.2f), torture_map(128, 120, 2));
+    const auto renderer = make_renderer_of(posed);
+    EXPECT_EQ(renderer->strategy_of(*posed.tmpl), passes::Strategy::binned);
+    const Comparison c = zone_law(*context_, *renderer, posed, whole_view(posed));
     EXPECT_EQ(c.wrong + c.holes, 0u);
-    EXPECT_EQ(renderer->strategy_of(*small_figure().tmpl), passes::Strategy::fused);
+    EXPECT_EQ(renderer->strategy_of(*small_posed().tmpl), passes::Strategy::fused);
 }
 
 TEST_F(Refusals, NameTheEqualTestWithOtherStrategies)

@@ -13,7 +13,7 @@ TEST_F(Shadows, LeaveAllOfTheHostsStateAsItWas)
     for (const passes::Guard guard : {passes::Guard::full, passes::Guard::minimal, passes::Guard::none})
         for (const int32_t bit : {-1, 2})
             for (const bool hostile : {false, true}) {
-                const auto renderer = make_renderer_of(*figure_, options_of(passes::Strategy::fused, guard));
+                const auto renderer = make_renderer_of(*posed_, options_of(passes::Strategy::fused, guard));
                 std::unique_ptr<HostileHost> host;
                 if (hostile) host = std::make_unique<HostileHost>(*host_);
                 const State before = dump_state(*host_);
@@ -35,7 +35,7 @@ TEST_F(Shadows, WriteNoDepthNoAlphaAndNoOtherBitOfTheStencil)
         return values;
     };
     constexpr gl::Enum depth_component = 0x1902, stencil_index = 0x1901, alpha = 0x1906;
-    const auto renderer = make_renderer_of(*figure_);
+    const auto renderer = make_renderer_of(*posed_);
     ground_.draw(*host_, width, height);
     const auto depth = plane_of(depth_component, gl::unsigned_int), opaque = plane_of(alpha, gl::unsigned_int);
     for (const int32_t bit : {-1, 4}) {
@@ -49,7 +49,7 @@ TEST_F(Shadows, WriteNoDepthNoAlphaAndNoOtherBitOfTheStencil)
 
 TEST_F(Shadows, RefuseABitThatTheTargetDoesNotHave)
 {
-    const auto renderer = make_renderer_of(*figure_);
+    const auto renderer = make_renderer_of(*posed_);
     const State before = dump_state(*host_);
     const Status status = renderer->draw_shadows(ground_.list_of(people_), options_for(sun, 8), nullptr);
     EXPECT_EQ(status.code, CLQ_GL_STATE);

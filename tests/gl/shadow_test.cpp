@@ -59,7 +59,7 @@ TEST_F(Shadows, FallOnThePlaneThatIsAskedFor)
 TEST_F(Shadows, AreHiddenByWhatStandsBeforeTheGround)
 {
     for (const int32_t bit : {-1, 0}) {
-        const auto renderer = make_renderer_of(*figure_);
+        const auto renderer = make_renderer_of(*posed_);
         ground_.draw(*host_, width, height);
         ground_.draw_wall(*host_);
         ASSERT_TRUE(renderer->draw_shadows(ground_.list_of(people_), options_for(sun, bit), nullptr).ok());
@@ -71,23 +71,23 @@ TEST_F(Shadows, AreHiddenByWhatStandsBeforeTheGround)
     }
 }
 
-TEST_F(Shadows, AskNobodyForVerticesWhoHasThem)
+TEST_F(Shadows, UseCachedVertices)
 {
     struct Server : claque::draw::VertexServer {
         claque::draw::Vertices serve(const Item &item) override
         {
             ++asked;
             claque::draw::Vertices vertices;
-            if (!empty) vertices.positions = vertices.normals = figure->positions.data();
+            if (!empty) vertices.positions = vertices.normals = posed->positions.data();
             return item.tmpl ? vertices : claque::draw::Vertices();
         }
         claque::draw::Pose pose(const Item &) override { return {}; }
-        const Figure *figure;
+        const PosedModel *posed;
         uint32_t asked = 0;
         bool empty = false;
     } server;
-    server.figure = figure_;
-    const auto renderer = make_renderer_of(*figure_);
+    server.posed = posed_;
+    const auto renderer = make_renderer_of(*posed_);
     DrawList list = ground_.list_of(people_);
     list.server = &server;
     passes::ShadowStats stats;
@@ -102,7 +102,7 @@ TEST_F(Shadows, AskNobodyForVerticesWhoHasThem)
     EXPECT_EQ(renderer->draw_shadows(list, options_for(sun, -1), nullptr).code, CLQ_OUT_OF_MEMORY);
 }
 
-TEST_F(Shadows, FallFromThoseOfWhomNothingElseIsSeen)
+TEST_F(Shadows, FallFromActorsThatAreNotVisibleThemselves)
 {
     const Picture all = shown(people_, options_for(sun, -1));
     for (Item &item : people_) item.shadow_only = true;
@@ -115,8 +115,8 @@ TEST_F(Shadows, OfPackedVerticesAreThoseOfFloats)
 {
     const float step = 1.0f / 8192, offset[3] = {0.1f, 1.0f, -0.05f};
     std::vector<int16_t> positions;
-    for (size_t i = 0; i < figure_->positions.size(); ++i) {
-        positions.push_back(static_cast<int16_t>(std::lround((figure_->positions[i] - offset[i % 3]) / step)));
+    for (size_t i = 0; i < posed_->positions.size(); ++i) {
+        positions.push_back(static_cast<int16_t>(std::lround((posed_->positions[i] - offset[i % 3]) / step)));
         if (i % 3 == 2) positions.push_back(0);
     }
     const std::vector<int8_t> normals(positions.size(), 0);
@@ -137,9 +137,9 @@ TEST_F(Shadows, OfPackedVerticesAreThoseOfFloats)
 TEST_F(Shadows, OfPartsOnGlsMatrixStackAreThoseOfMovedVertices)
 {
     const Jointed puppet = make_jointed(gltest::puppet(), torture_map(64, 4, 4), 0.3f);
-    const auto renderer = make_renderer_of(puppet.figure);
-    const float size = 0.8f / puppet.figure.radius;
-    Item item = ground_.stand(puppet.figure, {0.3, 0.9, 0}, 0.5f, size);
+    const auto renderer = make_renderer_of(puppet.posed);
+    const float size = 0.8f / puppet.posed.radius;
+    Item item = ground_.stand(puppet.posed, {0.3, 0.9, 0}, 0.5f, size);
     item.ground[1] = 0;
     for (const float blob_from : {0.0f, 1e9f}) {
         passes::ShadowOptions options = options_for(sun, -1);
@@ -186,11 +186,11 @@ TEST_F(Shadows, FallNowhereFromALightOrAnEyeThatIsTooLow)
 TEST_F(Shadows, GoOnBehindTheEye)
 {
     const Ground low({0, 0.25, 2}, {0, 0.3, 0}, 320.0f / 240.0f);
-    std::vector<Item> people = {low.stand(*figure_, {0, 0, 0}, 0), low.stand(*figure_, {0, 0, 2.1}, 0)};
+    std::vector<Item> people = {low.stand(*posed_, {0, 0, 0}, 0), low.stand(*posed_, {0, 0, 2.1}, 0)};
     const glm::dvec4 behind(0.05, 0.5, -1, 0);
     const std::vector<bool> expected = low.shaded(people, behind, width, height);
     for (const int32_t bit : {-1, 0}) {
-        const auto renderer = make_renderer_of(*figure_);
+        const auto renderer = make_renderer_of(*posed_);
         low.draw(*host_, width, height);
         ASSERT_TRUE(renderer->draw_shadows(low.list_of(people), options_for(behind, bit), nullptr).ok());
         const Picture picture = read();

@@ -31,7 +31,7 @@ double depth_in(const Triangle &t, double x, double y)
     return least;
 }
 
-class Span_mask : public testing::Test
+class SpanMasks : public testing::Test
 {
 protected:
     void SetUp() override
@@ -65,7 +65,7 @@ protected:
     std::vector<int> times = std::vector<int>(size_t(width) * height, 0);
 };
 
-TEST_F(Span_mask, gives_every_pixel_inside_once_and_none_outside)
+TEST_F(SpanMasks, GivesEveryPixelInsideOnceAndNoneOutside)
 {
     std::mt19937 random(7);
     std::vector<Triangle> all;
@@ -88,7 +88,7 @@ TEST_F(Span_mask, gives_every_pixel_inside_once_and_none_outside)
 }
 
 // Triangles that share an edge leave no seam, wherever it runs.
-TEST_F(Span_mask, leaves_no_seam_between_neighbours)
+TEST_F(SpanMasks, LeavesNoSeamBetweenNeighbours)
 {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> at(0, 1);
@@ -103,7 +103,7 @@ TEST_F(Span_mask, leaves_no_seam_between_neighbours)
     }
 }
 
-TEST_F(Span_mask, joins_rows_that_are_alike_into_one_box)
+TEST_F(SpanMasks, JoinsRowsThatAreAlikeIntoOneBox)
 {
     mask.add({10, 10}, {140, 10}, {140, 60});
     mask.add({10, 10}, {140, 60}, {10, 60});
@@ -114,7 +114,7 @@ TEST_F(Span_mask, joins_rows_that_are_alike_into_one_box)
     EXPECT_EQ(take(), 2u);  // left and right of what was there
 }
 
-TEST_F(Span_mask, begins_anew_in_another_size)
+TEST_F(SpanMasks, BeginsAnewInAnotherSize)
 {
     mask.add({0, 0}, {150, 0}, {0, 90});
     take();

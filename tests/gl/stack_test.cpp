@@ -72,8 +72,8 @@ protected:
     {
         Differences sum;
         for (uint32_t i = 0; i < cameras; ++i) {
-            const Camera camera = hashed_camera(jointed.figure, i, aspect);
-            DrawList vertices = list_of(jointed.figure, camera), matrices = by_matrices(jointed, camera);
+            const Camera camera = hashed_camera(jointed.posed, i, aspect);
+            DrawList vertices = list_of(jointed.posed, camera), matrices = by_matrices(jointed, camera);
             vertices.items[0].parts = matrices.items[0].parts = parts;
             sum.add(draw(*context_, renderer, vertices), draw(*context_, renderer, matrices));
         }
@@ -97,23 +97,23 @@ TEST_F(Stack, ShowsWhatMovedVerticesShow)
 {
     light_up();
     const Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
-    paint(*jointed.figure.tmpl);
+    paint(*jointed.posed.tmpl);
     for (const passes::Strategy strategy : all_strategies)
-        expect_close(compare_ways(*make_renderer_of(jointed.figure, options_of(strategy)), jointed, 100));
+        expect_close(compare_ways(*make_renderer_of(jointed.posed, options_of(strategy)), jointed, 100));
 }
 
 TEST_F(Stack, FindsVerticesWhereverTheirInverseBindMatricesBringThemFrom)
 {
     light_up();
     const Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3), 0.7f);
-    expect_close(compare_ways(*make_renderer_of(jointed.figure), jointed, 30));
+    expect_close(compare_ways(*make_renderer_of(jointed.posed), jointed, 30));
 }
 
 TEST_F(Stack, ShowsThePartsThatAreInAlone)
 {
     const Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
     for (const passes::Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(jointed.figure, options_of(strategy));
+        const auto renderer = make_renderer_of(jointed.posed, options_of(strategy));
         for (const uint64_t parts : {0x001ull, 0x240ull, 0x5b6ull})
             expect_close(compare_ways(*renderer, jointed, 5, parts));
     }
@@ -123,7 +123,7 @@ TEST_F(Stack, ShowsThePartsThatAreInAlone)
 TEST_F(Stack, IsSeenToBeWrongWhenANodeIsTurnedALittle)
 {
     Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
-    const auto renderer = make_renderer_of(jointed.figure);
+    const auto renderer = make_renderer_of(jointed.posed);
     claque::math::Trs turn;
     turn.rotation = glm::angleAxis(0.009f, glm::vec3(1, 0, 0));
     jointed.locals[5] = claque::math::mul(jointed.locals[5], claque::math::affine_of(turn));
@@ -144,7 +144,7 @@ TEST_F(Stack, IsDeepEnoughForAnyTreeAndAnyHost)
         for (int32_t i = 1; i < most - room; ++i) host_->PushMatrix();
         int32_t before = 0, after = 0;
         host_->GetIntegerv(gl::modelview_stack_depth, &before);
-        const auto renderer = make_renderer_of(jointed.figure);
+        const auto renderer = make_renderer_of(jointed.posed);
         expect_close(compare_ways(*renderer, jointed, 10));
         EXPECT_EQ(host_->GetError(), 0u) << room;
         host_->GetIntegerv(gl::modelview_stack_depth, &after);
@@ -159,14 +159,14 @@ TEST_F(Stack, IsGivenOneMatrixForEachNodeThatHasPartsBelowIt)
     Counting memory;
     passes::Renderer renderer(&memory, options_of(passes::Strategy::fused));
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
-    ASSERT_TRUE(renderer.prepare(*jointed.figure.tmpl).ok());
+    ASSERT_TRUE(renderer.prepare(*jointed.posed.tmpl).ok());
     // Parts in the order of nodes: pelvis, chest, head, left arm 2, right arm 2, left leg 2, right leg 2.
     const struct {
         uint64_t parts;
         uint32_t matrices, shown;
     } cases[] = {{~uint64_t(0), 13, 11}, {0x001, 2, 1}, {0x004, 5, 1}, {0x010, 5, 1}, {0x018, 5, 2}, {0x600, 4, 2}};
     for (const auto &c : cases) {
-        DrawList list = by_matrices(jointed, camera_on(jointed.figure, 2.6f, 0, 0, aspect));
+        DrawList list = by_matrices(jointed, camera_on(jointed.posed, 2.6f, 0, 0, aspect));
         list.items[0].parts = c.parts;
         spy.reset();
         const uint32_t allocations = memory.count;
@@ -195,8 +195,8 @@ TEST_F(Stack, IsSharedWithHooks)
         for (; depth < most - 2; ++depth) host.PushMatrix();
         return int32_t(0);
     };
-    const auto renderer = make_renderer_of(jointed.figure);
-    const Camera camera = hashed_camera(jointed.figure, 4, aspect);
+    const auto renderer = make_renderer_of(jointed.posed);
+    const Camera camera = hashed_camera(jointed.posed, 4, aspect);
     DrawList list = by_matrices(jointed, camera);
     list.items.push_back(list.items[0]);
     list.items[0].model_view[12] += 0.5f;
@@ -213,7 +213,7 @@ TEST_F(Stack, IsSharedWithHooks)
 
 TEST_F(Stack, PlacesRigidPartsAlone)
 {
-    const Figure skinned = small_figure();
+    const PosedModel skinned = small_posed();
     DrawList list = list_of(skinned, whole_view(skinned));
     const claque::math::Affine local;
     list.items[0].locals = &local;
@@ -224,10 +224,10 @@ TEST_F(Stack, PlacesRigidPartsAlone)
 
     // A part that says it follows one node, some of whose vertices follow another.
     Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
-    model::Level &level = jointed.figure.tmpl->levels[0];
+    model::Level &level = jointed.posed.tmpl->levels[0];
     level.joints[level.source_count - 1] = 0;
-    EXPECT_TRUE(jointed.figure.tmpl->has_rigid_parts_only());
-    status = make_renderer_of(jointed.figure)->draw(by_matrices(jointed, whole_view(jointed.figure)), &stats);
+    EXPECT_TRUE(jointed.posed.tmpl->has_rigid_parts_only());
+    status = make_renderer_of(jointed.posed)->draw(by_matrices(jointed, whole_view(jointed.posed)), &stats);
     EXPECT_EQ(status.code, CLQ_ARGUMENT);
 }
 

@@ -30,9 +30,9 @@ uint32_t differing_pixels(const Picture &a, const Picture &b)
 class Strategies : public GlTest
 {
 protected:
-    Shot shoot(const Figure &figure, const passes::RendererOptions &options, const claque::draw::DrawList &list)
+    Shot shoot(const PosedModel &posed, const passes::RendererOptions &options, const claque::draw::DrawList &list)
     {
-        const auto renderer = make_renderer_of(figure, options);
+        const auto renderer = make_renderer_of(posed, options);
         Shot shot;
         shot.rgb = draw(*context_, *renderer, list);
         context_->read_depth(shot.depth);
@@ -41,20 +41,20 @@ protected:
     }
 
     // Every strategy and format against the papers' way.
-    void expect_same(const Figure &figure, const claque::draw::DrawList &list)
+    void expect_same(const PosedModel &posed, const claque::draw::DrawList &list)
     {
-        const Shot papers = shoot(figure, options_of(Strategy::per_zone), list);
+        const Shot papers = shoot(posed, options_of(Strategy::per_zone), list);
         EXPECT_GT(differing_pixels(papers.rgb, Picture(papers.rgb.size(), 0)), 0u);
         for (const Strategy strategy : all_strategies)
             for (const ColourFormat format : {ColourFormat::ubyte, ColourFormat::real}) {
                 passes::RendererOptions options = options_of(strategy);
                 options.colours = format;
-                const Shot shot = shoot(figure, options, list);
+                const Shot shot = shoot(posed, options, list);
                 EXPECT_EQ(differing_pixels(shot.rgb, papers.rgb), 0u) << int(strategy) << " " << int(format);
                 EXPECT_TRUE(shot.depth == papers.depth) << int(strategy) << " " << int(format);
             }
     }
-    void expect_same(const Figure &figure) { expect_same(figure, list_of(figure, whole_view(figure))); }
+    void expect_same(const PosedModel &posed) { expect_same(posed, list_of(posed, whole_view(posed))); }
 
     void light_up() const
     {
@@ -73,37 +73,37 @@ protected:
 
 TEST_F(Strategies, AgreeOnAPaintedTexture)
 {
-    const Figure figure = small_figure();
-    paint(*figure.tmpl);
-    expect_same(figure);
+    const PosedModel posed = small_posed();
+    paint(*posed.tmpl);
+    expect_same(posed);
 }
 
 TEST_F(Strategies, AgreeUnderLightAndFogSmoothAndFlat)
 {
-    const Figure figure = small_figure();
-    paint(*figure.tmpl);
+    const PosedModel posed = small_posed();
+    paint(*posed.tmpl);
     light_up();
-    expect_same(figure);
+    expect_same(posed);
     host_->ShadeModel(flat);
-    expect_same(figure);
+    expect_same(posed);
 }
 
-Figure with_vertex_colours()
+PosedModel with_vertex_colours()
 {
     Mesh mesh = sheet(9, 0.2f);
     for (size_t v = 0; v < mesh.positions.size(); ++v)
         mesh.colours.push_back({uint8_t(v * 7), uint8_t(255 - v), uint8_t(90 + v), 255});
-    Figure figure = make_figure(mesh, torture_map(128, 8, 3));
-    paint(*figure.tmpl);
-    return figure;
+    PosedModel posed = make_posed(mesh, torture_map(128, 8, 3));
+    paint(*posed.tmpl);
+    return posed;
 }
 
 TEST_F(Strategies, AgreeWithVertexColours)
 {
-    const Figure figure = with_vertex_colours();
-    expect_same(figure);
+    const PosedModel posed = with_vertex_colours();
+    expect_same(posed);
     light_up();
-    expect_same(figure);
+    expect_same(posed);
 }
 
 TEST_F(Strategies, AgreeOnHolesAndLeaveThem)
@@ -111,11 +111,11 @@ TEST_F(Strategies, AgreeOnHolesAndLeaveThem)
     ZoneMap map = torture_map(128, 8, 3);
     for (size_t i = 0; i < map.zones.size(); ++i)
         if (i / 128 % 16 < 5 && i % 16 < 5) map.zones[i] = hole;
-    const Figure figure = make_figure(sheet(9, 0.2f), map);
-    expect_same(figure);
+    const PosedModel posed = make_posed(sheet(9, 0.2f), map);
+    expect_same(posed);
     for (const Strategy strategy : all_strategies) {
-        const auto renderer = make_renderer_of(figure, options_of(strategy));
-        const Comparison c = zone_law(*context_, *renderer, figure, whole_view(figure));
+        const auto renderer = make_renderer_of(posed, options_of(strategy));
+        const Comparison c = zone_law(*context_, *renderer, posed, whole_view(posed));
         EXPECT_EQ(c.wrong + c.holes, 0u);
         EXPECT_LT(c.covered, 0.95 * 0.26 * width * height) << "no hole to be seen";
     }
@@ -124,47 +124,47 @@ TEST_F(Strategies, AgreeOnHolesAndLeaveThem)
 // The sheet seen from behind: nothing, unless it is double-sided; and mirrored, its front.
 TEST_F(Strategies, AgreeOnMirroredAndDoubleSidedOnes)
 {
-    Figure figure = small_figure();
+    PosedModel posed = small_posed();
     light_up();
-    const Camera behind = camera_on(figure, 2.6f, 2.8f, 0.4f, float(width) / height);
-    claque::draw::DrawList list = list_of(figure, behind);
+    const Camera behind = camera_on(posed, 2.6f, 2.8f, 0.4f, float(width) / height);
+    claque::draw::DrawList list = list_of(posed, behind);
     const auto covered = [&](Strategy strategy) {
-        const Picture picture = shoot(figure, options_of(strategy), list).rgb;
+        const Picture picture = shoot(posed, options_of(strategy), list).rgb;
         uint32_t count = 0;
         for (size_t i = 0; i < picture.size(); i += 3) count += !std::equal(background, background + 3, &picture[i]);
         return count;
     };
     for (const Strategy strategy : all_strategies) {
         list.items[0].mirrored = false;
-        figure.tmpl->levels[0].surfaces[0].double_sided = false;
+        posed.tmpl->levels[0].surfaces[0].double_sided = false;
         EXPECT_LT(covered(strategy), 400u) << "the waves show a little of the front at most";
         list.items[0].mirrored = true;
         EXPECT_GT(covered(strategy), 10000u);
         list.items[0].mirrored = false;
-        figure.tmpl->levels[0].surfaces[0].double_sided = true;
+        posed.tmpl->levels[0].surfaces[0].double_sided = true;
         EXPECT_GT(covered(strategy), 10000u);
     }
-    expect_same(figure, list);
+    expect_same(posed, list);
 }
 
 TEST_F(Strategies, AgreeWithThePapersEqualTest)
 {
-    const Figure figure = small_figure();
-    paint(*figure.tmpl);
-    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    const PosedModel posed = small_posed();
+    paint(*posed.tmpl);
+    const claque::draw::DrawList list = list_of(posed, whole_view(posed));
     passes::RendererOptions options = options_of(Strategy::per_zone);
-    const Shot at_least = shoot(figure, options, list);
+    const Shot at_least = shoot(posed, options, list);
     options.key_test = passes::KeyTest::equal;
-    EXPECT_TRUE(shoot(figure, options, list) == at_least);
+    EXPECT_TRUE(shoot(posed, options, list) == at_least);
 }
 
 TEST_F(Strategies, AgreeOnIndividualsOfTheirOwnColoursBehindEachOther)
 {
-    const Figure figure = small_figure();
-    paint(*figure.tmpl);
+    const PosedModel posed = small_posed();
+    paint(*posed.tmpl);
     light_up();
     std::vector<std::vector<uint8_t>> colours(5, zone_colours(8));
-    claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    claque::draw::DrawList list = list_of(posed, whole_view(posed));
     for (uint32_t i = 0; i < 5; ++i) {
         for (uint8_t &c : colours[i]) c = static_cast<uint8_t>(c * 7 + i * 31);
         claque::draw::Item item = list.items[0];
@@ -173,7 +173,7 @@ TEST_F(Strategies, AgreeOnIndividualsOfTheirOwnColoursBehindEachOther)
         item.model_view[14] -= 0.7f * float(i);
         list.items.push_back(item);
     }
-    expect_same(figure, list);
+    expect_same(posed, list);
 }
 
 // Under light of one half, odd multiples of 17 on odd multiples of 15 come to lie exactly between two values of a
@@ -184,19 +184,19 @@ TEST_F(Strategies, AgreeWhereAPixelIsOneUlpFromAnother)
     const float half[4] = {0.5f, 0.5f, 0.5f, 1};
     host_->LightModelfv(light_model_ambient, half);
     host_->Enable(lighting);
-    const Figure figure = small_figure();
-    model::Array<uint8_t> &rgba = figure.tmpl->textures[0].rgba;
+    const PosedModel posed = small_posed();
+    model::Array<uint8_t> &rgba = posed.tmpl->textures[0].rgba;
     for (size_t i = 0; i < rgba.size(); ++i)
         if (i % 4 != 3) rgba[i] = static_cast<uint8_t>(15 * (2 * (i / 4 % 9) + 1));
     std::vector<uint8_t> colours;
     for (uint32_t c = 0; c < 24; ++c) colours.push_back(static_cast<uint8_t>(17 * (2 * (c % 8) + 1)));
-    expect_same(figure, list_of(figure, whole_view(figure), colours.data()));
+    expect_same(posed, list_of(posed, whole_view(posed), colours.data()));
 }
 
 TEST_F(Strategies, GiveTheSamePixelsWithOsmesaAndEgl)
 {
-    const Figure figure = with_vertex_colours();
-    const claque::draw::DrawList list = list_of(figure, whole_view(figure));
+    const PosedModel posed = with_vertex_colours();
+    const claque::draw::DrawList list = list_of(posed, whole_view(posed));
     for (const Strategy strategy : all_strategies) {
         Shot shots[2];
         for (const contexts::Kind kind : {contexts::Kind::osmesa, contexts::Kind::egl}) {
@@ -205,7 +205,7 @@ TEST_F(Strategies, GiveTheSamePixelsWithOsmesaAndEgl)
             if (!context_) GTEST_SKIP() << why;
             host_ = std::make_unique<HostGl>(*context_);
             light_up();
-            shots[kind == contexts::Kind::egl] = shoot(figure, options_of(strategy), list);
+            shots[kind == contexts::Kind::egl] = shoot(posed, options_of(strategy), list);
         }
         EXPECT_TRUE(shots[0] == shots[1]) << int(strategy);
     }

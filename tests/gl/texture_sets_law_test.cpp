@@ -38,12 +38,12 @@ using TextureSetsLaw = LawTest;
 
 TEST_P(TextureSetsLaw, HoldsInEverySetOfASheet)
 {
-    Figure figure = split_figure(sheet_in_sets());
-    ASSERT_EQ(figure.tmpl->texture_set_count(), 5u);
+    PosedModel posed = split_posed(sheet_in_sets());
+    ASSERT_EQ(posed.tmpl->texture_set_count(), 5u);
     for (uint32_t set = 0; set < 5; ++set) {
         SCOPED_TRACE(testing::Message() << "set " << set);
-        figure.texture_set = set;
-        hold(figure);
+        posed.texture_set = set;
+        hold(posed);
     }
 }
 
@@ -52,10 +52,10 @@ TEST_P(TextureSetsLaw, HoldsOnThePeopleInTheirSecondSets)
     most_ties_share_ = 1e-4;  // layers of cloth, as on the odeon
     for (const claque::figures::Builtin &person : claque::figures::people()) {
         SCOPED_TRACE(person.name);
-        Figure figure = split_figure(person.make());
-        ASSERT_EQ(figure.tmpl->texture_set_count(), 2u);
-        figure.texture_set = 1;
-        hold(figure);
+        PosedModel posed = split_posed(person.make());
+        ASSERT_EQ(posed.tmpl->texture_set_count(), 2u);
+        posed.texture_set = 1;
+        hold(posed);
     }
 }
 

@@ -29,7 +29,7 @@ protected:
         return options;
     }
 
-    const Figure figure_ = small_figure();
+    const PosedModel posed_ = small_posed();
 };
 
 // Every call of a renderer's life, each with all state dumped before and after.
@@ -37,8 +37,8 @@ TEST_F(Torture, OfFortyHostsSpoilsNeitherThePictureNorTheirState)
 {
     std::vector<Picture> calm;
     for (uint32_t number = 0; number < 6; ++number)
-        calm.push_back(draw(*context_, *make_renderer_of(figure_, options_of_number(number)),
-                            list_of(figure_, whole_view(figure_))));
+        calm.push_back(
+            draw(*context_, *make_renderer_of(posed_, options_of_number(number)), list_of(posed_, whole_view(posed_))));
     for (uint32_t number = 60; number < 100; ++number) {
         const std::string host = "host " + std::to_string(number);
         SetUp();
@@ -48,10 +48,10 @@ TEST_F(Torture, OfFortyHostsSpoilsNeitherThePictureNorTheirState)
         const State before = dump_state(*host_);
         const auto renderer = make_renderer(options_of_number(number));
         expect_unchanged(before, host + " after open");
-        const Status prepared = renderer->prepare(*figure_.tmpl);
+        const Status prepared = renderer->prepare(*posed_.tmpl);
         ASSERT_TRUE(prepared.ok()) << host << ": " << prepared.text;
         expect_unchanged(before, host + " after prepare");
-        const Status drawn = renderer->draw(list_of(figure_, whole_view(figure_)), nullptr);
+        const Status drawn = renderer->draw(list_of(posed_, whole_view(posed_)), nullptr);
         ASSERT_TRUE(drawn.ok()) << host << ": " << drawn.text;
         expect_unchanged(before, host + " after draw");
         Picture picture;
@@ -65,8 +65,8 @@ TEST_F(Torture, OfFortyHostsSpoilsNeitherThePictureNorTheirState)
 
 TEST_F(Torture, OfEachSwitchInTurnSpoilsNoPicture)
 {
-    const auto renderer = make_renderer_of(figure_);
-    const auto list = list_of(figure_, whole_view(figure_));
+    const auto renderer = make_renderer_of(posed_);
+    const auto list = list_of(posed_, whole_view(posed_));
     const Picture calm = draw(*context_, *renderer, list);
     for (size_t i = 0; i < switch_count; ++i) {
         const gl::Enum name = all_switches[i].name;

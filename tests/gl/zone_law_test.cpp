@@ -15,7 +15,7 @@ TEST_P(ZoneLaw, HoldsOnSquaresFinerThanTriangles)
 {
     for (const uint32_t zones : {1u, 2u, 8u, 10u, 16u, 48u}) {
         SCOPED_TRACE(testing::Message() << zones << " zones");
-        hold(make_figure(sheet(9, 0.2f), torture_map(128, zones, 3)),
+        hold(make_posed(sheet(9, 0.2f), torture_map(128, zones, 3)),
              {passes::ColourFormat::ubyte, passes::ColourFormat::real});
     }
 }
@@ -23,8 +23,8 @@ TEST_P(ZoneLaw, HoldsOnSquaresFinerThanTriangles)
 TEST_P(ZoneLaw, HoldsForThePapersEqualTest)
 {
     for (const uint32_t zones : {2u, 8u, 48u}) {
-        const Figure figure = make_figure(sheet(9, 0.2f), torture_map(128, zones, 3));
-        const Law law(*context_, figure);
+        const PosedModel posed = make_posed(sheet(9, 0.2f), torture_map(128, zones, 3));
+        const Law law(*context_, posed);
         passes::RendererOptions options;
         options.strategy = passes::Strategy::per_zone;
         options.key_test = passes::KeyTest::equal;
@@ -38,12 +38,12 @@ TEST_P(ZoneLaw, HoldsUnderFullAmbientLightOnBothFaces)
     constexpr gl::Enum lighting = 0x0B50, light_model_ambient = 0x0B53;
     const float full[4] = {1, 1, 1, 1};
     const HostGl host(*context_);
-    const Figure figure = make_figure(sheet(9, 0.2f), torture_map(128, 8, 3));
-    figure.tmpl->levels[0].surfaces[0].double_sided = true;
+    const PosedModel posed = make_posed(sheet(9, 0.2f), torture_map(128, 8, 3));
+    posed.tmpl->levels[0].surfaces[0].double_sided = true;
     for (const float turn_rad : {0.4f, 2.8f}) {
-        const Camera camera = camera_on(figure, 2.6f, turn_rad, 0.4f, 4.0f / 3);
+        const Camera camera = camera_on(posed, 2.6f, turn_rad, 0.4f, 4.0f / 3);
         const std::vector<uint8_t> colours = zone_colours(8);
-        const Picture plain = draw_plain(*context_, figure, camera, colours.data());
+        const Picture plain = draw_plain(*context_, posed, camera, colours.data());
         host.LightModelfv(light_model_ambient, full);
         host.Enable(lighting);
         for (const passes::Strategy strategy :
@@ -52,9 +52,9 @@ TEST_P(ZoneLaw, HoldsUnderFullAmbientLightOnBothFaces)
             options.strategy = strategy;
             passes::Renderer renderer(std::pmr::get_default_resource(), options);
             ASSERT_TRUE(renderer.open(context_->get_proc_address(), context_->user()).ok());
-            ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+            ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
             const Comparison c =
-                compare(plain, draw(*context_, renderer, list_of(figure, camera, colours.data())), plain, plain);
+                compare(plain, draw(*context_, renderer, list_of(posed, camera, colours.data())), plain, plain);
             EXPECT_EQ(c.wrong + c.holes, 0u) << "turned " << turn_rad << ", strategy " << int(strategy);
             renderer.destroy();
         }
@@ -64,16 +64,16 @@ TEST_P(ZoneLaw, HoldsUnderFullAmbientLightOnBothFaces)
 
 TEST_P(ZoneLaw, HoldsOnMoreVerticesThanShortIndicesReach)
 {
-    const Figure figure = make_figure(sheet(260, 0.2f), torture_map(256, 4, 3));
-    ASSERT_GT(figure.tmpl->levels[0].source_count, 65536u);
-    const Camera camera = camera_on(figure, 2.6f, 0.4f, 0.4f, 4.0f / 3);
+    const PosedModel posed = make_posed(sheet(260, 0.2f), torture_map(256, 4, 3));
+    ASSERT_GT(posed.tmpl->levels[0].source_count, 65536u);
+    const Camera camera = camera_on(posed, 2.6f, 0.4f, 0.4f, 4.0f / 3);
     const std::vector<uint8_t> colours = zone_colours(4);
-    const Picture plain = draw_plain(*context_, figure, camera, colours.data());
+    const Picture plain = draw_plain(*context_, posed, camera, colours.data());
     passes::Renderer renderer(std::pmr::get_default_resource(), {});
     ASSERT_TRUE(renderer.open(context_->get_proc_address(), context_->user()).ok());
-    ASSERT_TRUE(renderer.prepare(*figure.tmpl).ok());
+    ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
     const Comparison c =
-        compare(plain, draw(*context_, renderer, list_of(figure, camera, colours.data())), plain, plain);
+        compare(plain, draw(*context_, renderer, list_of(posed, camera, colours.data())), plain, plain);
     EXPECT_EQ(c.wrong + c.holes, 0u);
 }
 

@@ -44,13 +44,13 @@ std::string render(const Golden &golden, const std::string &picture)
     return std::system(command.c_str()) == 0 ? text_of(json) : "";
 }
 
-class Golden_picture : public testing::TestWithParam<Golden>
+class GoldenPicture : public testing::TestWithParam<Golden>
 {
 };
 
 }  // namespace
 
-TEST_P(Golden_picture, is_as_it_was_accepted)
+TEST_P(GoldenPicture, IsAsItWasAccepted)
 {
     const Golden &golden = GetParam();
     const std::string actual_path = std::string(OUTPUT_DIR) + "/" + golden.name + "-actual.png";
@@ -71,13 +71,13 @@ TEST_P(Golden_picture, is_as_it_was_accepted)
                                      << ". If the change is meant: make golden-accept";
 }
 
-INSTANTIATE_TEST_SUITE_P(scenes, Golden_picture, testing::ValuesIn(goldens), [](const auto &golden) {
+INSTANTIATE_TEST_SUITE_P(scenes, GoldenPicture, testing::ValuesIn(goldens), [](const auto &golden) {
     std::string name = golden.param.name;
     for (char &c : name) c = c == '-' ? '_' : c;
     return name;
 });
 
-TEST(comparator, sees_one_pixel_of_one_step)
+TEST(Comparator, SeesOnePixelOfOneStep)
 {
     Picture a;
     a.width = 4, a.height = 3;

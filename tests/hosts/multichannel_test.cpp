@@ -74,7 +74,7 @@ TEST_F(Multichannel, ShowsWhatOneWidePictureShowsToThePixel)
     }
 }
 
-TEST_F(Multichannel, IsSeenToBeWrongWhereAChannelIsOffByOnePixel)
+TEST_F(Multichannel, IsFoundWrongWhereAChannelIsOffByOnePixel)
 {
     const Match match = compare(room->side_by_side(), room->wide(), 1);
     EXPECT_GT(match.other, size_t(wide * height) / 10);
@@ -90,7 +90,7 @@ TEST(MultichannelSpanning, ShowsWhatOneWidePictureShowsToTheBit)
     EXPECT_TRUE(spanned.side_by_side() == spanned.wide());
 }
 
-TEST_F(Multichannel, DrawsWhoStandsAcrossAnEdgeInBothChannels)
+TEST_F(Multichannel, DrawsActorsAcrossAnEdgeInBothChannels)
 {
     uint32_t sum = 0;
     clq_view *views[Wall::columns];
@@ -113,7 +113,7 @@ TEST_F(Multichannel, DrawsWhoStandsAcrossAnEdgeInBothChannels)
     EXPECT_EQ(visible(), in_wide) << "of the three channels alone";
 }
 
-TEST_F(Multichannel, PosesEverybodyOnceForAllChannels)
+TEST_F(Multichannel, PosesEveryActorOnceForAllChannels)
 {
     room->show(30);  // far in time: everybody is due
     clq_crowd_stats stats = {};

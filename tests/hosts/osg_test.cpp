@@ -1,6 +1,6 @@
 // People inside OpenSceneGraph's cull and draw traversals (samples/hosts/osg): both cull each other (S0 4.3), and osg::State
 // stays right about GL.
-#include "samples/hosts/osg/excursion.h"
+#include "samples/hosts/osg/application.h"
 
 #include <gtest/gtest.h>
 
@@ -21,15 +21,16 @@ protected:
         context_ = contexts::make_offscreen(contexts::Kind::egl, picture_width, picture_height,
                                             contexts::PixelFormat::rgba8888, why_not);
         if (!context_) GTEST_SKIP() << why_not;
-        host_ = std::make_unique<Excursion>(*context_, people);
+        host_ = std::make_unique<Application>(*context_, people);
     }
 
     // The eye where it stands on the roofs, turned about the upright axis.
-    Look turned(double degrees) const
+    Viewpoint turned(double degrees) const
     {
-        Look look = host_->from_the_roofs();
-        look.at = look.from + osg::Quat(degrees * 0.017453292519943, osg::Vec3d(0, 1, 0)) * (look.at - look.from);
-        return look;
+        Viewpoint viewpoint = host_->from_the_roofs();
+        viewpoint.at = viewpoint.from +
+                       osg::Quat(degrees * 0.017453292519943, osg::Vec3d(0, 1, 0)) * (viewpoint.at - viewpoint.from);
+        return viewpoint;
     }
 
     clq_group_info group(size_t omnibus) const
@@ -40,7 +41,7 @@ protected:
     }
 
     std::unique_ptr<contexts::Offscreen> context_;
-    std::unique_ptr<Excursion> host_;
+    std::unique_ptr<Application> host_;
 };
 
 size_t other_pixels(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b)
@@ -52,16 +53,16 @@ size_t other_pixels(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b
 
 TEST_F(Osg, FindsItsStateAsItLeftItAfterPeopleWereDrawn)
 {
-    const Look look = host_->from_the_roofs();
+    const Viewpoint viewpoint = host_->from_the_roofs();
     host_->crowd().setNodeMask(0);
-    host_->picture(look, 2);  // textures are brought
-    const std::vector<uint8_t> without = host_->picture(look, 2);
+    host_->picture(viewpoint, 2);  // textures are brought
+    const std::vector<uint8_t> without = host_->picture(viewpoint, 2);
     host_->crowd().setNodeMask(~0u);
-    const std::vector<uint8_t> with = host_->picture(look, 2);
+    const std::vector<uint8_t> with = host_->picture(viewpoint, 2);
     EXPECT_GT(host_->crowd().drawn().individuals, 50u);
-    EXPECT_EQ(host_->picture(look, 2), with) << "another picture of the same moment";
+    EXPECT_EQ(host_->picture(viewpoint, 2), with) << "another picture of the same moment";
     host_->crowd().setNodeMask(0);
-    EXPECT_EQ(host_->picture(look, 2), without);
+    EXPECT_EQ(host_->picture(viewpoint, 2), without);
     EXPECT_GT(other_pixels(with, without), without.size() / 3 / 50);
     EXPECT_LT(other_pixels(with, without), without.size() / 3 / 3);
 }
@@ -116,12 +117,12 @@ TEST_F(Osg, CullsWhatActorsHoldWithThem)
 TEST_F(Osg, ShowsAllThatANarrowPyramidMeetsWhereCullingIsForced)
 {
     constexpr double share = 0.5;
-    const Look look = host_->from_the_roofs();
-    host_->picture(look, 2);
-    const std::vector<uint8_t> all = host_->picture(look, 2);
+    const Viewpoint viewpoint = host_->from_the_roofs();
+    host_->picture(viewpoint, 2);
+    const std::vector<uint8_t> all = host_->picture(viewpoint, 2);
     const size_t pieces = host_->pieces().left_over();
     const uint32_t drawn = host_->crowd().drawn().individuals;
-    const std::vector<uint8_t> forced = host_->picture(look, 2, share);
+    const std::vector<uint8_t> forced = host_->picture(viewpoint, 2, share);
     EXPECT_LT(host_->pieces().left_over(), pieces);
     EXPECT_LT(host_->crowd().drawn().individuals, drawn);
     size_t inside = 0, outside = 0;
@@ -136,13 +137,13 @@ TEST_F(Osg, ShowsAllThatANarrowPyramidMeetsWhereCullingIsForced)
         }
     EXPECT_EQ(inside, 0u);
     EXPECT_GT(outside, size_t(picture_width * picture_height) / 20);
-    EXPECT_EQ(host_->picture(look, 2), all) << "culled as usual again";
+    EXPECT_EQ(host_->picture(viewpoint, 2), all) << "culled as usual again";
 }
 
 TEST_F(Osg, ShowsThePyramidFromOutsideAndEverythingAsItWasAfterwards)
 {
-    const Look look = host_->from_the_roofs();
-    host_->picture(look, 2);
+    const Viewpoint viewpoint = host_->from_the_roofs();
+    host_->picture(viewpoint, 2);
     const std::vector<uint8_t> from_outside = host_->picture_of_culling(host_->from_outside(), 2);
     size_t yellow = 0, grey = 0;
     for (size_t i = 0; i < from_outside.size(); i += 3) {

@@ -37,15 +37,15 @@ TEST(AllocationLaw, AnUpdateThatIsRefusedMemoryChangesNothingAndTheNextOneIsAsIf
         scene.update(1);
         // Grow everything: more actors, another view.
         for (uint32_t i = 0; i < 60; ++i)
-            scene.crowd.create(*scene.templates[0], crowd::Place{glm::dvec3(0, 0, 1e5), glm::quat(1, 0, 0, 0), 1}, {},
-                               1);
+            scene.crowd.create(*scene.templates[0], crowd::Transform{glm::dvec3(0, 0, 1e5), glm::quat(1, 0, 0, 0), 1},
+                               {}, 1);
         scene.add_view(glm::dvec3(0, 2, 3), glm::dvec3(0, 0, -9));
-        const uint64_t fingerprint = scene.crowd.fingerprint();
+        const uint64_t hash = scene.crowd.hash();
         memory.refuse_nth(n);
         const base::Status status = scene.try_update(1.25);
         const bool refused = memory.refused();
         memory.forget();
-        EXPECT_EQ(scene.crowd.fingerprint(), fingerprint);
+        EXPECT_EQ(scene.crowd.hash(), hash);
         if (!status.ok()) {
             ++refusals;
             EXPECT_EQ(status.code, CLQ_OUT_OF_MEMORY);
@@ -86,7 +86,7 @@ TEST(AllocationLaw, AnUpdateAllocatesNothingOnceItHasSeenTheScene)
     EXPECT_EQ(memory.allocations(), before);
 }
 
-TEST(AllocationLaw, WhoComesIntoViewIsGivenTheRoomOfWhoHasLeftIt)
+TEST(AllocationLaw, ActorsThatComeIntoViewReuseTheMemoryOfThoseThatLeftIt)
 {
     CountingMemory memory;
     SceneDef def = on(memory);
@@ -130,7 +130,7 @@ TEST(AllocationLaw, ActorsAreCreatedWhollyOrNotAtAll)
             const auto make = [&](crowd::Crowd &in) { return in.create(tmpl, {}, {}, i); };
             crowd::Id id;
             for (uint64_t n = 1;; ++n) {
-                const uint64_t fingerprint = crowd.fingerprint();
+                const uint64_t hash = crowd.hash();
                 memory.refuse_nth(n);
                 try {
                     id = make(crowd);
@@ -139,25 +139,25 @@ TEST(AllocationLaw, ActorsAreCreatedWhollyOrNotAtAll)
                 } catch (const std::bad_alloc &) {
                     ++refusals;
                     memory.forget();
-                    ASSERT_EQ(crowd.fingerprint(), fingerprint);
+                    ASSERT_EQ(crowd.hash(), hash);
                 }
             }
             for (uint64_t n = 1;; ++n) {
-                const uint64_t fingerprint = crowd.fingerprint();
+                const uint64_t hash = crowd.hash();
                 memory.refuse_nth(n);
                 try {
-                    crowd.draw_colours(id, nullptr, 0);
+                    crowd.randomise_colours(id, nullptr, 0);
                     memory.forget();
                     break;
                 } catch (const std::bad_alloc &) {
                     ++refusals;
                     memory.forget();
-                    ASSERT_EQ(crowd.fingerprint(), fingerprint);
+                    ASSERT_EQ(crowd.hash(), hash);
                 }
             }
-            twin.draw_colours(make(twin), nullptr, 0);
+            twin.randomise_colours(make(twin), nullptr, 0);
         }
-        EXPECT_EQ(crowd.fingerprint(), twin.fingerprint());
+        EXPECT_EQ(crowd.hash(), twin.hash());
         EXPECT_GT(refusals, 20u);
     }
     EXPECT_EQ(memory.bytes(), 0);  // all given back

@@ -104,7 +104,7 @@ TEST(FrameLaw, PackedVerticesAreTheSameWhateverIsCachedAndWhoeverSkinsThem)
 {
     const auto packed = [](Mode mode, uint64_t budget_bytes) {
         SceneDef def = with(mode, budget_bytes);
-        def.settings.caches.geometry = animcache::Geometry::packed;
+        def.settings.caches.vertex_format = animcache::VertexFormat::packed;
         return def;
     };
     const std::vector<uint64_t> full = walk(packed(Mode::full, plenty));
@@ -118,7 +118,7 @@ TEST(FrameLaw, PackedVerticesAreTheSameWhateverIsCachedAndWhoeverSkinsThem)
 TEST(FrameLaw, PackedVerticesTakeHalfTheMemory)
 {
     SceneDef def;
-    def.settings.caches.geometry = animcache::Geometry::packed;
+    def.settings.caches.vertex_format = animcache::VertexFormat::packed;
     Scene real, packed(def);
     real.update(1), packed.update(1);
     const double palettes = 48.0 * 13 * real.frame.stats().visible;  // at most
@@ -154,7 +154,7 @@ TEST(FrameLaw, ACameraJumpRefreshesAtOnce)
     Scene fresh;
     EXPECT_EQ(fresh.update(10.5), jumped);
     for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
-        const frame::Seen seen = scene.frame.seen(scene.crowd, row);
+        const frame::ActorVisibility seen = scene.frame.visibility(scene.crowd, row);
         if (!seen.visible) continue;
         EXPECT_LE(seen.shown_s, 10.5);
         EXPECT_GT(seen.shown_s, 10.5 - seen.period_s - 1e-9);  // nobody shows a pose older than its present period
@@ -182,13 +182,13 @@ TEST(FrameLaw, ALevelSwitchSkinsAnewFromTheCachedPalette)
     def.actors = 1;
     def.settings.caches.period = {0.25f, 0.25f, 1, 1000};  // one rate at all distances
     Scene scene(def);
-    crowd::Place place;
+    crowd::Transform place;
     place.position = glm::dvec3(0, 0, -15);
-    scene.crowd.place(&scene.ids[0], &place, 1);
+    scene.crowd.set_transforms(&scene.ids[0], &place, 1);
     scene.update(1);
     EXPECT_EQ(scene.views[0]->list.items[0].level, 0u);
     place.position.z = -25;
-    scene.crowd.place(&scene.ids[0], &place, 1);
+    scene.crowd.set_transforms(&scene.ids[0], &place, 1);
     scene.update(1);
     EXPECT_EQ(scene.views[0]->list.items[0].level, 1u);
     EXPECT_EQ(scene.frame.stats().animated, 0u);
@@ -202,9 +202,9 @@ TEST(FrameLaw, PosesAreInTheActorsOwnSpaceSoMovingCostsNoSkinning)
     scene.update(5);
     const glm::dvec3 shift(0.01, 0, 0.01);
     for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
-        crowd::Place place = scene.crowd.place_of(row);
+        crowd::Transform place = scene.crowd.transform_of(row);
         place.position += shift;
-        scene.crowd.place(&scene.ids[row], &place, 1);
+        scene.crowd.set_transforms(&scene.ids[row], &place, 1);
     }
     scene.look(0, glm::dvec3(0, 1.7, 0) + shift, glm::dvec3(0, 1, -30) + shift);
     scene.update(5);
@@ -233,7 +233,7 @@ TEST(FrameLaw, TenMillionSecondsLaterNothingHasDrifted)
     }
 }
 
-TEST(FrameLaw, FarFromTheOriginTheSameSceneIsSeen)
+TEST(FrameLaw, FarFromTheOriginTheSameSceneIsVisible)
 {
     SceneDef far;
     far.origin = glm::dvec3(1e6, -2e6, 3e6);

@@ -15,17 +15,17 @@ namespace claque
 {
 
 using namespace testing_support;
-using animcache::Geometry;
-using animcache::Method;
+using animcache::KeyPoseMode;
 using animcache::Mode;
+using animcache::VertexFormat;
 
 namespace
 {
 
-SceneDef with(Method method)
+SceneDef with(KeyPoseMode mode)
 {
     SceneDef def;
-    def.settings.caches.key_poses.bands[0] = {0, method};
+    def.settings.caches.key_poses.bands[0] = {0, mode};
     def.settings.caches.key_poses.band_count = 1;
     return def;
 }
@@ -35,10 +35,10 @@ SceneDef rings()
 {
     SceneDef def;
     animcache::KeyPoseSettings &settings = def.settings.caches.key_poses;
-    settings.bands[0] = {0, Method::skinned};
-    settings.bands[1] = {6, Method::individual};
-    settings.bands[2] = {15, Method::interpolated};
-    settings.bands[3] = {35, Method::intermittent};
+    settings.bands[0] = {0, KeyPoseMode::skinned};
+    settings.bands[1] = {6, KeyPoseMode::individual};
+    settings.bands[2] = {15, KeyPoseMode::interpolated};
+    settings.bands[3] = {35, KeyPoseMode::intermittent};
     settings.band_count = 4;
     return def;
 }
@@ -57,7 +57,7 @@ std::vector<uint64_t> walk_key_poses(const SceneDef &def, const base::Jobs &jobs
     return out;
 }
 
-const SceneDef kinds[] = {with(Method::intermittent), with(Method::interpolated), rings()};
+const SceneDef kinds[] = {with(KeyPoseMode::intermittent), with(KeyPoseMode::interpolated), rings()};
 
 }  // namespace
 
@@ -65,14 +65,14 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnHowManyKeyPosesAreKept)
 {
     std::set<std::vector<uint64_t>> different;
     for (const SceneDef &kind : kinds)
-        for (const Geometry geometry : {Geometry::real, Geometry::packed}) {
+        for (const VertexFormat vertex_format : {VertexFormat::floats, VertexFormat::packed}) {
             SceneDef def = kind;
-            def.settings.caches.geometry = geometry;
+            def.settings.caches.vertex_format = vertex_format;
             const std::vector<uint64_t> all = walk_key_poses(def);
             EXPECT_GT(std::set<uint64_t>(all.begin(), all.end()).size(), 25u) << "they do move";
             different.insert(all);
             for (const uint32_t most : {0u, 1u, 2u, 7u, 20u}) {
-                def.settings.caches.key_poses.most_kept = most;
+                def.settings.caches.key_poses.max_kept = most;
                 EXPECT_EQ(walk_key_poses(def), all) << most << " kept";
             }
             for (const uint64_t budget : {0u, 30000u, 200000u}) {
@@ -87,7 +87,7 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnOtherCachesNorOnThreads)
 {
     for (const SceneDef &kind : kinds) {
         SceneDef def = kind;
-        def.settings.caches.key_poses.most_kept = 5;
+        def.settings.caches.key_poses.max_kept = 5;
         const std::vector<uint64_t> all = walk_key_poses(def);
         for (const Mode mode : {Mode::full, Mode::animation, Mode::none})
             for (const uint64_t budget : {uint64_t(0), uint64_t(60000), uint64_t(1) << 30}) {
@@ -100,10 +100,10 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnOtherCachesNorOnThreads)
     }
 }
 
-TEST(KeyPoseLaw, NobodyIsSkinnedTwiceInAFrameHoweverManyLook)
+TEST(KeyPoseLaw, NoKeyPoseIsSkinnedTwiceInAFrameWhateverTheNumberOfViews)
 {
-    for (const Method method : {Method::intermittent, Method::interpolated}) {
-        SceneDef def = with(method);
+    for (const KeyPoseMode mode : {KeyPoseMode::intermittent, KeyPoseMode::interpolated}) {
+        SceneDef def = with(mode);
         def.actors = 300;
         Scene scene(def);
         for (int more = 0; more < 3; ++more) scene.add_view(glm::dvec3(more, 3, 5), glm::dvec3(0, 0, -30));
@@ -116,14 +116,14 @@ TEST(KeyPoseLaw, NobodyIsSkinnedTwiceInAFrameHoweverManyLook)
             listed += view->list.items.size();
             for (const draw::Item &item : view->list.items) memory.insert(item.vertices.positions);
         }
-        ASSERT_GT(key_poses.asked, 100u);
-        EXPECT_EQ(key_poses.served, key_poses.asked);
+        ASSERT_GT(key_poses.requested, 100u);
+        EXPECT_EQ(key_poses.served, key_poses.requested);
         EXPECT_EQ(key_poses.updated, key_poses.wanted) << "the first update makes each key-pose once";
-        EXPECT_LT(key_poses.wanted, 2 * key_poses.asked);
+        EXPECT_LT(key_poses.wanted, 2 * key_poses.requested);
         EXPECT_GT(listed, 2 * stats.visible) << "several views show them";
         EXPECT_EQ(stats.on_demand, 0u);
         // Each array of vertices was made once: those of key-poses, and of those who stand between two or have no clip.
-        if (method == Method::intermittent) {
+        if (mode == KeyPoseMode::intermittent) {
             EXPECT_LT(memory.size(), stats.visible);
             EXPECT_EQ(memory.size(), key_poses.updated + stats.skinned);
         } else {
@@ -137,7 +137,7 @@ TEST(KeyPoseLaw, NobodyIsSkinnedTwiceInAFrameHoweverManyLook)
 
 TEST(KeyPoseLaw, WhatIsShownIsTheNearestKeyPoseToTheBit)
 {
-    Scene scene(with(Method::intermittent));
+    Scene scene(with(KeyPoseMode::intermittent));
     scene.update(7.3);
     uint32_t checked = 0;
     for (const draw::Item &item : scene.views[0]->list.items) {
@@ -145,7 +145,7 @@ TEST(KeyPoseLaw, WhatIsShownIsTheNearestKeyPoseToTheBit)
         if (play.clip == model::none) continue;
         const model::Template &tmpl = *item.tmpl;
         const model::Clip &clip = tmpl.rig.clips[play.clip];
-        const double shown = scene.frame.seen(scene.crowd, item.actor_index).shown_s;
+        const double shown = scene.frame.visibility(scene.crowd, item.actor_index).shown_s;
         const double at = pose::clip_time({play.start_s, play.speed, play.phase_s}, clip, shown);
         const double intervals = std::max(1.0, std::round(double(clip.duration_s) * 15));
         double key = clip.start_s;
@@ -176,34 +176,34 @@ TEST(KeyPoseLaw, WhatIsShownIsTheNearestKeyPoseToTheBit)
 
 TEST(KeyPoseLaw, WhatIsLeastRecentlyUsedGoesAndWhatIsWantedStays)
 {
-    SceneDef def = with(Method::intermittent);
+    SceneDef def = with(KeyPoseMode::intermittent);
     def.actors = 200;
-    def.settings.caches.key_poses.most_kept = 12;
+    def.settings.caches.key_poses.max_kept = 12;
     Scene scene(def);
-    uint64_t updates = 0, served = 0, asked = 0;
+    uint64_t updates = 0, served = 0, requested = 0;
     for (int i = 0; i < 60; ++i) {
         scene.update(3 + i / 60.0);
         const auto &key_poses = scene.frame.stats().key_poses;
         EXPECT_LE(key_poses.held, 12u * 4) << "12 for each of two levels of two templates";
         EXPECT_LE(key_poses.updated, key_poses.wanted);
         if (i > 0) updates += key_poses.updated;
-        served += key_poses.served, asked += key_poses.asked;
+        served += key_poses.served, requested += key_poses.requested;
     }
-    EXPECT_GT(served, asked / 4);
-    EXPECT_LT(served, asked) << "there is not room for all";
+    EXPECT_GT(served, requested / 4);
+    EXPECT_LT(served, requested) << "there is not room for all";
     EXPECT_LT(updates, 59u * 48 / 2) << "what is still wanted is not made again";
 }
 
 TEST(KeyPoseLaw, ThoseWhoAreMovedByMoreThanOneClipKeepTheirOwnCache)
 {
-    Scene scene(with(Method::intermittent));
+    Scene scene(with(KeyPoseMode::intermittent));
     scene.update(4);
     uint32_t without_clip = 0;
     for (const draw::Item &item : scene.views[0]->list.items)
         without_clip += scene.crowd.play_of(item.actor_index).clip == model::none;
     const frame::Stats &stats = scene.frame.stats();
     ASSERT_GT(without_clip, 0u);
-    EXPECT_EQ(stats.key_poses.asked + without_clip, stats.visible);
+    EXPECT_EQ(stats.key_poses.requested + without_clip, stats.visible);
     EXPECT_EQ(stats.skinned, without_clip);
 }
 

@@ -33,9 +33,9 @@ uint32_t who_step_back(frame::Clock clock)
     crowd::Play play;
     play.clip = clip_walk;
     for (uint32_t i = 0; i < 400; ++i) {
-        crowd::Place place;
+        crowd::Transform place;
         place.position = glm::dvec3(0.01 * (i % 20), 1, -4 - 56.0 * i / 400);
-        scene.crowd.place(&scene.ids[i], &place, 1);
+        scene.crowd.set_transforms(&scene.ids[i], &place, 1);
         scene.crowd.play(scene.ids[i], play);
     }
     std::vector<double> shown(400, -1);
@@ -45,7 +45,7 @@ uint32_t who_step_back(frame::Clock clock)
         scene.look(0, wandering_eye(f / 60.0), glm::dvec3(0, 1, -500));
         EXPECT_TRUE(scene.try_update(t).ok());
         for (uint32_t i = 0; i < 400; ++i) {
-            const frame::Seen seen = scene.frame.seen(scene.crowd, i);
+            const frame::ActorVisibility seen = scene.frame.visibility(scene.crowd, i);
             if (!seen.visible) continue;
             if (seen.shown_s < shown[i]) stepped[i] = true;
             shown[i] = seen.shown_s;
@@ -72,7 +72,7 @@ Waits simulate(Scene &scene, double seconds, double frame_s)
         EXPECT_EQ(stats.due, stats.animated + stats.deferred);
         if (f == 0) {  // everybody is new
             for (uint32_t i = 0; i < shown.size(); ++i)
-                shown[i] = scene.frame.seen(scene.crowd, i).shown_s, renewed[i] = t;
+                shown[i] = scene.frame.visibility(scene.crowd, i).shown_s, renewed[i] = t;
             continue;
         }
         waits.most_evaluated = std::max(waits.most_evaluated, stats.animated);
@@ -80,7 +80,7 @@ Waits simulate(Scene &scene, double seconds, double frame_s)
         waits.overdue += stats.overdue;
         waits.over_budget += stats.over_budget;
         for (uint32_t i = 0; i < scene.crowd.row_count(); ++i) {
-            const frame::Seen seen = scene.frame.seen(scene.crowd, i);
+            const frame::ActorVisibility seen = scene.frame.visibility(scene.crowd, i);
             if (!seen.visible) continue;
             if (seen.shown_s != shown[i]) shown[i] = seen.shown_s, renewed[i] = t;
             const double period = std::max(double(seen.period_s), frame_s);
@@ -104,7 +104,7 @@ double load(uint32_t count, double frame_s)
 
 }  // namespace
 
-TEST(LiveLaw, PeopleStepBackInReferenceModeAndNobodyInLiveMode)
+TEST(LiveLaw, ActorsStepBackInReferenceModeAndNoneInLiveMode)
 {
     const uint32_t reference = who_step_back(frame::Clock::reference);
     std::printf("of 400 people, %u step back within 20 s in reference mode\n", reference);
@@ -133,7 +133,7 @@ TEST(LiveLaw, ACameraThatComesNearerIsAnsweredAtOnceAsInReferenceMode)
     EXPECT_EQ(live.update(9.3), reference.update(9.3));
 }
 
-TEST(BudgetLaw, WithinTheBudgetNobodyWaitsLongerThanTwiceItsPeriod)
+TEST(BudgetLaw, WithinTheBudgetNoActorWaitsLongerThanTwiceItsPeriod)
 {
     const double frame_s = 1 / 60.0;
     const double mean = load(300, frame_s);
@@ -160,7 +160,7 @@ TEST(BudgetLaw, ABudgetThatIsTooSmallIsKeptAndSaysSo)
     EXPECT_LT(waits.periods, 12);  // all wait alike; nobody is left out
 }
 
-TEST(BudgetLaw, WhoHasNoPoseGetsOneWhateverTheBudget)
+TEST(BudgetLaw, AnActorWithoutAPoseGetsOneWhateverTheBudget)
 {
     Scene scene(people(100, frame::Clock::live, 5));
     scene.update(3);
@@ -176,16 +176,16 @@ TEST(BudgetLaw, WhoHasNoPoseGetsOneWhateverTheBudget)
     EXPECT_LE(scene.frame.stats().animated, 40u);
 }
 
-TEST(BudgetLaw, TheNearGoFirstAndWhoWaitsShowsItsLastTick)
+TEST(BudgetLaw, NearActorsGoFirstAndWaitingActorsShowTheirLastTick)
 {
     constexpr uint32_t count = 200, budget = 10;
     const auto stand_in_a_row = [](Scene &scene) {
         crowd::Play play;
         play.clip = clip_walk;
         for (uint32_t i = 0; i < count; ++i) {
-            crowd::Place place;
+            crowd::Transform place;
             place.position = glm::dvec3(0, 1, -60 - 0.3 * i);  // all at 4 Hz
-            scene.crowd.place(&scene.ids[i], &place, 1);
+            scene.crowd.set_transforms(&scene.ids[i], &place, 1);
             scene.crowd.play(scene.ids[i], play);
         }
         scene.update(3);
@@ -193,19 +193,19 @@ TEST(BudgetLaw, TheNearGoFirstAndWhoWaitsShowsItsLastTick)
     Scene scene(people(count, frame::Clock::live, budget)), free(people(count, frame::Clock::live));
     stand_in_a_row(scene), stand_in_a_row(free);
     std::vector<double> first;
-    for (uint32_t i = 0; i < count; ++i) first.push_back(scene.frame.seen(scene.crowd, i).shown_s);
+    for (uint32_t i = 0; i < count; ++i) first.push_back(scene.frame.visibility(scene.crowd, i).shown_s);
     scene.update(3.05), free.update(3.05);  // some one in five is due, and nobody is urgent
     ASSERT_GT(scene.frame.stats().deferred, 10u);
     uint32_t renewed = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        const double expected = renewed < budget ? free.frame.seen(free.crowd, i).shown_s : first[i];
-        EXPECT_EQ(scene.frame.seen(scene.crowd, i).shown_s, expected) << i;
+        const double expected = renewed < budget ? free.frame.visibility(free.crowd, i).shown_s : first[i];
+        EXPECT_EQ(scene.frame.visibility(scene.crowd, i).shown_s, expected) << i;
         renewed += expected != first[i];
     }
     EXPECT_EQ(renewed, budget);
 }
 
-TEST(BudgetLaw, AnyNumberOfThreadsLetsTheSamePeopleWait)
+TEST(BudgetLaw, AnyNumberOfThreadsDefersTheSameActors)
 {
     const auto walk = [](const base::Jobs &jobs) {
         Scene scene(people(300, frame::Clock::live, 20));

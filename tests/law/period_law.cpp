@@ -20,9 +20,9 @@ void line_up(Scene &scene, double first, double last)
     crowd::Play play;
     play.clip = clip_walk;
     for (size_t i = 0; i < scene.ids.size(); ++i) {
-        crowd::Place place;
+        crowd::Transform place;
         place.position = glm::dvec3(0, 1.7, -(first + (last - first) * double(i) / double(scene.ids.size())));
-        scene.crowd.place(&scene.ids[i], &place, 1);
+        scene.crowd.set_transforms(&scene.ids[i], &place, 1);
         scene.crowd.play(scene.ids[i], play);
     }
 }
@@ -33,8 +33,8 @@ double lawful_rate(double d)
     double period = 0.02 + (0.25 - 0.02) * (d * d - 25) / (2500 - 25);
     period = std::min(0.25, std::max(0.02, period));
     double rate = 50;
-    for (const double rung : {50.0, 40.0, 32.0, 25.0, 20.0, 16.0, 12.5, 10.0, 8.0, 6.25, 5.0, 4.0})
-        if (rung >= 1 / period * (1 - 1e-6)) rate = rung;
+    for (const double rate_step : {50.0, 40.0, 32.0, 25.0, 20.0, 16.0, 12.5, 10.0, 8.0, 6.25, 5.0, 4.0})
+        if (rate_step >= 1 / period * (1 - 1e-6)) rate = rate_step;
     return rate;
 }
 
@@ -50,10 +50,10 @@ TEST(PeriodLaw, RatesReachedFollowTheSquaredDistanceInEveryBand)
     const double step = 1.0 / 200, length = 10;
     for (int i = 0; i <= int(length / step); ++i) scene.update(100 + i * step);
     for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
-        const double d = -scene.crowd.place_of(row).position.z;
+        const double d = -scene.crowd.transform_of(row).position.z;
         for (uint32_t b = 0; b < frame::band_count; ++b) {
             const frame::Band &band = scene.frame.stats().bands[b];
-            if (d < band.distance_first || (b + 1 < frame::band_count && d >= band.distance_last)) continue;
+            if (d < band.distance_min || (b + 1 < frame::band_count && d >= band.distance_max)) continue;
             expected[b] += lawful_rate(d) * length;
             seconds[b] += length;
         }
@@ -113,8 +113,8 @@ TEST(PeriodLaw, APeriodOfNothingMeansEveryFrame)
     for (int i = 0; i < 20; ++i) {
         scene.update(3 + i * 0.0007);
         EXPECT_EQ(scene.frame.stats().animated, scene.frame.stats().visible);
-        EXPECT_EQ(scene.frame.seen(scene.crowd, 5).shown_s, 3 + i * 0.0007);
-        EXPECT_EQ(scene.frame.seen(scene.crowd, 5).period_s, 0);
+        EXPECT_EQ(scene.frame.visibility(scene.crowd, 5).shown_s, 3 + i * 0.0007);
+        EXPECT_EQ(scene.frame.visibility(scene.crowd, 5).period_s, 0);
     }
 }
 
@@ -125,10 +125,10 @@ TEST(PeriodLaw, TheNearestOfSeveralEyesDecides)
     Scene scene(def);
     line_up(scene, 40, 41);
     scene.update(1);
-    EXPECT_FLOAT_EQ(scene.frame.seen(scene.crowd, 0).period_s, 0.16f);  // T(1600) = 0.166
+    EXPECT_FLOAT_EQ(scene.frame.visibility(scene.crowd, 0).period_s, 0.16f);  // T(1600) = 0.166
     scene.add_view(glm::dvec3(0, 1.7, -42), glm::dvec3(0, 1.7, 0));
     scene.update(1);
-    EXPECT_FLOAT_EQ(scene.frame.seen(scene.crowd, 0).period_s, 0.02f);
+    EXPECT_FLOAT_EQ(scene.frame.visibility(scene.crowd, 0).period_s, 0.02f);
     EXPECT_FLOAT_EQ(scene.views[0]->list.items[0].eye_distance_m, 40);
     EXPECT_FLOAT_EQ(scene.views[1]->list.items[0].eye_distance_m, 2);
 }

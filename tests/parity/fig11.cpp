@@ -44,51 +44,51 @@ struct Measured {
     }
 };
 
-scenes::StageOptions options_of(const Arguments &a, uint32_t count)
+scenes::SceneOptions options_of(const Arguments &a, uint32_t count)
 {
-    scenes::StageOptions options;
+    scenes::SceneOptions options;
     options.scene = a.scene;
-    options.casting.count = count;
-    options.casting.lod = scenes::Lod::on;
+    options.crowd_options.count = count;
+    options.crowd_options.lod = scenes::Lod::on;
     options.width = a.width, options.height = a.height;
     return options;
 }
 
-void clear(scenes::Stage &stage)
+void clear(scenes::SceneRenderer &scene_renderer)
 {
-    stage.draw_setting();
-    stage.gl().DepthMask(1);
-    stage.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
-    stage.gl().Finish();
+    scene_renderer.draw_environment();
+    scene_renderer.gl().DepthMask(1);
+    scene_renderer.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
+    scene_renderer.gl().Finish();
 }
 
 // One update, drawn twice.
-void cpu_frame(scenes::Stage &stage, double time_s, Measured *per_zone, Measured *fused)
+void cpu_frame(scenes::SceneRenderer &scene_renderer, double time_s, Measured *per_zone, Measured *fused)
 {
-    stage.make_current();
+    scene_renderer.make_current();
     const cli::Stopwatch updating;
-    stage.update(time_s);
+    scene_renderer.update(time_s);
     const double update_ms = updating.ms();
-    const auto draw = [&](clq_variety variety, Measured *out) {
-        stage.use_variety(variety);
-        clear(stage);
+    const auto draw = [&](clq_draw_strategy strategy, Measured *out) {
+        scene_renderer.use_strategy(strategy);
+        clear(scene_renderer);
         const cli::Stopwatch drawing;
-        stage.draw_crowd();
+        scene_renderer.draw_crowd();
         if (out) out->add(update_ms, drawing.ms());
     };
-    draw(CLQ_VARIETY_PER_ZONE, per_zone);
-    draw(CLQ_VARIETY_FUSED, fused);
+    draw(CLQ_STRATEGY_PER_ZONE, per_zone);
+    draw(CLQ_STRATEGY_FUSED, fused);
 }
 
-void shader_frame(scenes::Stage &stage, parity_test::LivePeer &peer, double time_s, Measured *out)
+void shader_frame(scenes::SceneRenderer &scene_renderer, parity_test::LivePeer &peer, double time_s, Measured *out)
 {
-    stage.make_current();
+    scene_renderer.make_current();
     const cli::Stopwatch updating;
-    stage.update(time_s);
+    scene_renderer.update(time_s);
     const double update_ms = updating.ms();
     peer.begin();
     const cli::Stopwatch drawing;
-    peer.draw(stage.view());
+    peer.draw(scene_renderer.view());
     if (out) out->add(update_ms, drawing.ms());
 }
 
@@ -99,14 +99,14 @@ struct Row {
 
 // Room for everybody's palette and for next to nobody's vertices: who finds none is skinned when somebody asks for its
 // vertices, which nobody does here. The deformation is the shader's.
-uint64_t palette_bytes(scenes::Stage &stage)
+uint64_t palette_bytes(scenes::SceneRenderer &scene_renderer)
 {
-    stage.update(2);
+    scene_renderer.update(2);
     uint64_t bytes = 0;
-    for (uint32_t i = 0; i < stage.view_stats().visible; ++i) {
-        clq_shown shown = {};
+    for (uint32_t i = 0; i < scene_renderer.view_stats().visible; ++i) {
+        clq_drawn_actor shown = {};
         clq_template_info info = {};
-        scenes::check(clq_view_get_shown(stage.view(), i, &shown));
+        scenes::check(clq_view_get_drawn_actor(scene_renderer.view(), i, &shown));
         scenes::check(clq_template_get_info(shown.tmpl, &info));
         bytes +=
             (sizeof(float) * (12 * std::max(info.node_count, info.joint_count) + shown.morph_weight_count + 4) + 63) /
@@ -115,9 +115,9 @@ uint64_t palette_bytes(scenes::Stage &stage)
     return bytes + bytes / 32 + 65536;
 }
 
-void expect_unskinned(const scenes::Stage &stage)
+void expect_unskinned(const scenes::SceneRenderer &scene_renderer)
 {
-    const clq_crowd_stats stats = stage.crowd_stats();
+    const clq_crowd_stats stats = scene_renderer.crowd_stats();
     if (stats.skinned > stats.visible / 20 || stats.palette_served + stats.animated < stats.visible)
         throw scenes::Failure("the shader path's update skinned " + std::to_string(stats.skinned) + " and kept " +
                               std::to_string(stats.palette_served + stats.animated) + " palettes of " +
@@ -127,10 +127,10 @@ void expect_unskinned(const scenes::Stage &stage)
 // In turn, so that all three meet the same machine; the first frame of each fills caches and compiles.
 Row measure(const Arguments &a, scenes::Library &library, uint32_t count, const std::string &folder)
 {
-    scenes::Stage cached(library, options_of(a, count));
-    scenes::StageOptions options = options_of(a, count);
-    options.casting.cache_budget_bytes = palette_bytes(cached);
-    scenes::Stage palettes(library, options);
+    scenes::SceneRenderer cached(library, options_of(a, count));
+    scenes::SceneOptions options = options_of(a, count);
+    options.crowd_options.cache_budget_bytes = palette_bytes(cached);
+    scenes::SceneRenderer palettes(library, options);
     parity::write_scene(palettes, {a.scene, 0, a.width, a.height}, folder);
     parity_test::LivePeer peer(palettes.offscreen(), folder, palettes.view());
     Row row;

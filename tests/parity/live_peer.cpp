@@ -15,8 +15,8 @@ LivePeer::LivePeer(const contexts::Offscreen &context, const std::string &folder
     clq_view_stats stats = {};
     scenes::check(clq_view_get_stats(view, &stats));
     for (uint32_t i = 0; i < stats.visible; ++i) {
-        clq_shown shown = {};
-        scenes::check(clq_view_get_shown(view, i, &shown));
+        clq_drawn_actor shown = {};
+        scenes::check(clq_view_get_drawn_actor(view, i, &shown));
         const auto known = row_.find(shown.actor.index1);
         if (known != row_.end())
             numbers[shown.tmpl] = meshes.at(scene_.individuals[known->second].mesh).at("template").get<uint32_t>();
@@ -38,8 +38,8 @@ void LivePeer::draw(const clq_view *view)
     clq_view_stats stats = {};
     scenes::check(clq_view_get_stats(view, &stats));
     for (uint32_t i = 0; i < stats.visible; ++i) {
-        clq_shown shown = {};
-        scenes::check(clq_view_get_shown(view, i, &shown));
+        clq_drawn_actor shown = {};
+        scenes::check(clq_view_get_drawn_actor(view, i, &shown));
         if (shown.shadow_only) continue;
         const auto row = row_.find(shown.actor.index1);
         const auto mesh = mesh_.find({shown.tmpl, shown.level, shown.texture_set});

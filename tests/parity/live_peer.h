@@ -5,8 +5,8 @@
 #include "tests/parity/peer.h"
 
 #include <claque/claque.h>
+#include <claque/drawn_actor.h>
 #include <claque/mesh.h>
-#include <claque/shown.h>
 
 #include <map>
 #include <optional>

@@ -30,25 +30,25 @@ protected:
         if (!contexts::make_offscreen(contexts::Kind::any, 16, 16, contexts::PixelFormat::rgba8888, why_not))
             GTEST_SKIP() << "no OpenGL here: " << why_not;
         folder_ = fs::temp_directory_path() / ("claque-mutation-" + std::to_string(getpid()));
-        options_.casting.count = 12;
-        options_.casting.lod = scenes::Lod::on;
+        options_.crowd_options.count = 12;
+        options_.crowd_options.lod = scenes::Lod::on;
         options_.width = 480;
         options_.height = 360;
     }
     void TearDown() override
     {
-        stage_.reset();
+        scene_renderer_.reset();
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
     }
 
-    void set_stage() { stage_ = std::make_unique<scenes::Stage>(library_, options_); }
+    void make_scene_renderer() { scene_renderer_ = std::make_unique<scenes::SceneRenderer>(library_, options_); }
     Capture capture()
     {
-        write_result(*stage_, {options_.scene, moment_s, options_.width, options_.height}, folder_.string());
+        write_result(*scene_renderer_, {options_.scene, moment_s, options_.width, options_.height}, folder_.string());
         return read_capture(folder_.string());
     }
-    clq_crowd *crowd() const { return stage_->scene().crowd(); }
+    clq_crowd *crowd() const { return scene_renderer_->scene().crowd(); }
     clq_actor_info info_of(clq_actor actor) const
     {
         clq_actor_info info = {};
@@ -63,7 +63,7 @@ protected:
     // Whoever fills most of the picture, so that every mutation is to be seen.
     clq_actor nearest(const Capture &c) const
     {
-        const std::vector<clq_actor> all = stage_->scene().actors();
+        const std::vector<clq_actor> all = scene_renderer_->scene().actors();
         return *std::max_element(all.begin(), all.end(),
                                  [&](clq_actor a, clq_actor b) { return pixels_of(c, a) < pixels_of(c, b); });
     }
@@ -105,23 +105,23 @@ protected:
 
     fs::path folder_;
     scenes::Library library_{1};
-    scenes::StageOptions options_;
-    std::unique_ptr<scenes::Stage> stage_;
+    scenes::SceneOptions options_;
+    std::unique_ptr<scenes::SceneRenderer> scene_renderer_;
 };
 
-TEST_F(Mutation, none_passes_exactly)
+TEST_F(Mutation, NonePassesExactly)
 {
-    set_stage();
+    make_scene_renderer();
     const Capture a = capture(), b = capture();
     EXPECT_EQ(broken(a, b, "exact"), "");
     EXPECT_EQ(a.actors->size(), 12u);
     EXPECT_TRUE(compare(a, b, 67).not_compared.empty());
 }
 
-TEST_F(Mutation, one_actor_missing_is_caught)
+TEST_F(Mutation, OneActorMissingIsCaught)
 {
     options_.scene = "parade";  // whose people stay where they are put
-    set_stage();
+    make_scene_renderer();
     const Capture a = capture();
     scenes::check(clq_actor_destroy(crowd(), nearest(a)));
     const Capture b = capture();
@@ -130,10 +130,10 @@ TEST_F(Mutation, one_actor_missing_is_caught)
     expect_broken(broken(a, colours_of(b)), "colour.worst_zone");
 }
 
-TEST_F(Mutation, one_level_of_detail_swapped_is_caught)
+TEST_F(Mutation, OneLevelOfDetailSwappedIsCaught)
 {
-    options_.casting.lod_scale = 3;
-    set_stage();
+    options_.crowd_options.lod_scale = 3;
+    make_scene_renderer();
     const Capture a = capture();
     const clq_actor who = nearest(a);
     const uint32_t level = info_of(who).level;
@@ -145,9 +145,9 @@ TEST_F(Mutation, one_level_of_detail_swapped_is_caught)
     EXPECT_NE(broken(a, colours_of(b)), "");
 }
 
-TEST_F(Mutation, one_zone_s_colour_is_caught)
+TEST_F(Mutation, OneZoneSColourIsCaught)
 {
-    set_stage();
+    make_scene_renderer();
     const Capture a = capture();
     const clq_actor who = nearest(a);
     const clq_template *tmpl = info_of(who).tmpl;
@@ -164,9 +164,9 @@ TEST_F(Mutation, one_zone_s_colour_is_caught)
     expect_broken(broken(grey, colours_of(greener)), "colour.worst_zone");
 }
 
-TEST_F(Mutation, a_pose_one_tick_old_is_caught)
+TEST_F(Mutation, APoseOneTickOldIsCaught)
 {
-    set_stage();
+    make_scene_renderer();
     const Capture first = capture();
     const clq_actor who = nearest(first);
     clq_play play = info_of(who).play;
@@ -191,9 +191,9 @@ void shift(Values &values, size_t width, size_t numbers)
                            values.begin() + static_cast<std::ptrdiff_t>(row + width * numbers));
 }
 
-TEST_F(Mutation, a_shift_by_one_pixel_is_caught)
+TEST_F(Mutation, AShiftByOnePixelIsCaught)
 {
-    set_stage();
+    make_scene_renderer();
     const Capture a = capture();
     Capture b = a;
     const size_t width = static_cast<size_t>(a.width);
@@ -212,10 +212,10 @@ TEST_F(Mutation, a_shift_by_one_pixel_is_caught)
 }
 
 // A bending strip whose rows follow two joints, and the same with one influence of one vertex left out.
-TEST_F(Mutation, a_weight_dropped_is_caught)
+TEST_F(Mutation, AWeightDroppedIsCaught)
 {
     options_.scene = "parade";
-    options_.casting.count = 1;
+    options_.crowd_options.count = 1;
     std::vector<Capture> captures;
     for (const bool dropped : {false, true}) {
         SmallTemplate strip;
@@ -226,9 +226,9 @@ TEST_F(Mutation, a_weight_dropped_is_caught)
         scenes::check(clq_template_build(library_.context(), &strip.def, &tmpl));
         const scenes::Own<clq_template> held(tmpl);
         options_.character.tmpl = tmpl;
-        set_stage();
+        make_scene_renderer();
         captures.push_back(capture());
-        stage_.reset();
+        scene_renderer_.reset();
     }
     ASSERT_GT(captures[0].actors->at(0).size_m, 1);
     expect_broken(broken(vertices_of(captures[0]), vertices_of(captures[1])), "positions.max_relative");

@@ -38,13 +38,13 @@ protected:
     std::string path(const char *name) const { return (folder_ / name).string(); }
 
     // Exports, captures, and has the peer draw it.
-    void run(const scenes::StageOptions &options, double time_s)
+    void run(const scenes::SceneOptions &options, double time_s)
     {
-        const parity::Moment moment = {options.scene, time_s, options.width, options.height};
+        const parity::CaptureTime capture_time = {options.scene, time_s, options.width, options.height};
         {
-            scenes::Stage stage(library_, options);
-            parity::write_scene(stage, moment, path("scene"));
-            parity::write_result(stage, moment, path("reference"));
+            scenes::SceneRenderer scene_renderer(library_, options);
+            parity::write_scene(scene_renderer, capture_time, path("scene"));
+            parity::write_result(scene_renderer, capture_time, path("reference"));
         }
         const SceneIn scene = read_scene(path("scene"));
         std::string why_not;
@@ -83,7 +83,7 @@ protected:
         return static_cast<double>(over) / static_cast<double>(covered);
     }
 
-    void hold(const scenes::StageOptions &options, double time_s)
+    void hold(const scenes::SceneOptions &options, double time_s)
     {
         run(options, time_s);
         const parity::Verdict found = verdict();
@@ -93,11 +93,11 @@ protected:
         EXPECT_LE(share_over_2(), 0.001);
     }
 
-    scenes::StageOptions options_of(const char *scene, uint32_t count) const
+    scenes::SceneOptions options_of(const char *scene, uint32_t count) const
     {
-        scenes::StageOptions options;
+        scenes::SceneOptions options;
         options.scene = scene;
-        options.casting.count = count;
+        options.crowd_options.count = count;
         options.width = 320, options.height = 240;
         options.flat_triangles = 0;  // the peer lights smoothly
         return options;
@@ -111,9 +111,9 @@ TEST_F(Parity, HoldsInTheOdeon) { hold(options_of("odeon", 0), 2); }
 
 TEST_F(Parity, HoldsInTheOdeonFromNear)
 {
-    scenes::StageOptions options = options_of("odeon", 0);
+    scenes::SceneOptions options = options_of("odeon", 0);
     options.shot = scenes::Shot::close;
-    options.casting.lod = scenes::Lod::on;
+    options.crowd_options.lod = scenes::Lod::on;
     hold(options, 5);
 }
 
@@ -126,12 +126,12 @@ TEST_F(Parity, HoldsForActorsThatBehave) { hold(options_of("hundred_actors", 100
 // What is compared would show a crowd one tick late.
 TEST_F(Parity, FailsOneTickLater)
 {
-    const scenes::StageOptions options = options_of("plaza", 30);
+    const scenes::SceneOptions options = options_of("plaza", 30);
     run(options, 2);
-    scenes::Stage stage(library_, options);
-    parity::write_result(stage, {options.scene, 2, options.width, options.height}, path("reference"));
+    scenes::SceneRenderer scene_renderer(library_, options);
+    parity::write_result(scene_renderer, {options.scene, 2, options.width, options.height}, path("reference"));
     EXPECT_TRUE(verdict().pass);
-    parity::write_result(stage, {options.scene, 2.04, options.width, options.height}, path("later"));
+    parity::write_result(scene_renderer, {options.scene, 2.04, options.width, options.height}, path("later"));
     fs::copy_file(path("later") + "/positions.npy", path("reference") + "/positions.npy",
                   fs::copy_options::overwrite_existing);
     fs::copy_file(path("later") + "/colour.npy", path("reference") + "/colour.npy",
@@ -169,7 +169,7 @@ TEST_P(HumanoidParity, Holds)
     clq_template *tmpl = nullptr;
     ASSERT_EQ(clq_asset_build(library_.context(), asset, 0, &tmpl), CLQ_OK) << clq_last_error();
     const scenes::Own<clq_template> held(tmpl);
-    scenes::StageOptions options = options_of("parade", 3);
+    scenes::SceneOptions options = options_of("parade", 3);
     options.character.tmpl = tmpl;
     options.width = 240, options.height = 180;
     hold(options, 1);

@@ -8,7 +8,7 @@
 namespace
 {
 
-TEST(ReadmeParity, says_how_to_hold_a_renderer_against_claque)
+TEST(ReadmeParity, SaysHowToHoldARendererAgainstClaque)
 {
     std::string why;
     if (!contexts::make_offscreen(contexts::Kind::any, 8, 8, contexts::PixelFormat::rgba8888, why)) GTEST_SKIP() << why;

@@ -27,7 +27,7 @@ def crowd(context, citizen):
     with claque.Crowd(context) as made:
         for i in range(100):
             made.add(citizen, (i % 10, 0, -(i // 10)), clip="applaud", phase_s=0.07 * i, seed=i,
-                     texture_set=claque.abi.BY_LOT)
+                     texture_set=claque.abi.RANDOM)
         view = made.view()
         view.look_at((4.5, 4, 12), (4.5, 1, -4))
         made.the_view = view

@@ -39,7 +39,7 @@ def test_the_palette_skins_the_mesh_to_the_vertices_that_are_shown(crowd, citize
     view = crowd.the_view
     assert len(view) > 50
     for index in range(0, len(view), 7):
-        mesh, palette = citizen.mesh(view.shown(index).level), view.palette(index).astype(float)
+        mesh, palette = citizen.mesh(view.drawn_actor(index).level), view.palette(index).astype(float)
         points = numpy.c_[mesh["positions"], numpy.ones(len(mesh["positions"]))]
         skinned = numpy.einsum("vi,virc,vc->vr", mesh["weights"], palette[mesh["joints"]], points)
         positions, normals = view.vertices(index)
@@ -61,7 +61,7 @@ def test_who_is_gone_is_a_stale_id_with_a_sentence(crowd):
     actor = crowd.add(crowd._held[-1])
     actor.remove()
     with pytest.raises(claque.Error) as refused:
-        actor.draw_colours()
+        actor.randomise_colours()
     assert refused.value.status is claque.Status.STALE_ID
     assert "no actor has index" in str(refused.value)
     assert len(crowd) == 100

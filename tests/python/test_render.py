@@ -19,8 +19,8 @@ except claque.Error as error:
 drawing = pytest.mark.skipif(bool(MISSING), reason=MISSING)
 
 
-def picture_of(context, crowd, citizen, variety="fused"):
-    with claque.Offscreen(320, 240) as target, claque.Renderer(context, target, variety) as renderer:
+def picture_of(context, crowd, citizen, strategy="fused"):
+    with claque.Offscreen(320, 240) as target, claque.Renderer(context, target, strategy) as renderer:
         renderer.prepare(citizen)
         crowd.update(1.5)
         target.clear((0.5, 0.6, 0.7))
@@ -42,8 +42,8 @@ def test_a_picture_shows_the_people_on_the_background_that_was_asked_for(context
 @drawing
 def test_every_variety_shows_the_same_pixels(context, crowd, citizen):
     fused, _ = picture_of(context, crowd, citizen)
-    for variety in ("binned", "per-zone"):
-        numpy.testing.assert_array_equal(picture_of(context, crowd, citizen, variety)[0], fused)
+    for strategy in ("binned", "per-zone"):
+        numpy.testing.assert_array_equal(picture_of(context, crowd, citizen, strategy)[0], fused)
 
 
 @drawing

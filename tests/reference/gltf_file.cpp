@@ -102,19 +102,19 @@ double component(int type, bool normalized, const unsigned char *at)
     return as<float>(at);
 }
 
-struct Shape {
+struct ElementShape {
     size_t columns, rows;
 };
 
-Shape shape_of(const std::string &type)
+ElementShape shape_of(const std::string &type)
 {
     if (type == "SCALAR") return {1, 1};
     const size_t n = static_cast<size_t>(type.back() - '0');
-    return type[0] == 'M' ? Shape{n, n} : Shape{1, n};
+    return type[0] == 'M' ? ElementShape{n, n} : ElementShape{1, n};
 }
 
 // Columns of matrices of small components start at multiples of four bytes.
-size_t column_bytes(const Shape &shape, int type)
+size_t column_bytes(const ElementShape &shape, int type)
 {
     const size_t bytes = shape.rows * component_bytes(type);
     return shape.columns > 1 ? (bytes + 3) / 4 * 4 : bytes;
@@ -167,7 +167,7 @@ std::vector<double> GltfFile::numbers(size_t index) const
     const int type = accessor.at("componentType");
     const bool normalized = accessor.value("normalized", false);
     const size_t count = accessor.at("count");
-    const Shape shape = shape_of(accessor.at("type"));
+    const ElementShape shape = shape_of(accessor.at("type"));
     const size_t width = shape.columns * shape.rows;
     const size_t packed = shape.columns * column_bytes(shape, type);
     std::vector<double> result(count * width, 0.0);

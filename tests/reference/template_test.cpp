@@ -92,7 +92,7 @@ protected:
         clq_camera camera;
         ASSERT_EQ(CLQ_OK, clq_camera_look_at(&camera, eye, target, up, 1.5f, 1, static_cast<float>(0.01 * reach),
                                              static_cast<float>(10 * reach)));
-        ASSERT_EQ(CLQ_OK, clq_view_look(view_, &camera)) << clq_last_error();
+        ASSERT_EQ(CLQ_OK, clq_view_set_camera(view_, &camera)) << clq_last_error();
     }
 
     // The clip stands at its start plus `offset_s`, which is inside it.

@@ -21,7 +21,7 @@ const Theatre &small_odeon()
 class House
 {
 public:
-    explicit House(uint32_t count = 300) : library_(1), audience_(library_, small_odeon(), casting(count))
+    explicit House(uint32_t count = 300) : library_(1), audience_(library_, small_odeon(), crowd_options(count))
     {
         clq_view *made = nullptr;
         check(clq_view_create(audience_.crowd(), &made));
@@ -30,7 +30,7 @@ public:
     uint64_t at(double time_s)
     {
         const clq_camera camera = look({0, 9, 8}, {0, 4, -10}, 65, 4.0 / 3.0, 0.3, 500);
-        check(clq_view_look(view_.get(), &camera));
+        check(clq_view_set_camera(view_.get(), &camera));
         audience_.act(time_s);
         clq_view *views[] = {view_.get()};
         check(clq_crowd_update(audience_.crowd(), time_s, views, 1));
@@ -39,18 +39,18 @@ public:
     Audience &audience() { return audience_; }
 
 private:
-    static Casting casting(uint32_t count)
+    static CrowdOptions crowd_options(uint32_t count)
     {
-        Casting casting;
-        casting.count = count;
-        return casting;
+        CrowdOptions crowd_options;
+        crowd_options.count = count;
+        return crowd_options;
     }
     Library library_;
     Audience audience_;
     Own<clq_view> view_;
 };
 
-TEST(audience, a_frame_is_the_same_however_it_is_reached)
+TEST(Audience, AFrameIsTheSameHoweverItIsReached)
 {
     House forward, backward;
     const std::vector<double> times = {0.0, 1.3, 2.6, 7.9, 33.1, 250.0};
@@ -63,27 +63,27 @@ TEST(audience, a_frame_is_the_same_however_it_is_reached)
     EXPECT_NE(there[3], there[4]);
 }
 
-TEST(audience, equal_castings_make_equal_crowds)
+TEST(Audience, EqualCastingsMakeEqualCrowds)
 {
     House one, other, fewer(299);
-    EXPECT_EQ(clq_crowd_fingerprint(one.audience().crowd()), clq_crowd_fingerprint(other.audience().crowd()));
-    EXPECT_NE(clq_crowd_fingerprint(one.audience().crowd()), clq_crowd_fingerprint(fewer.audience().crowd()));
+    EXPECT_EQ(clq_crowd_hash(one.audience().crowd()), clq_crowd_hash(other.audience().crowd()));
+    EXPECT_NE(clq_crowd_hash(one.audience().crowd()), clq_crowd_hash(fewer.audience().crowd()));
 }
 
-TEST(audience, wears_three_figures_with_every_clip)
+TEST(Audience, HasThreeFiguresWithEveryClip)
 {
     House house;
     EXPECT_EQ(house.audience().templates().size(), 3u);
     EXPECT_EQ(clq_crowd_actor_count(house.audience().crowd()), 300u);
 }
 
-TEST(audience, neighbours_do_not_move_alike)
+TEST(Audience, NeighboursDoNotMoveAlike)
 {
     Library library(1);
     const Audience audience(library, small_odeon(), [] {
-        Casting casting;
-        casting.count = 1020;
-        return casting;
+        CrowdOptions crowd_options;
+        crowd_options.count = 1020;
+        return crowd_options;
     }());
     const auto alike = [&](size_t a, size_t b, double t) {
         const Playing p = playing_at(audience.members()[a], t), q = playing_at(audience.members()[b], t);
@@ -104,18 +104,18 @@ TEST(audience, neighbours_do_not_move_alike)
 }
 
 // Far away poses are renewed four times a second: what they show of a clip is never of before its beginning.
-TEST(audience, nobody_shows_the_end_of_a_clip_that_has_just_begun)
+TEST(Audience, AClipThatHasJustBegunNeverShowsItsEnd)
 {
     Theatre theatre = small_odeon();
     Library library(1);
-    Casting casting;
-    casting.count = 1020;
-    Audience audience(library, theatre, casting);
+    CrowdOptions crowd_options;
+    crowd_options.count = 1020;
+    Audience audience(library, theatre, crowd_options);
     clq_view *made = nullptr;
     check(clq_view_create(audience.crowd(), &made));
     const Own<clq_view> view(made);
     const clq_camera camera = look({0, 40, 70}, {0, 4, -10}, 65, 4.0 / 3.0, 0.3, 500);
-    check(clq_view_look(view.get(), &camera));
+    check(clq_view_set_camera(view.get(), &camera));
     uint32_t begun = 0;
     for (double t = 0; t < 3; t += 0.04) {
         audience.act(t);
@@ -126,7 +126,7 @@ TEST(audience, nobody_shows_the_end_of_a_clip_that_has_just_begun)
             const clq_actor actor = {i + 1, 1};
             check(clq_actor_get_info(audience.crowd(), actor, &info));
             if (!info.visible) continue;
-            EXPECT_GE(info.shown_s, info.play.start_s);
+            EXPECT_GE(info.tick_s, info.play.start_s);
             begun += t - info.play.start_s < 0.1;
         }
     }

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "samples/scenes/odeon/audience.h"
-#include "samples/scenes/odeon/theatre_sense.h"
+#include "samples/scenes/odeon/validate_theatre.h"
 #include "tests/scenes/body.h"
 
 namespace
@@ -85,7 +85,7 @@ struct Posed {
     std::vector<Capsule> capsules;
 };
 
-Posed posed(const Member &member, const std::string &figure, const clq_place &place, double time_s)
+Posed posed(const Member &member, const std::string &figure, const clq_transform &place, double time_s)
 {
     Body &one = body(figure);
     const Playing now = playing_at(member, time_s);
@@ -160,18 +160,18 @@ Crush crush(const Theatre &theatre, size_t stride, const std::vector<double> &ti
     return found;
 }
 
-TEST(bodies, a_decurion_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_stone("decurion", 0.97f, 1.03f); }
-TEST(bodies, a_patrician_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_stone("patrician", 0.93f, 0.98f); }
-TEST(bodies, a_plebeian_sits_on_the_seat_with_feet_on_the_step) { expect_on_the_stone("plebeian", 0.97f, 1.03f); }
+TEST(Bodies, ADecurionSitsOnTheSeatWithFeetOnTheStep) { expect_on_the_stone("decurion", 0.97f, 1.03f); }
+TEST(Bodies, APatricianSitsOnTheSeatWithFeetOnTheStep) { expect_on_the_stone("patrician", 0.93f, 0.98f); }
+TEST(Bodies, APlebeianSitsOnTheSeatWithFeetOnTheStep) { expect_on_the_stone("plebeian", 0.97f, 1.03f); }
 
-TEST(bodies, nobody_is_inside_anybody)
+TEST(Bodies, NoTwoPeopleIntersect)
 {
     const Crush found = crush(full_odeon(), 3, {2.0, 11.7, 23.4, 58.0, 77.1});
     EXPECT_GT(found.pairs, 3000u);
     EXPECT_LE(found.deepest, touch_m) << found.who << ", " << found.inside << " of " << found.pairs;
 }
 
-TEST(bodies, the_test_finds_people_who_sit_fifteen_centimetres_too_near)
+TEST(Bodies, TheTestFindsPeopleWhoSitFifteenCentimetresTooNear)
 {
     Theatre narrow = full_odeon(), shallow = full_odeon();
     narrow.seat_width_m -= 0.15;
@@ -181,7 +181,7 @@ TEST(bodies, the_test_finds_people_who_sit_fifteen_centimetres_too_near)
     EXPECT_GT(crush(shallow, 10, {2.0}).inside, 8u);
 }
 
-TEST(bodies, clips_that_follow_each_other_join)
+TEST(Bodies, ClipsThatFollowEachOtherJoin)
 {
     for (const std::string &figure : figures) {
         Body &one = body(figure);

@@ -56,7 +56,7 @@ void Body::pose(uint32_t clip, double time_s)
 
 glm::dvec3 Body::joint(const char *name) const
 {
-    return claque::math::point(workspace_.global(model_.rig.find_node(name)), glm::vec3(0));
+    return claque::math::transform_point(workspace_.global(model_.rig.find_node(name)), glm::vec3(0));
 }
 
 glm::dvec3 Body::hips() const { return 0.5 * (joint("thigh_l") + joint("thigh_r")); }
@@ -78,7 +78,7 @@ std::vector<Capsule> Body::capsules() const
     return all;
 }
 
-glm::dvec3 placed(const clq_place &place, const glm::dvec3 &p)
+glm::dvec3 placed(const clq_transform &place, const glm::dvec3 &p)
 {
     const double s = place.orientation_xyzw[1], c = place.orientation_xyzw[3];
     const double turn_s = 2 * s * c, turn_c = c * c - s * s, scale = place.scale;

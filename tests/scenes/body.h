@@ -47,6 +47,6 @@ private:
 };
 
 // From the figure's space to the world.
-glm::dvec3 placed(const clq_place &place, const glm::dvec3 &p);
+glm::dvec3 placed(const clq_transform &place, const glm::dvec3 &p);
 
 }  // namespace bodies

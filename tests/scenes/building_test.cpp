@@ -118,31 +118,31 @@ bool same(const Geometry &a, const Geometry &b)
 
 }  // namespace
 
-TEST(building, seats_are_of_the_height_that_their_rows_say)
+TEST(Building, SeatsAreOfTheHeightThatTheirRowsSay)
 {
     expect_stone(0.05, [](const Seat &seat) { return seat.y; });
     expect_stone(0.40, [](const Seat &seat) { return seat.y; });
 }
 
-TEST(building, there_is_stone_under_the_feet_at_the_height_of_the_step)
+TEST(Building, ThereIsStoneUnderTheFeetAtTheHeightOfTheStep)
 {
     expect_stone(-0.10, [](const Seat &seat) { return seat.step_y; });
     expect_stone(-0.35, [](const Seat &seat) { return seat.step_y; });
 }
 
-TEST(building, no_face_is_without_area_or_lit_from_behind)
+TEST(Building, NoFaceIsWithoutAreaOrLitFromBehind)
 {
     expect_sound(cavea(), "cavea");
     expect_sound(stage(), "stage");
     expect_sound(Orchestra(theatre(), 1).floor(), "orchestra");
 }
 
-TEST(building, a_theatre_has_at_most_sixty_thousand_triangles)
+TEST(Building, ATheatreHasAtMostSixtyThousandTriangles)
 {
     EXPECT_LE(triangles(cavea()) + triangles(stage()) + triangles(Orchestra(theatre(), 1).floor()), 60000u);
 }
 
-TEST(building, a_theatre_is_the_same_each_time)
+TEST(Building, ATheatreIsTheSameEachTime)
 {
     EXPECT_TRUE(same(cavea(), cavea()));
     EXPECT_TRUE(same(stage(), stage()));
@@ -150,7 +150,7 @@ TEST(building, a_theatre_is_the_same_each_time)
     EXPECT_NE(opus_sectile(1, 11).rgba, opus_sectile(2, 11).rgba);
 }
 
-TEST(building, the_orchestra_is_paved_to_below_the_podium_and_level)
+TEST(Building, TheOrchestraIsPavedToBelowThePodiumAndLevel)
 {
     const Orchestra orchestra(theatre(), 1);
     const std::vector<Face> faces = faces_of(orchestra.floor());

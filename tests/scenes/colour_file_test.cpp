@@ -21,17 +21,17 @@ std::string people(const std::string &tunic)
 const std::string red = people("colour = \"#c01010\""),
                   blue = people("hue = [220, 230], saturation = [0.8, 1], brightness = [0.5, 1]");
 
-class Worn : public testing::Test
+class SceneColours : public testing::Test
 {
 protected:
-    Worn() : library_(1), path_(testing::TempDir() + "colours" + std::to_string(getpid()) + ".toml")
+    SceneColours() : library_(1), path_(testing::TempDir() + "colours" + std::to_string(getpid()) + ".toml")
     {
-        Casting casting;
-        casting.count = 12;
-        scene_ = make_scene("plaza", library_, casting, {});
+        CrowdOptions crowd_options;
+        crowd_options.count = 12;
+        scene_ = make_scene("plaza", library_, crowd_options, {});
         before_ = tunics();
     }
-    ~Worn() override { std::filesystem::remove(path_); }
+    ~SceneColours() override { std::filesystem::remove(path_); }
 
     void write(const std::string &text) const { std::ofstream(path_, std::ios::binary) << text; }
     std::vector<float> tunics() const
@@ -68,7 +68,7 @@ protected:
     bool taken_up_ = false;
 };
 
-TEST_F(Worn, colours_are_taken_up_when_their_file_changes)
+TEST_F(SceneColours, ColoursAreReloadedWhenTheirFileChanges)
 {
     ColourFile file(library_, path_);
     write(red);
@@ -88,7 +88,7 @@ TEST_F(Worn, colours_are_taken_up_when_their_file_changes)
     EXPECT_EQ(tunics(), in_red) << "and back, to the byte";
 }
 
-TEST_F(Worn, colours_stay_where_their_file_breaks_which_is_told_once)
+TEST_F(SceneColours, ColoursStayWhenTheirFileBreaksWithOneWarning)
 {
     ColourFile file(library_, path_);
     write(blue);
@@ -120,7 +120,7 @@ TEST_F(Worn, colours_stay_where_their_file_breaks_which_is_told_once)
     EXPECT_NE(tunics(), in_blue);
 }
 
-TEST_F(Worn, a_file_that_never_was_there_is_a_failure)
+TEST_F(SceneColours, AMissingFileIsAFailure)
 {
     ColourFile file(library_, path_ + ".not");
     EXPECT_NE(apply(file).find("cannot be read"), std::string::npos);

@@ -15,9 +15,9 @@ using namespace scenes;
 constexpr double hundred_times_s[] = {0.0, 2.0, 2.04, 5.3, 11.7, 26.0, 1000.5};
 const cost::Scene table_2;
 
-Casting casting(clq_cull_mode cull = CLQ_CULL_ACTOR, float lod_scale = 1)
+CrowdOptions crowd_options(clq_cull_mode cull = CLQ_CULL_ACTOR, float lod_scale = 1)
 {
-    Casting c;
+    CrowdOptions c;
     c.count = 100;
     c.cull = cull;
     c.lod_scale = lod_scale;
@@ -34,9 +34,9 @@ struct Seen {
 class Watched
 {
 public:
-    explicit Watched(const Casting &casting)
+    explicit Watched(const CrowdOptions &crowd_options)
     {
-        scene_ = make_scene("hundred_actors", library_, casting, {});
+        scene_ = make_scene("hundred_actors", library_, crowd_options, {});
         clq_view *made = nullptr;
         check(clq_view_create(scene_->crowd(), &made));
         view_.reset(made);
@@ -47,7 +47,7 @@ public:
     {
         scene_->place(time_s);
         const clq_camera camera = scene_->camera(Shot::overview, 4.0 / 3.0, time_s);
-        check(clq_view_look(view_.get(), &camera));
+        check(clq_view_set_camera(view_.get(), &camera));
         clq_view *views[] = {view_.get()};
         check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
         Seen seen;
@@ -65,10 +65,10 @@ private:
     Own<clq_view> view_;
 };
 
-TEST(hundred_actors, eighty_pass_the_first_phase_and_sixty_the_second_at_any_time)
+TEST(HundredActors, EightyPassTheFirstPhaseAndSixtyTheSecondAtAnyTime)
 {
     for (const uint64_t seed : {1u, 2u, 40u}) {
-        Casting c = casting();
+        CrowdOptions c = crowd_options();
         c.seed = seed;
         Watched watched(c);
         for (const double time_s : hundred_times_s) {
@@ -88,9 +88,9 @@ void send_away(Watched &watched, size_t first, size_t count)
     for (size_t i = first; i < first + count; ++i) check(clq_actor_destroy(watched.scene().crowd(), actors[i]));
 }
 
-TEST(hundred_actors, one_sphere_settles_who_is_wholly_inside_or_outside_though_its_sklsroot_bsphere_crosses)
+TEST(HundredActors, OneSphereSettlesActorsWhollyInsideOrOutsideThoughTheirSklsrootBsphereCrosses)
 {
-    Watched watched(casting());
+    Watched watched(crowd_options());
     send_away(watched, 0, 2);
     for (const double time_s : hundred_times_s) {
         const Seen seen = watched.at(time_s);
@@ -102,10 +102,10 @@ TEST(hundred_actors, one_sphere_settles_who_is_wholly_inside_or_outside_though_i
     }
 }
 
-TEST(hundred_actors, each_of_the_two_others_has_parts_inside_and_parts_outside)
+TEST(HundredActors, EachOfTheTwoOthersHasPartsInsideAndPartsOutside)
 {
     for (const size_t other : {0u, 1u}) {
-        Watched watched(casting());
+        Watched watched(crowd_options());
         send_away(watched, other, 1);
         for (const double time_s : hundred_times_s) {
             const Seen seen = watched.at(time_s);
@@ -116,9 +116,9 @@ TEST(hundred_actors, each_of_the_two_others_has_parts_inside_and_parts_outside)
     }
 }
 
-TEST(hundred_actors, each_has_the_nodes_degrees_of_freedom_and_spheres_of_table_3)
+TEST(HundredActors, EachHasTheNodesDegreesOfFreedomAndSpheresOfTable3)
 {
-    Watched watched(casting());
+    Watched watched(crowd_options());
     clq_template_info dragon = {};
     check(clq_template_get_info(watched.scene().templates()[0], &dragon));
     EXPECT_EQ(dragon.node_count, static_cast<uint32_t>(table_2.nodes_per_actor));
@@ -140,10 +140,10 @@ TEST(hundred_actors, each_has_the_nodes_degrees_of_freedom_and_spheres_of_table_
     }
 }
 
-TEST(hundred_actors, every_degree_of_freedom_is_written)
+TEST(HundredActors, EveryDegreeOfFreedomIsWritten)
 {
     // By the first, whose writes are those that are missing where it is away. A mouth at rest is not written.
-    Watched all(casting()), without(casting());
+    Watched all(crowd_options()), without(crowd_options());
     send_away(without, 0, 1);
     uint64_t most = 0;
     for (const double time_s : hundred_times_s)
@@ -151,10 +151,10 @@ TEST(hundred_actors, every_degree_of_freedom_is_written)
     EXPECT_EQ(most, 80u);
 }
 
-TEST(hundred_actors, traditional_culling_asks_everybody_and_shows_the_same)
+TEST(HundredActors, TraditionalCullingTestsEveryActorAndShowsTheSame)
 {
-    Watched actor(casting(CLQ_CULL_ACTOR)), traditional(casting(CLQ_CULL_TRADITIONAL)),
-        finest(casting(CLQ_CULL_TRADITIONAL, 0));
+    Watched actor(crowd_options(CLQ_CULL_ACTOR)), traditional(crowd_options(CLQ_CULL_TRADITIONAL)),
+        finest(crowd_options(CLQ_CULL_TRADITIONAL, 0));
     for (const double time_s : hundred_times_s) {
         const Seen a = actor.at(time_s), t = traditional.at(time_s), f = finest.at(time_s);
         EXPECT_EQ(a.hash, t.hash) << time_s;
@@ -166,12 +166,12 @@ TEST(hundred_actors, traditional_culling_asks_everybody_and_shows_the_same)
     }
 }
 
-TEST(hundred_actors, only_spheres_of_parts_make_claque_multiply_matrices_where_opengl_does_the_rest)
+TEST(HundredActors, OnlySpheresOfPartsNeedMatrixProductsWhereOpenglDoesTheRest)
 {
-    Casting c = casting(CLQ_CULL_ACTOR);
+    CrowdOptions c = crowd_options(CLQ_CULL_ACTOR);
     const clq_crowd_stats vertices = Watched(c).at(2).stats;
     EXPECT_EQ(vertices.products_tracked, vertices.products);
-    c.placement = CLQ_PLACE_MATRICES;
+    c.rigid_mode = CLQ_RIGID_MATRICES;
     const clq_crowd_stats matrices = Watched(c).at(2).stats;
     EXPECT_EQ(matrices.products_tracked, matrices.crossing * 40u);
     // With those three of C3.1 whose spheres show that they are outside.
@@ -181,10 +181,10 @@ TEST(hundred_actors, only_spheres_of_parts_make_claque_multiply_matrices_where_o
     EXPECT_EQ(everybody.products_tracked, everybody.products);
 }
 
-TEST(hundred_actors, another_number_of_actors_is_refused)
+TEST(HundredActors, AnotherNumberOfActorsIsRefused)
 {
     Library library(1);
-    Casting c;
+    CrowdOptions c;
     c.count = 40;
     try {
         make_scene("hundred_actors", library, c, {});

@@ -8,19 +8,19 @@ namespace scenes
 namespace
 {
 
-clq_place at(double x, double z)
+clq_transform at(double x, double z)
 {
-    clq_place place = {};
-    place.position[0] = x, place.position[2] = z;
-    place.orientation_xyzw[3] = 1, place.scale = 1;
-    return place;
+    clq_transform transform = {};
+    transform.position[0] = x, transform.position[2] = z;
+    transform.orientation_xyzw[3] = 1, transform.scale = 1;
+    return transform;
 }
 
 class LightMapTest : public testing::Test
 {
 protected:
     // The sun stands east, so that shadows fall towards -x, as long as people are tall.
-    static LightMap of(const std::vector<clq_place> &places)
+    static LightMap of(const std::vector<clq_transform> &places)
     {
         Shadows shadows;
         shadows.cast(places, {0.7f, 0.7f, 0}, 1.75f, 0.95f);
@@ -38,7 +38,7 @@ protected:
     }
 };
 
-TEST_F(LightMapTest, IsWhiteWhereNobodyStands)
+TEST_F(LightMapTest, IsWhiteWhereNoActorStands)
 {
     const LightMap map = of({});
     for (const uint8_t value : map.image().rgba) ASSERT_EQ(value, 255);

@@ -1,20 +1,20 @@
 // Same time, same camera, same picture: whatever caches, memory bounds, threads and earlier frames.
 #include <gtest/gtest.h>
 
-#include "samples/scenes/stage.h"
+#include "samples/scenes/scene_renderer.h"
 
 namespace
 {
 
 using namespace scenes;
 
-StageOptions options(clq_cache_mode cache = CLQ_CACHE_FULL, uint64_t budget_bytes = 0)
+SceneOptions options(clq_cache_mode cache = CLQ_CACHE_FULL, uint64_t budget_bytes = 0)
 {
-    StageOptions o;
+    SceneOptions o;
     o.scene = "odeon";
-    o.casting.count = 0;
-    o.casting.cache = cache;
-    o.casting.cache_budget_bytes = budget_bytes;
+    o.crowd_options.count = 0;
+    o.crowd_options.cache = cache;
+    o.crowd_options.cache_budget_bytes = budget_bytes;
     o.shot = Shot::path;
     o.path.emplace(*recorded_path("odeon"), "the odeon's path");
     o.width = 256, o.height = 192;
@@ -27,10 +27,10 @@ struct Shown {
 };
 std::ostream &operator<<(std::ostream &out, const Shown &s) { return out << s.list << '/' << s.picture; }
 
-Shown show(Stage &stage, double time_s)
+Shown show(SceneRenderer &scene_renderer, double time_s)
 {
-    const uint64_t picture = hash_of(stage.picture(time_s));
-    return {stage.view_hash(), picture};
+    const uint64_t picture = hash_of(scene_renderer.picture(time_s));
+    return {scene_renderer.view_hash(), picture};
 }
 
 constexpr double times_s[] = {3.0, 17.25, 31.5};
@@ -42,8 +42,8 @@ const std::vector<Shown> &alone()
         std::vector<Shown> made;
         Library library(1);
         for (const double t : times_s) {
-            Stage stage(library, options());
-            made.push_back(show(stage, t));
+            SceneRenderer scene_renderer(library, options());
+            made.push_back(show(scene_renderer, t));
         }
         return made;
     }();
@@ -52,63 +52,64 @@ const std::vector<Shown> &alone()
 
 }  // namespace
 
-TEST(odeon, a_frame_in_a_sequence_is_the_frame_alone_also_backwards)
+TEST(Odeon, AFrameInASequenceIsTheFrameAloneAlsoBackwards)
 {
     alone();  // whose contexts were current last, before that of this stage
     Library library(1);
-    Stage stage(library, options());
-    for (double t = 2.0; t < 3.0; t += 0.04) stage.update(t);
-    EXPECT_EQ(show(stage, times_s[0]), alone()[0]);
-    EXPECT_EQ(show(stage, times_s[2]), alone()[2]);
-    EXPECT_EQ(show(stage, times_s[1]), alone()[1]);
-    EXPECT_EQ(show(stage, times_s[0]), alone()[0]);
+    SceneRenderer scene_renderer(library, options());
+    for (double t = 2.0; t < 3.0; t += 0.04) scene_renderer.update(t);
+    EXPECT_EQ(show(scene_renderer, times_s[0]), alone()[0]);
+    EXPECT_EQ(show(scene_renderer, times_s[2]), alone()[2]);
+    EXPECT_EQ(show(scene_renderer, times_s[1]), alone()[1]);
+    EXPECT_EQ(show(scene_renderer, times_s[0]), alone()[0]);
 }
 
-TEST(odeon, is_the_same_picture_on_any_number_of_threads)
+TEST(Odeon, IsTheSamePictureOnAnyNumberOfThreads)
 {
     alone();
     for (const int threads : {2, 4}) {
         Library library(threads);
-        Stage stage(library, options());
-        for (size_t i = 0; i < 3; ++i) EXPECT_EQ(show(stage, times_s[i]), alone()[i]) << threads << " threads";
+        SceneRenderer scene_renderer(library, options());
+        for (size_t i = 0; i < 3; ++i) EXPECT_EQ(show(scene_renderer, times_s[i]), alone()[i]) << threads << " threads";
     }
 }
 
-TEST(odeon, is_the_same_picture_with_any_cache_and_memory)
+TEST(Odeon, IsTheSamePictureWithAnyCacheAndMemory)
 {
     alone();
     Library library(2);
     for (const auto &[cache, budget] :
          {std::pair(CLQ_CACHE_NONE, 0), {CLQ_CACHE_ANIMATION, 0}, {CLQ_CACHE_FULL, 1}, {CLQ_CACHE_FULL, 3'000'000}}) {
-        Stage stage(library, options(cache, uint64_t(budget)));
-        for (size_t i = 0; i < 3; ++i) EXPECT_EQ(show(stage, times_s[i]), alone()[i]) << cache << ' ' << budget;
+        SceneRenderer scene_renderer(library, options(cache, uint64_t(budget)));
+        for (size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(show(scene_renderer, times_s[i]), alone()[i]) << cache << ' ' << budget;
     }
 }
 
-TEST(odeon, is_the_same_picture_by_any_strategy_and_from_egl)
+TEST(Odeon, IsTheSamePictureByAnyStrategyAndFromEgl)
 {
     alone();
     Library library(2);
-    StageOptions o = options();
+    SceneOptions o = options();
     o.context = contexts::Kind::egl;
-    std::unique_ptr<Stage> stage;
+    std::unique_ptr<SceneRenderer> scene_renderer;
     try {
-        stage = std::make_unique<Stage>(library, o);
+        scene_renderer = std::make_unique<SceneRenderer>(library, o);
     } catch (const Failure &failure) {
         GTEST_SKIP() << failure.what();
     }
-    for (const clq_variety variety : {CLQ_VARIETY_PER_ZONE, CLQ_VARIETY_BINNED, CLQ_VARIETY_FUSED}) {
-        stage->use_variety(variety);
-        EXPECT_EQ(show(*stage, times_s[1]), alone()[1]) << variety;
+    for (const clq_draw_strategy strategy : {CLQ_STRATEGY_PER_ZONE, CLQ_STRATEGY_BINNED, CLQ_STRATEGY_FUSED}) {
+        scene_renderer->use_strategy(strategy);
+        EXPECT_EQ(show(*scene_renderer, times_s[1]), alone()[1]) << strategy;
     }
 }
 
-TEST(odeon, another_seed_is_another_picture)
+TEST(Odeon, AnotherSeedIsAnotherPicture)
 {
     alone();
     Library library(2);
-    StageOptions o = options();
-    o.casting.seed = 2;
-    Stage stage(library, o);
-    EXPECT_FALSE(show(stage, times_s[1]) == alone()[1]);
+    SceneOptions o = options();
+    o.crowd_options.seed = 2;
+    SceneRenderer scene_renderer(library, o);
+    EXPECT_FALSE(show(scene_renderer, times_s[1]) == alone()[1]);
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "samples/scenes/stage.h"
+#include "samples/scenes/scene_renderer.h"
 #include "samples/scenes/town/passengers.h"
 
 namespace
@@ -31,25 +31,25 @@ double from_axis(Point p)
     double nearest = 1e9;
     for (const Street &street : plan.streets())
         for (double along = std::max(street.first, -300.0); along < std::min(street.last, 300.0); along += 0.25) {
-            const Point q = street.way == Street::Way::south ? plan.at(street.at, along) : plan.at(along, street.at);
+            const Point q = street.direction == Street::Direction::south ? plan.at(street.at, along) : plan.at(along, street.at);
             nearest = std::min(nearest, std::hypot(p.x - q.x, p.z - q.z));
         }
     return nearest;
 }
 
-StageOptions options(uint64_t seed = 1)
+SceneOptions options(uint64_t seed = 1)
 {
-    StageOptions o;
+    SceneOptions o;
     o.scene = "vehicle";
-    o.casting.count = 60;
-    o.casting.seed = seed;
+    o.crowd_options.count = 60;
+    o.crowd_options.seed = seed;
     o.width = 320, o.height = 240;
     return o;
 }
 
 }  // namespace
 
-TEST(omnibus, keeps_to_the_street_on_its_right_hand_side)
+TEST(Omnibus, KeepsToTheStreetOnItsRightHandSide)
 {
     double sum = 0, count = 0;
     for (double metres = 0; metres < path().length_m(); metres += 3) {
@@ -60,23 +60,23 @@ TEST(omnibus, keeps_to_the_street_on_its_right_hand_side)
     EXPECT_NEAR(sum / count, VehiclePath::lane_m, 0.25);
 }
 
-TEST(omnibus, goes_round_without_a_jump_in_place_or_heading)
+TEST(Omnibus, GoesRoundWithoutAJumpInPlaceOrHeading)
 {
     for (double metres = 0; metres < path().length_m() + 1; metres += 0.1) {
-        const Stance a = path().at(metres), b = path().at(metres + 0.1);
+        const VehiclePose a = path().at(metres), b = path().at(metres + 0.1);
         const double moved = std::hypot(b.position[0] - a.position[0], b.position[2] - a.position[2]);
         ASSERT_NEAR(moved, 0.1, 0.02) << "at " << metres;
         ASSERT_GT(a.forward[0] * b.forward[0] + a.forward[1] * b.forward[1] + a.forward[2] * b.forward[2], 0.999);
     }
-    const Stance first = path().at(7), round = path().at(7 + path().length_m());
+    const VehiclePose first = path().at(7), round = path().at(7 + path().length_m());
     EXPECT_NEAR(first.position[0], round.position[0], 1e-6);
     EXPECT_NEAR(first.position[2], round.position[2], 1e-6);
 }
 
-TEST(omnibus, stands_on_its_wheels)
+TEST(Omnibus, StandsOnItsWheels)
 {
     for (double metres = 0; metres < path().length_m(); metres += 5) {
-        const Stance s = path().at(metres);
+        const VehiclePose s = path().at(metres);
         for (const double ahead : {-0.5, 0.5})
             for (const double aside : {-1.0, 1.0}) {
                 double p[3];
@@ -88,10 +88,10 @@ TEST(omnibus, stands_on_its_wheels)
     }
 }
 
-TEST(omnibus, turns_as_its_orientation_and_its_matrix_say)
+TEST(Omnibus, TurnsAsItsOrientationAndItsMatrixSay)
 {
     for (double metres = 0; metres < path().length_m(); metres += 11) {
-        const Stance s = path().at(metres);
+        const VehiclePose s = path().at(metres);
         const auto q = s.orientation_xyzw();
         const auto m = s.matrix();
         const double x = q[0], y = q[1], z = q[2], w = q[3];
@@ -103,7 +103,7 @@ TEST(omnibus, turns_as_its_orientation_and_its_matrix_say)
     }
 }
 
-TEST(omnibus, sphere_holds_body_and_people)
+TEST(Omnibus, SphereHoldsBodyAndPeople)
 {
     const Omnibus omnibus({1, 0, 0});
     const Sphere &s = omnibus.sphere();
@@ -119,7 +119,7 @@ TEST(omnibus, sphere_holds_body_and_people)
             ASSERT_LE(away(seat.x, seat.y + high, seat.z), s.radius);
 }
 
-TEST(omnibus, seats_are_apart)
+TEST(Omnibus, SeatsAreApart)
 {
     const auto &seats = Omnibus::seats();
     for (size_t i = 0; i < seats.size(); ++i)
@@ -129,12 +129,12 @@ TEST(omnibus, seats_are_apart)
         }
 }
 
-TEST(omnibus, moves_its_passengers_as_one_group)
+TEST(Omnibus, MovesItsPassengersAsOneGroup)
 {
     Library library(1);
-    Casting casting;
-    casting.count = 60;
-    Passengers people(library, casting, the_omnibus_town());
+    CrowdOptions crowd_options;
+    crowd_options.count = 60;
+    Passengers people(library, crowd_options, the_omnibus_town());
     EXPECT_EQ(people.cast().actors().size(), 60u);
     people.drive(3);
     clq_actor_info info = {};
@@ -143,21 +143,21 @@ TEST(omnibus, moves_its_passengers_as_one_group)
     clq_group_info group = {};
     check(clq_group_get_info(people.crowd(), info.group, &group));
     EXPECT_EQ(group.member_count,
-              people.seated() / people.stances().size() + (people.seated() % people.stances().size() > 0));
-    for (size_t i = 0; i < 3; ++i) EXPECT_EQ(group.place.position[i], people.stances()[0].position[i]);
-    EXPECT_FLOAT_EQ(static_cast<float>(info.place.position[1]), static_cast<float>(Omnibus::floor_m));
+              people.seated() / people.poses().size() + (people.seated() % people.poses().size() > 0));
+    for (size_t i = 0; i < 3; ++i) EXPECT_EQ(group.transform.position[i], people.poses()[0].position[i]);
+    EXPECT_FLOAT_EQ(static_cast<float>(info.transform.position[1]), static_cast<float>(Omnibus::floor_m));
 }
 
-TEST(vehicle, is_the_same_picture_at_the_same_time_and_another_with_another_seed)
+TEST(Vehicle, IsTheSamePictureAtTheSameTimeAndAnotherWithAnotherSeed)
 {
     Library library(1);
-    Stage stage(library, options());
-    const uint64_t first = hash_of(stage.picture(4));
-    const uint64_t later = hash_of(stage.picture(5));
+    SceneRenderer scene_renderer(library, options());
+    const uint64_t first = hash_of(scene_renderer.picture(4));
+    const uint64_t later = hash_of(scene_renderer.picture(5));
     EXPECT_NE(first, later);
-    EXPECT_EQ(hash_of(stage.picture(4)), first);
-    Stage again(library, options());
+    EXPECT_EQ(hash_of(scene_renderer.picture(4)), first);
+    SceneRenderer again(library, options());
     EXPECT_EQ(hash_of(again.picture(4)), first);
-    Stage other(library, options(2));
+    SceneRenderer other(library, options(2));
     EXPECT_NE(hash_of(other.picture(4)), first);
 }

@@ -11,7 +11,7 @@ namespace
 
 using namespace scenes;
 
-Member member(uint64_t who, Manners manners = Manners::hearty)
+Member member(uint64_t who, Temperament temperament = Temperament::hearty)
 {
     Member m;
     m.seed = 7;
@@ -19,7 +19,7 @@ Member member(uint64_t who, Manners manners = Manners::hearty)
     m.x = 0.65 * static_cast<double>(who % 40);
     m.z = -8 - 0.78 * static_cast<double>(who / 40);
     m.aside_m = who % 7 == 0 ? 9 : 0.1 * static_cast<double>(who % 3);
-    m.manners = manners;
+    m.temperament = temperament;
     m.duration_s = {4.0, 5.2, 6.1, 5.0, 3.1, 2.9, 3.3, 2.6, 1.7, 4.4, 2.4, 2.2, 2.8, 3.0, 1.8};
     return m;
 }
@@ -34,7 +34,7 @@ void expect_same(const Playing &a, const Playing &b)
     EXPECT_EQ(a.speed, b.speed);
 }
 
-TEST(programme, is_made_of_whole_clips_one_after_the_other)
+TEST(Programme, IsMadeOfWholeClipsOneAfterTheOther)
 {
     for (uint64_t who = 0; who < 50; ++who) {
         const Member m = member(who);
@@ -50,7 +50,7 @@ TEST(programme, is_made_of_whole_clips_one_after_the_other)
     }
 }
 
-TEST(programme, rises_before_it_stands_and_sits_down_after)
+TEST(Programme, RisesBeforeItStandsAndSitsDownAfter)
 {
     uint32_t risen = 0;
     for (uint64_t who = 0; who < 400; ++who) {
@@ -66,7 +66,7 @@ TEST(programme, rises_before_it_stands_and_sits_down_after)
     EXPECT_GT(risen, 100u);
 }
 
-TEST(programme, who_sits_right_behind_somebody_neither_rises_nor_leans_forward)
+TEST(Programme, ASitterRightBehindAnotherNeitherRisesNorLeansForward)
 {
     for (uint64_t who = 0; who < 400; ++who)
         for (double t = 0; t < 300; t += 5) {
@@ -76,7 +76,7 @@ TEST(programme, who_sits_right_behind_somebody_neither_rises_nor_leans_forward)
         }
 }
 
-TEST(programme, speeds_stay_near_one)
+TEST(Programme, SpeedsStayNearOne)
 {
     for (uint64_t who = 0; who < 300; ++who)
         for (double t = 0; t < 400; t += 31) {
@@ -86,7 +86,7 @@ TEST(programme, speeds_stay_near_one)
         }
 }
 
-TEST(programme, is_known_at_any_time)
+TEST(Programme, IsKnownAtAnyTime)
 {
     for (const double t : {-1e7, -0.001, 0.0, 1e7, 3e9}) {
         const Playing now = playing_at(member(3), t);
@@ -94,13 +94,13 @@ TEST(programme, is_known_at_any_time)
     }
 }
 
-TEST(programme, most_sit_quietly_and_a_few_stand)
+TEST(Programme, MostSitQuietlyAndAFewStand)
 {
     std::map<Act, uint32_t> seen;
     uint32_t all = 0, quiet = 0, standing = 0;
     for (uint64_t who = 0; who < 1000; ++who)
         for (double t = 0; t < 300; t += 7.3) {
-            const Act act = playing_at(member(who, static_cast<Manners>(who % 3)), t).act;
+            const Act act = playing_at(member(who, static_cast<Temperament>(who % 3)), t).act;
             ++seen[act];
             ++all;
             quiet += act <= Act::talk;
@@ -113,7 +113,7 @@ TEST(programme, most_sit_quietly_and_a_few_stand)
     EXPECT_LT(standing, all * 7 / 100);
 }
 
-TEST(programme, neighbours_applaud_together_more_than_strangers)
+TEST(Programme, NeighboursApplaudTogetherMoreThanStrangers)
 {
     double together = 0, strangers = 0, applauding = 0, samples = 0;
     for (double t = 0; t < 400; t += 5)

@@ -34,13 +34,13 @@ std::map<size_t, uint32_t> by_class(uint32_t count)
     return counts;
 }
 
-TEST(seats, there_are_somewhat_more_than_people)
+TEST(Seats, ThereAreSomewhatMoreThanPeople)
 {
     EXPECT_GT(seats().size(), 1020u * 105 / 100);
     EXPECT_LT(seats().size(), 1020u * 125 / 100);
 }
 
-TEST(seats, lie_on_their_row_within_its_sweep)
+TEST(Seats, LieOnTheirRowWithinItsSweep)
 {
     for (const Seat &seat : seats()) {
         const SeatRow &row = odeon().rows[seat.row];
@@ -53,7 +53,7 @@ TEST(seats, lie_on_their_row_within_its_sweep)
     }
 }
 
-TEST(seats, do_not_overlap)
+TEST(Seats, DoNotOverlap)
 {
     for (size_t i = 1; i < seats().size(); ++i) {
         const Seat &a = seats()[i - 1], &b = seats()[i];
@@ -65,7 +65,7 @@ TEST(seats, do_not_overlap)
     }
 }
 
-TEST(seats, keep_out_of_gangways)
+TEST(Seats, KeepOutOfGangways)
 {
     for (const Seat &seat : seats())
         for (const Gangway &gangway : odeon().gangways) {
@@ -75,7 +75,7 @@ TEST(seats, keep_out_of_gangways)
         }
 }
 
-TEST(seats, look_inwards_and_towards_the_stage)
+TEST(Seats, LookInwardsAndTowardsTheStage)
 {
     for (const Seat &seat : seats()) {
         EXPECT_NEAR(std::hypot(seat.facing_x, seat.facing_z), 1, 1e-9);
@@ -86,7 +86,7 @@ TEST(seats, look_inwards_and_towards_the_stage)
     }
 }
 
-TEST(seating, every_class_fills_its_own_rows_and_no_seat_twice)
+TEST(Seating, EveryClassFillsItsOwnRowsAndNoSeatTwice)
 {
     std::set<size_t> taken;
     const std::vector<Sitter> people = seat_people(odeon(), seats(), 1020, 1);
@@ -97,7 +97,7 @@ TEST(seating, every_class_fills_its_own_rows_and_no_seat_twice)
     }
 }
 
-TEST(seating, other_counts_are_shared_out_in_proportion)
+TEST(Seating, OtherCountsAreSharedOutInProportion)
 {
     for (uint32_t count : {0u, 1020u})
         for (const auto &[one, people] : by_class(count)) EXPECT_EQ(people, 340u) << one;
@@ -105,7 +105,7 @@ TEST(seating, other_counts_are_shared_out_in_proportion)
     EXPECT_EQ(by_class(1), (std::map<size_t, uint32_t>{{0, 1}}));
 }
 
-TEST(seating, more_people_than_seats_are_refused_with_the_numbers)
+TEST(Seating, MorePeopleThanSeatsAreRefusedWithTheNumbers)
 {
     try {
         seat_people(odeon(), seats(), 1200, 1);
@@ -115,7 +115,7 @@ TEST(seating, more_people_than_seats_are_refused_with_the_numbers)
     }
 }
 
-TEST(seating, sizes_are_those_of_women_and_men)
+TEST(Seating, SizesAreThoseOfWomenAndMen)
 {
     for (const Sitter &sitter : seat_people(odeon(), seats(), 1020, 1)) {
         const bool woman = odeon().classes[sitter.social_class].figure == "patrician";
@@ -124,7 +124,7 @@ TEST(seating, sizes_are_those_of_women_and_men)
     }
 }
 
-TEST(seating, turns_are_bounded_smooth_and_not_all_the_same)
+TEST(Seating, TurnsAreBoundedSmoothAndNotAllTheSame)
 {
     double least = 0, most = 0;
     for (size_t i = 0; i < seats().size(); ++i) {

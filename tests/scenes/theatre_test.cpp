@@ -37,11 +37,11 @@ void expect_refused(const std::string &toml, const std::vector<std::string> &wor
 }
 
 const std::string lower = "ima cavea", middle = "lower half", upper = "upper half", walkway = "[[walkways]]",
-                  stairs = "[[gangways]]", dyes = "[[audience.classes]]";
+                  stairs = "[[gangways]]", palette = "[[audience.classes]]";
 
 }  // namespace
 
-TEST(theatre, the_description_that_comes_with_claque_is_read)
+TEST(Theatre, TheDescriptionThatComesWithClaqueIsRead)
 {
     const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
     ASSERT_EQ(theatre.rows.size(), 18u);
@@ -53,38 +53,38 @@ TEST(theatre, the_description_that_comes_with_claque_is_read)
     EXPECT_EQ(theatre.gangways[9].first_row, 9u);
     ASSERT_EQ(theatre.classes.size(), 3u);
     EXPECT_EQ(theatre.classes[1].figure, "patrician");
-    ASSERT_EQ(theatre.classes[2].dyes.size(), 2u);
+    ASSERT_EQ(theatre.classes[2].palette.size(), 2u);
     for (const SocialClass &one : theatre.classes) EXPECT_EQ(one.count, 340u);
 }
 
-TEST(theatre, what_is_no_toml_is_refused_with_its_line)
+TEST(Theatre, WhatIsNoTomlIsRefusedWithItsLine)
 {
     expect_refused("name = \"x\"\nthis is no key\n", {"mine.toml:2:", "no TOML"});
     expect_refused(std::string("name = \"\x01\""), {"no TOML"});
 }
 
-TEST(theatre, what_is_missing_is_named)
+TEST(Theatre, WhatIsMissingIsNamed)
 {
     expect_refused("", {"'name'"});
     expect_refused(changed("[orchestra]", "radius_m = 6.2", ""), {"[orchestra]", "lacks 'radius_m'"});
     expect_refused(changed(middle, "depth_m = 0.78", ""), {"[[rows]] 2", "lacks 'depth_m'"});
-    expect_refused(changed(dyes, "figure = \"decurion\"", ""), {"[[audience.classes]] 1", "lacks 'figure'"});
+    expect_refused(changed(palette, "figure = \"decurion\"", ""), {"[[audience.classes]] 1", "lacks 'figure'"});
 }
 
-TEST(theatre, without_a_description_of_its_audience_is_refused)
+TEST(Theatre, WithoutADescriptionOfItsAudienceIsRefused)
 {
     const std::string text = odeon_description();
     expect_refused(text.substr(0, text.find("[audience]")), {"audience", "[[audience.classes]]"});
-    expect_refused(text.substr(0, text.find(dyes)), {"names nobody"});
+    expect_refused(text.substr(0, text.find(palette)), {"names nobody"});
 }
 
-TEST(theatre, without_seats_is_refused)
+TEST(Theatre, WithoutSeatsIsRefused)
 {
     const std::string text = odeon_description();
     expect_refused(text.substr(0, text.find("[[rows]]")) + text.substr(text.find("[[walkways]]")), {"no seats"});
 }
 
-TEST(theatre, an_unknown_key_is_named_with_those_there_are)
+TEST(Theatre, AnUnknownKeyIsNamedWithThoseThereAre)
 {
     expect_refused(changed(lower, "sweep_deg", "sweep"), {"lacks 'sweep_deg'"});
     expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.43\nslope = 3"),
@@ -92,7 +92,7 @@ TEST(theatre, an_unknown_key_is_named_with_those_there_are)
     expect_refused("colour = 1\n" + odeon_description(), {"mine.toml:1:", "unknown key 'colour'"});
 }
 
-TEST(theatre, wrong_types_are_named)
+TEST(Theatre, WrongTypesAreNamed)
 {
     expect_refused(changed(lower, "radius_m = 6.9", "radius_m = \"wide\""), {"'radius_m'", "a text", "number"});
     expect_refused(changed(lower, "count = 9", "count = 9.5"), {"'count'", "whole"});
@@ -100,10 +100,10 @@ TEST(theatre, wrong_types_are_named)
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 0.0, 97.0]"), {"'sweep_deg'", "[first, last]"});
     expect_refused("audience = 1\n" + odeon_description().substr(0, odeon_description().find("[audience]")),
                    {"'audience'", "table"});
-    expect_refused(changed(dyes, "tunic = {", "tunic = 2  # {"), {"'tunic'", "table"});
+    expect_refused(changed(palette, "tunic = {", "tunic = 2  # {"), {"'tunic'", "table"});
 }
 
-TEST(theatre, numbers_that_are_not_finite_or_absurd_are_refused)
+TEST(Theatre, NumbersThatAreNotFiniteOrAbsurdAreRefused)
 {
     expect_refused(changed(lower, "radius_m = 6.9", "radius_m = inf"), {"'radius_m' = inf", "not finite"});
     expect_refused(changed(lower, "seat_y_m = 0.86", "seat_y_m = nan"), {"'seat_y_m'", "not finite"});
@@ -116,23 +116,23 @@ TEST(theatre, numbers_that_are_not_finite_or_absurd_are_refused)
     expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.9"), {"'rise_m' = 0.9", "0.46"});
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-197.0, 97.0]"), {"-197", "-180 to 180"});
     expect_refused(changed(lower, "[-97.0, 97.0]", "[97.0, -97.0]"), {"97 to -97", "backwards"});
-    expect_refused(changed(dyes, "saturation = [0.40, 0.80]", "saturation = [0.40, 1.80]"), {"1.8", "0 to 1"});
-    expect_refused(changed(dyes, "saturation = [0.40, 0.80]", "saturation = [0.80, 0.40]"), {"wrong way round"});
+    expect_refused(changed(palette, "saturation = [0.40, 0.80]", "saturation = [0.40, 1.80]"), {"1.8", "0 to 1"});
+    expect_refused(changed(palette, "saturation = [0.40, 0.80]", "saturation = [0.80, 0.40]"), {"wrong way round"});
 }
 
-TEST(theatre, rows_that_overlap_are_refused_with_their_numbers)
+TEST(Theatre, RowsThatOverlapAreRefusedWithTheirNumbers)
 {
     expect_refused(changed(upper, "radius_m = 19.6", "radius_m = 19.1"),
                    {"row 14", "row 15", "overlap", "19.6", "19.1"});
     expect_refused(changed(lower, "depth_m = 0.78", "depth_m = 0.98"), {"walkway 1", "row 8", "13.92", "14.74"});
 }
 
-TEST(theatre, rows_that_descend_are_refused)
+TEST(Theatre, RowsThatDescendAreRefused)
 {
     expect_refused(changed(upper, "seat_y_m = 7.74", "seat_y_m = 6.0"), {"row 15", "6 m", "row 14", "7.31"});
 }
 
-TEST(theatre, a_row_without_a_step_for_its_feet_is_refused)
+TEST(Theatre, ARowWithoutAStepForItsFeetIsRefused)
 {
     expect_refused(changed(upper, "seat_y_m = 7.74", "seat_y_m = 8.0"), {"row 15", "step", "7.57", "7.31"});
     expect_refused(changed(upper, "radius_m = 19.6", "radius_m = 20.2"),
@@ -142,13 +142,13 @@ TEST(theatre, a_row_without_a_step_for_its_feet_is_refused)
     expect_refused(changed(walkway, "y_m = 4.30", "y_m = 5.30"), {"row 10", "5.16", "5.3"});
 }
 
-TEST(theatre, a_walkway_through_seats_is_refused)
+TEST(Theatre, AWalkwayThroughSeatsIsRefused)
 {
     expect_refused(changed(walkway, "inner_m = 13.92", "inner_m = 13.5"), {"walkway", "13.5", "13.92"});
     expect_refused(changed(walkway, "outer_m = 15.0", "outer_m = 13.0"), {"walkway 1", "13.92", "13 m"});
 }
 
-TEST(theatre, gangways_that_make_no_sense_are_refused)
+TEST(Theatre, GangwaysThatMakeNoSenseAreRefused)
 {
     expect_refused(changed(stairs, "-64.6", "-120.0"), {"gangway 1", "-120", "row 1", "-97"});
     expect_refused(changed(stairs, "rows = [1, 9]", "rows = [1, 19]"), {"19", "1 to 18"});
@@ -157,21 +157,21 @@ TEST(theatre, gangways_that_make_no_sense_are_refused)
     expect_refused(changed(stairs, "width_m = 0.85", "width_m = -1.0"), {"'width_m' = -1"});
 }
 
-TEST(theatre, a_row_on_the_stage_is_refused)
+TEST(Theatre, ARowOnTheStageIsRefused)
 {
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 170.0]"), {"row 1", "170", "stage", "5.2"});
 }
 
-TEST(theatre, unknown_classes_and_figures_are_refused_with_their_row)
+TEST(Theatre, UnknownClassesAndFiguresAreRefusedWithTheirRow)
 {
     expect_refused(changed(upper, "who = \"plebeians\"", "who = \"slaves\""), {"row 15", "'slaves'"});
-    expect_refused(changed(dyes, "figure = \"decurion\"", "figure = \"emperor\""), {"'emperor'", "patrician"});
+    expect_refused(changed(palette, "figure = \"decurion\"", "figure = \"emperor\""), {"'emperor'", "patrician"});
     expect_refused(changed("women of", "name = \"patricians\"", "name = \"decurions\""), {"second class 'decurions'"});
 }
 
-TEST(theatre, more_people_than_seats_are_refused_with_both_numbers)
+TEST(Theatre, MorePeopleThanSeatsAreRefusedWithBothNumbers)
 {
-    expect_refused(changed(dyes, "count = 340", "count = 391"), {"391 decurions", "390 seats", "rows 1, 2"});
-    EXPECT_EQ(refusal(changed(dyes, "count = 340", "count = 390")), "read");
+    expect_refused(changed(palette, "count = 340", "count = 391"), {"391 decurions", "390 seats", "rows 1, 2"});
+    EXPECT_EQ(refusal(changed(palette, "count = 340", "count = 390")), "read");
     expect_refused(changed(lower, "who = \"decurions\"", ""), {"340 decurions", "no row is theirs"});
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "samples/scenes/stage.h"
+#include "samples/scenes/scene_renderer.h"
 #include "samples/scenes/town/town.h"
 
 namespace
@@ -56,9 +56,10 @@ std::vector<Eye> eyes_over_the_town()
 
 }  // namespace
 
-TEST(town, ground_has_the_height_of_the_triangle_that_is_drawn_there)
+TEST(Town, GroundHasTheHeightOfTheTriangleThatIsDrawnThere)
 {
-    for (const Layer layer : {Layer::land, Layer::furrows, Layer::paving, Layer::cobbles, Layer::water}) {
+    for (const SurfaceKind layer :
+         {SurfaceKind::land, SurfaceKind::furrows, SurfaceKind::paving, SurfaceKind::cobbles, SurfaceKind::water}) {
         for (const Piece &piece : the_town().pieces().all()) {
             if (piece.kind != Piece::Kind::ground) continue;
             for (const Span &span : piece.spans) {
@@ -78,7 +79,7 @@ TEST(town, ground_has_the_height_of_the_triangle_that_is_drawn_there)
     }
 }
 
-TEST(town, houses_stand_on_the_ground_with_every_lowest_corner)
+TEST(Town, HousesStandOnTheGroundWithEveryLowestCorner)
 {
     for (const House &house : the_town().houses()) {
         for (const double a : {-0.5, 0.0, 0.5})
@@ -88,7 +89,7 @@ TEST(town, houses_stand_on_the_ground_with_every_lowest_corner)
                 for (const Piece &piece : the_town().pieces().all()) {
                     const double dx = piece.sphere.centre.x - house.at.x, dz = piece.sphere.centre.z - house.at.z;
                     if (piece.kind != Piece::Kind::house || dx * dx + dz * dz > 9) continue;
-                    each_vertex(piece, [&](Vec3 v, Layer) {
+                    each_vertex(piece, [&](Vec3 v, SurfaceKind) {
                         if (std::abs(v.x - p.x) < 0.01 && std::abs(v.z - p.z) < 0.01)
                             lowest = std::min(lowest, static_cast<double>(v.y));
                     });
@@ -98,55 +99,56 @@ TEST(town, houses_stand_on_the_ground_with_every_lowest_corner)
     }
 }
 
-TEST(town, nothing_that_stands_floats)
+TEST(Town, NothingThatStandsFloats)
 {
     for (const Piece &piece : the_town().pieces().all()) {
         if (piece.kind == Piece::Kind::ground || piece.kind == Piece::Kind::shade) continue;
         double least = 1e9;  // above the ground, of all its vertices
-        each_vertex(piece, [&](Vec3 v, Layer) { least = std::min(least, v.y - the_town().height(v.x, v.z)); });
+        each_vertex(piece, [&](Vec3 v, SurfaceKind) { least = std::min(least, v.y - the_town().height(v.x, v.z)); });
         ASSERT_LT(least, 0.05) << piece.sphere.centre.x << ' ' << piece.sphere.centre.z;
     }
 }
 
-TEST(town, shadows_lie_on_the_ground)
+TEST(Town, ShadowsLieOnTheGround)
 {
     for (const Piece &piece : the_town().pieces().all()) {
         if (piece.kind != Piece::Kind::shade) continue;
-        each_vertex(piece,
-                    [&](Vec3 v, Layer) { ASSERT_NEAR(v.y, the_town().height(v.x, v.z), 0.02) << v.x << ' ' << v.z; });
+        each_vertex(piece, [&](Vec3 v, SurfaceKind) {
+            ASSERT_NEAR(v.y, the_town().height(v.x, v.z), 0.02) << v.x << ' ' << v.z;
+        });
     }
 }
 
-TEST(town, spheres_hold_their_pieces)
+TEST(Town, SpheresHoldTheirPieces)
 {
     for (const Piece &piece : the_town().pieces().all())
-        each_vertex(piece, [&](Vec3 v, Layer) {
+        each_vertex(piece, [&](Vec3 v, SurfaceKind) {
             const double x = v.x - piece.sphere.centre.x, y = v.y - piece.sphere.centre.y,
                          z = v.z - piece.sphere.centre.z;
             ASSERT_LE(std::sqrt(x * x + y * y + z * z), piece.sphere.radius * 1.00001);
         });
 }
 
-TEST(town, pieces_are_every_triangle_once)
+TEST(Town, PiecesAreEveryTriangleOnce)
 {
-    std::map<Layer, std::vector<uint8_t>> covered;
+    std::map<SurfaceKind, std::vector<uint8_t>> covered;
     for (const Piece &piece : the_town().pieces().all())
         for (const Span &span : piece.spans) {
             std::vector<uint8_t> &flags = covered[span.layer];
             flags.resize(the_town().pieces().on(span.layer).indices().size());
             for (uint32_t i = span.first; i < span.first + span.count; ++i) ++flags[i];
         }
-    for (size_t layer = 0; layer < layer_count; ++layer) {
-        const std::vector<uint8_t> &flags = covered[static_cast<Layer>(layer)];
-        EXPECT_EQ(flags.size(), the_town().pieces().on(static_cast<Layer>(layer)).indices().size());
+    for (size_t layer = 0; layer < surface_kind_count; ++layer) {
+        const std::vector<uint8_t> &flags = covered[static_cast<SurfaceKind>(layer)];
+        EXPECT_EQ(flags.size(), the_town().pieces().on(static_cast<SurfaceKind>(layer)).indices().size());
         EXPECT_TRUE(std::all_of(flags.begin(), flags.end(), [](uint8_t times) { return times == 1; })) << layer;
     }
 }
 
-TEST(town, no_triangle_is_without_area)
+TEST(Town, NoTriangleIsWithoutArea)
 {
-    for (size_t layer = 0; layer < layer_count; ++layer) {
-        const Geometry &g = the_town().pieces().on(static_cast<Layer>(layer));
+    for (size_t layer = 0; layer < surface_kind_count; ++layer) {
+        const Geometry &g = the_town().pieces().on(static_cast<SurfaceKind>(layer));
         for (size_t i = 0; i < g.indices().size(); i += 3) {
             const auto at = [&](size_t k) { return g.vertices()[g.indices()[i + k]].position; };
             ASSERT_GT(twice_area(at(0), at(1), at(2)), 1e-5)
@@ -155,7 +157,7 @@ TEST(town, no_triangle_is_without_area)
     }
 }
 
-TEST(town, culling_leaves_out_no_piece_with_a_vertex_in_the_picture)
+TEST(Town, CullingLeavesOutNoPieceWithAVertexInThePicture)
 {
     for (const float share : {1.0f, 0.6f}) {
         size_t left_out = 0;
@@ -164,7 +166,7 @@ TEST(town, culling_leaves_out_no_piece_with_a_vertex_in_the_picture)
             for (const Piece &piece : the_town().pieces().all()) {
                 if (cull.meets(piece.sphere)) continue;
                 ++left_out;
-                each_vertex(piece, [&](Vec3 v, Layer) {
+                each_vertex(piece, [&](Vec3 v, SurfaceKind) {
                     double clip[4];
                     const double in[4] = {v.x, v.y, v.z, 1};
                     double seen[4] = {};
@@ -184,7 +186,7 @@ TEST(town, culling_leaves_out_no_piece_with_a_vertex_in_the_picture)
     }
 }
 
-TEST(town, is_at_most_thirty_thousand_triangles_on_screen)
+TEST(Town, IsAtMostThirtyThousandTrianglesOnScreen)
 {
     Pieces::Choice choice;
     for (const Eye &eye : eyes_over_the_town()) {
@@ -196,7 +198,7 @@ TEST(town, is_at_most_thirty_thousand_triangles_on_screen)
     }
 }
 
-TEST(town, houses_do_not_stand_in_each_other_or_on_streets)
+TEST(Town, HousesDoNotStandInEachOtherOrOnStreets)
 {
     const std::vector<House> &houses = the_town().houses();
     EXPECT_GE(houses.size(), 60u);
@@ -218,7 +220,7 @@ TEST(town, houses_do_not_stand_in_each_other_or_on_streets)
         for (const Street &street : plan.streets())
             for (double along = std::max(street.first, -300.0); along < std::min(street.last, 300.0); along += 1) {
                 const Point p =
-                    street.way == Street::Way::south ? plan.at(street.at, along) : plan.at(along, street.at);
+                    street.direction == Street::Direction::south ? plan.at(street.at, along) : plan.at(along, street.at);
                 const double x = p.x - house.at.x, z = p.z - house.at.z;
                 const double clear = 0.66 * street.half_width;  // the roadway: steps may reach over the pavement
                 ASSERT_FALSE(std::abs(x * house.out.x + z * house.out.z) < house.depth_m / 2 + clear &&
@@ -227,12 +229,12 @@ TEST(town, houses_do_not_stand_in_each_other_or_on_streets)
             }
 }
 
-TEST(town, is_the_same_each_time_and_another_with_another_seed)
+TEST(Town, IsTheSameEachTimeAndAnotherWithAnotherSeed)
 {
     const Town again(1), other(2);
-    for (size_t layer = 0; layer < layer_count; ++layer) {
+    for (size_t layer = 0; layer < surface_kind_count; ++layer) {
         const auto bytes = [&](const Town &t) {
-            const std::vector<SceneryVertex> &v = t.pieces().on(static_cast<Layer>(layer)).vertices();
+            const std::vector<SceneryVertex> &v = t.pieces().on(static_cast<SurfaceKind>(layer)).vertices();
             const uint8_t *first = reinterpret_cast<const uint8_t *>(v.data());
             return hash_of({first, first + v.size() * sizeof(SceneryVertex)});
         };

@@ -31,7 +31,7 @@ asset::LoadOptions options_of(const clq_asset_options *options)
 }
 
 // Nothing but parsing below: what it throws has been turned into base::Error, and what was missed ends at the boundary.
-clq_asset *finish(clq_context *context, model::Model &&model, std::vector<asset::RootMotion> &&root_motions = {})
+clq_asset *finish(clq_context *context, model::Model &&model, std::vector<asset::RootMotionRequest> &&root_motions = {})
 {
     auto made = std::make_unique<clq_asset>(std::move(model));
     made->root_motions = std::move(root_motions);
@@ -40,7 +40,7 @@ clq_asset *finish(clq_context *context, model::Model &&model, std::vector<asset:
 }
 
 model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options,
-                  std::vector<asset::RootMotion> &root_motions)
+                  std::vector<asset::RootMotionRequest> &root_motions)
 {
     if (asset::is_bvh(bytes, size)) return asset::load_bvh(bytes, size, options);
     return asset::load_gltf(bytes, size, options, &root_motions);
@@ -73,7 +73,7 @@ clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_b
     return api::boundary("clq_asset_load", [&] {
         api::require(context && bytes && out, "context, bytes or out is NULL");
         api::require_size(options, "clq_asset_options_init");
-        std::vector<asset::RootMotion> root_motions;
+        std::vector<asset::RootMotionRequest> root_motions;
         model::Model model = load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options), root_motions);
         *out = finish(context, std::move(model), std::move(root_motions));
     });
@@ -89,7 +89,7 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
         if (wanted.base_folder.empty()) wanted.base_folder = api::folder_of(path);
         const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
         try {
-            std::vector<asset::RootMotion> root_motions;
+            std::vector<asset::RootMotionRequest> root_motions;
             model::Model model = load(bytes.data(), bytes.size(), wanted, root_motions);
             if (model.name.empty()) model.name = stem_of(path);
             if (asset::is_bvh(bytes.data(), bytes.size()))
@@ -115,8 +115,8 @@ clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint
         api::require(context && name && out, "context, name or out is NULL");
         model::Model model = made_of(figures::people(), "built-in person", name);
         const uint32_t own = static_cast<uint32_t>(model.rig.clips.size());
-        if (clip_count < own || clip_count > figures::most_clips)
-            base::fail(CLQ_ARGUMENT, "%u clips: %u to %u are wanted", clip_count, own, figures::most_clips);
+        if (clip_count < own || clip_count > figures::max_clips)
+            base::fail(CLQ_ARGUMENT, "%u clips: %u to %u are wanted", clip_count, own, figures::max_clips);
         figures::add_variants(model, clip_count);
         *out = finish(context, std::move(model));
     });

@@ -10,7 +10,7 @@
 struct clq_asset {
     explicit clq_asset(claque::model::Model &&loaded) : model(std::move(loaded)) {}
     claque::model::Model model;
-    std::vector<claque::asset::RootMotion> root_motions;
+    std::vector<claque::asset::RootMotionRequest> root_motions;
 };
 
 namespace claque::api
@@ -29,10 +29,10 @@ public:
 
 private:
     void add_rig(const model::Model &model);
-    void add_looks(const model::Model &model);
+    void add_materials(const model::Model &model);
     void add_part(const model::Model &model, const model::Part &part);
     void add_clips(const model::Model &model);
-    void add_notes(const clq_asset &asset);
+    void add_markers(const clq_asset &asset);
 
     std::vector<clq_node_def> nodes_;
     std::vector<clq_dof_def> dofs_;

@@ -25,7 +25,7 @@ retarget::Options options_of(const clq_clips_def &def)
     for (uint32_t i = 0; i < def.joint_count; ++i) {
         const clq_joint_pair &pair = def.joints[i];
         api::require(pair.source && pair.target, "a joint's source or target is NULL");
-        out.joints.push_back({pair.source, pair.target, enum_of<retarget::Rest>(pair.rest, 2, "rest")});
+        out.joints.push_back({pair.source, pair.target, enum_of<retarget::RestAlignment>(pair.rest, 2, "rest")});
     }
     api::require_array(def.clips, def.clip_count, "clips");
     for (uint32_t i = 0; i < def.clip_count; ++i) {
@@ -39,25 +39,25 @@ retarget::Options options_of(const clq_clips_def &def)
         out.followers.push_back({follower.joint, follower.leader, static_cast<double>(follower.share)});
     }
     out.prefix = api::name_of(def.prefix);
-    out.way = enum_of<retarget::Way>(def.way, 3, "way");
-    out.travel = enum_of<retarget::Travel>(def.travel, 2, "travel");
+    out.mode = enum_of<retarget::Mode>(def.mode, 3, "mode");
+    out.travel = enum_of<retarget::RootTravel>(def.travel, 2, "travel");
     if (def.rate_hz != 0) out.rate_hz = static_cast<double>(def.rate_hz);
-    out.first_s = static_cast<double>(def.first_s);
-    if (def.last_s != 0) out.last_s = static_cast<double>(def.last_s);
+    out.start_s = static_cast<double>(def.start_s);
+    if (def.end_s != 0) out.end_s = static_cast<double>(def.end_s);
     out.close_s = static_cast<double>(def.close_s);
     return out;
 }
 
 // Those of the source's clips go with them, where their joints are bound.
-void take_root_motions(const clq_asset &source, const retarget::Report &made, clq_travel travel, clq_asset &target,
-                       std::vector<std::string> &warnings)
+void add_root_motions(const clq_asset &source, const retarget::Report &made, clq_root_travel travel, clq_asset &target,
+                      std::vector<std::string> &warnings)
 {
     const uint32_t first = static_cast<uint32_t>(target.model.rig.clips.size() - made.clips.size());
     for (uint32_t i = 0; i < made.clips.size(); ++i)
-        for (const asset::RootMotion &motion : source.root_motions) {
+        for (const asset::RootMotionRequest &motion : source.root_motions) {
             if (motion.clip != made.clips[i]) continue;
             const char *clip = source.model.rig.clip_names[motion.clip].c_str();
-            if (made.way == retarget::Way::motion && travel == CLQ_TRAVEL_IN_PLACE) {
+            if (made.mode == retarget::Mode::motion && travel == CLQ_ROOT_TRAVEL_IN_PLACE) {
                 warnings.push_back(base::text_of("clip '%s' has no root motion: it is taken in place", clip));
                 continue;
             }
@@ -87,8 +87,8 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
         std::vector<std::string> &warnings = asset->model.warnings;
         try {
             retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
-            take_root_motions(*source, made, def ? def->travel : CLQ_TRAVEL_IN_PLACE, *asset, made.warnings);
-            if (report) *report = {static_cast<clq_clip_way>(made.way), made.clip_count, made.joint_count};
+            add_root_motions(*source, made, def ? def->travel : CLQ_ROOT_TRAVEL_IN_PLACE, *asset, made.warnings);
+            if (report) *report = {static_cast<clq_retarget_mode>(made.mode), made.clip_count, made.joint_count};
             for (const std::string &warning : made.warnings) {
                 warnings.push_back(who + warning);
                 clq_context_log(context, CLQ_LOG_WARNING, warnings.back().c_str());

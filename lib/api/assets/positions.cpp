@@ -130,8 +130,8 @@ void grow(clq_asset_info &info, const float *xyz, size_t count)
 {
     for (size_t v = 0; v < count; ++v)
         for (size_t k = 0; k < 3; ++k) {
-            info.box_first[k] = std::min(info.box_first[k], xyz[3 * v + k]);
-            info.box_last[k] = std::max(info.box_last[k], xyz[3 * v + k]);
+            info.box_min[k] = std::min(info.box_min[k], xyz[3 * v + k]);
+            info.box_max[k] = std::max(info.box_max[k], xyz[3 * v + k]);
         }
 }
 
@@ -175,7 +175,7 @@ clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out)
         info.material_count = static_cast<uint32_t>(model.materials.size());
         info.warning_count = static_cast<uint32_t>(model.warnings.size());
         info.vertex_count = static_cast<uint32_t>(vertex_count(model));
-        for (size_t k = 0; k < 3; ++k) info.box_first[k] = 3.4e38f, info.box_last[k] = -3.4e38f;
+        for (size_t k = 0; k < 3; ++k) info.box_min[k] = 3.4e38f, info.box_max[k] = -3.4e38f;
         const Evaluator rest(model, model::none, 0);
         for (const model::Part &part : model.parts) {
             info.hidden_part_count += part.hidden;
@@ -188,8 +188,8 @@ clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out)
             rest.write(part, xyz.data());
             grow(info, xyz.data(), part.positions.size());
         }
-        if (info.box_first[0] > info.box_last[0])
-            for (size_t k = 0; k < 3; ++k) info.box_first[k] = info.box_last[k] = 0;
+        if (info.box_min[0] > info.box_max[0])
+            for (size_t k = 0; k < 3; ++k) info.box_min[k] = info.box_max[k] = 0;
         *out = info;
     });
 }

@@ -9,7 +9,7 @@
 #include "lib/api/assets/assets_helpers.h"
 #include "lib/api/assets/made_by.h"
 #include "lib/api/boundary.h"
-#include "lib/asset/store.h"
+#include "lib/asset/file_cache.h"
 #include "lib/model/template_file.h"
 
 using namespace claque;
@@ -35,7 +35,7 @@ void check(const clq_prepare_def &def)
     api::require_size(def.levels, "clq_levels_def_init");
 }
 
-void add_options(const clq_asset_options &options, asset::Fingerprint &all)
+void add_options(const clq_asset_options &options, asset::ContentHash &all)
 {
     all.add(uint64_t(options.hidden_node_count));
     for (uint32_t i = 0; options.hidden_nodes && i < options.hidden_node_count; ++i)
@@ -43,19 +43,19 @@ void add_options(const clq_asset_options &options, asset::Fingerprint &all)
     all.add(options.motion_unit_m);
 }
 
-void add_levels(const clq_levels_def &levels, asset::Fingerprint &all)
+void add_levels(const clq_levels_def &levels, asset::ContentHash &all)
 {
     api::require_array(levels.targets, levels.target_count, "targets");
     all.add(levels.targets, levels.target_count * sizeof *levels.targets);
     all.add(double(levels.tolerance_px));
     all.add(double(levels.metres_per_unit));
-    all.add(uint64_t(levels.far_from));
-    all.add(uint64_t(levels.plain));
+    all.add(uint64_t(levels.proxy_max_triangles));
+    all.add(uint64_t(levels.quadric_only));
 }
 
 std::string name_of(const clq_prepare_def &def)
 {
-    asset::Fingerprint all;
+    asset::ContentHash all;
     all.add(std::string(api::made_by()));
     all.add(uint64_t(model::template_file_version));
     if (def.builtin) {
@@ -95,7 +95,7 @@ Template made_anew(clq_context *context, const clq_prepare_def &def)
 Template from_disk(clq_context *context, const std::string &folder, const std::string &name)
 {
     clq_template *loaded = nullptr;
-    const std::vector<uint8_t> bytes = asset::stored(folder, name);
+    const std::vector<uint8_t> bytes = asset::read_cached(folder, name);
     if (!bytes.empty()) (void)clq_template_load(context, bytes.data(), bytes.size(), &loaded);
     return Template(loaded);
 }
@@ -110,7 +110,7 @@ std::string keep(const clq_template &made, const std::string &folder, const std:
         return 0;
     };
     api::pass_on(clq_template_save(&made, append, &bytes));
-    return asset::store(folder, name, bytes);
+    return asset::write_cached(folder, name, bytes);
 }
 
 }  // namespace

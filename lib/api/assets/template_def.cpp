@@ -11,8 +11,8 @@ namespace
 clq_channel_def channel_of(const model::Rig &rig, const model::Channel &channel)
 {
     clq_channel_def out{};
-    out.node = channel.path == model::Path::morph_weights ? rig.morph_sets[channel.node].node : channel.node;
-    out.path = static_cast<clq_path>(channel.path);
+    out.node = channel.target == model::ChannelTarget::morph_weights ? rig.morph_sets[channel.node].node : channel.node;
+    out.target = static_cast<clq_channel_target>(channel.target);
     out.interpolation = static_cast<clq_interpolation>(channel.interpolation);
     out.key_count = channel.key_count;
     out.times_s = rig.times.data() + channel.first_time;
@@ -26,11 +26,11 @@ TemplateDef::TemplateDef(const clq_asset &asset) : def(clq_template_def_init())
 {
     const model::Model &model = asset.model;
     add_rig(model);
-    add_looks(model);
+    add_materials(model);
     for (const model::Part &part : model.parts)
         if (!part.hidden) add_part(model, part);
     add_clips(model);
-    add_notes(asset);
+    add_markers(asset);
     def.name = model.name.c_str();
     def.node_count = static_cast<uint32_t>(nodes_.size());
     def.nodes = nodes_.data();
@@ -81,10 +81,10 @@ void TemplateDef::add_rig(const model::Model &model)
         dofs_.push_back({rig.dof_names[i].c_str(),
                          morphs ? rig.morph_sets[d.node].node : d.node,
                          static_cast<clq_dof_kind>(d.kind),
-                         d.target,
+                         d.morph_target,
                          {d.axis.x, d.axis.y, d.axis.z},
-                         d.first,
-                         d.last,
+                         d.min,
+                         d.max,
                          d.rest});
     }
     for (const model::PaletteEntry &entry : rig.palette) {
@@ -95,18 +95,18 @@ void TemplateDef::add_rig(const model::Model &model)
     }
 }
 
-void TemplateDef::add_looks(const model::Model &model)
+void TemplateDef::add_materials(const model::Model &model)
 {
     for (const model::Image &image : model.images)
         images_.push_back({image.name.c_str(), image.width, image.height, image.rgba.data(),
                            image.alpha == model::AlphaMeaning::zone_keys ? CLQ_ALPHA_ZONE_KEYS : CLQ_ALPHA_OPACITY});
     for (const model::Zone &zone : model.zones) {
         const model::HsbRange &r = zone.range;
-        zones_.push_back({zone.name.c_str(),
-                          zone.key,
-                          {zone.colour[0], zone.colour[1], zone.colour[2]},
-                          {r.hue_first_deg, r.hue_last_deg, r.saturation_first, r.saturation_last, r.brightness_first,
-                           r.brightness_last}});
+        zones_.push_back(
+            {zone.name.c_str(),
+             zone.key,
+             {zone.colour[0], zone.colour[1], zone.colour[2]},
+             {r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max}});
     }
     for (const model::Material &m : model.materials) {
         clq_material_def material{};
@@ -143,8 +143,8 @@ void TemplateDef::add_part(const model::Model &model, const model::Part &part)
     out.influence_count = part.influence_count;
     out.joints = part.joints.data();
     out.weights = part.weights.data();
-    out.lod_first_m = part.lod_first_m;
-    if (std::isfinite(part.lod_last_m)) out.lod_last_m = part.lod_last_m;
+    out.lod_min_m = part.lod_min_m;
+    if (std::isfinite(part.lod_max_m)) out.lod_max_m = part.lod_max_m;
     out.index_count = static_cast<uint32_t>(indices_.back().size());
     out.indices = indices_.back().data();
     if (!part.morphs.empty()) {
@@ -174,7 +174,7 @@ void TemplateDef::add_clips(const model::Model &model)
         const size_t before = channels_.size();
         for (uint32_t c = 0; c < clip.channel_count; ++c) {
             const clq_channel_def channel = channel_of(rig, rig.channels[clip.first_channel + c]);
-            if (channel.path != CLQ_PATH_MORPH_WEIGHTS || morphed[channel.node]) channels_.push_back(channel);
+            if (channel.target != CLQ_CHANNEL_MORPH_WEIGHTS || morphed[channel.node]) channels_.push_back(channel);
         }
         counts.push_back(static_cast<uint32_t>(channels_.size() - before));
     }
@@ -185,12 +185,13 @@ void TemplateDef::add_clips(const model::Model &model)
     }
 }
 
-void TemplateDef::add_notes(const clq_asset &asset)
+void TemplateDef::add_markers(const clq_asset &asset)
 {
     const model::Rig &rig = asset.model.rig;
     for (size_t i = 0; i < rig.markers.size(); ++i)
         markers_.push_back({rig.markers[i].clip, rig.markers[i].time_s, rig.marker_names[i].c_str()});
-    for (const asset::RootMotion &motion : asset.root_motions) root_motions_.push_back({motion.clip, motion.node});
+    for (const asset::RootMotionRequest &motion : asset.root_motions)
+        root_motions_.push_back({motion.clip, motion.node});
 }
 
 }  // namespace claque::api

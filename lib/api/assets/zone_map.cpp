@@ -20,15 +20,14 @@ constexpr uint64_t most_image_bytes = uint64_t(1) << 30;
 void check_range(const clq_hsb_range &r, const char *zone)
 {
     const auto within = [](float x, float last) { return x >= 0 && x <= last; };
-    if (!within(r.hue_first_deg, 360) || !within(r.hue_last_deg, 360) || !within(r.saturation_first, 1) ||
-        !within(r.saturation_last, 1) || !within(r.brightness_first, 1) || !within(r.brightness_last, 1))
+    if (!within(r.hue_min_deg, 360) || !within(r.hue_max_deg, 360) || !within(r.saturation_min, 1) ||
+        !within(r.saturation_max, 1) || !within(r.brightness_min, 1) || !within(r.brightness_max, 1))
         base::fail(CLQ_ARGUMENT, "zone '%s' has a range that leaves [0, 360] degrees or [0, 1]", zone);
 }
 
 model::HsbRange range_of(const clq_hsb_range &r)
 {
-    return {r.hue_first_deg,   r.hue_last_deg,     r.saturation_first,
-            r.saturation_last, r.brightness_first, r.brightness_last};
+    return {r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max};
 }
 
 const model::Image &image_of(const clq_asset *asset, uint32_t image)
@@ -60,11 +59,11 @@ clq_status clq_asset_set_zone_map(clq_context *context, clq_asset *asset, const 
         api::require_size(def, "clq_zone_map_def_init");
         api::require(def->texels != nullptr, "texels is NULL");
         api::require_array(def->zones, def->zone_count, "zones");
-        std::vector<asset::PaintedZone> zones;
+        std::vector<asset::ZoneMapZone> zones;
         std::vector<model::HsbRange> ranges(def->zone_count);
         for (uint32_t i = 0; i < def->zone_count; ++i) {
-            const clq_painted_zone &from = def->zones[i];
-            asset::PaintedZone zone;
+            const clq_zone_map_zone &from = def->zones[i];
+            asset::ZoneMapZone zone;
             zone.name = api::name_of(from.name);
             if (zone.name.empty()) base::fail(CLQ_ARGUMENT, "zone %u has no name", i);
             zone.reduced = from.reduced != 0;
@@ -79,7 +78,7 @@ clq_status clq_asset_set_zone_map(clq_context *context, clq_asset *asset, const 
     });
 }
 
-clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, uint32_t wanted, uint16_t *out_texels,
+clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, uint32_t max_zones, uint16_t *out_texels,
                                    size_t capacity, uint8_t *out_rgb, uint32_t *out_count)
 {
     return api::boundary("clq_asset_propose_zones", [&] {
@@ -89,7 +88,7 @@ clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, uint3
         if (capacity < texels)
             base::fail(CLQ_ARGUMENT, "room for %zu texels of an image of %u x %u, which has %zu", capacity, from.width,
                        from.height, texels);
-        const asset::ZoneProposal made = asset::propose_zones(asset->model, image, wanted);
+        const asset::ZoneProposal made = asset::propose_zones(asset->model, image, max_zones);
         std::copy(made.zones.begin(), made.zones.end(), out_texels);
         for (size_t i = 0; i < made.means.size(); ++i) std::copy_n(made.means[i].begin(), 3, out_rgb + 3 * i);
         *out_count = static_cast<uint32_t>(made.means.size());

@@ -16,7 +16,7 @@ constexpr int claps = 6;
 void clap(Pose &pose, Side side, const Grip &grip)
 {
     reach_hand(pose, side, grip.wrist, grip.pole);
-    glm::quat hand = carry(arm_direction(), arm_dorsal(), grip.along, grip.back);
+    glm::quat hand = rotation_between_frames(arm_direction(), arm_dorsal(), grip.along, grip.back);
     pose.set_world(on(side, Bone::hand), side == Side::left ? hand : mirrored(hand));
     curl_hand(pose, side, grip.curl);
 }

@@ -27,7 +27,7 @@ bool moves(const std::vector<Pose> &poses, Bone bone)
 void add_translation(model::Rig &rig, const std::vector<Pose> &poses, Bone bone, model::Channel channel)
 {
     channel.node = static_cast<uint32_t>(bone);
-    channel.path = model::Path::translation;
+    channel.target = model::ChannelTarget::translation;
     channel.component_count = 3;
     channel.first_value = static_cast<uint32_t>(rig.values.size());
     for (const Pose &pose : poses) {
@@ -40,7 +40,7 @@ void add_translation(model::Rig &rig, const std::vector<Pose> &poses, Bone bone,
 void add_rotation(model::Rig &rig, const std::vector<Pose> &poses, Bone bone, model::Channel channel)
 {
     channel.node = static_cast<uint32_t>(bone);
-    channel.path = model::Path::rotation;
+    channel.target = model::ChannelTarget::rotation;
     channel.component_count = 4;
     channel.first_value = static_cast<uint32_t>(rig.values.size());
     glm::quat before(1, 0, 0, 0);

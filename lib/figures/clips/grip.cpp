@@ -54,10 +54,10 @@ Grip clapping(float apart, glm::vec3 middle)
     return grip;
 }
 
-void take(Pose &pose, Side side, const Grip &grip)
+void apply_grip(Pose &pose, Side side, const Grip &grip)
 {
     reach_hand(pose, side, grip.wrist, grip.pole);
-    glm::quat hand = carry(arm_direction(), arm_dorsal(), grip.along, grip.back);
+    glm::quat hand = rotation_between_frames(arm_direction(), arm_dorsal(), grip.along, grip.back);
     if (side == Side::right) hand = mirrored(hand);
     const Bone forearm = on(side, Bone::forearm);
     const glm::quat in_forearm = glm::conjugate(pose.world(forearm)) * hand;
@@ -66,7 +66,7 @@ void take(Pose &pose, Side side, const Grip &grip)
     curl_hand(pose, side, grip.curl);
 }
 
-Grip held(const Pose &pose, Side side)
+Grip grip_of(const Pose &pose, Side side)
 {
     const Bone hand = on(side, Bone::hand);
     const glm::quat turned = pose.world(hand);
@@ -80,18 +80,18 @@ Grip held(const Pose &pose, Side side)
     return grip;
 }
 
-void bring(Pose &pose, Side side, const Grip &to, float share, glm::vec3 arc, float tuck)
+void blend_to_grip(Pose &pose, Side side, const Grip &to, float share, glm::vec3 arc, float tuck)
 {
     const Pose before = pose;
-    take(pose, side, mix(held(before, side), to, share, arc, tuck));
-    settle(pose, before, side, 1 - ease(0, 0.3f, share));
+    apply_grip(pose, side, mix(grip_of(before, side), to, share, arc, tuck));
+    blend_arm(pose, before, side, 1 - ease(0, 0.3f, share));
 }
 
-void settle(Pose &pose, const Pose &as, Side side, float share)
+void blend_arm(Pose &pose, const Pose &as, Side side, float share)
 {
     for (const Bone left : {Bone::upper_arm, Bone::forearm, Bone::hand, Bone::fingers, Bone::fingertips, Bone::thumb}) {
         const Bone bone = on(side, left);
-        pose.set(bone, part(pose.local(bone), as.local(bone), share));
+        pose.set(bone, nlerp(pose.local(bone), as.local(bone), share));
     }
 }
 

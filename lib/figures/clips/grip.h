@@ -23,15 +23,15 @@ Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc = glm::vec
 Grip clapping(float apart, glm::vec3 middle);
 
 // How a hand of a pose is held now; a little curled.
-Grip held(const Pose &pose, Side side);
+Grip grip_of(const Pose &pose, Side side);
 
 // Takes an arm from where it is in the pose towards a grip: `share` 0 leaves it as it is, to the bit.
-void bring(Pose &pose, Side side, const Grip &to, float share, glm::vec3 arc, float tuck);
+void blend_to_grip(Pose &pose, Side side, const Grip &to, float share, glm::vec3 arc, float tuck);
 
 // Turns the bones of an arm towards those of another pose, all the way with `share` 1.
-void settle(Pose &pose, const Pose &as, Side side, float share);
+void blend_arm(Pose &pose, const Pose &as, Side side, float share);
 
 // Reaches with arm, hand and fingers. The forearm takes half of the hand's turn about it, as its two bones do.
-void take(Pose &pose, Side side, const Grip &grip);
+void apply_grip(Pose &pose, Side side, const Grip &grip);
 
 }  // namespace claque::figures

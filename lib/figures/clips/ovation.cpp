@@ -19,7 +19,7 @@ Pose between_poses(const Pose &from, const Pose &to, float share, float heels_de
     Pose pose = from;
     for (const Bone bone : {Bone::pelvis, Bone::spine, Bone::spine_upper, Bone::chest, Bone::neck, Bone::head,
                             Bone::clavicle, Bone::clavicle_r})
-        pose.set(bone, part(from.local(bone), to.local(bone), share));
+        pose.set(bone, nlerp(from.local(bone), to.local(bone), share));
     pose.shift_pelvis(from.shift(Bone::pelvis) + (to.shift(Bone::pelvis) - from.shift(Bone::pelvis)) * share);
     for (const Side side : {Side::left, Side::right})
         stand_on(pose, side, {0.012f, side == Side::left ? 0.016f : -0.010f, share * heels_deg, 1, 0, 5});
@@ -48,7 +48,7 @@ Pose stand_applaud_at(float phase)
     const float s = std::sin(6 * pi * within);
     Grip clap = clapping(s * s, glm::vec3(0, 1.245f, 0.345f));
     clap.pole = glm::vec3(0.45f, -1, -0.20f);
-    for (const Side side : {Side::left, Side::right}) bring(pose, side, clap, share, {0, 0, 0.04f}, 0.3f);
+    for (const Side side : {Side::left, Side::right}) blend_to_grip(pose, side, clap, share, {0, 0, 0.04f}, 0.3f);
     return pose;
 }
 
@@ -58,7 +58,7 @@ Pose stand_cheer_at(float phase)
     Pose pose = between_poses(stand_at(phase), cheer_at(within), share, cheer_heels_deg(within));
     for (const Side side : {Side::left, Side::right}) {
         const float left = side == Side::left ? 1.0f : -1.0f;
-        bring(pose, side, thrust(0.5f + 0.5f * left * wave(within, 2, -0.125f)), share, {0.02f, 0, 0.26f}, 2);
+        blend_to_grip(pose, side, thrust(0.5f + 0.5f * left * wave(within, 2, -0.125f)), share, {0.02f, 0, 0.26f}, 2);
     }
     return pose;
 }

@@ -15,13 +15,13 @@ glm::quat turn(glm::vec3 axis, float degrees)
     return glm::quat(std::cos(half), v.x, v.y, v.z);
 }
 
-glm::quat between(glm::vec3 from, glm::vec3 to)
+glm::quat shortest_rotation(glm::vec3 from, glm::vec3 to)
 {
     const glm::vec3 a = glm::normalize(from), b = glm::normalize(to), axis = glm::cross(a, b);
     return glm::normalize(glm::quat(1 + glm::dot(a, b), axis.x, axis.y, axis.z));
 }
 
-glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second)
+glm::quat rotation_between_frames(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second)
 {
     const auto frame = [](glm::vec3 first, glm::vec3 second) {
         const glm::vec3 a = glm::normalize(first);
@@ -31,7 +31,7 @@ glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 t
     return glm::normalize(glm::quat_cast(frame(to, to_second) * glm::transpose(frame(from, from_second))));
 }
 
-glm::quat part(glm::quat from, glm::quat to, float share)
+glm::quat nlerp(glm::quat from, glm::quat to, float share)
 {
     if (glm::dot(from, to) < 0) to = -to;
     return glm::normalize(from * (1 - share) + to * share);
@@ -83,8 +83,8 @@ void Pose::reach(Bone upper, Bone lower, Bone end, glm::vec3 target, glm::vec3 p
     const glm::vec3 hinge = glm::cross(aside, ahead);
     const glm::vec3 rest_line = glm::normalize(rest_upper + rest_lower);
     const glm::vec3 rest_hinge = glm::cross(flexed, rest_line);
-    set_world(upper, carry(rest_upper, rest_hinge, first, hinge));
-    set_world(lower, carry(rest_lower, rest_hinge, second, hinge));
+    set_world(upper, rotation_between_frames(rest_upper, rest_hinge, first, hinge));
+    set_world(lower, rotation_between_frames(rest_lower, rest_hinge, second, hinge));
 }
 
 }  // namespace claque::figures

@@ -16,16 +16,16 @@ inline glm::quat yaw(float degrees) { return turn({0, 1, 0}, degrees); }    // t
 inline glm::quat roll(float degrees) { return turn({0, 0, 1}, degrees); }   // raises what is on the left
 
 // The shortest turn of one direction into another; not for opposite ones.
-glm::quat between(glm::vec3 from, glm::vec3 to);
+glm::quat shortest_rotation(glm::vec3 from, glm::vec3 to);
 
 // The same turn seen in a mirror: for the right side.
 inline glm::quat mirrored(glm::quat q) { return glm::quat(q.w, q.x, -q.y, -q.z); }
 
 // The rotation that carries two directions (not parallel, the first exactly) to two others.
-glm::quat carry(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second);
+glm::quat rotation_between_frames(glm::vec3 from, glm::vec3 from_second, glm::vec3 to, glm::vec3 to_second);
 
 // On the shorter way from one to another.
-glm::quat part(glm::quat from, glm::quat to, float share);
+glm::quat nlerp(glm::quat from, glm::quat to, float share);
 
 class Pose
 {

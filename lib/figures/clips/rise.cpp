@@ -49,7 +49,7 @@ Pose on_the_way(const Progress &at)
     Pose pose = sat;
     const Bone trunk[] = {Bone::pelvis, Bone::spine, Bone::spine_upper, Bone::chest,
                           Bone::neck,   Bone::head,  Bone::clavicle,    Bone::clavicle_r};
-    for (const Bone bone : trunk) pose.set(bone, part(sat.local(bone), stood.local(bone), at.up));
+    for (const Bone bone : trunk) pose.set(bone, nlerp(sat.local(bone), stood.local(bone), at.up));
     const glm::vec3 from = hips_of(sat), to = hips_of(stood);
     const glm::vec3 hips(from.x + (to.x - from.x) * at.up, from.y + (to.y - from.y) * at.up,
                          from.z + (to.z - from.z) * at.ahead);
@@ -62,10 +62,10 @@ Pose on_the_way(const Progress &at)
     // The hands push on the thighs, which take them along, go round them, and hang.
     for (const Side side : {Side::left, Side::right}) {
         const Bone shoulder = on(side, Bone::upper_arm);
-        Grip hanging = held(stood, side);
+        Grip hanging = grip_of(stood, side);
         hanging.wrist += mirrored(pose.joint(shoulder) - stood.joint(shoulder), side);
-        take(pose, side, mix(carried(sat, pose, side, 0.10f * at.up), hanging, at.arms, {0.05f, 0.02f, 0}));
-        settle(pose, stood, side, ease(0.5f, 1, at.arms));
+        apply_grip(pose, side, mix(carried(sat, pose, side, 0.10f * at.up), hanging, at.arms, {0.05f, 0.02f, 0}));
+        blend_arm(pose, stood, side, ease(0.5f, 1, at.arms));
     }
     return pose;
 }

@@ -59,8 +59,8 @@ void drape_lap(Pose &pose)
         const glm::quat lap = roll(-lap_in_deg) * yaw(-lap_up_deg) * pitch(lap_deg);
         const glm::quat below = roll(-below_in_deg) * pitch(below_deg);
         const Bone front = on(side, Bone::skirt_front), back = on(side, Bone::skirt_back);
-        pose.set(front, part(pose.local(front), thigh * own(lap), raised));
-        pose.set(back, part(pose.local(back), thigh * own(below), raised));
+        pose.set(front, nlerp(pose.local(front), thigh * own(lap), raised));
+        pose.set(back, nlerp(pose.local(back), thigh * own(below), raised));
         // The lap stays with the thighs, however the pelvis leans over them.
         const auto stay = [&pose, raised, side](Bone quarter, glm::vec3 by) {
             const glm::vec3 own_place = skeleton().joint(quarter) - skeleton().joint(Bone::thigh) * glm::vec3(0, 1, 1);
@@ -82,8 +82,8 @@ Grip in_lap(Side side)
 Pose seated(const Posture &posture, const Grip &left, const Grip &right)
 {
     Pose pose = posed(posture);
-    take(pose, Side::left, left);
-    take(pose, Side::right, right);
+    apply_grip(pose, Side::left, left);
+    apply_grip(pose, Side::right, right);
     return pose;
 }
 

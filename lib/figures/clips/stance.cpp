@@ -25,7 +25,7 @@ Slope thigh_slope(const Pose &pose, Side side)
     return {d.z / down, (side == Side::left ? d.x : -d.x) / down};
 }
 
-glm::quat lean(glm::vec3 to) { return between(glm::vec3(0, -1, 0), to); }
+glm::quat lean(glm::vec3 to) { return shortest_rotation(glm::vec3(0, -1, 0), to); }
 
 }  // namespace
 
@@ -78,7 +78,7 @@ void curl_hand(Pose &pose, Side side, float curl)
     };
     const glm::vec3 open = in_hand(0.076f, 0.042f, -0.013f), closed = in_hand(0.066f, -0.024f, -0.036f);
     const float share = curl > 0 ? curl : 0;
-    pose.set(side, Bone::thumb, between(open, open * (1 - share) + closed * share));
+    pose.set(side, Bone::thumb, shortest_rotation(open, open * (1 - share) + closed * share));
 }
 
 void reach_hand(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole)

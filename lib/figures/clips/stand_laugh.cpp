@@ -28,7 +28,7 @@ Pose stand_laugh_at(float phase)
     const float belly = hold(phase, 0.10f, 0.36f, 0.78f, 0.97f);
     const Grip on_belly = {
         {0.130f, 1.120f, 0.215f}, {-0.95f, 0.05f, 0.05f}, {0.15f, 0.10f, 1}, {0.45f, -0.8f, -0.45f}, 0.08f};
-    bring(pose, Side::right, on_belly, belly, {0, 0, 0.06f}, 0.3f);
+    blend_to_grip(pose, Side::right, on_belly, belly, {0, 0, 0.06f}, 0.3f);
     return pose;
 }
 

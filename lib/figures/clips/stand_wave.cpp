@@ -21,7 +21,7 @@ Pose stand_wave_at(float phase)
                          {0.10f, 0.10f, -1},
                          {0.32f, -1, 0.35f},
                          0.03f};
-    bring(pose, Side::right, waving, up, {0.02f, 0, 0.20f}, 1);
+    blend_to_grip(pose, Side::right, waving, up, {0.02f, 0, 0.20f}, 1);
     return pose;
 }
 

@@ -148,7 +148,7 @@ private:
     static Pose with_upper_body(const Pose &pose, const Pose &image, float share)
     {
         Pose out = pose;
-        const auto take = [&](Bone bone) { out.set(bone, part(pose.local(bone), image.local(bone), share)); };
+        const auto take = [&](Bone bone) { out.set(bone, nlerp(pose.local(bone), image.local(bone), share)); };
         for (const Bone bone : trunk_bones) take(bone);
         for (const Bone left : arm_bones)
             for (const Side side : {Side::left, Side::right}) take(on(side, left));
@@ -164,7 +164,7 @@ private:
             const glm::quat own = pose.local(bone);
             glm::quat mean = centre_.mean[static_cast<size_t>(bone)];
             if (v_.handedness == Handedness::other) mean = mirrored(mean);
-            const glm::quat wide = part(mean, own, 1 + (v_.trunk - 1) * share);
+            const glm::quat wide = nlerp(mean, own, 1 + (v_.trunk - 1) * share);
             const float nod = (looks ? 2.0f : 1.0f) * sway(v_, phase, which++) * share;
             const float look = (looks ? 4.0f : 1.2f) * sway(v_, phase, which++) * share;
             const float cock = (looks ? 1.5f : 0.9f) * sway(v_, phase, which++) * share;
@@ -194,7 +194,7 @@ private:
         reach_hand(pose, side, mirrored(wrist, side), pole);
         for (const Bone bone : {upper, forearm})
             pose.set(bone, glm::normalize(pose.local(bone) * glm::conjugate(plain.local(bone)) * before.local(bone)));
-        pose.set_world(hand, part(with_chest, own.world(hand), lies));
+        pose.set_world(hand, nlerp(with_chest, own.world(hand), lies));
     }
 
     glm::vec3 wrist_centre(Side side) const

@@ -6,7 +6,7 @@
 #include "lib/figures/brush.h"
 #include "lib/figures/decurion/decurion.h"
 #include "lib/figures/decurion/paint.h"
-#include "lib/figures/second_looks.h"
+#include "lib/figures/texture_variants.h"
 
 namespace claque::figures
 {
@@ -29,7 +29,7 @@ BoneWeights weigh(const Point &point)
     BoneWeights w{};
     glm::vec3 p = point.position;
     if (point.region == skirts) {
-        p.x *= 1 + 0.9f * soft_step(0.45f, 0.25f, p.y);  // each half its own shin's, but for a narrow strip
+        p.x *= 1 + 0.9f * smoothstep(0.45f, 0.25f, p.y);  // each half its own shin's, but for a narrow strip
         weigh_gown(w, p, 1);
         return w;
     }
@@ -93,7 +93,7 @@ model::Model decurion_man()
     figure.name = "decurion";
     figure.add_pieces = add_pieces;
     figure.painter = paint_decurion;
-    figure.looks = {{"bearded", paint_bearded_decurion}};
+    figure.texture_sets = {{"bearded", paint_bearded_decurion}};
     figure.layout = decurion_layout();
     figure.zones = decurion_zones();
     figure.clips = figure_clips();

@@ -15,9 +15,9 @@ glm::vec3 aged(glm::vec3 p)
 {
     const float x = std::fabs(p.x);
     const glm::vec2 front(x, p.y);
-    const float ahead = soft_step(-0.03f, 0.05f, p.z);
+    const float ahead = smoothstep(-0.03f, 0.05f, p.z);
     glm::vec3 q = p;
-    q.x *= 1.03f + 0.17f * ahead * soft_step(1.612f, 1.550f, p.y);  // jowls
+    q.x *= 1.03f + 0.17f * ahead * smoothstep(1.612f, 1.550f, p.y);  // jowls
     q.y -= 0.006f * spot(front, {0.046f, 1.536f}, {0.030f, 0.026f}) * ahead;
     q.z += 0.006f * spot(front, {0.040f, 1.532f}, {0.034f, 0.030f}) * ahead;
     q.z += 0.004f * spot(front, {0.048f, 1.600f}, {0.026f, 0.020f});  // cheekbones
@@ -41,16 +41,16 @@ glm::vec3 aged(glm::vec3 p)
     const float throat = spot(glm::vec2(p.y, p.z), {1.506f, 0.056f}, {0.026f, 0.050f});
     q.y -= 0.014f * throat;
     q.z += 0.014f * throat;
-    const float neck = soft_step(1.565f, 1.510f, p.y + 0.35f * p.z);
+    const float neck = smoothstep(1.565f, 1.510f, p.y + 0.35f * p.z);
     q.x *= 1 + 0.12f * neck;
     q.z = -0.015f + (q.z + 0.015f) * (1 + 0.10f * neck);
     // The scalp without a young man's hair, flatter on top; a wreath of hair is left at the sides and behind.
-    const float scalp = soft_step(1.685f, 1.740f, p.y);
+    const float scalp = smoothstep(1.685f, 1.740f, p.y);
     q.y -= 0.007f * scalp;
     q.z -= 0.006f * spot(front, {0, 1.715f}, {0.060f, 0.030f}) * ahead;
-    const float wreath = spot(p.y - 1.650f, 0.060f) * soft_step(0.030f, -0.020f, p.z);
+    const float wreath = spot(p.y - 1.650f, 0.060f) * smoothstep(0.030f, -0.020f, p.z);
     q.x *= 1 + 0.05f * wreath;
-    q.z -= 0.004f * wreath * soft_step(-0.03f, -0.08f, p.z);
+    q.z -= 0.004f * wreath * smoothstep(-0.03f, -0.08f, p.z);
     return q;
 }
 

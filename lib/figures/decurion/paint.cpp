@@ -33,8 +33,8 @@ Paint old_hand(const Texel &t)
     if (back && paint.zone == Zone::skin && at.x < 0.086f && at.x > 0.01f)
         for (const float vein : {-0.022f, -0.002f, 0.018f})
             paint.luminance -=
-                16 *
-                spot(at.y - vein * (0.4f + 5 * at.x) - 0.004f * (grain(at.x * 60, vein * 900, 301) - 0.5f), 0.0030f);
+                16 * spot(at.y - vein * (0.4f + 5 * at.x) - 0.004f * (value_noise(at.x * 60, vein * 900, 301) - 0.5f),
+                          0.0030f);
     return paint;
 }
 
@@ -75,8 +75,11 @@ Paint paint_decurion(const Texel &t)
     // The roots of the fingers lie inside the palm: no soot on hands.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const bool loose = t.chart == decurion::balteus || t.chart == decurion::umbo;  // whose edges lie in the dress
-    const float open = std::max(t.openness, hand ? 0.74f : paint.zone == Zone::sandals ? 0.5f : loose ? 0.35f : 0.0f);
-    const float shade = 0.54f + 0.46f * soft_step(0.05f, 0.90f, open);
+    const float open = std::max(t.ambient_visibility, hand                          ? 0.74f
+                                                      : paint.zone == Zone::sandals ? 0.5f
+                                                      : loose                       ? 0.35f
+                                                                                    : 0.0f);
+    const float shade = 0.54f + 0.46f * smoothstep(0.05f, 0.90f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;
 }

@@ -34,13 +34,13 @@ Paint eyeball(glm::vec2 q, const Eye &eye)
 {
     const glm::vec2 d = q - (eye_centre + glm::vec2(-0.0004f, 0.0004f));
     const float r = std::sqrt(d.x * d.x + d.y * d.y);
-    float grey = 222 - 80 * spot(eye.upper - q.y, 0.0036f) - 50 * soft_step(0.007f, 0.014f, std::fabs(d.x));
-    const float iris = 74 + 40 * soft_step(0.001f, -0.004f, d.y);
-    grey += (iris - grey) * soft_step(0.0064f, 0.0054f, r);
+    float grey = 222 - 80 * spot(eye.upper - q.y, 0.0036f) - 50 * smoothstep(0.007f, 0.014f, std::fabs(d.x));
+    const float iris = 74 + 40 * smoothstep(0.001f, -0.004f, d.y);
+    grey += (iris - grey) * smoothstep(0.0064f, 0.0054f, r);
     grey -= 36 * spot(r - 0.0056f, 0.0011f);
-    grey += (20 - grey) * soft_step(0.0030f, 0.0021f, r);
+    grey += (20 - grey) * smoothstep(0.0030f, 0.0021f, r);
     const glm::vec2 glint = d - glm::vec2(0.0018f, 0.0020f);
-    grey += (255 - grey) * soft_step(0.0014f, 0.0007f, std::sqrt(glint.x * glint.x + glint.y * glint.y));
+    grey += (255 - grey) * smoothstep(0.0014f, 0.0007f, std::sqrt(glint.x * glint.x + glint.y * glint.y));
     return {grey, Zone::eyes};
 }
 
@@ -50,7 +50,7 @@ bool is_brow(glm::vec3 p)
     static const glm::vec2 middle[] = {{0.0100f, 1.6480f}, {0.022f, 1.6525f}, {0.036f, 1.6545f}, {0.054f, 1.6450f}};
     const float x = std::fabs(p.x);
     const float half =
-        0.0050f - 0.0024f * soft_step(0.030f, 0.054f, x) + 0.0024f * (grain(p.x * 700, p.y * 200, 311) - 0.5f);
+        0.0050f - 0.0024f * smoothstep(0.030f, 0.054f, x) + 0.0024f * (value_noise(p.x * 700, p.y * 200, 311) - 0.5f);
     return x > 0.0100f && x < 0.0535f && std::fabs(p.y - profile(middle, x)) < half;
 }
 
@@ -83,7 +83,7 @@ float relief(glm::vec2 q, glm::vec3 n)
     g -= 20 * spot(q, {0.0540f, 1.576f}, {0.016f, 0.024f});                          // hollow of the cheek
     g -= 36 * spot(to_segment(q, {0.0205f, 1.5985f}, {0.0210f, 1.5865f}), 0.0038f);  // wing of the nose
     g -= 24 * spot(q, {0, 1.5760f}, {0.0036f, 0.0065f});                             // groove of the upper lip
-    g -= 50 * spot(q, {0, 1.5800f}, {0.0160f, 0.0050f}) * soft_step(0.3f, -0.4f, n.y);
+    g -= 50 * spot(q, {0, 1.5800f}, {0.0160f, 0.0050f}) * smoothstep(0.3f, -0.4f, n.y);
     g -= 30 * spot(q, {0, 1.5475f}, {0.0200f, 0.0055f});     // below the lower lip
     g -= 10 * spot(q, {0.0f, 1.540f}, {0.065f, 0.042f});     // shaven beard
     g -= 34 * spot(q, {0.0010f, 1.512f}, {0.040f, 0.007f});  // between chin and double chin
@@ -93,12 +93,12 @@ float relief(glm::vec2 q, glm::vec3 n)
 // Lines that age drew; q is mirrored, x tells left from right so that the halves differ a little.
 float wrinkles(glm::vec2 q, float x)
 {
-    const float wave = 0.0016f * (grain(x * 70 + 20, 3, 312) - 0.5f);
+    const float wave = 0.0016f * (value_noise(x * 70 + 20, 3, 312) - 0.5f);
     float g = 0;
     // Brow: four furrows that sink towards the temples.
     const float sink = 1.9f * q.x * q.x;
     for (const glm::vec2 line : {glm::vec2(1.6690f, 30), {1.6785f, 38}, {1.6885f, 32}, {1.6990f, 20}})
-        g -= line.y * spot(q.y - line.x + sink - 2 * wave, 0.0019f) * soft_step(0.056f, 0.034f, q.x);
+        g -= line.y * spot(q.y - line.x + sink - 2 * wave, 0.0019f) * smoothstep(0.056f, 0.034f, q.x);
     g -= 46 * spot(to_segment(q, {0.0062f, 1.661f}, {0.0050f, 1.644f}), 0.0022f);  // frown
     g -= 26 * spot(to_segment(q, {0.0000f, 1.640f}, {0.0090f, 1.6385f}), 0.0020f);
     // Crow's feet.
@@ -109,12 +109,12 @@ float wrinkles(glm::vec2 q, float x)
     const glm::vec2 d = (q - glm::vec2(0.0315f, 1.6280f)) / glm::vec2(0.0185f, 0.0130f);
     const float ring = std::sqrt(d.x * d.x + d.y * d.y);
     if (q.y < 1.6280f)
-        g += (-30 * spot(ring - 1, 0.24f) + 8 * spot(ring - 0.70f, 0.25f)) * soft_step(1.6285f, 1.6230f, q.y);
+        g += (-30 * spot(ring - 1, 0.24f) + 8 * spot(ring - 0.70f, 0.25f)) * smoothstep(1.6285f, 1.6230f, q.y);
     // From the nose to the mouth, from the mouth's corners down, and a second fold in the cheek.
     const float fold = std::min(to_segment(q, {0.0225f, 1.5960f}, {0.0350f, 1.5760f}),
                                 to_segment(q, {0.0350f, 1.5760f}, {0.0385f, 1.5580f}));
     g -= 58 * spot(fold, 0.0040f);
-    g += 12 * spot(fold - 0.006f, 0.005f) * soft_step(0.024f, 0.034f, q.x);
+    g += 12 * spot(fold - 0.006f, 0.005f) * smoothstep(0.024f, 0.034f, q.x);
     g -= 44 * spot(to_segment(q, {0.0285f, 1.5590f}, {0.0330f, 1.5400f}), 0.0034f);
     g -= 22 * spot(to_segment(q, {0.0470f, 1.5860f}, {0.0500f, 1.5600f}), 0.0030f);
     g -= 16 * spot(to_segment(q, {0.0060f, 1.5720f}, {0.0075f, 1.5660f}), 0.0016f);
@@ -124,16 +124,16 @@ float wrinkles(glm::vec2 q, float x)
 
 float blotches(glm::vec3 p)
 {
-    const float age = grain(p.x * 130 + 60, p.y * 130, 313);
-    return -14 * soft_step(0.80f, 0.93f, age) + 8 * (grain(p.x * 420, p.y * 420, 314) - 0.5f);
+    const float age = value_noise(p.x * 130 + 60, p.y * 130, 313);
+    return -14 * smoothstep(0.80f, 0.93f, age) + 8 * (value_noise(p.x * 420, p.y * 420, 314) - 0.5f);
 }
 
 Paint lips(glm::vec2 q)
 {
     const float from_line = q.y - mouth_line(q.x);
     float g = from_line > 0 ? 190 : 212 + 22 * spot(q, {0.006f, 1.5575f}, {0.012f, 0.0030f});
-    g += (86 - g) * soft_step(0.0018f, 0.0007f, std::fabs(from_line));
-    return {g - 20 * soft_step(0.6f, 1.0f, q.x / mouth_half), Zone::lips};
+    g += (86 - g) * smoothstep(0.0018f, 0.0007f, std::fabs(from_line));
+    return {g - 20 * smoothstep(0.6f, 1.0f, q.x / mouth_half), Zone::lips};
 }
 
 Paint face(glm::vec3 p, glm::vec3 n)
@@ -141,14 +141,14 @@ Paint face(glm::vec3 p, glm::vec3 n)
     const glm::vec2 q(std::fabs(p.x), p.y);
     const Eye eye = eye_at(q);
     if (eye.inside > 0) return eyeball(q, eye);
-    if (is_brow(p)) return {168 + 70 * grain(p.x * 900, p.y * 260, 307), Zone::hair};
+    if (is_brow(p)) return {168 + 70 * value_noise(p.x * 900, p.y * 260, 307), Zone::hair};
     if (is_lip(q)) return lips(q);
     float g = relief(q, n) + wrinkles(q, p.x) + blotches(p);
     if (std::fabs(q.x - eye_centre.x) < eye_half + 0.0015f) {
         const float above = q.y - eye.upper, below = eye.lower - q.y;
-        if (above > -0.0006f) g += (62 - g) * soft_step(0.0024f, 0.0009f, above);
+        if (above > -0.0006f) g += (62 - g) * smoothstep(0.0024f, 0.0009f, above);
         g -= 54 * spot(above - 0.0044f, 0.0020f) * (above > 0.0014f ? 1 : 0);  // the lid hangs over its crease
-        if (below > -0.0005f) g -= 60 * soft_step(0.0016f, 0.0004f, below);
+        if (below > -0.0005f) g -= 60 * smoothstep(0.0016f, 0.0004f, below);
     }
     if (spot(q, {0.0078f, 1.5835f}, {0.0050f, 0.0030f}) > 0.25f && n.y < 0.25f) g = 84;  // nostril
     return {g, Zone::skin};
@@ -157,7 +157,7 @@ Paint face(glm::vec3 p, glm::vec3 n)
 // Windpipe, slack cords and creases round a thick neck.
 float neck(glm::vec3 p)
 {
-    const float side = std::fabs(p.x), low = soft_step(1.525f, 1.490f, p.y), ahead = soft_step(-0.02f, 0.03f, p.z);
+    const float side = std::fabs(p.x), low = smoothstep(1.525f, 1.490f, p.y), ahead = smoothstep(-0.02f, 0.03f, p.z);
     float g = 218 + blotches(p);
     g -= 26 * spot(to_segment({side, p.y}, {0.010f, 1.44f}, {0.024f, 1.515f}) - 0.004f, 0.009f) * low * ahead;
     g -= 18 * spot(to_segment({side, p.y}, {0.030f, 1.44f}, {0.060f, 1.53f}), 0.012f) * low;

@@ -41,10 +41,10 @@ SinusEdge edge_at(const Texel &t)
 float fall(const Texel &t)
 {
     const glm::vec3 p = t.position;
-    const float a = t.st.x + 0.5f * (grain(t.st.x * 2 + 9, p.y * 4, 331) - 0.5f);
+    const float a = t.st.x + 0.5f * (value_noise(t.st.x * 2 + 9, p.y * 4, 331) - 0.5f);
     const float slant = p.z > 0 ? 0.9f * (p.y - hem) * (p.x + 0.05f) : 0.0f;  // drawn to the left shoulder
-    const float broad = grain((a - 3 * slant) * 1.5f + 40, p.y * 1.2f, 332),
-                fine = grain((a - 3 * slant) * 4 + 90, p.y * 1.8f, 333);
+    const float broad = value_noise((a - 3 * slant) * 1.5f + 40, p.y * 1.2f, 332),
+                fine = value_noise((a - 3 * slant) * 4 + 90, p.y * 1.8f, 333);
     return 226 + 46 * crease(broad) + 26 * crease(fine);
 }
 
@@ -54,13 +54,15 @@ float bows(glm::vec3 p)
     if (p.z > 0) {
         const float x = p.x + 0.10f;
         const float sag = x > 0 ? 1.9f * x * x + 0.55f * x : 2.6f * x * x;
-        const float line = p.y - sag + 0.030f * grain(p.x * 9 + 30, p.y * 7, 334);
+        const float line = p.y - sag + 0.030f * value_noise(p.x * 9 + 30, p.y * 7, 334);
         const float across = p.x * 3 + 9;
-        return 226 + 48 * crease(grain(line * 15, across, 335)) + 26 * crease(grain(line * 40, across * 1.7f, 336));
+        return 226 + 48 * crease(value_noise(line * 15, across, 335)) +
+               26 * crease(value_noise(line * 40, across * 1.7f, 336));
     }
-    const float line = p.y - 0.75f * p.x - 1.2f * p.x * p.x + 0.030f * grain(p.x * 9 + 60, p.y * 6, 337);
+    const float line = p.y - 0.75f * p.x - 1.2f * p.x * p.x + 0.030f * value_noise(p.x * 9 + 60, p.y * 6, 337);
     const float across = p.x * 3 + 19;
-    return 226 + 44 * crease(grain(line * 11, across, 338)) + 24 * crease(grain(line * 30, across * 1.7f, 339));
+    return 226 + 44 * crease(value_noise(line * 11, across, 338)) +
+           24 * crease(value_noise(line * 30, across * 1.7f, 339));
 }
 
 // The front turns from bows to straight folds at the sinus's edge, the back by and by.
@@ -68,9 +70,9 @@ float draped(const Texel &t)
 {
     const glm::vec3 p = t.position;
     // Folds of front and back meet at the sides, where they are shallow.
-    const float depth = p.y < 0.7f ? 1.0f : 0.2f + 0.8f * soft_step(0.01f, 0.08f, std::fabs(p.z));
+    const float depth = p.y < 0.7f ? 1.0f : 0.2f + 0.8f * smoothstep(0.01f, 0.08f, std::fabs(p.z));
     float g = t.chart == toga_front && t.st.y < edge_t ? fall(t) : bows(p);
-    if (t.chart == toga_back) g += (fall(t) - g) * soft_step(1.02f, 0.55f, p.y);
+    if (t.chart == toga_back) g += (fall(t) - g) * smoothstep(1.02f, 0.55f, p.y);
     return 226 + (g - 226) * depth;
 }
 
@@ -89,17 +91,17 @@ Paint paint_toga(const Texel &t)
     if (t.chart == toga_inside || t.chart == Chart::sleeve_inside) return {112, Zone::outer};
     if (t.chart == Chart::sleeve) {
         const float round = (p.y - p.x) * 8 + p.z * 15;
-        return {224 + 32 * crease(grain(round * 1.6f + 30, p.x * 5, 340)) +
-                    16 * crease(grain(round * 4 + 30, p.x * 7, 341)),
+        return {224 + 32 * crease(value_noise(round * 1.6f + 30, p.x * 5, 340)) +
+                    16 * crease(value_noise(round * 4 + 30, p.x * 7, 341)),
                 Zone::outer};
     }
     if (!round_legs(t)) return {draped(t), Zone::outer};
     const SinusEdge edge = edge_at(t);
-    const float shown = soft_step(0.002f, 0.014f, edge.out);  // of the sinus's edge
+    const float shown = smoothstep(0.002f, 0.014f, edge.out);  // of the sinus's edge
     const float up = p.y - edge.y;
     if (t.st.y >= edge_t - 0.0005f) {
         const float g = draped(t);
-        const float border = sinus_border * soft_step(0.004f, 0.022f, edge.out);
+        const float border = sinus_border * smoothstep(0.004f, 0.022f, edge.out);
         if (border > 0.003f && up < border) return {g + 6 - 44 * spot(up - border, 0.004f), Zone::border};
         return {g + 14 * spot(up - 0.06f, 0.05f) * shown, Zone::outer};
     }
@@ -113,17 +115,17 @@ Paint paint_balteus(const Texel &t)
     if (t.chart == umbo) {
         // It falls in folds that lean after it and run out below.
         const glm::vec3 p = t.position;
-        const float across = t.st.x + 0.35f * (grain(t.st.x * 2 + 20, p.y * 7, 345) - 0.5f);
-        const float low = soft_step(0.95f, 0.82f, p.y);
-        const float g =
-            44 * crease(grain(across * 2.6f + 40, p.y * 3, 346)) + 24 * crease(grain(across * 6 + 30, p.y * 4, 347));
+        const float across = t.st.x + 0.35f * (value_noise(t.st.x * 2 + 20, p.y * 7, 345) - 0.5f);
+        const float low = smoothstep(0.95f, 0.82f, p.y);
+        const float g = 44 * crease(value_noise(across * 2.6f + 40, p.y * 3, 346)) +
+                        24 * crease(value_noise(across * 6 + 30, p.y * 4, 347));
         return {226 + g * (1 - 0.6f * low) - 12 * low, Zone::outer};
     }
     // Folds run along the roll, which is twisted a little.
     const float along = t.st.x, across = t.st.y;
-    const float wander = 0.6f * (grain(along * 5, across, 342) - 0.5f) + 0.5f * along;
-    float g = 222 + 40 * crease(grain(along * 2.2f, (across + wander) * 2.4f + 20, 343)) +
-              20 * crease(grain(along * 4, (across + wander) * 6 + 20, 344));
+    const float wander = 0.6f * (value_noise(along * 5, across, 342) - 0.5f) + 0.5f * along;
+    float g = 222 + 40 * crease(value_noise(along * 2.2f, (across + wander) * 2.4f + 20, 343)) +
+              20 * crease(value_noise(along * 4, (across + wander) * 6 + 20, 344));
     g -= 30 * spot(across, 0.30f) + 30 * spot(across - 3, 0.30f);
     if (across < 0.42f) return {g + 16, Zone::border};
     return {g, Zone::outer};

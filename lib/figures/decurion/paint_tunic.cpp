@@ -34,7 +34,8 @@ Paint sleeve(glm::vec3 p)
     const glm::vec3 from = mirrored(p, Side::right) - skeleton().joint(Bone::upper_arm);
     const float along = glm::dot(from, arm_direction()), up = glm::dot(from, arm_dorsal());
     const float round = up * 12 + from.z * 16;
-    const float g = 222 + 28 * crease(grain(round * 2.4f + along * 2, along * 3, 351)) - 22 * spot(up + 0.07f, 0.04f);
+    const float g =
+        222 + 28 * crease(value_noise(round * 2.4f + along * 2, along * 3, 351)) - 22 * spot(up + 0.07f, 0.04f);
     if (along > 0.222f) return {g - 36 * spot(along - 0.222f, 0.004f), Zone::border};
     return {g, Zone::tunic};
 }
@@ -47,9 +48,9 @@ Paint paint_tunic(const Texel &t)
     if (t.chart == Chart::sleeve_inside_r) return {112, Zone::tunic};
     if (t.chart == Chart::sleeve_r) return sleeve(p);
     const float sag = std::fabs(p.x);
-    const float swing = p.y + (p.z > 0 ? -2.6f : -1.4f) * sag * sag + 0.016f * grain(p.x * 26 + 30, p.y * 9, 352);
-    float g =
-        222 + 20 * crease(grain(swing * 16, 3.0f + sag * 3, 353)) + 16 * crease(grain(swing * 36, 5.0f + sag * 5, 354));
+    const float swing = p.y + (p.z > 0 ? -2.6f : -1.4f) * sag * sag + 0.016f * value_noise(p.x * 26 + 30, p.y * 9, 352);
+    float g = 222 + 20 * crease(value_noise(swing * 16, 3.0f + sag * 3, 353)) +
+              16 * crease(value_noise(swing * 36, 5.0f + sag * 5, 354));
     const float neck = to_neckline(p);
     if (neck < 0.012f) return {g - 40 * spot(neck, 0.004f), Zone::border};
     // The broad stripe runs along the weave: by the column of the cloth.
@@ -64,8 +65,8 @@ Paint paint_shoe(const Texel &t)
     const glm::vec3 p = mirrored(t.position, t.side);
     if (t.chart == Chart::sole || t.chart == Chart::sole_r) return {110, Zone::sandals};
     const float x = p.x - 0.092f - 0.10f * p.z;
-    float g = 214 + 26 * (grain(p.x * 160, p.z * 160 + p.y * 120, 361) - 0.5f);
-    if (p.y < 0.014f) return {120 + 16 * grain(x * 200, p.z * 200, 362), Zone::sandals};
+    float g = 214 + 26 * (value_noise(p.x * 160, p.z * 160 + p.y * 120, 361) - 0.5f);
+    if (p.y < 0.014f) return {120 + 16 * value_noise(x * 200, p.z * 200, 362), Zone::sandals};
     g -= 50 * spot(p.y - 0.0155f, 0.005f);  // welt
     // Thongs: crossed over the instep, wound twice round the ankle, tied in front.
     const auto thong = [&g](float from_edge) {

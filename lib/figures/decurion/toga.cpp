@@ -92,7 +92,7 @@ glm::vec3 on_cloth(int column, float y, float out)
     const Girths g = girths_at(y);
     glm::vec2 d = directions[half_of(column)];
     // Towards the hem two columns come together before the shins, which would tread out of the cloth between them.
-    if (half_of(column) == 1) d += glm::vec2(-0.31f, 0.08f) * soft_step(0.49f, 0.20f, y);
+    if (half_of(column) == 1) d += glm::vec2(-0.31f, 0.08f) * smoothstep(0.49f, 0.20f, y);
     const float fold = folds[static_cast<size_t>(column)] * g.fold + out;
     return mirrored(glm::vec3(d.x * (g.side + fold), y, d.y * ((d.y > 0 ? g.front : g.back) + fold)), side_of(column));
 }

@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "lib/figures/ambient_occlusion.h"
 #include "lib/figures/flyer/flyer.h"
-#include "lib/figures/occlusion.h"
 
 namespace claque::figures::flyer
 {
@@ -75,7 +75,7 @@ model::Part part_of(const Block &block, const Joints &joints)
     part.name = block.piece->name;
     part.node = node;
     part.material = 0;
-    part.lod_first_m = block.first_m, part.lod_last_m = block.last_m;
+    part.lod_min_m = block.first_m, part.lod_max_m = block.last_m;
     std::map<std::tuple<uint32_t, float, float>, uint32_t> made;
     for (const Face &face : block.mesh.faces)
         for (const Corner &corner : face.corners) {
@@ -107,15 +107,15 @@ model::Model assemble(const Flyer &flyer)
     Mesh near;
     for (const Block &block : blocks)
         if (block.first_m == 0 && !sweeps(block.piece->node)) append(near, block.mesh);
-    const Occlusion occlusion(near);
+    const AmbientOcclusion occlusion(near);
     model::Model model;
     model.name = flyer.name;
     add_nodes(model.rig, flyer.joints);
-    add_clips(model.rig, flyer.joints, flyer.gait);
+    add_clips(model.rig, flyer.joints, flyer.flight_style);
     model.zones = zones_of(flyer.zones);
     // Asked for a little off the surface, lest flat faces under round normals see their own far side.
     model.images = paint(
-        all, [&](glm::vec3 p, glm::vec3 n) { return occlusion.openness(p + n * 0.015f, n); }, {flyer.painter},
+        all, [&](glm::vec3 p, glm::vec3 n) { return occlusion.ambient_visibility(p + n * 0.015f, n); }, {flyer.painter},
         flyer.zones);
     model.images[0].name = flyer.name;
     model::Material material;

@@ -23,48 +23,48 @@ struct Attitude {
 // Wings are quick down and slow up: the wave leans over.
 float beat(float phase, int beats) { return wave(phase + 0.02f * wave(phase, beats, 0.25f), beats); }
 
-Attitude fly_at(float phase, const Gait &gait)
+Attitude fly_at(float phase, const FlightStyle &flight_style)
 {
     Attitude a;
-    const float stroke = beat(phase, gait.beats), rate = wave(phase, gait.beats, 0.25f);
-    a.lean = gait.lean_rad + 0.035f * wave(phase, gait.beats, 0.1f);
+    const float stroke = beat(phase, flight_style.beats), rate = wave(phase, flight_style.beats, 0.25f);
+    a.lean = flight_style.lean_rad + 0.035f * wave(phase, flight_style.beats, 0.1f);
     a.bank = 0.03f * wave(phase, 1);
-    a.rise_m = 0.035f * wave(phase, gait.beats, -0.45f);
-    a.spine_pitch = 0.35f * gait.look_up_rad;
-    a.neck_pitch = 0.65f * gait.look_up_rad - 0.02f * wave(phase, gait.beats, 0.1f);
-    a.flap = gait.raised_rad + gait.beat_rad * stroke;
+    a.rise_m = 0.035f * wave(phase, flight_style.beats, -0.45f);
+    a.spine_pitch = 0.35f * flight_style.look_up_rad;
+    a.neck_pitch = 0.65f * flight_style.look_up_rad - 0.02f * wave(phase, flight_style.beats, 0.1f);
+    a.flap = flight_style.raised_rad + flight_style.beat_rad * stroke;
     a.sweep = 0.06f - 0.10f * stroke;
     a.twist = -0.20f * rate;
     a.arm_left = -0.10f + 0.05f * wave(phase, 1, 0.2f);
     a.arm_right = 0.12f + 0.05f * wave(phase, 1, 0.6f);
-    a.legs = gait.trail_rad + 0.06f * wave(phase, gait.beats, 0.35f);
+    a.legs = flight_style.trail_rad + 0.06f * wave(phase, flight_style.beats, 0.35f);
     return a;
 }
 
-Attitude glide_at(float phase, const Gait &gait)
+Attitude glide_at(float phase, const FlightStyle &flight_style)
 {
     Attitude a;
-    a.lean = gait.lean_rad + 0.10f + 0.02f * wave(phase, 1, 0.4f);
+    a.lean = flight_style.lean_rad + 0.10f + 0.02f * wave(phase, 1, 0.4f);
     a.bank = 0.07f * wave(phase, 1);
     a.rise_m = 0.03f * wave(phase, 1, 0.3f);
-    a.spine_pitch = 0.35f * (gait.look_up_rad + 0.10f);
-    a.neck_pitch = 0.65f * (gait.look_up_rad + 0.10f);
+    a.spine_pitch = 0.35f * (flight_style.look_up_rad + 0.10f);
+    a.neck_pitch = 0.65f * (flight_style.look_up_rad + 0.10f);
     a.flap = 0.16f + 0.03f * wave(phase, 2, 0.15f);
     a.sweep = 0.02f + 0.02f * wave(phase, 1, 0.6f);
     a.twist = 0.03f * wave(phase, 3);
     a.arm_left = -0.15f, a.arm_right = 0.2f;
-    a.legs = gait.trail_rad + 0.04f * wave(phase, 1, 0.7f);
+    a.legs = flight_style.trail_rad + 0.04f * wave(phase, 1, 0.7f);
     return a;
 }
 
-Attitude hover_at(float phase, const Gait &gait)
+Attitude hover_at(float phase, const FlightStyle &flight_style)
 {
     Attitude a;
-    const float stroke = beat(phase, gait.hover_beats), rate = wave(phase, gait.hover_beats, 0.25f);
+    const float stroke = beat(phase, flight_style.hover_beats), rate = wave(phase, flight_style.hover_beats, 0.25f);
     a.lean = 0.14f + 0.03f * wave(phase, 1, 0.5f);
-    a.rise_m = 0.025f * wave(phase, gait.hover_beats, -0.45f) + 0.03f * wave(phase, 1);
+    a.rise_m = 0.025f * wave(phase, flight_style.hover_beats, -0.45f) + 0.03f * wave(phase, 1);
     a.spine_pitch = 0.03f, a.neck_pitch = 0.08f;
-    a.flap = 0.30f + 0.85f * gait.beat_rad * stroke;
+    a.flap = 0.30f + 0.85f * flight_style.beat_rad * stroke;
     a.sweep = -0.12f - 0.08f * stroke;
     a.twist = 0.30f - 0.30f * rate;  // turned so that the stroke presses air down
     a.arm_left = 0.10f + 0.06f * wave(phase, 1, 0.3f);
@@ -76,7 +76,7 @@ Attitude hover_at(float phase, const Gait &gait)
 struct Clip {
     const char *name;
     int frames;
-    Attitude (*at)(float, const Gait &);
+    Attitude (*at)(float, const FlightStyle &);
 };
 const std::array<Clip, 3> clips = {{{"fly", 60, fly_at}, {"glide", 120, glide_at}, {"hover", 60, hover_at}}};
 
@@ -109,11 +109,11 @@ glm::quat rotation_of(const Attitude &a, Node node)
     }
 }
 
-void add_clip(model::Rig &rig, const Joints &joints, const Gait &gait, const Clip &maker)
+void add_clip(model::Rig &rig, const Joints &joints, const FlightStyle &flight_style, const Clip &maker)
 {
     std::vector<Attitude> attitudes;
     for (int k = 0; k < maker.frames; ++k)
-        attitudes.push_back(maker.at(static_cast<float>(k) / static_cast<float>(maker.frames), gait));
+        attitudes.push_back(maker.at(static_cast<float>(k) / static_cast<float>(maker.frames), flight_style));
     attitudes.push_back(attitudes.front());  // the last key of a loop is the first one, to the bit
     model::Clip clip;
     clip.first_channel = static_cast<uint32_t>(rig.channels.size());
@@ -122,21 +122,21 @@ void add_clip(model::Rig &rig, const Joints &joints, const Gait &gait, const Cli
     channel.first_time = static_cast<uint32_t>(rig.times.size());
     channel.key_count = static_cast<uint32_t>(attitudes.size());
     for (int k = 0; k <= maker.frames; ++k) rig.times.push_back(static_cast<float>(k) / keys_per_second);
-    const auto add = [&](Node node, model::Path path, uint16_t components) {
+    const auto add = [&](Node node, model::ChannelTarget path, uint16_t components) {
         channel.node = static_cast<uint32_t>(node);
-        channel.path = path;
+        channel.target = path;
         channel.component_count = components;
         channel.first_value = static_cast<uint32_t>(rig.values.size());
         rig.channels.push_back(channel);
     };
-    add(Node::body, model::Path::translation, 3);
+    add(Node::body, model::ChannelTarget::translation, 3);
     for (const Attitude &a : attitudes) {
         const glm::vec3 p = joints[0].at + glm::vec3(0, a.rise_m, 0);
         rig.values.insert(rig.values.end(), {p.x, p.y, p.z});
     }
     for (const Node node : {Node::body, Node::spine, Node::neck, Node::wing_left, Node::wing_right, Node::arm_left,
                             Node::arm_right, Node::legs}) {
-        add(node, model::Path::rotation, 4);
+        add(node, model::ChannelTarget::rotation, 4);
         for (const Attitude &a : attitudes) {
             const glm::quat q = rotation_of(a, node);
             rig.values.insert(rig.values.end(), {q.x, q.y, q.z, q.w});
@@ -149,9 +149,9 @@ void add_clip(model::Rig &rig, const Joints &joints, const Gait &gait, const Cli
 
 }  // namespace
 
-void add_clips(model::Rig &rig, const Joints &joints, const Gait &gait)
+void add_clips(model::Rig &rig, const Joints &joints, const FlightStyle &flight_style)
 {
-    for (const Clip &maker : clips) add_clip(rig, joints, gait, maker);
+    for (const Clip &maker : clips) add_clip(rig, joints, flight_style, maker);
 }
 
 }  // namespace claque::figures::flyer

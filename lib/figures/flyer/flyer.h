@@ -40,9 +40,9 @@ struct Joint {
 using Joints = std::array<Joint, node_count>;
 
 // Distances from the eye, in metres. An error of half a pixel at 768 lines and 60 degrees is 0.75 mm a metre.
-constexpr float face_stops_m = 35;   // eyes, lids, jaw, brow
-constexpr float limbs_stop_m = 160;  // neck, head, arms, legs
-constexpr float wings_stop_m = 400;  // and the spine, which carries them
+constexpr float face_deactivation_m = 35;    // eyes, lids, jaw, brow
+constexpr float limbs_deactivation_m = 160;  // neck, head, arms, legs
+constexpr float wings_deactivation_m = 400;  // and the spine, which carries them
 constexpr float for_ever = std::numeric_limits<float>::infinity();
 
 // A geometry on one node in several levels: level k is drawn from where k - 1 ends to ends_m[k].
@@ -55,7 +55,7 @@ struct Piece {
 };
 
 // How the clips of one figure beat, see clips.cpp.
-struct Gait {
+struct FlightStyle {
     float lean_rad;     // of the body in `fly`
     int beats;          // of the wings in the two seconds of `fly`
     int hover_beats;    // and of `hover`
@@ -72,11 +72,11 @@ struct Flyer {
     Painter painter;
     Layout layout;
     Zones zones;
-    Gait gait;
+    FlightStyle flight_style;
 };
 
 void add_nodes(model::Rig &rig, const Joints &joints);  // with freedoms, ranges, stops; one matrix each
-void add_clips(model::Rig &rig, const Joints &joints, const Gait &gait);
+void add_clips(model::Rig &rig, const Joints &joints, const FlightStyle &flight_style);
 
 // Throws base::Error should the figure break a rule of model::check.
 model::Model assemble(const Flyer &flyer);

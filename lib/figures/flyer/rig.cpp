@@ -12,7 +12,7 @@ const std::array<const char *, node_count> names = {"body",       "spine",    "n
                                                     "eye_right",  "lids",     "jaw",       "brow", "wing_left",
                                                     "wing_right", "arm_left", "arm_right", "legs"};
 
-float stop_of(Node node)
+float deactivation_of(Node node)
 {
     switch (node) {
         case Node::eye_left:
@@ -20,24 +20,24 @@ float stop_of(Node node)
         case Node::lids:
         case Node::jaw:
         case Node::brow:
-            return face_stops_m;
+            return face_deactivation_m;
         case Node::neck:
         case Node::head:
         case Node::arm_left:
         case Node::arm_right:
         case Node::legs:
-            return limbs_stop_m;
+            return limbs_deactivation_m;
         case Node::spine:
         case Node::wing_left:
         case Node::wing_right:
-            return wings_stop_m;
+            return wings_deactivation_m;
         case Node::body:
             break;
     }
     return for_ever;
 }
 
-struct Freedom {
+struct DofRange {
     const char *name;
     Node node;
     glm::vec3 axis;
@@ -47,25 +47,25 @@ struct Freedom {
 
 // Yaw to the left, pitch up, roll towards the left shoulder, lids and jaw from shut or open as their names say, wings
 // up behind the back, sweep towards the feet, arms forward and up, legs back.
-const std::array<Freedom, 19> freedoms = {{{"spine_yaw", Node::spine, y, -0.40f, 0.40f},
-                                           {"spine_pitch", Node::spine, -x, -0.30f, 0.30f},
-                                           {"neck_yaw", Node::neck, y, -0.95f, 0.95f},
-                                           {"neck_pitch", Node::neck, -x, -0.45f, 0.50f},
-                                           {"head_roll", Node::head, -z, -0.40f, 0.40f},
-                                           {"eye_left_yaw", Node::eye_left, y, -0.45f, 0.45f},
-                                           {"eye_left_pitch", Node::eye_left, -x, -0.35f, 0.30f},
-                                           {"eye_right_yaw", Node::eye_right, y, -0.45f, 0.45f},
-                                           {"eye_right_pitch", Node::eye_right, -x, -0.35f, 0.30f},
-                                           {"lids", Node::lids, x, 0, 1},
-                                           {"jaw", Node::jaw, x, 0, 0.35f},
-                                           {"brow", Node::brow, y, -0.006f, 0.012f, model::DofKind::translation},
-                                           {"wing_left_flap", Node::wing_left, y, -0.90f, 1.00f},
-                                           {"wing_left_sweep", Node::wing_left, -z, -0.35f, 0.60f},
-                                           {"wing_right_flap", Node::wing_right, -y, -0.90f, 1.00f},
-                                           {"wing_right_sweep", Node::wing_right, z, -0.35f, 0.60f},
-                                           {"arm_left", Node::arm_left, -x, -0.35f, 0.70f},
-                                           {"arm_right", Node::arm_right, -x, -0.45f, 0.70f},
-                                           {"legs", Node::legs, x, -0.15f, 0.45f}}};
+const std::array<DofRange, 19> freedoms = {{{"spine_yaw", Node::spine, y, -0.40f, 0.40f},
+                                            {"spine_pitch", Node::spine, -x, -0.30f, 0.30f},
+                                            {"neck_yaw", Node::neck, y, -0.95f, 0.95f},
+                                            {"neck_pitch", Node::neck, -x, -0.45f, 0.50f},
+                                            {"head_roll", Node::head, -z, -0.40f, 0.40f},
+                                            {"eye_left_yaw", Node::eye_left, y, -0.45f, 0.45f},
+                                            {"eye_left_pitch", Node::eye_left, -x, -0.35f, 0.30f},
+                                            {"eye_right_yaw", Node::eye_right, y, -0.45f, 0.45f},
+                                            {"eye_right_pitch", Node::eye_right, -x, -0.35f, 0.30f},
+                                            {"lids", Node::lids, x, 0, 1},
+                                            {"jaw", Node::jaw, x, 0, 0.35f},
+                                            {"brow", Node::brow, y, -0.006f, 0.012f, model::DofKind::translation},
+                                            {"wing_left_flap", Node::wing_left, y, -0.90f, 1.00f},
+                                            {"wing_left_sweep", Node::wing_left, -z, -0.35f, 0.60f},
+                                            {"wing_right_flap", Node::wing_right, -y, -0.90f, 1.00f},
+                                            {"wing_right_sweep", Node::wing_right, z, -0.35f, 0.60f},
+                                            {"arm_left", Node::arm_left, -x, -0.35f, 0.70f},
+                                            {"arm_right", Node::arm_right, -x, -0.45f, 0.70f},
+                                            {"legs", Node::legs, x, -0.15f, 0.45f}}};
 
 }  // namespace
 
@@ -79,15 +79,15 @@ void add_nodes(model::Rig &rig, const Joints &joints)
         rest.translation = root ? joints[i].at : joints[i].at - joints[parent].at;
         rig.rest.push_back(rest);
         rig.node_names.emplace_back(names[i]);
-        rig.deactivation_m.push_back(stop_of(static_cast<Node>(i)));
+        rig.deactivation_m.push_back(deactivation_of(static_cast<Node>(i)));
         rig.palette.push_back({static_cast<uint32_t>(i), math::Affine()});
     }
-    for (const Freedom &freedom : freedoms) {
+    for (const DofRange &freedom : freedoms) {
         model::Dof dof;
         dof.node = static_cast<uint32_t>(freedom.node);
         dof.kind = freedom.kind;
         dof.axis = freedom.axis;
-        dof.first = freedom.first, dof.last = freedom.last;
+        dof.min = freedom.first, dof.max = freedom.last;
         rig.dofs.push_back(dof);
         rig.dof_names.emplace_back(freedom.name);
     }

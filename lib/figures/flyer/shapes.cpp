@@ -20,7 +20,7 @@ glm::vec3 on_ring(const Ring &ring, float u, float swell)
 
 }  // namespace
 
-uint32_t Sculptor::point(glm::vec3 p)
+uint32_t MeshBuilder::point(glm::vec3 p)
 {
     p += glm::vec3(0);  // no negative zeros
     const auto [at, fresh] = points_.try_emplace({p.x, p.y, p.z}, 0);
@@ -28,24 +28,25 @@ uint32_t Sculptor::point(glm::vec3 p)
     return at->second;
 }
 
-void Sculptor::sheet(Chart chart, Winding winding, const std::vector<std::vector<Stop>> &meridians)
+void MeshBuilder::sheet(Chart chart, Winding winding, const std::vector<std::vector<SheetVertex>> &meridians)
 {
     std::vector<Chain> chains;
     for (const auto &meridian : meridians) {
         Chain chain;
-        for (const Stop &stop : meridian) chain.push_back(corner(stop));
+        for (const SheetVertex &stop : meridian) chain.push_back(corner(stop));
         chains.push_back(chain);
     }
     // Seen with the meridians lying to the right, the next one is below.
     for (size_t i = 0; i + 1 < chains.size(); ++i) mesh_.sew(chart, winding, chains[i + 1], chains[i], Along::t);
 }
 
-void Sculptor::triangle(Chart chart, Winding winding, const Stop &a, const Stop &b, const Stop &c)
+void MeshBuilder::triangle(Chart chart, Winding winding, const SheetVertex &a, const SheetVertex &b,
+                           const SheetVertex &c)
 {
     mesh_.face(chart, winding, corner(a), corner(b), corner(c));
 }
 
-void Sculptor::spike(Chart chart, const std::array<glm::vec3, 4> &corners)
+void MeshBuilder::spike(Chart chart, const std::array<glm::vec3, 4> &corners)
 {
     const glm::vec3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0f;
     const std::array<glm::vec2, 4> st = {{{0, 0}, {1, 0}, {0.5f, 0.2f}, {0.5f, 1}}};
@@ -57,12 +58,12 @@ void Sculptor::spike(Chart chart, const std::array<glm::vec3, 4> &corners)
     }
 }
 
-void add_ball(Sculptor &to, Chart chart, const Ball &ball, int columns, int rows)
+void add_ball(MeshBuilder &to, Chart chart, const Ball &ball, int columns, int rows)
 {
-    std::vector<std::vector<Sculptor::Stop>> meridians;
+    std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
     for (int i = 0; i <= columns; ++i) {
         const float yaw = ball.aside * (2 * static_cast<float>(i) / static_cast<float>(columns) - 1);
-        std::vector<Sculptor::Stop> stops;
+        std::vector<MeshBuilder::SheetVertex> stops;
         for (int k = 0; k <= rows; ++k) {
             const float pitch = ball.up * (2 * static_cast<float>(k) / static_cast<float>(rows) - 1);
             const glm::vec3 d(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
@@ -73,12 +74,12 @@ void add_ball(Sculptor &to, Chart chart, const Ball &ball, int columns, int rows
     to.sheet(chart, Winding::as_given, meridians);
 }
 
-void add_lid(Sculptor &to, Chart chart, const Ball &ball, int columns, const std::vector<float> &pitches)
+void add_lid(MeshBuilder &to, Chart chart, const Ball &ball, int columns, const std::vector<float> &pitches)
 {
-    std::vector<std::vector<Sculptor::Stop>> meridians;
+    std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
     for (int i = 0; i <= columns; ++i) {
         const float aside = ball.aside * (2 * static_cast<float>(i) / static_cast<float>(columns) - 1);
-        std::vector<Sculptor::Stop> stops;
+        std::vector<MeshBuilder::SheetVertex> stops;
         for (const float pitch : pitches) {
             const glm::vec3 d(std::sin(aside), std::cos(aside) * std::sin(pitch), std::cos(aside) * std::cos(pitch));
             stops.push_back({ball.centre + d * ball.radius, glm::vec2(aside, pitch)});
@@ -88,14 +89,14 @@ void add_lid(Sculptor &to, Chart chart, const Ball &ball, int columns, const std
     to.sheet(chart, Winding::as_given, meridians);
 }
 
-void add_tube(Sculptor &to, const Tube &tube, const std::vector<Ring> &rings)
+void add_tube(MeshBuilder &to, const Tube &tube, const std::vector<Ring> &rings)
 {
     const float n = static_cast<float>(tube.around);
     const float swell = 2 / (1 + std::cos(spine_turn / 2 / n));
-    std::vector<std::vector<Sculptor::Stop>> meridians;
+    std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
     for (int k = 0; k <= tube.around; ++k) {
         const float u = static_cast<float>(k % tube.around) / n;
-        std::vector<Sculptor::Stop> meridian;
+        std::vector<MeshBuilder::SheetVertex> meridian;
         for (const Ring &ring : rings) {
             const float depth = tube.pleat * (1 - ring.t), pleat = k % 2 == 0 ? 1 + depth : 1 - depth;
             meridian.push_back({mirrored(on_ring(ring, u, swell * (tube.pleat > 0 ? pleat : 1)), tube.side),
@@ -106,7 +107,7 @@ void add_tube(Sculptor &to, const Tube &tube, const std::vector<Ring> &rings)
     to.sheet(tube.chart, winding_of(tube.side), meridians);
 }
 
-std::vector<Ring> strung(const std::vector<Bead> &beads, glm::vec3 forward)
+std::vector<Ring> rings_along(const std::vector<PathRing> &beads, glm::vec3 forward)
 {
     std::vector<Ring> rings;
     float t = 0;

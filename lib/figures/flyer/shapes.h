@@ -11,24 +11,24 @@
 namespace claque::figures::flyer
 {
 
-class Sculptor
+class MeshBuilder
 {
 public:
-    explicit Sculptor(Mesh &mesh) : mesh_(mesh) {}
+    explicit MeshBuilder(Mesh &mesh) : mesh_(mesh) {}
 
     uint32_t point(glm::vec3 p);
 
     // Meridians run upwards; the next one is to the right of whoever looks from outside. Their `st.y` ascend.
-    using Stop = std::pair<glm::vec3, glm::vec2>;  // position and st
-    void sheet(Chart chart, Winding winding, const std::vector<std::vector<Stop>> &meridians);
+    using SheetVertex = std::pair<glm::vec3, glm::vec2>;  // position and st
+    void sheet(Chart chart, Winding winding, const std::vector<std::vector<SheetVertex>> &meridians);
 
-    void triangle(Chart chart, Winding winding, const Stop &a, const Stop &b, const Stop &c);
+    void triangle(Chart chart, Winding winding, const SheetVertex &a, const SheetVertex &b, const SheetVertex &c);
 
     // A tetrahedron with sharp edges, seen from outside; the last corner is the tip, where st.y is 1.
     void spike(Chart chart, const std::array<glm::vec3, 4> &corners);
 
 private:
-    Corner corner(const Stop &stop) { return {point(stop.first), stop.second}; }
+    Corner corner(const SheetVertex &stop) { return {point(stop.first), stop.second}; }
 
     Mesh &mesh_;
     std::map<std::tuple<float, float, float>, uint32_t> points_;
@@ -51,24 +51,24 @@ struct Tube {
     int around = 8;
     float pleat = 0;
 };
-void add_tube(Sculptor &to, const Tube &tube, const std::vector<Ring> &rings);
+void add_tube(MeshBuilder &to, const Tube &tube, const std::vector<Ring> &rings);
 
 // Rings along a path: at each the plane across it, `ez` as near to `forward` as it may be.
-struct Bead {
+struct PathRing {
     glm::vec3 centre;
     float side, front, back;
 };
-std::vector<Ring> strung(const std::vector<Bead> &beads, glm::vec3 forward);
+std::vector<Ring> rings_along(const std::vector<PathRing> &beads, glm::vec3 forward);
 
 // Part of a ball that looks ahead, up to these angles aside and upwards; st are the angles.
 struct Ball {
     glm::vec3 centre;
     float radius, aside, up;
 };
-void add_ball(Sculptor &to, Chart chart, const Ball &ball, int columns, int rows);
+void add_ball(MeshBuilder &to, Chart chart, const Ball &ball, int columns, int rows);
 
 // An eyelid: between half circles through the ball's two sides, at these angles upwards.
-void add_lid(Sculptor &to, Chart chart, const Ball &ball, int columns, const std::vector<float> &pitches);
+void add_lid(MeshBuilder &to, Chart chart, const Ball &ball, int columns, const std::vector<float> &pitches);
 
 // Those of the given numbers.
 template <class T>

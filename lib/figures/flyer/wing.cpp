@@ -72,13 +72,13 @@ std::vector<std::vector<std::pair<float, float>>> rows_of(int level)
 void add_wing(Mesh &mesh, const Wing &wing, Side side, int level)
 {
     for (const Face face : {Face::back, Face::front}) {
-        Sculptor to(mesh);  // of its own: normals do not go round the edges of what is so thin
+        MeshBuilder to(mesh);  // of its own: normals do not go round the edges of what is so thin
         const Chart chart = face == Face::back ? wing.back : wing.front;
         // Seen from the front the span of the left wing runs to the right, seen from behind to the left.
         const bool as_given = (face == Face::front) == (side == Side::left);
-        std::vector<std::vector<Sculptor::Stop>> lines;
+        std::vector<std::vector<MeshBuilder::SheetVertex>> lines;
         for (const auto &line : rows_of(level)) {
-            std::vector<Sculptor::Stop> stops;
+            std::vector<MeshBuilder::SheetVertex> stops;
             for (const auto &[u, c] : line)
                 stops.push_back({mirrored(on_wing(wing, u, c, face), side), glm::vec2(-c, u)});
             lines.push_back(stops);

@@ -2,7 +2,7 @@
 #include "lib/figures/assemble.h"
 #include "lib/figures/patrician/paint.h"
 #include "lib/figures/patrician/patrician.h"
-#include "lib/figures/second_looks.h"
+#include "lib/figures/texture_variants.h"
 
 namespace claque::figures
 {
@@ -77,7 +77,7 @@ model::Model patrician_woman()
     figure.name = "patrician";
     figure.add_pieces = add_patrician;
     figure.painter = paint_patrician;
-    figure.looks = {{"banded", paint_banded_patrician}};
+    figure.texture_sets = {{"banded", paint_banded_patrician}};
     figure.layout = patrician_layout();
     figure.zones = patrician_zones();
     figure.weigher = weigh_heavy_cloth;

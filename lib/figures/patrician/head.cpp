@@ -21,7 +21,7 @@ float height(glm::vec3 p)
                                         {1.5970f, 1.6005f},
                                         {1.6345f, 1.6345f},
                                         {2, 2}};
-    const float ahead = soft_step(-0.03f, 0.05f, p.z);
+    const float ahead = smoothstep(-0.03f, 0.05f, p.z);
     return p.y + (profile(heights, p.y) - p.y) * ahead;
 }
 
@@ -29,15 +29,15 @@ glm::vec3 womans(glm::vec3 p)
 {
     const float x = std::fabs(p.x), nose = spot(glm::vec2(x, p.y), {0, 1.598f}, {0.034f, 0.040f});
     glm::vec3 q = p;
-    q.x *= 0.965f * (1 - 0.23f * soft_step(1.612f, 1.538f, p.y) * soft_step(-0.03f, 0.04f, p.z));
+    q.x *= 0.965f * (1 - 0.23f * smoothstep(1.612f, 1.538f, p.y) * smoothstep(-0.03f, 0.04f, p.z));
     if (p.z > 0.098f && x < 0.020f && p.y > 1.58f && p.y < 1.63f) q.x *= 0.84f;  // wings of the nose
-    if (x < 0.013f) q.z -= 0.0065f * nose * soft_step(0.100f, 0.122f, p.z);
+    if (x < 0.013f) q.z -= 0.0065f * nose * smoothstep(0.100f, 0.122f, p.z);
     q.z -= 0.0030f * spot(glm::vec2(x, p.y), {0.012f, 1.655f}, {0.040f, 0.020f});  // no ridge over the eyes
     q.z += 0.0020f * spot(glm::vec2(x, p.y), {0.045f, 1.600f}, {0.030f, 0.030f});  // full cheeks
     q.z += 0.0016f * spot(glm::vec2(x, p.y), {0, 1.564f}, {0.024f, 0.014f});       // and lips
     q.z -= 0.0050f * spot(glm::vec2(x, p.y), {0, 1.528f}, {0.050f, 0.024f});       // small chin
     q.y = height(p);
-    const float neck = soft_step(1.560f, 1.505f, p.y + 0.45f * p.z);  // the nape reaches higher than the throat
+    const float neck = smoothstep(1.560f, 1.505f, p.y + 0.45f * p.z);  // the nape reaches higher than the throat
     q.x *= 1 - 0.24f * neck;
     return q;
 }
@@ -45,16 +45,16 @@ glm::vec3 womans(glm::vec3 p)
 // Raises the scalp: highest over the brow, wide over the temples, drawn back tight behind.
 glm::vec3 dressed(glm::vec3 p)
 {
-    const float hair = soft_step(1.694f, 1.724f, p.y + 0.35f * std::max(0.0f, 0.055f - p.z));
-    const float front = soft_step(-0.030f, 0.045f, p.z);
-    const float top = soft_step(1.728f, 1.746f, p.y);
+    const float hair = smoothstep(1.694f, 1.724f, p.y + 0.35f * std::max(0.0f, 0.055f - p.z));
+    const float front = smoothstep(-0.030f, 0.045f, p.z);
+    const float top = smoothstep(1.728f, 1.746f, p.y);
     glm::vec3 q = p;
     q.y += hair * front * (0.018f + 0.013f * top) + hair * (1 - front) * 0.012f;
     q.y += 0.013f * hair * top * spot(p.x, 0.060f);
     q.z += hair * front * (0.007f - 0.004f * top);
     q.x *= 1 + hair * (0.06f + front * (0.10f - 0.03f * top));
     const float temple =
-        spot(glm::vec2(p.z, p.y), {0.010f, 1.668f}, {0.060f, 0.050f}) * soft_step(0.05f, 0.07f, std::fabs(p.x));
+        spot(glm::vec2(p.z, p.y), {0.010f, 1.668f}, {0.060f, 0.050f}) * smoothstep(0.05f, 0.07f, std::fabs(p.x));
     q.x *= 1 + 0.10f * temple;
     return q;
 }

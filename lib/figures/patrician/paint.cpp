@@ -87,8 +87,8 @@ Paint paint_patrician(const Texel &t)
     // The roots of the fingers lie inside the palm and earrings beside the neck: no soot there.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const bool ring = paint.zone == Zone::jewellery;
-    const float open = hand || ring ? std::max(t.openness, 0.75f) : t.openness;
-    const float shade = 0.52f + 0.48f * soft_step(0.05f, 0.92f, open);
+    const float open = hand || ring ? std::max(t.ambient_visibility, 0.75f) : t.ambient_visibility;
+    const float shade = 0.52f + 0.48f * smoothstep(0.05f, 0.92f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;
 }

@@ -21,7 +21,7 @@ bool is_mantle(const Texel &texel);
 float crease(float noise);
 
 // Noise round the body, `count` features in all, without a seam behind.
-float round_grain(float around, int count, float y, uint64_t layer);
+float wrapped_noise(float around, int count, float y, uint64_t layer);
 
 // Round the body like an angle, 0 in front, 4 at the back, negative on the right.
 float around_body(glm::vec3 p);

@@ -33,20 +33,20 @@ Paint eyeball(glm::vec2 q, const Eye &eye)
 {
     const glm::vec2 d = q - (eye_centre + glm::vec2(-0.0006f, 0.0009f));
     const float r = std::sqrt(d.x * d.x + d.y * d.y);
-    float grey = 244 - 70 * spot(eye.upper - q.y, 0.0042f) - 40 * soft_step(0.009f, 0.016f, std::fabs(d.x));
-    const float iris = 92 + 60 * soft_step(0.001f, -0.005f, d.y);
-    grey += (iris - grey) * soft_step(0.0074f, 0.0062f, r);
+    float grey = 244 - 70 * spot(eye.upper - q.y, 0.0042f) - 40 * smoothstep(0.009f, 0.016f, std::fabs(d.x));
+    const float iris = 92 + 60 * smoothstep(0.001f, -0.005f, d.y);
+    grey += (iris - grey) * smoothstep(0.0074f, 0.0062f, r);
     grey -= 40 * spot(r - 0.0064f, 0.0012f);
-    grey += (20 - grey) * soft_step(0.0034f, 0.0024f, r);
+    grey += (20 - grey) * smoothstep(0.0034f, 0.0024f, r);
     const glm::vec2 glint = d - glm::vec2(0.0020f, 0.0026f);
-    grey += (255 - grey) * soft_step(0.0016f, 0.0008f, std::sqrt(glint.x * glint.x + glint.y * glint.y));
+    grey += (255 - grey) * smoothstep(0.0016f, 0.0008f, std::sqrt(glint.x * glint.x + glint.y * glint.y));
     return {grey, Zone::eyes};
 }
 
 bool is_brow(glm::vec2 q)
 {
     static const glm::vec2 middle[] = {{0.0130f, 1.6510f}, {0.024f, 1.6555f}, {0.036f, 1.6580f}, {0.052f, 1.6500f}};
-    const float half = 0.0024f - 0.0013f * soft_step(0.026f, 0.052f, q.x);
+    const float half = 0.0024f - 0.0013f * smoothstep(0.026f, 0.052f, q.x);
     return q.x > 0.0130f && q.x < 0.0520f && std::fabs(q.y - profile(middle, q.x)) < half;
 }
 
@@ -80,7 +80,7 @@ float skin_of_face(glm::vec2 q, glm::vec3 n)
     g -= 12 * spot(q, {0.0560f, 1.574f}, {0.020f, 0.026f});                          // hollow of the cheek
     g -= 14 * spot(to_segment(q, {0.0145f, 1.6000f}, {0.0150f, 1.5945f}), 0.0042f);  // wing of the nose
     g -= 16 * spot(q, {0, 1.5835f}, {0.0032f, 0.0060f});                             // groove of the upper lip
-    g -= 30 * spot(q, {0, 1.5870f}, {0.0130f, 0.0045f}) * soft_step(0.3f, -0.4f, n.y);
+    g -= 30 * spot(q, {0, 1.5870f}, {0.0130f, 0.0045f}) * smoothstep(0.3f, -0.4f, n.y);
     g -= 22 * spot(q, {0, 1.5545f}, {0.0160f, 0.0050f});        // below the lower lip
     g -= 14 * spot(q, {0.0250f, 1.5685f}, {0.0055f, 0.0060f});  // corner of the mouth
     return g;
@@ -90,8 +90,8 @@ Paint lips(glm::vec2 q)
 {
     const float from_line = q.y - mouth_line(q.x);
     float g = from_line > 0 ? 204 : 226 + 26 * spot(q, {0.005f, 1.5620f}, {0.011f, 0.0035f});
-    g += (100 - g) * soft_step(0.0016f, 0.0006f, std::fabs(from_line));
-    return {g - 16 * soft_step(0.6f, 1.0f, q.x / mouth_half), Zone::lips};
+    g += (100 - g) * smoothstep(0.0016f, 0.0006f, std::fabs(from_line));
+    return {g - 16 * smoothstep(0.6f, 1.0f, q.x / mouth_half), Zone::lips};
 }
 
 Paint face(glm::vec3 p, glm::vec3 n)
@@ -99,16 +99,16 @@ Paint face(glm::vec3 p, glm::vec3 n)
     const glm::vec2 q(std::fabs(p.x), p.y);
     const Eye eye = eye_at(q);
     if (eye.inside > 0) return eyeball(q, eye);
-    if (is_brow(q)) return {168 + 50 * grain(p.x * 900, p.y * 260, 107), Zone::hair};
+    if (is_brow(q)) return {168 + 50 * value_noise(p.x * 900, p.y * 260, 107), Zone::hair};
     if (is_lip(q)) return lips(q);
     float g = skin_of_face(q, n);
     // Kohl: a dark line on the upper lid that runs on past the outer corner, a thin one below.
     const float u = (q.x - eye_centre.x) / eye_half;
     if (u > -1.04f && u < 1.04f) {
         const float above = q.y - eye.upper, below = eye.lower - q.y;
-        if (above > -0.0010f) g += (58 - g) * soft_step(0.0028f, 0.0010f, above);
+        if (above > -0.0010f) g += (58 - g) * smoothstep(0.0028f, 0.0010f, above);
         g -= 34 * spot(above - 0.0062f, 0.0018f) * (1 - 0.6f * u * u);  // crease of the lid
-        if (below > -0.0010f) g -= 90 * soft_step(0.0018f, 0.0004f, below) * soft_step(-1.0f, 0.3f, u);
+        if (below > -0.0010f) g -= 90 * smoothstep(0.0018f, 0.0004f, below) * smoothstep(-1.0f, 0.3f, u);
     }
     g -= 120 * spot(to_segment(q, {0.0470f, 1.6352f}, {0.0520f, 1.6378f}), 0.0018f);
     if (spot(q, {0.0062f, 1.5905f}, {0.0042f, 0.0026f}) > 0.25f && n.y < 0.25f) g = 110;  // nostril
@@ -118,8 +118,8 @@ Paint face(glm::vec3 p, glm::vec3 n)
 // Throat and breast, with a necklace of beads and a pendant.
 Paint paint_throat(glm::vec3 p)
 {
-    const float side = std::fabs(p.x), low = soft_step(1.520f, 1.480f, p.y);
-    float g = 234 - 8 * spot(p.y - 1.505f, 0.03f) * soft_step(0, 0.03f, p.z);
+    const float side = std::fabs(p.x), low = smoothstep(1.520f, 1.480f, p.y);
+    float g = 234 - 8 * spot(p.y - 1.505f, 0.03f) * smoothstep(0, 0.03f, p.z);
     g -= 10 * spot(to_segment({side, p.y}, {0.012f, 1.43f}, {0.046f, 1.53f}) - 0.010f, 0.014f) * low;
     g -= 14 * spot(to_segment({side, p.y}, {0.010f, 1.428f}, {0.090f, 1.446f}), 0.008f);  // collar bones
     if (p.z < 0) return {g, Zone::skin};

@@ -38,9 +38,10 @@ Paint paint_mantle(const Texel &t)
     // Folds hang in bows from the left shoulder to the right hip, flatter towards the hem.
     static const glm::vec2 slopes[] = {{0.55f, 0.30f}, {0.80f, 0.40f}, {1.05f, 0.80f}, {1.30f, 1.40f}};
     const float sag = 1.1f * (p.x + 0.02f) * (p.x + 0.02f);
-    const float line = p.y - profile(slopes, p.y) * p.x - sag + 0.03f * grain(p.x * 9 + p.z * 7, p.y * 6, 121);
+    const float line = p.y - profile(slopes, p.y) * p.x - sag + 0.03f * value_noise(p.x * 9 + p.z * 7, p.y * 6, 121);
     const float across = p.x * 4 + p.z * 3 + 9;
-    float g = 222 + 34 * crease(grain(line * 13, across, 122)) + 16 * crease(grain(line * 36, across * 1.7f, 123));
+    float g = 222 + 34 * crease(value_noise(line * 13, across, 122)) +
+              16 * crease(value_noise(line * 36, across * 1.7f, 123));
     const float low = p.y - lower_edge(p);
     if (t.chart != gown_front && t.chart != gown_back) return {g, Zone::outer};
     if (low < 0.022f) return {g + 8 - 40 * spot(low - 0.022f, 0.004f), Zone::border};
@@ -51,9 +52,9 @@ Paint paint_palla(const Texel &t)
 {
     // Folds run along the band.
     const float along = t.st.x, across = t.st.y;
-    const float wander = 0.5f * (grain(along * 5, across, 124) - 0.5f);
-    float g = 224 + 34 * crease(grain(along * 2.2f, (across + wander) * 2.6f, 125)) +
-              18 * crease(grain(along * 4, (across + wander) * 6.5f, 126));
+    const float wander = 0.5f * (value_noise(along * 5, across, 124) - 0.5f);
+    float g = 224 + 34 * crease(value_noise(along * 2.2f, (across + wander) * 2.6f, 125)) +
+              18 * crease(value_noise(along * 4, (across + wander) * 6.5f, 126));
     g -= 26 * spot(across, 0.25f) + 26 * spot(across - 3, 0.25f);
     if (across < 0.34f) return {g + 14, Zone::border};
     return {g, Zone::outer};

@@ -25,11 +25,11 @@ float around_body(glm::vec3 p)
     return p.x < 0 ? -quarters : quarters;
 }
 
-float round_grain(float around, int count, float y, uint64_t layer)
+float wrapped_noise(float around, int count, float y, uint64_t layer)
 {
     const float n = static_cast<float>(count), x = (around + 4) / 8 * n;
-    const float join = soft_step(n - 1, n, x);
-    return grain(x, y, layer) * (1 - join) + grain(x - n, y, layer) * join;
+    const float join = smoothstep(n - 1, n, x);
+    return value_noise(x, y, layer) * (1 - join) + value_noise(x - n, y, layer) * join;
 }
 
 namespace
@@ -56,28 +56,28 @@ float to_neckline(glm::vec3 p)
 float skirt(glm::vec3 p)
 {
     const float a = around_body(p);
-    const float wander = 0.25f * (round_grain(a, 14, p.y * 4, 111) - 0.5f);
-    const float broad = round_grain(a + wander, 34, p.y * 1.1f, 112),
-                fine = round_grain(a + wander, 96, p.y * 1.6f, 113);
+    const float wander = 0.25f * (wrapped_noise(a, 14, p.y * 4, 111) - 0.5f);
+    const float broad = wrapped_noise(a + wander, 34, p.y * 1.1f, 112),
+                fine = wrapped_noise(a + wander, 96, p.y * 1.6f, 113);
     float g = 224 + 42 * crease(broad) + 18 * crease(fine);
     g -= 30 * spot(p.y - 0.045f, 0.03f);
-    if (p.z > 0.05f) g -= 20 * spot(p.x, 0.045f) * soft_step(0.10f, 0.25f, p.y);  // between the legs
+    if (p.z > 0.05f) g -= 20 * spot(p.x, 0.045f) * smoothstep(0.10f, 0.25f, p.y);  // between the legs
     return g;
 }
 
 float bodice(glm::vec3 p)
 {
     const float a = around_body(p), up = p.y - girdle;
-    const float pleat = round_grain(a + 0.05f * round_grain(a, 32, p.y * 9, 114), 96, p.y * 5, 115);
-    float g = 226 + 30 * crease(pleat) * soft_step(0.12f, 0.0f, std::fabs(up));
+    const float pleat = wrapped_noise(a + 0.05f * wrapped_noise(a, 32, p.y * 9, 114), 96, p.y * 5, 115);
+    float g = 226 + 30 * crease(pleat) * smoothstep(0.12f, 0.0f, std::fabs(up));
     if (p.z > 0) {  // soft round of the breasts, and the valley
         const glm::vec2 q(std::fabs(p.x), p.y);
         g += 16 * spot(q, {0.072f, 1.292f}, {0.050f, 0.045f});
         g -= 26 * spot(q, {0.074f, 1.235f}, {0.060f, 0.026f});
         g -= 22 * spot(q, {0.0f, 1.285f}, {0.026f, 0.075f});
     }
-    const float swing = p.y - 2.2f * p.x * p.x + 0.016f * grain(p.x * 26, p.y * 9, 116);
-    g += 18 * crease(grain(swing * 22, 3.0f + std::fabs(p.x) * 4, 117)) * soft_step(0.10f, 0.16f, up);
+    const float swing = p.y - 2.2f * p.x * p.x + 0.016f * value_noise(p.x * 26, p.y * 9, 116);
+    g += 18 * crease(value_noise(swing * 22, 3.0f + std::fabs(p.x) * 4, 117)) * smoothstep(0.10f, 0.16f, up);
     g -= 46 * spot(std::fabs(up) - 0.018f, 0.016f);  // shadow beside the girdle
     return g;
 }
@@ -101,12 +101,12 @@ Paint sleeve(const Texel &t)
         mirrored(t.position, t.position.x >= 0 ? Side::left : Side::right) - skeleton().joint(Bone::upper_arm);
     const float along = glm::dot(from, arm_direction()), up = glm::dot(from, arm_dorsal());
     const float round = up * 12 + from.z * 16;
-    float g = 224 + 24 * crease(grain(round * 2.4f + along * 2, along * 3, 118));
+    float g = 224 + 24 * crease(value_noise(round * 2.4f + along * 2, along * 3, 118));
     // Buttoned along the top of the arm, as stolas' tunics were.
     const float button = std::fmod(along, 0.042f) - 0.021f;
     const float d = std::sqrt(button * button + from.z * from.z);
     if (up > 0.02f && along > 0.03f && along < 0.23f) {
-        if (d < 0.0055f) return {250 - 90 * soft_step(0.003f, 0.0055f, d), Zone::jewellery};
+        if (d < 0.0055f) return {250 - 90 * smoothstep(0.003f, 0.0055f, d), Zone::jewellery};
         g -= 40 * spot(from.z, 0.004f) + 24 * spot(d - 0.008f, 0.006f);
     }
     if (along > 0.236f) return {g - 30 * spot(along - 0.236f, 0.003f), Zone::border};

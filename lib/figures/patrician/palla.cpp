@@ -11,11 +11,11 @@ namespace
 {
 
 // Where the band runs: its edge towards neck and right, a ridge, another, the edge towards arm and left.
-struct Station {
+struct CrossSection {
     std::array<glm::vec3, 4> across;
 };
 
-const std::array<Station, 14> stations = {{
+const std::array<CrossSection, 14> stations = {{
     // left, tucked behind the roll at the waist
     {{{{0.040f, 1.100f, 0.098f}, {0.062f, 1.090f, 0.146f}, {0.104f, 1.090f, 0.136f}, {0.118f, 1.090f, 0.072f}}}},
     {{{{0.044f, 1.205f, 0.080f}, {0.064f, 1.205f, 0.134f}, {0.102f, 1.200f, 0.124f}, {0.110f, 1.200f, 0.048f}}}},
@@ -44,7 +44,7 @@ const std::array<Station, 14> stations = {{
 void add_palla(Mesh &mesh)
 {
     std::vector<std::array<uint32_t, 4>> points;
-    for (const Station &station : stations) {
+    for (const CrossSection &station : stations) {
         points.emplace_back();
         for (size_t k = 0; k < 4; ++k) {
             const glm::vec3 p = station.across[k];

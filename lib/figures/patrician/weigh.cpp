@@ -10,16 +10,16 @@ BoneWeights weigh_heavy_cloth(const Point &point)
 {
     const glm::vec3 p = point.position;
     BoneWeights w{};
-    const float hang = soft_step(1.02f, 0.80f, p.y), below = soft_step(0.56f, 0.40f, p.y);
+    const float hang = smoothstep(1.02f, 0.80f, p.y), below = smoothstep(0.56f, 0.40f, p.y);
     weigh_trunk(w, p, 1 - hang);
-    const float left = soft_step(-0.13f, 0.13f, p.x), front = soft_step(-0.22f, 0.22f, p.z);
+    const float left = smoothstep(-0.13f, 0.13f, p.x), front = smoothstep(-0.22f, 0.22f, p.z);
     const float above = hang * (1 - below);
-    give(w, Bone::skirt_front, above * left * front);
-    give(w, Bone::skirt_front_r, above * (1 - left) * front);
-    give(w, Bone::skirt_back, above * left * (1 - front));
-    give(w, Bone::skirt_back_r, above * (1 - left) * (1 - front));
-    give(w, Bone::shin, hang * below * left);
-    give(w, Bone::shin_r, hang * below * (1 - left));
+    add_weight(w, Bone::skirt_front, above * left * front);
+    add_weight(w, Bone::skirt_front_r, above * (1 - left) * front);
+    add_weight(w, Bone::skirt_back, above * left * (1 - front));
+    add_weight(w, Bone::skirt_back_r, above * (1 - left) * (1 - front));
+    add_weight(w, Bone::shin, hang * below * left);
+    add_weight(w, Bone::shin_r, hang * below * (1 - left));
     return w;
 }
 

@@ -217,11 +217,11 @@ BoneWeights weigh_skirt(const Point &point)
 {
     const glm::vec3 p = point.position;
     const Side side = p.x >= 0 ? Side::left : Side::right;
-    const float out = soft_step(0.05f, 0.15f, std::fabs(p.x)), down = soft_step(0.96f, 0.80f, p.y);
+    const float out = smoothstep(0.05f, 0.15f, std::fabs(p.x)), down = smoothstep(0.96f, 0.80f, p.y);
     const float with_thigh = 0.88f * out * down;
     BoneWeights w{};
     weigh_gown(w, p, 1 - with_thigh);
-    give(w, on(side, Bone::thigh), with_thigh);
+    add_weight(w, on(side, Bone::thigh), with_thigh);
     return w;
 }
 

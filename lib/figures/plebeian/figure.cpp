@@ -2,7 +2,7 @@
 
 #include "lib/figures/assemble.h"
 #include "lib/figures/plebeian/plebeian.h"
-#include "lib/figures/second_looks.h"
+#include "lib/figures/texture_variants.h"
 
 namespace claque::figures
 {
@@ -60,7 +60,7 @@ model::Model plebeian_man()
     figure.name = "plebeian";
     figure.add_pieces = add_plebeian;
     figure.painter = paint_plebeian;
-    figure.looks = {{"shaven", paint_shaven_plebeian}};
+    figure.texture_sets = {{"shaven", paint_shaven_plebeian}};
     figure.layout = plebeian_layout();
     figure.zones = plebeian_zones();
     figure.clips = figure_clips();

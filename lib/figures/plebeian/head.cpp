@@ -15,13 +15,13 @@ glm::vec3 lean(glm::vec3 p)
 {
     const float x = std::fabs(p.x);
     glm::vec3 q = p;
-    const float ahead = soft_step(-0.02f, 0.05f, p.z);
-    q.x *= 0.965f - 0.055f * soft_step(1.625f, 1.555f, p.y) * ahead;
-    q.z -= 0.0040f * spot(glm::vec2(x, p.y), {0.052f, 1.578f}, {0.024f, 0.028f}) * ahead;          // lean cheeks
-    q.z -= 0.0024f * spot(glm::vec2(x, p.y), {0.016f, 1.655f}, {0.040f, 0.018f});                  // a smooth brow
-    q.z += 0.0030f * spot(glm::vec2(x, p.y), {0, 1.530f}, {0.026f, 0.016f}) * ahead;               // chin
-    if (x < 0.013f) q.z -= 0.0022f * spot(p.y - 1.600f, 0.024f) * soft_step(0.100f, 0.122f, p.z);  // a shorter nose
-    const float neck = soft_step(1.545f, 1.500f, p.y + 0.45f * p.z) * soft_step(1.455f, 1.490f, p.y);
+    const float ahead = smoothstep(-0.02f, 0.05f, p.z);
+    q.x *= 0.965f - 0.055f * smoothstep(1.625f, 1.555f, p.y) * ahead;
+    q.z -= 0.0040f * spot(glm::vec2(x, p.y), {0.052f, 1.578f}, {0.024f, 0.028f}) * ahead;           // lean cheeks
+    q.z -= 0.0024f * spot(glm::vec2(x, p.y), {0.016f, 1.655f}, {0.040f, 0.018f});                   // a smooth brow
+    q.z += 0.0030f * spot(glm::vec2(x, p.y), {0, 1.530f}, {0.026f, 0.016f}) * ahead;                // chin
+    if (x < 0.013f) q.z -= 0.0022f * spot(p.y - 1.600f, 0.024f) * smoothstep(0.100f, 0.122f, p.z);  // a shorter nose
+    const float neck = smoothstep(1.545f, 1.500f, p.y + 0.45f * p.z) * smoothstep(1.455f, 1.490f, p.y);
     q.x *= 1 - 0.07f * neck;
     return q;
 }
@@ -31,11 +31,11 @@ float thickness(glm::vec3 p)
 {
     static const glm::vec2 fringe[] = {
         {-0.1f, 1.545f}, {-0.03f, 1.580f}, {0.02f, 1.650f}, {0.06f, 1.690f}, {0.11f, 1.694f}};
-    const float inside = soft_step(-0.004f, 0.040f, p.y - profile(fringe, p.z));
+    const float inside = smoothstep(-0.004f, 0.040f, p.y - profile(fringe, p.z));
     const float tuft = base::unit(base::mix(static_cast<uint64_t>(static_cast<int64_t>(p.x * 9000)) * 77 +
                                             static_cast<uint64_t>(static_cast<int64_t>(p.y * 9000)) * 3 +
                                             static_cast<uint64_t>(static_cast<int64_t>(p.z * 9000))));
-    const float behind = 1 - 0.5f * soft_step(-0.05f, -0.10f, p.z) * soft_step(1.58f, 1.62f, p.y);
+    const float behind = 1 - 0.5f * smoothstep(-0.05f, -0.10f, p.z) * smoothstep(1.58f, 1.62f, p.y);
     return inside * behind * (0.006f + 0.022f * tuft);
 }
 

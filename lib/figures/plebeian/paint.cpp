@@ -41,10 +41,10 @@ Paint paint_plebeian(const Texel &t)
     Paint paint = plain(t);
     // The roots of the fingers lie inside the palm, where nothing is open: no soot on hands.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
-    const float open = hand ? std::max(t.openness, 0.72f) : t.openness;
+    const float open = hand ? std::max(t.ambient_visibility, 0.72f) : t.ambient_visibility;
     // Cloth is seen where the arms covered it when they rise: less shadow there than skin may have.
     const float deepest = paint.zone == Zone::tunic ? 0.74f : 0.60f;
-    const float shade = deepest + (1 - deepest) * soft_step(0.05f, 0.90f, open);
+    const float shade = deepest + (1 - deepest) * smoothstep(0.05f, 0.90f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;
     return paint;
 }

@@ -12,7 +12,7 @@ from ctypes import (POINTER, Structure, c_char_p, c_double, c_float, c_int, c_in
                     c_uint64, c_void_p)
 
 NONE = 0xFFFFFFFF
-BY_LOT = 0xFFFFFFFF
+RANDOM = 0xFFFFFFFF
 
 
 class Status(enum.IntEnum):
@@ -63,7 +63,7 @@ class ActorId(Structure):
     _fields_ = [("index1", c_uint32), ("generation", c_uint32)]
 
 
-class Place(Structure):
+class Transform(Structure):
     _fields_ = [("position", c_double * 3), ("orientation_xyzw", c_float * 4), ("scale", c_float)]
 
 
@@ -72,7 +72,7 @@ class Play(Structure):
 
 
 class ActorDef(Structure):
-    _fields_ = [("struct_bytes", c_uint32), ("tmpl", c_void_p), ("place", Place), ("play", Play), ("seed", c_uint64),
+    _fields_ = [("struct_bytes", c_uint32), ("tmpl", c_void_p), ("transform", Transform), ("play", Play), ("seed", c_uint64),
                 ("texture_set", c_uint32)]
 
 
@@ -82,8 +82,8 @@ class Camera(Structure):
 
 
 class HsbRange(Structure):
-    _fields_ = [("hue_first_deg", c_float), ("hue_last_deg", c_float), ("saturation_first", c_float),
-                ("saturation_last", c_float), ("brightness_first", c_float), ("brightness_last", c_float)]
+    _fields_ = [("hue_min_deg", c_float), ("hue_max_deg", c_float), ("saturation_min", c_float),
+                ("saturation_max", c_float), ("brightness_min", c_float), ("brightness_max", c_float)]
 
 
 class ClipInfo(Structure):
@@ -118,7 +118,7 @@ class Triangles(Structure):
                 ("indices", POINTER(c_uint32))]
 
 
-class Shown(Structure):
+class DrawnActor(Structure):
     _fields_ = [("actor", ActorId), ("tmpl", c_void_p), ("level", c_uint32), ("texture_set", c_uint32),
                 ("model_view", c_float * 16), ("eye_distance_m", c_float), ("mirrored", c_int32),
                 ("shadow_only", c_int32), ("parts", c_uint64), ("vertex_count", c_uint32), ("joint_count", c_uint32),
@@ -134,7 +134,7 @@ GetProcAddress = ctypes.CFUNCTYPE(c_void_p, c_void_p, c_char_p)
 
 class RendererDef(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("get_proc_address", GetProcAddress), ("user", c_void_p),
-                ("variety", c_int), ("guard", c_int), ("colours", c_int), ("key_test", c_int),
+                ("strategy", c_int), ("guard", c_int), ("colours", c_int), ("key_test", c_int),
                 ("batch_triangles", c_uint32), ("linear_clean", c_int32), ("flush_triangles", c_uint32),
                 ("flat_triangles", c_uint32)]
 
@@ -146,7 +146,7 @@ class DrawStats(Structure):
 
 class LevelsDef(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("targets", POINTER(c_uint32)), ("target_count", c_uint32),
-                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("far_from", c_uint32), ("plain", c_uint32)]
+                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("proxy_max_triangles", c_uint32), ("quadric_only", c_uint32)]
 
 
 class PrepareDef(Structure):
@@ -157,10 +157,10 @@ class PrepareDef(Structure):
 
 # By name, as in the headers, for the layout test.
 STRUCTS = {
-    "clq_context_def": ContextDef, "clq_actor": ActorId, "clq_place": Place, "clq_play": Play,
+    "clq_context_def": ContextDef, "clq_actor": ActorId, "clq_transform": Transform, "clq_play": Play,
     "clq_actor_def": ActorDef, "clq_camera": Camera, "clq_hsb_range": HsbRange, "clq_clip_info": ClipInfo,
     "clq_zone_info": ZoneInfo, "clq_template_info": TemplateInfo, "clq_mesh": Mesh, "clq_triangles": Triangles,
-    "clq_shown": Shown, "clq_view_stats": ViewStats, "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
+    "clq_drawn_actor": DrawnActor, "clq_view_stats": ViewStats, "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
     "clq_levels_def": LevelsDef, "clq_prepare_def": PrepareDef,
 }
 

@@ -1,4 +1,4 @@
-"""claque/crowd.h, view.h, shown.h: who is there, and what a view shows of them."""
+"""claque/crowd.h, view.h, drawn_actor.h: who is there, and what a view shows of them."""
 
 from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint64, c_void_p
 
@@ -19,14 +19,14 @@ class Actor:
         play = abi.Play(self.template.clip(clip), start_s, speed, phase_s)
         abi.call("clq_actor_play", self.crowd.handle, self.id, byref(play))
 
-    def place(self, position, heading_rad=0.0, scale=1.0):
+    def set_transform(self, position, heading_rad=0.0, scale=1.0):
         """Puts its Reference Point there, turned about y."""
-        place = abi.Place((c_double * 3)(*position), _upright(heading_rad), scale)
-        abi.call("clq_crowd_place", self.crowd.handle, byref(self.id), byref(place), c_uint32(1))
+        transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
+        abi.call("clq_crowd_set_transforms", self.crowd.handle, byref(self.id), byref(transform), c_uint32(1))
 
-    def draw_colours(self):
+    def randomise_colours(self):
         """Colours of its own from its template's HSB ranges and its seed (S2 5)."""
-        abi.call("clq_actor_draw_colours", self.crowd.handle, self.id, None, 0)
+        abi.call("clq_actor_randomise_colours", self.crowd.handle, self.id, None, 0)
 
     def set_colours(self, rgb):
         """One colour a zone: (zones, 3), each [0, 1]."""
@@ -35,7 +35,7 @@ class Actor:
             raise ValueError(f"colours of shape {rgb.shape}: (zones, 3) is wanted")
         abi.call("clq_actor_set_colours", self.crowd.handle, self.id, rgb.ctypes.data_as(POINTER(c_float)), len(rgb))
 
-    def set_texture_set(self, texture_set=abi.BY_LOT):
+    def set_texture_set(self, texture_set=abi.RANDOM):
         abi.call("clq_actor_set_texture_set", self.crowd.handle, self.id, c_uint32(texture_set))
 
     def remove(self):
@@ -61,7 +61,7 @@ class Crowd(Owned):
         definition = abi.ActorDef()
         definition.struct_bytes = abi.ctypes.sizeof(definition)
         definition.tmpl = template.handle
-        definition.place = abi.Place((c_double * 3)(*position), _upright(heading_rad), scale)
+        definition.transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
         definition.play = abi.Play(abi.NONE if clip is None else template.clip(clip), start_s, speed, phase_s)
         definition.seed, definition.texture_set = seed, texture_set
         identity = abi.ActorId()
@@ -69,16 +69,16 @@ class Crowd(Owned):
         self._held += (template,)
         actor = Actor(self, identity, template)
         if colours:
-            actor.draw_colours()
+            actor.randomise_colours()
         return actor
 
     def __len__(self):
         return abi.library().function("clq_crowd_actor_count", c_uint32)(self.handle)
 
     @property
-    def fingerprint(self):
+    def hash(self):
         """Of everything that was set in it."""
-        return abi.library().function("clq_crowd_fingerprint", c_uint64)(self.handle)
+        return abi.library().function("clq_crowd_hash", c_uint64)(self.handle)
 
     def view(self):
         view = View(self)
@@ -107,7 +107,7 @@ class View(Owned):
         camera = abi.Camera()
         abi.call("clq_camera_look_at", byref(camera), (c_double * 3)(*eye), (c_double * 3)(*target),
                  (c_float * 3)(*up), c_float(fov_y_rad), c_float(aspect), c_float(near), c_float(far))
-        abi.call("clq_view_look", self.handle, byref(camera))
+        abi.call("clq_view_set_camera", self.handle, byref(camera))
 
     def set_height(self, height_px):
         """How high the picture is: levels of detail follow it."""
@@ -127,19 +127,19 @@ class View(Owned):
     def __len__(self):
         return self.stats.visible
 
-    def shown(self, index):
-        """All of clq_shown, of one individual of the draw list."""
-        out = abi.Shown()
-        abi.call("clq_view_get_shown", self.handle, index, byref(out))
+    def drawn_actor(self, index):
+        """All of clq_drawn_actor, of one individual of the draw list."""
+        out = abi.DrawnActor()
+        abi.call("clq_view_get_drawn_actor", self.handle, index, byref(out))
         return out
 
     def model_view(self, index):
         """(4, 4), as on paper: m @ column."""
-        return numpy.array(self.shown(index).model_view, numpy.float32).reshape(4, 4).T
+        return numpy.array(self.drawn_actor(index).model_view, numpy.float32).reshape(4, 4).T
 
     def vertices(self, index):
         """Skinned positions and normals, (n, 3) each, in the actor's own space, in the order of Template.mesh."""
-        n = self.shown(index).vertex_count
+        n = self.drawn_actor(index).vertex_count
         positions, normals = numpy.empty((n, 3), numpy.float32), numpy.empty((n, 3), numpy.float32)
         abi.call("clq_view_get_vertices", self.handle, index, positions.ctypes.data_as(POINTER(c_float)),
                  normals.ctypes.data_as(POINTER(c_float)), c_uint32(n))
@@ -147,15 +147,15 @@ class View(Owned):
 
     def palette(self, index):
         """The matrix palette, (joints, 3, 4), as on paper (S1 4)."""
-        shown = self.shown(index)
-        columns = numpy.empty((shown.joint_count, 4, 3), numpy.float32)
+        drawn = self.drawn_actor(index)
+        columns = numpy.empty((drawn.joint_count, 4, 3), numpy.float32)
         abi.call("clq_view_get_pose", self.handle, index, columns.ctypes.data_as(POINTER(c_float)),
-                 c_uint32(shown.joint_count), None, c_uint32(0))
+                 c_uint32(drawn.joint_count), None, c_uint32(0))
         return columns.transpose(0, 2, 1)
 
     def colours(self, index):
         """(zones, 3), 8 bits, as GL gets them."""
-        zones = self.shown(index).zone_count
+        zones = self.drawn_actor(index).zone_count
         rgb = numpy.empty((zones, 3), numpy.uint8)
         abi.call("clq_view_get_colours", self.handle, index, rgb.ctypes.data_as(POINTER(c_uint8)), c_uint32(zones))
         return rgb

@@ -5,7 +5,7 @@ from ctypes import byref, sizeof
 from . import abi
 from .owner import Owned, made
 
-VARIETIES = {"fused": 0, "binned": 1, "per-zone": 2}
+STRATEGIES = {"fused": 0, "binned": 1, "per-zone": 2}
 
 
 class Renderer(Owned):
@@ -13,14 +13,14 @@ class Renderer(Owned):
 
     _destroy = "clq_renderer_destroy"
 
-    def __init__(self, context, target, variety="fused", linear_clean=False, flush_triangles=0,
+    def __init__(self, context, target, strategy="fused", linear_clean=False, flush_triangles=0,
                  flat_triangles=64):
-        if variety not in VARIETIES:
-            raise ValueError(f"{variety!r} is none of {', '.join(VARIETIES)}")
+        if strategy not in STRATEGIES:
+            raise ValueError(f"{strategy!r} is none of {', '.join(STRATEGIES)}")
         definition = abi.RendererDef()
         definition.struct_bytes = sizeof(definition)
         definition.get_proc_address = target.get_proc_address
-        definition.variety = VARIETIES[variety]
+        definition.strategy = STRATEGIES[strategy]
         definition.batch_triangles = 128
         definition.linear_clean = int(linear_clean)
         definition.flush_triangles = flush_triangles

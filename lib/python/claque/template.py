@@ -56,7 +56,7 @@ class Template(Owned):
         definition.folder = None if folder is None else str(folder).encode()
         chain = abi.LevelsDef()
         if levels:
-            chain.struct_bytes, chain.tolerance_px, chain.metres_per_unit, chain.far_from = sizeof(chain), 1, 1, 250
+            chain.struct_bytes, chain.tolerance_px, chain.metres_per_unit, chain.proxy_max_triangles = sizeof(chain), 1, 1, 250
             definition.levels = cast(byref(chain), POINTER(abi.LevelsDef))
         out = abi.c_void_p()
         abi.call("clq_template_prepare", context.handle, byref(definition), byref(out), None)

@@ -24,7 +24,7 @@ def enter(crowd, templates, rows=24):
             seed = 10 + 4 * row + file
             name = ("citizen", "plebeian", "patrician")[seed * 7919 % 3]
             actor = crowd.add(templates[name], clip="walk", phase_s=seed * 0.137 % 1.1, seed=seed,
-                              texture_set=claque.abi.BY_LOT)
+                              texture_set=claque.abi.RANDOM)
             people.append((actor, (file - 1.5) * 1.1, -1.4 * row))
     return people
 
@@ -32,7 +32,7 @@ def enter(crowd, templates, rows=24):
 def move(people, time_s, speed=1.27):
     for actor, beside, behind in people:
         x, z, heading = road(behind + speed * time_s)
-        actor.place((x + beside * math.cos(heading), 0, z - beside * math.sin(heading)), heading)
+        actor.set_transform((x + beside * math.cos(heading), 0, z - beside * math.sin(heading)), heading)
 
 
 def paint_ground(target, eye, look_at, fov_y_rad):

@@ -9,7 +9,7 @@ typedef struct colour {
     float r, g, b;
 } colour;
 
-float paint_lot(unsigned x, unsigned y, unsigned what)
+float paint_random(unsigned x, unsigned y, unsigned what)
 {
     unsigned bits = x * 0x9e3779b1u ^ y * 0x85ebca77u ^ (what + 1) * 0xc2b2ae3du;
     bits ^= bits >> 15, bits *= 0x2c1b3c6du;
@@ -25,8 +25,8 @@ static float noise(float u, float v, unsigned cells, unsigned what)
     const unsigned i = (unsigned)x % cells, k = (unsigned)y % cells;
     float fx = x - floorf(x), fy = y - floorf(y);
     fx = fx * fx * (3 - 2 * fx), fy = fy * fy * (3 - 2 * fy);
-    const float a = paint_lot(i, k, what), b = paint_lot((i + 1) % cells, k, what);
-    const float c = paint_lot(i, (k + 1) % cells, what), d = paint_lot((i + 1) % cells, (k + 1) % cells, what);
+    const float a = paint_random(i, k, what), b = paint_random((i + 1) % cells, k, what);
+    const float c = paint_random(i, (k + 1) % cells, what), d = paint_random((i + 1) % cells, (k + 1) % cells, what);
     return (a + (b - a) * fx) * (1 - fy) + (c + (d - c) * fx) * fy;
 }
 
@@ -60,7 +60,7 @@ static unsigned bring(colour (*paint)(float u, float v))
 static colour grass_at(float u, float v)
 {
     const colour dark = {0.20f, 0.34f, 0.14f}, light = {0.42f, 0.56f, 0.24f};
-    const float blades = paint_lot((unsigned)(u * SIDE), (unsigned)(v * SIDE) / 3, 1);
+    const float blades = paint_random((unsigned)(u * SIDE), (unsigned)(v * SIDE) / 3, 1);
     return mix(dark, light, 0.5f * noise(u, v, 8, 2) + 0.25f * noise(u, v, 32, 3) + 0.25f * blades);
 }
 
@@ -73,7 +73,7 @@ static colour cobbles_at(float u, float v)
     const float dx = 2 * (x - floorf(x)) - 1, dy = 2 * (y - floorf(y)) - 1;
     const float edge = 1 - powf(powf(fabsf(dx), 4) + powf(fabsf(dy), 4), 0.25f);
     const float stone = edge > 0.22f ? 1 : edge > 0.08f ? (edge - 0.08f) / 0.14f : 0;
-    const colour tone = mix(dark, light, paint_lot((unsigned)x % 8, (unsigned)y, 5));
+    const colour tone = mix(dark, light, paint_random((unsigned)x % 8, (unsigned)y, 5));
     return mix(joint, mix(tone, light, 0.25f * noise(u, v, 64, 6)), stone);
 }
 
@@ -88,7 +88,7 @@ static colour boards_at(float u, float v)
 {
     const colour dark = {0.36f, 0.24f, 0.15f}, light = {0.62f, 0.45f, 0.29f};
     const float x = u * 6, gap = x - floorf(x);
-    const float tone = 0.5f * paint_lot((unsigned)x, 0, 9) + 0.5f * noise(u, v * 0.25f, 64, 10);
+    const float tone = 0.5f * paint_random((unsigned)x, 0, 9) + 0.5f * noise(u, v * 0.25f, 64, 10);
     return gap < 0.04f ? mix(dark, light, -0.4f) : mix(dark, light, tone);
 }
 

@@ -8,6 +8,6 @@ unsigned paint_leaves(void);
 unsigned paint_boards(void);
 
 /* In [0, 1), the same for equal numbers. */
-float paint_lot(unsigned x, unsigned y, unsigned what);
+float paint_random(unsigned x, unsigned y, unsigned what);
 
 #endif

@@ -74,11 +74,11 @@ static void draw_tree(void)
     glBindTexture(GL_TEXTURE_2D, leaves);
     glEnable(GL_TEXTURE_GEN_S), glEnable(GL_TEXTURE_GEN_T);
     for (unsigned i = 0; i < 16; ++i) {
-        const float turn = 2.4f * (float)i, out = 1.35f * sqrtf(paint_lot(i, 0, 20));
-        const float size = 0.75f + 0.5f * paint_lot(i, 1, 20), tone = 0.75f + 0.25f * paint_lot(i, 2, 20);
+        const float turn = 2.4f * (float)i, out = 1.35f * sqrtf(paint_random(i, 0, 20));
+        const float size = 0.75f + 0.5f * paint_random(i, 1, 20), tone = 0.75f + 0.25f * paint_random(i, 2, 20);
         glColor3f(tone, tone, tone * 0.9f);
         glPushMatrix();
-        glTranslatef(out * sinf(turn), 2.5f + 2.3f * paint_lot(i, 3, 20), out * cosf(turn));
+        glTranslatef(out * sinf(turn), 2.5f + 2.3f * paint_random(i, 3, 20), out * cosf(turn));
         glScalef(size, 0.72f * size, size);
         gluSphere(quadric, 1, 14, 9);
         glPopMatrix();
@@ -125,8 +125,8 @@ static void compile_lists(void)
     draw_bandstand();
     for (unsigned i = 0; i < 44; ++i) {
         const float side = i % 2 ? 1.0f : -1.0f;
-        const float x = side * (12 + 26 * paint_lot(i, 0, 30)), z = 2 - 58 * paint_lot(i, 1, 30);
-        place(TREE_LIST, x, z, 360 * paint_lot(i, 2, 30), 0.9f + 0.7f * paint_lot(i, 3, 30));
+        const float x = side * (12 + 26 * paint_random(i, 0, 30)), z = 2 - 58 * paint_random(i, 1, 30);
+        place(TREE_LIST, x, z, 360 * paint_random(i, 2, 30), 0.9f + 0.7f * paint_random(i, 3, 30));
     }
     for (int i = 0; i < 2; ++i) place(LAMP_LIST, lamps[i][0], lamps[i][2], 0, 1);
     glEndList();

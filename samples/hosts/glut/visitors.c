@@ -15,7 +15,7 @@ static clq_crowd *crowd;
 static clq_view *view;
 static clq_renderer *renderers[GUARDS]; /* by clq_guard */
 static clq_actor actors[VISITORS];
-static clq_place places[VISITORS];
+static clq_transform places[VISITORS];
 static clq_draw_stats last;
 
 static void check(clq_status status)
@@ -26,24 +26,24 @@ static void check(clq_status status)
 }
 
 /* Standing at (x, z) on ground y and looking along (dx, dz); characters look along +z. */
-static clq_place stand(float x, float y, float z, float dx, float dz)
+static clq_transform stand(float x, float y, float z, float dx, float dz)
 {
-    clq_place place = {{x, y, z}, {0, 0, 0, 1}, 1};
+    clq_transform transform = {{x, y, z}, {0, 0, 0, 1}, 1};
     const float half = 0.5f * atan2f(dx, dz);
-    place.orientation_xyzw[1] = sinf(half), place.orientation_xyzw[3] = cosf(half);
-    return place;
+    transform.orientation_xyzw[1] = sinf(half), transform.orientation_xyzw[3] = cosf(half);
+    return transform;
 }
 
-static void enter(int who, clq_place place, const char *clip)
+static void enter(int who, clq_transform transform, const char *clip)
 {
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = templates[(int)(TEMPLATES * paint_lot((unsigned)who, 0, 40))];
-    def.place = places[who] = place;
+    def.tmpl = templates[(int)(TEMPLATES * paint_random((unsigned)who, 0, 40))];
+    def.transform = places[who] = transform;
     def.play.clip = clq_template_find_clip(def.tmpl, clip);
-    def.play.phase_s = 5 * paint_lot((unsigned)who, 1, 40);
+    def.play.phase_s = 5 * paint_random((unsigned)who, 1, 40);
     def.seed = (uint64_t)who;
     check(clq_actor_create(crowd, &def, &actors[who]));
-    check(clq_actor_draw_colours(crowd, actors[who], NULL, 0));
+    check(clq_actor_randomise_colours(crowd, actors[who], NULL, 0));
 }
 
 /* Arcs before the bandstand, which looks towards the eye, with a way left open between them. */
@@ -52,13 +52,14 @@ static void enter_listeners(void)
     static const char *const clips[] = {"stand_applaud", "stand", "applaud", "stand_wave", "stand_laugh", "stand"};
     for (int who = 0; who < LISTENERS; ++who) {
         const int row = who / 14, side = who % 14 < 7 ? -1 : 1;
-        const unsigned lot = (unsigned)who;
-        const float radius = 6.2f + 1.1f * (float)row + 0.3f * paint_lot(lot, 2, 40);
+        const unsigned number = (unsigned)who;
+        const float radius = 6.2f + 1.1f * (float)row + 0.3f * paint_random(number, 2, 40);
         const float turn =
             (float)side *
-            ((2.4f + 1.15f * ((float)(who % 7) + 0.5f * (float)(row % 2)) + 0.3f * paint_lot(lot, 3, 40)) / radius);
+            ((2.4f + 1.15f * ((float)(who % 7) + 0.5f * (float)(row % 2)) + 0.3f * paint_random(number, 3, 40)) /
+             radius);
         const float x = radius * sinf(turn), z = radius * cosf(turn);
-        enter(who, stand(x, 0, z - 12, -x, -z), clips[(int)(6 * paint_lot(lot, 4, 40))]);
+        enter(who, stand(x, 0, z - 12, -x, -z), clips[(int)(6 * paint_random(number, 4, 40))]);
     }
 }
 
@@ -73,13 +74,13 @@ static void enter_players(void)
 }
 
 /* Up and down the path for ever: a function of time. */
-static clq_place walk(int walker, double time_s)
+static clq_transform walk(int walker, double time_s)
 {
     const float speed = 1.15f, length = 30;
     const float way = walker % 2 ? 1.0f : -1.0f;
-    const float start = length * ((float)walker + 0.6f * paint_lot((unsigned)walker, 5, 40)) / WALKERS;
+    const float start = length * ((float)walker + 0.6f * paint_random((unsigned)walker, 5, 40)) / WALKERS;
     const float along = fmodf(start + (float)fmod(time_s * speed, length), length);
-    const float x = way * (0.45f + 1.7f * paint_lot((unsigned)walker, 6, 40));
+    const float x = way * (0.45f + 1.7f * paint_random((unsigned)walker, 6, 40));
     return stand(x, 0, way > 0 ? 8 - along : along - 22, 0, -way);
 }
 
@@ -108,10 +109,10 @@ void visitors_draw(const park_eye *eye, double time_s, clq_guard guard)
     clq_camera camera;
     const int first = LISTENERS + PLAYERS;
     for (int i = 0; i < WALKERS; ++i) places[first + i] = walk(i, time_s);
-    check(clq_crowd_place(crowd, actors + first, places + first, WALKERS));
+    check(clq_crowd_set_transforms(crowd, actors + first, places + first, WALKERS));
     check(clq_camera_look_at(&camera, eye->at, eye->target, up, (float)(eye->fov_y_deg * 3.14159265358979 / 180),
                              (float)eye->aspect, (float)eye->z_near, (float)eye->z_far));
-    check(clq_view_look(view, &camera));
+    check(clq_view_set_camera(view, &camera));
     check(clq_crowd_update(crowd, time_s, &view, 1));
     check(clq_renderer_draw(renderers[guard], view, &last));
 }

@@ -50,10 +50,10 @@ Channel::~Channel()
     offscreen_->make_current();  // textures go with what holds them, and need their context for it
 }
 
-void Channel::look(const clq_camera &camera)
+void Channel::set_camera(const clq_camera &camera)
 {
     eye_ = eye_of(camera);
-    check(clq_view_look(view_.get(), &camera));
+    check(clq_view_set_camera(view_.get(), &camera));
 }
 
 const std::vector<uint8_t> &Channel::draw()

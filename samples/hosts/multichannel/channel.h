@@ -26,7 +26,7 @@ public:
     Channel &operator=(const Channel &) = delete;
 
     // Before clq_crowd_update, on the crowd's thread. The camera is the whole surface's.
-    void look(const clq_camera &camera);
+    void set_camera(const clq_camera &camera);
     clq_view *view() const { return view_.get(); }
 
     // After it, on any one thread: the pane, three bytes a pixel, top row first, valid until the next. No context is

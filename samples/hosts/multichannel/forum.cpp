@@ -1,7 +1,7 @@
 #include "samples/hosts/multichannel/forum.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/stone.h"
 
 #include <cmath>
@@ -39,7 +39,7 @@ void Forum::pave()
     constexpr float tile_m = 2;
     const auto corner = [&](int x, int z) {
         const uint64_t who = static_cast<uint64_t>((x + half) * 1000 + z + half);
-        const float tone = static_cast<float>(lot_between(forum_seed, who, Lot::tone, 0.90, 1.0));
+        const float tone = static_cast<float>(random_between(forum_seed, who, Purpose::tone, 0.90, 1.0));
         return ground_.add({tile_m * static_cast<float>(x), 0, tile_m * static_cast<float>(z)}, {0, 1, 0},
                            tile_m * static_cast<float>(x) / flagstone_metres,
                            tile_m * static_cast<float>(z) / flagstone_metres, Rgb{0.93f, 0.89f, 0.80f} * tone);
@@ -77,10 +77,10 @@ void Forum::build_colonnade()
     }
 }
 
-void Forum::draw(const Gl &g, const Eye &eye, Pictures &pictures, const std::vector<clq_place> &people) const
+void Forum::draw(const Gl &g, const Eye &eye, Pictures &pictures, const std::vector<clq_transform> &people) const
 {
     sky_.draw(g, eye);
-    shine(g, light(), eye);
+    set_lights(g, light(), eye);
     g.Enable(gl::depth_test);
     pictures.flagstones_.use();
     ground_.draw(g);

@@ -33,7 +33,7 @@ public:
 
     // Into a cleared picture; leaves the lights on. A shadow for everybody at `people`.
     void draw(const scenes::Gl &gl, const scenes::Eye &eye, Pictures &pictures,
-              const std::vector<clq_place> &people) const;
+              const std::vector<clq_transform> &people) const;
 
 private:
     void pave();

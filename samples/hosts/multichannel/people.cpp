@@ -1,8 +1,8 @@
 #include "samples/hosts/multichannel/people.h"
 
 #include "samples/hosts/multichannel/forum.h"
-#include "samples/scenes/cast.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
+#include "samples/scenes/scene_crowd.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ constexpr uint64_t people_seed = 11;
 constexpr double pi = 3.141592653589793;
 constexpr double stride_m = 1.24;  // what a walk cycle at speed 1 covers
 
-clq_place at(double radius, double turn, double facing_x, double facing_z, double scale)
+clq_transform at(double radius, double turn, double facing_x, double facing_z, double scale)
 {
     return stand(radius * std::sin(turn), 0, -radius * std::cos(turn), facing_x, facing_z, static_cast<float>(scale));
 }
@@ -36,18 +36,18 @@ People::People(Library &library)
     place(0);
 }
 
-size_t People::enter(const clq_place &place, const char *clip)
+size_t People::enter(const clq_transform &place, const char *clip)
 {
     const uint64_t who = actors_.size();
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = templates_[lot_bits(people_seed, who, Lot::group_size) % templates_.size()];
-    def.place = place;
+    def.tmpl = templates_[random_bits(people_seed, who, Purpose::group_size) % templates_.size()];
+    def.transform = place;
     def.seed = who;
     def.play.clip = clq_template_find_clip(def.tmpl, clip);
-    def.play.phase_s = static_cast<float>(lot_between(people_seed, who, Lot::phase, 0, 6));
+    def.play.phase_s = static_cast<float>(random_between(people_seed, who, Purpose::phase, 0, 6));
     clq_actor actor = {};
     check(clq_actor_create(crowd_.get(), &def, &actor));
-    check(clq_actor_draw_colours(crowd_.get(), actor, nullptr, 0));
+    check(clq_actor_randomise_colours(crowd_.get(), actor, nullptr, 0));
     actors_.push_back(actor);
     places_.push_back(place);
     return who;
@@ -64,11 +64,12 @@ void People::stand_rows()
         for (int i = 0; i < seats; ++i) {
             const uint64_t who = actors_.size();
             const double turn = (-0.66 + 1.32 * (i + 0.5 * (row % 2)) / seats) * pi +
-                                lot_between(people_seed, who, Lot::place_x, -0.2, 0.2) / radius;
-            const double look = turn + lot_between(people_seed, who, Lot::heading, -0.35, 0.35);
-            enter(at(radius + lot_between(people_seed, who, Lot::place_z, -0.2, 0.2), turn, -std::sin(look),
-                     std::cos(look), lot_between(people_seed, who, Lot::size, 0.94, 1.06)),
-                  clips[lot_bits(people_seed, who, Lot::clip) % 6]);
+                                random_between(people_seed, who, Purpose::place_x, -0.2, 0.2) / radius;
+            const double set_camera = turn + random_between(people_seed, who, Purpose::heading, -0.35, 0.35);
+            enter(
+                at(radius + random_between(people_seed, who, Purpose::place_z, -0.2, 0.2), turn, -std::sin(set_camera),
+                   std::cos(set_camera), random_between(people_seed, who, Purpose::size, 0.94, 1.06)),
+                clips[random_bits(people_seed, who, Purpose::clip) % 6]);
         }
     }
 }
@@ -81,11 +82,12 @@ void People::walk_rings()
         for (int i = 0; i < count; ++i) {
             const size_t who = enter(at(radii_m[ring], 0, 1, 0, 1), "walk");
             clq_clip_info walk = {};
-            const clq_template *tmpl = templates_[lot_bits(people_seed, who, Lot::group_size) % templates_.size()];
+            const clq_template *tmpl =
+                templates_[random_bits(people_seed, who, Purpose::group_size) % templates_.size()];
             check(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, "walk"), &walk));
             const double speed = stride_m / static_cast<double>(walk.duration_s);
             walkers_.push_back({who, radii_m[ring],
-                                2 * pi * (i + lot_between(people_seed, who, Lot::gap, -0.2, 0.2)) / count,
+                                2 * pi * (i + random_between(people_seed, who, Purpose::gap, -0.2, 0.2)) / count,
                                 ring % 2 == 0 ? speed : -speed});
         }
     }
@@ -97,7 +99,8 @@ void People::place(double time_s)
         const double turn = w.start_rad + time_s * w.speed_mps / w.radius_m, way = w.speed_mps < 0 ? -1 : 1;
         places_[w.who] = at(w.radius_m, turn, way * std::cos(turn), way * std::sin(turn), 1);
     }
-    check(clq_crowd_place(crowd_.get(), actors_.data(), places_.data(), static_cast<uint32_t>(actors_.size())));
+    check(
+        clq_crowd_set_transforms(crowd_.get(), actors_.data(), places_.data(), static_cast<uint32_t>(actors_.size())));
 }
 
 }  // namespace multichannel

@@ -18,7 +18,7 @@ public:
     clq_crowd *crowd() const { return crowd_.get(); }
     const std::array<clq_template *, 4> &templates() const { return templates_; }
     const std::vector<clq_actor> &actors() const { return actors_; }
-    const std::vector<clq_place> &places() const { return places_; }
+    const std::vector<clq_transform> &places() const { return places_; }
 
     void place(double time_s);  // the walkers, before clq_crowd_update
 
@@ -29,12 +29,12 @@ private:
     };
     void stand_rows();
     void walk_rings();
-    size_t enter(const clq_place &place, const char *clip);
+    size_t enter(const clq_transform &place, const char *clip);
 
     scenes::Own<clq_crowd> crowd_;
     std::array<clq_template *, 4> templates_;
     std::vector<clq_actor> actors_;
-    std::vector<clq_place> places_;
+    std::vector<clq_transform> places_;
     std::vector<Walker> walkers_;
 };
 

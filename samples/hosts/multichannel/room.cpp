@@ -34,7 +34,7 @@ void Room::show(double time_s)
     clq_view *views[view_count];
     for (size_t i = 0; i < view_count; ++i) {
         const bool all = i == Wall::columns || surfaces_ == Surfaces::spanning;
-        channels_[i]->look(wall_.camera(eye, target, all ? 0 : static_cast<int>(i), all ? Wall::columns : 1));
+        channels_[i]->set_camera(wall_.camera(eye, target, all ? 0 : static_cast<int>(i), all ? Wall::columns : 1));
         views[i] = channels_[i]->view();
     }
     scenes::check(clq_crowd_update(people_.crowd(), time_s, views, static_cast<uint32_t>(view_count)));

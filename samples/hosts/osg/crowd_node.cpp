@@ -116,7 +116,7 @@ void CrowdNode::update(osgUtil::CullVisitor &visitor, double time_s)
     for (int i = 0; i < 3; ++i) camera.eye[i] = eye[i];
     for (int i = 0; i < 4; ++i) camera.rotation_xyzw[i] = static_cast<float>(turn[i]);
     for (int i = 0; i < 16; ++i) camera.projection[i] = static_cast<float>(projection.ptr()[i]);
-    note(clq_view_look(view_, &camera));
+    note(clq_view_set_camera(view_, &camera));
     note(clq_crowd_update(crowd_, time_s, &view_, 1));
 }
 

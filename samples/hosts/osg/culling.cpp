@@ -100,7 +100,7 @@ void Marks::show_as_they_are()
     for (const osg::ref_ptr<osg::Node> &node : nodes_) node->setStateSet(nullptr);
 }
 
-osg::ref_ptr<osg::Node> pyramid_lines(const osg::Matrixd &view, const osg::Matrixd &projection, double reach_m)
+osg::ref_ptr<osg::Node> frustum_lines(const osg::Matrixd &view, const osg::Matrixd &projection, double reach_m)
 {
     const osg::Matrixd to_world = osg::Matrixd::inverse(view * projection);
     const osg::Vec3d eye = osg::Matrixd::inverse(view).getTrans();

@@ -47,7 +47,7 @@ private:
 };
 
 // The edges of a camera's pyramid as lines in the world, to reach_m away.
-osg::ref_ptr<osg::Node> pyramid_lines(const osg::Matrixd &view, const osg::Matrixd &projection, double reach_m);
+osg::ref_ptr<osg::Node> frustum_lines(const osg::Matrixd &view, const osg::Matrixd &projection, double reach_m);
 
 // The margin of a narrow pyramid as a rectangle over the picture.
 osg::ref_ptr<osg::Node> margin_lines(double share);

@@ -1,7 +1,7 @@
 // People in an OpenSceneGraph program. Writes three pictures: the town as a viewer shows it, the same with a culling pyramid
 // smaller than the picture's (S0 Fig. 10), and that pyramid from outside, with all that it left out in grey.
 #include "samples/cli/png.h"
-#include "samples/hosts/osg/excursion.h"
+#include "samples/hosts/osg/application.h"
 
 #include <cstdio>
 #include <fstream>
@@ -23,13 +23,13 @@ void write(const std::string &path, const std::vector<uint8_t> &rgb)
     if (!out.flush()) throw scenes::Failure(path + " could not be written");
 }
 
-void tell(const char *what, const Excursion &excursion)
+void tell(const char *what, const Application &application)
 {
     clq_crowd_stats stats = {};
-    scenes::check(clq_crowd_get_stats(excursion.passengers().crowd(), &stats));
+    scenes::check(clq_crowd_get_stats(application.passengers().crowd(), &stats));
     std::printf("%s: %zu of %zu pieces of scenery, %zu of %zu omnibuses, %u of %u people\n", what,
-                excursion.pieces().left_over(), excursion.pieces().count(), excursion.omnibuses().left_over(),
-                excursion.omnibuses().count(), stats.visible, stats.actor_count);
+                application.pieces().left_over(), application.pieces().count(), application.omnibuses().left_over(),
+                application.omnibuses().count(), stats.visible, stats.actor_count);
 }
 
 void run(const std::string &prefix)
@@ -38,13 +38,13 @@ void run(const std::string &prefix)
     const std::unique_ptr<contexts::Offscreen> context =
         contexts::make_offscreen(contexts::Kind::egl, width, height, contexts::PixelFormat::rgba8888, why_not);
     if (!context) throw scenes::Failure("no OpenGL context: " + why_not);
-    Excursion excursion(*context, people);
-    const Look roofs = excursion.from_the_roofs();
-    write(prefix + "view.png", excursion.picture(roofs, time_s));
-    tell("view", excursion);
-    write(prefix + "forced.png", excursion.picture(roofs, time_s, forced_share));
-    tell("forced", excursion);
-    write(prefix + "outside.png", excursion.picture_of_culling(excursion.from_outside(), time_s));
+    Application application(*context, people);
+    const Viewpoint roofs = application.from_the_roofs();
+    write(prefix + "view.png", application.picture(roofs, time_s));
+    tell("view", application);
+    write(prefix + "forced.png", application.picture(roofs, time_s, forced_share));
+    tell("forced", application);
+    write(prefix + "outside.png", application.picture_of_culling(application.from_outside(), time_s));
 }
 
 }  // namespace

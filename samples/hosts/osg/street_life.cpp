@@ -17,7 +17,7 @@ namespace
 
 using namespace scenes;
 using town::Omnibus;
-using town::Stance;
+using town::VehiclePose;
 
 constexpr Rgb paints[] = {{0.62f, 0.14f, 0.13f}, {0.14f, 0.36f, 0.27f}, {0.15f, 0.27f, 0.50f}, {0.80f, 0.52f, 0.16f}};
 constexpr float person_m = 1.75f, shadow_width_m = 0.95f;
@@ -74,7 +74,7 @@ clq_actor StreetLife::holder(size_t number) const
 void StreetLife::build_omnibuses(CrowdNode &crowd)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setRenderBinDetails(bin_of(town::Layer::stone), "RenderBin");
+    state->setRenderBinDetails(bin_of(town::SurfaceKind::stone), "RenderBin");
     state->setTextureAttributeAndModes(0, texture_of(plaster(1), true));
     std::vector<osg::ref_ptr<osg::Geometry>> bodies, wheels;
     for (const Rgb &paint : paints) {
@@ -118,7 +118,7 @@ void StreetLife::lay_shadows()
     shadows_ = new osg::Group;
     shadows_->setCullingActive(false);
     osg::StateSet *state = shadows_->getOrCreateStateSet();
-    state->setRenderBinDetails(bin_of(town::Layer::shade), "RenderBin");
+    state->setRenderBinDetails(bin_of(town::SurfaceKind::shade), "RenderBin");
     state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     state->setTextureAttributeAndModes(0, texture_of(Shadows::picture(), false));
@@ -134,12 +134,12 @@ void StreetLife::move(double time_s)
     passengers_.drive(time_s);
     Geometry under;
     for (size_t i = 0; i < moving_.size(); ++i) {
-        const Stance &stance = passengers_.stances()[i];
-        moving_[i].body->setMatrix(matrix_of(stance.matrix()));
+        const VehiclePose &pose = passengers_.poses()[i];
+        moving_[i].body->setMatrix(matrix_of(pose.matrix()));
         for (int w = 0; w < 4; ++w)
             moving_[i].wheels[w]->setMatrix(
-                matrix_of(Omnibus::wheel_matrix(stance, w < 2 ? -1 : 1, w % 2 == 0 ? -1 : 1)));
-        Omnibus::shade(under, stance, town::Town::light().to_sun);
+                matrix_of(Omnibus::wheel_matrix(pose, w < 2 ? -1 : 1, w % 2 == 0 ? -1 : 1)));
+        Omnibus::shade(under, pose, town::Town::light().to_sun);
     }
     shadows_->removeChildren(0, shadows_->getNumChildren());
     shadows_->addChild(geometry_of(cast_.people()));

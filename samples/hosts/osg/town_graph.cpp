@@ -68,12 +68,12 @@ osg::ref_ptr<osg::Node> sky_of(const Clouds &sky)
     return around;
 }
 
-osg::ref_ptr<osg::StateSet> state_of(const Town &town, Layer layer)
+osg::ref_ptr<osg::StateSet> state_of(const Town &town, SurfaceKind layer)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setRenderBinDetails(bin_of(layer), "RenderBin");
-    if (layer != Layer::shade) {
-        state->setTextureAttributeAndModes(0, texture_of(town.picture(layer), layer != Layer::facades));
+    if (layer != SurfaceKind::shade) {
+        state->setTextureAttributeAndModes(0, texture_of(town.picture(layer), layer != SurfaceKind::facades));
         return state;
     }
     state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
@@ -83,7 +83,7 @@ osg::ref_ptr<osg::StateSet> state_of(const Town &town, Layer layer)
     return state;
 }
 
-using States = std::array<osg::ref_ptr<osg::StateSet>, layer_count>;
+using States = std::array<osg::ref_ptr<osg::StateSet>, surface_kind_count>;
 
 osg::ref_ptr<osg::Node> node_of(const Pieces &pieces, const Piece &piece, const States &states)
 {
@@ -93,7 +93,7 @@ osg::ref_ptr<osg::Node> node_of(const Pieces &pieces, const Piece &piece, const 
     for (const Span &span : piece.spans) {
         osg::ref_ptr<osg::Geometry> shape = geometry_of(pieces.on(span.layer), span.first, span.count);
         shape->setStateSet(states[static_cast<size_t>(span.layer)]);
-        if (span.seen == Seen::always) {
+        if (span.seen == Visibility::always) {
             group->addChild(shape);
             continue;
         }
@@ -104,7 +104,7 @@ osg::ref_ptr<osg::Node> node_of(const Pieces &pieces, const Piece &piece, const 
             lod->setRadius(piece.sphere.radius);
             group->addChild(lod);
         }
-        if (span.seen == Seen::near) lod->addChild(shape, 0, near);
+        if (span.seen == Visibility::near) lod->addChild(shape, 0, near);
         else lod->addChild(shape, near, far_away_m);
     }
     return group;
@@ -112,13 +112,13 @@ osg::ref_ptr<osg::Node> node_of(const Pieces &pieces, const Piece &piece, const 
 
 }  // namespace
 
-int bin_of(Layer layer) { return layer == Layer::leaves ? people_bin + 1 : static_cast<int>(layer); }
+int bin_of(SurfaceKind layer) { return layer == SurfaceKind::leaves ? people_bin + 1 : static_cast<int>(layer); }
 
 TownGraph graph_of(const Town &town)
 {
     TownGraph graph;
     States states;
-    for (size_t i = 0; i < layer_count; ++i) states[i] = state_of(town, static_cast<Layer>(i));
+    for (size_t i = 0; i < surface_kind_count; ++i) states[i] = state_of(town, static_cast<SurfaceKind>(i));
     graph.root = new osg::Group;
     graph.root->addChild(sky_of(town.sky()));
     for (const Piece &piece : town.pieces().all()) {

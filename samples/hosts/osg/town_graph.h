@@ -23,6 +23,6 @@ void light(osg::Group &root);
 
 // In the order of scenes::town::Layer; people come between tiles and leaves.
 constexpr int people_bin = 9;
-int bin_of(scenes::town::Layer layer);
+int bin_of(scenes::town::SurfaceKind layer);
 
 }  // namespace osg_host

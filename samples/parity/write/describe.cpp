@@ -25,33 +25,35 @@ std::string version()
 
 }  // namespace
 
-Json described(const char *kind, const scenes::Stage &stage, const Moment &moment, const Shown &shown)
+Json described(const char *kind, const scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time,
+               const DrawnActors &drawn_actors)
 {
     Json out = {{"format", "claque-parity"},
                 {"version", format_version},
                 {"kind", kind},
-                {"renderer", "claque " + version() + ", CPU; " + stage.context_name()},
-                {"scene", moment.scene},
-                {"width", moment.width},
-                {"height", moment.height},
-                {"time_s", moment.time_s},
+                {"renderer", "claque " + version() + ", CPU; " + scene_renderer.context_name()},
+                {"scene", capture_time.scene},
+                {"width", capture_time.width},
+                {"height", capture_time.height},
+                {"time_s", capture_time.time_s},
                 {"units", {{"length", "m"}, {"time", "s"}, {"angle", "rad"}, {"colour", "8 bits, no gamma"}}}};
-    shown.describe(out);
-    const scenes::Eye &eye = stage.eye();
+    drawn_actors.describe(out);
+    const scenes::Eye &eye = scene_renderer.eye();
     out["projection"] = rows_of(eye.projection, 4);
     out["camera"] = {{"eye_m", eye.position}, {"world_to_eye", rows_of(eye.rotation, 3)}};
     return out;
 }
 
-void write_individuals(const Folder &folder, const Shown &shown, const Skinned &skinned)
+void write_individuals(const Folder &folder, const DrawnActors &drawn_actors, const Skinned &skinned)
 {
-    shown.write_actors(folder);
+    drawn_actors.write_actors(folder);
     folder.array("sizes.npy", skinned.sizes, {skinned.sizes.size()});
     std::vector<float> places;
-    for (const Individual &who : shown.individuals())
+    for (const Individual &who : drawn_actors.individuals())
         for (size_t row = 0; row < 4; ++row)
-            for (size_t column = 0; column < 4; ++column) places.push_back(who.shown.model_view[4 * column + row]);
-    folder.array("model_view.npy", places, {shown.individuals().size(), 4, 4});
+            for (size_t column = 0; column < 4; ++column)
+                places.push_back(who.drawn_actors.model_view[4 * column + row]);
+    folder.array("model_view.npy", places, {drawn_actors.individuals().size(), 4, 4});
 }
 
 void write_json(const Folder &folder, const Json &json)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "samples/contexts/offscreen.h"
-#include "samples/parity/write/shown.h"
+#include "samples/parity/write/drawn_actors.h"
 
 namespace parity
 {

@@ -35,7 +35,7 @@ struct More {
 class Painter
 {
 public:
-    Painter(const contexts::Offscreen &context, const Shown &shown, const Skinned &skinned);
+    Painter(const contexts::Offscreen &context, const DrawnActors &drawn_actors, const Skinned &skinned);
     ~Painter();
     Painter(const Painter &) = delete;
     Painter &operator=(const Painter &) = delete;
@@ -57,13 +57,13 @@ private:
 
     scenes::Gl gl_;
     More more_{};
-    const Shown &shown_;
+    const DrawnActors &shown_;
     const Skinned &skinned_;
     std::map<Key, Names> textures_;
 };
 
-Painter::Painter(const contexts::Offscreen &context, const Shown &shown, const Skinned &skinned)
-    : shown_(shown), skinned_(skinned)
+Painter::Painter(const contexts::Offscreen &context, const DrawnActors &drawn_actors, const Skinned &skinned)
+    : shown_(drawn_actors), skinned_(skinned)
 {
     std::string missing;
     const auto find = [&](const char *name, auto &function) {
@@ -112,7 +112,7 @@ unsigned Painter::upload(unsigned format, const std::vector<uint8_t> &texels, ui
 
 Painter::Names Painter::textures_of(const Individual &who, uint32_t texture)
 {
-    const Key key = {who.shown.tmpl, texture, shown_.meshes()[who.mesh].texture_set};
+    const Key key = {who.drawn_actors.tmpl, texture, shown_.meshes()[who.mesh].texture_set};
     Names &names = textures_[key];
     if (names.zones) return names;
     const Texels texels(std::get<0>(key), std::get<1>(key), std::get<2>(key));
@@ -151,17 +151,17 @@ void Painter::begin(What what, const float projection[16])
 void Painter::draw(What what, const Individual &who)
 {
     clq_mesh mesh = {};
-    check(clq_template_get_mesh(who.shown.tmpl, who.shown.level, &mesh));
-    gl_.LoadMatrixf(who.shown.model_view);
+    check(clq_template_get_mesh(who.drawn_actors.tmpl, who.drawn_actors.level, &mesh));
+    gl_.LoadMatrixf(who.drawn_actors.model_view);
     gl_.VertexPointer(3, gl::float_type, 0, skinned_.positions.data() + 3 * static_cast<size_t>(who.first_vertex));
     gl_.TexCoordPointer(2, gl::float_type, 0, mesh.uvs);
-    more_.FrontFace(who.shown.mirrored ? clockwise : counter_clockwise);
-    const uint32_t id = who.shown.actor.index1;
+    more_.FrontFace(who.drawn_actors.mirrored ? clockwise : counter_clockwise);
+    const uint32_t id = who.drawn_actors.actor.index1;
     more_.Color3ub(static_cast<uint8_t>(id & 255), static_cast<uint8_t>(id >> 8 & 255),
                    static_cast<uint8_t>(id >> 16 & 255));
     for (uint32_t bin = 0; bin < mesh.bin_count; ++bin) {
         clq_triangles triangles = {};
-        check(clq_template_get_triangles(who.shown.tmpl, who.shown.level, bin, &triangles));
+        check(clq_template_get_triangles(who.drawn_actors.tmpl, who.drawn_actors.level, bin, &triangles));
         const Names names = textures_of(who, triangles.texture);
         gl_.BindTexture(gl::texture_2d, what == What::zone ? names.zones : names.holes);
         triangles.double_sided ? gl_.Disable(gl::cull_face) : gl_.Enable(gl::cull_face);
@@ -180,10 +180,10 @@ void Painter::paint(What what, const float projection[16])
 
 }  // namespace
 
-IdPictures id_pictures(const contexts::Offscreen &context, const Shown &shown, const Skinned &skinned,
+IdPictures id_pictures(const contexts::Offscreen &context, const DrawnActors &drawn_actors, const Skinned &skinned,
                        const float projection[16])
 {
-    Painter painter(context, shown, skinned);
+    Painter painter(context, drawn_actors, skinned);
     IdPictures out;
     std::vector<uint8_t> rgb;
     painter.paint(Painter::What::actor, projection);

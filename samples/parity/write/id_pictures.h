@@ -3,7 +3,7 @@
 #pragma once
 
 #include "samples/contexts/offscreen.h"
-#include "samples/parity/write/shown.h"
+#include "samples/parity/write/drawn_actors.h"
 
 namespace parity
 {
@@ -15,7 +15,7 @@ struct IdPictures {
 
 // The context must be current, of at least 8 bits a channel; OpenGL keeps its state but for the picture and the
 // matrices. Throws scenes::Failure.
-IdPictures id_pictures(const contexts::Offscreen &context, const Shown &shown, const Skinned &skinned,
+IdPictures id_pictures(const contexts::Offscreen &context, const DrawnActors &drawn_actors, const Skinned &skinned,
                        const float projection[16]);
 
 }  // namespace parity

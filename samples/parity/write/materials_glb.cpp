@@ -36,14 +36,14 @@ Materials::Image Materials::image(const clq_template *tmpl, uint32_t texture, ui
 
 size_t Materials::material(const clq_template *tmpl, const clq_triangles &triangles, uint32_t texture_set)
 {
-    const Image shown = image(tmpl, triangles.texture, texture_set);
-    const auto [known, is_new] = materials_.try_emplace({shown.texture, triangles.double_sided}, 0);
+    const Image drawn_actors = image(tmpl, triangles.texture, texture_set);
+    const auto [known, is_new] = materials_.try_emplace({drawn_actors.texture, triangles.double_sided}, 0);
     if (!is_new) return known->second;
     Glb::Json made = {
         {"pbrMetallicRoughness",
-         {{"baseColorTexture", {{"index", shown.texture}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
+         {{"baseColorTexture", {{"index", drawn_actors.texture}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
         {"doubleSided", triangles.double_sided != 0}};
-    if (shown.holes) made["alphaMode"] = "MASK", made["alphaCutoff"] = least_key;
+    if (drawn_actors.holes) made["alphaMode"] = "MASK", made["alphaCutoff"] = least_key;
     glb_.json["materials"].push_back(made);
     return known->second = glb_.json["materials"].size() - 1;
 }

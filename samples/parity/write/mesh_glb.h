@@ -1,8 +1,8 @@
 // One mesh of a template as glTF has it.
 #pragma once
 
+#include "samples/parity/write/drawn_actors.h"
 #include "samples/parity/write/glb.h"
-#include "samples/parity/write/shown.h"
 
 #include <map>
 #include <tuple>

@@ -4,43 +4,45 @@
 namespace parity
 {
 
-clq_draw_stats draw_alone(scenes::Stage &stage)
+clq_draw_stats draw_alone(scenes::SceneRenderer &scene_renderer)
 {
-    stage.draw_setting();
-    stage.gl().DepthMask(1);
-    stage.gl().ClearColor(0, 0, 0, 1);
-    stage.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
-    return stage.draw_crowd();
+    scene_renderer.draw_environment();
+    scene_renderer.gl().DepthMask(1);
+    scene_renderer.gl().ClearColor(0, 0, 0, 1);
+    scene_renderer.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
+    return scene_renderer.draw_crowd();
 }
 
-size_t write_result(scenes::Stage &stage, const Moment &moment, const std::string &folder_path)
+size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time,
+                    const std::string &folder_path)
 {
     const Folder folder(folder_path);
     folder.clear();
-    stage.update(moment.time_s);
-    const clq_draw_stats drawn = draw_alone(stage);
-    const size_t height = static_cast<size_t>(moment.height), width = static_cast<size_t>(moment.width);
-    folder.array("colour.npy", stage.read(), {height, width, 3});
+    scene_renderer.update(capture_time.time_s);
+    const clq_draw_stats drawn = draw_alone(scene_renderer);
+    const size_t height = static_cast<size_t>(capture_time.height), width = static_cast<size_t>(capture_time.width);
+    folder.array("colour.npy", scene_renderer.read(), {height, width, 3});
     std::vector<float> depth;
-    stage.offscreen().read_depth(depth);
+    scene_renderer.offscreen().read_depth(depth);
     folder.array("depth.npy", depth, {height, width});
 
-    const Shown shown(stage.view());
-    const Skinned skinned(shown);
-    write_individuals(folder, shown, skinned);
-    folder.array("positions.npy", skinned.positions, {shown.vertices(), 3});
-    folder.array("normals.npy", skinned.normals, {shown.vertices(), 3});
-    const IdPictures ids = id_pictures(stage.offscreen(), shown, skinned, stage.eye().projection);
+    const DrawnActors drawn_actors(scene_renderer.view());
+    const Skinned skinned(drawn_actors);
+    write_individuals(folder, drawn_actors, skinned);
+    folder.array("positions.npy", skinned.positions, {drawn_actors.vertices(), 3});
+    folder.array("normals.npy", skinned.normals, {drawn_actors.vertices(), 3});
+    const IdPictures ids =
+        id_pictures(scene_renderer.offscreen(), drawn_actors, skinned, scene_renderer.eye().projection);
     folder.array("actor.npy", ids.actor, {height, width});
     folder.array("zone.npy", ids.zone, {height, width});
 
-    Json json = described("result", stage, moment, shown);
+    Json json = described("result", scene_renderer, capture_time, drawn_actors);
     json["draws"] = {{"individuals", drawn.individuals},
                      {"calls", drawn.draws},
                      {"triangles", drawn.triangles},
                      {"vertices", drawn.vertices}};
     write_json(folder, json);
-    return shown.individuals().size();
+    return drawn_actors.individuals().size();
 }
 
 }  // namespace parity

@@ -14,15 +14,16 @@ namespace
 {
 
 struct Poses {
-    explicit Poses(const Shown &shown) : palettes(12 * shown.palette_rows()), weights(shown.morph_weights())
+    explicit Poses(const DrawnActors &drawn_actors)
+        : palettes(12 * drawn_actors.palette_rows()), weights(drawn_actors.morph_weights())
     {
         std::vector<float> columns;
-        for (const Individual &who : shown.individuals()) {
-            columns.resize(12 * static_cast<size_t>(who.shown.joint_count));
-            check(clq_view_get_pose(shown.view(), who.place, columns.data(), who.shown.joint_count,
-                                    weights.data() + who.first_weight, who.shown.morph_weight_count));
+        for (const Individual &who : drawn_actors.individuals()) {
+            columns.resize(12 * static_cast<size_t>(who.drawn_actors.joint_count));
+            check(clq_view_get_pose(drawn_actors.view(), who.place, columns.data(), who.drawn_actors.joint_count,
+                                    weights.data() + who.first_weight, who.drawn_actors.morph_weight_count));
             float *rows = palettes.data() + 12 * static_cast<size_t>(who.first_palette);
-            for (size_t joint = 0; joint < who.shown.joint_count; ++joint)
+            for (size_t joint = 0; joint < who.drawn_actors.joint_count; ++joint)
                 for (size_t row = 0; row < 3; ++row)
                     for (size_t column = 0; column < 4; ++column)
                         rows[12 * joint + 4 * row + column] = columns[12 * joint + 3 * column + row];
@@ -32,14 +33,14 @@ struct Poses {
 };
 
 // S2 2.2: a row an individual, a column a key.
-void write_atlas(const Folder &folder, const Shown &shown)
+void write_atlas(const Folder &folder, const DrawnActors &drawn_actors)
 {
-    const size_t count = shown.individuals().size(), plates = (count + atlas_rows - 1) / atlas_rows;
+    const size_t count = drawn_actors.individuals().size(), plates = (count + atlas_rows - 1) / atlas_rows;
     std::vector<uint8_t> atlas(plates * atlas_rows * atlas_columns * 3), rgb;
     for (size_t i = 0; i < count; ++i) {
-        const Individual &who = shown.individuals()[i];
-        rgb.resize(3 * static_cast<size_t>(who.shown.zone_count));
-        check(clq_view_get_colours(shown.view(), who.place, rgb.data(), who.shown.zone_count));
+        const Individual &who = drawn_actors.individuals()[i];
+        rgb.resize(3 * static_cast<size_t>(who.drawn_actors.zone_count));
+        check(clq_view_get_colours(drawn_actors.view(), who.place, rgb.data(), who.drawn_actors.zone_count));
         const size_t most = 3 * (atlas_columns - 1);  // zones beyond that no texture can name
         std::copy_n(rgb.begin(), std::min(rgb.size(), most),
                     atlas.begin() + static_cast<std::ptrdiff_t>(3 * (i * atlas_columns + 1)));
@@ -49,30 +50,31 @@ void write_atlas(const Folder &folder, const Shown &shown)
 
 }  // namespace
 
-size_t write_scene(scenes::Stage &stage, const Moment &moment, const std::string &folder_path)
+size_t write_scene(scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time,
+                   const std::string &folder_path)
 {
     const Folder folder(folder_path);
     folder.clear();
-    stage.update(moment.time_s);
-    stage.draw_setting();
-    const Shown shown(stage.view());
-    const Skinned skinned(shown);
-    const Poses poses(shown);
-    write_individuals(folder, shown, skinned);
-    write_atlas(folder, shown);
-    folder.array("palettes.npy", poses.palettes, {shown.palette_rows(), 3, 4});
+    scene_renderer.update(capture_time.time_s);
+    scene_renderer.draw_environment();
+    const DrawnActors drawn_actors(scene_renderer.view());
+    const Skinned skinned(drawn_actors);
+    const Poses poses(drawn_actors);
+    write_individuals(folder, drawn_actors, skinned);
+    write_atlas(folder, drawn_actors);
+    folder.array("palettes.npy", poses.palettes, {drawn_actors.palette_rows(), 3, 4});
     folder.array("morph_weights.npy", poses.weights, {poses.weights.size()});
-    const std::string glb = scene_glb(shown, poses.palettes, stage.eye().projection);
+    const std::string glb = scene_glb(drawn_actors, poses.palettes, scene_renderer.eye().projection);
     folder.write("scene.glb", glb.data(), glb.size());
 
-    Json json = described("scene", stage, moment, shown);
-    json["palette_rows"] = shown.palette_rows();
+    Json json = described("scene", scene_renderer, capture_time, drawn_actors);
+    json["palette_rows"] = drawn_actors.palette_rows();
     json["morph_weights"] = poses.weights.size();
-    for (size_t i = 0; i < shown.meshes().size(); ++i) json["meshes"][i]["mesh"] = i;
-    json["lighting"] = lighting_of(stage.offscreen());
-    json["fog"] = fog_of(stage.offscreen());
+    for (size_t i = 0; i < drawn_actors.meshes().size(); ++i) json["meshes"][i]["mesh"] = i;
+    json["lighting"] = lighting_of(scene_renderer.offscreen());
+    json["fog"] = fog_of(scene_renderer.offscreen());
     write_json(folder, json);
-    return shown.individuals().size();
+    return drawn_actors.individuals().size();
 }
 
 }  // namespace parity

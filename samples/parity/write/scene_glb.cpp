@@ -29,12 +29,12 @@ Json matrix_of_rows(const float *rows)
 void stand(Json &json, const Individual &who, const float *palette, size_t mesh, const std::string &name)
 {
     Json joints = Json::array();
-    for (uint32_t joint = 0; joint < who.shown.joint_count; ++joint) {
+    for (uint32_t joint = 0; joint < who.drawn_actors.joint_count; ++joint) {
         json["nodes"].push_back({{"matrix", matrix_of_rows(palette + 12 * static_cast<size_t>(joint))}});
         joints.push_back(json["nodes"].size() - 1);
     }
     json["skins"].push_back({{"joints", joints}});
-    json["nodes"].push_back({{"name", name}, {"matrix", who.shown.model_view}, {"children", joints}});
+    json["nodes"].push_back({{"name", name}, {"matrix", who.drawn_actors.model_view}, {"children", joints}});
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
     json["nodes"].push_back({{"name", name + ", mesh"}, {"mesh", mesh}, {"skin", json["skins"].size() - 1}});
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
@@ -58,7 +58,7 @@ void add_camera(Json &json, const float *p)
 
 }  // namespace
 
-std::string scene_glb(const Shown &shown, const std::vector<float> &palettes, const float projection[16])
+std::string scene_glb(const DrawnActors &drawn_actors, const std::vector<float> &palettes, const float projection[16])
 {
     Glb glb;
     Json &json = glb.json;
@@ -67,8 +67,8 @@ std::string scene_glb(const Shown &shown, const std::vector<float> &palettes, co
     json["scenes"] = Json::array({{{"nodes", Json::array()}}});
     Materials materials(glb);
     std::map<std::pair<uint32_t, uint32_t>, Json> shapes;  // by template and level
-    for (const MeshName &name : shown.meshes()) {
-        const clq_template *tmpl = shown.templates()[name.tmpl];
+    for (const MeshName &name : drawn_actors.meshes()) {
+        const clq_template *tmpl = drawn_actors.templates()[name.tmpl];
         const auto [known, is_new] = shapes.try_emplace({name.tmpl, name.level});
         if (is_new) known->second = mesh_json(glb, tmpl, name.level);
         Json mesh = known->second;
@@ -78,8 +78,8 @@ std::string scene_glb(const Shown &shown, const std::vector<float> &palettes, co
         mesh["name"] = std::string(info.name) + ", level " + std::to_string(name.level);
         json["meshes"].push_back(mesh);
     }
-    std::vector<bool> stands(shown.meshes().size(), false);
-    for (const Individual &who : shown.individuals()) {
+    std::vector<bool> stands(drawn_actors.meshes().size(), false);
+    for (const Individual &who : drawn_actors.individuals()) {
         if (stands[who.mesh]) continue;
         stands[who.mesh] = true;
         stand(json, who, palettes.data() + 12 * static_cast<size_t>(who.first_palette), who.mesh,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <claque/claque.h>
+#include <claque/drawn_actor.h>
 #include <claque/mesh.h>
-#include <claque/shown.h>
 
 #include <cstdint>
 #include <vector>

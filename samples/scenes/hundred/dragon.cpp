@@ -16,20 +16,20 @@ bool lives_at(uint32_t node, float distance_m)
 }
 
 // A node's piece and those of the nodes below it that have ended: geometry that takes over.
-void gather(Clay &into, uint32_t node, float distance_m, Fineness fineness)
+void gather(PieceMesh &into, uint32_t node, float distance_m, Detail detail)
 {
-    const Clay own = piece_of(node, fineness);
+    const PieceMesh own = piece_of(node, detail);
     into.positions.insert(into.positions.end(), own.positions.begin(), own.positions.end());
     into.uvs.insert(into.uvs.end(), own.uvs.begin(), own.uvs.end());
     for (uint32_t child = node + 1; child < bone_count; ++child)
         if (skeleton()[child].parent == static_cast<int>(node) && !lives_at(child, distance_m))
-            gather(into, child, distance_m, fineness);
+            gather(into, child, distance_m, detail);
 }
 
 struct Piece {
     uint32_t node;
     float first_m, last_m;
-    Clay clay;  // in the node's own frame
+    PieceMesh mesh;  // in the node's own frame
 };
 
 std::vector<Piece> pieces()
@@ -40,10 +40,10 @@ std::vector<Piece> pieces()
         for (uint32_t node = 0; node < bone_count; ++node) {
             if (!lives_at(node, from[level])) continue;
             Piece piece = {node, from[level], to[level], {}};
-            gather(piece.clay, node, from[level], static_cast<Fineness>(level));
+            gather(piece.mesh, node, from[level], static_cast<Detail>(level));
             const Point at = joint(node);
             const float origin[3] = {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)};
-            for (size_t i = 0; i < piece.clay.positions.size(); ++i) piece.clay.positions[i] -= origin[i % 3];
+            for (size_t i = 0; i < piece.mesh.positions.size(); ++i) piece.mesh.positions[i] -= origin[i % 3];
             out.push_back(std::move(piece));
         }
     return out;
@@ -76,11 +76,11 @@ std::vector<clq_part_def> parts_of(const std::vector<Piece> &pieces)
         clq_part_def def = {};
         def.name = skeleton()[piece.node].name;
         def.node = piece.node;
-        def.vertex_count = static_cast<uint32_t>(piece.clay.positions.size() / 3);
-        def.positions = piece.clay.positions.data();
-        def.uvs = piece.clay.uvs.data();
-        def.lod_first_m = piece.first_m;
-        def.lod_last_m = piece.last_m;
+        def.vertex_count = static_cast<uint32_t>(piece.mesh.positions.size() / 3);
+        def.positions = piece.mesh.positions.data();
+        def.uvs = piece.mesh.uvs.data();
+        def.lod_min_m = piece.first_m;
+        def.lod_max_m = piece.last_m;
         out.push_back(def);
     }
     return out;

@@ -160,8 +160,8 @@ std::array<clq_dof_def, dof_count> dofs()
         dof.axis[0] = from.what == 'p' ? -1.0f : 0.0f;
         dof.axis[1] = from.what == 'y' ? 1.0f : 0.0f;
         dof.axis[2] = from.what == 'r' || from.what == 't' ? 1.0f : 0.0f;
-        dof.first = from.first;
-        dof.last = from.last;
+        dof.min = from.first;
+        dof.max = from.last;
     }
     return out;
 }

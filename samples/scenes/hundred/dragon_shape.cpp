@@ -32,25 +32,25 @@ constexpr Segment body[] = {
     {tail10, fin, 0.085, 0.05},
 };
 
-void add_segment(Clay &clay, const Segment &s, Fineness fineness)
+void add_segment(PieceMesh &mesh, const Segment &s, Detail detail)
 {
     constexpr int side_counts[] = {12, 8, 5};
-    const int sides = side_counts[static_cast<int>(fineness)];
-    const int under = fineness == Fineness::fine ? 4 : fineness == Fineness::middle ? 2 : 1;
+    const int sides = side_counts[static_cast<int>(detail)];
+    const int under = detail == Detail::fine ? 4 : detail == Detail::middle ? 2 : 1;
     const Point from = joint(s.node), way = joint(s.next) - from, along = unit(way);
     // The heart reaches back to the loin.
     const Point start = s.node == heart ? joint(loin) : from - along * (0.22 * s.first);
     const double first = s.node == heart ? 0.58 : 0.95 * s.first;
     const Point end = from + way;
-    if (fineness == Fineness::coarse)
-        clay.loft({{start, first, first}, {end, s.last, s.last}}, sides, lacquer, belly, under);
+    if (detail == Detail::coarse)
+        mesh.loft({{start, first, first}, {end, s.last, s.last}}, sides, lacquer, belly, under);
     else {
         const double rim = 1.09 * s.last;
-        clay.loft({{start, first, first},
+        mesh.loft({{start, first, first},
                    {from + way * 0.42, 0.5 * (s.first + s.last), 0.52 * (s.first + s.last)},
                    {end - along * 0.07, rim, rim}},
                   sides, lacquer, belly, under);
-        clay.loft({{end - along * 0.09, rim * 1.02, rim * 1.02}, {end, rim * 1.0, rim * 1.0}}, sides, gold, gold,
+        mesh.loft({{end - along * 0.09, rim * 1.02, rim * 1.02}, {end, rim * 1.0, rim * 1.0}}, sides, gold, gold,
                   under);
     }
     // A flame on the back, leaning to the tail.
@@ -60,18 +60,18 @@ void add_segment(Clay &clay, const Segment &s, Fineness fineness)
     const Point fore = from + way * (ahead ? 0.80 : 0.12) + up * top,
                 rear = from + way * (ahead ? 0.12 : 0.80) + up * top;
     const Point back = along * (ahead ? -1.0 : 1.0);
-    clay.blade(mane, fore, rear, rear + up * high + back * (0.4 * high), 0.05 + 0.08 * s.first);
+    mesh.blade(mane, fore, rear, rear + up * high + back * (0.4 * high), 0.05 + 0.08 * s.first);
 }
 
-void add_fin(Clay &clay, Fineness fineness)
+void add_fin(PieceMesh &mesh, Detail detail)
 {
     const Point root = joint(fin) + Point{0, 0, 0.12};
-    const int rays = fineness == Fineness::fine ? 7 : fineness == Fineness::middle ? 5 : 3;
+    const int rays = detail == Detail::fine ? 7 : detail == Detail::middle ? 5 : 3;
     for (int k = 0; k < rays; ++k) {
         const double turn = -0.9 + 1.8 * k / (rays - 1), reach = 1.05 - 0.35 * turn * turn + (k % 2 ? 0.12 : 0);
         const Point tip = root + Point{0, 0.15 + 0.85 * turn, -1 + 0.25 * turn * turn} * reach;
         const Point foot = Point{0, 0.20, -0.05 + 0.10 * turn};
-        clay.blade(mane, root - foot * 0.5, root + foot, tip, 0.06);
+        mesh.blade(mane, root - foot * 0.5, root + foot, tip, 0.06);
     }
 }
 
@@ -83,15 +83,15 @@ Point joint(uint32_t node)
     return {bone.x, bone.y, bone.z};
 }
 
-Clay piece_of(uint32_t node, Fineness fineness)
+PieceMesh piece_of(uint32_t node, Detail detail)
 {
-    Clay clay;
+    PieceMesh mesh;
     for (const Segment &segment : body)
-        if (segment.node == node) add_segment(clay, segment, fineness);
-    if (node == fin) add_fin(clay, fineness);
-    if (node >= legs) add_leg_piece(clay, node, fineness);
-    if (node >= head && node <= ear_r) add_head_piece(clay, node, fineness);
-    return clay;
+        if (segment.node == node) add_segment(mesh, segment, detail);
+    if (node == fin) add_fin(mesh, detail);
+    if (node >= legs) add_leg_piece(mesh, node, detail);
+    if (node >= head && node <= ear_r) add_head_piece(mesh, node, detail);
+    return mesh;
 }
 
 }  // namespace scenes::hundred

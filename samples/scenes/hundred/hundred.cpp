@@ -1,14 +1,14 @@
 // The scene `hundred_actors` of S0 6.1: a hundred dragons over a lake, who are to the camera's frustum as its Table 2 says,
 // each as its Table 3 says. What the library counts there stands beside the paper's cost model.
-#include "samples/scenes/cast.h"
 #include "samples/scenes/hundred/dragon.h"
+#include "samples/scenes/hundred/dragon_mechanisms.h"
+#include "samples/scenes/hundred/dragon_paths.h"
 #include "samples/scenes/hundred/lake.h"
-#include "samples/scenes/hundred/manners.h"
 #include "samples/scenes/hundred/paint.h"
-#include "samples/scenes/hundred/ways.h"
 #include "samples/scenes/light.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/scene_crowd.h"
 #include "samples/scenes/sky.h"
 
 namespace scenes
@@ -20,59 +20,59 @@ constexpr Daylight morning = {
     {0.45f, 0.62f, 0.64f}, {0.78f, 0.72f, 0.62f}, {0.38f, 0.40f, 0.44f}, {0.14f, 0.17f, 0.18f}};
 constexpr uint32_t actors_of_table_2 = 100;
 
-const Casting &checked(const Casting &casting)
+const CrowdOptions &checked(const CrowdOptions &crowd_options)
 {
-    if (casting.count != actors_of_table_2)
-        throw Failure("hundred_actors has the 100 actors of S0's Table 2, and " + std::to_string(casting.count) +
+    if (crowd_options.count != actors_of_table_2)
+        throw Failure("hundred_actors has the 100 actors of S0's Table 2, and " + std::to_string(crowd_options.count) +
                       " were asked for; parade has as many as you like");
-    return casting;
+    return crowd_options;
 }
 
 class Hundred final : public Scene
 {
 public:
-    Hundred(Library &library, const Casting &casting)
-        : cast_(library, checked(casting)),
+    Hundred(Library &library, const CrowdOptions &crowd_options)
+        : scene_crowd_(library, checked(crowd_options)),
           dragon_(hundred::make_dragon(library)),
           spheres_(hundred::spheres_of(library.context(), dragon_.get())),
-          spots_(hundred::find_places(spheres_, casting.seed)),
-          sky_(casting.seed, Sky::Land::hills)
+          spots_(hundred::find_spots(spheres_, crowd_options.seed)),
+          sky_(crowd_options.seed, Sky::Land::hills)
     {
-        for (uint64_t who = 0; who < spots_.size(); ++who) enter(casting.seed, who);
-        const hundred::Ways ways(crowd());
-        const hundred::Manners manners(crowd(), dragon_.get());
+        for (uint64_t who = 0; who < spots_.size(); ++who) enter(crowd_options.seed, who);
+        const hundred::DragonPaths ways(crowd());
+        const hundred::DragonMechanisms manners(crowd(), dragon_.get());
         for (uint64_t who = 0; who < spots_.size(); ++who) {
-            const clq_actor actor = cast_.actors()[who];
-            ways.send(actor, spots_[who].way, casting.seed * actors_of_table_2 + who);
-            manners.teach(actor, casting.seed * actors_of_table_2 + who);
+            const clq_actor actor = scene_crowd_.actors()[who];
+            ways.send(actor, spots_[who].way, crowd_options.seed * actors_of_table_2 + who);
+            manners.attach(actor, crowd_options.seed * actors_of_table_2 + who);
         }
-        hundred::fill_lake(water_, rocks_, spots_, spheres_, casting.seed);
+        hundred::fill_lake(water_, rocks_, spots_, spheres_, crowd_options.seed);
         hundred::draw_plan(plan_, spots_, spheres_);
     }
 
-    clq_crowd *crowd() const override { return cast_.crowd(); }
-    std::vector<clq_actor> actors() const override { return cast_.actors(); }
+    clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
+    std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
     std::vector<clq_template *> templates() const override { return {dragon_.get()}; }
 
     // overview: that of Table 2. close: from outside, on its frustum and who is where in it.
     clq_camera camera(Shot shot, double aspect, double) const override
     {
         if (shot == Shot::close) return look({-40, 170, 95}, {0, 8, -72}, 52, aspect, 2, 6000);
-        return hundred::Pyramid::camera(aspect);
+        return hundred::Frustum::camera(aspect);
     }
 
     void place(double) override {}
     void prepare(const Gl &) override {}
 
-    void draw_setting(const Gl &g, const Eye &eye) const override
+    void draw_environment(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
-        shine(g, morning, eye);
+        set_lights(g, morning, eye);
         g.Disable(gl::texture_2d);
         g.Enable(gl::cull_face);
         water_.draw(g);
         rocks_.draw(g);
-        const hundred::Point own = hundred::Pyramid::eye();
+        const hundred::Point own = hundred::Frustum::eye();
         if (eye.position[0] == own.x && eye.position[1] == own.y && eye.position[2] == own.z) return;
         g.Disable(gl::cull_face);
         g.Disable(gl::lighting);
@@ -88,13 +88,13 @@ private:
     void enter(uint64_t seed, uint64_t who)
     {
         clq_play play = {};
-        play.speed = static_cast<float>(lot_between(seed, who, Lot::speed, 0.85, 1.15));
-        play.phase_s = static_cast<float>(lot_between(seed, who, Lot::phase, 0, 60));
-        const uint32_t house = static_cast<uint32_t>(lot(seed, who, Lot::tone) * hundred::house_count);
-        cast_.enter({dragon_.get(), spots_[who].place, play}, who, hundred::dyes_of(house));
+        play.speed = static_cast<float>(random_between(seed, who, Purpose::speed, 0.85, 1.15));
+        play.phase_s = static_cast<float>(random_between(seed, who, Purpose::phase, 0, 60));
+        const uint32_t house = static_cast<uint32_t>(random_unit(seed, who, Purpose::tone) * hundred::house_count);
+        scene_crowd_.enter({dragon_.get(), spots_[who].place, play}, who, hundred::palette_of(house));
     }
 
-    Cast cast_;
+    SceneCrowd scene_crowd_;
     Own<clq_template> dragon_;
     hundred::Spheres spheres_;
     std::vector<hundred::Spot> spots_;
@@ -104,9 +104,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_hundred_actors(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_hundred_actors(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Hundred>(library, casting);
+    return std::make_unique<Hundred>(library, crowd_options);
 }
 
 }  // namespace scenes

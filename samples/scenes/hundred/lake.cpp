@@ -1,7 +1,7 @@
 #include "samples/scenes/hundred/lake.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <cmath>
 
@@ -59,11 +59,12 @@ void add_rock(Geometry &rocks, const Rock &rock, uint64_t seed, uint64_t who)
                  moss);
     for (uint64_t k = 0; k < 3; ++k) {
         const uint64_t tree = who * 8 + k;
-        const double turn = lot_between(seed, tree, Lot::tree, 0, two_pi),
+        const double turn = random_between(seed, tree, Purpose::tree, 0, two_pi),
                      out = 0.42 * rock.size * static_cast<double>(k + 1) / 3;
         const float tx = static_cast<float>(rock.x + out * std::sin(turn)),
                     tz = static_cast<float>(rock.z + out * std::cos(turn));
-        const float foot = 0.76f * high * s, tall = static_cast<float>(lot_between(seed, tree, Lot::radius, 2.6, 5.0));
+        const float foot = 0.76f * high * s,
+                    tall = static_cast<float>(random_between(seed, tree, Purpose::radius, 2.6, 5.0));
         rocks.turned(tx, tz, {{0.22f, foot}, {0.16f, foot + 0.4f * tall}}, 5, trunk);
         for (int tier = 0; tier < 3; ++tier) {
             const float low = foot + tall * (0.28f + 0.24f * static_cast<float>(tier)),
@@ -92,11 +93,11 @@ void fill_lake(Geometry &water, Geometry &rocks, const std::vector<Spot> &spots,
     add_water(water);
     // Away from the eye, larger with the distance.
     for (uint64_t who = 0; who < 60; ++who) {
-        const double far = 70 + 420 * lot(seed, who, Lot::place_x) * lot(seed, who, Lot::row);
-        const double turn = lot_between(seed, who, Lot::heading, -1.5, 1.5);
+        const double far = 70 + 420 * random_unit(seed, who, Purpose::place_x) * random_unit(seed, who, Purpose::row);
+        const double turn = random_between(seed, who, Purpose::heading, -1.5, 1.5);
         const Rock rock = {far * std::sin(turn), -far * std::cos(turn),
-                           lot_between(seed, who, Lot::gap, 3, 6) * (0.6 + far / 240),
-                           lot_between(seed, who, Lot::size, 0.8, 2.2)};
+                           random_between(seed, who, Purpose::gap, 3, 6) * (0.6 + far / 240),
+                           random_between(seed, who, Purpose::size, 0.8, 2.2)};
         if (is_clear(rock, spots, spheres)) add_rock(rocks, rock, seed, who);
     }
 }
@@ -136,10 +137,10 @@ void add_line(Geometry &plan, Point from, Point to, double wide, Rgb colour, flo
 void draw_plan(Geometry &plan, const std::vector<Spot> &spots, const Spheres &spheres)
 {
     constexpr Rgb light = {1.0f, 0.95f, 0.70f};
-    const Pyramid pyramid;
-    const Point foot = {Pyramid::eye().x, 0.06, Pyramid::eye().z};
+    const Frustum frustum;
+    const Point foot = {Frustum::eye().x, 0.06, Frustum::eye().z};
     const auto far_end = [&](double side) {
-        Point end = pyramid.beside(side, 300, 0, 0);
+        Point end = frustum.beside(side, 300, 0, 0);
         end.y = 0.06;
         return end;
     };

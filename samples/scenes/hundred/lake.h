@@ -3,7 +3,7 @@
 #pragma once
 
 #include "samples/scenes/geometry.h"
-#include "samples/scenes/hundred/places.h"
+#include "samples/scenes/hundred/spots.h"
 
 namespace scenes::hundred
 {

@@ -97,14 +97,14 @@ std::vector<uint8_t> atlas()
 
 const ZonePaint &zone_paint(Cell cell) { return paints[cell]; }
 
-std::vector<clq_hsb_range> dyes_of(uint32_t house)
+std::vector<clq_hsb_range> palette_of(uint32_t house)
 {
-    std::vector<clq_hsb_range> dyes;
-    for (const ZonePaint &paint : paints) dyes.push_back(paint.range);
-    dyes[lacquer] = houses[house].lacquer;
-    dyes[mane] = houses[house].mane;
-    dyes[belly] = houses[house].belly;
-    return dyes;
+    std::vector<clq_hsb_range> palette;
+    for (const ZonePaint &paint : paints) palette.push_back(paint.range);
+    palette[lacquer] = houses[house].lacquer;
+    palette[mane] = houses[house].mane;
+    palette[belly] = houses[house].belly;
+    return palette;
 }
 
 }  // namespace scenes::hundred

@@ -1,7 +1,7 @@
 // The atlas of the dragon: one cell a zone; its colours are the light and dark on it, its alpha the zone's key.
 #pragma once
 
-#include "samples/scenes/hundred/clay.h"
+#include "samples/scenes/hundred/piece_mesh.h"
 
 #include <claque/template.h>
 
@@ -27,6 +27,6 @@ uint32_t key_of(Cell cell);
 
 // How one of the houses that walk in the procession dyes its dragons: a range for each cell.
 constexpr uint32_t house_count = 6;
-std::vector<clq_hsb_range> dyes_of(uint32_t house);
+std::vector<clq_hsb_range> palette_of(uint32_t house);
 
 }  // namespace scenes::hundred

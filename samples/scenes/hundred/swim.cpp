@@ -53,8 +53,8 @@ Swim::Swim()
         turns_.push_back(std::move(turns));
         clq_channel_def channel = {};
         channel.node = sway.node;
-        channel.path = CLQ_PATH_ROTATION;
-        channel.interpolation = CLQ_LINEAR;
+        channel.target = CLQ_CHANNEL_ROTATION;
+        channel.interpolation = CLQ_INTERPOLATION_LINEAR;
         channel.key_count = steps + 1;
         channel.times_s = times_.data();
         channel.values = turns_.back().data();

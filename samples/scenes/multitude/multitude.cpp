@@ -1,7 +1,7 @@
 // A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, four textures (two
 // a template), everybody with a clip, a phase and colours of its own. And the same field with four templates in chains of levels, from where ten thousand are in view at once.
 #include "samples/scenes/light_map.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/sky.h"
 
@@ -51,23 +51,23 @@ std::vector<clq_template *> in_levels(Library &library, const std::vector<const 
 class Multitude final : public Scene
 {
 public:
-    Multitude(Library &library, const Casting &casting, std::vector<clq_template *> templates, View view)
-        : seed_(casting.seed),
-          side_(static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(casting.count))))),
+    Multitude(Library &library, const CrowdOptions &crowd_options, std::vector<clq_template *> templates, View view)
+        : seed_(crowd_options.seed),
+          side_(static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(crowd_options.count))))),
           templates_(std::move(templates)),
           view_(view),
-          cast_(library, casting),
-          sky_(casting.seed, Sky::Land::hills),
+          scene_crowd_(library, crowd_options),
+          sky_(crowd_options.seed, Sky::Land::hills),
           painted_(static_cast<float>(line(first_worn(side_))), static_cast<float>(-line(first_worn(side_))))
     {
-        for (uint32_t who = 0; who < casting.count; ++who) enter(who);
+        for (uint32_t who = 0; who < crowd_options.count; ++who) enter(who);
         lay_ground();
-        shadows_.cast(cast_.places(), light_.to_sun, height_m, shadow_width_m);
+        shadows_.cast(scene_crowd_.places(), light_.to_sun, height_m, shadow_width_m);
         if (view_ == View::whole) painted_.paint(shadows_);
     }
 
-    clq_crowd *crowd() const override { return cast_.crowd(); }
-    std::vector<clq_actor> actors() const override { return cast_.actors(); }
+    clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
+    std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
     std::vector<clq_template *> templates() const override { return templates_; }
 
     clq_camera camera(Shot shot, double aspect, double) const override
@@ -93,10 +93,10 @@ public:
         if (view_ == View::whole) shade_.emplace(gl, painted_.image(), true, Texture::Filter::nearest);
     }
 
-    void draw_setting(const Gl &g, const Eye &eye) const override
+    void draw_environment(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye, ground_m);
-        shine(g, light_, eye);
+        set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
         const bool in_texture = paints_people_ && shade_ && afar(eye);
@@ -112,20 +112,22 @@ private:
     bool afar(const Eye &eye) const { return view_ == View::whole && eye.position[2] > side_ * spacing_m; }
     void enter(uint32_t who)
     {
-        clq_template *tmpl =
-            templates_[static_cast<size_t>(lot(seed_, who, Lot::seat) * static_cast<double>(templates_.size()))];
+        clq_template *tmpl = templates_[static_cast<size_t>(random_unit(seed_, who, Purpose::seat) *
+                                                            static_cast<double>(templates_.size()))];
         const double middle = (side_ - 1) / 2.0;
-        const double x = (who % side_ - middle) * spacing_m + lot_between(seed_, who, Lot::place_x, -1, 1) * jitter_m;
-        const double z = (middle - who / side_) * spacing_m + lot_between(seed_, who, Lot::place_z, -1, 1) * jitter_m;
-        const double turn = lot_between(seed_, who, Lot::heading, -0.5, 0.5);
+        const double x =
+            (who % side_ - middle) * spacing_m + random_between(seed_, who, Purpose::place_x, -1, 1) * jitter_m;
+        const double z =
+            (middle - who / side_) * spacing_m + random_between(seed_, who, Purpose::place_z, -1, 1) * jitter_m;
+        const double turn = random_between(seed_, who, Purpose::heading, -0.5, 0.5);
         clq_play play = {};
-        play.clip = clq_template_find_clip(tmpl, clips[lot_bits(seed_, who, Lot::clip) % clips.size()]);
+        play.clip = clq_template_find_clip(tmpl, clips[random_bits(seed_, who, Purpose::clip) % clips.size()]);
         play.speed = 1;
         clq_clip_info info = {};
         check(clq_template_get_clip(tmpl, play.clip, &info));
-        play.phase_s = static_cast<float>(lot(seed_, who, Lot::phase) * info.duration_s);
-        const float size = static_cast<float>(lot_between(seed_, who, Lot::size, 0.94, 1.06));
-        cast_.enter({tmpl, stand(x, 0, z, std::sin(turn), std::cos(turn), size), play});
+        play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * info.duration_s);
+        const float size = static_cast<float>(random_between(seed_, who, Purpose::size, 0.94, 1.06));
+        scene_crowd_.enter({tmpl, stand(x, 0, z, std::sin(turn), std::cos(turn), size), play});
     }
 
     // Grass, worn where they stand; cells grow outwards. Those that people and their shadows reach are apart.
@@ -139,7 +141,7 @@ private:
                 const double out = std::max(std::abs(x), std::abs(z)) - worn;
                 const float grass = static_cast<float>(out < -4 ? 0.0 : out > 6 ? 1.0 : (out + 4) / 10);
                 const float tone =
-                    static_cast<float>(lot_between(seed_, row * (cells + 1) + column, Lot::tone, 0.9, 1.08));
+                    static_cast<float>(random_between(seed_, row * (cells + 1) + column, Purpose::tone, 0.9, 1.08));
                 const Rgb colour = {0.52f - 0.16f * grass, 0.47f - 0.02f * grass, 0.34f - 0.10f * grass};
                 const Vec3 at = {static_cast<float>(x), 0, static_cast<float>(z)};
                 for (Geometry *part : {&ground_, &worn_})
@@ -159,7 +161,7 @@ private:
     uint32_t side_;                          // people a row
     std::vector<clq_template *> templates_;  // of the library
     View view_;
-    Cast cast_;
+    SceneCrowd scene_crowd_;
     Daylight light_;
     Sky sky_;
     LightMap painted_;
@@ -171,17 +173,17 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_multitude(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_multitude(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Multitude>(library, casting, in_levels(library, {"decurion", "patrician"}, coarser),
+    return std::make_unique<Multitude>(library, crowd_options, in_levels(library, {"decurion", "patrician"}, coarser),
                                        View::among);
 }
 
 // As from twice as far: levels begin where twice their root mean square error is two pixels, not one.
-std::unique_ptr<Scene> make_ten_thousand(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_ten_thousand(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
     const std::vector<const char *> all = {"citizen", "patrician", "decurion", "plebeian"};
-    Casting coarse = casting;
+    CrowdOptions coarse = crowd_options;
     coarse.lod_scale *= 2;
     return std::make_unique<Multitude>(library, coarse, in_levels(library, all, {}), View::whole);
 }

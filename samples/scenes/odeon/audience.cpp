@@ -8,9 +8,11 @@ namespace scenes
 namespace
 {
 
-Manners manners_of(const std::string &figure)
+Temperament manners_of(const std::string &figure)
 {
-    return figure == "decurion" ? Manners::grave : figure == "patrician" ? Manners::gracious : Manners::hearty;
+    return figure == "decurion"    ? Temperament::grave
+           : figure == "patrician" ? Temperament::gracious
+                                   : Temperament::hearty;
 }
 
 // Sideways from each seat to the nearest of the row in front that is taken; 9 where none is near.
@@ -45,22 +47,22 @@ std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &
         member.x = seats[sitter.seat].x;
         member.z = seats[sitter.seat].z;
         member.aside_m = aside_of(seats, taken, sitter.seat);
-        member.manners = manners_of(theatre.classes[sitter.social_class].figure);
+        member.temperament = manners_of(theatre.classes[sitter.social_class].figure);
         members.push_back(member);
     }
     return members;
 }
 
-Audience::Audience(Library &library, const Theatre &theatre, const Casting &casting)
+Audience::Audience(Library &library, const Theatre &theatre, const CrowdOptions &crowd_options)
     : seats_(seats_of(theatre)),
-      sitters_(seat_people(theatre, seats_, casting.count, casting.seed)),
-      members_(members_of(theatre, seats_, sitters_, casting.seed)),
-      cast_(library, casting)
+      sitters_(seat_people(theatre, seats_, crowd_options.count, crowd_options.seed)),
+      members_(members_of(theatre, seats_, sitters_, crowd_options.seed)),
+      scene_crowd_(library, crowd_options)
 {
-    std::vector<std::vector<clq_hsb_range>> dyes;
+    std::vector<std::vector<clq_hsb_range>> palette;
     for (const SocialClass &one : theatre.classes) {
-        figure_of_.push_back(figure(library, one.figure, casting.lod));
-        dyes.push_back(dyes_of(one, figures_[figure_of_.back()]));
+        figure_of_.push_back(figure(library, one.figure, crowd_options.lod));
+        palette.push_back(palette_of(one, figures_[figure_of_.back()]));
     }
     for (size_t i = 0; i < sitters_.size(); ++i) {
         const Sitter &sitter = sitters_[i];
@@ -69,7 +71,7 @@ Audience::Audience(Library &library, const Theatre &theatre, const Casting &cast
         clq_play still = {};
         still.clip = worn.clips[0];
         still.speed = 1;
-        cast_.enter({worn.tmpl, sitter.place, still}, sitter.seat, dyes[sitter.social_class]);
+        scene_crowd_.enter({worn.tmpl, sitter.place, still}, sitter.seat, palette[sitter.social_class]);
     }
     playing_.resize(members_.size());
 }
@@ -93,7 +95,7 @@ size_t Audience::figure(Library &library, const std::string &name, Lod lod)
     return figures_.size() - 1;
 }
 
-std::vector<clq_hsb_range> Audience::dyes_of(const SocialClass &one, const Figure &worn) const
+std::vector<clq_hsb_range> Audience::palette_of(const SocialClass &one, const Figure &worn) const
 {
     clq_template_info info = {};
     check(clq_template_get_info(worn.tmpl, &info));
@@ -105,7 +107,7 @@ std::vector<clq_hsb_range> Audience::dyes_of(const SocialClass &one, const Figur
         ranges.push_back(found.range);
         names += (names.empty() ? "" : ", ") + std::string(found.name);
     }
-    for (const SocialClass::Dye &dye : one.dyes) {
+    for (const SocialClass::Dye &dye : one.palette) {
         const uint32_t zone = clq_template_find_zone(worn.tmpl, dye.zone.c_str());
         if (zone == CLQ_NONE)
             throw Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" + worn.name +
@@ -125,7 +127,7 @@ void Audience::act(double time_s)
         play.clip = figures_[figure_of_[sitters_[i].social_class]].clips[static_cast<size_t>(now.act)];
         play.start_s = now.begin_s;
         play.speed = rounded_down(now.speed);
-        cast_.play(i, play);
+        scene_crowd_.play(i, play);
     }
 }
 

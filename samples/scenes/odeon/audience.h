@@ -1,9 +1,9 @@
 // The audience: individuals on their seats in the colours of their class, each with its programme.
 #pragma once
 
-#include "samples/scenes/cast.h"
 #include "samples/scenes/odeon/programme.h"
 #include "samples/scenes/odeon/seating.h"
+#include "samples/scenes/scene_crowd.h"
 
 namespace scenes
 {
@@ -15,15 +15,15 @@ std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &
 class Audience
 {
 public:
-    Audience(Library &library, const Theatre &theatre, const Casting &casting);
+    Audience(Library &library, const Theatre &theatre, const CrowdOptions &crowd_options);
 
     // Lets everybody play what the programme has at this time.
     void act(double time_s);
 
-    clq_crowd *crowd() const { return cast_.crowd(); }
-    const std::vector<clq_actor> &actors() const { return cast_.actors(); }
+    clq_crowd *crowd() const { return scene_crowd_.crowd(); }
+    const std::vector<clq_actor> &actors() const { return scene_crowd_.actors(); }
     std::vector<clq_template *> templates() const;
-    const std::vector<clq_place> &places() const { return cast_.places(); }
+    const std::vector<clq_transform> &places() const { return scene_crowd_.places(); }
     const std::vector<Seat> &seats() const { return seats_; }
     const std::vector<Sitter> &sitters() const { return sitters_; }
     const std::vector<Member> &members() const { return members_; }
@@ -36,7 +36,7 @@ private:
         std::array<double, act_count> duration_s;
     };
     size_t figure(Library &library, const std::string &name, Lod lod);
-    std::vector<clq_hsb_range> dyes_of(const SocialClass &one, const Figure &figure) const;
+    std::vector<clq_hsb_range> palette_of(const SocialClass &one, const Figure &figure) const;
 
     std::vector<Seat> seats_;
     std::vector<Sitter> sitters_;
@@ -44,7 +44,7 @@ private:
     std::vector<Figure> figures_;
     std::vector<size_t> figure_of_;  // of each class
     std::vector<Playing> playing_;
-    Cast cast_;
+    SceneCrowd scene_crowd_;
 };
 
 }  // namespace scenes

@@ -1,7 +1,7 @@
 #include "samples/scenes/odeon/cavea.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/stone.h"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ struct Corner {
 };
 using Profile = std::vector<Corner>;
 
-class Mason
+class CaveaBuilder
 {
 public:
-    Mason(Geometry &stone, uint64_t seed) : stone_(stone), seed_(seed) {}
+    CaveaBuilder(Geometry &stone, uint64_t seed) : stone_(stone), seed_(seed) {}
 
     // Sweeps a profile, which goes up and outwards as the audience's feet would, in blocks that each have a tone.
     void sweep(const Profile &profile, double first_deg, double last_deg, double block_m, Rgb colour)
@@ -37,7 +37,7 @@ public:
         const int blocks = std::max(1, static_cast<int>(length / block_m + 0.5));
         const double each = (last_deg - first_deg) / blocks;
         for (int block = 0; block < blocks; ++block) {
-            const Rgb tone = colour * static_cast<float>(lot_between(seed_, blocks_++, Lot::slab, 0.93, 1.04));
+            const Rgb tone = colour * static_cast<float>(random_between(seed_, blocks_++, Purpose::slab, 0.93, 1.04));
             const int steps = std::max(1, static_cast<int>(each / 3.5 + 0.999));
             for (int step = 0; step < steps; ++step) {
                 const double from = first_deg + each * (block + static_cast<double>(step) / steps);
@@ -233,7 +233,7 @@ private:
     }
 
     const Theatre &theatre_;
-    Mason mason_;
+    CaveaBuilder mason_;
 };
 
 }  // namespace

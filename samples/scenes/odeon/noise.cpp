@@ -1,6 +1,6 @@
 #include "samples/scenes/odeon/noise.h"
 
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ double corner(uint64_t seed, int64_t i, int64_t j, int64_t k, double x, double y
     const uint64_t cell = static_cast<uint64_t>(i) * 0x9e3779b97f4a7c15u ^
                           static_cast<uint64_t>(j) * 0xc2b2ae3d27d4eb4fu ^
                           static_cast<uint64_t>(k) * 0x165667b19e3779f9u;
-    const uint64_t edge = lot_bits(seed, cell, Lot::gradient) % 12;
+    const uint64_t edge = random_bits(seed, cell, Purpose::gradient) % 12;
     const double a = edge & 1 ? 1 : -1, b = edge & 2 ? 1 : -1;
     return edge < 4 ? a * x + b * y : edge < 8 ? a * y + b * z : a * z + b * x;
 }

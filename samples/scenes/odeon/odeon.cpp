@@ -2,12 +2,12 @@
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
+#include "samples/scenes/odeon/contact_shadows.h"
 #include "samples/scenes/odeon/frons.h"
 #include "samples/scenes/odeon/orchestra.h"
-#include "samples/scenes/odeon/touch.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/sky.h"
-#include "samples/scenes/social.h"
+#include "samples/scenes/social_classes.h"
 #include "samples/scenes/stone.h"
 
 #include <fstream>
@@ -24,26 +24,26 @@ constexpr Daylight afternoon = {
     {-0.30f, 0.62f, 0.72f}, {0.82f, 0.74f, 0.60f}, {0.39f, 0.41f, 0.45f}, {0.26f, 0.23f, 0.18f}};
 constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
 
-Theatre theatre_of(const Casting &casting)
+Theatre theatre_of(const CrowdOptions &crowd_options)
 {
-    if (casting.theatre_file.empty()) return read_theatre(odeon_description(), "odeon.toml");
-    std::ifstream file(casting.theatre_file, std::ios::binary);
+    if (crowd_options.theatre_file.empty()) return read_theatre(odeon_description(), "odeon.toml");
+    std::ifstream file(crowd_options.theatre_file, std::ios::binary);
     std::stringstream text;
     if (file) text << file.rdbuf();
-    if (!file || !text) throw Failure(casting.theatre_file + ": cannot be read");
-    return read_theatre(text.str(), casting.theatre_file);
+    if (!file || !text) throw Failure(crowd_options.theatre_file + ": cannot be read");
+    return read_theatre(text.str(), crowd_options.theatre_file);
 }
 
-class Odeon final : public Scene, public Social
+class Odeon final : public Scene, public SocialClasses
 {
 public:
-    Odeon(Library &library, const Casting &casting)
-        : seed_(casting.seed),
-          theatre_(theatre_of(casting)),
-          audience_(library, theatre_, casting),
+    Odeon(Library &library, const CrowdOptions &crowd_options)
+        : seed_(crowd_options.seed),
+          theatre_(theatre_of(crowd_options)),
+          audience_(library, theatre_, crowd_options),
           shadows_(audience_.seats(), audience_.sitters()),
-          sky_(casting.seed, Sky::Land::hills),
-          orchestra_(theatre_, casting.seed)
+          sky_(crowd_options.seed, Sky::Land::hills),
+          orchestra_(theatre_, crowd_options.seed)
     {
         build_cavea(stone_, theatre_, seed_);
         build_stage(stone_, theatre_);
@@ -74,10 +74,10 @@ public:
         shadows_.prepare(gl);
     }
 
-    void draw_setting(const Gl &g, const Eye &eye) const override
+    void draw_environment(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
-        shine(g, afternoon, eye);
+        set_lights(g, afternoon, eye);
         g.Enable(gl::cull_face);
         flagstones_->use();
         ground_.draw(g);
@@ -113,7 +113,7 @@ private:
     uint64_t seed_;
     Theatre theatre_;
     Audience audience_;
-    TouchShadows shadows_;
+    ContactShadows shadows_;
     Sky sky_;
     Orchestra orchestra_;
     Geometry ground_ = Geometry(flagstone_metres), stone_ = Geometry(plaster_metres);
@@ -122,9 +122,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_odeon(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_odeon(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Odeon>(library, casting);
+    return std::make_unique<Odeon>(library, crowd_options);
 }
 
 }  // namespace scenes

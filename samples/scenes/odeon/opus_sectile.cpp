@@ -1,7 +1,7 @@
 #include "samples/scenes/odeon/opus_sectile.h"
 
-#include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <array>
@@ -91,12 +91,12 @@ Piece piece_at(double x, double y, int panels)
 // How light a stone is at a texel: clouds, veins where a noise crosses zero, wear; each piece toned its own way.
 double stone(const Piece &piece, uint64_t seed, double x, double y, uint64_t texel)
 {
-    const double tone = lot_between(seed, piece.id, Lot::tone, 0.93, 1.06);
-    const double slide = 50 * lot(seed, piece.id, Lot::slab);
+    const double tone = random_between(seed, piece.id, Purpose::tone, 0.93, 1.06);
+    const double slide = 50 * random_unit(seed, piece.id, Purpose::slab);
     const double vein = gradient_noise(seed + 11, x * 9 + slide, y * 7 - slide);
     const double drawn = std::max(0.0, 1 - std::abs(vein) * 9);
     const double worn = gradient_noise(seed + 13, x * 3, y * 3);
-    const double grain = lot(seed, texel, Lot::grain) - 0.5;
+    const double grain = random_unit(seed, texel, Purpose::grain) - 0.5;
     return tone * (1 + 0.05 * grain + 0.10 * vein + 0.09 * worn - piece.marble.veins * 0.55 * drawn);
 }
 

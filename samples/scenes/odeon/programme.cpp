@@ -1,7 +1,7 @@
 #include "samples/scenes/odeon/programme.h"
 
-#include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ public:
     Writer(const Member &member, int64_t number, double begin_s)
         : m_(member), number_(static_cast<uint64_t>(number)), begin_s_(begin_s)
     {
-        const double pace = lot_between(m_.seed, m_.who, Lot::speed, 0.92, 1.08);
+        const double pace = random_between(m_.seed, m_.who, Purpose::speed, 0.92, 1.08);
         wanted_s_ = block_s * pace;
         shortest_s_ = *std::min_element(m_.duration_s.begin(), m_.duration_s.begin() + 4);
     }
@@ -70,7 +70,10 @@ public:
 private:
     double left() const { return wanted_s_ - block_.total_s; }
     double duration(Act act) const { return m_.duration_s[static_cast<size_t>(act)]; }
-    double draw() { return lot(m_.seed, m_.who * 0x10001u + number_ * 0x9e3779b97f4a7c15u + draws_++, Lot::act); }
+    double draw()
+    {
+        return random_unit(m_.seed, m_.who * 0x10001u + number_ * 0x9e3779b97f4a7c15u + draws_++, Purpose::act);
+    }
     void add(Act act)
     {
         block_.acts[block_.count++] = act;
@@ -79,18 +82,18 @@ private:
 
     Act seated(const Mood &mood)
     {
-        const size_t manners = static_cast<size_t>(m_.manners);
-        Weights weights = odds[manners];
+        const size_t temperament = static_cast<size_t>(m_.temperament);
+        Weights weights = odds[temperament];
         // Some are restless, some talkative, some hold still.
-        const double restless = lot_between(m_.seed, m_.who, Lot::temper, 0.4, 1.8);
-        const double talkative = lot_between(m_.seed, m_.who + 0x100000u, Lot::temper, 0.3, 2.0);
+        const double restless = random_between(m_.seed, m_.who, Purpose::temper, 0.4, 1.8);
+        const double talkative = random_between(m_.seed, m_.who + 0x100000u, Purpose::temper, 0.3, 2.0);
         weights[1] *= m_.aside_m < aside_to_lean_m ? 0 : restless;
         weights[2] *= restless;
         weights[3] *= talkative;
         weights[4] += 22 * mood.applause;
-        weights[5] += cheer_odds[manners] * mood.ovation;
-        weights[6] += laugh_odds[manners] * mood.mirth;
-        weights[7] += 0.5 * cheer_odds[manners] * mood.ovation;
+        weights[5] += cheer_odds[temperament] * mood.ovation;
+        weights[6] += laugh_odds[temperament] * mood.mirth;
+        weights[7] += 0.5 * cheer_odds[temperament] * mood.ovation;
         double sum = 0;
         for (const double w : weights) sum += w;
         double at = draw() * sum;
@@ -104,7 +107,7 @@ private:
     // Rises, stays up for a clip or two, sits down again; false where it stays seated.
     bool stand_up(const Mood &mood)
     {
-        const double ready = rise_odds[static_cast<size_t>(m_.manners)];
+        const double ready = rise_odds[static_cast<size_t>(m_.temperament)];
         if (m_.aside_m < aside_to_rise_m || draw() >= ready * (0.13 + 0.35 * mood.ovation)) return false;
         constexpr Act ovation[] = {Act::stand_applaud, Act::stand_applaud, Act::stand_cheer, Act::stand_wave};
         constexpr Act else_[] = {Act::stand, Act::stand_wave, Act::stand_laugh, Act::stand_applaud};
@@ -158,7 +161,7 @@ const char *clip_name(Act act)
 
 Playing playing_at(const Member &member, double time_s)
 {
-    const double shift = lot(member.seed, member.who, Lot::phase) * block_s;
+    const double shift = random_unit(member.seed, member.who, Purpose::phase) * block_s;
     const int64_t number = static_cast<int64_t>(std::floor((time_s + shift) / block_s));
     const double begin = static_cast<double>(number) * block_s - shift;
     const Block block = Writer(member, number, begin).write();

@@ -31,14 +31,14 @@ constexpr size_t act_count = 15, seated_count = 8;  // the first of them are sea
 
 const char *clip_name(Act act);
 
-enum class Manners : uint8_t { grave, gracious, hearty };  // of a decurion, a patrician, a plebeian
+enum class Temperament : uint8_t { grave, gracious, hearty };  // of a decurion, a patrician, a plebeian
 
 struct Member {
     uint64_t seed = 0, who = 0;
     double x = 0, z = 0;  // of the seat, metres
     // Sideways to the nearest who sits in the row in front. Who rises or leans forward needs room for head and chest.
     double aside_m = 9;
-    Manners manners = Manners::grave;
+    Temperament temperament = Temperament::grave;
     std::array<double, act_count> duration_s = {};  // of its figure's clips, each above 0
 };
 

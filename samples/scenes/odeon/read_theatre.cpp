@@ -1,7 +1,7 @@
 // A theatre from its description (S1 2: seats on circular layers with a radius and an angle of their own).
-#include "samples/scenes/odeon/described.h"
 #include "samples/scenes/odeon/theatre.h"
-#include "samples/scenes/odeon/theatre_sense.h"
+#include "samples/scenes/odeon/toml_table.h"
+#include "samples/scenes/odeon/validate_theatre.h"
 
 namespace scenes
 {
@@ -11,7 +11,7 @@ namespace
 constexpr Limits radius_m = {1, 200}, height_limits_m = {-50, 100}, turn_deg = {-180, 180}, fraction = {0, 1};
 constexpr Limits row_number = {1, 100}, people = {0, 100000};
 
-void read_rows(Described rows, Theatre &theatre)
+void read_rows(TomlTable rows, Theatre &theatre)
 {
     const uint32_t count = rows.whole("count", row_number);
     const double depth = rows.number("depth_m", {0.7, 3}), rise = rows.number("rise_m", {0.40, 0.46});
@@ -38,7 +38,7 @@ void read_rows(Described rows, Theatre &theatre)
     }
 }
 
-void read_gangways(Described gangways, Theatre &theatre)
+void read_gangways(TomlTable gangways, Theatre &theatre)
 {
     Gangway gangway;
     gangway.width_m = gangways.number("width_m", {0.4, 10});
@@ -56,7 +56,7 @@ void read_gangways(Described gangways, Theatre &theatre)
     gangways.done();
 }
 
-clq_hsb_range read_range(Described dye)
+clq_hsb_range read_range(TomlTable dye)
 {
     const auto hue = dye.pair("hue", {0, 360}), saturation = dye.pair("saturation", fraction),
                brightness = dye.pair("brightness", fraction);
@@ -67,16 +67,16 @@ clq_hsb_range read_range(Described dye)
             static_cast<float>(saturation[1]), static_cast<float>(brightness[0]), static_cast<float>(brightness[1])};
 }
 
-void read_class(Described described_class, Theatre &theatre)
+void read_class(TomlTable described_class, Theatre &theatre)
 {
     SocialClass made;
     made.name = described_class.text("name");
     made.figure = described_class.text("figure");
     made.count = described_class.whole("count", people);
-    if (described_class.has("dyes"))
-        for (auto &[zone, dye] : described_class.table("dyes", "class '" + made.name + "'")
+    if (described_class.has("palette"))
+        for (auto &[zone, dye] : described_class.table("palette", "class '" + made.name + "'")
                                      .named_tables("dye of class '" + made.name + "' for"))
-            made.dyes.push_back({zone, read_range(dye)});
+            made.palette.push_back({zone, read_range(dye)});
     described_class.done();
     for (const SocialClass &other : theatre.classes)
         if (other.name == made.name) described_class.refuse("is a second class '" + made.name + "'", "name");
@@ -90,7 +90,7 @@ void read_class(Described described_class, Theatre &theatre)
         "wears '" + made.figure + "', which is no figure; there are: citizen, patrician, decurion, plebeian", "figure");
 }
 
-void read_stage(Described stage, Theatre &theatre)
+void read_stage(TomlTable stage, Theatre &theatre)
 {
     theatre.stage.front_z_m = stage.number("front_z_m", {0, 200});
     theatre.stage.depth_m = stage.number("depth_m", {0.5, 50});
@@ -100,13 +100,13 @@ void read_stage(Described stage, Theatre &theatre)
     stage.done();
 }
 
-void read_audience(Described &all, Theatre &theatre)
+void read_audience(TomlTable &all, Theatre &theatre)
 {
     if (!all.has("audience"))
         all.refuse("says nothing about its audience: it needs [audience] and at least one [[audience.classes]]");
-    Described audience = all.table("audience", "[audience]");
+    TomlTable audience = all.table("audience", "[audience]");
     theatre.facing_noise_deg = audience.number("facing_noise_deg", {0, 20});
-    for (Described &one : audience.tables("classes", "[[audience.classes]]")) read_class(one, theatre);
+    for (TomlTable &one : audience.tables("classes", "[[audience.classes]]")) read_class(one, theatre);
     if (theatre.classes.empty()) audience.refuse("names nobody: it needs at least one [[audience.classes]]");
     audience.done();
 }
@@ -115,27 +115,27 @@ void read_audience(Described &all, Theatre &theatre)
 
 Theatre read_theatre(const std::string &text, const std::string &where)
 {
-    const toml::table table = described(text, where);
-    Described all(table, where, "the theatre");
+    const toml::table table = parse_toml(text, where);
+    TomlTable all(table, where, "the theatre");
     Theatre theatre;
     theatre.name = all.text("name");
-    Described orchestra = all.table("orchestra", "[orchestra]"), seats = all.table("seats", "[seats]");
+    TomlTable orchestra = all.table("orchestra", "[orchestra]"), seats = all.table("seats", "[seats]");
     theatre.orchestra_radius_m = orchestra.number("radius_m", radius_m);
     orchestra.done();
     theatre.seat_width_m = seats.number("width_m", {0.64, 2});
     seats.done();
-    for (Described &rows : all.tables("rows", "[[rows]]")) read_rows(rows, theatre);
+    for (TomlTable &rows : all.tables("rows", "[[rows]]")) read_rows(rows, theatre);
     if (theatre.rows.empty()) all.refuse("has no seats: it needs at least one [[rows]]");
-    for (Described &one : all.tables("walkways", "[[walkways]]")) {
+    for (TomlTable &one : all.tables("walkways", "[[walkways]]")) {
         theatre.walkways.push_back(
             {one.number("inner_m", radius_m), one.number("outer_m", radius_m), one.number("y_m", height_limits_m)});
         one.done();
     }
-    for (Described &one : all.tables("gangways", "[[gangways]]")) read_gangways(one, theatre);
+    for (TomlTable &one : all.tables("gangways", "[[gangways]]")) read_gangways(one, theatre);
     read_stage(all.table("stage", "[stage]"), theatre);
     read_audience(all, theatre);
     all.done();
-    expect_sense(theatre, where);
+    validate(theatre, where);
     return theatre;
 }
 

@@ -1,10 +1,10 @@
 #include "samples/scenes/odeon/seating.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/cast.h"
-#include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
-#include "samples/scenes/odeon/theatre_sense.h"
+#include "samples/scenes/odeon/validate_theatre.h"
+#include "samples/scenes/random.h"
+#include "samples/scenes/scene_crowd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,8 @@ std::vector<uint32_t> shares(const Theatre &theatre, uint32_t count)
 float scale_of(const SocialClass &one, uint64_t seed, size_t seat)
 {
     const bool woman = one.figure == "patrician";
-    return static_cast<float>(woman ? lot_between(seed, seat, Lot::size, 0.93, 0.98)
-                                    : lot_between(seed, seat, Lot::size, 0.97, 1.03));
+    return static_cast<float>(woman ? random_between(seed, seat, Purpose::size, 0.93, 0.98)
+                                    : random_between(seed, seat, Purpose::size, 0.97, 1.03));
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ double facing_turn_deg(const Theatre &theatre, const Seat &seat, uint64_t seed)
     return theatre.facing_noise_deg * gradient_noise(seed, seat.x / noise_cell_m, seat.z / noise_cell_m);
 }
 
-clq_place sit_down(const Seat &seat, double turn_deg, float scale)
+clq_transform sit_down(const Seat &seat, double turn_deg, float scale)
 {
     const double s = std::sin(turn_deg * radians), c = std::cos(turn_deg * radians);
     const double facing_x = seat.facing_x * c + seat.facing_z * s, facing_z = seat.facing_z * c - seat.facing_x * s;
@@ -74,14 +74,14 @@ std::vector<Sitter> seat_people(const Theatre &theatre, const std::vector<Seat> 
         std::vector<std::pair<uint64_t, size_t>> theirs;
         for (size_t seat = 0; seat < seats.size(); ++seat)
             if (theatre.rows[seats[seat].row].who == one.name)
-                theirs.push_back({lot_bits(seed, seat, Lot::seat), seat});
+                theirs.push_back({random_bits(seed, seat, Purpose::seat), seat});
         if (wanted[c] > theirs.size())
             throw Failure("an audience of " + std::to_string(count) + " has " + std::to_string(wanted[c]) + " " +
                           one.name + ", and their rows have " + std::to_string(theirs.size()) + " seats");
         std::sort(theirs.begin(), theirs.end());
         theirs.resize(wanted[c]);
         std::sort(theirs.begin(), theirs.end(), [](auto &a, auto &b) { return a.second < b.second; });
-        for (const auto &[lot, seat] : theirs) {
+        for (const auto &[random_unit, seat] : theirs) {
             Sitter sitter;
             sitter.seat = seat;
             sitter.social_class = c;

@@ -12,7 +12,7 @@ struct Sitter {
     size_t seat = 0;          // of seats_of()
     size_t social_class = 0;  // of Theatre::classes
     float scale = 1;
-    clq_place place = {};
+    clq_transform place = {};
 };
 
 // Fills the rows of each class, row by row; which seats stay empty is drawn by lot. count 0: as many as the description
@@ -24,6 +24,6 @@ std::vector<Sitter> seat_people(const Theatre &theatre, const std::vector<Seat> 
 double facing_turn_deg(const Theatre &theatre, const Seat &seat, uint64_t seed);
 
 // Sits a person of this scale on a seat, turned about the hips.
-clq_place sit_down(const Seat &seat, double turn_deg, float scale);
+clq_transform sit_down(const Seat &seat, double turn_deg, float scale);
 
 }  // namespace scenes

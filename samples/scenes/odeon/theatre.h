@@ -22,7 +22,7 @@ struct SocialClass {
         std::string zone;
         clq_hsb_range range;
     };
-    std::vector<Dye> dyes;  // zones that it does not name keep the template's own range
+    std::vector<Dye> palette;  // zones that it does not name keep the template's own range
 };
 
 struct SeatRow {

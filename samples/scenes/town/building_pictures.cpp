@@ -21,7 +21,7 @@ Image tiles(uint64_t seed)
         const double side = std::abs(in - 0.5) * 2, end = 0.16 * side * side;
         const double lip = smooth_step((up - end) / 0.10), under = 0.55 + 0.45 * smooth_step((1.0 - up) / 0.30);
         const double joint = 0.72 + 0.28 * smooth_step((1 - side) / 0.16);
-        double tone = 0.86 + 0.20 * (lot(seed, number, Lot::tone) - 0.5) + 0.12 * (streaks(u, v) - 0.5);
+        double tone = 0.86 + 0.20 * (random_unit(seed, number, Purpose::tone) - 0.5) + 0.12 * (streaks(u, v) - 0.5);
         tone += 0.10 * (fine(u, v) - 0.5);
         tone *= (0.58 + 0.42 * lip) * under * joint;
         const Rgb tile = {static_cast<float>(tone), static_cast<float>(tone * 0.985), static_cast<float>(tone * 0.97)};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "samples/scenes/geometry.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/texture.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ public:
     RepeatingNoise(uint64_t seed, int cells_x, int cells_y)
         : wide_(cells_x), high_(cells_y), values_(static_cast<size_t>(cells_x) * static_cast<size_t>(cells_y))
     {
-        for (size_t i = 0; i < values_.size(); ++i) values_[i] = lot(seed, i, Lot::grain);
+        for (size_t i = 0; i < values_.size(); ++i) values_[i] = random_unit(seed, i, Purpose::grain);
     }
     double operator()(double u, double v) const
     {

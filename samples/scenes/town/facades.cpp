@@ -88,8 +88,9 @@ private:
         const uint64_t number = static_cast<uint64_t>(row) * 16 + static_cast<uint64_t>(static_cast<int>(column) % 4);
         const double joint =
             std::min({(along - column) * 0.75, (column + 1 - along) * 0.75, fy * 0.375, (1 - fy) * 0.375});
-        const double tone = (0.86 + 0.14 * (lot(seed_, number, Lot::slab) - 0.5) + 0.10 * (fine_(u_, v_) - 0.5)) *
-                            (0.74 + 0.26 * smooth_step(joint / 0.025));
+        const double tone =
+            (0.86 + 0.14 * (random_unit(seed_, number, Purpose::slab) - 0.5) + 0.10 * (fine_(u_, v_) - 0.5)) *
+            (0.74 + 0.26 * smooth_step(joint / 0.025));
         return {static_cast<float>(tone), static_cast<float>(tone * 0.98), static_cast<float>(tone * 0.93)};
     }
 
@@ -103,8 +104,8 @@ private:
         const double board = x / 0.25 - std::floor(x / 0.25);
         const uint64_t number = static_cast<uint64_t>(x / 0.25);
         const double gap = smooth_step(std::min(board, 1 - board) / 0.10);
-        return wood({0.66f, 0.55f, 0.44f}, y * 0.31 + lot(seed_, number, Lot::slab)) *
-               static_cast<float>((0.5 + 0.5 * gap) * lot_between(seed_, number, Lot::tone, 0.85, 1.1));
+        return wood({0.66f, 0.55f, 0.44f}, y * 0.31 + random_unit(seed_, number, Purpose::slab)) *
+               static_cast<float>((0.5 + 0.5 * gap) * random_between(seed_, number, Purpose::tone, 0.85, 1.1));
     }
 
     // Panes that mirror the sky above and are dark below, bars between, a frame, the reveal's shadow at the top.
@@ -150,7 +151,7 @@ private:
         if (Box{0.9, 0.62, 2.1, 0.80}.holds(x, y)) return oak * 1.3f;
         if (!Box{0.85, 0.68, 2.15, 1.08}.holds(x, y)) return under;
         const int column = static_cast<int>(x / 0.045), row = static_cast<int>(y / 0.045);
-        const double share = lot(seed_, static_cast<uint64_t>(row * 128 + column), Lot::grain);
+        const double share = random_unit(seed_, static_cast<uint64_t>(row * 128 + column), Purpose::grain);
         if (share < (y - 0.68) / 0.40) return under;
         return share > 0.80   ? Rgb{0.86f, 0.24f, 0.26f}
                : share > 0.68 ? Rgb{0.95f, 0.72f, 0.76f}
@@ -193,7 +194,7 @@ private:
         if (front.inside(x, y) < 0.08 || std::abs(std::remainder(x - 0.2, 0.8667)) < 0.03 || std::abs(y - 1.85) < 0.025)
             return {0.50f, 0.32f, 0.27f};
         const double goods =
-            lot(seed_, static_cast<uint64_t>(x / 0.16) * 64 + static_cast<uint64_t>(y / 0.2), Lot::tone);
+            random_unit(seed_, static_cast<uint64_t>(x / 0.16) * 64 + static_cast<uint64_t>(y / 0.2), Purpose::tone);
         if (y < 1.15 && goods > 0.45) return blend({0.70f, 0.42f, 0.24f}, {0.86f, 0.80f, 0.60f}, goods * 2 - 1) * 0.8f;
         return blend({0.16f, 0.17f, 0.19f}, {0.42f, 0.50f, 0.56f}, (x + y - 1.4) / 3);
     }

@@ -1,7 +1,7 @@
 // Those who fly over the town (S0 7.1): each with a way, a gaze, a face, eyelids and phrases of its own.
 #pragma once
 
-#include "samples/scenes/cast.h"
+#include "samples/scenes/scene_crowd.h"
 
 #include <array>
 
@@ -12,22 +12,22 @@ class Flyers
 {
 public:
     // `middle`: of the cylinder that they fly in. Heights are above y = 0.
-    Flyers(Library &library, const Casting &casting, const std::array<double, 3> &middle);
+    Flyers(Library &library, const CrowdOptions &crowd_options, const std::array<double, 3> &middle);
 
-    const Cast &cast() const { return cast_; }
+    const SceneCrowd &cast() const { return scene_crowd_; }
     std::vector<clq_template *> templates() const { return {template_}; }
 
 private:
     void describe_mechanisms();
-    void describe_ways();
+    void describe_paths();
     void enter(uint32_t who, const std::array<double, 3> &middle);
     uint32_t dof(const char *name) const;
 
     uint64_t seed_;
-    Cast cast_;
+    SceneCrowd scene_crowd_;
     clq_template *template_;
     std::vector<clq_mechanism> mechanisms_;
-    std::vector<clq_root_path> ways_;
+    std::vector<clq_root_path> paths_;
 };
 
 }  // namespace scenes::town

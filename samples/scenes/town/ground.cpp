@@ -1,7 +1,7 @@
 #include "samples/scenes/town/ground.h"
 
-#include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
 
@@ -19,13 +19,13 @@ constexpr Rgb stream = {0.62f, 0.76f, 0.80f};
 
 struct Crop {
     Rgb colour;
-    Layer layer;
+    SurfaceKind layer;
 };
 constexpr Crop crops[] = {
-    {{0.93f, 0.80f, 0.46f}, Layer::furrows}, {{0.55f, 0.72f, 0.34f}, Layer::land},
-    {{0.66f, 0.52f, 0.38f}, Layer::furrows}, {{0.46f, 0.68f, 0.32f}, Layer::furrows},
-    {{0.86f, 0.84f, 0.40f}, Layer::land},    {{0.60f, 0.78f, 0.40f}, Layer::land},
-    {{0.80f, 0.72f, 0.44f}, Layer::furrows}, {{0.50f, 0.66f, 0.38f}, Layer::furrows},
+    {{0.93f, 0.80f, 0.46f}, SurfaceKind::furrows}, {{0.55f, 0.72f, 0.34f}, SurfaceKind::land},
+    {{0.66f, 0.52f, 0.38f}, SurfaceKind::furrows}, {{0.46f, 0.68f, 0.32f}, SurfaceKind::furrows},
+    {{0.86f, 0.84f, 0.40f}, SurfaceKind::land},    {{0.60f, 0.78f, 0.40f}, SurfaceKind::land},
+    {{0.80f, 0.72f, 0.44f}, SurfaceKind::furrows}, {{0.50f, 0.66f, 0.38f}, SurfaceKind::furrows},
 };
 
 class Paver
@@ -44,21 +44,21 @@ public:
             case Cover::crossing:
                 return crossing(i, k);
             case Cover::square:
-                return flat(i, k, Layer::paving, flags, 8);
+                return flat(i, k, SurfaceKind::paving, flags, 8);
             case Cover::road:
-                return flat(i, k, Layer::land, sand, land_metres);
+                return flat(i, k, SurfaceKind::land, sand, land_metres);
             case Cover::park:
-                return flat(i, k, Layer::land, lawn, land_metres);
+                return flat(i, k, SurfaceKind::land, lawn, land_metres);
             case Cover::garden:
                 return plot(i, k);
             case Cover::bank:
-                return flat(i, k, Layer::land, reeds, land_metres);
+                return flat(i, k, SurfaceKind::land, reeds, land_metres);
             case Cover::wood:
-                return flat(i, k, Layer::land, floor_of_wood, land_metres);
+                return flat(i, k, SurfaceKind::land, floor_of_wood, land_metres);
             case Cover::embankment:
-                return flat(i, k, Layer::stone, wall, 4);
+                return flat(i, k, SurfaceKind::stone, wall, 4);
             case Cover::water:
-                return flat(i, k, Layer::water, stream, water_metres);
+                return flat(i, k, SurfaceKind::water, stream, water_metres);
             case Cover::field:
                 return field(i, k);
         }
@@ -76,7 +76,7 @@ private:
 
     // u and v of the texture as functions of the corner (0 or 1 each way) of the cell.
     template <class Texel>
-    void put(size_t i, size_t k, Layer layer, Rgb colour, double depth, Texel texel)
+    void put(size_t i, size_t k, SurfaceKind layer, Rgb colour, double depth, Texel texel)
     {
         Geometry &g = pieces_.on(layer);
         uint32_t at[4];
@@ -96,9 +96,9 @@ private:
         double s, t;
     };
 
-    void flat(size_t i, size_t k, Layer layer, Rgb colour, double metres)
+    void flat(size_t i, size_t k, SurfaceKind layer, Rgb colour, double metres)
     {
-        const double depth = layer == Layer::land ? 0.34 : 0.0;
+        const double depth = layer == SurfaceKind::land ? 0.34 : 0.0;
         put(i, k, layer, colour, depth, [&](size_t column, size_t row) {
             const Vec3 &p = terrain_.corner(column, row);
             return Texel{static_cast<double>(p.x) / metres, static_cast<double>(p.z) / metres};
@@ -109,7 +109,7 @@ private:
     void street(size_t i, size_t k)
     {
         const bool along_v = plan_.strips_u()[i].use == Strip::Use::street;
-        put(i, k, Layer::cobbles, pavement, 0, [&](size_t column, size_t row) {
+        put(i, k, SurfaceKind::cobbles, pavement, 0, [&](size_t column, size_t row) {
             return along_v ? Texel{v_[row] / cobbles_metres, column == i ? 0.0 : 1.0}
                            : Texel{u_[column] / cobbles_metres, row == k ? 0.0 : 1.0};
         });
@@ -118,7 +118,7 @@ private:
     void crossing(size_t i, size_t k)
     {
         const auto between = [](bool last) { return last ? 0.5 + roadway_share / 2 : 0.5 - roadway_share / 2; };
-        put(i, k, Layer::cobbles, pavement, 0, [&](size_t column, size_t row) {
+        put(i, k, SurfaceKind::cobbles, pavement, 0, [&](size_t column, size_t row) {
             return Texel{column == i ? 0.0 : roadway_share, between(row != k)};
         });
     }
@@ -127,13 +127,14 @@ private:
     void plot(size_t i, size_t k)
     {
         const uint64_t who = i * 4096 + k;
-        const double share = lot(seed_, who, Lot::act);
-        const Rgb lawns = blend(garden, {0.70f, 0.72f, 0.40f}, lot(seed_, who, Lot::tone));
-        if (by_street(i, k)) flat(i, k, Layer::land, lawns, land_metres);
+        const double share = random_unit(seed_, who, Purpose::act);
+        const Rgb lawns = blend(garden, {0.70f, 0.72f, 0.40f}, random_unit(seed_, who, Purpose::tone));
+        if (by_street(i, k)) flat(i, k, SurfaceKind::land, lawns, land_metres);
         else if (share < 0.36)
-            rows(i, k, Layer::furrows, share < 0.18 ? Rgb{0.70f, 0.62f, 0.46f} : Rgb{0.58f, 0.74f, 0.40f}, 2.2, who);
-        else if (share < 0.48) flat(i, k, Layer::land, sand, land_metres);
-        else flat(i, k, Layer::land, lawns, land_metres);
+            rows(i, k, SurfaceKind::furrows, share < 0.18 ? Rgb{0.70f, 0.62f, 0.46f} : Rgb{0.58f, 0.74f, 0.40f}, 2.2,
+                 who);
+        else if (share < 0.48) flat(i, k, SurfaceKind::land, sand, land_metres);
+        else flat(i, k, SurfaceKind::land, lawns, land_metres);
     }
 
     bool by_street(size_t i, size_t k) const
@@ -145,9 +146,9 @@ private:
         return paved(i - 1, k) || paved(i + 1, k) || paved(i, k - 1) || paved(i, k + 1);
     }
 
-    void rows(size_t i, size_t k, Layer layer, Rgb colour, double closer, uint64_t who)
+    void rows(size_t i, size_t k, SurfaceKind layer, Rgb colour, double closer, uint64_t who)
     {
-        const bool turned = lot(seed_, who, Lot::row) < 0.5;
+        const bool turned = random_unit(seed_, who, Purpose::row) < 0.5;
         put(i, k, layer, colour, 0.16, [&](size_t column, size_t row) {
             const double s = u_[column] / furrows_metres * closer, t = v_[row] / furrows_metres * closer;
             return turned ? Texel{t, s} : Texel{s, t};
@@ -157,10 +158,10 @@ private:
     void field(size_t i, size_t k)
     {
         const uint64_t parcel = plan_.parcel(i, k);
-        const double share = lot(seed_, parcel, Lot::tone);
+        const double share = random_unit(seed_, parcel, Purpose::tone);
         const Crop &crop = crops[static_cast<size_t>(share * (sizeof crops / sizeof *crops))];
-        const Rgb colour = crop.colour * static_cast<float>(lot_between(seed_, parcel, Lot::grain, 0.9, 1.06));
-        rows(i, k, crop.layer, lot(seed_, parcel, Lot::gap) < 0.22 ? meadow : colour, 1, parcel);
+        const Rgb colour = crop.colour * static_cast<float>(random_between(seed_, parcel, Purpose::grain, 0.9, 1.06));
+        rows(i, k, crop.layer, random_unit(seed_, parcel, Purpose::gap) < 0.22 ? meadow : colour, 1, parcel);
     }
 
     Pieces &pieces_;

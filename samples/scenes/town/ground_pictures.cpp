@@ -21,7 +21,7 @@ Stone stone_at(uint64_t seed, double x, double y, int across)  // x and y in sto
 {
     const double row = std::floor(y);
     const uint64_t number = static_cast<uint64_t>(row);
-    const double shifted = x + lot(seed, number, Lot::row);
+    const double shifted = x + random_unit(seed, number, Purpose::row);
     const double column = std::floor(shifted);
     const uint64_t wrapped = static_cast<uint64_t>(static_cast<int>(column) % across);
     const double fx = shifted - column, fy = y - row;
@@ -64,7 +64,7 @@ Image cobbles(uint64_t seed)
         if (from_side < kerb - kerb_wide) {  // slabs for those who walk
             const Stone s = stone_at(seed + 53, u * slabs, v * slabs * 1.3, slabs);
             const double joint = 0.72 + 0.28 * smooth_step(s.to_joint / 0.05);
-            const double tone = (0.80 + 0.08 * (lot(seed, s.number, Lot::tone) - 0.5) + grain) * joint;
+            const double tone = (0.80 + 0.08 * (random_unit(seed, s.number, Purpose::tone) - 0.5) + grain) * joint;
             return Rgb{static_cast<float>(tone), static_cast<float>(tone * 0.975), static_cast<float>(tone * 0.93)};
         }
         if (from_side < kerb) {
@@ -75,7 +75,8 @@ Image cobbles(uint64_t seed)
         const double round = 0.62 + 0.38 * smooth_step(s.to_joint / 0.22);
         const double gutter = 0.80 + 0.20 * smooth_step((from_side - kerb) / 0.05);
         const double worn = 1 + 0.10 * (tracks(u, v) - 0.5);
-        const double tone = (0.64 + 0.16 * (lot(seed, s.number, Lot::tone) - 0.5) + grain) * round * gutter * worn;
+        const double tone =
+            (0.64 + 0.16 * (random_unit(seed, s.number, Purpose::tone) - 0.5) + grain) * round * gutter * worn;
         return Rgb{static_cast<float>(tone * 1.01), static_cast<float>(tone), static_cast<float>(tone * 0.98)};
     });
 }

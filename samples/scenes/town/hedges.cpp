@@ -1,5 +1,5 @@
 // Hedges between the gardens behind the houses.
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/town/trees.h"
 
 #include <algorithm>
@@ -36,11 +36,11 @@ void hedge(Pieces &pieces, const Terrain &terrain, Point a, Point b)
     };
     const Vec3 a0 = corner(a, 1, 0), a1 = corner(a, 1, high_m), a2 = corner(a, -1, high_m), a3 = corner(a, -1, 0);
     const Vec3 b0 = corner(b, 1, 0), b1 = corner(b, 1, high_m), b2 = corner(b, -1, high_m), b3 = corner(b, -1, 0);
-    Geometry &g = pieces.on(Layer::leaves);
+    Geometry &g = pieces.on(SurfaceKind::leaves);
     g.quad({a0, b0, b1, a1}, hedge_green * 0.8f);
     g.quad({b3, a3, a2, b2}, hedge_green * 0.8f);
     g.quad({a1, b1, b2, a2}, hedge_green * 1.15f);
-    pieces.from_now(Seen::near);
+    pieces.from_now(Visibility::near);
     g.quad({a3, a0, a1, a2}, hedge_green * 0.8f);
     g.quad({b0, b3, b2, b1}, hedge_green * 0.8f);
 }
@@ -53,7 +53,7 @@ void plant_hedges(Pieces &pieces, const Plan &plan, const Terrain &terrain, cons
     const std::vector<double> u = plan.lines_u(), v = plan.lines_v();
     const auto garden = [&](size_t i, size_t k) { return plan.cover(i, k) == Cover::garden; };
     const auto between = [&](double u0, double v0, double u1, double v1, uint64_t who) {
-        if (lot(seed, who, Lot::gap) > 0.45) return;
+        if (random_unit(seed, who, Purpose::gap) > 0.45) return;
         const double du = u1 - u0, dv = v1 - v0, length = std::sqrt(du * du + dv * dv), t = gate_m / 2 / length;
         const Point a = plan.at(u0 + du * t, v0 + dv * t), b = plan.at(u1 - du * t, v1 - dv * t);
         for (int i = 0; i <= 6; ++i)

@@ -1,7 +1,7 @@
 // One house: walls of bays on a plinth that follows the ground, a roof with eaves, a chimney, a step at the door.
 #include "samples/scenes/town/houses.h"
 
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/town/roofs.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ public:
         : pieces_(pieces), h_(house), terrain_(terrain), site_(house.site()), floor_(floor_of(house, terrain))
     {
         seed_ = seed + 7919 * house.number;
-        const double share = lot(seed_, 0, Lot::clip);
+        const double share = random_unit(seed_, 0, Purpose::clip);
         window_ = share < 0.45 ? Bay::shutters : share < 0.8 ? Bay::window : Bay::flowers;
     }
 
@@ -37,7 +37,7 @@ public:
         wall(3, {-a, -o, -a, o});
         roof(RoofPart::tiles);
         if (h_.chimney) chimney();
-        pieces_.from_now(Seen::near);
+        pieces_.from_now(Visibility::near);
         roof(RoofPart::edges);
         if (h_.chimney) chimney_cap();
         if (door_at_) doorstep(*door_at_);
@@ -55,7 +55,9 @@ private:
     {
         const double da = w.right_along - w.left_along, dout = w.right_out - w.left_out;
         const int bays = std::max(2, static_cast<int>(std::sqrt(da * da + dout * dout) / 2.9 + 0.5));
-        const int door = side == 0 ? static_cast<int>(lot(seed_, 1, Lot::slab) * bays) : side == 2 ? bays / 2 : -1;
+        const int door = side == 0   ? static_cast<int>(random_unit(seed_, 1, Purpose::slab) * bays)
+                         : side == 2 ? bays / 2
+                                     : -1;
         const auto part = [&](double s, double t) {
             return Site::Upright{w.left_along + da * s, w.left_out + dout * s, w.left_along + da * t,
                                  w.left_out + dout * t};
@@ -70,7 +72,7 @@ private:
                 while (shown == Bay::blank && next < bays && choose(side, storey, next, door, bays) == Bay::blank)
                     ++next;
                 const Site::Upright here = part(static_cast<double>(bay) / bays, static_cast<double>(next) / bays);
-                site_.bay(pieces_.on(Layer::facades), here, low, low, low + House::storey_m, shown, h_.walls);
+                site_.bay(pieces_.on(SurfaceKind::facades), here, low, low, low + House::storey_m, shown, h_.walls);
                 if (shown == Bay::door && side == 0) door_at_ = here;
             }
         }
@@ -82,7 +84,7 @@ private:
         const auto corner = [](double along, double y, double out) {
             return Vec3{static_cast<float>(along), static_cast<float>(y), static_cast<float>(out)};
         };
-        site_.face(pieces_.on(Layer::stone),
+        site_.face(pieces_.on(SurfaceKind::stone),
                    {corner(w.left_along, ground(w.left_along, w.left_out) - sunk_m, w.left_out),
                     corner(w.right_along, ground(w.right_along, w.right_out) - sunk_m, w.right_out),
                     corner(w.right_along, top, w.right_out), corner(w.left_along, top, w.left_out)},
@@ -91,7 +93,7 @@ private:
 
     Bay choose(int side, int storey, int bay, int door, int bays) const
     {
-        const double share = lot(seed_, static_cast<uint64_t>(side * 64 + storey * 16 + bay), Lot::grain);
+        const double share = random_unit(seed_, static_cast<uint64_t>(side * 64 + storey * 16 + bay), Purpose::grain);
         if (h_.style == House::Style::barn) return side == 0 && bay == bays / 2 ? Bay::gate : Bay::planks;
         if (storey == 0 && bay == door) return Bay::door;
         if (storey == 0 && side == 0 && h_.style == House::Style::shop) return Bay::shop;
@@ -106,7 +108,7 @@ private:
     {
         const double middle = (w.left_along + w.right_along) / 2, side = w.left_out > 0 ? 1 : -1, near = w.left_out;
         const double out = near + side * 0.38, low = std::min(ground(middle, near), ground(middle, out)) - sunk_m;
-        site_.box(pieces_.on(Layer::stone),
+        site_.box(pieces_.on(SurfaceKind::stone),
                   {static_cast<float>(middle - 0.75), static_cast<float>(low), static_cast<float>(std::min(near, out))},
                   {static_cast<float>(middle + 0.75), static_cast<float>(floor_ + House::plinth_m - 0.14),
                    static_cast<float>(std::max(near, out))},
@@ -121,11 +123,11 @@ private:
         ridge_ = across ? Site(h_.at, site_.along()) : site_;
         const double length = across ? h_.depth_m : h_.width_m, span = across ? h_.width_m : h_.depth_m;
         const RoofShape shape = {length / 2, span / 2, eaves, h_.pitch, House::eaves_m};
-        if (h_.roof == House::Roof::hip) hip_roof(pieces_.on(Layer::tiles), ridge_, shape, part, h_.tiles);
+        if (h_.roof == House::Roof::hip) hip_roof(pieces_.on(SurfaceKind::tiles), ridge_, shape, part, h_.tiles);
         else {
-            gable_roof(pieces_.on(Layer::tiles), ridge_, shape, part, h_.tiles);
+            gable_roof(pieces_.on(SurfaceKind::tiles), ridge_, shape, part, h_.tiles);
             if (part == RoofPart::tiles)
-                gable_walls(pieces_.on(Layer::facades), ridge_, shape, h_.walls,
+                gable_walls(pieces_.on(SurfaceKind::facades), ridge_, shape, h_.walls,
                             h_.style == House::Style::barn ? Bay::planks : Bay::gable);
         }
         length_ = length, span_ = span;
@@ -143,8 +145,8 @@ private:
 
     void block(double half, double y0, double y1, Rgb colour)
     {
-        const double a = (lot(seed_, 2, Lot::gap) < 0.5 ? -0.22 : 0.24) * length_, o = 0.10 * span_;
-        ridge_.box(pieces_.on(Layer::stone),
+        const double a = (random_unit(seed_, 2, Purpose::gap) < 0.5 ? -0.22 : 0.24) * length_, o = 0.10 * span_;
+        ridge_.box(pieces_.on(SurfaceKind::stone),
                    {static_cast<float>(a - half), static_cast<float>(y0), static_cast<float>(o - half * 0.8)},
                    {static_cast<float>(a + half), static_cast<float>(y1), static_cast<float>(o + half * 0.8)}, colour,
                    1.5f);

@@ -1,7 +1,7 @@
 // Where houses stand: side by side along the four sides of each block, fronts to the street, and farms in the fields.
 #include "samples/scenes/town/houses.h"
 
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +67,9 @@ private:
         const double wide = (to - from) / lots;
         for (int i = 0; i < lots; ++i) {
             const uint64_t who = draws_++;
-            if (lot(seed_, who, Lot::place_x) > density) continue;
+            if (random_unit(seed_, who, Purpose::place_x) > density) continue;
             House h = draw(who, wide, yards);
-            const double back = (yards ? lot_between(seed_, who, Lot::place_z, 2.5, 6) : 0.25) + h.depth_m / 2;
+            const double back = (yards ? random_between(seed_, who, Purpose::place_z, 2.5, 6) : 0.25) + h.depth_m / 2;
             const double along = from + wide * (i + 0.5);
             const double u = level ? along : side == Side::west ? b.u0 + back : b.u1 - back;
             const double v = level ? (side == Side::north ? b.v0 + back : b.v1 - back) : along;
@@ -102,19 +102,19 @@ private:
     {
         House h = {};
         h.number = who;
-        const double kind = lot(seed_, who, Lot::act), shape = lot(seed_, who, Lot::clip);
-        h.width_m = yards ? lot_between(seed_, who, Lot::size, 8.5, 12.5)
-                          : lot_wide - lot_between(seed_, who, Lot::gap, 0.7, 3.2);
-        h.depth_m = lot_between(seed_, who, Lot::radius, 8.4, 10.8);
+        const double kind = random_unit(seed_, who, Purpose::act), shape = random_unit(seed_, who, Purpose::clip);
+        h.width_m = yards ? random_between(seed_, who, Purpose::size, 8.5, 12.5)
+                          : lot_wide - random_between(seed_, who, Purpose::gap, 0.7, 3.2);
+        h.depth_m = random_between(seed_, who, Purpose::radius, 8.4, 10.8);
         h.storeys = yards ? (shape < 0.6 ? 1 : 2) : (kind < 0.15 ? 3 : kind < 0.9 ? 2 : 1);
         h.roof = shape < 0.50 ? House::Roof::gable : shape < 0.78 ? House::Roof::gable_to_street : House::Roof::hip;
         h.style = kind > 0.30 && kind < 0.52              ? House::Style::timber
                   : !yards && shape > 0.2 && shape < 0.55 ? House::Style::shop
                                                           : House::Style::plaster;
-        h.pitch = lot_between(seed_, who, Lot::slab, 0.72, 1.0) * (h.roof == House::Roof::hip ? 0.8 : 1.0);
-        h.walls = pick(walls, lot(seed_, who, Lot::tone));
-        h.tiles = pick(roofs, lot(seed_, who, Lot::row));
-        h.chimney = lot(seed_, who, Lot::lane) < 0.85;
+        h.pitch = random_between(seed_, who, Purpose::slab, 0.72, 1.0) * (h.roof == House::Roof::hip ? 0.8 : 1.0);
+        h.walls = pick(walls, random_unit(seed_, who, Purpose::tone));
+        h.tiles = pick(roofs, random_unit(seed_, who, Purpose::row));
+        h.chimney = random_unit(seed_, who, Purpose::lane) < 0.85;
         return h;
     }
 

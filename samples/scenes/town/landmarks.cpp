@@ -1,7 +1,7 @@
 #include "samples/scenes/town/landmarks.h"
 
-#include "samples/scenes/town/mason.h"
 #include "samples/scenes/town/roofs.h"
+#include "samples/scenes/town/wall_builder.h"
 
 namespace scenes::town
 {
@@ -14,8 +14,8 @@ constexpr Rgb limestone = {0.90f, 0.87f, 0.80f};
 
 void church(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site)
 {
-    Mason m(pieces, terrain, site);
-    const Mason::Room nave = {-6.5, 6.5, -15, 11}, choir = {-4, 4, -21, -15}, tower = {6.2, 13.2, 4.5, 11.5};
+    WallBuilder m(pieces, terrain, site);
+    const WallBuilder::Room nave = {-6.5, 6.5, -15, 11}, choir = {-4, 4, -21, -15}, tower = {6.2, 13.2, 4.5, 11.5};
     const double y = m.floor({-6.5, 13.2, -21, 11});
     m.walls(nave, y, {3.2, 5.2}, sandstone, [](int side, int storey, int bay, int bays) {
         if (side == 0)
@@ -27,11 +27,11 @@ void church(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const S
     const RoofShape roof = {13.0, 6.5, y + 8.7, 1.15, 0.4};
     const Site ridge(site.ground(0, -2), site.along());
     for (const RoofPart part : {RoofPart::tiles, RoofPart::edges})
-        gable_roof(pieces.on(Layer::tiles), ridge, roof, part, slate);
-    gable_walls(pieces.on(Layer::facades), ridge, roof, sandstone, Bay::ashlar);
+        gable_roof(pieces.on(SurfaceKind::tiles), ridge, roof, part, slate);
+    gable_walls(pieces.on(SurfaceKind::facades), ridge, roof, sandstone, Bay::ashlar);
     m.walls(choir, y, {2.4, 3.6}, sandstone,
             [](int, int storey, int bay, int) { return storey == 1 && bay % 2 == 0 ? Bay::arch : Bay::ashlar; });
-    hip_roof(pieces.on(Layer::tiles), Site(site.ground(0, -17.4), site.along()), {3.6, 4, y + 6.3, 1.0, 0.35},
+    hip_roof(pieces.on(SurfaceKind::tiles), Site(site.ground(0, -17.4), site.along()), {3.6, 4, y + 6.3, 1.0, 0.35},
              RoofPart::tiles, slate);
     for (const double side : {-1.0, 1.0})  // buttresses
         for (int i = 0; i < 4; ++i) {
@@ -46,7 +46,7 @@ void church(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const S
     });
     for (const double out : {11.54, 4.46}) {  // clocks on its four sides
         const double left = out > 8 ? -1.6 : 1.6;
-        Geometry &g = pieces.on(Layer::facades);
+        Geometry &g = pieces.on(SurfaceKind::facades);
         site.bay(g, {9.7 + left, out, 9.7 - left, out}, y + 19.2, y + 19.2, y + 22.4, Bay::clock, sandstone);
         const double along = out > 8 ? 13.24 : 6.16;
         site.bay(g, {along, 8 - left, along, 8 + left}, y + 19.2, y + 19.2, y + 22.4, Bay::clock, sandstone);
@@ -68,8 +68,8 @@ void church(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const S
 
 void town_hall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site)
 {
-    Mason m(pieces, terrain, site);
-    const Mason::Room house = {-13.5, 13.5, -6, 6}, turret = {-1.7, 1.7, -1.7, 1.7};
+    WallBuilder m(pieces, terrain, site);
+    const WallBuilder::Room house = {-13.5, 13.5, -6, 6}, turret = {-1.7, 1.7, -1.7, 1.7};
     const double y = m.floor(house);
     m.walls(house, y, {3.4, 3.2, 3.0}, ochre, [](int side, int storey, int bay, int bays) {
         if (storey == 0) return side == 0 && bay == bays / 2 ? Bay::portal : Bay::arch;
@@ -77,7 +77,7 @@ void town_hall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, cons
     });
     for (const double band : {3.7, 6.9}) m.box(-13.65, y + band - 0.1, -6.15, 13.65, y + band + 0.12, 6.15, limestone);
     for (const RoofPart part : {RoofPart::tiles, RoofPart::edges})
-        hip_roof(pieces.on(Layer::tiles), site, {13.5, 6, y + 9.9, 0.75, 0.55}, part, red_tile);
+        hip_roof(pieces.on(SurfaceKind::tiles), site, {13.5, 6, y + 9.9, 0.75, 0.55}, part, red_tile);
     m.walls(turret, y + 12.6, {1.4, 3.0}, ochre,
             [](int, int storey, int, int) { return storey == 1 ? Bay::clock : Bay::blank; });
     m.spire(0, 0, 1.7, y + 17.3, y + 22.5, copper);

@@ -29,14 +29,14 @@ public:
     const Geometry &body() const { return body_; }
     const Geometry &wheel() const { return wheel_; }  // round its axle, which is x
     // Where a wheel is in the world, column-major. end: 1 the front axle, -1 the rear one; side: 1 towards +x, -1.
-    static std::array<float, 16> wheel_matrix(const Stance &stance, double end, double side);
+    static std::array<float, 16> wheel_matrix(const VehiclePose &pose, double end, double side);
     // Round the body, the wheels, and those who sit in it; in its own space.
     const Sphere &sphere() const { return sphere_; }
 
     // Draws it where it is; the model-view matrix is the eye's view before, and after.
-    void draw(const Gl &gl, const Eye &eye, const Stance &stance) const;
+    void draw(const Gl &gl, const Eye &eye, const VehiclePose &pose) const;
     // Its shadow on the ground and the dark under it, for Shadows::draw.
-    static void shade(Geometry &shadows, const Stance &stance, Vec3 to_sun);
+    static void shade(Geometry &shadows, const VehiclePose &pose, Vec3 to_sun);
 
 private:
     void build_body(Rgb paint);

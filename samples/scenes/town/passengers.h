@@ -1,7 +1,7 @@
 // Omnibuses with people in them, each a group (S0 4.3: "a vehicle with several occupants"), and people on the square.
 #pragma once
 
-#include "samples/scenes/cast.h"
+#include "samples/scenes/scene_crowd.h"
 #include "samples/scenes/town/omnibus.h"
 #include "samples/scenes/town/town.h"
 
@@ -12,19 +12,19 @@ class Passengers
 {
 public:
     // Fills omnibuses first, 14 seats each and at most as many as there is room for on the way, then the square.
-    Passengers(Library &library, const Casting &casting, const Town &town);
+    Passengers(Library &library, const CrowdOptions &crowd_options, const Town &town);
 
-    clq_crowd *crowd() const { return cast_.crowd(); }
+    clq_crowd *crowd() const { return scene_crowd_.crowd(); }
     std::vector<clq_template *> templates() const { return figures_; }
-    const Cast &cast() const { return cast_; }
+    const SceneCrowd &cast() const { return scene_crowd_; }
 
     // Drives them to where they are at that time.
     void drive(double time_s);
-    const std::vector<Stance> &stances() const { return stances_; }
+    const std::vector<VehiclePose> &poses() const { return poses_; }
     const std::vector<clq_group> &groups() const { return groups_; }  // one a stance
     const VehiclePath &path() const { return path_; }
     // Those who stand on the square, for their shadows.
-    const std::vector<clq_place> &standing() const { return standing_; }
+    const std::vector<clq_transform> &standing() const { return standing_; }
     size_t seated() const { return seated_; }
 
     static constexpr double metres_a_second = 5.0, spacing_m = 36.0;
@@ -36,11 +36,11 @@ private:
 
     uint64_t seed_;
     VehiclePath path_;
-    Cast cast_;
+    SceneCrowd scene_crowd_;
     std::vector<clq_template *> figures_;
     std::vector<clq_group> groups_;
-    std::vector<Stance> stances_;
-    std::vector<clq_place> standing_;
+    std::vector<VehiclePose> poses_;
+    std::vector<clq_transform> standing_;
     size_t seated_ = 0;
     double first_m_ = 0;  // along the way, at time 0: after 2 s the first omnibus passes the square
 };

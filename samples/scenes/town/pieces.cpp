@@ -60,24 +60,24 @@ bool Frustum::meets(const Sphere &s) const
     return true;
 }
 
-Pieces::Pieces(const std::array<float, layer_count> &texture_metres)
+Pieces::Pieces(const std::array<float, surface_kind_count> &texture_metres)
 {
     for (const float metres : texture_metres) layers_.emplace_back(metres);
 }
 
-void Pieces::from_now(Seen seen)
+void Pieces::from_now(Visibility seen)
 {
-    for (size_t i = 0; i < layer_count; ++i) {
+    for (size_t i = 0; i < surface_kind_count; ++i) {
         const uint32_t now = static_cast<uint32_t>(layers_[i].indices().size());
-        if (now > done_[i]) open_.push_back({static_cast<Layer>(i), seen_, done_[i], now - done_[i]});
+        if (now > done_[i]) open_.push_back({static_cast<SurfaceKind>(i), visibility_, done_[i], now - done_[i]});
         done_[i] = now;
     }
-    seen_ = seen;
+    visibility_ = seen;
 }
 
 void Pieces::finish(Piece::Kind kind)
 {
-    from_now(Seen::always);
+    from_now(Visibility::always);
     if (open_.empty()) return;
     pieces_.push_back({kind, sphere_of(layers_, open_), open_});
     open_.clear();
@@ -98,7 +98,7 @@ size_t Pieces::choose(const Frustum *cull, const double (&eye)[3], Choice &choic
         const Vec3 &c = piece.sphere.centre;
         const double x = static_cast<double>(c.x) - eye[0], y = static_cast<double>(c.y) - eye[1];
         const double z = static_cast<double>(c.z) - eye[2], near = static_cast<double>(near_m + piece.sphere.radius);
-        const Seen hidden = x * x + y * y + z * z < near * near ? Seen::far : Seen::near;
+        const Visibility hidden = x * x + y * y + z * z < near * near ? Visibility::far : Visibility::near;
         for (const Span &span : piece.spans) {
             if (span.seen == hidden) continue;
             const size_t layer = static_cast<size_t>(span.layer);
@@ -111,7 +111,7 @@ size_t Pieces::choose(const Frustum *cull, const double (&eye)[3], Choice &choic
     return sum;
 }
 
-void Pieces::draw(const Gl &g, Layer layer, const Choice &choice) const
+void Pieces::draw(const Gl &g, SurfaceKind layer, const Choice &choice) const
 {
     const std::vector<uint32_t> &indices = choice[static_cast<size_t>(layer)];
     if (indices.empty()) return;

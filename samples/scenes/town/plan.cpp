@@ -1,7 +1,7 @@
 #include "samples/scenes/town/plan.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ constexpr double country[] = {0, 24, 60, 104, 150, 205, 270, 350, 450, 570, 720,
 
 Plan::Plan(uint64_t seed) : seed_(seed)
 {
-    for (uint64_t i = 0; i < 6; ++i) phases_[i] = lot_between(seed, i, Lot::gradient, 0, two_pi);
+    for (uint64_t i = 0; i < 6; ++i) phases_[i] = random_between(seed, i, Purpose::gradient, 0, two_pi);
     lay_streets();
     lay_columns();
     lay_rows();
@@ -51,14 +51,14 @@ void Plan::lay_streets()
 {
     constexpr double u[] = {-140, -50, 46, 134}, v[] = {-128, -42, 46, 132};
     for (uint64_t i = 0; i < streets_each_way; ++i) {
-        street_u_.push_back(u[i] + lot_between(seed_, i, Lot::lane, -5, 5));
-        street_v_.push_back(v[i] + lot_between(seed_, 16 + i, Lot::lane, -5, 5));
+        street_u_.push_back(u[i] + random_between(seed_, i, Purpose::lane, -5, 5));
+        street_v_.push_back(v[i] + random_between(seed_, 16 + i, Purpose::lane, -5, 5));
     }
     for (int i = 0; i < streets_each_way; ++i) {
         const bool on = i == south_street, off = i == high_street;  // into the country
-        streets_.push_back({Street::Way::south, street_u_[static_cast<size_t>(i)], half_u(i),
+        streets_.push_back({Street::Direction::south, street_u_[static_cast<size_t>(i)], half_u(i),
                             on ? -reach_m : street_v_.front(), on ? reach_m : street_v_.back()});
-        streets_.push_back({Street::Way::east, street_v_[static_cast<size_t>(i)], half_v(i),
+        streets_.push_back({Street::Direction::east, street_v_[static_cast<size_t>(i)], half_v(i),
                             off ? -reach_m : street_u_.front(), off ? reach_m : street_u_.back()});
     }
 }
@@ -195,7 +195,7 @@ Cover Plan::cover(size_t column, size_t row) const
     if (u.use == Strip::Use::bank) return Cover::bank;
     if (!in_town(u) || !in_town(v)) {
         const double far = std::max(std::abs(u.middle()), std::abs(v.middle()));
-        const double share = lot(seed_, parcel(column, row), Lot::tree);
+        const double share = random_unit(seed_, parcel(column, row), Purpose::tree);
         return share < (far > 1300 ? 0.46 : far > 420 ? 0.22 : 0.06) ? Cover::wood : Cover::field;
     }
     for (const Block &b : blocks_)

@@ -27,7 +27,7 @@ enum class Cover : uint8_t { street, crossing, square, garden, park, field, wood
 
 // In plan coordinates: its axis runs along u or along v.
 struct Street {
-    enum class Way : uint8_t { east, south } way;
+    enum class Direction : uint8_t { east, south } direction;
     double at, half_width, first, last;
 };
 

@@ -109,7 +109,7 @@ double VehiclePath::nearest(Point p) const
     return length_ * static_cast<double>(best) / static_cast<double>(points_.size());
 }
 
-Stance VehiclePath::at(double metres) const
+VehiclePose VehiclePath::at(double metres) const
 {
     const Point rear = point(metres - wheelbase_ / 2), front = point(metres + wheelbase_ / 2);
     const double dx = front.x - rear.x, dz = front.z - rear.z, apart = std::sqrt(dx * dx + dz * dz);
@@ -121,7 +121,7 @@ Stance VehiclePath::at(double metres) const
     };
     const double w = wheelbase_ / 2, h = half_track_;
     const double fl = under(w, h), fr = under(w, -h), rl = under(-w, h), rr = under(-w, -h);
-    Stance s = {};
+    VehiclePose s = {};
     s.position[0] = (front.x + rear.x) / 2;
     s.position[1] = (fl + fr + rl + rr) / 4;
     s.position[2] = (front.z + rear.z) / 2;
@@ -138,7 +138,7 @@ Stance VehiclePath::at(double metres) const
     return s;
 }
 
-std::array<float, 4> Stance::orientation_xyzw() const
+std::array<float, 4> VehiclePose::orientation_xyzw() const
 {
     const Axis &a = right_hand_x, &b = up, &c = forward;  // columns of the turn
     double q[4];
@@ -159,7 +159,7 @@ std::array<float, 4> Stance::orientation_xyzw() const
     return {static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2]), static_cast<float>(q[3])};
 }
 
-std::array<float, 16> Stance::matrix() const
+std::array<float, 16> VehiclePose::matrix() const
 {
     std::array<float, 16> m = {};
     for (size_t i = 0; i < 3; ++i) {

@@ -9,7 +9,7 @@ namespace scenes::town
 {
 
 // A vehicle on the ground: where it is, and its own axes. Its own space has y up and goes along +z.
-struct Stance {
+struct VehiclePose {
     double position[3];
     std::array<double, 3> right_hand_x, up, forward;  // of unit length, each square to the others
     double steer_sin, steer_cos;                      // of its front wheels, about `up`, from forward towards +x
@@ -26,8 +26,8 @@ public:
 
     double length_m() const { return length_; }
     // At `metres` along it, any number: all four wheels are on the ground as far as four can be.
-    Stance at(double metres) const;
-    Stance place_at(double time_s, double metres_a_second, double start_m) const
+    VehiclePose at(double metres) const;
+    VehiclePose place_at(double time_s, double metres_a_second, double start_m) const
     {
         return at(start_m + time_s * metres_a_second);
     }

@@ -106,7 +106,7 @@ void SunShadows::lay(const Outline &part)
         z0 = std::min(z0, p.z), z1 = std::max(z1, p.z);
     }
     terrain_.find(x0, z0, x1, z1, found_);
-    Geometry &g = pieces_.on(Layer::shade);
+    Geometry &g = pieces_.on(SurfaceKind::shade);
     for (const uint32_t number : found_) {
         const Terrain::Triangle t = terrain_.triangle(number);
         const Point corners[3] = {{t[0].x, t[0].z}, {t[2].x, t[2].z}, {t[1].x, t[1].z}};

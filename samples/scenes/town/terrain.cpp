@@ -1,7 +1,7 @@
 #include "samples/scenes/town/terrain.h"
 
-#include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ class Relief
 public:
     Relief(const Plan &plan, uint64_t seed) : plan_(plan), seed_(seed)
     {
-        for (uint64_t i = 0; i < 3; ++i) turns_[i] = lot_between(seed, 40 + i, Lot::gradient, 0, 6.28);
+        for (uint64_t i = 0; i < 3; ++i) turns_[i] = random_between(seed, 40 + i, Purpose::gradient, 0, 6.28);
     }
 
     double at(double u, double v) const

@@ -9,7 +9,7 @@ namespace scenes::town
 namespace
 {
 
-constexpr std::array<float, layer_count> texture_metres = {
+constexpr std::array<float, surface_kind_count> texture_metres = {
     land_metres, furrows_metres, flagstone_metres, cobbles_metres, water_metres, 1, plaster_metres,
     3,           tiles_metres,   leaves_metres};
 constexpr float haze_per_m = 0.00030f;
@@ -60,28 +60,28 @@ Daylight Town::light()
     return {{-0.56f, 0.66f, 0.50f}, {0.78f, 0.73f, 0.62f}, {0.40f, 0.42f, 0.47f}, {0.13f, 0.12f, 0.10f}};
 }
 
-Image Town::picture(Layer layer) const
+Image Town::picture(SurfaceKind layer) const
 {
     switch (layer) {
-        case Layer::land:
+        case SurfaceKind::land:
             return land(seed_);
-        case Layer::furrows:
+        case SurfaceKind::furrows:
             return furrows(seed_);
-        case Layer::paving:
+        case SurfaceKind::paving:
             return flagstones(seed_);
-        case Layer::cobbles:
+        case SurfaceKind::cobbles:
             return cobbles(seed_);
-        case Layer::water:
+        case SurfaceKind::water:
             return water(seed_);
-        case Layer::shade:
+        case SurfaceKind::shade:
             return {};
-        case Layer::stone:
+        case SurfaceKind::stone:
             return plaster(seed_);
-        case Layer::facades:
+        case SurfaceKind::facades:
             return facades(seed_);
-        case Layer::tiles:
+        case SurfaceKind::tiles:
             return tiles(seed_);
-        case Layer::leaves:
+        case SurfaceKind::leaves:
             return leaves(seed_);
     }
     return {};
@@ -89,10 +89,10 @@ Image Town::picture(Layer layer) const
 
 void Town::prepare(const Gl &gl)
 {
-    for (size_t i = 0; i < layer_count; ++i) {
-        const Layer layer = static_cast<Layer>(i);
-        if (layer == Layer::shade) continue;
-        pictures_[i] = std::make_unique<Texture>(gl, picture(layer), layer != Layer::facades);
+    for (size_t i = 0; i < surface_kind_count; ++i) {
+        const SurfaceKind layer = static_cast<SurfaceKind>(i);
+        if (layer == SurfaceKind::shade) continue;
+        pictures_[i] = std::make_unique<Texture>(gl, picture(layer), layer != SurfaceKind::facades);
         // Two levels a pixel cost half as much again on software GL, and show little on grass and tiles.
         gl.TexParameteri(gl::texture_2d, gl::min_filter, gl::linear_mipmap_nearest);
     }
@@ -102,7 +102,7 @@ void Town::prepare(const Gl &gl)
 size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
 {
     sky_.draw(g, eye);
-    shine(g, light(), eye);
+    set_lights(g, light(), eye);
     const float haze[4] = {Clouds::haze.r, Clouds::haze.g, Clouds::haze.b, 1};
     g.Fogfv(gl::fog_color, haze);
     g.Fogi(gl::fog_mode, gl::exp);
@@ -110,9 +110,9 @@ size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
     g.Enable(gl::fog);
     g.Enable(gl::cull_face);
     const size_t sent = pieces_.choose(cull, eye.position, chosen_);
-    for (size_t i = 0; i < layer_count; ++i) {
-        const Layer layer = static_cast<Layer>(i);
-        if (layer == Layer::shade) {
+    for (size_t i = 0; i < surface_kind_count; ++i) {
+        const SurfaceKind layer = static_cast<SurfaceKind>(i);
+        if (layer == SurfaceKind::shade) {
             g.Disable(gl::texture_2d);
             g.Disable(gl::lighting);
             g.Enable(gl::blend);
@@ -122,7 +122,7 @@ size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
             g.Enable(gl::polygon_offset_fill);
         } else if (pictures_[i]) pictures_[i]->use();
         pieces_.draw(g, layer, chosen_);
-        if (layer != Layer::shade) continue;
+        if (layer != SurfaceKind::shade) continue;
         g.Disable(gl::polygon_offset_fill);
         g.DepthMask(1);
         g.Disable(gl::blend);

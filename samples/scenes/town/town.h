@@ -30,7 +30,7 @@ public:
     const Pieces &pieces() const { return pieces_; }
     const Clouds &sky() const { return sky_; }
     // For who draws it otherwise: what a layer shows; of no size where it shows colours alone.
-    Image picture(Layer layer) const;
+    Image picture(SurfaceKind layer) const;
     static Daylight light();
 
     // Brings textures to the current context, which must be current again when the town ends.
@@ -47,7 +47,7 @@ private:
     std::vector<Tree> trees_;
     Pieces pieces_;
     Clouds sky_;
-    std::array<std::unique_ptr<Texture>, layer_count> pictures_;
+    std::array<std::unique_ptr<Texture>, surface_kind_count> pictures_;
     mutable Pieces::Choice chosen_;
 };
 

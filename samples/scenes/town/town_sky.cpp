@@ -14,8 +14,10 @@ namespace
 class TownSky final : public Scene
 {
 public:
-    TownSky(Library &library, const Casting &casting)
-        : town_(casting.seed), eye_(over(town_)), flyers_(library, casting, {eye_[0], eye_[1] - 62, eye_[2]})
+    TownSky(Library &library, const CrowdOptions &crowd_options)
+        : town_(crowd_options.seed),
+          eye_(over(town_)),
+          flyers_(library, crowd_options, {eye_[0], eye_[1] - 62, eye_[2]})
     {
     }
 
@@ -47,7 +49,7 @@ public:
 
     void place(double) override {}
     void prepare(const Gl &gl) override { town_.prepare(gl); }
-    void draw_setting(const Gl &gl, const Eye &eye) const override
+    void draw_environment(const Gl &gl, const Eye &eye) const override
     {
         const town::Frustum cull(eye, cull_share_);
         town_.draw(gl, eye, &cull);
@@ -69,9 +71,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_town_sky(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_town_sky(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<TownSky>(library, casting);
+    return std::make_unique<TownSky>(library, crowd_options);
 }
 
 }  // namespace scenes

@@ -1,7 +1,7 @@
 #include "samples/scenes/town/trees.h"
 
 #include "samples/scenes/angles.h"
-#include "samples/scenes/lot.h"
+#include "samples/scenes/random.h"
 #include "samples/scenes/town/landmarks.h"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ public:
                                                                : 0;
             for (int i = 0; i < wanted; ++i) {
                 const uint64_t who = draws_++;
-                const double u = lot_between(seed_, who, Lot::place_x, b.u0 + 4, b.u1 - 4);
-                const double v = lot_between(seed_, who, Lot::place_z, b.v0 + 4, b.v1 - 4);
+                const double u = random_between(seed_, who, Purpose::place_x, b.u0 + 4, b.u1 - 4);
+                const double v = random_between(seed_, who, Purpose::place_z, b.v0 + 4, b.v1 - 4);
                 try_at(who, u, v);
             }
         }
@@ -49,7 +49,7 @@ public:
 private:
     void try_at(uint64_t who, double u, double v)
     {
-        const double share = lot(seed_, who, Lot::tree);
+        const double share = random_unit(seed_, who, Purpose::tree);
         add(who, u, v, share < 0.80 ? Tree::Kind::broad : share < 0.9 ? Tree::Kind::poplar : Tree::Kind::fir);
     }
 
@@ -58,7 +58,7 @@ private:
         Tree t = {};
         t.kind = kind;
         t.at = plan_.at(u, v);
-        const double size = lot_between(seed_, who, Lot::size, 0.78, 1.2);
+        const double size = random_between(seed_, who, Purpose::size, 0.78, 1.2);
         t.height_m = size * (kind == Tree::Kind::broad ? 8.2 : 12.5);
         t.radius_m = size * (kind == Tree::Kind::broad ? 3.3 : kind == Tree::Kind::poplar ? 1.5 : 2.6);
         for (const House &h : houses_) {
@@ -99,10 +99,10 @@ private:
         const double high = plan_.streets_v()[Plan::high_street];
         for (int i = 0; i < 40; ++i) {
             const uint64_t who = draws_++;
-            const double v = lot_between(seed_, who, Lot::place_z, -420, 520);
+            const double v = random_between(seed_, who, Purpose::place_z, -420, 520);
             if (std::abs(v - high) < 14) continue;
-            const double away = lot_between(seed_, who, Lot::place_x, 9, 24);
-            try_at(who, plan_.stream_u() + (lot(seed_, who, Lot::gap) < 0.5 ? -away : away), v);
+            const double away = random_between(seed_, who, Purpose::place_x, 9, 24);
+            try_at(who, plan_.stream_u() + (random_unit(seed_, who, Purpose::gap) < 0.5 ? -away : away), v);
         }
     }
 
@@ -110,8 +110,8 @@ private:
     {
         for (int i = 0; i < 40; ++i) {
             const uint64_t who = draws_++;
-            const double angle = lot_between(seed_, who, Lot::heading, 0, two_pi);
-            const double far = lot_between(seed_, who, Lot::radius, 230, 620);
+            const double angle = random_between(seed_, who, Purpose::heading, 0, two_pi);
+            const double far = random_between(seed_, who, Purpose::radius, 230, 620);
             const double u = far * std::sin(angle), v = far * std::cos(angle);
             if (std::abs(plan_.from_stream(u)) < 12) continue;
             if (std::abs(v - plan_.streets_v()[Plan::high_street]) < 11) continue;
@@ -149,8 +149,8 @@ void ball(Geometry &g, const Ball &b, const std::vector<Ring> &rings, Rgb green,
         for (int side = 0; side <= b.sides; ++side) {
             const uint64_t who = k * 32 + static_cast<uint64_t>(side % b.sides);
             const bool pole = rings[k].radius == 0;
-            const double bump = pole ? 1 : lot_between(seed, who, Lot::radius, 0.82, 1.14);
-            const double shift = pole ? 0 : lot_between(seed, who, Lot::size, -0.06, 0.06);
+            const double bump = pole ? 1 : random_between(seed, who, Purpose::radius, 0.82, 1.14);
+            const double shift = pole ? 0 : random_between(seed, who, Purpose::size, -0.06, 0.06);
             const double angle = two_pi * (side + 0.5 * static_cast<double>(k % 2)) / b.sides;
             const double r = rings[k].radius * b.radius * bump, y = (rings[k].share + shift) * b.height;
             const double x = r * std::sin(angle), z = r * std::cos(angle);
@@ -174,7 +174,7 @@ void ball(Geometry &g, const Ball &b, const std::vector<Ring> &rings, Rgb green,
     }
 }
 
-void crown(Geometry &g, const Tree &tree, Seen seen, double foot, double ground, Rgb green, uint64_t seed)
+void crown(Geometry &g, const Tree &tree, Visibility seen, double foot, double ground, Rgb green, uint64_t seed)
 {
     static const std::vector<Ring> rough = {{0, 0.25}, {0.30, 0.98}, {0.72, 0.80}, {1, 0}};
     static const std::vector<Ring> round = {{0, 0}, {0.30, 0.95}, {0.70, 0.86}, {1, 0}};
@@ -184,7 +184,7 @@ void crown(Geometry &g, const Tree &tree, Seen seen, double foot, double ground,
     const float x = static_cast<float>(tree.at.x), z = static_cast<float>(tree.at.z);
     const Vec3 low = {x, static_cast<float>(ground + foot), z},
                middle = {x, static_cast<float>(ground + foot + 0.5 * high), z};
-    if (tree.kind != Tree::Kind::broad || seen == Seen::far) {
+    if (tree.kind != Tree::Kind::broad || seen == Visibility::far) {
         const std::vector<Ring> &rings = tree.kind == Tree::Kind::poplar ? slim
                                          : tree.kind == Tree::Kind::fir  ? cone
                                                                          : rough;
@@ -192,10 +192,10 @@ void crown(Geometry &g, const Tree &tree, Seen seen, double foot, double ground,
         return;
     }
     for (uint64_t i = 0; i < 5; ++i) {  // boughs: four around, one on top
-        const double turn = two_pi * (static_cast<double>(i) + lot_between(seed, i, Lot::heading, 0, 0.5)) / 4;
-        const double out = i == 4 ? 0 : lot_between(seed, i, Lot::place_x, 0.36, 0.50) * tree.radius_m;
-        const double up = i == 4 ? 0.36 : lot_between(seed, i, Lot::place_z, 0.0, 0.22);
-        const double size = i == 4 ? 0.72 : lot_between(seed, i, Lot::slab, 0.58, 0.70);
+        const double turn = two_pi * (static_cast<double>(i) + random_between(seed, i, Purpose::heading, 0, 0.5)) / 4;
+        const double out = i == 4 ? 0 : random_between(seed, i, Purpose::place_x, 0.36, 0.50) * tree.radius_m;
+        const double up = i == 4 ? 0.36 : random_between(seed, i, Purpose::place_z, 0.0, 0.22);
+        const double size = i == 4 ? 0.72 : random_between(seed, i, Purpose::slab, 0.58, 0.70);
         const Vec3 at = {x + static_cast<float>(out * std::sin(turn)), static_cast<float>(ground + foot + up * high),
                          z + static_cast<float>(out * std::cos(turn))};
         ball(g, {at, 0.64 * high, size * tree.radius_m, 7, middle, high}, round, green, seed + 77 * i);
@@ -214,20 +214,20 @@ void grow_tree(Pieces &pieces, SunShadows &shadows, const Tree &tree, const Terr
     const double ground = terrain.height(tree.at.x, tree.at.z);
     const uint64_t own = seed ^ (static_cast<uint64_t>(static_cast<int64_t>(tree.at.x * 16)) * 0x9e3779b97f4a7c15u);
     const double foot = (tree.kind == Tree::Kind::broad ? 0.24 : 0.09) * tree.height_m;
-    const size_t tone = static_cast<size_t>(lot(own, 0, Lot::tone) * 5);
+    const size_t tone = static_cast<size_t>(random_unit(own, 0, Purpose::tone) * 5);
     const Rgb green = tree.kind == Tree::Kind::broad    ? greens[tone]
                       : tree.kind == Tree::Kind::poplar ? Rgb{0.36f, 0.52f, 0.24f}
                                                         : Rgb{0.24f, 0.40f, 0.24f};
     const float r = static_cast<float>(0.035 * tree.height_m), y = static_cast<float>(ground);
-    pieces.on(Layer::stone)
+    pieces.on(SurfaceKind::stone)
         .turned(static_cast<float>(tree.at.x), static_cast<float>(tree.at.z),
                 {{r, y - 0.03f}, {0.7f * r, y + static_cast<float>(foot + 0.14 * tree.height_m)}}, 4, bark);
     if (tree.kind == Tree::Kind::broad) {
-        pieces.from_now(Seen::near);
-        crown(pieces.on(Layer::leaves), tree, Seen::near, foot, ground, green, own);
-        pieces.from_now(Seen::far);
+        pieces.from_now(Visibility::near);
+        crown(pieces.on(SurfaceKind::leaves), tree, Visibility::near, foot, ground, green, own);
+        pieces.from_now(Visibility::far);
     }
-    crown(pieces.on(Layer::leaves), tree, Seen::far, foot, ground, green, own);
+    crown(pieces.on(SurfaceKind::leaves), tree, Visibility::far, foot, ground, green, own);
     pieces.finish(Piece::Kind::tree);
 
     if (std::abs(tree.at.x) + std::abs(tree.at.z) > shaded_m) return;

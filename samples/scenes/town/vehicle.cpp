@@ -18,8 +18,8 @@ constexpr float person_m = 1.75f, shadow_width_m = 0.95f;
 class Vehicle final : public Scene
 {
 public:
-    Vehicle(Library &library, const Casting &casting)
-        : seed_(casting.seed), town_(casting.seed), passengers_(library, casting, town_)
+    Vehicle(Library &library, const CrowdOptions &crowd_options)
+        : seed_(crowd_options.seed), town_(crowd_options.seed), passengers_(library, crowd_options, town_)
     {
         for (const Rgb &paint : paints) omnibuses_.emplace_back(paint);
     }
@@ -57,17 +57,17 @@ public:
         shadows_.prepare(gl);
     }
 
-    void draw_setting(const Gl &gl, const Eye &eye) const override
+    void draw_environment(const Gl &gl, const Eye &eye) const override
     {
         const town::Frustum cull(eye, cull_share_);
         town_.draw(gl, eye, &cull);
         shade(gl);
         gl.Enable(gl::cull_face);
         paint_->use();
-        for (size_t i = 0; i < passengers_.stances().size(); ++i) {
+        for (size_t i = 0; i < passengers_.poses().size(); ++i) {
             const town::Omnibus &omnibus = omnibuses_[i % omnibuses_.size()];
-            const town::Stance &stance = passengers_.stances()[i];
-            if (cull.meets(in_world(omnibus.sphere(), stance))) omnibus.draw(gl, eye, stance);
+            const town::VehiclePose &pose = passengers_.poses()[i];
+            if (cull.meets(in_world(omnibus.sphere(), pose))) omnibus.draw(gl, eye, pose);
         }
         gl.Disable(gl::texture_2d);
     }
@@ -75,7 +75,7 @@ public:
     void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
 
 private:
-    static town::Sphere in_world(const town::Sphere &s, const town::Stance &at)
+    static town::Sphere in_world(const town::Sphere &s, const town::VehiclePose &at)
     {
         const auto axis = [&](size_t i) {
             return static_cast<float>(at.position[i] + static_cast<double>(s.centre.x) * at.right_hand_x[i] +
@@ -90,7 +90,7 @@ private:
         Vec3 to_sun = town::Town::light().to_sun;
         shadows_.cast(passengers_.standing(), to_sun, person_m, shadow_width_m);
         wheels_.clear();
-        for (const town::Stance &stance : passengers_.stances()) town::Omnibus::shade(wheels_, stance, to_sun);
+        for (const town::VehiclePose &pose : passengers_.poses()) town::Omnibus::shade(wheels_, pose, to_sun);
         gl.PolygonOffset(-2, -4);
         gl.Enable(gl::polygon_offset_fill);
         shadows_.draw(gl, wheels_);
@@ -109,9 +109,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Scene> make_vehicle(Library &library, const Casting &casting, const Character &)
+std::unique_ptr<Scene> make_vehicle(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Vehicle>(library, casting);
+    return std::make_unique<Vehicle>(library, crowd_options);
 }
 
 }  // namespace scenes

@@ -1,7 +1,7 @@
 #include "samples/scenes/town/ground.h"
 
-#include "samples/scenes/lot.h"
 #include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +27,13 @@ public:
         const Vec3 &a = terrain_.corner(i, k), &b = terrain_.corner(i + 1, k), &d = terrain_.corner(i, k + 1);
         const double far = std::sqrt(static_cast<double>(a.x) * a.x + static_cast<double>(a.z) * a.z);
         const int across = parts(a, b, far), down = parts(a, d, far);
-        const double share = lot(seed_, plan_.parcel(i, k), Lot::temper);
+        const double share = random_unit(seed_, plan_.parcel(i, k), Purpose::temper);
         const Rgb green = share < 0.6 ? deciduous : spruce;
         const auto wood = [&](size_t column, size_t row) {
             return column < terrain_.columns() && row < terrain_.rows() && plan_.cover(column, row) == Cover::wood;
         };
         const bool open[4] = {!wood(i, k + 1), !wood(i + 1, k), !wood(i, k - 1), !wood(i - 1, k)};
-        Geometry &g = pieces_.on(Layer::leaves);
+        Geometry &g = pieces_.on(SurfaceKind::leaves);
         const uint32_t first = static_cast<uint32_t>(g.vertices().size());
         for (int n = 0; n <= down; ++n)
             for (int m = 0; m <= across; ++m)

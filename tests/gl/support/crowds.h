@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/figures/figure.h"
-#include "lib/lod/far.h"
+#include "lib/lod/proxy.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/split.h"
 
@@ -13,17 +13,17 @@ using claque::draw::DrawList;
 using claque::draw::Item;
 
 // The citizen in about so many triangles, each of one zone.
-inline Figure far_figure(uint32_t triangles)
+inline PosedModel proxy_posed(uint32_t triangles)
 {
     model::Model model = claque::figures::citizen();
     std::vector<const model::Part *> parts;
     for (const model::Part &part : model.parts) parts.push_back(&part);
-    claque::lod::FarWish wish;
-    wish.targets = {triangles};
-    claque::lod::FarLevels far = claque::lod::make_far(model, parts, wish);
-    claque::lod::enter(far, model);
-    model.parts = far.parts;
-    return split_figure(model);
+    claque::lod::ProxyOptions options;
+    options.targets = {triangles};
+    claque::lod::ProxyLevels proxies = claque::lod::make_proxies(model, parts, options);
+    claque::lod::add_to_model(proxies, model);
+    model.parts = proxies.parts;
+    return split_posed(model);
 }
 
 class CrowdTest : public GlTest
@@ -31,13 +31,13 @@ class CrowdTest : public GlTest
 protected:
     static constexpr uint32_t across = 8, crowd = 40;
 
-    explicit CrowdTest(const Figure &figure) : figure_(&figure) {}
+    explicit CrowdTest(const PosedModel &posed) : posed_(&posed) {}
 
     void SetUp() override
     {
         GlTest::SetUp();
         for (uint32_t who = 0; who < crowd; ++who)
-            colours_.push_back(zone_colours(static_cast<uint32_t>(figure_->tmpl->zone_count())));
+            colours_.push_back(zone_colours(static_cast<uint32_t>(posed_->tmpl->zone_count())));
         for (uint32_t who = 0; who < crowd; ++who)
             for (size_t i = 0; i < colours_[who].size(); ++i)
                 colours_[who][i] = static_cast<uint8_t>(colours_[who][i] + 5 * who);
@@ -60,12 +60,12 @@ protected:
     // Rows of them.
     DrawList many() const
     {
-        const Camera camera = camera_on(*figure_, 9, -0.3f, 0.2f, 4.0f / 3.0f);
+        const Camera camera = camera_on(*posed_, 9, -0.3f, 0.2f, 4.0f / 3.0f);
         std::vector<Individual> people;
         for (uint32_t who = 0; who < crowd; ++who) {
-            Individual one = individual_of(*figure_, camera, colours_[who].data());
-            one.model_view[12] += 1.1f * figure_->radius * (float(who % across) - 3.5f);
-            one.model_view[13] += 1.3f * figure_->radius * (float(who / across) - 2);
+            Individual one = individual_of(*posed_, camera, colours_[who].data());
+            one.model_view[12] += 1.1f * posed_->radius * (float(who % across) - 3.5f);
+            one.model_view[13] += 1.3f * posed_->radius * (float(who / across) - 2);
             people.push_back(one);
         }
         return list_of(people, camera.projection);
@@ -89,7 +89,7 @@ protected:
     }
     Picture shown(const DrawList &list, const passes::RendererOptions &options, passes::DrawStats *stats = nullptr)
     {
-        const auto renderer = make_renderer_of(*figure_, options);
+        const auto renderer = make_renderer_of(*posed_, options);
         const Picture picture = draw(*context_, *renderer, list);
         if (stats) {
             EXPECT_TRUE(renderer->draw(list, stats).ok());
@@ -127,7 +127,7 @@ protected:
         return count;
     }
 
-    const Figure *figure_;
+    const PosedModel *posed_;
     std::vector<std::vector<uint8_t>> colours_;
 };
 
@@ -136,10 +136,10 @@ template <uint32_t triangles>
 class CrowdOf : public CrowdTest
 {
 protected:
-    CrowdOf() : CrowdTest(figure()) {}
-    static const Figure &figure()
+    CrowdOf() : CrowdTest(posed()) {}
+    static const PosedModel &posed()
     {
-        static const Figure made = far_figure(triangles);
+        static const PosedModel made = proxy_posed(triangles);
         return made;
     }
 };

@@ -32,11 +32,11 @@ protected:
         EXPECT_TRUE(status.ok()) << status.text;
         return renderer;
     }
-    std::unique_ptr<passes::Renderer> make_renderer_of(const Figure &figure,
+    std::unique_ptr<passes::Renderer> make_renderer_of(const PosedModel &posed,
                                                        const passes::RendererOptions &options = {})
     {
         auto renderer = make_renderer(options);
-        const Status status = renderer->prepare(*figure.tmpl);
+        const Status status = renderer->prepare(*posed.tmpl);
         EXPECT_TRUE(status.ok()) << status.text;
         return renderer;
     }
@@ -46,9 +46,9 @@ protected:
 };
 
 // Small, of eight zones, clean and dirty triangles.
-inline Figure small_figure() { return make_figure(sheet(9, 0.2f), torture_map(128, 8, 3)); }
+inline PosedModel small_posed() { return make_posed(sheet(9, 0.2f), torture_map(128, 8, 3)); }
 
-inline Camera whole_view(const Figure &figure) { return camera_on(figure, 2.6f, -0.5f, 0.4f, 320.0f / 240.0f); }
+inline Camera whole_view(const PosedModel &posed) { return camera_on(posed, 2.6f, -0.5f, 0.4f, 320.0f / 240.0f); }
 
 inline passes::RendererOptions options_of(passes::Strategy strategy, passes::Guard guard = passes::Guard::full)
 {

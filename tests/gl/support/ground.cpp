@@ -73,12 +73,12 @@ Ground::Ground(glm::dvec3 eye, glm::dvec3 target, float aspect) : eye_(eye)
     std::copy_n(glm::value_ptr(projection), 16, projection_);
 }
 
-Item Ground::stand(const Figure &figure, glm::dvec3 at, float turn_rad, float scale) const
+Item Ground::stand(const PosedModel &posed, glm::dvec3 at, float turn_rad, float scale) const
 {
     Item item;
-    item.tmpl = figure.tmpl.get();
-    item.vertices.positions = figure.positions.data();
-    item.vertices.normals = figure.normals.data();
+    item.tmpl = posed.tmpl.get();
+    item.vertices.positions = posed.positions.data();
+    item.vertices.normals = posed.normals.data();
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1), double(turn_rad), glm::dvec3(0, 1, 0));
     glm::dmat4 place = glm::dmat4(world_to_eye_) * turn * glm::scale(glm::dmat4(1), glm::dvec3(scale));
     place[3] = glm::dvec4(world_to_eye_ * (at - eye_), 1);

@@ -17,7 +17,7 @@ public:
     Ground(glm::dvec3 eye, glm::dvec3 target, float aspect);
 
     // Somebody at a place in the world, turned about the upright axis; positions of level 0.
-    Item stand(const Figure &figure, glm::dvec3 at, float turn_rad, float scale = 1) const;
+    Item stand(const PosedModel &posed, glm::dvec3 at, float turn_rad, float scale = 1) const;
     DrawList list_of(const std::vector<Item> &items) const;
 
     // Draws the ground, white and unlit at height 0, with depth; clears first, stencil to all ones.

@@ -46,14 +46,14 @@ protected:
     void SetUp() override
     {
         GlTest::SetUp();
-        if (figure_.tmpl) return;
-        figure_ = small_figure();
-        paint(*figure_.tmpl);
+        if (posed_.tmpl) return;
+        posed_ = small_posed();
+        paint(*posed_.tmpl);
     }
 
     DrawList trio() const
     {
-        DrawList list = list_of(figure_, camera_on(figure_, 5, -0.5f, 0.4f, 4.0f / 3.0f));
+        DrawList list = list_of(posed_, camera_on(posed_, 5, -0.5f, 0.4f, 4.0f / 3.0f));
         for (uint32_t i = 0; i < 3; ++i) {
             claque::draw::Item item = list.items[0];
             item.actor_index = 10 + i;
@@ -87,9 +87,9 @@ protected:
     }
     Picture calm(const passes::RendererOptions &options = {})
     {
-        return draw(*context_, *make_renderer_of(figure_, options), trio());
+        return draw(*context_, *make_renderer_of(posed_, options), trio());
     }
-    Figure figure_;
+    PosedModel posed_;
 };
 
 }  // namespace gltest

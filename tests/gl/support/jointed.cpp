@@ -88,7 +88,7 @@ void add_rig(model::Template &tmpl, const std::vector<Joint> &joints, const std:
         uint32_t triangles = 0;
         for (const model::Surface &surface : level.surfaces) {
             for (size_t s = 0; s <= surface.clean.size(); ++s) {
-                const uint32_t *firsts = surface.part_firsts.data() + s * (parts.size() + 1);
+                const uint32_t *firsts = surface.part_offsets.data() + s * (parts.size() + 1);
                 triangles += (firsts[part + 1] - firsts[part]) / 3;
             }
         }
@@ -100,8 +100,8 @@ void add_rig(model::Template &tmpl, const std::vector<Joint> &joints, const std:
         level.joints.push_back(static_cast<uint16_t>(part_of_vertex[v]));
         level.weights.push_back(1);
         const math::Affine bind = math::inverse(tmpl.rig.palette[part_of_vertex[v]].inverse_bind);
-        const glm::vec3 p = math::point(bind, vertex(level.positions, v));
-        const glm::vec3 n = math::direction(bind, vertex(level.normals, v));
+        const glm::vec3 p = math::transform_point(bind, vertex(level.positions, v));
+        const glm::vec3 n = math::transform_vector(bind, vertex(level.normals, v));
         std::copy_n(&p.x, 3, &level.positions[3 * size_t(v)]);
         std::copy_n(&n.x, 3, &level.normals[3 * size_t(v)]);
     }
@@ -110,7 +110,7 @@ void add_rig(model::Template &tmpl, const std::vector<Joint> &joints, const std:
 // As skinning does: palette matrices, then vertices.
 void place(Jointed &out, const std::vector<uint32_t> &part_of_vertex)
 {
-    const model::Template &tmpl = *out.figure.tmpl;
+    const model::Template &tmpl = *out.posed.tmpl;
     const model::Level &level = tmpl.levels[0];
     std::vector<glm::dvec3> low(out.parts.size(), glm::dvec3(1e9)), high(out.parts.size(), glm::dvec3(-1e9));
     for (uint32_t v = 0; v < level.vertex_count; ++v) {
@@ -118,16 +118,16 @@ void place(Jointed &out, const std::vector<uint32_t> &part_of_vertex)
         const uint32_t part = part_of_vertex[from];
         const model::PaletteEntry &entry = tmpl.rig.palette[part];
         const math::Affine matrix = math::mul(out.globals[entry.node], entry.inverse_bind);
-        const glm::vec3 p = math::point(matrix, vertex(level.positions, from));
-        const glm::vec3 n = math::direction(matrix, vertex(level.normals, from));
-        std::copy_n(&p.x, 3, &out.figure.positions[3 * size_t(v)]);
-        std::copy_n(&n.x, 3, &out.figure.normals[3 * size_t(v)]);
+        const glm::vec3 p = math::transform_point(matrix, vertex(level.positions, from));
+        const glm::vec3 n = math::transform_vector(matrix, vertex(level.normals, from));
+        std::copy_n(&p.x, 3, &out.posed.positions[3 * size_t(v)]);
+        std::copy_n(&n.x, 3, &out.posed.normals[3 * size_t(v)]);
         low[part] = glm::min(low[part], glm::dvec3(p)), high[part] = glm::max(high[part], glm::dvec3(p));
     }
     for (size_t part = 0; part < out.parts.size(); ++part)
         out.part_balls.push_back({glm::vec3(0.5 * (low[part] + high[part])),
                                   static_cast<float>(0.5 * glm::length(high[part] - low[part]) + 1e-4)});
-    measure(out.figure);
+    measure(out.posed);
 }
 
 }  // namespace
@@ -145,8 +145,8 @@ Jointed make_jointed(const std::vector<Joint> &joints, const ZoneMap &map, float
     }
     mesh.part_count = static_cast<uint32_t>(out.parts.size());
     mesh.surface_count = mesh.part_count > 1 ? 2 : 1;
-    out.figure = make_figure(mesh, map);
-    add_rig(*out.figure.tmpl, joints, out.parts, part_of_vertex, bind_offset);
+    out.posed = make_posed(mesh, map);
+    add_rig(*out.posed.tmpl, joints, out.parts, part_of_vertex, bind_offset);
     pose(out, joints);
     place(out, part_of_vertex);
     return out;
@@ -185,7 +185,7 @@ std::vector<Joint> rope(uint32_t count)
 
 claque::draw::DrawList by_matrices(const Jointed &jointed, const Camera &camera, const uint8_t *zone_rgb)
 {
-    claque::draw::DrawList list = list_of(jointed.figure, camera, zone_rgb);
+    claque::draw::DrawList list = list_of(jointed.posed, camera, zone_rgb);
     list.items[0].locals = jointed.locals.data();
     list.items[0].vertices = {};
     return list;
@@ -199,19 +199,20 @@ uint64_t parts_in(const Jointed &jointed, const Camera &camera)
     for (size_t part = 0; part < jointed.part_balls.size(); ++part) {
         const model::Sphere &ball = jointed.part_balls[part];
         const glm::dvec3 centre(view * glm::dvec4(glm::dvec3(ball.centre), 1));
-        if (math::test(frustum, centre, double(ball.radius)) != math::Inside::no) parts |= uint64_t(1) << part;
+        if (math::test(frustum, centre, double(ball.radius)) != math::Containment::outside)
+            parts |= uint64_t(1) << part;
     }
     return parts;
 }
 
-Camera hashed_camera(const Figure &figure, uint32_t index, float aspect)
+Camera hashed_camera(const PosedModel &posed, uint32_t index, float aspect)
 {
     const auto draw = [&](uint32_t k) { return base::unit(base::hash(11, index, base::Purpose::pick, k)); };
-    const float r = figure.radius, distance = r * (0.3f + 2.5f * draw(0) * draw(0));
+    const float r = posed.radius, distance = r * (0.3f + 2.5f * draw(0) * draw(0));
     glm::mat4 view = glm::translate(glm::mat4(1), glm::vec3((draw(1) - 0.5f) * r, (draw(2) - 0.5f) * r, -distance));
     view = glm::rotate(view, 1.2f * (draw(3) - 0.5f), glm::vec3(1, 0, 0));
     view = glm::rotate(view, 6.3f * draw(4), glm::vec3(0, 1, 0));
-    view = glm::translate(view, -figure.centre);
+    view = glm::translate(view, -posed.centre);
     const glm::mat4 projection = glm::perspective(0.8f, aspect, 0.05f * r, distance + r * (0.2f + draw(5)));
     Camera camera;
     std::copy_n(glm::value_ptr(projection), 16, camera.projection);

@@ -15,7 +15,7 @@ struct Joint {
 };
 
 struct Jointed {
-    Figure figure;                                  // vertices in the pose, as the processor places them
+    PosedModel posed;                               // vertices in the pose, as the processor places them
     std::vector<claque::math::Affine> locals;       // in the pose, one a node
     std::vector<claque::math::Affine> globals;      // likewise, to the figure's own space
     std::vector<uint32_t> parts;                    // the node of each
@@ -39,6 +39,6 @@ claque::draw::DrawList by_matrices(const Jointed &jointed, const Camera &camera,
 uint64_t parts_in(const Jointed &jointed, const Camera &camera);
 
 // Near and far, from all sides, looking past the figure too.
-Camera hashed_camera(const Figure &figure, uint32_t index, float aspect);
+Camera hashed_camera(const PosedModel &posed, uint32_t index, float aspect);
 
 }  // namespace gltest

@@ -5,8 +5,8 @@
 namespace gltest
 {
 
-Law::Law(contexts::Offscreen &context, const Figure &figure)
-    : context_(context), figure_(figure), colours_(zone_colours(figure.tmpl->zone_count()))
+Law::Law(contexts::Offscreen &context, const PosedModel &posed)
+    : context_(context), posed_(posed), colours_(zone_colours(posed.tmpl->zone_count()))
 {
     struct Place {
         const char *name;
@@ -18,10 +18,10 @@ Law::Law(contexts::Offscreen &context, const Figure &figure)
     for (const Place &place : places) {
         View view;
         view.name = place.name;
-        view.camera = camera_on(figure, place.distance_radii, place.turn_rad, place.tilt_rad, aspect);
-        view.plain = draw_plain(context, figure, view.camera, colours_.data());
-        view.forwards = draw_ids(context, figure, view.camera, Order::forwards);
-        view.backwards = draw_ids(context, figure, view.camera, Order::backwards);
+        view.camera = camera_on(posed, place.distance_radii, place.turn_rad, place.tilt_rad, aspect);
+        view.plain = draw_plain(context, posed, view.camera, colours_.data());
+        view.forwards = draw_ids(context, posed, view.camera, Order::forwards);
+        view.backwards = draw_ids(context, posed, view.camera, Order::backwards);
         const Comparison itself = compare(view.plain, view.plain, view.forwards, view.backwards);
         EXPECT_GT(itself.covered, 0u) << view.name;
         covered_ += itself.covered;
@@ -35,11 +35,11 @@ void Law::hold(const passes::RendererOptions &options) const
     passes::Renderer renderer(std::pmr::get_default_resource(), options);
     const auto opened = renderer.open(context_.get_proc_address(), context_.user());
     ASSERT_TRUE(opened.ok()) << opened.text;
-    const auto prepared = renderer.prepare(*figure_.tmpl);
+    const auto prepared = renderer.prepare(*posed_.tmpl);
     ASSERT_TRUE(prepared.ok()) << prepared.text;
     for (const View &view : views_) {
-        const Picture variety = draw(context_, renderer, list_of(figure_, view.camera, colours_.data()));
-        const Comparison c = compare(view.plain, variety, view.forwards, view.backwards);
+        const Picture coloured = draw(context_, renderer, list_of(posed_, view.camera, colours_.data()));
+        const Comparison c = compare(view.plain, coloured, view.forwards, view.backwards);
         EXPECT_EQ(c.wrong, 0u) << view.name << ": of " << c.covered << " pixels";
         EXPECT_EQ(c.holes, 0u) << view.name << ": of " << c.covered << " pixels";
     }

@@ -24,7 +24,7 @@ constexpr Target two_targets[] = {all_targets[0], all_targets[1]};
 class Law
 {
 public:
-    Law(contexts::Offscreen &context, const Figure &figure);
+    Law(contexts::Offscreen &context, const PosedModel &posed);
 
     // Adds test failures where a renderer's pictures differ or have holes.
     void hold(const passes::RendererOptions &options) const;
@@ -39,7 +39,7 @@ private:
         Picture plain, forwards, backwards;
     };
     contexts::Offscreen &context_;
-    const Figure &figure_;
+    const PosedModel &posed_;
     std::vector<uint8_t> colours_;
     std::vector<View> views_;
     uint64_t covered_ = 0, ties_ = 0;

@@ -27,9 +27,10 @@ protected:
     }
 
     // All strategies.
-    void hold(const Figure &figure, std::initializer_list<passes::ColourFormat> formats = {passes::ColourFormat::ubyte})
+    void hold(const PosedModel &posed,
+              std::initializer_list<passes::ColourFormat> formats = {passes::ColourFormat::ubyte})
     {
-        const Law law(*context_, figure);
+        const Law law(*context_, posed);
         for (const passes::Strategy strategy :
              {passes::Strategy::fused, passes::Strategy::binned, passes::Strategy::per_zone})
             for (const passes::ColourFormat format : formats) {

@@ -14,10 +14,11 @@ namespace
 {
 
 // Anywhere round the figure, from near enough to cut it off to so far that it is a few pixels.
-Camera drawn_by_lot(const Figure &figure, uint64_t seed, float aspect)
+Camera drawn_by_lot(const PosedModel &posed, uint64_t seed, float aspect)
 {
-    const auto lot = [seed](uint64_t what) { return claque::base::unit(claque::base::mix(8 * seed + what)); };
-    return camera_on(figure, 0.7f * std::pow(40.0f, lot(0)), 6.2832f * lot(1), 2.4f * lot(2) - 1.2f, aspect);
+    const auto random_unit = [seed](uint64_t what) { return claque::base::unit(claque::base::mix(8 * seed + what)); };
+    return camera_on(posed, 0.7f * std::pow(40.0f, random_unit(0)), 6.2832f * random_unit(1),
+                     2.4f * random_unit(2) - 1.2f, aspect);
 }
 
 }  // namespace
@@ -36,34 +37,34 @@ uint32_t LevelsTest::hold(model::Model character, uint32_t texture_px, uint32_t 
         character.rig.clips.resize(1, character.rig.clips[0]);
         character.rig.clip_names.resize(1, character.rig.clip_names[0]);
     }
-    claque::lod::ChainWish wish;
-    wish.sampling.poses_per_clip = 1;
-    claque::lod::make_chain(character, wish);
+    claque::lod::ChainOptions chain_options;
+    chain_options.sampling.poses_per_clip = 1;
+    claque::lod::make_chain(character, chain_options);
     claque::meshsplit::BuildOptions options;
     options.max_texture_px = texture_px;
-    Figure figure;
-    figure.tmpl = std::make_unique<model::Template>(std::pmr::get_default_resource());
-    claque::meshsplit::build(character, options, *figure.tmpl);
-    whiten(*figure.tmpl);
+    PosedModel posed;
+    posed.tmpl = std::make_unique<model::Template>(std::pmr::get_default_resource());
+    claque::meshsplit::build(character, options, *posed.tmpl);
+    whiten(*posed.tmpl);
     const bool still = character.rig.clips.empty();
-    const uint32_t levels = static_cast<uint32_t>(figure.tmpl->levels.size());
+    const uint32_t levels = static_cast<uint32_t>(posed.tmpl->levels.size());
     for (uint32_t level = 0; level < levels; ++level) {
         SCOPED_TRACE(testing::Message() << "level " << level << " of " << levels);
-        std::swap(figure.tmpl->levels[0], figure.tmpl->levels[level]);
-        skin(*figure.tmpl, still ? model::none : 0, still ? 0 : double(character.rig.clips[0].start_s) + 0.3,
-             figure.positions, figure.normals);
-        measure(figure);
-        hold_level(figure, level, cameras_a_level);
-        std::swap(figure.tmpl->levels[0], figure.tmpl->levels[level]);
+        std::swap(posed.tmpl->levels[0], posed.tmpl->levels[level]);
+        skin(*posed.tmpl, still ? model::none : 0, still ? 0 : double(character.rig.clips[0].start_s) + 0.3,
+             posed.positions, posed.normals);
+        measure(posed);
+        hold_level(posed, level, cameras_a_level);
+        std::swap(posed.tmpl->levels[0], posed.tmpl->levels[level]);
     }
     RecordProperty("ties", std::to_string(ties_) + " of " + std::to_string(covered_) + " pixels");
     EXPECT_LE(double(ties_), most_ties_share_ * double(covered_)) << ties_ << " of " << covered_;
     return levels * cameras_a_level;
 }
 
-void LevelsTest::hold_level(const Figure &figure, uint32_t level, uint32_t cameras)
+void LevelsTest::hold_level(const PosedModel &posed, uint32_t level, uint32_t cameras)
 {
-    const std::vector<uint8_t> colours = zone_colours(figure.tmpl->zone_count());
+    const std::vector<uint8_t> colours = zone_colours(posed.tmpl->zone_count());
     const float aspect = float(context_->width()) / float(context_->height());
     std::vector<std::unique_ptr<passes::Renderer>> renderers;
     for (const passes::Strategy strategy :
@@ -72,19 +73,19 @@ void LevelsTest::hold_level(const Figure &figure, uint32_t level, uint32_t camer
         options.strategy = strategy;
         renderers.push_back(std::make_unique<passes::Renderer>(std::pmr::get_default_resource(), options));
         ASSERT_TRUE(renderers.back()->open(context_->get_proc_address(), context_->user()).ok());
-        const auto prepared = renderers.back()->prepare(*figure.tmpl);
+        const auto prepared = renderers.back()->prepare(*posed.tmpl);
         ASSERT_TRUE(prepared.ok()) << prepared.text;
     }
     for (uint32_t i = 0; i < cameras; ++i) {
-        const Camera camera = drawn_by_lot(figure, 1000 * level + i, aspect);
-        const Picture plain = draw_plain(*context_, figure, camera, colours.data());
-        const Picture forwards = draw_ids(*context_, figure, camera, Order::forwards);
-        const Picture backwards = draw_ids(*context_, figure, camera, Order::backwards);
+        const Camera camera = drawn_by_lot(posed, 1000 * level + i, aspect);
+        const Picture plain = draw_plain(*context_, posed, camera, colours.data());
+        const Picture forwards = draw_ids(*context_, posed, camera, Order::forwards);
+        const Picture backwards = draw_ids(*context_, posed, camera, Order::backwards);
         const Comparison itself = compare(plain, plain, forwards, backwards);
         covered_ += itself.covered, ties_ += itself.ties;
         for (size_t k = 0; k < renderers.size(); ++k) {
-            const Picture variety = draw(*context_, *renderers[k], list_of(figure, camera, colours.data()));
-            const Comparison c = compare(plain, variety, forwards, backwards);
+            const Picture coloured = draw(*context_, *renderers[k], list_of(posed, camera, colours.data()));
+            const Comparison c = compare(plain, coloured, forwards, backwards);
             EXPECT_EQ(c.wrong + c.holes, 0u)
                 << "strategy " << k << ", camera " << i << ": of " << c.covered << " pixels";
         }

@@ -20,7 +20,7 @@ protected:
     double most_ties_share_ = 1e-4;  // of all pixels that are covered
 
 private:
-    void hold_level(const Figure &figure, uint32_t level, uint32_t cameras);
+    void hold_level(const PosedModel &posed, uint32_t level, uint32_t cameras);
 
     std::unique_ptr<contexts::Offscreen> context_;
     uint64_t covered_ = 0, ties_ = 0;

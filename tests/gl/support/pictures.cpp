@@ -84,14 +84,14 @@ Picture begin(contexts::Offscreen &context, const HostGl &host, const uint8_t *r
 
 }  // namespace
 
-Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, float tilt_rad, float aspect)
+Camera camera_on(const PosedModel &posed, float distance_radii, float turn_rad, float tilt_rad, float aspect)
 {
-    const float r = figure.radius, distance = distance_radii * r;
+    const float r = posed.radius, distance = distance_radii * r;
     const float z_near = std::max(distance - 1.5f * r, 0.02f * r);
     glm::mat4 view = glm::translate(glm::mat4(1), glm::vec3(0, 0, -distance));
     view = glm::rotate(view, tilt_rad, glm::vec3(1, 0, 0));
     view = glm::rotate(view, turn_rad, glm::vec3(0, 1, 0));
-    view = glm::translate(view, -figure.centre);
+    view = glm::translate(view, -posed.centre);
     const glm::mat4 projection = glm::perspective(0.8f, aspect, z_near, distance + 1.5f * r);
     Camera camera;
     std::copy_n(glm::value_ptr(projection), 16, camera.projection);
@@ -99,10 +99,10 @@ Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, flo
     return camera;
 }
 
-Individual individual_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+Individual individual_of(const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb)
 {
-    Individual individual = {figure.tmpl.get(), figure.positions.data(), figure.normals.data(), zone_rgb, {}, 0};
-    individual.texture_set = figure.texture_set;
+    Individual individual = {posed.tmpl.get(), posed.positions.data(), posed.normals.data(), zone_rgb, {}, 0};
+    individual.texture_set = posed.texture_set;
     std::copy_n(camera.model_view, 16, individual.model_view);
     return individual;
 }
@@ -123,9 +123,9 @@ DrawList list_of(const std::vector<Individual> &individuals, const float (&proje
     return list;
 }
 
-DrawList list_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+DrawList list_of(const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb)
 {
-    return list_of({individual_of(figure, camera, zone_rgb)}, camera.projection);
+    return list_of({individual_of(posed, camera, zone_rgb)}, camera.projection);
 }
 
 Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const DrawList &list)
@@ -164,9 +164,9 @@ Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &
     return picture;
 }
 
-Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Camera &camera, const uint8_t *zone_rgb)
+Picture draw_plain(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb)
 {
-    return draw_plain(context, {individual_of(figure, camera, zone_rgb)}, camera.projection);
+    return draw_plain(context, {individual_of(posed, camera, zone_rgb)}, camera.projection);
 }
 
 namespace
@@ -229,9 +229,9 @@ Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &in
     return picture;
 }
 
-Picture draw_ids(contexts::Offscreen &context, const Figure &figure, const Camera &camera, Order order)
+Picture draw_ids(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera, Order order)
 {
-    return draw_ids(context, {individual_of(figure, camera, nullptr)}, camera.projection, order);
+    return draw_ids(context, {individual_of(posed, camera, nullptr)}, camera.projection, order);
 }
 
 }  // namespace gltest

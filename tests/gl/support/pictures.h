@@ -3,8 +3,8 @@
 #pragma once
 
 #include "passes/renderer.h"
-#include "tests/gl/support/figure.h"
 #include "tests/gl/support/host_gl.h"
+#include "tests/gl/support/posed_model.h"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ struct Camera {
 };
 
 // Distance in radii of the figure; angles turn the figure. `aspect` width / height.
-Camera camera_on(const Figure &figure, float distance_radii, float turn_rad, float tilt_rad, float aspect);
+Camera camera_on(const PosedModel &posed, float distance_radii, float turn_rad, float tilt_rad, float aspect);
 
 using Picture = std::vector<uint8_t>;  // RGB, top row first
 
@@ -31,10 +31,10 @@ struct Individual {
     float model_view[16];
     uint32_t texture_set = 0;
 };
-Individual individual_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb);
+Individual individual_of(const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb);
 
 claque::draw::DrawList list_of(const std::vector<Individual> &individuals, const float (&projection)[16]);
-claque::draw::DrawList list_of(const Figure &figure, const Camera &camera, const uint8_t *zone_rgb = nullptr);
+claque::draw::DrawList list_of(const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb = nullptr);
 
 constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it as it is; no zone colour is near
 
@@ -44,14 +44,15 @@ Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const cla
 // Every triangle once, in one draw a surface, unlit, the texture's RGB being each texel's zone's colour.
 Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &individuals,
                    const float (&projection)[16]);
-Picture draw_plain(contexts::Offscreen &context, const Figure &figure, const Camera &camera, const uint8_t *zone_rgb);
+Picture draw_plain(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera,
+                   const uint8_t *zone_rgb);
 
 // Every triangle in a flat colour of its own, in list order or against it: where the two differ, depths tie.
 // Of more than 65 535 triangles RGB565 would not tell all apart.
 enum class Order { forwards, backwards };
 Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &individuals,
                  const float (&projection)[16], Order order);
-Picture draw_ids(contexts::Offscreen &context, const Figure &figure, const Camera &camera, Order order);
+Picture draw_ids(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera, Order order);
 
 struct Comparison {
     uint32_t covered = 0;  // pixels of the plain picture that are not background
@@ -59,10 +60,10 @@ struct Comparison {
     uint32_t wrong = 0;    // other pixels that differ from the plain picture
     uint32_t holes = 0;    // of all pixels: background where the plain picture has none
 };
-Comparison compare(const Picture &plain, const Picture &variety, const Picture &forwards, const Picture &backwards);
+Comparison compare(const Picture &plain, const Picture &coloured, const Picture &forwards, const Picture &backwards);
 
 // All of the above for one figure and camera.
-Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const Figure &figure,
+Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const PosedModel &posed,
                     const Camera &camera);
 
 }  // namespace gltest

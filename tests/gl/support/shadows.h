@@ -27,8 +27,8 @@ protected:
     {
         GlTest::SetUp();
         if (!context_) return;
-        static const Figure made = split_figure(claque::figures::citizen(), 2, 0.7);
-        figure_ = &made;
+        static const PosedModel made = split_posed(claque::figures::citizen(), 2, 0.7);
+        posed_ = &made;
         // So close that they stand in each other's shadows.
         people_ = {ground_.stand(made, {0, 0, 0}, 0.4f), ground_.stand(made, {0.5, 0, -0.4}, 2.0f),
                    ground_.stand(made, {1.2, 0, 0.6}, -1.0f, 0.9f)};
@@ -51,7 +51,7 @@ protected:
     Picture shown(const std::vector<Item> &items, const passes::ShadowOptions &options,
                   passes::ShadowStats *stats = nullptr)
     {
-        return shown(*make_renderer_of(*figure_), ground_.list_of(items), options, stats);
+        return shown(*make_renderer_of(*posed_), ground_.list_of(items), options, stats);
     }
     static uint32_t darkened(const Picture &picture)
     {
@@ -75,7 +75,7 @@ protected:
     }
 
     Ground ground_{{0.8, 3.0, 4.6}, {0.6, 0.2, 0}, 320.0f / 240.0f};
-    const Figure *figure_ = nullptr;
+    const PosedModel *posed_ = nullptr;
     std::vector<Item> people_;
 };
 

@@ -65,16 +65,16 @@ model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<ui
     return made;
 }
 
-Figure split_figure(const model::Model &source, uint32_t clip, double time_s)
+PosedModel split_posed(const model::Model &source, uint32_t clip, double time_s)
 {
     auto tmpl = std::make_unique<model::Template>(std::pmr::get_default_resource());
     claque::meshsplit::build(source, {}, *tmpl);
     whiten(*tmpl);
-    Figure figure;
-    figure.tmpl = std::move(tmpl);
-    skin(*figure.tmpl, clip, time_s, figure.positions, figure.normals);
-    measure(figure);
-    return figure;
+    PosedModel posed;
+    posed.tmpl = std::move(tmpl);
+    skin(*posed.tmpl, clip, time_s, posed.positions, posed.normals);
+    measure(posed);
+    return posed;
 }
 
 }  // namespace gltest

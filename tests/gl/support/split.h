@@ -1,7 +1,7 @@
 // Figures by the library's own way in: models split by meshsplit, posed and skinned.
 #pragma once
 
-#include "tests/gl/support/figure.h"
+#include "tests/gl/support/posed_model.h"
 
 namespace gltest
 {
@@ -10,7 +10,7 @@ namespace gltest
 model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<uint8_t> &keys, model::Wrap wrap);
 
 // Splits it; white, so that zones' colours show pure. In the pose of `clip` (model::none: at rest) at `time_s`.
-Figure split_figure(const model::Model &model, uint32_t clip = model::none, double time_s = 0);
+PosedModel split_posed(const model::Model &model, uint32_t clip = model::none, double time_s = 0);
 
 // Positions and normals of level 0, copies included, in a pose.
 void skin(const model::Template &tmpl, uint32_t clip, double time_s, std::vector<float> &positions,

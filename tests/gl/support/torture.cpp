@@ -30,7 +30,7 @@ TorturedHost::TorturedHost(const HostGl &host, uint32_t number) : host_(host), s
     set_pixels();
 }
 
-uint32_t TorturedHost::lot(uint32_t of)
+uint32_t TorturedHost::random_below(uint32_t of)
 {
     state_ = state_ * 6364136223846793005u + 1442695040888963407u;
     return static_cast<uint32_t>((state_ >> 33) % of);
@@ -46,19 +46,20 @@ void TorturedHost::set_switches()
 
 void TorturedHost::set_functions()
 {
-    host_.AlphaFunc(0x0200 + lot(8), real());
-    host_.DepthFunc(0x0200 + lot(8));
+    host_.AlphaFunc(0x0200 + random_below(8), real());
+    host_.DepthFunc(0x0200 + random_below(8));
     host_.DepthMask(coin());
     host_.BlendFunc(one_of({0, 1, 0x0302, 0x0304, 0x0306, 0x0308}), one_of({0, 1, 0x0300, 0x0302, 0x0303}));
-    host_.LogicOp(0x1500 + lot(16));
+    host_.LogicOp(0x1500 + random_below(16));
     host_.CullFace(one_of({0x0404, 0x0405, 0x0408}));
     host_.FrontFace(one_of({gl::cw, gl::ccw}));
-    host_.LightModeli(gl::light_model_two_side, int32_t(lot(2)));
-    host_.ask<void (*)(float)>("glLineWidth")(1 + float(lot(5)));
-    host_.ask<void (*)(int32_t, uint16_t)>("glLineStipple")(int32_t(1 + lot(9)), uint16_t(lot(65536)));
-    host_.ask<void (*)(gl::Enum, gl::Enum)>("glHint")(0x0C50 + lot(5), 0x1100 + lot(3));
+    host_.LightModeli(gl::light_model_two_side, int32_t(random_below(2)));
+    host_.ask<void (*)(float)>("glLineWidth")(1 + float(random_below(5)));
+    host_.ask<void (*)(int32_t, uint16_t)>("glLineStipple")(int32_t(1 + random_below(9)),
+                                                            uint16_t(random_below(65536)));
+    host_.ask<void (*)(gl::Enum, gl::Enum)>("glHint")(0x0C50 + random_below(5), 0x1100 + random_below(3));
     std::vector<uint8_t> pattern(128);
-    for (uint8_t &byte : pattern) byte = static_cast<uint8_t>(lot(256));
+    for (uint8_t &byte : pattern) byte = static_cast<uint8_t>(random_below(256));
     host_.ask<void (*)(const uint8_t *)>("glPolygonStipple")(pattern.data());
 }
 
@@ -69,7 +70,7 @@ void TorturedHost::set_colours()
     for (const gl::Enum face : {0x0404u, 0x0405u})
         for (const gl::Enum name : {0x1200u, 0x1201u, 0x1202u, 0x1600u}) host_.Materialfv(face, name, odd);
     host_.LightModelfv(0x0B53, odd);
-    host_.Lightfv(0x4000 + lot(8), 0x1203, odd);
+    host_.Lightfv(0x4000 + random_below(8), 0x1203, odd);
     host_.Color4f(real(), real(), real(), real());
     host_.ask<void (*)(float, float, float)>("glNormal3f")(real(), real(), real());
     host_.ask<void (*)(float, float, float, float)>("glTexCoord4f")(real(), real(), real(), real());
@@ -78,7 +79,7 @@ void TorturedHost::set_colours()
 
 void TorturedHost::set_texturing()
 {
-    const std::vector<uint8_t> texels(64, static_cast<uint8_t>(lot(256)));
+    const std::vector<uint8_t> texels(64, static_cast<uint8_t>(random_below(256)));
     host_.GenTextures(2, textures_);
     host_.BindTexture(gl::texture_2d, coin() ? textures_[0] : 0);
     host_.TexImage2D(gl::texture_2d, 0, int32_t(gl::rgba8), 4, 4, 0, gl::rgba, gl::unsigned_byte, texels.data());
@@ -107,23 +108,28 @@ void TorturedHost::set_arrays()
                                  gl::texture_coord_array, gl::edge_flag_array})
         coin() ? host_.EnableClientState(array) : host_.DisableClientState(array);
     const auto type = [&] { return one_of({0x1402, 0x1404, 0x1406, 0x140A}); };
-    host_.VertexPointer(int32_t(2 + lot(3)), type(), int32_t(8 * lot(5)), numbers_ + lot(64));
-    host_.NormalPointer(one_of({0x1400, 0x1402, 0x1404, 0x1406, 0x140A}), int32_t(8 * lot(5)), numbers_ + lot(64));
-    host_.TexCoordPointer(int32_t(1 + lot(4)), type(), int32_t(8 * lot(5)), numbers_ + lot(64));
-    host_.ColorPointer(int32_t(3 + lot(2)), one_of({0x1400, 0x1401, 0x1403, 0x1406}), int32_t(8 * lot(5)),
-                       numbers_ + lot(64));
-    host_.ask<void (*)(int32_t, const void *)>("glEdgeFlagPointer")(int32_t(lot(5)), numbers_ + lot(64));
+    host_.VertexPointer(int32_t(2 + random_below(3)), type(), int32_t(8 * random_below(5)),
+                        numbers_ + random_below(64));
+    host_.NormalPointer(one_of({0x1400, 0x1402, 0x1404, 0x1406, 0x140A}), int32_t(8 * random_below(5)),
+                        numbers_ + random_below(64));
+    host_.TexCoordPointer(int32_t(1 + random_below(4)), type(), int32_t(8 * random_below(5)),
+                          numbers_ + random_below(64));
+    host_.ColorPointer(int32_t(3 + random_below(2)), one_of({0x1400, 0x1401, 0x1403, 0x1406}),
+                       int32_t(8 * random_below(5)), numbers_ + random_below(64));
+    host_.ask<void (*)(int32_t, const void *)>("glEdgeFlagPointer")(int32_t(random_below(5)),
+                                                                    numbers_ + random_below(64));
 }
 
 void TorturedHost::set_pixels()
 {
-    host_.PixelStorei(gl::unpack_alignment, int32_t(1 << lot(4)));
+    host_.PixelStorei(gl::unpack_alignment, int32_t(1 << random_below(4)));
     for (const gl::Enum name : {gl::unpack_row_length, gl::unpack_skip_rows, gl::unpack_skip_pixels})
-        host_.PixelStorei(name, int32_t(lot(200)));
-    for (const gl::Enum name : {gl::unpack_swap_bytes, gl::unpack_lsb_first}) host_.PixelStorei(name, int32_t(lot(2)));
+        host_.PixelStorei(name, int32_t(random_below(200)));
+    for (const gl::Enum name : {gl::unpack_swap_bytes, gl::unpack_lsb_first})
+        host_.PixelStorei(name, int32_t(random_below(2)));
     for (gl::Enum name = gl::red_scale; name <= gl::alpha_bias; ++name)
         if (name != 0x0D16 && name != 0x0D17) host_.PixelTransferf(name, real());  // zoom stands between them
-    host_.PixelTransferf(gl::map_colour, float(lot(2)));
+    host_.PixelTransferf(gl::map_colour, float(random_below(2)));
 }
 
 // As deep as it goes, but for what a draw needs of the attribute stacks.

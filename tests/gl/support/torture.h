@@ -24,10 +24,13 @@ public:
     TorturedHost(const HostGl &host, uint32_t number);
 
 private:
-    uint32_t lot(uint32_t of);  // [0, of)
-    bool coin() { return lot(2) == 1; }
-    gl::Enum one_of(std::initializer_list<gl::Enum> values) { return values.begin()[lot(uint32_t(values.size()))]; }
-    float real() { return static_cast<float>(lot(2001)) / 500 - 2; }  // [-2, 2]
+    uint32_t random_below(uint32_t of);  // [0, of)
+    bool coin() { return random_below(2) == 1; }
+    gl::Enum one_of(std::initializer_list<gl::Enum> values)
+    {
+        return values.begin()[random_below(uint32_t(values.size()))];
+    }
+    float real() { return static_cast<float>(random_below(2001)) / 500 - 2; }  // [-2, 2]
 
     void set_switches();
     void set_functions();

@@ -17,8 +17,8 @@ struct Shown {
 
 Shown shown_by(const model::Texture &texture, uint32_t set)
 {
-    if (set == 0 || texture.others.empty()) return {texture.width, texture.height, &texture.rgba};
-    const model::TextureImage &other = texture.others[set - 1];
+    if (set == 0 || texture.set_images.empty()) return {texture.width, texture.height, &texture.rgba};
+    const model::TextureImage &other = texture.set_images[set - 1];
     return {other.width, other.height, &other.rgba};
 }
 

@@ -71,9 +71,11 @@ private:
         out_.rig.rest_weights = {0, 0};
     }
 
-    void channel(uint32_t node, model::Path path, model::Interpolation how, const std::vector<float> &times)
+    void channel(uint32_t node, model::ChannelTarget path, model::Interpolation how, const std::vector<float> &times)
     {
-        const uint16_t n = path == model::Path::rotation ? 4 : path == model::Path::morph_weights ? 2 : 3;
+        const uint16_t n = path == model::ChannelTarget::rotation        ? 4
+                           : path == model::ChannelTarget::morph_weights ? 2
+                                                                         : 3;
         model::Channel c{node,
                          path,
                          how,
@@ -82,7 +84,7 @@ private:
                          uint32_t(times.size()),
                          uint32_t(out_.rig.values.size())};
         out_.rig.times.insert(out_.rig.times.end(), times.begin(), times.end());
-        const float like = path == model::Path::scale && def_.shape == Shape::similar ? 0 : 1;
+        const float like = path == model::ChannelTarget::scale && def_.shape == Shape::similar ? 0 : 1;
         for (size_t k = 0; k < times.size(); ++k) {
             const glm::quat q = turn();
             const float value[4] = {q.x, q.y, q.z, q.w};
@@ -90,8 +92,9 @@ private:
                  part < (how == model::Interpolation::cubic_spline ? 3 : 2); ++part)
                 for (uint32_t i = 0; i < n; ++i) {
                     const float size = part == 1 ? 1 : 0.5f;
-                    float v = size * (path == model::Path::rotation && part == 1 ? value[i] : like * real(-0.4f, 0.4f));
-                    if (path == model::Path::scale && part == 1) v += 1;
+                    float v = size * (path == model::ChannelTarget::rotation && part == 1 ? value[i]
+                                                                                          : like * real(-0.4f, 0.4f));
+                    if (path == model::ChannelTarget::scale && part == 1) v += 1;
                     out_.rig.values.push_back(v);
                 }
         }
@@ -104,13 +107,13 @@ private:
         clip.first_channel = uint32_t(out_.rig.channels.size());
         clip.start_s = times.front();
         clip.duration_s = times.back() - times.front();
-        channel(0, model::Path::translation, how, times);
-        for (uint32_t i = 0; i + 1 < def_.nodes; ++i) channel(i, model::Path::rotation, how, times);
-        channel(1, model::Path::scale, how, times);
+        channel(0, model::ChannelTarget::translation, how, times);
+        for (uint32_t i = 0; i + 1 < def_.nodes; ++i) channel(i, model::ChannelTarget::rotation, how, times);
+        channel(1, model::ChannelTarget::scale, how, times);
         // This one starts later and ends earlier than its clip.
         if (times.size() > 3)
-            channel(2, model::Path::translation, how, std::vector<float>(times.begin() + 1, times.end() - 1));
-        if (def_.morphs) channel(0, model::Path::morph_weights, how, times);
+            channel(2, model::ChannelTarget::translation, how, std::vector<float>(times.begin() + 1, times.end() - 1));
+        if (def_.morphs) channel(0, model::ChannelTarget::morph_weights, how, times);
         clip.channel_count = uint32_t(out_.rig.channels.size()) - clip.first_channel;
         out_.rig.clips.push_back(clip);
         out_.rig.clip_names.emplace_back(name);

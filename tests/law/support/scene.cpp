@@ -12,15 +12,18 @@ namespace
 {
 
 // Placed by hash, so that a scene is the same whatever was made before it.
-double lot(uint32_t actor, uint32_t what) { return base::unit(base::hash(7, actor, base::Purpose::place, what)); }
-
-crowd::Place place_of(uint32_t i, const glm::dvec3 &origin)
+double random_unit(uint32_t actor, uint32_t what)
 {
-    crowd::Place place;
-    const double away = 2 + 68 * lot(i, 0);
-    place.position = origin + glm::dvec3((lot(i, 1) - 0.5) * away, 0, -away);
-    place.orientation = math::unit_quat(1, 0, 4 * lot(i, 2) - 2, 0);
-    place.scale = float(i % 11 == 3 ? -0.9 : 0.8 + 0.4 * lot(i, 3));
+    return base::unit(base::hash(7, actor, base::Purpose::position, what));
+}
+
+crowd::Transform transform_of(uint32_t i, const glm::dvec3 &origin)
+{
+    crowd::Transform place;
+    const double away = 2 + 68 * random_unit(i, 0);
+    place.position = origin + glm::dvec3((random_unit(i, 1) - 0.5) * away, 0, -away);
+    place.orientation = math::unit_quat(1, 0, 4 * random_unit(i, 2) - 2, 0);
+    place.scale = float(i % 11 == 3 ? -0.9 : 0.8 + 0.4 * random_unit(i, 3));
     return place;
 }
 
@@ -28,9 +31,9 @@ crowd::Play play_of(uint32_t i)
 {
     crowd::Play play;
     play.clip = i % 9 == 8 ? model::none : i % 4;
-    play.start_s = -lot(i, 4);
-    play.speed = i % 7 == 5 ? -1.25f : float(0.7 + 0.6 * lot(i, 5));
-    play.phase_s = float(lot(i, 6));
+    play.start_s = -random_unit(i, 4);
+    play.speed = i % 7 == 5 ? -1.25f : float(0.7 + 0.6 * random_unit(i, 5));
+    play.phase_s = float(random_unit(i, 6));
     return play;
 }
 
@@ -48,8 +51,8 @@ Scene::Scene(const SceneDef &def) : crowd(def.memory, 42), frame(def.memory, def
     templates[1] = make_figure(figure);
     const float rgb[9] = {1, 0, 0, 0, 1, 0, 0.2f, 0.4f, 0.6f};
     for (uint32_t i = 0; i < def.actors; ++i) {
-        const crowd::Id id = crowd.create(*templates[i % 3 == 1], place_of(i, def.origin), play_of(i), i);
-        if (i % 3 == 0) crowd.draw_colours(id, nullptr, 0);
+        const crowd::Id id = crowd.create(*templates[i % 3 == 1], transform_of(i, def.origin), play_of(i), i);
+        if (i % 3 == 0) crowd.randomise_colours(id, nullptr, 0);
         if (i % 3 == 1) crowd.set_colours(id, rgb, 3);
         ids.push_back(id);
     }

@@ -12,14 +12,14 @@ namespace claque::animcache
 
 using testing_support::CountingMemory;
 
-TEST(BlockPool, GivesBlocksThatOverlapNobodysAndLieOnCacheLines)
+TEST(BlockPool, GivesBlocksThatDoNotOverlapAndLieOnCacheLines)
 {
     BlockPool pool(std::pmr::get_default_resource(), 1 << 20);
     std::set<std::pair<const char *, const char *>> taken;
     for (const size_t bytes : {100u, 1000u, 100u, 64u, 1000u}) {
         for (int i = 0; i < 40; ++i) {
-            float *block = pool.take_free(bytes);
-            if (!block) block = pool.take_new(bytes);
+            float *block = pool.allocate_from_slabs(bytes);
+            if (!block) block = pool.allocate_new_slab(bytes);
             ASSERT_TRUE(block);
             EXPECT_EQ(reinterpret_cast<uintptr_t>(block) % BlockPool::alignment, 0u);
             std::memset(block, 0xff, bytes);  // under a sanitizer: all of it is ours
@@ -32,7 +32,7 @@ TEST(BlockPool, GivesBlocksThatOverlapNobodysAndLieOnCacheLines)
         EXPECT_GE(first, end);
         end = last;
     }
-    EXPECT_LE(pool.used_bytes(), pool.held_bytes());
+    EXPECT_LE(pool.used_bytes(), pool.reserved_bytes());
 }
 
 TEST(BlockPool, WhatIsGivenBackIsTakenAgainWithoutTheHost)
@@ -41,14 +41,14 @@ TEST(BlockPool, WhatIsGivenBackIsTakenAgainWithoutTheHost)
     BlockPool pool(&memory, 1 << 20);
     std::vector<float *> blocks;
     for (int i = 0; i < 50; ++i) {
-        float *block = pool.take_free(500);
-        blocks.push_back(block ? block : pool.take_new(500));
+        float *block = pool.allocate_from_slabs(500);
+        blocks.push_back(block ? block : pool.allocate_new_slab(500));
     }
     const uint64_t before = memory.allocations();
     for (int round = 0; round < 100; ++round) {
-        for (int i = round % 3; i < 50; i += 3) pool.give(blocks[i], 500), blocks[i] = nullptr;
+        for (int i = round % 3; i < 50; i += 3) pool.deallocate(blocks[i], 500), blocks[i] = nullptr;
         for (float *&block : blocks) {
-            if (!block) block = pool.take_free(500);
+            if (!block) block = pool.allocate_from_slabs(500);
             ASSERT_TRUE(block);
         }
     }
@@ -62,16 +62,17 @@ TEST(BlockPool, KeepsItsBudgetToTheLastBlockAndSlabsThatAreEmptyGoBack)
     {
         BlockPool pool(&memory, 1000 * 64);
         std::vector<float *> small;
-        for (float *block; (block = pool.take_free(64)) || (block = pool.take_new(64));) small.push_back(block);
+        for (float *block; (block = pool.allocate_from_slabs(64)) || (block = pool.allocate_new_slab(64));)
+            small.push_back(block);
         EXPECT_EQ(small.size(), 1000u);
-        EXPECT_EQ(pool.held_bytes(), 64000u);
-        EXPECT_FALSE(pool.take_new(640));
+        EXPECT_EQ(pool.reserved_bytes(), 64000u);
+        EXPECT_FALSE(pool.allocate_new_slab(640));
         EXPECT_FALSE(pool.trim());
-        for (float *block : small) pool.give(block, 64);
+        for (float *block : small) pool.deallocate(block, 64);
         EXPECT_EQ(pool.used_bytes(), 0u);
         EXPECT_TRUE(pool.trim());
-        EXPECT_EQ(pool.held_bytes(), 0u);
-        EXPECT_TRUE(pool.take_new(640));
+        EXPECT_EQ(pool.reserved_bytes(), 0u);
+        EXPECT_TRUE(pool.allocate_new_slab(640));
     }
     EXPECT_EQ(memory.bytes(), 0);
 }
@@ -80,14 +81,14 @@ TEST(BlockPool, AHostThatRefusesLeavesItAsItWas)
 {
     CountingMemory memory;
     BlockPool pool(&memory, 1 << 20);
-    float *first = pool.take_new(200);
+    float *first = pool.allocate_new_slab(200);
     memory.refuse_all(true);
-    while (pool.take_free(200)) {}
-    EXPECT_FALSE(pool.take_new(200));
-    EXPECT_FALSE(pool.take_new(999));
+    while (pool.allocate_from_slabs(200)) {}
+    EXPECT_FALSE(pool.allocate_new_slab(200));
+    EXPECT_FALSE(pool.allocate_new_slab(999));
     memory.refuse_all(false);
-    pool.give(first, 200);
-    EXPECT_EQ(pool.take_free(200), first);
+    pool.deallocate(first, 200);
+    EXPECT_EQ(pool.allocate_from_slabs(200), first);
 }
 
 }  // namespace claque::animcache

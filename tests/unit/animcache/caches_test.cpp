@@ -32,9 +32,9 @@ protected:
     Settings budget(uint32_t palettes, uint32_t vertices) const
     {
         Settings settings;
-        const Sizes sizes = sizes_of(*figure_, Geometry::real);
-        settings.budget_bytes = palettes * BlockPool::taken_by(sizeof(float) * sizes.palette_floats) +
-                                vertices * BlockPool::taken_by(sizeof(float) * sizes.vertex_floats);
+        const Sizes sizes = sizes_of(*figure_, VertexFormat::floats);
+        settings.budget_bytes = palettes * BlockPool::rounded_size(sizeof(float) * sizes.palette_floats) +
+                                vertices * BlockPool::rounded_size(sizeof(float) * sizes.vertex_floats);
         return settings;
     }
 
@@ -54,11 +54,11 @@ protected:
     {
         std::pmr::vector<Request> &list = caches.begin();
         list.assign(requests.begin(), requests.end());
-        caches.admit_poses();
+        caches.allocate_poses();
         caches.find_due_poses();
         caches.defer({1, 0.1, most_renewed});
         caches.animate(base::Jobs());
-        caches.admit_vertices();
+        caches.allocate_vertices();
         caches.find_due_vertices();
         caches.skin(base::Jobs());
     }
@@ -114,10 +114,10 @@ TEST_F(CachesTest, ARowThatChangesItsTemplateStartsAfresh)
 }
 
 // A fade has ended, and the update may renew nobody: what is drawn is still the fade's.
-TEST_F(CachesTest, WhoHasToWaitKeepsTheRangeThatItsVerticesWerePackedIn)
+TEST_F(CachesTest, AWaitingActorKeepsTheRangeThatItsVerticesWerePackedIn)
 {
     Settings settings;
-    settings.geometry = Geometry::packed;
+    settings.vertex_format = VertexFormat::packed;
     Caches caches(std::pmr::get_default_resource(), settings);
     caches.reserve(1, both_);
     Request blended = wants(0, 0.1);
@@ -145,7 +145,7 @@ TEST_F(CachesTest, TheModesKeepWhatTheirNamesSay)
     }
 }
 
-TEST_F(CachesTest, WhoIsUnseenForLongestLeavesFirstAndTiesGoByRow)
+TEST_F(CachesTest, TheLongestInvisibleActorIsEvictedFirstAndTiesGoByRow)
 {
     Caches caches(std::pmr::get_default_resource(), budget(4, 4));
     caches.reserve(10, both_);
@@ -162,7 +162,7 @@ TEST_F(CachesTest, WhoIsUnseenForLongestLeavesFirstAndTiesGoByRow)
     EXPECT_EQ(caches.counters().evicted, 8u);  // four individuals, two blocks each
 }
 
-TEST_F(CachesTest, WhoIsSeenIsNeverThrownOutAndWhoFindsNoRoomIsServedOnDemandTheSameBits)
+TEST_F(CachesTest, VisibleActorsAreNeverEvictedAndThoseWithoutRoomAreServedOnDemandWithTheSameBits)
 {
     Caches roomy(std::pmr::get_default_resource(), Settings()), tight(std::pmr::get_default_resource(), budget(3, 1));
     roomy.reserve(5, both_);
@@ -206,15 +206,15 @@ TEST_F(CachesTest, AVictimOfAnotherTemplateMakesRoomToo)
     EXPECT_EQ(caches.counters().bytes, caches.settings().budget_bytes);
 }
 
-TEST_F(CachesTest, EveryStrandWorksInMemoryOfItsOwn)
+TEST_F(CachesTest, EverySliceWorksInMemoryOfItsOwn)
 {
     ScratchPool pool(std::pmr::get_default_resource(), 5);
-    Sizes sizes = sizes_of(*figure_, Geometry::real);
-    pool.reserve(sizes_of(*small_, Geometry::real));
+    Sizes sizes = sizes_of(*figure_, VertexFormat::floats);
+    pool.reserve(sizes_of(*small_, VertexFormat::floats));
     pool.reserve(sizes);
-    pool.reserve(sizes_of(*small_, Geometry::real));  // a smaller wish shrinks nothing
+    pool.reserve(sizes_of(*small_, VertexFormat::floats));  // a smaller wish shrinks nothing
     for (uint32_t i = 0; i + 1 < 5; ++i) {
-        const Scratch a = pool.strand(i), b = pool.strand(i + 1);
+        const Scratch a = pool.slice(i), b = pool.slice(i + 1);
         EXPECT_GE(b.locals - a.locals, std::ptrdiff_t(sizes.nodes));
         EXPECT_GE(b.globals - a.globals, std::ptrdiff_t(sizes.nodes));
         EXPECT_GE(b.floats - a.floats, std::ptrdiff_t(sizes.scratch_floats));

@@ -29,10 +29,10 @@ public:
     {
         const model::Template *all[] = {&tmpl};
         Settings settings;
-        settings.key_poses.bands[0].method = Method::interpolated;
+        settings.key_poses.bands[0].mode = KeyPoseMode::interpolated;
         settings.key_poses.band_count = 1;
-        for (const Geometry geometry : {Geometry::real, Geometry::packed}) {
-            settings.geometry = geometry;
+        for (const VertexFormat vertex_format : {VertexFormat::floats, VertexFormat::packed}) {
+            settings.vertex_format = vertex_format;
             const Sizes sizes = sizes_of({all, 1}, settings);
             pool_.reserve(sizes);
             vertices_.resize(std::max(vertices_.size(), sizes.vertex_floats));
@@ -40,27 +40,27 @@ public:
     }
 
     // `individual`: exactly at that time.
-    Positions at(Method method, uint32_t clip, double time_s, Geometry geometry = Geometry::real)
+    Positions at(KeyPoseMode mode, uint32_t clip, double time_s, VertexFormat vertex_format = VertexFormat::floats)
     {
         Request request;
         request.tmpl = &tmpl_;
         request.pose.version = 1;
         request.pose.clip = clip;
         request.pose.clip_time_s = time_s;
-        if (shows_key_poses(method)) request.shared = table_.use(method, clip, time_s);
-        const Scratch scratch = pool_.strand(0);
-        if (method == Method::interpolated) {
-            interpolate(request, geometry, scratch, vertices_.data());
+        if (shows_key_poses(mode)) request.key_pose = table_.select(mode, clip, time_s);
+        const Scratch scratch = pool_.slice(0);
+        if (mode == KeyPoseMode::interpolated) {
+            interpolate(request, vertex_format, scratch, vertices_.data());
         } else {
-            if (method == Method::intermittent) request.pose.clip_time_s = request.shared.time_s[0];
+            if (mode == KeyPoseMode::intermittent) request.pose.clip_time_s = request.key_pose.time_s[0];
             animate(request, scratch, scratch.palette);
-            skin(request, scratch.palette, geometry, scratch, vertices_.data());
+            skin(request, scratch.palette, vertex_format, scratch, vertices_.data());
         }
-        const draw::Vertices made = vertices_in(vertices_.data(), tmpl_, 0, geometry);
+        const draw::Vertices made = vertices_in(vertices_.data(), tmpl_, 0, vertex_format);
         Positions out;
         for (uint32_t v = 0; v < tmpl_.levels[0].vertex_count; ++v)
             for (size_t k = 0; k < 3; ++k)
-                out.push_back(geometry == Geometry::real
+                out.push_back(vertex_format == VertexFormat::floats
                                   ? double(made.positions[3 * v + k])
                                   : double(made.offset[k]) + double(made.step) * made.short_positions[4 * v + k]);
         return out;
@@ -105,7 +105,7 @@ const model::Template &person(size_t which)
 }
 
 // Moments that lie evenly over the intervals between key-poses, by the golden section.
-Error error_of(Method method, size_t which, float rate_hz, int moments)
+Error error_of(KeyPoseMode mode, size_t which, float rate_hz, int moments)
 {
     const model::Template &tmpl = person(which);
     Shown shown(tmpl, rate_hz);
@@ -116,7 +116,8 @@ Error error_of(Method method, size_t which, float rate_hz, int moments)
             const model::Clip &of = tmpl.rig.clips[clip];
             const double share = std::fmod(0.5 + k * 0.6180339887498949, 1.0);
             const double time_s = double(of.start_s) + double(of.duration_s) * share;
-            const Positions exact = shown.at(Method::individual, clip, time_s), made = shown.at(method, clip, time_s);
+            const Positions exact = shown.at(KeyPoseMode::individual, clip, time_s),
+                            made = shown.at(mode, clip, time_s);
             error.most = std::max(error.most, farthest(exact, made));
             sum += squares(exact, made), count += 1;
         }
@@ -132,15 +133,15 @@ double pixels(double metres, double distance_m) { return metres / distance_m * 3
 TEST(KeyPoseError, OfTheBuiltInPeopleIsWithinWhatTheHeaderStates)
 {
     const struct {
-        Method method;
+        KeyPoseMode mode;
         double most_m, mean_m, from_m;  // from_m: where the worst vertex is off by a pixel
-    } stated[] = {{Method::intermittent, 0.120, 0.009, 80}, {Method::interpolated, 0.030, 0.002, 20}};
+    } stated[] = {{KeyPoseMode::intermittent, 0.120, 0.009, 80}, {KeyPoseMode::interpolated, 0.030, 0.002, 20}};
     for (size_t which = 0; which < figures::people().size(); ++which)
         for (const auto &s : stated) {
-            const Error error = error_of(s.method, which, 15, 48);
+            const Error error = error_of(s.mode, which, 15, 48);
             std::printf("%-10s %-12s at most %.1f mm, mean %.2f mm; from %.0f m at most %.2f, mean %.3f pixels\n",
                         figures::people()[which].name,
-                        s.method == Method::intermittent ? "intermittent" : "interpolated", 1000 * error.most,
+                        s.mode == KeyPoseMode::intermittent ? "intermittent" : "interpolated", 1000 * error.most,
                         1000 * error.mean, s.from_m, pixels(error.most, s.from_m), pixels(error.mean, s.from_m));
             EXPECT_LE(error.most, s.most_m);
             EXPECT_LE(error.mean, s.mean_m);
@@ -159,11 +160,12 @@ TEST(KeyPoseError, OfTheNearestOneIsNoMoreThanTheFastestVertexMovesInHalfAnInter
             const model::Clip &of = tmpl.rig.clips[clip];
             const double step_s = 1 / 240.0;
             double fastest = 0, worst = 0;
-            Positions before = shown.at(Method::individual, clip, double(of.start_s));
+            Positions before = shown.at(KeyPoseMode::individual, clip, double(of.start_s));
             for (double t = step_s; t <= double(of.duration_s); t += step_s) {
-                const Positions now = shown.at(Method::individual, clip, double(of.start_s) + t);
+                const Positions now = shown.at(KeyPoseMode::individual, clip, double(of.start_s) + t);
                 fastest = std::max(fastest, farthest(now, before) / step_s);
-                worst = std::max(worst, farthest(now, shown.at(Method::intermittent, clip, double(of.start_s) + t)));
+                worst =
+                    std::max(worst, farthest(now, shown.at(KeyPoseMode::intermittent, clip, double(of.start_s) + t)));
                 before = now;
             }
             const double intervals = std::max(1.0, std::round(double(of.duration_s) * double(rate_hz)));
@@ -176,10 +178,11 @@ TEST(KeyPoseError, OfTheNearestOneIsNoMoreThanTheFastestVertexMovesInHalfAnInter
 
 TEST(KeyPoseError, HalvesForTheNearestAndQuartersForTwoBlendedWhereTheRateDoubles)
 {
-    const Error near_slow = error_of(Method::intermittent, 0, 15, 60),
-                near_fast = error_of(Method::intermittent, 0, 30, 60);
+    const Error near_slow = error_of(KeyPoseMode::intermittent, 0, 15, 60),
+                near_fast = error_of(KeyPoseMode::intermittent, 0, 30, 60);
     EXPECT_NEAR(near_slow.mean / near_fast.mean, 2, 0.3);
-    const Error slow = error_of(Method::interpolated, 0, 30, 60), fast = error_of(Method::interpolated, 0, 60, 60);
+    const Error slow = error_of(KeyPoseMode::interpolated, 0, 30, 60),
+                fast = error_of(KeyPoseMode::interpolated, 0, 60, 60);
     EXPECT_NEAR(slow.most / fast.most, 4, 1.5);
 }
 
@@ -195,9 +198,9 @@ TEST(KeyPoseError, PackedKeyPosesAddAStepAlongEachAxisAtMost)
             const double time_s =
                 double(tmpl.rig.clips[clip].start_s) + double(tmpl.rig.clips[clip].duration_s) * k / 20.3;
             for (int way = 0; way < 2; ++way) {
-                const Method method = way == 0 ? Method::intermittent : Method::interpolated;
-                most[way] = std::max(most[way], farthest(shown.at(method, clip, time_s),
-                                                         shown.at(method, clip, time_s, Geometry::packed)));
+                const KeyPoseMode mode = way == 0 ? KeyPoseMode::intermittent : KeyPoseMode::interpolated;
+                most[way] = std::max(most[way], farthest(shown.at(mode, clip, time_s),
+                                                         shown.at(mode, clip, time_s, VertexFormat::packed)));
             }
         }
     std::printf("packed: a nearest key-pose %.4f mm, two blended %.4f mm off\n", 1000 * most[0], 1000 * most[1]);

@@ -27,7 +27,7 @@ class Both
 public:
     explicit Both(const model::Template &tmpl) : tmpl_(tmpl), pool_(std::pmr::get_default_resource(), 1)
     {
-        const Sizes real = sizes_of(tmpl, Geometry::real), packed = sizes_of(tmpl, Geometry::packed);
+        const Sizes real = sizes_of(tmpl, VertexFormat::floats), packed = sizes_of(tmpl, VertexFormat::packed);
         pool_.reserve(real);
         pool_.reserve(packed);
         palette_.resize(real.palette_floats);
@@ -49,12 +49,12 @@ public:
         request.tmpl = &tmpl_;
         request.pose.version = 1;
         const uint32_t level = request.level;
-        const Scratch scratch = pool_.strand(0);
+        const Scratch scratch = pool_.slice(0);
         animate(request, scratch, palette_.data());
-        skin(request, palette_.data(), Geometry::real, scratch, real_.data());
-        skin(request, palette_.data(), Geometry::packed, scratch, packed_.data());
-        const draw::Vertices a = vertices_in(real_.data(), tmpl_, level, Geometry::real);
-        const draw::Vertices b = vertices_in(packed_.data(), tmpl_, level, Geometry::packed, request.blend_radius);
+        skin(request, palette_.data(), VertexFormat::floats, scratch, real_.data());
+        skin(request, palette_.data(), VertexFormat::packed, scratch, packed_.data());
+        const draw::Vertices a = vertices_in(real_.data(), tmpl_, level, VertexFormat::floats);
+        const draw::Vertices b = vertices_in(packed_.data(), tmpl_, level, VertexFormat::packed, request.blend_radius);
         for (uint32_t v = 0; v < tmpl_.levels[level].vertex_count; ++v) compare(a, b, v, error, count);
     }
 
@@ -157,8 +157,8 @@ TEST(Packed, BlendsThatLeaveTheSphereOfTheClipsAreWithinHalfAStepToo)
 TEST(Packed, ABlockIsHalfOfThatOfFloats)
 {
     const auto tmpl = testing_support::make_figure();
-    const size_t real = sizes_of(*tmpl, Geometry::real).vertex_floats;
-    const size_t packed = sizes_of(*tmpl, Geometry::packed).vertex_floats;
+    const size_t real = sizes_of(*tmpl, VertexFormat::floats).vertex_floats;
+    const size_t packed = sizes_of(*tmpl, VertexFormat::packed).vertex_floats;
     EXPECT_NEAR(double(packed) / double(real), 0.5, 0.01);
 }
 

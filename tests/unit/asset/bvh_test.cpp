@@ -12,7 +12,7 @@ namespace claque::testing
 namespace
 {
 
-model::Model load(const std::string &text, double unit_m = 1)
+model::Model load_bvh(const std::string &text, double unit_m = 1)
 {
     asset::LoadOptions options;
     options.motion_unit_m = unit_m;
@@ -22,7 +22,7 @@ model::Model load(const std::string &text, double unit_m = 1)
 std::string refusal(const std::string &text)
 {
     try {
-        load(text);
+        load_bvh(text);
     } catch (const base::Error &error) {
         return error.what();
     }
@@ -46,7 +46,7 @@ glm::dmat4 turn(char axis, double degrees)
 glm::quat rotation_at(const model::Rig &rig, uint32_t node, uint32_t key)
 {
     for (const model::Channel &c : rig.channels)
-        if (c.node == node && c.path == model::Path::rotation) {
+        if (c.node == node && c.target == model::ChannelTarget::rotation) {
             const float *v = rig.values.data() + c.first_value + 4 * key;
             return glm::quat(v[3], v[0], v[1], v[2]);
         }
@@ -56,7 +56,7 @@ glm::quat rotation_at(const model::Rig &rig, uint32_t node, uint32_t key)
 glm::vec3 place_at(const model::Rig &rig, uint32_t node, uint32_t key)
 {
     for (const model::Channel &c : rig.channels)
-        if (c.node == node && c.path == model::Path::translation) {
+        if (c.node == node && c.target == model::ChannelTarget::translation) {
             const float *v = rig.values.data() + c.first_value + 3 * key;
             return glm::vec3(v[0], v[1], v[2]);
         }
@@ -65,7 +65,7 @@ glm::vec3 place_at(const model::Rig &rig, uint32_t node, uint32_t key)
 
 TEST(Bvh, JointsOffsetsAndFramesBecomeARigAndOneClip)
 {
-    const model::Model model = load(small);
+    const model::Model model = load_bvh(small);
     ASSERT_EQ(model.rig.node_count(), 3u);
     EXPECT_EQ(model.rig.node_names[1], "knee");
     EXPECT_EQ(model.rig.node_names[2], "knee end");
@@ -89,7 +89,7 @@ TEST(Bvh, RotationsActInTheOrderThatTheFileLists)
             listed += std::string(1, axes[k]) + "rotation ";
             wanted = wanted * turn(axes[k], degrees[k]);
         }
-        const model::Model model = load(head + listed + "\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0 -130 47 261\n");
+        const model::Model model = load_bvh(head + listed + "\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0 -130 47 261\n");
         const glm::dmat3 made = glm::mat3_cast(glm::dquat(rotation_at(model.rig, 0, 0)));
         for (int c = 0; c < 3; ++c)
             for (int r = 0; r < 3; ++r) EXPECT_NEAR(made[c][r], wanted[c][r], 1e-6) << axes;
@@ -98,7 +98,7 @@ TEST(Bvh, RotationsActInTheOrderThatTheFileLists)
 
 TEST(Bvh, PositionsOfAnyJointStandInThePlaceOfItsOffset)
 {
-    const model::Model model = load(
+    const model::Model model = load_bvh(
         "HIERARCHY ROOT a { OFFSET 1 2 3 CHANNELS 0 JOINT b { OFFSET 4 5 6 CHANNELS 2 Zposition Xposition } }\n"
         "MOTION Frames: 1 Frame Time: 0 7 8");
     EXPECT_EQ(place_at(model.rig, 1, 0), glm::vec3(8, 5, 7));
@@ -111,18 +111,18 @@ TEST(Bvh, SeveralRootsNamesWithBlanksAndAllLineEndsAreRead)
         "hierarchy\nRoot Left Hand {\nOffset 0 0 0\nChannels 1 XROTATION\n}\nROOT other\n{\nOFFSET +1 0 0\nCHANNELS "
         "0\n}\n"
         "MOTION\nFrames : 2\nFrame Time : .5\n90\n1e1\n";
-    const model::Model unix = load(text);
+    const model::Model unix = load_bvh(text);
     EXPECT_EQ(unix.rig.node_names[0], "Left Hand");
     EXPECT_EQ(unix.rig.parents[1], model::none);
     for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, 1, '\r');
-    const model::Model dos = load("\xef\xbb\xbf" + text);
+    const model::Model dos = load_bvh("\xef\xbb\xbf" + text);
     EXPECT_EQ(dos.rig.node_names[0], "Left Hand");
     EXPECT_EQ(rotation_at(dos.rig, 0, 1), rotation_at(unix.rig, 0, 1));
 }
 
 TEST(Bvh, TheUnitScalesOffsetsAndPlaces)
 {
-    const model::Model model = load(small, 0.25);
+    const model::Model model = load_bvh(small, 0.25);
     EXPECT_EQ(model.rig.rest[1].translation, glm::vec3(0, -1, 0));
     EXPECT_EQ(place_at(model.rig, 0, 0), glm::vec3(0.25f, 0.5f, 0.75f));
 }
@@ -154,11 +154,11 @@ TEST(Bvh, RefusalsSayWhereAndWhat)
 
 TEST(Bvh, WhatIsOddButUsableIsAWarning)
 {
-    EXPECT_EQ(load(small + "1 2 3").warnings.size(), 1u);
-    const model::Model empty = load(head + order + rest + "MOTION\nFrames: 0\nFrame Time: 0\n");
+    EXPECT_EQ(load_bvh(small + "1 2 3").warnings.size(), 1u);
+    const model::Model empty = load_bvh(head + order + rest + "MOTION\nFrames: 0\nFrame Time: 0\n");
     EXPECT_EQ(empty.warnings.size(), 1u);
     EXPECT_TRUE(empty.rig.clips.empty());
-    EXPECT_EQ(load("HIERARCHY ROOT a\n{OFFSET 0 0 0 CHANNELS 0 JOINT a\n{OFFSET 0 0 0 CHANNELS 0}}MOTION Frames: 1 "
+    EXPECT_EQ(load_bvh("HIERARCHY ROOT a\n{OFFSET 0 0 0 CHANNELS 0 JOINT a\n{OFFSET 0 0 0 CHANNELS 0}}MOTION Frames: 1 "
                    "Frame Time: 1")
                   .warnings.size(),
               1u);

@@ -30,7 +30,7 @@ Json marker(const char *name, double time_s) { return {{"name", name}, {"time_s"
 
 struct Loaded {
     model::Model model;
-    std::vector<asset::RootMotion> root_motions;
+    std::vector<asset::RootMotionRequest> root_motions;
 };
 
 Loaded load_all(const Maker &maker)
@@ -58,7 +58,7 @@ TEST(ClipExtras, GiveMarkersInTheOrderOfClipsAndTimes)
     }
 }
 
-TEST(ClipExtras, NameTheNodeWhoseWayIsTakenOut)
+TEST(ClipExtras, NameTheNodeOfTheRootMotion)
 {
     Maker maker = walker();
     EXPECT_TRUE(load_all(maker).root_motions.empty());

@@ -69,7 +69,7 @@ TEST(Clip, MorphWeightsNameTheirSet)
     EXPECT_EQ(outcome_of(maker.glb()).status, CLQ_FORMAT) << "there are no targets to weigh";
     maker.primitive()["targets"] = Json::array({{{"POSITION", 0}}, {{"POSITION", 0}}});
     const model::Rig rig = load(maker.glb()).rig;
-    EXPECT_EQ(rig.channels.at(0).path, model::Path::morph_weights);
+    EXPECT_EQ(rig.channels.at(0).target, model::ChannelTarget::morph_weights);
     EXPECT_EQ(rig.channels[0].node, 0u);
     EXPECT_EQ(rig.channels[0].component_count, 2);
 }

@@ -147,8 +147,8 @@ TEST(Zones, ComeFromExtrasWhereAlphaHoldsKeys)
         ASSERT_EQ(model.zones.size(), 2u) << list;
         EXPECT_EQ(model.zones[0].key, 140);
         EXPECT_EQ(model.zones[0].colour[1], 0.5f);
-        EXPECT_EQ(model.zones[1].range.hue_first_deg, 340);
-        EXPECT_EQ(model.zones[1].range.hue_last_deg, 20);
+        EXPECT_EQ(model.zones[1].range.hue_min_deg, 340);
+        EXPECT_EQ(model.zones[1].range.hue_max_deg, 20);
         EXPECT_EQ(model.materials[0].zone, model::none);
     }
 }

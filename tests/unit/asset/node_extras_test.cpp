@@ -27,7 +27,7 @@ Json &node_extras(Maker &maker, int node) { return maker.json["nodes"][node]["ex
 
 Json turn(const char *name)
 {
-    return {{"name", name}, {"kind", "rotation"}, {"axis", {0, 2, 0}}, {"first", -0.5}, {"last", 0.7}, {"rest", 0.1}};
+    return {{"name", name}, {"kind", "rotation"}, {"axis", {0, 2, 0}}, {"min", -0.5}, {"max", 0.7}, {"rest", 0.1}};
 }
 
 TEST(NodeExtras, GiveDegreesOfFreedomInTheOrderOfTheRig)
@@ -37,10 +37,10 @@ TEST(NodeExtras, GiveDegreesOfFreedomInTheOrderOfTheRig)
         Json::array({{{"name", "blink"},
                       {"kind", "morph"},
                       {"morph_target", 1},
-                      {"first", 0.25},
-                      {"last", 1},
+                      {"min", 0.25},
+                      {"max", 1},
                       {"a hint for others", true}},
-                     {{"kind", "translation"}, {"axis", {0, 0, -1}}, {"first", -2}, {"last", -1}}});
+                     {{"kind", "translation"}, {"axis", {0, 0, -1}}, {"min", -2}, {"max", -1}}});
     node_extras(maker, 1)["dofs"] = Json::array({turn("yaw")});
     const model::Rig rig = load(maker.glb()).rig;
     ASSERT_EQ(rig.dofs.size(), 3u);
@@ -48,12 +48,12 @@ TEST(NodeExtras, GiveDegreesOfFreedomInTheOrderOfTheRig)
     EXPECT_EQ(rig.dofs[0].node, rig.find_node("neck"));
     EXPECT_EQ(rig.dofs[0].kind, model::DofKind::rotation);
     EXPECT_EQ(rig.dofs[0].axis, glm::vec3(0, 1, 0)) << "made a unit one";
-    EXPECT_EQ(rig.dofs[0].first, -0.5f);
-    EXPECT_EQ(rig.dofs[0].last, 0.7f);
+    EXPECT_EQ(rig.dofs[0].min, -0.5f);
+    EXPECT_EQ(rig.dofs[0].max, 0.7f);
     EXPECT_EQ(rig.dofs[0].rest, 0.1f);
     EXPECT_EQ(rig.dofs[1].kind, model::DofKind::morph);
     EXPECT_EQ(rig.morph_sets[rig.dofs[1].node].node, rig.find_node("head"));
-    EXPECT_EQ(rig.dofs[1].target, 1u);
+    EXPECT_EQ(rig.dofs[1].morph_target, 1u);
     EXPECT_EQ(rig.dofs[1].rest, 0.25f) << "as near to 0 as the range allows";
     EXPECT_EQ(rig.dofs[2].rest, -1);
     EXPECT_EQ(rig.dof_names[2], "");
@@ -71,10 +71,10 @@ TEST(NodeExtras, SayHowFarNodesAndMeshesGoOn)
     EXPECT_EQ(m.rig.deactivation_of(m.rig.find_node("neck")), 40);
     EXPECT_TRUE(std::isinf(m.rig.deactivation_of(m.rig.find_node("hat"))));
     ASSERT_EQ(m.parts.size(), 2u);
-    EXPECT_EQ(m.parts[0].lod_first_m, 0);
-    EXPECT_EQ(m.parts[0].lod_last_m, 12.5f);
-    EXPECT_EQ(m.parts[1].lod_first_m, 12.5f);
-    EXPECT_TRUE(std::isinf(m.parts[1].lod_last_m));
+    EXPECT_EQ(m.parts[0].lod_min_m, 0);
+    EXPECT_EQ(m.parts[0].lod_max_m, 12.5f);
+    EXPECT_EQ(m.parts[1].lod_min_m, 12.5f);
+    EXPECT_TRUE(std::isinf(m.parts[1].lod_max_m));
 }
 
 TEST(NodeExtras, OfOthersAreNotJudged)
@@ -101,7 +101,7 @@ TEST(NodeExtras, ThatBreakARuleAreRefusedByName)
         return Json({{"dofs", Json::array({out})}});
     };
     const Json twins = {{"dofs", Json::array({turn("yaw"), turn("yaw")})}};
-    const Json blink = {{"kind", "morph"}, {"first", 0}, {"last", 1}, {"morph_target", 2}};
+    const Json blink = {{"kind", "morph"}, {"min", 0}, {"max", 1}, {"morph_target", 2}};
     const std::vector<Bad> all = {
         {0, {{"deactivation_m", 0}}, "deactivation_m is 0 m"},
         {0, {{"deactivation_m", -3}}, "deactivation_m is -3 m"},
@@ -119,10 +119,10 @@ TEST(NodeExtras, ThatBreakARuleAreRefusedByName)
         {0, dof("axis", nullptr), "dofs[0].axis is missing"},
         {0, dof("axis", {0, 0, 0}), "dofs[0].axis has length 0"},
         {0, dof("axis", {0, 1}), "dofs[0].axis has 2 numbers"},
-        {0, dof("first", nullptr), "dofs[0].first is missing"},
-        {0, dof("last", nullptr), "dofs[0].last is missing"},
-        {0, dof("last", -1), "range from -0.5 to -1"},
-        {0, dof("last", 1e300), "dofs[0].last"},
+        {0, dof("min", nullptr), "dofs[0].min is missing"},
+        {0, dof("max", nullptr), "dofs[0].max is missing"},
+        {0, dof("max", -1), "range from -0.5 to -1"},
+        {0, dof("max", 1e300), "dofs[0].max"},
         {0, dof("rest", 0.8), "dofs[0].rest is 0.8, outside"},
         {0, dof("name", 5), "dofs[0].name"},
         {0, twins, "dofs[1] is named 'yaw' like another"},

@@ -25,7 +25,7 @@ std::vector<float> matrix_of(const math::Trs &trs)
 void expect_same(const math::Trs &trs, const char *what)
 {
     const std::vector<float> m = matrix_of(trs);
-    const asset::Parts parts = asset::take_apart(m.data());
+    const asset::DecomposedMatrix parts = asset::decompose(m.data());
     EXPECT_LT(parts.error, 1e-5) << what;
     const float longest = std::max({std::fabs(trs.scale.x), std::fabs(trs.scale.y), std::fabs(trs.scale.z)});
     const std::vector<float> again = matrix_of(parts.trs);

@@ -43,7 +43,7 @@ Json &mappings_of(Maker &maker) { return maker.primitive()["extensions"]["KHR_ma
 
 }  // namespace
 
-TEST(Variants, are_texture_sets_by_name_with_the_other_materials_image)
+TEST(Variants, AreTextureSetsByNameWithTheOtherMaterialsImage)
 {
     const model::Model model = load(in_variants().glb());
     ASSERT_EQ(model.texture_sets.size(), 2u);
@@ -58,7 +58,7 @@ TEST(Variants, are_texture_sets_by_name_with_the_other_materials_image)
     EXPECT_TRUE(model.warnings.empty());
 }
 
-TEST(Variants, that_differ_in_more_than_the_texture_are_taken_with_a_warning)
+TEST(Variants, ThatDifferInMoreThanTheTextureAreTakenWithAWarning)
 {
     Maker maker = in_variants();
     maker.json["materials"][1]["doubleSided"] = true;
@@ -70,7 +70,7 @@ TEST(Variants, that_differ_in_more_than_the_texture_are_taken_with_a_warning)
         << model.warnings[0];
 }
 
-TEST(Variants, whose_texture_cannot_lie_on_the_same_surface_show_the_materials_own)
+TEST(Variants, WhoseTextureCannotLieOnTheSameSurfaceShowTheMaterialsOwn)
 {
     Maker maker = in_variants();
     maker.json["materials"][1]["pbrMetallicRoughness"].erase("baseColorTexture");
@@ -87,7 +87,7 @@ TEST(Variants, whose_texture_cannot_lie_on_the_same_surface_show_the_materials_o
     EXPECT_NE(model.warnings[0].find("lies otherwise on the surface"), std::string::npos);
 }
 
-TEST(Variants, that_name_what_there_is_not_are_refused_by_place)
+TEST(Variants, ThatNameWhatThereIsNotAreRefusedByPlace)
 {
     Maker maker = in_variants();
     mappings_of(maker)[0]["material"] = 9;
@@ -100,7 +100,7 @@ TEST(Variants, that_name_what_there_is_not_are_refused_by_place)
     EXPECT_NE(refusal_of(maker).find("variants[1].name"), std::string::npos) << refusal_of(maker);
 }
 
-TEST(Variants, of_a_material_with_zone_keys_need_zone_keys_of_their_own)
+TEST(Variants, OfAMaterialWithZoneKeysNeedZoneKeysOfTheirOwn)
 {
     Maker maker = in_variants();
     const Json zones = {{"claque", {{"zones", {{{"name", "cloth"}, {"key", 255}, {"colour", {1, 1, 1}}}}}}}};

@@ -13,9 +13,9 @@ namespace claque::testing
 namespace
 {
 
-using asset::PaintedMap;
-using asset::PaintedZone;
 using asset::unknown_zone;
+using asset::ZoneMap;
+using asset::ZoneMapZone;
 
 // Two triangles over the whole of an 8 x 8 image: blue cloth above in eight shades, red leather below.
 model::Model cloth_and_leather()
@@ -51,11 +51,11 @@ model::Model cloth_and_leather()
 }
 
 const std::vector<uint16_t> halves = {0, 1};  // 1 x 2
-const PaintedMap upper_and_lower = {1, 2, halves.data()};
+const ZoneMap upper_and_lower = {1, 2, halves.data()};
 
-std::vector<PaintedZone> zones_of(std::initializer_list<const char *> names, bool reduced)
+std::vector<ZoneMapZone> zones_of(std::initializer_list<const char *> names, bool reduced)
 {
-    std::vector<PaintedZone> zones;
+    std::vector<ZoneMapZone> zones;
     for (const char *name : names) {
         zones.emplace_back();
         zones.back().name = name, zones.back().reduced = reduced;
@@ -68,7 +68,7 @@ const uint8_t *texel(const model::Model &model, int x, int y, uint32_t image = 0
     return &model.images[image].rgba[4 * size_t(8 * y + x)];
 }
 
-std::string refusal(model::Model &model, uint32_t image, const PaintedMap &map, const std::vector<PaintedZone> &zones)
+std::string refusal(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones)
 {
     try {
         asset::set_zone_map(model, image, map, zones);
@@ -80,7 +80,7 @@ std::string refusal(model::Model &model, uint32_t image, const PaintedMap &map, 
 
 }  // namespace
 
-TEST(ZoneMap, becomes_keys_in_the_images_alpha_and_zones_of_the_model)
+TEST(ZoneMap, BecomesKeysInTheImagesAlphaAndZonesOfTheModel)
 {
     model::Model model = cloth_and_leather();
     asset::set_zone_map(model, 0, upper_and_lower, zones_of({"cloth", "leather"}, false));
@@ -93,7 +93,7 @@ TEST(ZoneMap, becomes_keys_in_the_images_alpha_and_zones_of_the_model)
     model::check(model);
 }
 
-TEST(ZoneMap, leaves_the_colours_of_zones_that_are_not_reduced_as_they_are)
+TEST(ZoneMap, LeavesTheColoursOfZonesThatAreNotReducedAsTheyAre)
 {
     model::Model model = cloth_and_leather();
     const model::Model before = cloth_and_leather();
@@ -105,7 +105,7 @@ TEST(ZoneMap, leaves_the_colours_of_zones_that_are_not_reduced_as_they_are)
     EXPECT_EQ(model.zones[0].colour, (std::array<float, 3>{1, 1, 1}));
 }
 
-TEST(ZoneMap, reduces_a_zone_to_light_and_dark_and_gives_it_the_colour_that_it_had)
+TEST(ZoneMap, ReducesAZoneToLightAndDarkAndGivesItTheColourThatItHad)
 {
     model::Model model = cloth_and_leather();
     const model::Model before = cloth_and_leather();
@@ -124,7 +124,7 @@ TEST(ZoneMap, reduces_a_zone_to_light_and_dark_and_gives_it_the_colour_that_it_h
     EXPECT_EQ(brightest, 255) << "so that any colour, a light one too, can be given to it";
 }
 
-TEST(ZoneMap, texels_that_nobody_painted_take_the_nearest_zone)
+TEST(ZoneMap, UnpaintedTexelsTakeTheNearestZone)
 {
     model::Model model = cloth_and_leather();
     std::vector<uint16_t> map(64, unknown_zone);
@@ -138,7 +138,7 @@ TEST(ZoneMap, texels_that_nobody_painted_take_the_nearest_zone)
         }
 }
 
-TEST(ZoneMap, takes_a_materials_base_colour_into_the_texels)
+TEST(ZoneMap, TakesAMaterialsBaseColourIntoTheTexels)
 {
     model::Model model = cloth_and_leather();
     model.materials[0].base_colour = {0.5f, 1, 1, 1};
@@ -148,7 +148,7 @@ TEST(ZoneMap, takes_a_materials_base_colour_into_the_texels)
     EXPECT_NEAR(model.zones[1].colour[0] / model.zones[1].colour[1], 2.5f, 0.1f) << "100 to 40";
 }
 
-TEST(ZoneMap, images_share_zones_by_name)
+TEST(ZoneMap, ImagesShareZonesByName)
 {
     model::Model model = cloth_and_leather();
     model.images.push_back(model.images[0]);
@@ -162,7 +162,7 @@ TEST(ZoneMap, images_share_zones_by_name)
     model::check(model);
 }
 
-TEST(ZoneMap, that_breaks_a_rule_is_refused_and_changes_nothing)
+TEST(ZoneMap, ThatBreaksARuleIsRefusedAndChangesNothing)
 {
     model::Model model = cloth_and_leather();
     const auto zones = zones_of({"cloth", "leather"}, true);
@@ -182,7 +182,7 @@ TEST(ZoneMap, that_breaks_a_rule_is_refused_and_changes_nothing)
     EXPECT_EQ(model.zones.size(), 1u);
 }
 
-TEST(ZoneProposal, finds_materials_by_colour_whatever_their_shading)
+TEST(ZoneProposal, FindsMaterialsByColourWhateverTheirShading)
 {
     const model::Model model = cloth_and_leather();
     const asset::ZoneProposal proposal = asset::propose_zones(model, 0, 2);
@@ -192,7 +192,7 @@ TEST(ZoneProposal, finds_materials_by_colour_whatever_their_shading)
     EXPECT_NE(proposal.zones[0], proposal.zones[63]);
 }
 
-TEST(ZoneProposal, gives_fewer_zones_than_asked_for_where_colours_do_not_differ)
+TEST(ZoneProposal, GivesFewerZonesThanAskedForWhereColoursDoNotDiffer)
 {
     model::Model model = cloth_and_leather();
     for (size_t i = 0; i < model.images[0].rgba.size(); i += 4) model.images[0].rgba[i] = 180;
@@ -201,7 +201,7 @@ TEST(ZoneProposal, gives_fewer_zones_than_asked_for_where_colours_do_not_differ)
     EXPECT_EQ(asset::propose_zones(model, 0, 12).means.size(), 1u);
 }
 
-TEST(ZoneProposal, leaves_out_texels_that_no_triangle_shows_and_calms_lone_ones)
+TEST(ZoneProposal, LeavesOutTexelsThatNoTriangleShowsAndCalmsLoneOnes)
 {
     model::Model model = cloth_and_leather();
     for (glm::vec2 &uv : model.parts[0].uvs) uv.x *= 0.5f;
@@ -213,7 +213,7 @@ TEST(ZoneProposal, leaves_out_texels_that_no_triangle_shows_and_calms_lone_ones)
     EXPECT_EQ(proposal.zones[8 * 6 + 1], proposal.zones[8 * 6 + 2]) << "one blue texel in the leather";
 }
 
-TEST(ZoneProposal, is_refused_for_what_there_is_not)
+TEST(ZoneProposal, IsRefusedForWhatThereIsNot)
 {
     model::Model model = cloth_and_leather();
     EXPECT_THROW(asset::propose_zones(model, 1, 2), base::Error);

@@ -5,7 +5,7 @@
 
 #include "lib/base/hash.h"
 #include "lib/behave/command.h"
-#include "stage.h"
+#include "test_actors.h"
 
 namespace claque::behave
 {
@@ -32,16 +32,17 @@ private:
     uint64_t seed_, count_ = 0;
 };
 
-crowd::MechanismKind any_kind(Draw &draw, const Stage &stage)
+crowd::MechanismKind any_kind(Draw &draw, const TestActors &test_actors)
 {
-    const auto shapes = [&](auto &into) {
+    const auto poses = [&](auto &into) {
         const uint32_t count = 1 + draw.below(6);
         for (uint32_t i = 0; i < count; ++i) {
-            crowd::Shape shape{uint32_t(into.values.size()), 0};
+            crowd::DofPose shape{uint32_t(into.values.size()), 0};
             for (uint32_t k = 0; k < dof_count; ++k)
-                if (draw.below(3) == 0) into.values.push_back({k, draw.in(stage.dof(k).first, stage.dof(k).last)});
+                if (draw.below(3) == 0)
+                    into.values.push_back({k, draw.in(test_actors.dof(k).min, test_actors.dof(k).max)});
             shape.count = uint32_t(into.values.size()) - shape.first;
-            into.shapes.push_back(shape);
+            into.poses.push_back(shape);
         }
         return count;
     };
@@ -59,7 +60,7 @@ crowd::MechanismKind any_kind(Draw &draw, const Stage &stage)
         }
         case 1: {
             crowd::Expression out(std::pmr::get_default_resource());
-            shapes(out);
+            poses(out);
             out.hold_s = draw.length();
             out.blend_s = draw.in(0, 0.5f) * out.hold_s;
             return out;
@@ -73,7 +74,7 @@ crowd::MechanismKind any_kind(Draw &draw, const Stage &stage)
         }
         default: {
             crowd::Phrase out(std::pmr::get_default_resource());
-            const uint32_t count = shapes(out);
+            const uint32_t count = poses(out);
             float time = 0;
             for (uint32_t i = 0; i < 1 + draw.below(9); ++i, time += draw.length())
                 out.keys.push_back({time, draw.below(4) ? draw.below(count) : model::none});
@@ -99,18 +100,19 @@ double any_time(Draw &draw)
     }
 }
 
-void any_command(Draw &draw, Stage &stage, uint32_t mechanism)
+void any_command(Draw &draw, TestActors &test_actors, uint32_t mechanism)
 {
-    const crowd::Mechanism &told = stage.crowd.behaviours().mechanism(mechanism);
-    const crowd::Id id = stage.ids[0];
+    const crowd::Mechanism &told = test_actors.crowd.behaviours().mechanism(mechanism);
+    const crowd::Id id = test_actors.ids[0];
     if (std::holds_alternative<crowd::Gaze>(told.kind)) {
         const glm::dvec3 point(draw.in(-5, 5), draw.in(-5, 5), draw.in(-5, 5));
-        look(stage.crowd, id, mechanism, draw.below(4) ? &point : nullptr, any_time(draw));
+        command_gaze(test_actors.crowd, id, mechanism, draw.below(4) ? &point : nullptr, any_time(draw));
     }
     if (const auto *e = std::get_if<crowd::Expression>(&told.kind))
-        express(stage.crowd, id, mechanism, draw.below(4) ? draw.below(uint32_t(e->shapes.size())) : model::none,
-                any_time(draw));
-    if (std::holds_alternative<crowd::Phrase>(told.kind)) say(stage.crowd, id, mechanism, any_time(draw));
+        command_expression(test_actors.crowd, id, mechanism,
+                           draw.below(4) ? draw.below(uint32_t(e->poses.size())) : model::none, any_time(draw));
+    if (std::holds_alternative<crowd::Phrase>(told.kind))
+        command_phrase(test_actors.crowd, id, mechanism, any_time(draw));
 }
 
 }  // namespace
@@ -119,21 +121,22 @@ TEST(AnyDef, GivesNumbersWithinTheRangesAtAnyTime)
 {
     for (uint64_t seed = 0; seed < 400; ++seed) {
         Draw draw(seed);
-        Stage stage(1, seed);
+        TestActors test_actors(1, seed);
         const uint32_t count = 1 + draw.below(16);
         for (uint32_t i = 0; i < count; ++i) {
             crowd::Mechanism mechanism;
-            mechanism.kind = any_kind(draw, stage);
+            mechanism.kind = any_kind(draw, test_actors);
             mechanism.level_m[0] = 10, mechanism.level_m[1] = 20, mechanism.level_m[2] = 30;
-            stage.add(std::move(mechanism), float(draw.below(3)));
-            stage.use(0, i, float(draw.below(3)), draw.in(-9, 9), double(draw.in(-9, 9)));
+            test_actors.add(std::move(mechanism), float(draw.below(3)));
+            test_actors.use(0, i, float(draw.below(3)), draw.in(-9, 9), double(draw.in(-9, 9)));
         }
         for (int i = 0; i < 60; ++i) {
-            any_command(draw, stage, draw.below(count));
+            any_command(draw, test_actors, draw.below(count));
             const std::vector<float> &dofs =
-                stage.at(any_time(draw), 0, draw.in(0, 40), static_cast<Skeleton>(draw.below(4)));
+                test_actors.at(any_time(draw), 0, draw.in(0, 40), static_cast<Skeleton>(draw.below(4)));
             for (uint32_t k = 0; k < dof_count; ++k)
-                ASSERT_TRUE(dofs[k] >= stage.dof(k).first && dofs[k] <= stage.dof(k).last) << seed << ": " << dofs[k];
+                ASSERT_TRUE(dofs[k] >= test_actors.dof(k).min && dofs[k] <= test_actors.dof(k).max)
+                    << seed << ": " << dofs[k];
         }
     }
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "stage.h"
+#include "test_actors.h"
 
 namespace claque::behave
 {
@@ -24,14 +24,14 @@ uint32_t shape_shown(const std::vector<float> &dofs)
 
 }  // namespace
 
-TEST(Expression, ShowsEveryShapeByLotAndNeverTheSameTwiceRunning)
+TEST(Expression, ShowsEveryPoseAtRandomAndNeverTheSameTwiceRunning)
 {
-    Stage stage;
-    stage.add(expression());
+    TestActors test_actors;
+    test_actors.add(expression());
     std::vector<uint32_t> shown;
     std::vector<double> since;
     for (double t = -2000; t < 2000; t += 0.05) {
-        const uint32_t shape = shape_shown(stage.at(t));
+        const uint32_t shape = shape_shown(test_actors.at(t));
         if (shape == model::none || (!shown.empty() && shown.back() == shape)) continue;
         shown.push_back(shape), since.push_back(t);
     }
@@ -51,19 +51,19 @@ TEST(Expression, ShowsEveryShapeByLotAndNeverTheSameTwiceRunning)
 
 TEST(Expression, BlendsSmoothly)
 {
-    Stage stage;
-    stage.add(expression());
-    const float steep = steepest(stage, 0, 60);
+    TestActors test_actors;
+    test_actors.add(expression());
+    const float steep = steepest(test_actors, 0, 60);
     EXPECT_LE(steep, 1.5 * 1.0 / 0.4 * 1.01) << "the whole range of a shape in blend_s";
     EXPECT_GT(steep, 1.0);
 }
 
-TEST(Expression, OfTwoShapesAlternatesAndOfOneStays)
+TEST(Expression, OfTwoPosesAlternatesAndOfOneStays)
 {
-    Stage two, one;
+    TestActors two, one;
     crowd::Expression pair = expression(), single = expression();
-    pair.shapes.pop_back();
-    single.shapes = {{0, 3}};
+    pair.poses.pop_back();
+    single.poses = {{0, 3}};
     two.add(std::move(pair));
     one.add(std::move(single));
     uint32_t last = model::none;
@@ -81,26 +81,27 @@ TEST(Expression, OfTwoShapesAlternatesAndOfOneStays)
 
 TEST(Expression, ChangesAtOnceFarAway)
 {
-    Stage stage;
+    TestActors test_actors;
     crowd::Mechanism mechanism;
     mechanism.kind = expression();
     mechanism.level_m[0] = 10;
-    stage.add(std::move(mechanism));
+    test_actors.add(std::move(mechanism));
     std::set<float> near, far;
-    for (double t = 0; t < 100; t += 0.01) near.insert(stage.at(t)[smile]), far.insert(stage.at(t, 0, 12)[smile]);
+    for (double t = 0; t < 100; t += 0.01)
+        near.insert(test_actors.at(t)[smile]), far.insert(test_actors.at(t, 0, 12)[smile]);
     EXPECT_GT(near.size(), 50u);
     EXPECT_EQ(far, (std::set<float>{0, 0.8f}));
 }
 
 TEST(Blink, ShutsBothLidsTogetherAsOftenAsItSays)
 {
-    Stage stage;
-    stage.add(blink());
+    TestActors test_actors;
+    test_actors.add(blink());
     int blinks = 0;
     bool shut = false;
     double last = 0, least = 99, most = 0;
     for (int i = 0; i < 500000; ++i) {
-        const std::vector<float> &dofs = stage.at(i * 0.002);
+        const std::vector<float> &dofs = test_actors.at(i * 0.002);
         ASSERT_EQ(dofs[left_lid], dofs[right_lid]);
         const bool now = dofs[left_lid] > 1.0f;
         if (now && !shut) {
@@ -112,50 +113,51 @@ TEST(Blink, ShutsBothLidsTogetherAsOftenAsItSays)
     EXPECT_LT(least, 2);
     EXPECT_GT(most, 6);
     EXPECT_NEAR(blinks, 250, 25) << "in 1000 s";
-    EXPECT_LT(steepest(stage, 0, 20), 1.0f / (0.35f * 0.15f) * 1.5f);
+    EXPECT_LT(steepest(test_actors, 0, 20), 1.0f / (0.35f * 0.15f) * 1.5f);
 }
 
 TEST(Blink, BeginsAndEndsWhereTheLidsAre)
 {
-    Stage stage;
-    stage.add(expression(), 0);
-    stage.add(blink(), 1);
+    TestActors test_actors;
+    test_actors.add(expression(), 0);
+    test_actors.add(blink(), 1);
     // With a smile the lids are at 0.3 between two blinks, not at their rest of 0.1.
     int narrow = 0;
-    for (double t = 0; t < 100; t += 0.01) narrow += stage.at(t)[right_lid] == 0.3f;
+    for (double t = 0; t < 100; t += 0.01) narrow += test_actors.at(t)[right_lid] == 0.3f;
     EXPECT_GT(narrow, 1000);
-    EXPECT_LT(steepest(stage, 0, 100), 1.1f / (0.35f * 0.15f) * 1.6f);
+    EXPECT_LT(steepest(test_actors, 0, 100), 1.1f / (0.35f * 0.15f) * 1.6f);
 }
 
-TEST(Phrase, SaysItsShapesInTime)
+TEST(Phrase, ShowsItsPosesInTime)
 {
-    Stage stage;
-    stage.add(phrase(0));
+    TestActors test_actors;
+    test_actors.add(phrase(0));
     // Rounds of length and blend, without a pause.
     const double round = 1.2f + 0.06f;
     for (int i = -3; i < 3; ++i) {
         const double begin = i * round;
-        EXPECT_EQ(stage.at(begin + 0.2, open_mouth), 1.0f) << i;
-        EXPECT_EQ(stage.at(begin + 0.45, open_mouth), 0.0f);
-        EXPECT_NEAR(stage.at(begin + 0.5299, open_mouth), 0.4f, 0.01f) << "a shape of 30 ms is reached all the same";
-        EXPECT_EQ(stage.at(begin + 0.8, open_mouth), 1.0f);
-        EXPECT_FLOAT_EQ(stage.at(begin + 1.1, open_mouth), 0.4f);
-        EXPECT_FLOAT_EQ(stage.at(begin + 1.1, smile), 0.2f);
-        EXPECT_NEAR(stage.at(begin + 1.2599, open_mouth), 0.0f, 0.01f);
+        EXPECT_EQ(test_actors.at(begin + 0.2, open_mouth), 1.0f) << i;
+        EXPECT_EQ(test_actors.at(begin + 0.45, open_mouth), 0.0f);
+        EXPECT_NEAR(test_actors.at(begin + 0.5299, open_mouth), 0.4f, 0.01f)
+            << "a shape of 30 ms is reached all the same";
+        EXPECT_EQ(test_actors.at(begin + 0.8, open_mouth), 1.0f);
+        EXPECT_FLOAT_EQ(test_actors.at(begin + 1.1, open_mouth), 0.4f);
+        EXPECT_FLOAT_EQ(test_actors.at(begin + 1.1, smile), 0.2f);
+        EXPECT_NEAR(test_actors.at(begin + 1.2599, open_mouth), 0.0f, 0.01f);
     }
-    EXPECT_LE(steepest(stage, -3, 3), 1.5 * 0.6 / 0.03 * 1.01) << "the shortest blend is one of 30 ms";
+    EXPECT_LE(steepest(test_actors, -3, 3), 1.5 * 0.6 / 0.03 * 1.01) << "the shortest blend is one of 30 ms";
 }
 
 TEST(Phrase, PausesForAboutAsLongAsItSays)
 {
-    Stage stage;
-    stage.add(phrase(3));
+    TestActors test_actors;
+    test_actors.add(phrase(3));
     double last = -1, least = 99, most = 0;
     int said = 0;
     bool speaks = false;
     for (int i = 0; i < 100000; ++i) {
         const double t = i * 0.01;
-        const bool now = stage.at(t, open_mouth) > 0;
+        const bool now = test_actors.at(t, open_mouth) > 0;
         if (now && !speaks && t - last > 0.5) {
             if (said > 0) least = std::min(least, t - last), most = std::max(most, t - last);
             ++said;
@@ -171,13 +173,13 @@ TEST(Phrase, PausesForAboutAsLongAsItSays)
 
 TEST(Phrase, AKeyAtTheVeryEndIsTheRest)
 {
-    Stage stage;
+    TestActors test_actors;
     crowd::Phrase twice = phrase(0);
     twice.keys = {{0.0f, 0}, {1.2f, model::none}};
-    stage.add(std::move(twice));
-    EXPECT_EQ(stage.at(1.19, open_mouth), 1.0f);
-    EXPECT_LT(stage.at(1.23, open_mouth), 0.6f);
-    EXPECT_GT(stage.at(1.23, open_mouth), 0.4f);
+    test_actors.add(std::move(twice));
+    EXPECT_EQ(test_actors.at(1.19, open_mouth), 1.0f);
+    EXPECT_LT(test_actors.at(1.23, open_mouth), 0.6f);
+    EXPECT_GT(test_actors.at(1.23, open_mouth), 0.4f);
 }
 
 }  // namespace claque::behave

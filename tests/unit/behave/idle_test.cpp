@@ -1,21 +1,21 @@
 // Clips by lot (S0 7.1).
 #include <gtest/gtest.h>
 
-#include "stage.h"
+#include "test_actors.h"
 
 namespace claque::behave
 {
 
 using namespace testing_support;
 
-TEST(Idle, PlaysClipsByLotFromTheirBeginning)
+TEST(Idle, PlaysRandomClipsFromTheirStart)
 {
-    Stage stage(2);
+    TestActors test_actors(2);
     crowd::Idle idle(std::pmr::get_default_resource());
     idle.clips = {0, 2, 1};
     idle.slot_s = 4;
-    const uint32_t mechanism = stage.add(std::move(idle));
-    const auto play = [&](double t, uint32_t row = 0) { return play_at(stage.crowd, row, t, 0); };
+    const uint32_t mechanism = test_actors.add(std::move(idle));
+    const auto play = [&](double t, uint32_t row = 0) { return play_at(test_actors.crowd, row, t, 0); };
     int drawn[3] = {0, 0, 0}, changes = 0;
     double last = play(0).start_s;
     for (int i = 0; i < 40000; ++i) {
@@ -34,21 +34,21 @@ TEST(Idle, PlaysClipsByLotFromTheirBeginning)
     EXPECT_NEAR(changes, 1000, 2);
     for (const int n : drawn) EXPECT_GT(n, 250);
     EXPECT_NE(play(0, 0).start_s, play(0, 1).start_s) << "not all at once";
-    const Levels all_off = levels_of(stage.crowd, 0, 0, stage.tmpl->levels[0]) | off;
-    EXPECT_EQ(play_at(stage.crowd, 0, 3, all_off).clip, model::none) << "its own, where the mechanism is off";
-    stage.crowd.drop(stage.ids[0], mechanism);
+    const MechanismLevels all_off = mechanism_levels(test_actors.crowd, 0, 0, test_actors.tmpl->levels[0]) | off;
+    EXPECT_EQ(play_at(test_actors.crowd, 0, 3, all_off).clip, model::none) << "its own, where the mechanism is off";
+    test_actors.crowd.detach_mechanism(test_actors.ids[0], mechanism);
     EXPECT_EQ(play(3).clip, model::none);
 }
 
 TEST(Idle, TheHighestPriorityThatIsNotOffPlays)
 {
-    Stage stage;
+    TestActors test_actors;
     crowd::Idle low(std::pmr::get_default_resource()), high(std::pmr::get_default_resource());
     low.clips = {1}, high.clips = {2};
-    stage.add(std::move(high), 2);
-    stage.add(std::move(low), 1);
-    EXPECT_EQ(play_at(stage.crowd, 0, 1, 0).clip, 2u);
-    EXPECT_EQ(play_at(stage.crowd, 0, 1, Levels(off) << 4).clip, 1u);
+    test_actors.add(std::move(high), 2);
+    test_actors.add(std::move(low), 1);
+    EXPECT_EQ(play_at(test_actors.crowd, 0, 1, 0).clip, 2u);
+    EXPECT_EQ(play_at(test_actors.crowd, 0, 1, MechanismLevels(off) << 4).clip, 1u);
 }
 
 }  // namespace claque::behave

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/base/hash.h"
-#include "stage.h"
+#include "test_actors.h"
 
 namespace claque::behave
 {
@@ -19,7 +19,7 @@ crowd::RootPath flight(std::initializer_list<glm::vec3> positions, float duratio
     crowd::RootPath path(std::pmr::get_default_resource());
     path.positions = positions;
     path.duration_s = duration_s;
-    path.bank = 0.5f, path.most_bank = 0.9f;
+    path.bank = 0.5f, path.max_bank = 0.9f;
     return path;
 }
 
@@ -27,7 +27,9 @@ crowd::RootPath any_flight(uint32_t seed, uint32_t count)
 {
     crowd::RootPath path = flight({}, 10);
     for (uint32_t i = 0; i < count; ++i) {
-        const auto draw = [&](uint32_t k) { return base::unit(base::hash(seed, i, base::Purpose::place, k)) - 0.5f; };
+        const auto draw = [&](uint32_t k) {
+            return base::unit(base::hash(seed, i, base::Purpose::position, k)) - 0.5f;
+        };
         path.positions.push_back(glm::vec3(40 * draw(0), 10 * draw(1), 40 * draw(2)));
     }
     return path;
@@ -45,10 +47,10 @@ crowd::RootPath table()
     return path;
 }
 
-glm::dvec3 ahead(const crowd::Place &place) { return glm::dquat(place.orientation) * glm::dvec3(0, 0, 1); }
-glm::dvec3 above(const crowd::Place &place) { return glm::dquat(place.orientation) * glm::dvec3(0, 1, 0); }
+glm::dvec3 ahead(const crowd::Transform &place) { return glm::dquat(place.orientation) * glm::dvec3(0, 0, 1); }
+glm::dvec3 above(const crowd::Transform &place) { return glm::dquat(place.orientation) * glm::dvec3(0, 1, 0); }
 
-bool is_a_place(const crowd::Place &place)
+bool is_a_place(const crowd::Transform &place)
 {
     bool all = true;
     for (int k = 0; k < 3; ++k) all = all && std::isfinite(place.position[k]);
@@ -67,7 +69,8 @@ TEST(Flight, MeetsItsPositionsAtEqualTimes)
 {
     const crowd::RootPath path = any_flight(3, 6);
     for (uint32_t i = 0; i < 6; ++i)
-        EXPECT_NEAR(glm::length(place_on(path, i * 10.0 / 6).position - glm::dvec3(path.positions[i])), 0, 1e-9) << i;
+        EXPECT_NEAR(glm::length(transform_on(path, i * 10.0 / 6).position - glm::dvec3(path.positions[i])), 0, 1e-9)
+            << i;
 }
 
 TEST(Flight, LooksWhereItGoesWithItsHeadUp)
@@ -76,8 +79,8 @@ TEST(Flight, LooksWhereItGoesWithItsHeadUp)
         crowd::RootPath path = any_flight(seed, 5);
         path.bank = 0;
         for (double t = 0; t < 9.99; t += 0.0137) {
-            const crowd::Place here = place_on(path, t);
-            const glm::dvec3 step = place_on(path, t + 1e-5).position - here.position;
+            const crowd::Transform here = transform_on(path, t);
+            const glm::dvec3 step = transform_on(path, t + 1e-5).position - here.position;
             if (glm::length(step) < 1e-6) continue;
             const glm::dvec3 forward = ahead(here), up = above(here);
             EXPECT_NEAR(glm::length(forward - glm::normalize(step)), 0, 1e-3) << seed << " at " << t;
@@ -90,9 +93,9 @@ TEST(Flight, LooksWhereItGoesWithItsHeadUp)
 TEST(Flight, LooksWhereItGoesOnWhereItTurnsRound)
 {
     const crowd::RootPath path = flight({{0, 0, 0}, {3, 0, 4}});
-    EXPECT_NEAR(glm::length(ahead(place_on(path, 0)) - glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
-    EXPECT_NEAR(glm::length(ahead(place_on(path, 4)) + glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
-    for (double t = 0; t < 8; t += 0.01) EXPECT_GT(above(place_on(path, t)).y, 0.9999) << "a turn back has no side";
+    EXPECT_NEAR(glm::length(ahead(transform_on(path, 0)) - glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(ahead(transform_on(path, 4)) + glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
+    for (double t = 0; t < 8; t += 0.01) EXPECT_GT(above(transform_on(path, t)).y, 0.9999) << "a turn back has no side";
 }
 
 TEST(Flight, BanksToTheInsideOfItsTurnAndNotFurtherThanItMay)
@@ -107,11 +110,11 @@ TEST(Flight, BanksToTheInsideOfItsTurnAndNotFurtherThanItMay)
                                    {0, 0, 10},
                                    {7.07f, 0, 7.07f}});
     const auto lean = [&](double t) {
-        const crowd::Place here = place_on(path, t);
+        const crowd::Transform here = transform_on(path, t);
         return std::asin(glm::dot(above(here), glm::normalize(-here.position)));
     };
     for (double t = 0; t < 8; t += 0.1) EXPECT_NEAR(lean(t), 0.5 * 2 * 3.14159 / 8, 0.02) << t;
-    path.most_bank = 0.1f;
+    path.max_bank = 0.1f;
     for (double t = 0; t < 8; t += 0.1) EXPECT_NEAR(lean(t), 0.1, 1e-3) << t;
     std::reverse(path.positions.begin(), path.positions.end());
     for (double t = 0; t < 8; t += 0.1) EXPECT_NEAR(lean(t), 0.1, 1e-3) << "the other way round, too " << t;
@@ -122,14 +125,14 @@ TEST(Flight, TurnsSmoothlyAlsoWhereSegmentsMeet)
     for (uint32_t seed = 0; seed < 20; ++seed) {
         crowd::RootPath path = flight({}, 10);
         for (uint32_t i = 0; i < 8; ++i) {
-            const auto draw = [&](uint32_t k) { return base::unit(base::hash(seed, i, base::Purpose::place, k)); };
+            const auto draw = [&](uint32_t k) { return base::unit(base::hash(seed, i, base::Purpose::position, k)); };
             const float a = 0.7854f * (static_cast<float>(i) + 0.4f * draw(0)), r = 15 + 10 * draw(1);
             path.positions.push_back(glm::vec3(r * std::sin(a), 5 * draw(2), r * std::cos(a)));
         }
         double worst = 0;
-        glm::quat before = place_on(path, 9.999).orientation;
+        glm::quat before = transform_on(path, 9.999).orientation;
         for (int i = 0; i < 10000; ++i) {
-            const glm::quat now = place_on(path, i * 0.001).orientation;
+            const glm::quat now = transform_on(path, i * 0.001).orientation;
             worst = std::max(worst, radians_between(before, now));
             before = now;
         }
@@ -139,24 +142,26 @@ TEST(Flight, TurnsSmoothlyAlsoWhereSegmentsMeet)
 
 TEST(Flight, IsExactlyPeriodicAndRunsBothWays)
 {
-    Stage stage;
-    crowd::RootMotion motion;
-    motion.path = stage.crowd.behaviours().add(any_flight(5, 7));
-    const crowd::Id id = stage.ids[0];
-    stage.crowd.move_root(id, motion);
-    const auto same = [](const crowd::Place &a, const crowd::Place &b) {
+    TestActors test_actors;
+    crowd::RootPathPlay motion;
+    motion.path = test_actors.crowd.behaviours().add(any_flight(5, 7));
+    const crowd::Id id = test_actors.ids[0];
+    test_actors.crowd.play_root_path(id, motion);
+    const auto same = [](const crowd::Transform &a, const crowd::Transform &b) {
         return a.position == b.position && a.orientation == b.orientation;
     };
     for (double t = 0; t < 10; t += 0.25)
         for (const int rounds : {1, 7, -3, 1000})
-            EXPECT_TRUE(same(root_at(stage.crowd, 0, t), root_at(stage.crowd, 0, t + rounds * 10.0))) << t;
-    const crowd::Place at_three = root_at(stage.crowd, 0, 3);
+            EXPECT_TRUE(same(root_transform_at(test_actors.crowd, 0, t),
+                             root_transform_at(test_actors.crowd, 0, t + rounds * 10.0)))
+                << t;
+    const crowd::Transform at_three = root_transform_at(test_actors.crowd, 0, 3);
     motion.speed = -1, motion.phase_s = 10, motion.start_s = 100;
-    stage.crowd.move_root(id, motion);
-    EXPECT_TRUE(same(root_at(stage.crowd, 0, 107), at_three));
+    test_actors.crowd.play_root_path(id, motion);
+    EXPECT_TRUE(same(root_transform_at(test_actors.crowd, 0, 107), at_three));
     motion.path = model::none;
-    stage.crowd.move_root(id, motion);
-    EXPECT_TRUE(same(root_at(stage.crowd, 0, 107), crowd::Place()));
+    test_actors.crowd.play_root_path(id, motion);
+    EXPECT_TRUE(same(root_transform_at(test_actors.crowd, 0, 107), crowd::Transform()));
 }
 
 TEST(Flight, ReachIsAnUpperBoundWithinFivePerCent)
@@ -165,7 +170,8 @@ TEST(Flight, ReachIsAnUpperBoundWithinFivePerCent)
         const crowd::RootPath path = any_flight(seed, 2 + seed % 9);
         const double reach = double(reach_of(path));
         double farthest = 0;
-        for (int i = 0; i < 100000; ++i) farthest = std::max(farthest, glm::length(place_on(path, i * 1e-4).position));
+        for (int i = 0; i < 100000; ++i)
+            farthest = std::max(farthest, glm::length(transform_on(path, i * 1e-4).position));
         EXPECT_GE(reach, farthest) << seed;
         EXPECT_LE(reach, 1.05 * farthest) << seed;
     }
@@ -185,28 +191,28 @@ TEST(Flight, IsNeverNotANumber)
     for (const auto &positions : hard) {
         const crowd::RootPath path = flight(positions);
         EXPECT_TRUE(std::isfinite(reach_of(path)));
-        for (int i = 0; i < 8000; ++i) ASSERT_TRUE(is_a_place(place_on(path, i * 0.001))) << i;
+        for (int i = 0; i < 8000; ++i) ASSERT_TRUE(is_a_place(transform_on(path, i * 0.001))) << i;
     }
 }
 
 TEST(Table, GoesStraightFromKeyToKeyAndTurnsByTheShorterArc)
 {
     const crowd::RootPath path = table();
-    EXPECT_EQ(place_on(path, 0).position, glm::dvec3(0));
-    EXPECT_EQ(place_on(path, 0.5).position, glm::dvec3(1, 0, 0));
-    EXPECT_EQ(place_on(path, 2).position, glm::dvec3(2, 0.5, 0));
-    EXPECT_EQ(place_on(path, 3.5).position, glm::dvec3(1, 0.5, 0));
-    EXPECT_NEAR(radians_between(place_on(path, 0.5).orientation, glm::quat(1, 0, 0, 0)), 3.14159265 / 4, 1e-5);
-    EXPECT_NEAR(radians_between(place_on(path, 2).orientation, path.rotations[1]), 0, 1e-3) << "q and -q are one";
+    EXPECT_EQ(transform_on(path, 0).position, glm::dvec3(0));
+    EXPECT_EQ(transform_on(path, 0.5).position, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(transform_on(path, 2).position, glm::dvec3(2, 0.5, 0));
+    EXPECT_EQ(transform_on(path, 3.5).position, glm::dvec3(1, 0.5, 0));
+    EXPECT_NEAR(radians_between(transform_on(path, 0.5).orientation, glm::quat(1, 0, 0, 0)), 3.14159265 / 4, 1e-5);
+    EXPECT_NEAR(radians_between(transform_on(path, 2).orientation, path.rotations[1]), 0, 1e-3) << "q and -q are one";
     EXPECT_NEAR(reach_of(path), std::sqrt(5.0), 1e-5);
 }
 
 TEST(Table, IsContinuousAllRound)
 {
     const crowd::RootPath path = table();
-    crowd::Place before = place_on(path, 3.999);
+    crowd::Transform before = transform_on(path, 3.999);
     for (int i = 0; i < 4000; ++i) {
-        const crowd::Place now = place_on(path, i * 0.001);
+        const crowd::Transform now = transform_on(path, i * 0.001);
         EXPECT_LT(glm::length(now.position - before.position), 0.0025) << i;
         EXPECT_LT(radians_between(now.orientation, before.orientation), 0.003) << i;
         before = now;

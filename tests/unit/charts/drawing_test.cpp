@@ -26,7 +26,7 @@ constexpr std::array<int, 3> white = {255, 255, 255};
 
 Drawing sheet(std::vector<Mark> marks) { return {60, 40, "A <title> & more", std::move(marks)}; }
 
-TEST(Drawing, marks_have_their_colours_where_they_are)
+TEST(Drawing, MarksHaveTheirColoursWhereTheyAre)
 {
     const Pixels p = pixels_of(sheet({Box{{10, 10}, 10, 10, series(1), series(1)},
                                       Line{{{30, 5}, {30, 35}}, series(2), 4}, Dot{{45, 20}, 5, series(3)}}),
@@ -41,7 +41,7 @@ TEST(Drawing, marks_have_their_colours_where_they_are)
     EXPECT_EQ(pixel(p, 60, 76), white);
 }
 
-TEST(Drawing, letters_leave_ink_on_the_side_of_their_anchor)
+TEST(Drawing, LettersLeaveInkOnTheSideOfTheirAnchor)
 {
     for (const Anchor anchor : {Anchor::start, Anchor::end}) {
         const Pixels p = pixels_of(sheet({Label{{30, 25}, "ab", Face::plain, anchor}}), 1);
@@ -54,7 +54,7 @@ TEST(Drawing, letters_leave_ink_on_the_side_of_their_anchor)
     }
 }
 
-TEST(Drawing, upright_letters_run_upwards)
+TEST(Drawing, UprightLettersRunUpwards)
 {
     const Pixels p = pixels_of(sheet({Label{{30, 38}, "abcd", Face::plain, Anchor::start, Turn::upwards}}), 1);
     int inked_rows = 0;
@@ -66,7 +66,7 @@ TEST(Drawing, upright_letters_run_upwards)
     EXPECT_GT(inked_rows, 18) << "four letters are longer than one is high";
 }
 
-TEST(Drawing, patterns_leave_part_of_the_ground_and_a_rim)
+TEST(Drawing, PatternsLeavePartOfTheGroundAndARim)
 {
     for (const Fill fill : {Fill::hatched, Fill::dotted}) {
         const Pixels p = pixels_of(sheet({Box{{10, 5}, 40, 30, series(4), series(4), fill}}), 2);
@@ -81,7 +81,7 @@ TEST(Drawing, patterns_leave_part_of_the_ground_and_a_rim)
     }
 }
 
-TEST(Drawing, dashes_have_gaps)
+TEST(Drawing, DashesHaveGaps)
 {
     const Pixels p = pixels_of(sheet({Line{{{2, 20}, {58, 20}}, series(1), 2, Dash::dashed}}), 2);
     int changes = 0;
@@ -89,7 +89,7 @@ TEST(Drawing, dashes_have_gaps)
     EXPECT_GE(changes, 6);
 }
 
-TEST(Drawing, the_same_drawing_gives_the_same_bytes)
+TEST(Drawing, TheSameDrawingGivesTheSameBytes)
 {
     const Drawing drawing = sheet({Box{{10, 5}, 40, 30, series(4), series(4), Fill::hatched},
                                    Label{{30, 25}, "äöü & <b>", Face::title, Anchor::middle}});
@@ -97,7 +97,7 @@ TEST(Drawing, the_same_drawing_gives_the_same_bytes)
     EXPECT_EQ(svg_of(drawing), svg_of(drawing));
 }
 
-TEST(Drawing, svg_is_escaped_and_follows_both_themes)
+TEST(Drawing, SvgIsEscapedAndFollowsBothThemes)
 {
     const std::string svg = svg_of(sheet({Label{{30, 25}, "1 < 2 & \"so\"", Face::plain}}));
     EXPECT_EQ(svg.rfind("<svg", 0), 0u);
@@ -106,7 +106,7 @@ TEST(Drawing, svg_is_escaped_and_follows_both_themes)
     EXPECT_NE(svg.find("prefers-color-scheme: dark"), std::string::npos);
 }
 
-TEST(Drawing, svg_defines_every_pattern_it_uses)
+TEST(Drawing, SvgDefinesEveryPatternItUses)
 {
     const std::string svg = svg_of(sheet({Box{{1, 1}, 5, 5, series(4), series(4), Fill::hatched},
                                           Box{{9, 1}, 5, 5, {Ink::text, 0}, {Ink::text, 0}, Fill::dotted}}));
@@ -118,7 +118,7 @@ TEST(Drawing, svg_defines_every_pattern_it_uses)
     EXPECT_EQ(used, 2u);
 }
 
-TEST(Drawing, colours_are_told_apart)
+TEST(Drawing, ColoursAreToldApart)
 {
     for (size_t a = 0; a < series_colours; ++a)
         for (size_t b = a + 1; b < series_colours; ++b) {
@@ -127,7 +127,7 @@ TEST(Drawing, colours_are_told_apart)
         }
 }
 
-TEST(Drawing, bars_are_as_high_as_their_values)
+TEST(Drawing, BarsAreAsHighAsTheirValues)
 {
     BarChart chart;
     chart.title = "Heights";

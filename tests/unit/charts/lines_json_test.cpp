@@ -15,7 +15,7 @@ constexpr const char *whole = R"({"kind": "lines", "title": "Growth", "subtitle"
                {"name": "traditional", "points": [[100, 2]]}],
     "note": "fine"})";
 
-TEST(LinesJson, every_member_lands_in_its_place)
+TEST(LinesJson, EveryMemberLandsInItsPlace)
 {
     const LineChart chart = line_chart_of(whole, "f");
     EXPECT_EQ(chart.title, "Growth");
@@ -38,13 +38,13 @@ TEST(LinesJson, every_member_lands_in_its_place)
     EXPECT_EQ(chart.series[1].dash, Dash::solid);
 }
 
-TEST(LinesJson, what_is_written_is_drawn_the_same)
+TEST(LinesJson, WhatIsWrittenIsDrawnTheSame)
 {
     const LineChart chart = line_chart_of(whole, "f");
     EXPECT_EQ(svg_of(drawing_of(chart)), svg_of(drawing_of(line_chart_of(json_of(chart), "g"))));
 }
 
-TEST(LinesJson, what_is_wrong_is_said)
+TEST(LinesJson, WhatIsWrongIsSaid)
 {
     const auto with = [](const std::string &from, const std::string &to) {
         std::string text = whole;

@@ -29,7 +29,7 @@ std::vector<Line> lines_in(const Drawing &drawing)
     return found;  // first the legend's, then the curves
 }
 
-TEST(Lines, a_power_is_straight_on_logarithmic_axes_and_bent_on_one)
+TEST(Lines, APowerIsStraightOnLogarithmicAxesAndBentOnOne)
 {
     const std::vector<Line> straight = lines_in(drawing_of(two_lines(Scale::logarithmic)));
     ASSERT_EQ(straight.size(), 4u);
@@ -41,7 +41,7 @@ TEST(Lines, a_power_is_straight_on_logarithmic_axes_and_bent_on_one)
     EXPECT_GT(bent.points[1].y, (bent.points[0].y + bent.points[2].y) / 2 + 50);
 }
 
-TEST(Lines, colours_and_dashes_of_the_legend_are_those_of_the_curves)
+TEST(Lines, ColoursAndDashesOfTheLegendAreThoseOfTheCurves)
 {
     const std::vector<Line> lines = lines_in(drawing_of(two_lines(Scale::linear)));
     ASSERT_EQ(lines.size(), 4u);
@@ -52,7 +52,7 @@ TEST(Lines, colours_and_dashes_of_the_legend_are_those_of_the_curves)
     EXPECT_NE(lines[0].paint.series, lines[1].paint.series);
 }
 
-TEST(Lines, curves_are_in_the_pixels_in_their_colours)
+TEST(Lines, CurvesAreInThePixelsInTheirColours)
 {
     const Drawing drawing = drawing_of(two_lines(Scale::linear));
     const Pixels p = pixels_of(drawing, 2);
@@ -65,7 +65,7 @@ TEST(Lines, curves_are_in_the_pixels_in_their_colours)
     EXPECT_EQ(p.rgb[i + 2], c.blue);
 }
 
-TEST(Lines, every_mark_is_on_the_sheet_whatever_the_texts)
+TEST(Lines, EveryMarkIsOnTheSheetWhateverTheTexts)
 {
     LineChart chart = two_lines(Scale::logarithmic);
     chart.title = chart.subtitle = chart.note = std::string("word ") + std::string(40, 'm');
@@ -85,7 +85,7 @@ TEST(Lines, every_mark_is_on_the_sheet_whatever_the_texts)
         }
 }
 
-TEST(Lines, linear_heights_start_at_zero)
+TEST(Lines, LinearHeightsStartAtZero)
 {
     LineChart chart = two_lines(Scale::linear);
     chart.series = {{"high", {{0, 90}, {1, 100}}, {}}};

@@ -17,14 +17,14 @@ void expect_counts(const Counts &computed, const Counts &paper)
         EXPECT_NEAR(computed[i], paper[i], 1e-9) << name_of(static_cast<Operation>(i));
 }
 
-TEST(Counts, table_2_adds_up)
+TEST(Counts, Table2AddsUp)
 {
     EXPECT_EQ(counted_scene.actors(), 100);
     EXPECT_EQ(counted_scene.refpoint_crossing(), 50);
     EXPECT_EQ(counted_scene.root_crossing(), 10);
 }
 
-TEST(Counts, table_4_follows_from_table_2)
+TEST(Counts, Table4FollowsFromTable2)
 {
     const Factors f = factors_of(counted_scene);
     EXPECT_DOUBLE_EQ(f.actors, 100);
@@ -38,38 +38,38 @@ TEST(Counts, table_4_follows_from_table_2)
     EXPECT_DOUBLE_EQ(f.nodes_kept, 0.5);
 }
 
-TEST(Counts, table_5_of_traditional_processing_is_the_paper_s)
+TEST(Counts, Table5OfTraditionalProcessingIsThePaperS)
 {
     expect_counts(counts_of_table_5(factors_of(counted_scene), Processing::traditional),
                   {4000, 100, 100, 8200, 460, 4100});
 }
 
-TEST(Counts, table_5_of_actor_processing_is_the_paper_s_but_for_NO_04b)
+TEST(Counts, Table5OfActorProcessingIsThePaperSButForNO04b)
 {
     // The paper prints 200.
     expect_counts(counts_of_table_5(factors_of(counted_scene), Processing::actor), {400, 100, 30, 160, 220, 100});
 }
 
-TEST(Counts, the_printed_reading_is_table_5_as_printed)
+TEST(Counts, ThePrintedReadingIsTable5AsPrinted)
 {
     expect_counts(as_printed().actor_counts, {400, 100, 30, 160, 200, 100});
     expect_counts(as_printed().traditional_counts, {4000, 100, 100, 8200, 460, 4100});
 }
 
-TEST(Counts, eighty_pass_the_first_cull_and_sixty_the_second)
+TEST(Counts, EightyPassTheFirstCullAndSixtyTheSecond)
 {
     EXPECT_EQ(counted_scene.pass_first_cull(), 80);
     EXPECT_EQ(counted_scene.pass_second_cull(), 60);
 }
 
-TEST(Counts, by_the_order_of_work_everybody_who_passes_is_counted)
+TEST(Counts, ByTheOrderOfWorkEveryActorThatPassesIsCounted)
 {
     // 60 x 20 nodes; 80 roots; 10 x 80 spheres; 100 + 50 + 8 + 2 x 40 tests; 60 distances.
     expect_counts(counts_by_order_of_work(counted_scene, Processing::actor), {1200, 100, 80, 800, 238, 60});
     expect_counts(counts_by_order_of_work(counted_scene, Processing::traditional), {4000, 100, 100, 8200, 238, 4100});
 }
 
-TEST(Counts, the_order_of_work_follows_the_scene_and_not_the_paper_s)
+TEST(Counts, TheOrderOfWorkFollowsTheSceneAndNotThePaperS)
 {
     Scene other;  // 10 actors: 4 outside, 1 within, 5 on the edge
     other.outside = 4;
@@ -84,7 +84,7 @@ TEST(Counts, the_order_of_work_follows_the_scene_and_not_the_paper_s)
     expect_counts(counts_of_table_5(factors_of(other), Processing::actor), {3, 10, 1, 10, 10 + 2 + 1 + 5, 10});
 }
 
-TEST(Counts, formulas_in_words_name_the_factors_they_use)
+TEST(Counts, FormulasInWordsNameTheFactorsTheyUse)
 {
     EXPECT_STREQ(table_5(no_03, Processing::actor).words, "nActors x fRefpointBsphsIn");
     EXPECT_STREQ(by_order_of_work(no_03, Processing::actor).words, "B + C");

@@ -19,7 +19,7 @@ void expect_polynomial(const Polynomial &p, double both, double track, double co
     EXPECT_NEAR(p.constant, constant, 1e-6);
 }
 
-TEST(Equation, table_6_is_the_paper_s)
+TEST(Equation, Table6IsThePaperS)
 {
     const UnitCosts &traditional = table_6(Processing::traditional), &actor = table_6(Processing::actor);
     const double flat[operation_count] = {908, 454, 566, 50, 64, 8};
@@ -32,13 +32,13 @@ TEST(Equation, table_6_is_the_paper_s)
     EXPECT_EQ(actor.values, (std::array<double, 3>{0.5, 1, 0.5}));
 }
 
-TEST(Equation, traditional_costs_follow_from_table_5)
+TEST(Equation, TraditionalCostsFollowFromTable5)
 {
     EXPECT_DOUBLE_EQ(from_printed_counts().traditional.management.constant, 4206240);
     EXPECT_DOUBLE_EQ(from_printed_counts().traditional.behaviour, 4200);
 }
 
-TEST(Equation, the_constant_is_21_600_by_table_5_and_22_880_by_its_formulas)
+TEST(Equation, TheConstantIs21Point600ByTable5And22Point880ByItsFormulas)
 {
     EXPECT_DOUBLE_EQ(as_printed().constant, 23100);
     EXPECT_DOUBLE_EQ(from_printed_counts().constant, 21600);
@@ -46,7 +46,7 @@ TEST(Equation, the_constant_is_21_600_by_table_5_and_22_880_by_its_formulas)
     EXPECT_DOUBLE_EQ(by_order_of_work(equation_scene).constant, 800 * 50 + 238 * 64 + 60 * 8);
 }
 
-TEST(Equation, the_printed_expansion_follows_from_the_printed_constant)
+TEST(Equation, ThePrintedExpansionFollowsFromThePrintedConstant)
 {
     expect_polynomial(as_printed().actor.management, 11600, 21200, 12350, 35290);
     expect_polynomial(from_printed_counts().actor.management, 11600, 21200, 12350, 35290 - 23100 + 21600);
@@ -54,14 +54,14 @@ TEST(Equation, the_printed_expansion_follows_from_the_printed_constant)
     expect_polynomial(by_order_of_work(equation_scene).actor.management, 34800, 63600, 31800, 79052);
 }
 
-TEST(Equation, behaviour_costs_315_as_printed_and_740_by_the_order_of_work)
+TEST(Equation, BehaviourCosts315AsPrintedAnd740ByTheOrderOfWork)
 {
     EXPECT_DOUBLE_EQ(as_printed().actor.behaviour, 315);
     EXPECT_DOUBLE_EQ(from_printed_counts().actor.behaviour, 315);
     EXPECT_DOUBLE_EQ(by_order_of_work(equation_scene).actor.behaviour, 740);
 }
 
-TEST(Equation, improvement_as_printed_at_several_points)
+TEST(Equation, ImprovementAsPrintedAtSeveralPoints)
 {
     const Reading r = as_printed();
     EXPECT_NEAR(r.improvement(0, {0, 0}), 4206240.0 / 35290, 1e-9);
@@ -71,7 +71,7 @@ TEST(Equation, improvement_as_printed_at_several_points)
     EXPECT_NEAR(r.improvement(1000, {0.5, 0.25}), 8406240.0 / (315000 + 1450 + 10600 + 3087.5 + 35290), 1e-9);
 }
 
-TEST(Equation, improvement_of_the_other_readings)
+TEST(Equation, ImprovementOfTheOtherReadings)
 {
     EXPECT_NEAR(from_printed_counts().improvement(0, {0, 0}), 4206240.0 / 33790, 1e-9);
     EXPECT_NEAR(from_formulas(equation_scene).improvement(10, {0, 0}), 4248240.0 / (3150 + 35070), 1e-6);
@@ -79,14 +79,14 @@ TEST(Equation, improvement_of_the_other_readings)
     EXPECT_NEAR(by_order_of_work(equation_scene).improvement(50, {0, 0}), (210000 + 4192032.0) / (37000 + 79052), 1e-9);
 }
 
-TEST(Equation, improvement_falls_to_thirteen_as_printed_and_below_six_in_truth)
+TEST(Equation, ImprovementFallsToThirteenAsPrintedAndBelowSixInTruth)
 {
     EXPECT_NEAR(as_printed().limit(), 4200.0 / 315, 1e-12);
     EXPECT_NEAR(as_printed().improvement(1e9, {1, 1}), 4200.0 / 315, 1e-3);
     EXPECT_NEAR(by_order_of_work(equation_scene).limit(), 4200.0 / 740, 1e-12);
 }
 
-TEST(Equation, measured_counts_take_the_place_of_the_actor_side)
+TEST(Equation, MeasuredCountsTakeThePlaceOfTheActorSide)
 {
     Measured measured;
     measured.actor = {10, 4, 2, 6, 7, 3};

@@ -11,7 +11,7 @@ namespace
 constexpr const char *by_hand = R"({"note": "by hand", "NO_01": 1180.5, "NO_02": 100, "NO_03": 80, "NO_04a": 790,
     "NO_04b": 231, "NO_05": 60, "fTrack": 0.12, "fCoh": 0.97, "scene": "passed over"})";
 
-TEST(Measured, every_count_lands_in_its_place)
+TEST(Measured, EveryCountLandsInItsPlace)
 {
     const Measured m = measured_of(by_hand, "counts.json");
     EXPECT_EQ(m.actor, (Counts{1180.5, 100, 80, 790, 231, 60}));
@@ -21,7 +21,7 @@ TEST(Measured, every_count_lands_in_its_place)
     EXPECT_FALSE(m.traditional.has_value());
 }
 
-TEST(Measured, what_is_written_is_read_again)
+TEST(Measured, WhatIsWrittenIsReadAgain)
 {
     Measured m = measured_of(by_hand, "counts.json");
     m.traditional = Counts{4000, 100, 100, 8200, 240, 4100};
@@ -33,7 +33,7 @@ TEST(Measured, what_is_written_is_read_again)
     EXPECT_EQ(again.note, m.note);
 }
 
-TEST(Measured, what_is_wrong_is_said)
+TEST(Measured, WhatIsWrongIsSaid)
 {
     const auto with = [](const std::string &from, const std::string &to) {
         std::string text = by_hand;

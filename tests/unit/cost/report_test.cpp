@@ -19,7 +19,7 @@ std::string all_remarks()
     return all;
 }
 
-TEST(Report, both_numbers_of_every_inconsistency_are_said)
+TEST(Report, BothNumbersOfEveryInconsistencyAreSaid)
 {
     const std::string all = all_remarks();
     for (const char *words : {
@@ -35,7 +35,7 @@ TEST(Report, both_numbers_of_every_inconsistency_are_said)
         EXPECT_NE(all.find(words), std::string::npos) << words << "\nnot in\n" << all;
 }
 
-TEST(Report, only_one_count_of_table_5_parts_from_its_formula)
+TEST(Report, OnlyOneCountOfTable5PartsFromItsFormula)
 {
     const std::string all = all_remarks();
     size_t parting = 0;
@@ -43,7 +43,7 @@ TEST(Report, only_one_count_of_table_5_parts_from_its_formula)
     EXPECT_EQ(parting, 1u);
 }
 
-TEST(Report, every_table_is_there_and_square)
+TEST(Report, EveryTableIsThereAndSquare)
 {
     Measured measured;
     measured.actor = {1, 1, 1, 1, 1, 1};
@@ -59,7 +59,7 @@ TEST(Report, every_table_is_there_and_square)
     }
 }
 
-TEST(Report, what_was_not_counted_has_no_column)
+TEST(Report, WhatWasNotCountedHasNoColumn)
 {
     Measured measured;
     measured.actor = {1, 1, 1, 1, 1, 1};
@@ -69,7 +69,7 @@ TEST(Report, what_was_not_counted_has_no_column)
     EXPECT_EQ(columns()[4], "measured");
 }
 
-TEST(Report, json_holds_equation_3_of_every_reading)
+TEST(Report, JsonHoldsEquation3OfEveryReading)
 {
     const auto json = json_of(report_of(scene, nullptr), readings_of(scene, nullptr));
     ASSERT_EQ(json["readings"].size(), 4u);
@@ -78,7 +78,7 @@ TEST(Report, json_holds_equation_3_of_every_reading)
     EXPECT_EQ(json["readings"][3]["counts"]["actor"]["NO_01"], 1200);
 }
 
-TEST(Report, curves_are_equation_3)
+TEST(Report, CurvesAreEquation3)
 {
     const charts::LineChart chart = curves_of(scene, nullptr);
     ASSERT_EQ(chart.series.size(), 8u);

@@ -10,7 +10,7 @@ namespace
 
 const Table table = {"Heads", {"who", "count", "why"}, {{"a|b", Figure{12345.0}, "x"}, {"c", "", "y"}}, {"So."}};
 
-TEST(Tables, numbers_are_grouped_in_threes)
+TEST(Tables, NumbersAreGroupedInThrees)
 {
     EXPECT_EQ(text_of(figure(4206240)), "4 206 240");
     EXPECT_EQ(text_of(figure(999)), "999");
@@ -21,7 +21,7 @@ TEST(Tables, numbers_are_grouped_in_threes)
     EXPECT_EQ(text_of(figure(1.0 / 3)), "0.33");
 }
 
-TEST(Tables, text_lines_up)
+TEST(Tables, TextLinesUp)
 {
     EXPECT_EQ(text_of(table),
               "Heads\n"
@@ -31,20 +31,20 @@ TEST(Tables, text_lines_up)
               "  So.\n");
 }
 
-TEST(Tables, markdown_escapes_and_aligns)
+TEST(Tables, MarkdownEscapesAndAligns)
 {
     EXPECT_EQ(markdown_of(table),
               "**Heads**\n\n| who | count | why |\n|---|---:|---|\n| a\\|b | 12 345 | x |\n| c |  | y |\n\nSo.\n");
 }
 
-TEST(Tables, json_keeps_numbers_as_numbers)
+TEST(Tables, JsonKeepsNumbersAsNumbers)
 {
     const auto json = json_of(table);
     EXPECT_EQ(json["rows"][0][1], 12345.0);
     EXPECT_EQ(json["rows"][1][1], "");
 }
 
-TEST(Tables, lines_break_between_words_and_not_within_numbers)
+TEST(Tables, LinesBreakBetweenWordsAndNotWithinNumbers)
 {
     EXPECT_EQ(wrapped("one two three", 8, ""), "one two\nthree");
     EXPECT_EQ(wrapped("is 35 290 here", 6, ""), "is\n35 290\nhere");

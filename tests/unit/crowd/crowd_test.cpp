@@ -31,7 +31,7 @@ class CrowdTest : public ::testing::Test
 {
 protected:
     CrowdTest() : figure_(make_figure()), crowd_(std::pmr::get_default_resource(), 7) {}
-    Id add(uint64_t seed = 1) { return crowd_.create(*figure_, Place(), Play(), seed); }
+    Id add(uint64_t seed = 1) { return crowd_.create(*figure_, Transform(), Play(), seed); }
     std::unique_ptr<model::Template> figure_;
     Crowd crowd_;
 };
@@ -46,46 +46,46 @@ TEST_F(CrowdTest, AnIdWhoseActorIsGoneIsStaleForEver)
     const Id reused = add();
     EXPECT_EQ(reused.index1, first.index1);
     EXPECT_NE(reused.generation, first.generation);
-    const Place place;
+    const Transform transform;
     const float rgb[9] = {};
     for (const Id stale : {first, Id{0, 0}, Id{0, 1}, Id{77, 1}, Id{second.index1, 0}, Id{first.index1, 2}}) {
-        const uint64_t fingerprint = crowd_.fingerprint();
+        const uint64_t hash = crowd_.hash();
         EXPECT_EQ(status_of([&] { crowd_.row_of(stale); }), CLQ_STALE_ID);
         EXPECT_EQ(status_of([&] { crowd_.destroy(stale); }), CLQ_STALE_ID);
         EXPECT_EQ(status_of([&] { crowd_.play(stale, Play()); }), CLQ_STALE_ID);
-        EXPECT_EQ(status_of([&] { crowd_.place(&stale, &place, 1); }), CLQ_STALE_ID);
+        EXPECT_EQ(status_of([&] { crowd_.set_transforms(&stale, &transform, 1); }), CLQ_STALE_ID);
         EXPECT_EQ(status_of([&] { crowd_.set_colours(stale, rgb, 3); }), CLQ_STALE_ID);
-        EXPECT_EQ(status_of([&] { crowd_.draw_colours(stale, nullptr, 0); }), CLQ_STALE_ID);
-        EXPECT_EQ(crowd_.fingerprint(), fingerprint);
+        EXPECT_EQ(status_of([&] { crowd_.randomise_colours(stale, nullptr, 0); }), CLQ_STALE_ID);
+        EXPECT_EQ(crowd_.hash(), hash);
     }
     EXPECT_EQ(crowd_.row_of(second), 1u);
 }
 
-TEST_F(CrowdTest, PlacesAllOrNone)
+TEST_F(CrowdTest, SetsAllTransformsOrNone)
 {
     const Id ids[3] = {add(), add(), {9, 9}};
-    Place places[3];
-    places[0].position.x = 5;
-    const uint64_t fingerprint = crowd_.fingerprint();
-    EXPECT_EQ(status_of([&] { crowd_.place(ids, places, 3); }), CLQ_STALE_ID);
-    EXPECT_EQ(crowd_.fingerprint(), fingerprint);
-    places[1].position.y = NAN;
-    EXPECT_EQ(status_of([&] { crowd_.place(ids, places, 2); }), CLQ_ARGUMENT);
-    EXPECT_EQ(crowd_.fingerprint(), fingerprint);
-    crowd_.place(ids, places, 1);
-    EXPECT_EQ(crowd_.place_of(0).position.x, 5);
+    Transform transforms[3];
+    transforms[0].position.x = 5;
+    const uint64_t hash = crowd_.hash();
+    EXPECT_EQ(status_of([&] { crowd_.set_transforms(ids, transforms, 3); }), CLQ_STALE_ID);
+    EXPECT_EQ(crowd_.hash(), hash);
+    transforms[1].position.y = NAN;
+    EXPECT_EQ(status_of([&] { crowd_.set_transforms(ids, transforms, 2); }), CLQ_ARGUMENT);
+    EXPECT_EQ(crowd_.hash(), hash);
+    crowd_.set_transforms(ids, transforms, 1);
+    EXPECT_EQ(crowd_.transform_of(0).position.x, 5);
 }
 
 TEST_F(CrowdTest, RefusesWhatCannotBeShown)
 {
     const Id id = add();
-    Place place;
-    place.scale = 0;
-    EXPECT_EQ(status_of([&] { crowd_.place(&id, &place, 1); }), CLQ_ARGUMENT);
-    place.scale = -1;
-    EXPECT_EQ(status_of([&] { crowd_.place(&id, &place, 1); }), CLQ_OK);
-    place.orientation = glm::quat(0, 0, 0, 0);
-    EXPECT_EQ(status_of([&] { crowd_.place(&id, &place, 1); }), CLQ_ARGUMENT);
+    Transform transform;
+    transform.scale = 0;
+    EXPECT_EQ(status_of([&] { crowd_.set_transforms(&id, &transform, 1); }), CLQ_ARGUMENT);
+    transform.scale = -1;
+    EXPECT_EQ(status_of([&] { crowd_.set_transforms(&id, &transform, 1); }), CLQ_OK);
+    transform.orientation = glm::quat(0, 0, 0, 0);
+    EXPECT_EQ(status_of([&] { crowd_.set_transforms(&id, &transform, 1); }), CLQ_ARGUMENT);
     Play play;
     play.clip = 4;
     EXPECT_EQ(status_of([&] { crowd_.play(id, play); }), CLQ_ARGUMENT);
@@ -114,14 +114,14 @@ TEST_F(CrowdTest, EveryPlayIsAStateOfItsOwn)
 TEST_F(CrowdTest, DrawsColoursInsideTheirRangesRepeatablyFromTheSeed)
 {
     const Id a = add(5), twin = add(5), other = add(6);
-    for (const Id id : {a, twin, other}) crowd_.draw_colours(id, nullptr, 0);
+    for (const Id id : {a, twin, other}) crowd_.randomise_colours(id, nullptr, 0);
     const uint8_t *rgb = crowd_.zone_rgb(0);
     EXPECT_EQ(std::vector<uint8_t>(rgb, rgb + 9), std::vector<uint8_t>(crowd_.zone_rgb(1), crowd_.zone_rgb(1) + 9));
     EXPECT_NE(std::vector<uint8_t>(rgb, rgb + 9), std::vector<uint8_t>(crowd_.zone_rgb(2), crowd_.zone_rgb(2) + 9));
     // Zone 1 of the figure: hue 120 to 160, so green is the largest, red the smallest; brightness at least one half.
     for (uint64_t seed = 0; seed < 300; ++seed) {
         const Id id = add(seed);
-        crowd_.draw_colours(id, nullptr, 0);
+        crowd_.randomise_colours(id, nullptr, 0);
         const uint8_t *c = crowd_.zone_rgb(crowd_.row_of(id)) + 3;
         EXPECT_GE(c[1], 127);
         EXPECT_GE(c[1], c[2]);
@@ -136,34 +136,34 @@ TEST_F(CrowdTest, ColoursStayWhereTheyAreWhileTheCrowdGrows)
     const float rgb[9] = {0.5f, 0, 1, 0, 0, 0, 0, 0, 0};
     crowd_.set_colours(first, rgb, 3);
     const uint8_t *at = crowd_.zone_rgb(0);
-    for (int i = 0; i < 2000; ++i) crowd_.draw_colours(add(), nullptr, 0);
+    for (int i = 0; i < 2000; ++i) crowd_.randomise_colours(add(), nullptr, 0);
     EXPECT_EQ(crowd_.zone_rgb(0), at);
     EXPECT_EQ(at[0], 128);
     EXPECT_EQ(at[2], 255);
 }
 
-TEST_F(CrowdTest, TheSameCallsGiveTheSameFingerprintAndAnyDifferenceShows)
+TEST_F(CrowdTest, TheSameCallsGiveTheSameHashAndAnyDifferenceChangesIt)
 {
     Crowd twin(std::pmr::get_default_resource(), 7);
     const auto both = [&](const auto &call) { call(crowd_), call(twin); };
     Id id;
-    both([&](Crowd &c) { id = c.create(*figure_, Place(), Play(), 3); });
-    both([&](Crowd &c) { c.draw_colours(id, nullptr, 0); });
-    EXPECT_EQ(crowd_.fingerprint(), twin.fingerprint());
-    Place place;
-    place.position.z = 1e-9;
-    crowd_.place(&id, &place, 1);
-    EXPECT_NE(crowd_.fingerprint(), twin.fingerprint());
-    twin.place(&id, &place, 1);
-    EXPECT_EQ(crowd_.fingerprint(), twin.fingerprint());
+    both([&](Crowd &c) { id = c.create(*figure_, Transform(), Play(), 3); });
+    both([&](Crowd &c) { c.randomise_colours(id, nullptr, 0); });
+    EXPECT_EQ(crowd_.hash(), twin.hash());
+    Transform transform;
+    transform.position.z = 1e-9;
+    crowd_.set_transforms(&id, &transform, 1);
+    EXPECT_NE(crowd_.hash(), twin.hash());
+    twin.set_transforms(&id, &transform, 1);
+    EXPECT_EQ(crowd_.hash(), twin.hash());
     const float rgb[9] = {};
     twin.set_colours(id, rgb, 3);
-    EXPECT_NE(crowd_.fingerprint(), twin.fingerprint());
+    EXPECT_NE(crowd_.hash(), twin.hash());
 }
 
 TEST_F(CrowdTest, AnIndividualCostsAtMost512Bytes)
 {
-    for (uint32_t i = 0; i < 10000; ++i) crowd_.draw_colours(add(i), nullptr, 0);
+    for (uint32_t i = 0; i < 10000; ++i) crowd_.randomise_colours(add(i), nullptr, 0);
     EXPECT_LE(crowd_.bytes() / 10000, 512u);
     EXPECT_GE(crowd_.bytes() / 10000, 100u);
 }

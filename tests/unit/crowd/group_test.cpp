@@ -16,16 +16,16 @@ using namespace testing_support;
 namespace
 {
 
-Place somewhere(double k)
+Transform somewhere(double k)
 {
-    Place place;
-    place.position = glm::dvec3(3 * k - 7, 0.5 * k, 1e5 + k);
-    place.orientation = math::unit_quat(1, 0.3 * k, -0.7, 0.1 * k);
-    place.scale = k < 0 ? -0.75f : 1.25f;
-    return place;
+    Transform transform;
+    transform.position = glm::dvec3(3 * k - 7, 0.5 * k, 1e5 + k);
+    transform.orientation = math::unit_quat(1, 0.3 * k, -0.7, 0.1 * k);
+    transform.scale = k < 0 ? -0.75f : 1.25f;
+    return transform;
 }
 
-void expect_same(const Place &a, const Place &b, double metres = 1e-6)
+void expect_same(const Transform &a, const Transform &b, double metres = 1e-6)
 {
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(a.position[k], b.position[k], metres);
     const float dot = glm::dot(a.orientation, b.orientation);
@@ -36,15 +36,15 @@ void expect_same(const Place &a, const Place &b, double metres = 1e-6)
 class GroupTest : public testing::Test
 {
 protected:
-    Id add(const Place &place = Place()) { return crowd_.create(*figure_, place, Play(), 1); }
+    Id add(const Transform &transform = Transform()) { return crowd_.create(*figure_, transform, Play(), 1); }
     template <class Call>
     clq_status refused(const Call &call)
     {
-        const uint64_t before = crowd_.fingerprint();
+        const uint64_t before = crowd_.hash();
         try {
             call();
         } catch (const base::Error &error) {
-            EXPECT_EQ(crowd_.fingerprint(), before);
+            EXPECT_EQ(crowd_.hash(), before);
             return error.status();
         }
         return CLQ_OK;
@@ -56,14 +56,14 @@ protected:
 
 }  // namespace
 
-TEST(Places, ComposeAsMatricesDoAndRelativeUndoesIt)
+TEST(Transforms, ComposeAsMatricesDoAndRelativeUndoesIt)
 {
     for (const double a : {-2.0, 0.5, 3.0})
         for (const double b : {-1.0, 1.0, 2.5}) {
-            const Place outer = somewhere(a), inner = somewhere(b), world = composed(outer, inner);
+            const Transform outer = somewhere(a), inner = somewhere(b), world = composed(outer, inner);
             const glm::dvec3 p(0.3, -0.2, 0.9);
-            const auto at = [](const Place &place, const glm::dvec3 &x) {
-                return place.position + glm::dquat(place.orientation) * (x * double(place.scale));
+            const auto at = [](const Transform &transform, const glm::dvec3 &x) {
+                return transform.position + glm::dquat(transform.orientation) * (x * double(transform.scale));
             };
             const glm::dvec3 twice = at(outer, at(inner, p)), once = at(world, p);
             for (int k = 0; k < 3; ++k) EXPECT_NEAR(twice[k], once[k], 0.02) << "float turns at 100 km";
@@ -71,44 +71,45 @@ TEST(Places, ComposeAsMatricesDoAndRelativeUndoesIt)
         }
 }
 
-TEST_F(GroupTest, JoiningAndLeavingWithoutAPlaceKeepsAnActorWhereItIs)
+TEST_F(GroupTest, JoiningAndLeavingWithoutATransformKeepsAnActorWhereItIs)
 {
     const Id actor = add(somewhere(1)), group = crowd_.create_group(somewhere(-2));
     crowd_.join(actor, group, nullptr);
     EXPECT_EQ(crowd_.group(0).members, 1u);
-    expect_same(crowd_.world_place_of(0), somewhere(1), 1e-6);
-    crowd_.place_group(group, somewhere(4));
-    const Place moved = crowd_.world_place_of(0);
+    expect_same(crowd_.world_transform_of(0), somewhere(1), 1e-6);
+    crowd_.set_group_transform(group, somewhere(4));
+    const Transform moved = crowd_.world_transform_of(0);
     EXPECT_GT(std::fabs(moved.position.x - somewhere(1).position.x), 1);
     crowd_.join(actor, Id(), nullptr);
     EXPECT_EQ(crowd_.group_of(0), model::none);
     EXPECT_EQ(crowd_.group(0).members, 0u);
-    expect_same(crowd_.place_of(0), moved);
+    expect_same(crowd_.transform_of(0), moved);
 }
 
 TEST_F(GroupTest, EndingAGroupLeavesItsMembersWhereTheyAre)
 {
     const Id group = crowd_.create_group(somewhere(2));
-    std::vector<Place> before;
+    std::vector<Transform> before;
     for (int i = 0; i < 5; ++i) {
-        const Place place = somewhere(i);
-        crowd_.join(add(), group, &place);
-        before.push_back(crowd_.world_place_of(uint32_t(i)));
+        const Transform transform = somewhere(i);
+        crowd_.join(add(), group, &transform);
+        before.push_back(crowd_.world_transform_of(uint32_t(i)));
     }
     crowd_.destroy_group(group);
     for (uint32_t i = 0; i < 5; ++i) {
         EXPECT_EQ(crowd_.group_of(i), model::none);
-        expect_same(crowd_.place_of(i), before[i], 0);
+        expect_same(crowd_.transform_of(i), before[i], 0);
     }
     EXPECT_EQ(refused([&] { crowd_.destroy_group(group); }), CLQ_STALE_ID);
-    const Id again = crowd_.create_group(Place());
+    const Id again = crowd_.create_group(Transform());
     EXPECT_EQ(again.index1, group.index1);
-    EXPECT_EQ(refused([&] { crowd_.place_group(group, Place()); }), CLQ_STALE_ID) << "an old id stays stale";
+    EXPECT_EQ(refused([&] { crowd_.set_group_transform(group, Transform()); }), CLQ_STALE_ID)
+        << "an old id stays stale";
 }
 
 TEST_F(GroupTest, AnActorThatIsDestroyedIsNoMemberAnyMore)
 {
-    const Id group = crowd_.create_group(Place()), actor = add();
+    const Id group = crowd_.create_group(Transform()), actor = add();
     crowd_.join(actor, group, nullptr);
     crowd_.destroy(actor);
     EXPECT_EQ(crowd_.group(0).members, 0u);
@@ -118,10 +119,10 @@ TEST_F(GroupTest, AnActorThatIsDestroyedIsNoMemberAnyMore)
 
 TEST_F(GroupTest, RefusesWhatIsWrongAndChangesNothing)
 {
-    const Id group = crowd_.create_group(Place()), actor = add();
-    Place bad;
+    const Id group = crowd_.create_group(Transform()), actor = add();
+    Transform bad;
     bad.scale = 0;
-    EXPECT_EQ(refused([&] { crowd_.place_group(group, bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd_.set_group_transform(group, bad); }), CLQ_ARGUMENT);
     EXPECT_EQ(refused([&] { crowd_.create_group(bad); }), CLQ_ARGUMENT);
     EXPECT_EQ(refused([&] { crowd_.join(actor, group, &bad); }), CLQ_ARGUMENT);
     EXPECT_EQ(refused([&] { crowd_.join(Id{9, 1}, group, nullptr); }), CLQ_STALE_ID);
@@ -130,30 +131,30 @@ TEST_F(GroupTest, RefusesWhatIsWrongAndChangesNothing)
     memory_.refuse_all(true);
     bool thrown = false;
     for (int i = 0; i < 100 && !thrown; ++i) {
-        const uint64_t before = crowd_.fingerprint();
+        const uint64_t before = crowd_.hash();
         try {
-            crowd_.create_group(Place());
+            crowd_.create_group(Transform());
         } catch (const std::bad_alloc &) {
             thrown = true;
-            EXPECT_EQ(crowd_.fingerprint(), before);
+            EXPECT_EQ(crowd_.hash(), before);
         }
     }
     EXPECT_TRUE(thrown);
 }
 
-TEST_F(GroupTest, ShowsInTheFingerprint)
+TEST_F(GroupTest, ChangesTheHash)
 {
-    const Id group = crowd_.create_group(Place()), actor = add();
-    uint64_t last = crowd_.fingerprint();
+    const Id group = crowd_.create_group(Transform()), actor = add();
+    uint64_t last = crowd_.hash();
     const auto changes = [&](const auto &call) {
         call();
-        const bool changed = crowd_.fingerprint() != last;
-        last = crowd_.fingerprint();
+        const bool changed = crowd_.hash() != last;
+        last = crowd_.hash();
         return changed;
     };
     EXPECT_TRUE(changes([&] { crowd_.join(actor, group, nullptr); }));
     EXPECT_TRUE(changes([&] { crowd_.enable_group(group, false); }));
-    EXPECT_TRUE(changes([&] { crowd_.place_group(group, somewhere(1)); }));
+    EXPECT_TRUE(changes([&] { crowd_.set_group_transform(group, somewhere(1)); }));
     EXPECT_TRUE(changes([&] { crowd_.destroy_group(group); }));
 }
 

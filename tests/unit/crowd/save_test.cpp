@@ -23,13 +23,13 @@ public:
 };
 
 // Lends one template, and takes descriptions as they are.
-class Trusting : public Lender
+class Trusting : public Resolver
 {
 public:
     explicit Trusting(const model::Template &tmpl) : tmpl_(tmpl) {}
-    const model::Template &like(std::string_view name, uint64_t structure) override
+    const model::Template &find_template(std::string_view name, uint64_t structure) override
     {
-        if (name != tmpl_.name || structure != structure_of(tmpl_)) base::fail(CLQ_ARGUMENT, "another one");
+        if (name != tmpl_.name || structure != structure_hash(tmpl_)) base::fail(CLQ_ARGUMENT, "another one");
         return tmpl_;
     }
     void add(Behaviours &out, uint32_t, Mechanism &&mechanism) override { out.add(std::move(mechanism), {}); }
@@ -43,7 +43,7 @@ class SaveTest : public ::testing::Test
 {
 protected:
     SaveTest() : figure_(make_figure()), crowd_(std::pmr::get_default_resource(), 7) {}
-    Id add(uint64_t seed = 1) { return crowd_.create(*figure_, Place(), Play(), seed); }
+    Id add(uint64_t seed = 1) { return crowd_.create(*figure_, Transform(), Play(), seed); }
     std::vector<uint8_t> saved() const
     {
         Bytes out;
@@ -52,10 +52,10 @@ protected:
     }
     void restore_into(Crowd &out, const std::vector<uint8_t> &bytes)
     {
-        Trusting lender(*figure_);
+        Trusting resolver(*figure_);
         Crowd restored(out.memory());
-        restore(bytes.data(), bytes.size(), lender, restored);
-        out.become(restored);
+        restore(bytes.data(), bytes.size(), resolver, restored);
+        out.swap_state(restored);
     }
 
     std::unique_ptr<model::Template> figure_;
@@ -74,7 +74,7 @@ TEST_F(SaveTest, FreeRowsAreUsedAgainInTheSameOrder)
     EXPECT_EQ(other.seed(), 7u);
     EXPECT_EQ(other.actor_count(), 15u);
     for (int i = 0; i < 8; ++i) {
-        const Id here = add(), there = other.create(*figure_, Place(), Play(), 1);
+        const Id here = add(), there = other.create(*figure_, Transform(), Play(), 1);
         EXPECT_EQ(there.index1, here.index1);
         EXPECT_EQ(there.generation, here.generation);
     }
@@ -88,9 +88,9 @@ TEST_F(SaveTest, EqualStatesHaveEqualBytesWhateverCameBefore)
     crowd_.behaviours().add(RootPath(std::pmr::get_default_resource()));
     const std::vector<uint8_t> with_path = saved();
     EXPECT_NE(with_path, before);
-    crowd_.move_root(id, RootMotion{0, 1, 0, 0});
+    crowd_.play_root_path(id, RootPathPlay{0, 1, 0, 0});
     EXPECT_NE(saved(), with_path);
-    crowd_.move_root(id, RootMotion());
+    crowd_.play_root_path(id, RootPathPlay());
     crowd_.follow_ground(id, 1, 2);
     EXPECT_NE(saved(), with_path);
     crowd_.follow_ground(id, 0, 0);
@@ -122,7 +122,7 @@ TEST_F(SaveTest, HooksStayWithActorsWhoseIdIsInBothStatesAndTheGroundStays)
 
 TEST_F(SaveTest, NoVersionIsOneThatWasThereBefore)
 {
-    const Id a = add(), group = crowd_.create_group(Place());
+    const Id a = add(), group = crowd_.create_group(Transform());
     crowd_.join(a, group, nullptr);
     const std::vector<uint8_t> bytes = saved();
     uint64_t play = crowd_.actor(0).play_version, sphere = crowd_.group(0).version;
@@ -139,12 +139,12 @@ TEST_F(SaveTest, NoVersionIsOneThatWasThereBefore)
 
 TEST_F(SaveTest, AStructureIsTheSameForEqualTemplatesAndDiffersWithWhatACrowdSpeaksOf)
 {
-    const uint64_t structure = structure_of(*figure_);
-    EXPECT_EQ(structure_of(*make_figure()), structure);
+    const uint64_t structure = structure_hash(*figure_);
+    EXPECT_EQ(structure_hash(*make_figure()), structure);
     const auto changes = [&](const char *what, const std::function<void(model::Template &)> &change) {
         const std::unique_ptr<model::Template> other = make_figure();
         change(*other);
-        EXPECT_NE(structure_of(*other), structure) << what;
+        EXPECT_NE(structure_hash(*other), structure) << what;
     };
     changes("a node's name", [](model::Template &t) { t.rig.node_names[1] += "x"; });
     changes("a parent", [](model::Template &t) { t.rig.parents[2] = 0 + (t.rig.parents[2] == 0); });

@@ -41,7 +41,7 @@ class Clip : public testing::TestWithParam<const char *>
 
 }  // namespace
 
-TEST_P(Clip, has_thirty_keys_a_second_and_a_decent_length)
+TEST_P(Clip, HasThirtyKeysASecondAndADecentLength)
 {
     const uint32_t c = clip(GetParam());
     ASSERT_NE(c, claque::model::none);
@@ -55,7 +55,7 @@ TEST_P(Clip, has_thirty_keys_a_second_and_a_decent_length)
     EXPECT_GT(rig.clips[c].duration_s, 0.7f);
 }
 
-TEST_P(Clip, ends_as_it_begins_and_as_fast)
+TEST_P(Clip, EndsAsItBeginsAndAsFast)
 {
     for (const char *way : puppet::ways)
         if (std::string(way) == GetParam()) return;  // seat_test.cpp: they end somewhere else
@@ -75,7 +75,7 @@ TEST_P(Clip, ends_as_it_begins_and_as_fast)
     }
 }
 
-TEST_P(Clip, moves_without_jerks)
+TEST_P(Clip, MovesWithoutJerks)
 {
     const uint32_t c = clip(GetParam());
     // Metres by which the way from one frame to the next may change; who runs throws the feet about.
@@ -90,7 +90,7 @@ TEST_P(Clip, moves_without_jerks)
     }
 }
 
-TEST_P(Clip, bends_elbows_and_knees_as_people_can)
+TEST_P(Clip, BendsElbowsAndKneesAsPeopleCan)
 {
     const uint32_t c = clip(GetParam());
     for (int k = 0; k <= frames(c); ++k) {
@@ -112,7 +112,7 @@ TEST_P(Clip, bends_elbows_and_knees_as_people_can)
     }
 }
 
-TEST_P(Clip, keeps_other_joints_inside_human_limits)
+TEST_P(Clip, KeepsOtherJointsInsideHumanLimits)
 {
     struct Limit {
         const char *name;
@@ -132,7 +132,7 @@ TEST_P(Clip, keeps_other_joints_inside_human_limits)
     }
 }
 
-TEST_P(Clip, stands_on_the_ground_all_the_time)
+TEST_P(Clip, StandsOnTheGroundAllTheTime)
 {
     const uint32_t c = clip(GetParam());
     for (int k = 0; k < 2 * frames(c); ++k)  // between the keys too
@@ -142,7 +142,7 @@ TEST_P(Clip, stands_on_the_ground_all_the_time)
 INSTANTIATE_TEST_SUITE_P(Citizen, Clip, testing::ValuesIn(puppet::clip_names),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST(Clips, are_the_same_in_every_figure)
+TEST(Clips, AreTheSameInEveryFigure)
 {
     for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();
@@ -155,7 +155,7 @@ TEST(Clips, are_the_same_in_every_figure)
 }
 
 // In clips on the spot the balls of the feet stay where they are.
-TEST(Feet, do_not_slide_while_standing)
+TEST(Feet, DoNotSlideWhileStanding)
 {
     for (const char *name : puppet::standing_clips) {
         const uint32_t c = clip(name);
@@ -171,7 +171,7 @@ TEST(Feet, do_not_slide_while_standing)
 }
 
 // Under a walker on a treadmill the ground goes back at one speed: what touches it goes with it.
-TEST(Feet, go_back_with_the_ground_while_walking)
+TEST(Feet, GoBackWithTheGroundWhileWalking)
 {
     const uint32_t c = clip("walk");
     const int n = frames(c);
@@ -194,7 +194,7 @@ TEST(Feet, go_back_with_the_ground_while_walking)
     EXPECT_GT(carried, n * 4);
 }
 
-TEST(Feet, change_places_in_a_walk)
+TEST(Feet, AlternateInAWalk)
 {
     const uint32_t c = clip("walk");
     for (int k = 0; k < frames(c); ++k) {

@@ -68,7 +68,7 @@ void texels(const std::array<uint32_t, 3> &t, Visit visit)
 
 }  // namespace
 
-TEST(Decurion, is_a_figure_that_can_be_asked_for_by_name)
+TEST(Decurion, IsAFigureThatCanBeAskedForByName)
 {
     bool found = false;
     for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "decurion";
@@ -76,7 +76,7 @@ TEST(Decurion, is_a_figure_that_can_be_asked_for_by_name)
     EXPECT_NO_THROW(model::check(decurion()));
 }
 
-TEST(Decurion, has_about_1040_triangles_33_bones_and_at_most_4_influences)
+TEST(Decurion, HasAbout1040Triangles33BonesAndAtMost4Influences)
 {
     ASSERT_EQ(decurion().parts.size(), 1u);
     EXPECT_GE(model::triangles_of(part()).size(), 950u);
@@ -90,14 +90,14 @@ TEST(Decurion, has_about_1040_triangles_33_bones_and_at_most_4_influences)
     }
 }
 
-TEST(Decurion, has_the_clips_of_every_figure)
+TEST(Decurion, HasTheClipsOfEveryFigure)
 {
     const model::Model man = figures::citizen();
     EXPECT_EQ(decurion().rig.clips.size(), man.rig.clips.size());
     EXPECT_EQ(decurion().rig.clip_names, man.rig.clip_names);
 }
 
-TEST(Decurion, is_a_man_in_a_toga_to_the_shins_with_a_belly)
+TEST(Decurion, IsAManInATogaToTheShinsWithABelly)
 {
     const model::Model citizen = figures::citizen();
     float low = 1e9f, hem = 1e9f, top = 0;
@@ -113,7 +113,7 @@ TEST(Decurion, is_a_man_in_a_toga_to_the_shins_with_a_belly)
     EXPECT_GT(ahead(part(), 0.95f, 1.08f), ahead(citizen.parts[0], 0.95f, 1.08f) + 0.04f);
 }
 
-TEST(Decurion, wears_the_toga_over_his_left_shoulder_and_the_tunic_on_his_right)
+TEST(Decurion, WearsTheTogaOverHisLeftShoulderAndTheTunicOnHisRight)
 {
     size_t toga_left = 0, toga_right = 0, tunic_left = 0, tunic_right = 0;
     for (uint32_t v = 0; v < part().positions.size(); ++v) {
@@ -131,7 +131,7 @@ TEST(Decurion, wears_the_toga_over_his_left_shoulder_and_the_tunic_on_his_right)
 }
 
 // The great fold's border hangs lower before the right thigh than beside the left hip.
-TEST(Decurion, carries_a_border_that_rises_from_right_to_left)
+TEST(Decurion, CarriesABorderThatRisesFromRightToLeft)
 {
     float right = 1e9f, left = 1e9f;
     for (uint32_t v = 0; v < part().positions.size(); ++v) {
@@ -145,7 +145,7 @@ TEST(Decurion, carries_a_border_that_rises_from_right_to_left)
     EXPECT_LT(left, 1.0f) << "there is a border on the left as well";
 }
 
-TEST(Decurion, has_no_degenerate_triangle_and_normals_that_agree)
+TEST(Decurion, HasNoDegenerateTriangleAndNormalsThatAgree)
 {
     size_t against = 0;
     for (const auto &t : model::triangles_of(part())) {
@@ -159,7 +159,7 @@ TEST(Decurion, has_no_degenerate_triangle_and_normals_that_agree)
 
 // Open are arms and boots inside the cloth, the roots of thumbs and index fingers inside the palm, the ears' edges
 // against the head, and roll and umbo where they lie in the dress.
-TEST(Decurion, is_closed_but_for_edges_that_are_hidden)
+TEST(Decurion, IsClosedButForEdgesThatAreHidden)
 {
     std::map<std::pair<Place, Place>, int> edges;
     for (const auto &t : model::triangles_of(part()))
@@ -178,7 +178,7 @@ TEST(Decurion, is_closed_but_for_edges_that_are_hidden)
     }
 }
 
-TEST(Decurion, keeps_weights_alike_wherever_vertices_share_a_place)
+TEST(Decurion, KeepsWeightsEqualWhereverVerticesShareAPosition)
 {
     std::map<Place, uint32_t> first;
     for (uint32_t v = 0; v < part().positions.size(); ++v) {
@@ -196,7 +196,7 @@ TEST(Decurion, keeps_weights_alike_wherever_vertices_share_a_place)
 }
 
 // Raised arms lift the cloth below the armpits by a hand; what lies further down stays with the trunk in every pose.
-TEST(Decurion, tears_no_cloth_in_any_clip)
+TEST(Decurion, TearsNoClothInAnyClip)
 {
     for (const char *name : puppet::clip_names) {
         const uint32_t clip = decurion().rig.find_clip(name);
@@ -220,7 +220,7 @@ TEST(Decurion, tears_no_cloth_in_any_clip)
     }
 }
 
-TEST(Decurion, is_made_of_the_same_bytes_every_time)
+TEST(Decurion, IsMadeOfTheSameBytesEveryTime)
 {
     const model::Model again = figures::decurion_man();
     const model::Part &b = again.parts[0];
@@ -236,7 +236,7 @@ TEST(Decurion, is_made_of_the_same_bytes_every_time)
     EXPECT_TRUE(same(part().uvs, b.uvs));
 }
 
-TEST(DecurionTexture, shows_each_of_his_nine_zones_and_no_other_key)
+TEST(DecurionTexture, ShowsEachOfHisNineZonesAndNoOtherKey)
 {
     std::map<int, int> shown;
     for (const auto &t : model::triangles_of(part()))
@@ -251,7 +251,7 @@ TEST(DecurionTexture, shows_each_of_his_nine_zones_and_no_other_key)
     EXPECT_EQ(shown.size(), 9u);
 }
 
-TEST(DecurionTexture, never_lays_one_triangle_over_another)
+TEST(DecurionTexture, NeverLaysOneTriangleOverAnother)
 {
     std::vector<uint8_t> taken(512 * 512, 0);
     size_t overlaps = 0;
@@ -264,7 +264,7 @@ TEST(DecurionTexture, never_lays_one_triangle_over_another)
     EXPECT_EQ(overlaps, 0u) << "last near " << where.x << ' ' << where.y << ' ' << where.z;
 }
 
-TEST(DecurionTexture, is_grey_and_light_so_that_colours_reach_the_eye)
+TEST(DecurionTexture, IsGreyAndLightSoThatColoursReachTheEye)
 {
     const std::vector<uint8_t> &pixels = decurion().images[0].rgba;
     size_t bright = 0;
@@ -276,20 +276,20 @@ TEST(DecurionTexture, is_grey_and_light_so_that_colours_reach_the_eye)
     EXPECT_GT(bright, pixels.size() / 4 * 7 / 10);
 }
 
-TEST(DecurionColours, are_rich_below_a_toga_from_cream_to_dyed)
+TEST(DecurionColours, AreRichBelowATogaFromCreamToDyed)
 {
     for (const model::Zone &z : decurion().zones) {
         if (z.name == "tunic" || z.name == "border") {
-            EXPECT_GE(z.range.saturation_first, 0.40f) << z.name;
-            EXPECT_LE(z.range.saturation_last, 0.80f) << z.name;
-            EXPECT_LE(z.range.brightness_last, 0.85f) << z.name;
+            EXPECT_GE(z.range.saturation_min, 0.40f) << z.name;
+            EXPECT_LE(z.range.saturation_max, 0.80f) << z.name;
+            EXPECT_LE(z.range.brightness_max, 0.85f) << z.name;
         }
         if (z.name == "outer") {
-            EXPECT_LE(z.range.saturation_first, 0.10f);
-            EXPECT_GE(z.range.saturation_last, 0.50f);
+            EXPECT_LE(z.range.saturation_min, 0.10f);
+            EXPECT_GE(z.range.saturation_max, 0.50f);
         }
         if (z.name == "hair") {
-            EXPECT_LE(z.range.saturation_last, 0.30f) << "grey";
+            EXPECT_LE(z.range.saturation_max, 0.30f) << "grey";
         }
     }
 }

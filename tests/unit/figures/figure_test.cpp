@@ -23,9 +23,9 @@ Place place(uint32_t v) { return {part().positions[v].x, part().positions[v].y, 
 
 }  // namespace
 
-TEST(Citizen, passes_the_check_of_models) { EXPECT_NO_THROW(model::check(citizen())); }
+TEST(Citizen, PassesTheCheckOfModels) { EXPECT_NO_THROW(model::check(citizen())); }
 
-TEST(Citizen, has_about_1040_triangles_33_bones_and_at_most_4_influences)
+TEST(Citizen, HasAbout1040Triangles33BonesAndAtMost4Influences)
 {
     ASSERT_EQ(citizen().parts.size(), 1u);
     const size_t triangles = model::triangles_of(part()).size();
@@ -40,7 +40,7 @@ TEST(Citizen, has_about_1040_triangles_33_bones_and_at_most_4_influences)
     EXPECT_EQ(used.size(), 32u) << "every bone but the root moves something";
 }
 
-TEST(Citizen, stands_1_75_m_tall_on_the_ground_between_its_feet)
+TEST(Citizen, Stands1Point75MTallOnTheGroundBetweenItsFeet)
 {
     glm::vec3 low(1e9f), high(-1e9f);
     for (const glm::vec3 p : part().positions) low = min(low, p), high = max(high, p);
@@ -49,7 +49,7 @@ TEST(Citizen, stands_1_75_m_tall_on_the_ground_between_its_feet)
     EXPECT_NEAR(low.x + high.x, 0, 1e-4f);
 }
 
-TEST(Citizen, has_no_degenerate_triangle)
+TEST(Citizen, HasNoDegenerateTriangle)
 {
     for (const auto &t : model::triangles_of(part())) {
         const glm::vec3 a = part().positions[t[0]];
@@ -58,7 +58,7 @@ TEST(Citizen, has_no_degenerate_triangle)
     }
 }
 
-TEST(Citizen, has_unit_normals_that_agree_with_its_triangles)
+TEST(Citizen, HasUnitNormalsThatAgreeWithItsTriangles)
 {
     size_t against = 0;
     for (const glm::vec3 n : part().normals) EXPECT_NEAR(glm::length(n), 1, 1e-4f);
@@ -72,7 +72,7 @@ TEST(Citizen, has_unit_normals_that_agree_with_its_triangles)
 
 // Open are the arms' and legs' upper ends inside sleeve and skirt, the roots of thumbs and index fingers inside the
 // palm, and the ears' edges against the head.
-TEST(Citizen, is_closed_but_for_edges_that_are_hidden)
+TEST(Citizen, IsClosedButForEdgesThatAreHidden)
 {
     std::map<std::pair<Place, Place>, int> edges;
     for (const auto &t : model::triangles_of(part()))
@@ -93,7 +93,7 @@ TEST(Citizen, is_closed_but_for_edges_that_are_hidden)
     }
 }
 
-TEST(Citizen, keeps_weights_alike_wherever_vertices_share_a_place_on_the_skin)
+TEST(Citizen, KeepsWeightsEqualWhereverVerticesShareAPositionOnTheSkin)
 {
     std::map<Place, uint32_t> first;
     for (uint32_t v = 0; v < part().positions.size(); ++v) {
@@ -110,7 +110,7 @@ TEST(Citizen, keeps_weights_alike_wherever_vertices_share_a_place_on_the_skin)
     }
 }
 
-TEST(Citizen, is_made_of_the_same_bytes_every_time)
+TEST(Citizen, IsMadeOfTheSameBytesEveryTime)
 {
     const model::Model again = figures::citizen();
     const model::Part &b = again.parts[0];

@@ -40,7 +40,7 @@ vec3 joint(const Model &m, uint32_t node)
 std::set<float> distances(const Model &m)
 {
     std::set<float> out = {0};
-    for (const Part &part : m.parts) out.insert(part.lod_first_m);
+    for (const Part &part : m.parts) out.insert(part.lod_min_m);
     return out;
 }
 
@@ -48,7 +48,7 @@ std::vector<const Part *> drawn_at(const Model &m, float distance)
 {
     std::vector<const Part *> out;
     for (const Part &part : m.parts)
-        if (part.lod_first_m <= distance && distance < part.lod_last_m) out.push_back(&part);
+        if (part.lod_min_m <= distance && distance < part.lod_max_m) out.push_back(&part);
     return out;
 }
 
@@ -87,7 +87,7 @@ protected:
     const Model &m = flyer(GetParam());
 };
 
-TEST_P(Flyer, has_13_nodes_that_move_and_19_degrees_of_freedom)
+TEST_P(Flyer, Has13NodesThatMoveAnd19DegreesOfFreedom)
 {
     std::set<uint32_t> moving;
     for (const model::Dof &dof : m.rig.dofs) moving.insert(dof.node);
@@ -97,7 +97,7 @@ TEST_P(Flyer, has_13_nodes_that_move_and_19_degrees_of_freedom)
     EXPECT_EQ(m.rig.node_names[0], "body");
 }
 
-TEST_P(Flyer, has_freedoms_of_the_names_that_mechanisms_are_bound_to)
+TEST_P(Flyer, HasDegreesOfFreedomWithTheNamesThatMechanismsBindTo)
 {
     for (const char *name :
          {"spine_yaw", "spine_pitch", "neck_yaw", "neck_pitch", "head_roll", "eye_left_yaw", "eye_left_pitch",
@@ -105,8 +105,8 @@ TEST_P(Flyer, has_freedoms_of_the_names_that_mechanisms_are_bound_to)
           "wing_right_flap", "wing_right_sweep", "arm_left", "arm_right", "legs"}) {
         const uint32_t at = m.rig.find_dof(name);
         ASSERT_NE(at, model::none) << name;
-        EXPECT_LE(m.rig.dofs[at].first, 0) << name;
-        EXPECT_GT(m.rig.dofs[at].last, 0) << name;
+        EXPECT_LE(m.rig.dofs[at].min, 0) << name;
+        EXPECT_GT(m.rig.dofs[at].max, 0) << name;
         EXPECT_EQ(m.rig.dofs[at].rest, 0) << name;
     }
 }
@@ -114,11 +114,11 @@ TEST_P(Flyer, has_freedoms_of_the_names_that_mechanisms_are_bound_to)
 vec3 turned(const Model &m, const char *dof, vec3 what)
 {
     const model::Dof &d = m.rig.dofs[m.rig.find_dof(dof)];
-    const float a = d.last / 2;
+    const float a = d.max / 2;
     return glm::quat(std::cos(a), d.axis * std::sin(a)) * what;
 }
 
-TEST_P(Flyer, turns_the_way_that_its_freedoms_say)
+TEST_P(Flyer, TurnsInTheDirectionOfItsDegreesOfFreedom)
 {
     const vec3 ahead(0, 0, 1), up(0, 1, 0), left(1, 0, 0);
     for (const char *yaw : {"spine_yaw", "neck_yaw", "eye_left_yaw", "eye_right_yaw"})
@@ -136,7 +136,7 @@ TEST_P(Flyer, turns_the_way_that_its_freedoms_say)
     EXPECT_LT(turned(m, "legs", -up).z, -0.1f);
 }
 
-TEST_P(Flyer, has_fewer_triangles_from_level_to_level)
+TEST_P(Flyer, HasFewerTrianglesFromLevelToLevel)
 {
     size_t before = 1401;
     for (const float distance : distances(m)) {
@@ -150,7 +150,7 @@ TEST_P(Flyer, has_fewer_triangles_from_level_to_level)
     EXPECT_LE(triangles_at(m, 500), 36u);
 }
 
-TEST_P(Flyer, keeps_its_outline_at_every_level)
+TEST_P(Flyer, KeepsItsOutlineAtEveryLevel)
 {
     const Box fine = box_at(m, 0);
     for (const float distance : distances(m)) {
@@ -165,19 +165,19 @@ TEST_P(Flyer, keeps_its_outline_at_every_level)
     }
 }
 
-TEST_P(Flyer, has_pieces_whose_levels_adjoin_from_0_until_their_node_stops)
+TEST_P(Flyer, HasPiecesWhoseLevelsAdjoinFrom0UntilTheirNodeStops)
 {
     std::map<std::string, std::vector<const Part *>> pieces;
     for (const Part &part : m.parts) pieces[part.name].push_back(&part);
     std::set<float> ends = {0};
     for (const Part &part : m.parts)
-        if (part.lod_last_m == stop_of(m, part.node)) ends.insert(part.lod_last_m);
+        if (part.lod_max_m == stop_of(m, part.node)) ends.insert(part.lod_max_m);
     std::set<size_t> counts;
     for (const auto &[name, levels] : pieces) {
         // What takes over begins where something has stopped.
-        EXPECT_TRUE(ends.count(levels.front()->lod_first_m) || levels.front()->lod_first_m == 160) << name;
+        EXPECT_TRUE(ends.count(levels.front()->lod_min_m) || levels.front()->lod_min_m == 160) << name;
         for (size_t i = 1; i < levels.size(); ++i) {
-            EXPECT_EQ(levels[i]->lod_first_m, levels[i - 1]->lod_last_m) << name;
+            EXPECT_EQ(levels[i]->lod_min_m, levels[i - 1]->lod_max_m) << name;
             EXPECT_LT(levels[i]->indices.size(), levels[i - 1]->indices.size()) << name;
             EXPECT_EQ(levels[i]->node, levels[0]->node) << name;
         }
@@ -186,23 +186,23 @@ TEST_P(Flyer, has_pieces_whose_levels_adjoin_from_0_until_their_node_stops)
     EXPECT_GE(counts.size(), 3u) << "pieces have levels of their own";
 }
 
-TEST_P(Flyer, ends_parts_where_their_nodes_stop_and_lets_others_begin_there)
+TEST_P(Flyer, EndsPartsWhereTheirNodesStopAndLetsOthersBeginThere)
 {
     EXPECT_EQ(stop_of(m, 0), for_ever);
     for (const Part &part : m.parts) {
         const float stop = stop_of(m, part.node);
-        EXPECT_LE(part.lod_last_m, stop) << part.name;
-        if (part.lod_last_m != stop || stop == for_ever) continue;
+        EXPECT_LE(part.lod_max_m, stop) << part.name;
+        if (part.lod_max_m != stop || stop == for_ever) continue;
         EXPECT_TRUE(
             std::any_of(m.parts.begin(), m.parts.end(),
-                        [&](const Part &next) { return next.lod_first_m == stop && stop_of(m, next.node) > stop; }))
+                        [&](const Part &next) { return next.lod_min_m == stop && stop_of(m, next.node) > stop; }))
             << part.name << " ends at " << stop << " m";
     }
     for (const char *name : {"eye_left", "eye_right", "lids", "jaw", "brow"})
         EXPECT_EQ(stop_of(m, m.rig.find_node(name)), 35) << name;
 }
 
-TEST_P(Flyer, is_drawn_by_rigid_parts_alone)
+TEST_P(Flyer, IsDrawnByRigidPartsAlone)
 {
     for (const Part &part : m.parts) {
         EXPECT_FALSE(part.skinned) << part.name;
@@ -211,7 +211,7 @@ TEST_P(Flyer, is_drawn_by_rigid_parts_alone)
     }
 }
 
-TEST_P(Flyer, is_painted_with_the_keys_of_its_zones_alone)
+TEST_P(Flyer, IsPaintedWithTheKeysOfItsZonesAlone)
 {
     ASSERT_EQ(m.images.size(), 1u);
     ASSERT_EQ(m.images[0].alpha, model::AlphaMeaning::zone_keys);
@@ -222,7 +222,7 @@ TEST_P(Flyer, is_painted_with_the_keys_of_its_zones_alone)
     for (const model::Zone &zone : m.zones) EXPECT_GT(texels[zone.key], 30u) << zone.name;
 }
 
-TEST_P(Flyer, has_its_places_in_the_texture_and_unit_normals)
+TEST_P(Flyer, HasTextureCoordinatesAndUnitNormals)
 {
     for (const Part &part : m.parts)
         for (size_t i = 0; i < part.positions.size(); ++i) {
@@ -233,7 +233,7 @@ TEST_P(Flyer, has_its_places_in_the_texture_and_unit_normals)
 }
 
 // Vertex normals look to the same side as the faces that they belong to, but for folds of under a fiftieth.
-TEST_P(Flyer, has_normals_on_the_outside_of_its_faces)
+TEST_P(Flyer, HasNormalsOnTheOutsideOfItsFaces)
 {
     for (const Part &part : m.parts) {
         size_t wrong = 0;
@@ -243,11 +243,11 @@ TEST_P(Flyer, has_normals_on_the_outside_of_its_faces)
             const vec3 sum = part.normals[t[0]] + part.normals[t[1]] + part.normals[t[2]];
             wrong += glm::dot(face, sum) <= 0;
         }
-        EXPECT_LE(wrong * 50, part.indices.size() / 3) << part.name << " from " << part.lod_first_m << " m";
+        EXPECT_LE(wrong * 50, part.indices.size() / 3) << part.name << " from " << part.lod_min_m << " m";
     }
 }
 
-TEST_P(Flyer, is_made_of_pieces_that_are_seen_from_outside)
+TEST_P(Flyer, IsMadeOfPiecesThatAreVisibleFromOutside)
 {
     // Wings far away are two faces without room between them.
     for (const char *name : {"head", "chest", "wing_left", "wing_right", "legs", "eye_left"})
@@ -259,11 +259,11 @@ TEST_P(Flyer, is_made_of_pieces_that_are_seen_from_outside)
             for (const auto &t : model::triangles_of(part))
                 volume += glm::dot(part.positions[t[0]] - middle,
                                    glm::cross(part.positions[t[1]] - middle, part.positions[t[2]] - middle));
-            EXPECT_GT(volume, -1e-6f) << name << " from " << part.lod_first_m << " m";
+            EXPECT_GT(volume, -1e-6f) << name << " from " << part.lod_min_m << " m";
         }
 }
 
-TEST_P(Flyer, has_clips_that_close)
+TEST_P(Flyer, HasClipsThatClose)
 {
     for (const char *name : {"fly", "glide", "hover"}) {
         const uint32_t c = m.rig.find_clip(name);

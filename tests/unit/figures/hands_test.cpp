@@ -104,7 +104,7 @@ class Applause : public testing::TestWithParam<const char *>
 
 }  // namespace
 
-TEST_P(AnyClip, keeps_hands_out_of_body_and_head)
+TEST_P(AnyClip, KeepsHandsOutOfBodyAndHead)
 {
     const uint32_t c = clip(GetParam());
     for (int k = 0; k <= frames(c); ++k) {
@@ -117,7 +117,7 @@ TEST_P(AnyClip, keeps_hands_out_of_body_and_head)
     }
 }
 
-TEST_P(AnyClip, keeps_forearms_out_of_body_and_thighs)
+TEST_P(AnyClip, KeepsForearmsOutOfBodyAndThighs)
 {
     const uint32_t c = clip(GetParam());
     for (int k = 0; k <= frames(c); ++k) {
@@ -137,7 +137,7 @@ TEST_P(AnyClip, keeps_forearms_out_of_body_and_thighs)
 INSTANTIATE_TEST_SUITE_P(Citizen, AnyClip, testing::ValuesIn(puppet::clip_names),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST_P(Applause, has_palms_meet_without_passing_through_each_other)
+TEST_P(Applause, HasPalmsMeetWithoutPassingThroughEachOther)
 {
     const uint32_t c = clip(GetParam());
     float nearest = 1e9f, widest = 0;
@@ -159,7 +159,7 @@ TEST_P(Applause, has_palms_meet_without_passing_through_each_other)
 INSTANTIATE_TEST_SUITE_P(Citizen, Applause, testing::Values("applaud", "sit_applaud", "stand_applaud"),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST(Hands, lie_on_the_thighs_of_who_sits_still)
+TEST(Hands, LieOnTheThighsWhileSittingStill)
 {
     const Posed p = pose(clip("sit"), 0);
     float left = 1e9f, right = 1e9f, deepest = 1e9f;
@@ -174,7 +174,7 @@ TEST(Hands, lie_on_the_thighs_of_who_sits_still)
     EXPECT_LT(right, 0.020f);
     EXPECT_GT(deepest, -0.020f);
 }
-TEST(Hands, rise_above_the_head_in_turn_when_cheering)
+TEST(Hands, RiseAboveTheHeadInTurnWhenCheering)
 {
     const uint32_t c = clip("cheer");
     bool left_first = false, right_first = false;
@@ -188,7 +188,7 @@ TEST(Hands, rise_above_the_head_in_turn_when_cheering)
     EXPECT_TRUE(left_first && right_first);
 }
 
-TEST(Hands, rise_above_the_head_of_who_cheers_or_waves_from_the_seat)
+TEST(Hands, RiseAboveTheHeadWhenCheeringOrWavingFromTheSeat)
 {
     for (const char *name : {"sit_cheer", "sit_wave", "stand_wave"}) {
         const uint32_t c = clip(name);

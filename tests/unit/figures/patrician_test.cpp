@@ -72,7 +72,7 @@ void texels(const std::array<uint32_t, 3> &t, Visit visit)
 
 }  // namespace
 
-TEST(Patrician, is_a_figure_that_can_be_asked_for_by_name)
+TEST(Patrician, IsAFigureThatCanBeAskedForByName)
 {
     bool found = false;
     for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "patrician";
@@ -80,7 +80,7 @@ TEST(Patrician, is_a_figure_that_can_be_asked_for_by_name)
     EXPECT_NO_THROW(model::check(patrician()));
 }
 
-TEST(Patrician, has_about_1040_triangles_33_bones_and_at_most_4_influences)
+TEST(Patrician, HasAbout1040Triangles33BonesAndAtMost4Influences)
 {
     ASSERT_EQ(patrician().parts.size(), 1u);
     EXPECT_GE(model::triangles_of(part()).size(), 950u);
@@ -94,14 +94,14 @@ TEST(Patrician, has_about_1040_triangles_33_bones_and_at_most_4_influences)
     }
 }
 
-TEST(Patrician, has_the_clips_of_every_figure)
+TEST(Patrician, HasTheClipsOfEveryFigure)
 {
     const model::Model man = figures::citizen();
     EXPECT_EQ(patrician().rig.clips.size(), man.rig.clips.size());
     EXPECT_EQ(patrician().rig.clip_names, man.rig.clip_names);
 }
 
-TEST(Patrician, is_a_woman_in_a_long_gown_with_a_waist_and_high_hair)
+TEST(Patrician, IsAWomanInALongGownWithAWaistAndHighHair)
 {
     const model::Model man = figures::citizen();
     float low = 1e9f, hem = 1e9f, top = 0, mans_top = 0;
@@ -120,7 +120,7 @@ TEST(Patrician, is_a_woman_in_a_long_gown_with_a_waist_and_high_hair)
     EXPECT_GT(feet, hips);
 }
 
-TEST(Patrician, has_a_breast_above_her_girdle)
+TEST(Patrician, HasABreastAboveHerGirdle)
 {
     float breast = 0, girdle = 0;
     for (const glm::vec3 p : part().positions) {
@@ -132,7 +132,7 @@ TEST(Patrician, has_a_breast_above_her_girdle)
     EXPECT_GT(breast, girdle + 0.03f);
 }
 
-TEST(Patrician, has_no_degenerate_triangle_and_normals_that_agree)
+TEST(Patrician, HasNoDegenerateTriangleAndNormalsThatAgree)
 {
     size_t against = 0;
     for (const auto &t : model::triangles_of(part())) {
@@ -146,7 +146,7 @@ TEST(Patrician, has_no_degenerate_triangle_and_normals_that_agree)
 
 // Open are arms and feet inside the cloth, the roots of thumbs and index fingers inside the palm, the ears' edges
 // against the head, the bun's against the hair, and the band of the palla where it lies in the dress.
-TEST(Patrician, is_closed_but_for_edges_that_are_hidden)
+TEST(Patrician, IsClosedButForEdgesThatAreHidden)
 {
     struct Edge {
         int count = 0;
@@ -175,7 +175,7 @@ TEST(Patrician, is_closed_but_for_edges_that_are_hidden)
     }
 }
 
-TEST(Patrician, keeps_weights_alike_wherever_vertices_share_a_place)
+TEST(Patrician, KeepsWeightsEqualWhereverVerticesShareAPosition)
 {
     std::map<Place, uint32_t> first;
     for (uint32_t v = 0; v < part().positions.size(); ++v) {
@@ -192,7 +192,7 @@ TEST(Patrician, keeps_weights_alike_wherever_vertices_share_a_place)
     }
 }
 
-TEST(Patrician, is_made_of_the_same_bytes_every_time)
+TEST(Patrician, IsMadeOfTheSameBytesEveryTime)
 {
     const model::Model again = figures::patrician_woman();
     const model::Part &b = again.parts[0];
@@ -208,7 +208,7 @@ TEST(Patrician, is_made_of_the_same_bytes_every_time)
     EXPECT_TRUE(same(part().uvs, b.uvs));
 }
 
-TEST(PatricianTexture, shows_each_of_her_ten_zones_and_no_other_key)
+TEST(PatricianTexture, ShowsEachOfHerTenZonesAndNoOtherKey)
 {
     std::map<int, int> shown;
     for (const auto &t : model::triangles_of(part()))
@@ -223,7 +223,7 @@ TEST(PatricianTexture, shows_each_of_her_ten_zones_and_no_other_key)
     EXPECT_EQ(shown.size(), 10u);
 }
 
-TEST(PatricianTexture, never_lays_one_triangle_over_another)
+TEST(PatricianTexture, NeverLaysOneTriangleOverAnother)
 {
     std::vector<uint8_t> taken(512 * 512, 0);
     size_t overlaps = 0;
@@ -236,7 +236,7 @@ TEST(PatricianTexture, never_lays_one_triangle_over_another)
     EXPECT_EQ(overlaps, 0u) << "last near " << where.x << ' ' << where.y << ' ' << where.z;
 }
 
-TEST(PatricianTexture, is_grey_and_light_so_that_colours_reach_the_eye)
+TEST(PatricianTexture, IsGreyAndLightSoThatColoursReachTheEye)
 {
     const std::vector<uint8_t> &pixels = patrician().images[0].rgba;
     size_t bright = 0;
@@ -248,13 +248,13 @@ TEST(PatricianTexture, is_grey_and_light_so_that_colours_reach_the_eye)
     EXPECT_GT(bright, pixels.size() / 4 * 7 / 10);
 }
 
-TEST(PatricianColours, of_cloth_are_rich)
+TEST(PatricianColours, OfClothAreRich)
 {
     for (const model::Zone &z : patrician().zones) {
         if (z.name != "tunic" && z.name != "outer") continue;
-        EXPECT_GE(z.range.saturation_first, 0.40f) << z.name;
-        EXPECT_LE(z.range.saturation_last, 0.80f) << z.name;
-        EXPECT_GE(z.range.brightness_first, 0.45f) << z.name;
+        EXPECT_GE(z.range.saturation_min, 0.40f) << z.name;
+        EXPECT_LE(z.range.saturation_max, 0.80f) << z.name;
+        EXPECT_GE(z.range.brightness_min, 0.45f) << z.name;
     }
 }
 

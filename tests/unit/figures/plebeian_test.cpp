@@ -90,7 +90,7 @@ float lowest_of(const model::Model &model, const std::string &zone)
 
 }  // namespace
 
-TEST(Plebeian, is_a_figure_that_can_be_asked_for_by_name)
+TEST(Plebeian, IsAFigureThatCanBeAskedForByName)
 {
     bool found = false;
     for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "plebeian";
@@ -98,7 +98,7 @@ TEST(Plebeian, is_a_figure_that_can_be_asked_for_by_name)
     EXPECT_NO_THROW(model::check(plebeian()));
 }
 
-TEST(Plebeian, has_about_1040_triangles_33_bones_and_at_most_4_influences)
+TEST(Plebeian, HasAbout1040Triangles33BonesAndAtMost4Influences)
 {
     ASSERT_EQ(plebeian().parts.size(), 1u);
     EXPECT_GE(model::triangles_of(part()).size(), 950u);
@@ -114,7 +114,7 @@ TEST(Plebeian, has_about_1040_triangles_33_bones_and_at_most_4_influences)
     }
 }
 
-TEST(Plebeian, has_no_degenerate_triangle_and_normals_that_agree)
+TEST(Plebeian, HasNoDegenerateTriangleAndNormalsThatAgree)
 {
     size_t against = 0;
     for (const auto &t : model::triangles_of(part())) {
@@ -128,7 +128,7 @@ TEST(Plebeian, has_no_degenerate_triangle_and_normals_that_agree)
 
 // Open are the legs inside the skirt, the left arm inside the sleeve, the roots of thumbs and index fingers inside the
 // palm, the ears' edges against the head, and the cloak's edges, which lie in the tunic.
-TEST(Plebeian, is_closed_but_for_edges_that_are_hidden)
+TEST(Plebeian, IsClosedButForEdgesThatAreHidden)
 {
     struct Edge {
         int count = 0;
@@ -155,7 +155,7 @@ TEST(Plebeian, is_closed_but_for_edges_that_are_hidden)
     }
 }
 
-TEST(Plebeian, keeps_weights_and_normals_alike_where_bare_skin_has_a_seam)
+TEST(Plebeian, KeepsWeightsAndNormalsEqualWhereBareSkinHasASeam)
 {
     std::map<Place, uint32_t> first;
     int neck = 0;
@@ -178,7 +178,7 @@ TEST(Plebeian, keeps_weights_and_normals_alike_where_bare_skin_has_a_seam)
     EXPECT_GT(neck, 4);
 }
 
-TEST(Plebeian, is_bare_on_the_right_breast_and_shoulder_and_dressed_on_the_left)
+TEST(Plebeian, IsBareOnTheRightBreastAndShoulderAndDressedOnTheLeft)
 {
     EXPECT_EQ(nearest_key({-0.10f, 1.39f, 0.10f}), key_of("skin"));
     EXPECT_EQ(nearest_key({-0.22f, 1.40f, 0.0f}), key_of("skin"));
@@ -188,25 +188,25 @@ TEST(Plebeian, is_bare_on_the_right_breast_and_shoulder_and_dressed_on_the_left)
     EXPECT_EQ(nearest_key({-0.10f, 1.15f, 0.10f}), key_of("tunic"));
 }
 
-TEST(Plebeian, wears_his_hem_above_the_knee_unlike_the_citizen)
+TEST(Plebeian, WearsHisHemAboveTheKneeUnlikeTheCitizen)
 {
     EXPECT_FLOAT_EQ(lowest_of(plebeian(), "sandals"), 0);
     EXPECT_GT(lowest_of(plebeian(), "border"), 0.56f);
     EXPECT_LT(lowest_of(puppet::citizen(), "border"), 0.53f);
 }
 
-TEST(Plebeian, has_plainer_colours_than_a_citizen)
+TEST(Plebeian, HasPlainerColoursThanACitizen)
 {
     for (const model::Zone &z : plebeian().zones) {
         if (z.name != "tunic" && z.name != "outer" && z.name != "border") continue;
-        EXPECT_GE(z.range.saturation_first, 0.05f) << z.name;
-        EXPECT_LE(z.range.saturation_last, 0.35f) << z.name;
-        EXPECT_GE(z.range.brightness_first, 0.35f) << z.name;
-        EXPECT_LE(z.range.brightness_last, 0.70f) << z.name;
+        EXPECT_GE(z.range.saturation_min, 0.05f) << z.name;
+        EXPECT_LE(z.range.saturation_max, 0.35f) << z.name;
+        EXPECT_GE(z.range.brightness_min, 0.35f) << z.name;
+        EXPECT_LE(z.range.brightness_max, 0.70f) << z.name;
     }
 }
 
-TEST(PlebeianTexture, shows_all_nine_zones_on_triangles_that_do_not_overlap)
+TEST(PlebeianTexture, ShowsAllNineZonesOnTrianglesThatDoNotOverlap)
 {
     std::set<std::string> names;
     for (const model::Zone &z : plebeian().zones) names.insert(z.name);
@@ -227,7 +227,7 @@ TEST(PlebeianTexture, shows_all_nine_zones_on_triangles_that_do_not_overlap)
     for (const model::Zone &z : plebeian().zones) EXPECT_GT(shown[z.key], 60) << z.name;
 }
 
-TEST(PlebeianTexture, is_grey_and_mostly_bright)
+TEST(PlebeianTexture, IsGreyAndMostlyBright)
 {
     const std::vector<uint8_t> &pixels = plebeian().images[0].rgba;
     size_t bright = 0;
@@ -238,7 +238,7 @@ TEST(PlebeianTexture, is_grey_and_mostly_bright)
     EXPECT_GT(bright, pixels.size() / 4 * 7 / 10);
 }
 
-TEST(Plebeian, is_made_of_the_same_bytes_every_time)
+TEST(Plebeian, IsMadeOfTheSameBytesEveryTime)
 {
     const model::Model again = figures::plebeian_man();
     const auto same = [](const auto &x, const auto &y) {
@@ -252,7 +252,7 @@ TEST(Plebeian, is_made_of_the_same_bytes_every_time)
 }
 
 // No edge of the surface is stretched to much more than twice its length: nothing tears.
-TEST(Plebeian, does_not_tear_in_any_clip)
+TEST(Plebeian, DoesNotTearInAnyClip)
 {
     for (uint32_t c = 0; c < plebeian().rig.clips.size(); ++c)
         for (int k = 0; k < puppet::frames(plebeian(), c); k += 6) {
@@ -269,7 +269,7 @@ TEST(Plebeian, does_not_tear_in_any_clip)
 }
 
 // Seats are 0.65 m wide: no part of a sitter reaches into his neighbour's.
-TEST(Plebeian, keeps_to_his_seat)
+TEST(Plebeian, KeepsToHisSeat)
 {
     for (const char *name : puppet::seated_clips) {
         const uint32_t c = plebeian().rig.find_clip(name);

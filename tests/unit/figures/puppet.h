@@ -53,7 +53,7 @@ inline Posed pose(const Model &figure, uint32_t clip_index, float time_s)
             float a[4], b[4];
             read(rig, c, key, a);
             read(rig, c, key + 1, b);
-            if (c.path == claque::model::Path::translation)
+            if (c.target == claque::model::ChannelTarget::translation)
                 shift[c.node] = vec3(a[0], a[1], a[2]) * (1 - t) + vec3(b[0], b[1], b[2]) * t;
             else out.local[c.node] = glm::slerp(quat(a[3], a[0], a[1], a[2]), quat(b[3], b[0], b[1], b[2]), t);
         }
@@ -68,7 +68,7 @@ inline Posed pose(const Model &figure, uint32_t clip_index, float time_s)
         vec3 sum(0);
         for (size_t k = 0; k < 4; ++k) {
             const auto &entry = rig.palette[part.joints[4 * v + k]];
-            const vec3 in_bone = claque::math::point(entry.inverse_bind, part.positions[v]);
+            const vec3 in_bone = claque::math::transform_point(entry.inverse_bind, part.positions[v]);
             sum += part.weights[4 * v + k] * (out.joints[entry.node] + out.world[entry.node] * in_bone);
         }
         out.vertices.push_back(sum);

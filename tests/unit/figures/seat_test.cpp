@@ -65,14 +65,14 @@ class Planted : public Seated
 
 }  // namespace
 
-TEST_P(Seated, begins_and_ends_in_the_one_neutral_pose)
+TEST_P(Seated, BeginsAndEndsInTheOneNeutralPose)
 {
     const Posed neutral = pose(clip("sit"), 0);
     EXPECT_LT(furthest(pose(clip(GetParam()), 0), neutral), 2e-4f);
     EXPECT_LT(furthest(at_end(GetParam()), neutral), 2e-4f);
 }
 
-TEST_P(Seated, moves)
+TEST_P(Seated, Moves)
 {
     const uint32_t c = clip(GetParam());
     const Posed neutral = pose(c, 0);
@@ -81,7 +81,7 @@ TEST_P(Seated, moves)
     EXPECT_GT(most, 0.02f);
 }
 
-TEST_P(Seated, rests_on_the_seat)
+TEST_P(Seated, RestsOnTheSeat)
 {
     always([](const Posed &p) {
         EXPECT_GT(lowest_over_seat(p), seat_height_m - 0.025f);
@@ -90,7 +90,7 @@ TEST_P(Seated, rests_on_the_seat)
     });
 }
 
-TEST_P(Seated, keeps_to_its_own_seat)
+TEST_P(Seated, KeepsToItsOwnSeat)
 {
     always([](const Posed &p) {
         for (size_t v = 0; v < p.vertices.size(); ++v) EXPECT_LE(std::fabs(p.vertices[v].x), 0.31f) << "vertex " << v;
@@ -99,7 +99,7 @@ TEST_P(Seated, keeps_to_its_own_seat)
     });
 }
 
-TEST_P(Seated, keeps_the_knees_together_as_far_as_a_gown_needs)
+TEST_P(Seated, KeepsTheKneesTogetherAsFarAsAGownNeeds)
 {
     always([](const Posed &p) {
         EXPECT_LT(glm::distance(p.joints[node("shin_l")], p.joints[node("shin_r")]), 0.30f);
@@ -113,7 +113,7 @@ TEST_P(Seated, keeps_the_knees_together_as_far_as_a_gown_needs)
 INSTANTIATE_TEST_SUITE_P(Citizen, Seated, testing::ValuesIn(puppet::seated_clips),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST_P(Planted, goes_nowhere_through_the_stone)
+TEST_P(Planted, GoesNowhereThroughTheStone)
 {
     always([](const Posed &p) {
         for (size_t v = 0; v < p.vertices.size(); ++v)
@@ -122,7 +122,7 @@ TEST_P(Planted, goes_nowhere_through_the_stone)
     });
 }
 
-TEST_P(Planted, keeps_both_feet_flat_where_they_stand)
+TEST_P(Planted, KeepsBothFeetFlatWhereTheyStand)
 {
     const Posed standing = pose(clip("stand"), 0);
     always([&standing](const Posed &p) {
@@ -137,19 +137,19 @@ INSTANTIATE_TEST_SUITE_P(Citizen, Planted, testing::ValuesIn(puppet::seated_clip
 INSTANTIATE_TEST_SUITE_P(Ways, Planted, testing::ValuesIn(puppet::ways),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST(Rising, begins_seated_and_ends_where_stand_begins)
+TEST(Rising, BeginsSeatedAndEndsWhereStandBegins)
 {
     EXPECT_LT(furthest(pose(clip("rise"), 0), pose(clip("sit"), 0)), 1e-3f);
     EXPECT_LT(furthest(at_end("rise"), pose(clip("stand"), 0)), 1e-3f);
 }
 
-TEST(Rising, sitting_down_goes_the_other_way)
+TEST(Rising, SittingDownGoesTheOtherWay)
 {
     EXPECT_LT(furthest(pose(clip("sit_down"), 0), pose(clip("stand"), 0)), 1e-3f);
     EXPECT_LT(furthest(at_end("sit_down"), pose(clip("sit"), 0)), 1e-3f);
 }
 
-TEST(Rising, brings_the_weight_over_the_feet_before_the_hips_leave_the_seat)
+TEST(Rising, BringsTheWeightOverTheFeetBeforeTheHipsLeaveTheSeat)
 {
     for (const char *name : puppet::ways) {
         const uint32_t c = clip(name);
@@ -163,7 +163,7 @@ TEST(Rising, brings_the_weight_over_the_feet_before_the_hips_leave_the_seat)
     }
 }
 
-TEST(Standing, may_be_followed_by_a_wave_a_laugh_or_an_ovation)
+TEST(Standing, MayBeFollowedByAWaveALaughOrAnOvation)
 {
     for (const char *name : {"stand_wave", "stand_laugh", "stand_applaud", "stand_cheer"}) {
         EXPECT_LT(furthest(pose(clip(name), 0), pose(clip("stand"), 0)), 1e-4f) << name;
@@ -172,7 +172,7 @@ TEST(Standing, may_be_followed_by_a_wave_a_laugh_or_an_ovation)
 }
 
 // Rows stand as close as they sit; raised arms may overlap a neighbour's a little, no more.
-TEST(Standing, keeps_the_arms_to_its_own_place_in_the_row)
+TEST(Standing, KeepsTheArmsWithinItsOwnSeat)
 {
     for (const char *name :
          {"rise", "sit_down", "stand", "stand_wave", "stand_laugh", "stand_applaud", "stand_cheer"}) {
@@ -184,7 +184,7 @@ TEST(Standing, keeps_the_arms_to_its_own_place_in_the_row)
 }
 
 // Togas and stolas are wider than a tunic, but a seat is 0.65 m wide for everybody.
-TEST(Everybody, sits_on_a_seat_of_his_own)
+TEST(Sitters, SitsOnASeatOfHisOwn)
 {
     for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();

@@ -41,7 +41,7 @@ const std::vector<uint8_t> &pixels() { return citizen().images[0].rgba; }
 
 }  // namespace
 
-TEST(CitizenTexture, holds_the_keys_of_all_eight_zones_and_no_others)
+TEST(CitizenTexture, HoldsTheKeysOfAllEightZonesAndNoOthers)
 {
     EXPECT_EQ(citizen().images[0].width, 512u);
     EXPECT_EQ(citizen().images[0].height, 512u);
@@ -54,7 +54,7 @@ TEST(CitizenTexture, holds_the_keys_of_all_eight_zones_and_no_others)
     EXPECT_EQ(found, keys);
 }
 
-TEST(CitizenTexture, has_a_second_set_of_the_same_size_and_keys_that_shows_other_zones_here_and_there)
+TEST(CitizenTexture, HasASecondSetOfTheSameSizeAndKeysThatShowsOtherZonesHereAndThere)
 {
     ASSERT_EQ(citizen().texture_sets.size(), 1u);
     const model::Image &second = citizen().images.at(citizen().texture_sets[0].images.at(0));
@@ -71,7 +71,7 @@ TEST(CitizenTexture, has_a_second_set_of_the_same_size_and_keys_that_shows_other
     EXPECT_LT(other, pixels().size() / 4 / 5);
 }
 
-TEST(CitizenTexture, shows_every_zone_on_some_triangle)
+TEST(CitizenTexture, ShowsEveryZoneOnSomeTriangle)
 {
     std::map<int, int> shown;
     for (const auto &t : model::triangles_of(citizen().parts[0]))
@@ -79,7 +79,7 @@ TEST(CitizenTexture, shows_every_zone_on_some_triangle)
     for (const model::Zone &z : citizen().zones) EXPECT_GT(shown[z.key], 60) << z.name;
 }
 
-TEST(CitizenTexture, never_lays_one_triangle_over_another)
+TEST(CitizenTexture, NeverLaysOneTriangleOverAnother)
 {
     std::vector<int> owner(size * size, -1);
     int index = 0, overlaps = 0;
@@ -100,7 +100,7 @@ TEST(CitizenTexture, never_lays_one_triangle_over_another)
     EXPECT_EQ(overlaps, 0);
 }
 
-TEST(CitizenTexture, keeps_its_coordinates_inside_the_image)
+TEST(CitizenTexture, KeepsItsCoordinatesInsideTheImage)
 {
     for (const glm::vec2 uv : citizen().parts[0].uvs) {
         EXPECT_GE(uv.x, 0);
@@ -110,7 +110,7 @@ TEST(CitizenTexture, keeps_its_coordinates_inside_the_image)
     }
 }
 
-TEST(CitizenTexture, is_grey_light_and_mostly_bright)
+TEST(CitizenTexture, IsGreyLightAndMostlyBright)
 {
     size_t bright = 0;
     for (size_t i = 0; i < pixels().size(); i += 4) {

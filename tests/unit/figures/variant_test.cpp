@@ -82,7 +82,7 @@ class Variants : public testing::TestWithParam<uint32_t>
 
 }  // namespace
 
-TEST_P(Variants, keep_the_laws_of_their_clip)
+TEST_P(Variants, KeepTheLawsOfTheirClip)
 {
     const ClipMaker &maker = figure_clips()[GetParam()];
     const Extremes own = extremes_of(own_poses(maker));
@@ -110,7 +110,7 @@ TEST_P(Variants, keep_the_laws_of_their_clip)
     }
 }
 
-TEST_P(Variants, differ_from_their_clip_and_from_each_other)
+TEST_P(Variants, DifferFromTheirClipAndFromEachOther)
 {
     const ClipMaker &maker = figure_clips()[GetParam()];
     std::set<int> lengths;
@@ -132,9 +132,9 @@ TEST_P(Variants, differ_from_their_clip_and_from_each_other)
 INSTANTIATE_TEST_SUITE_P(Clips, Variants, testing::Range(0u, 19u),
                          [](const auto &test) { return std::string(figure_clips()[test.param].name); });
 
-TEST(Variants, make_150_clips_with_names_of_their_own_and_the_same_twice)
+TEST(Variants, Make150ClipsWithNamesOfTheirOwnAndTheSameTwice)
 {
-    claque::model::Model model = citizen(), again = citizen();
+    claque::model::Model model = claque::figures::citizen(), again = claque::figures::citizen();
     add_variants(model, 150);
     add_variants(again, 150);
     claque::model::check(model);
@@ -144,6 +144,6 @@ TEST(Variants, make_150_clips_with_names_of_their_own_and_the_same_twice)
     EXPECT_EQ(names.size(), 150u);
     EXPECT_EQ(model.rig.clip_names[19], "stand.01");
     EXPECT_EQ(0, std::memcmp(model.rig.values.data(), again.rig.values.data(), 4 * model.rig.values.size()));
-    const claque::model::Model own = citizen();
+    const claque::model::Model own = claque::figures::citizen();
     EXPECT_EQ(0, std::memcmp(model.rig.values.data(), own.rig.values.data(), 4 * own.rig.values.size()));
 }

@@ -63,7 +63,7 @@ TEST(Camera, RefusesWhatIsNoPerspective)
     EXPECT_FALSE(refused(glm::dvec3(1, 0, 0), glm::vec3(0, 1, 0), 1, 1));
 }
 
-TEST(Cull, LeavesOutNobodyOfWhomAVertexIsInside)
+TEST(Cull, KeepsEveryActorWithAVertexInside)
 {
     SceneDef def;
     def.actors = 150;
@@ -85,12 +85,13 @@ TEST(Cull, LeavesOutNobodyOfWhomAVertexIsInside)
         // Every vertex of who was left out is outside one plane of the frustum together with all the others.
         for (const draw::Item &item : all.views[0]->list.items) {
             if (seen.count(item.actor_index)) continue;
-            const crowd::Place &place = all.crowd.place_of(item.actor_index);
+            const crowd::Transform &transform = all.crowd.transform_of(item.actor_index);
             const Camera &camera = some.views[0]->camera;
             const float *p = item.vertices.positions;
             for (uint32_t v = 0; v < item.tmpl->levels[item.level].vertex_count; ++v, p += 3) {
                 const glm::dvec3 world =
-                    place.position + glm::dvec3(place.orientation * (glm::vec3(p[0], p[1], p[2]) * place.scale));
+                    transform.position +
+                    glm::dvec3(transform.orientation * (glm::vec3(p[0], p[1], p[2]) * transform.scale));
                 const glm::vec3 e = camera.rotation * glm::vec3(world - camera.eye);
                 const float w = -e.z;
                 EXPECT_FALSE(std::fabs(camera.projection[0] * e.x) <= w && std::fabs(camera.projection[5] * e.y) <= w &&
@@ -104,9 +105,10 @@ TEST(Cull, LeavesOutNobodyOfWhomAVertexIsInside)
 TEST(List, IsByTemplateThenFrontToBackInBandsThenByRow)
 {
     Scene scene;
-    crowd::Place place;
-    place.position = glm::dvec3(0, 1.7, -9);
-    for (const uint32_t row : {10u, 13u, 16u}) scene.crowd.place(&scene.ids[row], &place, 1);  // at one distance
+    crowd::Transform transform;
+    transform.position = glm::dvec3(0, 1.7, -9);
+    for (const uint32_t row : {10u, 13u, 16u})
+        scene.crowd.set_transforms(&scene.ids[row], &transform, 1);  // at one distance
     scene.update(1);
     const auto &items = scene.views[0]->list.items;
     ASSERT_GT(items.size(), 20u);
@@ -118,7 +120,7 @@ TEST(List, IsByTemplateThenFrontToBackInBandsThenByRow)
     };
     for (size_t i = 1; i < items.size(); ++i) EXPECT_LT(rank(items[i - 1]), rank(items[i]));
     for (const draw::Item &item : items) {
-        EXPECT_EQ(item.mirrored, scene.crowd.place_of(item.actor_index).scale < 0);
+        EXPECT_EQ(item.mirrored, scene.crowd.transform_of(item.actor_index).scale < 0);
         const uint8_t *rgb = scene.crowd.zone_rgb(item.actor_index);
         ASSERT_EQ(item.zone_rgb != nullptr, rgb != nullptr);
         EXPECT_TRUE(!rgb || std::equal(rgb, rgb + 3 * item.tmpl->zone_count(), item.zone_rgb));
@@ -131,9 +133,9 @@ TEST(List, DistancesInItemsAreMetres)
     SceneDef def;
     def.settings.caches.metres_per_unit = 0.01f;
     Scene scene(def);
-    crowd::Place place;
-    place.position = glm::dvec3(0, 1.7, -9);
-    scene.crowd.place(&scene.ids[0], &place, 1);
+    crowd::Transform transform;
+    transform.position = glm::dvec3(0, 1.7, -9);
+    scene.crowd.set_transforms(&scene.ids[0], &transform, 1);
     scene.update(1);
     for (const draw::Item &item : scene.views[0]->list.items)
         EXPECT_TRUE(item.actor_index != 0 || std::fabs(item.eye_distance_m - 0.09f) < 1e-6f);
@@ -152,7 +154,7 @@ TEST(Update, RefusesTimesAndCamerasThatAreNotFiniteAndChangesNothing)
     EXPECT_EQ(scene.hash(), before);
 }
 
-TEST(Update, WorksOnNobodyAndForNoView)
+TEST(Update, WorksWithoutActorsAndWithoutViews)
 {
     SceneDef def;
     def.actors = 0;
@@ -164,20 +166,20 @@ TEST(Update, WorksOnNobodyAndForNoView)
     EXPECT_EQ(unseen.frame.stats().visible, 0u);
 }
 
-TEST(Seen, TellsOnlyAboutThePresentOwnerOfARow)
+TEST(Seen, VisibilityBelongsToThePresentOwnerOfARow)
 {
     Scene scene;
     scene.update(1);
     uint32_t row = 0;
-    while (!scene.frame.seen(scene.crowd, row).visible) ++row;
+    while (!scene.frame.visibility(scene.crowd, row).visible) ++row;
     scene.crowd.destroy(scene.ids[row]);
     const crowd::Id id = scene.crowd.create(*scene.templates[0], {}, {}, 1);
     ASSERT_EQ(id.index1, row + 1);
-    EXPECT_FALSE(scene.frame.seen(scene.crowd, row).visible);
-    EXPECT_FALSE(scene.frame.seen(scene.crowd, 100000).visible);
+    EXPECT_FALSE(scene.frame.visibility(scene.crowd, row).visible);
+    EXPECT_FALSE(scene.frame.visibility(scene.crowd, 100000).visible);
 }
 
-TEST(Seen, BeingGoneForAWhileFreezesNobody)
+TEST(Seen, ActorsOutOfViewForAWhileDoNotFreeze)
 {
     Scene scene, steady;
     scene.update(1);

@@ -15,13 +15,13 @@ using namespace testing_support;
 namespace
 {
 
-crowd::Place group_place(uint32_t g)
+crowd::Transform group_place(uint32_t g)
 {
-    crowd::Place place;
-    place.position = glm::dvec3(8.0 * g - 16, 0.5 * g, -6.0 * g);
-    place.orientation = math::unit_quat(1, 0.1 * g, 0.7 * g - 1, -0.05 * g);
-    place.scale = g == 3 ? -0.8f : 0.7f + 0.2f * float(g);
-    return place;
+    crowd::Transform transform;
+    transform.position = glm::dvec3(8.0 * g - 16, 0.5 * g, -6.0 * g);
+    transform.orientation = math::unit_quat(1, 0.1 * g, 0.7 * g - 1, -0.05 * g);
+    transform.scale = g == 3 ? -0.8f : 0.7f + 0.2f * float(g);
+    return transform;
 }
 
 // Two thirds of everybody in five groups; the twin's actors stand by themselves where the members are.
@@ -34,16 +34,16 @@ struct Twins {
         for (uint32_t g = 0; g < 5; ++g) groups.push_back(grouped.crowd.create_group(group_place(g)));
         for (uint32_t i = 0; i < grouped.ids.size(); ++i) {
             if (i % 3 == 0) continue;
-            const crowd::Place place = grouped.crowd.place_of(i);
-            grouped.crowd.join(grouped.ids[i], groups[i % 5], &place);
+            const crowd::Transform transform = grouped.crowd.transform_of(i);
+            grouped.crowd.join(grouped.ids[i], groups[i % 5], &transform);
         }
         follow();
     }
     void follow()
     {
         for (uint32_t i = 0; i < grouped.ids.size(); ++i) {
-            const crowd::Place place = grouped.crowd.world_place_of(i);
-            alone.crowd.place(&alone.ids[i], &place, 1);
+            const crowd::Transform transform = grouped.crowd.world_transform_of(i);
+            alone.crowd.set_transforms(&alone.ids[i], &transform, 1);
         }
     }
     void look(const glm::dvec3 &eye, const glm::dvec3 &target)
@@ -73,10 +73,10 @@ TEST(Group, MovesItsMembersWithIt)
     Twins twins;
     twins.grouped.update(1);
     for (int step = 1; step < 20; ++step) {
-        crowd::Place place = group_place(2);
-        place.position += glm::dvec3(0.4 * step, 0, -step);
-        place.orientation = math::unit_quat(1, 0, 0.2 * step, 0.02 * step);
-        twins.grouped.crowd.place_group(twins.groups[2], place);
+        crowd::Transform transform = group_place(2);
+        transform.position += glm::dvec3(0.4 * step, 0, -step);
+        transform.orientation = math::unit_quat(1, 0, 0.2 * step, 0.02 * step);
+        twins.grouped.crowd.set_group_transform(twins.groups[2], transform);
         twins.follow();
         EXPECT_EQ(twins.grouped.update(1 + 0.04 * step), twins.alone.update(1 + 0.04 * step)) << step;
     }
@@ -87,9 +87,9 @@ TEST(Group, SphereFollowsMembersThatMoveInsideItOrLeave)
     Twins twins;
     twins.grouped.update(1);
     for (uint32_t i = 1; i < twins.grouped.ids.size(); i += 3) {
-        crowd::Place place = twins.grouped.crowd.place_of(i);
-        place.position.x += 30;
-        twins.grouped.crowd.place(&twins.grouped.ids[i], &place, 1);
+        crowd::Transform transform = twins.grouped.crowd.transform_of(i);
+        transform.position.x += 30;
+        twins.grouped.crowd.set_transforms(&twins.grouped.ids[i], &transform, 1);
         if (i % 2) twins.grouped.crowd.join(twins.grouped.ids[i], crowd::Id(), nullptr);
     }
     twins.follow();
@@ -100,7 +100,7 @@ TEST(Group, SphereFollowsMembersThatMoveInsideItOrLeave)
     }
 }
 
-TEST(Group, ThatIsDisabledShowsNobodyAndCostsNoTestAndComesBackWhereItsClocksAre)
+TEST(Group, ThatIsDisabledShowsNoMembersCostsNoTestAndReturnsInTime)
 {
     Twins twins;
     twins.grouped.update(1);
@@ -109,40 +109,40 @@ TEST(Group, ThatIsDisabledShowsNobodyAndCostsNoTestAndComesBackWhereItsClocksAre
     twins.grouped.crowd.enable_group(twins.groups[1], false);
     twins.grouped.update(1.5);
     EXPECT_EQ(twins.grouped.frame.stats().tested, tested - members(1));
-    EXPECT_FALSE(twins.grouped.frame.group_seen(twins.grouped.crowd, 1));
-    EXPECT_TRUE(twins.grouped.frame.group_seen(twins.grouped.crowd, 2));
+    EXPECT_FALSE(twins.grouped.frame.group_visible(twins.grouped.crowd, 1));
+    EXPECT_TRUE(twins.grouped.frame.group_visible(twins.grouped.crowd, 2));
     for (const draw::Item &item : twins.grouped.views[0]->list.items)
         EXPECT_NE(twins.grouped.crowd.group_of(item.actor_index), 1u);
     for (uint32_t row = 0; row < twins.grouped.crowd.row_count(); ++row) {
         if (twins.grouped.crowd.group_of(row) == 1) {
-            EXPECT_FALSE(twins.grouped.frame.seen(twins.grouped.crowd, row).visible);
+            EXPECT_FALSE(twins.grouped.frame.visibility(twins.grouped.crowd, row).visible);
         }
     }
     twins.grouped.crowd.enable_group(twins.groups[1], true);
     EXPECT_EQ(twins.grouped.update(2.25), twins.alone.update(2.25));
 }
 
-TEST(Group, ThatNoViewMeetsCostsItsMembersNothing)
+TEST(Group, OutsideEveryViewCostsItsMembersNothing)
 {
     Twins twins;
-    crowd::Place away;
+    crowd::Transform away;
     away.position = glm::dvec3(0, 0, 5000);
-    for (const crowd::Id group : twins.groups) twins.grouped.crowd.place_group(group, away);
+    for (const crowd::Id group : twins.groups) twins.grouped.crowd.set_group_transform(group, away);
     twins.grouped.update(1);
     EXPECT_EQ(twins.grouped.frame.stats().tested, 27u) << "those without a group";
     EXPECT_EQ(twins.grouped.frame.stats().groups, 5u);
-    EXPECT_EQ(twins.grouped.frame.stats().groups_seen, 0u);
+    EXPECT_EQ(twins.grouped.frame.stats().groups_visible, 0u);
 }
 
-TEST(Group, IsSeenByAnyOfSeveralViews)
+TEST(Group, IsVisibleInAnyOfSeveralViews)
 {
     Twins twins;
     twins.grouped.add_view(glm::dvec3(0, 2, 40), glm::dvec3(0, 2, 80));
-    crowd::Place behind;
+    crowd::Transform behind;
     behind.position = glm::dvec3(0, 0, 90);
-    twins.grouped.crowd.place_group(twins.groups[4], behind);
+    twins.grouped.crowd.set_group_transform(twins.groups[4], behind);
     twins.grouped.update(1);
-    EXPECT_TRUE(twins.grouped.frame.group_seen(twins.grouped.crowd, 4));
+    EXPECT_TRUE(twins.grouped.frame.group_visible(twins.grouped.crowd, 4));
     EXPECT_FALSE(twins.grouped.views[1]->list.items.empty());
     for (const draw::Item &item : twins.grouped.views[1]->list.items)
         EXPECT_EQ(twins.grouped.crowd.group_of(item.actor_index), 4u);
@@ -155,10 +155,10 @@ TEST(Group, FramesAskForNoMemoryWhileGroupsMove)
     def.memory = &memory;
     Twins twins(def);
     const auto move = [&](int i) {
-        crowd::Place place = group_place(i % 5);
-        place.position.x += i;
-        twins.grouped.crowd.place_group(twins.groups[i % 5], place);
-        twins.grouped.crowd.place(&twins.grouped.ids[1], &place, 1);
+        crowd::Transform transform = group_place(i % 5);
+        transform.position.x += i;
+        twins.grouped.crowd.set_group_transform(twins.groups[i % 5], transform);
+        twins.grouped.crowd.set_transforms(&twins.grouped.ids[1], &transform, 1);
         twins.grouped.crowd.enable_group(twins.groups[2], i % 2);
         twins.grouped.update(2 + 0.1 * i);
     };

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include "lib/figures/figure.h"
-#include "lib/lod/far.h"
-#include "lib/lod/far_image.h"
 #include "lib/lod/nearest.h"
-#include "lib/lod/shell.h"
+#include "lib/lod/proxy.h"
+#include "lib/lod/proxy_image.h"
+#include "lib/lod/proxy_mesh.h"
 
 using namespace claque;
 
@@ -23,11 +23,11 @@ std::vector<const model::Part *> parts_of(const model::Model &model)
     return parts;
 }
 
-lod::FarLevels far_of(const model::Model &model, size_t triangles)
+lod::ProxyLevels proxies_of(const model::Model &model, size_t triangles)
 {
-    lod::FarWish wish;
-    wish.targets = {triangles};
-    return lod::make_far(model, parts_of(model), wish);
+    lod::ProxyOptions options;
+    options.targets = {triangles};
+    return lod::make_proxies(model, parts_of(model), options);
 }
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
@@ -40,37 +40,38 @@ bool inside(const std::array<glm::dvec2, 3> &t, glm::dvec2 p)
 }
 
 // Of the surface of a level: how much of it shows a zone that the source has nowhere within `metres`.
-double part_further_than(double metres, model::Model &shown, const lod::FarLevels &far)
+double part_further_than(double metres, model::Model &shown, const lod::ProxyLevels &proxies)
 {
-    lod::enter(far, shown);
-    const lod::FarSource source(shown, parts_of(shown));
+    lod::add_to_model(proxies, shown);
+    const lod::ProxySource source(shown, parts_of(shown));
     std::vector<std::vector<lod::NearestPoint::Triangle>> points(shown.zones.size());
-    for (const lod::Spot &spot : lod::spread(source.fine, 20000)) {
-        const glm::dvec3 p = lod::where(source.fine, spot.place);
-        points.at(lod::zone_at(shown, source.fine, spot.place)).push_back({p, p, p});
+    for (const lod::SurfaceSample &sample : lod::sample_surface(source.fine, 20000)) {
+        const glm::dvec3 p = lod::position_of(source.fine, sample.point);
+        points.at(lod::zone_at(shown, source.fine, sample.point)).push_back({p, p, p});
     }
     std::vector<lod::NearestPoint> zones;
     for (auto &zone : points) zones.emplace_back(std::move(zone));
-    const lod::PosedParts level = source.at_rest(far.parts[0]);
+    const lod::PosedParts level = source.at_rest(proxies.parts[0]);
     double off = 0, all = 0;
-    for (const lod::Spot &spot : lod::spread(level, 5000)) {
-        all += spot.area;
-        const uint32_t zone = lod::zone_at(shown, level, spot.place);
-        if (std::sqrt(zones.at(zone).to(lod::where(level, spot.place)).distance_squared) > metres) off += spot.area;
+    for (const lod::SurfaceSample &sample : lod::sample_surface(level, 5000)) {
+        all += sample.area;
+        const uint32_t zone = lod::zone_at(shown, level, sample.point);
+        if (std::sqrt(zones.at(zone).to(lod::position_of(level, sample.point)).distance_squared) > metres)
+            off += sample.area;
     }
     return off / all;
 }
 
 }  // namespace
 
-TEST(Atlas, lays_each_triangle_inside_its_chart_and_none_on_another)
+TEST(Atlas, LaysEachTriangleInsideItsChartAndNoneOnAnother)
 {
     const model::Model citizen = figures::citizen();
-    lod::ShellWish wish;
-    wish.targets = {250};
-    const lod::FarSource source(citizen, parts_of(citizen));
-    const lod::PosedParts level = source.at_rest(lod::shells_of(citizen, parts_of(citizen), wish)[0]);
-    const lod::Atlas atlas = lod::laid_flat(level, 32);
+    lod::ProxyMeshOptions options;
+    options.targets = {250};
+    const lod::ProxySource source(citizen, parts_of(citizen));
+    const lod::PosedParts level = source.at_rest(lod::proxy_meshes(citizen, parts_of(citizen), options)[0]);
+    const lod::Atlas atlas = lod::build_atlas(level, 32);
     std::vector<int> owners(size_t(atlas.width) * atlas.height, 0);
     size_t triangles = 0;
     for (const lod::Chart &chart : atlas.charts) {
@@ -82,19 +83,20 @@ TEST(Atlas, lays_each_triangle_inside_its_chart_and_none_on_another)
         const double edge = lod::atlas_gutter - 1e-9;
         for (const uint32_t t : chart.triangles) {
             ++triangles;
-            for (const glm::dvec2 p : atlas.places[t]) {
+            for (const glm::dvec2 p : atlas.texel_coords[t]) {
                 EXPECT_GE(p.x, chart.x + edge);
                 EXPECT_GE(p.y, chart.y + edge);
                 EXPECT_LE(p.x, chart.x + chart.width - edge);
                 EXPECT_LE(p.y, chart.y + chart.height - edge);
             }
-            for (const lod::Spot &spot : lod::spread(level, 2000)) {
-                if (spot.place.triangle != t) continue;
-                const glm::dvec3 w = spot.place.weights;
-                const glm::dvec2 p = w.x * atlas.places[t][0] + w.y * atlas.places[t][1] + w.z * atlas.places[t][2];
+            for (const lod::SurfaceSample &sample : lod::sample_surface(level, 2000)) {
+                if (sample.point.triangle != t) continue;
+                const glm::dvec3 w = sample.point.weights;
+                const glm::dvec2 p =
+                    w.x * atlas.texel_coords[t][0] + w.y * atlas.texel_coords[t][1] + w.z * atlas.texel_coords[t][2];
                 for (const uint32_t other : chart.triangles)
                     if (other != t) {
-                        EXPECT_FALSE(inside(atlas.places[other], p)) << t << " lies on " << other;
+                        EXPECT_FALSE(inside(atlas.texel_coords[other], p)) << t << " lies on " << other;
                     }
             }
         }
@@ -103,7 +105,7 @@ TEST(Atlas, lays_each_triangle_inside_its_chart_and_none_on_another)
     EXPECT_LT(atlas.charts.size(), level.triangles().size() / 4);
 }
 
-TEST(Atlas, keeps_the_shape_of_what_is_flat)
+TEST(Atlas, KeepsTheShapeOfWhatIsFlat)
 {
     model::Part part;
     part.positions = {{0, 0, 0}, {3, 0, 0}, {3, 0, 1}, {0, 0, 1}};
@@ -112,34 +114,34 @@ TEST(Atlas, keeps_the_shape_of_what_is_flat)
     lod::PosedParts level({&part});
     const math::Affine stay;
     level.pose(model::Rig(), base::Span<const math::Affine>(&stay, 1), {});
-    const lod::Atlas atlas = lod::laid_flat(level, 64);
+    const lod::Atlas atlas = lod::build_atlas(level, 64);
     ASSERT_EQ(atlas.charts.size(), 1u);
     for (const lod::PosedParts::Triangle &t : level.triangles())
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = size_t(&t - level.triangles().data()), next = (k + 1) % 3;
-            EXPECT_NEAR(glm::length(atlas.places[i][next] - atlas.places[i][k]) * atlas.texel,
+            EXPECT_NEAR(glm::length(atlas.texel_coords[i][next] - atlas.texel_coords[i][k]) * atlas.texel_size,
                         glm::length(level.corner(t, next) - level.corner(t, k)), 1e-9);
         }
 }
 
 // What a triangle of one zone cannot do: a far level of 250 triangles, seen from where a pixel is 5 cm.
-TEST(FarLevels, show_zones_where_they_are_on_the_source)
+TEST(ProxyLevels, ShowZonesWhereTheyAreOnTheSource)
 {
     for (const figures::Builtin &person : figures::people()) {
         SCOPED_TRACE(person.name);
         model::Model model = person.make();
-        const lod::FarLevels far = far_of(model, 250);
-        EXPECT_LT(part_further_than(0.1, model, far), 0.01);
+        const lod::ProxyLevels proxies = proxies_of(model, 250);
+        EXPECT_LT(part_further_than(0.1, model, proxies), 0.01);
     }
 }
 
-TEST(FarLevels, show_what_each_texture_set_shows)
+TEST(ProxyLevels, ShowWhatEachTextureSetShows)
 {
     for (const size_t triangles : {250, 120}) {
         model::Model model = figures::citizen();
         ASSERT_FALSE(model.texture_sets.empty());
         const size_t images = model.images.size();
-        lod::enter(far_of(model, triangles), model);
+        lod::add_to_model(proxies_of(model, triangles), model);
         ASSERT_EQ(model.texture_sets[0].images.size(), model.materials.size());
         const uint32_t other = model.texture_sets[0].images.back();
         ASSERT_NE(other, model::none) << triangles;

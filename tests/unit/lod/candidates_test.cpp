@@ -8,11 +8,11 @@ using namespace claque;
 namespace
 {
 
-lod::Candidate of(size_t triangles, double error_m, bool is_far)
+lod::Candidate of(size_t triangles, double error_m, bool is_proxy)
 {
     lod::Candidate made;
-    made.level.triangles = triangles, made.level.error_m = error_m, made.is_far = is_far;
-    made.level.first_m = lod::distance_of(error_m, 1);
+    made.level.triangles = triangles, made.level.error_m = error_m, made.is_proxy = is_proxy;
+    made.level.distance_m = lod::switch_distance(error_m, 1);
     made.parts.emplace_back();
     made.parts[0].indices.assign(3 * triangles, 0), made.parts[0].positions.resize(3);
     return made;
@@ -27,36 +27,36 @@ std::vector<size_t> triangles_of(const std::vector<lod::Candidate> &made)
 
 }  // namespace
 
-TEST(Candidates, of_a_near_and_a_far_level_of_as_many_triangles_are_the_nearer_one)
+TEST(Candidates, OfADecimatedLevelAndAProxyOfAsManyTrianglesTheOneWithTheSmallerErrorIsKept)
 {
     std::vector<size_t> targets = {250, 120, 30};
     std::vector<lod::Candidate> made = {of(1000, 0, false),  of(490, 0.01, false), of(249, 0.02, false),
                                         of(250, 0.03, true), of(120, 0.05, true),  of(30, 0.09, true)};
-    lod::stay_near(made, targets);
+    lod::prefer_near(made, targets);
     EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 490, 249}));
     EXPECT_EQ(targets, (std::vector<size_t>{120, 30}));
 
     targets = {250, 120, 30};
     made = {of(1000, 0, false),  of(490, 0.01, false), of(249, 0.04, false),
             of(250, 0.03, true), of(120, 0.05, true),  of(30, 0.09, true)};
-    lod::stay_near(made, targets);
+    lod::prefer_near(made, targets);
     EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 490}));
     EXPECT_EQ(targets, (std::vector<size_t>{250, 120, 30}));
 }
 
-TEST(Candidates, that_are_further_off_than_far_ones_of_fewer_triangles_give_way)
+TEST(Candidates, ThatHaveLargerErrorsThanProxiesOfFewerTrianglesAreReplaced)
 {
     std::vector<size_t> targets = {250};
     std::vector<lod::Candidate> made = {of(1000, 0, false), of(800, 0.01, false), of(490, 0.05, false),
                                         of(250, 0.03, true)};
-    EXPECT_TRUE(lod::give_way(made, targets));
+    EXPECT_TRUE(lod::replace_by_proxy(made, targets));
     EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 800}));
     EXPECT_EQ(targets, (std::vector<size_t>{490, 250}));
 }
 
-TEST(Candidates, that_would_serve_nowhere_are_left_out)
+TEST(Candidates, ThatWouldServeNowhereAreLeftOut)
 {
     const std::vector<lod::Candidate> made = {of(1000, 0, false), of(800, 0.03, false), of(600, 0.02, false),
                                               of(570, 0.03, false), of(300, 0.06, false)};
-    EXPECT_EQ(triangles_of(lod::in_use(made)), (std::vector<size_t>{1000, 570, 300}));
+    EXPECT_EQ(triangles_of(lod::prune(made)), (std::vector<size_t>{1000, 570, 300}));
 }

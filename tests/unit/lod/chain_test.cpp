@@ -16,9 +16,9 @@ using namespace claque;
 namespace
 {
 
-double lot(uint64_t i) { return double(base::unit(base::mix(i))); }
+double random_unit(uint64_t i) { return double(base::unit(base::mix(i))); }
 
-glm::dvec3 somewhere(uint64_t i) { return {lot(3 * i), lot(3 * i + 1), lot(3 * i + 2)}; }
+glm::dvec3 somewhere(uint64_t i) { return {random_unit(3 * i), random_unit(3 * i + 1), random_unit(3 * i + 2)}; }
 
 // A square of four triangles in the plane y = height, its middle raised.
 model::Model pyramid(float raised)
@@ -49,7 +49,7 @@ model::Part flat_of(const model::Model &model)
 
 }  // namespace
 
-TEST(NearestPoint, is_as_near_as_the_best_of_all_triangles)
+TEST(NearestPoint, IsAsNearAsTheBestOfAllTriangles)
 {
     std::vector<lod::NearestPoint::Triangle> triangles;
     for (uint64_t i = 0; i < 300; ++i) {
@@ -70,7 +70,7 @@ TEST(NearestPoint, is_as_near_as_the_best_of_all_triangles)
 }
 
 // Against a search over a fine net of places on the triangle.
-TEST(NearestPoint, of_one_triangle_is_nearer_than_any_place_of_a_net)
+TEST(NearestPoint, OfOneTriangleIsNearerThanAnyPointOfAGrid)
 {
     for (uint64_t i = 0; i < 50; ++i) {
         const lod::NearestPoint::Triangle t = {somewhere(i), somewhere(100 + i), somewhere(200 + i)};
@@ -85,31 +85,31 @@ TEST(NearestPoint, of_one_triangle_is_nearer_than_any_place_of_a_net)
     }
 }
 
-TEST(Deviation, is_nothing_between_a_character_and_itself)
+TEST(Deviation, IsNothingBetweenACharacterAndItself)
 {
     const model::Model citizen = figures::citizen();
     const lod::Deviation same = lod::deviation(citizen, {&citizen.parts[0]}, {citizen.parts[0]}, {});
-    EXPECT_LT(same.rest_m, 1e-9);
-    EXPECT_LT(same.posed_m, 0.03) << "where two layers touch at rest the nearest place may be on the other";
+    EXPECT_LT(same.rest_max_m, 1e-9);
+    EXPECT_LT(same.posed_max_m, 0.03) << "where two layers touch at rest the nearest place may be on the other";
     EXPECT_LT(same.posed_rms_m, 1e-3);
     EXPECT_LT(same.wrong_zone, 0.005);
     EXPECT_EQ(same.open_edges, 0u);
 }
 
-TEST(Deviation, of_a_flattened_top_is_its_height)
+TEST(Deviation, OfAFlattenedTopIsItsHeight)
 {
     const model::Model model = pyramid(0.25f);
     const lod::Deviation flat = lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {});
-    EXPECT_NEAR(flat.rest_m, 0.25, 1e-6);
-    EXPECT_NEAR(flat.posed_m, 0.25, 1e-6);
+    EXPECT_NEAR(flat.rest_max_m, 0.25, 1e-6);
+    EXPECT_NEAR(flat.posed_max_m, 0.25, 1e-6);
     EXPECT_GT(flat.rest_rms_m, 0.05);
     EXPECT_LT(flat.rest_rms_m, 0.25);
     EXPECT_EQ(flat.open_edges, 0u);
-    EXPECT_NEAR(lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {}, 0.01).rest_m, 0.0025, 1e-8);
+    EXPECT_NEAR(lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {}, 0.01).rest_max_m, 0.0025, 1e-8);
 }
 
 // What stands for all parts, as far levels do, is held against all of them.
-TEST(Deviation, of_several_parts_from_one_that_shows_the_same_is_nothing)
+TEST(Deviation, OfSeveralPartsFromOneThatShowsTheSameIsNothing)
 {
     model::Model model = pyramid(0.25f);
     model::Part other = model.parts[0], all = model.parts[0];
@@ -118,11 +118,11 @@ TEST(Deviation, of_several_parts_from_one_that_shows_the_same_is_nothing)
     for (const uint32_t i : other.indices) all.indices.push_back(5 + i);
     all.joints.resize(10, 0), all.weights.resize(10, 1);
     const lod::Deviation same = lod::deviation(model, {&model.parts[0], &other}, {all}, {});
-    EXPECT_LT(same.rest_m, 1e-6);
-    EXPECT_LT(same.posed_m, 1e-6);
+    EXPECT_LT(same.rest_max_m, 1e-6);
+    EXPECT_LT(same.posed_max_m, 1e-6);
 }
 
-TEST(Deviation, counts_edges_that_have_come_open)
+TEST(Deviation, CountsEdgesThatHaveComeOpen)
 {
     const model::Model model = pyramid(0.25f);
     model::Part torn = model.parts[0];
@@ -131,17 +131,18 @@ TEST(Deviation, counts_edges_that_have_come_open)
         << "two inner edges lie open, and one at the rim is gone";
 }
 
-TEST(Chain, goes_down_in_triangles_and_up_in_error_and_distance)
+TEST(Chain, GoesDownInTrianglesAndUpInErrorAndDistance)
 {
     model::Model citizen = figures::citizen();
     const size_t parts = citizen.parts.size();
-    const std::vector<lod::ChainLevel> chain = lod::make_chain(citizen, {});
+    const std::vector<lod::LevelReport> chain = lod::make_chain(citizen, {});
     ASSERT_GE(chain.size(), 5u);
-    EXPECT_EQ(chain[0].first_m, 0);
+    EXPECT_EQ(chain[0].distance_m, 0);
     for (size_t k = 1; k < chain.size(); ++k) {
         EXPECT_LT(chain[k].triangles, chain[k - 1].triangles);
-        EXPECT_GT(chain[k].first_m, chain[k - 1].first_m);
-        EXPECT_NEAR(chain[k].first_m, std::max(lod::distance_of(chain[k].error_m, 1), chain[k].first_m), 1e-9);
+        EXPECT_GT(chain[k].distance_m, chain[k - 1].distance_m);
+        EXPECT_NEAR(chain[k].distance_m, std::max(lod::switch_distance(chain[k].error_m, 1), chain[k].distance_m),
+                    1e-9);
         EXPECT_EQ(chain[k].deviation.open_edges, 0u) << chain[k].triangles;
     }
     EXPECT_LE(chain.back().triangles, 30u);
@@ -149,36 +150,35 @@ TEST(Chain, goes_down_in_triangles_and_up_in_error_and_distance)
     EXPECT_NO_THROW(model::check(citizen));
 }
 
-TEST(Chain, serves_every_distance_with_one_level_of_each_part)
+TEST(Chain, ServesEveryDistanceWithOneLevelOfEachPart)
 {
     model::Model citizen = figures::citizen();
     lod::make_chain(citizen, {});
     for (const float at : {0.0f, 3.0f, 17.0f, 80.0f, 1e6f})
-        EXPECT_EQ(
-            std::count_if(citizen.parts.begin(), citizen.parts.end(),
-                          [at](const model::Part &part) { return part.lod_first_m <= at && at < part.lod_last_m; }),
-            1);
+        EXPECT_EQ(std::count_if(citizen.parts.begin(), citizen.parts.end(),
+                                [at](const model::Part &part) { return part.lod_min_m <= at && at < part.lod_max_m; }),
+                  1);
 }
 
-TEST(Chain, shows_one_zone_on_each_triangle_of_a_far_level)
+TEST(Chain, ShowsOneZoneOnEachTriangleOfAProxy)
 {
     model::Model citizen = figures::citizen();
     const size_t materials = citizen.materials.size();
-    lod::ChainWish wish;
-    wish.targets = {600, 120};
-    const std::vector<lod::ChainLevel> chain = lod::make_chain(citizen, wish);
+    lod::ChainOptions options;
+    options.targets = {600, 120};
+    const std::vector<lod::LevelReport> chain = lod::make_chain(citizen, options);
     ASSERT_EQ(chain.size(), 3u);
     ASSERT_EQ(citizen.materials.size(), materials + 1);
-    const model::Part &far = citizen.parts.back();
-    ASSERT_EQ(far.material, materials);
+    const model::Part &proxy = citizen.parts.back();
+    ASSERT_EQ(proxy.material, materials);
     const model::Image &image = citizen.images[citizen.materials[materials].image];
     const auto texel = [&](uint32_t v) {
-        const size_t x = static_cast<size_t>(far.uvs[v].x * float(image.width));
-        const size_t y = static_cast<size_t>(far.uvs[v].y * float(image.height));
+        const size_t x = static_cast<size_t>(proxy.uvs[v].x * float(image.width));
+        const size_t y = static_cast<size_t>(proxy.uvs[v].y * float(image.height));
         return image.rgba.data() + 4 * (y * image.width + x);
     };
     std::vector<uint8_t> shown;
-    for (const auto &t : model::triangles_of(far)) {
+    for (const auto &t : model::triangles_of(proxy)) {
         EXPECT_TRUE(std::equal(texel(t[0]), texel(t[0]) + 4, texel(t[1])));
         EXPECT_TRUE(std::equal(texel(t[0]), texel(t[0]) + 4, texel(t[2])));
         const uint8_t key = texel(t[0])[3];
@@ -190,15 +190,15 @@ TEST(Chain, shows_one_zone_on_each_triangle_of_a_far_level)
     EXPECT_LT(chain[2].deviation.wrong_zone, 0.25);
 }
 
-TEST(Chain, leaves_a_model_as_it_was_when_it_refuses)
+TEST(Chain, LeavesAModelAsItWasWhenItRefuses)
 {
     model::Model citizen = figures::citizen();
     const size_t parts = citizen.parts.size();
-    lod::ChainWish wish;
-    wish.targets = {100, 200};
-    EXPECT_THROW(lod::make_chain(citizen, wish), base::Error);
-    wish.targets = {100};
-    wish.tolerance_px = 0;
-    EXPECT_THROW(lod::make_chain(citizen, wish), base::Error);
+    lod::ChainOptions options;
+    options.targets = {100, 200};
+    EXPECT_THROW(lod::make_chain(citizen, options), base::Error);
+    options.targets = {100};
+    options.tolerance_px = 0;
+    EXPECT_THROW(lod::make_chain(citizen, options), base::Error);
     EXPECT_EQ(citizen.parts.size(), parts);
 }

@@ -5,14 +5,14 @@
 #include <map>
 #include <utility>
 
-#include "lib/lod/boundary.h"
+#include "lib/lod/marching_tetrahedra.h"
 
 namespace claque::test
 {
 
 // Each directed edge has its opposite as often, and is there `most` times at most: with 1 two triangles meet at every edge, and
 // face the same way.
-inline bool is_closed(const lod::Boundary &surface, int most = std::numeric_limits<int>::max())
+inline bool is_closed(const lod::ClosedMesh &surface, int most = std::numeric_limits<int>::max())
 {
     std::map<std::pair<uint32_t, uint32_t>, int> edges;
     for (const auto &t : surface.triangles)

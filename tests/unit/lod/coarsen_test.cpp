@@ -13,7 +13,7 @@ namespace
 {
 
 // Rings in a row that cut into one another: more handles than rings.
-lod::Boundary chain_of_rings(int rings)
+lod::ClosedMesh chain_of_rings(int rings)
 {
     std::vector<lod::Voxels::Triangle> triangles;
     const auto ring = [](int r, double angle) { return glm::dvec3(1.9 * r + std::cos(angle), std::sin(angle), 0); };
@@ -24,10 +24,10 @@ lod::Boundary chain_of_rings(int rings)
                              b = ring(r, 6.28318530717958648 * (i + 1) / steps);
             triangles.push_back({a, b, a + glm::dvec3(0, 0, 0.2)});
         }
-    return lod::boundary_of(lod::Voxels(triangles, 32));
+    return lod::extract_closed_mesh(lod::Voxels(triangles, 32));
 }
 
-glm::dvec3 extent(const lod::Boundary &boundary)
+glm::dvec3 extent(const lod::ClosedMesh &boundary)
 {
     glm::dvec3 first(1e9), last(-1e9);
     for (const auto &t : boundary.triangles)
@@ -38,16 +38,16 @@ glm::dvec3 extent(const lod::Boundary &boundary)
 
 }  // namespace
 
-TEST(Coarsened, goes_down_to_what_was_asked_for_however_many_handles_there_are)
+TEST(Coarsened, GoesDownToWhatWasAskedForHoweverManyHandlesThereAre)
 {
-    const lod::Boundary rings = chain_of_rings(4);
+    const lod::ClosedMesh rings = chain_of_rings(4);
     ASSERT_TRUE(test::is_closed(rings));
     const std::vector<size_t> targets = {250, 120, 60, 42, 30, 12};
-    const std::vector<lod::Coarse> levels =
-        lod::coarsened(rings, std::vector<lod::Attributes>(rings.positions.size()), targets);
+    const std::vector<lod::CoarseMesh> levels =
+        lod::coarsen(rings, std::vector<lod::Attributes>(rings.positions.size()), targets);
     ASSERT_EQ(levels.size(), targets.size());
     for (size_t k = 0; k < levels.size(); ++k) {
-        const lod::Coarse &level = levels[k];
+        const lod::CoarseMesh &level = levels[k];
         EXPECT_LE(level.surface.triangles.size(), targets[k]);
         EXPECT_GE(level.surface.triangles.size() * 3, targets[k]);
         EXPECT_TRUE(test::is_closed(level.surface)) << targets[k];

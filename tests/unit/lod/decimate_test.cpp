@@ -100,13 +100,13 @@ size_t vertices_between(const model::Part &part, float first, float last)
 
 }  // namespace
 
-TEST(Decimate, reaches_its_target_on_a_closed_surface_with_a_seam_and_leaves_it_closed)
+TEST(Decimate, ReachesItsTargetOnAClosedSurfaceWithASeamAndLeavesItClosed)
 {
     const model::Part source = ball(48, 24);
     ASSERT_EQ(open_edges(source), 0u);
     for (const size_t target : {1000u, 400u, 150u}) {
         const lod::Decimated less = to(source, target);
-        EXPECT_EQ(less.refused, 0u);
+        EXPECT_EQ(less.non_manifold_triangles, 0u);
         EXPECT_LE(less.triangles, target);
         EXPECT_GE(less.triangles, target - 2);
         EXPECT_EQ(model::triangles_of(less.parts[0]).size(), less.triangles);
@@ -114,7 +114,7 @@ TEST(Decimate, reaches_its_target_on_a_closed_surface_with_a_seam_and_leaves_it_
     }
 }
 
-TEST(Decimate, keeps_close_to_the_surface)
+TEST(Decimate, KeepsCloseToTheSurface)
 {
     const lod::Decimated less = to(ball(48, 24), 400);
     for (const auto &t : model::triangles_of(less.parts[0])) {
@@ -125,7 +125,7 @@ TEST(Decimate, keeps_close_to_the_surface)
 }
 
 // On the wrong side of a seam a triangle would run across the whole texture.
-TEST(Decimate, never_lets_a_triangle_straddle_a_seam)
+TEST(Decimate, NeverLetsATriangleStraddleASeam)
 {
     const lod::Decimated less = to(ball(48, 24), 300);
     for (const auto &t : model::triangles_of(less.parts[0])) {
@@ -136,7 +136,7 @@ TEST(Decimate, never_lets_a_triangle_straddle_a_seam)
     }
 }
 
-TEST(Decimate, keeps_only_vertices_of_the_source_with_all_that_belongs_to_them)
+TEST(Decimate, KeepsOnlyVerticesOfTheSourceWithAllThatBelongsToThem)
 {
     const model::Model citizen = figures::citizen();
     const model::Part &source = citizen.parts[0];
@@ -157,13 +157,13 @@ TEST(Decimate, keeps_only_vertices_of_the_source_with_all_that_belongs_to_them)
     }
 }
 
-TEST(Decimate, gives_the_same_result_twice)
+TEST(Decimate, GivesTheSameResultTwice)
 {
     const model::Part source = ball(40, 20);
     EXPECT_EQ(to(source, 300).parts[0].indices, to(source, 300).parts[0].indices);
 }
 
-TEST(Decimate, has_the_vertices_of_a_level_first_in_every_finer_one)
+TEST(Decimate, HasTheVerticesOfALevelFirstInEveryFinerOne)
 {
     const model::Part source = ball(40, 20);
     const std::vector<lod::Decimated> chain = lod::decimate({{&source}}, {{900, 500, 200, 60}});
@@ -179,7 +179,7 @@ TEST(Decimate, has_the_vertices_of_a_level_first_in_every_finer_one)
     }
 }
 
-TEST(Decimate, turns_no_triangle_over_in_its_texture)
+TEST(Decimate, TurnsNoTriangleOverInItsTexture)
 {
     const lod::Decimated less = to(ball(48, 24), 120);
     for (const auto &t : model::triangles_of(less.parts[0])) {
@@ -190,7 +190,7 @@ TEST(Decimate, turns_no_triangle_over_in_its_texture)
 }
 
 // Two halves of a ball as parts of their own, like trousers and a shirt.
-TEST(Decimate, opens_no_crack_between_parts_that_touch)
+TEST(Decimate, OpensNoCrackBetweenPartsThatTouch)
 {
     const model::Part whole = ball(40, 20);
     model::Part upper = whole, lower = whole;
@@ -211,7 +211,7 @@ TEST(Decimate, opens_no_crack_between_parts_that_touch)
     EXPECT_EQ(open_edges(joined), 0u);
 }
 
-TEST(Decimate, keeps_rings_where_influences_change_and_gives_up_those_that_only_lie_flat)
+TEST(Decimate, KeepsRingsWhereInfluencesChangeAndGivesUpThoseThatOnlyLieFlat)
 {
     const model::Part source = tube(16, 40);
     const lod::Decimated with = lod::decimate({{&source}}, {{160}, 60, 0.1, 0})[0];
@@ -220,7 +220,7 @@ TEST(Decimate, keeps_rings_where_influences_change_and_gives_up_those_that_only_
     EXPECT_LT(vertices_between(without.parts[0], 0.7f, 1.3f), vertices_between(with.parts[0], 0.7f, 1.3f));
 }
 
-TEST(Decimate, takes_morph_targets_along)
+TEST(Decimate, TakesMorphTargetsAlong)
 {
     model::Part source = ball(16, 8);
     source.morphs.resize(1);
@@ -231,7 +231,7 @@ TEST(Decimate, takes_morph_targets_along)
         EXPECT_EQ(less.parts[0].morphs[0].positions[v], 2.0f * less.parts[0].positions[v]);
 }
 
-TEST(Decimate, refuses_what_it_cannot_do)
+TEST(Decimate, RefusesWhatItCannotDo)
 {
     const model::Part empty, some = ball(8, 4);
     EXPECT_THROW(lod::decimate({{&empty}}, {{10}}), base::Error);
@@ -240,7 +240,7 @@ TEST(Decimate, refuses_what_it_cannot_do)
 
 // The quadric of a triangle's attribute against the integral, taken from samples, of the difference of two linear
 // functions: at a point p with value s it is area times the square of what is between s and the plane's value there.
-TEST(AttributeQuadric, is_the_squared_difference_from_what_was_linear)
+TEST(AttributeQuadric, IsTheSquaredDifferenceFromWhatWasLinear)
 {
     const glm::dvec3 p0(0, 0, 0), p1(2, 0, 0), p2(0, 1, 1);
     lod::AttributeQuadric quadric;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
-#include "lib/lod/surface.h"
+#include "lib/lod/welded_surface.h"
 
 namespace claque::lod
 {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/lod/fit.h"
-#include "lib/lod/joins.h"
+#include "lib/lod/vertex_merge.h"
 #include "tests/unit/lod/closed.h"
 
 using namespace claque;
@@ -30,7 +30,7 @@ void add_box(glm::dvec3 low, glm::dvec3 high, std::vector<Corners> &out)
 }
 
 // A trunk on two legs; one arm hangs, the other's hand is on the hip, which leaves a hole.
-lod::Boundary figure()
+lod::ClosedMesh figure()
 {
     std::vector<Corners> boxes;
     add_box({-0.2, 0.8, -0.1}, {0.2, 1.5, 0.1}, boxes);
@@ -43,11 +43,11 @@ lod::Boundary figure()
     add_box({0.2, 0.9, -0.05}, {0.5, 1.0, 0.05}, boxes);
     lod::Voxels voxels(boxes, 40);
     voxels.fill();
-    return lod::boundary_of(voxels);
+    return lod::extract_closed_mesh(voxels);
 }
 
 // Of places all over `from`, to the nearest of `to`.
-double mean_square(const lod::Boundary &from, const lod::Boundary &to)
+double mean_square(const lod::ClosedMesh &from, const lod::ClosedMesh &to)
 {
     const lod::NearestPoint nearest(lod::corners_of(to));
     double sum = 0, area = 0;
@@ -63,7 +63,7 @@ double mean_square(const lod::Boundary &from, const lod::Boundary &to)
 class Figure : public testing::Test
 {
 protected:
-    const lod::Boundary fine = figure();
+    const lod::ClosedMesh fine = figure();
     const std::vector<lod::Attributes> nothing = std::vector<lod::Attributes>(fine.positions.size());
     const lod::FineSurface surface{fine, nothing, 2000};
 };
@@ -73,9 +73,9 @@ using Reduce = Figure;
 
 }  // namespace
 
-TEST_F(Fit, brings_both_surfaces_nearer_to_each_other)
+TEST_F(Fit, BringsBothSurfacesNearerToEachOther)
 {
-    for (lod::Coarse &coarse : lod::coarsened(fine, nothing, {250, 120, 60})) {
+    for (lod::CoarseMesh &coarse : lod::coarsen(fine, nothing, {250, 120, 60})) {
         const size_t triangles = coarse.surface.triangles.size();
         const double there = mean_square(fine, coarse.surface), back = mean_square(coarse.surface, fine);
         lod::fit(surface, coarse);
@@ -84,15 +84,15 @@ TEST_F(Fit, brings_both_surfaces_nearer_to_each_other)
     }
 }
 
-TEST(FitOfItself, leaves_a_surface_where_it_is)
+TEST(FitOfItself, LeavesASurfaceWhereItIs)
 {
     std::vector<Corners> box;
     add_box({0, 0, 0}, {1, 2, 1}, box);
     lod::Voxels voxels(box, 10);
     voxels.fill();
-    lod::Coarse same;
-    same.surface = lod::boundary_of(voxels);
-    const lod::Boundary fine = same.surface;
+    lod::CoarseMesh same;
+    same.surface = lod::extract_closed_mesh(voxels);
+    const lod::ClosedMesh fine = same.surface;
     const std::vector<lod::Attributes> nothing(fine.positions.size());
     same.features.resize(fine.positions.size());
     lod::fit({fine, nothing, fine.positions.size()}, same);
@@ -100,11 +100,11 @@ TEST(FitOfItself, leaves_a_surface_where_it_is)
         EXPECT_LT(glm::length(same.surface.positions[v] - fine.positions[v]), 1e-6);
 }
 
-TEST_F(Fit, lets_vertices_stand_for_what_is_nearest_to_them)
+TEST_F(Fit, LetsVerticesStandForWhatIsNearestToThem)
 {
     std::vector<lod::Attributes> halves;
     for (const glm::dvec3 p : fine.positions) halves.push_back({{p.y < 0.8 ? 1u : 2u, 1.0}});
-    lod::Coarse coarse = lod::coarsened(fine, halves, {120})[0];
+    lod::CoarseMesh coarse = lod::coarsen(fine, halves, {120})[0];
     lod::fit({fine, halves, 2000}, coarse);
     for (size_t v = 0; v < coarse.features.size(); ++v) {
         const glm::dvec3 p = coarse.surface.positions[v];
@@ -121,48 +121,50 @@ TEST_F(Fit, lets_vertices_stand_for_what_is_nearest_to_them)
     }
 }
 
-TEST_F(Reduce, closes_holes_and_keeps_limbs_on)
+TEST_F(Reduce, ClosesHolesAndKeepsLimbsOn)
 {
-    const lod::Coarse from = lod::coarsened(fine, nothing, {180})[0];
+    const lod::CoarseMesh from = lod::coarsen(fine, nothing, {180})[0];
     const std::vector<size_t> targets = {120, 60, 30, 20};
-    const std::vector<lod::Coarse> levels = lod::reduced(surface, from, targets);
+    const std::vector<lod::CoarseMesh> levels = lod::reduce_by_distance(surface, from, targets);
     ASSERT_EQ(levels.size(), targets.size());
     for (size_t k = 0; k < levels.size(); ++k) {
         EXPECT_LE(levels[k].surface.triangles.size(), targets[k]);
         EXPECT_GE(levels[k].surface.triangles.size(), targets[k] * 4 / 5);
         EXPECT_TRUE(test::is_closed(levels[k].surface));
-        EXPECT_EQ(lod::pieces_of(levels[k].surface.triangles), 1u);
+        EXPECT_EQ(lod::component_count(levels[k].surface.triangles), 1u);
     }
 }
 
 // Planes have no end: what is thin costs them little to lose.
-TEST_F(Reduce, is_nearer_than_planes_are)
+TEST_F(Reduce, IsNearerThanPlanesAre)
 {
     const std::vector<size_t> targets = {60, 30, 20};
-    const std::vector<lod::Coarse> by_planes = lod::coarsened(fine, nothing, targets);
-    const std::vector<lod::Coarse> levels = lod::reduced(surface, lod::coarsened(fine, nothing, {120})[0], targets);
+    const std::vector<lod::CoarseMesh> by_planes = lod::coarsen(fine, nothing, targets);
+    const std::vector<lod::CoarseMesh> levels =
+        lod::reduce_by_distance(surface, lod::coarsen(fine, nothing, {120})[0], targets);
     for (size_t k = 0; k < targets.size(); ++k)
         EXPECT_LT(mean_square(fine, levels[k].surface), 0.5 * mean_square(fine, by_planes[k].surface)) << targets[k];
 }
 
-TEST_F(Reduce, is_the_same_each_time)
+TEST_F(Reduce, IsTheSameEachTime)
 {
-    const lod::Coarse from = lod::coarsened(fine, nothing, {100})[0];
-    const lod::Coarse a = lod::reduced(surface, from, {40})[0], b = lod::reduced(surface, from, {40})[0];
+    const lod::CoarseMesh from = lod::coarsen(fine, nothing, {100})[0];
+    const lod::CoarseMesh a = lod::reduce_by_distance(surface, from, {40})[0],
+                          b = lod::reduce_by_distance(surface, from, {40})[0];
     EXPECT_EQ(a.surface.triangles, b.surface.triangles);
     EXPECT_EQ(a.surface.positions, b.surface.positions);
 }
 
-TEST(Joins, take_what_comes_to_lie_back_to_back)
+TEST(Joins, TakeWhatComesToLieBackToBack)
 {
-    EXPECT_TRUE(lod::back_to_back({1, 2, 3}, {3, 2, 1}));
-    EXPECT_TRUE(lod::back_to_back({1, 2, 3}, {2, 1, 3}));
-    EXPECT_FALSE(lod::back_to_back({1, 2, 3}, {2, 3, 1}));
+    EXPECT_TRUE(lod::are_opposite({1, 2, 3}, {3, 2, 1}));
+    EXPECT_TRUE(lod::are_opposite({1, 2, 3}, {2, 1, 3}));
+    EXPECT_FALSE(lod::are_opposite({1, 2, 3}, {2, 3, 1}));
     const std::vector<lod::Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
-    EXPECT_EQ(lod::pieces_of(tetrahedron), 1u);
-    EXPECT_TRUE(lod::joined_at(0, 1, tetrahedron).empty());
+    EXPECT_EQ(lod::component_count(tetrahedron), 1u);
+    EXPECT_TRUE(lod::merge_vertices(0, 1, tetrahedron).empty());
     std::vector<lod::Triangle> two = tetrahedron;
     for (const lod::Triangle &t : tetrahedron) two.push_back({t[0] + 3, t[1] + 3, t[2] + 3});
-    EXPECT_EQ(lod::pieces_of(two), 2u);  // a vertex in common is no edge in common
-    EXPECT_EQ(lod::joined_at(0, 6, two).size(), 8u);
+    EXPECT_EQ(lod::component_count(two), 2u);  // a vertex in common is no edge in common
+    EXPECT_EQ(lod::merge_vertices(0, 6, two).size(), 8u);
 }

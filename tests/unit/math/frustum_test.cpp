@@ -29,7 +29,7 @@ void points_agree(const glm::mat4 &m)
     int inside = 0;
     for (int i = 0; i < 20000; ++i) {
         const glm::dvec3 p(x(random), x(random), z(random));
-        EXPECT_EQ(test(frustum, p, 1e-9) != Inside::no, in_clip_space(m, p));
+        EXPECT_EQ(test(frustum, p, 1e-9) != Containment::outside, in_clip_space(m, p));
         inside += in_clip_space(m, p);
     }
     EXPECT_GT(inside, 100);
@@ -43,15 +43,15 @@ TEST(Frustum, KeepsThePointsThatGlKeepsInAParallelProjection)
     points_agree(glm::ortho(-10.0f, 12.0f, -5.0f, 8.0f, 1.0f, 90.0f));
 }
 
-TEST(Frustum, ASphereIsSeenAsSoonAsItReachesIn)
+TEST(Frustum, ASphereIsVisibleAsSoonAsItReachesIn)
 {
     const Frustum frustum = of(glm::perspective(1.5707963f, 1.0f, 1.0f, 100.0f));  // planes at 45 degrees
     const glm::dvec3 outside(-15, 0, -10);  // 5 / sqrt(2) = 3.536 outside the left plane
-    EXPECT_EQ(test(frustum, outside, 3.53), Inside::no);
-    EXPECT_EQ(test(frustum, outside, 3.54), Inside::crosses);
-    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -50), 5), Inside::wholly);
-    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, 5), 5.9), Inside::no);
-    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -104), 5), Inside::crosses);
+    EXPECT_EQ(test(frustum, outside, 3.53), Containment::outside);
+    EXPECT_EQ(test(frustum, outside, 3.54), Containment::intersects);
+    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -50), 5), Containment::inside);
+    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, 5), 5.9), Containment::outside);
+    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -104), 5), Containment::intersects);
 }
 
 TEST(Frustum, AnInfiniteFarPlaneCutsNothing)
@@ -59,7 +59,7 @@ TEST(Frustum, AnInfiniteFarPlaneCutsNothing)
     glm::mat4 m = glm::perspective(1.0f, 1.0f, 1.0f, 100.0f);
     m[2][2] = -1;
     m[3][2] = -2;
-    EXPECT_NE(test(of(m), glm::dvec3(0, 0, -1e9), 1), Inside::no);
+    EXPECT_NE(test(of(m), glm::dvec3(0, 0, -1e9), 1), Containment::outside);
 }
 
 }  // namespace claque::math

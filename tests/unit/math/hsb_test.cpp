@@ -35,11 +35,11 @@ TEST(Hsb, AgreesWithTheSixSectors)
 
 TEST(Hsb, AHueRangeMayWrapPastRed)
 {
-    EXPECT_DOUBLE_EQ(hue_in(350, 20, 0), 350);
-    EXPECT_DOUBLE_EQ(hue_in(350, 20, 0.5), 5);
-    EXPECT_NEAR(hue_in(350, 20, 0.999), 19.97, 1e-9);
-    EXPECT_DOUBLE_EQ(hue_in(40, 60, 0.5), 50);
-    EXPECT_DOUBLE_EQ(hue_in(40, 40, 0.5), 40);
+    EXPECT_DOUBLE_EQ(lerp_hue(350, 20, 0), 350);
+    EXPECT_DOUBLE_EQ(lerp_hue(350, 20, 0.5), 5);
+    EXPECT_NEAR(lerp_hue(350, 20, 0.999), 19.97, 1e-9);
+    EXPECT_DOUBLE_EQ(lerp_hue(40, 60, 0.5), 50);
+    EXPECT_DOUBLE_EQ(lerp_hue(40, 40, 0.5), 40);
 }
 
 TEST(Hsb, BytesAreTheNearest)

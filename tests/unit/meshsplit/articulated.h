@@ -55,7 +55,7 @@ struct Puppet : model::Model {
         part.name = part_name;
         part.material = model::none;
         part.node = node;
-        part.lod_first_m = first_m, part.lod_last_m = last_m;
+        part.lod_min_m = first_m, part.lod_max_m = last_m;
         std::fill(part.joints.begin(), part.joints.end(), add_entry(*this, node));
         parts.push_back(part);
         return parts.back();
@@ -75,7 +75,7 @@ struct Puppet : model::Model {
         part.material = model::none;
         part.node = root;
         part.skinned = true;
-        part.lod_first_m = first_m, part.lod_last_m = last_m;
+        part.lod_min_m = first_m, part.lod_max_m = last_m;
         std::vector<uint32_t> entries;
         for (const uint32_t node : nodes) entries.push_back(add_entry(*this, node, inverse_rest(node)));
         part.influence_count = 2;
@@ -104,7 +104,7 @@ struct Puppet : model::Model {
             for (const float side : {1.0f, -1.0f, 1.0f})
                 for (const float v : {0.0f, 0.0f, side * s, c}) rig.values.push_back(v);
             rig.channels.push_back(
-                {node, model::Path::rotation, model::Interpolation::linear, 4, first_time, 3, first});
+                {node, model::ChannelTarget::rotation, model::Interpolation::linear, 4, first_time, 3, first});
         }
     }
 };

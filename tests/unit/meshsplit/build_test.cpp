@@ -28,7 +28,7 @@ std::string refusal(const model::Model &m, uint32_t max_px = 1024)
 
 }  // namespace
 
-TEST(Build, keeps_the_zone_of_every_texel_and_renumbers_its_key)
+TEST(Build, KeepsTheZoneOfEveryTexelAndRenumbersItsKey)
 {
     const auto key = [](uint32_t x, uint32_t y) { return uint8_t(x < 20 ? 17 : y < 31 ? 0 : 255); };
     const auto tmpl = built(keyed_sheet(3, 3, key_image(64, 64, key), {255, 17, 0}));
@@ -50,7 +50,7 @@ TEST(Build, keeps_the_zone_of_every_texel_and_renumbers_its_key)
     model::check(*tmpl);
 }
 
-TEST(Build, an_undeclared_key_is_refused_with_its_number_and_count)
+TEST(Build, AnUndeclaredKeyIsRefusedWithItsNumberAndCount)
 {
     const auto image = key_image(16, 16, [](uint32_t x, uint32_t) { return uint8_t(x < 3 ? 77 : 5); });
     const std::string text = refusal(keyed_sheet(2, 2, image, {5}));
@@ -58,27 +58,27 @@ TEST(Build, an_undeclared_key_is_refused_with_its_number_and_count)
     EXPECT_NE(text.find("48 texels"), std::string::npos) << text;
 }
 
-TEST(Build, a_key_of_two_zones_is_refused)
+TEST(Build, AKeyOfTwoZonesIsRefused)
 {
     const auto image = key_image(16, 16, [](uint32_t, uint32_t) { return uint8_t(5); });
     EXPECT_NE(refusal(keyed_sheet(2, 2, image, {5, 5})).find("several zones"), std::string::npos);
 }
 
-TEST(Build, a_model_without_visible_triangles_is_refused)
+TEST(Build, AModelWithoutVisibleTrianglesIsRefused)
 {
     model::Model m = keyed_sheet(2, 2, key_image(4, 4, [](uint32_t, uint32_t) { return uint8_t(5); }), {5});
     m.parts[0].hidden = true;
     EXPECT_NE(refusal(m).find("no triangle"), std::string::npos);
 }
 
-TEST(Build, a_broken_model_is_refused_before_anything_is_made)
+TEST(Build, ABrokenModelIsRefusedBeforeAnythingIsMade)
 {
     model::Model m = torture(4, 1, 1);
     m.parts[0].indices[7] = 1000;
     EXPECT_NE(refusal(m), "");
 }
 
-TEST(Build, two_builds_give_the_same_bytes)
+TEST(Build, TwoBuildsGiveTheSameBytes)
 {
     const model::Model m = torture(10, 0, 25);
     std::pmr::vector<uint8_t> first, second;
@@ -87,7 +87,7 @@ TEST(Build, two_builds_give_the_same_bytes)
     EXPECT_EQ(first, second);
 }
 
-TEST(Build, large_and_odd_images_become_powers_of_two_within_the_limit_without_mixing_zones)
+TEST(Build, LargeAndOddImagesBecomePowersOfTwoWithinTheLimitWithoutMixingZones)
 {
     const auto key = [](uint32_t x, uint32_t y) { return uint8_t((x / 37 + y / 29) % 3 * 100); };
     const auto tmpl = built(keyed_sheet(2, 2, key_image(300, 130, key), {0, 100, 200}), 128);
@@ -101,7 +101,7 @@ TEST(Build, large_and_odd_images_become_powers_of_two_within_the_limit_without_m
     model::check(*tmpl);
 }
 
-TEST(Build, what_no_triangle_covers_takes_the_nearest_zone)
+TEST(Build, WhatNoTriangleCoversTakesTheNearestZone)
 {
     // Zone 5 is the chart, zone 9 the background that must not creep in when the image shrinks.
     const auto image = key_image(64, 64, [](uint32_t x, uint32_t y) { return uint8_t(x < 33 && y < 33 ? 5 : 9); });
@@ -114,7 +114,7 @@ TEST(Build, what_no_triangle_covers_takes_the_nearest_zone)
     }
 }
 
-TEST(Build, mirrored_wrapping_is_baked_where_it_is_used)
+TEST(Build, MirroredWrappingIsBakedWhereItIsUsed)
 {
     const auto image = key_image(16, 8, [](uint32_t x, uint32_t) { return uint8_t(x < 8 ? 1 : 2); });
     model::Model m = keyed_sheet(1, 1, image, {1, 2});
@@ -132,7 +132,7 @@ TEST(Build, mirrored_wrapping_is_baked_where_it_is_used)
     EXPECT_EQ(texture.rgba[4 * x + 1], uint8_t(uint32_t(0.75f * 16 - 1) * 7));
 }
 
-TEST(Build, says_whether_normals_may_follow_the_palette_itself)
+TEST(Build, SaysWhetherNormalsMayFollowThePaletteItself)
 {
     model::Model m = torture(2, 1, 1);
     EXPECT_TRUE(built(m)->similar_only);
@@ -146,7 +146,7 @@ TEST(Build, says_whether_normals_may_follow_the_palette_itself)
     m.rig.palette[0].inverse_bind.c[0] = 1;
     m.rig.clips.push_back({0, 1, 0, 1});
     m.rig.clip_names.emplace_back("swell");
-    m.rig.channels.push_back({0, model::Path::scale, model::Interpolation::linear, 3, 0, 2, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::scale, model::Interpolation::linear, 3, 0, 2, 0});
     m.rig.times = {0, 1};
     m.rig.values = {1, 1, 1, 2, 2, 2};
     EXPECT_TRUE(built(m)->similar_only);

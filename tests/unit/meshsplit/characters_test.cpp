@@ -6,7 +6,7 @@
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"
 #include "lib/model/template_check.h"
-#include "meshsplit/levels.h"
+#include "meshsplit/level_plan.h"
 
 #include <filesystem>
 
@@ -66,7 +66,7 @@ bool stop_half(model::Model &m)
 
 }  // namespace
 
-TEST(Characters, with_half_of_their_nodes_stopped_stand_at_rest_as_they_did)
+TEST(Characters, WithHalfOfTheirNodesStoppedStandAtRestAsTheyDid)
 {
     if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
     size_t seen = 0;
@@ -86,7 +86,7 @@ TEST(Characters, with_half_of_their_nodes_stopped_stand_at_rest_as_they_did)
     EXPECT_GE(seen, 5u);
 }
 
-TEST(Characters, stay_inside_the_spheres_of_their_parts_in_every_clip)
+TEST(Characters, StayInsideTheSpheresOfTheirPartsInEveryClip)
 {
     if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
     for (const char *name : characters) {

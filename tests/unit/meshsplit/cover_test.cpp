@@ -101,7 +101,7 @@ bool meets(const UvTriangle &t, const TexelGrid &grid, double i, double j, long 
 
 }  // namespace
 
-TEST(Cover, holds_every_texel_that_any_point_of_the_triangle_samples)
+TEST(Cover, HoldsEveryTexelThatAnyPointOfTheTriangleSamples)
 {
     Random random{1};
     for (int round = 0; round < 400; ++round) {
@@ -124,7 +124,7 @@ TEST(Cover, holds_every_texel_that_any_point_of_the_triangle_samples)
     }
 }
 
-TEST(Cover, is_exactly_the_texels_whose_grown_box_the_triangle_meets)
+TEST(Cover, IsExactlyTheTexelsWhoseGrownBoxTheTriangleMeets)
 {
     Random random{2};
     for (int round = 0; round < 300; ++round) {
@@ -144,14 +144,14 @@ TEST(Cover, is_exactly_the_texels_whose_grown_box_the_triangle_meets)
     }
 }
 
-TEST(Cover, a_point_inside_a_texel_is_that_texel_alone)
+TEST(Cover, APointInsideATexelIsThatTexelAlone)
 {
     const TexelGrid grid{16, 16, Wrap::repeat, Wrap::clamp};
     const glm::vec2 uv(5.5f / 16, 9.5f / 16);
     EXPECT_EQ(covered(grid, {{uv, uv, uv}}), (Texels{{5, 9}}));
 }
 
-TEST(Cover, a_corner_between_four_texels_touches_all_four_and_wraps_at_the_edge)
+TEST(Cover, ACornerBetweenFourTexelsTouchesAllFourAndWrapsAtTheEdge)
 {
     const glm::vec2 uv(0.0f, 0.5f);
     EXPECT_EQ(covered({16, 16, Wrap::repeat, Wrap::repeat}, {{uv, uv, uv}}),
@@ -159,7 +159,7 @@ TEST(Cover, a_corner_between_four_texels_touches_all_four_and_wraps_at_the_edge)
     EXPECT_EQ(covered({16, 16, Wrap::clamp, Wrap::repeat}, {{uv, uv, uv}}), (Texels{{0, 7}, {0, 8}}));
 }
 
-TEST(Cover, clamping_shows_the_edge_texels_of_what_lies_beyond)
+TEST(Cover, ClampingShowsTheEdgeTexelsOfWhatLiesBeyond)
 {
     const TexelGrid grid{8, 8, Wrap::clamp, Wrap::clamp};
     EXPECT_EQ(covered(grid, {{{3, 2}, {4, 2}, {3, 5}}}), (Texels{{7, 7}}));
@@ -168,7 +168,7 @@ TEST(Cover, clamping_shows_the_edge_texels_of_what_lies_beyond)
     EXPECT_EQ(covered(grid, {{{-3, -9}, {-2, 9}, {-3, 9}}}), left_column);
 }
 
-TEST(Cover, a_triangle_over_many_wraps_shows_the_whole_texture)
+TEST(Cover, ATriangleOverManyWrapsShowsTheWholeTexture)
 {
     for (const float size : {3.0f, 40.0f, 1e6f, 1e30f}) {
         const UvTriangle t{{{0, 0}, {size, 0}, {0, size}}};

@@ -30,7 +30,7 @@ bool passes_take(const List &keys, uint32_t bits) { return model::passes_accept(
 
 }  // namespace
 
-TEST(Keys, ascend_strictly_to_255_without_key_0_for_every_count)
+TEST(Keys, AscendStrictlyTo255WithoutKey0ForEveryCount)
 {
     for (uint32_t n = 1; n <= 255; ++n) {
         const auto keys = model::geometric_keys(n);
@@ -43,7 +43,7 @@ TEST(Keys, ascend_strictly_to_255_without_key_0_for_every_count)
     EXPECT_THROW(model::geometric_keys(257), base::Error);
 }
 
-TEST(Keys, go_from_94_in_nearly_equal_ratios)
+TEST(Keys, GoFrom94InNearlyEqualRatios)
 {
     const auto keys = model::geometric_keys(8);
     EXPECT_EQ(keys[0], 94);
@@ -51,7 +51,7 @@ TEST(Keys, go_from_94_in_nearly_equal_ratios)
         EXPECT_NEAR(double(keys[i]) / keys[i - 1], std::pow(255.0 / 94, 1.0 / 7), 0.01);
 }
 
-TEST(Keys, a_raised_copy_shows_exactly_its_zone_and_those_above_on_8_bits)
+TEST(Keys, ARaisedCopyShowsExactlyItsZoneAndThoseAboveOn8Bits)
 {
     for (uint32_t n = 2; n <= model::fused_limit(8); ++n) {
         const auto keys = model::geometric_keys(n);
@@ -67,7 +67,7 @@ TEST(Keys, a_raised_copy_shows_exactly_its_zone_and_those_above_on_8_bits)
     }
 }
 
-TEST(Keys, a_pass_shows_exactly_its_zone_and_those_above_up_to_255_zones)
+TEST(Keys, APassShowsExactlyItsZoneAndThoseAboveUpTo255Zones)
 {
     EXPECT_GE(model::passes_limit(8), 255u);
     for (const uint32_t n : {1u, 2u, 8u, 48u, 162u, 163u, 255u}) {
@@ -82,7 +82,7 @@ TEST(Keys, a_pass_shows_exactly_its_zone_and_those_above_up_to_255_zones)
     }
 }
 
-TEST(Keys, fused_takes_about_fifty_zones_on_8_bits_and_refuses_what_rounding_would_mix)
+TEST(Keys, FusedTakesAboutFiftyZonesOn8BitsAndRefusesWhatRoundingWouldMix)
 {
     EXPECT_GE(model::fused_limit(8), 48u);
     EXPECT_LE(model::fused_limit(8), 80u);

@@ -46,7 +46,7 @@ glm::vec3 face_of(const model::Level &level, uint32_t first)
 
 }  // namespace
 
-TEST(Mesh, vertices_equal_in_everything_are_welded_and_no_others)
+TEST(Mesh, VerticesEqualInEverythingAreWeldedAndNoOthers)
 {
     model::Part part = sheet_part(3, 3);
     model::Part unwelded = part;
@@ -65,7 +65,7 @@ TEST(Mesh, vertices_equal_in_everything_are_welded_and_no_others)
     EXPECT_EQ(built(plain(unwelded))->levels[0].source_count, 17u);
 }
 
-TEST(Mesh, no_position_or_uv_is_lost)
+TEST(Mesh, NoPositionOrUvIsLost)
 {
     const model::Part part = sheet_part(5, 4);
     model::Model m = torture(3, 1, 9);
@@ -82,7 +82,7 @@ TEST(Mesh, no_position_or_uv_is_lost)
     EXPECT_EQ(found, wanted);
 }
 
-TEST(Mesh, triangles_without_area_in_any_pose_are_dropped_and_counted)
+TEST(Mesh, TrianglesWithoutAreaInAnyPoseAreDroppedAndCounted)
 {
     model::Part part = soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {1, 0, 0}});
     part.indices = {0, 1, 2, 0, 1, 3, 1, 4, 2};  // good, on a line, two corners in one place
@@ -92,7 +92,7 @@ TEST(Mesh, triangles_without_area_in_any_pose_are_dropped_and_counted)
     EXPECT_EQ(tmpl->levels[0].source_count, 3u) << "unused vertices go too";
 }
 
-TEST(Mesh, a_triangle_that_opens_when_a_joint_moves_is_kept)
+TEST(Mesh, ATriangleThatOpensWhenAJointMovesIsKept)
 {
     model::Part part = soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}});
     part.indices = {0, 1, 2, 0, 1, 3};
@@ -102,7 +102,7 @@ TEST(Mesh, a_triangle_that_opens_when_a_joint_moves_is_kept)
     EXPECT_EQ(built(m)->report.triangles, 2u);
 }
 
-TEST(Mesh, parts_without_normals_get_flat_ones)
+TEST(Mesh, PartsWithoutNormalsGetFlatOnes)
 {
     model::Part part = soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     part.indices = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -118,7 +118,7 @@ TEST(Mesh, parts_without_normals_get_flat_ones)
         }
 }
 
-TEST(Mesh, parts_that_hang_mirrored_are_wound_the_other_way)
+TEST(Mesh, PartsThatHangMirroredAreWoundTheOtherWay)
 {
     model::Model m = plain(sheet_part(1, 1));
     const float before = face_of(built(m)->levels[0], 0).z;
@@ -128,7 +128,7 @@ TEST(Mesh, parts_that_hang_mirrored_are_wound_the_other_way)
     EXPECT_EQ(tmpl->levels[0].normals[2], 1) << "normals follow the matrix by themselves";
 }
 
-TEST(Mesh, vertices_are_sorted_into_runs_by_influences_without_zero_weights)
+TEST(Mesh, VerticesAreSortedIntoRunsByInfluencesWithoutZeroWeights)
 {
     model::Model m = plain(sheet_part(3, 1));
     for (int i = 0; i < 3; ++i) m.rig.palette.push_back({0, math::Affine()});
@@ -162,7 +162,7 @@ TEST(Mesh, vertices_are_sorted_into_runs_by_influences_without_zero_weights)
     EXPECT_EQ(level.joints[0], 2);
 }
 
-TEST(Mesh, coincident_faces_are_counted_where_they_can_tie)
+TEST(Mesh, CoincidentFacesAreCountedWhereTheyCanTie)
 {
     model::Model m = plain(sheet_part(1, 1));
     m.parts.push_back(m.parts[0]);
@@ -176,7 +176,7 @@ TEST(Mesh, coincident_faces_are_counted_where_they_can_tie)
     EXPECT_EQ(built(m)->report.coincident, 2u);
 }
 
-TEST(Mesh, colours_are_kept_only_where_some_part_has_them)
+TEST(Mesh, ColoursAreKeptOnlyWhereSomePartHasThem)
 {
     model::Model m = plain(sheet_part(1, 1));
     EXPECT_TRUE(built(m)->levels[0].colours.empty());
@@ -191,7 +191,7 @@ TEST(Mesh, colours_are_kept_only_where_some_part_has_them)
     EXPECT_EQ(level.colours[4 * 4 + 3], 255) << "alpha belongs to the zones";
 }
 
-TEST(Mesh, morph_deltas_are_listed_by_weight_and_keep_vertices_apart)
+TEST(Mesh, MorphDeltasAreListedByWeightAndKeepVerticesApart)
 {
     model::Model m = plain(sheet_part(1, 1));
     m.rig.morph_sets.push_back({0, 0, 2});

@@ -50,7 +50,7 @@ float z_of(const model::Level &level, uint32_t index)
 
 }  // namespace
 
-TEST(Parts, stand_one_after_the_other_in_every_range)
+TEST(Parts, StandOneAfterTheOtherInEveryRange)
 {
     const auto tmpl = built(striped(9));
     const model::Level &level = tmpl->levels[0];
@@ -58,24 +58,24 @@ TEST(Parts, stand_one_after_the_other_in_every_range)
     ASSERT_EQ(level.surfaces.size(), 2u);
     for (const model::Surface &surface : level.surfaces) {
         EXPECT_GT(surface.dirty_by_zone.size(), 1u);
-        const uint32_t *firsts = surface.part_firsts.data();
+        const uint32_t *firsts = surface.part_offsets.data();
         for (const model::IndexRange &range : ranges_of(surface)) {
             for (uint32_t p = 0; p < 9; ++p)
                 for (uint32_t i = firsts[p]; i < firsts[p + 1]; ++i) ASSERT_EQ(z_of(level, range.first + i), float(p));
             EXPECT_EQ(firsts[9], range.count);
             firsts += 10;
         }
-        EXPECT_EQ(firsts, surface.part_firsts.data() + surface.part_firsts.size());
+        EXPECT_EQ(firsts, surface.part_offsets.data() + surface.part_offsets.size());
     }
     model::check(*tmpl);
 }
 
-TEST(Parts, within_the_fused_range_have_clean_triangles_first_and_copies_by_ascending_zone)
+TEST(Parts, WithinTheFusedRangeHaveCleanTrianglesFirstAndCopiesByAscendingZone)
 {
     const auto tmpl = built(striped(6));
     const model::Level &level = tmpl->levels[0];
     for (const model::Surface &surface : level.surfaces) {
-        const uint32_t *firsts = surface.part_firsts.data() + surface.part_firsts.size() - 7;
+        const uint32_t *firsts = surface.part_offsets.data() + surface.part_offsets.size() - 7;
         for (uint32_t p = 0; p < 6; ++p) {
             bool dirty = false;
             std::vector<uint32_t> last;
@@ -101,15 +101,15 @@ TEST(Parts, within_the_fused_range_have_clean_triangles_first_and_copies_by_asce
     }
 }
 
-TEST(Parts, that_are_alone_leave_the_ranges_as_they_are)
+TEST(Parts, ThatAreAloneLeaveTheRangesAsTheyAre)
 {
     const auto tmpl = built(striped(1));
     ASSERT_EQ(tmpl->levels[0].parts.size(), 1u);
     EXPECT_EQ(tmpl->levels[0].parts[0].triangles, 90u);
-    EXPECT_TRUE(tmpl->levels[0].surfaces[0].part_firsts.empty());
+    EXPECT_TRUE(tmpl->levels[0].surfaces[0].part_offsets.empty());
 }
 
-TEST(Parts, without_triangles_are_none)
+TEST(Parts, WithoutTrianglesAreNone)
 {
     Puppet m;
     m.hang(m.root, "body");
@@ -122,7 +122,7 @@ TEST(Parts, without_triangles_are_none)
     EXPECT_EQ(tmpl->levels[1].parts.size(), 3u);
 }
 
-TEST(Parts, beyond_sixty_four_are_drawn_with_their_neighbours)
+TEST(Parts, BeyondSixtyFourAreDrawnWithTheirNeighbours)
 {
     const auto tmpl = built(striped(150));
     const model::Level &level = tmpl->levels[0];
@@ -138,7 +138,7 @@ TEST(Parts, beyond_sixty_four_are_drawn_with_their_neighbours)
     model::check(*tmpl);
 }
 
-TEST(Parts, hang_on_the_lowest_node_above_all_that_moves_them)
+TEST(Parts, HangOnTheLowestNodeAboveAllThatMovesThem)
 {
     Puppet m;
     m.hang(m.hand, "glove");
@@ -155,7 +155,7 @@ TEST(Parts, hang_on_the_lowest_node_above_all_that_moves_them)
     model::check(*tmpl);
 }
 
-TEST(Parts, hang_on_what_is_left_where_nodes_have_stopped)
+TEST(Parts, HangOnWhatIsLeftWhereNodesHaveStopped)
 {
     Puppet m;
     m.skin({m.hand, m.finger}, "glove");
@@ -163,7 +163,7 @@ TEST(Parts, hang_on_what_is_left_where_nodes_have_stopped)
     EXPECT_EQ(built(m)->levels[1].parts[0].node, m.arm);
 }
 
-TEST(PartSpheres, hold_their_part_in_every_pose_of_a_clip)
+TEST(PartSpheres, HoldTheirPartInEveryPoseOfAClip)
 {
     Puppet m;
     m.skin({m.root, m.spine, m.arm, m.hand, m.finger}, "body");
@@ -180,7 +180,7 @@ TEST(PartSpheres, hold_their_part_in_every_pose_of_a_clip)
     EXPECT_EQ(tmpl->levels[1].part_spheres.size(), 4u);
 }
 
-TEST(PartSpheres, hold_what_morph_targets_move_with_degrees_of_freedom_at_their_ends)
+TEST(PartSpheres, HoldWhatMorphTargetsMoveWithDegreesOfFreedomAtTheirEnds)
 {
     Puppet m;
     model::Part &part = m.hang(m.root, "face", 0, for_ever, 3);
@@ -197,7 +197,7 @@ TEST(PartSpheres, hold_what_morph_targets_move_with_degrees_of_freedom_at_their_
     m.rig.clip_names.emplace_back("smile");
     m.rig.times = {0, 1};
     m.rig.values = {0, 0, 0.2f, 0.1f, 30, -20, 0, 0, 0.4f, 0.3f, 0, 0};
-    m.rig.channels.push_back({0, model::Path::morph_weights, model::Interpolation::cubic_spline, 2, 0, 2, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::morph_weights, model::Interpolation::cubic_spline, 2, 0, 2, 0});
     m.rig.dofs.push_back({0, model::DofKind::morph, 1, glm::vec3(0, 1, 0), -2, 3, 0});
     m.rig.dof_names.resize(1);
     const auto tmpl = built(m);
@@ -219,7 +219,7 @@ TEST(PartSpheres, hold_what_morph_targets_move_with_degrees_of_freedom_at_their_
     EXPECT_LE(limits[1].low, -2);
 }
 
-TEST(PartSpheres, of_a_morph_target_hold_both_ends_of_its_weight_and_little_more)
+TEST(PartSpheres, OfAMorphTargetHoldBothEndsOfItsWeightAndLittleMore)
 {
     Puppet m;
     model::Part &part = m.hang(m.root, "face");
@@ -236,7 +236,7 @@ TEST(PartSpheres, of_a_morph_target_hold_both_ends_of_its_weight_and_little_more
     EXPECT_LT(sphere.radius, 16);
 }
 
-TEST(PartSpheres, are_near_the_smallest)
+TEST(PartSpheres, AreNearTheSmallest)
 {
     Puppet m;
     m.hang(m.root, "sheet", 0, for_ever, 8);

@@ -24,7 +24,7 @@ std::array<int, 3> pixel(const std::vector<uint8_t> &picture, uint32_t width, ui
 
 }  // namespace
 
-TEST(Picture, tints_dirty_triangles_red_and_leaves_clean_ones_in_their_zone_s_colour)
+TEST(Picture, TintsDirtyTrianglesRedAndLeavesCleanOnesInTheirZoneSColour)
 {
     // Columns of squares 8 texels wide; the border at 20 lies in the third.
     const auto image = key_image(64, 64, [](uint32_t x, uint32_t) { return uint8_t(x < 20 ? 1 : 2); });
@@ -41,7 +41,7 @@ TEST(Picture, tints_dirty_triangles_red_and_leaves_clean_ones_in_their_zone_s_co
     EXPECT_LE(inside.size(), 2u) << "flat but for an outline";
 }
 
-TEST(Picture, is_made_of_any_texture_with_triangles_beyond_its_edges)
+TEST(Picture, IsMadeOfAnyTextureWithTrianglesBeyondItsEdges)
 {
     model::Model m = torture(8, 0, 30);
     m.parts[0] = sheet_part(3, 3, {-2.5f, -1}, {40, 3});

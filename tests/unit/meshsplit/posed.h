@@ -50,7 +50,7 @@ inline std::vector<uint32_t> corners_of(const model::Level &level, uint32_t part
     if (level.parts.size() == 1) return corners_of(level);
     std::vector<uint32_t> out;
     for (const model::Surface &surface : level.surfaces) {
-        const uint32_t *firsts = surface.part_firsts.data() + part;
+        const uint32_t *firsts = surface.part_offsets.data() + part;
         const auto add = [&](model::IndexRange range) {
             for (uint32_t i = firsts[0]; i < firsts[1]; ++i) out.push_back(level.indices[range.first + i]);
             firsts += level.parts.size() + 1;
@@ -80,8 +80,8 @@ inline void expect_held(const model::Template &tmpl, const model::Level &level, 
                 const math::Affine &m = palette[sphere.entry];
                 float stretch = 0;
                 for (int k = 0; k < 3; ++k) stretch = std::max(stretch, glm::length(m.column(k)));
-                spheres = std::max(spheres,
-                                   glm::dot(unit, math::point(m, sphere.bind.centre)) + stretch * sphere.bind.radius);
+                spheres = std::max(spheres, glm::dot(unit, math::transform_point(m, sphere.bind.centre)) +
+                                                stretch * sphere.bind.radius);
             }
             ASSERT_LE(vertices, spheres) << "part " << p;
         }

@@ -57,7 +57,7 @@ inline double use_parts(const model::Template &tmpl, const model::Level &level)
         }
     }
     for (const model::Surface &surface : level.surfaces) {
-        const uint32_t *firsts = surface.part_firsts.data();
+        const uint32_t *firsts = surface.part_offsets.data();
         if (level.parts.size() < 2) continue;
         const auto read = [&](model::IndexRange range) {
             for (size_t p = 0; p < level.parts.size(); ++p)

@@ -30,7 +30,7 @@ ZoneMap noise(uint32_t width, uint32_t height, uint32_t zones, uint64_t seed)
 
 }  // namespace
 
-TEST(Pyramid, a_smaller_texel_has_a_zone_of_the_majority_of_its_four_and_the_mean_rgb_of_that_zone)
+TEST(Pyramid, ASmallerTexelHasAZoneOfTheMajorityOfItsFourAndTheMeanRgbOfThatZone)
 {
     for (uint64_t seed = 0; seed < 20; ++seed) {
         const ZoneMap big = noise(32, 16, 1 + seed % 5, seed);
@@ -59,7 +59,7 @@ TEST(Pyramid, a_smaller_texel_has_a_zone_of_the_majority_of_its_four_and_the_mea
     }
 }
 
-TEST(Pyramid, ties_go_to_the_zone_of_the_larger_neighbourhood_then_to_the_lower_number)
+TEST(Pyramid, TiesGoToTheZoneOfTheLargerNeighbourhoodThenToTheLowerNumber)
 {
     ZoneMap map(6, 6);
     std::fill(map.zones.begin(), map.zones.end(), uint16_t(9));
@@ -74,7 +74,7 @@ TEST(Pyramid, ties_go_to_the_zone_of_the_larger_neighbourhood_then_to_the_lower_
     EXPECT_EQ(meshsplit::halve(two).zones[0], 3);
 }
 
-TEST(Pyramid, resampling_to_odd_ratios_takes_zone_and_rgb_from_the_box_alone)
+TEST(Pyramid, ResamplingToOddRatiosTakesZoneAndRgbFromTheBoxAlone)
 {
     for (const uint32_t size : {8u, 16u, 64u}) {
         const ZoneMap from = noise(37, 23, 4, size);
@@ -101,7 +101,7 @@ TEST(Pyramid, resampling_to_odd_ratios_takes_zone_and_rgb_from_the_box_alone)
     }
 }
 
-TEST(Pyramid, fitting_gives_powers_of_two_and_leaves_those_alone)
+TEST(Pyramid, FittingGivesPowersOfTwoAndLeavesThoseAlone)
 {
     const ZoneMap odd = meshsplit::fit(noise(300, 130, 3, 1), 1024);
     EXPECT_EQ(odd.width, 512u);
@@ -117,7 +117,7 @@ TEST(Pyramid, fitting_gives_powers_of_two_and_leaves_those_alone)
     EXPECT_EQ(meshsplit::fit(same, 64).zones, same.zones);
 }
 
-TEST(Pyramid, gutters_carry_the_nearest_covered_texel)
+TEST(Pyramid, GuttersCarryTheNearestCoveredTexel)
 {
     for (uint64_t seed = 0; seed < 12; ++seed) {
         ZoneMap map = noise(24, 17, 200, seed);
@@ -143,7 +143,7 @@ TEST(Pyramid, gutters_carry_the_nearest_covered_texel)
     }
 }
 
-TEST(Pyramid, without_anything_covered_nothing_is_filled)
+TEST(Pyramid, WithoutAnythingCoveredNothingIsFilled)
 {
     ZoneMap map = noise(8, 8, 3, 4);
     const ZoneMap before = map;
@@ -151,7 +151,7 @@ TEST(Pyramid, without_anything_covered_nothing_is_filled)
     EXPECT_EQ(map.zones, before.zones);
 }
 
-TEST(Pyramid, unfolding_mirrors)
+TEST(Pyramid, UnfoldingMirrors)
 {
     const ZoneMap map = noise(4, 2, 3, 4);
     const ZoneMap out = meshsplit::unfold(map, true, true);

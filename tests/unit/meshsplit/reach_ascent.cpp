@@ -17,7 +17,10 @@ using model::DofKind;
 namespace
 {
 
-double ascent_lot(uint64_t start, uint64_t i) { return double(base::unit(base::hash(start, i, base::Purpose::pick))); }
+double ascent_random(uint64_t start, uint64_t i)
+{
+    return double(base::unit(base::hash(start, i, base::Purpose::pick)));
+}
 
 glm::dmat3 turn_about(const glm::dvec3 &axis, double angle)
 {
@@ -93,8 +96,8 @@ void Reacher::shuffle(uint64_t start)
 {
     for (size_t d = 0; d < dofs.size(); ++d) {
         const model::Dof &dof = tmpl_.rig.dofs[d];
-        const double f = std::clamp(1.5 * ascent_lot(start, d) - 0.25, 0.0, 1.0);
-        dofs[d] = double(dof.first) + f * (double(dof.last) - double(dof.first));
+        const double f = std::clamp(1.5 * ascent_random(start, d) - 0.25, 0.0, 1.0);
+        dofs[d] = double(dof.min) + f * (double(dof.max) - double(dof.min));
     }
 }
 
@@ -130,7 +133,7 @@ glm::dvec3 Reacher::shaped(const Vertex &vertex) const
         for (size_t d = 0; d < dofs.size(); ++d) {
             const model::Dof &dof = tmpl_.rig.dofs[d];
             if (dof.kind != DofKind::morph) continue;
-            if (tmpl_.rig.morph_sets[dof.node].first_weight + dof.target == weight) sum += dofs[d];
+            if (tmpl_.rig.morph_sets[dof.node].first_weight + dof.morph_target == weight) sum += dofs[d];
         }
         out += sum * move;
     }
@@ -146,7 +149,7 @@ double Reacher::farthest(const glm::dvec3 &centre)
         const glm::dvec3 bind = shaped(vertices_[v]);
         glm::dvec3 at(0);
         for (const auto &[entry, weight] : vertices_[v].influences) {
-            const glm::dvec3 p(math::point(tmpl_.rig.palette[entry].inverse_bind, glm::vec3(bind)));
+            const glm::dvec3 p(math::transform_point(tmpl_.rig.palette[entry].inverse_bind, glm::vec3(bind)));
             at += weight * (palette[entry].turn * p + palette[entry].move);
         }
         const double d = glm::distance(at, centre);
@@ -163,7 +166,7 @@ double Reacher::distance(const glm::dvec3 &centre) const
     for (const auto &[entry, weight] : vertex.influences) {
         const model::PaletteEntry &joint = tmpl_.rig.palette[entry];
         const Frame f = frame(joint.node);
-        at += weight * (f.turn * glm::dvec3(math::point(joint.inverse_bind, glm::vec3(bind))) + f.move);
+        at += weight * (f.turn * glm::dvec3(math::transform_point(joint.inverse_bind, glm::vec3(bind))) + f.move);
     }
     return glm::distance(at, centre);
 }
@@ -173,7 +176,7 @@ double Reacher::distance(const glm::dvec3 &centre) const
 // within the range is looked for in 64 steps, then by halving them.
 double Reacher::best_turn(size_t d, const glm::dvec3 &centre)
 {
-    const double first = double(tmpl_.rig.dofs[d].first), last = double(tmpl_.rig.dofs[d].last);
+    const double first = double(tmpl_.rig.dofs[d].min), last = double(tmpl_.rig.dofs[d].max);
     double mean = 0, c1 = 0, s1 = 0, c2 = 0, s2 = 0;
     for (int i = 0; i < 5; ++i) {
         const double angle = 2 * math::pi * i / 5;
@@ -206,11 +209,11 @@ double Reacher::climb(const glm::dvec3 &centre)
             const model::Dof &dof = tmpl_.rig.dofs[d];
             const double was = dofs[d];
             // Distance is convex along straight ways: the best is at an end.
-            dofs[d] = double(dof.first);
+            dofs[d] = double(dof.min);
             const double at_first = distance(centre);
-            dofs[d] = double(dof.last);
+            dofs[d] = double(dof.max);
             const double at_last = distance(centre);
-            double value = at_first > at_last ? double(dof.first) : double(dof.last);
+            double value = at_first > at_last ? double(dof.min) : double(dof.max);
             if (dof.kind == DofKind::rotation) value = best_turn(d, centre);
             dofs[d] = value;
             if (distance(centre) > most) most = distance(centre);
@@ -235,7 +238,7 @@ double found_reach(const model::Template &tmpl, const glm::dvec3 &centre)
     double most = -ranking[0].first;
     for (uint64_t start = 0; start < 100; ++start) {
         const bool ranked = start % 2 && start / 2 < ranking.size();
-        const size_t any = size_t(ascent_lot(start, 1000) * double(times.size()));
+        const size_t any = size_t(ascent_random(start, 1000) * double(times.size()));
         reacher.pose(times[ranked ? ranking[start / 2].second : any]);
         reacher.shuffle(start);
         most = std::max(most, reacher.climb(centre));

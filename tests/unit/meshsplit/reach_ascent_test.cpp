@@ -7,7 +7,7 @@
 namespace claque::test
 {
 
-TEST(ReachAscent, a_sphere_is_at_most_a_tenth_larger_than_what_climbing_reaches)
+TEST(ReachAscent, ASphereIsAtMostATenthLargerThanWhatClimbingReaches)
 {
     for (const FreeModel &free : free_models()) {
         SCOPED_TRACE(free.name);

@@ -20,14 +20,14 @@ namespace
 void expect_held(const model::Template &tmpl, uint32_t count)
 {
     const glm::dvec3 centre(tmpl.sklsroot.centre);
-    for (const float added : {0.0f, 1.0f, 3.5f, model::most_added}) {
+    for (const float added : {0.0f, 1.0f, 3.5f, model::max_additive_weight}) {
         SCOPED_TRACE(added);
         const Sampled found = sample_blends(tmpl, centre, count, added);
         EXPECT_LE(found.vertex, double(tmpl.blend_radius.at(added)));
         EXPECT_GT(found.vertex, 0);
         for (size_t n = 0; n < found.node.size(); ++n) {
             EXPECT_LE(found.node[n], double(tmpl.blend_reach[n].distance.at(added)) * (1 + 1e-6) + 1e-6) << n;
-            EXPECT_LE(found.stretch[n], double(tmpl.blend_reach[n].stretch.at(added)) * (1 + 1e-6)) << n;
+            EXPECT_LE(found.stretch[n], double(tmpl.blend_reach[n].scale.at(added)) * (1 + 1e-6)) << n;
         }
     }
 }
@@ -48,7 +48,7 @@ model::Model folded()
     const auto add_clip = [&](const char *name, uint32_t node, const std::vector<glm::quat> &turns) {
         m.rig.clips.push_back({uint32_t(m.rig.channels.size()), 1, 0, float(turns.size() - 1)});
         m.rig.clip_names.emplace_back(name);
-        m.rig.channels.push_back({node, model::Path::rotation, model::Interpolation::linear, 4,
+        m.rig.channels.push_back({node, model::ChannelTarget::rotation, model::Interpolation::linear, 4,
                                   uint32_t(m.rig.times.size()), uint32_t(turns.size()), uint32_t(m.rig.values.size())});
         for (size_t k = 0; k < turns.size(); ++k) {
             m.rig.times.push_back(float(k));
@@ -65,7 +65,7 @@ model::Model folded()
 
 }  // namespace
 
-TEST(ReachBlends, that_no_clip_shows_stay_in_their_spheres)
+TEST(ReachBlends, ThatNoClipShowsStayInTheirSpheres)
 {
     for (FreeModel &free : free_models()) {
         SCOPED_TRACE(free.name);
@@ -73,15 +73,15 @@ TEST(ReachBlends, that_no_clip_shows_stay_in_their_spheres)
     }
 }
 
-TEST(ReachBlends, of_built_in_people_stay_in_their_spheres)
+TEST(ReachBlends, OfBuiltInPeopleStayInTheirSpheres)
 {
     const auto tmpl = built(figures::citizen(), 64);
     expect_held(*tmpl, 1500);
     const Sampled alone = sample_reach(*tmpl, glm::dvec3(tmpl->sklsroot.centre), 1000);
-    EXPECT_LT(alone.vertex, double(tmpl->blend_radius.none));
+    EXPECT_LT(alone.vertex, double(tmpl->blend_radius.base));
 }
 
-TEST(ReachBlends, that_unfold_what_clips_leave_folded_are_held_and_hardly_more)
+TEST(ReachBlends, ThatUnfoldWhatClipsLeaveFoldedAreHeldAndHardlyMore)
 {
     const auto tmpl = built(folded(), 64);
     expect_held(*tmpl, 3000);
@@ -95,9 +95,9 @@ TEST(ReachBlends, that_unfold_what_clips_leave_folded_are_held_and_hardly_more)
         layers[0].time_s = 0.05 * k;
         farthest = std::max(farthest, sample_layers(*tmpl, glm::dvec3(tmpl->sklsroot.centre), {layers, 3}).vertex);
     }
-    EXPECT_LE(farthest, double(tmpl->blend_radius.none));
+    EXPECT_LE(farthest, double(tmpl->blend_radius.base));
     EXPECT_GT(farthest, 1.2 * double(tmpl->sklsroot.radius)) << "or no blend would leave the sphere of the clips";
-    EXPECT_GT(farthest, 0.88 * double(tmpl->blend_radius.none)) << "a sphere too small would not be noticed";
+    EXPECT_GT(farthest, 0.88 * double(tmpl->blend_radius.base)) << "a sphere too small would not be noticed";
 }
 
 }  // namespace claque::test

@@ -48,12 +48,12 @@ void expect_held_and_snug(const figures::Builtin &builtin, Moves moves)
 
 }  // namespace
 
-TEST(ReachFigures, that_move_their_heads_stay_in_their_spheres)
+TEST(ReachFigures, ThatMoveTheirHeadsStayInTheirSpheres)
 {
     for (const figures::Builtin &builtin : figures::builtins()) expect_held_and_snug(builtin, Moves::head);
 }
 
-TEST(ReachFigures, that_move_their_trunks_stay_in_their_spheres)
+TEST(ReachFigures, ThatMoveTheirTrunksStayInTheirSpheres)
 {
     for (const figures::Builtin &builtin : figures::builtins()) expect_held_and_snug(builtin, Moves::trunk);
 }

@@ -29,8 +29,9 @@ void add_clip(model::Model &m, float length_s, uint32_t channels)
 FreeModel morphing()
 {
     model::Model m = bare_moving("morphing");
-    const uint32_t body = add_node(m, model::none, {0, 0, 0}, "body"), head = add_node(m, body, {0, 1, 0}, "head");
-    add_box(m, body, {0, 0.4f, 0}, {0.3f, 0.5f, 0.2f});
+    const uint32_t point_set = add_node(m, model::none, {0, 0, 0}, "body"),
+                   head = add_node(m, point_set, {0, 1, 0}, "head");
+    add_box(m, point_set, {0, 0.4f, 0}, {0.3f, 0.5f, 0.2f});
     add_box(m, head, {0, 0.2f, 0}, {0.2f, 0.2f, 0.2f});
     model::Part &face = m.parts.back();
     m.rig.morph_sets.push_back({head, 0, 2});
@@ -44,11 +45,11 @@ FreeModel morphing()
     add_clip(m, 1, 1);
     m.rig.times = {0, 1};
     m.rig.values = {0, 0.5f, 1.2f, -0.5f};
-    m.rig.channels.push_back({0, model::Path::morph_weights, model::Interpolation::linear, 2, 0, 2, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::morph_weights, model::Interpolation::linear, 2, 0, 2, 0});
     add_dof(m, 0, DofKind::morph, {0, 1, 0}, -0.3f, 0.8f);
-    m.rig.dofs.back().target = 0;
+    m.rig.dofs.back().morph_target = 0;
     add_dof(m, 0, DofKind::morph, {0, 1, 0}, 0, 1);
-    m.rig.dofs.back().target = 1;
+    m.rig.dofs.back().morph_target = 1;
     add_dof(m, head, DofKind::rotation, {1, 0, 0}, -0.6f, 0.4f);
     return {"morphing", std::move(m)};
 }
@@ -67,8 +68,8 @@ FreeModel whirl()
     const float h = std::sqrt(0.75f);
     m.rig.times = {0, 1 / 60.0f, 0.5f};
     m.rig.values = {0, 0, 0, 1, 0, h, 0, 0.5f, 0, 0.2f, 0, 0.9798f, 1, 0, 0, 1.5f, 0, 0, 0.8f, 0.5f, 0};
-    m.rig.channels.push_back({table, model::Path::rotation, model::Interpolation::linear, 4, 0, 3, 0});
-    m.rig.channels.push_back({mast, model::Path::translation, model::Interpolation::linear, 3, 0, 3, 12});
+    m.rig.channels.push_back({table, model::ChannelTarget::rotation, model::Interpolation::linear, 4, 0, 3, 0});
+    m.rig.channels.push_back({mast, model::ChannelTarget::translation, model::Interpolation::linear, 3, 0, 3, 12});
     return {"whirl", std::move(m)};
 }
 
@@ -85,8 +86,8 @@ FreeModel overshoot()
     m.rig.values = {0, 0, 0, 0, 1, 0, 0, 240, 0, 0, -240, 0, 0, 1, 0, 0, 0, 0};
     m.rig.values.insert(m.rig.values.end(),
                         {0, 0, 0, 0, 0, 0, 0, 1, 200, 0, 0, 0, 0, 0, 0, 0, 0.6f, 0, 0, 0.8f, 0, 0, 0, 0});
-    m.rig.channels.push_back({arm, model::Path::translation, model::Interpolation::cubic_spline, 3, 0, 2, 0});
-    m.rig.channels.push_back({arm, model::Path::rotation, model::Interpolation::cubic_spline, 4, 0, 2, 18});
+    m.rig.channels.push_back({arm, model::ChannelTarget::translation, model::Interpolation::cubic_spline, 3, 0, 2, 0});
+    m.rig.channels.push_back({arm, model::ChannelTarget::rotation, model::Interpolation::cubic_spline, 4, 0, 2, 18});
     return {"overshoot", std::move(m)};
 }
 
@@ -104,8 +105,9 @@ FreeModel fold()
         m.rig.rest[arm].rotation = i ? glm::quat(s, 0, 0, c) : glm::quat(c, 0, 0, -s);
         add_box(m, arm, {1, 0, 0}, {0.1f, 0.1f, 0.1f});
         add_dof(m, arm, DofKind::rotation, {0, 0, 1}, 0, 1.2f);
-        m.rig.channels.push_back({arm, model::Path::rotation, model::Interpolation::linear, 4, 0, 2, 8 * i});
-        m.rig.channels.push_back({arm, model::Path::translation, model::Interpolation::linear, 3, 0, 2, 16 + 6 * i});
+        m.rig.channels.push_back({arm, model::ChannelTarget::rotation, model::Interpolation::linear, 4, 0, 2, 8 * i});
+        m.rig.channels.push_back(
+            {arm, model::ChannelTarget::translation, model::Interpolation::linear, 3, 0, 2, 16 + 6 * i});
     }
     return {"fold", std::move(m)};
 }
@@ -124,7 +126,7 @@ FreeModel pass()
         const uint32_t tip = add_node(m, arm, {side, 0, 0}, "tip");
         add_box(m, tip, {0, 0, 0}, {0.0001f, 0.0001f, 0.0001f});
         add_dof(m, tip, DofKind::translation, {0, 0, 1}, 0, 0.0001f);
-        m.rig.channels.push_back({arm, model::Path::rotation, model::Interpolation::linear, 4, 0, 2, 0});
+        m.rig.channels.push_back({arm, model::ChannelTarget::rotation, model::Interpolation::linear, 4, 0, 2, 0});
     }
     return {"pass", std::move(m)};
 }

@@ -14,10 +14,10 @@ namespace claque::test
 namespace
 {
 
-using meshsplit::Drift;
 using meshsplit::Locals;
+using meshsplit::MotionBound;
 using meshsplit::PoseAt;
-using meshsplit::Way;
+using meshsplit::PoseSegment;
 
 // A point of a node's frame in model space, degrees of freedom at zero.
 glm::dvec3 placed(const model::Rig &rig, const Locals &locals, uint32_t node, glm::dvec3 p)
@@ -29,37 +29,38 @@ glm::dvec3 placed(const model::Rig &rig, const Locals &locals, uint32_t node, gl
     return p;
 }
 
-void expect_between(const model::Rig &rig, const PoseAt &from, const PoseAt &to, const Way &way)
+void expect_between(const model::Rig &rig, const PoseAt &from, const PoseAt &to, const PoseSegment &segment)
 {
     meshsplit::LocalPoser poser(rig);
     Locals first, last, between;
     poser.pose(from, first), poser.pose(to, last);
     for (uint32_t node = 0; node < rig.node_count(); ++node) {
         const glm::dvec3 p(0.3, 0.4, -0.2);
-        Drift drift;
-        drift.reach = glm::length(p);
-        for (uint32_t n = node; n != model::none; n = rig.parents[n]) drift = way.nodes[n].of(drift, 0);
+        MotionBound motion_bound;
+        motion_bound.reach = glm::length(p);
+        for (uint32_t n = node; n != model::none; n = rig.parents[n])
+            motion_bound = segment.nodes[n].of(motion_bound, 0);
         const glm::dvec3 a = placed(rig, first, node, p), b = placed(rig, last, node, p);
-        const double noise = 2e-6 * (1 + drift.reach);
-        EXPECT_LE(glm::distance(a, b), drift.speed + noise);
+        const double noise = 2e-6 * (1 + motion_bound.reach);
+        EXPECT_LE(glm::distance(a, b), motion_bound.speed + noise);
         for (int k = 1; k < 16; ++k) {
             poser.pose({to.clip, from.time_s + (to.time_s - from.time_s) * k / 16}, between);
             const glm::dvec3 at = placed(rig, between, node, p);
-            EXPECT_LE(glm::length(at), drift.reach + noise);
-            EXPECT_LE(glm::distance(at, glm::mix(a, b, k / 16.0)), drift.off_line() + noise);
+            EXPECT_LE(glm::length(at), motion_bound.reach + noise);
+            EXPECT_LE(glm::distance(at, glm::mix(a, b, k / 16.0)), motion_bound.chord_deviation() + noise);
         }
     }
 }
 
 }  // namespace
 
-TEST(ReachPoses, stray_from_straight_ways_as_far_as_they_say)
+TEST(ReachPoses, DeviateFromStraightLinesByAtMostTheirBound)
 {
     for (const FreeModel &free : moving_models()) {
         SCOPED_TRACE(free.name);
         PoseAt before;
         uint32_t ways = 0;
-        meshsplit::walk_poses(free.model.rig, [&](const PoseAt &at, const Locals &, const Way *since) {
+        meshsplit::walk_poses(free.model.rig, [&](const PoseAt &at, const Locals &, const PoseSegment *since) {
             if (since) ++ways, expect_between(free.model.rig, before, at, *since);
             before = at;
         });

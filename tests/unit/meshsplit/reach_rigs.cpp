@@ -14,11 +14,12 @@ using model::DofKind;
 namespace
 {
 
-float rig_lot(uint32_t seed, uint32_t i) { return base::unit(base::hash(seed, i, base::Purpose::pick)); }
+float rig_random(uint32_t seed, uint32_t i) { return base::unit(base::hash(seed, i, base::Purpose::pick)); }
 
 glm::vec3 any_axis(uint32_t seed, uint32_t i)
 {
-    return glm::normalize(glm::vec3(rig_lot(seed, 3 * i), rig_lot(seed, 3 * i + 1), rig_lot(seed, 3 * i + 2)) - 0.4f);
+    return glm::normalize(glm::vec3(rig_random(seed, 3 * i), rig_random(seed, 3 * i + 1), rig_random(seed, 3 * i + 2)) -
+                          0.4f);
 }
 
 model::Model bare(const char *name)
@@ -34,7 +35,7 @@ FreeModel chain(const char *name, float widest)
     model::Model m = bare(name);
     for (uint32_t i = 0; i < 8; ++i) {
         const uint32_t node = add_node(m, i == 0 ? model::none : i - 1, {0, i == 0 ? 0 : 1, 0}, "link");
-        add_dof(m, node, DofKind::rotation, any_axis(7, i), -widest * rig_lot(8, i), widest * rig_lot(9, i));
+        add_dof(m, node, DofKind::rotation, any_axis(7, i), -widest * rig_random(8, i), widest * rig_random(9, i));
         add_box(m, node, {0, 0.5f, 0}, {0.1f, 0.5f, 0.2f});
     }
     return {name, std::move(m)};
@@ -62,15 +63,15 @@ FreeModel scaled_and_mirrored()
     model::Model m = bare("scaled and mirrored");
     const uint32_t file = add_node(m, model::none, {0, 0, 0}, "file");
     m.rig.rest[file].scale = glm::vec3(0.01f);
-    const uint32_t body = add_node(m, file, {20, 80, 0}, "body"), arm = add_node(m, body, {40, 30, 0}, "arm");
-    m.rig.rest[body].scale = glm::vec3(1, 2, 0.5f);
+    const uint32_t point_set = add_node(m, file, {20, 80, 0}, "body"), arm = add_node(m, point_set, {40, 30, 0}, "arm");
+    m.rig.rest[point_set].scale = glm::vec3(1, 2, 0.5f);
     m.rig.rest[arm].scale = glm::vec3(-1, 1, 1.5f);
     m.rig.rest[arm].rotation = glm::normalize(glm::quat(0.9f, 0.2f, -0.3f, 0.1f));
     const uint32_t hand = add_node(m, arm, {50, 0, 10}, "hand");
-    add_box(m, body, {0, 0, 0}, {30, 40, 20});
+    add_box(m, point_set, {0, 0, 0}, {30, 40, 20});
     add_box(m, arm, {25, 0, 0}, {25, 8, 8});
     add_box(m, hand, {10, 0, 0}, {12, 6, 3});
-    add_dof(m, body, DofKind::rotation, {0, 1, 0}, -1, 0.5f);
+    add_dof(m, point_set, DofKind::rotation, {0, 1, 0}, -1, 0.5f);
     add_dof(m, arm, DofKind::rotation, {0, 0, 1}, -2, 1.2f);
     add_dof(m, arm, DofKind::rotation, {0, 1, 0}, -0.7f, 0.9f);
     add_dof(m, hand, DofKind::rotation, {1, 0, 0}, -1.5f, 1.5f);
@@ -125,9 +126,9 @@ FreeModel levels()
     const uint32_t base = add_node(m, model::none, {0, 0, 0}, "base"), arm = add_node(m, base, {0, 1, 0}, "arm");
     add_box(m, base, {0, 0.5f, 0}, {0.2f, 0.5f, 0.2f});
     add_box(m, arm, {0, 0.5f, 0}, {0.1f, 0.5f, 0.1f});
-    m.parts.back().lod_last_m = 20;
+    m.parts.back().lod_max_m = 20;
     add_box(m, arm, {0, 0.6f, 0}, {0.2f, 0.7f, 0.2f});
-    m.parts.back().lod_first_m = 20;
+    m.parts.back().lod_min_m = 20;
     add_dof(m, arm, DofKind::rotation, {0, 0, 1}, -1.5f, 0.2f);
     return {"levels", std::move(m)};
 }
@@ -138,7 +139,7 @@ void add_dof(model::Model &m, uint32_t node, DofKind kind, glm::vec3 axis, float
 {
     model::Dof dof;
     dof.node = node, dof.kind = kind, dof.axis = axis;
-    dof.first = first, dof.last = last;
+    dof.min = first, dof.max = last;
     dof.rest = std::min(std::max(0.0f, first), last);
     m.rig.dofs.push_back(dof);
     m.rig.dof_names.emplace_back(std::to_string(m.rig.dofs.size()));

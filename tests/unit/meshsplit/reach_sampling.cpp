@@ -13,7 +13,7 @@ namespace claque::test
 namespace
 {
 
-float sampling_lot(uint64_t seed, uint64_t i) { return base::unit(base::hash(seed, i, base::Purpose::pick, 77)); }
+float sampling_random(uint64_t seed, uint64_t i) { return base::unit(base::hash(seed, i, base::Purpose::pick, 77)); }
 
 class Sampler
 {
@@ -27,7 +27,7 @@ public:
           palette_(tmpl.rig.palette.size() + 1),
           weights_(tmpl.rig.rest_weights.size()),
           scratch_(pose::scratch_floats(tmpl.rig)),
-          masks_(pose::most_layers, std::vector<float>(tmpl.rig.node_count()))
+          masks_(pose::max_layers, std::vector<float>(tmpl.rig.node_count()))
     {
         out_.node.resize(tmpl.rig.node_count());
         out_.stretch.resize(tmpl.rig.node_count());
@@ -37,36 +37,36 @@ public:
     {
         const model::Rig &rig = tmpl_.rig;
         pose::PoseJob job = job_of(sample);
-        const uint32_t which = uint32_t(sampling_lot(sample, 1000) * float(rig.clips.size() + 1));
+        const uint32_t which = uint32_t(sampling_random(sample, 1000) * float(rig.clips.size() + 1));
         if (which < rig.clips.size()) {
             job.clip = which;
             job.time_s =
-                double(rig.clips[which].start_s) + double(rig.clips[which].duration_s * sampling_lot(sample, 1001));
+                double(rig.clips[which].start_s) + double(rig.clips[which].duration_s * sampling_random(sample, 1001));
         }
         look(job);
     }
 
     void take_blend(uint64_t sample, float added)
     {
-        std::vector<pose::Layer> layers(1 + uint32_t(sampling_lot(sample, 2000) * float(pose::most_layers)));
+        std::vector<pose::Layer> layers(1 + uint32_t(sampling_random(sample, 2000) * float(pose::max_layers)));
         float left = added;
         for (uint32_t i = 0; i < layers.size(); ++i) {
             const uint64_t first = 2100 + 100 * i;
             pose::Layer &layer = layers[i];
             any_moment(sample, first, layer.clip, layer.time_s);
             // 0, 1 and what lies between, each often.
-            layer.weight = i == 0 ? 1 : std::clamp(2 * sampling_lot(sample, first + 2) - 0.5f, 0.0f, 1.0f);
-            if (i > 0 && sampling_lot(sample, first + 3) < 0.6f && left > 0) {
+            layer.weight = i == 0 ? 1 : std::clamp(2 * sampling_random(sample, first + 2) - 0.5f, 0.0f, 1.0f);
+            if (i > 0 && sampling_random(sample, first + 3) < 0.6f && left > 0) {
                 layer.kind = pose::LayerKind::add;
                 const float weight =
-                    std::min(left, added * std::clamp(2 * sampling_lot(sample, first + 4), 0.0f, 1.0f));
+                    std::min(left, added * std::clamp(2 * sampling_random(sample, first + 4), 0.0f, 1.0f));
                 left -= weight;
-                layer.weight = sampling_lot(sample, first + 5) < 0.5f ? weight : -weight;
+                layer.weight = sampling_random(sample, first + 5) < 0.5f ? weight : -weight;
                 any_moment(sample, first + 6, layer.reference_clip, layer.reference_time_s);
             }
-            if (i == 0 || sampling_lot(sample, first + 8) < 0.3f) continue;
+            if (i == 0 || sampling_random(sample, first + 8) < 0.3f) continue;
             for (size_t n = 0; n < masks_[i].size(); ++n)
-                masks_[i][n] = std::clamp(3 * sampling_lot(sample, first + 20 + n % 80) - 1, 0.0f, 1.0f);
+                masks_[i][n] = std::clamp(3 * sampling_random(sample, first + 20 + n % 80) - 1, 0.0f, 1.0f);
             layer.mask = masks_[i].data();
         }
         pose::PoseJob job = job_of(sample);
@@ -91,10 +91,10 @@ private:
     void any_moment(uint64_t sample, uint64_t first, uint32_t &clip, double &time_s) const
     {
         const model::Rig &rig = tmpl_.rig;
-        const uint32_t which = uint32_t(sampling_lot(sample, first) * float(rig.clips.size() + 1));
+        const uint32_t which = uint32_t(sampling_random(sample, first) * float(rig.clips.size() + 1));
         clip = which < rig.clips.size() ? which : model::none;
         if (clip == model::none) return;
-        const float share = std::clamp(1.2f * sampling_lot(sample, first + 1) - 0.1f, 0.0f, 1.0f);
+        const float share = std::clamp(1.2f * sampling_random(sample, first + 1) - 0.1f, 0.0f, 1.0f);
         time_s = double(rig.clips[clip].start_s) + double(rig.clips[clip].duration_s * share);
     }
 
@@ -102,8 +102,8 @@ private:
     {
         const model::Rig &rig = tmpl_.rig;
         for (size_t d = 0; d < dofs_.size(); ++d) {
-            const float f = std::clamp(2 * sampling_lot(sample, d) - 0.5f, 0.0f, 1.0f);
-            dofs_[d] = f < 1 ? rig.dofs[d].first + f * (rig.dofs[d].last - rig.dofs[d].first) : rig.dofs[d].last;
+            const float f = std::clamp(2 * sampling_random(sample, d) - 0.5f, 0.0f, 1.0f);
+            dofs_[d] = f < 1 ? rig.dofs[d].min + f * (rig.dofs[d].max - rig.dofs[d].min) : rig.dofs[d].max;
         }
         pose::PoseJob job;
         job.rig = &rig;
@@ -137,7 +137,7 @@ private:
                 for (uint32_t i = 0; i < run.influences; ++i) {
                     const uint32_t k = run.first_influence + v * run.influences + i;
                     at += double(level.weights[k]) *
-                          glm::dvec3(math::point(palette_[level.joints[k]], {p[0], p[1], p[2]}));
+                          glm::dvec3(math::transform_point(palette_[level.joints[k]], {p[0], p[1], p[2]}));
                 }
                 out_.vertex = std::max(out_.vertex, glm::distance(at, centre_));
             }

@@ -21,13 +21,16 @@ using model::DofKind;
 namespace
 {
 
-double lot(uint64_t i) { return double(base::unit(base::hash(5, i, base::Purpose::pick))); }
+double random_unit(uint64_t i) { return double(base::unit(base::hash(5, i, base::Purpose::pick))); }
 
-glm::dvec3 any_vector(uint64_t i) { return glm::dvec3(lot(3 * i), lot(3 * i + 1), lot(3 * i + 2)) - 0.5; }
+glm::dvec3 any_vector(uint64_t i)
+{
+    return glm::dvec3(random_unit(3 * i), random_unit(3 * i + 1), random_unit(3 * i + 2)) - 0.5;
+}
 
 }  // namespace
 
-TEST(Reach, no_vertex_of_a_hundred_thousand_poses_is_outside)
+TEST(Reach, NoVertexOfAHundredThousandPosesIsOutside)
 {
     for (const FreeModel &free : free_models()) {
         SCOPED_TRACE(free.name);
@@ -37,37 +40,37 @@ TEST(Reach, no_vertex_of_a_hundred_thousand_poses_is_outside)
         ASSERT_EQ(tmpl->node_reach.size(), sampled.node.size());
         for (size_t n = 0; n < sampled.node.size(); ++n) {
             EXPECT_LE(sampled.node[n], double(tmpl->node_reach[n].distance)) << n;
-            EXPECT_LE(sampled.stretch[n], double(tmpl->node_reach[n].stretch)) << n;
+            EXPECT_LE(sampled.stretch[n], double(tmpl->node_reach[n].scale)) << n;
         }
     }
 }
 
-TEST(Reach, nodes_are_not_said_to_go_much_farther_than_they_do)
+TEST(Reach, NodeReachBoundsAreTight)
 {
     const auto tmpl = built(articulated_actor().model);
     const Sampled sampled = sample_reach(*tmpl, glm::dvec3(tmpl->sklsroot.centre), 100000);
     for (size_t n = 0; n < sampled.node.size(); ++n) {
         EXPECT_LE(double(tmpl->node_reach[n].distance), 1.15 * sampled.node[n] + 0.01) << n;
-        EXPECT_LE(double(tmpl->node_reach[n].stretch), 1.0001) << n;
+        EXPECT_LE(double(tmpl->node_reach[n].scale), 1.0001) << n;
     }
 }
 
-TEST(Reach, lengths_are_not_said_to_stretch_much_more_than_they_do)
+TEST(Reach, StretchBoundsAreTight)
 {
     for (const FreeModel &free : free_models()) {
         SCOPED_TRACE(free.name);
         const auto tmpl = built(free.model);
         const Sampled sampled = sample_reach(*tmpl, glm::dvec3(0), 10);
         for (size_t n = 0; n < sampled.node.size(); ++n)
-            EXPECT_LE(double(tmpl->node_reach[n].stretch), 2 * sampled.stretch[n]) << n;
+            EXPECT_LE(double(tmpl->node_reach[n].scale), 2 * sampled.stretch[n]) << n;
     }
 }
 
-TEST(Reach, a_skeleton_root_that_cannot_move_keeps_nearly_the_sphere_of_its_clips)
+TEST(Reach, ASkeletonRootThatCannotMoveKeepsNearlyTheSphereOfItsClips)
 {
     for (FreeModel &free : free_models()) {
         SCOPED_TRACE(free.name);
-        for (model::Dof &dof : free.model.rig.dofs) dof.first = dof.last = dof.rest = 0;
+        for (model::Dof &dof : free.model.rig.dofs) dof.min = dof.max = dof.rest = 0;
         const auto held = built(free.model);
         free.model.rig.dofs.clear();
         free.model.rig.dof_names.clear();
@@ -78,11 +81,11 @@ TEST(Reach, a_skeleton_root_that_cannot_move_keeps_nearly_the_sphere_of_its_clip
         }
         ASSERT_EQ(bare->node_reach.size(), held->node_reach.size());
         for (size_t n = 0; n < bare->node_reach.size(); ++n)
-            EXPECT_FLOAT_EQ(bare->node_reach[n].stretch, held->node_reach[n].stretch);
+            EXPECT_FLOAT_EQ(bare->node_reach[n].scale, held->node_reach[n].scale);
     }
 }
 
-TEST(Reach, the_farther_level_counts_too)
+TEST(Reach, TheFartherLevelCountsToo)
 {
     for (FreeModel &free : free_models()) {
         if (free.name != "levels") continue;
@@ -93,14 +96,14 @@ TEST(Reach, the_farther_level_counts_too)
     }
 }
 
-TEST(ReachDirections, any_vector_is_made_of_three_neighbours_without_negative_weights)
+TEST(ReachDirections, AnyVectorIsMadeOfThreeNeighboursWithoutNegativeWeights)
 {
     for (const int splits : {0, 2, 3}) {
         const meshsplit::Directions directions(splits);
         EXPECT_EQ(directions.count(), size_t(10 * (1 << (2 * splits)) + 2));
         for (uint64_t i = 0; i < 20000; ++i) {
             const glm::dvec3 v = i < directions.count() ? directions[i] : glm::normalize(any_vector(i));
-            const meshsplit::Blend blend = directions.find(v);
+            const meshsplit::DirectionBlend blend = directions.find(v);
             glm::dvec3 sum(0);
             double weights = 0;
             for (size_t k = 0; k < 3; ++k) {
@@ -109,22 +112,22 @@ TEST(ReachDirections, any_vector_is_made_of_three_neighbours_without_negative_we
                 weights += double(blend.weight[k]);
             }
             ASSERT_LT(glm::distance(sum, v), 1e-6);
-            ASSERT_LE(weights, directions.most_weight() + 1e-6);
+            ASSERT_LE(weights, directions.max_weight() + 1e-6);
         }
     }
 }
 
-TEST(ReachSupport, a_degree_of_freedom_spreads_points_as_far_as_they_go_and_hardly_farther)
+TEST(ReachSupport, ADegreeOfFreedomSweepsPointsAsFarAsTheyGoAndHardlyFarther)
 {
     const meshsplit::Directions directions(3);
     const glm::vec3 axis = glm::normalize(glm::vec3(1, 2, -0.5f));
     for (const DofKind kind : {DofKind::rotation, DofKind::translation}) {
         model::Dof dof;
-        dof.kind = kind, dof.axis = axis, dof.first = -0.7f, dof.last = 1.9f;
+        dof.kind = kind, dof.axis = axis, dof.min = -0.7f, dof.max = 1.9f;
         const glm::dvec3 p(0.3, 0.8, -0.6);
         meshsplit::Support set, scratch;
         for (size_t i = 0; i < directions.count(); ++i) set.push_back(glm::dot(directions[i], p));
-        meshsplit::Freedom(directions, dof).spread(glm::length(p), set, scratch);
+        meshsplit::DofSweep(directions, dof).sweep(glm::length(p), set, scratch);
         for (size_t i = 0; i < directions.count(); ++i) {
             double most = -1e9;
             for (int k = 0; k <= 2000; ++k) {

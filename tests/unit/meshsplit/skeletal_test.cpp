@@ -15,7 +15,7 @@ std::vector<uint32_t> list(const model::Array<uint32_t> &array) { return {array.
 
 }  // namespace
 
-TEST(SkeletalLevels, a_node_that_stops_takes_along_all_below_it)
+TEST(SkeletalLevels, ANodeThatStopsTakesAlongAllBelowIt)
 {
     Puppet m;
     m.skin({m.root, m.spine, m.arm, m.hand, m.finger}, "body");
@@ -30,12 +30,12 @@ TEST(SkeletalLevels, a_node_that_stops_takes_along_all_below_it)
     EXPECT_EQ(list(tmpl->levels[3].nodes), (std::vector<uint32_t>{0, 1, 5}));
     EXPECT_EQ(std::vector<uint8_t>(tmpl->levels[2].active.begin(), tmpl->levels[2].active.end()),
               (std::vector<uint8_t>{1, 1, 0, 0, 0, 1}));
-    EXPECT_EQ(tmpl->levels[1].skeletal, 1u);
-    EXPECT_EQ(tmpl->levels[3].skeletal, 2u) << "it shares poses with the level before";
+    EXPECT_EQ(tmpl->levels[1].skeletal_level, 1u);
+    EXPECT_EQ(tmpl->levels[3].skeletal_level, 2u) << "it shares poses with the level before";
     model::check(*tmpl);
 }
 
-TEST(SkeletalLevels, entries_are_those_of_all_levels_that_share_poses)
+TEST(SkeletalLevels, EntriesAreThoseOfAllLevelsThatSharePoses)
 {
     Puppet m;
     m.hang(m.root, "body", 0, 30);
@@ -47,24 +47,24 @@ TEST(SkeletalLevels, entries_are_those_of_all_levels_that_share_poses)
     ASSERT_EQ(tmpl->levels.size(), 4u);
     EXPECT_EQ(list(tmpl->levels[0].entries), (std::vector<uint32_t>{0, 1, 3, 4}));
     EXPECT_EQ(list(tmpl->levels[1].entries), list(tmpl->levels[0].entries));
-    EXPECT_EQ(tmpl->levels[1].skeletal, 0u);
+    EXPECT_EQ(tmpl->levels[1].skeletal_level, 0u);
     EXPECT_EQ(list(tmpl->levels[2].entries), (std::vector<uint32_t>{1, 2}));
-    EXPECT_EQ(tmpl->levels[3].skeletal, 2u);
+    EXPECT_EQ(tmpl->levels[3].skeletal_level, 2u);
 }
 
-TEST(SkeletalLevels, geometry_alone_that_changes_leaves_one_whole_skeleton)
+TEST(SkeletalLevels, LevelsOfMeshesAloneKeepOneWholeSkeleton)
 {
     Puppet m;
     m.hang(m.root, "body", 0, 30);
     m.hang(m.spine, "coarse body", 30);
     const auto tmpl = built(m);
     for (const model::Level &level : tmpl->levels) {
-        EXPECT_EQ(level.skeletal, 0u);
+        EXPECT_EQ(level.skeletal_level, 0u);
         EXPECT_TRUE(level.active.empty() && level.nodes.empty() && level.entries.empty());
     }
 }
 
-TEST(SkeletalLevels, where_stopped_nodes_are_at_rest_vertices_are_where_they_are_with_all_nodes)
+TEST(SkeletalLevels, WhereStoppedNodesAreAtRestVerticesAreWhereTheyAreWithAllNodes)
 {
     Puppet m;
     m.rig.rest[m.arm].rotation = glm::quat(0.8f, 0.6f, 0, 0);
@@ -89,7 +89,7 @@ TEST(SkeletalLevels, where_stopped_nodes_are_at_rest_vertices_are_where_they_are
     model::check(*tmpl);
 }
 
-TEST(SkeletalLevels, where_stopped_nodes_move_vertices_follow_what_is_left)
+TEST(SkeletalLevels, WhereStoppedNodesMoveVerticesFollowWhatIsLeft)
 {
     Puppet m;
     m.skin({m.root, m.spine, m.arm, m.hand, m.finger}, "body");
@@ -99,7 +99,7 @@ TEST(SkeletalLevels, where_stopped_nodes_move_vertices_follow_what_is_left)
     EXPECT_GT(largest_difference(posed(*tmpl, 1, 0, 0.0), posed(*tmpl, 0, 0, 0.0)), 0.1f);
 }
 
-TEST(SkeletalLevels, a_skin_that_rests_as_it_was_bound_needs_no_further_entries)
+TEST(SkeletalLevels, ASkinThatRestsAsItWasBoundNeedsNoFurtherEntries)
 {
     Puppet m;
     m.rig.rest[m.spine].rotation = glm::quat(0.8f, 0.6f, 0, 0);
@@ -112,7 +112,7 @@ TEST(SkeletalLevels, a_skin_that_rests_as_it_was_bound_needs_no_further_entries)
     EXPECT_EQ(built(m)->rig.palette.size(), 7u);
 }
 
-TEST(SkeletalLevels, weights_of_entries_that_become_one_add_up)
+TEST(SkeletalLevels, WeightsOfEntriesThatBecomeOneAddUp)
 {
     Puppet m;
     m.skin({m.root, m.spine, m.arm, m.hand, m.finger}, "body");
@@ -129,7 +129,7 @@ TEST(SkeletalLevels, weights_of_entries_that_become_one_add_up)
     EXPECT_GT(tmpl->levels[0].runs.back().influences, 1u);
 }
 
-TEST(SkeletalLevels, entries_that_only_stopped_parts_use_do_not_move)
+TEST(SkeletalLevels, EntriesThatOnlyStoppedPartsUseDoNotMove)
 {
     Puppet m;
     m.skin({m.root, m.spine}, "body");

@@ -40,8 +40,8 @@ model::Model arm(model::Interpolation how)
     m.rig.times = {0, 0.5f, 1};
     const float h = std::sqrt(0.5f);
     m.rig.values = {0, 0, -h, h, 0, 0, 0, 1, 0, 0, h, h, 0, 0, 0, 0, 1, 0, 0, -3, 0};
-    m.rig.channels.push_back({1, model::Path::rotation, how, 4, 0, 3, 0});
-    m.rig.channels.push_back({0, model::Path::translation, how, 3, 0, 3, 12});
+    m.rig.channels.push_back({1, model::ChannelTarget::rotation, how, 4, 0, 3, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::translation, how, 3, 0, 3, 12});
     return m;
 }
 
@@ -60,7 +60,7 @@ void each_position(const model::Template &tmpl, const Body &body)
                 for (uint32_t i = 0; i < run.influences; ++i) {
                     const uint32_t k = run.first_influence + v * run.influences + i;
                     at += double(level.weights[k]) *
-                          glm::dvec3(math::point(palette[level.joints[k]], {p[0], p[1], p[2]}));
+                          glm::dvec3(math::transform_point(palette[level.joints[k]], {p[0], p[1], p[2]}));
                 }
                 body(at);
             }
@@ -85,14 +85,14 @@ void expect_snug(const model::Template &tmpl, double slack)
 
 }  // namespace
 
-TEST(Spheres, hold_every_vertex_of_a_turning_arm_within_a_percent)
+TEST(Spheres, HoldEveryVertexOfATurningArmWithinAPercent)
 {
     expect_snug(*built(arm(model::Interpolation::linear)), 0.01);
 }
 
-TEST(Spheres, hold_poses_that_jump) { expect_snug(*built(arm(model::Interpolation::step)), 0.01); }
+TEST(Spheres, HoldPosesThatJump) { expect_snug(*built(arm(model::Interpolation::step)), 0.01); }
 
-TEST(Spheres, a_still_model_gets_the_sphere_of_its_mesh)
+TEST(Spheres, AStillModelGetsTheSphereOfItsMesh)
 {
     model::Model m = empty_model();
     m.parts.push_back(sheet_part(3, 3));
@@ -102,7 +102,7 @@ TEST(Spheres, a_still_model_gets_the_sphere_of_its_mesh)
     EXPECT_NEAR(tmpl->sklsroot.centre.x, 0.5, 0.01);
 }
 
-TEST(Spheres, hold_morph_targets_at_their_weights)
+TEST(Spheres, HoldMorphTargetsAtTheirWeights)
 {
     model::Model m = empty_model();
     m.parts.push_back(sheet_part(1, 1));
@@ -116,14 +116,14 @@ TEST(Spheres, hold_morph_targets_at_their_weights)
     m.rig.clip_names.emplace_back("grow");
     m.rig.times = {0, 1};
     m.rig.values = {0, 2};
-    m.rig.channels.push_back({0, model::Path::morph_weights, model::Interpolation::linear, 1, 0, 2, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::morph_weights, model::Interpolation::linear, 1, 0, 2, 0});
     const auto tmpl = built(m);
     EXPECT_NEAR(tmpl->sklsroot.centre.z, 5, 0.05);
     EXPECT_GE(tmpl->sklsroot.radius, std::sqrt(25.5f));
     EXPECT_LE(tmpl->sklsroot.radius, std::sqrt(25.5f) * 1.01f);
 }
 
-TEST(Spheres, hold_what_bulges_out_between_two_poses)
+TEST(Spheres, HoldWhatBulgesOutBetweenTwoPoses)
 {
     model::Model m = empty_model();
     m.parts.push_back(sheet_part(1, 1));
@@ -141,7 +141,7 @@ TEST(Spheres, hold_what_bulges_out_between_two_poses)
     m.rig.clip_names.emplace_back("whirl");
     m.rig.times = {0, 1 / 60.0f};
     m.rig.values = {0, 0, 0, 1, 0, 0, std::sqrt(0.75f), 0.5f};  // 120 degrees about z
-    m.rig.channels.push_back({0, model::Path::rotation, model::Interpolation::linear, 4, 0, 2, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::rotation, model::Interpolation::linear, 4, 0, 2, 0});
     const auto tmpl = built(m);
     pose::Workspace workspace(tmpl->rig);
     const model::Level &level = tmpl->levels[0];
@@ -149,13 +149,13 @@ TEST(Spheres, hold_what_bulges_out_between_two_poses)
         const auto palette = workspace.pose(0, step / 6000.0);
         for (uint32_t v = 0; v < level.source_count; ++v) {
             const float *p = &level.positions[3 * v];
-            const glm::vec3 at = math::point(palette[level.joints[v]], {p[0], p[1], p[2]});
+            const glm::vec3 at = math::transform_point(palette[level.joints[v]], {p[0], p[1], p[2]});
             ASSERT_LE(glm::distance(at, tmpl->sklsroot.centre), tmpl->sklsroot.radius) << step;
         }
     }
 }
 
-TEST(Spheres, clips_are_looked_at_at_their_keys_and_sixty_times_a_second)
+TEST(Spheres, ClipsAreLookedAtAtTheirKeysAndSixtyTimesASecond)
 {
     const model::Model m = arm(model::Interpolation::linear);
     const auto times = meshsplit::sample_times(m.rig, 0);

@@ -97,7 +97,7 @@ void expect_fewest_copies(const Level &level)
 
 }  // namespace
 
-TEST(Streams, torture_of_2_to_48_zones_keeps_every_law_and_loses_nothing)
+TEST(Streams, TortureOf2To48ZonesKeepsEveryLawAndLosesNothing)
 {
     for (const uint32_t zones : {2u, 8u, 10u, 16u, 48u}) {
         const auto tmpl = built(torture(zones, 10, 5));
@@ -111,7 +111,7 @@ TEST(Streams, torture_of_2_to_48_zones_keeps_every_law_and_loses_nothing)
     }
 }
 
-TEST(Streams, keys_may_start_at_0_and_be_1_apart)
+TEST(Streams, KeysMayStartAt0AndBe1Apart)
 {
     for (const uint32_t zones : {2u, 16u, 200u}) {
         const auto tmpl = built(torture(zones, 0, 1));
@@ -122,7 +122,7 @@ TEST(Streams, keys_may_start_at_0_and_be_1_apart)
     }
 }
 
-TEST(Streams, clean_triangles_lie_in_the_bin_of_their_zone)
+TEST(Streams, CleanTrianglesLieInTheBinOfTheirZone)
 {
     // Left half zone 7, right half zone 3; eight columns of triangles, none across.
     const auto image = key_image(64, 64, [](uint32_t x, uint32_t) { return x < 30 ? 7 : 3; });
@@ -145,7 +145,7 @@ TEST(Streams, clean_triangles_lie_in_the_bin_of_their_zone)
     EXPECT_EQ(tmpl->zone_clean[1], 16u);
 }
 
-TEST(Streams, holes_make_no_triangle_dirty_and_a_triangle_of_holes_is_kept)
+TEST(Streams, HolesMakeNoTriangleDirtyAndATriangleOfHolesIsKept)
 {
     model::Model m = empty_model();
     model::Image image =
@@ -167,7 +167,7 @@ TEST(Streams, holes_make_no_triangle_dirty_and_a_triangle_of_holes_is_kept)
             EXPECT_EQ(texture.rgba[4 * (y * 32 + x) + 3], (x / 2 + y / 2) % 2 || x < 16 ? 0 : 255);
 }
 
-TEST(Streams, every_key_that_a_triangle_samples_is_in_its_zone_set)
+TEST(Streams, EveryKeyThatATriangleSamplesIsInItsZoneSet)
 {
     const auto tmpl = built(torture(10, 0, 25));
     const Level &level = tmpl->levels[0];

@@ -25,13 +25,13 @@ model::Model everything()
     m.rig.clip_names.emplace_back("grow");
     m.rig.times = {0, 1};
     m.rig.values = {0, 0, 0, 1, 2, 3};
-    m.rig.channels.push_back({0, model::Path::translation, model::Interpolation::linear, 3, 0, 2, 0});
+    m.rig.channels.push_back({0, model::ChannelTarget::translation, model::Interpolation::linear, 3, 0, 2, 0});
     return m;
 }
 
 }  // namespace
 
-TEST(TemplateFile, saved_loaded_and_saved_again_is_the_same_bytes)
+TEST(TemplateFile, SavedLoadedAndSavedAgainIsTheSameBytes)
 {
     for (const model::Model &m : {everything(), torture(16, 3, 5), puppet_in_levels()}) {
         const Bytes first = saved(*built(m));
@@ -43,7 +43,7 @@ TEST(TemplateFile, saved_loaded_and_saved_again_is_the_same_bytes)
     }
 }
 
-TEST(TemplateFile, is_refused_when_cut_at_any_byte_or_longer)
+TEST(TemplateFile, IsRefusedWhenCutAtAnyByteOrLonger)
 {
     Bytes bytes = saved(*built(everything()));
     for (size_t size = 0; size < bytes.size(); ++size)
@@ -52,7 +52,7 @@ TEST(TemplateFile, is_refused_when_cut_at_any_byte_or_longer)
     EXPECT_EQ(outcome(bytes), CLQ_FORMAT);
 }
 
-TEST(TemplateFile, is_refused_when_any_byte_is_changed)
+TEST(TemplateFile, IsRefusedWhenAnyByteIsChanged)
 {
     const Bytes bytes = saved(*built(everything()));
     for (size_t i = 0; i < bytes.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(TemplateFile, is_refused_when_any_byte_is_changed)
     }
 }
 
-TEST(TemplateFile, cut_short_with_a_forged_hash_is_refused)
+TEST(TemplateFile, CutShortWithAForgedHashIsRefused)
 {
     const Bytes bytes = saved(*built(everything()));
     for (size_t size = 33; size < bytes.size(); ++size) {
@@ -73,7 +73,7 @@ TEST(TemplateFile, cut_short_with_a_forged_hash_is_refused)
     }
 }
 
-TEST(TemplateFile, changed_with_a_forged_hash_is_refused_or_safe)
+TEST(TemplateFile, ChangedWithAForgedHashIsRefusedOrSafe)
 {
     const auto try_all = [](const Bytes &bytes, size_t step) {
         size_t refused = 0;
@@ -94,7 +94,7 @@ TEST(TemplateFile, changed_with_a_forged_hash_is_refused_or_safe)
     EXPECT_GT(try_all(large, 17), large.size() / 17 / 2);
 }
 
-TEST(TemplateFile, a_template_that_would_read_out_of_range_is_refused)
+TEST(TemplateFile, ATemplateThatWouldReadOutOfRangeIsRefused)
 {
     const std::vector<void (*)(model::Template &)> breaks = {
         [](model::Template &t) { t.levels[0].joints[1] = 9; },
@@ -126,7 +126,7 @@ TEST(TemplateFile, a_template_that_would_read_out_of_range_is_refused)
     }
 }
 
-TEST(TemplateFile, of_another_version_is_refused_by_number)
+TEST(TemplateFile, OfAnotherVersionIsRefusedByNumber)
 {
     Bytes bytes = saved(*built(everything()));
     bytes[8] = 99;

@@ -6,7 +6,7 @@
 namespace claque::test
 {
 
-TEST(TemplateLevels, that_are_not_what_drawing_relies_on_are_refused)
+TEST(TemplateLevels, ThatAreNotWhatDrawingReliesOnAreRefused)
 {
     using Levels = model::Array<model::Level>;
     const std::vector<void (*)(Levels &)> breaks = {
@@ -19,10 +19,10 @@ TEST(TemplateLevels, that_are_not_what_drawing_relies_on_are_refused)
             l[4].parts.push_back({0, 0, 1, 0});
         },
         // skeletons
-        [](Levels &l) { l[3].skeletal = 4; },
-        [](Levels &l) { l[3].skeletal = 3; },
-        [](Levels &l) { l[2].skeletal = 1; },
-        [](Levels &l) { l[1].skeletal = 0; },
+        [](Levels &l) { l[3].skeletal_level = 4; },
+        [](Levels &l) { l[3].skeletal_level = 3; },
+        [](Levels &l) { l[2].skeletal_level = 1; },
+        [](Levels &l) { l[1].skeletal_level = 0; },
         [](Levels &l) { l[1].active.clear(); },
         [](Levels &l) { l[1].active.clear(), l[1].nodes.clear(); },
         [](Levels &l) { l[1].active.pop_back(); },
@@ -59,15 +59,15 @@ TEST(TemplateLevels, that_are_not_what_drawing_relies_on_are_refused)
         [](Levels &l) { l[0].part_spheres[0].bind.radius = std::numeric_limits<float>::quiet_NaN(); },
         [](Levels &l) { l[0].part_spheres[0].bind.centre.y = std::numeric_limits<float>::infinity(); },
         // their places in the ranges
-        [](Levels &l) { l[0].surfaces[0].part_firsts.clear(); },
-        [](Levels &l) { l[0].surfaces[0].part_firsts.push_back(0); },
-        [](Levels &l) { l[0].surfaces[0].part_firsts[0] = 3; },
-        [](Levels &l) { l[0].surfaces[0].part_firsts[1] += 1; },
-        [](Levels &l) { l[0].surfaces[0].part_firsts[1] += 3; },
-        [](Levels &l) { l[0].surfaces[0].part_firsts[1] = 0x7fffffff / 3 * 3; },
-        [](Levels &l) { l[0].surfaces[0].part_firsts[3] -= 3; },
-        [](Levels &l) { l[0].surfaces[1].part_firsts.back() += 3; },
-        [](Levels &l) { l[0].surfaces[1].part_firsts[l[0].surfaces[1].part_firsts.size() - 4] = 3; },
+        [](Levels &l) { l[0].surfaces[0].part_offsets.clear(); },
+        [](Levels &l) { l[0].surfaces[0].part_offsets.push_back(0); },
+        [](Levels &l) { l[0].surfaces[0].part_offsets[0] = 3; },
+        [](Levels &l) { l[0].surfaces[0].part_offsets[1] += 1; },
+        [](Levels &l) { l[0].surfaces[0].part_offsets[1] += 3; },
+        [](Levels &l) { l[0].surfaces[0].part_offsets[1] = 0x7fffffff / 3 * 3; },
+        [](Levels &l) { l[0].surfaces[0].part_offsets[3] -= 3; },
+        [](Levels &l) { l[0].surfaces[1].part_offsets.back() += 3; },
+        [](Levels &l) { l[0].surfaces[1].part_offsets[l[0].surfaces[1].part_offsets.size() - 4] = 3; },
     };
     const auto whole = built(puppet_in_levels());
     model::check(*whole);
@@ -80,14 +80,14 @@ TEST(TemplateLevels, that_are_not_what_drawing_relies_on_are_refused)
     }
 }
 
-TEST(TemplateLevels, of_one_part_tell_none_apart)
+TEST(TemplateLevels, OfOnePartAreIndependentOfPartCulling)
 {
     const auto tmpl = built(torture(3, 0, 40));
-    tmpl->levels[0].surfaces[0].part_firsts.assign(8, 0);
+    tmpl->levels[0].surfaces[0].part_offsets.assign(8, 0);
     EXPECT_THROW(model::check(*tmpl), base::Error);
 }
 
-TEST(TemplateReach, of_every_node_is_a_distance_and_a_factor)
+TEST(TemplateReach, OfEveryNodeIsADistanceAndAFactor)
 {
     const auto tmpl = built(torture(3, 0, 40));
     tmpl->node_reach.assign(1, {1, 1});

@@ -48,7 +48,7 @@ std::string refusal(const model::Model &m)
 
 }  // namespace
 
-TEST(TextureSets, sets_whose_zones_lie_alike_make_no_triangle_dirty)
+TEST(TextureSets, SetsWhoseZonesLieAlikeMakeNoTriangleDirty)
 {
     model::Image darker = key_image(16, 16, left_right);
     for (size_t i = 0; i < darker.rgba.size(); ++i)
@@ -57,7 +57,7 @@ TEST(TextureSets, sets_whose_zones_lie_alike_make_no_triangle_dirty)
     EXPECT_EQ(dirty_of({darker, darker, darker}), dirty_of({}));
 }
 
-TEST(TextureSets, a_triangle_is_dirty_where_two_sets_show_two_zones_on_it)
+TEST(TextureSets, ATriangleIsDirtyWhereTwoSetsShowTwoZonesOnIt)
 {
     EXPECT_LT(dirty_of({}), 64u);
     EXPECT_EQ(dirty_of({key_image(16, 16, right_left)}), 64u);  // every triangle shows both, in one set or the other
@@ -66,7 +66,7 @@ TEST(TextureSets, a_triangle_is_dirty_where_two_sets_show_two_zones_on_it)
     EXPECT_LT(half, 64u);
 }
 
-TEST(TextureSets, every_set_keeps_its_own_texels_and_size_under_common_keys)
+TEST(TextureSets, EverySetKeepsItsOwnTexelsAndSizeUnderCommonKeys)
 {
     const model::Model m = sheet_with({key_image(32, 8, all_left), key_image(16, 16, right_left)});
     model::Template tmpl(std::pmr::get_default_resource());
@@ -76,18 +76,18 @@ TEST(TextureSets, every_set_keeps_its_own_texels_and_size_under_common_keys)
     ASSERT_EQ(tmpl.textures.size(), 1u);
     const model::Texture &texture = tmpl.textures[0];
     ASSERT_EQ(texture.keys.size(), 2u);
-    ASSERT_EQ(texture.others.size(), 2u);
-    EXPECT_EQ(texture.others[0].width, 32u);
-    EXPECT_EQ(texture.others[0].height, 8u);
+    ASSERT_EQ(texture.set_images.size(), 2u);
+    EXPECT_EQ(texture.set_images[0].width, 32u);
+    EXPECT_EQ(texture.set_images[0].height, 8u);
     const uint8_t low = texture.keys[0].key, high = texture.keys[1].key;
     EXPECT_EQ(texture.rgba[3], low);
-    EXPECT_EQ(texture.others[0].rgba[4 * 31 + 3], low);
-    EXPECT_EQ(texture.others[1].rgba[3], high);
-    EXPECT_EQ(texture.others[1].rgba[4 * 15 + 3], low);
-    for (uint32_t x = 0; x < 16; ++x) EXPECT_EQ(texture.others[1].rgba[4 * x + 1], x * 7) << x;
+    EXPECT_EQ(texture.set_images[0].rgba[4 * 31 + 3], low);
+    EXPECT_EQ(texture.set_images[1].rgba[3], high);
+    EXPECT_EQ(texture.set_images[1].rgba[4 * 15 + 3], low);
+    for (uint32_t x = 0; x < 16; ++x) EXPECT_EQ(texture.set_images[1].rgba[4 * x + 1], x * 7) << x;
 }
 
-TEST(TextureSets, a_zone_that_one_set_alone_shows_is_a_zone_of_the_texture)
+TEST(TextureSets, AZoneThatOneSetAloneShowsIsAZoneOfTheTexture)
 {
     model::Model m = keyed_sheet(4, 4, key_image(16, 16, all_left), {100, 200});
     m.images.push_back(key_image(16, 16, left_right));
@@ -98,17 +98,17 @@ TEST(TextureSets, a_zone_that_one_set_alone_shows_is_a_zone_of_the_texture)
     EXPECT_GT(tmpl.report.dirty, 0u);
 }
 
-TEST(TextureSets, a_set_that_changes_nothing_keeps_no_texels)
+TEST(TextureSets, ASetThatChangesNothingKeepsNoTexels)
 {
     model::Model m = sheet_with({});
     m.texture_sets.push_back({"same", {model::none}});
     model::Template tmpl(std::pmr::get_default_resource());
     meshsplit::build(m, {}, tmpl);
     EXPECT_EQ(tmpl.texture_set_count(), 2u);
-    EXPECT_TRUE(tmpl.textures[0].others.empty());
+    EXPECT_TRUE(tmpl.textures[0].set_images.empty());
 }
 
-TEST(TextureSets, sets_that_break_a_rule_are_refused_by_name)
+TEST(TextureSets, SetsThatBreakARuleAreRefusedByName)
 {
     model::Model m = sheet_with({key_image(16, 16, right_left)});
     m.texture_sets[0].images[0] = 7;

@@ -12,7 +12,7 @@ namespace
 
 const std::vector<float> three = {0, 0, 0, 1, 2, 3, -4, 5, 6};
 
-TEST(Arrays, equal_ones_have_no_deviation)
+TEST(Arrays, EqualOnesHaveNoDeviation)
 {
     const Deviation d = positions_deviation(three, three, {{7, 0, 0, 3, 1.7}});
     EXPECT_EQ(d.compared, 3u);
@@ -22,7 +22,7 @@ TEST(Arrays, equal_ones_have_no_deviation)
     EXPECT_EQ(d.not_finite, 0u);
 }
 
-TEST(Arrays, distances_are_euclidean_and_say_whose_vertex_is_worst)
+TEST(Arrays, DistancesAreEuclideanAndSayWhoseVertexIsWorst)
 {
     std::vector<float> moved = three;
     moved[3] += 3;  // 3, 4, 0: 5
@@ -38,7 +38,7 @@ TEST(Arrays, distances_are_euclidean_and_say_whose_vertex_is_worst)
     EXPECT_EQ(d.ulp_max, 1u << 24);  // 1 and 4: two powers of two
 }
 
-TEST(Arrays, spans_may_stand_elsewhere_in_the_result)
+TEST(Arrays, SpansMayStandElsewhereInTheResult)
 {
     const std::vector<float> other = {-4, 5, 6, 1, 2, 3};
     const Deviation d = positions_deviation(three, other, {{1, 1, 1, 1, 1}, {2, 2, 0, 1, 1}});
@@ -46,7 +46,7 @@ TEST(Arrays, spans_may_stand_elsewhere_in_the_result)
     EXPECT_EQ(d.max, 0);
 }
 
-TEST(Arrays, numbers_that_are_none_are_counted_and_in_no_other_figure)
+TEST(Arrays, NumbersThatAreNoneAreCountedAndInNoOtherFigure)
 {
     std::vector<float> broken = three;
     broken[4] = std::numeric_limits<float>::quiet_NaN();
@@ -57,7 +57,7 @@ TEST(Arrays, numbers_that_are_none_are_counted_and_in_no_other_figure)
     EXPECT_EQ(d.rms, 0);
 }
 
-TEST(Arrays, normals_are_compared_as_directions)
+TEST(Arrays, NormalsAreComparedAsDirections)
 {
     const double angle = 0.01;
     const std::vector<float> a = {1, 0, 0, 0, 2, 0};
@@ -72,7 +72,7 @@ TEST(Arrays, normals_are_compared_as_directions)
     EXPECT_EQ(normals_deviation({0, 0, 0}, {0, 0, 0}, {{1, 0, 0, 1, 0}}).max, 0);
 }
 
-TEST(Arrays, the_smallest_angles_are_not_lost)
+TEST(Arrays, TheSmallestAnglesAreNotLost)
 {
     const Deviation d = normals_deviation({1, 0, 0}, {1, 1e-6f, 0}, {{1, 0, 0, 1, 0}});
     EXPECT_NEAR(d.max, 5.7295779e-5, 1e-10);

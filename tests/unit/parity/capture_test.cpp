@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(CaptureFolder, is_read_whole)
+TEST_F(CaptureFolder, IsReadWhole)
 {
     const Capture c = read_capture(folder("r"));
     EXPECT_EQ(c.renderer, "a test");
@@ -45,7 +45,7 @@ TEST_F(CaptureFolder, is_read_whole)
     EXPECT_EQ(c.depth->at(0, 0), 1.0f);
 }
 
-TEST_F(CaptureFolder, may_leave_out_any_array)
+TEST_F(CaptureFolder, MayLeaveOutAnyArray)
 {
     for (const char *file : {"actors.npy", "sizes.npy", "positions.npy", "normals.npy", "colour.npy", "depth.npy",
                              "actor.npy", "zone.npy"}) {
@@ -54,7 +54,7 @@ TEST_F(CaptureFolder, may_leave_out_any_array)
     }
 }
 
-TEST_F(CaptureFolder, that_is_none_is_refused)
+TEST_F(CaptureFolder, ThatIsNoneIsRefused)
 {
     EXPECT_EQ(refusal("nowhere"), ". is not a folder");
     remove("r", "capture.json");
@@ -67,7 +67,7 @@ TEST_F(CaptureFolder, that_is_none_is_refused)
     }
 }
 
-TEST_F(CaptureFolder, with_a_field_that_makes_no_sense_is_refused)
+TEST_F(CaptureFolder, WithAFieldThatMakesNoSenseIsRefused)
 {
     const std::vector<std::vector<std::string>> wrong = {
         {"\"claque-parity\"", "\"other\"", "./capture.json: its format is not claque-parity"},
@@ -92,7 +92,7 @@ TEST_F(CaptureFolder, with_a_field_that_makes_no_sense_is_refused)
     }
 }
 
-TEST_F(CaptureFolder, with_arrays_that_do_not_belong_together_is_refused)
+TEST_F(CaptureFolder, WithArraysThatDoNotBelongTogetherIsRefused)
 {
     using parity_test::npy;
     using parity_test::numbers;

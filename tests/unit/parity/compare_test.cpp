@@ -51,7 +51,7 @@ protected:
     Capture a, b;
 };
 
-TEST_F(Comparing, a_capture_with_itself_passes_everything)
+TEST_F(Comparing, ACaptureWithItselfPassesEverything)
 {
     for (const Tolerance &t : named_tolerances()) EXPECT_TRUE(verdict(t.name.c_str()).pass) << t.name;
     const Comparison c = compare(a, b, 67);
@@ -63,14 +63,14 @@ TEST_F(Comparing, a_capture_with_itself_passes_everything)
     }
 }
 
-TEST_F(Comparing, every_measure_is_made)
+TEST_F(Comparing, EveryMeasureIsMade)
 {
     const Comparison c = compare(a, b, 67);
     ASSERT_EQ(c.measures.size(), measure_kinds().size());
     for (size_t i = 0; i < c.measures.size(); ++i) EXPECT_EQ(c.measures[i].name, measure_kinds()[i].name);
 }
 
-TEST_F(Comparing, other_scenes_are_refused)
+TEST_F(Comparing, OtherScenesAreRefused)
 {
     b.time_s = 1.54;
     EXPECT_EQ(refusal(), "b shows the moment 1.54 s, and " + a.folder + " 1.5 s");
@@ -85,7 +85,7 @@ TEST_F(Comparing, other_scenes_are_refused)
     EXPECT_EQ(refusal(), a.folder + " and b have no array in common: nothing to compare");
 }
 
-TEST_F(Comparing, what_is_absent_is_said_and_not_compared)
+TEST_F(Comparing, WhatIsAbsentIsSaidAndNotCompared)
 {
     b.depth.reset();
     a.normals.reset();
@@ -97,7 +97,7 @@ TEST_F(Comparing, what_is_absent_is_said_and_not_compared)
     EXPECT_TRUE(verdict("exact").pass);
 }
 
-TEST_F(Comparing, without_a_table_the_order_is_the_other_s)
+TEST_F(Comparing, WithoutATableTheOrderIsTheOtherS)
 {
     b.actors.reset();
     EXPECT_EQ(value("positions.max_m"), 0);
@@ -109,7 +109,7 @@ TEST_F(Comparing, without_a_table_the_order_is_the_other_s)
     EXPECT_TRUE(std::isnan(value("positions.max_relative")));
 }
 
-TEST_F(Comparing, one_individual_missing_is_found_in_the_table)
+TEST_F(Comparing, OneIndividualMissingIsFoundInTheTable)
 {
     b.actors->erase(b.actors->begin() + 1);
     fails("actors.missing is 1");
@@ -118,13 +118,13 @@ TEST_F(Comparing, one_individual_missing_is_found_in_the_table)
     fails("actors.added is 1");
 }
 
-TEST_F(Comparing, another_level_is_found_in_the_table)
+TEST_F(Comparing, AnotherLevelIsFoundInTheTable)
 {
     (*b.actors)[0].kind = "man, level 3";
     fails("actors.changed is 1");
 }
 
-TEST_F(Comparing, one_individual_missing_is_found_in_each_picture)
+TEST_F(Comparing, OneIndividualMissingIsFoundInEachPicture)
 {
     const auto erase = [this](auto &map, auto nothing) {
         for (size_t i = 0; i < map.values.size(); ++i)
@@ -144,7 +144,7 @@ TEST_F(Comparing, one_individual_missing_is_found_in_each_picture)
     EXPECT_GT(value("colour.worst_zone"), 50);
 }
 
-TEST_F(Comparing, one_zone_of_another_colour_is_found_where_shares_hide_it)
+TEST_F(Comparing, OneZoneOfAnotherColourIsFoundWherePixelSharesHideIt)
 {
     for (size_t i = 0; i < b.colour->rgb.size(); ++i)
         if (a.actor->values[i / 3] == 5 && a.zone->values[i / 3] == 1 && i % 3 == 1) b.colour->rgb[i] += 3;
@@ -153,7 +153,7 @@ TEST_F(Comparing, one_zone_of_another_colour_is_found_where_shares_hide_it)
     EXPECT_EQ(value("colour.worst_zone"), 3);
 }
 
-TEST_F(Comparing, a_vertex_that_moves_by_more_than_rounding_is_found)
+TEST_F(Comparing, AVertexThatMovesByMoreThanRoundingIsFound)
 {
     (*b.positions)[10] += 0.0005f;
     fails("positions.");
@@ -163,13 +163,13 @@ TEST_F(Comparing, a_vertex_that_moves_by_more_than_rounding_is_found)
     EXPECT_TRUE(verdict("gpu").pass);
 }
 
-TEST_F(Comparing, a_normal_that_turns_is_found)
+TEST_F(Comparing, ANormalThatTurnsIsFound)
 {
     (*b.normals)[3] = 0.05f;
     fails("normals.");
 }
 
-TEST_F(Comparing, numbers_that_are_none_are_found)
+TEST_F(Comparing, NumbersThatAreNoneAreFound)
 {
     (*b.positions)[4] = std::nanf("");
     fails("positions.not_finite");

@@ -10,7 +10,7 @@ namespace parity
 namespace
 {
 
-TEST(Depth, is_compared_where_something_is)
+TEST(Depth, IsComparedWhereSomethingIs)
 {
     Map<float> a(10, 10, 1), b = a;
     a.values[0] = b.values[0] = 0.5f;
@@ -23,7 +23,7 @@ TEST(Depth, is_compared_where_something_is)
     EXPECT_EQ(d.max_y, 0);
 }
 
-TEST(Depth, has_quantiles)
+TEST(Depth, HasQuantiles)
 {
     Map<float> a(100, 100, 0.5f), b = a;
     for (size_t i = 0; i < 10; ++i) b.values[i * 7] = 0.75f;  // one in a thousand
@@ -34,7 +34,7 @@ TEST(Depth, has_quantiles)
     EXPECT_EQ(depth_deviation(a, Map<float>(100, 100, 0.625f)).median, 0.125);
 }
 
-TEST(Depth, numbers_that_are_none_are_counted)
+TEST(Depth, NumbersThatAreNoneAreCounted)
 {
     Map<float> a(2, 1, 0.5f), b = a;
     b.values[1] = std::numeric_limits<float>::quiet_NaN();
@@ -43,10 +43,7 @@ TEST(Depth, numbers_that_are_none_are_counted)
     EXPECT_EQ(d.max, 0);
 }
 
-TEST(Depth, of_nothing_is_nothing)
-{
-    EXPECT_EQ(depth_deviation(Map<float>(3, 3, 1), Map<float>(3, 3, 1)).compared, 0u);
-}
+TEST(Depth, OfNothingIsNothing) { EXPECT_EQ(depth_deviation(Map<float>(3, 3, 1), Map<float>(3, 3, 1)).compared, 0u); }
 
 }  // namespace
 }  // namespace parity

@@ -40,7 +40,7 @@ void expect_as_directly(const Picture &a, const Picture &b, double pixels_a_degr
     EXPECT_NEAR(mean_of(map), sum / static_cast<double>(expected.size()), 1e-5);
 }
 
-TEST(Flip, has_the_published_value_of_two_greys)
+TEST(Flip, HasThePublishedValueOfTwoGreys)
 {
     const float dark = 0.099975586f, light = 0.89990234f;
     const Map<float> map =
@@ -49,9 +49,9 @@ TEST(Flip, has_the_published_value_of_two_greys)
     EXPECT_NEAR(*std::max_element(map.values.begin(), map.values.end()), 0.9514f, 0.00005f);
 }
 
-TEST(Flip, looks_from_the_published_distance_by_default) { EXPECT_NEAR(ppd, 67.02, 0.005); }
+TEST(Flip, LooksFromThePublishedDistanceByDefault) { EXPECT_NEAR(ppd, 67.02, 0.005); }
 
-TEST(Flip, has_the_published_matrix_from_xyz)
+TEST(Flip, HasThePublishedMatrixFromXyz)
 {
     // Opponent colours of X, Y and Z alone.
     const float x = 1 / 0.950428545f, z = 1 / 1.088900371f;
@@ -68,7 +68,7 @@ TEST(Flip, has_the_published_matrix_from_xyz)
     }
 }
 
-TEST(Flip, green_and_blue_are_furthest_apart)
+TEST(Flip, GreenAndBlueAreFurthestApart)
 {
     std::vector<Colour> cube;
     for (int i = 0; i < 125; ++i)
@@ -79,27 +79,27 @@ TEST(Flip, green_and_blue_are_furthest_apart)
     EXPECT_FLOAT_EQ(most, flip::largest_difference());
 }
 
-TEST(Flip, of_plain_green_and_blue_is_one_and_of_equal_pictures_nothing)
+TEST(Flip, OfPlainGreenAndBlueIsOneAndOfEqualPicturesNothing)
 {
     const Map<float> most = flip_map(Map<Colour>(30, 20, {0, 1, 0}), Map<Colour>(30, 20, {0, 0, 1}), ppd);
     EXPECT_NEAR(mean_of(most), 1, 1e-5);
     EXPECT_EQ(mean_of(flip_map(pattern(40, 30, 0), pattern(40, 30, 0), ppd)), 0);
 }
 
-TEST(Flip, is_the_same_either_way_round)
+TEST(Flip, IsTheSameEitherWayRound)
 {
     const Picture a = pattern(40, 30, 0), b = noisy_pattern(40, 30);
     EXPECT_EQ(flip_map(a, b, ppd).values, flip_map(b, a, ppd).values);
 }
 
-TEST(Flip, agrees_with_the_formulas_evaluated_directly)
+TEST(Flip, AgreesWithTheFormulasEvaluatedDirectly)
 {
     expect_as_directly(pattern(40, 30, 0), noisy_pattern(40, 30), ppd);
     expect_as_directly(pattern(37, 23, 0), pattern(37, 23, 1), ppd);
     expect_as_directly(pattern(33, 40, 0), inverted(pattern(33, 40, 0)), 20);
 }
 
-TEST(Flip, agrees_where_one_line_is_missing)
+TEST(Flip, AgreesWhereOneLineIsMissing)
 {
     const Picture plain = filled(50, 30, 60);
     Picture line = plain;

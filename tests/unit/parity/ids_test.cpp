@@ -16,7 +16,7 @@ Map<uint64_t> square(int left, int top, int side, uint64_t id)
     return out;
 }
 
-TEST(Ids, equal_maps_differ_nowhere)
+TEST(Ids, EqualMapsDifferNowhere)
 {
     const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(5, 5, 8, 3), {});
     EXPECT_EQ(ids.compared, 400u);
@@ -24,7 +24,7 @@ TEST(Ids, equal_maps_differ_nowhere)
     EXPECT_EQ(ids.borders, 28u + 36u);  // the square's rim and what lies round it
 }
 
-TEST(Ids, a_border_may_lie_a_pixel_further_on)
+TEST(Ids, ABorderMayLieAPixelFurtherOn)
 {
     const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(6, 5, 8, 3), {});
     EXPECT_EQ(ids.different, 16u);
@@ -34,7 +34,7 @@ TEST(Ids, a_border_may_lie_a_pixel_further_on)
     EXPECT_EQ(ids.marks.at(6, 7), Mark::same);
 }
 
-TEST(Ids, a_border_two_pixels_further_on_is_none)
+TEST(Ids, ABorderTwoPixelsFurtherOnIsNone)
 {
     const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(7, 5, 8, 3), {});
     EXPECT_EQ(ids.different, 32u);
@@ -44,7 +44,7 @@ TEST(Ids, a_border_two_pixels_further_on_is_none)
     EXPECT_EQ(ids.first_y, 5);
 }
 
-TEST(Ids, at_a_border_only_what_meets_there_may_be_seen)
+TEST(Ids, AtABorderOnlyWhatMeetsThereMayShow)
 {
     Map<uint64_t> stranger = square(5, 5, 8, 3);
     stranger.values[stranger.index(5, 7)] = 9;
@@ -53,13 +53,13 @@ TEST(Ids, at_a_border_only_what_meets_there_may_be_seen)
     EXPECT_EQ(ids.marks.at(5, 7), Mark::outside);
 }
 
-TEST(Ids, another_individual_is_outside_everywhere)
+TEST(Ids, AnotherIndividualIsOutsideEverywhere)
 {
     EXPECT_EQ(compare_ids(square(5, 5, 8, 3), square(5, 5, 8, 4), {}).outside, 64u);
     EXPECT_EQ(compare_ids(square(5, 5, 8, 3), Map<uint64_t>(20, 20), {}).outside, 36u);  // the rim may be background
 }
 
-TEST(Ids, pixels_that_do_not_count_are_not_counted)
+TEST(Ids, PixelsThatDoNotCountAreNotCounted)
 {
     std::vector<uint8_t> some(400, 1);
     some[0] = 0;
@@ -71,7 +71,7 @@ TEST(Ids, pixels_that_do_not_count_are_not_counted)
     EXPECT_EQ(ids.marks.values[0], Mark::ignored);
 }
 
-TEST(Ids, a_neighbour_s_zone_is_not_one_s_own)
+TEST(Ids, ANeighbourSZoneIsNotOneSOwn)
 {
     Map<uint32_t> actor(4, 1, 1);
     actor.values[3] = 2;

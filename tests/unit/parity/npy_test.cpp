@@ -35,7 +35,7 @@ std::string refusal(const Bytes &file, const std::string &type = "<u2")
 
 std::string refused_header(const std::string &header) { return refusal(file_of(header, six)); }
 
-TEST(Npy, reads_what_numpy_writes)
+TEST(Npy, ReadsWhatNumpyWrites)
 {
     for (int version = 1; version <= 3; ++version) {
         const Array a = read_npy(file_of(two_by_three, six, version), "a.npy", "<u2");
@@ -47,7 +47,7 @@ TEST(Npy, reads_what_numpy_writes)
     EXPECT_EQ(refusal(file_of("{'descr': '<u2', 'fortran_order': False, 'shape': (), }", {1, 2})), "read, 2 bytes");
 }
 
-TEST(Npy, says_what_is_wrong_with_the_type)
+TEST(Npy, SaysWhatIsWrongWithTheType)
 {
     EXPECT_EQ(refusal(file_of(two_by_three, six), "<f4"),
               "a.npy holds '<u2', and '<f4' is expected: .astype(np.float32) before saving");
@@ -57,7 +57,7 @@ TEST(Npy, says_what_is_wrong_with_the_type)
               "a.npy is no NumPy array: its header has no text in quotes at character 10");
 }
 
-TEST(Npy, says_what_is_wrong_with_the_size)
+TEST(Npy, SaysWhatIsWrongWithTheSize)
 {
     EXPECT_EQ(refused_header("{'descr': '<u2', 'fortran_order': False, 'shape': (7,), }"),
               "a.npy is cut short: its header promises more than its 6 values");
@@ -71,7 +71,7 @@ TEST(Npy, says_what_is_wrong_with_the_size)
         "a.npy is no NumPy arra");
 }
 
-TEST(Npy, refuses_what_is_none)
+TEST(Npy, RefusesWhatIsNone)
 {
     EXPECT_EQ(refusal({}), "a.npy is no NumPy array: it does not begin as one");
     EXPECT_EQ(refusal(Bytes(100, 'x')), "a.npy is no NumPy array: it does not begin as one");
@@ -86,7 +86,7 @@ TEST(Npy, refuses_what_is_none)
 }
 
 // Every cut and every single byte that is another one: a sentence or an array, never more than the file has.
-TEST(Npy, survives_every_cut_and_every_wrong_byte)
+TEST(Npy, SurvivesEveryCutAndEveryWrongByte)
 {
     for (int version : {1, 2}) {
         const Bytes whole = file_of(two_by_three, six, version);

@@ -13,7 +13,7 @@ namespace parity
 namespace
 {
 
-TEST(Psnr, is_infinite_of_equal_pictures)
+TEST(Psnr, IsInfiniteOfEqualPictures)
 {
     const ColourDeviation d = colour_deviation(pattern(8, 8, 0), pattern(8, 8, 0));
     EXPECT_TRUE(std::isinf(d.psnr_db));
@@ -21,13 +21,13 @@ TEST(Psnr, is_infinite_of_equal_pictures)
     EXPECT_EQ(d.share_over(0), 0);
 }
 
-TEST(Psnr, has_the_known_values_of_constant_differences)
+TEST(Psnr, HasTheKnownValuesOfConstantDifferences)
 {
     EXPECT_NEAR(colour_deviation(filled(4, 4, 100), filled(4, 4, 101)).psnr_db, 48.13080361, 1e-8);
     EXPECT_NEAR(colour_deviation(filled(4, 4, 0), filled(4, 4, 255)).psnr_db, 0, 1e-12);
 }
 
-TEST(Psnr, agrees_with_scikit_image)
+TEST(Psnr, AgreesWithScikitImage)
 {
     const Picture small = pattern(48, 32, 0), large = pattern(64, 64, 0);
     EXPECT_NEAR(colour_deviation(small, noisy_pattern(48, 32)).psnr_db, 31.822324359599232, 1e-9);
@@ -36,7 +36,7 @@ TEST(Psnr, agrees_with_scikit_image)
     EXPECT_NEAR(colour_deviation(large, noisy_pattern(64, 64)).psnr_db, 31.813752315887577, 1e-9);
 }
 
-TEST(Psnr, shares_count_pixels_by_their_worst_channel)
+TEST(Psnr, FractionsCountPixelsByTheirWorstChannel)
 {
     Picture a = filled(10, 10, 50), b = a;
     b.rgb[0] = 51;           // one pixel off by 1

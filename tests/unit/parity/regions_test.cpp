@@ -18,7 +18,7 @@ Map<uint64_t> halves()
     return out;
 }
 
-TEST(Regions, the_worst_one_is_found_by_its_mean)
+TEST(Regions, TheWorstOneIsFoundByItsMean)
 {
     const Picture plain = filled(20, 10, 100);
     Picture other = plain;
@@ -33,7 +33,7 @@ TEST(Regions, the_worst_one_is_found_by_its_mean)
     EXPECT_DOUBLE_EQ(worst.value, 4);
 }
 
-TEST(Regions, what_lies_at_a_border_belongs_to_none)
+TEST(Regions, WhatLiesAtABorderBelongsToNone)
 {
     const Picture plain = filled(20, 10, 100);
     Picture other = plain;
@@ -42,7 +42,7 @@ TEST(Regions, what_lies_at_a_border_belongs_to_none)
     EXPECT_EQ(worst_colour(halves(), plain, other).value, 0);
 }
 
-TEST(Regions, small_ones_say_nothing)
+TEST(Regions, SmallOnesSayNothing)
 {
     Map<uint64_t> ids(20, 10, 0);
     for (int y = 4; y < 8; ++y)
@@ -53,7 +53,7 @@ TEST(Regions, small_ones_say_nothing)
     EXPECT_EQ(worst_colour(ids, plain, black).regions, 2u);
 }
 
-TEST(Regions, depth_goes_by_medians)
+TEST(Regions, DepthGoesByMedians)
 {
     Map<float> a(20, 10, 0.5f), b = a;
     const Map<uint64_t> ids = halves();

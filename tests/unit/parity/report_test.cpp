@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 std::string coded(const std::string &text) { return base64({text.begin(), text.end()}); }
 
-TEST(Base64, has_the_values_of_the_standard)
+TEST(Base64, HasTheValuesOfTheStandard)
 {
     const std::vector<std::pair<std::string, std::string>> rfc_4648 = {{"", ""},
                                                                        {"f", "Zg=="},
@@ -51,7 +51,7 @@ protected:
     Verdict verdict;
 };
 
-TEST_F(Reports, for_machines_hold_every_measure_and_limit)
+TEST_F(Reports, ForMachinesHoldEveryMeasureAndLimit)
 {
     const Json json = Json::parse(report_json(report()));
     EXPECT_EQ(json["format"], "claque-parity-report");
@@ -75,7 +75,7 @@ TEST_F(Reports, for_machines_hold_every_measure_and_limit)
     EXPECT_EQ(same["measures"]["colour.psnr_db"]["value"], "infinite");
 }
 
-TEST_F(Reports, for_people_are_one_page_without_links)
+TEST_F(Reports, ForPeopleAreOnePageWithoutLinks)
 {
     const std::string page = report_html(report(), {{"Reference <1>", "seen", {1, 2, 3}}});
     EXPECT_NE(page.find("<span class=\"fail\">fail</span>"), std::string::npos);
@@ -89,7 +89,7 @@ TEST_F(Reports, for_people_are_one_page_without_links)
         EXPECT_EQ(page.find(outside), std::string::npos);
 }
 
-TEST_F(Reports, as_text_have_a_line_a_measure)
+TEST_F(Reports, AsTextHaveALineAMeasure)
 {
     const std::string text = report_text(report());
     EXPECT_NE(text.find("colour.over_2             0.007575758             FAILS at most 0.001"), std::string::npos)
@@ -97,7 +97,7 @@ TEST_F(Reports, as_text_have_a_line_a_measure)
     EXPECT_NE(text.find("depth: not compared, the result has no depth.npy\n"), std::string::npos);
 }
 
-TEST_F(Reports, pictures_show_where)
+TEST_F(Reports, PicturesShowWhere)
 {
     const Picture difference = difference_picture(*a.colour, *b.colour);
     EXPECT_EQ(difference.rgb[6], 255);

@@ -11,7 +11,7 @@ namespace parity
 namespace
 {
 
-TEST(Ssim, agrees_with_scikit_image)
+TEST(Ssim, AgreesWithScikitImage)
 {
     const Picture small = pattern(48, 32, 0), large = pattern(64, 64, 0);
     EXPECT_NEAR(mean_ssim(small, noisy_pattern(48, 32)), 0.9891254129914226, 1e-9);
@@ -22,9 +22,9 @@ TEST(Ssim, agrees_with_scikit_image)
     EXPECT_NEAR(mean_ssim(large, inverted(large)), -0.9598311689962817, 1e-9);
 }
 
-TEST(Ssim, of_equal_pictures_is_one) { EXPECT_NEAR(mean_ssim(pattern(20, 11, 1), pattern(20, 11, 1)), 1, 1e-12); }
+TEST(Ssim, OfEqualPicturesIsOne) { EXPECT_NEAR(mean_ssim(pattern(20, 11, 1), pattern(20, 11, 1)), 1, 1e-12); }
 
-TEST(Ssim, of_plain_pictures_is_their_luminance_term)
+TEST(Ssim, OfPlainPicturesIsTheirLuminanceTerm)
 {
     const double c1 = 2.55 * 2.55;
     const double expected = (2 * 100.0 * 150 + c1) / (100.0 * 100 + 150.0 * 150 + c1);

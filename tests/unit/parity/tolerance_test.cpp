@@ -27,13 +27,13 @@ Comparison comparison(std::vector<Measure> measures)
     return c;
 }
 
-TEST(Tolerances, every_limit_names_a_measure)
+TEST(Tolerances, EveryLimitNamesAMeasure)
 {
     for (const Tolerance &t : named_tolerances())
         for (const Limit &limit : t.limits) EXPECT_TRUE(find_kind(limit.measure)) << t.name << ": " << limit.measure;
 }
 
-TEST(Tolerances, may_come_from_a_file_and_begin_with_a_named_one)
+TEST(Tolerances, MayComeFromAFileAndBeginWithANamedOne)
 {
     const Tolerance t = tolerance_from(
         "base = 'gpu'\nrequire = ['positions', 'depth']\n"
@@ -48,7 +48,7 @@ TEST(Tolerances, may_come_from_a_file_and_begin_with_a_named_one)
         }
 }
 
-TEST(Tolerances, that_make_no_sense_are_refused_with_the_line)
+TEST(Tolerances, ThatMakeNoSenseAreRefusedWithTheLine)
 {
     EXPECT_EQ(refusal("[at_most]\ncolour.maxx = 1\n"), "t.toml, line 2: there is no measure 'colour.maxx'");
     EXPECT_EQ(refusal("[at_most]\ncolour.psnr_db = 1\n"), "t.toml, line 2: colour.psnr_db belongs into [at_least]");
@@ -66,7 +66,7 @@ TEST(Tolerances, that_make_no_sense_are_refused_with_the_line)
     EXPECT_THROW(tolerance_of("/"), Unreadable);
 }
 
-TEST(Verdicts, pass_at_the_limit_and_fail_beyond)
+TEST(Verdicts, PassAtTheLimitAndFailBeyond)
 {
     const Tolerance t = tolerance_from("[at_most]\ncolour.max = 2\n[at_least]\ncolour.ssim = 0.9\n", "t.toml");
     EXPECT_TRUE(verdict_of(comparison({{"colour.max", 2, "", {}}, {"colour.ssim", 0.9, "", {}}}), t).pass);
@@ -77,14 +77,14 @@ TEST(Verdicts, pass_at_the_limit_and_fail_beyond)
               "colour.ssim is 0.5 (at least 0.9) and 1 more");
 }
 
-TEST(Verdicts, a_value_that_is_no_number_fails)
+TEST(Verdicts, AValueThatIsNoNumberFails)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(verdict_of(comparison({{"colour.max", nan, "", {}}}), tolerance_of("exact")).pass);
     EXPECT_FALSE(verdict_of(comparison({{"colour.ssim", nan, "", {}}}), tolerance_of("loose")).pass);
 }
 
-TEST(Verdicts, what_is_asked_for_has_to_be_compared)
+TEST(Verdicts, WhatIsAskedForHasToBeCompared)
 {
     const Comparison c = comparison({{"colour.max", 0, "", {}}});
     EXPECT_TRUE(verdict_of(c, tolerance_of("exact")).pass);

@@ -10,7 +10,7 @@ namespace parity
 namespace
 {
 
-TEST(Ulp, counts_the_floats_between_two)
+TEST(Ulp, CountsTheFloatsBetweenTwo)
 {
     EXPECT_EQ(ulp_distance(1.0f, 1.0f), 0u);
     EXPECT_EQ(ulp_distance(1.0f, std::nextafter(1.0f, 2.0f)), 1u);
@@ -20,7 +20,7 @@ TEST(Ulp, counts_the_floats_between_two)
     EXPECT_EQ(ulp_distance(1.0f, 1.0f + 3 * std::numeric_limits<float>::epsilon()), 3u);
 }
 
-TEST(Ulp, goes_on_across_zero)
+TEST(Ulp, GoesOnAcrossZero)
 {
     const float least = std::numeric_limits<float>::denorm_min();
     EXPECT_EQ(ulp_distance(0.0f, -0.0f), 0u);
@@ -28,7 +28,7 @@ TEST(Ulp, goes_on_across_zero)
     EXPECT_EQ(ulp_distance(-1.0f, 1.0f), 2u * 0x3f800000u);
 }
 
-TEST(Ulp, of_what_is_no_number_is_the_most_there_is)
+TEST(Ulp, OfWhatIsNoNumberIsTheMostThereIs)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(ulp_distance(nan, nan), ulp_most);

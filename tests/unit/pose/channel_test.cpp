@@ -8,7 +8,7 @@
 namespace claque::pose
 {
 
-TEST(Keys, AreFoundLikeByALinearSearchWhateverTheirSpacing)
+TEST(Keys, AreFoundAsByALinearSearchWhateverTheirSpacing)
 {
     std::mt19937 random(5);
     for (int kind = 0; kind < 4; ++kind) {
@@ -26,7 +26,7 @@ TEST(Keys, AreFoundLikeByALinearSearchWhateverTheirSpacing)
                 const double time = times[0] - 0.5 + (double(times.back()) - times[0] + 1) * i / 199;
                 uint32_t expected = 0;
                 while (expected + 1 < count && times[expected + 1] <= time) ++expected;
-                const KeyPlace place = find_key(times.data(), count, time);
+                const KeyInterval place = find_key(times.data(), count, time);
                 ASSERT_EQ(place.key, expected) << kind << " " << count << " " << time;
                 ASSERT_GE(place.f, 0);
                 ASSERT_LT(place.f, 1);

@@ -14,7 +14,7 @@ using test::clip_cubic;
 using test::clip_linear;
 using test::clip_steps;
 
-struct Stage {
+struct TestRig {
     model::Rig rig = test::RigMaker(7).make();
     std::vector<float> mask = test::upper_half(rig);
     Workspace workspace{rig};
@@ -47,48 +47,48 @@ Layer layer(uint32_t clip, double time_s, float weight, LayerKind kind = LayerKi
 
 TEST(Layers, FadeFromOneClipToAnotherByTheShorterArc)
 {
-    Stage stage;
+    TestRig test_rig;
     for (const float weight : {0.0f, 0.25f, 0.5f, 0.99f, 1.0f})
-        stage.expect_like_reference({layer(clip_linear, 0.6, 1), layer(clip_cubic, 0.9, weight)}, "fade");
+        test_rig.expect_like_reference({layer(clip_linear, 0.6, 1), layer(clip_cubic, 0.9, weight)}, "fade");
 }
 
 TEST(Layers, AreMaskedJointByJointAndMorphWeightsWithTheirNode)
 {
-    Stage stage;
+    TestRig test_rig;
     Layer upper = layer(clip_cubic, 1.1, 0.8f);
-    upper.mask = stage.mask.data();
-    stage.expect_like_reference({layer(clip_linear, 0.3, 1), upper}, "mask");
+    upper.mask = test_rig.mask.data();
+    test_rig.expect_like_reference({layer(clip_linear, 0.3, 1), upper}, "mask");
 }
 
 TEST(Layers, AddTheDifferenceFromAReferencePoseWithAnyWeight)
 {
-    Stage stage;
+    TestRig test_rig;
     for (const float weight : {-0.5f, 0.0f, 0.4f, 1.0f, 1.7f}) {
-        Layer gesture = layer(clip_cubic, 1.2, weight, LayerKind::add);
-        stage.expect_like_reference({layer(clip_linear, 0.5, 1), gesture}, "against the rest pose");
-        gesture.reference_clip = clip_cubic, gesture.reference_time_s = 0.25;
-        gesture.mask = stage.mask.data();
-        stage.expect_like_reference({layer(clip_linear, 0.5, 1), gesture}, "against a pose");
+        Layer layer_clip = layer(clip_cubic, 1.2, weight, LayerKind::add);
+        test_rig.expect_like_reference({layer(clip_linear, 0.5, 1), layer_clip}, "against the rest pose");
+        layer_clip.reference_clip = clip_cubic, layer_clip.reference_time_s = 0.25;
+        layer_clip.mask = test_rig.mask.data();
+        test_rig.expect_like_reference({layer(clip_linear, 0.5, 1), layer_clip}, "against a pose");
     }
 }
 
 TEST(Layers, LieOnTheRestPoseInTheOrderGiven)
 {
-    Stage stage;
-    stage.expect_like_reference({layer(clip_linear, 0.5, 0.5f)}, "half a clip");
-    stage.expect_like_reference({layer(model::none, 0, 1), layer(clip_steps, 0.7, 0.3f), layer(clip_linear, 1, 0.5f),
-                                 layer(clip_cubic, 0.5, 0.2f, LayerKind::add)},
-                                "many");
+    TestRig test_rig;
+    test_rig.expect_like_reference({layer(clip_linear, 0.5, 0.5f)}, "half a clip");
+    test_rig.expect_like_reference({layer(model::none, 0, 1), layer(clip_steps, 0.7, 0.3f), layer(clip_linear, 1, 0.5f),
+                                    layer(clip_cubic, 0.5, 0.2f, LayerKind::add)},
+                                   "many");
 }
 
 TEST(Layers, OneOfFullWeightIsTheClipToTheBit)
 {
-    Stage stage;
+    TestRig test_rig;
     const std::vector<Layer> layers = {layer(clip_linear, 0.77, 1)};
-    PoseJob job = stage.workspace.job();
+    PoseJob job = test_rig.workspace.job();
     job.layers = {layers.data(), 1};
     job.run();
-    Workspace plain(stage.rig);
+    Workspace plain(test_rig.rig);
     const auto expected = plain.pose(clip_linear, 0.77);
     for (uint32_t i = 0; i < expected.count; ++i)
         for (int k = 0; k < 12; ++k) EXPECT_EQ(job.palette[i].c[k], expected[i].c[k]);
@@ -96,9 +96,9 @@ TEST(Layers, OneOfFullWeightIsTheClipToTheBit)
 
 TEST(Layers, NeedScratchAndClipsThatExist)
 {
-    Stage stage;
+    TestRig test_rig;
     std::vector<Layer> layers = {layer(99, 0, 1)};
-    PoseJob job = stage.workspace.job();
+    PoseJob job = test_rig.workspace.job();
     job.layers = {layers.data(), 1};
     EXPECT_NE(std::string(job.check().text).find("clip 99"), std::string::npos) << job.check().text;
     layers[0] = layer(0, 0, NAN);

@@ -31,7 +31,7 @@ struct Sampled {
             tmpl.levels[0].part_spheres.push_back({i, {tmpl.rig.rest[i].translation, 0.2f}});
         tmpl.similar_only = false;
     }
-    void make() { meshsplit::give_room(meshsplit::make_motion(tolerance, tmpl), tmpl); }
+    void make() { meshsplit::inflate(meshsplit::make_motion(tolerance, tmpl), tmpl); }
 
     // Of points round every node, in double.
     double worst(uint32_t clip, double time_s)
@@ -66,15 +66,15 @@ struct Sampled {
 TEST(Motion, FollowsTheChannelsWithinTheErrorItStates)
 {
     for (const float metres : {0.01f, 0.001f}) {
-        Sampled stage(metres);
-        stage.make();
-        for (uint32_t c = 0; c < stage.tmpl.rig.clips.size(); ++c) {
-            const model::Clip &clip = stage.tmpl.rig.clips[c];
-            const float stated = stage.tmpl.motion.clips[c].error_m;
+        Sampled test_rig(metres);
+        test_rig.make();
+        for (uint32_t c = 0; c < test_rig.tmpl.rig.clips.size(); ++c) {
+            const model::Clip &clip = test_rig.tmpl.rig.clips[c];
+            const float stated = test_rig.tmpl.motion.clips[c].error_m;
             EXPECT_LE(stated, metres);
             for (int i = -10; i <= 1010; ++i) {
                 const double time = clip.start_s + clip.duration_s * i / 1000.0;
-                ASSERT_LE(stage.worst(c, time), stated * 1.05 + 2e-6) << "clip " << c << " at " << time;
+                ASSERT_LE(test_rig.worst(c, time), stated * 1.05 + 2e-6) << "clip " << c << " at " << time;
             }
         }
     }
@@ -94,20 +94,20 @@ TEST(Motion, TakesTheLowestRateThatDoes)
 
 TEST(Motion, HonoursStepsToTheKey)
 {
-    Sampled stage;
-    stage.make();
-    const model::Rig &rig = stage.tmpl.rig;
-    EXPECT_GT(stage.tmpl.motion.clips[clip_steps].exact_count, 0u);
+    Sampled test_rig;
+    test_rig.make();
+    const model::Rig &rig = test_rig.tmpl.rig;
+    EXPECT_GT(test_rig.tmpl.motion.clips[clip_steps].exact_count, 0u);
     for (uint32_t k = 0; k < 9; ++k) {
         const double key = rig.times[rig.channels[rig.clips[clip_steps].first_channel].first_time + k];
-        for (const double time : {key - 1e-9, key, key + 1e-9}) EXPECT_LE(stage.worst(clip_steps, time), 5e-6) << k;
+        for (const double time : {key - 1e-9, key, key + 1e-9}) EXPECT_LE(test_rig.worst(clip_steps, time), 5e-6) << k;
     }
 }
 
 TEST(Motion, KeepsTheChannelOfACutAlone)
 {
-    Sampled stage;
-    model::Rig &rig = stage.tmpl.rig;
+    Sampled test_rig;
+    model::Rig &rig = test_rig.tmpl.rig;
     // Key 15 of one joint is 1.5 radians from its neighbours, in a thirtieth of a second: a rate of 30 Hz does it; but two
     // keys a millisecond apart are followed by no rate.
     model::Channel &channel = rig.channels[rig.clips[clip_linear].first_channel];
@@ -119,29 +119,29 @@ TEST(Motion, KeepsTheChannelOfACutAlone)
     float *v = rig.values.data() + channel.first_value + 4 * 15;
     for (uint32_t k = 15; k < channel.key_count; ++k, v += 4) v[0] = 0.6f, v[1] = 0, v[2] = 0, v[3] = 0.8f;
     model::check(rig);
-    stage.make();
-    EXPECT_EQ(stage.tmpl.motion.clips[clip_linear].exact_count, 1u);
-    EXPECT_GT(stage.tmpl.motion.clips[clip_linear].rate_hz, 0.0f);
-    for (int i = 0; i < 50; ++i) EXPECT_LE(stage.worst(clip_linear, 0.25 + 14.0 / 30 - 0.0005 + i * 4e-5), 0.001);
+    test_rig.make();
+    EXPECT_EQ(test_rig.tmpl.motion.clips[clip_linear].exact_count, 1u);
+    EXPECT_GT(test_rig.tmpl.motion.clips[clip_linear].rate_hz, 0.0f);
+    for (int i = 0; i < 50; ++i) EXPECT_LE(test_rig.worst(clip_linear, 0.25 + 14.0 / 30 - 0.0005 + i * 4e-5), 0.001);
 }
 
 TEST(Motion, MixesLayersLikeTheChannels)
 {
-    Sampled stage;
-    stage.make();
-    const std::vector<float> mask = test::upper_half(stage.tmpl.rig);
-    Layer base, over, gesture;
+    Sampled test_rig;
+    test_rig.make();
+    const std::vector<float> mask = test::upper_half(test_rig.tmpl.rig);
+    Layer base, over, layer_clip;
     base.clip = clip_linear, base.time_s = 0.4;
     over.clip = clip_cubic, over.time_s = 0.8, over.weight = 0.4f, over.mask = mask.data();
-    gesture.clip = clip_cubic, gesture.time_s = 1.1, gesture.weight = 0.6f, gesture.kind = LayerKind::add;
-    gesture.reference_clip = clip_steps, gesture.reference_time_s = 0.9;
+    layer_clip.clip = clip_cubic, layer_clip.time_s = 1.1, layer_clip.weight = 0.6f, layer_clip.kind = LayerKind::add;
+    layer_clip.reference_clip = clip_steps, layer_clip.reference_time_s = 0.9;
     for (const std::vector<Layer> &layers : {std::vector<Layer>{base},
                                              {base, over},
-                                             {base, gesture},
-                                             {over, gesture, base, over},
-                                             {base, over, gesture}}) {
-        const reference::Pose expected = reference::evaluate(stage.tmpl.rig, layers);
-        Workspace workspace(stage.tmpl.rig, &stage.tmpl.motion);
+                                             {base, layer_clip},
+                                             {over, layer_clip, base, over},
+                                             {base, over, layer_clip}}) {
+        const reference::Pose expected = reference::evaluate(test_rig.tmpl.rig, layers);
+        Workspace workspace(test_rig.tmpl.rig, &test_rig.tmpl.motion);
         PoseJob job = workspace.job();
         job.layers = {layers.data(), uint32_t(layers.size())};
         ASSERT_TRUE(job.check().ok()) << job.check().text;
@@ -156,16 +156,16 @@ TEST(Motion, MixesLayersLikeTheChannels)
 
 TEST(Motion, GivesTheSameBitsOnEveryInstructionSet)
 {
-    Sampled stage;
-    stage.make();
-    Workspace a(stage.tmpl.rig, &stage.tmpl.motion), b(stage.tmpl.rig, &stage.tmpl.motion);
+    Sampled test_rig;
+    test_rig.make();
+    Workspace a(test_rig.tmpl.rig, &test_rig.tmpl.motion), b(test_rig.tmpl.rig, &test_rig.tmpl.motion);
     PoseJob first = a.job(), second = b.job();
-    for (const math::Kernel kernel : {math::Kernel::vector, math::Kernel::wide})
+    for (const math::SimdLevel simd_level : {math::SimdLevel::simd128, math::SimdLevel::simd256})
         for (uint32_t clip = 0; clip < 4; ++clip)
             for (int i = 0; i < 50; ++i) {
                 first.clip = second.clip = clip;
                 first.time_s = second.time_s = i * 0.031;
-                first.kernel = math::Kernel::scalar, second.kernel = kernel;
+                first.simd_level = math::SimdLevel::scalar, second.simd_level = simd_level;
                 first.run(), second.run();
                 ASSERT_EQ(0, std::memcmp(first.palette.data, second.palette.data, 48 * first.palette.count));
                 ASSERT_EQ(0, std::memcmp(first.weights.data, second.weights.data, 4 * first.weights.count));
@@ -174,52 +174,52 @@ TEST(Motion, GivesTheSameBitsOnEveryInstructionSet)
 
 TEST(Motion, LocalTransformsSayTheSameAsThePalette)
 {
-    Sampled stage;
-    stage.make();
-    Workspace workspace(stage.tmpl.rig, &stage.tmpl.motion);
+    Sampled test_rig;
+    test_rig.make();
+    Workspace workspace(test_rig.tmpl.rig, &test_rig.tmpl.motion);
     const auto palette = workspace.pose(clip_cubic, 0.777);
     PoseJob job = workspace.job();
     job.clip = clip_cubic, job.time_s = 0.777;
-    std::vector<math::Affine> globals(stage.tmpl.rig.node_count()), kept(palette.begin(), palette.end());
-    job.run_transforms();
+    std::vector<math::Affine> globals(test_rig.tmpl.rig.node_count()), kept(palette.begin(), palette.end());
+    job.run_local_transforms();
     for (uint32_t n = 0; n < globals.size(); ++n) {
         const math::Affine own = math::affine_of(job.locals[n]);
-        const uint32_t parent = stage.tmpl.rig.parents[n];
+        const uint32_t parent = test_rig.tmpl.rig.parents[n];
         globals[n] = parent == model::none ? own : math::mul(globals[parent], own);
-        const math::Affine entry = math::mul(globals[n], stage.tmpl.rig.palette[n].inverse_bind);
+        const math::Affine entry = math::mul(globals[n], test_rig.tmpl.rig.palette[n].inverse_bind);
         for (int k = 0; k < 12; ++k) ASSERT_NEAR(entry.c[k], kept[n].c[k], 5e-5) << n;
     }
 }
 
 TEST(Motion, NothingToleratedMeansChannels)
 {
-    Sampled stage(0.0f);
-    stage.make();
-    EXPECT_TRUE(stage.tmpl.motion.empty());
-    EXPECT_LE(stage.worst(clip_cubic, 0.6), 5e-6);
+    Sampled test_rig(0.0f);
+    test_rig.make();
+    EXPECT_TRUE(test_rig.tmpl.motion.empty());
+    EXPECT_LE(test_rig.worst(clip_cubic, 0.6), 5e-6);
 }
 
 TEST(Motion, MakesTheSphereHoldWhatItMoves)
 {
-    Sampled stage(0.01f);
-    stage.tmpl.sklsroot.radius = 1;
-    stage.make();
+    Sampled test_rig(0.01f);
+    test_rig.tmpl.sklsroot.radius = 1;
+    test_rig.make();
     const float most =
-        std::max(stage.tmpl.motion.clips[clip_linear].error_m, stage.tmpl.motion.clips[clip_cubic].error_m);
-    EXPECT_GT(stage.tmpl.sklsroot.radius, 1 + most);
-    EXPECT_LT(stage.tmpl.sklsroot.radius, 1.2f);
+        std::max(test_rig.tmpl.motion.clips[clip_linear].error_m, test_rig.tmpl.motion.clips[clip_cubic].error_m);
+    EXPECT_GT(test_rig.tmpl.sklsroot.radius, 1 + most);
+    EXPECT_LT(test_rig.tmpl.sklsroot.radius, 1.2f);
 }
 
 TEST(Motion, TakesLittleMemoryAndFoldsWhatStandsStill)
 {
-    Sampled stage(0.01f);
-    stage.make();
-    const model::Motion &motion = stage.tmpl.motion;
-    EXPECT_LT(motion_bytes(motion, stage.tmpl.rig, clip_still), 1000u);
+    Sampled test_rig(0.01f);
+    test_rig.make();
+    const model::Motion &motion = test_rig.tmpl.motion;
+    EXPECT_LT(motion_bytes(motion, test_rig.tmpl.rig, clip_still), 1000u);
     for (uint32_t b = 0; b < motion.block_count(); ++b)
         EXPECT_EQ(motion.blocks[clip_still * motion.block_count() + b].stride, 0u);
     EXPECT_LT(motion.joint_of[0], motion.nodes.size());
-    EXPECT_EQ(motion.joint_of[stage.tmpl.rig.node_count() - 1], model::none);
+    EXPECT_EQ(motion.joint_of[test_rig.tmpl.rig.node_count() - 1], model::none);
 }
 
 }  // namespace claque::pose

@@ -70,7 +70,7 @@ TEST(Pose, IsTheSameWhateverWasAskedBefore)
         for (int k = 0; k < 12; ++k) EXPECT_EQ(first[i].c[k], second[i].c[k]);
 }
 
-TEST(Pose, TellsGlobalsInModelSpace)
+TEST(Pose, ReturnsGlobalsInModelSpace)
 {
     const auto figure = make_figure();
     Workspace workspace(figure->rig);

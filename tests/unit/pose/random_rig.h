@@ -44,27 +44,27 @@ private:
     glm::quat turn(float most) { return math::unit_quat(1, real(-most, most), real(-most, most), real(-most, most)); }
 
     // Smooth between keys: each number follows a slow wave.
-    void channel(uint32_t node, model::Path path, uint32_t components, model::Interpolation how, uint32_t first_time,
-                 uint32_t keys)
+    void channel(uint32_t node, model::ChannelTarget path, uint32_t components, model::Interpolation how,
+                 uint32_t first_time, uint32_t keys)
     {
         model::Channel c;
-        c.node = node, c.path = path, c.interpolation = how, c.component_count = uint16_t(components);
+        c.node = node, c.target = path, c.interpolation = how, c.component_count = uint16_t(components);
         c.first_time = first_time, c.key_count = keys;
         c.first_value = uint32_t(rig_.values.size());
-        const float phase = real(0, 6), size = path == model::Path::translation ? 0.1f : 0.2f;
+        const float phase = real(0, 6), size = path == model::ChannelTarget::translation ? 0.1f : 0.2f;
         const bool cubic = how == model::Interpolation::cubic_spline;
         for (uint32_t k = 0; k < keys; ++k) {
             const float t = rig_.times[first_time + k];
             for (int part = cubic ? 0 : 1; part < (cubic ? 3 : 2); ++part)
                 for (uint32_t i = 0; i < components; ++i) {
                     const float at = phase + 2.5f * t + float(i);
-                    const float middle = path == model::Path::rotation ? (i == 3 ? 1.0f : 0.3f)
-                                         : path == model::Path::scale  ? 1.0f
-                                                                       : 0.1f;
+                    const float middle = path == model::ChannelTarget::rotation ? (i == 3 ? 1.0f : 0.3f)
+                                         : path == model::ChannelTarget::scale  ? 1.0f
+                                                                                : 0.1f;
                     rig_.values.push_back(part == 1 ? middle + size * std::sin(at) : 2.5f * size * std::cos(at));
                 }
         }
-        if (path == model::Path::rotation && !cubic)
+        if (path == model::ChannelTarget::rotation && !cubic)
             for (uint32_t k = 0; k < keys; ++k) {
                 float *v = rig_.values.data() + c.first_value + 4 * k;
                 const glm::quat q = math::unit_quat(v[3], v[0], v[1], v[2]);
@@ -79,11 +79,11 @@ private:
         for (uint32_t k = 0; k < keys; ++k) rig_.times.push_back(0.25f + float(k) / (keys == 31 ? 30.0f : 5.0f));
         model::Clip clip;
         clip.first_channel = uint32_t(rig_.channels.size());
-        for (uint32_t i = 1; i + 2 < nodes_; ++i) channel(i, model::Path::rotation, 4, how, first_time, keys);
-        channel(0, model::Path::translation, 3, how, first_time, keys);
-        channel(3, model::Path::translation, 3, how, first_time, keys);
-        channel(4, model::Path::scale, 3, how, first_time, keys);
-        channel(0, model::Path::morph_weights, 6, how, first_time, keys);
+        for (uint32_t i = 1; i + 2 < nodes_; ++i) channel(i, model::ChannelTarget::rotation, 4, how, first_time, keys);
+        channel(0, model::ChannelTarget::translation, 3, how, first_time, keys);
+        channel(3, model::ChannelTarget::translation, 3, how, first_time, keys);
+        channel(4, model::ChannelTarget::scale, 3, how, first_time, keys);
+        channel(0, model::ChannelTarget::morph_weights, 6, how, first_time, keys);
         clip.channel_count = uint32_t(rig_.channels.size()) - clip.first_channel;
         clip.start_s = rig_.times[first_time];
         clip.duration_s = rig_.times.back() - clip.start_s;

@@ -40,7 +40,7 @@ std::vector<double> sample(const model::Rig &rig, const model::Channel &c, doubl
     const float *t = rig.times.data() + c.first_time;
     const bool cubic = c.interpolation == model::Interpolation::cubic_spline;
     const auto value = [&](uint32_t key) { return group(rig, c, cubic ? 3 * key + 1 : key); };
-    const bool rotation = c.path == model::Path::rotation;
+    const bool rotation = c.target == model::ChannelTarget::rotation;
     std::vector<double> out;
     uint32_t k = 0;
     while (k + 1 < c.key_count && double(t[k + 1]) <= time) ++k;
@@ -107,10 +107,10 @@ Locals locals_at(const model::Rig &rig, uint32_t clip, double time_s)
     for (uint32_t i = 0; clip != model::none && i < rig.clips[clip].channel_count; ++i) {
         const model::Channel &c = rig.channels[rig.clips[clip].first_channel + i];
         const std::vector<double> v = sample(rig, c, time_s);
-        if (c.path == model::Path::translation) out.nodes[c.node].t = v;
-        if (c.path == model::Path::rotation) out.nodes[c.node].r = v;
-        if (c.path == model::Path::scale) out.nodes[c.node].s = v;
-        if (c.path == model::Path::morph_weights)
+        if (c.target == model::ChannelTarget::translation) out.nodes[c.node].t = v;
+        if (c.target == model::ChannelTarget::rotation) out.nodes[c.node].r = v;
+        if (c.target == model::ChannelTarget::scale) out.nodes[c.node].s = v;
+        if (c.target == model::ChannelTarget::morph_weights)
             std::copy(v.begin(), v.end(), out.weights.begin() + rig.morph_sets[c.node].first_weight);
     }
     return out;

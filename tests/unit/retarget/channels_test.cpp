@@ -53,18 +53,18 @@ bool has_assets()
 
 }  // namespace
 
-TEST(Channels, of_a_skeleton_that_agrees_are_copied_to_the_bit)
+TEST(Channels, OfASkeletonThatAgreesAreCopiedToTheBit)
 {
     model::Rig source = dancer();
     source.channels[3].interpolation = model::Interpolation::step;
     model::Rig target = rig_of(person(1, 0));
     const retarget::Report report = retarget::add_clips(target, source, {});
-    EXPECT_EQ(report.way, retarget::Way::channels);
+    EXPECT_EQ(report.mode, retarget::Mode::channels);
     EXPECT_TRUE(report.warnings.empty());
     ASSERT_EQ(target.channels.size(), source.channels.size());
     EXPECT_EQ(target.times.size(), 9u);
     for (const model::Channel &c : target.channels) {
-        const auto same = [&](const model::Channel &o) { return o.node == c.node && o.path == c.path; };
+        const auto same = [&](const model::Channel &o) { return o.node == c.node && o.target == c.target; };
         const auto other = std::find_if(source.channels.begin(), source.channels.end(), same);
         ASSERT_NE(other, source.channels.end());
         EXPECT_EQ(other->interpolation, c.interpolation);
@@ -73,7 +73,7 @@ TEST(Channels, of_a_skeleton_that_agrees_are_copied_to_the_bit)
     }
 }
 
-TEST(Channels, bring_their_markers_along)
+TEST(Channels, BringTheirMarkersAlong)
 {
     model::Rig source = dancer();
     add_motion(source, "other", 9, 1);
@@ -95,25 +95,25 @@ TEST(Channels, bring_their_markers_along)
     EXPECT_STREQ(target.marker_names[3].c_str(), "right");
     // What is cut away takes its markers with it; times count from where it begins.
     model::Rig cut = rig_of(person(1, 0));
-    options.clips = {"dance"}, options.way = retarget::Way::motion, options.first_s = 0.5;
+    options.clips = {"dance"}, options.mode = retarget::Mode::motion, options.start_s = 0.5;
     retarget::add_clips(cut, source, options);
     ASSERT_EQ(cut.markers.size(), 1u);
     EXPECT_NEAR(cut.markers[0].time_s, 0.1f, 1e-6f);
     EXPECT_STREQ(cut.marker_names[0].c_str(), "right");
 }
 
-TEST(Channels, are_not_taken_where_the_rest_poses_differ_by_more_than_a_little)
+TEST(Channels, AreNotTakenWhereTheRestPosesDifferByMoreThanALittle)
 {
     model::Rig lower_arms = rig_of(person(1, 10)), larger = rig_of(person(1.1f, 0)), nearly = rig_of(person(1.001f, 0));
-    EXPECT_EQ(retarget::add_clips(lower_arms, dancer(), {}).way, retarget::Way::motion);
-    EXPECT_EQ(retarget::add_clips(larger, dancer(), {}).way, retarget::Way::motion);
-    EXPECT_EQ(retarget::add_clips(nearly, dancer(), {}).way, retarget::Way::channels);
+    EXPECT_EQ(retarget::add_clips(lower_arms, dancer(), {}).mode, retarget::Mode::motion);
+    EXPECT_EQ(retarget::add_clips(larger, dancer(), {}).mode, retarget::Mode::motion);
+    EXPECT_EQ(retarget::add_clips(nearly, dancer(), {}).mode, retarget::Mode::channels);
     retarget::Options part;
-    part.last_s = 0.5;
-    EXPECT_EQ(retarget::add_clips(nearly, dancer(), part).way, retarget::Way::motion);
+    part.end_s = 0.5;
+    EXPECT_EQ(retarget::add_clips(nearly, dancer(), part).mode, retarget::Mode::motion);
 }
 
-TEST(Channels, under_other_axes_show_the_same)
+TEST(Channels, UnderOtherAxesShowTheSame)
 {
     std::vector<Bone> bones = {{"armature", "", {0, 0, 0}}};
     for (Bone bone : person(1, 0)) {
@@ -129,24 +129,24 @@ TEST(Channels, under_other_axes_show_the_same)
     target.rest[1].rotation = axis_turn({1, 0, 0}, 1.57079633f);
     for (size_t i = 2; i < target.rest.size(); ++i) target.rest[i].translation *= 0.5f;
     const model::Rig source = dancer();
-    ASSERT_EQ(retarget::add_clips(target, source, {}).way, retarget::Way::motion);  // half the offsets: no agreement
+    ASSERT_EQ(retarget::add_clips(target, source, {}).mode, retarget::Mode::motion);  // half the offsets: no agreement
     for (size_t i = 2; i < target.rest.size(); ++i) target.rest[i].translation *= 2.0f;
     target.rest[0].scale = glm::vec3(1);
     target.rest[1].translation *= 2.0f;
-    ASSERT_EQ(retarget::add_clips(target, source, {}).way, retarget::Way::channels);
+    ASSERT_EQ(retarget::add_clips(target, source, {}).mode, retarget::Mode::channels);
     for (uint32_t k = 0; k < 9; ++k)
         for (const char *name : {"hips", "head", "hand.l", "foot.r"})
             EXPECT_LT(glm::distance(posed(source, 0, k).of(source, name), posed(target, 1, k).of(target, name)), 1e-5);
 }
 
-TEST(Channels, of_a_file_of_clips_alone_move_a_character_of_another_file)
+TEST(Channels, OfAFileOfClipsAloneMoveACharacterOfAnotherFile)
 {
     if (!has_assets()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
     const model::Model clips = real("clips-only/kaykit/Med_Simulation.glb");
     model::Model character = real("humanoids/kaykit/Barbarian.glb");
     const uint32_t before = static_cast<uint32_t>(character.rig.clips.size());
     const retarget::Report report = retarget::add_clips(character.rig, clips.rig, {});
-    EXPECT_EQ(report.way, retarget::Way::channels);
+    EXPECT_EQ(report.mode, retarget::Mode::channels);
     EXPECT_EQ(report.clip_count, clips.rig.clips.size());
     EXPECT_GE(report.joint_count, 23u);
     model::check(character.rig);
@@ -160,7 +160,7 @@ TEST(Channels, of_a_file_of_clips_alone_move_a_character_of_another_file)
                 << name;
 }
 
-TEST(AddClips, says_what_is_not_bound_and_refuses_where_nothing_is)
+TEST(AddClips, SaysWhatIsNotBoundAndRefusesWhereNothingIs)
 {
     std::vector<Bone> bones = person(1, 0);
     bones.push_back({"tail", "hips", {0, 0, -0.1f}});
@@ -182,7 +182,7 @@ TEST(AddClips, says_what_is_not_bound_and_refuses_where_nothing_is)
     EXPECT_NE(refusal(stranger, source, map).find("moves joint 'b' by 'spine' and by 'head'"), std::string::npos);
 }
 
-TEST(AddClips, takes_clips_by_name_and_numbers_names_that_are_taken)
+TEST(AddClips, TakesClipsByNameAndNumbersNamesThatAreTaken)
 {
     model::Rig source = dancer();
     add_motion(source, "walk", 5, 1);

@@ -68,7 +68,7 @@ inline void add_motion(model::Rig &rig, const char *name, uint32_t keys, float s
     channel.first_time = static_cast<uint32_t>(rig.times.size());
     channel.key_count = keys;
     for (uint32_t k = 0; k < keys; ++k) rig.times.push_back(static_cast<float>(k) * 0.1f);
-    channel.path = model::Path::translation;
+    channel.target = model::ChannelTarget::translation;
     channel.first_value = static_cast<uint32_t>(rig.values.size());
     for (uint32_t k = 0; k < keys; ++k)
         for (const float v : {0.3f * size, size * (1 + 0.05f * std::sin(float(k))), size * 0.1f * float(k)})
@@ -76,7 +76,7 @@ inline void add_motion(model::Rig &rig, const char *name, uint32_t keys, float s
     rig.channels.push_back(channel);
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
         channel.node = i;
-        channel.path = model::Path::rotation;
+        channel.target = model::ChannelTarget::rotation;
         channel.component_count = 4;
         channel.first_value = static_cast<uint32_t>(rig.values.size());
         const float f = static_cast<float>(i);
@@ -108,8 +108,8 @@ inline Posed posed(const model::Rig &rig, uint32_t clip, uint32_t key)
         const model::Channel &channel = rig.channels[rig.clips[clip].first_channel + c];
         const uint32_t k = std::min(key, channel.key_count - 1);
         const float *v = rig.values.data() + channel.first_value + k * channel.component_count;
-        if (channel.path == model::Path::rotation) locals[channel.node] = glm::dquat(v[3], v[0], v[1], v[2]);
-        if (channel.path == model::Path::translation) shifts[channel.node] = glm::dvec3(v[0], v[1], v[2]);
+        if (channel.target == model::ChannelTarget::rotation) locals[channel.node] = glm::dquat(v[3], v[0], v[1], v[2]);
+        if (channel.target == model::ChannelTarget::translation) shifts[channel.node] = glm::dvec3(v[0], v[1], v[2]);
     }
     Posed out;
     for (uint32_t i = 0; i < rig.node_count(); ++i) {

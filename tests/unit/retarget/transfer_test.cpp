@@ -16,8 +16,8 @@ namespace
 retarget::Options motion_at_keys()
 {
     retarget::Options options;
-    options.way = retarget::Way::motion;
-    options.travel = retarget::Travel::keep;
+    options.mode = retarget::Mode::motion;
+    options.travel = retarget::RootTravel::keep;
     options.rate_hz = 10;  // as the keys of the source are
     return options;
 }
@@ -35,7 +35,7 @@ constexpr const char *limbs[][2] = {{"arm.l", "elbow.l"},  {"elbow.l", "hand.l"}
 
 }  // namespace
 
-TEST(Transfer, a_skeleton_of_another_size_does_the_same_in_its_own_size)
+TEST(Transfer, ASkeletonOfAnotherSizeDoesTheSameInItsOwnSize)
 {
     const model::Rig source = source_of(1, 0);
     model::Rig target = rig_of(person(2.5f, 0));
@@ -49,7 +49,7 @@ TEST(Transfer, a_skeleton_of_another_size_does_the_same_in_its_own_size)
     }
 }
 
-TEST(Transfer, aligned_limbs_point_where_those_of_the_source_point)
+TEST(Transfer, AlignedLimbsPointWhereThoseOfTheSourcePoint)
 {
     const model::Rig source = source_of(1, 0);
     model::Rig target = rig_of(person(1.3f, 50));
@@ -57,8 +57,8 @@ TEST(Transfer, aligned_limbs_point_where_those_of_the_source_point)
     for (const auto &limb : limbs)
         for (const char *name : limb) {
             bool there = false;
-            for (const retarget::Pair &pair : options.joints) there |= pair.source == name;
-            if (!there) options.joints.push_back({name, name, retarget::Rest::align});
+            for (const retarget::JointPair &pair : options.joints) there |= pair.source == name;
+            if (!there) options.joints.push_back({name, name, retarget::RestAlignment::align});
         }
     retarget::add_clips(target, source, options);
     for (uint32_t k = 0; k < 12; ++k) {
@@ -72,7 +72,7 @@ TEST(Transfer, aligned_limbs_point_where_those_of_the_source_point)
     }
 }
 
-TEST(Transfer, joints_that_keep_their_rest_turn_from_it_as_the_source_turns)
+TEST(Transfer, JointsThatKeepTheirRestTurnFromItAsTheSourceTurns)
 {
     const model::Rig source = source_of(1, 0);
     model::Rig target = rig_of(person(1, 50));
@@ -84,7 +84,7 @@ TEST(Transfer, joints_that_keep_their_rest_turn_from_it_as_the_source_turns)
     }
 }
 
-TEST(Transfer, a_source_with_another_axis_up_is_stood_up)
+TEST(Transfer, ASourceWithAnotherAxisUpIsStoodUp)
 {
     const model::Rig source = source_of(1, 10);
     // The same, told with Z up and looking along -Y, as other programs have it.
@@ -106,7 +106,7 @@ TEST(Transfer, a_source_with_another_axis_up_is_stood_up)
             EXPECT_LT(glm::distance(posed(upright, 0, k).places[i], posed(stood_up, 0, k).places[i]), 1e-5);
 }
 
-TEST(Transfer, axes_and_scales_above_the_target_do_not_show)
+TEST(Transfer, AxesAndScalesAboveTheTargetDoNotShow)
 {
     const model::Rig source = source_of(1, 0);
     model::Rig plain = rig_of(person(1, 0));
@@ -129,7 +129,7 @@ TEST(Transfer, axes_and_scales_above_the_target_do_not_show)
     }
 }
 
-TEST(Transfer, unbound_joints_rest_and_hang_on_what_moves)
+TEST(Transfer, UnboundJointsRestAndHangOnWhatMoves)
 {
     const model::Rig source = source_of(1, 0);
     std::vector<Bone> bones = person(1, 0);
@@ -143,7 +143,7 @@ TEST(Transfer, unbound_joints_rest_and_hang_on_what_moves)
     }
 }
 
-TEST(Transfer, cloth_that_follows_a_leg_turns_by_its_share_of_the_legs_turn)
+TEST(Transfer, ClothThatFollowsALegTurnsByItsShareOfTheLegsTurn)
 {
     const model::Rig source = source_of(1, 0);
     std::vector<Bone> bones = person(1, 0);
@@ -166,7 +166,7 @@ TEST(Transfer, cloth_that_follows_a_leg_turns_by_its_share_of_the_legs_turn)
     }
 }
 
-TEST(Transfer, feet_stand_on_the_ground_of_the_character)
+TEST(Transfer, FeetStandOnTheGroundOfTheCharacter)
 {
     model::Rig source = rig_of(person(1, 0));
     add_motion(source, "stand", 12, 1, 0.03f);
@@ -180,13 +180,13 @@ TEST(Transfer, feet_stand_on_the_ground_of_the_character)
     EXPECT_NEAR(lowest, 0, 0.01);
 }
 
-TEST(Transfer, in_place_ends_over_its_beginning_and_keep_goes_the_scaled_way)
+TEST(Transfer, InPlaceEndsOverItsStartAndKeepTravelsTheScaledDistance)
 {
     const model::Rig source = source_of(1, 0);
     model::Rig target = rig_of(person(2, 0));
     retarget::Options options = motion_at_keys();
     retarget::add_clips(target, source, options);
-    options.travel = retarget::Travel::in_place;
+    options.travel = retarget::RootTravel::in_place;
     retarget::add_clips(target, source, options);
     const glm::dvec3 goes = posed(target, 0, 11).places[0] - posed(target, 0, 0).places[0];
     EXPECT_NEAR(goes.z, 2 * 1.1, 1e-5);
@@ -196,12 +196,12 @@ TEST(Transfer, in_place_ends_over_its_beginning_and_keep_goes_the_scaled_way)
     EXPECT_EQ(target.clip_names[1], "dance.2");
 }
 
-TEST(Transfer, a_clip_that_closes_ends_in_its_first_pose_and_begins_as_before)
+TEST(Transfer, AClipThatClosesEndsInItsFirstPoseAndBeginsAsBefore)
 {
     const model::Rig source = source_of(1, 0, 31);
     model::Rig open = rig_of(person(1, 20)), closed = rig_of(person(1, 20));
     retarget::Options options = motion_at_keys();
-    options.travel = retarget::Travel::in_place;
+    options.travel = retarget::RootTravel::in_place;
     retarget::add_clips(open, source, options);
     options.close_s = 1;
     retarget::add_clips(closed, source, options);
@@ -211,12 +211,12 @@ TEST(Transfer, a_clip_that_closes_ends_in_its_first_pose_and_begins_as_before)
     }
 }
 
-TEST(Transfer, part_of_a_clip_is_taken_at_the_rate_that_is_asked_for)
+TEST(Transfer, PartOfAClipIsTakenAtTheRateThatIsAskedFor)
 {
     const model::Rig source = source_of(1, 0, 31);
     model::Rig target = rig_of(person(1, 0));
     retarget::Options options = motion_at_keys();
-    options.first_s = 0.5, options.last_s = 2;
+    options.start_s = 0.5, options.end_s = 2;
     options.rate_hz = 20;
     retarget::add_clips(target, source, options);
     EXPECT_FLOAT_EQ(target.clips[0].duration_s, 1.5f);

@@ -73,7 +73,7 @@ public:
         run.palette = matrices_;
         if (own_normal_matrices) run.normal_palette = matrices_ + 8 * aligned_matrix_floats;
         run.vertex_count = level_.vertex_count;
-        run.out_positions = reinterpret_cast<Real3 *>(out.floats.data());
+        run.out_positions = reinterpret_cast<Float3 *>(out.floats.data());
         run.out_normals = run.out_positions + 100;
         run_blocks(run);
         run.packed.range.step = 4.0f / 32767;
@@ -95,14 +95,14 @@ TEST(SkinBlocks, HaveTheSameBitsOnEveryProcessor)
     for (uint32_t influences = 1; influences <= model::max_block_influences; ++influences)
         for (const bool own_normal_matrices : {false, true}) {
             const Blocks blocks(influences);
-            const Made plain = blocks.made(run_vector_blocks, own_normal_matrices);
+            const Made plain = blocks.made(run_128_blocks, own_normal_matrices);
             EXPECT_NE(plain.floats[3 * 94], -77.0f);
             EXPECT_EQ(plain.floats[3 * 95], -77.0f);
             if (has_avx()) {
-                EXPECT_TRUE(plain == blocks.made(run_avx_blocks, own_normal_matrices)) << influences;
+                EXPECT_TRUE(plain == blocks.made(run_128_avx_blocks, own_normal_matrices)) << influences;
             }
-            if (math::can_run(Kernel::wide)) {
-                EXPECT_TRUE(plain == blocks.made(run_wide_blocks, own_normal_matrices)) << influences;
+            if (math::can_run(SimdLevel::simd256)) {
+                EXPECT_TRUE(plain == blocks.made(run_256_blocks, own_normal_matrices)) << influences;
             }
         }
 }

@@ -21,14 +21,14 @@ struct Packed {
 };
 
 Packed pack(const std::vector<float> &positions, const std::vector<float> &normals, const PackRange &range,
-            Kernel kernel)
+            SimdLevel simd_level)
 {
     Packed out{std::vector<PackedPosition>(positions.size() / 3), std::vector<PackedNormal>(positions.size() / 3)};
     PackJob job;
     job.positions = base::Span<const float>(positions);
     job.normals = base::Span<const float>(normals);
     job.range = range;
-    job.kernel = kernel;
+    job.simd_level = simd_level;
     job.out_positions = base::Span<PackedPosition>(out.positions);
     job.out_normals = base::Span<PackedNormal>(out.normals);
     EXPECT_TRUE(job.check().ok()) << job.check().text;
@@ -67,7 +67,7 @@ TEST(Pack, PutsEveryPositionOnTheNearestStepAndEveryNormalNearItsDirection)
 {
     const std::vector<float> positions = random_numbers(3 * 1001, 0.4f), normals = random_numbers(3 * 1001, 2);
     const PackRange range = some_range();
-    const Packed got = pack(positions, normals, range, Kernel::vector);
+    const Packed got = pack(positions, normals, range, SimdLevel::simd128);
     double widest_deg = 0;
     for (size_t v = 0; v < got.positions.size(); ++v) {
         const int16_t p[3] = {got.positions[v].x, got.positions[v].y, got.positions[v].z};
@@ -92,8 +92,8 @@ TEST(Pack, RoundsHalvesToTheEvenStep)
     PackRange range;
     const std::vector<float> positions = {0.5f, 1.5f, 2.5f, -0.5f, -1.5f, -2.5f, 3.5f, -3.5f, 0.49f, 7, 8, 9},
                              normals(12, 1.0f);
-    for (const Kernel kernel : {Kernel::scalar, Kernel::vector}) {
-        const Packed got = pack(positions, normals, range, kernel);
+    for (const SimdLevel simd_level : {SimdLevel::scalar, SimdLevel::simd128}) {
+        const Packed got = pack(positions, normals, range, simd_level);
         EXPECT_EQ(got.positions[0].x, 0);
         EXPECT_EQ(got.positions[0].y, 2);
         EXPECT_EQ(got.positions[0].z, 2);
@@ -110,8 +110,8 @@ TEST(Pack, GivesTheSameBitsWithEveryKernelAndCount)
 {
     for (size_t count = 0; count < 40; ++count) {
         const std::vector<float> positions = random_numbers(3 * count, 4), normals = random_numbers(3 * count, 1);
-        expect_same(pack(positions, normals, some_range(), Kernel::scalar),
-                    pack(positions, normals, some_range(), Kernel::vector));
+        expect_same(pack(positions, normals, some_range(), SimdLevel::scalar),
+                    pack(positions, normals, some_range(), SimdLevel::simd128));
     }
 }
 
@@ -119,7 +119,8 @@ TEST(Pack, KeepsWhatIsOutOfRangeOrNoNumberWithinTheRange)
 {
     const float infinite = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> odd = {infinite, -infinite, nan, 1e30f, -1e30f, 0, 1e-40f, 0, -0.0f, nan, 0, 1};
-    const Packed a = pack(odd, odd, some_range(), Kernel::scalar), b = pack(odd, odd, some_range(), Kernel::vector);
+    const Packed a = pack(odd, odd, some_range(), SimdLevel::scalar),
+                 b = pack(odd, odd, some_range(), SimdLevel::simd128);
     expect_same(a, b);
     EXPECT_EQ(a.positions[0].x, 32767);
     EXPECT_EQ(a.positions[0].y, -32767);
@@ -135,7 +136,7 @@ TEST(Pack, ReachesTheWholeSphereOfATemplate)
     tmpl.sklsroot.radius = 2;
     const PackRange range = pack_range(tmpl);
     const Packed got =
-        pack({0, 3, 0, 0, -1, 0, 2, 1, 0, 0.5f, 0.5f, 0.5f}, std::vector<float>(12, 1.0f), range, Kernel::vector);
+        pack({0, 3, 0, 0, -1, 0, 2, 1, 0, 0.5f, 0.5f, 0.5f}, std::vector<float>(12, 1.0f), range, SimdLevel::simd128);
     EXPECT_EQ(got.positions[0].y, 32767);
     EXPECT_EQ(got.positions[1].y, -32767);
     EXPECT_EQ(got.positions[2].x, 32767);

@@ -18,7 +18,7 @@ inline void expect_packed_as_afterwards(SkinJob job)
     std::vector<PackedNormal> normals(room), direct_normals(room);
     PackJob pack;
     pack.range.offset[1] = 0.5f, pack.range.step = 1.7f / 32767;
-    pack.kernel = Kernel::scalar;
+    pack.simd_level = SimdLevel::scalar;
     pack.positions = {job.out_positions.data, 3 * count}, pack.normals = {job.out_normals.data, 3 * count};
     pack.out_positions = {positions.data(), count}, pack.out_normals = {normals.data(), count};
     ASSERT_TRUE(pack.check().ok()) << pack.check().text;

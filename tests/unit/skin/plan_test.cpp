@@ -15,7 +15,7 @@ namespace claque::skin
 namespace
 {
 
-using model::SkinBy;
+using model::SkinMethod;
 
 struct PlanMade {
     std::vector<uint16_t> joints;
@@ -63,7 +63,7 @@ struct PlanResult {
     std::vector<float> positions, normals;
 };
 
-PlanResult run(const model::Level &level, Normals normals, Kernel kernel)
+PlanResult run(const model::Level &level, Normals normals, SimdLevel simd_level)
 {
     std::vector<math::Affine> palette(17);
     std::mt19937 random(9);
@@ -77,7 +77,7 @@ PlanResult run(const model::Level &level, Normals normals, Kernel kernel)
     job.level = &level;
     job.palette = {palette.data(), 16};
     job.normals = normals;
-    job.kernel = kernel;
+    job.simd_level = simd_level;
     job.scratch = base::Span<float>(scratch);
     job.out_positions = {out.positions.data(), uint32_t(floats)};
     job.out_normals = {out.normals.data(), uint32_t(floats)};
@@ -102,10 +102,10 @@ void expect_no_bit_changed(model::Level level)
 {
     for (const Normals how : {Normals::by_palette, Normals::by_own_matrices}) {
         level.skinning.segments.clear();
-        const PlanResult plain = run(level, how, Kernel::scalar);
+        const PlanResult plain = run(level, how, SimdLevel::scalar);
         model::plan_skinning(level);
-        for (const Kernel kernel : {Kernel::scalar, Kernel::vector, Kernel::wide})
-            expect_same(plain, run(level, how, kernel));
+        for (const SimdLevel simd_level : {SimdLevel::scalar, SimdLevel::simd128, SimdLevel::simd256})
+            expect_same(plain, run(level, how, simd_level));
     }
 }
 
@@ -129,12 +129,12 @@ TEST(SkinPlan, PutsNeighboursOnTheSameEntriesIntoBlocksAndFewOthersByThemselves)
     expect_covered(level);
     const auto &segments = level.skinning.segments;
     ASSERT_EQ(segments.size(), 3u);
-    EXPECT_EQ(segments[0].by, SkinBy::block);  // 16 of the 20; four are fewer than a block is worth
+    EXPECT_EQ(segments[0].method, SkinMethod::block);  // 16 of the 20; four are fewer than a block is worth
     EXPECT_EQ(segments[0].count, 16u);
-    EXPECT_EQ(segments[1].by, SkinBy::vertex);
+    EXPECT_EQ(segments[1].method, SkinMethod::vertex);
     EXPECT_EQ(segments[1].count, 4u + 3u);
-    EXPECT_EQ(segments[2].by, SkinBy::block);
-    EXPECT_EQ(segments[2].part_count, 2u);  // 8 and 5 lanes
+    EXPECT_EQ(segments[2].method, SkinMethod::block);
+    EXPECT_EQ(segments[2].item_count, 2u);  // 8 and 5 lanes
     EXPECT_EQ(segments[2].count, 13u);
 }
 
@@ -150,10 +150,10 @@ TEST(SkinPlan, BlendsOnceForVerticesThatShareJointsAndWeights)
     expect_covered(level);
     uint32_t by_sets = 0;
     for (const model::SkinSegment &segment : level.skinning.segments) {
-        if (segment.by != SkinBy::set) continue;
+        if (segment.method != SkinMethod::set) continue;
         by_sets += segment.count;
-        EXPECT_LE(segment.part_count, model::max_chunk_sets);
-        EXPECT_LE(2 * segment.part_count, segment.count);
+        EXPECT_LE(segment.item_count, model::max_chunk_sets);
+        EXPECT_LE(2 * segment.item_count, segment.count);
     }
     EXPECT_EQ(by_sets, 400u);
     expect_no_bit_changed(level);
@@ -182,13 +182,13 @@ TEST(SkinPlan, ChangesNoBitWhateverTheGroups)
 // As clq_simd says of CLQ_SIMD_FMA: the other kernels' numbers but for a few units of the last place of the largest term.
 TEST(SkinPlan, WithFusedMultiplyAddDiffersByAFewUnitsOfTheLastPlace)
 {
-    if (!can_run(Kernel::fused)) GTEST_SKIP() << "this processor has no fused multiply-add";
+    if (!can_run(SimdLevel::fma)) GTEST_SKIP() << "this processor has no fused multiply-add";
     float most = 0;
     for (const Normals how : {Normals::by_palette, Normals::by_own_matrices})
         for (uint32_t influences = 1; influences <= 4; ++influences) {
             model::Level level = level_of(influences, grouped({24, 40, 16}, influences, 9), 3);
             model::plan_skinning(level);
-            const PlanResult a = run(level, how, Kernel::wide), b = run(level, how, Kernel::fused);
+            const PlanResult a = run(level, how, SimdLevel::simd256), b = run(level, how, SimdLevel::fma);
             for (size_t i = 0; i < a.positions.size(); ++i) {
                 most = std::max(most, std::fabs(a.positions[i] - b.positions[i]));
                 most = std::max(most, std::fabs(a.normals[i] - b.normals[i]));

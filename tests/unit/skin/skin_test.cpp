@@ -22,14 +22,14 @@ struct Result {
 };
 
 Result run(const model::Level &level, base::Span<const math::Affine> palette, base::Span<const float> weights,
-           Normals normals, Kernel kernel)
+           Normals normals, SimdLevel simd_level)
 {
     SkinJob job;
     job.level = &level;
     job.palette = palette;
     job.morph_weights = weights;
     job.normals = normals;
-    job.kernel = kernel;
+    job.simd_level = simd_level;
     std::vector<float> scratch(scratch_floats(level, palette.count, normals));
     Result out{std::vector<float>(3 * level.vertex_count + 1, -77.0f),
                std::vector<float>(3 * level.vertex_count + 1, -77.0f)};
@@ -105,7 +105,7 @@ TEST_P(Skin, AgreesWithTheTextbookSumInDouble)
     for (const model::Level &level : figure_->levels) {
         const auto palette = workspace_->pose(clip_walk, 0.4);
         ASSERT_NE(workspace_->weights()[0], 0);  // morph targets are at work
-        const Result got = run(level, palette, workspace_->weights(), how_, Kernel::vector);
+        const Result got = run(level, palette, workspace_->weights(), how_, SimdLevel::simd128);
         std::vector<double> positions, normals;
         reference(level, palette, workspace_->weights(), how_, positions, normals);
         for (size_t i = 0; i < positions.size(); ++i) {
@@ -117,13 +117,13 @@ TEST_P(Skin, AgreesWithTheTextbookSumInDouble)
 
 TEST_P(Skin, AllKernelsGiveTheSameBits)
 {
-    if (!can_run(Kernel::wide)) GTEST_LOG_(INFO) << "this processor has no AVX2: the wide kernel is not run";
+    if (!can_run(SimdLevel::simd256)) GTEST_LOG_(INFO) << "this processor has no AVX2: the wide kernel is not run";
     for (int i = 0; i < 50; ++i) {
         const auto palette = workspace_->pose(uint32_t(i) % 4, i * 0.021);
         for (const model::Level &level : figure_->levels) {
-            const Result a = run(level, palette, workspace_->weights(), how_, Kernel::scalar);
-            for (const Kernel kernel : {Kernel::vector, Kernel::wide}) {
-                const Result b = run(level, palette, workspace_->weights(), how_, kernel);
+            const Result a = run(level, palette, workspace_->weights(), how_, SimdLevel::scalar);
+            for (const SimdLevel simd_level : {SimdLevel::simd128, SimdLevel::simd256}) {
+                const Result b = run(level, palette, workspace_->weights(), how_, simd_level);
                 ASSERT_EQ(std::memcmp(a.positions.data(), b.positions.data(), 4 * a.positions.size()), 0);
                 ASSERT_EQ(std::memcmp(a.normals.data(), b.normals.data(), 4 * a.normals.size()), 0);
             }
@@ -152,9 +152,9 @@ TEST(SkinRuns, OfAnyLengthAndNumberOfInfluencesAreTheSameInAllKernels)
                     level.joints.push_back(uint16_t(++n * 5 % 8));
                     level.weights.push_back(1.0f / float(influences + i % 3));
                 }
-                const Result a = run(level, {palette.data(), 8}, {}, how, Kernel::scalar);
-                for (const Kernel kernel : {Kernel::vector, Kernel::wide}) {
-                    const Result b = run(level, {palette.data(), 8}, {}, how, kernel);
+                const Result a = run(level, {palette.data(), 8}, {}, how, SimdLevel::scalar);
+                for (const SimdLevel simd_level : {SimdLevel::simd128, SimdLevel::simd256}) {
+                    const Result b = run(level, {palette.data(), 8}, {}, how, simd_level);
                     ASSERT_EQ(std::memcmp(a.positions.data(), b.positions.data(), 4 * a.positions.size()), 0);
                     ASSERT_EQ(std::memcmp(a.normals.data(), b.normals.data(), 4 * a.normals.size()), 0);
                 }
@@ -166,11 +166,11 @@ TEST_P(Skin, MorphTargetsOfNoWeightCostNothingAndShowNothing)
     const auto palette = workspace_->pose(model::none, 0);
     const model::Level &level = figure_->levels[0];
     const float zero[2] = {0, 0};
-    const Result a = run(level, palette, {zero, 2}, how_, Kernel::vector),
-                 b = run(level, palette, {}, how_, Kernel::vector);
+    const Result a = run(level, palette, {zero, 2}, how_, SimdLevel::simd128),
+                 b = run(level, palette, {}, how_, SimdLevel::simd128);
     EXPECT_EQ(a.positions, b.positions);
     const float one[2] = {0, 1};
-    EXPECT_NE(a.positions, run(level, palette, {one, 2}, how_, Kernel::vector).positions);
+    EXPECT_NE(a.positions, run(level, palette, {one, 2}, how_, SimdLevel::simd128).positions);
 }
 
 TEST(SkinNormals, StayUprightOnASlopeThatIsStretched)
@@ -186,7 +186,7 @@ TEST(SkinNormals, StayUprightOnASlopeThatIsStretched)
     level.runs.push_back({0, 1, 1, 0});
     level.joints = {0};
     level.weights = {1};
-    const Result got = run(level, {palette, 1}, {}, Normals::by_own_matrices, Kernel::vector);
+    const Result got = run(level, {palette, 1}, {}, Normals::by_own_matrices, SimdLevel::simd128);
     EXPECT_NEAR(got.normals[1] / got.normals[0], 2, 1e-6);
     EXPECT_EQ(got.positions[0], 2);
 }

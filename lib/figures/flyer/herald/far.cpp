@@ -20,7 +20,7 @@ void add_lower_half(Mesh &mesh, int)
 
 void add_whole(Mesh &mesh, int)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const std::vector<Ring> body = {{{0, -0.80f, -0.04f}, 0, 0, 0, 0},
                                     {{0, -0.28f, 0}, 0.190f, 0.170f, 0.170f, 0.3f},
                                     {{0, 0.40f, 0}, 0.150f, 0.120f, 0.120f, 0.7f},

@@ -30,24 +30,24 @@ const Joints joints = {{{Node::body, {0, 0, 0}},
 std::vector<Piece> pieces()
 {
     return {
-        {"hips", Node::body, 0, {16, 45, limbs_stop_m}, add_skirt},
-        {"chest", Node::spine, 0, {20, 50, limbs_stop_m}, add_chest},
-        {"neck", Node::neck, 0, {20, limbs_stop_m}, add_neck},
-        {"head", Node::head, 0, {12, face_stops_m}, add_head},
-        {"head_far", Node::head, face_stops_m, {70, limbs_stop_m}, add_far_head},
-        {"eye_left", Node::eye_left, 0, {12, face_stops_m}, add_eye_left},
-        {"eye_right", Node::eye_right, 0, {12, face_stops_m}, add_eye_right},
-        {"lids", Node::lids, 0, {12, face_stops_m}, add_lids},
-        {"jaw", Node::jaw, 0, {12, face_stops_m}, add_jaw},
-        {"brow", Node::brow, 0, {12, face_stops_m}, add_brow},
-        {"wing_left", Node::wing_left, 0, {25, 60, limbs_stop_m, wings_stop_m}, add_wing_left},
-        {"wing_right", Node::wing_right, 0, {25, 60, limbs_stop_m, wings_stop_m}, add_wing_right},
-        {"arm_left", Node::arm_left, 0, {16, 45, limbs_stop_m}, add_arm_left},
-        {"arm_right", Node::arm_right, 0, {16, 45, limbs_stop_m}, add_arm_right},
-        {"legs", Node::legs, 0, {16, 45, limbs_stop_m}, add_legs},
-        {"bust", Node::spine, limbs_stop_m, {wings_stop_m}, add_bust},
-        {"lower_half", Node::body, limbs_stop_m, {wings_stop_m}, add_lower_half},
-        {"whole", Node::body, wings_stop_m, {for_ever}, add_whole},
+        {"hips", Node::body, 0, {16, 45, limbs_deactivation_m}, add_skirt},
+        {"chest", Node::spine, 0, {20, 50, limbs_deactivation_m}, add_chest},
+        {"neck", Node::neck, 0, {20, limbs_deactivation_m}, add_neck},
+        {"head", Node::head, 0, {12, face_deactivation_m}, add_head},
+        {"head_far", Node::head, face_deactivation_m, {70, limbs_deactivation_m}, add_far_head},
+        {"eye_left", Node::eye_left, 0, {12, face_deactivation_m}, add_eye_left},
+        {"eye_right", Node::eye_right, 0, {12, face_deactivation_m}, add_eye_right},
+        {"lids", Node::lids, 0, {12, face_deactivation_m}, add_lids},
+        {"jaw", Node::jaw, 0, {12, face_deactivation_m}, add_jaw},
+        {"brow", Node::brow, 0, {12, face_deactivation_m}, add_brow},
+        {"wing_left", Node::wing_left, 0, {25, 60, limbs_deactivation_m, wings_deactivation_m}, add_wing_left},
+        {"wing_right", Node::wing_right, 0, {25, 60, limbs_deactivation_m, wings_deactivation_m}, add_wing_right},
+        {"arm_left", Node::arm_left, 0, {16, 45, limbs_deactivation_m}, add_arm_left},
+        {"arm_right", Node::arm_right, 0, {16, 45, limbs_deactivation_m}, add_arm_right},
+        {"legs", Node::legs, 0, {16, 45, limbs_deactivation_m}, add_legs},
+        {"bust", Node::spine, limbs_deactivation_m, {wings_deactivation_m}, add_bust},
+        {"lower_half", Node::body, limbs_deactivation_m, {wings_deactivation_m}, add_lower_half},
+        {"whole", Node::body, wings_deactivation_m, {for_ever}, add_whole},
     };
 }
 
@@ -96,7 +96,7 @@ model::Model winged_herald()
     made.painter = herald::paint;
     made.layout = layout();
     made.zones = zones();
-    made.gait = {1.02f, 4, 5, 0.62f, 0.22f, 0.78f, 0.16f};
+    made.flight_style = {1.02f, 4, 5, 0.62f, 0.22f, 0.78f, 0.16f};
     return assemble(made);
 }
 

@@ -50,11 +50,11 @@ const std::vector<Meridian> coarsest = {
 constexpr float crown = 0.137f;
 
 // Swollen by as much as coarse meridians cut off.
-void add_skull(Sculptor &to, Chart chart, Sculpt sculpt, const std::vector<Meridian> &half, float swell)
+void add_skull(MeshBuilder &to, Chart chart, Sculpt sculpt, const std::vector<Meridian> &half, float swell)
 {
-    std::vector<std::vector<Sculptor::Stop>> meridians;
+    std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
     const auto add = [&](const Meridian &m, float side) {
-        std::vector<Sculptor::Stop> stops;
+        std::vector<MeshBuilder::SheetVertex> stops;
         for (const float h : m.heights) {
             const glm::vec3 p = on_head(m.angle, h, sculpt);
             stops.push_back({glm::vec3(side * swell * (m.angle > 3 ? 0 : p.x), p.y, swell * p.z),
@@ -70,7 +70,7 @@ void add_skull(Sculptor &to, Chart chart, Sculpt sculpt, const std::vector<Merid
 }
 
 // Leaves of a wreath over the temples: each a small roof whose underside is the hair.
-void add_wreath(Sculptor &to, int level)
+void add_wreath(MeshBuilder &to, int level)
 {
     const int leaves = level == 0 ? 4 : 3;
     for (const Side side : {Side::left, Side::right})
@@ -83,11 +83,11 @@ void add_wreath(Sculptor &to, int level)
                 const glm::vec3 outward = glm::normalize(p - head_centre);
                 return mirrored(p + outward * off, side);
             };
-            const Sculptor::Stop root = {on(until, h - 0.020f, 0.000f), {0, 0.5f}};
-            const Sculptor::Stop tip = {on(from, h + 0.012f, 0.014f), {1, 0.5f}};
-            const Sculptor::Stop low = {on((from + until) / 2, h - 0.022f, 0.000f), {0.5f, 0}};
-            const Sculptor::Stop high = {on((from + until) / 2, h + 0.014f, 0.000f), {0.5f, 1}};
-            const Sculptor::Stop rib = {on((from + until) / 2, h - 0.004f, 0.010f), {0.5f, 0.5f}};
+            const MeshBuilder::SheetVertex root = {on(until, h - 0.020f, 0.000f), {0, 0.5f}};
+            const MeshBuilder::SheetVertex tip = {on(from, h + 0.012f, 0.014f), {1, 0.5f}};
+            const MeshBuilder::SheetVertex low = {on((from + until) / 2, h - 0.022f, 0.000f), {0.5f, 0}};
+            const MeshBuilder::SheetVertex high = {on((from + until) / 2, h + 0.014f, 0.000f), {0.5f, 1}};
+            const MeshBuilder::SheetVertex rib = {on((from + until) / 2, h - 0.004f, 0.010f), {0.5f, 0.5f}};
             const Winding w = winding_of(side);
             if (level > 0) {
                 to.triangle(wreath_chart, w, tip, low, root);
@@ -103,7 +103,7 @@ void add_wreath(Sculptor &to, int level)
 
 void add_eye(Mesh &mesh, int level, Side side)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_ball(to, eye_chart, {mirrored(eye_left, side), eye_radius * (level == 0 ? 1 : 1.06f), 1.05f, 1.0f},
              level == 0 ? 5 : 2, level == 0 ? 3 : 2);
 }
@@ -112,14 +112,14 @@ void add_eye(Mesh &mesh, int level, Side side)
 
 void add_head(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_skull(to, head_chart, Sculpt::near, level == 0 ? fine : medium, level == 0 ? 1 : 1.02f);
     add_wreath(to, level);
 }
 
 void add_far_head(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_skull(to, far_head_chart, Sculpt::far, level == 0 ? coarse : coarsest, level == 0 ? 1.05f : 1.12f);
 }
 
@@ -128,7 +128,7 @@ void add_eye_right(Mesh &mesh, int level) { add_eye(mesh, level, Side::right); }
 
 void add_lids(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const std::vector<float> pitches = level == 0 ? std::vector<float>{0.42f, 1.00f, 1.75f} : std::vector{0.42f, 1.75f};
     for (const Side side : {Side::left, Side::right})
         add_lid(to, lid_chart, {mirrored(eye_left, side), eye_radius + 0.0020f, 1.35f, 0}, level == 0 ? 5 : 2, pitches);
@@ -136,15 +136,15 @@ void add_lids(Mesh &mesh, int level)
 
 void add_jaw(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const std::vector<float> angles =
         level == 0 ? std::vector<float>{-0.65f, -0.62f, -0.40f, -0.15f, 0.15f, 0.40f, 0.62f, 0.65f}
                    : std::vector<float>{-0.65f, -0.62f, -0.25f, 0.25f, 0.62f, 0.65f};
     const std::vector<float> heights = level == 0 ? std::vector<float>{-0.140f, -0.117f, -0.092f, -0.0745f}
                                                   : std::vector<float>{-0.142f, -0.108f, -0.0745f};
-    std::vector<std::vector<Sculptor::Stop>> skin, mouth;
+    std::vector<std::vector<MeshBuilder::SheetVertex>> skin, mouth;
     for (const float angle : angles) {
-        std::vector<Sculptor::Stop> stops;
+        std::vector<MeshBuilder::SheetVertex> stops;
         const bool rim = angle == angles.front() || angle == angles.back();  // turned in, so that no slit opens
         for (const float h : heights) {
             glm::vec3 p = on_head(angle, h, Sculpt::jaw);
@@ -158,19 +158,19 @@ void add_jaw(Mesh &mesh, int level)
         mouth.push_back({{stops.back().first, glm::vec2(angle, 0)}, {inside, glm::vec2(angle, 1)}});
     }
     to.sheet(jaw_chart, Winding::as_given, {skin.begin() + 1, skin.end() - 1});
-    Sculptor rims(mesh);
+    MeshBuilder rims(mesh);
     rims.sheet(jaw_chart, Winding::as_given, {skin[0], skin[1]});
     rims.sheet(jaw_chart, Winding::as_given, {skin[skin.size() - 2], skin.back()});
-    Sculptor(mesh).sheet(mouth_chart, Winding::as_given, mouth);  // with an edge between lip and mouth
+    MeshBuilder(mesh).sheet(mouth_chart, Winding::as_given, mouth);  // with an edge between lip and mouth
 }
 
 void add_brow(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const int n = level == 0 ? 2 : 1;
     const float lift = level == 0 ? 0 : 0.004f;  // over coarser foreheads
     for (const Side side : {Side::left, Side::right}) {
-        std::vector<std::vector<Sculptor::Stop>> meridians;
+        std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
         for (int i = 0; i <= n; ++i) {
             const float s = static_cast<float>(i) / static_cast<float>(n), angle = 0.16f + s * 0.60f;
             const float middle = 0.0500f + 0.0085f * (1 - (2 * s - 0.9f) * (2 * s - 0.9f));

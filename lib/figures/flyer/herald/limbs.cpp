@@ -31,23 +31,23 @@ glm::vec3 fist_of(Side side)
     return shoulder + p.upper * 0.235f + p.fore * 0.285f;
 }
 
-void add_arm(Sculptor &to, int level, Side side)
+void add_arm(MeshBuilder &to, int level, Side side)
 {
     const ArmPose &p = pose_of(side);
     const auto up = [&](float metres) { return shoulder + p.upper * metres; };
     const glm::vec3 elbow = up(0.235f);
     const auto down = [&](float metres) { return elbow + p.fore * metres; };
     const glm::vec3 ahead = side == Side::left ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, -0.2f);
-    const std::vector<Bead> sleeve = {{up(-0.068f), 0, 0, 0},
-                                      {up(-0.045f), 0.055f, 0.055f, 0.055f},
-                                      {up(0.010f), 0.076f, 0.074f, 0.076f},
-                                      {up(0.140f), 0.082f, 0.080f, 0.082f},
-                                      {up(0.110f), 0.030f, 0.030f, 0.030f}};
-    const std::vector<Bead> arm = {{up(0.080f), 0.040f, 0.042f, 0.042f},   {elbow, 0.037f, 0.037f, 0.038f},
-                                   {down(0.070f), 0.038f, 0.040f, 0.036f}, {down(0.200f), 0.025f, 0.024f, 0.024f},
-                                   {down(0.240f), 0.034f, 0.030f, 0.026f}, {down(0.290f), 0.036f, 0.034f, 0.030f},
-                                   {down(0.325f), 0.022f, 0.024f, 0.022f}, {down(0.332f), 0, 0, 0}};
-    const auto sleeve_rings = strung(sleeve, ahead), arm_rings = strung(arm, ahead);
+    const std::vector<PathRing> sleeve = {{up(-0.068f), 0, 0, 0},
+                                          {up(-0.045f), 0.055f, 0.055f, 0.055f},
+                                          {up(0.010f), 0.076f, 0.074f, 0.076f},
+                                          {up(0.140f), 0.082f, 0.080f, 0.082f},
+                                          {up(0.110f), 0.030f, 0.030f, 0.030f}};
+    const std::vector<PathRing> arm = {{up(0.080f), 0.040f, 0.042f, 0.042f},   {elbow, 0.037f, 0.037f, 0.038f},
+                                       {down(0.070f), 0.038f, 0.040f, 0.036f}, {down(0.200f), 0.025f, 0.024f, 0.024f},
+                                       {down(0.240f), 0.034f, 0.030f, 0.026f}, {down(0.290f), 0.036f, 0.034f, 0.030f},
+                                       {down(0.325f), 0.022f, 0.024f, 0.022f}, {down(0.332f), 0, 0, 0}};
+    const auto sleeve_rings = rings_along(sleeve, ahead), arm_rings = rings_along(arm, ahead);
     if (level == 0) {
         add_tube(to, {sleeve_chart, side, 7}, sleeve_rings);
         add_tube(to, {arm_chart, side, 5}, pick(arm_rings, {0, 1, 2, 3, 4, 6, 7}));
@@ -67,20 +67,20 @@ void add_arm(Sculptor &to, int level, Side side)
         add_tube(to, {sleeve_chart, side, 4}, pick(sleeve_rings, {1, 2, 4}));
         add_tube(to, {arm_chart, side, 3}, pick(arm_rings, {0, 2, 6, 7}));
     } else {
-        const std::vector<Bead> whole = {{up(-0.030f), 0.058f, 0.058f, 0.058f},
-                                         {elbow, 0.036f, 0.036f, 0.036f},
-                                         {down(0.300f), 0.028f, 0.028f, 0.028f}};
-        add_tube(to, {arm_chart, side, 3}, strung(whole, ahead));
+        const std::vector<PathRing> whole = {{up(-0.030f), 0.058f, 0.058f, 0.058f},
+                                             {elbow, 0.036f, 0.036f, 0.036f},
+                                             {down(0.300f), 0.028f, 0.028f, 0.028f}};
+        add_tube(to, {arm_chart, side, 3}, rings_along(whole, ahead));
     }
 }
 
 // A long straight one, held where its weight is; mouthpiece behind the fist, the bell ahead.
-void add_trumpet(Sculptor &to, int level)
+void add_trumpet(MeshBuilder &to, int level)
 {
     const glm::vec3 fist = mirrored(fist_of(Side::right), Side::right);
     const glm::vec3 d = unit(-0.12f, 0.50f, 0.86f);
     const auto at = [&](float metres) { return fist + d * metres; };
-    const std::vector<Bead> beads = {
+    const std::vector<PathRing> beads = {
         {at(0.660f), 0, 0, 0},
         {at(0.700f), 0.082f, 0.082f, 0.082f},
         {at(0.630f), 0.040f, 0.040f, 0.040f},
@@ -89,7 +89,7 @@ void add_trumpet(Sculptor &to, int level)
         {at(-0.300f), 0.018f, 0.018f, 0.018f},
         {at(-0.305f), 0, 0, 0},
     };
-    std::vector<Ring> rings = strung(beads, glm::vec3(0, 1, 0));
+    std::vector<Ring> rings = rings_along(beads, glm::vec3(0, 1, 0));
     // The bell's mouth looks against the way of the string, so its frame is set by the tube's own direction.
     for (Ring &ring : rings) {
         ring.ez = glm::normalize(glm::vec3(0, 1, 0) - d * d.y);
@@ -101,21 +101,21 @@ void add_trumpet(Sculptor &to, int level)
     else add_tube(to, {trumpet_chart, Side::left, 3}, pick(rings, {2, 4}));
 }
 
-void add_scroll(Sculptor &to, int level)
+void add_scroll(MeshBuilder &to, int level)
 {
     if (level > 1) return;
     const glm::vec3 d = unit(-0.55f, 0.10f, 0.83f), fist = fist_of(Side::left);
     const auto at = [&](float metres) { return fist + d * metres; };
-    const std::vector<Ring> rings = strung({{at(0.1520f), 0, 0, 0},
-                                            {at(0.1500f), 0.026f, 0.026f, 0.026f},
-                                            {at(-0.1400f), 0.026f, 0.026f, 0.026f},
-                                            {at(-0.1420f), 0, 0, 0}},
-                                           glm::vec3(0, 1, 0));
+    const std::vector<Ring> rings = rings_along({{at(0.1520f), 0, 0, 0},
+                                                 {at(0.1500f), 0.026f, 0.026f, 0.026f},
+                                                 {at(-0.1400f), 0.026f, 0.026f, 0.026f},
+                                                 {at(-0.1420f), 0, 0, 0}},
+                                                glm::vec3(0, 1, 0));
     add_tube(to, {scroll_chart, Side::left, level == 0 ? 5 : 3}, level == 0 ? rings : pick(rings, {1, 2}));
 }
 
 // Straight on the left, bent back at the knee on the right, toes pointed.
-void add_leg(Sculptor &to, int level, Side side)
+void add_leg(MeshBuilder &to, int level, Side side)
 {
     const bool bent = side == Side::right;
     const glm::vec3 hip(0.078f, -0.100f, 0), knee(0.086f, -0.435f, bent ? 0.070f : 0.010f);
@@ -125,7 +125,7 @@ void add_leg(Sculptor &to, int level, Side side)
     const auto calf = [&](float metres) { return knee + shin * metres; };
     const glm::vec3 heel = calf(0.285f);
     const auto foot = [&](float metres) { return heel + sole * metres; };
-    const std::vector<Bead> beads = {
+    const std::vector<PathRing> beads = {
         {thigh(0), 0.074f, 0.072f, 0.074f},
         {thigh(0.6f), 0.068f, 0.066f, 0.068f},
         {thigh(0.97f), 0.049f, 0.052f, 0.047f},
@@ -136,7 +136,7 @@ void add_leg(Sculptor &to, int level, Side side)
         {foot(0.135f), 0.036f, 0.020f, 0.018f},
         {foot(0.152f), 0, 0, 0},
     };
-    const auto rings = strung(beads, glm::vec3(0, 0, 1));  // from the toes up
+    const auto rings = rings_along(beads, glm::vec3(0, 0, 1));  // from the toes up
     if (level == 0) add_tube(to, {leg_chart, side, 6}, pick(rings, {0, 1, 2, 3, 4, 5, 6, 8}));
     else if (level == 1) add_tube(to, {leg_chart, side, 5}, pick(rings, {0, 1, 3, 5, 6, 8}));
     else if (level == 2) add_tube(to, {leg_chart, side, 3}, pick(rings, {0, 3, 6, 7}));
@@ -147,9 +147,9 @@ void add_leg(Sculptor &to, int level, Side side)
     const glm::vec3 tip = root + out * 2.0f, top = root + glm::vec3(0.006f, 0.052f, -0.004f);
     const glm::vec3 low = root + out * 0.9f + glm::vec3(0, -0.030f, -0.012f);
     const Winding w = winding_of(side), back = winding_of(side == Side::left ? Side::right : Side::left);
-    const Sculptor::Stop a = {mirrored(root, side), {0, 0.4f}}, b = {mirrored(top, side), {0.2f, 1}},
-                         c = {mirrored(tip, side), {1, 0.8f}}, e = {mirrored(low, side), {0.5f, 0}};
-    const auto behind = [&](Sculptor::Stop stop) {
+    const MeshBuilder::SheetVertex a = {mirrored(root, side), {0, 0.4f}}, b = {mirrored(top, side), {0.2f, 1}},
+                                   c = {mirrored(tip, side), {1, 0.8f}}, e = {mirrored(low, side), {0.5f, 0}};
+    const auto behind = [&](MeshBuilder::SheetVertex stop) {
         stop.first += mirrored(glm::vec3(-0.004f, 0, -0.002f), side);
         return stop;
     };
@@ -163,27 +163,27 @@ void add_leg(Sculptor &to, int level, Side side)
 
 void add_arm_left(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_arm(to, level, Side::left);
     add_scroll(to, level);
 }
 
 void add_arm_right(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_arm(to, level, Side::right);
     add_trumpet(to, level);
 }
 
 void add_far_trumpet(Mesh &mesh)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_trumpet(to, 3);
 }
 
 void add_legs(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     for (const Side side : {Side::left, Side::right}) add_leg(to, level, side);
 }
 

@@ -17,9 +17,9 @@ Paint paint_chest(const Texel &t)
 {
     const float u = t.st.x * turn, y = t.position.y;
     // Folds gather towards the belt and fall from the shoulders in swags.
-    const float fall = grain(t.st.x * 44 + 0.8f * std::sin(y * 14), y * 6, 11);
-    const float swag = std::sin(y * 46 + 2.2f * std::cos(u * 2)) * soft_step(0.16f, 0.30f, y);
-    float g = 224 + 36 * (fall - 0.5f) * soft_step(0.42f, 0.16f, y) + 5 * swag;
+    const float fall = value_noise(t.st.x * 44 + 0.8f * std::sin(y * 14), y * 6, 11);
+    const float swag = std::sin(y * 46 + 2.2f * std::cos(u * 2)) * smoothstep(0.16f, 0.30f, y);
+    float g = 224 + 36 * (fall - 0.5f) * smoothstep(0.42f, 0.16f, y) + 5 * swag;
     if (y > 0.112f && y < 0.142f && t.st.y < 0.2f) {
         const float buckle = spot(glm::vec2(t.position.x, y), {0, 0.127f}, {0.030f, 0.030f});
         if (buckle > 0.25f && t.position.z > 0) return {228 - 90 * spot(buckle - 0.5f, 0.16f), Zone::jewellery};
@@ -27,15 +27,15 @@ Paint paint_chest(const Texel &t)
     }
     // Under the arms, and below the belt where the cloth blouses over the hips.
     g -= 34 * spot(glm::vec2(std::fabs(t.position.x), y), {0.16f, 0.300f}, {0.075f, 0.110f});
-    g -= 22 * spot(y - 0.108f, 0.020f) + 50 * soft_step(0.05f, 0.0f, t.st.y);
+    g -= 22 * spot(y - 0.108f, 0.020f) + 50 * smoothstep(0.05f, 0.0f, t.st.y);
     return {g, Zone::tunic};
 }
 
 Paint paint_skirt(const Texel &t)
 {
     const float pleat = std::cos(turn * t.st.x * 6);
-    float g = 214 + 22 * pleat * (1 - t.st.y) + 18 * (grain(t.st.x * 48, t.st.y * 3, 12) - 0.5f);
-    g -= 60 * soft_step(0.72f, 0.95f, t.st.y);  // below the blouse
+    float g = 214 + 22 * pleat * (1 - t.st.y) + 18 * (value_noise(t.st.x * 48, t.st.y * 3, 12) - 0.5f);
+    g -= 60 * smoothstep(0.72f, 0.95f, t.st.y);  // below the blouse
     if (t.st.y < 0.13f && t.st.y > 0.035f) {
         // A running pattern: squares on a band.
         const float k = t.st.x * 32, in = k - std::floor(k);
@@ -54,7 +54,7 @@ Paint collar(const Texel &t)
 Paint sleeve(const Texel &t)
 {
     // t.st.y is 0 at the shoulder's tip and falls along the arm; the hem follows at about -0.26.
-    const float g = 220 + 16 * (grain(t.st.x * 18, t.st.y * 9, 13) - 0.5f);
+    const float g = 220 + 16 * (value_noise(t.st.x * 18, t.st.y * 9, 13) - 0.5f);
     if (t.st.y < -0.270f) return {100, Zone::tunic};
     if (t.st.y < -0.222f) return {g - 14, Zone::border};
     return {g, Zone::tunic};
@@ -62,7 +62,7 @@ Paint sleeve(const Texel &t)
 
 Paint arm(const Texel &t)
 {
-    float g = 224 - 10 * grain(t.st.x * 4, t.st.y * 12, 14);
+    float g = 224 - 10 * value_noise(t.st.x * 4, t.st.y * 12, 14);
     if (t.st.y < -0.315f && t.st.y > -0.345f) return {214 - 40 * spot(t.st.y + 0.330f, 0.006f), Zone::jewellery};
     if (t.st.y < -0.40f) {
         // Fingers folded round what they hold.
@@ -96,7 +96,7 @@ Paint leg(const Texel &t)
 Paint trumpet(const Texel &t)
 {
     const float y = t.st.y;  // from 0 in the mouth of the bell
-    if (y > -0.080f) return {92 - 40 * soft_step(-0.08f, 0, y), Zone::jewellery};
+    if (y > -0.080f) return {92 - 40 * smoothstep(-0.08f, 0, y), Zone::jewellery};
     const float ring = spot(y + 0.40f, 0.012f) + spot(y + 0.78f, 0.012f);
     return {196 + 44 * std::sin(turn * t.st.x + 0.8f) - 70 * ring, Zone::jewellery};
 }
@@ -112,7 +112,7 @@ Paint far_limb(const Texel &t)
 Paint plain(const Texel &t)
 {
     if (t.chart == mouth_chart) return {t.st.y < 0.25f ? 200.0f : 70.0f, Zone::lips};
-    if (t.chart == brow_chart) return {120 + 70 * grain(t.st.x * 14, t.st.y * 2, 7), Zone::hair};
+    if (t.chart == brow_chart) return {120 + 70 * value_noise(t.st.x * 14, t.st.y * 2, 7), Zone::hair};
     if (t.chart == neck_chart) return {216 - 10 * spot(std::fabs(t.st.x - 0.5f) - 0.1f, 0.05f), Zone::skin};
     if (t.chart == lining_chart) return {120 - 40 * t.st.y, Zone::tunic};
     if (t.chart == scroll_chart) {
@@ -151,7 +151,7 @@ Paint paint(const Texel &t)
     // Cloth and wings bring their own shades: what moves about them leaves none that stay.
     const bool shaded = t.chart == head_chart || t.chart == jaw_chart || t.chart == neck_chart ||
                         t.chart == collar_chart || t.chart == lining_chart || t.chart == leg_chart;
-    if (shaded) p.luminance *= 0.70f + 0.30f * soft_step(0.10f, 0.80f, t.openness);
+    if (shaded) p.luminance *= 0.70f + 0.30f * smoothstep(0.10f, 0.80f, t.ambient_visibility);
     return p;
 }
 

@@ -13,13 +13,13 @@ namespace
 Paint hair(glm::vec2 st, float over)
 {
     const float angle = angle_of(std::fabs(st.x)) * (st.x < 0 ? -1.0f : 1.0f);
-    const float fall = st.y * 60 + 0.8f * grain(angle * 4 + 20, st.y * 30, 2);
-    const float bend = 0.5f * std::sin(fall * 1.1f + 2 * grain(angle * 1.5f + 9, 3, 5));
+    const float fall = st.y * 60 + 0.8f * value_noise(angle * 4 + 20, st.y * 30, 2);
+    const float bend = 0.5f * std::sin(fall * 1.1f + 2 * value_noise(angle * 1.5f + 9, 3, 5));
     const float u = angle * 7.5f + bend;
     const float across = u - std::floor(u);
     const float lock = 1 - 4 * (across - 0.5f) * (across - 0.5f);
-    const float strand = grain(u * 5 + 40, fall * 0.5f, 4);
-    const float edge = soft_step(0, 0.012f, over);
+    const float strand = value_noise(u * 5 + 40, fall * 0.5f, 4);
+    const float edge = smoothstep(0, 0.012f, over);
     return {108 + 66 * lock + 46 * strand - 34 * (1 - edge), Zone::hair};
 }
 
@@ -58,7 +58,7 @@ Paint paint_whole_head(const Texel &t)
 {
     const glm::vec3 p = t.position - head_centre;
     const float angle = angle_of(std::fabs(t.st.x));
-    const float jag = 0.008f * (grain(angle * 14 * (t.st.x < 0 ? -1.0f : 1.0f) + 50, 2, 1) - 0.5f);
+    const float jag = 0.008f * (value_noise(angle * 14 * (t.st.x < 0 ? -1.0f : 1.0f) + 50, 2, 1) - 0.5f);
     const float over = t.st.y - hairline(angle) - jag;
     if (over > 0) return hair(t.st, over);
     const glm::vec2 q(std::fabs(p.x), p.y);
@@ -85,7 +85,7 @@ Paint paint_jaw(const Texel &t)
     if (is_lip(q, 0)) return {212 + 20 * spot(q, {0.006f, -0.079f}, {0.012f, 0.004f}), Zone::lips};
     float g = skin_shade(q) - blush(q);
     if (q.y > -0.0765f) g -= 26;  // the seam to the cheek
-    g -= 22 * soft_step(-0.118f, -0.140f, q.y);
+    g -= 22 * smoothstep(-0.118f, -0.140f, q.y);
     return {g, Zone::skin};
 }
 
@@ -111,8 +111,8 @@ Paint paint_far_head(const Texel &t)
 Paint paint_eye(const Texel &t)
 {
     const float r = std::hypot(t.st.x, t.st.y);
-    float grey = 240 - 50 * soft_step(0.4f, 1.0f, r);
-    if (r < 0.46f) grey = r < 0.20f ? 18 : r < 0.40f ? 84 + 60 * soft_step(0.1f, -0.4f, t.st.y) : 48;
+    float grey = 240 - 50 * smoothstep(0.4f, 1.0f, r);
+    if (r < 0.46f) grey = r < 0.20f ? 18 : r < 0.40f ? 84 + 60 * smoothstep(0.1f, -0.4f, t.st.y) : 48;
     if (std::hypot(t.st.x - 0.15f, t.st.y - 0.17f) < 0.085f) grey = 255;
     return {grey, Zone::eyes};
 }
@@ -120,7 +120,7 @@ Paint paint_eye(const Texel &t)
 Paint paint_lid(const Texel &t)
 {
     if (t.st.y < 0.47f) return {84, Zone::hair};  // lashes
-    return {206 - 20 * soft_step(0.8f, 1.3f, t.st.y) + 10 * spot(t.st.y - 0.65f, 0.2f), Zone::skin};
+    return {206 - 20 * smoothstep(0.8f, 1.3f, t.st.y) + 10 * spot(t.st.y - 0.65f, 0.2f), Zone::skin};
 }
 
 }  // namespace claque::figures::flyer::herald

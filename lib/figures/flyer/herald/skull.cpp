@@ -30,14 +30,14 @@ float hair(float angle, float height)
 {
     const float over = height - hairline(std::fabs(angle));
     const float tuft = std::sin(angle * 5 + 0.6f) * std::sin(height * 70 + angle * 3);
-    return soft_step(-0.004f, 0.012f, over) * (0.013f + 0.007f * tuft);
+    return smoothstep(-0.004f, 0.012f, over) * (0.013f + 0.007f * tuft);
 }
 
 // Below the mouth, as far as the jaw reaches.
 float hollow(float angle, float height)
 {
     const float a = std::fabs(angle);
-    return soft_step(-0.0735f, -0.0755f, height) * soft_step(0.64f, 0.57f, a) * soft_step(-0.148f, -0.130f, height);
+    return smoothstep(-0.0735f, -0.0755f, height) * smoothstep(0.64f, 0.57f, a) * smoothstep(-0.148f, -0.130f, height);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ glm::vec3 on_head(float angle, float height, Sculpt sculpt)
         q += glm::vec3(sx, 0, cz) * 0.0015f;
     } else {
         const float h = hair(angle, height);
-        q += glm::vec3(sx, 0.6f * soft_step(0.05f, 0.13f, height), cz) * h;
+        q += glm::vec3(sx, 0.6f * smoothstep(0.05f, 0.13f, height), cz) * h;
     }
     return head_centre + q;
 }

@@ -50,13 +50,13 @@ void add_wing_right(Mesh &mesh, int level) { add_wing(mesh, wing, Side::right, l
 
 void add_neck(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_tube(to, {neck_chart, Side::left, level == 0 ? 7 : 4}, pick(neck, {0, 2}));
 }
 
 void add_chest(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     if (level == 0) {
         add_tube(to, {chest_chart, Side::left, 9}, pick(chest, {1, 2, 3, 4, 5, 6, 7}));
         add_tube(to, {collar_chart, Side::left, 8}, torque);
@@ -71,7 +71,7 @@ void add_chest(Mesh &mesh, int level)
 
 void add_skirt(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const int around = level == 0 ? 12 : level == 1 ? 10 : level == 2 ? 6 : 5;
     const float pleat = level == 0 ? 0.055f : level == 1 ? 0.04f : 0;
     add_tube(to, {skirt_chart, Side::left, around, pleat},

@@ -30,7 +30,7 @@ const std::vector<Ring> belly = {{{0, -0.520f, -0.060f}, 0, 0, 0, 0.0f},
 
 void add_foot(Mesh &mesh, int level, Side side)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const std::vector<Ring> leg = {{{0.112f, -0.560f, 0.070f}, 0.032f, 0.032f, 0.032f, 0.0f},
                                    {{0.112f, -0.500f, 0.062f}, 0.062f, 0.062f, 0.062f, 0.3f},
                                    {{0.112f, -0.390f, 0.045f}, 0.088f, 0.090f, 0.090f, 0.7f},
@@ -41,7 +41,7 @@ void add_foot(Mesh &mesh, int level, Side side)
     for (int i = -1; i <= 1; ++i) {
         if (level > 0 && i != 0) continue;
         const float aside = 0.034f * static_cast<float>(i), wide = level == 0 ? 0.016f : 0.040f;
-        Sculptor claw(mesh);
+        MeshBuilder claw(mesh);
         claw.spike(talon_chart, {mirrored({0.112f + aside - wide, -0.545f, 0.075f}, side),
                                  mirrored({0.112f + aside + wide, -0.545f, 0.075f}, side),
                                  mirrored({0.112f + aside, -0.590f, 0.060f}, side),
@@ -52,7 +52,7 @@ void add_foot(Mesh &mesh, int level, Side side)
 void add_letter(Mesh &mesh, int level)
 {
     if (level > 1) return;
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const glm::vec3 ex(0, 0, 1), ez(0, -1, 0);  // rolled up, it lies across
     const auto at = [](float x) { return glm::vec3(-0.112f + x, -0.622f, 0.090f); };
     const std::vector<Ring> rings = {{at(-0.172f), 0, 0, 0, 0.0f, ex, ez},
@@ -67,13 +67,13 @@ void add_fan(Mesh &mesh, int level)
 {
     const int feathers = level == 0 ? 5 : level == 1 ? 3 : 1;
     for (const float face : {1.0f, -1.0f}) {
-        Sculptor to(mesh);
-        std::vector<Sculptor::Stop> tips, roots;
+        MeshBuilder to(mesh);
+        std::vector<MeshBuilder::SheetVertex> tips, roots;
         const auto at = [&](float u, float c) {
             const float x = 2 * u - 1;
             const glm::vec3 p(x * (0.085f + 0.175f * c), -0.420f - c * (0.445f - 0.080f * x * x),
                               -0.090f - 0.085f * c - 0.020f * (1 - x * x) + face * 0.014f * (1 - c));
-            return Sculptor::Stop{p, glm::vec2(-c, u)};
+            return MeshBuilder::SheetVertex{p, glm::vec2(-c, u)};
         };
         for (int i = 0; i <= feathers; ++i) {
             const float u = static_cast<float>(i) / static_cast<float>(feathers),
@@ -92,13 +92,13 @@ const Wing wing = {{0.150f, 0.190f, -0.110f}, {0.83f, 1.30f}, wing_back_chart, w
 
 void add_ruff(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_tube(to, {ruff_chart, Side::left, level == 0 ? 11 : 6}, level == 0 ? ruff : pick(ruff, {0, 2, 4}));
 }
 
 void add_chest(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_tube(to,
              {chest_chart, Side::left,
               level == 0   ? 12
@@ -114,7 +114,7 @@ void add_chest(Mesh &mesh, int level)
 
 void add_belly(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_tube(to,
              {belly_chart, Side::left,
               level == 0   ? 12
@@ -153,7 +153,7 @@ void add_lower_half(Mesh &mesh, int)
 
 void add_whole(Mesh &mesh, int)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_tube(to, {far_body_chart, Side::left, 3},
              {{{0, -0.860f, -0.150f}, 0, 0, 0, 0},
               {{0, -0.300f, 0}, 0.230f, 0.230f, 0.200f, 0.4f},

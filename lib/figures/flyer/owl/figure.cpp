@@ -29,24 +29,24 @@ const Joints joints = {{{Node::body, {0, 0, 0}},
 std::vector<Piece> pieces()
 {
     return {
-        {"belly", Node::body, 0, {20, 55, limbs_stop_m}, add_belly},
-        {"chest", Node::spine, 0, {20, 55, limbs_stop_m}, add_chest},
-        {"ruff", Node::neck, 0, {25, limbs_stop_m}, add_ruff},
-        {"head", Node::head, 0, {14, face_stops_m}, add_head},
-        {"head_far", Node::head, face_stops_m, {75, limbs_stop_m}, add_far_head},
-        {"eye_left", Node::eye_left, 0, {14, face_stops_m}, add_eye_left},
-        {"eye_right", Node::eye_right, 0, {14, face_stops_m}, add_eye_right},
-        {"lids", Node::lids, 0, {14, face_stops_m}, add_lids},
-        {"jaw", Node::jaw, 0, {14, face_stops_m}, add_beak},
-        {"brow", Node::brow, 0, {14, face_stops_m}, add_tufts},
-        {"wing_left", Node::wing_left, 0, {25, 60, limbs_stop_m, wings_stop_m}, add_wing_left},
-        {"wing_right", Node::wing_right, 0, {25, 60, limbs_stop_m, wings_stop_m}, add_wing_right},
-        {"foot_left", Node::arm_left, 0, {18, 55, limbs_stop_m}, add_foot_left},
-        {"foot_right", Node::arm_right, 0, {18, 55, limbs_stop_m}, add_foot_right},
-        {"tail", Node::legs, 0, {18, 55, limbs_stop_m}, add_tail},
-        {"bust", Node::spine, limbs_stop_m, {wings_stop_m}, add_bust},
-        {"lower_half", Node::body, limbs_stop_m, {wings_stop_m}, add_lower_half},
-        {"whole", Node::body, wings_stop_m, {for_ever}, add_whole},
+        {"belly", Node::body, 0, {20, 55, limbs_deactivation_m}, add_belly},
+        {"chest", Node::spine, 0, {20, 55, limbs_deactivation_m}, add_chest},
+        {"ruff", Node::neck, 0, {25, limbs_deactivation_m}, add_ruff},
+        {"head", Node::head, 0, {14, face_deactivation_m}, add_head},
+        {"head_far", Node::head, face_deactivation_m, {75, limbs_deactivation_m}, add_far_head},
+        {"eye_left", Node::eye_left, 0, {14, face_deactivation_m}, add_eye_left},
+        {"eye_right", Node::eye_right, 0, {14, face_deactivation_m}, add_eye_right},
+        {"lids", Node::lids, 0, {14, face_deactivation_m}, add_lids},
+        {"jaw", Node::jaw, 0, {14, face_deactivation_m}, add_beak},
+        {"brow", Node::brow, 0, {14, face_deactivation_m}, add_tufts},
+        {"wing_left", Node::wing_left, 0, {25, 60, limbs_deactivation_m, wings_deactivation_m}, add_wing_left},
+        {"wing_right", Node::wing_right, 0, {25, 60, limbs_deactivation_m, wings_deactivation_m}, add_wing_right},
+        {"foot_left", Node::arm_left, 0, {18, 55, limbs_deactivation_m}, add_foot_left},
+        {"foot_right", Node::arm_right, 0, {18, 55, limbs_deactivation_m}, add_foot_right},
+        {"tail", Node::legs, 0, {18, 55, limbs_deactivation_m}, add_tail},
+        {"bust", Node::spine, limbs_deactivation_m, {wings_deactivation_m}, add_bust},
+        {"lower_half", Node::body, limbs_deactivation_m, {wings_deactivation_m}, add_lower_half},
+        {"whole", Node::body, wings_deactivation_m, {for_ever}, add_whole},
     };
 }
 
@@ -99,7 +99,7 @@ model::Model letter_owl()
     made.painter = owl::paint;
     made.layout = layout();
     made.zones = zones();
-    made.gait = {0.98f, 3, 4, 0.52f, 0.16f, 0.62f, 0.10f};
+    made.flight_style = {0.98f, 3, 4, 0.52f, 0.16f, 0.62f, 0.10f};
     return assemble(made);
 }
 

@@ -53,11 +53,11 @@ const std::vector<Meridian> coarse = {{0, {-0.170f, 0.020f, 0.150f}},
 const std::vector<Meridian> coarsest = {
     {0, {-0.170f, 0.120f}}, {1.40f, {-0.170f, 0.120f}}, {half_turn, {-0.170f, 0.120f}}};
 
-void add_skull(Sculptor &to, Chart chart, const std::vector<Meridian> &half, float swell)
+void add_skull(MeshBuilder &to, Chart chart, const std::vector<Meridian> &half, float swell)
 {
-    std::vector<std::vector<Sculptor::Stop>> meridians;
+    std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
     const auto add = [&](const Meridian &m, float side) {
-        std::vector<Sculptor::Stop> stops;
+        std::vector<MeshBuilder::SheetVertex> stops;
         for (const float h : m.heights) {
             const glm::vec3 p = on_head(m.angle, h);
             stops.push_back(
@@ -75,7 +75,7 @@ void add_skull(Sculptor &to, Chart chart, const std::vector<Meridian> &half, flo
 void add_tuft_pair(Mesh &mesh)
 {
     for (const Side side : {Side::left, Side::right}) {
-        Sculptor to(mesh);
+        MeshBuilder to(mesh);
         to.spike(tuft_chart, {mirrored({0.020f, 0.560f, 0.205f}, side), mirrored({0.165f, 0.575f, 0.135f}, side),
                               mirrored({0.120f, 0.610f, 0.050f}, side), mirrored({0.245f, 0.745f, 0.030f}, side)});
     }
@@ -83,14 +83,14 @@ void add_tuft_pair(Mesh &mesh)
 
 void add_eye(Mesh &mesh, int level, Side side)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_ball(to, eye_chart, {mirrored(eye_left, side), eye_radius * (level == 0 ? 1 : 1.06f), 1.20f, 1.20f},
              level == 0 ? 6 : 3, level == 0 ? 4 : 2);
 }
 
 void add_upper_beak(Mesh &mesh)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const glm::vec3 top(0, 0.510f, 0.185f), tip(0, 0.385f, 0.250f), under(0, 0.430f, 0.150f),
         left(0.042f, 0.445f, 0.160f);
     to.spike(beak_chart, {top, under, left, tip});
@@ -101,14 +101,14 @@ void add_upper_beak(Mesh &mesh)
 
 void add_head(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_skull(to, head_chart, level == 0 ? fine : medium, level == 0 ? 1 : 1.02f);
     add_upper_beak(mesh);
 }
 
 void add_far_head(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     add_skull(to, far_head_chart, level == 0 ? coarse : coarsest, level == 0 ? 1.04f : 1.10f);
     if (level == 0) add_upper_beak(mesh);
     add_tuft_pair(mesh);
@@ -119,7 +119,7 @@ void add_eye_right(Mesh &mesh, int level) { add_eye(mesh, level, Side::right); }
 
 void add_lids(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const std::vector<float> pitches = level == 0 ? std::vector<float>{0.50f, 1.00f, 1.75f} : std::vector{0.50f, 1.75f};
     for (const Side side : {Side::left, Side::right})
         add_lid(to, lid_chart, {mirrored(eye_left, side), eye_radius + 0.0040f, 1.35f, 0}, level == 0 ? 6 : 3, pitches);
@@ -127,7 +127,7 @@ void add_lids(Mesh &mesh, int level)
 
 void add_beak(Mesh &mesh, int level)
 {
-    Sculptor to(mesh);
+    MeshBuilder to(mesh);
     const glm::vec3 left(0.030f, 0.437f, 0.160f), right(-0.030f, 0.437f, 0.160f), tip(0, 0.390f, 0.228f);
     const glm::vec3 below(0, 0.400f, 0.160f);
     if (level == 0) to.spike(beak_chart, {left, below, right, tip});
@@ -139,7 +139,7 @@ void add_tufts(Mesh &mesh, int level)
     add_tuft_pair(mesh);
     if (level > 0) return;
     for (const Side side : {Side::left, Side::right}) {
-        Sculptor to(mesh);
+        MeshBuilder to(mesh);
         to.spike(tuft_chart, {mirrored({0.110f, 0.575f, 0.150f}, side), mirrored({0.185f, 0.560f, 0.110f}, side),
                               mirrored({0.150f, 0.600f, 0.040f}, side), mirrored({0.285f, 0.675f, 0.030f}, side)});
     }

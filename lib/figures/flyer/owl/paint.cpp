@@ -16,15 +16,15 @@ float tiles(float across, float up)
     const float x = 2 * (shifted - std::floor(shifted)) - 1, y = up - row;
     const float edge = 0.34f * (1 - x * x);  // the outline of this row's ends
     const float hangs = y + edge - 0.34f;
-    const float shade = grain(std::floor(shifted) * 2.7f + 30, row * 3.1f + 70, 31);
-    return 222 + 26 * (shade - 0.5f) - 62 * spot(hangs, 0.16f) - 22 * spot(x, 0.16f) * soft_step(0.2f, 0.8f, y);
+    const float shade = value_noise(std::floor(shifted) * 2.7f + 30, row * 3.1f + 70, 31);
+    return 222 + 26 * (shade - 0.5f) - 62 * spot(hangs, 0.16f) - 22 * spot(x, 0.16f) * smoothstep(0.2f, 0.8f, y);
 }
 
 // Breast in front, plumage behind; the border is ragged.
 Paint body(const Texel &t, float rows)
 {
     const float front = 1 - 2 * std::fabs(t.st.x - 0.5f);  // 1 ahead, 0 behind
-    const bool breast = front > 0.50f + 0.08f * (grain(t.st.y * 18, front * 3, 32) - 0.5f);
+    const bool breast = front > 0.50f + 0.08f * (value_noise(t.st.y * 18, front * 3, 32) - 0.5f);
     float g = tiles(t.st.x * 26, t.st.y * rows);
     if (!breast) return {g - 14, Zone::outer};
     // Arrow marks on the breast.
@@ -53,7 +53,7 @@ Paint head(const Texel &t)
         if (dish.r > 0.93f && dish.r < 1.06f) return {96, Zone::outer};
         if (dish.inside) {
             const glm::vec2 d = q - glm::vec2(0.088f, 0.012f);
-            const float ray = grain((d.x * 60 + 40) / (0.25f + dish.r), (d.y * 60 + 40) / (0.25f + dish.r), 33);
+            const float ray = value_noise((d.x * 60 + 40) / (0.25f + dish.r), (d.y * 60 + 40) / (0.25f + dish.r), 33);
             return {236 - 34 * ray - 30 * spot(dish.r - 0.50f, 0.14f), Zone::hair};
         }
     }
@@ -80,7 +80,7 @@ Paint eye(const Texel &t)
     const float r = std::hypot(t.st.x, t.st.y);
     if (std::hypot(t.st.x - 0.20f, t.st.y - 0.22f) < 0.09f) return {255, Zone::eyes};
     if (r < 0.36f) return {20, Zone::eyes};
-    const float spoke = grain(t.st.x * 9 / (r + 0.05f) + 60, t.st.y * 9 / (r + 0.05f) + 60, 34);
+    const float spoke = value_noise(t.st.x * 9 / (r + 0.05f) + 60, t.st.y * 9 / (r + 0.05f) + 60, 34);
     return {r < 0.86f ? 236 - 40 * spoke - 60 * spot(r - 0.86f, 0.16f) - 30 * spot(r - 0.36f, 0.08f) : 70, Zone::eyes};
 }
 
@@ -107,14 +107,15 @@ Paint paint(const Texel &t)
     if (t.chart == collar_chart)
         return {214 - 60 * spot(t.st.y - 0.92f, 0.1f) + 20 * std::sin(t.st.x * 120), Zone::jewellery};
     if (t.chart == foot_chart) return {tiles(t.st.x * 9, t.st.y * 5), Zone::tunic};
-    if (t.chart == talon_chart) return {200 - 120 * soft_step(0.55f, 0.75f, t.st.y), Zone::skin};
+    if (t.chart == talon_chart) return {200 - 120 * smoothstep(0.55f, 0.75f, t.st.y), Zone::skin};
     if (t.chart == letter_chart) return letter(t);
     if (t.chart == far_body_chart) return {200, t.position.z > 0.05f ? Zone::tunic : Zone::outer};
     if (t.chart == tail_chart) {
         const float c = -t.st.x, k = t.st.y * 5, x = 2 * (k - std::floor(k)) - 1;
         const float bar = std::sin(c * 26 - 3 * x * x);
-        return {214 - 50 * soft_step(0.2f, 0.8f, bar) - 46 * soft_step(0.84f, 1.0f, std::fabs(x)) - 30 * spot(x, 0.1f),
-                Zone::wings};
+        return {
+            214 - 50 * smoothstep(0.2f, 0.8f, bar) - 46 * smoothstep(0.84f, 1.0f, std::fabs(x)) - 30 * spot(x, 0.1f),
+            Zone::wings};
     }
     return paint_wing(t, {4, Zone::outer, Zone::wings});
 }

@@ -1,0 +1,20 @@
+#!/bin/sh
+# ci.sh BUILD JOBS: runs every test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan, and ends with
+# one summary of both: N passed, N failed, N skipped.
+set -eu
+build=$1
+jobs=$2
+mkdir -p out
+failed=0
+ctest --test-dir "$build" -j "$jobs" --output-on-failure --output-log out/ci-tests.log || failed=1
+cmake --preset asan > build/asan.log 2>&1 || { cat build/asan.log; exit 1; }
+cmake --build --preset asan -j "$jobs" --target claque_bytes_tests
+ctest --test-dir build/asan -j "$jobs" -L '^bytes$' --no-tests=error --output-on-failure --output-log out/ci-sanitizers.log || failed=1
+
+count() { cat out/ci-tests.log out/ci-sanitizers.log | grep -cE "$1" || true; }
+skipped=$(count '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped')
+bad=$(count '^ *[0-9]+/[0-9]+ Test .*\*\*\*(Failed|Exception|Timeout|Not Run)')
+all=$(count '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ')
+[ "$failed" = 0 ] || [ "$bad" != 0 ] || bad=1
+echo "$((all - skipped - bad)) passed, $bad failed, $skipped skipped"
+exit "$failed"

@@ -1,0 +1,134 @@
+// What the draw list of a view holds, as numbers.
+#include <claque/drawn_actor.h>
+
+#include <algorithm>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+
+using namespace claque;
+
+namespace
+{
+
+const draw::Item &item_of(const clq_view *view, uint32_t index)
+{
+    const draw::DrawList &list = view->view.list;
+    if (index >= list.items.size())
+        base::fail(CLQ_ARGUMENT, "individual %u of a view that shows %zu", index, list.items.size());
+    return list.items[index];
+}
+
+void require_room(uint32_t capacity, size_t wanted, const char *what)
+{
+    if (capacity < wanted) base::fail(CLQ_ARGUMENT, "room for %u %s, of which there are %zu", capacity, what, wanted);
+}
+
+uint8_t byte_of(float colour) { return static_cast<uint8_t>(std::clamp(colour, 0.0f, 1.0f) * 255.0f + 0.5f); }
+
+void copy_positions(const draw::Vertices &from, uint32_t count, float *out)
+{
+    if (!from.packed()) std::copy_n(from.positions, 3 * size_t(count), out);
+    else
+        for (uint32_t v = 0; v < count; ++v)
+            for (uint32_t k = 0; k < 3; ++k)
+                out[3 * size_t(v) + k] =
+                    from.offset[k] + from.step * static_cast<float>(from.short_positions[4 * size_t(v) + k]);
+}
+
+void copy_normals(const draw::Vertices &from, uint32_t count, float *out)
+{
+    if (!from.packed()) std::copy_n(from.normals, 3 * size_t(count), out);
+    else
+        for (uint32_t v = 0; v < count; ++v)
+            for (uint32_t k = 0; k < 3; ++k)
+                out[3 * size_t(v) + k] = static_cast<float>(from.byte_normals[4 * size_t(v) + k]) / 127.0f;
+}
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_view_get_drawn_actor(const clq_view *view, uint32_t index, clq_drawn_actor *out)
+{
+    return api::boundary("clq_view_get_drawn_actor", [&] {
+        api::require(view && out, "view or out is NULL");
+        const api::Drawing drawing(view);
+        const draw::Item &item = item_of(view, index);
+        clq_drawn_actor shown = {};
+        shown.actor = {item.actor_index + 1, item.generation};
+        shown.tmpl = static_cast<const clq_template *>(item.tmpl);
+        shown.level = item.level;
+        shown.texture_set = item.texture_set;
+        std::copy(std::begin(item.model_view), std::end(item.model_view), shown.model_view);
+        shown.eye_distance_m = item.eye_distance_m;
+        shown.mirrored = item.mirrored;
+        shown.shadow_only = item.shadow_only;
+        shown.parts = item.parts;
+        shown.vertex_count = item.tmpl->levels[item.level].source_count;
+        shown.joint_count = static_cast<uint32_t>(item.tmpl->rig.palette.size());
+        shown.morph_weight_count = static_cast<uint32_t>(item.tmpl->rig.rest_weights.size());
+        shown.zone_count = item.tmpl->zone_count();
+        *out = shown;
+    });
+}
+
+clq_status clq_view_get_colours(const clq_view *view, uint32_t index, uint8_t *out_rgb, uint32_t capacity_zones)
+{
+    return api::boundary("clq_view_get_colours", [&] {
+        api::require(view && out_rgb, "view or out_rgb is NULL");
+        const api::Drawing drawing(view);
+        const draw::Item &item = item_of(view, index);
+        require_room(capacity_zones, item.tmpl->zone_count(), "zones");
+        if (item.zone_rgb) std::copy_n(item.zone_rgb, 3 * size_t(item.tmpl->zone_count()), out_rgb);
+        else
+            for (const std::array<float, 3> &colour : item.tmpl->zone_colours)
+                for (const float c : colour) *out_rgb++ = byte_of(c);
+    });
+}
+
+clq_status clq_view_get_vertices(const clq_view *view, uint32_t index, float *out_positions, float *out_normals,
+                                 uint32_t capacity_vertices)
+{
+    return api::boundary("clq_view_get_vertices", [&] {
+        api::require(view != nullptr, "view is NULL");
+        const api::Drawing drawing(view);
+        const draw::Item &item = item_of(view, index);
+        const uint32_t count = item.tmpl->levels[item.level].source_count;
+        require_room(capacity_vertices, count, "vertices");
+        const draw::Vertices from = item.vertices.any() ? item.vertices : view->view.list.server->serve(item);
+        if (!from.any()) throw std::bad_alloc();
+        if (out_positions) copy_positions(from, count, out_positions);
+        if (out_normals) copy_normals(from, count, out_normals);
+    });
+}
+
+clq_status clq_view_get_pose(const clq_view *view, uint32_t index, float *out_palette, uint32_t capacity_joints,
+                             float *out_weights, uint32_t capacity_weights)
+{
+    return api::boundary("clq_view_get_pose", [&] {
+        api::require(view && out_palette, "view or out_palette is NULL");
+        const api::Drawing drawing(view);
+        const draw::Item &item = item_of(view, index);
+        const model::Rig &rig = item.tmpl->rig;
+        require_room(capacity_joints, rig.palette.size(), "joints");
+        if (out_weights) require_room(capacity_weights, rig.rest_weights.size(), "morph weights");
+        const draw::Pose pose = view->view.list.server->pose(item);
+        if (!pose.palette)
+            base::fail(CLQ_ARGUMENT, "actor %u shows two key-poses blended, vertex by vertex: it has no palette",
+                       item.actor_index + 1);
+        const model::Level &level = item.tmpl->levels[item.level];
+        const auto copy = [&](size_t entry) { std::copy_n(pose.palette[entry].c, 12, out_palette + 12 * entry); };
+        if (level.active.empty())
+            for (size_t entry = 0; entry < rig.palette.size(); ++entry) copy(entry);
+        else {
+            const math::Affine identity;
+            for (size_t entry = 0; entry < rig.palette.size(); ++entry)
+                std::copy_n(identity.c, 12, out_palette + 12 * entry);
+            for (const uint32_t entry : level.entries) copy(entry);
+        }
+        if (out_weights) std::copy_n(pose.weights, rig.rest_weights.size(), out_weights);
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,147 @@
+#include "lib/asset/file_cache.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "lib/asset/file.h"
+#include "lib/asset/glb.h"
+#include "lib/asset/json_view.h"
+#include "lib/asset/uri.h"
+#include "lib/base/error.h"
+#include "lib/base/hash.h"
+
+namespace claque::asset
+{
+
+namespace
+{
+
+constexpr uint64_t largest_entry = uint64_t(1) << 32;
+
+class Output
+{
+public:
+    explicit Output(const std::string &path)
+        : path_(path), number_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644))
+    {
+    }
+    ~Output()
+    {
+        if (number_ < 0) return;
+        close(number_);
+        unlink(path_.c_str());
+    }
+    Output(const Output &) = delete;
+    Output &operator=(const Output &) = delete;
+
+    bool write_all(const std::vector<uint8_t> &bytes) const
+    {
+        if (number_ < 0) return false;
+        for (size_t done = 0; done < bytes.size();) {
+            const ssize_t n = write(number_, bytes.data() + done, bytes.size() - done);
+            if (n < 0 && errno == EINTR) continue;
+            if (n <= 0) return false;
+            done += static_cast<size_t>(n);
+        }
+        return fsync(number_) == 0;
+    }
+    bool becomes(const std::string &name)
+    {
+        if (rename(path_.c_str(), name.c_str()) != 0) return false;
+        close(number_);
+        number_ = -1;
+        return true;
+    }
+
+private:
+    std::string path_;
+    int number_;
+};
+
+// What buffers and images of a glTF file name, as far as it can be read.
+std::vector<std::string> uris_of(const std::vector<uint8_t> &bytes, uint64_t memory_bytes)
+{
+    std::vector<std::string> uris;
+    try {
+        const Container container = open_container(bytes.data(), bytes.size());
+        const JsonDocument document(container.json, container.json_size, memory_bytes);
+        for (const char *kind : {"buffers", "images"}) {
+            const JsonView list = document.root()[kind];
+            for (size_t i = 0; i < list.count(); ++i)
+                if (const JsonView uri = list.at(i)["uri"]; uri.exists() && !is_data_uri(uri.text()))
+                    uris.push_back(uri.text());
+        }
+    } catch (const base::Error &) {
+        // Not a glTF, or one that its reader will refuse.
+    }
+    return uris;
+}
+
+}  // namespace
+
+ContentHash::ContentHash() : a_(base::fnv_start), b_(base::mix(base::fnv_start)) {}
+
+void ContentHash::add(const void *bytes, uint64_t size)
+{
+    a_ = base::fnv(base::fnv(a_, &size, sizeof size), bytes, size);
+    b_ = base::mix(base::fnv(base::fnv(b_, bytes, size), &size, sizeof size));
+}
+
+std::string ContentHash::hex() const
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(a_),
+                  static_cast<unsigned long long>(b_));
+    return text;
+}
+
+void add_file(const std::string &path, const std::string &folder, uint64_t limit_bytes, ContentHash &content_hash)
+{
+    const std::vector<uint8_t> bytes = read_file(path, limit_bytes);
+    content_hash.add(bytes.data(), bytes.size());
+    for (const std::string &uri : uris_of(bytes, limit_bytes)) {
+        try {
+            const std::vector<uint8_t> there = read_file(folder + "/" + decode_relative_path(uri), limit_bytes);
+            content_hash.add(there.data(), there.size());
+        } catch (const base::Error &) {
+            content_hash.add(uint64_t(0));
+        }
+    }
+}
+
+std::string user_cache_folder()
+{
+    const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+    if (cache && *cache == '/') return std::string(cache) + "/claque";
+    if (home && *home == '/') return std::string(home) + "/.cache/claque";
+    return "";
+}
+
+std::vector<uint8_t> read_cached(const std::string &folder, const std::string &name)
+{
+    try {
+        return read_file(folder + "/" + name, largest_entry);
+    } catch (const base::Error &) {
+        return {};
+    }
+}
+
+std::string write_cached(const std::string &folder, const std::string &name, const std::vector<uint8_t> &bytes)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return "'" + folder + "' cannot be made: " + error.message();
+    static std::atomic<uint32_t> count{0};  // threads may keep the same template at the same time
+    Output part(folder + "/" + name + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part");
+    if (part.write_all(bytes) && part.becomes(folder + "/" + name)) return "";
+    return "'" + folder + "/" + name + "' cannot be written: " + std::strerror(errno);
+}
+
+}  // namespace claque::asset

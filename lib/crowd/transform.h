@@ -1,0 +1,27 @@
+// Where something is in a space: a place, a rotation, one scale. Groups are spaces in which actors have places.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace claque::crowd
+{
+
+struct Transform {
+    glm::dvec3 position = glm::dvec3(0);            // of the Reference Point
+    glm::quat orientation = glm::quat(1, 0, 0, 0);  // unit within 0.001
+    float scale = 1;                                // finite, not 0; negative mirrors
+};
+
+// Returns it, or throws base::Error (CLQ_ARGUMENT) naming the broken rule and the number.
+Transform checked(const Transform &transform);
+
+// The place in the world of what has `inner` in the space of `outer`. A negative scale mirrors through the point, and
+// so goes with every rotation.
+Transform composed(const Transform &outer, const Transform &inner);
+glm::dvec3 composed_position(const Transform &outer, const glm::dvec3 &inner);
+
+// The place in the space of `outer` of what has `world` in the world: composed(outer, relative(outer, world)) is world.
+Transform relative(const Transform &outer, const Transform &world);
+
+}  // namespace claque::crowd

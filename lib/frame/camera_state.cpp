@@ -1,0 +1,41 @@
+#include "lib/frame/camera_state.h"
+
+#include <cmath>
+
+#include "lib/math/eye_transform.h"
+
+namespace claque::frame
+{
+
+namespace
+{
+
+// Distances that a host gives to levels of detail hold in a picture of 768 lines over 60 degrees: half its height over
+// the tangent of half the angle.
+constexpr double home_px = 384 * 1.7320508075688772;
+
+math::Frustum pyramid_of(const View &view)
+{
+    float narrowed[16];
+    for (int i = 0; i < 16; ++i) narrowed[i] = view.camera.projection[i] / (i % 4 < 2 ? view.cull_scale : 1.0f);
+    return math::frustum_of(narrowed);
+}
+
+}  // namespace
+
+CameraState::CameraState(const View &view)
+    : eye(view.camera.eye),
+      world_to_eye(math::rotation_of(view.camera.rotation)),
+      frustum(math::rotated_back(pyramid_of(view), world_to_eye)),
+      shadow(view.shadow),
+      distance_scale(1),
+      min_distance(0)
+{
+    const float *p = view.camera.projection;
+    const double pixels = std::fabs(double(p[5])) * 0.5 * double(view.height_px);  // of a unit across, a unit away
+    if (!(pixels > 0)) return;
+    if (p[11] != 0) distance_scale = home_px / pixels;
+    else min_distance = home_px / pixels, distance_scale = 0;
+}
+
+}  // namespace claque::frame

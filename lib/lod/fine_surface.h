@@ -1,0 +1,36 @@
+// The fine closed surface that coarse ones stand for, by samples, and the distance of both. Between the files of this room only.
+#pragma once
+
+#include "lib/lod/coarsen.h"
+#include "lib/lod/nearest.h"
+
+namespace claque::lod
+{
+
+class FineSurface
+{
+public:
+    // Both are to outlive it; features [positions] as coarsened() takes them.
+    FineSurface(const ClosedMesh &surface, const std::vector<Attributes> &features, size_t max_samples);
+
+    struct Sample {
+        glm::dvec3 at = glm::dvec3(0);
+        double area = 0;
+        const Attributes *features = nullptr;
+    };
+    const std::vector<Sample> &samples() const { return samples_; }
+    double area() const { return area_; }
+    // Point of it. `guess`: where what was asked for before was found; places asked for in a row are mostly near each other.
+    glm::dvec3 nearest(glm::dvec3 p, uint32_t &guess) const;
+
+private:
+    const ClosedMesh &surface_;
+    std::vector<Sample> samples_;
+    double area_ = 0;
+    NearestPoint nearest_;
+};
+
+std::vector<NearestPoint::Triangle> corners_of(const ClosedMesh &surface);
+inline glm::dvec3 twice_area(const NearestPoint::Triangle &t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
+
+}  // namespace claque::lod

@@ -1,0 +1,17 @@
+// The surface between filled and empty cells, by marching tetrahedra: closed, and no edge has more than two triangles,
+// however the cells lie. Between the files of this room only.
+#pragma once
+
+#include "lib/lod/voxels.h"
+
+namespace claque::lod
+{
+
+struct ClosedMesh {
+    std::vector<glm::dvec3> positions;
+    std::vector<std::array<uint32_t, 3>> triangles;  // counter-clockwise from outside
+};
+
+ClosedMesh extract_closed_mesh(const Voxels &voxels);
+
+}  // namespace claque::lod

@@ -1,0 +1,121 @@
+#include "lib/lod/proxy.h"
+
+#include <map>
+#include <set>
+
+#include "lib/base/error.h"
+#include "lib/lod/area_fractions.h"
+#include "lib/lod/proxy_image.h"
+#include "lib/lod/proxy_mesh.h"
+#include "lib/lod/visibility.h"
+#include "lib/pose/pose.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+// Keys that tell all zones apart: as they are where they do, else new ones for those that no image names.
+std::vector<uint8_t> keys_of(const model::Model &model)
+{
+    std::vector<uint8_t> keys;
+    std::set<uint8_t> taken;
+    for (const model::Zone &zone : model.zones) keys.push_back(zone.key), taken.insert(zone.key);
+    if (taken.size() == keys.size()) return keys;
+    taken.clear();
+    for (const model::Image &image : model.images)
+        if (image.alpha == model::AlphaMeaning::zone_keys)
+            for (size_t i = 3; i < image.rgba.size(); i += 4) taken.insert(image.rgba[i]);
+    std::set<uint8_t> given;
+    uint32_t next = 1;
+    for (uint8_t &key : keys) {
+        if (taken.count(key) && given.insert(key).second) continue;
+        while (next < 256 && (taken.count(static_cast<uint8_t>(next)) || given.count(static_cast<uint8_t>(next))))
+            ++next;
+        if (next == 256) base::fail(CLQ_LIMIT, "'%s' has more zones than keys", model.name.c_str());
+        key = static_cast<uint8_t>(next);
+        given.insert(key);
+    }
+    return keys;
+}
+
+// One material with what each texture set shows of it.
+uint32_t add_material(const ProxySource &source, std::vector<model::Image> images, ProxyLevels &proxies)
+{
+    const auto next = [&] { return static_cast<uint32_t>(source.model.images.size() + proxies.images.size()); };
+    model::Material material;
+    material.name = source.model.name + " far " + std::to_string(proxies.materials.size() + 1);
+    material.image = next();
+    material.wrap_s = material.wrap_t = model::Wrap::clamp;
+    for (size_t i = 1; i < images.size(); ++i) {
+        const bool differs = images[i].rgba != images[0].rgba;
+        proxies.set_images[i - 1].push_back(differs ? next() + static_cast<uint32_t>(i) : model::none);
+    }
+    for (model::Image &image : images) {
+        image.name = material.name;
+        proxies.images.push_back(std::move(image));
+    }
+    proxies.materials.push_back(std::move(material));
+    return static_cast<uint32_t>(source.model.materials.size() + proxies.materials.size() - 1);
+}
+
+}  // namespace
+
+ProxySource::ProxySource(const model::Model &of, const std::vector<const model::Part *> &parts, const base::Jobs &jobs)
+    : model(of), fine(parts), keys(keys_of(of))
+{
+    pose::Workspace workspace(model.rig);
+    const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
+    fine.pose(model.rig, palette, workspace.weights());
+    visibility = visibility_of(model, fine, jobs);
+    for (size_t i = 0; i < set_count(); ++i)
+        area_fractions.push_back(zone_area_fractions(model, fine, visibility, set(i)));
+}
+
+PosedParts ProxySource::at_rest(const model::Part &part) const
+{
+    PosedParts posed({&part});
+    pose::Workspace workspace(model.rig);
+    const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
+    posed.pose(model.rig, palette, workspace.weights());
+    return posed;
+}
+
+ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
+                         const ProxyOptions &options, const base::Jobs &jobs)
+{
+    ProxyMeshOptions shell;
+    shell.targets = options.targets;
+    shell.influence = options.influence, shell.zone = options.zone, shell.jobs = jobs;
+    const ProxySource from(model, source, jobs);
+    std::vector<model::Part> swatch_parts;
+    ProxyLevels proxies;
+    proxies.zone_keys = from.keys;
+    proxies.set_images.resize(model.texture_sets.size());
+    for (model::Part &part : proxy_meshes(model, source, shell))
+        (part.indices.size() <= 3 * max_clean_triangles ? swatch_parts : proxies.parts).push_back(std::move(part));
+    for (model::Part &part : proxies.parts) part.material = add_material(from, bake_charts(from, part, jobs), proxies);
+    if (swatch_parts.empty()) return proxies;
+    std::vector<model::Image> images = bake_swatches(from, swatch_parts, jobs);
+    const uint32_t material = add_material(from, std::move(images), proxies);
+    for (model::Part &part : swatch_parts) {
+        part.material = material;
+        proxies.parts.push_back(std::move(part));
+    }
+    return proxies;
+}
+
+void add_to_model(const ProxyLevels &proxies, model::Model &model)
+{
+    for (size_t i = 0; i < model.texture_sets.size(); ++i) {
+        std::vector<uint32_t> &images = model.texture_sets[i].images;
+        images.resize(model.materials.size(), model::none);
+        images.insert(images.end(), proxies.set_images[i].begin(), proxies.set_images[i].end());
+    }
+    model.materials.insert(model.materials.end(), proxies.materials.begin(), proxies.materials.end());
+    model.images.insert(model.images.end(), proxies.images.begin(), proxies.images.end());
+    for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = proxies.zone_keys[zone];
+}
+
+}  // namespace claque::lod

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "lib/lod/atlas.h"
+#include "lib/lod/nearest.h"
+#include "lib/lod/proxy_balance.h"
+#include "lib/lod/proxy_image.h"
+#include "lib/lod/visibility.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+constexpr uint32_t texels_per_triangle = 32;
+constexpr size_t samples = 4;             // of each texel
+constexpr double outward_offset = 0.005;  // of the character's size
+
+// A place of the level under a point of the atlas; off it the nearest.
+struct LevelPoint {
+    uint32_t triangle = 0;
+    glm::dvec3 weights = glm::dvec3(0);
+    double distance_squared = std::numeric_limits<double>::infinity();  // texels
+};
+
+LevelPoint level_point_at(const std::vector<PrecomputedTriangle> &flat, const Chart &chart, glm::dvec2 p)
+{
+    LevelPoint best;
+    for (const uint32_t t : chart.triangles) {
+        const glm::dvec3 at(p, 0), weights = flat[t].nearest(at), off = point_on(flat[t].corners, weights) - at;
+        if (glm::dot(off, off) < best.distance_squared) best = {t, weights, glm::dot(off, off)};
+        if (best.distance_squared == 0) break;
+    }
+    return best;
+}
+
+// What lies nearest on the source to what one texel covers.
+struct TexelSamples {
+    bool used = false;
+    glm::dvec3 middle = glm::dvec3(0);
+    std::array<SurfacePoint, samples> points;
+};
+
+class SourceSampler
+{
+public:
+    SourceSampler(const ProxySource &source, const PosedParts &level, const Atlas &atlas)
+        : level_(level),
+          atlas_(atlas),
+          visible_triangles_(visible_triangles(source)),
+          nearest_(triangles_of(source.fine, visible_triangles_))
+    {
+        glm::dvec3 min(std::numeric_limits<double>::infinity()), max = -min;
+        for (const PosedParts::Triangle &t : level.triangles())
+            for (const glm::dvec3 p : level.corners(t)) min = glm::min(min, p), max = glm::max(max, p);
+        const glm::dvec3 sizes = max - min;
+        for (const auto &c : atlas.texel_coords)
+            flat_.emplace_back(Corners3{glm::dvec3(c[0], 0), glm::dvec3(c[1], 0), glm::dvec3(c[2], 0)});
+        offset_ = outward_offset * std::max({sizes.x, sizes.y, sizes.z});
+    }
+
+    std::vector<TexelSamples> run(const base::Jobs &jobs) const
+    {
+        std::vector<TexelSamples> texels(size_t(atlas_.width) * atlas_.height);
+        jobs.try_each(static_cast<uint32_t>(atlas_.charts.size()), [&](uint32_t i) {
+            const Chart &chart = atlas_.charts[i];
+            for (uint32_t y = chart.y; y < chart.y + chart.height; ++y)
+                for (uint32_t x = chart.x; x < chart.x + chart.width; ++x)
+                    sample(chart, x, y, texels[size_t(y) * atlas_.width + x]);
+        });
+        return texels;
+    }
+
+private:
+    static std::vector<uint32_t> visible_triangles(const ProxySource &source)
+    {
+        std::vector<uint32_t> found;
+        for (uint32_t t = 0; t < source.visibility.size(); ++t)
+            if (source.visibility[t] > 0) found.push_back(t);
+        return found;
+    }
+    static std::vector<NearestPoint::Triangle> triangles_of(const PosedParts &parts, const std::vector<uint32_t> &which)
+    {
+        std::vector<NearestPoint::Triangle> found;
+        for (const uint32_t t : which) found.push_back(parts.corners(parts.triangles()[t]));
+        return found;
+    }
+
+    void sample(const Chart &chart, uint32_t x, uint32_t y, TexelSamples &texel) const
+    {
+        for (size_t i = 0; i < samples; ++i) {
+            const glm::dvec2 p(x + 0.25 + 0.5 * double(i % 2), y + 0.25 + 0.5 * double(i / 2));
+            const LevelPoint here = level_point_at(flat_, chart, p);
+            if (here.distance_squared > double(atlas_gutter * atlas_gutter)) return;
+            const auto c = level_.corners(level_.triangles()[here.triangle]);
+            const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+            const double length = glm::length(normal);
+            const glm::dvec3 at = point_on(c, here.weights);
+            // A little outside: of two layers the outer one is seen.
+            const NearestPoint::Found found = nearest_.to(length > 0 ? at + normal * (offset_ / length) : at);
+            texel.points[i] = {visible_triangles_[found.triangle], found.weights};
+            texel.middle += at / double(samples);
+        }
+        texel.used = true;
+    }
+
+    const PosedParts &level_;
+    const Atlas &atlas_;
+    std::vector<uint32_t> visible_triangles_;  // triangles of the source that can be seen
+    NearestPoint nearest_;
+    std::vector<PrecomputedTriangle> flat_;  // the level in the atlas
+    double offset_ = 0;
+};
+
+// The zone that most of a texel shows, and its mean colour.
+ProxyTexel proxy_texel(const ProxySource &source, const model::TextureSet *set, const TexelSamples &texel)
+{
+    std::array<uint32_t, samples> zones;
+    for (size_t i = 0; i < samples; ++i) zones[i] = zone_at(source.model, source.fine, texel.points[i], set);
+    ProxyTexel shown;
+    ptrdiff_t most = 0;
+    for (const uint32_t zone : zones) {
+        const ptrdiff_t count = std::count(zones.begin(), zones.end(), zone);
+        if (count > most) most = count, shown.zone = zone;
+    }
+    for (size_t i = 0; i < samples; ++i)
+        if (zones[i] == shown.zone)
+            shown.rgb += texel_at(source.model, source.fine, texel.points[i], set) / double(most);
+    shown.at = texel.middle, shown.used = texel.used;
+    return shown;
+}
+
+// How much of the level each texel is shown on.
+std::vector<double> areas_of(const model::Model &model, const PosedParts &level, const Atlas &atlas)
+{
+    const std::vector<double> visibility = visibility_of(model, level);
+    std::vector<double> areas(size_t(atlas.width) * atlas.height, 0);
+    double all = 0;
+    for (const SurfaceSample &sample : sample_surface(level, surface_sample_count)) {
+        const auto &corners = atlas.texel_coords[sample.point.triangle];
+        const glm::dvec3 w = sample.point.weights;
+        const glm::dvec2 p = w.x * corners[0] + w.y * corners[1] + w.z * corners[2];
+        areas[size_t(p.y) * atlas.width + size_t(p.x)] += sample.area * visibility[sample.point.triangle];
+        all += sample.area * visibility[sample.point.triangle];
+    }
+    for (double &area : areas) area = all > 0 ? area / all : 0;
+    return areas;
+}
+
+}  // namespace
+
+std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part, const base::Jobs &jobs)
+{
+    const PosedParts level = source.at_rest(part);
+    const Atlas atlas = build_atlas(level, texels_per_triangle);
+    const std::vector<TexelSamples> texels = SourceSampler(source, level, atlas).run(jobs);
+    const std::vector<double> areas = areas_of(source.model, level, atlas);
+    std::vector<model::Image> images;
+    for (size_t set = 0; set < source.set_count(); ++set) {
+        std::vector<ProxyTexel> shown;
+        for (size_t i = 0; i < texels.size(); ++i) {
+            shown.push_back(texels[i].used ? proxy_texel(source, source.set(set), texels[i]) : ProxyTexel());
+            shown.back().area = areas[i];
+        }
+        balance_zones(source, set, shown);
+        images.push_back(empty_image(atlas.width, atlas.height));
+        // Texels that nobody points at show what another does, so that none names a zone that there is not.
+        const ProxyTexel any =
+            *std::find_if(shown.begin(), shown.end(), [](const ProxyTexel &one) { return one.used; });
+        for (size_t i = 0; i < shown.size(); ++i) {
+            const ProxyTexel &one = shown[i].used ? shown[i] : any;
+            set_texel(source, i, one.zone, one.rgb, images.back());
+        }
+    }
+    std::vector<glm::vec2> corners;
+    for (const auto &triangle : atlas.texel_coords)
+        for (const glm::dvec2 p : triangle) corners.emplace_back(p / glm::dvec2(atlas.width, atlas.height));
+    split_by_uv(part, corners);
+    return images;
+}
+
+}  // namespace claque::lod

@@ -1,0 +1,75 @@
+// The parts of a character as one mesh of OpenMesh's, welded where they touch, with what stands at each corner of a
+// face: the corner of the source, whose normal, texture coordinates and influences it keeps. Between the files of this
+// room only.
+#pragma once
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <array>
+
+#include "lib/lod/decimate.h"
+#include "lib/lod/link_condition.h"
+#include "lib/model/model.h"
+
+namespace claque::lod
+{
+
+struct MeshTraits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+struct Mesh : OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
+    // What its decimater asks, in place of OpenMesh's own.
+    bool is_collapse_ok(HalfedgeHandle h) const { return LinkCondition<Mesh>(*this).holds(h); }
+};
+
+// Which corner of the source stands at each corner of a face; kept by vertex, so that it does not matter how the mesh
+// re-uses its halfedges.
+struct Corners {
+    std::array<int, 3> at{};
+    std::array<uint32_t, 3> corner{};
+
+    uint32_t of(int vertex) const
+    {
+        for (size_t k = 0; k < 3; ++k)
+            if (at[k] == vertex) return corner[k];
+        return model::none;
+    }
+};
+
+inline glm::dvec3 point(const Mesh &mesh, Mesh::VertexHandle v)
+{
+    const Mesh::Point &p = mesh.point(v);
+    return {p[0], p[1], p[2]};
+}
+
+class WeldedSurface
+{
+public:
+    // Vertices of one part that share a position are one. So are those of several parts that move together (all skinned,
+    // or on one node) where both have an open border: the parts are then sewn, and no crack opens between them.
+    explicit WeldedSurface(const std::vector<SourcePart> &parts);
+
+    Mesh mesh;
+    OpenMesh::FPropHandleT<Corners> corners;
+    size_t non_manifold_triangles =
+        0;  // triangles on edges with more than two faces: they stand apart, and do not move
+
+    // A corner of the source: a vertex of a part, numbered through all parts.
+    uint32_t corner_count() const { return first_.back(); }
+    uint32_t part_of(uint32_t corner) const { return part_of_[corner]; }
+    uint32_t vertex_of(uint32_t corner) const { return corner - first_[part_of_[corner]]; }
+    const model::Part &part(uint32_t index) const { return *parts_[index].part; }
+    glm::vec3 at_rest(uint32_t corner) const;
+    // Corners that differ only in their normals are one side of the surface: the first of them.
+    uint32_t wedge(uint32_t corner) const { return wedge_[corner]; }
+    glm::vec2 uv(uint32_t corner) const;
+    bool has_uv(uint32_t corner) const { return !part(part_of_[corner]).uvs.empty(); }
+
+private:
+    void find_wedges();
+
+    std::vector<SourcePart> parts_;
+    std::vector<uint32_t> first_, part_of_, wedge_;
+};
+
+}  // namespace claque::lod

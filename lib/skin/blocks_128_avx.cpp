@@ -1,0 +1,30 @@
+// The same with 128-bit lanes on processors with AVX: its instructions of three operands copy nothing, and it spreads a number as it
+// reads it.
+#include "lib/skin/kernel.h"
+
+#if defined(__x86_64__) || defined(__i386__)
+
+#define CLAQUE_BLOCKS __attribute__((target("avx")))
+#define CLAQUE_BLOCKS_INLINE __attribute__((target("avx"), always_inline)) inline
+#define CLAQUE_BLOCKS_BROADCAST
+#define CLAQUE_BLOCKS_RUN run_128_avx_blocks
+#include "lib/skin/blocks_128.h"
+
+namespace claque::skin
+{
+
+bool has_avx() { return __builtin_cpu_supports("avx"); }
+
+}  // namespace claque::skin
+
+#else
+
+namespace claque::skin
+{
+
+bool has_avx() { return false; }
+void run_128_avx_blocks(const BlockRun &) {}  // nobody asks
+
+}  // namespace claque::skin
+
+#endif

@@ -1,0 +1,72 @@
+// The options that `render` and `bench` share, and what they say in words and JSON.
+#pragma once
+
+#include "samples/cli/cache_choice.h"
+#include "samples/cli/characters.h"
+#include "samples/scenes/scene_renderer.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace cli
+{
+
+using Json = nlohmann::ordered_json;
+
+struct SceneArguments {
+    std::string file, scene;  // one or neither
+    std::vector<std::string> hidden;
+    std::string path, theatre;  // files
+    std::string camera;         // empty: not given
+    std::string context = "any", format = "rgba8888";
+    std::string strategy = "fused", cache = "full", filter = "nearest";
+    uint32_t count = 0;  // 0: not given
+    uint64_t seed = 1, budget_mib = 0;
+    int threads = 0;           // 0: as many as cores
+    uint32_t key_poses = 256;  // kept for each template and level
+    double key_pose_hz = 15;
+    std::string cull = "actor", rigid_mode = "vertices", vertex_format = "float", show = "nothing";
+    double cull_scale = 1;
+    std::string lod = "off";  // on the plaza and in the odeon
+    std::string shadows = "painted";
+    double blob_from_m = 40;
+    uint32_t flush_triangles = 0, flat_triangles = 64;
+    double lod_scale = 1;
+
+    int width = 1024, height = 768;
+};
+
+// Everything but the scene's own argument, the file and `count`.
+void add_scene_options(CLI::App &command, SceneArguments &arguments);
+
+// --size WxH, into the two numbers, which hold the default before.
+void add_size_option(CLI::App &command, int &width, int &height);
+
+// Accepts the name of a scene.
+CLI::IsMember scene_names();
+
+int thread_count(const SceneArguments &arguments);
+int core_count();  // that threads may run on: [1, 256]
+
+// The scene that is meant, and whether its camera is moved along a path: one of its own, or --path.
+std::string scene_of(const SceneArguments &arguments);
+bool has_path(const SceneArguments &arguments);
+// Throws CLI::ValidationError where options do not go together, before anything is read.
+void check_scene_usage(const SceneArguments &arguments);
+
+// Reads the files that options name. `loaded` has to live as long as the stage that is made from this.
+scenes::SceneOptions scene_options(const SceneArguments &arguments, const LoadedCharacter &loaded);
+
+clq_draw_strategy strategy_named(const std::string &name);
+const std::vector<std::string> &strategy_names();
+
+const std::vector<std::string> &shadow_names();
+scenes::ShadowChoice shadows_named(const std::string &name);
+Json shadow_counters(const clq_shadow_stats &stats);
+
+Json counters(const clq_crowd_stats &stats);
+Json rates(const clq_crowd_stats &stats);  // the last band has no end: null
+std::string hex(uint64_t hash);
+std::string version();
+
+}  // namespace cli

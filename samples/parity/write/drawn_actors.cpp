@@ -1,0 +1,137 @@
+#include "samples/parity/write/drawn_actors.h"
+
+#include "samples/scenes/check.h"
+
+#include <algorithm>
+
+namespace parity
+{
+
+using scenes::check;
+
+namespace
+{
+
+constexpr const char *columns[] = {"actor",         "mesh",         "first_vertex", "vertex_count", "first_palette",
+                                   "palette_count", "first_weight", "weight_count", "draw_order",   "flags"};
+
+clq_template_info info_of(const clq_template *tmpl)
+{
+    clq_template_info info = {};
+    check(clq_template_get_info(tmpl, &info));
+    return info;
+}
+
+}  // namespace
+
+DrawnActors::DrawnActors(const clq_view *view) : view_(view)
+{
+    clq_view_stats stats = {};
+    check(clq_view_get_stats(view, &stats));
+    for (uint32_t i = 0; i < stats.visible; ++i) {
+        Individual who = {};
+        check(clq_view_get_drawn_actor(view, i, &who.drawn_actors));
+        who.place = i;
+        if (!who.drawn_actors.shadow_only) individuals_.push_back(who);
+    }
+    std::sort(individuals_.begin(), individuals_.end(), [](const Individual &a, const Individual &b) {
+        return a.drawn_actors.actor.index1 < b.drawn_actors.actor.index1;
+    });
+    // Who is left out leaves no gaps.
+    std::vector<uint32_t> places;
+    for (const Individual &who : individuals_) places.push_back(who.place);
+    std::sort(places.begin(), places.end());
+    for (Individual &who : individuals_) {
+        who.draw_order =
+            static_cast<uint32_t>(std::lower_bound(places.begin(), places.end(), who.place) - places.begin());
+        who.mesh = mesh_of(who.drawn_actors);
+        who.first_vertex = static_cast<uint32_t>(vertices_);
+        who.first_palette = static_cast<uint32_t>(palette_rows_);
+        who.first_weight = static_cast<uint32_t>(morph_weights_);
+        vertices_ += who.drawn_actors.vertex_count;
+        palette_rows_ += who.drawn_actors.joint_count;
+        morph_weights_ += who.drawn_actors.morph_weight_count;
+    }
+    if (vertices_ > UINT32_MAX || palette_rows_ > UINT32_MAX)
+        throw scenes::Failure("more vertices or matrices than a parity folder counts: show fewer individuals");
+}
+
+uint32_t DrawnActors::mesh_of(const clq_drawn_actor &drawn_actors)
+{
+    const size_t known =
+        static_cast<size_t>(std::find(templates_.begin(), templates_.end(), drawn_actors.tmpl) - templates_.begin());
+    const clq_template_info info = info_of(drawn_actors.tmpl);
+    if (known == templates_.size()) {
+        templates_.push_back(drawn_actors.tmpl);
+        first_mesh_.push_back(static_cast<uint32_t>(meshes_.size()));
+        for (uint32_t set = 0; set < info.texture_set_count; ++set)
+            for (uint32_t level = 0; level < info.level_count; ++level)
+                meshes_.push_back({static_cast<uint32_t>(known), level, set});
+    }
+    return first_mesh_[known] + drawn_actors.texture_set * info.level_count + drawn_actors.level;
+}
+
+void DrawnActors::write_actors(const Folder &folder) const
+{
+    std::vector<uint32_t> table;
+    for (const Individual &who : individuals_)
+        table.insert(table.end(),
+                     {who.drawn_actors.actor.index1, who.mesh, who.first_vertex, who.drawn_actors.vertex_count,
+                      who.first_palette, who.drawn_actors.joint_count, who.first_weight,
+                      who.drawn_actors.morph_weight_count, who.draw_order, who.drawn_actors.mirrored ? 1u : 0u});
+    folder.array("actors.npy", table, {individuals_.size(), std::size(columns)});
+}
+
+void DrawnActors::describe(Json &out) const
+{
+    out["actors"] = individuals_.size();
+    out["vertices"] = vertices_;
+    out["actor_columns"] = columns;
+    out["templates"] = Json::array();
+    for (const clq_template *tmpl : templates_) {
+        const clq_template_info info = info_of(tmpl);
+        Json zones = Json::array();
+        for (uint32_t i = 0; i < info.zone_count; ++i) {
+            clq_zone_info zone = {};
+            check(clq_template_get_zone(tmpl, i, &zone));
+            zones.push_back(zone.name);
+        }
+        out["templates"].push_back({{"name", info.name}, {"zones", zones}});
+    }
+    out["meshes"] = Json::array();
+    for (const MeshName &name : meshes_) {
+        clq_level_info level = {};
+        clq_mesh mesh = {};
+        check(clq_template_get_level(templates_[name.tmpl], name.level, &level));
+        check(clq_template_get_mesh(templates_[name.tmpl], name.level, &mesh));
+        out["meshes"].push_back({{"template", name.tmpl},
+                                 {"level", name.level},
+                                 {"texture_set", name.texture_set},
+                                 {"vertices", mesh.vertex_count},
+                                 {"triangles", level.triangle_count},
+                                 {"normals", mesh.normals_by_inverse ? "inverse" : "direct"}});
+    }
+}
+
+Skinned::Skinned(const DrawnActors &drawn_actors)
+    : positions(3 * drawn_actors.vertices()), normals(3 * drawn_actors.vertices())
+{
+    for (const Individual &who : drawn_actors.individuals()) {
+        const uint32_t count = who.drawn_actors.vertex_count;
+        float *own = positions.data() + 3 * static_cast<size_t>(who.first_vertex);
+        check(clq_view_get_vertices(drawn_actors.view(), who.place, own,
+                                    normals.data() + 3 * static_cast<size_t>(who.first_vertex), count));
+        float longest = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            float low = count ? own[axis] : 0, high = low;
+            for (uint32_t v = 0; v < count; ++v) {
+                low = std::min(low, own[3 * static_cast<size_t>(v) + static_cast<size_t>(axis)]);
+                high = std::max(high, own[3 * static_cast<size_t>(v) + static_cast<size_t>(axis)]);
+            }
+            longest = std::max(longest, high - low);
+        }
+        sizes.push_back(longest);
+    }
+}
+
+}  // namespace parity

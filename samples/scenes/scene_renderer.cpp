@@ -1,0 +1,227 @@
+#include "samples/scenes/scene_renderer.h"
+
+#include "samples/scenes/quiet_gl.h"
+
+namespace scenes
+{
+
+SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : library_(library), options_(options)
+{
+    if (options_.shot == Shot::path && !options_.path)
+        throw Failure("the scene '" + options_.scene + "' is asked for by a camera path, and has none");
+    std::string why_not;
+    offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not);
+    if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
+    if (!load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
+        throw Failure("this OpenGL context lacks " + why_not);
+    scene_ = make_scene(options.scene, library, options.crowd_options, options.character);
+    scene_->prepare(gl_);
+    clq_view *view = nullptr;
+    check(clq_view_create(scene_->crowd(), &view));
+    view_.reset(view);
+    check(clq_view_set_height(view, static_cast<float>(options.height)));
+    check(clq_view_set_cull_scale(view, options.cull_scale));
+    if (options.cull_scale < 1) scene_->cull_by(static_cast<double>(options.cull_scale));
+    if (options.shadows.form != ShadowChoice::Form::painted) take_shadows();
+    use_strategy(options.strategy);
+}
+
+void SceneRenderer::take_shadows()
+{
+    if (!scene_->take_shadows(shadows_))
+        throw Failure("the scene '" + options_.scene + "' has no ground that shadows could fall on");
+    shadows_.stencil_bit = options_.shadows.stencil ? 0 : -1;
+    shadows_.blob_distance_m = options_.shadows.form == ShadowChoice::Form::blob ? 0.0f : options_.shadows.blob_from_m;
+    if (options_.shadows.form == ShadowChoice::Form::none) return;
+    // As far as a person's shadow reaches: whoever is out of view may throw one into it.
+    constexpr double tall_m = 2.2;
+    float fall[3];
+    for (int k = 0; k < 3; ++k) fall[k] = static_cast<float>(-shadows_.light[k] / shadows_.light[1] * tall_m);
+    check(clq_view_set_shadow(view_.get(), fall));
+}
+
+SceneRenderer::~SceneRenderer()
+{
+    // Textures go with what holds them, and need their context for it.
+    if (offscreen_) offscreen_->make_current();
+}
+
+void SceneRenderer::make_current()
+{
+    if (!offscreen_->make_current()) throw Failure("the OpenGL context could not be made current");
+}
+
+void SceneRenderer::use_strategy(clq_draw_strategy strategy)
+{
+    Own<clq_renderer> &renderer = renderers_.at(static_cast<size_t>(strategy));
+    if (!renderer) {
+        clq_renderer_def def = clq_renderer_def_init();
+        def.get_proc_address = offscreen_->get_proc_address();
+        def.user = offscreen_->user();
+        if (options_.tells_parts) def.get_proc_address = quiet_proc_address, def.user = offscreen_.get();
+        def.strategy = strategy;
+        def.linear_clean = options_.linear_clean;
+        def.flush_triangles = options_.flush_triangles;
+        def.flat_triangles = options_.flat_triangles;
+        clq_renderer *made = nullptr;
+        check(clq_renderer_create(library_.context(), &def, &made));
+        renderer.reset(made);
+        for (clq_template *tmpl : scene_->templates()) check(clq_renderer_prepare(made, tmpl));
+    }
+    renderer_ = renderer.get();
+}
+
+clq_prepared_info SceneRenderer::prepared(const clq_template *tmpl) const
+{
+    clq_prepared_info info = {};
+    check(clq_renderer_get_prepared(renderer_, tmpl, &info));
+    return info;
+}
+
+void SceneRenderer::update(double time_s)
+{
+    scene_->place(time_s);
+    const double aspect = static_cast<double>(options_.width) / options_.height;
+    clq_camera camera = options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
+                                                    : scene_->camera(options_.shot, aspect, time_s);
+    // Divided by the distance in front of the eye, which is -z.
+    camera.projection[8] -= static_cast<float>(2 * moved_px_[0] / options_.width);
+    camera.projection[9] -= static_cast<float>(2 * moved_px_[1] / options_.height);
+    eye_ = eye_of(camera);
+    check(clq_view_set_camera(view_.get(), &camera));
+    clq_view *views[] = {view_.get()};
+    check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
+    if (options_.show != Show::levels) return;
+    tint_by_level(scene_->crowd(), scene_->actors());
+    check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
+}
+
+void SceneRenderer::draw_environment()
+{
+    gl_.Viewport(0, 0, options_.width, options_.height);
+    gl_.DepthMask(1);
+    gl_.ClearColor(0, 0, 0, 1);
+    gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
+    scene_->draw_environment(gl_, eye_);
+}
+
+clq_shadow_stats SceneRenderer::send_shadows()
+{
+    clq_shadow_stats stats = {};
+    const ShadowChoice::Form form = options_.shadows.form;
+    if (form == ShadowChoice::Form::painted || form == ShadowChoice::Form::none) return stats;
+    check(clq_renderer_draw_shadows(renderer_, view_.get(), &shadows_, &stats));
+    return stats;
+}
+
+clq_draw_stats SceneRenderer::send_crowd()
+{
+    clq_draw_stats stats = {};
+    check(clq_renderer_draw(renderer_, view_.get(), &stats));
+    return stats;
+}
+
+clq_shadow_stats SceneRenderer::draw_shadows()
+{
+    const clq_shadow_stats stats = send_shadows();
+    gl_.Finish();
+    return stats;
+}
+
+clq_draw_stats SceneRenderer::draw_crowd()
+{
+    const clq_draw_stats stats = send_crowd();
+    gl_.Finish();
+    return stats;
+}
+
+void SceneRenderer::draw_crowd_up_to(DrawPart last)
+{
+    quieten(last == DrawPart::claque);
+    if (last == DrawPart::and_vertices) gl_.Enable(gl::scissor_test), gl_.Scissor(0, 0, 0, 0);
+    draw_crowd();
+    if (last == DrawPart::and_vertices) gl_.Disable(gl::scissor_test);
+    quieten(false);
+}
+
+void SceneRenderer::frame(double time_s)
+{
+    update(time_s);
+    draw_environment();
+    if (options_.flush_triangles != 0) gl_.Flush();
+    send_shadows();
+    send_crowd();
+    draw_show();
+    gl_.Finish();
+}
+
+void SceneRenderer::draw_show()
+{
+    if (options_.show == Show::spheres) draw_spheres(gl_, eye_, scene_->crowd(), scene_->actors());
+    if (options_.cull_scale < 1) draw_frustum(gl_, options_.cull_scale);
+}
+
+const std::vector<uint8_t> &SceneRenderer::read()
+{
+    offscreen_->read_rgb(rgb_);
+    return rgb_;
+}
+
+const std::vector<uint8_t> &SceneRenderer::picture(double time_s)
+{
+    frame(time_s);
+    return read();
+}
+
+namespace
+{
+
+// Halton's sequence: places that fill a pixel evenly however many are taken.
+double halton(uint32_t i, uint32_t base)
+{
+    double at = 0, digit = 1;
+    for (; i > 0; i /= base) at += (digit /= base) * (i % base);
+    return at;
+}
+
+}  // namespace
+
+const std::vector<uint8_t> &SceneRenderer::picture(double time_s, uint32_t samples)
+{
+    if (samples <= 1) return picture(time_s);
+    std::vector<uint32_t> sums;
+    for (uint32_t i = 1; i <= samples; ++i) {
+        moved_px_[0] = halton(i, 2) - 0.5, moved_px_[1] = halton(i, 3) - 0.5;
+        const std::vector<uint8_t> &one = picture(time_s);
+        sums.resize(one.size(), 0);
+        for (size_t k = 0; k < one.size(); ++k) sums[k] += one[k];
+    }
+    moved_px_[0] = moved_px_[1] = 0;
+    for (size_t k = 0; k < sums.size(); ++k) rgb_[k] = static_cast<uint8_t>((sums[k] + samples / 2) / samples);
+    return rgb_;
+}
+
+clq_crowd_stats SceneRenderer::crowd_stats() const
+{
+    clq_crowd_stats stats = {};
+    check(clq_crowd_get_stats(scene_->crowd(), &stats));
+    return stats;
+}
+
+clq_view_stats SceneRenderer::view_stats() const
+{
+    clq_view_stats stats = {};
+    check(clq_view_get_stats(view_.get(), &stats));
+    return stats;
+}
+
+uint64_t SceneRenderer::view_hash() const { return clq_view_hash(view_.get()); }
+
+uint64_t hash_of(const std::vector<uint8_t> &bytes)
+{
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (const uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
+    return hash;
+}
+
+}  // namespace scenes

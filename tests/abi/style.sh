@@ -1,0 +1,23 @@
+#!/bin/sh
+# style.sh SOURCE_DIR: holds what clang-format cannot: the folders of the top level, lines of at most 120 columns, names of tests.
+set -eu
+cd "$1"
+bad=0
+report() { [ -z "$2" ] || { echo "$1:"; echo "$2" | head -n 20 | sed 's/^/    /'; bad=1; }; }
+
+# The top level belongs to the project's owner.
+allowed=' .ci .clang-format .git .gitignore ARCHITECTURE.md CMakeLists.txt CMakePresets.json LICENSE Makefile README.md animcache build cmake docs include lib meshsplit out passes samples tests '
+found=''
+for entry in $(ls -A); do
+    case "$allowed" in *" $entry "*) ;; *) found="$found $entry" ;; esac
+done
+report 'these do not belong to the top level' "$found"
+for entry in CMakeLists.txt Makefile animcache include lib meshsplit passes samples tests; do
+    [ -e "$entry" ] || report 'the top level lacks' "$entry"
+done
+
+sources=$(find animcache include lib meshsplit passes samples tests \( -name '*.h' -o -name '*.cpp' -o -name '*.c' \) | sort)
+report 'lines of more than 120 columns' "$(echo "$sources" | xargs awk 'length > 120 { print FILENAME ":" FNR }')"
+report 'names of tests are sentences in CamelCase, suites too' \
+    "$(echo "$sources" | xargs grep -nE '^(TYPED_)?TEST(_F|_P)?\((([a-z]|[A-Za-z0-9]+_)[A-Za-z0-9_]*, |[A-Za-z0-9_]+, ([a-z]|[A-Za-z0-9]+_))' || true)"
+exit $bad

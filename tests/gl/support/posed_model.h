@@ -1,0 +1,67 @@
+// A template with vertices to draw, for tests: made by hand here, so that drawing is tested apart from meshsplit.
+#pragma once
+
+#include "lib/draw/draw_list.h"
+
+#include <memory>
+#include <vector>
+
+namespace gltest
+{
+
+namespace model = claque::model;
+
+struct Mesh {
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec2> uvs;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<std::array<uint8_t, 4>> colours;  // or empty
+    // Of each triangle; empty: all 0. Surfaces differ in nothing here but that they are drawn apart.
+    std::vector<uint32_t> parts, surfaces;
+    uint32_t part_count = 1, surface_count = 1;
+};
+
+constexpr uint16_t hole = 0xffff;
+
+// Which zone every texel names, or `hole`.
+struct ZoneMap {
+    uint32_t side = 0;
+    uint32_t zone_count = 0;
+    std::vector<uint16_t> zones;  // [side * side], row v = 0 first
+};
+
+struct PosedModel {
+    std::unique_ptr<model::Template> tmpl;
+    std::vector<float> positions, normals;  // level 0, copies included
+    glm::vec3 centre = glm::vec3(0);
+    float radius = 1;
+    uint32_t texture_set = 0;  // that it shows
+};
+
+// One template of one level, whose parts and spheres, influences and rig are left to the caller.
+// Splits by the simplest conservative rule that there is: a triangle touches every zone in the box round its texels.
+PosedModel make_posed(const Mesh &mesh, const ZoneMap &map);
+
+// The template's own positions, copies added.
+PosedModel take_posed(std::unique_ptr<model::Template> tmpl);
+
+// Fills in the centre and radius of the box round its positions.
+void measure(PosedModel &posed);
+
+// A sheet of cells x cells quads in the xy plane from -1 to 1, with waves in z; uv from 0 to 1.
+Mesh sheet(uint32_t cells, float waves);
+
+// Left half: vertical bands, one a zone. Right half: squares of `square` texels, their zones mixed: finer than
+// triangles.
+ZoneMap torture_map(uint32_t side, uint32_t zone_count, uint32_t square);
+
+// Texture RGB white, so that a fragment shows its zone's colour and nothing else.
+void whiten(model::Template &tmpl);
+
+// A texture that is light, varied and not grey.
+void paint(model::Template &tmpl);
+
+// Colours that differ in the five bits a channel that RGB565 keeps. 3 a zone.
+std::vector<uint8_t> zone_colours(uint32_t zone_count);
+
+}  // namespace gltest

@@ -1,0 +1,112 @@
+// Far levels of what hangs in rigid parts on several nodes, and the colours that they keep.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lib/lod/chain.h"
+
+using namespace claque;
+
+namespace
+{
+
+// A ball of 1 on the first node, and one that stands 1.5 to the side and hangs on the second. One image, red for the first
+// and blue for the second, one zone or none. In the one clip the second goes away by a unit.
+model::Model two_balls()
+{
+    model::Model model;
+    model.name = "balls";
+    model.rig.parents.assign({model::none, 0});
+    model.rig.rest.resize(2);
+    model.rig.rest[1].translation = {1.5f, 0, 0};
+    model.rig.palette.resize(2);
+    model.rig.palette[1].node = 1;
+    model.rig.clips.push_back({0, 1, 0, 1});
+    model.rig.clip_names.emplace_back("away");
+    model.rig.times.assign({0, 1});
+    model.rig.values.assign({1.5f, 0, 0, 2.5f, 0, 0});
+    model.rig.channels.push_back({1, model::ChannelTarget::translation, model::Interpolation::linear, 3, 0, 2, 0});
+    model::Image image;
+    image.width = 2, image.height = 1;
+    image.rgba = {220, 20, 20, 255, 20, 20, 220, 255};
+    model.images.push_back(image);
+    model.materials.emplace_back();
+    model.materials[0].image = 0;
+    for (uint32_t node = 0; node < 2; ++node) {
+        model.rig.node_names.emplace_back("node");
+        model::Part part;
+        part.name = "ball", part.node = node, part.material = 0;
+        constexpr uint32_t rings = 16, sides = 24;
+        for (uint32_t ring = 0; ring <= rings; ++ring)
+            for (uint32_t side = 0; side <= sides; ++side) {
+                const float up = 3.14159265f * float(ring) / rings, round = 6.2831853f * float(side % sides) / sides;
+                part.positions.emplace_back(std::sin(up) * std::cos(round), std::cos(up),
+                                            -std::sin(up) * std::sin(round));
+                part.uvs.emplace_back(node == 0 ? 0.25f : 0.75f, 0.5f);
+            }
+        for (uint32_t ring = 0; ring < rings; ++ring)
+            for (uint32_t side = 0; side < sides; ++side) {
+                const uint32_t a = ring * (sides + 1) + side, b = a + sides + 1;
+                for (const uint32_t v : {a, b, a + 1, a + 1, b, b + 1}) part.indices.push_back(v);
+            }
+        part.normals = part.positions;
+        part.joints.assign(part.positions.size(), node);
+        part.weights.assign(part.positions.size(), 1);
+        model.parts.push_back(part);
+    }
+    return model;
+}
+
+}  // namespace
+
+TEST(Proxy, StandsForRigidPartsOnSeveralNodesAndFollowsThem)
+{
+    model::Model model = two_balls();
+    const std::vector<lod::LevelReport> chain = lod::make_chain(model, {});
+    const model::Part &last = model.parts.back();
+    ASSERT_TRUE(last.skinned);
+    EXPECT_LE(chain.back().triangles, 30u);
+    EXPECT_LE(model::triangles_of(last).size(), 30u);
+    bool follows[2] = {false, false};
+    for (size_t i = 0; i < last.joints.size(); ++i)
+        if (last.weights[i] > 0.9f) follows[last.joints[i]] = true;
+    EXPECT_TRUE(follows[0] && follows[1]);
+    for (const lod::LevelReport &level : chain)
+        if (level.triangles >= 100) {
+            EXPECT_LT(level.deviation.posed_rms_m, 0.25) << level.triangles;
+        }
+    EXPECT_NO_THROW(model::check(model));
+}
+
+TEST(Proxy, KeepsTintsApartInsideOfAZone)
+{
+    model::Model model = two_balls();
+    lod::make_chain(model, {});
+    const model::Part &last = model.parts.back();
+    const model::Image &image = model.images[model.materials[last.material].image];
+    for (const auto &t : model::triangles_of(last)) {
+        float x = 0;  // of its middle; each vertex follows a node that stands where its ball does
+        for (const uint32_t v : t)
+            for (size_t i = v * last.influence_count; i < (v + 1) * last.influence_count; ++i)
+                x += last.weights[i] / 3 * (last.positions[v].x + (last.joints[i] == 1 ? 1.5f : 0));
+        const glm::vec2 uv = last.uvs[t[0]];
+        const size_t at = 4 * (size_t(uv.y * float(image.height)) * image.width + size_t(uv.x * float(image.width)));
+        const int red = image.rgba[at], blue = image.rgba[at + 2];
+        if (x < 0.3f) {
+            EXPECT_GT(red - blue, 60) << x;
+        }
+        if (x > 1.2f) {
+            EXPECT_GT(blue - red, 60) << x;
+        }
+    }
+}
+
+TEST(Proxy, IsNotMadeForRigidPartsThatMoveAsOne)
+{
+    model::Model model = two_balls();
+    model.parts[1].node = 0;
+    model.parts[1].joints.assign(model.parts[1].joints.size(), 0);
+    lod::make_chain(model, {});
+    for (const model::Part &part : model.parts) EXPECT_FALSE(part.skinned);
+}
