@@ -1,6 +1,7 @@
-// Room in the caches: blocks of an individual's own, within one budget. Who has been unseen so long that its pose is stale
-// makes room before more is asked of the host; when the budget is spent, all who are not seen in this update do, unseen for
-// longest first, ties by row. Who is seen is never thrown out.
+// Room in the caches: blocks of individuals, within one budget. Before more memory is requested from the host,
+// individuals unseen for so long that their pose is stale are evicted. When the budget is spent, all individuals that
+// are invisible in this update may be evicted, unseen for longest first, ties by row. Visible individuals are never
+// evicted.
 #include "animcache/caches.h"
 
 namespace claque::animcache
@@ -9,7 +10,7 @@ namespace claque::animcache
 namespace
 {
 
-// At 60 a second, four times the slowest period: what is held then is of use in halted time alone.
+// At 60 updates a second, four times the slowest period: an older pose is useful only when time stands still.
 constexpr uint64_t stale_updates = 64;
 
 }  // namespace
@@ -43,7 +44,8 @@ void Caches::move_to_end(uint32_t row)
     last_ = row;
 }
 
-// Takes the blocks of who is unseen for longest. False: nobody has any who is not seen in this update, or for `updates`.
+// Evicts the individuals unseen for longest. False: all that hold blocks are visible in this update or were seen in the
+// last `updates`.
 bool Caches::evict_one(uint64_t updates)
 {
     while (first_ != model::none && entries_[first_].last_seen + updates <= frame_number_) {
@@ -69,7 +71,7 @@ float *Caches::take(const Entry &wanted, Block kind)
         if (float *block = blocks_.allocate_from_slabs(bytes)) return block;
         if (evict_one(stale_updates)) continue;
         if (float *block = blocks_.allocate_new_slab(bytes)) return block;
-        // Nobody's room: the individual is served while drawing, and the next update asks again.
+        // No room: the arena serves this update, and the next update tries again.
         if (!blocks_.trim() && !evict_one(1)) return nullptr;
     }
 }
@@ -80,38 +82,53 @@ std::pmr::vector<Request> &Caches::begin()
     Counters next;
     next.evicted = counters_.evicted;
     counters_ = next;
+    arena_.reset();
     requests_.clear();
     return requests_;
 }
 
 void Caches::allocate_poses()
 {
-    for (uint32_t i = 0; i < requests_.size(); ++i) {
-        Entry &entry = entries_[requests_[i].row];
-        if (entry.tmpl != requests_[i].tmpl) {
+    for (const Request &request : requests_) {
+        if (!request.tmpl) continue;
+        Entry &entry = entries_[request.row];
+        if (entry.tmpl != request.tmpl) {
             release(entry, &Entry::palette);
             release(entry, &Entry::vertices);
-            entry.tmpl = requests_[i].tmpl;
+            entry.tmpl = request.tmpl;
         }
         entry.last_seen = frame_number_;
-        entry.request = i;
-        move_to_end(requests_[i].row);
+        move_to_end(request.row);
     }
     key_poses_.choose(requests_);
-    // Palettes first: they are small, and save more of the work a byte. Vertices are nobody's without a palette.
-    for (const Request &request : requests_) {
+    without_room_ = 0;
+    // Palettes first: they are small and save more work per byte. Vertices are cached only beside a palette.
+    for (Request &request : requests_) {
+        request.palette = nullptr;
+        if (!request.tmpl || !request.needs_palette()) continue;
         Entry &entry = entries_[request.row];
-        if (!entry.palette && request.needs_palette()) entry.palette = take(entry, &Entry::palette);
+        if (!entry.palette && settings_.mode != Mode::none) entry.palette = take(entry, &Entry::palette);
+        request.palette = entry.palette;
+        if (request.palette) continue;
+        request.palette = arena_.take(block_bytes(*request.tmpl, &Entry::palette));
+        ++without_room_;
     }
 }
 
 void Caches::allocate_vertices()
 {
-    for (const Request &request : requests_) {
+    for (Request &request : requests_) {
+        if (!request.tmpl) continue;
         Entry &entry = entries_[request.row];
-        const bool ready = entry.palette || !request.needs_palette();
-        if (!ready) release(entry, &Entry::vertices);  // of key-poses that it showed: nothing to renew them from
-        if (needs_vertices(request) && ready && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
+        const bool keeps = settings_.mode == Mode::full && (entry.palette || !request.needs_palette());
+        // of a key-pose shown before: without a palette they cannot be renewed
+        if (!keeps) release(entry, &Entry::vertices);
+        request.vertices = nullptr;
+        if (!needs_vertices(request)) continue;
+        if (keeps && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
+        const model::Level &level = request.tmpl->levels[request.level];
+        request.vertices = entry.vertices ? entry.vertices
+                                          : arena_.take(sizeof(float) * vertex_floats(level, settings_.vertex_format));
     }
 }
 

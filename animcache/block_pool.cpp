@@ -4,6 +4,8 @@
 #include <cstring>
 #include <functional>
 
+#include "lib/base/held_bytes.h"
+
 namespace claque::animcache
 {
 
@@ -33,6 +35,13 @@ BlockPool::~BlockPool()
             memory_->deallocate(slab.memory, slab.blocks * size_class.bytes, alignment);
 }
 
+uint64_t BlockPool::book_bytes() const
+{
+    uint64_t sum = base::held_bytes(size_classes_);
+    for (const SizeClass &size_class : size_classes_) sum += base::held_bytes(size_class.slabs);
+    return sum;
+}
+
 BlockPool::SizeClass *BlockPool::size_class_of(size_t bytes)
 {
     for (SizeClass &size_class : size_classes_)
@@ -59,7 +68,7 @@ float *BlockPool::allocate_from_slabs(size_t bytes)
     return nullptr;
 }
 
-// Everything that may fail comes before the slab, and the slab before it is entered.
+// All that may fail comes before the slab's allocation, and that comes before the slab is registered.
 void BlockPool::add_slab(size_t bytes, uint32_t blocks)
 {
     SizeClass *size_class = size_class_of(bytes);
@@ -86,7 +95,7 @@ void BlockPool::add_slab(size_t bytes, uint32_t blocks)
 
 float *BlockPool::allocate_new_slab(size_t bytes) noexcept
 {
-    constexpr uint64_t max_blocks = 64, min_slabs = 256;  // so that a slab is a small share of the budget
+    constexpr uint64_t max_blocks = 64, min_slabs = 256;  // keeps a slab a small share of the budget
     const size_t stride = rounded_size(bytes);
     const uint64_t fit = (budget_bytes_ - reserved_bytes_) / stride;
     const uint64_t wish = std::clamp<uint64_t>(budget_bytes_ / min_slabs / stride, 1, max_blocks);

@@ -1,5 +1,5 @@
-// Memory of individuals' palettes and vertices: blocks of a few sizes, cut from slabs, so that who comes and goes in a frame
-// costs no allocation. What the host has given stays within one budget.
+// Memory of individuals' palettes and vertices: blocks of a few sizes, cut from slabs, so that individuals that come
+// and go cost no allocation in a frame. All slabs together stay within one budget.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ class BlockPool
 {
 public:
     BlockPool(std::pmr::memory_resource *memory, uint64_t budget_bytes);
-    ~BlockPool();  // gives everything back
+    ~BlockPool();  // gives all memory back
     BlockPool(const BlockPool &) = delete;
     BlockPool &operator=(const BlockPool &) = delete;
 
-    // Blocks follow each other at whole multiples of a cache line, so that no two individuals share one.
+    // Blocks are whole cache lines, so that no two individuals share one.
     static constexpr size_t alignment = 64;
     static size_t rounded_size(size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 
-    // A block that lies free; null: there is none.
+    // Returns a free block, or null if there is none.
     float *allocate_from_slabs(size_t bytes);
-    // The same after another slab; null: the budget is spent, or the host refuses.
+    // Likewise, but allocates another slab if necessary; null: the budget is spent, or the host refuses.
     float *allocate_new_slab(size_t bytes) noexcept;
     void deallocate(float *block, size_t bytes);
     // Gives slabs without a block in use back to the host. False: there was none.
@@ -32,11 +32,12 @@ public:
 
     uint64_t used_bytes() const { return used_bytes_; }          // of blocks in use
     uint64_t reserved_bytes() const { return reserved_bytes_; }  // of all slabs: at most the budget
+    uint64_t book_bytes() const;                                 // of the tables that describe the slabs
 
 private:
     struct Slab {
         std::byte *memory = nullptr;
-        float *free = nullptr;  // the first free block, in which the address of the next stands
+        float *free = nullptr;  // the first free block; a free block holds the address of the next
         uint32_t blocks = 0, used = 0;
     };
     // Blocks of one size.
@@ -53,7 +54,7 @@ private:
 
     std::pmr::memory_resource *memory_;
     uint64_t budget_bytes_, used_bytes_ = 0, reserved_bytes_ = 0;
-    std::pmr::vector<SizeClass> size_classes_;  // two a template
+    std::pmr::vector<SizeClass> size_classes_;  // two per template
 };
 
 }  // namespace claque::animcache

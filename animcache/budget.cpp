@@ -1,6 +1,6 @@
-// Which due poses are renewed where an update may not renew them all. Nobody keeps a pose longer than twice its period as
-// long as the budget allows it: who would come near that goes first, who is farthest beyond before the others; then who is
-// near. Ties go by row. Who has no pose to show is not asked to wait.
+// Selects the due poses that an update with a budget renews. As far as the budget allows, no pose is kept for more than
+// twice its period: individuals near that limit come first, the most overdue before the others; then the nearest. Ties
+// go by row. Individuals without a pose to show are never deferred.
 #include <algorithm>
 
 #include "animcache/caches.h"
@@ -11,16 +11,16 @@ namespace claque::animcache
 namespace
 {
 
-constexpr double max_periods = 2;  // or as many updates, where these are farther apart
-// From here on distance counts no more. The rest is leeway for updates in which many come to this point at once.
+constexpr double max_periods = 2;  // or as many updates, if updates are farther apart
+// From this age on distance no longer counts. The margin serves updates in which many individuals reach it together.
 constexpr double urgent_periods = 1.75;
 
 }  // namespace
 
-// A pose of another clip, of other nodes or of a time that is yet to come does not serve.
+// A pose of another clip, other nodes or a later time cannot be shown.
 bool Caches::can_wait(const Request &request, double time_s) const
 {
-    if (shows_key_poses(request.key_pose.mode)) return false;  // what is kept of them must not be seen
+    if (shows_key_poses(request.key_pose.mode)) return false;  // whether key-poses are kept must not be visible
     const Entry &entry = entries_[request.row];
     return entry.palette_key.version == request.pose.version &&
            entry.palette_key.skeletal_level == request.pose.skeletal_level && entry.shown_s <= time_s &&

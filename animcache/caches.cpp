@@ -1,6 +1,7 @@
 #include "animcache/caches.h"
 
 #include "animcache/keypose_vertices.h"
+#include "lib/base/held_bytes.h"
 #include "lib/pose/pose.h"
 
 namespace claque::animcache
@@ -25,6 +26,7 @@ void for_slice(uint32_t n, uint32_t slice, const Body &body)
 Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
     : settings_(settings),
       blocks_(memory, settings.budget_bytes),
+      arena_(memory),
       requests_(memory),
       entries_(memory),
       animate_(memory),
@@ -50,6 +52,12 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
     built_.resize(slices);
 }
 
+uint64_t Caches::book_bytes() const
+{
+    return base::held_bytes(requests_, entries_, animate_, skin_, waiting_, built_) + blocks_.book_bytes() +
+           arena_.book_bytes() + scratch_.bytes() + key_poses_.book_bytes();
+}
+
 bool Caches::is_due(const Request &request) const
 {
     if (!request.needs_palette()) return false;
@@ -61,7 +69,7 @@ void Caches::find_due_poses()
 {
     animate_.clear();
     for (uint32_t i = 0; i < requests_.size(); ++i) {
-        if (!requests_[i].needs_palette()) continue;
+        if (!requests_[i].tmpl || !requests_[i].needs_palette()) continue;
         if (!is_due(requests_[i])) {
             entries_[requests_[i].row].shown_s = requests_[i].shown_s;
             ++counters_.palette_served;
@@ -77,40 +85,51 @@ void Caches::find_due_vertices()
     skin_.clear();
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         const Request &request = requests_[i];
+        if (!request.tmpl) continue;
         const Entry &entry = entries_[request.row];
-        if (!needs_vertices(request)) continue;
-        if (!entry.vertices) {
-            ++counters_.on_demand;
-        } else if (settings_.mode == Mode::full && entry.vertices_key == request.pose &&
+        if (!needs_vertices(request)) {
+            counters_.left_out += request.drawn && request.needs_palette() && !request.palette;
+        } else if (!request.vertices) {
+            ++counters_.left_out;
+        } else if (request.vertices == entry.vertices && entry.vertices_key == request.pose &&
                    entry.vertices_level == request.level) {
             ++counters_.vertices_served;
         } else {
+            counters_.on_demand += settings_.mode == Mode::full && request.vertices != entry.vertices;
             skin_.push_back(i);
         }
     }
 }
 
-// GL's matrix stack moves rigid parts itself, unless there is no room for their matrices.
+// GL's matrix stack moves rigid parts; vertices need a palette.
 bool Caches::needs_vertices(const Request &request) const
 {
-    if (request.key_pose.mode == KeyPoseMode::intermittent && request.key_pose.served()) return false;
-    return request.drawn && (request.rigid_mode == RigidMode::vertices || !entries_[request.row].palette);
+    if (!request.drawn || request.rigid_mode == RigidMode::matrices) return false;
+    return request.needs_palette() ? request.palette != nullptr : request.key_pose.mode == KeyPoseMode::interpolated;
+}
+
+void Caches::keep_pose(Entry &entry, const Request &request)
+{
+    entry.animated_at = frame_number_;
+    if (request.palette != entry.palette) return;
+    entry.palette_key = request.pose;
+    entry.palette_radius = request.blend_radius;
+    entry.shown_s = request.shown_s;
+    entry.renewed_s = pose_budget_.time_s;
 }
 
 void Caches::animate(const base::Jobs &jobs)
 {
+    // Poses without a cache are made in every update, whatever the budget.
+    for (uint32_t i = 0; without_room_ > 0 && i < requests_.size(); ++i)
+        if (requests_[i].palette && !entries_[requests_[i].row].palette) animate_.push_back(i);
     jobs.for_each(slices, [this](uint32_t slice) {
         const Scratch scratch = scratch_.slice(slice);
         built_[slice] = 0;
         for_slice(static_cast<uint32_t>(animate_.size()), slice, [&](uint32_t i) {
             const Request &request = requests_[animate_[i]];
-            Entry &entry = entries_[request.row];
-            built_[slice] += animcache::animate(request, scratch, entry.palette);
-            entry.palette_key = request.pose;
-            entry.palette_radius = request.blend_radius;
-            entry.shown_s = request.shown_s;
-            entry.renewed_s = pose_budget_.time_s;
-            entry.animated_at = frame_number_;
+            built_[slice] += animcache::animate(request, scratch, request.palette);
+            keep_pose(entries_[request.row], request);
         });
     });
     counters_.animated = static_cast<uint32_t>(animate_.size());
@@ -119,10 +138,11 @@ void Caches::animate(const base::Jobs &jobs)
 
 void Caches::skin(const Request &request, const Scratch &scratch)
 {
-    Entry &entry = entries_[request.row];
     if (request.key_pose.mode == KeyPoseMode::interpolated)
-        interpolate(request, settings_.vertex_format, scratch, entry.vertices);
-    else animcache::skin(request, entry.palette, settings_.vertex_format, scratch, entry.vertices);
+        interpolate(request, settings_.vertex_format, scratch, request.vertices);
+    else animcache::skin(request, request.palette, settings_.vertex_format, scratch, request.vertices);
+    Entry &entry = entries_[request.row];
+    if (request.vertices != entry.vertices) return;
     entry.vertices_key = request.pose;
     entry.vertices_radius = request.blend_radius;
     entry.vertices_level = request.level;
@@ -135,46 +155,46 @@ void Caches::skin(const base::Jobs &jobs)
         const Scratch scratch = scratch_.slice(slice);
         for_slice(static_cast<uint32_t>(skin_.size()), slice, [&](uint32_t i) { skin(requests_[skin_[i]], scratch); });
     });
-    counters_.skinned = static_cast<uint32_t>(skin_.size());
-    counters_.bytes = blocks_.used_bytes();
-    counters_.pool_bytes = blocks_.reserved_bytes();
+    counters_.skinned = static_cast<uint32_t>(skin_.size()) - counters_.on_demand;
+    counters_.cache_bytes = blocks_.used_bytes();
+    counters_.cache_pool_bytes = blocks_.reserved_bytes();
+    counters_.arena_bytes = arena_.reserved_bytes();
+    counters_.key_poses = key_poses_.counters();
 }
 
 const math::Affine *Caches::palette_for_spheres(const Request &request, uint32_t slice, uint64_t &products) const
 {
-    const float *kept = entries_[request.row].palette;
-    if (kept && request.rigid_mode == RigidMode::vertices) return reinterpret_cast<const math::Affine *>(kept);
+    const math::Affine *kept = reinterpret_cast<const math::Affine *>(request.palette);
+    if (!kept || request.rigid_mode == RigidMode::vertices) return kept;
     const Scratch scratch = scratch_.slice(slice);
     math::Affine *palette = reinterpret_cast<math::Affine *>(scratch.palette);
-    if (!kept) {
-        Request anew = request;
-        anew.rigid_mode = RigidMode::vertices;
-        animcache::animate(anew, scratch, scratch.palette);
-        return palette;
-    }
     const model::Level &level = request.tmpl->levels[request.level];
-    pose::palette_from_locals(request.tmpl->rig, level, reinterpret_cast<const math::Affine *>(kept), scratch.globals,
-                              palette);
+    pose::palette_from_locals(request.tmpl->rig, level, kept, scratch.globals, palette);
     products += level.active.empty() ? request.tmpl->rig.node_count() : level.nodes.size();
     return palette;
 }
 
-const math::Affine *Caches::locals_of(uint32_t row) const
+const math::Affine *Caches::locals_of(const Request &request)
 {
-    const Entry &entry = entries_[row];
-    if (requests_[entry.request].rigid_mode != RigidMode::matrices) return nullptr;
-    return reinterpret_cast<const math::Affine *>(entry.palette);
+    if (request.rigid_mode != RigidMode::matrices) return nullptr;
+    return reinterpret_cast<const math::Affine *>(request.palette);
 }
 
-draw::Vertices Caches::vertices_of(uint32_t row) const
+draw::Pose Caches::pose_of(const Request &request)
 {
-    const Entry &entry = entries_[row];
-    const Request &request = requests_[entry.request];
+    if (request.rigid_mode == RigidMode::matrices || !request.palette) return {};
+    return {reinterpret_cast<const math::Affine *>(request.palette), morph_weights(request.palette, *request.tmpl)};
+}
+
+draw::Vertices Caches::vertices_of(const Request &request) const
+{
+    const model::Template &tmpl = *request.tmpl;
     if (request.key_pose.mode == KeyPoseMode::intermittent && request.key_pose.served())
-        return vertices_in(request.key_pose.kept[0], *request.tmpl, request.level, settings_.vertex_format);
-    if (!entry.vertices) return {};
-    return vertices_in(entry.vertices, *entry.tmpl, entry.vertices_level, settings_.vertex_format,
-                       entry.vertices_radius);
+        return vertices_in(request.key_pose.kept[0], tmpl, request.level, settings_.vertex_format);
+    if (!request.vertices) return {};
+    const Entry &entry = entries_[request.row];
+    const float radius = request.vertices == entry.vertices ? entry.vertices_radius : request.blend_radius;
+    return vertices_in(request.vertices, tmpl, request.level, settings_.vertex_format, radius);
 }
 
 }  // namespace claque::animcache

@@ -1,9 +1,10 @@
 // The animation cache and the geometry cache (S1 4): each individual's last matrix palette, and its skinned positions
-// and normals, in memory of their own within one budget. They are invalidated apart: a change of level skins anew from
-// the palette that is held. Who finds no room is served while drawing (on_demand.h).
+// and normals, in blocks of its own within one budget. They are invalidated separately: a change of level skins anew
+// from the cached palette. Results that no cache keeps or has room for are made for this update alone (frame_arena.h).
 #pragma once
 
 #include "animcache/block_pool.h"
+#include "animcache/frame_arena.h"
 #include "animcache/keyposes.h"
 #include "animcache/scratch.h"
 #include "animcache/settings.h"
@@ -13,13 +14,24 @@
 namespace claque::animcache
 {
 
+// Of the last update, except for `evicted` and bytes. The crowd's statistics are these and those of lib/frame.
 struct Counters {
-    uint32_t due = 0, animated = 0, skinned = 0, palette_served = 0, vertices_served = 0, on_demand = 0;  // last update
-    uint64_t matrices_built = 0;                          // last update: nodes' of those animated
-    uint32_t deferred = 0, overdue = 0, over_budget = 0;  // last update: see frame::Stats
-    uint64_t evicted = 0;                                 // blocks, ever
-    uint64_t bytes = 0;                                   // of blocks in use, now
-    uint64_t pool_bytes = 0;                              // that the host has given for them
+    uint32_t due = 0;               // individuals whose cached palette was not that of their tick
+    uint32_t animated = 0;          // poses evaluated
+    uint64_t matrices_built = 0;    // matrices of nodes, for these poses (S0 6.2.2, NO_01; fCoh is their share)
+    uint32_t skinned = 0;           // individuals skinned
+    uint32_t palette_served = 0;    // palettes reused
+    uint32_t vertices_served = 0;   // vertices reused
+    uint32_t on_demand = 0;         // skinned for this update alone: the geometry cache had no room
+    uint32_t left_out = 0;          // not drawn: no memory to pose or skin them
+    uint32_t deferred = 0;          // due, but left for a later update by the budget
+    uint32_t overdue = 0;           // of these, poses older than two periods
+    uint32_t over_budget = 0;       // evaluated beyond the budget: there was no pose to show
+    uint64_t evicted = 0;           // blocks evicted, since the caches were made
+    uint64_t cache_bytes = 0;       // of blocks in use, now
+    uint64_t cache_pool_bytes = 0;  // held from the host for them
+    uint64_t arena_bytes = 0;       // held from the host for memory of single updates
+    KeyPoseCounters key_poses;
 };
 
 class Caches
@@ -30,16 +42,16 @@ public:
     Caches(const Caches &) = delete;
     Caches &operator=(const Caches &) = delete;
 
-    // Room for the book-keeping of `row_count` rows and for the scratch of these templates. The only call that may
-    // fail (std::bad_alloc); what is cached stays.
+    // Makes room for the book-keeping of `row_count` rows and for the scratch of these templates. The only call that
+    // may fail (std::bad_alloc); cached results stay.
     void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
 
-    // An update, in this order.
-    std::pmr::vector<Request> &begin();  // to be filled with who is seen, ascending by row, within its capacity
-    void allocate_poses();               // finds room, throwing out who is unseen for longest
+    // An update calls these in this order.
+    std::pmr::vector<Request> &begin();  // to be filled with one request per candidate, within its capacity
+    void allocate_poses();               // finds memory, evicting the individuals unseen for longest
     void find_due_poses();
-    // Leaves all but `moment.budget` of those to a later update, as their poses of an earlier one still serve: see
-    // budget.cpp. Their requests are then for what is held.
+    // Defers all but `moment.budget` of the due poses whose earlier pose can still be shown (budget.cpp). The deferred
+    // requests then name the cached pose.
     struct PoseBudget {
         double time_s = 0;
         double elapsed_s = 0;  // since the update before; 0: unknown
@@ -47,57 +59,61 @@ public:
     };
     void defer(const PoseBudget &pose_budget);
     void animate(const base::Jobs &jobs);
-    void allocate_vertices();  // from here on only for requests that are drawn
+    void allocate_vertices();  // only for requests that are drawn
     void find_due_vertices();
     void skin(const base::Jobs &jobs);
 
-    // Between find_due_poses() and animate(): whether a request's pose must be evaluated, here or at draw time.
+    // Between find_due_poses() and animate(): whether a request's pose must be evaluated.
     bool is_due(const Request &request) const;
     std::pmr::vector<Request> &pending() { return requests_; }
 
-    // Of a row in the last update's requests; null where there was no room.
-    const float *palette_of(uint32_t row) const { return entries_[row].palette; }
-    draw::Vertices vertices_of(uint32_t row) const;
-    // The palette of a request's pose; made in the strand's scratch where there is no room for it, or only nodes' own
-    // matrices are kept: then the products that this took are added. `strand` below strand_count.
+    // Vertices of a request of the last update; valid until the next begin(). None: not needed, or no memory.
+    draw::Vertices vertices_of(const Request &request) const;
+    // What these are skinned from; a null palette: key-poses, or parts placed by GL's matrix stack.
+    static draw::Pose pose_of(const Request &request);
+    // The palette of a request's pose, or null if there was no memory for it. When only the nodes' own matrices are
+    // kept, the palette is made in the strand's scratch and the products that takes are counted. `strand` below
+    // strand_count.
     const math::Affine *palette_for_spheres(const Request &request, uint32_t slice, uint64_t &products) const;
-    // Of one whose parts GL's matrix stack places; null otherwise.
-    const math::Affine *locals_of(uint32_t row) const;
-    static constexpr uint32_t slice_count = 64;  // tasks an update is cut into, whatever the number of threads
-    const Request &request_of(uint32_t row) const { return requests_[entries_[row].request]; }
+    // Of an individual whose parts are placed by GL's matrix stack; null otherwise.
+    static const math::Affine *locals_of(const Request &request);
+    static constexpr uint32_t slice_count = 64;  // tasks in an update, independent of the number of threads
 
+    bool keeps_palette(uint32_t row) const { return entries_[row].palette; }
+    bool keeps_vertices(uint32_t row) const { return entries_[row].vertices; }
     bool was_animated(uint32_t row) const { return entries_[row].animated_at == frame_number_; }
     base::Span<const Request> requests() const { return base::Span<const Request>(requests_); }
     const Counters &counters() const { return counters_; }
+    uint64_t book_bytes() const;  // held besides palettes, vertices and key-poses
     const Settings &settings() const { return settings_; }
     const KeyPoses &key_poses() const { return key_poses_; }
 
 private:
     struct Entry {
-        const model::Template *tmpl = nullptr;  // whose sizes the blocks have
+        const model::Template *tmpl = nullptr;  // determines the sizes of the blocks
         float *palette = nullptr;
         float *vertices = nullptr;
         PoseKey palette_key, vertices_key;
         float palette_radius = 0, vertices_radius = 0;  // Request::blend_radius that each was made for
         double shown_s = 0;                             // tick of the palette
-        double renewed_s = 0;                           // host's time at which it was made; where updates have budgets
+        double renewed_s = 0;  // host's time at which it was made; only when updates have budgets
         uint32_t vertices_level = 0;
-        uint32_t request = 0;
         uint32_t before = model::none, after = model::none;  // rows, see move_to_end()
         uint64_t last_seen = 0;
         uint64_t animated_at = 0;
     };
     using Block = float *Entry::*;
 
-    // Whose last pose may serve once more.
+    // A due pose that may be deferred.
     struct Waiting {
-        double periods;  // that its pose would be old in the next update
+        double periods;  // age of its pose in the next update, in periods
         float distance;
-        uint32_t row, due;  // the latter of animate_
+        uint32_t row, due;  // the latter indexes animate_
     };
 
     bool can_wait(const Request &request, double time_s) const;
     bool needs_vertices(const Request &request) const;
+    void keep_pose(Entry &entry, const Request &request);
     void skin(const Request &request, const Scratch &scratch);
     float *take(const Entry &wanted, Block kind);  // null: no room
     bool evict_one(uint64_t updates);
@@ -107,16 +123,18 @@ private:
 
     Settings settings_;
     BlockPool blocks_;
+    FrameArena arena_;
     Counters counters_;
     uint64_t frame_number_ = 0;
     std::pmr::vector<Request> requests_;  // of the last update
     std::pmr::vector<Entry> entries_;     // by row
+    uint32_t without_room_ = 0;           // requests of the last update whose matrices no cache keeps
     std::pmr::vector<uint32_t> animate_;  // indices of requests
     std::pmr::vector<uint32_t> skin_;
     std::pmr::vector<Waiting> waiting_;
     PoseBudget pose_budget_;                             // of the last update
     uint32_t first_ = model::none, last_ = model::none;  // rows by when they were last seen
-    std::pmr::vector<uint32_t> built_;                   // by strand: matrices
+    std::pmr::vector<uint32_t> built_;                   // by strand: matrices built
     mutable ScratchPool scratch_;
     KeyPoses key_poses_;
 };

@@ -11,9 +11,9 @@ namespace claque::animcache
 namespace
 {
 
-constexpr size_t padding = 4;  // floats: loads of four run over the last matrix
+constexpr size_t padding = 4;  // floats: SIMD loads of four read past the last matrix
 
-// Morph weights lie behind whichever matrices are more.
+// Morph weights follow the larger of the two sets of matrices.
 size_t matrix_floats(const model::Template &tmpl)
 {
     return 12 * std::max<size_t>(tmpl.rig.palette.size(), tmpl.rig.node_count());
@@ -21,7 +21,7 @@ size_t matrix_floats(const model::Template &tmpl)
 
 uint32_t count32(size_t n) { return static_cast<uint32_t>(n); }
 
-// Of skinning alone, so rounded that what lies behind is aligned as well as what lies before.
+// Skinning only; rounded so that the data after it is aligned too.
 size_t skinning_floats(const model::Template &tmpl, const model::Level &level)
 {
     return (skin::scratch_floats(level, tmpl.rig.palette.size(), skin::normals_of(tmpl)) + 7) / 8 * 8;

@@ -11,7 +11,7 @@ namespace claque::animcache
 namespace
 {
 
-// Where no number of any matrix is farther from its fellow, model units and shares, a clip goes round without a jump.
+// A clip loops without a jump if no number of its first and last matrices differs by more (model units and shares).
 constexpr float same_within = 1e-4f;
 
 bool ends_as_it_begins(const model::Template &tmpl, uint32_t clip)

@@ -1,7 +1,9 @@
-// Key-poses (S3 3): poses of a clip at a uniform rate, whose vertices everybody of one template and level can share. Which
-// of them an individual shows is a function of its clip's time alone; which of them are kept changes nothing of it.
+// Key-poses (S3 3): poses of a clip at a uniform rate, whose vertices all individuals of one template and level share.
+// Which key-poses an individual shows is a function of its clip's time alone; which are kept does not change the
+// picture.
 #pragma once
 
+#include "lib/base/held_bytes.h"
 #include "lib/model/template.h"
 
 #include <vector>
@@ -9,11 +11,11 @@
 namespace claque::animcache
 {
 
-// How an individual comes by its vertices.
+// How an individual gets its vertices.
 enum class KeyPoseMode : uint8_t {
-    individual = 0,    // the pose of its tick, in caches of its own (S1 4)
+    individual = 0,    // the pose of its tick, in its own caches (S1 4)
     intermittent = 1,  // the key-pose nearest to its tick (S3 3)
-    interpolated = 2,  // the two key-poses round its tick, vertices blended linearly (S3 4)
+    interpolated = 2,  // the two key-poses around its tick, vertices blended linearly (S3 4)
     skinned = 3        // the pose of each update's own time, skinned anew
 };
 
@@ -24,7 +26,7 @@ inline bool shows_key_poses(KeyPoseMode mode)
 
 constexpr uint32_t max_key_pose_bands = 4;
 
-// From `distance` to the nearest eye on, world units; nearer than the first band: individual.
+// Applies from `distance` to the nearest eye on, world units; nearer than the first band: individual.
 struct KeyPoseBand {
     float distance = 0;
     KeyPoseMode mode = KeyPoseMode::individual;
@@ -38,32 +40,32 @@ struct KeyPoseSettings {
     uint64_t budget_bytes = uint64_t(256) << 20;  // of all of them
 
     KeyPoseMode mode_at(float distance) const;
-    bool any() const;           // whether anybody may show key-poses
-    bool interpolates() const;  // and interpolate them
+    bool any() const;           // whether individuals may show key-poses
+    bool interpolates() const;  // and whether they may interpolate them
 };
 
-// What one individual shows in one update. `first` and `second` count the key-poses of its template; they are equal where
-// it shows one. What lies behind the pointers is good until the next update.
+// What one individual shows in one update. `first` and `second` are numbers of key-poses of its template; they are
+// equal if it shows one. The pointers are valid until the next update.
 struct KeyPoseSelection {
     KeyPoseMode mode = KeyPoseMode::individual;
     uint32_t tmpl = 0, store = 0;  // of KeyPoses
     uint32_t first = 0, second = 0;
     double time_s[2] = {0, 0};                  // of both, on the clip's axis
     float blend = 0;                            // [0, 1]: from the first to the second
-    const float *kept[2] = {nullptr, nullptr};  // their vertices, where they are kept
+    const float *kept[2] = {nullptr, nullptr};  // their vertices, if they are kept
 
     bool served() const { return kept[0] && kept[1]; }
 };
 
-// The key-poses of a template's clips: of each `intervals` + 1, from its start to its end. Of a clip that ends as it begins
-// the last one is the first.
+// The key-poses of a template's clips: `intervals` + 1 of each, from its start to its end. For a clip that ends as it
+// begins, the last one is the first.
 class KeyPoseTable
 {
 public:
-    // Start-up: it allocates. Throws std::bad_alloc.
+    // At start-up: allocates. Throws std::bad_alloc.
     KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz);
 
-    // Fills all but `tmpl`, `store` and `kept`. `clip` of the template, `time_s` on its axis.
+    // Fills all members except `tmpl`, `store` and `kept`. `clip` of the template, `time_s` on its axis.
     KeyPoseSelection select(KeyPoseMode mode, uint32_t clip, double time_s) const;
 
     struct SampleTime {
@@ -71,6 +73,7 @@ public:
         double time_s = 0;  // on the clip's axis
     };
     uint32_t count() const { return static_cast<uint32_t>(sample_times_.size()); }
+    uint64_t bytes() const { return base::held_bytes(rows_, sample_times_); }
     const SampleTime &at(uint32_t pose) const { return sample_times_[pose]; }
 
 private:

@@ -11,7 +11,7 @@ KeyPoseChoice::KeyPoseChoice(std::pmr::memory_resource *memory, uint32_t pose_co
     heap_.reserve(pose_count);
 }
 
-// All bins by each of their key-poses, one after the other.
+// Lists the bins by each of their key-poses.
 void KeyPoseChoice::index(const KeyPoseBin *bins, uint32_t bin_count)
 {
     std::fill(poses_.begin(), poses_.end(), Pose());
@@ -93,7 +93,7 @@ void KeyPoseChoice::sift_down(uint32_t heap_index, const uint8_t *held)
     put(heap_index, pose);
 }
 
-// Whoever needed it is served no more, and so does not miss its other key-pose either.
+// Individuals that needed it are no longer served, so they do not miss their other key-pose either.
 void KeyPoseChoice::drop(const KeyPoseBin *bins, const uint8_t *held)
 {
     const uint32_t gone = heap_.front();

@@ -41,7 +41,7 @@ void KeyPoseStore::begin(uint64_t frame_number)
     wanted_ = 0;
 }
 
-// The second key-pose follows from the first, so a bin is known by that and by whether there is a second.
+// The second key-pose follows from the first, so the first and whether there is a second identify a bin.
 void KeyPoseStore::want(uint32_t first, uint32_t second)
 {
     uint32_t &count = counts_[first + (first == second ? 0 : pose_count_)];
@@ -55,7 +55,7 @@ uint32_t KeyPoseStore::room_for(uint32_t max_kept, const KeyPoseMemory &memory) 
     return static_cast<uint32_t>(std::min<uint64_t>(std::min(max_kept, pose_count_), slots_.size() + more));
 }
 
-// A new one while there is room; then that of the key-pose which is not wanted and was used longest ago, ties by place.
+// A new slot while there is room; then the least recently used slot whose key-pose is not wanted, ties by slot.
 uint32_t KeyPoseStore::find_slot(uint32_t max_kept, KeyPoseMemory &memory)
 {
     const size_t bytes = sizeof(float) * floats_each_;
@@ -64,7 +64,7 @@ uint32_t KeyPoseStore::find_slot(uint32_t max_kept, KeyPoseMemory &memory)
             slots_.push_back({static_cast<float *>(memory_->allocate(bytes, alignof(math::F4))), model::none, 0});
             memory.bytes += bytes;
             return static_cast<uint32_t>(slots_.size() - 1);
-        } catch (...) {  // the host has none: as if the budget were spent
+        } catch (...) {  // the host refuses: treated as a spent budget
         }
     }
     uint32_t oldest = model::none;
@@ -79,7 +79,7 @@ uint32_t KeyPoseStore::find_slot(uint32_t max_kept, KeyPoseMemory &memory)
     return oldest;
 }
 
-// Marks all that are wanted as chosen, for the time being.
+// Marks all wanted key-poses as chosen, for the time being.
 void KeyPoseStore::close()
 {
     std::fill(chosen_.begin(), chosen_.end(), uint8_t(0));

@@ -19,10 +19,10 @@ void blend_floats(const float *a, const float *b, float blend, float *out, size_
     }
 }
 
-// Numbers of this size have no fractions: adding it rounds, halves to the even one, as packing does.
+// Floats of this size have no fraction: adding it rounds half to even, as packing does.
 constexpr float rounds_at = 12582912;
 
-// Whole numbers, four at a time; count is a multiple of four.
+// Rounds to integers, four at a time; count is a multiple of four.
 template <class Int>
 void blend_integers(const Int *a, const Int *b, float blend, Int *out, size_t count)
 {
@@ -41,7 +41,7 @@ void blend_integers(const Int *a, const Int *b, float blend, Int *out, size_t co
     }
 }
 
-// One of the two key-poses, made into `vertices` unless it is kept.
+// One of the two key-poses, skinned into `vertices` unless it is kept.
 const float *key_pose(const Request &request, int which, VertexFormat vertex_format, const Scratch &scratch,
                       float *vertices)
 {

@@ -1,5 +1,5 @@
-// The vertices of one individual that shows two key-poses (S3 4). The same steps whether its key-poses are kept or made for
-// this once, so that what is kept never changes what is shown.
+// The vertices of one individual that shows two key-poses (S3 4). The steps are the same whether its key-poses are kept
+// or made for this update, so that keeping does not change the picture.
 #pragma once
 
 #include "animcache/evaluate.h"
@@ -7,11 +7,11 @@
 namespace claque::animcache
 {
 
-// requires request.shared.method == Method::interpolated
+// requires request.key_pose.mode == KeyPoseMode::interpolated
 //   vertices   [vertex_floats of the level]; scratch with `vertices`
 void interpolate(const Request &request, VertexFormat vertex_format, const Scratch &scratch, float *vertices);
 
-// From a to b, `blend` of the way; normals are not renormalised. out may be a or b.
+// Blends from a to b by `blend`; normals are not renormalised. out may be a or b.
 //   each [vertex_floats of the level]
 void blend_vertices(const model::Level &level, VertexFormat vertex_format, const float *a, const float *b, float blend,
                     float *out);

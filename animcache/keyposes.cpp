@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/base/held_bytes.h"
+
 namespace claque::animcache
 {
 
@@ -23,7 +25,7 @@ void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *con
     requested_.reserve(row_count);
     uint32_t same = 0;
     while (same < owners_.size() && same < templates.count && owners_[same].tmpl == templates[same]) ++same;
-    if (same < owners_.size()) {  // another state of the crowd: its templates may stand in another order
+    if (same < owners_.size()) {  // another state of the crowd: its templates may have another order
         owners_.clear();
         stores_.clear();
         shared_.bytes = 0;
@@ -45,6 +47,14 @@ void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *con
     }
 }
 
+uint64_t KeyPoses::book_bytes() const
+{
+    uint64_t sum = base::held_bytes(owners_, stores_, work_, requested_);
+    for (const Owner &owner : owners_) sum += owner.table.bytes();
+    for (const KeyPoseStore &store : stores_) sum += store.book_bytes();
+    return sum;
+}
+
 KeyPoseSelection KeyPoses::select(uint32_t tmpl, uint32_t level, KeyPoseMode mode, uint32_t clip, double time_s) const
 {
     KeyPoseSelection selection = owners_[tmpl].table.select(mode, clip, time_s);
@@ -53,7 +63,7 @@ KeyPoseSelection KeyPoses::select(uint32_t tmpl, uint32_t level, KeyPoseMode mod
     return selection;
 }
 
-// Where the budget is spent, who shows nothing of a template and level in this update gives back what is kept of it.
+// When the budget is spent, templates and levels that no individual shows in this update release their key-poses.
 void KeyPoses::make_room()
 {
     bool short_of_room = false;

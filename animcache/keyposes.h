@@ -1,5 +1,5 @@
-// All stores of shared key-poses of a crowd, one a template and level (S3 5), within one budget. What an update asks of
-// them is chosen, then skinned, each once; whoever shows it, in whichever view, is given the same memory.
+// All stores of shared key-poses of a crowd, one per template and level (S3 5), within one budget. The key-poses that
+// an update needs are chosen, then skinned once each; all individuals that show one share its memory in all views.
 #pragma once
 
 #include "animcache/evaluate.h"
@@ -13,9 +13,9 @@ namespace claque::animcache
 
 struct KeyPoseCounters {
     uint32_t requested = 0;  // last update: individuals that show key-poses
-    uint32_t served = 0;     // of these, whose key-poses are all kept; the others are skinned
-    uint32_t wanted = 0;     // different key-poses that they show
-    uint32_t updated = 0;    // of these, that were skinned into a store: each once, whoever shows it
+    uint32_t served = 0;     // of these, with all key-poses kept; the others are skinned
+    uint32_t wanted = 0;     // distinct key-poses that they show
+    uint32_t updated = 0;    // of these, skinned into a store: once each
     uint32_t held = 0;       // in all stores now
     uint64_t bytes = 0;
 };
@@ -25,18 +25,19 @@ class KeyPoses
 public:
     KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &settings, VertexFormat vertex_format);
 
-    // Start-up, and whenever a template has come. The only call that may fail (std::bad_alloc); as it was then, or with
-    // less kept.
+    // At start-up and when a template was added. The only call that may fail (std::bad_alloc); the stores are unchanged
+    // then, or keep less.
     void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
 
     KeyPoseMode mode_at(float distance) const { return settings_.mode_at(distance); }
     // What an individual of templates[tmpl] shows; requires reserve().
     KeyPoseSelection select(uint32_t tmpl, uint32_t level, KeyPoseMode mode, uint32_t clip, double time_s) const;
 
-    // An update: fills `kept` of every request that shows key-poses, then makes what is new.
+    // Per update: fills `kept` of every request that shows key-poses, then skins the new ones.
     void choose(std::pmr::vector<Request> &requests);
     void make(const base::Jobs &jobs, ScratchPool &scratch);
 
+    uint64_t book_bytes() const;  // held besides the key-poses
     const KeyPoseCounters &counters() const { return counters_; }
     const KeyPoseSettings &settings() const { return settings_; }
 
@@ -46,7 +47,7 @@ private:
         uint32_t first_store = 0, end_store = 0;
         KeyPoseTable table;
     };
-    struct Work {  // one key-pose to be skinned
+    struct Work {  // one key-pose to skin
         Request request;
         float *vertices = nullptr;
     };

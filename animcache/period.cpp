@@ -21,7 +21,7 @@ double period_s(uint32_t rate_step) { return rate_step == 0 ? 0 : 1 / rates[rate
 double period_s(const PeriodLaw &law, double distance)
 {
     const double near2 = double(law.d_near) * law.d_near, far2 = double(law.d_far) * law.d_far;
-    // Clamped here, or a distance beyond float's range times a span of nothing would be no number and no period.
+    // Clamped here: an infinite distance times an empty span would be NaN.
     const double x = std::clamp((distance * distance - near2) / (far2 - near2), 0.0, 1.0);
     const double t = law.near_s + (double(law.far_s) - law.near_s) * x;
     return std::clamp(t, double(law.near_s), double(law.far_s));
@@ -29,7 +29,7 @@ double period_s(const PeriodLaw &law, double distance)
 
 uint32_t rate_step_of(const PeriodLaw &law, double distance)
 {
-    // A setting of 0.02f is a little less than 1/50: what float rounds away is given back.
+    // The float 0.02f is a little less than 1/50; this compensates for the rounding.
     const double period = period_s(law, distance) * (1 + 1e-6);
     for (uint32_t rate_step = rate_step_count - 1; rate_step > 0; --rate_step)
         if (period * rates[rate_step] >= 1) return rate_step;

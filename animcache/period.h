@@ -1,6 +1,6 @@
-// How often an individual's pose is renewed, and when (S1 4): linear in the squared distance to the eye, on a fixed
-// ladder of rates, the ticks of individuals spread so that no frame carries a burst. What is shown is a function of
-// time and present distance.
+// How often an individual's pose is renewed, and when (S1 4): the update period is linear in the squared distance to
+// the eye and rounded to a fixed rate step. The ticks of individuals are spread so that the work is even over frames.
+// What is shown is a function of time and present distance.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,15 @@ struct PeriodLaw {
 
 constexpr uint32_t rate_step_count = 13;  // 0: every frame; then 50, 40, 32, 25, 20, 16, 12.5, 10, 8, 6.25, 5, 4 Hz
 
-double rate_hz(uint32_t rate_step);   // 0 for rung 0
-double period_s(uint32_t rate_step);  // 0 for rung 0
+double rate_hz(uint32_t rate_step);   // 0 for rate step 0
+double period_s(uint32_t rate_step);  // 0 for rate step 0
 
-double period_s(const PeriodLaw &law, double distance);        // T(d^2), before the ladder
-uint32_t rate_step_of(const PeriodLaw &law, double distance);  // T rounded down to the ladder; slower than 4 Hz is 4 Hz
+double period_s(const PeriodLaw &law, double distance);  // T(d^2), before rounding to rate steps
+// T rounded down to a rate step; slower than 4 Hz becomes 4 Hz
+uint32_t rate_step_of(const PeriodLaw &law, double distance);
 
-// The last tick at or before time_s on a rung: floor((t + phase) f) / f - phase, its phase in [0, 1/f) from the hash
-// of an individual's id. On rung 0 it is time_s itself.
+// The last tick at or before time_s at a rate step: floor((t + phase) f) / f - phase, its phase in [0, 1/f) from the
+// hash of an individual's id. At rate step 0 it is time_s itself.
 double tick_s(uint32_t rate_step, double time_s, uint64_t id_hash);
 
 }  // namespace claque::animcache

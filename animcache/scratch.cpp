@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/base/held_bytes.h"
+
 namespace claque::animcache
 {
 
@@ -14,7 +16,7 @@ void ScratchPool::reserve(const Sizes &sizes)
 {
     Sizes wanted = sizes_;
     wanted.grow_to(sizes);
-    // Growing one and failing at the next leaves some longer than they need be, which nobody sees.
+    // If a later one fails to grow, the earlier ones are larger than needed, which is harmless.
     locals_.resize(std::max(locals_.size(), slices_ * wanted.nodes));
     globals_.resize(std::max(globals_.size(), slices_ * wanted.nodes));
     floats_.resize(std::max(floats_.size(), slices_ * wanted.scratch_floats));
@@ -22,6 +24,8 @@ void ScratchPool::reserve(const Sizes &sizes)
     spares_.resize(std::max(spares_.size(), slices_ * wanted.spare_floats));
     sizes_ = wanted;
 }
+
+uint64_t ScratchPool::bytes() const { return base::held_bytes(locals_, globals_, floats_, palettes_, spares_); }
 
 Scratch ScratchPool::slice(uint32_t index)
 {

@@ -1,5 +1,5 @@
 // Working memory for a fixed number of tasks, grown before a frame begins so that no task allocates. The number of
-// strands does not follow the number of threads: what a task writes to is the same everywhere.
+// strands does not depend on the number of threads, so that a task uses the same memory on every machine.
 #pragma once
 
 #include "animcache/evaluate.h"
@@ -11,8 +11,9 @@ class ScratchPool
 {
 public:
     ScratchPool(std::pmr::memory_resource *memory, uint32_t slices);
-    void reserve(const Sizes &sizes);  // std::bad_alloc: as it was
+    void reserve(const Sizes &sizes);  // std::bad_alloc: unchanged
     Scratch slice(uint32_t index);
+    uint64_t bytes() const;
     uint32_t slice_count() const { return slices_; }
 
 private:

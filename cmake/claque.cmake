@@ -46,6 +46,22 @@ function(claque_room name)
     endforeach()
 endfunction()
 
+# Sets OUT to a source file, made by the build, with claque::api::FUNCTION(): a hash of the sources that decide what a template is.
+function(claque_sources_hash function out)
+    file(GLOB_RECURSE makers CONFIGURE_DEPENDS
+        ${PROJECT_SOURCE_DIR}/lib/*.h ${PROJECT_SOURCE_DIR}/lib/*.cpp ${PROJECT_SOURCE_DIR}/meshsplit/*.h
+        ${PROJECT_SOURCE_DIR}/meshsplit/*.cpp)
+    set(made ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
+    add_custom_command(OUTPUT ${made}
+        COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUT=${made} -DFUNCTION=${function}
+            -P ${PROJECT_SOURCE_DIR}/cmake/made_by.cmake
+        DEPENDS ${makers} ${PROJECT_SOURCE_DIR}/cmake/made_by.cmake
+        VERBATIM)
+    # By itself, as it is made anew whenever a source changes.
+    set_source_files_properties(${made} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    set(${out} ${made} PARENT_SCOPE)
+endfunction()
+
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is the build folder of the test.
 # BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci` runs it under sanitizers, too.
 function(claque_test name)

@@ -1,4 +1,4 @@
-# Writes OUT: a hash of the sources below SOURCE_DIR that templates are made by, as a function.
+# Writes OUT: claque::api::FUNCTION(), a hash of the sources below SOURCE_DIR that templates are made by.
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}
     ${SOURCE_DIR}/lib/*.h ${SOURCE_DIR}/lib/*.cpp ${SOURCE_DIR}/meshsplit/*.h ${SOURCE_DIR}/meshsplit/*.cpp)
 list(SORT sources)
@@ -8,4 +8,4 @@ foreach(source ${sources})
     string(APPEND all "${source} ${hash}\n")
 endforeach()
 string(SHA256 hash "${all}")
-file(WRITE ${OUT} "#include \"lib/api/assets/made_by.h\"\n\nconst char *claque::api::made_by() { return \"${hash}\"; }\n")
+file(WRITE ${OUT} "#include \"lib/api/build_id.h\"\n\nconst char *claque::api::${FUNCTION}() { return \"${hash}\"; }\n")

@@ -1,13 +1,13 @@
 #include "meshsplit/blend_reach.h"
 
-#include "lib/math/affine.h"
-#include "meshsplit/largest.h"
-#include "meshsplit/reach_poses.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "lib/math/affine.h"
+#include "meshsplit/largest.h"
+#include "meshsplit/reach_poses.h"
 
 namespace claque::meshsplit
 {
@@ -17,15 +17,15 @@ using model::none;
 namespace
 {
 
-// What rounding and the stated errors of stored motion may add.
+// Margin for rounding and the stated errors of resampled motion.
 constexpr double margin = 1.002;
 
-// One node in all blends whose added weights sum to `added`.
+// Bounds of one node in all blends whose additive weights sum to `added`.
 struct NodeBall {
-    glm::dvec3 centre;  // of its origin, or of that of a node above
+    glm::dvec3 centre;  // of its origin, or of that of an ancestor
     double radius = 0;
-    double stretch = 1;  // of what hangs on it
-    bool fixed = true;   // no blend turns or scales its frame, which is that at rest
+    double stretch = 1;  // scale of what it moves
+    bool fixed = true;   // no blend rotates or scales its frame, which is the rest frame
     math::Affine frame;  // at rest
 };
 
@@ -65,7 +65,7 @@ double stretch_of(const math::Affine &m)
 double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls, double added)
 {
     const glm::dvec3 middle(tmpl.sklsroot.centre);
-    // Added weights of morph targets may carry vertices on beyond their spheres.
+    // Additive weights of morph targets may move vertices outside of their spheres.
     const double morphs = tmpl.rig.rest_weights.empty() ? 1 : 1 + 4 * added;
     double most = 0;
     for (const model::Level &level : tmpl.levels)
@@ -121,7 +121,7 @@ void find_blend_reach(const std::vector<NodeExtent> &extents, model::Template &t
     const std::vector<NodeBall> none_added = balls_of(tmpl.rig, extents, 0);
     const std::vector<NodeBall> added = balls_of(tmpl.rig, extents, double(model::max_additive_weight));
     const glm::dvec3 middle(tmpl.sklsroot.centre);
-    // Bounds are polynomials of what is added, without negative terms: the chord lies above them.
+    // The bounds are polynomials of `added` without negative terms, so the chord lies above them.
     const auto chord = [](double from, double to) {
         return model::AdditiveBound{float(from * margin),
                                     float(margin * (to - from) / double(model::max_additive_weight))};

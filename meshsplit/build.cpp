@@ -1,5 +1,9 @@
 #include "meshsplit/build.h"
 
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
 #include "lib/base/error.h"
 #include "meshsplit/blend_reach.h"
 #include "meshsplit/level_builder.h"
@@ -8,11 +12,8 @@
 #include "meshsplit/rest.h"
 #include "meshsplit/skeletal.h"
 #include "meshsplit/spheres.h"
+#include "meshsplit/template_rig.h"
 #include "meshsplit/textures.h"
-
-#include <glm/geometric.hpp>
-
-#include <algorithm>
 
 namespace claque::meshsplit
 {
@@ -23,7 +24,7 @@ namespace
 void copy_zones(const MaterialPlan &materials, model::Template &out)
 {
     for (const model::Zone &zone : materials.zones) {
-        out.zone_names.emplace_back(std::string_view(zone.name));
+        out.zone_names.emplace_back(zone.name.c_str());
         out.zone_colours.push_back(zone.colour);
         out.zone_ranges.push_back(zone.range);
     }
@@ -49,13 +50,21 @@ void report(const Mesh &mesh, const TriangleZones &zones, model::Template &out)
 void check_palette(const model::Model &model, const model::Rig &rig)
 {
     if (rig.palette.size() > 65536)
-        base::fail(CLQ_LIMIT, "model '%s' has %zu joints: a template takes 65536", model.name.c_str(),
+        base::fail(CLQ_LIMIT, "model '%s' has %zu joints: a template can have 65536", model.name.c_str(),
                    rig.palette.size());
+}
+
+void check_limits(const model::Model &model)
+{
+    check_palette(model, model.rig);
+    for (size_t i = 0; i < model.parts.size(); ++i)
+        if (!model.parts[i].hidden)
+            model::check_influence_count(model.parts[i].influence_count, i, model.parts[i].name.c_str());
 }
 
 uint32_t texture_limit(uint32_t wanted)
 {
-    if (wanted == 0) base::fail(CLQ_ARGUMENT, "a largest texture size of 0 texels");
+    if (wanted == 0) base::fail(CLQ_ARGUMENT, "the maximum texture size is 0 texels");
     uint32_t p = 1;
     while (p <= wanted / 2 && p < 16384) p *= 2;
     return p;
@@ -68,19 +77,19 @@ public:
         : model_(model),
           materials_(plan_materials(model)),
           plans_(plan_levels(model)),
-          whole_(merge(model, materials_)),
+          drawn_(drawn_parts(model)),
+          first_weights_(fill_rig(model, out.rig)),
+          whole_(merge(model, materials_, whole())),
           options_(options),
           memory_(out.levels.get_allocator().resource()),
           out_(out)
     {
         if (whole_.triangles.empty()) refuse_empty(whole_);
-        out_.name = model.name;
-        out_.rig = model::Rig(model.rig, memory_);
+        out_.name = model.name.c_str();
         copy_zones(materials_, out_);
-        for (const model::TextureSet &set : model.texture_sets)
-            out_.texture_sets.emplace_back(std::string_view(set.name));
-        for (const model::Part &part : model.parts)
-            for (const glm::vec3 &p : part.positions) extent_ = std::max(extent_, glm::length(p));
+        for (const model::TextureSet &set : model.texture_sets) out_.texture_sets.emplace_back(set.name.c_str());
+        for (const uint32_t part : drawn_)
+            for (const glm::vec3 &p : model.parts[part].positions) extent_ = std::max(extent_, glm::length(p));
     }
 
     void run()
@@ -108,13 +117,29 @@ public:
     }
 
 private:
+    static std::vector<uint32_t> drawn_parts(const model::Model &model)
+    {
+        std::vector<uint32_t> out;
+        for (uint32_t p = 0; p < model.parts.size(); ++p)
+            if (model::is_drawn(model.parts[p])) out.push_back(p);
+        return out;
+    }
+
+    // What is shown at any distance: textures are made for all of it.
+    Selection whole() const
+    {
+        Selection all = all_visible(model_);
+        all.first_weights = first_weights_;
+        return all;
+    }
+
     [[noreturn]] void refuse_empty(const Mesh &mesh) const
     {
         base::fail(CLQ_ARGUMENT, "model '%s' has no triangle to draw%s: %zu parts, %u triangles without area",
-                   model_.name.c_str(), plans_.size() > 1 ? " near the eye" : "", model_.parts.size(), mesh.degenerate);
+                   model_.name.c_str(), plans_.size() > 1 ? " near the eye" : "", drawn_.size(), mesh.degenerate);
     }
 
-    // One after the other, as they name matrices of the palette that are new.
+    // In sequence, because meshes append matrices to the palette.
     std::vector<Mesh> all_meshes()
     {
         std::vector<Mesh> meshes;
@@ -135,6 +160,7 @@ private:
         selection.parts = plan.parts;
         selection.entries = surviving_entries(out_.rig, plan.active, used, extent_);
         selection.rig = &out_.rig;
+        selection.first_weights = first_weights_;
         check_palette(model_, out_.rig);
         return merge(model_, materials_, selection);
     }
@@ -150,11 +176,13 @@ private:
     const model::Model &model_;
     const MaterialPlan materials_;
     const std::vector<LevelPlan> plans_;
-    Mesh whole_;  // what is shown at any distance: textures are made for all of it
+    const std::vector<uint32_t> drawn_;          // parts
+    const std::vector<uint32_t> first_weights_;  // of each of the model's morph sets in `out_`
+    Mesh whole_;  // everything visible at some distance; textures are made for all of it
     const BuildOptions &options_;
     std::pmr::memory_resource *memory_;
     model::Template &out_;
-    std::vector<uint32_t> texture_of_;  // of each of the planned textures
+    std::vector<uint32_t> texture_of_;  // [planned textures]
     float extent_ = 0;
 };
 
@@ -163,7 +191,7 @@ private:
 void build(const model::Model &model, const BuildOptions &options, model::Template &out)
 {
     model::check(model);
-    check_palette(model, model.rig);
+    check_limits(model);
     Builder(model, options, out).run();
     std::vector<NodeExtent> extents;
     float more = 0;

@@ -14,7 +14,7 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double max_wraps = 16;
-constexpr double max_texels = 1e9;  // beyond, float coordinates do not name a texel at all
+constexpr double max_texels = 1e9;  // beyond this, float coordinates do not resolve texels
 
 struct Corners {
     double x[3], y[3];
@@ -36,7 +36,7 @@ struct Interval {
     bool empty() const { return !(low <= high); }
 };
 
-// The x that the closed triangle has for y in [low, high].
+// Returns the x range of the closed triangle for y in [low, high].
 Interval x_of_strip(const Corners &c, double low, double high)
 {
     Interval x;
@@ -113,7 +113,7 @@ void cover(const TexelGrid &grid, const UvTriangle &triangle, std::vector<TexelS
     const Interval rows = clamped ? Interval{0, grid.height - 0.5} : Interval{-infinity, infinity};
     const int64_t first = texel(bottom, rows), last = texel(top, rows);
     for (int64_t row = first; row <= last; ++row) {
-        // Under clamping the edge rows stand for everything beyond them.
+        // With clamping, the edge rows also cover everything beyond them.
         const bool lowest = clamped && row == 0, highest = clamped && row == int64_t(grid.height) - 1;
         const Interval x =
             x_of_strip(c, lowest ? -infinity : double(row) - slack, highest ? infinity : double(row) + 1 + slack);

@@ -1,9 +1,9 @@
 #include "meshsplit/enclosing.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace claque::meshsplit
 {
@@ -22,7 +22,7 @@ const Ball &farthest(const glm::dvec3 &centre, const std::vector<Ball> &balls)
     const Ball *far = &balls[0];
     double most = reach(centre, *far), most_square = square(centre - far->centre);
     for (const Ball &ball : balls) {
-        // Of equal balls the nearer reaches no further: that needs no root.
+        // A ball of equal radius that is nearer reaches no further; this saves the square root.
         const double here = square(centre - ball.centre);
         if (ball.radius == far->radius && here <= most_square) continue;
         const double r = std::sqrt(here) + ball.radius;
@@ -31,7 +31,7 @@ const Ball &farthest(const glm::dvec3 &centre, const std::vector<Ball> &balls)
     return *far;
 }
 
-// The centre steps towards the farthest point, ever less.
+// Moves the centre towards the farthest ball in ever smaller steps.
 glm::dvec3 centre_of(const std::vector<Ball> &balls)
 {
     glm::dvec3 centre = balls[0].centre;
@@ -55,7 +55,7 @@ glm::dvec3 middle_of(const std::vector<Ball> &balls)
 
 }  // namespace
 
-// A few of them, found one after the other, decide where the centre is.
+// A few balls, found one after the other, determine the centre.
 model::Sphere enclosing(const std::vector<Ball> &balls)
 {
     glm::dvec3 centre = middle_of(balls), best = centre;
@@ -64,7 +64,7 @@ model::Sphere enclosing(const std::vector<Ball> &balls)
     std::vector<const Ball *> known;
     for (int i = 0; i < core_size; ++i) {
         const Ball &far = farthest(centre, balls);
-        if (std::find(known.begin(), known.end(), &far) != known.end()) break;  // from here on nothing changes
+        if (std::find(known.begin(), known.end(), &far) != known.end()) break;  // converged
         known.push_back(&far), core.push_back(far);
         centre = centre_of(core);
         const double radius = reach(centre, farthest(centre, balls));

@@ -1,4 +1,4 @@
-// A small sphere round many.
+// A small sphere that encloses many.
 #pragma once
 
 #include "lib/model/template.h"
@@ -11,8 +11,8 @@ struct Ball {
     double radius = 0;
 };
 
-// Holds them all, with room for what arithmetic in float may add; within a few percent of the smallest that does.
-// `balls` is not empty.
+// Encloses all balls, with a margin for float rounding; within a few per cent of the smallest such sphere. `balls` is
+// not empty.
 model::Sphere enclosing(const std::vector<Ball> &balls);
 
 }  // namespace claque::meshsplit

@@ -5,7 +5,7 @@ namespace claque::meshsplit
 namespace
 {
 
-// Its place and what moves it, bit for bit.
+// The bytes of its position, joints and weights.
 std::string bytes_of(const model::Level &level, uint32_t vertex, uint32_t first_influence, uint32_t influences)
 {
     std::string bytes;

@@ -1,11 +1,12 @@
-// Vertices that levels before had too: near levels of a chain share theirs, and what they do need be looked at once.
+// Finds vertices that earlier levels also have. Decimated levels of a chain share vertices, and the motion of a shared
+// vertex needs to be examined only once.
 #pragma once
-
-#include "lib/model/template.h"
 
 #include <string>
 #include <unordered_set>
 #include <vector>
+
+#include "lib/model/template.h"
 
 namespace claque::meshsplit
 {
@@ -13,8 +14,8 @@ namespace claque::meshsplit
 class KnownVertices
 {
 public:
-    // One a source vertex: whether one that moves in the same way, from the same place, came before, in this level or in those
-    // asked for earlier. In a level with morph targets none did.
+    // Returns, per source vertex, whether an earlier vertex, of this level or of earlier calls, has the same position
+    // and influences. For a level with morph targets all are 0.
     std::vector<uint8_t> among(const model::Level &level);
 
 private:

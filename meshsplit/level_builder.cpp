@@ -1,8 +1,8 @@
 #include "meshsplit/level_builder.h"
 
-#include "meshsplit/parts.h"
-
 #include <algorithm>
+
+#include "meshsplit/parts.h"
 
 namespace claque::meshsplit
 {
@@ -41,7 +41,7 @@ struct PlacedDelta {
     model::MorphDelta delta;
 };
 
-// Ranges by weight, within one by vertex.
+// Ranges are sorted by weight, and within a range by vertex.
 void copy_morphs(const Mesh &mesh, model::Level &level)
 {
     std::vector<PlacedDelta> placed;
@@ -63,7 +63,7 @@ void copy_morphs(const Mesh &mesh, model::Level &level)
     }
 }
 
-// UVs and colours of all vertices, copies included.
+// Copies UVs and colours of all vertices, including copies.
 void copy_attributes(const Mesh &mesh, model::Level &level)
 {
     for (uint32_t v = 0; v < level.vertex_count; ++v) {
@@ -91,7 +91,8 @@ void build_level(Mesh &mesh, const TriangleZones &zones, const model::Rig &rig, 
 void set_skeletons(const std::vector<const std::vector<uint8_t> *> &active, size_t entry_count,
                    model::Array<model::Level> &levels)
 {
-    // Nodes only ever stop with distance, so equal skeletons are neighbours; one of them all is the whole one.
+    // Nodes only stop with distance, so levels with equal skeletons are adjacent. If all are equal, every level has the
+    // whole skeleton.
     if (*active.front() == *active.back()) return;
     for (uint32_t first = 0, last; first < levels.size(); first = last) {
         std::vector<uint8_t> used(entry_count);

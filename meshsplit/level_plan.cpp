@@ -1,9 +1,9 @@
 #include "meshsplit/level_plan.h"
 
-#include "lib/base/error.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "lib/base/error.h"
 
 namespace claque::meshsplit
 {
@@ -26,7 +26,7 @@ public:
             if (rig.parents[i] != none) stops_[i] = std::min(stops_[i], stops_[rig.parents[i]]);
         }
         for (uint32_t p = 0; p < model.parts.size(); ++p)
-            if (!model.parts[p].hidden && !model::triangles_of(model.parts[p]).empty()) drawn_.push_back(p);
+            if (model::is_drawn(model.parts[p])) drawn_.push_back(p);
         for (const uint32_t p : drawn_) rigid_nodes_.push_back(rigid_node(model.parts[p]));
     }
 
@@ -61,7 +61,7 @@ private:
         std::sort(out.begin(), out.end());
         out.erase(std::unique(out.begin(), out.end()), out.end());
         if (out.size() > max_levels)
-            fail(CLQ_LIMIT, "model '%s' changes at %zu distances: a template takes %zu levels", model_.name.c_str(),
+            fail(CLQ_LIMIT, "model '%s' changes at %zu distances: a template can have %zu levels", model_.name.c_str(),
                  out.size() - 1, max_levels);
         return out;
     }
@@ -88,19 +88,19 @@ private:
         const float stop = stops_[node];
         if (part.lod_max_m > stop)
             fail(CLQ_ARGUMENT,
-                 "model '%s': part '%s' hangs on node '%s', which stops at %g m%s, and would be drawn from %g m to "
-                 "%g m: let the part end where the node stops",
+                 "model '%s': part '%s' is attached to node '%s', which stops at %g m%s, but is drawn from %g m "
+                 "to %g m: the part must end where the node stops",
                  model_.name.c_str(), part.name.c_str(), name(node), double(stop), with_whom(node).c_str(),
                  double(part.lod_min_m), double(part.lod_max_m));
         if (part.lod_max_m == stop && std::isfinite(stop) && something_from(stop) && !is_taken_over(stop))
             fail(CLQ_ARGUMENT,
-                 "model '%s': part '%s' ends at %g m where node '%s' stops%s, and no part on a node that goes on "
-                 "begins at %g m: geometry that takes over is missing",
+                 "model '%s': part '%s' ends at %g m where node '%s' stops%s, and no part on an active node "
+                 "begins at %g m: a part that takes over is missing",
                  model_.name.c_str(), part.name.c_str(), double(stop), name(node), with_whom(node).c_str(),
                  double(stop));
     }
 
-    // Its vertices can move to the nodes above, unless there is none.
+    // Its vertices can move to ancestor nodes, unless there is none.
     void check_skinned(const Part &part) const
     {
         for (size_t k = 0; k < part.joints.size(); ++k) {
@@ -110,7 +110,7 @@ private:
             if (part.lod_max_m > stops_[root])
                 fail(CLQ_ARGUMENT,
                      "model '%s': part '%s' is drawn to %g m and follows node '%s' or nodes below it, which is a root "
-                     "and stops at %g m: no node is left that its vertices could follow",
+                     "and stops at %g m: no node remains for its vertices to follow",
                      model_.name.c_str(), part.name.c_str(), double(part.lod_max_m), name(root), double(stops_[root]));
         }
     }
@@ -123,14 +123,14 @@ private:
 
     bool is_taken_over(float distance) const
     {
-        // Were it to hang on a stopped node, it would be refused itself.
+        // A part that begins on a stopped node is refused by its own check.
         return std::any_of(drawn_.begin(), drawn_.end(),
                            [&](uint32_t p) { return model_.parts[p].lod_min_m == distance; });
     }
 
     const char *name(uint32_t node) const { return model_.rig.node_names[node].c_str(); }
 
-    // Where a node stops because one above it does: which.
+    // Names the ancestor that stops a node, if it is not the node itself.
     std::string with_whom(uint32_t node) const
     {
         uint32_t cause = node;
@@ -139,9 +139,9 @@ private:
     }
 
     const model::Model &model_;
-    std::vector<float> stops_;           // per node, with those above it
-    std::vector<uint32_t> drawn_;        // parts that show anything at some distance
-    std::vector<uint32_t> rigid_nodes_;  // of each of them; none: skinned
+    std::vector<float> stops_;           // per node, including its ancestors
+    std::vector<uint32_t> drawn_;        // parts that are visible at some distance
+    std::vector<uint32_t> rigid_nodes_;  // per drawn part; none: skinned
 };
 
 }  // namespace

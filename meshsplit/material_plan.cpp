@@ -1,11 +1,11 @@
 #include "meshsplit/material_plan.h"
 
-#include "lib/base/error.h"
-#include "meshsplit/zone_map.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "lib/base/error.h"
+#include "meshsplit/zone_map.h"
 
 namespace claque::meshsplit
 {
@@ -42,7 +42,7 @@ Rgb base_of(const Material &material)
     return rgb;
 }
 
-// The range that holds this colour alone.
+// Returns the range of this colour alone.
 model::HsbRange range_of(const Rgb &c)
 {
     const float top = std::max({c[0], c[1], c[2]}), spread = top - std::min({c[0], c[1], c[2]});
@@ -62,7 +62,7 @@ class MaterialPlanner
 public:
     explicit MaterialPlanner(const model::Model &model) : model_(model), materials_(model.materials)
     {
-        materials_.push_back(Material());  // of parts without one
+        materials_.push_back(Material());  // for parts without a material
         materials_.back().name = "default";
         out_.zones = model.zones;
         out_.mappings.resize(materials_.size());
@@ -96,7 +96,7 @@ private:
         }
     }
 
-    // Materials without a zone get one, a base colour each.
+    // Materials without a zone get one zone per base colour.
     void name_zones()
     {
         const size_t given = out_.zones.size();
@@ -109,7 +109,7 @@ private:
             if (material.zone == none) material.zone = add_zone(material.name, colour);
         }
         if (out_.zones.size() >= hole)
-            base::fail(CLQ_LIMIT, "%zu zones: a template takes at most %u", out_.zones.size(), hole - 1u);
+            base::fail(CLQ_LIMIT, "%zu zones: a template can have at most %u", out_.zones.size(), hole - 1u);
     }
 
     uint32_t add_zone(const std::string &name, const Rgb &colour)
@@ -171,7 +171,7 @@ private:
         if (plan.wrap_t == Wrap::mirror) out_.mappings[i].uv_scale.y = 0.5f;
     }
 
-    // Inside [0, 1] mirroring shows what clamping shows, without a texture of twice the size.
+    // Within [0, 1] mirroring looks like clamping, and clamping needs no texture of twice the size.
     static Wrap wrap_of(Wrap wrap, float low, float high)
     {
         return wrap == Wrap::mirror && low >= 0 && high <= 1 ? Wrap::clamp : wrap;
@@ -207,7 +207,7 @@ private:
         palette_mappings_.push_back({i, static_cast<uint32_t>(at)});
     }
 
-    // The first palette that has the zone or room for it; a new one if there is none.
+    // Returns the first palette that has the zone or room for it; a new one if there is none.
     uint32_t palette_for(uint32_t zone)
     {
         for (size_t t = 0; t < out_.textures.size(); ++t) {
@@ -241,7 +241,7 @@ private:
     const model::Model &model_;
     std::vector<Material> materials_;
     std::vector<UvRange> uses_;
-    std::vector<Rgb> rgb_;  // what the texture carries of each material's base colour
+    std::vector<Rgb> rgb_;  // per material: the factor of its base colour that the texture contains
     std::vector<PaletteMapping> palette_mappings_;
     MaterialPlan out_;
 };

@@ -1,15 +1,14 @@
 #include "meshsplit/mesh.h"
 
-#include "meshsplit/interner.h"
-#include "meshsplit/rest.h"
-#include "meshsplit/vertex_order.h"
-
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "meshsplit/interner.h"
+#include "meshsplit/rest.h"
+#include "meshsplit/vertex_order.h"
 
 namespace claque::meshsplit
 {
@@ -19,8 +18,6 @@ using model::Part;
 
 namespace
 {
-
-glm::vec3 without_negative_zero(glm::vec3 v) { return v + glm::vec3(0.0f); }
 
 class Merger
 {
@@ -40,9 +37,9 @@ public:
     }
 
 private:
-    // What a vertex of a part is wherever it is used: where it goes in every pose.
+    // The motion of a part's vertex, which all its triangles share.
     struct Source {
-        uint32_t point = none;    // equal points go the same way in every pose
+        uint32_t point = none;    // vertices with equal points move alike in every pose
         uint32_t influences = 0;  // equal lists have equal numbers
         uint32_t first_influence = 0, influence_count = 0;
         uint32_t first_morph = 0, morph_count = 0;
@@ -129,7 +126,7 @@ private:
     {
         source.first_morph = static_cast<uint32_t>(mesh_.morphs.size());
         if (part.morphs.empty()) return;
-        const uint32_t first_weight = model_.rig.morph_sets[part.morph_set].first_weight;
+        const uint32_t first_weight = selection_.first_weights[part.morph_set];
         for (uint32_t t = 0; t < part.morphs.size(); ++t) {
             VertexMorph morph;
             morph.weight = first_weight + t;
@@ -140,7 +137,8 @@ private:
         source.morph_count = static_cast<uint32_t>(mesh_.morphs.size()) - source.first_morph;
     }
 
-    // No area in any pose: two corners go together always, or all three hang on the same joints in one line.
+    // A triangle has no area in any pose if two corners always coincide, or if all three follow the same joints and are
+    // collinear.
     bool is_degenerate(const Part &part, const std::array<uint32_t, 3> &t) const
     {
         const Source &a = sources_[t[0]], &b = sources_[t[1]], &c = sources_[t[2]];
@@ -150,7 +148,7 @@ private:
         return glm::length(cross_of(part, t)) == 0;
     }
 
-    // In double, where differences and products of floats of like size are exact.
+    // In double, where differences and products of floats of similar size are exact.
     static glm::dvec3 cross_of(const Part &part, const std::array<uint32_t, 3> &t)
     {
         const glm::dvec3 a(part.positions[t[0]]), b(part.positions[t[1]]), c(part.positions[t[2]]);
@@ -172,7 +170,8 @@ private:
         note_coincidence(order, mesh_.surfaces[surface].double_sided);
     }
 
-    // Whether the matrix that moves it most turns it inside out at rest; front faces are what they are on screen.
+    // Returns whether the joint with the largest weight mirrors the triangle at rest; front faces are defined on
+    // screen.
     bool is_mirrored(const std::array<uint32_t, 3> &t) const
     {
         uint32_t best = none;
@@ -209,7 +208,7 @@ private:
         vertex.uv =
             mapping.uv_offset + mapping.uv_scale * (part.uvs.empty() ? glm::vec2(0) : part.uvs[v]) + glm::vec2(0.0f);
         if (!part.colours.empty()) vertex.colour = part.colours[v];
-        vertex.colour[3] = 255;  // alpha belongs to the zones
+        vertex.colour[3] = 255;  // alpha is reserved for zones
         vertex.surface = surface;
         vertex.first_influence = source.first_influence, vertex.influence_count = source.influence_count;
         vertex.first_morph = source.first_morph, vertex.morph_count = source.morph_count;
@@ -235,7 +234,7 @@ private:
         return number;
     }
 
-    // Two triangles on the same three points tie wherever both are drawn: facing the same way, or one is two-sided.
+    // Two triangles on the same three points z-fight if they face the same way or one is double-sided.
     void note_coincidence(const std::array<uint32_t, 3> &t, bool double_sided)
     {
         std::array<uint32_t, 3> p = {sources_[t[0]].point, sources_[t[1]].point, sources_[t[2]].point};
@@ -274,8 +273,8 @@ private:
     Interner influence_numbers_, point_numbers_, vertex_numbers_, face_numbers_;
     std::vector<uint32_t> influence_starts_;
     std::vector<uint8_t> faces_seen_;
-    std::vector<Source> sources_;   // of the part at hand
-    std::vector<uint32_t> welded_;  // of the part at hand: vertices of the mesh
+    std::vector<Source> sources_;   // of the current part
+    std::vector<uint32_t> welded_;  // of the current part: vertices of the mesh
 };
 
 }  // namespace
@@ -287,13 +286,7 @@ Mesh merge(const model::Model &model, const MaterialPlan &materials, const Selec
 
 Mesh merge(const model::Model &model, const MaterialPlan &materials)
 {
-    Selection all;
-    all.rig = &model.rig;
-    for (uint32_t p = 0; p < model.parts.size(); ++p)
-        if (!model.parts[p].hidden) all.parts.push_back(p);
-    all.entries.resize(model.rig.palette.size());
-    std::iota(all.entries.begin(), all.entries.end(), 0u);
-    return merge(model, materials, all);
+    return merge(model, materials, all_visible(model));
 }
 
 }  // namespace claque::meshsplit

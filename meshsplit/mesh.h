@@ -1,5 +1,6 @@
-// Visible parts of a model as one welded triangle mesh: vertices equal in every attribute are one, triangles that
-// have no area in any pose are dropped, front faces run counter-clockwise in every pose of a part that hangs mirrored.
+// Merges the visible parts of a model into one welded triangle mesh. Vertices that are equal in every attribute become
+// one. Triangles without area in any pose are dropped. Front faces run counter-clockwise in every pose, also in parts
+// on mirroring nodes.
 #pragma once
 
 #include "meshsplit/material_plan.h"
@@ -13,7 +14,7 @@ struct Influence {
 };
 
 struct VertexMorph {
-    uint32_t weight = 0;  // of the pose's list
+    uint32_t weight = 0;  // index in the pose's weights
     glm::vec3 position = glm::vec3(0), normal = glm::vec3(0);
 };
 
@@ -29,34 +30,37 @@ struct MeshVertex {
 struct MeshTriangle {
     std::array<uint32_t, 3> corners = {0, 0, 0};
     uint32_t surface = 0;
-    uint32_t part = 0;  // of the model
+    uint32_t part = 0;  // part of the model
 };
 
 struct MeshSurface {
-    uint32_t texture = 0;  // of Looks::textures
+    uint32_t texture = 0;  // index in MaterialPlan::textures
     bool double_sided = false;
 };
 
 struct Mesh {
-    std::vector<MeshVertex> vertices;     // by number of influences, then as vertex_order.h says
-    std::vector<MeshTriangle> triangles;  // input order
+    std::vector<MeshVertex> vertices;     // by number of influences, then as in vertex_order.h
+    std::vector<MeshTriangle> triangles;  // in input order
     std::vector<Influence> influences;    // largest weight first within a vertex
     std::vector<VertexMorph> morphs;
-    std::vector<MeshSurface> surfaces;  // those that have triangles
+    std::vector<MeshSurface> surfaces;  // only those that have triangles
     bool has_colours = false;
-    uint32_t degenerate = 0;  // dropped
-    uint32_t coincident = 0;  // lie on an earlier triangle and tie with it in depth
+    uint32_t degenerate = 0;  // triangles that were dropped
+    uint32_t coincident = 0;  // triangles that z-fight with an earlier triangle on the same points
 };
 
-// What of a model is merged, and for which palette.
+// Selects what is merged, and for which palette.
 struct Selection {
-    const model::Rig *rig = nullptr;  // the model's, or one whose palette goes on where that ends
-    std::vector<uint32_t> parts;      // of the model, ascending
-    std::vector<uint32_t> entries;    // for each entry of the model's palette the one that vertices follow instead
+    const model::Rig *rig = nullptr;      // the model's, or one whose palette extends the model's
+    std::vector<uint32_t> parts;          // parts of the model, ascending
+    std::vector<uint32_t> entries;        // for each palette entry of the model, the entry that vertices follow
+    std::vector<uint32_t> first_weights;  // for each morph set of the model, its first weight
 };
+
+Selection all_visible(const model::Model &model);  // as the model has it
 
 Mesh merge(const model::Model &model, const MaterialPlan &materials, const Selection &selection);
-// All visible parts, as they are.
+// Merges all visible parts without changes.
 Mesh merge(const model::Model &model, const MaterialPlan &materials);
 
 }  // namespace claque::meshsplit

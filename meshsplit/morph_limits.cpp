@@ -15,7 +15,7 @@ void widen(WeightLimits &limits, float value, float swing)
     limits.high = std::max(limits.high, value + swing);
 }
 
-// Between two keys each tangent has a share of at most 4/27 of the gap.
+// Between two keys each tangent contributes at most 4/27 of the interval.
 float swing_of(float gap, float out_tangent, float in_tangent)
 {
     return 0.1482f * gap * (std::fabs(out_tangent) + std::fabs(in_tangent));

@@ -1,4 +1,4 @@
-// How far the weights of morph targets can go.
+// Bounds of the weights of morph targets.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -10,8 +10,9 @@ struct WeightLimits {
     float low = 0, high = 0;
 };
 
-// Of each weight of the pose, over the rest pose, all clips at any time and the degrees of freedom anywhere in their
-// ranges. Cubic splines may swing beyond their keys: their limits hold that, and may be wider than what is reached.
+// Returns the limits of each weight of the pose, over the rest pose, all clips at any time and the full ranges of the
+// degrees of freedom. Cubic splines may exceed their keys; their limits include that and may be wider than what is
+// reached.
 std::vector<WeightLimits> morph_limits(const model::Rig &rig);
 
 }  // namespace claque::meshsplit

@@ -1,11 +1,11 @@
 #include "meshsplit/motion.h"
 
-#include "meshsplit/motion_error.h"
-#include "meshsplit/motion_plan.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "meshsplit/motion_error.h"
+#include "meshsplit/motion_plan.h"
 
 namespace claque::meshsplit
 {
@@ -13,13 +13,13 @@ namespace claque::meshsplit
 namespace
 {
 
-// Rates that clips are tried at, besides those of their own keys.
+// The rates that are tried, besides those of a clip's own keys.
 constexpr double rates_hz[] = {10, 12.5, 15, 20, 25, 30, 50, 60, 100, 120};
 constexpr double highest_key_rate_hz = 250;
-// A template's rows may take this many bytes; clips beyond keep their channels.
+// The limit of a template's rows in bytes; further clips keep their channels.
 constexpr size_t max_numbers = size_t(1) << 29;
 
-// How long the arrays were, to take a clip away again.
+// The lengths of the arrays, to remove a clip again.
 struct Lengths {
     size_t clips, blocks, curves, exact, rotations, numbers;
 
@@ -61,7 +61,8 @@ public:
     void run()
     {
         const std::vector<uint32_t> counts = interval_counts();
-        // Where no rate does, tracks that stray at the highest stay with their channels, then also those that stray less.
+        // If no rate fits, channels with a large error at the highest rate are kept, then also those with smaller
+        // errors.
         MotionError outliers = most_;
         for (int attempt = 0; attempt < 4 && !counts.empty(); ++attempt) {
             for (const uint32_t count : counts)
@@ -82,7 +83,7 @@ private:
         return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
 
-    // Of all channels that rows have to follow, and the ends.
+    // Returns the key times of all channels that rows must follow, and both ends.
     std::vector<double> key_times() const
     {
         std::vector<double> out = {double(clip_.start_s), double(clip_.start_s) + double(clip_.duration_s)};
@@ -100,14 +101,14 @@ private:
         model::MotionClip &clip;
         void operator=(const MotionError &error)
         {
-            // Rounded up: what is stated holds.
+            // Rounded up, so that the stated error is a bound.
             clip.error_m = std::nextafter(float(error.metres), std::numeric_limits<float>::infinity());
             clip.error_rad = std::nextafter(float(error.radians), std::numeric_limits<float>::infinity());
         }
     };
     ErrorOfClip error_of_clip() { return {tmpl_.motion.clips.back()}; }
 
-    // How many rows are tried, fewest first; none where there is nothing to sample.
+    // Returns the row counts to try, ascending; none if there is nothing to sample.
     std::vector<uint32_t> interval_counts() const
     {
         const double length = double(clip_.duration_s);
@@ -153,7 +154,7 @@ private:
         return true;
     }
 
-    // Where straight lines are farthest from curves, and where a chord's time is from an arc's.
+    // Where straight lines are farthest from curves, and where a chord's timing differs most from the arc's.
     std::vector<double> between_rows(uint32_t intervals) const
     {
         std::vector<double> out;
@@ -191,7 +192,7 @@ void inflate(float more, model::Template &out)
 {
     out.sklsroot.radius += more;
     for (model::NodeReach &reach : out.node_reach) reach.distance += more;
-    // What is added is the difference of two poses.
+    // An additive layer adds the difference of two poses, so the error counts twice.
     out.blend_radius.base += more, out.blend_radius.per_weight += 2 * more;
     for (model::BlendReach &reach : out.blend_reach) reach.distance.base += more, reach.distance.per_weight += 2 * more;
 }

@@ -1,5 +1,5 @@
-// Template::motion from the channels of its rig: which nodes are joints, at which rate each clip follows its channels
-// within a given error, and what that error is.
+// Resamples clips: fills Template::motion from the channels of its rig. It selects the nodes that are joints and, for
+// each clip, the rate that follows its channels within a given error, and records that error.
 #pragma once
 
 #include "lib/model/template.h"
@@ -7,17 +7,18 @@
 namespace claque::meshsplit
 {
 
-// How far a clip as sampled may be from its channels, at any key, between keys and between rows.
+// The largest allowed deviation of a resampled clip from its channels, at any key, between keys and between rows.
 struct MotionTolerance {
-    float metres = automatic;  // of any vertex or node; 0: clips stay with their channels
-    float radians = 0.01f;     // that any node is turned
-    // A two-thousandth of the character at rest, from its middle to what is farthest: half a millimetre of a body.
+    float metres = automatic;  // of any vertex or node; 0: clips keep their channels
+    float radians = 0.01f;     // rotation of any node
+
+    // 1/2000 of the radius of the character at rest: half a millimetre for a human.
     static constexpr float automatic = -1;
 };
 
-// Needs rig and levels of `out`. Returns how much further away than by its channels anything can be.
+// Requires rig and levels of `out`. Returns a bound of how much further resampled clips can reach than their channels.
 float make_motion(const MotionTolerance &tolerance, model::Template &out);
-// Makes the spheres of `out` so large that they hold its clips too.
+// Enlarges the bounding spheres of `out` by `more`, so that they also hold for resampled clips.
 void inflate(float more, model::Template &out);
 
 }  // namespace claque::meshsplit

@@ -1,12 +1,12 @@
 #include "meshsplit/motion_error.h"
 
-#include "meshsplit/largest.h"
-#include "meshsplit/reach_poses.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "meshsplit/largest.h"
+#include "meshsplit/reach_poses.h"
 
 namespace claque::meshsplit
 {
@@ -31,7 +31,7 @@ Affine minus(const Affine &a, const Affine &b)
     return out;
 }
 
-// Every 64th first, then those between, so that a poor rate is found out soon.
+// Every 64th first, then those between, so that a poor rate is rejected early.
 std::vector<uint32_t> coarse_first(size_t count)
 {
     std::vector<uint32_t> out;
@@ -76,7 +76,7 @@ MotionMeter::MotionMeter(const model::Template &tmpl)
         balls_.push_back({entry.node, glm::dvec3(math::transform_point(entry.inverse_bind, sphere.bind.centre)),
                           double(sphere.bind.radius) * stretch});
     }
-    // Of nodes that nothing hangs on, the origin: something may be attached to it.
+    // Nodes without vertices count by their origin, because something may be attached to it.
     std::vector<uint8_t> has_ball(tmpl.rig.node_count());
     for (const Ball &ball : balls_) has_ball[ball.node] = 1;
     for (uint32_t n = 0; n < tmpl.rig.node_count(); ++n)
@@ -126,7 +126,7 @@ MotionError MotionMeter::at(uint32_t clip, double time_s)
         const double centre = glm::length(math::transform_point(off, glm::vec3(ball.centre)));
         worst.metres = std::max(worst.metres, centre + spread * ball.radius);
         stretch = std::max(stretch, size);
-        // Of a turn by a small angle, the root of the sum of squares changes by the root of 2 times it.
+        // A rotation by a small angle changes the root of the sum of squares by sqrt(2) times the angle.
         if (size > 0) worst.radians = std::max(worst.radians, spread * std::sqrt(1.5) / size);
     }
     worst.metres += morphs * stretch;
@@ -143,7 +143,7 @@ MotionMeter::Local MotionMeter::difference(const math::Trs &exact, const math::T
         const double a = double(exact.rotation[k]), b = double(sampled.rotation[k]);
         near += (a - b) * (a - b), far += (a + b) * (a + b);
     }
-    out.turn = 2.2215 * std::sqrt(std::min(near, far));  // as NodeDrift says
+    out.turn = 2.2215 * std::sqrt(std::min(near, far));  // see NodeMotionBound
     out.growth = largest(exact.scale - sampled.scale);
     out.offset = std::max(glm::length(glm::dvec3(exact.translation)), glm::length(glm::dvec3(sampled.translation)));
     out.scale = std::max(largest(exact.scale), largest(sampled.scale));

@@ -1,10 +1,10 @@
-// How far clips as sampled are from their channels: measured in poses, and bounded for whatever degrees of freedom and
-// blends do on top.
+// Measures the deviation of resampled clips from their channels in poses, and bounds it for any degrees of freedom and
+// blends on top.
 #pragma once
 
-#include "lib/pose/pose.h"
-
 #include <vector>
+
+#include "lib/pose/pose.h"
 
 namespace claque::meshsplit
 {
@@ -19,28 +19,28 @@ struct MotionError {
 class MotionMeter
 {
 public:
-    // Levels, and motion as far as it goes, of `tmpl`.
+    // Uses the levels and the present motion of `tmpl`.
     explicit MotionMeter(const model::Template &tmpl);
 
-    // Half the size of the character at rest, from its middle.
+    // Returns the radius of the character at rest.
     double rest_size() const;
 
-    // The largest error of a clip at some moments; stops at the first moment that is not within `most`.
+    // Returns the largest error of a clip at some times. It stops at the first time whose error is not within `most`.
     MotionError measure(uint32_t clip, const std::vector<double> &times, const MotionError &most);
-    // Where single tracks are off by more, in their own frames: [channel_count], 1 where so.
+    // Returns [channel_count], 1 for channels whose own error, in their node's frame, is larger than `most`.
     std::vector<uint8_t> outliers(uint32_t clip, const std::vector<double> &times, const MotionError &most);
 
-    // What is measured from begin() on counts for bound() once it is accepted.
+    // Measurements after begin() count for bound() once they are accepted.
     void begin();
     void accept();
-    // In all that was accepted: how far any vertex can be away in any pose made of such clips, with
-    // degrees of freedom anywhere. Each joint's own error times all that hangs on it.
+    // Returns a bound of the deviation of any vertex, over all accepted clips, in any pose blended from them, with any
+    // degrees of freedom: each joint's own error times the extent of what it moves.
     double bound() const;
 
 private:
     struct Local {
         double shift = 0, turn = 0, growth = 0;  // errors
-        double offset = 0, scale = 0;            // largest distance from its parent, largest factor
+        double offset = 0, scale = 0;            // largest distance from its parent, largest scale
     };
     struct Ball {
         uint32_t node;
@@ -54,8 +54,8 @@ private:
 
     const model::Template &tmpl_;
     pose::Workspace exact_, sampled_;
-    std::vector<Ball> balls_;           // what hangs on nodes, in their frames
-    std::vector<double> morph_metres_;  // per weight: the most that it moves a vertex, before poses
+    std::vector<Ball> balls_;           // bounding balls of what nodes move, in their frames
+    std::vector<double> morph_metres_;  // per weight: the largest displacement of a vertex, before posing
     std::vector<math::Affine> exact_globals_, sampled_globals_;
     struct Worst {
         std::vector<Local> nodes;
@@ -63,8 +63,8 @@ private:
         void merge(const Worst &other);
     };
     Worst now_, measured_, accepted_;
-    const std::vector<float> dofs_;  // all at zero
-    double morphs_ = 0;              // error of morph weights at the last moment, in metres
+    const std::vector<float> dofs_;  // all zero
+    double morphs_ = 0;              // error of morph weights at the last time, in metres
 };
 
 }  // namespace claque::meshsplit

@@ -11,7 +11,7 @@ using model::ChannelTarget;
 namespace
 {
 
-// Whether all that a channel says is that its target is at rest.
+// Returns whether the channel only keeps its target at rest.
 bool rests(const model::Rig &rig, const model::Channel &channel)
 {
     const math::Trs &trs = channel.target == ChannelTarget::morph_weights ? rig.rest[0] : rig.rest[channel.node];

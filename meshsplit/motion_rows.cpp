@@ -1,13 +1,12 @@
-// The rows of one clip at one rate: sampled from its channels, brought to one hemisphere, rounded to 16 bits, and what
-// stands still left out.
-#include "meshsplit/motion_plan.h"
-
-#include "lib/pose/exact.h"
-
+// The rows of one clip at one rate: sampled from its channels, brought to one hemisphere and rounded to 16 bits.
+// Constant rows are stored once.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+
+#include "lib/pose/exact.h"
+#include "meshsplit/motion_plan.h"
 
 namespace claque::meshsplit
 {
@@ -71,7 +70,7 @@ private:
         }
     }
 
-    // What is kept is written over this anyway.
+    // Kept channels overwrite these values anyway.
     void put_to_rest(const model::Channel &channel, const pose::LocalPose &row) const
     {
         if (channel.target == ChannelTarget::morph_weights) {
@@ -142,7 +141,7 @@ private:
         return out;
     }
 
-    // Clips often stand still alike.
+    // Clips often have equal constant rows.
     uint32_t still_row(const Block &row)
     {
         for (size_t i = 0; i + block_numbers <= out_.rotations.size() && i < 64 * size_t(block_numbers);
@@ -179,7 +178,7 @@ private:
         return found == out_.nodes.end() ? none : static_cast<uint32_t>(found - out_.nodes.begin());
     }
 
-    // The numbers of a group in a row.
+    // Returns the numbers of a group in a row.
     const float *numbers(uint32_t g, uint32_t row) const
     {
         const model::MotionGroup &group = out_.groups[g];
@@ -207,7 +206,7 @@ private:
 
     void add_tracks()
     {
-        if (out_.numbers.empty()) out_.numbers.assign(4, 0);  // what still tracks read
+        if (out_.numbers.empty()) out_.numbers.assign(4, 0);  // the value that constant curves read
         const uint32_t base = static_cast<uint32_t>(out_.numbers.size());
         uint32_t stride = 0;
         for (model::MotionCurve &curve : ranges_) {
@@ -237,7 +236,7 @@ private:
         const model::Channel &channel = rig_.channels[channel_index];
         const bool morphs = channel.target == ChannelTarget::morph_weights;
         const uint32_t owner = morphs ? rig_.morph_sets[channel.node].first_weight : joint_of(channel.node);
-        if (owner == none) return;  // it never leaves its rest
+        if (owner == none) return;  // the node never leaves its rest
         if (channel.target == ChannelTarget::rotation) {
             out_.exact.push_back({channel_index, owner});
             return;

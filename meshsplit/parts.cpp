@@ -1,11 +1,11 @@
 #include "meshsplit/parts.h"
 
-#include "meshsplit/enclosing.h"
-#include "meshsplit/morph_limits.h"
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
+#include "meshsplit/enclosing.h"
+#include "meshsplit/morph_limits.h"
 
 namespace claque::meshsplit
 {
@@ -15,7 +15,7 @@ using model::none;
 namespace
 {
 
-// The lowest node above both, or one of them; where they stand in different trees, the root above the first.
+// Returns the lowest common ancestor, which may be one of them; for nodes in different trees, the root above the first.
 uint32_t above_both(const model::Rig &rig, uint32_t a, uint32_t b)
 {
     uint32_t root = a;
@@ -41,7 +41,7 @@ public:
     {
     }
 
-    // Triangles stand part by part.
+    // Triangles are sorted by part.
     void run(uint32_t part_count)
     {
         size_t first = 0;
@@ -91,8 +91,8 @@ private:
     const model::Rig &rig_;
     const std::vector<WeightLimits> limits_;
     model::Level &level_;
-    std::vector<uint32_t> seen_;            // per vertex the last part that it was met in
-    std::vector<std::vector<Ball>> balls_;  // of the part at hand, per palette entry
+    std::vector<uint32_t> seen_;            // per vertex, the last part that used it
+    std::vector<std::vector<Ball>> balls_;  // of the current part, per palette entry
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "meshsplit/picture.h"
 
-#include "lib/math/hsb.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/vec2.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "lib/math/hsb.h"
 
 namespace claque::meshsplit
 {
@@ -22,7 +22,7 @@ constexpr Ink clean_line = {90, 90, 90, 0.45};
 constexpr Ink dirty_fill = {230, 20, 30, 0.30};
 constexpr Ink dirty_line = {180, 0, 10, 0.95};
 
-// Hues a golden section apart, so that neighbours in number are far apart in colour, between yellow and violet: red is
+// Hues a golden section apart, so that zones with close numbers have distant colours, between yellow and violet: red is
 // for dirty triangles.
 math::Rgb8 zone_colour(size_t index)
 {
@@ -125,7 +125,7 @@ public:
                 corners[k] = picture_.place(&level_.uvs[2 * size_t(level_.indices[i + k])]);
                 size = std::max({size, std::fabs(corners[k].x), std::fabs(corners[k].y)});
             }
-            // Beyond some wraps a triangle covers everything and its lines say nothing.
+            // A triangle over many wraps covers everything, and its outline has no use.
             if (size <= 16 * picture_.longest_side()) draw(corners);
         }
     }

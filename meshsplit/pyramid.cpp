@@ -10,7 +10,7 @@ namespace claque::meshsplit
 namespace
 {
 
-// One axis of a change of size, in units in which an old texel is `to` long and a new one `from` long.
+// One axis of a resampling, in units in which an old texel is `to` long and a new one `from` long.
 struct Axis {
     uint64_t from, to;
 
@@ -98,7 +98,7 @@ private:
     std::vector<ZoneArea> zone_areas_, around_;
 };
 
-// What resampling gives where all four texels are of one zone, which is nearly everywhere: the mean of the four.
+// Averages four texels of the same zone, which is nearly always the case; the same result as resampling.
 bool average_four(const ZoneMap &map, uint32_t x, uint32_t y, ZoneMap &out)
 {
     const size_t a = 2 * (size_t(y) * map.width + x), b = a + map.width;
@@ -122,7 +122,7 @@ uint32_t fitting_side(uint32_t side, uint32_t max_px)
 
 bool power_of_two(uint32_t v) { return (v & (v - 1)) == 0; }
 
-// For each texel the nearest covered row of its column; `none` where the column has none.
+// For each texel the nearest covered row of its column; `none` if the column has none.
 std::vector<uint32_t> nearest_rows(const ZoneMap &map, const std::vector<uint8_t> &covered)
 {
     std::vector<uint32_t> rows(covered.size(), model::none), last(map.width, model::none);
@@ -142,7 +142,7 @@ std::vector<uint32_t> nearest_rows(const ZoneMap &map, const std::vector<uint8_t
     return rows;
 }
 
-// The nearest column of a row for each texel of it, where column x is gap[x] away: the lower envelope of parabolas.
+// The nearest column for each texel of a row, where column x is gap[x] away: the lower envelope of parabolas.
 class Envelope
 {
 public:
@@ -166,7 +166,7 @@ public:
     int64_t start(size_t i) const { return starts_[i]; }
 
 private:
-    // The first place at which column b > a is strictly nearer than a.
+    // Returns the first position at which column b > a is strictly nearer than a.
     static int64_t first_nearer(int64_t a, int64_t b, const std::vector<int64_t> &gap)
     {
         const int64_t ga = gap[static_cast<size_t>(a)], gb = gap[static_cast<size_t>(b)];
@@ -209,14 +209,14 @@ void dilate(ZoneMap &map, const std::vector<uint8_t> &covered)
         for (uint32_t x = 0; x < map.width; ++x)
             gap[x] = rows[row + x] == model::none ? -1 : std::abs(int64_t(rows[row + x]) - int64_t(y));
         envelope.build(gap);
-        if (envelope.size() == 0) return;  // nothing covered anywhere
+        if (envelope.size() == 0) return;  // nothing is covered
         size_t i = 0;
         for (uint32_t x = 0; x < map.width; ++x) {
             while (i + 1 < envelope.size() && envelope.start(i + 1) <= int64_t(x)) ++i;
             if (covered[row + x]) continue;
             const size_t column = static_cast<size_t>(envelope.column(i));
             const size_t from = size_t(rows[row + column]) * map.width + column;
-            // What is covered is never written, so it is still as it was.
+            // Covered texels are never written, so this one is unchanged.
             map.zones[row + x] = map.zones[from];
             for (size_t k = 0; k < 3; ++k) map.rgb[3 * (row + x) + k] = map.rgb[3 * from + k];
         }

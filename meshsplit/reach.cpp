@@ -1,10 +1,10 @@
 #include "meshsplit/reach.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <limits>
 #include <queue>
+
+#include <glm/geometric.hpp>
 
 namespace claque::meshsplit
 {
@@ -14,10 +14,10 @@ namespace
 
 constexpr size_t centre_poses = 64;
 
-// A sphere that is larger than the smallest by this share is not worth a closer look.
+// The relative gap between the sphere and its lower bound at which the search stops.
 constexpr double sphere_tolerance = 0.01;
 
-// How well a pose has been looked at.
+// How precisely a pose has been bounded.
 enum class BoundKind : uint8_t { ball, coarse, fine };
 
 struct PoseCandidate {
@@ -106,7 +106,7 @@ glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
     }
     for (const glm::dvec3 &p : points)
         for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], glm::dot(directions[i], p));
-    // The centre goes towards whatever stands out farthest, ever less.
+    // Moves the centre towards the direction of the largest distance in ever smaller steps.
     glm::dvec3 out(0);
     for (size_t i = 0; i < most.size(); ++i) out += directions[i] * (3 * most[i] / double(most.size()));
     for (int step = 1; step <= 2000; ++step) {
@@ -121,7 +121,7 @@ glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
     return out;
 }
 
-// What is known of one pose is known of those beside it too, but for the way between them.
+// A bound of one pose also bounds its neighbours, plus the distance between them.
 void FreeReach::propagate(uint32_t pose, double bound, std::vector<double> &bounds) const
 {
     const auto lower = [&](size_t i, double distance) {

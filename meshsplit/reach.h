@@ -1,9 +1,9 @@
-// What the degrees of freedom of a rig (S0 3) mean for the Sklsroot Bsphere (S0 4.1): how far they and the clips together
-// can bring a vertex, proved for all their combinations, not sampled.
+// Bounds the effect of a rig's degrees of freedom (S0 3) on the Sklsroot Bsphere (S0 4.1): how far they and the clips
+// together can move a vertex. The bound is proved for all combinations, not sampled.
 //
-// Per pose of the clips, sets of points are carried from the leaves of the skeleton to the root as support functions
-// (reach_support.h). Which poses need that is found best first: balls bound all of them, only those that stand out are
-// looked at more closely, and what is left is below what was found.
+// For each pose of the clips, point sets are propagated from the leaves of the skeleton to the root as support
+// functions (reach_support.h). A best-first search selects the poses: balls bound all of them, and only the largest are
+// bounded more precisely, until all others are below the result.
 #pragma once
 
 #include "meshsplit/reach_solver.h"
@@ -16,12 +16,13 @@ class FreeReach
 public:
     explicit FreeReach(const model::Template &tmpl);
 
-    // Per level and source vertex: whether any degree of freedom moves it. Only these are meant below.
+    // Per level and source vertex: whether any degree of freedom moves it. The functions below consider only these.
     const std::vector<std::vector<uint8_t>> &moved() const { return free_.moved; }
     const std::vector<PoseAt> &poses() const { return poses_; }
-    // About where the smallest sphere has its centre that holds these vertices and some points besides.
+    // Returns about the centre of the smallest sphere that holds these vertices and some further points.
     glm::dvec3 centre(const std::vector<glm::dvec3> &points);
-    // No such vertex is ever farther from `centre`. `reached`: a distance that some vertex is known to reach.
+    // Returns a bound of the distance of these vertices from `centre`. `reached`: a distance that some vertex is known
+    // to reach.
     double radius(const glm::dvec3 &centre, double reached);
 
 private:
@@ -34,18 +35,18 @@ private:
     const model::Template &tmpl_;
     FreePointSets free_;
     std::vector<PoseAt> poses_;
-    std::vector<double> bulges_;     // per pose: how far vertices may stray towards its neighbours
-    std::vector<double> distances_;  // per pose: how far vertices may go since the one before; infinity after a jump
+    std::vector<double> bulges_;     // per pose: how far vertices may deviate on the way to its neighbours
+    std::vector<double> distances_;  // per pose: how far vertices may move from the pose before; infinity after a jump
     LocalPoser poser_;
     Locals locals_;
     ReachSolver solver_;
     Resolution coarse_, fine_;
-    std::vector<Support> own_coarse_, own_fine_;  // per body; those with morph targets as in the last pose
+    std::vector<Support> own_coarse_, own_fine_;  // per point set; those with morph targets are of the last pose
     Support all_;
 };
 
-// Template::node_reach: per node the most that its origin is away from `centre` in all poses that the Sklsroot Bsphere
-// holds, and the most that lengths in its frame are stretched.
+// Returns Template::node_reach: for each node, bounds of its origin's distance from `centre` and of its frame's
+// stretch, in all poses that the Sklsroot Bsphere holds.
 std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre);
 
 }  // namespace claque::meshsplit

@@ -1,11 +1,11 @@
 #include "meshsplit/reach_directions.h"
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace claque::meshsplit
 {
@@ -15,7 +15,7 @@ namespace
 
 constexpr int side_cells = 24;
 
-// Which cell of the grid over a cube's sides a vector points at.
+// Returns the cell of a cube map that contains a direction.
 size_t cell_of(const glm::dvec3 &v)
 {
     const glm::dvec3 size = glm::abs(v);
@@ -46,7 +46,7 @@ Directions::Corners Directions::icosahedron()
                 v[(k + 1) % 3] = a, v[(k + 2) % 3] = b;
                 units_.push_back(glm::normalize(v));
             }
-    // Corners of a face are neighbours of each other; neighbours' cosine is 1 / sqrt(5), the next smaller one's below 0.
+    // Corners of a face are neighbours. The cosine of neighbours is 1 / sqrt(5), the next smaller one is below 0.
     const auto near = [&](size_t i, size_t j) { return glm::dot(units_[i], units_[j]) > 0.4; };
     Corners faces;
     for (uint16_t i = 0; i < 12; ++i)
@@ -108,7 +108,7 @@ void Directions::fill_cells()
             }
 }
 
-// Over the edge that v lies farthest beyond, until it lies beyond none.
+// Crosses the edge that v lies farthest beyond, until there is none.
 uint16_t Directions::walk(uint16_t face, const glm::dvec3 &v) const
 {
     const double tolerance = -1e-12 * (std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z));

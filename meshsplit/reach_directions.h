@@ -1,19 +1,19 @@
-// Directions spread evenly over the sphere, for support functions of convex sets: h(u) = how far the set goes along u.
-// Where h is known in these directions alone, it is bounded in any other: h(v) <= sum of weight * h(u) for every
-// v = sum of weight * u without negative weights, because h is subadditive and positively homogeneous.
+// Directions spread evenly over the sphere, for support functions of convex sets: h(u) = how far the set extends along
+// u. Values of h at these directions bound it in any other: h(v) <= sum of weight * h(u) for every v = sum of weight *
+// u with non-negative weights, because h is subadditive and positively homogeneous.
 #pragma once
-
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 namespace claque::meshsplit
 {
 
-// Three neighbouring directions and the weights, none negative, that make a vector of them.
+// Three neighbouring directions and the non-negative weights that combine them into a vector.
 struct DirectionBlend {
     std::array<uint16_t, 3> at;
     std::array<float, 3> weight;
@@ -24,7 +24,7 @@ struct DirectionBlend {
     }
 };
 
-// The corners of an icosahedron whose triangles were split in four some times: 10 * 4^splits + 2.
+// The corners of an icosahedron whose triangles were split in four `splits` times: 10 * 4^splits + 2.
 class Directions
 {
 public:
@@ -34,15 +34,15 @@ public:
     const glm::dvec3 &operator[](size_t i) const { return units_[i]; }
     DirectionBlend find(const glm::dvec3 &v) const;
 
-    // The weights of a unit vector sum up to this at most. A unit vector e between three directions lies on the plane
-    // n.x = d through them after division by the sum of its weights; so the sum is n.e / d <= 1 / d.
+    // The largest sum of the weights of a unit vector. A unit vector e between three directions lies on the plane n.x =
+    // d through them after division by the sum of its weights; so the sum is n.e / d <= 1 / d.
     double max_weight() const { return max_weight_; }
 
 private:
     struct Face {
         std::array<uint16_t, 3> corners;
-        std::array<uint16_t, 3> across;  // the face beyond the edge that faces each corner
-        glm::dmat3 weights;              // times v: its weights
+        std::array<uint16_t, 3> across;  // the face across the edge opposite to each corner
+        glm::dmat3 weights;              // times v: the weights of v
     };
     using Corners = std::vector<std::array<uint16_t, 3>>;
 
@@ -54,7 +54,7 @@ private:
 
     std::vector<glm::dvec3> units_;
     std::vector<Face> faces_;
-    std::vector<uint16_t> cells_;  // of a grid over the sides of a cube: a face close by
+    std::vector<uint16_t> cells_;  // cube map: a face near each cell
     double max_weight_ = 1;
 };
 

@@ -1,8 +1,9 @@
-#include "meshsplit/reach.h"
+// find_node_reach: bounds of every node's origin by best-first search (reach.h).
+#include <algorithm>
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
+#include "meshsplit/reach.h"
 
 namespace claque::meshsplit
 {
@@ -12,11 +13,13 @@ using model::none;
 namespace
 {
 
-// An object's sphere needs no tenth of a percent: so many closer looks a node are enough.
+// The sphere of an attached object need not be tight to a tenth of a per cent: so many precise evaluations per node are
+// enough.
 constexpr int max_evaluations = 24;
 
 struct NodeCandidate {
-    double bound = 0, bulge = 0;  // bulge: towards the poses beside it, not in the bound while poses are collected
+    // bulge: towards neighbouring poses; not included in `bound` while poses are collected
+    double bound = 0, bulge = 0;
     PoseAt at;
     bool evaluated = false;
 
@@ -75,7 +78,7 @@ private:
         max_stretches_[n] = std::max(max_stretches_[n], stretches_[n]);
     }
 
-    // Best first: whatever is left unlooked at is below what comes out.
+    // Best-first search: all candidates that are not evaluated are below the result.
     double settle(uint32_t n, LocalPoser &poser, const Resolution &resolution)
     {
         std::vector<NodeCandidate> &heap = poses_[n];

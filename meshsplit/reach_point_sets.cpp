@@ -1,9 +1,9 @@
 #include "meshsplit/reach_point_sets.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace claque::meshsplit
 {

@@ -1,5 +1,5 @@
-// What degrees of freedom move: for each palette entry the points that go with its node. A vertex that several entries
-// move lies between the places to which each alone would take it, so each of these counts.
+// The points that degrees of freedom move, for each palette entry. A vertex of several entries lies between the
+// positions to which each alone would move it, so it belongs to each of their sets.
 #pragma once
 
 #include "lib/model/template.h"
@@ -9,10 +9,10 @@
 namespace claque::meshsplit
 {
 
-// Per node: whether it or a node above it has a degree of freedom of its transform.
+// Returns, per node, whether it or an ancestor has a degree of freedom of its transform.
 std::vector<uint8_t> free_nodes(const model::Rig &rig);
 
-// Points fixed to one node, in its frame, apart from what morph targets add.
+// Points fixed to one node, in its frame, and their morph deltas.
 class PointSet
 {
 public:
@@ -24,16 +24,16 @@ public:
 
     PointSet(uint32_t node, const model::PaletteEntry &entry) : node_(node), bind_(entry.inverse_bind) {}
     void add(glm::vec3 bind_position);
-    void add_delta(uint32_t weight, const float *delta);  // to the point added last
+    void add_delta(uint32_t weight, const float *delta);  // to the last added point
     void close(const Ranges &ranges);
 
     uint32_t node() const { return node_; }
     bool empty() const { return points_.empty(); }
     bool morphs() const { return !deltas_.empty(); }
-    // Distance from the node's origin, and what changing weights do to it on the way.
+    // Returns the distance from the node's origin and the motion caused by changing weights.
     MotionBound motion_bound(const float *weights_from, const float *weights_to, const PoseSegment &segment) const;
     const glm::dvec3 &centre() const { return centre_; }
-    // Round centre().
+    // Radius round centre().
     double radius(const float *weights) const { return radius_ + morphed(weights); }
     void support(const Directions &directions, const Ranges &ranges, const float *weights, Support &out) const;
 
@@ -44,7 +44,7 @@ private:
     };
     struct Longest {
         uint32_t weight;
-        double length = 0, freely = 0;  // of the deltas; most that degrees of freedom make the weight
+        double length = 0, freely = 0;  // of the deltas; the largest weight that degrees of freedom add
     };
     double morphed(const float *weights) const;
 
@@ -57,11 +57,11 @@ private:
     double radius_ = 0;
 };
 
-// The vertices of all levels in two kinds: those that some degree of freedom moves, as bodies, and the others.
+// The vertices of all levels: those that some degree of freedom moves, as point sets, and the others.
 struct FreePointSets {
     explicit FreePointSets(const model::Template &tmpl);
 
-    std::vector<PointSet> point_sets;         // not empty ones
+    std::vector<PointSet> point_sets;         // without empty ones
     std::vector<std::vector<uint8_t>> moved;  // per level and source vertex
     PointSet::Ranges ranges;                  // per weight
 

@@ -1,12 +1,12 @@
 #include "meshsplit/reach_poses.h"
 
-#include "meshsplit/spheres.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/ext/vector_double1.hpp>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "meshsplit/spheres.h"
 
 namespace claque::meshsplit
 {
@@ -60,8 +60,8 @@ NodeMotionBound::NodeMotionBound(const math::Trs &from, const math::Trs &to)
         scale = std::max({scale, std::fabs(double(from.scale[k])), std::fabs(double(to.scale[k]))});
         growth = std::max(growth, std::fabs(double(to.scale[k]) - double(from.scale[k])));
     }
-    // Of unit quaternions at most a quarter turn apart (the shorter arc) the chord c is 2 sin(turn / 4): turn is below
-    // 2.2215 c, because asin(x) / x grows up to x = sqrt(1 / 2), where it is 1.1107.
+    // For unit quaternions at most a quarter turn apart (along the shorter arc) the chord c is 2 sin(angle / 4). The
+    // angle is below 2.2215 c, because asin(x) / x grows up to x = sqrt(1 / 2), where it is 1.1107.
     double chord2 = 0, other2 = 0;
     for (int k = 0; k < 4; ++k) {
         const double a = double(from.rotation[k]), b = double(to.rotation[k]);
@@ -75,9 +75,9 @@ NodeMotionBound::NodeMotionBound(const math::Trs &from, const math::Trs &to)
 namespace
 {
 
-// A cubic polynomial's second derivative is linear: from its values at 0, 1/3, 2/3 and 1 follow those at both ends, and
-// the larger of them is the largest. (Quaternions that are normalised cubic polynomials are cubic but for terms that
-// vanish with the fourth power of the time between samples.)
+// A cubic polynomial's second derivative is linear. Values at 0, 1/3, 2/3 and 1 give it at both ends, and the larger
+// one is the maximum. (Normalised cubic quaternion polynomials are cubic except for terms that vanish with the fourth
+// power of the time between samples.)
 template <class Vector>
 double cubic_acceleration(const Vector &a, const Vector &b, const Vector &c, const Vector &d)
 {
@@ -100,14 +100,15 @@ NodeMotionBound::NodeMotionBound(const math::Trs *const (&t)[4]) : NodeMotionBou
     };
     travel_acceleration = acceleration_of([](const math::Trs &trs) { return glm::dvec3(trs.translation); });
     scale_acceleration = acceleration_of([](const math::Trs &trs) { return glm::dvec3(trs.scale); });
-    // Angular velocity is twice a unit quaternion's, so is its derivative.
+    // Angular velocity is twice the velocity of a unit quaternion, and so are the derivatives.
     turn_acceleration = 2 * acceleration_of([&](const math::Trs &trs) { return near(trs.rotation, t[0]->rotation); });
-    // Speed differs from its mean by the second derivative at most, place from the chord by an eighth.
+    // Speed differs from its mean by at most the second derivative, and position from the chord by at most an eighth of
+    // it.
     travel += travel_acceleration, growth += scale_acceleration, turn += turn_acceleration;
     offset += travel_acceleration / 8, scale += scale_acceleration / 8;
 }
 
-// x = T + R D S y, by the product rule; D, what degrees of freedom do, stands still.
+// x = T + R D S y, by the product rule; D, the degrees of freedom, is constant.
 MotionBound NodeMotionBound::of(const MotionBound &inner, double max_shift) const
 {
     const double reach = scale * inner.reach + max_shift;
@@ -121,7 +122,7 @@ MotionBound NodeMotionBound::of(const MotionBound &inner, double max_shift) cons
 namespace
 {
 
-// The most that anything turns and grows in all between two poses, in radians: where it is more, they are halved.
+// The largest total rotation and growth between two poses, in radians; larger segments are halved.
 constexpr double max_segment_turn = 0.15;
 constexpr int max_halvings = 6;
 
@@ -148,7 +149,7 @@ public:
     }
 
 private:
-    // From from_, which is of the same clip at `start`.
+    // From from_, a pose of the same clip at `start`.
     void go(double start, const PoseAt &end, const Locals &to, int halvings)
     {
         find_segment(start, end, to);

@@ -1,10 +1,10 @@
-// The poses at which a rig's clips are looked at, with its degrees of freedom left out (at zero), and how far what moves
-// with a node can stray from straight ways between two of them.
+// Samples the poses of a rig's clips with all degrees of freedom at zero, and bounds how far points fixed to a node
+// deviate from straight lines between two poses.
 #pragma once
 
-#include "lib/pose/pose.h"
-
 #include <functional>
+
+#include "lib/pose/pose.h"
 
 namespace claque::meshsplit
 {
@@ -14,10 +14,10 @@ struct PoseAt {
     double time_s = 0;
 };
 
-// The rest pose, then every clip at its sample_times(), clip by clip.
+// Returns the rest pose, then every clip at its sample_times(), clip by clip.
 std::vector<PoseAt> poses_of(const model::Rig &rig);
 
-// Whether the actor moves from this pose to the next, rather than jumps.
+// Returns whether the actor moves continuously from this pose to the next.
 bool is_continuous(const std::vector<PoseAt> &poses, size_t i);
 
 // Local transforms and morph weights of one pose.
@@ -39,9 +39,9 @@ private:
     std::vector<math::Affine> palette_;
 };
 
-// Upper bounds for a set of points while the pose goes from one to another, seen from the frame of some node: distance
-// from its origin, and the first and second derivative of position by the way (0 to 1). Between its places at the ends a
-// point is off the straight line by an eighth of the second derivative at most.
+// Bounds for a set of points between two poses, in the frame of some node: distance from its origin, and the first and
+// second derivative of position by the parameter (0 to 1). A point deviates from the straight line between its end
+// positions by at most an eighth of the second derivative.
 struct MotionBound {
     double reach = 0, speed = 0, acceleration = 0;
 
@@ -49,34 +49,37 @@ struct MotionBound {
     void merge(const MotionBound &other);
 };
 
-// What a node's own motion between two poses adds. Translation, rotation and scale may follow curves: `bend` is the most
-// that the second derivative of each is.
+// The motion that a node itself adds between two poses. Translation, rotation and scale may follow curves; the
+// acceleration members bound their second derivatives.
 struct NodeMotionBound {
-    double scale = 1, growth = 0, scale_acceleration = 0;    // largest factor, largest change of a factor
-    double turn = 0, turn_acceleration = 0;                  // radians
-    double offset = 0, travel = 0, travel_acceleration = 0;  // distance from its parent's origin, change of place
+    // Largest scale, and largest change of scale.
+    double scale = 1, growth = 0, scale_acceleration = 0;
+    double turn = 0, turn_acceleration = 0;  // radians
+
+    // Distance from its parent's origin, and change of position.
+    double offset = 0, travel = 0, travel_acceleration = 0;
 
     NodeMotionBound() = default;
     // Along straight lines and arcs of constant speed.
     NodeMotionBound(const math::Trs &from, const math::Trs &to);
-    // On cubic splines, given a third and two thirds of the way too.
+    // On cubic splines, from the transforms at 0, 1/3, 2/3 and 1.
     explicit NodeMotionBound(const math::Trs *const (&thirds)[4]);
-    // `inner` in the node's own frame; the result in its parent's.
+    // `inner` is in the node's own frame; the result is in its parent's.
     MotionBound of(const MotionBound &inner, double max_shift) const;
 };
 
-// From one pose to the next.
+// The motion from one pose to the next.
 struct PoseSegment {
     std::vector<NodeMotionBound> nodes;
-    std::vector<double> weights,
-        weight_accelerations;  // of morph targets: how fast they change, and second derivatives
+    // Of morph targets: first and second derivatives of the weights.
+    std::vector<double> weights, weight_accelerations;
 };
 
-// Per node, how far its translational degrees of freedom can shift what hangs on it.
+// Returns, per node, how far its translational degrees of freedom can shift what it moves.
 std::vector<double> max_shifts(const model::Rig &rig);
 
-// Every pose of poses_of(), and poses between where much happens. `visit` is told what happens since the pose
-// before, null where the actor jumps from that one to this.
+// Visits every pose of poses_of(), and poses between where the motion is large. `since` is the motion from the pose
+// before, null if the actor jumps to this pose.
 using Visit = std::function<void(const PoseAt &, const Locals &, const PoseSegment *since)>;
 void walk_poses(const model::Rig &rig, const Visit &visit);
 

@@ -1,11 +1,12 @@
 #include "meshsplit/reach_solver.h"
-#include "meshsplit/largest.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "meshsplit/largest.h"
 
 namespace claque::meshsplit
 {
@@ -100,7 +101,7 @@ double ReachSolver::ball(const std::vector<PointSet> &point_sets, const float *w
     return most;
 }
 
-// What hangs on a station, to the frame in which its own place and turn are given.
+// Sweeps the set of a joint over its degrees of freedom, in the frame of its own position and rotation.
 void ReachSolver::sweep(const Resolution &resolution, const FreeJoint &joint, double reach, Support &set)
 {
     const double tight = resolution.directions.max_weight() * *std::max_element(set.begin(), set.end()) + joint.shift;
@@ -132,7 +133,7 @@ double ReachSolver::support(const Resolution &resolution, const std::vector<Poin
     return left_out;
 }
 
-// Of a ball in a node's frame: stations turn it anyhow about themselves.
+// For a ball in a node's frame: joints rotate it about themselves in any case.
 double ReachSolver::ball_of(uint32_t node, const glm::dvec3 &p, double radius, const glm::dvec3 &centre) const
 {
     glm::dvec3 at = moved(to_joint_[node], p);

@@ -1,8 +1,8 @@
-// All places to which the degrees of freedom can bring a set of bodies in one pose, bounded in two ways: by balls, at
-// next to no cost, and by support functions, as tight as the directions are fine.
+// Bounds all positions to which degrees of freedom can move point sets in one pose, in two ways: by balls, at almost no
+// cost, and by support functions, as tight as the directions are fine.
 //
-// A station is a node with degrees of freedom of its transform. Everything between two stations stands still in a pose,
-// so bodies and stations are carried to the next station above in one step, or to model space where there is none.
+// A joint here is a node with degrees of freedom of its transform. Everything between two joints is fixed in a pose. So
+// point sets and joints are propagated to the next joint above in one step, or to model space if there is none.
 #pragma once
 
 #include "meshsplit/reach_point_sets.h"
@@ -10,11 +10,11 @@
 namespace claque::meshsplit
 {
 
-// How finely sets are looked at: directions, and what they ask of each degree of freedom.
+// The resolution of support functions: directions, and the sweep of each degree of freedom over them.
 struct Resolution {
     Resolution(int splits, const model::Rig &rig);
     Directions directions;
-    std::vector<DofSweep> sweeps;  // one for each of the rig's, empty ones for morph targets
+    std::vector<DofSweep> sweeps;  // one for each of the rig's degrees of freedom, empty for morph targets
 };
 
 class ReachSolver
@@ -22,17 +22,19 @@ class ReachSolver
 public:
     explicit ReachSolver(const model::Rig &rig);
 
-    void set_pose(const Locals &locals);  // the pose that everything below is about
-    // The distance from `centre`, in model space, of whatever a body brings along.
+    void set_pose(const Locals &locals);  // sets the pose that the functions below use
+
+    // Returns a bound of the distance of all point sets from `centre`, in model space.
     double ball(const std::vector<PointSet> &point_sets, const float *weights, const glm::dvec3 &centre);
 
-    // What supports may leave out: bodies that stay as close as this.
+    // support() may leave out point sets that stay within this distance.
     struct Cutoff {
         glm::dvec3 centre;
         double distance;
     };
-    // Of all bodies in model space, whose own supports are given one each. To follow ball() of the same. Bodies that
-    // cannot get farther than is enough are left out; the most that any of these may is returned.
+    // Computes the support of all point sets in model space; `own` has the support of each. Requires ball() of the same
+    // sets. Point sets that stay within the cutoff are left out; returns the largest distance that any of these can
+    // reach.
     double support(const Resolution &resolution, const std::vector<PointSet> &point_sets, const float *weights,
                    const std::vector<Support> &own, const Cutoff &cutoff, Support &out);
 
@@ -45,23 +47,25 @@ public:
 private:
     struct FreeJoint {
         uint32_t node = 0;
-        uint32_t above = model::none;  // station
-        double shift = 0;              // most that its degrees of freedom shift by
-        std::vector<uint32_t> dofs;    // as they act on a point: last of the list first
-        AffineMap lift;                // to the frame of the station above
+        uint32_t above = model::none;  // index of the next joint above
+        double shift = 0;              // largest shift by its degrees of freedom
+        std::vector<uint32_t> dofs;    // in the order in which they act on a point: last of the list first
+        AffineMap lift;                // to the frame of the joint above
         double lift_stretch = 1;
     };
     double ball_of(uint32_t node, const glm::dvec3 &p, double radius, const glm::dvec3 &centre) const;
     void sweep(const Resolution &resolution, const FreeJoint &joint, double reach, Support &set);
 
     const model::Rig &rig_;
-    std::vector<FreeJoint> joints_;    // parents before children
-    std::vector<uint32_t> joint_of_;   // per node: the nearest at or above it
-    std::vector<AffineMap> to_joint_;  // per node: from its frame to that of its station, before the station's freedoms
-    std::vector<double> stretch_;      // of to_station_
-    std::vector<double> reach_;        // per station, found by ball()
-    std::vector<uint8_t> reached_;     // per station: whether its set is not empty
-    std::vector<Support> sets_;        // per station
+    std::vector<FreeJoint> joints_;   // parents before children
+    std::vector<uint32_t> joint_of_;  // per node: the nearest joint at or above it
+
+    // Per node: from its frame to that of its joint, before the joint's degrees of freedom
+    std::vector<AffineMap> to_joint_;
+    std::vector<double> stretch_;   // of to_joint_
+    std::vector<double> reach_;     // per joint, set by ball()
+    std::vector<uint8_t> reached_;  // per joint: whether its set is not empty
+    std::vector<Support> sets_;     // per joint
     Support scratch_;
 };
 

@@ -1,12 +1,12 @@
 #include "meshsplit/reach_support.h"
 
-#include "lib/math/trig.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "lib/math/trig.h"
 
 namespace claque::meshsplit
 {
@@ -14,7 +14,8 @@ namespace claque::meshsplit
 namespace
 {
 
-// Of a turn about a unit axis, transposed: what the turned set shows along u, the set shows along the result.
+// The transposed rotation about a unit axis: the support of the rotated set along u is that of the set along the
+// result.
 glm::dvec3 rotated_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angle)
 {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -53,17 +54,17 @@ DofSweep::DofSweep(const Directions &directions, const model::Dof &dof)
     }
 }
 
-// A point at rho from the axis shows a + rho * cos(angle - phi) along a direction square to the axis. Between two angles
-// that lie 2 w apart this is above both ends by rho * (1 - cos w) at most.
+// A point at distance rho from the axis has the support a + rho * cos(angle - phi) along a direction perpendicular to
+// the axis. Between two angles 2 w apart this exceeds both ends by at most rho * (1 - cos w).
 void DofSweep::plan_turns(const Directions &directions, const model::Dof &dof)
 {
-    // About half as far apart as the directions are: their distance goes with the square root of their number.
+    // About half of the spacing of the directions, which falls with the square root of their number.
     const double widest = 1.5 / std::sqrt(double(directions.count()));
     const double range = std::min(double(dof.max) - double(dof.min), 2 * math::pi);
     const glm::dvec3 axis = glm::normalize(glm::dvec3(dof.axis));
     const int steps = static_cast<int>(std::ceil(range / widest));
     angles_ = size_t(steps) + 1;
-    // An axis that is not quite unit makes a quaternion that is not: its matrix is off by this share.
+    // A nearly unit axis gives a nearly unit quaternion: its matrix is off by this fraction.
     const double slack = 2.5 * std::fabs(glm::dot(glm::dvec3(dof.axis), glm::dvec3(dof.axis)) - 1);
     const double bulge = slack + (steps > 0 ? 1 - std::cos(0.5 * range / steps) : 0);
     for (size_t i = 0; i < directions.count(); ++i) {

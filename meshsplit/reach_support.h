@@ -1,5 +1,5 @@
-// Support functions in a set of directions, and what transforms and degrees of freedom (S0 3) make of them. All results
-// are upper bounds: no point of the set lies farther along a direction than its number says.
+// Support functions over a set of directions, under transforms and degrees of freedom (S0 3). All results are upper
+// bounds: no point of the set lies farther along a direction than its value.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -8,7 +8,7 @@
 namespace claque::meshsplit
 {
 
-// One number a direction.
+// One value per direction.
 using Support = std::vector<double>;
 
 // x -> turn * x + move
@@ -18,26 +18,28 @@ struct AffineMap {
 };
 AffineMap after(const AffineMap &a, const AffineMap &b);  // a after b
 
-// `out` takes in what `map` makes of `set` too.
+// Enlarges `out` so that it also contains the image of `set` under `map`.
 void merge(const Directions &directions, const Support &set, const AffineMap &map, Support &out);
 
-// No point of the set is farther from `centre`; see Directions::most_weight.
+// Returns a bound of the distance of the set's points from `centre`; see Directions::max_weight.
 double farthest(const Directions &directions, const Support &set, const glm::dvec3 &centre);
 
-// What one degree of freedom of a node makes of a set, over its whole range.
+// The sweep of one degree of freedom of a node over its whole range, applied to sets.
 class DofSweep
 {
 public:
     DofSweep(const Directions &directions, const model::Dof &dof);
-    // No point of the set is farther from the node's origin than `reach`.
+    // `reach`: a bound of the distance of the set's points from the node's origin.
     void sweep(double reach, Support &set, Support &scratch) const;
 
 private:
     void plan_turns(const Directions &directions, const model::Dof &dof);
 
-    std::vector<double> shift_;  // of a translation: added in each direction
-    // Of a rotation: for each direction, as the set sees it at angles close enough to each other,
-    std::vector<DirectionBlend> turned_;  // and what points may stand out between two of them, as a share of `reach`.
+    std::vector<double> shift_;  // for a translation: added in each direction
+
+    // For a rotation: `turned_` holds each direction in the set's frame at closely spaced angles, and `between_` bounds
+    // how far points exceed the values at two neighbouring angles, as a fraction of `reach`.
+    std::vector<DirectionBlend> turned_;
     std::vector<double> between_;
     size_t angles_ = 0;
 };

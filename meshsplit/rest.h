@@ -1,4 +1,4 @@
-// What the rest pose and the clips of a rig say about its matrices.
+// Properties of the matrices of a rig, from its rest pose and clips.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -6,14 +6,14 @@
 namespace claque::meshsplit
 {
 
-// Of each node relative to its parent, at rest, degrees of freedom included.
+// Returns the rest matrix of each node relative to its parent, degrees of freedom included.
 std::vector<math::Affine> rest_locals(const model::Rig &rig);
 
-// Of each palette entry in the rest pose: node in model space times inverse bind.
+// Returns the rest matrix of each palette entry: node in model space times inverse bind.
 std::vector<math::Affine> rest_palette(const model::Rig &rig);
 
-// Whether every palette matrix is a similarity (mirrored or not) in every pose: all scales uniform, at rest and in all
-// keys, all inverse binds similarities.
+// Returns whether every palette matrix is a similarity (mirrored or not) in every pose: all scales are uniform, at rest
+// and in all keys, and all inverse binds are similarities.
 bool similar_only(const model::Rig &rig);
 
 }  // namespace claque::meshsplit

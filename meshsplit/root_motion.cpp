@@ -1,9 +1,9 @@
 #include "meshsplit/root_motion.h"
 
-#include <glm/gtc/quaternion.hpp>
-
 #include <algorithm>
 #include <cmath>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include "lib/base/error.h"
 #include "lib/math/trig.h"
@@ -51,7 +51,7 @@ public:
                 path != model::ChannelTarget::scale)
                 replace(rig_.channels[i]);
         }
-        // Only now, as poses were still those of the old channels.
+        // Only now, because the poses above were sampled from the old channels.
         for (const Fresh &fresh : fresh_) {
             model::Channel &channel = *fresh.channel;
             channel.interpolation = model::Interpolation::linear;
@@ -97,7 +97,7 @@ private:
             const Frame now = frame_at(time_of(i));
             const glm::dquat turn = now.rotation * glm::conjugate(first.rotation);
             double yaw = 2 * math::atan2(turn.y, turn.w);
-            yaw += 2 * math::pi * std::floor((before - yaw) / (2 * math::pi) + 0.5);  // the turn that goes on
+            yaw += 2 * math::pi * std::floor((before - yaw) / (2 * math::pi) + 0.5);  // unwraps the angle
             before = yaw;
             const GroundTransform from = model::compose({0, 0, yaw}, {first.position.x, first.position.z, 0});
             steps_[i] = {now.position.x - from.x, now.position.z - from.z, yaw};
@@ -177,6 +177,14 @@ void extract_root_motion(model::Rig &rig, uint32_t clip, uint32_t node)
                 fail(CLQ_ARGUMENT, "root motion of node '%s': clip '%s' animates node '%s' above it",
                      rig.node_names[node].c_str(), rig.clip_names[clip].c_str(), rig.node_names[n].c_str());
     RootMotionExtractor(rig, clip, node).run();
+}
+
+void extract_root_motions(const model::Model &model, model::Rig &rig)
+{
+    if (model.root_motions.empty()) return;
+    for (const model::RootMotionRequest &request : model.root_motions)
+        extract_root_motion(rig, request.clip, request.node);
+    model::check(rig);
 }
 
 }  // namespace claque::meshsplit

@@ -1,11 +1,11 @@
 #include "meshsplit/skeletal.h"
 
-#include "meshsplit/rest.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/mat4x4.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "meshsplit/rest.h"
 
 namespace claque::meshsplit
 {

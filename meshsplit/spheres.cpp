@@ -1,13 +1,13 @@
 #include "meshsplit/spheres.h"
 
-#include "meshsplit/known_vertices.h"
-#include "meshsplit/reach.h"
-#include "meshsplit/vertex_cloud.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "meshsplit/known_vertices.h"
+#include "meshsplit/reach.h"
+#include "meshsplit/vertex_cloud.h"
 
 namespace claque::meshsplit
 {
@@ -21,7 +21,8 @@ namespace
 
 constexpr double samples_per_s = 60;
 
-// The smallest sphere round a few points, near enough: the centre steps towards the farthest, ever less.
+// Returns about the centre of the smallest sphere round a few points: moves it towards the farthest point in ever
+// smaller steps.
 glm::dvec3 centre_of(const std::vector<glm::dvec3> &points)
 {
     glm::dvec3 centre(0);
@@ -45,8 +46,8 @@ std::vector<glm::vec3> directions()
     return out;
 }
 
-// How far the arc between two positions of a rigid body bulges beyond the chord: chord / 2 * tan(angle / 4), twice
-// over because joints above may turn about other points at once.
+// Bounds how far the arc between two positions of a rigid body exceeds the chord: chord / 2 * tan(angle / 4), doubled
+// because joints above may rotate about other points at the same time.
 struct Turn {
     double tangent;  // tan(angle / 4)
 
@@ -67,7 +68,7 @@ struct Turn {
 class SphereFinder
 {
 public:
-    // `left_out`: per level the vertices that are another's to look at, or empty.
+    // `left_out`: per level the vertices that FreeReach bounds, or empty.
     SphereFinder(const model::Template &tmpl, const std::vector<PoseAt> &poses,
                  const std::vector<std::vector<uint8_t>> &left_out = {})
         : tmpl_(tmpl), poses_(poses), workspace_(tmpl.rig)
@@ -80,7 +81,7 @@ public:
         }
     }
 
-    // Round a given centre, of this radius at least.
+    // Finds the sphere round a given centre, with at least this radius.
     model::Sphere run(const glm::vec3 &centre, double radius)
     {
         sphere_.centre = centre;
@@ -94,8 +95,8 @@ public:
         return sphere_;
     }
 
-    // With degrees of freedom at rest: what stands out most in each of 26 directions. It is for a centre alone, so amid a
-    // motion every fourth pose does.
+    // Returns the farthest vertices in each of 26 directions, with degrees of freedom at rest. They serve only to find
+    // a centre, so within a motion every fourth pose is enough.
     std::vector<glm::dvec3> extremes()
     {
         const std::vector<glm::vec3> axes = directions();
@@ -119,10 +120,10 @@ private:
     struct PoseSample {
         Palette palette;
         std::vector<float> weights;
-        std::vector<Turn> turns;  // since the pose before; none where it does not lead here
+        std::vector<Turn> turns;  // since the pose before; empty if no motion leads here
     };
     struct Pose {
-        const PoseSample *before, *here, *after;  // before and after: null where no motion leads there
+        const PoseSample *before, *here, *after;  // before and after: null if no motion leads there
     };
 
     Pose take(size_t i)
@@ -155,7 +156,7 @@ private:
                 for (const uint32_t v : cloud.vertices(j)) radius_ = std::max(radius_, reach_of_vertex(cloud, pose, v));
     }
 
-    // At least the distance of every vertex of a palette entry, were it moved by that entry alone. Blended vertices lie
+    // Bounds the distance of every vertex of a palette entry as if the entry moved it alone. Blended vertices lie
     // between such points.
     double reach_of_entry(const VertexCloud &cloud, const Pose &pose, uint32_t j, double morphing) const
     {
@@ -202,12 +203,12 @@ private:
     const std::vector<PoseAt> poses_;
     pose::Workspace workspace_;
     std::vector<VertexCloud> clouds_;
-    PoseSample pose_samples_[3];  // pose i stands at i % 3
+    PoseSample pose_samples_[3];  // pose i is at i % 3
     model::Sphere sphere_;
     double radius_ = 0;
 };
 
-// Key times of one channel inside the clip, and the last moments before the keys of a STEP channel.
+// Adds the key times of one channel within the clip, and times just before the keys of a STEP channel.
 void add_keys(const model::Rig &rig, const model::Channel &channel, std::vector<double> &times)
 {
     for (uint32_t k = 0; k < channel.key_count; ++k) {

@@ -1,5 +1,5 @@
-// The Sklsroot Bsphere: static, big enough for every pose of every clip. S0 4.1 set its radius by hand; here it is
-// found from the clips, the degrees of freedom and the mesh.
+// Computes the Sklsroot Bsphere, which is static and holds every pose of every clip. In S0 4.1 its radius was set by
+// hand; here it follows from the clips, the degrees of freedom and the mesh.
 #pragma once
 
 #include "lib/model/template.h"
@@ -7,13 +7,13 @@
 namespace claque::meshsplit
 {
 
-// Holds every vertex of every level at rest and in every pose of every clip, with every degree of freedom anywhere in its
-// range (reach.h), in the actor's own space. Poses are taken at all key times and at least 60 times a second between
-// them; what a vertex can bulge out between two poses is added.
+// Returns a sphere in model space that holds every vertex of every level at rest and in every pose of every clip, with
+// every degree of freedom anywhere in its range (reach.h). Poses are sampled at all key times and at least 60 times a
+// second between them; a bound of what vertices do between two poses is added.
 model::Sphere enclosing_sphere(const model::Template &tmpl);
 
-// The times at which a clip is looked at, ascending. Before the keys of STEP channels the last moment of the old value
-// is one of them.
+// Returns the sample times of a clip, ascending. They include the last time of the old value before each key of a STEP
+// channel.
 std::vector<double> sample_times(const model::Rig &rig, uint32_t clip);
 
 }  // namespace claque::meshsplit

@@ -1,9 +1,9 @@
 #include "meshsplit/streams.h"
 
+#include <unordered_map>
+
 #include "lib/base/error.h"
 #include "meshsplit/cover.h"
-
-#include <unordered_map>
 
 namespace claque::meshsplit
 {
@@ -16,7 +16,7 @@ namespace
 constexpr uint16_t no_zone = 0xffff;
 constexpr uint16_t no_slot = 0xffff;
 
-// What one texture set shows: per texel the index of its zone in the texture's keys.
+// The content of one texture set: per texel the index of its zone in the texture's keys.
 struct ZoneImage {
     TexelGrid grid;
     std::vector<uint16_t> zones;
@@ -34,7 +34,7 @@ ZoneImage zone_image_of(const model::Texture &texture, const Image &image)
     return out;
 }
 
-// Collects what spans of texels show, in any texture set.
+// Collects the zones of texel spans, over all texture sets.
 class ZoneCollector
 {
 public:
@@ -139,7 +139,7 @@ private:
     model::IndexRange add_fused(const std::vector<std::vector<size_t>> &clean, const std::vector<size_t> &dirty)
     {
         const uint32_t first = here();
-        std::vector<size_t> next(clean.size());  // of each zone's list
+        std::vector<size_t> next(clean.size());  // position in each zone's list
         size_t next_dirty = 0;
         for (uint32_t part = 0; part < part_count_; ++part) {
             part_firsts_.push_back(here() - first);
@@ -166,7 +166,7 @@ private:
             level_.indices.push_back(vertex_of(corner, slot));
     }
 
-    // The first slot that a source vertex is wanted with gets the vertex itself, every further one a copy.
+    // The first slot that uses a source vertex gets the vertex itself, every further slot a copy.
     uint32_t vertex_of(uint32_t source, uint16_t slot)
     {
         if (level_.slots[source] == no_slot) level_.slots[source] = slot;
@@ -190,7 +190,7 @@ private:
     const TriangleZones &zones_;
     const uint32_t part_count_;
     model::Level &level_;
-    std::vector<uint32_t> part_firsts_;  // of the surface at hand
+    std::vector<uint32_t> part_firsts_;  // of the current surface
     std::unordered_map<uint64_t, uint32_t> copies_;
 };
 

@@ -1,12 +1,12 @@
 #include "meshsplit/textures.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "lib/base/error.h"
 #include "lib/model/keys.h"
 #include "meshsplit/cover.h"
 #include "meshsplit/pyramid.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace claque::meshsplit
 {
@@ -36,8 +36,8 @@ ZoneMap palette_map(const TexturePlan &plan)
     return map;
 }
 
-// Which zone each key of a file means. Zones that materials name need no key of their own, so where several zones
-// declare one key, those that no material names come first.
+// Maps the keys of a file to zones. Zones that materials name need no key of their own, so if several zones declare one
+// key, those that no material names take precedence.
 class KeyTable
 {
 public:
@@ -130,14 +130,13 @@ ZoneMap final_map(const model::Model &model, const MaterialPlan &materials, cons
     if (image == none) return map;
     if (plan.wrap_s == Wrap::mirror || plan.wrap_t == Wrap::mirror)
         map = unfold(map, plan.wrap_s == Wrap::mirror, plan.wrap_t == Wrap::mirror);
-    // Gutters matter to changes of size and where there is more than one zone to mistake for another.
+    // Gutters matter for resizing and if there is more than one zone.
     const bool plain = plan.zone != none && !plan.masked && fits(map, max_px);
     if (!plain) fill_gutters(plan, charts_of(mesh, plan_index), map);
     return fit(map, max_px);
 }
 
-// Zones of a texture, those of all its sets, in the order of their keys: as in the file where it has keys, else as the
-// model lists them.
+// Returns the zones of a texture in all its sets, by key if the file has keys, else in the model's order.
 std::vector<uint32_t> zones_of(const std::vector<ZoneMap> &maps, const MaterialPlan &materials, const TexturePlan &plan)
 {
     std::vector<uint8_t> present(materials.zones.size());
@@ -169,7 +168,7 @@ bool encode(const ZoneMap &map, const model::Array<model::ZoneKey> &keys, model:
     return has_holes;
 }
 
-// What all texture sets show, the first one first; one where they show the same.
+// Returns the maps of all texture sets, the first one first; a single map if all are equal.
 std::vector<ZoneMap> maps_of(const model::Model &model, const MaterialPlan &materials, const Mesh &mesh,
                              uint32_t plan_index, uint32_t max_px)
 {

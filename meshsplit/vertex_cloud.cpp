@@ -1,9 +1,9 @@
 #include "meshsplit/vertex_cloud.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace claque::meshsplit
 {

@@ -1,9 +1,9 @@
 #include "meshsplit/vertex_order.h"
 
-#include "lib/model/skin_plan.h"
-
 #include <algorithm>
 #include <numeric>
+
+#include "lib/model/skin_plan.h"
 
 namespace claque::meshsplit
 {
@@ -11,7 +11,7 @@ namespace claque::meshsplit
 namespace
 {
 
-// Entries of a vertex, the first two ascending: model::same_entries as an order.
+// Returns the entries of a vertex, the first two ascending: model::same_entries as an order.
 std::vector<uint32_t> entries_of(const Mesh &mesh, const MeshVertex &vertex)
 {
     std::vector<uint32_t> out;
@@ -21,7 +21,7 @@ std::vector<uint32_t> entries_of(const Mesh &mesh, const MeshVertex &vertex)
     return out;
 }
 
-// Equal lists of influences begin at the same place.
+// An order in which equal lists of influences are adjacent.
 bool has_lighter_influences(const Mesh &mesh, const MeshVertex &a, const MeshVertex &b)
 {
     for (uint32_t i = 0; i < a.influence_count; ++i) {

@@ -10,8 +10,8 @@ namespace claque::passes
 namespace
 {
 
-// From a vertex as it lies in its array to eye space, and from its normal to a direction there. Rounded as floats, one
-// way for all.
+// From the coordinates of an array to eye space, and from its normals to directions there. Rounded to floats, in one
+// way for all formats.
 struct EyeTransform {
     math::F4 position[4];  // columns x, y, z, offset; lane 3 unused
     math::F4 normal[3];    // columns
@@ -32,7 +32,8 @@ struct EyeTransform {
             }
             position[3][r] = static_cast<float>(moved);
         }
-        // Cofactors: the inverse transpose but for a factor, which GL_NORMALIZE takes away; its sign is the mirror's.
+        // Cofactors: the inverse transpose up to a factor, which GL_NORMALIZE removes. The factor's sign is that of the
+        // mirroring.
         double sum = 0, cofactors[3][3];
         for (int c = 0; c < 3; ++c) {
             const double *a = columns[(c + 1) % 3], *b = columns[(c + 2) % 3];
@@ -41,7 +42,7 @@ struct EyeTransform {
             sum += cofactors[c][0] * cofactors[c][0] + cofactors[c][1] * cofactors[c][1] +
                    cofactors[c][2] * cofactors[c][2];
         }
-        // To about length 1, so that no scale takes them out of what floats hold.
+        // Scales to about length 1, so that no scale exceeds the range of floats.
         double factor = sum > 0 ? 1 / std::sqrt(sum / 3) : 1;
         if (individual.item->mirrored) factor = -factor;
         for (int c = 0; c < 3; ++c)
@@ -106,7 +107,7 @@ void Batch::add_vertices(const Individual &individual)
     const draw::Vertices &from = individual.vertices;
     float *positions = scratch_.batch.positions.data() + 3 * size_t(vertices_);
     float *normals = scratch_.batch.normals.data() + 3 * size_t(vertices_);
-    // Each store of four runs into the next vertex, which overwrites it; the arrays have one float more.
+    // Each store of four floats overlaps the next vertex, which then overwrites it; the arrays have one more float.
     const auto move = [&](const auto *p, const auto *n, size_t stride) {
         for (uint32_t v = 0; v < individual.level->vertex_count; ++v, p += stride, n += stride) {
             const math::F4 position =
@@ -118,7 +119,8 @@ void Batch::add_vertices(const Individual &individual)
     from.packed() ? move(from.short_positions, from.byte_normals, 4) : move(from.positions, from.normals, 3);
 }
 
-// Triangles are lit as they face, those that end at one vertex by the sum of their normals, each as long as it is large.
+// Triangles are lit by their face normals. Triangles that share a provoking vertex are lit by the sum of their normals,
+// weighted by area.
 void Batch::add_flat(const Individual &individual)
 {
     const FlatLevel &flat = individual.ready->flat;

@@ -1,5 +1,6 @@
-// Individuals of few triangles, many with one call: what a call costs is then more than what it draws. Their vertices are
-// moved to eye space here and stand one behind the other in one set of arrays, in the order of the list.
+// Draws many individuals of few triangles with one call, because the call would cost more than its triangles. Their
+// vertices are transformed to eye space here and stored one individual after the other in one set of arrays, in the
+// order of the draw list.
 #pragma once
 
 #include "passes/canvas.h"
@@ -15,19 +16,21 @@ public:
     {
     }
 
-    // What may stand in a batch: levels of one surface without dirty triangles, so that nobody needs an alpha test of its
-    // own, of `most` triangles at most. It does not depend on the strategy, so that all strategies show the same.
+    // True for levels that can be batched: one surface without dirty triangles, so that no alpha test is needed, and at
+    // most `max_triangles` triangles. This does not depend on the strategy, so that all strategies give the same
+    // picture.
     static bool fits(const model::Template &tmpl, const model::Level &level, uint32_t max_triangles);
-    // And who: nobody whose host draws round it, lends it a texture or places its parts by GL's matrix stack.
+    // True for individuals that can be batched: without hooks, without a texture of the host, and without rigid parts
+    // on GL's matrix stack.
     bool takes(const Individual &individual) const;
 
-    // Draws what it holds first where that has another state or leaves no room.
+    // Flushes first if the batch has another state or no space left.
     void add(const Individual &individual);
-    // Draws what it holds. To be called before anything else is drawn, and at the end.
+    // Draws the batch. To be called before anything else is drawn, and at the end.
     void flush();
 
 private:
-    // How much of the arrays somebody takes.
+    // Space in the arrays.
     struct ArrayCounts {
         uint32_t vertices, indices;
     };

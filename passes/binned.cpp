@@ -1,3 +1,4 @@
+// The binned strategy: a dirty triangle is drawn in the passes of the zones that it touches (S1 3).
 #include "passes/strategies.h"
 
 namespace claque::passes

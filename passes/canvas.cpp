@@ -5,10 +5,11 @@ namespace claque::passes
 namespace
 {
 
-// One rounding for all strategies and both formats, or their pictures would differ by a bit.
+// One rounding for all strategies and both formats; otherwise their pictures would differ by a bit.
 constexpr uint8_t product(uint8_t a, uint8_t b) { return static_cast<uint8_t>((2 * a * b + 255) / 510); }
-// As Mesa reads 8-bit colour arrays. Its glColor4ub divides instead, an ulp apart, which lighting and rounding turn
-// into other pixels now and then: so a current colour is given as floats, whatever the arrays are.
+// Converts as Mesa does for 8-bit colour arrays. Mesa's glColor4ub divides instead and differs by one ulp, which after
+// lighting and rounding sometimes changes a pixel. So a current colour is given as floats whatever the format of the
+// arrays.
 constexpr float real_of(uint8_t value) { return static_cast<float>(value) * (1.0f / 255.0f); }
 
 const uint8_t *rgb_of(const Individual &individual, const ZoneTest &test)
@@ -55,8 +56,8 @@ void tint(const model::Level &level, VertexRange range, typename Format::Colour 
     for (uint32_t v = range.first; v < range.end; ++v) Format::tint(colours[v], &level.colours[4 * v]);
 }
 
-// model_view * translation(offset) * scale(step): from numbers of a packed position to eye space. Normals keep their
-// direction under it, and GL_NORMALIZE their length.
+// model_view * translation(offset) * scale(step): from the numbers of a packed position to eye space. Normals keep
+// their direction under it; GL_NORMALIZE restores their length.
 void unpacking_matrix(const float *model_view, const draw::Vertices &vertices, float *out)
 {
     for (int row = 0; row < 4; ++row) {
@@ -70,7 +71,7 @@ void unpacking_matrix(const float *model_view, const draw::Vertices &vertices, f
     }
 }
 
-// Calls fill(reach) for each part that is drawn, where not all are.
+// Calls fill(reach) for each drawn part; not called if all parts are drawn.
 template <class Fill>
 void for_parts(const Individual &individual, uint32_t surface_index, Fill fill)
 {
@@ -182,7 +183,7 @@ void Scratch::reserve_batch(ColourFormat format)
     if (format == ColourFormat::ubyte) batch.ubyte.resize(batch_vertices);
     else batch.real.resize(batch_vertices);
     batch.indices.resize(batch_indices);
-    batch.positions.resize(3 * size_t(batch_vertices) + 1);  // last: it says that all are there
+    batch.positions.resize(3 * size_t(batch_vertices) + 1);  // last, as its size shows that all are reserved
 }
 
 void Canvas::bind_vertices(const Individual &individual)

@@ -1,5 +1,5 @@
-// What the three strategies draw with: one individual at a time, its colours, its ranges of triangles. Allocates
-// nothing; the room for colours is reserved when a template is prepared.
+// The drawing operations that the three strategies share: one individual at a time, its colours and its triangle
+// ranges. Drawing allocates nothing; memory for colours is reserved when a template is prepared.
 #pragma once
 
 #include "lib/draw/draw_list.h"
@@ -16,7 +16,7 @@ namespace claque::passes
 using Ubyte4 = std::array<uint8_t, 4>;
 using Real4 = std::array<float, 4>;
 
-// Of several individuals, one behind the other: see Batch.
+// Arrays of several individuals, one after the other: see Batch.
 struct BatchArrays {
     explicit BatchArrays(std::pmr::memory_resource *memory)
         : positions(memory), normals(memory), uvs(memory), ubyte(memory), real(memory), indices(memory)
@@ -28,9 +28,9 @@ struct BatchArrays {
     Array<uint16_t> indices;
 };
 
-// Of one individual at a time: colours in the format that the renderer was asked for, products of matrices.
+// Scratch memory of one individual: colours in the renderer's format, and matrix products.
 struct Scratch {
-    static constexpr uint32_t batch_vertices = 1024, batch_indices = 3072;  // what stays in a processor's cache
+    static constexpr uint32_t batch_vertices = 1024, batch_indices = 3072;  // small enough for a processor's cache
 
     explicit Scratch(std::pmr::memory_resource *memory)
         : ubyte(memory),
@@ -42,16 +42,17 @@ struct Scratch {
           shadow(memory)
     {
     }
-    // Grow only; throw std::bad_alloc.
+    // These only grow; they throw std::bad_alloc.
     void reserve(ColourFormat format, uint32_t vertices, uint32_t slots);
     void reserve_chain(uint32_t depth);
     void reserve_batch(ColourFormat format);
 
-    Array<Ubyte4> ubyte;        // one a vertex
-    Array<Ubyte4> ubyte_table;  // one a slot, see model::Level::slots, or a look of a FlatLevel
+    Array<Ubyte4> ubyte;  // one per vertex
+    // One per slot (model::Level::slots) or per colour entry of a FlatLevel.
+    Array<Ubyte4> ubyte_table;
     Array<Real4> real;
     Array<Real4> real_table;
-    Array<math::Affine> chain;  // products of nodes, one a depth: see MatrixWalk
+    Array<math::Affine> chain;  // products of nodes, one per depth: see MatrixWalk
     BatchArrays batch;
     ShadowArrays shadow;
 };
@@ -63,17 +64,17 @@ struct Individual {
     const PreparedLevel *ready = nullptr;
     const uint8_t *zone_rgb = nullptr;
     draw::Vertices vertices;
-    uint64_t parts = 0;             // of the level, to be drawn now; no others than there are
-    const uint32_t *own = nullptr;  // the texture that its host bound in place of the template's, or null
+    uint64_t parts = 0;             // parts of the level to draw now; only existing ones
+    const uint32_t *own = nullptr;  // the texture that the host bound in place of the template's, or null
 
     bool whole() const { return parts == every_part_of(*level); }
 };
 
-// One colour a vertex of a level, from the slots of a surface. `table` has room for the slots.
+// Writes one colour per vertex of a level, from the slots of a surface. `table` has space for the slots.
 void slot_colours(const Individual &individual, uint32_t surface_index, Array<Ubyte4> &table, Ubyte4 *out);
 void slot_colours(const Individual &individual, uint32_t surface_index, Array<Real4> &table, Real4 *out);
 
-// One colour a vertex of a level in a colour a triangle, what it shows and the texel in one.
+// Writes one colour per vertex of a FlatLevel: zone colour times texel.
 void flat_colours(const Individual &individual, Array<Ubyte4> &table, Ubyte4 *out);
 void flat_colours(const Individual &individual, Array<Real4> &table, Real4 *out);
 
@@ -86,26 +87,26 @@ public:
     }
     const RendererOptions &options() const { return options_; }
 
-    void bind_vertices(const Individual &individual);  // its matrix and its arrays; colours apart
+    void bind_vertices(const Individual &individual);  // its matrix and arrays, without colours
 
-    // Whether any triangle of the parts that are drawn stands there.
+    // True if the slice has a triangle of a drawn part.
     static bool any(const Individual &individual, const IndexSlice &slice)
     {
         return individual.whole() ? slice.range.count != 0
                                   : any_of(slice, individual.parts, part_count_of(*individual.level));
     }
 
-    // The state that a surface of an individual asks for, without an alpha test.
+    // The state that a surface of an individual needs, without the alpha test.
     static SurfaceState state_of(const Individual &individual, const model::Surface &surface);
     void apply(const SurfaceState &wanted) { state_.apply(wanted); }
 
-    // One zone's colour for what is drawn next: glColor, or an array where the template has vertex colours.
+    // Sets one zone's colour for the next triangles: by glColor, or by an array if the template has vertex colours.
     void use_zone_colour(const Individual &individual, uint32_t surface_index, const ZoneTest &test);
 
-    // Every vertex of a surface's fused triangles gets the colour and the threshold of its slot.
+    // Gives every vertex of a surface's fused triangles the colour and threshold of its slot.
     void use_slot_colours(const Individual &individual, uint32_t surface_index);
 
-    // One call where all parts are drawn, else one for each run of neighbours.
+    // One call if all parts are drawn, else one for each run of neighbouring parts.
     void triangles(const Individual &individual, const IndexSlice &slice);
 
 private:

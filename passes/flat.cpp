@@ -21,7 +21,7 @@ uint32_t nearest(float at, uint32_t size, model::Wrap wrap)
     return static_cast<uint32_t>(texel - std::floor(texel / size) * size);
 }
 
-// One a set: the first, and those that differ.
+// One texel per texture set: the first, and those that differ.
 std::vector<const uint8_t *> texels_at(const model::Texture &texture, const float *uv)
 {
     std::vector<const uint8_t *> texels;
@@ -89,7 +89,7 @@ private:
         return at;
     }
 
-    // Winds on until it ends there.
+    // Rotates the corners until the triangle ends at this vertex.
     void turn(uint32_t triangle, uint32_t welded_vertex, uint16_t vertex)
     {
         uint32_t *corners = &corners_[3 * size_t(triangle)];
@@ -122,8 +122,8 @@ private:
     const model::Level &level_;
     const std::vector<uint32_t> welded_;
     std::map<std::vector<uint32_t>, uint16_t> colour_entries_;
-    std::map<uint32_t, uint16_t> first_;  // vertex at a place
-    std::vector<uint32_t> corners_;       // as indices, of the level
+    std::map<uint32_t, uint16_t> first_;  // by welded vertex: its first vertex
+    std::vector<uint32_t> corners_;       // as indices of the level
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+// The fused strategy: one draw per surface (S2 2.1).
 #include "passes/strategies.h"
 
 namespace claque::passes

@@ -5,7 +5,7 @@ namespace claque::passes
 namespace
 {
 
-// Asks for one name after the other and remembers the first that is not there.
+// Requests one function after the other and remembers the first missing one.
 class Loader
 {
 public:
@@ -114,7 +114,7 @@ base::Status load(Gl11 &table, GetProcAddress get_proc_address, void *user)
 base::Status check_current(const Gl11 &gl)
 {
     if (gl.GetString(gl::version)) return base::Status::good();
-    return base::Status::bad(CLQ_GL_MISSING, "no GL context is current on this thread (glGetString answers nothing)");
+    return base::Status::bad(CLQ_GL_MISSING, "no GL context is current on this thread (glGetString returns null)");
 }
 
 }  // namespace claque::passes

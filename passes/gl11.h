@@ -1,5 +1,5 @@
-// The part of OpenGL 1.1 that claque draws with: a table of function pointers, asked from the host, and the values that
-// go into them. No system header of GL is used and no library linked; this table is the whole of what may be called.
+// The part of OpenGL 1.1 that claque uses: a table of function pointers, requested from the host, and enum values. No
+// GL system header is included and no GL library linked; claque calls nothing outside this table.
 #pragma once
 
 #include "lib/base/status.h"
@@ -48,7 +48,8 @@ constexpr Enum cull_face = 0x0B44, depth_test = 0x0B71, normalize = 0x0BA1;
 constexpr Enum lighting = 0x0B50, stencil_test = 0x0B90, polygon_offset_fill = 0x8037;
 constexpr Enum stencil_bits = 0x0D57, viewport = 0x0BA2;
 constexpr Enum line_smooth = 0x0B20, line_stipple = 0x0B24, polygon_smooth = 0x0B41, polygon_stipple = 0x0B42;
-constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;  // the last is GL 1.3: used where the host has it
+// `multisample` is GL 1.3 and used only where the host has it.
+constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;
 constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_model_two_side = 0x0B52;
 
 constexpr Enum shade_model = 0x0B54, flat = 0x1D00, texture_1d = 0x0DE0;
@@ -146,11 +147,12 @@ inline int32_t integer(const Gl11 &gl, gl::Enum name)
     return value;
 }
 
-// Fills the table. Fails: CLQ_ARGUMENT (no get_proc_address), CLQ_GL_MISSING (the first function that the host does not
-// have, by name; no current context, which GL only shows by glGetString answering nothing). The table is then unusable.
+// Fills the table. Fails with CLQ_ARGUMENT (no get_proc_address) or CLQ_GL_MISSING (names the first function that the
+// host lacks; or no context is current, which shows as glGetString returning null). After a failure the table cannot be
+// used.
 base::Status load(Gl11 &table, GetProcAddress get_proc_address, void *user);
 
-// CLQ_GL_MISSING where no context is current on this thread: GL's calls then do nothing and report no error.
+// CLQ_GL_MISSING if no context is current on this thread: GL calls then do nothing and report no error.
 base::Status check_current(const Gl11 &gl);
 
 }  // namespace claque::passes

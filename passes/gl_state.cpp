@@ -17,7 +17,7 @@ void set_fragments(const Gl11 &gl)
     gl.DepthMask(gl::yes);
 }
 
-// Smoothing multiplies coverage into the alpha that carries keys.
+// Smoothing would multiply coverage into the alpha that carries zone keys.
 void set_rasterisation(const Gl11 &gl, bool has_multisample)
 {
     gl.CullFace(gl::back);
@@ -68,7 +68,7 @@ void GlState::begin(const float *projection, bool has_multisample)
     set_matrices(gl_, projection);
     set_arrays(gl_);
     gl_.Enable(gl::normalize);
-    gl_.ColorMaterial(gl::front_and_back, gl::ambient_and_diffuse);  // before the switch: else other materials follow
+    gl_.ColorMaterial(gl::front_and_back, gl::ambient_and_diffuse);  // before glEnable, or other materials would follow
     gl_.Enable(gl::colour_material);
     int32_t shade_model = 0;
     gl_.GetIntegerv(gl::shade_model, &shade_model);

@@ -1,5 +1,5 @@
-// GL state as a value that is compared and applied (the habit of Quake III's renderer): no strategy calls glEnable.
-// S1 3 names the state that variety hangs on; SPEC 3 lists what was measured to break it.
+// GL state as a value that is compared and applied, as in Quake III's renderer: no strategy calls glEnable. S1 3 names
+// the state that zone colours depend on; SPEC 3 lists what was measured to break it.
 #pragma once
 
 #include "passes/gl11.h"
@@ -8,13 +8,13 @@
 namespace claque::passes
 {
 
-// What differs from surface to surface and from pass to pass.
+// The state that differs between surfaces and between passes.
 struct SurfaceState {
     uint32_t texture = 0;
     bool double_sided = false;    // no culling, both faces lit
-    bool mirrored = false;        // front faces turn clockwise
-    bool colour_array = false;    // colours come from an array, else from glColor
-    bool flat = false;            // a colour a triangle, no texture
+    bool mirrored = false;        // front faces are clockwise
+    bool colour_array = false;    // colours come from an array, otherwise from glColor
+    bool flat = false;            // GL_FLAT without a texture
     gl::Enum alpha_function = 0;  // 0: no alpha test
     float alpha_reference = 0;
 
@@ -31,18 +31,18 @@ class GlState
 public:
     GlState(const Gl11 &gl, DrawStats &stats) : gl_(gl), stats_(stats) {}
 
-    // All that is the same for a whole draw; afterwards anything is unknown to the comparison, so that the first
-    // apply() sets everything. The host's RGB mask stays, alpha writes are masked.
+    // Sets all state that is constant during a draw. The rest is then unknown, so that the first apply() sets
+    // everything. The host's RGB mask stays; alpha writes are masked.
     void begin(const float *projection, bool has_multisample);
 
-    // What is flat of its own is as begin() left it: the host's shade model, texturing on. To be called before anybody else
+    // Restores the host's shade model and enables texturing again, as begin() left them. To be called before other code
     // sees GL's state.
     void end_flat();
 
-    // Somebody else has set what differs from surface to surface: the next apply() sets everything.
+    // Called after other code changed per-surface state: the next apply() sets everything.
     void forget() { known_ = false; }
 
-    // Issues what differs from the last call. The matrix mode is GL_MODELVIEW and stays so.
+    // Issues the differences from the last call. The matrix mode is GL_MODELVIEW and stays so.
     void apply(const SurfaceState &wanted);
 
 private:

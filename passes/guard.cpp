@@ -7,15 +7,15 @@ namespace claque::passes
 namespace
 {
 
-// With GL_COLOR_MATERIAL on, colours flow into materials: the lighting group saves those. Switches stand in the enable
-// group, GL_MULTISAMPLE among them.
+// With GL_COLOR_MATERIAL on, colours change materials; the lighting group saves those. The enable group holds the
+// switches, GL_MULTISAMPLE among them.
 constexpr gl::Bits touched_groups = gl::current_bit | gl::polygon_bit | gl::lighting_bit | gl::depth_buffer_bit |
                                     gl::enable_bit | gl::colour_buffer_bit | gl::texture_bit;
 
 constexpr gl::Enum arrays[] = {gl::vertex_array, gl::normal_array,        gl::colour_array,
                                gl::index_array,  gl::texture_coord_array, gl::edge_flag_array};
 
-// Everything that glTexImage2D heeds, at its default.
+// Sets everything that affects glTexImage2D to its default.
 void default_unpacking(const Gl11 &gl)
 {
     constexpr gl::Enum zeros[] = {gl::unpack_swap_bytes, gl::unpack_lsb_first, gl::unpack_row_length,
@@ -29,8 +29,8 @@ void default_unpacking(const Gl11 &gl)
         gl.PixelTransferf(name, 0);
 }
 
-// Where the host has materials follow colours they are its current colour, whatever was popped: Mesa 22.3.6 leaves the last
-// one that was drawn with in them, where the host tracks what claque tracks, until following is switched on again.
+// If the host uses GL_COLOR_MATERIAL, its materials must equal its current colour after the pop. Mesa 22.3.6 leaves the
+// last drawn colour in them, if the host tracks the same materials as claque, until tracking is enabled again.
 void let_materials_follow(const Gl11 &gl)
 {
     int32_t follows = 0;

@@ -1,13 +1,13 @@
-// What a draw leaves of the host's GL state (SPEC 4, "leave no trace").
+// How much of the host's GL state a draw restores (SPEC 4, "leave no trace").
 //
-//   full     nothing: everything is as it was.
-//   minimal  the matrices, the matrix mode and all client state are as they were. Left as claque set it is what stands
-//            in left_by_minimal below.
-//   none     left as claque set it is that and what stands in left_by_none.
+//   full     everything is as before.
+//   minimal  the matrices, the matrix mode and all client state are as before; left_by_minimal below lists the state
+//            that stays as claque set it.
+//   none     left_by_minimal and left_by_none list the state that stays as claque set it.
 //
-// After an individual with hooks (draw::Hooks) all that they may have changed is as before it, texture 0 being bound.
+// After an individual with hooks (draw::Hooks) all state that they may have changed is as before, with texture 0 bound.
 //
-// Matrices are saved by value: GL 1.1 promises a projection stack of two, and a host may be using both.
+// Matrices are saved by value: GL 1.1 guarantees a projection stack of two, and a host may use both entries.
 #pragma once
 
 #include "passes/gl11.h"
@@ -17,10 +17,10 @@
 namespace claque::passes
 {
 
-// A piece of state that is left behind, by the name that glGet or glIsEnabled knows it by.
+// State that is left behind, by its name for glGet or glIsEnabled.
 struct Left {
     gl::Enum name;
-    const char *as;  // what it then is
+    const char *as;  // its value then
 };
 
 constexpr Left left_by_minimal[] = {
@@ -90,14 +90,14 @@ constexpr Left left_by_none[] = {
     {0x8092, "GL_TEXTURE_COORD_ARRAY_POINTER"},
 };
 
-// Places that it takes on the host's attribute stacks.
+// Entries that it needs on the host's attribute stacks.
 StackEntries stack_entries_of(Guard mode);
 
-// Saves what the mode promises on construction, puts it back on destruction. Preflight has made sure of the stacks.
+// Saves the state of the mode on construction and restores it on destruction. Preflight has checked the stacks.
 class StateGuard
 {
 public:
-    // `more`: attribute groups that the caller touches beside those that a draw does.
+    // `more`: additional attribute groups that the caller changes.
     StateGuard(const Gl11 &gl, Guard mode, gl::Bits more = 0);
     ~StateGuard();
     StateGuard(const StateGuard &) = delete;
@@ -110,10 +110,10 @@ private:
     double modelview_[16], projection_[16], texture_[16];
 };
 
-// All client arrays off, whatever they were.
+// Disables all client arrays.
 void disable_arrays(const Gl11 &gl);
 
-// The same for bringing textures to GL, always in full.
+// Saves and restores in full the state that uploading textures changes.
 class UploadGuard
 {
 public:

@@ -9,7 +9,7 @@ HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state,
     : gl_(gl), preflight_(preflight), state_(state), list_(list), item_(item)
 {
     state_.end_flat();
-    gl_.BindTexture(gl::texture_2d, 0);  // first: parameters come back to the texture that was bound at the push
+    gl_.BindTexture(gl::texture_2d, 0);  // first: the pop restores parameters to the texture that was bound at the push
     state_.forget();
     gl_.PushAttrib(gl::all_attrib_bits);
     gl_.PushClientAttrib(gl::all_client_attrib_bits);
@@ -73,7 +73,7 @@ void HookFrame::end_modes() const
     if (integer(gl_, gl::render_mode) != static_cast<int32_t>(gl::render)) gl_.RenderMode(gl::render);
 }
 
-// Who popped more than was pushed has lost what lay there; the depths are right again, so that the host's own are safe.
+// Entries that a hook popped too many are lost. The depths are restored, so that the host's own entries are safe.
 void HookFrame::level_attributes() const
 {
     int32_t depth = integer(gl_, gl::attrib_stack_depth);

@@ -1,9 +1,10 @@
-// One individual between its hooks (S0 7.1, draw::Hooks).
+// Draws one individual between its hooks (S0 7.1, draw::Hooks).
 //
-// They find GL as claque draws, matrices and all, but texture 0 bound and every client array off, so that they reach
-// neither claque's textures nor its memory by mistake. Round both, all attributes are pushed: lights, fog, materials and
-// whatever else claque inherits from its host act on this individual, and are gone after it. What claque's picture
-// depends on is set anew after each. Stacks are levelled after the second: what one pushed the other may pop.
+// Hooks find GL as claque draws, with its matrices, but with texture 0 bound and every client array off, so that they
+// cannot change claque's textures or memory by mistake. All attributes are pushed around both hooks: lights, fog,
+// materials and everything else that claque inherits from its host affect this individual and are restored after it.
+// State that claque's picture depends on is set again after each hook. Stack depths are restored after the second hook,
+// so that it may pop what the first pushed.
 #pragma once
 
 #include "lib/draw/draw_list.h"
@@ -13,7 +14,7 @@
 namespace claque::passes
 {
 
-// Taken on the attribute stacks while one is open.
+// Entries of the attribute stacks that an open frame uses.
 constexpr StackEntries hook_stack_entries = {1, 1};
 
 class HookFrame
@@ -22,14 +23,14 @@ public:
     HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, const draw::DrawList &list,
               const draw::Item &item);
 
-    // The first hook, if there is one. Fails: CLQ_GL_STATE (it left something that GL 1.1 cannot undo and that would
-    // spoil the picture: the individual is not drawn).
+    // Calls the first hook, if any. Fails with CLQ_GL_STATE if the hook left state that GL 1.1 cannot undo and that
+    // would spoil the picture: the individual is then not drawn.
     base::Status before();
-    // The texture that it wants used, or null.
+    // The texture that the hook asks for, or null.
     const uint32_t *texture() const { return has_texture_ ? &texture_ : nullptr; }
 
-    // The second hook, if there is one; then everything is as before the first. Once, always. Fails: CLQ_GL_STATE
-    // (likewise: nothing more can be drawn).
+    // Calls the second hook, if any, and restores the state before the first. To be called exactly once. Fails with
+    // CLQ_GL_STATE if the hook left state that GL 1.1 cannot undo: nothing more can be drawn.
     base::Status after();
 
 private:
@@ -37,8 +38,8 @@ private:
         int32_t attributes, client, modelview, projection, texture;
     };
     Depths depths() const;
-    void offer() const;      // GL as a hook finds it
-    void end_modes() const;  // an open display list, selection, feedback
+    void offer() const;      // sets GL up for a hook
+    void end_modes() const;  // ends an open display list, selection or feedback
     void level_attributes() const;
     void level_matrices() const;
     base::Status named(const base::Status &status, const char *which) const;

@@ -23,7 +23,7 @@ glm::vec2 uv_of(const model::Level &level, uint32_t vertex)
     return {level.uvs[2 * size_t(vertex)], level.uvs[2 * size_t(vertex) + 1]};
 }
 
-// A triangle of any stream as the source vertices that it stands for.
+// The source vertices of a triangle of any stream.
 Corners source_of(const model::Level &level, uint32_t first_index)
 {
     Corners out;
@@ -34,7 +34,7 @@ Corners source_of(const model::Level &level, uint32_t first_index)
     return out;
 }
 
-// The surfaces of a level once for what can be filtered and once for the rest.
+// Splits each surface of a level in two: triangles that can be filtered, and the rest.
 class Splitter
 {
 public:
@@ -71,10 +71,10 @@ private:
         step_.linear_triangles += static_cast<uint32_t>(filtered_.size());
     }
 
-    // Edges of the first level that a triangle of each kind share.
+    // Edges of the first level that a filtered and an unfiltered triangle share.
     void measure(const model::Surface &surface, const LinearFootprint &footprint)
     {
-        std::map<std::pair<uint32_t, uint32_t>, int> kinds;  // bit 0: filtered, bit 1: not
+        std::map<std::pair<uint32_t, uint32_t>, int> kinds;  // bit 0: filtered, bit 1: unfiltered
         const auto count_edges = [&](model::IndexRange range) {
             for (uint32_t i = range.first; i < range.first + range.count; i += 3) {
                 const Corners c = source_of(level_, i);
@@ -98,7 +98,7 @@ private:
         }
     }
 
-    // What one of the two has of a stretch, part by part.
+    // The triangles of a slice that belong to one of the two, part by part.
     model::IndexRange take(const IndexSlice &slice, bool filtered, std::vector<uint32_t> &firsts)
     {
         const uint32_t begin = static_cast<uint32_t>(out_.indices.size());
@@ -137,7 +137,7 @@ private:
     model::Level &out_;
     Array<uint8_t> &linear_;
     LuminanceStep &step_;
-    std::set<Corners> filtered_;  // of the surface at hand
+    std::set<Corners> filtered_;  // of the current surface
 };
 
 }  // namespace

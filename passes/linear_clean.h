@@ -1,5 +1,6 @@
-// Bilinear filtering where it mixes nothing: clean triangles whose every sample takes four texels of one zone are drawn from a
-// linearly filtered copy of their texture, all others from the one that is sampled GL_NEAREST. Two draws a surface.
+// Bilinear filtering where it mixes no zones. Clean triangles whose samples all use four texels of one zone are drawn
+// with a linearly filtered copy of their texture, all others with the one that is sampled GL_NEAREST. A surface takes
+// two draws.
 #pragma once
 
 #include "passes/prepared.h"
@@ -7,7 +8,7 @@
 namespace claque::passes
 {
 
-// Makes out.smoothed and out.linear from a level, unless nothing of it can be filtered. Throws std::bad_alloc.
+// Makes out.filtered and out.linear from a level, unless no triangle can be filtered. Throws std::bad_alloc.
 void prepare_linear_clean(PreparedLevel &out, const model::Template &source, const model::Level &level,
                           LuminanceStep &step);
 

@@ -8,8 +8,8 @@ namespace claque::passes
 namespace
 {
 
-// GL_LINEAR reaches half a texel from a sample; rasterisers snap vertices, extrapolate by as much and round weights: an eighth
-// of a texel more, as where zones of triangles are found for GL_NEAREST.
+// GL_LINEAR reaches half a texel from a sample. An eighth of a texel more covers the snapping of vertices,
+// extrapolation and rounded weights in rasterisers, as for the zones of triangles under GL_NEAREST.
 constexpr double reach = 0.5 + 0.125;
 constexpr double max_texels_across = 65536;
 
@@ -20,7 +20,7 @@ int64_t wrapped(int64_t at, uint32_t size, model::Wrap wrap)
     return (at % n + n) % n;
 }
 
-// Widens [low, high] by the x that the triangle's edges have for y in [bottom, top].
+// Extends [low, high] by the x of the triangle's edges for y in [bottom, top].
 void widen(const double (&x)[3], const double (&y)[3], double bottom, double top, double &low, double &high)
 {
     for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// Whether a triangle can be sampled GL_LINEAR without ever mixing zones.
+// Tests if a triangle can be sampled GL_LINEAR without mixing zones.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,17 +10,17 @@
 namespace claque::passes
 {
 
-// Of one texture, in all its sets.
+// For one texture in all its sets.
 class LinearFootprint
 {
 public:
     explicit LinearFootprint(const model::Texture &texture);
 
-    // Every texel that GL_LINEAR can touch for any point of the closed triangle has one key, no hole, and the same in each
-    // set. False for triangles that wrap more than a few times.
+    // True if all texels that GL_LINEAR can use for any point of the closed triangle have one key, the same in each
+    // set, and no hole. False for triangles that wrap more than a few times.
     bool has_one_zone(const glm::vec2 (&uv)[3]) const;
 
-    // Luminance [0, 255] of the first set at a place, sampled both ways.
+    // Luminance [0, 255] of the first set at a point, sampled both ways.
     double nearest(glm::vec2 uv) const;
     double linear(glm::vec2 uv) const;
 

@@ -20,10 +20,10 @@ bool shows(const draw::Item &item)
 namespace
 {
 
-constexpr size_t ahead = 3;         // individuals: what one takes is about what memory needs for the next few
-constexpr size_t max_bytes = 4096;  // of one array: those of finer levels GL reads itself, in a call of their own
+constexpr size_t ahead = 3;         // individuals; memory needs about the time of one for the next few
+constexpr size_t max_bytes = 4096;  // of one array; finer levels have calls of their own and GL reads their arrays
 
-// Inlined, as GCC takes functions that do nothing else for functions that do nothing.
+// Inlined, because GCC removes calls of functions that only prefetch.
 #define CLAQUE_PREFETCH __attribute__((always_inline)) inline void
 
 CLAQUE_PREFETCH prefetch(const void *from, size_t bytes)
@@ -33,7 +33,8 @@ CLAQUE_PREFETCH prefetch(const void *from, size_t bytes)
     for (size_t i = 0; at && i < bytes && bytes <= max_bytes; i += line) __builtin_prefetch(at + i);
 }
 
-// Vertices lie wherever the cache had room, and are read once: without this, half of the time of a batch is waiting.
+// Vertices lie anywhere in the cache's memory and are read once; without prefetching half of the time of a batch is
+// waiting.
 CLAQUE_PREFETCH prefetch_vertices(const draw::Item &item)
 {
     const size_t count = item.tmpl->levels[item.level].vertex_count;
@@ -76,8 +77,8 @@ base::Status ListDrawer::draw()
         if (!shows(item)) continue;
         if (!make(item, individual)) {
             if (first.ok())
-                first =
-                    base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no room to skin it at draw time", item.actor_index);
+                first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no memory for its vertices at the update",
+                                          item.actor_index);
         } else if (!item.hooks) draw_individual(individual);
         else if (draw_between_hooks(individual, first) == Next::stop) break;
         if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) flush_gl();
@@ -102,8 +103,6 @@ bool ListDrawer::make(const draw::Item &item, Individual &individual) const
         individual.vertices = draw::Vertices();
         individual.vertices.positions = individual.ready->positions.data();
         individual.vertices.normals = individual.ready->normals.data();
-    } else if (!individual.vertices.any()) {
-        individual.vertices = list_.server->serve(item);
     }
     return individual.vertices.any();
 }

@@ -1,4 +1,4 @@
-// One draw of one list: its items one after the other, under one guard.
+// Draws one list: its items in order, under one guard.
 #pragma once
 
 #include "passes/batch.h"
@@ -8,8 +8,8 @@
 namespace claque::passes
 {
 
-// Nothing is drawn, and nothing asked, for who is kept for the shadow alone, has no triangles at its level, or none in
-// the parts that are seen.
+// False for items that are shadow casters only, have no triangles at their level, or have none in their visible parts;
+// no GL call is made for them.
 bool shows(const draw::Item &item);
 
 class ListDrawer
@@ -19,8 +19,8 @@ public:
                const Array<PreparedTemplate> &templates, Scratch &scratch, const draw::DrawList &list,
                DrawStats &stats);
 
-    // Everything has been checked. Fails: CLQ_OUT_OF_MEMORY (the vertex server had no room), CLQ_GL_STATE (hooks left
-    // something that cannot be undone); the first of it.
+    // Everything has been checked. Returns the first failure: CLQ_OUT_OF_MEMORY (an item without vertices) or
+    // CLQ_GL_STATE (hooks left something that cannot be undone).
     base::Status draw();
 
 private:
@@ -41,7 +41,7 @@ private:
     GlState state_;
     Canvas canvas_;
     Batch batch_;
-    uint32_t room_ = 0;  // for matrices; asked where an item wants it
+    uint32_t room_ = 0;  // for matrices; queried when an item needs it
     uint32_t flush_triangles_, flushed_ = 0;
 };
 

@@ -17,7 +17,7 @@ uint32_t matrix_room(const Gl11 &gl)
     return static_cast<uint32_t>(std::clamp(all - taken, 0, most));
 }
 
-// The last place is kept for those that take turns in it.
+// The last entry is kept for matrices that are multiplied here and replace each other.
 MatrixWalk::MatrixWalk(const Gl11 &gl, Canvas &canvas, Array<math::Affine> &chain, DrawStats &stats, uint32_t room)
     : gl_(gl), canvas_(canvas), chain_(chain), stats_(stats), room_(room), nested_(room > 0 ? room - 1 : 0)
 {

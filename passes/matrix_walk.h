@@ -1,4 +1,4 @@
-// Rigid parts placed by GL's matrix stack instead of by moved vertices (S0 6.2.2: products that nobody tracks).
+// Transforms rigid parts by GL's matrix stack instead of transforming their vertices (S0 6.2.2: untracked products).
 #pragma once
 
 #include "passes/canvas.h"
@@ -6,14 +6,14 @@
 namespace claque::passes
 {
 
-// How many more matrices may lie on the current context's modelview stack: GL 1.1 promises 32 in all, 30 are used at
-// most, fewer where the host has some on it.
+// How many more matrices fit on the current context's modelview stack. GL 1.1 guarantees 32 entries; at most 30 are
+// used, fewer if the host has pushed some.
 uint32_t matrix_room(const Gl11 &gl);
 
-// Walks down to each part that an individual shows and draws what hangs on each node under its matrix. The canvas has
-// placed it; the matrix mode is GL_MODELVIEW, and the stack is left as it was found. Where the tree is deeper than
-// `room`, its lower matrices are multiplied here and take turns in the last place; without any room they replace the
-// individual's matrix.
+// Walks down the tree to each drawn part of an individual and draws the parts of each node under its matrix. The canvas
+// has set the individual's matrix; the matrix mode is GL_MODELVIEW, and the stack is afterwards as before. If the tree
+// is deeper than `room`, lower matrices are multiplied here and replace each other in the last entry; with no room they
+// replace the individual's matrix.
 class MatrixWalk
 {
 public:
@@ -21,7 +21,7 @@ public:
     void draw(const Individual &individual);
 
 private:
-    void rise_to(uint32_t depth);  // pops what lies deeper
+    void rise_to(uint32_t depth);  // pops deeper entries
     void descend(const math::Affine &matrix);
     void draw_nested(const Individual &individual, const MatrixStep &step);
     void draw_multiplied(const Individual &individual, const MatrixStep &step);

@@ -1,4 +1,4 @@
-// What a renderer is told when it is made, and what a draw reports.
+// The options of a renderer and the statistics of a draw.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@ enum class Strategy : uint8_t { fused = 0, binned = 1, per_zone = 2 };
 enum class Guard : uint8_t { full = 0, minimal = 1, none = 2 };
 enum class ColourFormat : uint8_t { ubyte = 0, real = 1 };
 
-// `equal` is the papers' test (S1 3): per-zone only, and sound only where alpha keeps all its bits.
+// `equal` is the papers' test (S1 3). It works with the per-zone strategy only, and only where alpha keeps all its
+// bits.
 enum class KeyTest : uint8_t { greater_equal = 0, equal = 1 };
 
 struct RendererOptions {
@@ -18,14 +19,14 @@ struct RendererOptions {
     Guard guard = Guard::full;
     ColourFormat colours = ColourFormat::ubyte;
     KeyTest key_test = KeyTest::greater_equal;
-    bool linear_clean = false;       // clean triangles are filtered where that mixes no zones (smooth.h)
-    uint32_t flush_triangles = 0;    // glFlush after so many, so that GL begins with them; 0: never
-    uint32_t batch_triangles = 128;  // levels of so many triangles and fewer are drawn several individuals a call
-    uint32_t flat_triangles = 64;    // of these, levels of so many and fewer in a colour a triangle (flat.h)
+    bool linear_clean = false;       // filter clean triangles where that mixes no zones (linear_clean.h)
+    uint32_t flush_triangles = 0;    // glFlush after this many, so that GL starts on them; 0: never
+    uint32_t batch_triangles = 128;  // levels of at most this many are drawn in batches
+    uint32_t flat_triangles = 64;    // batched levels of at most this many are drawn GL_FLAT (flat.h)
 };
 
-// Where clean triangles are filtered, of the finest level: how far the two ways of sampling are apart along edges between a
-// triangle of each.
+// How far the two ways of sampling differ along edges between a filtered and an unfiltered triangle, in the finest
+// level.
 struct LuminanceStep {
     uint32_t linear_triangles = 0, triangles = 0, edges = 0;
     float mean = 0, max = 0;  // of 255
@@ -33,11 +34,11 @@ struct LuminanceStep {
 
 struct DrawStats {
     uint32_t individuals = 0;
-    uint32_t parts = 0;          // of their levels, that were drawn (S0 4.2, phase 3)
+    uint32_t parts = 0;          // parts of levels that were drawn (S0 4.2, phase 3)
     uint32_t matrices = 0;       // glMultMatrixf calls (S0 6.2.2, fTrack)
     uint32_t draws = 0;          // glDrawElements calls
-    uint32_t triangles = 0;      // sent to GL, each pass counted
-    uint64_t vertices = 0;       // of the arrays handed to GL, each individual's once
+    uint32_t triangles = 0;      // sent to GL, in every pass
+    uint64_t vertices = 0;       // of the arrays given to GL, once per individual
     uint32_t state_changes = 0;  // GL calls that changed per-surface state: alpha test, texture, culling
 };
 

@@ -1,4 +1,4 @@
-// Which parts of a level are drawn (S0 4.2, phase 3), and where they stand in each range of a surface's triangles.
+// The parts of a level that are drawn (S0 4.2, phase 3), and their offsets in each range of a surface's triangles.
 #pragma once
 
 #include "lib/model/template.h"
@@ -8,7 +8,7 @@
 namespace claque::passes
 {
 
-// A level without a list of parts has one.
+// A level without a list of parts has one part.
 inline uint32_t part_count_of(const model::Level &level)
 {
     return level.parts.empty() ? 1 : static_cast<uint32_t>(level.parts.size());
@@ -22,14 +22,14 @@ inline uint64_t every_part_of(const model::Level &level)
 
 inline uint32_t count_of(uint64_t parts) { return static_cast<uint32_t>(std::bitset<64>(parts).count()); }
 
-// A range of a surface's triangles, and where the level's parts begin in it: one more number than parts; null: one
+// A range of a surface's triangles and the offsets of the level's parts in it: one more than there are parts. Null: one
 // part.
 struct IndexSlice {
     model::IndexRange range;
     const uint32_t *firsts = nullptr;
 };
 
-// The ranges of a surface, as model::Surface::part_firsts counts them.
+// The ranges of a surface in the order of model::Surface::part_offsets.
 class IndexSlices
 {
 public:
@@ -59,14 +59,14 @@ private:
     size_t row_, clean_;
 };
 
-// The share of one part.
+// The range of one part.
 inline model::IndexRange part_of(const IndexSlice &slice, uint32_t part)
 {
     if (!slice.firsts) return slice.range;
     return {slice.range.first + slice.firsts[part], slice.firsts[part + 1] - slice.firsts[part]};
 }
 
-// Calls draw(range) for what `parts` have of a stretch: neighbours together, in order.
+// Calls draw(range) for the ranges of `parts` in a slice; neighbouring parts are one range, in order.
 template <class Draw>
 void for_runs(const IndexSlice &slice, uint64_t parts, uint32_t part_count, Draw draw)
 {

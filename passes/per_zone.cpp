@@ -1,9 +1,10 @@
+// The per-zone strategy: dirty triangles are drawn once for every zone (S1 3).
 #include "passes/strategies.h"
 
 namespace claque::passes
 {
 
-// Without holes in the texture nothing needs testing here: an unexpected texel is then a wrong colour, never a hole.
+// Without holes in the texture no alpha test is needed; an unexpected texel then gives a wrong colour, never a hole.
 void draw_clean(Canvas &canvas, const Individual &individual, uint32_t surface_index)
 {
     const model::Surface &surface = individual.level->surfaces[surface_index];

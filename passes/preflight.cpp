@@ -13,13 +13,13 @@ enum class Spoils : uint8_t { drawing, uploads, both };
 constexpr int never_in_core = 9999;
 constexpr int32_t texture_unit_0 = 0x84C0, last_vertex_convention = 0x8E4E;
 
-// Things newer than GL 1.1 that change what 1.1 calls do.
+// State newer than GL 1.1 that changes the effect of 1.1 calls.
 struct Spoiler {
     gl::Enum name;
     Ask ask;
     Spoils spoils;
     int since;              // 10 * major + minor
-    const char *extension;  // that brings it to older versions, or null
+    const char *extension;  // that adds it to older versions, or null
     const char *what;
 };
 
@@ -48,7 +48,7 @@ constexpr Spoiler spoilers[] = {
 };
 constexpr int spoiler_count = sizeof spoilers / sizeof spoilers[0];
 
-// "4.5 (Compatibility Profile) Mesa" is 45; anything unreadable is 11, the least that there is.
+// "4.5 (Compatibility Profile) Mesa" is 45; a text that cannot be read is 11, the minimum.
 int version_of(const char *text)
 {
     if (text[0] < '1' || text[0] > '9' || text[1] != '.' || text[2] < '0' || text[2] > '9') return 11;

@@ -26,7 +26,7 @@ bool bins_in_range(const Array<model::Bin> &bins, const model::Level &level, siz
     });
 }
 
-// Rising from 0 to the range's count.
+// True if offsets ascend from 0 to the range's count.
 bool parts_are_sound(const IndexSlice &slice, size_t part_count)
 {
     const uint32_t *firsts = slice.firsts;
@@ -56,7 +56,7 @@ bool surface_is_sound(const model::Surface &surface, const model::Level &level, 
            parts_are_sound(surface, level);
 }
 
-// Draws hand these arrays to GL, which checks nothing.
+// Draws give these arrays to GL, which does not check them.
 bool level_is_sound(const model::Level &level, const model::Template &source)
 {
     const size_t vertices = level.vertex_count;
@@ -103,7 +103,7 @@ bool has_dirty(const model::Template &source, uint32_t texture)
     return false;
 }
 
-// Fused where all textures' zones can be told apart by it, else binned, else nothing: SPEC 2, "Keys".
+// Fused if it distinguishes the zones of all textures, else binned, else an error: SPEC 2, "Keys".
 base::Status choose_strategy(PreparedTemplate &out, Strategy wanted, uint32_t alpha_bits)
 {
     const model::Template &source = *out.source;
@@ -135,7 +135,7 @@ void prepare_texture(PreparedTexture &out, const model::Texture &texture, const 
     for (uint32_t i = 0; i < texture.keys.size(); ++i) {
         ZoneTest test;
         test.zone = texture.keys[i].zone;
-        // Not key / 255: that is one ulp away from what GL makes of the texel (SPEC 3).
+        // Not key / 255, which differs by one ulp from GL's value of the texel (SPEC 3).
         test.reference = options.key_test == KeyTest::equal ? static_cast<float>(bytes[i]) * (1.0f / 255.0f)
                                                             : model::pass_reference(keys, i);
         test.threshold_ubyte = fused.alpha_8bit[i];
@@ -144,7 +144,7 @@ void prepare_texture(PreparedTexture &out, const model::Texture &texture, const 
     }
 }
 
-// All levels or none: a host chooses the way of placing for a template.
+// All levels or none: a host chooses the rigid mode for a whole template.
 void prepare_placement(PreparedTemplate &out)
 {
     out.rigid = out.source->has_rigid_parts_only();

@@ -1,5 +1,5 @@
-// A template made ready for one GL context: textures with their names, what each zone's tests and thresholds are there,
-// indices as short as they go. Made once by prepare(); draws only read it.
+// A template prepared for one GL context: texture names, the alpha tests and thresholds of each zone, and indices of
+// the smallest type. prepare() makes it once; draws only read it.
 #pragma once
 
 #include "lib/model/template.h"
@@ -11,20 +11,20 @@ namespace claque::passes
 
 using model::Array;
 
-// What a strategy needs to let exactly one zone of a texture through. Which of it is used depends on the options.
+// How a strategy selects exactly one zone of a texture. The options decide which member is used.
 struct ZoneTest {
     uint32_t zone = 0;              // of the template
-    float reference = 0;            // per-zone, binned: the alpha test's, for GL_GEQUAL or, if asked, GL_EQUAL
+    float reference = 0;            // per-zone, binned: the alpha reference for GL_GEQUAL or, if requested, GL_EQUAL
     uint8_t threshold_ubyte = 255;  // fused: vertex alpha of a raised copy
     float threshold_real = 1;
 };
 
 struct PreparedTexture {
     explicit PreparedTexture(std::pmr::memory_resource *memory) : names(memory), linear_names(memory), tests(memory) {}
-    Array<uint32_t> names;         // GL's, one a texture set; one where all show the same
-    Array<uint32_t> linear_names;  // the same once more, filtered GL_LINEAR; empty unless asked for
-    float hole_reference = 0;      // GL_GEQUAL: passes the lowest key, stops a hole
-    float fused_reference = 0;     // GL_GEQUAL: the one test of the fused strategy
+    Array<uint32_t> names;         // GL names, one per texture set; one if all sets show the same
+    Array<uint32_t> linear_names;  // GL names of copies filtered GL_LINEAR; empty unless requested
+    float hole_reference = 0;      // GL_GEQUAL: the lowest key passes, a hole fails
+    float fused_reference = 0;     // GL_GEQUAL: the single test of the fused strategy
     Array<ZoneTest> tests;         // as model::Texture::keys
 
     uint32_t name_of(uint32_t set, bool linear) const
@@ -38,34 +38,35 @@ struct VertexRange {
     uint32_t first = 0, end = 0;
 };
 
-// Vertices that the triangles of one part of one surface reach.
+// The vertices of the triangles of one part of one surface.
 struct PartVertexRanges {
     VertexRange sources, copies;
 };
 
-// A node on the way to a part, for GL's matrix stack (S0 6.2.2, fTrack). In the order of a walk down the tree.
+// A node on the path to a part, for GL's matrix stack (S0 6.2.2, fTrack). Steps are in depth-first order.
 struct MatrixStep {
     uint32_t node = 0;
-    uint32_t depth = 1;  // of a node that hangs in the actor's own space
-    uint32_t next = 0;   // the step after all that are below this node
-    uint64_t own = 0;    // parts that hang on this node
-    uint64_t below = 0;  // and these with those below it
+    uint32_t depth = 1;  // 1 for a root
+    uint32_t next = 0;   // the step after all descendants of this node
+    uint64_t own = 0;    // parts on this node
+    uint64_t below = 0;  // parts on this node and its descendants
 };
 
-// A level in a colour a triangle, see flat.h; empty where it is drawn otherwise. A look is what a triangle can show: a zone, and
-// the texel that its colour is multiplied by.
+// A level for GL_FLAT, see flat.h; empty if the level is drawn otherwise. A colour entry is a zone and the texel that
+// multiplies its colour.
 struct FlatLevel {
     explicit FlatLevel(std::pmr::memory_resource *memory)
         : vertices(memory), colour_entries(memory), indices(memory), zones(memory), rgb(memory)
     {
     }
     Array<uint16_t> vertices;        // of the level
-    Array<uint16_t> colour_entries;  // one a vertex
-    Array<uint16_t> indices;  // into `vertices`; a triangle shows the look of its last one, whose normal is the sum of
-                              // those of all triangles that it is the last one of
-    Array<uint32_t> zones;    // one a look: of the template
-    uint32_t sets = 1;        // texture sets that differ
-    Array<uint8_t> rgb;       // three a set of a look
+    Array<uint16_t> colour_entries;  // one per vertex
+    // Indices of `vertices`. The last corner is the provoking vertex: the triangle shows its colour entry, and its
+    // normal is the sum over the triangles it provokes.
+    Array<uint16_t> indices;
+    Array<uint32_t> zones;  // one per colour entry: index of the template
+    uint32_t sets = 1;      // texture sets that differ
+    Array<uint8_t> rgb;     // three bytes per set of a colour entry
 
     const uint8_t *texel(uint32_t colour_entry, uint32_t set) const
     {
@@ -88,19 +89,19 @@ struct PreparedLevel {
           shadow_firsts(memory)
     {
     }
-    Array<uint16_t> short_indices;               // as model::Level::indices, or empty: those are used
-    Array<VertexRange> fused_vertices;           // per surface: what its fused triangles reach
-    Array<PartVertexRanges> part_vertex_ranges;  // per surface and part; empty where the level has one
+    Array<uint16_t> short_indices;               // as model::Level::indices; empty: those are used
+    Array<VertexRange> fused_vertices;           // per surface: the vertices of its fused triangles
+    Array<PartVertexRanges> part_vertex_ranges;  // per surface and part; empty if the level has one part
 
-    // Where PreparedTemplate::rigid: each vertex, copies included, in the space of the node that its part hangs on.
+    // If PreparedTemplate::rigid: each vertex, copies included, in the space of its part's node.
     Array<float> positions, normals;
     Array<MatrixStep> steps;
 
-    bool batched = false;  // its individuals are drawn several with one call
-    FlatLevel flat;        // and in a colour a triangle, unless empty
+    bool batched = false;  // several of its individuals are drawn with one call
+    FlatLevel flat;        // not empty: drawn GL_FLAT
 
-    // Where clean triangles are filtered (smooth.h): the level, its surfaces parted in two, in place of the template's; and for
-    // each of these surfaces whether it is the filtered one. Else both empty.
+    // If clean triangles are filtered (linear_clean.h): the level with its surfaces split in two, in place of the
+    // template's, and for each of these surfaces whether it is the filtered one. Otherwise both are empty.
     Array<model::Level> filtered;
     Array<uint8_t> linear;
     const model::Level &drawn(const model::Level &level) const { return filtered.empty() ? level : filtered[0]; }
@@ -112,33 +113,33 @@ struct PreparedLevel {
 struct PreparedTemplate {
     explicit PreparedTemplate(std::pmr::memory_resource *memory) : zone_rgb(memory), textures(memory), levels(memory) {}
     const model::Template *source = nullptr;
-    Strategy strategy = Strategy::fused;  // the renderer's, or binned where fused cannot tell the zones apart
-    bool rigid = false;                   // GL's matrix stack can place its parts: see draw::Item::locals
-    Array<uint8_t> zone_rgb;              // the template's own colours, rounded
+    Strategy strategy = Strategy::fused;  // the renderer's, or binned if fused cannot distinguish the zones
+    bool rigid = false;                   // GL's matrix stack can transform its parts: see draw::Item::locals
+    Array<uint8_t> zone_rgb;              // the template's default colours, rounded
     Array<PreparedTexture> textures;
     Array<PreparedLevel> levels;
-    LuminanceStep step;  // all 0 where nothing is filtered
+    LuminanceStep step;  // all 0 if no triangle is filtered
 };
 
-// Everything of it that needs no GL. `alpha_bits` is how finely GL keeps this template's texture alpha.
-// Fails: CLQ_ARGUMENT (an index out of range), CLQ_KEY_RESOLUTION (no strategy tells the zones apart). Throws
+// Prepares everything that needs no GL. `alpha_bits` is GL's resolution of this template's texture alpha. Fails with
+// CLQ_ARGUMENT (an index out of range) or CLQ_KEY_RESOLUTION (no strategy distinguishes the zones). Throws
 // std::bad_alloc.
 base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &source, const RendererOptions &options,
                                 int alpha_bits);
 
-// Of one level; the first is false where GL cannot place its parts, which leaves `out` as it was.
+// These prepare one level. prepare_rigid returns false and changes nothing if GL cannot transform its parts.
 bool prepare_rigid(PreparedLevel &out, const model::Template &source, const model::Level &level);
 void prepare_ranges(PreparedLevel &out, const model::Level &level);
 void prepare_shadow(PreparedLevel &out, const model::Level &level);
 
-// Of the templates prepared, or null.
+// The prepared form of a template, or null.
 const PreparedTemplate *find(const Array<PreparedTemplate> &templates, const model::Template *tmpl);
 
-// The least bits of alpha that GL keeps for the template's textures, and whether it takes their sizes at all.
-// Fails: CLQ_LIMIT, naming the texture's size and GL's. Changes nothing.
+// Finds the smallest alpha resolution that GL has for the template's textures, and checks that GL takes their sizes.
+// Fails with CLQ_LIMIT, naming the texture's size and GL's. Changes nothing.
 base::Status probe_textures(const Gl11 &gl, const model::Template &source, int &alpha_bits);
 
-// Brings the textures to GL. Throws and fails at nothing: what can has been asked before.
+// Uploads the textures. It cannot fail: everything that could was checked before.
 void upload_textures(const Gl11 &gl, PreparedTemplate &prepared);
 void delete_textures(const Gl11 &gl, PreparedTemplate &prepared);
 

@@ -1,5 +1,5 @@
-// What is prepared of one level: short indices, what its surfaces and parts reach, and, where all its parts are rigid,
-// its vertices in the spaces of their nodes and the way there (S0 6.2.2).
+// Prepares one level: short indices, the vertex ranges of its surfaces and parts, and, if all its parts are rigid, its
+// vertices in the spaces of their nodes and the walk to these (S0 6.2.2).
 #include "passes/parts.h"
 #include "passes/prepared.h"
 
@@ -10,7 +10,8 @@ namespace claque::passes
 namespace
 {
 
-constexpr uint32_t max_short_vertices = 65535;  // index 65535 stays free: it is what primitive restart likes
+// Index 65535 stays free, as it is the common index of primitive restart.
+constexpr uint32_t max_short_vertices = 65535;
 
 VertexRange vertex_ranges_of(const model::Level &level, model::IndexRange range)
 {
@@ -40,7 +41,7 @@ PartVertexRanges vertex_ranges_of(const model::Level &level, const IndexSlices &
     return reach;
 }
 
-// The palette entry that each source vertex follows; empty unless each follows one that there is.
+// The palette entry that each source vertex follows; empty unless each follows one valid entry.
 std::vector<uint32_t> entries_of(const model::Template &source, const model::Level &level)
 {
     std::vector<uint32_t> entries;
@@ -58,7 +59,7 @@ std::vector<uint32_t> entries_of(const model::Template &source, const model::Lev
     return entries;
 }
 
-// The node that all vertices of a part follow: none if there are several; of a part without any, the one it says.
+// The node that all vertices of a part follow; none if there are several. For a part without vertices: its own node.
 uint32_t node_of(const model::Template &source, const model::Level &level, const std::vector<uint32_t> &entries,
                  uint32_t part)
 {
@@ -79,7 +80,7 @@ uint32_t node_of(const model::Template &source, const model::Level &level, const
     return node == model::none ? std::min(level.parts[part].node, source.rig.node_count() - 1) : node;
 }
 
-// Nodes with parts on or below them, as a walk from the roots meets them.
+// The nodes that have parts on or below them, in depth-first order.
 void plan_walk(Array<MatrixStep> &steps, const model::Rig &rig, const std::vector<uint64_t> &own)
 {
     std::vector<uint64_t> below(own);
@@ -88,7 +89,7 @@ void plan_walk(Array<MatrixStep> &steps, const model::Rig &rig, const std::vecto
         if (below[n] == 0) continue;
         const bool root = rig.parents[n] == model::none;
         if (!root) below[rig.parents[n]] |= below[n];
-        children[root ? rig.node_count() : rig.parents[n]].push_back(n);  // descending, as a stack wants it
+        children[root ? rig.node_count() : rig.parents[n]].push_back(n);  // descending, for the stack
     }
     struct Waiting {
         uint32_t node, depth;

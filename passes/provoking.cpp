@@ -11,10 +11,10 @@ namespace claque::passes
 namespace
 {
 
-constexpr float min_cosine = 0.5f;  // between the facings of triangles that are lit as one
+constexpr float min_cosine = 0.5f;  // between the normals of triangles that are lit as one
 
-// Places are taken one after the other, each by the most triangles that can end there together, those that no triangle
-// ends at yet before others: they are sent anyway.
+// Greedy choice of vertices: each time the vertex at which most triangles can end together. Vertices that are sent
+// anyway, because no triangle ends there yet, come first.
 class Choice
 {
 public:
@@ -36,7 +36,7 @@ public:
 private:
     Provoking find_best() const
     {
-        std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> open;  // by place and look
+        std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> open;  // by welded vertex and colour entry
         for (uint32_t t = 0; t < triangles_.size(); ++t)
             if (is_open_[t])
                 for (const uint32_t vertex : triangles_[t].vertices)
@@ -53,7 +53,7 @@ private:
         return best;
     }
 
-    // Of those that face about as one of them does, the most.
+    // The largest set of candidates that face about as one of them does.
     std::vector<uint32_t> most_alike(const std::vector<uint32_t> &candidates) const
     {
         std::vector<uint32_t> most;
@@ -69,7 +69,7 @@ private:
 
     const std::vector<FlatTriangle> &triangles_;
     std::vector<bool> is_open_;
-    std::set<uint32_t> taken_;  // places at which some triangle ends
+    std::set<uint32_t> taken_;  // welded vertices at which some triangle ends
     std::vector<Provoking> made_;
 };
 

@@ -110,8 +110,7 @@ base::Status Renderer::add(const model::Template &tmpl)
     return status;
 }
 
-base::Status Renderer::check_item(const draw::DrawList &list, const draw::Item &item,
-                                  const PreparedTemplate &prepared) const
+base::Status Renderer::check_item(const draw::Item &item, const PreparedTemplate &prepared) const
 {
     if (item.level >= prepared.levels.size())
         return base::Status::bad(CLQ_ARGUMENT, "actor %u: level %u of template '%s', which has %zu", item.actor_index,
@@ -122,9 +121,6 @@ base::Status Renderer::check_item(const draw::DrawList &list, const draw::Item &
                                  "actor %u: GL's matrix stack cannot place the template '%s', which is not made of "
                                  "rigid parts alone",
                                  item.actor_index, item.tmpl->name.c_str());
-    if (!item.locals && !item.vertices.any() && !list.server)
-        return base::Status::bad(CLQ_ARGUMENT, "actor %u has no vertices and the list no vertex server",
-                                 item.actor_index);
     return base::Status::good();
 }
 
@@ -137,7 +133,7 @@ base::Status Renderer::check_items(const draw::DrawList &list) const
         if (!prepared)
             return base::Status::bad(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer",
                                      item.tmpl ? item.tmpl->name.c_str() : "(none)");
-        if (base::Status status = check_item(list, item, *prepared); !status.ok()) return status;
+        if (base::Status status = check_item(item, *prepared); !status.ok()) return status;
     }
     return base::Status::good();
 }

@@ -1,4 +1,4 @@
-// The shadows' part of Renderer: what can fail is asked before anything is drawn.
+// Shadows of Renderer: everything that can fail is checked before anything is drawn.
 #include "passes/guard.h"
 #include "passes/renderer.h"
 
@@ -30,7 +30,7 @@ base::Status Renderer::check_shadows(const draw::DrawList &list, const ShadowOpt
         if (!prepared)
             return base::Status::bad(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer",
                                      item.tmpl ? item.tmpl->name.c_str() : "(none)");
-        if (base::Status status = check_item(list, item, *prepared); !status.ok()) return status;
+        if (base::Status status = check_item(item, *prepared); !status.ok()) return status;
     }
     if (base::Status status = preflight_.check_draw(gl_, stack_entries_of(Guard::full)); !status.ok()) return status;
     if (base::Status status = check_stencil(gl_, options.stencil_bit); !status.ok()) return status;

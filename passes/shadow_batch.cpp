@@ -7,7 +7,7 @@ namespace claque::passes
 namespace
 {
 
-// What costs more to copy than a call does.
+// Larger meshes cost more to copy than a call does.
 constexpr uint32_t max_indices = 3 * 250;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Shadows of several individuals in one call: flattened triangles in eye space, one behind the other.
+// Draws shadows of several individuals in one call: flattened triangles in eye space, one individual after the other.
 #pragma once
 
 #include "passes/gl11.h"
@@ -12,7 +12,7 @@ namespace claque::passes
 
 using model::Array;
 
-// Memory of shadows. Grows only.
+// Memory of shadows. It only grows.
 struct ShadowArrays {
     static constexpr uint32_t batch_vertices = 2048, batch_indices = 8192;
 
@@ -22,14 +22,14 @@ struct ShadowArrays {
     }
     void reserve(uint32_t vertices);  // throws std::bad_alloc
 
-    Array<float> flat;        // of one individual, in eye space, on the ground; 3 a vertex
-    Array<glm::vec3> window;  // the same in pixels, with clip space's w
+    Array<float> flat;        // one individual flattened on the ground, in eye space, 3 per vertex
+    Array<glm::vec3> window;  // the same in pixels, with the w of clip space
     Array<float> positions;   // of a batch
     Array<uint16_t> indices;
     SpanMask mask;
 };
 
-// What becomes of flattened triangles. `positions`: in eye space, 3 a vertex.
+// Flattened triangles. `positions`: in eye space, 3 per vertex.
 struct FlattenedMesh {
     const float *positions = nullptr;
     uint32_t vertices = 0;
@@ -42,13 +42,13 @@ class ShadowBatch
 public:
     ShadowBatch(const Gl11 &gl, ShadowArrays &arrays, ShadowStats &stats) : gl_(gl), arrays_(arrays), stats_(stats) {}
 
-    // Draws what it holds first where that leaves no room; large ones by themselves.
+    // Flushes first if no space is left; draws large meshes alone.
     void add(const FlattenedMesh &flat);
-    // Two triangles, corners in turn.
+    // Adds two triangles with these corners in cyclic order.
     void add(const glm::vec3 (&corners)[4]);
-    // Draws what it holds. To be called before anything else is drawn, and at the end.
+    // Draws the batch. To be called before anything else is drawn, and at the end.
     void flush();
-    // Triangles of arrays that GL has been given.
+    // Draws triangles of arrays that GL already has.
     void draw(const uint32_t *indices, uint32_t count);
 
 private:

@@ -8,7 +8,7 @@ namespace claque::passes
 namespace
 {
 
-// A rod's half length is 1.73 of its standard deviations, a disc's radius 2.
+// The half length of a rod is 1.73 standard deviations, the radius of a disc 2.
 constexpr double blob_reach = 1.8;
 constexpr double h = 0.5, s = 0.86602540378443865;
 constexpr double circle[blob_corners][2] = {{1, 0},  {s, h},   {h, s},   {0, 1},  {-h, s}, {-s, h},
@@ -44,7 +44,7 @@ void PlanarMoments::ellipse(float (&out)[3 * blob_corners]) const
     const double uu = std::max(sum_uu_ / count_ - mean_u * mean_u, 0.0);
     const double uv = sum_uv_ / count_ - mean_u * mean_v;
     const double vv = std::max(sum_vv_ / count_ - mean_v * mean_v, 0.0);
-    // The root of the matrix of moments, lower triangle (Cholesky).
+    // The Cholesky factor of the covariance matrix, lower triangular.
     const double a = std::sqrt(uu), b = a > 0 ? uv / a : 0, c = std::sqrt(std::max(vv - b * b, 0.0));
     for (uint32_t k = 0; k < blob_corners; ++k) {
         const double u = mean_u + blob_reach * a * circle[k][0];

@@ -1,4 +1,4 @@
-// The far level of shadows: an ellipse on the ground with the middle and the spread of the shadow.
+// The coarse level of shadows: an ellipse on the ground with the mean and covariance of the shadow.
 #pragma once
 
 #include "passes/shadow_batch.h"
@@ -10,13 +10,13 @@ namespace claque::passes
 constexpr uint32_t blob_corners = 12, blob_indices_count = 3 * (blob_corners - 2);
 extern const uint32_t blob_indices[blob_indices_count];
 
-// Moments of points on a plane, in its own two directions.
+// Moments of points on a plane, in two directions of its own.
 class PlanarMoments
 {
 public:
     explicit PlanarMoments(const ShadowPlane &plane);
     void add(const float *p);
-    // Corners of the ellipse, 3 numbers each. There has been a point.
+    // The corners of the ellipse, 3 numbers each. Requires at least one point.
     void ellipse(float (&out)[3 * blob_corners]) const;
 
 private:

@@ -10,7 +10,7 @@ namespace claque::passes
 namespace
 {
 
-constexpr uint32_t blob_samples = 32;  // vertices that an ellipse goes by
+constexpr uint32_t blob_samples = 32;  // vertices that determine an ellipse
 
 template <class Do>
 void for_vertices(const draw::Vertices &vertices, uint32_t count, uint32_t step, Do act)
@@ -90,23 +90,20 @@ base::Status ShadowDrawer::draw()
         if (!casts(item) || item.eye_distance_m >= options_.none_from_m) continue;
         if (!prepared || prepared->source != item.tmpl) prepared = find(templates_, item.tmpl);
         if (!cast(item, prepared->levels[item.level]) && first.ok())
-            first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no room to skin it at draw time", item.actor_index);
+            first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no memory for its vertices at the update",
+                                      item.actor_index);
     }
     batch_.flush();
     return first;
 }
 
-// False where its vertices could not be had.
+// False if the item has no vertices.
 bool ShadowDrawer::cast(const draw::Item &item, const PreparedLevel &ready)
 {
     ShadowPlane plane;
     if (!plane_finder_.find(item, plane)) return true;
-    draw::Vertices vertices = item.vertices;
-    if (!item.locals && !vertices.any()) {
-        vertices = list_.server->serve(item);
-        if (!vertices.any()) return false;
-        ++stats_.skinned;
-    }
+    const draw::Vertices &vertices = item.vertices;
+    if (!item.locals && !vertices.any()) return false;
     ++stats_.individuals;
     stats_.shadow_only += item.shadow_only;
     const bool blob = item.eye_distance_m >= options_.blob_from_m;
@@ -137,7 +134,7 @@ void ShadowDrawer::flatten(const Flattener &flattener, const draw::Vertices &ver
     stats_.vertices += flat_count_;
 }
 
-// As MatrixWalk goes, products made here: parts lie on the ground then, where GL's stack would leave them standing.
+// As MatrixWalk, but matrices are multiplied here: projecting with GL's stack would leave the parts standing.
 void ShadowDrawer::flatten_parts(const ShadowPlane &plane, const draw::Item &item, const PreparedLevel &ready)
 {
     float *flat = scratch_.shadow.flat.data();
@@ -158,7 +155,7 @@ void ShadowDrawer::flatten_parts(const ShadowPlane &plane, const draw::Item &ite
     stats_.vertices += flat_count_;
 }
 
-// `by_indices`: not every vertex need have been flattened, only those of triangles.
+// `by_indices`: only the vertices of triangles have been flattened.
 void ShadowDrawer::cast_blob(const ShadowPlane &plane, const PreparedLevel &ready, bool by_indices)
 {
     ++stats_.blobs;
@@ -183,7 +180,7 @@ void ShadowDrawer::add(const ShadowPlane &plane, const FlattenedMesh &flat)
     shadow_mask_ ? shadow_mask_->add(plane, flat) : batch_.add(flat);
 }
 
-// GL goes through the cached vertices itself.
+// GL reads the cached vertices itself.
 void ShadowDrawer::draw_by_matrix(const Flattener &flattener, const draw::Vertices &vertices,
                                   const PreparedLevel &ready)
 {

@@ -1,5 +1,5 @@
-// One draw of the shadows of one list: the vertices that its individuals show, thrown on the ground and drawn blended,
-// every pixel at most once. By a stencil bit where the host lends one, else by a mask (see Cover).
+// Draws the shadows of one list: the vertices that individuals show are projected on the ground and drawn blended,
+// every pixel at most once. That is ensured by a stencil bit if the host lends one, otherwise by a mask (ShadowMask).
 #pragma once
 
 #include "passes/canvas.h"
@@ -11,12 +11,12 @@
 namespace claque::passes
 {
 
-// What the shadows are drawn into, asked before.
+// The target of the shadows, queried before.
 struct ShadowTarget {
     int32_t width = 0, height = 0;  // of the viewport
 };
 
-// Nothing falls from who has no triangles at its level.
+// False for items without triangles at their level.
 bool casts(const draw::Item &item);
 
 class ShadowDrawer
@@ -25,7 +25,7 @@ public:
     ShadowDrawer(const Gl11 &gl, const Preflight &preflight, const Array<PreparedTemplate> &templates, Scratch &scratch,
                  const draw::DrawList &list, const ShadowOptions &options, ShadowTarget target, ShadowStats &stats);
 
-    // Everything has been checked. Fails: CLQ_OUT_OF_MEMORY (the vertex server had no room for somebody).
+    // Everything has been checked. Fails: CLQ_OUT_OF_MEMORY (an item without vertices).
     base::Status draw();
 
 private:

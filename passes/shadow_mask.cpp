@@ -32,14 +32,14 @@ void ShadowMask::find_window(const FlattenedMesh &flat)
         const float *p = flat.positions + 3 * size_t(v);
         const auto row = [&](int k) { return rows[k].x * p[0] + rows[k].y * p[1] + rows[k].z * p[2] + rows[k].w; };
         const float x = row(0), y = row(1), w = row(2);
-        // Of what is behind the eye, x and y stay as they are: it is cut off first.
+        // For points behind the eye x and y stay undivided; they are clipped first.
         arrays_.window[v] = w >= min_w ? glm::vec3((x / w + 1) * half_x, (y / w + 1) * half_y, w) : glm::vec3(x, y, w);
     }
 }
 
 void ShadowMask::add(const ShadowPlane &plane, const FlattenedMesh &flat)
 {
-    // Window depth is linear over the picture on a plane: q * (x, y, z, 1) == 0 in normalised coordinates.
+    // On a plane window depth is linear over the picture: q * (x, y, z, 1) == 0 in normalised coordinates.
     const glm::dvec4 q = glm::transpose(inverse_) * glm::dvec4(plane.normal, -plane.offset);
     if (std::fabs(q.z) < 1e-12) return;  // the ground is seen edge-on
     slope_x_ = -q.x / q.z, slope_y_ = -q.y / q.z, middle_ = -q.w / q.z;
@@ -56,7 +56,7 @@ void ShadowMask::add_triangle(const glm::vec3 &a, const glm::vec3 &b, const glm:
     const int inside = (a.z >= min_w) + (b.z >= min_w) + (c.z >= min_w);
     if (inside == 3) return arrays_.mask.add(glm::vec2(a), glm::vec2(b), glm::vec2(c));
     if (inside == 0) return;
-    // Cut at the near plane (Sutherland and Hodgman 1974), in clip space.
+    // Clips at the near plane (Sutherland and Hodgman 1974), in clip space.
     const float half_x = 0.5f * static_cast<float>(width_), half_y = 0.5f * static_cast<float>(height_);
     const auto in_clip = [&](const glm::vec3 &p) {
         return p.z >= min_w ? glm::vec3((p.x / half_x - 1) * p.z, (p.y / half_y - 1) * p.z, p.z) : p;
@@ -78,8 +78,8 @@ void ShadowMask::add_triangle(const glm::vec3 &a, const glm::vec3 &b, const glm:
     for (int k = 2; k < count; ++k) arrays_.mask.add(kept[0], kept[k - 1], kept[k]);
 }
 
-// Where the ground shows in a corner of a box, in eye space. Close to the horizon a corner may see past it, though all
-// middles of the box's pixels see the ground: then it is given the depth of the nearest of these.
+// The ground at a corner of a box, in eye space. Close to the horizon a corner may lie above the ground although all
+// pixel centres of the box see it; the corner then gets the depth of the nearest of these.
 bool ShadowMask::corner(double x, double y, double inner_x, double inner_y, glm::vec3 &out) const
 {
     const auto point = [&](double depth_x, double depth_y) {

@@ -1,6 +1,6 @@
-// Shadows where no stencil bit is lent: their triangles are put into a mask of the viewport's pixels here, and what of it is
-// new goes to GL as boxes of whole pixels that lie on the ground. A box's edges run between pixels, half a pixel from every
-// middle, so that GL fills exactly these, each once, however it rounds.
+// Shadows without a stencil bit. Triangles are rasterised here into a mask of the viewport's pixels, and new pixels go
+// to GL as boxes of whole pixels on the ground. The edges of a box run between pixels, half a pixel from every centre,
+// so that GL fills exactly these pixels once, however it rounds.
 #pragma once
 
 #include "passes/shadow_batch.h"
@@ -14,7 +14,7 @@ namespace claque::passes
 class ShadowMask
 {
 public:
-    // The mask has been reserved for these sizes.
+    // The mask must have been reserved for these sizes.
     ShadowMask(const float *projection, int32_t width, int32_t height, ShadowArrays &arrays, ShadowBatch &batch);
 
     void add(const ShadowPlane &plane, const FlattenedMesh &flat);
@@ -26,9 +26,9 @@ private:
     bool corner(double x, double y, double inner_x, double inner_y, glm::vec3 &out) const;
 
     glm::dmat4 projection_, inverse_;
-    double nearest_w_;  // of clip space
+    double nearest_w_;  // in clip space
     int32_t width_, height_;
-    double slope_x_ = 0, slope_y_ = 0, middle_ = 0;  // of the ground's depth, of the individual at hand
+    double slope_x_ = 0, slope_y_ = 0, middle_ = 0;  // of the ground's depth, for the current individual
     ShadowArrays &arrays_;
     ShadowBatch &batch_;
 };

@@ -15,7 +15,7 @@ glm::dvec3 turned(const double *m, const glm::dvec3 &v)
 
 glm::dvec3 vec(const double *v) { return {v[0], v[1], v[2]}; }
 
-// Light that comes in flatter than this throws shadows out of all measure.
+// Light at a flatter angle would throw excessively long shadows.
 constexpr double min_sine = 0.02;
 
 }  // namespace
@@ -90,7 +90,7 @@ Flattener::Flattener(const ShadowPlane &plane, const float *model_view, const ma
     project();
 }
 
-// Parallel light: everything goes into the one matrix.
+// For parallel light everything fits one matrix.
 void Flattener::project()
 {
     if (!plane_.parallel) return;

@@ -5,7 +5,7 @@ namespace claque::passes
 namespace
 {
 
-// One edge, the same from whichever triangle: upwards.
+// An edge directed upwards, so that it is the same for both its triangles.
 struct Edge {
     glm::vec2 low, high;
     float slope = 0;
@@ -24,7 +24,7 @@ struct Edge {
     }
 };
 
-// The first pixel whose middle is not before `at`.
+// The first pixel whose centre is not before `at`.
 int32_t pixel_of(float at, int32_t end)
 {
     const float x = std::clamp(at - 0.5f, -1.0f, static_cast<float>(end));
@@ -47,7 +47,7 @@ void SpanMask::reserve(int32_t width, int32_t height)
 {
     const size_t words = size_t((width + 63) / 64) * size_t(height);
     if (done_.size() < words) done_.resize(words);
-    if (own_.size() < words) own_.resize(words);  // zero, and so again after each take()
+    if (own_.size() < words) own_.resize(words);  // zero, and zero again after each take()
 }
 
 void SpanMask::begin(int32_t width, int32_t height)
@@ -82,7 +82,7 @@ void SpanMask::fill(int32_t row, int32_t x0, int32_t x1)
         words[w] |= bits(w == word0 ? x0 - 64 * w : 0, w == word1 ? x1 - 64 * w : 64);
 }
 
-// What is new in a row, which is then old.
+// Finds the new pixels of a row and marks them as old.
 void SpanMask::find_runs(int32_t y)
 {
     run_count_ = 0;

@@ -1,5 +1,5 @@
-// Which pixels of the picture are in shadow already, one bit each: what keeps shadows from darkening twice where no stencil
-// bit is lent. Depth cannot: fragments of triangles in one plane differ in its last bits from triangle to triangle.
+// The pixels that are already in shadow, one bit each. They keep shadows from darkening a pixel twice if the host lends
+// no stencil bit. A depth test cannot: fragments of triangles in one plane differ in their last bits.
 #pragma once
 
 #include "lib/model/model.h"
@@ -23,13 +23,13 @@ public:
 
     // Grows only; throws std::bad_alloc.
     void reserve(int32_t width, int32_t height);
-    // Nothing is in shadow yet. Of a size that was reserved.
+    // Clears the mask. The size must have been reserved.
     void begin(int32_t width, int32_t height);
 
-    // Adds pixels whose middle is inside; corners in pixels, finite, row 0 where y is 0.
+    // Adds the pixels whose centre is inside. Corners are finite and in pixels, row 0 at y = 0.
     void add(glm::vec2 a, glm::vec2 b, glm::vec2 c);
 
-    // Calls emit(PixelBox) for boxes that together are what was added since the last call and by no call before.
+    // Calls emit(PixelBox) for boxes that together cover the pixels added since the last call and by no call before.
     template <class Emit>
     void take(Emit emit)
     {
@@ -43,12 +43,12 @@ public:
     }
 
 private:
-    static constexpr uint32_t max_runs = 256;  // of one row; what is beyond goes unseen
+    static constexpr uint32_t max_runs = 256;  // per row; further runs are ignored
 
     void fill(int32_t row, int32_t x0, int32_t x1);
     void find_runs(int32_t y);
 
-    // Runs that are as in the row above make its boxes longer.
+    // Boxes grow by runs that equal those of the row above.
     template <class Emit>
     void close_and_extend(int32_t y, Emit emit)
     {
@@ -64,8 +64,8 @@ private:
         open_count_ = run_count_;
     }
 
-    int32_t width_ = 0, height_ = 0, words_ = 0;  // words a row
-    int32_t first_row_ = 0, end_row_ = 0;         // of what was added
+    int32_t width_ = 0, height_ = 0, words_ = 0;  // words per row
+    int32_t first_row_ = 0, end_row_ = 0;         // of the added pixels
     int32_t first_word_ = 0, end_word_ = 0;
     model::Array<uint64_t> done_, own_;
     PixelBox boxes_[2][max_runs];

@@ -1,5 +1,5 @@
-// Key textures have one level, sampled GL_NEAREST: GL 1.1 cannot limit a mip chain, and mixing keys would make new ones
-// (S2 2.4). What may be filtered without mixing any has a second texture.
+// Textures with zone keys have one mip level, sampled GL_NEAREST: GL 1.1 cannot limit a mip chain, and mixed keys would
+// be other keys (S2 2.4). Triangles that may be filtered use a second texture.
 #include "passes/guard.h"
 #include "passes/prepared.h"
 
@@ -12,7 +12,7 @@ namespace
 
 int32_t wrap_of(model::Wrap wrap) { return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat); }
 
-// `image` is the texture itself, or what it shows of another set.
+// `image` is the texture itself, or its image in another set.
 template <class Image>
 void upload(const Gl11 &gl, const model::Texture &texture, const Image &image, uint32_t name, uint32_t filter)
 {

@@ -1,4 +1,5 @@
-// Vertices of a level that lie and move as one: those that stand twice for what they show or how they are lit alone.
+// Welded vertices: vertices of a level with equal position and movement, which differ only in what they show or how
+// they are lit.
 #pragma once
 
 #include "lib/model/template.h"
@@ -8,12 +9,12 @@
 namespace claque::passes
 {
 
-// Whether a level is one surface whose triangles are all clean, `most` at most, each with one place in the texture for all
+// True if a level is one surface of at most `max_triangles` clean triangles, each with one texture coordinate for all
 // three corners.
 bool shows_texels(const model::Level &level, uint32_t max_triangles);
 
-// For each source vertex the first one with its position and influences. Where a level has morph targets each stands for
-// itself.
+// For each source vertex the first one with its position and influences. In a level with morph targets each vertex
+// stands for itself.
 std::vector<uint32_t> welded_vertices(const model::Level &level);
 
 }  // namespace claque::passes

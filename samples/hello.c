@@ -1,10 +1,11 @@
-/* A crowd in sixty lines: a hundred citizens applaud in a GL 1.1 context made with OSMesa; the picture is hello.ppm.
- * In your own program the context is yours already: keep what is between the two rulers. */
-#include <claque/assets.h>
-#include <claque/claque.h>
+/* A crowd in sixty lines: a hundred citizens applaud in a GL 1.1 context made with OSMesa; the picture is
+ * hello.ppm. Your own program has a context already: copy only the part between the two rulers. */
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <claque/assets.h>
+#include <claque/claque.h>
 
 enum { WIDTH = 640, HEIGHT = 480, GL_RGBA = 0x1908, GL_UNSIGNED_BYTE = 0x1401, DEPTH_AND_COLOUR = 0x4100 };
 
@@ -64,9 +65,11 @@ int main(void)
     check(clq_renderer_prepare(renderer, citizen));
     check(clq_view_create(crowd, &view));
     clq_camera camera;
-    const double eye[3] = {0, 2.9, 4.2}, target[3] = {0, 0.7, -2.5};
-    const float up[3] = {0, 1, 0};
-    check(clq_camera_look_at(&camera, eye, target, up, 0.75f, (float)WIDTH / HEIGHT, 0.1f, 100.0f));
+    clq_look_at_def look = clq_look_at_def_init();
+    look.eye[1] = 2.9, look.eye[2] = 4.2;
+    look.target[1] = 0.7, look.target[2] = -2.5;
+    look.fov_y_rad = 0.75f, look.z_far = 100.0f;
+    check(clq_camera_look_at(&look, &camera));
     check(clq_view_set_camera(view, &camera));
     check(clq_crowd_update(crowd, 2.5, &view, 1));
     clear_colour(0.72f, 0.66f, 0.56f, 1), clear(DEPTH_AND_COLOUR);

@@ -1,11 +1,12 @@
 #!/bin/sh
-# foreign.sh i386|arm64|mingw [JOBS]: libclaque for another machine, and those of its tests that need no OpenGL and no files.
-# foreign.sh nehalem: some tests of the build that is there, on a processor of 2008 that knows neither AVX nor AVX2.
+# foreign.sh i386|arm64|mingw [JOBS]: builds libclaque for another machine and runs its tests that need no OpenGL and no
+# files.
+# foreign.sh nehalem: runs some tests of the existing build on an emulated processor of 2008 without AVX and AVX2.
 set -eu
 cd "$(dirname "$0")/.."
 preset=$1 jobs=${2:-$(nproc)}
 
-# What is missing is named, and the packages that bring it; that is no failure.
+# Names missing tools and their packages; a missing tool is no failure.
 missing=''
 need() { command -v "$1" > /dev/null || missing="$missing $2"; }
 case $preset in
@@ -38,15 +39,15 @@ if [ "$preset" = nehalem ]; then
     exit 0
 fi
 
-if [ "$preset" = mingw ]; then  # a Windows of its own, silent, and set up before the first test counts
+if [ "$preset" = mingw ]; then  # a Wine prefix of its own, silent, set up before the first test is timed
     WINEPREFIX=$PWD/build/mingw/wine WINEDEBUG=-all
     export WINEPREFIX WINEDEBUG
     mkdir -p "$WINEPREFIX"
     wine wineboot --init > build/mingw/wineboot.log 2>&1
 fi
 if [ "$preset" = arm64 ]; then
-    # QEMU takes some 30 times as long for floating point. Left out is what takes seconds without it and compares the library
-    # with itself over long series: what a processor has to do with those is in the tests that remain.
+    # QEMU takes some 30 times as long for floating point. Tests are left out that take seconds without it and compare
+    # the library with itself over long series: the remaining tests cover what depends on the processor.
     GTEST_FILTER="-Reach.NoVertexOfAHundredThousandPoses*:TemplateFile.ChangedWithAForgedHash*:Cover.IsExactlyTheTexels*"
     GTEST_FILTER="$GTEST_FILTER:PeriodLaw.RatesReached*:PeriodLaw.NoFrameCarries*:BudgetLaw.AnyNumberOfThreads*:LiveLaw.ActorsStepBack*"
     GTEST_FILTER="$GTEST_FILTER:KeyPoseLaw.ThePictureDoesNotDependOn*:AllocationLaw.ActorsThatComeIntoView*:Fuzz.CallsAtRandomKeepToTheLaws"

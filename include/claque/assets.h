@@ -1,210 +1,222 @@
-/* libclaque-assets: files in, built-in figures. Separate from libclaque, which needs libc and libstdc++ alone and loads
- * templates that were prepared with clq_template_save. Working memory comes from the C++ heap; templates are the
- * context's. */
+/* libclaque-assets: characters from files (glTF, GLB, BVH) and built-in figures, and the templates built from them.
+ *
+ * The library is separate from libclaque, which needs libc and libstdc++ only and loads templates that
+ * clq_template_save wrote. Working memory comes from the C++ heap; templates are in the context's memory. */
 #ifndef CLAQUE_ASSETS_H
 #define CLAQUE_ASSETS_H
 
-#include <claque/template.h>
+#include <claque/template_info.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* A character as loaded, before it is split. */
+/* A character as loaded, before it is split into a template. It may be changed by one thread at a time. */
 typedef struct clq_asset clq_asset;
 
 typedef struct clq_asset_options {
-    uint32_t struct_bytes;   /* set by clq_asset_options_init */
-    const char *base_folder; /* where external buffers and images lie; NULL: they are refused (load) or the file's own
-                                folder (load_file) */
-    const char *const
-        *hidden_nodes; /* [hidden_node_count] names: these and what hangs on them is left out of templates */
+    uint32_t struct_bytes; /* set by clq_asset_options_init */
+    /* The folder of external buffers and images. NULL: clq_asset_load refuses them, clq_asset_load_file uses the folder
+     * of the file. */
+    const char *base_folder;
+    const char *const *hidden_nodes; /* [hidden_node_count] names: templates leave out these nodes and all below them */
     uint32_t hidden_node_count;
     uint64_t memory_limit_bytes; /* 0: 1 GiB */
-    double motion_unit_m;        /* BVH: metres a unit of the file, which does not say; 0: 1 */
+    double bvh_metres_per_unit;  /* metres in a unit of a BVH file, which does not say; 0: 1 */
 } clq_asset_options;
 
-static inline clq_asset_options clq_asset_options_init(void)
-{
-    clq_asset_options options;
-    options.struct_bytes = (uint32_t)sizeof options;
-    options.base_folder = NULL;
-    options.hidden_nodes = NULL;
-    options.hidden_node_count = 0;
-    options.memory_limit_bytes = 0;
-    options.motion_unit_m = 0;
-    return options;
-}
+CLQ_DEFINE_ZERO_INIT(clq_asset_options)
 
-/* What a glTF file may say beside what the format knows, in `extras`:
- *   of an animation   "extras": {"claque": {"markers": [{"name": "left foot down", "time_s": 0.25}],
+/* Loads a glTF 2.0, GLB or BVH file; the content decides which. The bytes may be anything. Warnings go to the context's
+ * log. A BVH file gives a skeleton without parts and one clip named after the file (clq_asset_load: "motion"): a source
+ * for clq_asset_add_clips.
+ *
+ * glTF files may extend the format by `extras`:
+ *   in an animation   "extras": {"claque": {"markers": [{"name": "left foot down", "time_s": 0.25}],
  *                                           "root_motion": "hips"}}
- *     markers: named moments (clq_marker_def), in any order, time_s on the axis of its keys, from the first to the last;
- *     at most 4096 of one animation. root_motion: the name of the node whose way over the ground is taken out
- *     (clq_root_motion_def); one that is animated from above is refused when the template is built. Both go with the clip
- *     in clq_asset_add_clips.
- *   of a node         "extras": {"claque": {"deactivation_m": 40, "lod_m": [0, 40], "dofs": [{"name": "gaze yaw", "kind":
- *                                           "rotation", "axis": [0, 1, 0], "min": -0.7, "max": 0.7, "rest": 0}]}}
- *     as clq_node_def, clq_part_def and clq_dof_def have them; kinds are rotation, translation, and morph with
- *     "morph_target" in place of the axis
- * Members that are not known are passed over; known ones that break these rules are refused as FORMAT, by their place in
- * the file. */
-
-/* Loads glTF 2.0, GLB or BVH, decided by content. The bytes may be anything. A BVH file becomes a skeleton without parts
- * and one clip, named after the file (clq_asset_load: "motion"): nothing to build a template from, but a source for
- * clq_asset_add_clips.
+ *     markers: as clq_marker_def, in any order, at most 4096 per animation; time_s on the axis of its keys, from the
+ *     first to the last. root_motion: the name of the node of clq_root_motion_def; building the template fails if a
+ *     node above it is animated. Both go with the clip in clq_asset_add_clips.
+ *   in a node         "extras": {"claque": {"deactivation_m": 40, "lod_m": [0, 40], "dofs":
+ *                                           [{"name": "gaze yaw", "kind": "rotation", "axis": [0, 1, 0],
+ *                                             "min": -0.7, "max": 0.7, "rest": 0}]}}
+ *     as clq_node_def, clq_part_def and clq_dof_def; a kind is rotation, translation, or morph with "morph_target" in
+ *     place of the axis.
+ * Unknown members are ignored. Known members that break these rules fail with FORMAT and their place in the file.
+ *
  *   options   NULL means clq_asset_options_init()
- *   out       [owner: host, until clq_asset_destroy]
- * Fails: FORMAT, UNSUPPORTED (the feature is named), LIMIT, IO, OUT_OF_MEMORY. Warnings go to the context's log.
+ *   out       owned by the host until clq_asset_destroy
+ * Fail: STRUCT_SIZE, ARGUMENT, FORMAT, UNSUPPORTED (names the feature), LIMIT, IO, OUT_OF_MEMORY.
  * Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_bytes,
                                   const clq_asset_options *options, clq_asset **out);
 CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, const clq_asset_options *options,
                                        clq_asset **out);
 
-/* A figure that needs no file: "citizen" (a man in a girded tunic, 8 zones), "patrician" (a rich woman in stola and
- * palla, 10 zones), "decurion" (an older man in a toga, 9 zones), "plebeian" (a young working man in an exomis, 9
- * zones); each of about 1040 triangles on one skeleton of 33 nodes. Clips: stand, walk, applaud, cheer; sit, sit_lean,
- * sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave (4 to 9 s, loops that begin and end in one pose and so
- * may follow one another; the seat's top is 0.43 m above the feet, its front edge 0.14 m behind the origin); rise and
- * sit_down (2 s, once, from that pose to the beginning of stand and back); stand_wave, stand_laugh, stand_applaud,
- * stand_cheer (begin and end as stand); jog, in step with walk: the left foot comes down at the beginning of both, the
- * right one in the middle.
- * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. */
+/* Makes a built-in figure, which needs no file. Each has about 1040 triangles and a skeleton of 33 nodes:
+ *   "citizen"    a man in a girded tunic, 8 zones
+ *   "patrician"  a rich woman in stola and palla, 10 zones
+ *   "decurion"   an older man in a toga, 9 zones
+ *   "plebeian"   a young working man in an exomis, 9 zones
+ * Their clips:
+ *   stand, walk, applaud, cheer
+ *   sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave   loops of 4 to 9 s that begin and
+ *                                                                                    end in
+ *     one pose and so may follow each other; the top of the seat is 0.43 m above the feet, its front edge 0.14 m behind
+ *     the origin
+ *   rise, sit_down   2 s, once: from that pose to the beginning of stand, and back
+ *   stand_wave, stand_laugh, stand_applaud, stand_cheer   begin and end as stand
+ *   jog   in step with walk: in both the left foot comes down at the beginning, the right one in the middle
+ *   out   owned by the host until clq_asset_destroy
+ * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
 
-/* One of the four people with more clips: its own nineteen, and variants of each in turn, until there are clip_count.
- * They differ in tempo, timing, amplitude, the hand that leads and a sway of their own, and are named "sit_talk.03" and
- * the like; what holds for a clip (loops, seats, common beginnings and ends) holds for its variants. The same bytes on
- * every call. S1 8: 150 clips for everybody.
+/* Makes one of the four people with more clips (S1 8: 150 clips): its own nineteen, and variants of each in turn, until
+ * there are clip_count. Variants differ in tempo, timing, amplitude, the leading hand and an added swaying. They are
+ * named "sit_talk.03" and the like. What holds for a clip (loops, seats, common beginnings and ends) holds for its
+ * variants. All calls give the same bytes.
  *   clip_count   [19, 2000]
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint32_t clip_count,
                                             clq_asset **out);
+
+/* Destroys an asset; NULL is ignored. Templates built from it stay. Threads: any. GL: none. */
 CLQ_API void clq_asset_destroy(clq_asset *asset);
 
 typedef struct clq_asset_info {
+    uint32_t struct_bytes; /* set by clq_asset_info_init */
     const char *name;
     uint32_t part_count, node_count, joint_count, clip_count, zone_count, image_count, material_count;
     uint32_t triangle_count, vertex_count, max_influences, morph_target_count;
     uint32_t hidden_part_count;
     uint32_t warning_count;
-    float box_min[3], box_max[3]; /* of the rest pose, all parts that are not hidden */
+    float box_min[3], box_max[3]; /* of the rest pose in model units, without hidden parts */
 } clq_asset_info;
 
 typedef struct clq_asset_part {
+    uint32_t struct_bytes; /* set by clq_asset_part_init */
     const char *name;
     const char *node_name;
     const char *material_name;
     uint32_t vertex_count, triangle_count, influence_count, morph_target_count;
-    int32_t skinned, hidden;
+    bool skinned, hidden;
     uint32_t topology; /* glTF's mode: 0 points ... 4 triangles ... 6 fan */
 } clq_asset_part;
 
+CLQ_DEFINE_ZERO_INIT(clq_asset_info)
+CLQ_DEFINE_ZERO_INIT(clq_asset_part)
+
+/* Facts of an asset. Strings live until the asset changes.
+ *   out   made by its _init function
+ * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large). Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out);
 CLQ_API clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_part *out);
 CLQ_API clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out);
-CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warning); /* "" beyond the last */
 
-/* Gives an asset one more texture set (clq_texture_set_def), for individuals that differ in more than colours.
- * KHR_materials_variants of a glTF file are such sets already; the four built-in people have a second one each.
- *   name      by which clq_template_find_texture_set finds it
- *   images    [material_count of clq_asset_info], copied; rgba NULL: the material's own. Alpha must mean what it means in the
- *             material's own image, which there must be
- * Fails: ARGUMENT, LIMIT (63 sets), OUT_OF_MEMORY; the asset is then as it was. Threads: any one. GL: none. */
+/* Returns a warning of loading as one sentence; "" beyond the last one. Threads: any. GL: none. */
+CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warning);
+
+/* Adds a texture set to an asset (clq_texture_set_def). KHR_materials_variants of a glTF file are texture sets already;
+ * each of the four built-in people has a second one.
+ *   name     for clq_template_find_texture_set
+ *   images   [image_count], copied; image_count is clq_asset_info.material_count. rgba NULL: the material's own image.
+ *            The material must have an image, and the meaning of both alphas must agree
+ * Fails: ARGUMENT, LIMIT (63 sets), OUT_OF_MEMORY; the asset then stays. Threads: one per asset. GL: none. */
 CLQ_API clq_status clq_asset_add_texture_set(clq_context *context, clq_asset *asset, const char *name,
                                              const clq_image_def *images, uint32_t image_count);
 
-/* Animated positions of all parts in file order (nodes depth first, primitives in order), in model space.
- *   clip     CLQ_NONE: the rest pose with default morph weights
- *   time_s   on the clip's own key axis; clamped to it
- *   out_xyz  [3 * vertex_count of clq_asset_info]
- * Fails: ARGUMENT (also capacity_floats too small), OUT_OF_MEMORY. Threads: any. */
-CLQ_API clq_status clq_asset_positions(const clq_asset *asset, uint32_t clip, float time_s, float *out_xyz,
-                                       size_t capacity_floats);
+/* Computes the animated positions of all parts, in model space, in file order: nodes depth first, primitives in order.
+ *   clip              CLQ_NONE: the rest pose with default morph weights
+ *   time_s            on the clip's own key axis, clamped to it
+ *   out_xyz           [capacity_floats]
+ *   capacity_floats   3 * clq_asset_info.vertex_count or more
+ * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_get_positions(const clq_asset *asset, uint32_t clip, float time_s, float *out_xyz,
+                                           size_t capacity_floats);
 
-/* What of a joint answers the rest pose of the clips' skeleton. */
+/* The orientation of a joint that corresponds to the rest pose of the clips' skeleton. */
 typedef enum clq_rest_alignment {
-    CLQ_REST_KEEP = 0, /* its own rest */
-    CLQ_REST_ALIGN =
-        1 /* its rest turned so that the bone points where the other's does: A-poses against T-poses. A joint
-                          that has no bound joint below it, or several, turns as the bound one above it */
+    CLQ_REST_KEEP = 0, /* its own rest orientation */
+    /* Its rest orientation, turned so that the bone points where the other skeleton's bone points; for A-poses and
+     * T-poses. A joint with no or several bound joints below it turns like the bound joint above it. */
+    CLQ_REST_ALIGN = 1
 } clq_rest_alignment;
 
 typedef struct clq_joint_pair {
-    const char *source; /* of the clips' skeleton */
-    const char *target; /* of the character; each once at most */
+    const char *source; /* a joint of the clips' skeleton */
+    const char *target; /* a joint of the character, once at most */
     clq_rest_alignment rest;
 } clq_joint_pair;
 
-/* A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh. One that stands in
- * several of these goes with whichever leader turns it farthest; of leaders that turn away from the side on which it lies,
- * 0.3 of the share counts. */
+/* A joint without a source that follows a bound joint, as cloth follows a thigh. A joint with several leaders follows
+ * the one that turns it farthest. Of a leader that turns away from the side on which the joint lies only 0.3 of the
+ * share counts. */
 typedef struct clq_follower {
-    const char *joint, *leader; /* of the character */
-    float share;                /* [0, 1] of the leader's turn from its rest, as the joint's parent sees it */
+    const char *joint, *leader; /* joints of the character */
+    float share;                /* [0, 1] of the leader's rotation from its rest, as seen by the joint's parent */
 } clq_follower;
 
 typedef enum clq_retarget_mode {
-    CLQ_RETARGET_AUTOMATIC = 0, /* channels, where the skeletons agree and none of first_s, last_s and close_s is set */
-    CLQ_RETARGET_CHANNELS = 1,  /* keys, steps and splines as they are */
-    CLQ_RETARGET_MOTION = 2 /* joints turn from their rest in model space as the source's do; the topmost one goes the
-                              source's way, scaled by the legs and set down so that the feet stand on y = 0 */
+    CLQ_RETARGET_AUTOMATIC = 0, /* CHANNELS if the skeletons agree and start_s, end_s and close_s are 0; else MOTION */
+    CLQ_RETARGET_CHANNELS = 1,  /* copies keys, steps and splines */
+    /* Joints turn from their rest orientation as the source's do, in model space. The topmost joint takes the source's
+     * root motion, scaled by the length of the legs and lowered so that the feet stand on y = 0. */
+    CLQ_RETARGET_MOTION = 2
 } clq_retarget_mode;
 
 typedef enum clq_root_travel {
-    CLQ_ROOT_TRAVEL_IN_PLACE = 0, /* without the straight way from the clip's first place to its last */
+    CLQ_ROOT_TRAVEL_IN_PLACE = 0, /* removes the straight line from the clip's first position to its last */
     CLQ_ROOT_TRAVEL_KEEP = 1
 } clq_root_travel;
 
 typedef struct clq_clips_def {
     uint32_t struct_bytes;        /* set by clq_clips_def_init */
-    const clq_joint_pair *joints; /* [joint_count]; none: joints of equal names answer each other */
+    const clq_joint_pair *joints; /* [joint_count]; with joint_count 0 joints of equal names correspond */
     uint32_t joint_count;
-    const char *const *clips; /* [clip_count] names in the source; none: all of them */
+    const char *const *clips; /* [clip_count] names in the source; with clip_count 0 all clips */
     uint32_t clip_count;
-    const char *prefix; /* of the names of what is added; may be NULL */
+    const char *prefix; /* of the names of the added clips; may be NULL */
     clq_retarget_mode mode;
-    /* The rest is for CLQ_RETARGET_MOTION. */
+    /* The remaining members are for CLQ_RETARGET_MOTION. */
     clq_root_travel travel;
     float rate_hz;                 /* of keys, [1, 1000]; 0: 30 */
-    float start_s, end_s;          /* what is taken of each clip, from its start on; last_s 0: to its end */
+    float start_s, end_s;          /* the part of each clip to take, from the clip's start on; end_s 0: to its end */
     const clq_follower *followers; /* [follower_count] */
     uint32_t follower_count;
-    float close_s; /* so long before its end it begins to turn into its first pose, so that it loops; 0: never */
+    /* The clip turns into its first pose over this time before its end, so that it loops. 0: it does not. */
+    float close_s;
 } clq_clips_def;
 
-static inline clq_clips_def clq_clips_def_init(void)
-{
-    clq_clips_def def;
-    unsigned char *p = (unsigned char *)&def;
-    size_t i;
-    for (i = 0; i < sizeof def; ++i) p[i] = 0;
-    def.struct_bytes = (uint32_t)sizeof def;
-    return def;
-}
+CLQ_DEFINE_ZERO_INIT(clq_clips_def)
 
 typedef struct clq_clips_report {
-    clq_retarget_mode mode; /* that was taken */
-    uint32_t clip_count;    /* that were added, as the last of the asset's */
-    uint32_t joint_count;   /* that are bound */
+    uint32_t struct_bytes;  /* set by clq_clips_report_init */
+    clq_retarget_mode mode; /* CHANNELS or MOTION */
+    uint32_t clip_count;    /* clips that were added, the last ones of the asset */
+    uint32_t joint_count;   /* joints that are bound */
 } clq_clips_report;
 
-/* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. What is not bound is
- * said by name and number: to the context's log, and as warnings of the asset. A name that is taken gets a number.
- *   source   any asset with clips: glTF with or without meshes, BVH, a built-in figure; not kept
- *   def      NULL means clq_clips_def_init()
- *   report   may be NULL
- * Fails, with the asset as it was: STRUCT_SIZE, ARGUMENT (nothing is bound; a clip that is not there; numbers out of
- * range), LIMIT, OUT_OF_MEMORY. Threads: any, but no other call with this asset at the same time. GL: none. */
-CLQ_API clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq_asset *source,
-                                       const clq_clips_def *def, clq_clips_report *report);
+CLQ_DEFINE_ZERO_INIT(clq_clips_report)
 
-/* Splits it into a template (see clq_template_build). max_texture_px 0: 1024. */
+/* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. The context's log
+ * and the asset's warnings name the joints that are not bound. A clip whose name is taken gets a number.
+ *   source       any asset with clips: glTF with or without meshes, BVH, a built-in figure; not kept
+ *   def          NULL means clq_clips_def_init()
+ *   out_report   made by clq_clips_report_init; may be NULL
+ * Fails: STRUCT_SIZE, ARGUMENT (no joint is bound; a clip that is missing; a number out of range), LIMIT,
+ * OUT_OF_MEMORY; the asset then stays. Threads: one per asset. GL: none. */
+CLQ_API clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq_asset *source,
+                                       const clq_clips_def *def, clq_clips_report *out_report);
+
+/* Builds a template from an asset, as clq_template_build does.
+ *   max_texture_px   larger images are reduced; 0: 1024
+ *   out              owned by the host until clq_template_destroy
+ * Fails: as clq_template_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_t max_texture_px,
                                    clq_template **out);
 
-/* The short ways: load or make, split, forget the rest. */
+/* Load a glTF file, or make a built-in figure, and build its template in one call.
+ * Fail: as clq_asset_load or clq_asset_builtin, and clq_asset_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
                                           const clq_asset_options *options, clq_template **out);
 CLQ_API clq_status clq_template_builtin(clq_context *context, const char *name, clq_template **out);

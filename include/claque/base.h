@@ -1,14 +1,48 @@
-/* claque: statuses, host services, identifiers. Included by every other header.
+/* claque: conventions, statuses, host services. Every other header includes this one.
  *
- * C99 and C++. Every call that can fail returns a clq_status and, when it fails, leaves everything as it was;
- * clq_last_error() then holds one sentence that says which rule was broken, with names and numbers.
- * Suffixes of names carry units: _s seconds, _hz per second, _rad radians, _px pixels, _bytes, _count.
- * Definition structs ("defs") are made by their clq_..._init() function: all else zero means the sensible default. */
+ * The headers are C99 and C++. libclaque is what claque/claque.h includes; libclaque-assets is claque/assets.h,
+ * levels.h, zones.h, prepare.h and colour_files.h.
+ *
+ * Calls. A call that can fail returns a clq_status. A failed call leaves everything as it was, except where its comment
+ * says otherwise; clq_last_error() then holds one sentence that names the broken rule, with names and numbers. Out
+ * parameters come last and are written on CLQ_OK only. An out array is followed by its capacity. Getters are named
+ * clq_<class>_get_...
+ *
+ * Structs that begin with struct_bytes may grow in later versions.
+ *   Make one with its _init function, which sets struct_bytes and every default, then set the members that differ:
+ *       clq_crowd_def def = clq_crowd_def_init();
+ *   A member that is 0 means 0, unless its comment gives 0 another meaning. A struct that is only zeroed has
+ *   struct_bytes 0 and is refused with STRUCT_SIZE.
+ *   The library accepts the size that the struct had in any released version up to its own. Input members that a
+ *   shorter struct lacks get their defaults. Of an out struct the library writes struct_bytes bytes at most. Every
+ *   other size fails with STRUCT_SIZE. A longer size is among them: the host was compiled with newer headers than the
+ *   library.
+ * Structs that the library passes to callbacks may grow at their end and have no struct_bytes.
+ * All other structs (ids, small values, elements of arrays) never change. A _def among them has an _init function too.
+ *
+ * Units. A suffix names the unit: _s seconds, _ms milliseconds, _hz per second, _rad radians, _deg degrees, _px pixels,
+ * _m metres, _bytes bytes, _count a number of things.
+ * A length has one of three units:
+ *   metres         if its name ends in _m. Every distance between an eye and an actor is in metres: update periods,
+ *                  levels of detail, key-poses, shadows, statistics.
+ *   world units    if it is without suffix and lies in the world: positions, translations, heights, camera planes. One
+ *                  world unit is clq_crowd_def.metres_per_unit metres.
+ *   model units    if it is without suffix and lies in an actor's own space: vertices, nodes, root paths, bounding
+ *                  spheres at scale 1. clq_transform.scale takes them to world units. By convention one is a metre.
+ * Ranges are named x_min and x_max, both included where the comment does not say otherwise. A limit is named max_x.
+ * Intervals in comments are [closed] or (open).
+ *
+ * Spaces are right-handed. Matrices are column-major and multiply column vectors from the left, as in GL.
+ *
+ * Comments cite S0 (Rodriguez et al. 2010), S1 (de Heras Ciechomski et al. 2005, odeon), S2 (de Heras Ciechomski et al.
+ * 2005, shaders) and S3 (Lister et al. 2010). */
 #ifndef CLAQUE_BASE_H
 #define CLAQUE_BASE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #if defined(CLAQUE_STATIC)
 #define CLQ_API
@@ -24,65 +58,105 @@
 #define CLQ_API
 #endif
 
+/* The version of these headers. CLQ_VERSION is major * 10000 + minor * 100 + patch. */
 #define CLQ_VERSION_MAJOR 0
-#define CLQ_VERSION_MINOR 1
+#define CLQ_VERSION_MINOR 2
 #define CLQ_VERSION_PATCH 0
+#define CLQ_VERSION (CLQ_VERSION_MAJOR * 10000 + CLQ_VERSION_MINOR * 100 + CLQ_VERSION_PATCH)
+
+/* No index. */
+#define CLQ_NONE 0xffffffffu
+
+/* Defines clq_x_init() for a struct whose defaults are all zero. */
+#define CLQ_DEFINE_ZERO_INIT(type)                   \
+    static inline type type##_init(void)             \
+    {                                                \
+        type value;                                  \
+        memset(&value, 0, sizeof value);             \
+        value.struct_bytes = (uint32_t)sizeof value; \
+        return value;                                \
+    }
+
+/* The same for a struct without struct_bytes. */
+#define CLQ_DEFINE_PLAIN_INIT(type)      \
+    static inline type type##_init(void) \
+    {                                    \
+        type value;                      \
+        memset(&value, 0, sizeof value); \
+        return value;                    \
+    }
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* What a call came to. Numbers are never reused. */
+/* The result of a call. Numbers are never reused. */
 typedef enum clq_status {
     CLQ_OK = 0,
     CLQ_ARGUMENT = 1,       /* an argument breaks its stated limit */
-    CLQ_STRUCT_SIZE = 2,    /* struct_bytes is not one this library knows: header and library differ */
+    CLQ_STRUCT_SIZE = 2,    /* struct_bytes is no size of a released version: header and library differ */
     CLQ_STALE_ID = 3,       /* the id names nothing that exists now */
-    CLQ_OUT_OF_MEMORY = 4,  /* the host's allocator, or the C++ heap, refused */
+    CLQ_OUT_OF_MEMORY = 4,  /* the host's allocator or the C++ heap refused */
     CLQ_LIMIT = 5,          /* a stated limit of the library or of a setting is reached */
     CLQ_FORMAT = 6,         /* the bytes break the rules of their format */
-    CLQ_UNSUPPORTED = 7,    /* legal, but needs a feature that claque does not have; named in the text */
-    CLQ_KEY_RESOLUTION = 8, /* more zones than the strategy can tell apart on this target */
-    CLQ_GL_MISSING = 9,     /* no current context, or a GL 1.1 function is missing */
-    CLQ_GL_STATE = 10,      /* the host's GL state would spoil the picture; named in the text */
-    CLQ_BUSY = 11,          /* called while an update of the same crowd runs */
-    CLQ_IN_USE = 12,        /* something that still exists needs it */
+    CLQ_UNSUPPORTED = 7,    /* the input is legal but needs a feature that claque lacks; the text names it */
+    CLQ_KEY_RESOLUTION = 8, /* the strategy cannot tell that many zones apart on this target */
+    CLQ_GL_MISSING = 9,     /* no GL context is current, or a GL 1.1 function is missing */
+    CLQ_GL_STATE = 10,      /* the host's GL state would spoil the picture; the text names it */
+    CLQ_BUSY = 11,          /* another call works on the same crowd or view */
+    CLQ_IN_USE = 12,        /* something that still exists needs the object */
     CLQ_IO = 13             /* a file could not be read or written */
 } clq_status;
 
-/* The name of a status, for example "CLQ_STALE_ID"; "CLQ_?" for a number that is none. Never NULL. Any thread. */
+/* Returns CLQ_VERSION of the library, which may differ from that of the headers. Threads: any. */
+CLQ_API uint32_t clq_version(void);
+
+/* Returns the name of a status, for example "CLQ_STALE_ID"; "CLQ_?" for an unknown number. Never NULL. Threads: any. */
 CLQ_API const char *clq_status_name(clq_status status);
 
-/* The last failure of a claque call on this thread, as one sentence; "" if there was none.
- * Valid until the next claque call on this thread. Successful calls leave it alone. */
+/* Returns the last failure of a claque call on this thread as one sentence; "" if there was none. The string is valid
+ * until the next claque call on this thread. Successful calls leave it alone. Threads: any. */
 CLQ_API const char *clq_last_error(void);
 
-/* For libraries and bindings built on claque: makes `text` (copied, cut at 1023 bytes; NULL is "") this thread's
- * last error and returns `status`, so that `return clq_report(CLQ_IO, "...")` reads well. Any thread. */
+/* For libraries and bindings on top of claque: sets this thread's last error to `text` and returns `status`, so that
+ * they can write return clq_report(CLQ_IO, "...").
+ *   text   copied, cut at 1023 bytes; NULL means ""
+ * Threads: any. */
 CLQ_API clq_status clq_report(clq_status status, const char *text);
 
-/* Memory from the host. `allocate` returns at least `size_bytes` aligned to `alignment_bytes` (a power of two), or
- * NULL when it refuses. `release` gets the same size back. Called from the thread that calls claque and from tasks. */
+/* Memory from the host. The thread that calls claque and the tasks call both functions. */
 typedef struct clq_allocator {
     void *user;
+    /* Returns at least size_bytes, aligned to alignment_bytes (a power of two), or NULL to refuse. */
     void *(*allocate)(void *user, size_t size_bytes, size_t alignment_bytes);
+    /* Gets the sizes that were given to allocate. */
     void (*release)(void *user, void *memory, size_t size_bytes, size_t alignment_bytes);
 } clq_allocator;
 
 typedef enum clq_log_level { CLQ_LOG_INFO = 0, CLQ_LOG_WARNING = 1 } clq_log_level;
 
-/* Where warnings and notes go; claque prints nothing itself. `text` is one sentence, valid during the call. */
+/* Receives notes and warnings. claque itself prints nothing. */
 typedef struct clq_log {
     void *user;
+    /* `text` is one sentence and valid during the call. */
     void (*write)(void *user, clq_log_level level, const char *text);
 } clq_log;
 
-/* Threads from the host. `run` calls job(job_data, i) once for each i in [0, count), in any order, on any threads, and
- * returns when all are done. Left zero, claque works on the calling thread. Results never depend on it. */
+/* Threads from the host. Results never depend on them. */
 typedef struct clq_tasks {
     void *user;
+    /* Calls job(job_data, i) once for each i in [0, count), in any order and on any threads, and returns when all calls
+     * have returned. */
     void (*run)(void *user, uint32_t count, void (*job)(void *job_data, uint32_t index), void *job_data);
 } clq_tasks;
+
+/* Receives the pieces of a file in order. Returns 0 if the piece was taken; any other value stops the call with IO. It
+ * must not call claque for the object that is written. */
+typedef int (*clq_write_function)(void *user, const void *bytes, size_t size_bytes);
+
+/* Returns the height of the ground, in world units, below or above a point of the world; y is up. NaN means that there
+ * is no ground. The result depends on the point alone. It must not call claque. */
+typedef double (*clq_height_function)(void *user, const double point[3]);
 
 #ifdef __cplusplus
 }

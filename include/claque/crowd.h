@@ -1,9 +1,9 @@
-/* clq_crowd and clq_actor: who is there, where, doing what, in what colours; and the update that animates what can be
- * seen.
+/* clq_crowd and clq_actor: individuals, where they are, what they play and their colours; and the update that animates
+ * the visible ones.
  *
- * A crowd has one writer: calls that change it come from one thread at a time. Positions are doubles and drawn relative
- * to the eye, so that a world of 10^6 m does not shake. Actors are {index, generation} ids by value: zero is none, and
- * an id whose actor is gone is STALE_ID for ever. */
+ * A crowd has one writer: calls that change it come from one thread at a time. Positions are doubles and are drawn
+ * relative to the eye, so they do not jitter at 10^6 m from the origin. An actor is an {index, generation} id by value.
+ * {0, 0} is no actor. The id of a destroyed actor is STALE_ID for ever. */
 #ifndef CLAQUE_CROWD_H
 #define CLAQUE_CROWD_H
 
@@ -22,270 +22,312 @@ typedef struct clq_actor {
     uint32_t generation;
 } clq_actor;
 
-/* A group of actors, an id by value like theirs: see claque/group.h. */
+/* The id of a group of actors, see claque/group.h. */
 typedef struct clq_group {
     uint32_t index1;
     uint32_t generation;
 } clq_group;
 
-/* An object that an actor holds, an id by value: see clq_actor_attach. */
+/* The id of an object that an actor carries, see clq_actor_attach. */
 typedef struct clq_attachment {
     uint32_t index1;
     uint32_t generation;
 } clq_attachment;
 
-/* Called by clq_renderer_draw before and after one individual is drawn (S0 7.1), on its thread, with its context current.
- * before() may bind a two-dimensional texture of the host's own, with the template's zone keys in its alpha, and returns 1 to
- * have it used in place of the template's; else 0. What lights, fog or material it sets act on this individual. Nothing
- * that either leaves in GL reaches the next. They may call nothing of claque. Either may be NULL. */
+/* Callbacks around the drawing of one individual (S0 7.1). clq_renderer_draw calls them on its thread with its GL
+ * context current. Either may be NULL. They must not call claque. claque/renderer.h says what they may do in GL. */
 typedef struct clq_actor_hooks {
-    int32_t (*before)(void *user, clq_actor actor);
+    /* Returns true if it has bound a two-dimensional texture of the host, with the template's zone keys in its alpha,
+     * to be used in place of the template's. Lights, fog and materials that it sets act on this individual alone. */
+    bool (*before)(void *user, clq_actor actor);
     void (*after)(void *user, clq_actor actor);
     void *user;
 } clq_actor_hooks;
 
-/* How actors are culled (S0 4). The picture is the same. */
+/* How actors are culled (S0 4). All modes give the same picture. */
 typedef enum clq_cull_mode {
-    CLQ_CULL_ACTOR = 0,      /* in three phases, behaviour between them, for who is left (S0 4.2) */
-    CLQ_CULL_TRADITIONAL = 1 /* everything is computed for everybody in every update, nothing kept, and culled
-                                last: for comparison */
+    /* Three cull phases. Behaviour is computed between them, for the actors that remain (S0 4.2). */
+    CLQ_CULL_ACTOR = 0,
+    /* For comparison: every update computes everything for all actors, keeps nothing, and culls last. */
+    CLQ_CULL_TRADITIONAL = 1
 } clq_cull_mode;
 
-/* Where rigid parts get their matrices (S0 6.2.2, fTrack). The picture is the same but for GL's own rounding. */
+/* Who applies the matrices of rigid parts (S0 6.2.2, fTrack). Both modes give the same picture up to GL's rounding. */
 typedef enum clq_rigid_mode {
-    CLQ_RIGID_VERTICES = 0, /* claque moves the vertices */
-    CLQ_RIGID_MATRICES = 1  /* GL's matrix stack does, for templates of rigid parts alone; others as above */
+    CLQ_RIGID_VERTICES = 0, /* claque transforms the vertices */
+    CLQ_RIGID_MATRICES = 1  /* GL's matrix stack does, for templates that have only rigid parts */
 } clq_rigid_mode;
 
-/* What is kept from frame to frame (S1 4). It changes what a frame costs, never what it shows. */
+/* What is kept from frame to frame (S1 4). The mode changes the cost of a frame, never its picture. */
 typedef enum clq_cache_mode {
     CLQ_CACHE_FULL = 0,      /* matrix palettes, and skinned positions and normals */
-    CLQ_CACHE_ANIMATION = 1, /* matrix palettes; skinned anew each frame */
+    CLQ_CACHE_ANIMATION = 1, /* matrix palettes; vertices are skinned in every frame */
     CLQ_CACHE_NONE = 2       /* nothing */
 } clq_cache_mode;
 
-/* How skinned vertices are kept and handed to GL. Packed: positions as GL_SHORT in steps of the template's Sklsroot
- * radius / 32767, so that a vertex is wrong by half a step along each axis at most (0.03 mm for a person), and normals
- * as GL_BYTE, wrong by 0.4 degrees at most. */
+/* The format of skinned vertices in caches and in GL. Packed positions are GL_SHORT in steps of the template's Sklsroot
+ * radius / 32767, so each coordinate is off by half a step at most (0.03 mm for a person). Packed normals are GL_BYTE,
+ * off by 0.4 degrees at most. */
 typedef enum clq_vertex_format {
-    CLQ_VERTEX_FLOAT = 0, /* 24 bytes a vertex */
-    CLQ_VERTEX_PACKED = 1 /* 12 bytes a vertex */
+    CLQ_VERTEX_FLOAT = 0, /* 24 bytes per vertex */
+    CLQ_VERTEX_PACKED = 1 /* 12 bytes per vertex */
 } clq_vertex_format;
 
-/* Whether what is shown may have a memory. Live, nobody shows an earlier tick than it has shown, so that nobody steps back
- * when the camera recedes; an update whose time is before that of the last one forgets what was shown. */
+/* The rule for shown ticks. */
 typedef enum clq_clock {
-    CLQ_CLOCK_REFERENCE = 0, /* no: a function of time and distance, any frame is the same by itself */
+    /* A tick is a function of time and distance. Any frame can be computed by itself. */
+    CLQ_CLOCK_REFERENCE = 0,
+    /* An actor also never shows an earlier tick than before, so it does not step back when the camera recedes. Updates
+     * may have a budget. An update at an earlier time than the last one forgets the ticks shown before. */
     CLQ_CLOCK_LIVE = 1
 } clq_clock;
 
 typedef struct clq_crowd_def {
     uint32_t struct_bytes; /* set by clq_crowd_def_init */
     clq_cache_mode cache;
-    uint64_t cache_budget_bytes; /* palettes and vertices together; 0: 1 GiB. Who finds no room is skinned when drawn */
-    /* The update period: linear in the squared distance to the eye, rounded down to 1/50 ... 1/4 s. */
-    float period_near_s;   /* [0, 1] at distance_near or nearer; 0: every frame. Default 0.02 */
-    float period_far_s;    /* [>= period_near_s] at distance_far or farther. Default 0.25 */
-    float distance_near;   /* [>= 0] in world units. Default 5 m */
-    float distance_far;    /* [> distance_near]. Default 50 m */
-    float metres_per_unit; /* [> 0] of world positions; distances above are in units. Default 1 */
-    uint64_t seed;         /* of everything that is drawn by lot in this crowd */
+    uint64_t cache_budget_bytes; /* palettes and vertices together; 0: 1 GiB. Individuals beyond
+                                    the budget are posed and skinned anew in every update */
+    /* The update period (S1 4): linear in the squared eyeDistance, rounded down to one of 1/50 ... 1/4 s. */
+    float period_near_s;   /* [0, 1] up to distance_near_m; 0: every frame. Default 0.02 */
+    float period_far_s;    /* [>= period_near_s] from distance_far_m on. Default 0.25 */
+    float distance_near_m; /* [>= 0] default 5 */
+    float distance_far_m;  /* [> distance_near_m] default 50 */
+    float metres_per_unit; /* (> 0) metres in a world unit. Default 1 */
+    uint64_t seed;         /* of all random choices in this crowd */
     clq_cull_mode cull;
     clq_rigid_mode rigid_mode;
-    /* S0 5: an actor's level of detail follows its effective distance: eyeDistance times 1 - priority, times how much
-     * smaller than at home a thing looks in the view (clq_view_set_height). */
-    float lod_scale; /* [>= 0] times every effective distance; 0 everything at its finest. Default 1 */
-    float
-        lod_hysteresis; /* [0, 1) share of a switch distance that must be passed on the way back. Default 0: none, so that
-                             what is shown has no memory */
+    /* The level of detail follows the effective distance (S0 5): eyeDistance * (1 - priority) * the view's scale
+     * (clq_view_set_height) * lod_scale. */
+    float lod_scale; /* [>= 0] 0: the finest level everywhere. Default 1 */
+    /* [0, 1) the share of a switch distance that an actor must pass on its way back before its level changes again.
+     * Default 0: a level is a function of the distance. */
+    float lod_hysteresis;
     clq_vertex_format vertex_format;
     clq_clock clock;
-    /* With CLQ_CLOCK_LIVE and a cache: how many poses an update renews at most. 0: all that are due. Who must wait shows
-     * its last pose; first go those who would keep one for nearly twice their period, then the near ones. Who has no
-     * pose yet, or one of another clip, is posed whatever the budget: see over_budget and overdue in clq_crowd_stats. */
+    /* Poses that an update renews at most; 0: all that are due. Needs CLQ_CLOCK_LIVE and a cache. Actors that must wait
+     * show their last pose. Actors that would otherwise keep a pose for nearly two periods come first, then near ones.
+     * Actors without a pose, or with a pose of another clip, are posed beyond the budget: see over_budget and overdue
+     * in clq_crowd_stats. */
     uint32_t update_budget;
-    /* The same in milliseconds of posing and skinning, by what a pose has cost in the updates before; the lower of
-     * both holds. 0: no limit. What is shown then depends on how fast the machine is. Needs now_s. */
-    float update_budget_ms;      /* [>= 0] */
-    double (*now_s)(void *user); /* seconds that never run back; called in clq_crowd_update, on its thread */
+    /* [>= 0] the same limit in milliseconds of posing and skinning, estimated from the cost of earlier updates; 0: no
+     * limit. The lower of both limits holds. The picture then depends on the speed of the machine. Needs now_s. */
+    float update_budget_ms;
+    double (*now_s)(void *user); /* a clock in seconds that never goes back; clq_crowd_update calls it on its thread */
     void *now_user;
-    clq_key_poses key_poses; /* who shares skinned key-poses instead (S3). Default: nobody */
+    clq_key_poses key_poses; /* shared key-poses (S3). Default: none */
 } clq_crowd_def;
 
 static inline clq_crowd_def clq_crowd_def_init(void)
 {
     clq_crowd_def def;
+    memset(&def, 0, sizeof def);
     def.struct_bytes = (uint32_t)sizeof def;
-    def.cache = CLQ_CACHE_FULL;
-    def.cache_budget_bytes = 0;
     def.period_near_s = 0.02f;
     def.period_far_s = 0.25f;
-    def.distance_near = 5.0f;
-    def.distance_far = 50.0f;
+    def.distance_near_m = 5.0f;
+    def.distance_far_m = 50.0f;
     def.metres_per_unit = 1.0f;
-    def.seed = 0;
-    def.cull = CLQ_CULL_ACTOR;
-    def.rigid_mode = CLQ_RIGID_VERTICES;
     def.lod_scale = 1.0f;
-    def.lod_hysteresis = 0.0f;
-    def.vertex_format = CLQ_VERTEX_FLOAT;
-    def.clock = CLQ_CLOCK_REFERENCE;
-    def.update_budget = 0;
-    def.update_budget_ms = 0.0f;
-    def.now_s = NULL;
-    def.now_user = NULL;
     def.key_poses = clq_key_poses_init();
     return def;
 }
 
-/* Makes an empty crowd.  def: copied; NULL means the init values.  out: [owner: host, until clq_crowd_destroy]
+/* Creates an empty crowd.
+ *   def   copied; NULL means clq_crowd_def_init()
+ *   out   owned by the host until clq_crowd_destroy
  * Fails: STRUCT_SIZE, ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_crowd **out);
 
-/* Ends a crowd, its actors and its views; NULL is ignored. Renderers live on. */
+/* Destroys a crowd with its actors and views; NULL is ignored. Renderers live on. Threads: the crowd's writer. */
 CLQ_API void clq_crowd_destroy(clq_crowd *crowd);
 
-/* Where an actor's Reference Point is. */
+/* A rigid transform with a scale. As an actor's, it places its Reference Point (S0 3). */
 typedef struct clq_transform {
-    double position[3];
-    float orientation_xyzw[4]; /* unit within 0.001; all zero means no rotation */
-    float scale;               /* finite, not 0; negative mirrors. 0 means 1 */
+    double position[3];        /* world units, or those of the actor's group */
+    float orientation_xyzw[4]; /* of length 1 within 0.001; all zero means no rotation */
+    float scale;               /* world units per model unit, finite; negative mirrors; 0 means 1 */
 } clq_transform;
+
+static inline clq_transform clq_transform_init(void)
+{
+    clq_transform transform;
+    memset(&transform, 0, sizeof transform);
+    transform.orientation_xyzw[3] = 1.0f;
+    transform.scale = 1.0f;
+    return transform;
+}
 
 /* A clip and its clock: at time t the clip stands at phase_s + speed * (t - start_s), looping. */
 typedef struct clq_play {
-    uint32_t clip;  /* of the actor's template; CLQ_NONE: the rest pose */
+    uint32_t clip;  /* of the actor's template; CLQ_NONE (default): the rest pose */
     double start_s; /* on the clock of clq_crowd_update */
-    float speed;    /* finite; negative plays backwards, 0 stands still */
+    float speed;    /* finite; negative plays backwards, 0 stands still. Default 1 */
     float phase_s;  /* finite */
 } clq_play;
 
+static inline clq_play clq_play_init(void)
+{
+    clq_play play;
+    memset(&play, 0, sizeof play);
+    play.clip = CLQ_NONE;
+    play.speed = 1.0f;
+    return play;
+}
+
+/* A texture set that is sampled from the seeds of crowd and actor. */
+#define CLQ_RANDOM 0xffffffffu
+
 typedef struct clq_actor_def {
     uint32_t struct_bytes; /* set by clq_actor_def_init */
-    clq_template *tmpl;    /* held until the crowd goes */
+    clq_template *tmpl;    /* the crowd holds it until the crowd is destroyed */
     clq_transform transform;
     clq_play play;
-    uint64_t seed;        /* of this individual's draws by lot, with the crowd's seed; equal seeds are twins */
-    uint32_t texture_set; /* as clq_actor_set_texture_set takes it. Default 0 */
+    uint64_t seed;        /* of this individual's random choices, with the crowd's seed; equal seeds give twins */
+    uint32_t texture_set; /* as in clq_actor_set_texture_set. Default 0 */
 } clq_actor_def;
 
 static inline clq_actor_def clq_actor_def_init(void)
 {
     clq_actor_def def;
+    memset(&def, 0, sizeof def);
     def.struct_bytes = (uint32_t)sizeof def;
-    def.tmpl = NULL;
-    def.transform.position[0] = def.transform.position[1] = def.transform.position[2] = 0.0;
-    def.transform.orientation_xyzw[0] = def.transform.orientation_xyzw[1] = def.transform.orientation_xyzw[2] = 0.0f;
-    def.transform.orientation_xyzw[3] = 1.0f;
-    def.transform.scale = 1.0f;
-    def.play.clip = CLQ_NONE;
-    def.play.start_s = 0.0;
-    def.play.speed = 1.0f;
-    def.play.phase_s = 0.0f;
-    def.seed = 0;
-    def.texture_set = 0;
+    def.transform = clq_transform_init();
+    def.play = clq_play_init();
     return def;
 }
 
-#define CLQ_RANDOM 0xffffffffu /* drawn by the seeds of crowd and actor */
-
-/* Adds an individual; it shows its template's zone colours until it is given its own. Costs its own state only
- * (S0 7.1). Fails: STRUCT_SIZE, ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
+/* Creates an actor. It shows its template's zone colours until it gets its own. It costs only its own state (S0 7.1).
+ * Fails: STRUCT_SIZE, ARGUMENT, LIMIT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_actor *out);
 
-/* Takes an individual out. Fails: STALE_ID. Threads: the crowd's writer. */
+/* Destroys an actor and its attachments. Fails: STALE_ID, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_destroy(clq_crowd *crowd, clq_actor actor);
 
-/* Starts a clip. Fails: STALE_ID, ARGUMENT (clip of another template, not finite). Threads: the crowd's writer. */
+/* Plays a clip, at once and in place of everything that the actor plays; clq_actor_fade_to fades.
+ * Fails: STALE_ID, ARGUMENT (a clip that the template lacks, a number that is not finite), BUSY.
+ * Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_play(clq_crowd *crowd, clq_actor actor, const clq_play *play);
 
-/* Places `count` actors at once; all or none. Fails: STALE_ID (naming the first), ARGUMENT. Threads: the crowd's
- * writer. */
+/* Sets the transforms of actors: of all or, when it fails, of none.
+ *   actors, transforms   [count]; the transform of a group's member is in the group's space
+ * Fails: STALE_ID (names the first), ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, const clq_transform *transforms,
                                             uint32_t count);
 
-/* Gives an individual its colours, one RGB a zone of its template, as glColor takes them, rounded to 8 bits.
- *   rgb   [3 * zone_count], each [0, 1]
- * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: the crowd's writer. Seed: S1 3. */
+/* Sets the colours of an individual, rounded to 8 bits (S1 3).
+ *   rgb   [3 * zone_count], each [0, 1], as glColor takes them, by zone of its template
+ * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, const float *rgb, uint32_t zone_count);
 
-/* Draws an individual's colours from HSB ranges, repeatably from its seed (S2 5).
+/* Samples the colours of an individual from HSB ranges, by the seeds of crowd and actor (S2 5). The same call gives the
+ * same colours.
  *   ranges   [zone_count], or NULL with zone_count 0: the template's own ranges
- * Fails: as above. */
+ * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor, const clq_hsb_range *ranges,
                                                uint32_t zone_count);
 
-/* Which of its template's texture sets an individual shows (S1 1): 0 ... texture_set_count - 1 of clq_template_info, or
- * CLQ_RANDOM. Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
+/* Sets the texture set of an individual (S1 1).
+ *   set   [0, clq_template_info.texture_set_count), or CLQ_RANDOM
+ * Fails: STALE_ID, ARGUMENT, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t set);
 
-/* Adds an individual like another one: its template, clip, colours, texture set, mechanisms with their commands, way of the Skeleton
- * Root, group, priority, hooks, ground; not what is attached to it (S0 7.1). Nothing of the template is copied.
- *   place   in the other's group, if it has one; NULL: the other's own
- *   seed    of its draws by lot from now on; its colours are those of the other until they are drawn anew
- * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY. Threads: the crowd's writer. GL: none. */
+/* Creates an actor like another one: with its template, clip, colours, texture set, mechanisms with their commands,
+ * root path, group, priority, hooks and ground, but without its attachments (S0 7.1). Nothing of the template is
+ * copied.
+ *   transform   in the other's group, if it has one; NULL: the other's own
+ *   seed        of its later random choices; it keeps the other's colours until they are set or sampled
+ * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_transform *transform, uint64_t seed,
                                    clq_actor *out);
 
-/* S0 5: raises the detail of who matters: 0 as its distance says ... 1 always the finest. Of levels of detail and
- * behaviour; the update rate does not follow it. Fails: STALE_ID, ARGUMENT. Threads: the crowd's writer. */
+/* Sets the priority of an actor (S0 5). It raises the detail of its levels and of its behaviour; it does not change the
+ * update rate.
+ *   priority   [0, 1]; 0 (default): the detail follows the distance; 1: always the finest
+ * Fails: STALE_ID, ARGUMENT, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, float priority);
 
-/* Attaches an object of the host's scene to a node (S0 4.3): the actor's bounding spheres grow so that they hold it, in
- * every pose, and shrink when it goes. Claque draws nothing for it; clq_actor_get_node says where it is.
- *   centre, radius   of the object's bounding sphere in the node's frame
- *   out              may be NULL
- * Ends with the actor. Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: the crowd's writer. */
-CLQ_API clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3],
-                                    float radius, clq_attachment *out);
+/* An object of the host's scene that an actor carries. */
+typedef struct clq_attachment_def {
+    uint32_t struct_bytes; /* set by clq_attachment_def_init */
+    uint32_t node;         /* of the actor's template */
+    float centre[3];       /* of the object's bounding sphere, in the node's frame */
+    float radius;          /* [>= 0] */
+} clq_attachment_def;
+
+CLQ_DEFINE_ZERO_INIT(clq_attachment_def)
+
+/* Attaches an object to a node of an actor (S0 4.3). The actor's bounding spheres grow to hold the object in every
+ * pose, and shrink when it is detached. claque does not draw the object; clq_actor_get_node says where it is. The
+ * attachment ends with the actor.
+ *   out   may be NULL
+ * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
+CLQ_API clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, const clq_attachment_def *def,
+                                    clq_attachment *out);
+
+/* Ends an attachment. Fails: STALE_ID, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_detach(clq_crowd *crowd, clq_attachment attachment);
 
-/* Where a node is in the world: column-major, to be multiplied from the left.
- *   time_s   the pose of this moment, evaluated anew; NaN: the pose that the last update showed (its tick), which is
- *            rigidly carried by the Reference Point and the Skeleton Root as they were then
- * Of an actor that the last update did not see, NaN gives the pose of its time at the finest level.
- * Host mechanisms are not run for it. Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: the crowd's writer. */
+/* Gets the matrix of a node in the world, from the pose at the finest level. Host mechanisms do not run for it.
+ *   time_s       the time of the pose, which is evaluated anew. NaN: the pose of the last update that saw the actor
+ *                (its tick), carried rigidly by the Reference Point and the Skeleton Root of that update; if the last
+ *                update did not see the actor, the pose of that update's time
+ *   out_matrix   [16] column-major, from the node's frame to the world
+ * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_get_node(clq_crowd *crowd, clq_actor actor, uint32_t node, double time_s,
                                       double out_matrix[16]);
 
-/* Callbacks round the drawing of one actor; copied. NULL: none. Fails: STALE_ID, OUT_OF_MEMORY. Threads: the crowd's
- * writer. */
+/* Sets the callbacks around the drawing of an actor.
+ *   hooks   copied; NULL: none
+ * Fails: STALE_ID, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_set_hooks(clq_crowd *crowd, clq_actor actor, const clq_actor_hooks *hooks);
 
 typedef struct clq_actor_info {
+    uint32_t struct_bytes; /* set by clq_actor_info_init */
     const clq_template *tmpl;
-    clq_transform transform;
-    clq_group group; /* that it is a member of, and in whose space its place is given; {0, 0}: none */
+    clq_transform transform; /* in the space of its group, if it has one */
+    clq_group group;         /* {0, 0}: none */
     clq_play play;
     uint64_t seed;
-    int32_t visible; /* 1: seen by a view in the last update */
-    float period_s;  /* of the last update in which it was seen */
-    double tick_s;   /* time of the pose it showed then */
+    bool visible; /* a view of the last update saw it */
+    /* The next five are of the last update that saw it. */
+    float period_s;       /* its update period */
+    double tick_s;        /* the time of the pose that it showed */
+    float eye_distance_m; /* from its Skeleton Root to the nearest eye */
+    uint32_t level;       /* its level of detail */
+    clq_transform root;   /* its Skeleton Root in the world; before the first such update its Reference Point */
     float priority;
-    float eye_distance; /* of the last update that saw it: from its Skeleton Root to the nearest eye, world units */
-    uint32_t level;     /* of detail, then */
-    clq_transform root; /* where its Skeleton Root was in the world then; else where its Reference Point is */
-    /* S0 4.1: of its bounding spheres now, at scale 1, with its way and what is attached to it. */
+    /* Its bounding spheres now (S0 4.1), in model units, with its root path and attachments. */
     float refpoint_radius, sklsroot_radius;
     uint32_t texture_set;
 } clq_actor_info;
 
+CLQ_DEFINE_ZERO_INIT(clq_actor_info)
+
+/* Gets the state of an actor.
+ *   out   made by clq_actor_info_init
+ * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. Threads: any, not while the crowd is changed. GL: none. */
 CLQ_API clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor_info *out);
 
-/* How many there are. Threads: any, not during an update. */
-CLQ_API uint32_t clq_crowd_actor_count(const clq_crowd *crowd);
+/* Returns the number of actors; 0 for NULL. Threads: any, not while the crowd is changed. GL: none. */
+CLQ_API uint32_t clq_crowd_get_actor_count(const clq_crowd *crowd);
 
-/* One frame: places, culls, finds who is due, animates and skins them, and makes each view's draw list (S0 4.2, S1 4).
- *   time_s   the host's clock; may jump, also back. What is shown is a function of it and the distances
- *   views    [view_count] of this crowd; the others' lists become empty
- * Fails: ARGUMENT, LIMIT, BUSY, OUT_OF_MEMORY; crowd and lists are then as they were. Threads: the crowd's writer;
- * spreads over the context's tasks. GL: none. */
+/* Returns a hash of everything that the host has set in the crowd; 0 for NULL. Crowds made by the same calls have equal
+ * hashes. Threads: any, not while the crowd is changed. GL: none. */
+CLQ_API uint64_t clq_crowd_get_hash(const clq_crowd *crowd);
+
+/* Computes one frame: places Skeleton Roots, culls, finds the actors whose pose is due, animates and skins them, and
+ * makes the draw list of each view (S0 4.2, S1 4). The context's tasks share the work.
+ *   time_s   the host's clock; it may jump and go back. With CLQ_CLOCK_REFERENCE the picture is a function of time_s
+ *            and the distances
+ *   views    [view_count] of this crowd, each once; the draw lists of its other views become empty
+ * Fails: ARGUMENT, LIMIT, BUSY, OUT_OF_MEMORY; the crowd and all draw lists then stay as they were. If the
+ * allocator refuses memory for the palette or the vertices of single individuals, the update does not fail:
+ * clq_crowd_stats counts them in left_out, and draws leave them out and return OUT_OF_MEMORY.
+ * Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *views, uint32_t view_count);
 
 #ifdef __cplusplus
 }
 #endif
-
-#include <claque/crowd_stats.h>
 
 #endif

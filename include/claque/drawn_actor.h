@@ -1,10 +1,10 @@
-/* What a view shows, individual by individual, as numbers: for renderers of a host's own, and for those who test theirs
- * against claque (docs/parity.md). Of the last update in which the view took part.
+/* The draw list of a view as numbers, individual by individual, for renderers of the host's own and for tests of such
+ * renderers against claque (docs/parity.md). It is that of the last update in which the view took part.
  *
- * All here fail with ARGUMENT (an index that is not in the list, room for too little, with the numbers) and BUSY (an
- * update runs, or another thread draws the view). Threads: any, one at a time for a view. GL: none. */
-#ifndef CLAQUE_SHOWN_H
-#define CLAQUE_SHOWN_H
+ * All calls here fail with ARGUMENT (NULL; an index beyond the list; a capacity that is too small, with the numbers)
+ * and BUSY (an update runs, or another thread draws the view). Threads: any, one at a time for a view. GL: none. */
+#ifndef CLAQUE_DRAWN_ACTOR_H
+#define CLAQUE_DRAWN_ACTOR_H
 
 #include <claque/view.h>
 
@@ -12,42 +12,60 @@
 extern "C" {
 #endif
 
-/* One individual of the draw list: `visible` of clq_view_stats of them, in the order in which they are drawn. */
+/* An individual of the draw list. The list has clq_view_stats.visible of them, in the order of drawing. */
 typedef struct clq_drawn_actor {
+    uint32_t struct_bytes; /* set by clq_drawn_actor_init */
     clq_actor actor;
     const clq_template *tmpl;
     uint32_t level;       /* of detail */
-    uint32_t texture_set; /* of the template, see clq_template_get_set_texture */
-    float model_view[16]; /* column-major: from the actor's own space to eye space */
+    uint32_t texture_set; /* of the template, see clq_template_get_texture */
+    float model_view[16]; /* from model space to eye space */
     float eye_distance_m;
-    int32_t mirrored;    /* 1: front faces wind clockwise */
-    int32_t shadow_only; /* 1: seen by nobody but its shadow; it is not drawn */
-    uint64_t parts;      /* bit k: part k of the level is in view and drawn (S0 4.2 phase 3) */
-    uint32_t vertex_count, joint_count, morph_weight_count, zone_count; /* what the calls below want room for */
+    bool mirrored;    /* front faces wind clockwise */
+    bool shadow_only; /* only its shadow is in view: the individual is not drawn */
+    uint64_t parts;   /* bit k: part k of the level is in view and drawn (S0 4.2, phase 3) */
+    uint32_t vertex_count, joint_count, morph_weight_count, zone_count; /* the capacities that the calls below need */
 } clq_drawn_actor;
 
+CLQ_DEFINE_ZERO_INIT(clq_drawn_actor)
+
+/* Gets an individual.
+ *   index   [0, clq_view_stats.visible)
+ *   out     made by clq_drawn_actor_init
+ * Fails also: STRUCT_SIZE. */
 CLQ_API clq_status clq_view_get_drawn_actor(const clq_view *view, uint32_t index, clq_drawn_actor *out);
 
-/* Its colours, one RGB a zone of its template, as the renderer gives them to GL.
- *   out_rgb   [3 * capacity_zones], at least zone_count */
+/* Gets the colours of an individual as the renderer passes them to GL.
+ *   out_rgb          [3 * capacity_zones], one RGB per zone of the template
+ *   capacity_zones   zone_count or more */
 CLQ_API clq_status clq_view_get_colours(const clq_view *view, uint32_t index, uint8_t *out_rgb,
                                         uint32_t capacity_zones);
 
-/* Its skinned vertices, as the renderer draws them, in its own space: those of clq_mesh, in that order. Packed ones are
- * unpacked; normals have the length that skinning leaves. Who is in no cache is skinned for it.
- *   out_positions, out_normals   [3 * capacity_vertices], at least vertex_count; either may be NULL
- * Also OUT_OF_MEMORY. */
+/* Gets the skinned vertices of an individual as the renderer draws them, in model space, in the order of clq_mesh.
+ * Packed vertices are unpacked. Normals have the length that skinning gives them. Parts that
+ * GL's matrix stack places are skinned for the call.
+ *   out_positions, out_normals   [3 * capacity_vertices]; either may be NULL
+ *   capacity_vertices            vertex_count or more
+ * Fails also: OUT_OF_MEMORY, also for an individual that the update left out. */
 CLQ_API clq_status clq_view_get_vertices(const clq_view *view, uint32_t index, float *out_positions, float *out_normals,
                                          uint32_t capacity_vertices);
 
-/* Its matrix palette (S1 4) and morph weights: what those vertices are skinned from.
- *   out_palette   [12 * capacity_joints], at least joint_count: one matrix an entry of clq_template_def.joints, the node's
- *                 times the inverse bind matrix, in the actor's own space; three columns of axes and one of the
- *                 translation. Entries that its level of detail does not use are the identity
- *   out_weights   [capacity_weights], at least morph_weight_count; NULL: not asked for
- * Also ARGUMENT of who shows a blend of two key-poses (CLQ_KEY_POSE_INTERPOLATED), which has vertices but no palette. */
-CLQ_API clq_status clq_view_get_pose(const clq_view *view, uint32_t index, float *out_palette, uint32_t capacity_joints,
-                                     float *out_weights, uint32_t capacity_weights);
+/* Gets the matrix palette of an individual (S1 4), from which its vertices are skinned.
+ *   out_palette       [12 * capacity_joints]: for each entry of clq_template_def.joints the node's matrix times the
+ *                     inverse bind matrix, in model space, as three columns of axes and one of the translation. Entries
+ *                     that the level does not use are the identity
+ *   capacity_joints   joint_count or more
+ * Fails also: ARGUMENT for a blend of two key-poses (CLQ_KEY_POSE_INTERPOLATED), which has vertices but no palette;
+ * OUT_OF_MEMORY. */
+CLQ_API clq_status clq_view_get_palette(const clq_view *view, uint32_t index, float *out_palette,
+                                        uint32_t capacity_joints);
+
+/* Gets the morph weights of an individual, from which its vertices are skinned.
+ *   out_weights        [capacity_weights]
+ *   capacity_weights   morph_weight_count or more
+ * Fails also: as clq_view_get_palette. */
+CLQ_API clq_status clq_view_get_morph_weights(const clq_view *view, uint32_t index, float *out_weights,
+                                              uint32_t capacity_weights);
 
 #ifdef __cplusplus
 }

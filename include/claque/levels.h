@@ -1,6 +1,6 @@
-/* Levels of detail for a loaded character (libclaque-assets): fewer triangles for greater distances, chosen by how large
- * their error looks (S1 6). Seams stay shut, zones keep their borders, and what a level is off by is measured on poses of
- * the character's own clips. */
+/* Levels of detail for a loaded character (libclaque-assets): meshes with fewer triangles for greater distances, chosen
+ * by the size of their error in the picture (S1 6). Near levels are decimated: seams stay shut and zones keep their
+ * borders. The coarsest levels may be proxies. Errors are measured in poses of the character's own clips. */
 #ifndef CLAQUE_LEVELS_H
 #define CLAQUE_LEVELS_H
 
@@ -12,70 +12,81 @@ extern "C" {
 
 typedef struct clq_levels_def {
     uint32_t struct_bytes; /* set by clq_levels_def_init */
-    /* [target_count] triangles of all parts together, descending, each 4 or more; those that are not fewer than the
-     * character's are skipped. NULL: halves down to 1040, eight levels to 490, then 250, 120, 60, 42, 30, 20, 14. */
+    /* [target_count] triangles of all parts together, descending, each 4 or more. Targets that are not below the
+     * character's count are skipped. NULL: the counts halve down to 1040, eight levels lead to 490, then come 250, 120,
+     * 60, 42, 30, 20 and 14. */
     const uint32_t *targets;
     uint32_t target_count;
-    float tolerance_px;    /* how large a level's error may look where it begins, in a view of 768 lines over 60 degrees
-                              (other views: clq_view_set_height). Default 1 */
-    float metres_per_unit; /* of the character. Default 1 */
-    /* Levels of so many triangles and fewer are far ones, but for those of more than 128 that are nearer otherwise: one part
-     * for all, seams and borders of zones hold no edges, and what triangles show is an image made for them; with 128 and
-     * fewer each shows one zone. So are all from the first on
-     * that seams and borders keep from its target by a twentieth, at which some zone would gain or lose more than 2 points of
-     * the surface, or that is further off than a far one of fewer triangles. Of characters that are skinned or hang on several
-     * nodes; far levels are skinned, so that CLQ_RIGID_MATRICES then places nobody of the template. 0: none. Default 250 */
+    /* The size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
+     * clq_view_set_height). Default 1. */
+    float tolerance_px;
+    float metres_per_unit; /* metres in a model unit. Default 1 */
+    /* Levels of at most this many triangles are proxies: one mesh, no seams, a baked texture. Above 128 triangles a
+     * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. Proxies also
+     * replace every level from the first that misses its target by 5 %, changes a zone's share of the surface by 2
+     * points, or is worse than a coarser proxy. Only characters that are skinned or hang on several nodes get proxies;
+     * proxies are skinned, so CLQ_RIGID_MATRICES has no effect on the template. 0: no proxies. Default 250. */
     uint32_t proxy_max_triangles;
-    /* 1: by OpenMesh's quadric alone, on the welded mesh, each corner taking what the vertex it comes to has there: what
-     * levels are held against, not what anyone should draw. No level is a far one, and none is left out. Default 0 */
-    uint32_t quadric_only;
+    /* True: a baseline for comparison, not for drawing. Decimates the welded mesh by OpenMesh's quadric alone, each
+     * corner taking the attributes of its vertex; makes no proxies and leaves no level out. */
+    bool quadric_only;
 } clq_levels_def;
 
 static inline clq_levels_def clq_levels_def_init(void)
 {
     clq_levels_def def;
+    memset(&def, 0, sizeof def);
     def.struct_bytes = (uint32_t)sizeof def;
-    def.targets = NULL;
-    def.target_count = 0;
     def.tolerance_px = 1.0f;
     def.metres_per_unit = 1.0f;
     def.proxy_max_triangles = 250;
-    def.quadric_only = 0;
     return def;
 }
 
-/* What one level came to. Distances between places of the finest and of this level that lie nearest at rest. The surface is
- * what can be seen of it from anywhere at rest: skin under clothes does not count. */
+/* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. Levels
+ * that no distance would select are left out, and so are levels below 20 triangles that change the share of a zone by
+ * more than 2 points. The levels do not depend on the context's tasks, which share the work.
+ *   def         NULL means clq_levels_def_init()
+ *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
+ * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT, OUT_OF_MEMORY; the asset then stays.
+ * Threads: one per asset. GL: none. */
+CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
+                                         uint32_t *out_count);
+
+/* Measures of a level against the finest one. Distances are between corresponding points, nearest to each other at
+ * rest. The surface is the part that can be seen from some point at rest, without skin under clothes. */
 typedef struct clq_level_report {
-    float lod_min_m; /* it serves from here on, as clq_part_def.lod_min_m says */
+    uint32_t struct_bytes; /* set by clq_level_report_init */
+    float lod_min_m;       /* the effective distance from which the level is used */
     uint32_t triangle_count, vertex_count;
-    float error_m;                  /* what it was chosen by: twice the root of the mean of squares in motion */
-    float rest_max_m, rest_rms_m;   /* at rest */
-    float posed_max_m, posed_rms_m; /* over eight poses of each of the first 32 clips */
-    float wrong_zone;               /* [0, 1] share of the finest's area that shows another zone */
-    uint32_t open_edges;            /* that the finest does not have */
+    float error_m;                  /* the error that selected the distance: root mean square in motion */
+    float rest_max_m, rest_rms_m;   /* distances at rest */
+    float posed_max_m, posed_rms_m; /* distances in eight poses of each of the first 32 clips */
+    float wrong_zone;               /* [0, 1] share of the finest level's area that shows another zone */
+    uint32_t open_edges;            /* open edges that the finest level does not have */
     uint32_t flipped_uvs;           /* triangles that have turned over in their texture */
-    float zone_area_error; /* [0, 1] by how much the share of area of any zone differs from the finest's at most */
+    float zone_area_error;          /* [0, 1] largest change of any zone's share of the visible surface */
 } clq_level_report;
 
-/* Gives an asset levels of detail. Parts that are hidden or have distances of their own stay as they are. Levels that
- * would serve nowhere are left out, and those of fewer than 20 triangles that cannot keep shares of zones within 2 points.
- *   def     NULL means clq_levels_def_init()
- *   out     [capacity] the levels, finest first; may be NULL with capacity 0
- *   count   how many there are, may be more than capacity; may be NULL
- * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT, OUT_OF_MEMORY; the asset is then as it was.
- * Threads: any one; spreads over the context's tasks, and levels are the same whatever these are. GL: none. */
-CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
-                                         clq_level_report *out, uint32_t capacity, uint32_t *count);
+CLQ_DEFINE_ZERO_INIT(clq_level_report)
 
-/* How much of the surface that an asset shows at a distance each zone has, at rest, of what can be seen of it: what levels of
- * detail should not change.
- *   out   [capacity] shares of area, [0, 1], by zone in the asset's order, then what has no zone; NULL with capacity 0
- *   count zones and one more, may be more than capacity; may be NULL
- * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
+/* Gets the measures of a level that the last clq_asset_make_levels of this asset made.
+ *   level   0: the finest one
+ *   out     made by clq_level_report_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any, not while the asset is changed. GL: none. */
+CLQ_API clq_status clq_asset_get_level_report(const clq_asset *asset, uint32_t level, clq_level_report *out);
+
+/* Gets the share of each zone in the visible surface of an asset at rest, at an effective distance. Levels of detail
+ * should not change it.
+ *   out         [capacity] shares of area in [0, 1], by zone in the asset's order, then the area without a zone; NULL
+ *               with capacity 0
+ *   out_count   zones and one more, which may be more than capacity; may be NULL
+ * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any, not while the asset is changed. GL: none. */
 CLQ_API clq_status clq_asset_get_zone_areas(const clq_asset *asset, float distance_m, float *out, uint32_t capacity,
-                                            uint32_t *count);
-CLQ_API const char *clq_asset_get_zone_name(const clq_asset *asset, uint32_t zone); /* "" beyond the last */
+                                            uint32_t *out_count);
+
+/* Returns the name of a zone; "" beyond the last one. Threads: any, not while the asset is changed. GL: none. */
+CLQ_API const char *clq_asset_get_zone_name(const clq_asset *asset, uint32_t zone);
 
 #ifdef __cplusplus
 }

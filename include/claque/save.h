@@ -1,13 +1,14 @@
-/* Save and restore of a crowd's state, so that a host can record and replay.
+/* Saving and restoring the state of a crowd, so that a host can record and replay it.
  *
- * A saved crowd holds everything that a host has set in it: actors, groups and attached objects with their ids, which are
- * valid again after restoring (and stale where they were stale); templates by name; places, clips, colours, priorities;
- * mechanisms, root paths and their numbers, uses, commands; the seed. A restored crowd shows what the saved one showed at
- * the same time, and answers the same calls with the same ids.
+ * A saved state contains everything that the host has set in the crowd: actors, groups and attachments with their ids;
+ * the names of templates; transforms, clips, colours and priorities; mechanisms and root paths with their numbers, and
+ * which actors use them; commands; the seed. Ids are valid (or stale) after restoring as they were when saved. A
+ * restored crowd shows at any time what the saved crowd showed at that time, and answers the same calls with the same
+ * ids.
  *
- * It does not hold what a host lends: see clq_crowd_restore. Nor what was chosen in clq_crowd_def but for the seed (caches,
- * periods, culling, level of detail), nor views: these are about seeing, and stay those of the crowd that is restored.
- * With lod_hysteresis what is shown has a memory, which is not saved. */
+ * A saved state does not contain the services that the host lends (see clq_crowd_restore), the settings of
+ * clq_crowd_def other than the seed (caches, periods, culling, level of detail), or views. The restoring crowd keeps
+ * its own. With clq_crowd_def.lod_hysteresis the shown level depends on earlier updates; that memory is not saved. */
 #ifndef CLAQUE_SAVE_H
 #define CLAQUE_SAVE_H
 
@@ -17,25 +18,24 @@
 extern "C" {
 #endif
 
-/* Writes a crowd's state: the same bytes for the same state, on every machine. It asks for no memory.
- *   write   called in order with pieces of the file; returns 0 on success, anything else stops with IO. May call nothing
- *           of claque for this crowd
+/* Writes the state of a crowd. Equal states give equal bytes on every machine. The call allocates no memory.
+ *   write   gets the pieces of the file; must not call claque for this crowd
  * Fails: ARGUMENT (NULL), IO, BUSY. Threads: the crowd's writer. GL: none. */
-CLQ_API clq_status clq_crowd_save(const clq_crowd *crowd,
-                                  int (*write)(void *user, const void *bytes, size_t size_bytes), void *user);
+CLQ_API clq_status clq_crowd_save(const clq_crowd *crowd, clq_write_function write, void *user);
 
-/* Replaces a crowd's whole state by what clq_crowd_save wrote, in this crowd at an earlier time or in another one. The
- * bytes may be anything: a file that is cut, changed or of another version is FORMAT, with a sentence.
+/* Replaces the whole state of a crowd by one that clq_crowd_save wrote, from this crowd or from another one. The bytes
+ * may be anything: a file that is cut off, changed or of another version fails with FORMAT.
  *   bytes       [size_bytes], not kept
- *   templates   [template_count] each once: among them, for every template that the saved crowd had ever used, one of the
- *               same name and structure (nodes, degrees of freedom, clips, zones, levels); its paint may differ. Those that
- *               are used are held until the crowd goes; the order is no matter but between templates that are alike
- * What a host lends stays as it is in this crowd: the ground; hooks, of actors whose id is in both states; callbacks of
- * host mechanisms, of the same number. So where the saved crowd had a mechanism of the host's, this one must have one of
- * that number already: a new crowd is set up as the saved one was, and then restored.
- * Views stay, with what the last update put in them.
- * Fails: ARGUMENT (NULL; a template that is missing, by name; a host's mechanism that is missing, by number), FORMAT,
- * OUT_OF_MEMORY, BUSY; the crowd is then as it was. Threads: the crowd's writer. GL: none. */
+ *   templates   [template_count], each once. For every template that the saved crowd ever used they must contain one of
+ *               the same name and structure (nodes, degrees of freedom, clips, zones, levels); textures may differ. The
+ *               crowd holds those that it uses until it is destroyed. The order matters only between templates of equal
+ *               name and structure.
+ * This crowd keeps the services that the host lends: the ground; hooks of actors whose id is in both states; callbacks
+ * of host mechanisms of the same number. Where the saved crowd has a host mechanism, this crowd must already have one
+ * of the same number; so add a new crowd's mechanisms as in the saved crowd before restoring. Views stay, with the draw
+ * lists of the last update.
+ * Fails: ARGUMENT (NULL; a missing template, by name; a missing host mechanism, by number), FORMAT, OUT_OF_MEMORY,
+ * BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_crowd_restore(clq_crowd *crowd, const void *bytes, size_t size_bytes,
                                      clq_template *const *templates, uint32_t template_count);
 

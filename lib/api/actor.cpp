@@ -37,7 +37,7 @@ crowd::Play play_of(const clq_play &play) { return {play.clip, play.start_s, pla
 namespace
 {
 
-// Holds a template that a crowd is about to use for the first time, and lets it go again unless `keep` is called.
+// Retains a template that a crowd is about to use for the first time, and releases it unless `keep` is called.
 class NewTemplate
 {
 public:
@@ -71,17 +71,17 @@ clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_acto
 {
     return api::boundary("clq_actor_create", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_actor_def_init");
-        api::require(def->tmpl != nullptr, "tmpl is NULL");
-        api::require(def->tmpl->context == crowd->context, "the template was made from another context");
-        if (def->texture_set != CLQ_RANDOM && def->texture_set >= def->tmpl->texture_set_count())
-            base::fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", def->texture_set,
-                       def->tmpl->name.c_str(), def->tmpl->texture_set_count());
+        const clq_actor_def wanted = api::read_def(def, clq_actor_def_init, "clq_actor_def_init");
+        api::require(wanted.tmpl != nullptr, "tmpl is NULL");
+        api::require(wanted.tmpl->context == crowd->context, "the template was made from another context");
+        if (wanted.texture_set != CLQ_RANDOM && wanted.texture_set >= wanted.tmpl->texture_set_count())
+            base::fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", wanted.texture_set,
+                       wanted.tmpl->name.c_str(), wanted.tmpl->texture_set_count());
         const api::Busy busy(crowd);
-        NewTemplate held(crowd, def->tmpl);
-        const crowd::Id id =
-            crowd->crowd.create(*def->tmpl, api::transform_of(def->transform), api::play_of(def->play), def->seed);
-        crowd->crowd.set_texture_set(id, def->texture_set);
+        NewTemplate held(crowd, wanted.tmpl);
+        const crowd::Id id = crowd::create(crowd->crowd, *wanted.tmpl, api::transform_of(wanted.transform),
+                                           api::play_of(wanted.play), wanted.seed);
+        crowd::set_texture_set(crowd->crowd, id, wanted.texture_set);
         held.keep();
         *out = {id.index1, id.generation};
     });
@@ -92,7 +92,7 @@ clq_status clq_actor_destroy(clq_crowd *crowd, clq_actor actor)
     return api::boundary("clq_actor_destroy", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.destroy(api::id_of(actor));
+        crowd::destroy(crowd->crowd, api::id_of(actor));
     });
 }
 
@@ -101,7 +101,7 @@ clq_status clq_actor_play(clq_crowd *crowd, clq_actor actor, const clq_play *pla
     return api::boundary("clq_actor_play", [&] {
         api::require(crowd && play, "crowd or play is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.play(api::id_of(actor), api::play_of(*play));
+        crowd::play(crowd->crowd, api::id_of(actor), api::play_of(*play));
     });
 }
 
@@ -110,7 +110,7 @@ clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, const float 
     return api::boundary("clq_actor_set_colours", [&] {
         api::require(crowd && rgb, "crowd or rgb is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.set_colours(api::id_of(actor), rgb, zone_count);
+        crowd::set_colours(crowd->crowd, api::id_of(actor), rgb, zone_count);
     });
 }
 
@@ -123,7 +123,7 @@ clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor, const 
         std::pmr::vector<model::HsbRange> wanted(&crowd->context->memory);
         wanted.reserve(zone_count);
         for (uint32_t i = 0; i < zone_count; ++i) wanted.push_back(api::range_of(ranges[i]));
-        crowd->crowd.randomise_colours(api::id_of(actor), wanted.data(), zone_count);
+        crowd::randomise_colours(crowd->crowd, api::id_of(actor), wanted.data(), zone_count);
     });
 }
 
@@ -131,10 +131,11 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
 {
     return api::boundary("clq_actor_get_info", [&] {
         api::require(crowd && out, "crowd or out is NULL");
+        api::require_size(*out, "clq_actor_info_init");
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const crowd::Play &play = crowd->crowd.play_of(row);
         const frame::ActorVisibility visibility = crowd->frame.visibility(crowd->crowd, row);
-        clq_actor_info info{};
+        clq_actor_info info = clq_actor_info_init();
         info.tmpl = static_cast<const clq_template *>(&crowd->crowd.template_of(row));
         info.transform = api::transform_of(crowd->crowd.transform_of(row));
         if (const uint32_t group = crowd->crowd.group_of(row); group != model::none)
@@ -146,14 +147,14 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
         info.period_s = visibility.period_s;
         info.tick_s = visibility.shown_s;
         info.priority = crowd->crowd.extent_of(row).priority;
-        info.eye_distance = visibility.distance;
+        info.eye_distance_m = visibility.distance * crowd->frame.settings().caches.metres_per_unit;
         info.level = visibility.level;
         crowd::Transform root;
         if (!crowd->frame.root_of(crowd->crowd, row, root)) root = crowd->crowd.world_transform_of(row);
         info.root = api::transform_of(root);
         info.refpoint_radius = crowd->crowd.extent_of(row).refpoint;
         info.sklsroot_radius = crowd->crowd.extent_of(row).sklsroot;
-        *out = info;
+        api::write_out(out, info);
     });
 }
 

@@ -1,4 +1,4 @@
-// What an actor has beside its clip and place: copies of itself, objects in its hands, callbacks, priority (S0 4.3, 5, 7.1).
+// Copies of an actor, its attached objects, callbacks and priority (S0 4.3, 5, 7.1).
 #include <claque/behave.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_transfor
         const api::Busy busy(crowd);
         crowd::Transform wanted;
         if (transform) wanted = api::transform_of(*transform);
-        const crowd::Id id = crowd->crowd.clone(api::id_of(actor), transform ? &wanted : nullptr, seed);
+        const crowd::Id id = crowd::clone(crowd->crowd, api::id_of(actor), transform ? &wanted : nullptr, seed);
         *out = {id.index1, id.generation};
     });
 }
@@ -29,7 +29,7 @@ clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, float prior
     return api::boundary("clq_actor_set_priority", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.set_priority(api::id_of(actor), priority);
+        crowd::set_priority(crowd->crowd, api::id_of(actor), priority);
     });
 }
 
@@ -38,18 +38,18 @@ clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t
     return api::boundary("clq_actor_set_texture_set", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.set_texture_set(api::id_of(actor), set);
+        crowd::set_texture_set(crowd->crowd, api::id_of(actor), set);
     });
 }
 
-clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, uint32_t node, const float centre[3], float radius,
-                            clq_attachment *out)
+clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, const clq_attachment_def *def, clq_attachment *out)
 {
     return api::boundary("clq_actor_attach", [&] {
-        api::require(crowd && centre, "crowd or centre is NULL");
+        api::require(crowd && def, "crowd or def is NULL");
+        const clq_attachment_def wanted = api::read_def(def, clq_attachment_def_init, "clq_attachment_def_init");
         const api::Busy busy(crowd);
-        const model::Sphere sphere{glm::vec3(centre[0], centre[1], centre[2]), radius};
-        const crowd::Id id = crowd->crowd.attach(api::id_of(actor), node, sphere);
+        const model::Sphere sphere{glm::vec3(wanted.centre[0], wanted.centre[1], wanted.centre[2]), wanted.radius};
+        const crowd::Id id = crowd::attach(crowd->crowd, api::id_of(actor), wanted.node, sphere);
         if (out) *out = {id.index1, id.generation};
     });
 }
@@ -59,7 +59,7 @@ clq_status clq_actor_detach(clq_crowd *crowd, clq_attachment attachment)
     return api::boundary("clq_actor_detach", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.detach({attachment.index1, attachment.generation});
+        crowd::detach(crowd->crowd, {attachment.index1, attachment.generation});
     });
 }
 
@@ -82,7 +82,7 @@ clq_status clq_actor_set_hooks(clq_crowd *crowd, clq_actor actor, const clq_acto
     return api::boundary("clq_actor_set_hooks", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.set_hooks(api::id_of(actor), hooks ? *hooks : clq_actor_hooks{nullptr, nullptr, nullptr});
+        crowd::set_hooks(crowd->crowd, api::id_of(actor), hooks ? *hooks : clq_actor_hooks{nullptr, nullptr, nullptr});
     });
 }
 

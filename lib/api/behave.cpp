@@ -19,13 +19,13 @@ clq_status clq_crowd_add_mechanism(clq_crowd *crowd, const clq_mechanism_def *de
 {
     return api::boundary("clq_crowd_add_mechanism", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_mechanism_def_init");
-        api::require(def->tmpl != nullptr, "tmpl is NULL");
+        const clq_mechanism_def wanted = api::read_def(def, clq_mechanism_def_init, "clq_mechanism_def_init");
+        api::require(wanted.tmpl != nullptr, "tmpl is NULL");
         const api::Busy busy(crowd);
-        // A host may hold on to a template that is gone, so it is looked for before it is looked at.
-        api::require(crowd->crowd.has_template(*def->tmpl), "no actor of the crowd uses tmpl yet");
+        // The host's pointer may be to a destroyed template, so it is compared before it is dereferenced.
+        api::require(crowd->crowd.has_template(*wanted.tmpl), "no actor of the crowd uses tmpl yet");
         model::Array<uint32_t> written(&crowd->context->memory);
-        crowd::Mechanism made = api::mechanism_of(*def, *def->tmpl, &crowd->context->memory, written);
+        crowd::Mechanism made = api::mechanism_of(wanted, *wanted.tmpl, &crowd->context->memory, written);
         const uint32_t index = crowd->crowd.behaviours().add(std::move(made), base::Span<const uint32_t>(written));
         *out = {index + 1};
     });
@@ -41,7 +41,7 @@ clq_status clq_actor_attach_mechanism(clq_crowd *crowd, clq_actor actor, const c
         wanted.priority = attachment->priority;
         wanted.phase_s = attachment->phase_s;
         wanted.start_s = attachment->start_s;
-        crowd->crowd.attach_mechanism(api::id_of(actor), wanted);
+        crowd::attach_mechanism(crowd->crowd, api::id_of(actor), wanted);
     });
 }
 
@@ -54,7 +54,7 @@ clq_status clq_actor_detach_mechanism(clq_crowd *crowd, clq_actor actor, clq_mec
         if (mechanism.index1 - 1 >= crowd->crowd.behaviours().mechanism_count())
             base::fail(CLQ_ARGUMENT, "mechanism %u of %u", mechanism.index1,
                        crowd->crowd.behaviours().mechanism_count());
-        crowd->crowd.detach_mechanism(api::id_of(actor), mechanism.index1 - 1);
+        crowd::detach_mechanism(crowd->crowd, api::id_of(actor), mechanism.index1 - 1);
     });
 }
 
@@ -68,13 +68,13 @@ clq_status clq_actor_gaze(clq_crowd *crowd, clq_actor actor, clq_mechanism gaze,
     });
 }
 
-clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism expression, uint32_t shape, double at_s)
+clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism expression, uint32_t pose, double at_s)
 {
     return api::boundary("clq_actor_express", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         behave::command_expression(crowd->crowd, api::id_of(actor), expression.index1 - 1,
-                                   shape == CLQ_NONE ? model::none : shape, at_s);
+                                   pose == CLQ_NONE ? model::none : pose, at_s);
     });
 }
 
@@ -91,32 +91,32 @@ clq_status clq_crowd_add_root_path(clq_crowd *crowd, const clq_root_path_def *de
 {
     return api::boundary("clq_crowd_add_root_path", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_root_path_def_init");
+        const clq_root_path_def wanted = api::read_def(def, clq_root_path_def_init, "clq_root_path_def_init");
         const api::Busy busy(crowd);
-        *out = {crowd->crowd.behaviours().add(api::path_of(*def, &crowd->context->memory)) + 1};
+        *out = {crowd->crowd.behaviours().add(api::path_of(wanted, &crowd->context->memory)) + 1};
     });
 }
 
-clq_status clq_actor_play_root_path(clq_crowd *crowd, clq_actor actor, const clq_root_path_play *motion)
+clq_status clq_actor_play_root_path(clq_crowd *crowd, clq_actor actor, const clq_root_path_play *play)
 {
     return api::boundary("clq_actor_play_root_path", [&] {
-        api::require(crowd && motion, "crowd or motion is NULL");
+        api::require(crowd && play, "crowd or play is NULL");
         const api::Busy busy(crowd);
         crowd::RootPathPlay wanted;
-        wanted.path = motion->path.index1 ? motion->path.index1 - 1 : model::none;
-        wanted.speed = motion->speed;
-        wanted.phase_s = motion->phase_s;
-        wanted.start_s = motion->start_s;
-        crowd->crowd.play_root_path(api::id_of(actor), wanted);
+        wanted.path = play->path.index1 ? play->path.index1 - 1 : model::none;
+        wanted.speed = play->speed;
+        wanted.phase_s = play->phase_s;
+        wanted.start_s = play->start_s;
+        crowd::play_root_path(crowd->crowd, api::id_of(actor), wanted);
     });
 }
 
-clq_status clq_crowd_set_ground(clq_crowd *crowd, double (*height)(void *user, const double point[3]), void *user)
+clq_status clq_crowd_set_ground(clq_crowd *crowd, clq_height_function height, void *user)
 {
     return api::boundary("clq_crowd_set_ground", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.set_ground(height, user);
+        crowd::set_ground(crowd->crowd, height, user);
     });
 }
 
@@ -125,7 +125,7 @@ clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float max_
     return api::boundary("clq_actor_follow_ground", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.follow_ground(api::id_of(actor), max_up, max_down);
+        crowd::follow_ground(crowd->crowd, api::id_of(actor), max_up, max_down);
     });
 }
 

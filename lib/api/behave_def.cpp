@@ -29,7 +29,7 @@ void require_more(const char *name, float value, float than)
         fail(CLQ_ARGUMENT, "%s is %g: a finite number of more than %g is wanted", name, double(value), double(than));
 }
 
-// Takes over what one def says about the degrees of freedom of one template.
+// Copies what a def says about the degrees of freedom of one template.
 class Reader
 {
 public:
@@ -213,7 +213,7 @@ crowd::HostMechanism host_of(const clq_mechanism_def &def)
     if (!def.host.run) fail(CLQ_ARGUMENT, "run of the host's mechanism is NULL");
     if (def.host.has_memory && def.off_m != 0)
         fail(CLQ_ARGUMENT, "off_m is %g: a mechanism that keeps a memory is never off", double(def.off_m));
-    return {def.host.run, def.host.user, def.host.has_memory != 0};
+    return {def.host.run, def.host.user, def.host.has_memory};
 }
 
 void take_levels(const clq_mechanism_def &def, crowd::Mechanism &out)

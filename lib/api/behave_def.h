@@ -1,4 +1,4 @@
-// Descriptions of mechanisms and paths, checked: the first broken rule is thrown as base::Error.
+// Checks descriptions of mechanisms and paths; throws base::Error naming the first broken rule.
 #pragma once
 
 #include <claque/behave.h>
@@ -8,7 +8,7 @@
 namespace claque::api
 {
 
-// `written` gets every degree of freedom that it may write, once.
+// Appends every degree of freedom that it may write to `written`, once.
 crowd::Mechanism mechanism_of(const clq_mechanism_def &def, const model::Template &tmpl,
                               std::pmr::memory_resource *memory, model::Array<uint32_t> &written);
 crowd::RootPath path_of(const clq_root_path_def &def, std::pmr::memory_resource *memory);

@@ -1,4 +1,4 @@
-// The C boundary: what is thrown inside becomes a status and this thread's last error; nothing passes through.
+// The C boundary: an exception becomes a status and this thread's last error; none passes through.
 #pragma once
 
 #include <claque/base.h>
@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "lib/api/struct_size.h"
 #include "lib/base/error.h"
 #include "lib/base/status.h"
 
@@ -56,7 +57,7 @@ inline void require_array(const void *array, uint32_t count, const char *what)
 
 inline const char *name_of(const char *name) { return name ? name : ""; }
 
-// The number in a host's enum: C lets it be any, and C++ may not even look at one that is not of the enum.
+// The number in a host's enum: C allows any value, and reading an invalid one as an enum is undefined in C++.
 template <class Enum>
 unsigned number_of(const Enum &value)
 {
@@ -64,15 +65,6 @@ unsigned number_of(const Enum &value)
     unsigned number;
     std::memcpy(&number, &value, sizeof number);
     return number;
-}
-
-// A def made by another version of the header has another size.
-template <class Def>
-void require_size(const Def *def, const char *init)
-{
-    if (def && def->struct_bytes != sizeof(Def))
-        base::fail(CLQ_STRUCT_SIZE, "struct_bytes is %u instead of %zu: make the struct with %s", def->struct_bytes,
-                   sizeof(Def), init);
 }
 
 }  // namespace claque::api

@@ -42,8 +42,8 @@ clq_status clq_colour_map_create(clq_context *context, const clq_colour_map_def 
 {
     return api::boundary("clq_colour_map_create", [&] {
         api::require(context && def && out, "context, def or out is NULL");
-        api::require_size(def, "clq_colour_map_def_init");
-        *out = api::Making<clq_colour_map>(context, context, *def).release();
+        const clq_colour_map_def wanted = api::read_def(def, clq_colour_map_def_init, "clq_colour_map_def_init");
+        *out = api::Making<clq_colour_map>(context, context, wanted).release();
     });
 }
 
@@ -56,7 +56,8 @@ clq_status clq_colour_map_get_def(const clq_colour_map *map, clq_colour_map_def 
 {
     return api::boundary("clq_colour_map_get_def", [&] {
         api::require(map && out, "map or out is NULL");
-        *out = map->map.def();
+        api::require_size(*out, "clq_colour_map_def_init");
+        api::write_out(out, map->map.def());
     });
 }
 
@@ -81,20 +82,23 @@ clq_status clq_crowd_randomise_colours(clq_crowd *crowd, const clq_colour_map *m
         std::pmr::vector<crowd::Id> ids(&crowd->context->memory);
         ids.reserve(actor_count);
         for (uint32_t i = 0; i < actor_count; ++i) ids.push_back(api::id_of(actors[i]));
-        crowd->crowd.randomise_colours(ids.data(), actor_count, map->map, colour_class);
+        crowd::randomise_colours(crowd->crowd, ids.data(), actor_count, map->map, colour_class);
     });
 }
 
-clq_status clq_colour_map_sample(const clq_colour_map *map, uint32_t colour_class, const clq_template *tmpl,
-                                 uint64_t crowd_seed, uint64_t actor_seed, float *out_rgb, uint32_t zone_count)
+clq_status clq_colour_map_sample(const clq_colour_map *map, const clq_colour_sample_def *def, float *out_rgb,
+                                 uint32_t zone_count)
 {
     return api::boundary("clq_colour_map_sample", [&] {
-        api::require(map && tmpl && (out_rgb || zone_count == 0), "map, tmpl or out_rgb is NULL");
-        require_zones(zone_count, *tmpl);
-        const crowd::ColourRecipe recipe(&map->context->memory, map->map, colour_class, *tmpl);
+        api::require(map && def && (out_rgb || zone_count == 0), "map, def or out_rgb is NULL");
+        const clq_colour_sample_def wanted =
+            api::read_def(def, clq_colour_sample_def_init, "clq_colour_sample_def_init");
+        api::require(wanted.tmpl != nullptr, "tmpl is NULL");
+        require_zones(zone_count, *wanted.tmpl);
+        const crowd::ColourRecipe recipe(&map->context->memory, map->map, wanted.colour_class, *wanted.tmpl);
         for (uint32_t zone = 0; zone < zone_count; ++zone) {
             double rgb[3];
-            recipe.sample(zone, crowd_seed, actor_seed, rgb);
+            recipe.sample(zone, wanted.crowd_seed, wanted.actor_seed, rgb);
             for (int k = 0; k < 3; ++k) out_rgb[3 * zone + k] = static_cast<float>(rgb[k]);
         }
     });

@@ -41,8 +41,7 @@ clq_status clq_context_create(const clq_context_def *def, clq_context **out)
 {
     return api::boundary("clq_context_create", [&] {
         api::require(out != nullptr, "out is NULL");
-        api::require_size(def, "clq_context_def_init");
-        const clq_context_def wanted = def ? *def : clq_context_def_init();
+        const clq_context_def wanted = api::read_def(def, clq_context_def_init, "clq_context_def_init");
         clq_allocator allocator = wanted.allocator;
         api::require((allocator.allocate == nullptr) == (allocator.release == nullptr),
                      "the allocator has only one of allocate and release");

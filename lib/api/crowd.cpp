@@ -1,4 +1,4 @@
-#include <claque/crowd.h>
+#include <claque/crowd_stats.h>
 
 #include <cmath>
 
@@ -36,9 +36,10 @@ frame::Settings settings_of(const clq_crowd_def &def)
     if (!(def.period_far_s >= def.period_near_s) || !std::isfinite(def.period_far_s))
         base::fail(CLQ_ARGUMENT, "period_far_s is %g: at least period_near_s (%g) is wanted",
                    static_cast<double>(def.period_far_s), static_cast<double>(def.period_near_s));
-    if (!(def.distance_near >= 0) || !(def.distance_far > def.distance_near) || !std::isfinite(def.distance_far))
-        base::fail(CLQ_ARGUMENT, "distance_near is %g and distance_far %g: 0 <= near < far is wanted",
-                   static_cast<double>(def.distance_near), static_cast<double>(def.distance_far));
+    if (!(def.distance_near_m >= 0) || !(def.distance_far_m > def.distance_near_m) ||
+        !std::isfinite(def.distance_far_m))
+        base::fail(CLQ_ARGUMENT, "distance_near_m is %g and distance_far_m %g: 0 <= near < far is wanted",
+                   static_cast<double>(def.distance_near_m), static_cast<double>(def.distance_far_m));
     if (!(def.metres_per_unit > 0) || !std::isfinite(def.metres_per_unit))
         base::fail(CLQ_ARGUMENT, "metres_per_unit is %g: more than 0 is wanted",
                    static_cast<double>(def.metres_per_unit));
@@ -62,9 +63,10 @@ frame::Settings settings_of(const clq_crowd_def &def)
     settings.now = {def.now_s, def.now_user};
     settings.clock = static_cast<frame::Clock>(def.clock);
     settings.caches.mode = static_cast<animcache::Mode>(def.cache);
-    settings.caches.key_poses = api::settings_of(def.key_poses);
+    settings.caches.key_poses = api::settings_of(def.key_poses, def.metres_per_unit);
     if (def.cache_budget_bytes) settings.caches.budget_bytes = def.cache_budget_bytes;
-    settings.caches.period = {def.period_near_s, def.period_far_s, def.distance_near, def.distance_far};
+    settings.caches.period = {def.period_near_s, def.period_far_s, def.distance_near_m / def.metres_per_unit,
+                              def.distance_far_m / def.metres_per_unit};
     settings.caches.metres_per_unit = def.metres_per_unit;
     settings.cull = static_cast<frame::Cull>(def.cull);
     settings.rigid_mode = static_cast<animcache::RigidMode>(def.rigid_mode);
@@ -89,8 +91,7 @@ clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_
 {
     return api::boundary("clq_crowd_create", [&] {
         api::require(context && out, "context or out is NULL");
-        api::require_size(def, "clq_crowd_def_init");
-        const clq_crowd_def wanted = def ? *def : clq_crowd_def_init();
+        const clq_crowd_def wanted = api::read_def(def, clq_crowd_def_init, "clq_crowd_def_init");
         *out = api::make<clq_crowd>(context, context, settings_of(wanted), wanted.seed);
     });
 }
@@ -98,7 +99,7 @@ clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_
 void clq_crowd_destroy(clq_crowd *crowd)
 {
     if (!crowd) return;
-    // Templates go last: the crowd's columns point at them.
+    // Templates are released last: the crowd's columns point at them.
     std::pmr::vector<clq_template *> held(std::move(crowd->held));
     api::unmake(crowd->context, crowd);
     for (clq_template *tmpl : held) api::release(tmpl);
@@ -118,11 +119,11 @@ clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, c
             crowd->placed_ids.push_back(api::id_of(actors[i]));
             crowd->placed.push_back(api::transform_of(transforms[i]));
         }
-        crowd->crowd.set_transforms(crowd->placed_ids.data(), crowd->placed.data(), count);
+        crowd::set_transforms(crowd->crowd, crowd->placed_ids.data(), crowd->placed.data(), count);
     });
 }
 
-uint32_t clq_crowd_actor_count(const clq_crowd *crowd) { return crowd ? crowd->crowd.actor_count() : 0; }
+uint32_t clq_crowd_get_actor_count(const clq_crowd *crowd) { return crowd ? crowd->crowd.actor_count() : 0; }
 
 clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *views, uint32_t view_count)
 {
@@ -152,8 +153,9 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
 {
     return api::boundary("clq_crowd_get_stats", [&] {
         api::require(crowd && out, "crowd or out is NULL");
+        api::require_size(*out, "clq_crowd_stats_init");
         const frame::Stats &stats = crowd->frame.stats();
-        clq_crowd_stats result{};
+        clq_crowd_stats result = clq_crowd_stats_init();
         result.actor_count = crowd->crowd.actor_count();
         result.groups = stats.groups;
         result.groups_visible = stats.groups_visible;
@@ -187,11 +189,16 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
         result.cache_budget_bytes = stats.cache_budget_bytes;
         result.actor_bytes = crowd->crowd.bytes();
         static_assert(CLQ_DISTANCE_BAND_COUNT == frame::band_count, "the C API shows every band");
+        const float metres = crowd->frame.settings().caches.metres_per_unit;
         for (uint32_t i = 0; i < CLQ_DISTANCE_BAND_COUNT; ++i) {
             const frame::Band &band = stats.bands[i];
-            result.bands[i] = {band.distance_min, band.distance_max, band.actor_frames, band.seconds, band.animated};
+            result.bands[i] = {band.distance_min * metres, band.distance_max * metres, band.actor_frames, band.seconds,
+                               band.animated};
         }
-        *out = result;
+        result.frame_bytes = stats.frame_bytes;
+        result.arena_bytes = stats.arena_bytes;
+        result.left_out = stats.left_out;
+        api::write_out(out, result);
     });
 }
 
@@ -204,6 +211,6 @@ clq_status clq_crowd_reset_bands(clq_crowd *crowd)
     });
 }
 
-uint64_t clq_crowd_hash(const clq_crowd *crowd) { return crowd ? crowd->crowd.hash() : 0; }
+uint64_t clq_crowd_get_hash(const clq_crowd *crowd) { return crowd ? crowd->crowd.hash() : 0; }
 
 }  // extern "C"

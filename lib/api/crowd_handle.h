@@ -1,4 +1,4 @@
-// What stands behind clq_crowd and clq_view.
+// The structs behind clq_crowd and clq_view.
 #pragma once
 
 #include <claque/view.h>
@@ -6,9 +6,10 @@
 #include "lib/api/handles.h"
 #include "lib/base/error.h"
 #include "lib/behave/events.h"
+#include "lib/crowd/edits.h"
 #include "lib/frame/frame.h"
 
-// The crowd and all its views are one thing to memory and to the BUSY rule.
+// A crowd and all its views share one memory resource and one lock for CLQ_BUSY.
 struct clq_crowd {
     clq_crowd(clq_context *owner, const claque::frame::Settings &settings, uint64_t seed)
         : context(owner),
@@ -29,25 +30,25 @@ struct clq_crowd {
     claque::frame::Frame frame;
     std::pmr::vector<clq_template *> held;  // every template it has used
     std::pmr::vector<clq_view *> views;
-    std::pmr::vector<claque::frame::View *> views_of_update;  // of the update that runs
-    // Of the call that places: hosts do so every frame, and a frame asks for no memory once it has grown.
+    std::pmr::vector<claque::frame::View *> views_of_update;  // of the present update
+    // Scratch of set_transforms: hosts call it every frame, and it allocates only when it grows.
     std::pmr::vector<claque::crowd::Id> placed_ids;
     std::pmr::vector<claque::crowd::Transform> placed;
-    std::pmr::vector<claque::behave::Event> events;  // of the last question for them
-    mutable std::atomic<int32_t> users{0};  // calls that draw its views, which only read it; -1: one that changes it
+    std::pmr::vector<claque::behave::Event> events;  // result of the last query for events
+    mutable std::atomic<int32_t> users{0};  // number of calls that draw its views (readers); -1: a call that changes it
 };
 
 struct clq_view {
     explicit clq_view(clq_crowd *owner) : crowd(owner), view(&owner->context->memory) {}
     clq_crowd *crowd;
     claque::frame::View view;
-    mutable std::atomic<bool> drawn{false};  // whoever draws it skins into its memory: one at a time
+    mutable std::atomic<bool> drawn{false};  // a draw skins into its memory: one at a time
 };
 
 namespace claque::api
 {
 
-// Holds a crowd for the length of a call; a second caller, a task of an update included, is told BUSY.
+// Locks a crowd for the length of a call; a second caller, including a task of an update, gets CLQ_BUSY.
 class Busy
 {
 public:
@@ -66,8 +67,8 @@ private:
     const clq_crowd *crowd_;
 };
 
-// Holds a view for the length of a draw. Views of one crowd may be drawn at once, each by its own thread; who would change
-// the crowd meanwhile is told BUSY, and so is who would draw what changes.
+// Locks a view for the length of a draw. Several threads may draw different views of one crowd at once. A call that
+// would change the crowd meanwhile gets CLQ_BUSY, and so does a draw during a change.
 class Drawing
 {
 public:

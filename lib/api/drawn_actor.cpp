@@ -2,7 +2,9 @@
 #include <claque/drawn_actor.h>
 
 #include <algorithm>
+#include <optional>
 
+#include "animcache/inspect.h"
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 
@@ -22,6 +24,28 @@ const draw::Item &item_of(const clq_view *view, uint32_t index)
 void require_room(uint32_t capacity, size_t wanted, const char *what)
 {
     if (capacity < wanted) base::fail(CLQ_ARGUMENT, "room for %u %s, of which there are %zu", capacity, what, wanted);
+}
+
+// The request of the last update.
+const animcache::Request &request_of(const clq_view *view, const draw::Item &item)
+{
+    return view->crowd->frame.request_of(item.actor_index);
+}
+
+animcache::Inspection &inspect(std::optional<animcache::Inspection> &made, const clq_view *view, const draw::Item &item)
+{
+    if (!item.vertices.any() && !item.locals) throw std::bad_alloc();  // left out by the update
+    return made.emplace(&view->crowd->context->memory, *item.tmpl, view->crowd->frame.settings().caches.vertex_format);
+}
+
+// The pose of the last update. The draw list has none for parts that GL's matrix stack places.
+draw::Pose pose_of(std::optional<animcache::Inspection> &made, const clq_view *view, const draw::Item &item)
+{
+    const draw::Pose pose = item.pose.palette ? item.pose : inspect(made, view, item).pose(request_of(view, item));
+    if (!pose.palette)
+        base::fail(CLQ_ARGUMENT, "actor %u shows two key-poses blended, vertex by vertex: it has no palette",
+                   item.actor_index + 1);
+    return pose;
 }
 
 uint8_t byte_of(float colour) { return static_cast<uint8_t>(std::clamp(colour, 0.0f, 1.0f) * 255.0f + 0.5f); }
@@ -53,9 +77,10 @@ clq_status clq_view_get_drawn_actor(const clq_view *view, uint32_t index, clq_dr
 {
     return api::boundary("clq_view_get_drawn_actor", [&] {
         api::require(view && out, "view or out is NULL");
+        api::require_size(*out, "clq_drawn_actor_init");
         const api::Drawing drawing(view);
         const draw::Item &item = item_of(view, index);
-        clq_drawn_actor shown = {};
+        clq_drawn_actor shown = clq_drawn_actor_init();
         shown.actor = {item.actor_index + 1, item.generation};
         shown.tmpl = static_cast<const clq_template *>(item.tmpl);
         shown.level = item.level;
@@ -69,7 +94,7 @@ clq_status clq_view_get_drawn_actor(const clq_view *view, uint32_t index, clq_dr
         shown.joint_count = static_cast<uint32_t>(item.tmpl->rig.palette.size());
         shown.morph_weight_count = static_cast<uint32_t>(item.tmpl->rig.rest_weights.size());
         shown.zone_count = item.tmpl->zone_count();
-        *out = shown;
+        api::write_out(out, shown);
     });
 }
 
@@ -96,27 +121,24 @@ clq_status clq_view_get_vertices(const clq_view *view, uint32_t index, float *ou
         const draw::Item &item = item_of(view, index);
         const uint32_t count = item.tmpl->levels[item.level].source_count;
         require_room(capacity_vertices, count, "vertices");
-        const draw::Vertices from = item.vertices.any() ? item.vertices : view->view.list.server->serve(item);
-        if (!from.any()) throw std::bad_alloc();
+        std::optional<animcache::Inspection> inspection;
+        const draw::Vertices from =
+            item.vertices.any() ? item.vertices : inspect(inspection, view, item).vertices(request_of(view, item));
         if (out_positions) copy_positions(from, count, out_positions);
         if (out_normals) copy_normals(from, count, out_normals);
     });
 }
 
-clq_status clq_view_get_pose(const clq_view *view, uint32_t index, float *out_palette, uint32_t capacity_joints,
-                             float *out_weights, uint32_t capacity_weights)
+clq_status clq_view_get_palette(const clq_view *view, uint32_t index, float *out_palette, uint32_t capacity_joints)
 {
-    return api::boundary("clq_view_get_pose", [&] {
+    return api::boundary("clq_view_get_palette", [&] {
         api::require(view && out_palette, "view or out_palette is NULL");
         const api::Drawing drawing(view);
         const draw::Item &item = item_of(view, index);
         const model::Rig &rig = item.tmpl->rig;
         require_room(capacity_joints, rig.palette.size(), "joints");
-        if (out_weights) require_room(capacity_weights, rig.rest_weights.size(), "morph weights");
-        const draw::Pose pose = view->view.list.server->pose(item);
-        if (!pose.palette)
-            base::fail(CLQ_ARGUMENT, "actor %u shows two key-poses blended, vertex by vertex: it has no palette",
-                       item.actor_index + 1);
+        std::optional<animcache::Inspection> inspection;
+        const draw::Pose pose = pose_of(inspection, view, item);
         const model::Level &level = item.tmpl->levels[item.level];
         const auto copy = [&](size_t entry) { std::copy_n(pose.palette[entry].c, 12, out_palette + 12 * entry); };
         if (level.active.empty())
@@ -127,7 +149,21 @@ clq_status clq_view_get_pose(const clq_view *view, uint32_t index, float *out_pa
                 std::copy_n(identity.c, 12, out_palette + 12 * entry);
             for (const uint32_t entry : level.entries) copy(entry);
         }
-        if (out_weights) std::copy_n(pose.weights, rig.rest_weights.size(), out_weights);
+    });
+}
+
+clq_status clq_view_get_morph_weights(const clq_view *view, uint32_t index, float *out_weights,
+                                      uint32_t capacity_weights)
+{
+    return api::boundary("clq_view_get_morph_weights", [&] {
+        api::require(view && (out_weights || capacity_weights == 0), "view or out_weights is NULL");
+        const api::Drawing drawing(view);
+        const draw::Item &item = item_of(view, index);
+        const size_t count = item.tmpl->rig.rest_weights.size();
+        require_room(capacity_weights, count, "morph weights");
+        std::optional<animcache::Inspection> inspection;
+        const draw::Pose pose = pose_of(inspection, view, item);
+        if (count > 0) std::copy_n(pose.weights, count, out_weights);
     });
 }
 

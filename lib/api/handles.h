@@ -1,4 +1,4 @@
-// What stands behind the opaque pointers that templates and contexts are to a host.
+// The structs behind the opaque handles of templates and contexts.
 #pragma once
 
 #include <claque/context.h>
@@ -19,10 +19,10 @@ struct clq_context {
     claque::base::HostMemory memory;
     claque::base::Jobs jobs;
     claque::base::Log log;
-    std::atomic<uint32_t> children{0};  // templates, crowds and renderers that still exist
+    std::atomic<uint32_t> children{0};  // existing templates, crowds and renderers
 };
 
-// The split character itself, counted: the host holds it once, each crowd and renderer that uses it once.
+// A split character with a reference count: one for the host, one for each crowd and renderer that uses it.
 struct clq_template : claque::model::Template {
     explicit clq_template(clq_context *owner) : Template(&owner->memory), context(owner) {}
     clq_context *context;
@@ -32,7 +32,7 @@ struct clq_template : claque::model::Template {
 namespace claque::api
 {
 
-// A handle in the context's memory, destroyed with it unless released: construction that fails leaves nothing.
+// A handle in the context's memory, destroyed with it unless released, so that a failed construction leaks nothing.
 template <class Handle, class... Arguments>
 Handle *make(clq_context *context, Arguments &&...arguments)
 {

@@ -14,7 +14,7 @@ using namespace claque;
 namespace claque::api
 {
 
-animcache::KeyPoseSettings settings_of(const clq_key_poses &wanted)
+animcache::KeyPoseSettings settings_of(const clq_key_poses &wanted, float metres_per_unit)
 {
     static_assert(CLQ_KEY_POSE_BAND_MAX == animcache::max_key_pose_bands, "the C API shows every band");
     if (wanted.band_count > CLQ_KEY_POSE_BAND_MAX)
@@ -29,12 +29,12 @@ animcache::KeyPoseSettings settings_of(const clq_key_poses &wanted)
                        "key_poses.bands[%u].mode is %u: none of CLQ_KEY_POSE_INDIVIDUAL to "
                        "CLQ_KEY_POSE_SKINNED",
                        i, static_cast<unsigned>(number_of(band.mode)));
-        if (!(band.distance >= 0) || !std::isfinite(band.distance) ||
-            (i > 0 && !(band.distance > wanted.bands[i - 1].distance)))
+        if (!(band.distance_min_m >= 0) || !std::isfinite(band.distance_min_m) ||
+            (i > 0 && !(band.distance_min_m > wanted.bands[i - 1].distance_min_m)))
             base::fail(CLQ_ARGUMENT,
-                       "key_poses.bands[%u].distance is %g: 0 or more, and more than that of the band before", i,
-                       static_cast<double>(band.distance));
-        out.bands[i] = {band.distance, static_cast<animcache::KeyPoseMode>(band.mode)};
+                       "key_poses.bands[%u].distance_min_m is %g: 0 or more, and more than that of the band before", i,
+                       static_cast<double>(band.distance_min_m));
+        out.bands[i] = {band.distance_min_m / metres_per_unit, static_cast<animcache::KeyPoseMode>(band.mode)};
     }
     out.band_count = wanted.band_count;
     out.rate_hz = wanted.rate_hz;
@@ -49,13 +49,18 @@ extern "C" clq_status clq_crowd_get_key_pose_stats(const clq_crowd *crowd, clq_k
 {
     return api::boundary("clq_crowd_get_key_pose_stats", [&] {
         api::require(crowd && out, "crowd or out is NULL");
+        api::require_size(*out, "clq_key_pose_stats_init");
         const animcache::KeyPoseCounters &counters = crowd->frame.stats().key_poses;
-        *out = {counters.requested, counters.served, counters.wanted, counters.updated, counters.held, counters.bytes};
+        clq_key_pose_stats stats = clq_key_pose_stats_init();
+        stats.requested = counters.requested, stats.served = counters.served;
+        stats.wanted = counters.wanted, stats.updated = counters.updated;
+        stats.held = counters.held, stats.bytes = counters.bytes;
+        api::write_out(out, stats);
     });
 }
 
-extern "C" clq_status clq_key_poses_choose(const clq_key_pose_bin *bins, uint32_t bin_count, uint32_t pose_count,
-                                           uint32_t capacity, uint8_t *out_chosen)
+extern "C" clq_status clq_key_poses_choose(const clq_key_pose_bin *bins, uint32_t bin_count, uint32_t max_kept,
+                                           bool *out_chosen, uint32_t pose_count)
 {
     return api::boundary("clq_key_poses_choose", [&] {
         api::require((bins || bin_count == 0) && (out_chosen || pose_count == 0), "bins or out_chosen is NULL");
@@ -67,8 +72,9 @@ extern "C" clq_status clq_key_poses_choose(const clq_key_pose_bin *bins, uint32_
                            bins[i].second, pose_count);
             wanted.push_back({bins[i].first, bins[i].second, bins[i].count});
         }
-        std::fill(out_chosen, out_chosen + pose_count, uint8_t(0));
+        std::vector<uint8_t> chosen(pose_count, uint8_t(0));
         animcache::KeyPoseChoice choice(std::pmr::get_default_resource(), pose_count, bin_count);
-        choice.choose(wanted.data(), bin_count, capacity, nullptr, out_chosen);
+        choice.choose(wanted.data(), bin_count, max_kept, nullptr, chosen.data());
+        for (uint32_t i = 0; i < pose_count; ++i) out_chosen[i] = chosen[i] != 0;
     });
 }

@@ -1,4 +1,4 @@
-// Checks what a host wants of key-poses.
+// Checks the key-pose settings of a host.
 #pragma once
 
 #include <claque/key_poses.h>
@@ -9,6 +9,6 @@ namespace claque::api
 {
 
 // Throws base::Error (CLQ_ARGUMENT).
-animcache::KeyPoseSettings settings_of(const clq_key_poses &key_poses);
+animcache::KeyPoseSettings settings_of(const clq_key_poses &key_poses, float metres_per_unit);
 
 }  // namespace claque::api

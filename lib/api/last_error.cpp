@@ -1,4 +1,5 @@
-// Statuses as text, and this thread's last error. No allocation, so that running out of memory can be told too.
+// The version, statuses as text, and this thread's last error. Allocates nothing, so that it works when memory is
+// exhausted.
 #include <claque/base.h>
 
 #include <cstring>
@@ -11,6 +12,8 @@ thread_local char last_error_text[1024] = "";
 }  // namespace
 
 extern "C" {
+
+uint32_t clq_version(void) { return CLQ_VERSION; }
 
 const char *clq_status_name(clq_status status)
 {

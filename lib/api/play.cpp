@@ -1,4 +1,4 @@
-// Fades, gaits, masks and layers (S2 3.3), and clips by lot (S0 7.1).
+// Fades, gaits, masks and layers (S2 3.3), and random clips (S0 7.1).
 #include <claque/play.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace claque;
 namespace
 {
 
-// A host may hold on to a template that is gone, so it is looked for before it is looked at.
+// The host's pointer may be to a destroyed template, so it is compared before it is dereferenced.
 const model::Template &known(const clq_crowd *crowd, const clq_template *tmpl)
 {
     api::require(tmpl != nullptr, "tmpl is NULL");
@@ -62,9 +62,9 @@ clq_status clq_crowd_add_gait(clq_crowd *crowd, const clq_gait_def *def, clq_gai
 {
     return api::boundary("clq_crowd_add_gait", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_gait_def_init");
+        const clq_gait_def wanted = api::read_def(def, clq_gait_def_init, "clq_gait_def_init");
         const api::Busy busy(crowd);
-        crowd::Gait made = api::gait_of(*def, known(crowd, def->tmpl), &crowd->context->memory);
+        crowd::Gait made = api::gait_of(wanted, known(crowd, wanted.tmpl), &crowd->context->memory);
         *out = {crowd->crowd.layers().add(std::move(made)) + 1};
     });
 }
@@ -73,23 +73,24 @@ clq_status clq_crowd_add_mask(clq_crowd *crowd, const clq_mask_def *def, clq_mas
 {
     return api::boundary("clq_crowd_add_mask", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_mask_def_init");
+        const clq_mask_def wanted = api::read_def(def, clq_mask_def_init, "clq_mask_def_init");
         const api::Busy busy(crowd);
-        crowd::MaskOf made = api::mask_of(*def, known(crowd, def->tmpl), &crowd->context->memory);
+        crowd::MaskOf made = api::mask_of(wanted, known(crowd, wanted.tmpl), &crowd->context->memory);
         *out = {crowd->crowd.layers().add(std::move(made)) + 1};
     });
 }
 
-clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_fade_target *to, double at_s, float length_s,
-                             clq_curve curve)
+clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_fade_def *def)
 {
     return api::boundary("clq_actor_fade_to", [&] {
-        api::require(crowd && to, "crowd or to is NULL");
+        api::require(crowd && def, "crowd or def is NULL");
+        const clq_fade_def wanted = api::read_def(def, clq_fade_def_init, "clq_fade_def_init");
         const api::Busy busy(crowd);
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
-        const uint32_t gait = to->gait.index1 ? to->gait.index1 - 1 : model::none;
-        const crowd::Source source = crowd->crowd.source(row, api::play_of(to->play), gait, to->share);
-        crowd->crowd.fade_to(api::id_of(actor), source, at_s, length_s, api::curve_of(curve));
+        const uint32_t gait = wanted.gait.index1 ? wanted.gait.index1 - 1 : model::none;
+        const crowd::Source source = crowd::source(crowd->crowd, row, api::play_of(wanted.play), gait, wanted.share);
+        crowd::fade_to(crowd->crowd, api::id_of(actor), source, wanted.at_s, wanted.length_s,
+                       api::curve_of(wanted.curve));
     });
 }
 
@@ -98,7 +99,7 @@ clq_status clq_actor_set_gait_share(clq_crowd *crowd, clq_actor actor, float sha
     return api::boundary("clq_actor_set_gait_share", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.change_share(api::id_of(actor), share, at_s, length_s);
+        crowd::change_share(crowd->crowd, api::id_of(actor), share, at_s, length_s);
     });
 }
 
@@ -106,10 +107,10 @@ clq_status clq_actor_add_layer(clq_crowd *crowd, clq_actor actor, const clq_laye
 {
     return api::boundary("clq_actor_add_layer", [&] {
         api::require(crowd && def, "crowd or def is NULL");
-        api::require_size(def, "clq_layer_def_init");
+        const clq_layer_def wanted = api::read_def(def, clq_layer_def_init, "clq_layer_def_init");
         const api::Busy busy(crowd);
         const model::Template &tmpl = crowd->crowd.template_of(crowd->crowd.row_of(api::id_of(actor)));
-        const uint32_t layer_id = crowd->crowd.add_layer(api::id_of(actor), api::layer_of(*def, tmpl));
+        const uint32_t layer_id = crowd::add_layer(crowd->crowd, api::id_of(actor), api::layer_of(wanted, tmpl));
         if (out) *out = {layer_id};
     });
 }
@@ -119,30 +120,30 @@ clq_status clq_actor_end_layer(clq_crowd *crowd, clq_actor actor, clq_layer laye
     return api::boundary("clq_actor_end_layer", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.end_layer(api::id_of(actor), layer.index1, at_s, fade_out_s);
+        crowd::end_layer(crowd->crowd, api::id_of(actor), layer.index1, at_s, fade_out_s);
     });
 }
 
-clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const clq_random_play_def *def,
-                                 uint32_t sample_index, double start_s, clq_play *out)
+clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const clq_random_play_def *def, clq_play *out)
 {
     return api::boundary("clq_actor_sample_play", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
-        api::require_size(def, "clq_random_play_def_init");
+        const clq_random_play_def wanted = api::read_def(def, clq_random_play_def_init, "clq_random_play_def_init");
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Template &tmpl = crowd->crowd.template_of(row);
-        api::require(def->clip_count > 0 && def->clips, "a draw from no clip");
-        check_spread("speed_spread", def->speed_spread, false);
-        check_spread("phase_spread", def->phase_spread, true);
+        api::require(wanted.clip_count > 0 && wanted.clips, "a draw from no clip");
+        check_spread("speed_spread", wanted.speed_spread, false);
+        check_spread("phase_spread", wanted.phase_spread, true);
         crowd::Play play;
-        play.clip = def->clips[clip_by_lot(*def, lot(crowd->crowd, row, base::Purpose::clip, sample_index))];
-        play.start_s = start_s;
-        const double speed = 2 * lot(crowd->crowd, row, base::Purpose::speed, sample_index) - 1;
-        play.speed = static_cast<float>(1 + speed * double(def->speed_spread));
+        play.clip = wanted.clips[clip_by_lot(wanted, lot(crowd->crowd, row, base::Purpose::clip, wanted.sample_index))];
+        play.start_s = wanted.start_s;
+        const double speed = 2 * lot(crowd->crowd, row, base::Purpose::speed, wanted.sample_index) - 1;
+        play.speed = static_cast<float>(1 + speed * double(wanted.speed_spread));
         crowd::check_play(play, tmpl);
         if (play.clip != model::none)
-            play.phase_s = static_cast<float>(lot(crowd->crowd, row, base::Purpose::phase, sample_index) *
-                                              double(def->phase_spread) * double(tmpl.rig.clips[play.clip].duration_s));
+            play.phase_s =
+                static_cast<float>(lot(crowd->crowd, row, base::Purpose::phase, wanted.sample_index) *
+                                   double(wanted.phase_spread) * double(tmpl.rig.clips[play.clip].duration_s));
         *out = {play.clip, play.start_s, play.speed, play.phase_s};
     });
 }
@@ -189,32 +190,34 @@ clq_status clq_template_get_root_motion(const clq_template *tmpl, uint32_t clip,
     });
 }
 
-clq_status clq_actor_watch(clq_crowd *crowd, clq_actor actor, int32_t watched)
+clq_status clq_actor_set_watched(clq_crowd *crowd, clq_actor actor, bool watched)
 {
-    return api::boundary("clq_actor_watch", [&] {
+    return api::boundary("clq_actor_set_watched", [&] {
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
-        crowd->crowd.watch(api::id_of(actor), watched != 0);
+        crowd::watch(crowd->crowd, api::id_of(actor), watched);
     });
 }
 
-clq_status clq_crowd_get_events(clq_crowd *crowd, double from_s, double to_s, clq_event *events, size_t capacity,
+clq_status clq_crowd_get_events(clq_crowd *crowd, const clq_time_range *range, clq_event *out_events, size_t capacity,
                                 size_t *out_count)
 {
     return api::boundary("clq_crowd_get_events", [&] {
-        api::require(crowd && out_count && (events || capacity == 0), "crowd, events or out_count is NULL");
+        api::require(crowd && range && out_count && (out_events || capacity == 0),
+                     "crowd, range, out_events or out_count is NULL");
         const api::Busy busy(crowd);
+        const double from_s = range->from_s, to_s = range->to_s;
         if (!std::isfinite(from_s) || !std::isfinite(to_s))
             base::fail(CLQ_ARGUMENT, "events from %g to %g s: finite times are wanted", from_s, to_s);
         model::Array<behave::Event> &found = crowd->events;
         behave::find_events(crowd->crowd, from_s, to_s, found);
-        if (events && found.size() > capacity)
+        if (out_events && found.size() > capacity)
             base::fail(CLQ_LIMIT, "%zu events from %g to %g s: there is room for %zu", found.size(), from_s, to_s,
                        capacity);
-        for (size_t i = 0; events && i < found.size(); ++i) {
+        for (size_t i = 0; out_events && i < found.size(); ++i) {
             const behave::Event &e = found[i];
             const crowd::Id id = crowd->crowd.id_of(e.row);
-            events[i] = {
+            out_events[i] = {
                 e.time_s, {id.index1, id.generation}, static_cast<clq_event_kind>(e.kind), e.clip, e.marker, e.round,
                 {e.layer}};
         }

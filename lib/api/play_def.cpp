@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/api/boundary.h"
+#include "lib/crowd/edits.h"
 #include "lib/crowd/gait.h"
 
 namespace claque::api
@@ -76,10 +77,10 @@ crowd::MaskOf mask_of(const clq_mask_def &def, const model::Template &tmpl, std:
 {
     const model::Rig &rig = tmpl.rig;
     require_array(def.nodes, def.node_count, "nodes");
-    require(def.node_count > 0, "a mask of no node");
+    require(def.node_count > 0, "a mask has no nodes");
     constexpr uint32_t most_feather = 1000;
     if (def.feather > most_feather) fail(CLQ_ARGUMENT, "a feather of %u nodes: at most %u", def.feather, most_feather);
-    // How many nodes down from a named one, itself included; 0: not below any.
+    // Distance to a named ancestor in nodes, the named node included; 0: not below any.
     model::Array<uint32_t> depth(rig.node_count(), 0u, memory);
     for (uint32_t i = 0; i < def.node_count; ++i) {
         if (!def.nodes[i]) fail(CLQ_ARGUMENT, "name %u of a mask is NULL", i);

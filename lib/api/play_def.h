@@ -1,4 +1,4 @@
-// What hosts describe of play: gaits, masks, layers; checked and taken over.
+// Checks and copies the host's descriptions of gaits, masks and layers.
 #pragma once
 
 #include <claque/play.h>

@@ -15,7 +15,7 @@ namespace
 passes::RendererOptions options_of(const clq_renderer_def &def)
 {
     using api::require;
-    require(api::number_of(def.strategy) <= CLQ_STRATEGY_PER_ZONE, "strategy is none of CLQ_VARIETY_...");
+    require(api::number_of(def.strategy) <= CLQ_STRATEGY_PER_ZONE, "strategy is none of CLQ_STRATEGY_...");
     require(api::number_of(def.guard) <= CLQ_GUARD_NONE, "guard is none of CLQ_GUARD_...");
     require(api::number_of(def.colours) <= CLQ_COLOUR_FLOAT, "colours is none of CLQ_COLOUR_...");
     require(api::number_of(def.key_test) <= CLQ_KEY_EQUAL, "key_test is none of CLQ_KEY_...");
@@ -27,13 +27,12 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     options.batch_triangles = def.batch_triangles;
     options.flush_triangles = def.flush_triangles;
     options.flat_triangles = def.flat_triangles;
-    require(def.linear_clean == 0 || def.linear_clean == 1, "linear_clean is neither 0 nor 1");
-    options.linear_clean = def.linear_clean != 0;
+    options.linear_clean = def.linear_clean;
     return options;
 }
 
-// A strategy that cannot tell a template's zones apart gives way to another: say so. Asks for no memory, which could
-// fail when everything is done.
+// Logs that a strategy that cannot separate a template's zones is replaced by another. Allocates nothing, since a
+// failure would come after all the work.
 void report_fallback(const clq_renderer &renderer, const clq_template &tmpl) noexcept
 {
     if (renderer.requested != passes::Strategy::fused || renderer.renderer.strategy_of(tmpl) == renderer.requested)
@@ -63,10 +62,10 @@ clq_status clq_renderer_create(clq_context *context, const clq_renderer_def *def
 {
     return api::boundary("clq_renderer_create", [&] {
         api::require(context && def && out, "context, def or out is NULL");
-        api::require_size(def, "clq_renderer_def_init");
-        api::require(def->get_proc_address != nullptr, "get_proc_address is NULL");
-        api::Making<clq_renderer> made(context, context, options_of(*def));
-        api::require(made->renderer.open(def->get_proc_address, def->user));
+        const clq_renderer_def wanted = api::read_def(def, clq_renderer_def_init, "clq_renderer_def_init");
+        api::require(wanted.get_proc_address != nullptr, "get_proc_address is NULL");
+        api::Making<clq_renderer> made(context, context, options_of(wanted));
+        api::require(made->renderer.open(wanted.get_proc_address, wanted.user));
         *out = made.release();
     });
 }
@@ -90,15 +89,16 @@ clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_tem
 {
     return api::boundary("clq_renderer_get_prepared", [&] {
         api::require(renderer && tmpl && out, "renderer, tmpl or out is NULL");
+        api::require_size(*out, "clq_prepared_info_init");
         if (std::find(renderer->held.begin(), renderer->held.end(), tmpl) == renderer->held.end())
             base::fail(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer", tmpl->name.c_str());
         const passes::LuminanceStep step = renderer->renderer.step_of(*tmpl);
-        *out = {static_cast<clq_draw_strategy>(renderer->renderer.strategy_of(*tmpl)),
-                step.triangles,
-                step.linear_triangles,
-                step.edges,
-                step.mean,
-                step.max};
+        clq_prepared_info info = clq_prepared_info_init();
+        info.strategy = static_cast<clq_draw_strategy>(renderer->renderer.strategy_of(*tmpl));
+        info.triangle_count = step.triangles, info.linear_count = step.linear_triangles;
+        info.edge_count = step.edges;
+        info.step_mean = step.mean, info.step_max = step.max;
+        api::write_out(out, info);
     });
 }
 
@@ -106,12 +106,17 @@ clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_st
 {
     return api::boundary("clq_renderer_draw", [&] {
         api::require(renderer && view, "renderer or view is NULL");
+        if (out_stats) api::require_size(*out_stats, "clq_draw_stats_init");
         api::require(view->crowd->context == renderer->context, "the view belongs to another context");
         const api::Drawing drawing(view);
         passes::DrawStats stats;
         api::require(renderer->renderer.draw(view->view.list, &stats));
-        if (out_stats)
-            *out_stats = {stats.individuals, stats.draws, stats.triangles, stats.vertices, stats.parts, stats.matrices};
+        if (!out_stats) return;
+        clq_draw_stats told = clq_draw_stats_init();
+        told.individuals = stats.individuals, told.draws = stats.draws;
+        told.triangles = stats.triangles, told.vertices = stats.vertices;
+        told.parts = stats.parts, told.matrices = stats.matrices;
+        api::write_out(out_stats, told);
     });
 }
 

@@ -1,4 +1,4 @@
-// What stands behind clq_renderer.
+// The struct behind clq_renderer.
 #pragma once
 
 #include <claque/renderer.h>

@@ -12,7 +12,7 @@ using base::fail;
 namespace
 {
 
-// Keys with rotations, and the first one again where the round ends.
+// Keys with rotations, and the first key again at the end of the loop.
 void add_table(const clq_root_path_def &def, crowd::RootPath &path)
 {
     path.flight = false;

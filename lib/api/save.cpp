@@ -16,7 +16,7 @@ namespace
 class HostSink : public crowd::Sink
 {
 public:
-    HostSink(int (*write)(void *user, const void *bytes, size_t size_bytes), void *user) : write_(write), user_(user) {}
+    HostSink(clq_write_function write, void *user) : write_(write), user_(user) {}
     void take(const uint8_t *bytes, size_t count) override
     {
         if (write_(user_, bytes, count) != 0)
@@ -25,12 +25,12 @@ public:
     }
 
 private:
-    int (*write_)(void *user, const void *bytes, size_t size_bytes);
+    clq_write_function write_;
     void *user_;
     size_t taken_ = 0;
 };
 
-// The host's templates and callbacks, for the crowd that is restored.
+// Supplies the host's templates and callbacks to the crowd that is restored.
 class HostResolver : public crowd::Resolver
 {
 public:
@@ -129,8 +129,7 @@ void check_templates(const clq_crowd &crowd, clq_template *const *templates, uin
 
 extern "C" {
 
-clq_status clq_crowd_save(const clq_crowd *crowd, int (*write)(void *user, const void *bytes, size_t size_bytes),
-                          void *user)
+clq_status clq_crowd_save(const clq_crowd *crowd, clq_write_function write, void *user)
 {
     return api::boundary("clq_crowd_save", [&] {
         api::require(crowd && write, "crowd or write is NULL");
@@ -151,14 +150,14 @@ clq_status clq_crowd_restore(clq_crowd *crowd, const void *bytes, size_t size_by
         crowd::Crowd restored(&crowd->context->memory);
         crowd::restore(static_cast<const uint8_t *>(bytes), size_bytes, resolver, restored);
 
-        // Those that were used before stay held: caches and lists may still be of them.
+        // Templates used before stay held: caches and draw lists may still point at them.
         const std::pmr::vector<clq_template *> &held = crowd->held;
         std::pmr::vector<clq_template *> fresh(&crowd->context->memory);
         fresh.reserve(resolver.used().size());
         for (clq_template *tmpl : resolver.used())
             if (std::find(held.begin(), held.end(), tmpl) == held.end()) fresh.push_back(tmpl);
         crowd->held.reserve(held.size() + fresh.size());
-        crowd->crowd.swap_state(restored);
+        crowd::swap_state(crowd->crowd, restored);
         for (clq_template *tmpl : fresh) {
             api::hold(tmpl);
             crowd->held.push_back(tmpl);

@@ -10,7 +10,7 @@ using base::fail;
 MechanismDef::MechanismDef(const crowd::Mechanism &mechanism, std::pmr::memory_resource *memory)
     : def(clq_mechanism_def_init()), values_(memory), poses_(memory), keys_(memory)
 {
-    // A description says 0 for what never is.
+    // A public description says 0 for "never".
     const auto distance = [](float m) {
         if (m == 0) fail(CLQ_FORMAT, "a level of a mechanism begins at 0 m");
         return m == crowd::never ? 0.0f : m;
@@ -88,7 +88,7 @@ void MechanismDef::describe(const crowd::Idle &idle)
     def.idle.slot_s = idle.slot_s;
     if (!idle.weights.empty()) {
         if (idle.weights.size() != idle.clips.size())
-            fail(CLQ_FORMAT, "%zu clips by lot have %zu weights", idle.clips.size(), idle.weights.size());
+            fail(CLQ_FORMAT, "%zu random clips have %zu weights", idle.clips.size(), idle.weights.size());
         def.idle.weights = idle.weights.data();
     }
     def.idle.fade_s = idle.fade_s;

@@ -1,4 +1,5 @@
-// Mechanisms and paths that bytes brought, as a host would describe them: so that they meet the rules that a host's meet.
+// Converts restored mechanisms and paths to public descriptions, so that they are checked by the same rules as a
+// host's.
 #pragma once
 
 #include <claque/behave.h>
@@ -12,7 +13,7 @@ namespace claque::api
 class MechanismDef
 {
 public:
-    // Of a mechanism that may hold anything; throws base::Error (CLQ_FORMAT) where no description says the same.
+    // For a mechanism of any content; throws base::Error (CLQ_FORMAT) if no description can express it.
     MechanismDef(const crowd::Mechanism &mechanism, std::pmr::memory_resource *memory);
     MechanismDef(const MechanismDef &) = delete;
     MechanismDef &operator=(const MechanismDef &) = delete;

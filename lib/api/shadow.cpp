@@ -75,17 +75,21 @@ clq_status clq_renderer_draw_shadows(clq_renderer *renderer, clq_view *view, con
 {
     return api::boundary("clq_renderer_draw_shadows", [&] {
         require(renderer && view && def, "renderer, view or def is NULL");
-        api::require_size(def, "clq_shadow_def_init");
+        if (out_stats) api::require_size(*out_stats, "clq_shadow_stats_init");
+        const clq_shadow_def wanted = api::read_def(def, clq_shadow_def_init, "clq_shadow_def_init");
         require(view->crowd->context == renderer->context, "the view belongs to another context");
         passes::ShadowOptions options;
-        set_light(*def, options);
-        set_ground(*def, options);
-        set_look(*def, options);
+        set_light(wanted, options);
+        set_ground(wanted, options);
+        set_look(wanted, options);
         const api::Drawing drawing(view);
         passes::ShadowStats stats;
         require(renderer->renderer.draw_shadows(view->view.list, options, &stats));
-        if (out_stats)
-            *out_stats = {stats.individuals, stats.blobs,     stats.shadow_only, stats.skinned,
-                          stats.draws,       stats.triangles, stats.vertices};
+        if (!out_stats) return;
+        clq_shadow_stats told = clq_shadow_stats_init();
+        told.individuals = stats.individuals, told.blobs = stats.blobs;
+        told.shadow_only = stats.shadow_only;
+        told.draws = stats.draws, told.triangles = stats.triangles, told.vertices = stats.vertices;
+        api::write_out(out_stats, told);
     });
 }

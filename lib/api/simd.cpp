@@ -30,9 +30,9 @@ math::SimdLevel simd_level_of(unsigned number)
 
 extern "C" {
 
-clq_status clq_simd_use(clq_simd simd)
+clq_status clq_simd_set(clq_simd simd)
 {
-    return api::boundary("clq_simd_use", [&] {
+    return api::boundary("clq_simd_set", [&] {
         const math::SimdLevel simd_level = simd_level_of(api::number_of(simd));
         if (!math::can_run(simd_level))
             base::fail(CLQ_UNSUPPORTED, "this processor has no %s",
@@ -41,7 +41,7 @@ clq_status clq_simd_use(clq_simd simd)
     });
 }
 
-clq_simd clq_simd_in_use(void)
+clq_simd clq_simd_get(void)
 {
     switch (math::default_simd_level()) {
         case math::SimdLevel::scalar:

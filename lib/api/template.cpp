@@ -1,14 +1,12 @@
-#include <claque/template.h>
+#include <claque/template_info.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "lib/api/boundary.h"
 #include "lib/api/handles.h"
 #include "lib/api/template_def.h"
 #include "lib/model/template_file.h"
-#include "meshsplit/build.h"
 #include "meshsplit/picture.h"
 
 using namespace claque;
@@ -41,55 +39,16 @@ uint32_t max_influences(const model::Level &level)
     return most;
 }
 
-meshsplit::MotionTolerance tolerance_of(const clq_template_def &def)
-{
-    if (!std::isfinite(def.motion_error_m) || !std::isfinite(def.motion_error_rad) || def.motion_error_rad < 0)
-        base::fail(CLQ_ARGUMENT, "clips may be wrong by %g m and %g rad: finite numbers, no negative angle, are wanted",
-                   static_cast<double>(def.motion_error_m), static_cast<double>(def.motion_error_rad));
-    meshsplit::MotionTolerance out;
-    if (def.motion_error_m != 0) out.metres = def.motion_error_m > 0 ? def.motion_error_m : 0;
-    if (def.motion_error_rad > 0) out.radians = def.motion_error_rad;
-    return out;
-}
-
-void log_report(clq_context *context, const model::Template &t)
-{
-    if (t.report.coincident)
-        context->log.warn(
-            base::text_of("template '%s': %u of %u triangles lie on another with the same corners; which of "
-                          "them is seen depends on the order of drawing",
-                          t.name.c_str(), t.report.coincident, t.report.triangles)
-                .c_str());
-}
-
 }  // namespace
 
 extern "C" {
-
-clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out)
-{
-    return api::boundary("clq_template_build", [&] {
-        api::require(context && def && out, "context, def or out is NULL");
-        api::require_size(def, "clq_template_def_init");
-        const model::Model model = api::model_of(*def);
-        meshsplit::BuildOptions options;
-        if (def->max_texture_px) options.max_texture_px = def->max_texture_px;
-        options.motion = tolerance_of(*def);
-        options.jobs = context->jobs;
-        api::Making<clq_template> made(context, context);
-        meshsplit::build(model, options, *made);
-        log_report(context, *made);
-        *out = made.release();
-    });
-}
 
 void clq_template_destroy(clq_template *tmpl)
 {
     if (tmpl) api::release(tmpl);
 }
 
-clq_status clq_template_save(const clq_template *tmpl, int (*write)(void *user, const void *bytes, size_t size_bytes),
-                             void *user)
+clq_status clq_template_save(const clq_template *tmpl, clq_write_function write, void *user)
 {
     return api::boundary("clq_template_save", [&] {
         api::require(tmpl && write, "tmpl or write is NULL");
@@ -114,9 +73,10 @@ clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *ou
 {
     return api::boundary("clq_template_get_info", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
+        api::require_size(*out, "clq_template_info_init");
         const model::Level &level = tmpl->levels[0];
         const model::SplitReport &report = tmpl->report;
-        clq_template_info info{};
+        clq_template_info info = clq_template_info_init();
         info.name = tmpl->name.c_str();
         info.node_count = tmpl->rig.node_count();
         info.joint_count = static_cast<uint32_t>(tmpl->rig.palette.size());
@@ -142,7 +102,7 @@ clq_status clq_template_get_info(const clq_template *tmpl, clq_template_info *ou
         info.marker_count = static_cast<uint32_t>(tmpl->rig.markers.size());
         info.texture_set_count = tmpl->texture_set_count();
         info.bytes = bytes_of(*tmpl);
-        *out = info;
+        api::write_out(out, info);
     });
 }
 
@@ -150,22 +110,23 @@ clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_cl
 {
     return api::boundary("clq_template_get_clip", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
+        api::require_size(*out, "clq_clip_info_init");
         if (clip >= tmpl->rig.clips.size())
             base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
                        tmpl->rig.clips.size());
         const model::Clip &found = tmpl->rig.clips[clip];
-        clq_clip_info info{};
+        clq_clip_info info = clq_clip_info_init();
         info.name = tmpl->rig.clip_names[clip].c_str();
         info.start_s = found.start_s, info.duration_s = found.duration_s;
         info.channel_count = found.channel_count;
         if (!tmpl->motion.empty()) {
             const model::MotionClip &sampled = tmpl->motion.clips[clip];
             info.rate_hz = sampled.rate_hz;
-            info.error_m = sampled.error_m, info.error_rad = sampled.error_rad;
+            info.error = sampled.error_m, info.error_rad = sampled.error_rad;
             info.kept_count = sampled.exact_count;
             info.bytes = model::motion_bytes(tmpl->motion, tmpl->rig, clip);
         }
-        *out = info;
+        api::write_out(out, info);
     });
 }
 
@@ -173,11 +134,15 @@ clq_status clq_template_get_marker(const clq_template *tmpl, uint32_t marker, cl
 {
     return api::boundary("clq_template_get_marker", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
+        api::require_size(*out, "clq_marker_info_init");
         const model::Rig &rig = tmpl->rig;
         if (marker >= rig.markers.size())
             base::fail(CLQ_ARGUMENT, "marker %u of '%s', which has %zu", marker, tmpl->name.c_str(),
                        rig.markers.size());
-        *out = {rig.marker_names[marker].c_str(), rig.markers[marker].clip, rig.markers[marker].time_s};
+        clq_marker_info info = clq_marker_info_init();
+        info.name = rig.marker_names[marker].c_str();
+        info.clip = rig.markers[marker].clip, info.time_s = rig.markers[marker].time_s;
+        api::write_out(out, info);
     });
 }
 
@@ -185,14 +150,15 @@ clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zo
 {
     return api::boundary("clq_template_get_zone", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
+        api::require_size(*out, "clq_zone_info_init");
         if (zone >= tmpl->zone_count())
             base::fail(CLQ_ARGUMENT, "zone %u of '%s', which has %u", zone, tmpl->name.c_str(), tmpl->zone_count());
-        clq_zone_info info{};
+        clq_zone_info info = clq_zone_info_init();
         info.name = tmpl->zone_names[zone].c_str();
         for (size_t k = 0; k < 3; ++k) info.colour[k] = tmpl->zone_colours[zone][k];
         info.range = api::range_of(tmpl->zone_ranges[zone]);
         info.clean_count = zone < tmpl->zone_clean.size() ? tmpl->zone_clean[zone] : 0;
-        *out = info;
+        api::write_out(out, info);
     });
 }
 
@@ -200,13 +166,19 @@ clq_status clq_template_get_dof(const clq_template *tmpl, uint32_t dof, clq_dof_
 {
     return api::boundary("clq_template_get_dof", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
+        api::require_size(*out, "clq_dof_info_init");
         const model::Rig &rig = tmpl->rig;
         if (dof >= rig.dofs.size())
             base::fail(CLQ_ARGUMENT, "degree of freedom %u of %zu of template '%s'", dof, rig.dofs.size(),
                        tmpl->name.c_str());
         const model::Dof &d = rig.dofs[dof];
         const uint32_t node = d.kind == model::DofKind::morph ? rig.morph_sets[d.node].node : d.node;
-        *out = {rig.dof_names[dof].c_str(), node, static_cast<clq_dof_kind>(d.kind), d.min, d.max, d.rest};
+        clq_dof_info info = clq_dof_info_init();
+        info.name = rig.dof_names[dof].c_str();
+        info.node = node;
+        info.kind = static_cast<clq_dof_kind>(d.kind);
+        info.min = d.min, info.max = d.max, info.rest = d.rest;
+        api::write_out(out, info);
     });
 }
 
@@ -214,11 +186,12 @@ clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_
 {
     return api::boundary("clq_template_get_level", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
+        api::require_size(*out, "clq_level_info_init");
         if (level >= tmpl->levels.size())
             base::fail(CLQ_ARGUMENT, "level %u of %zu of template '%s'", level, tmpl->levels.size(),
                        tmpl->name.c_str());
         const model::Level &l = tmpl->levels[level];
-        clq_level_info info{};
+        clq_level_info info = clq_level_info_init();
         info.lod_min_m = l.switch_distance_m;
         for (const model::Surface &surface : l.surfaces) {
             info.triangle_count += surface.dirty.count / 3;
@@ -227,7 +200,7 @@ clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_
         info.vertex_count = l.source_count;
         info.part_count = static_cast<uint32_t>(l.parts.size());
         info.node_count = l.active.empty() ? tmpl->rig.node_count() : static_cast<uint32_t>(l.nodes.size());
-        *out = info;
+        api::write_out(out, info);
     });
 }
 
@@ -254,27 +227,27 @@ uint32_t clq_template_find_zone(const clq_template *tmpl, const char *name)
     return CLQ_NONE;
 }
 
-clq_status clq_template_split_picture(const clq_template *tmpl, uint32_t texture, uint32_t scale, uint8_t *out_rgb,
-                                      size_t capacity_bytes, uint32_t *out_width_px, uint32_t *out_height_px)
+clq_status clq_template_get_split_picture(const clq_template *tmpl, uint32_t texture, uint32_t scale, clq_picture *out)
 {
-    return api::boundary("clq_template_split_picture", [&] {
-        api::require(tmpl && out_width_px && out_height_px, "tmpl, out_width_px or out_height_px is NULL");
+    return api::boundary("clq_template_get_split_picture", [&] {
+        api::require(tmpl && out, "tmpl or out is NULL");
+        clq_picture picture = api::read_def(out, clq_picture_init, "clq_picture_init");
         api::require(scale >= 1 && scale <= 16, "scale is not 1 to 16");
         if (texture >= tmpl->textures.size())
             base::fail(CLQ_ARGUMENT, "texture %u of '%s', which has %zu", texture, tmpl->name.c_str(),
                        tmpl->textures.size());
         const uint32_t width = tmpl->textures[texture].width * scale, height = tmpl->textures[texture].height * scale;
-        if (out_rgb) {
+        if (picture.pixels) {
             const size_t pixels = static_cast<size_t>(width) * height;
-            if (capacity_bytes < 3 * pixels)
-                base::fail(CLQ_ARGUMENT, "%zu bytes for a picture of %u x %u, which takes %zu", capacity_bytes, width,
-                           height, 3 * pixels);
+            if (picture.capacity_bytes < 3 * pixels)
+                base::fail(CLQ_ARGUMENT, "%zu bytes for a picture of %u x %u, which takes %zu", picture.capacity_bytes,
+                           width, height, 3 * pixels);
             const std::vector<uint8_t> rgba = meshsplit::split_picture(*tmpl, texture, static_cast<int>(scale));
             for (size_t i = 0; i < pixels; ++i)
-                for (size_t k = 0; k < 3; ++k) out_rgb[3 * i + k] = rgba[4 * i + k];
+                for (size_t k = 0; k < 3; ++k) picture.pixels[3 * i + k] = rgba[4 * i + k];
         }
-        *out_width_px = width;
-        *out_height_px = height;
+        picture.width_px = width, picture.height_px = height;
+        api::write_out(out, picture);
     });
 }
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "lib/api/boundary.h"
+#include "lib/api/image_def.h"
 #include "lib/api/template_parts.h"
-#include "meshsplit/root_motion.h"
 
 namespace claque::api
 {
@@ -16,21 +16,6 @@ using base::fail;
 namespace
 {
 
-void check_zone(const clq_zone_def &zone, uint32_t index)
-{
-    const char *name = name_of(zone.name);
-    if (zone.key > 255) fail(CLQ_ARGUMENT, "zone %u '%s' has key %u: keys are 0 to 255", index, name, zone.key);
-    const auto within = [](float x, float last) { return x >= 0 && x <= last; };
-    for (const float c : zone.colour)
-        if (!within(c, 1))
-            fail(CLQ_ARGUMENT, "zone %u '%s' has a colour with a channel of %g: 0 to 1 is wanted", index, name,
-                 static_cast<double>(c));
-    const clq_hsb_range &r = zone.range;
-    if (!within(r.hue_min_deg, 360) || !within(r.hue_max_deg, 360) || !within(r.saturation_min, 1) ||
-        !within(r.saturation_max, 1) || !within(r.brightness_min, 1) || !within(r.brightness_max, 1))
-        fail(CLQ_ARGUMENT, "zone %u '%s' has a range that leaves [0, 360] degrees or [0, 1]", index, name);
-}
-
 void add_looks(const clq_template_def &def, model::Model &model)
 {
     require_array(def.images, def.image_count, "images");
@@ -38,23 +23,13 @@ void add_looks(const clq_template_def &def, model::Model &model)
     require_array(def.materials, def.material_count, "materials");
     for (uint32_t i = 0; i < def.image_count; ++i) {
         const clq_image_def &image = def.images[i];
-        if (image.width_px < 1 || image.width_px > 16384 || image.height_px < 1 || image.height_px > 16384 ||
-            !image.rgba)
-            fail(CLQ_ARGUMENT, "image %u '%s' is %u x %u pixels: 1 to 16384 and an array are wanted", i,
-                 name_of(image.name), image.width_px, image.height_px);
-        if (number_of(image.alpha) > 1)
-            fail(CLQ_ARGUMENT, "image %u '%s' has an alpha meaning that is none", i, name_of(image.name));
-        model::Image made;
-        made.name = name_of(image.name);
-        made.width = image.width_px;
-        made.height = image.height_px;
-        made.rgba.assign(image.rgba, image.rgba + 4ull * image.width_px * image.height_px);
-        made.alpha = image.alpha == CLQ_ALPHA_ZONE_KEYS ? model::AlphaMeaning::zone_keys : model::AlphaMeaning::opacity;
-        model.images.push_back(std::move(made));
+        if (!image.rgba) fail(CLQ_ARGUMENT, "image %u '%s' has no array", i, name_of(image.name));
+        model.images.push_back(image_of(image, base::text_of("image %u '%s'", i, name_of(image.name))));
     }
     for (uint32_t i = 0; i < def.zone_count; ++i) {
         const clq_zone_def &zone = def.zones[i];
-        check_zone(zone, i);
+        if (zone.key > 255)
+            fail(CLQ_ARGUMENT, "zone %u '%s' has key %u: keys are 0 to 255", i, name_of(zone.name), zone.key);
         model::Zone made;
         made.name = name_of(zone.name);
         made.key = static_cast<uint8_t>(zone.key);
@@ -69,10 +44,6 @@ void add_looks(const clq_template_def &def, model::Model &model)
         model::Material made;
         made.name = name_of(material.name);
         const float *c = material.base_colour;
-        for (const float x : {c[0], c[1], c[2], c[3], material.alpha_cutoff})
-            if (!std::isfinite(x))
-                fail(CLQ_ARGUMENT, "material %u '%s' has a colour or an alpha_cutoff that is not finite", i,
-                     name_of(material.name));
         if (c[0] != 0 || c[1] != 0 || c[2] != 0 || c[3] != 0) made.base_colour = {c[0], c[1], c[2], c[3]};
         made.image = material.image;
         made.wrap_s = static_cast<model::Wrap>(material.wrap_s);
@@ -138,22 +109,14 @@ void add_clips(const clq_template_def &def, model::Model &model)
         model::Clip made;
         made.first_channel = static_cast<uint32_t>(model.rig.channels.size());
         made.channel_count = clip.channel_count;
-        float first = 0, last = 0;
-        for (uint32_t c = 0; c < clip.channel_count; ++c) {
-            add_channel(clip.channels[c], model, i, c);
-            const clq_channel_def &channel = clip.channels[c];
-            first = c == 0 ? channel.times_s[0] : std::fmin(first, channel.times_s[0]);
-            last = c == 0 ? channel.times_s[channel.key_count - 1]
-                          : std::fmax(last, channel.times_s[channel.key_count - 1]);
-        }
-        made.start_s = first;
-        made.duration_s = last - first;
+        for (uint32_t c = 0; c < clip.channel_count; ++c) add_channel(clip.channels[c], model, i, c);
+        model::set_span(model.rig, made);
         model.rig.clips.push_back(made);
         model.rig.clip_names.emplace_back(name_of(clip.name));
     }
 }
 
-// Markers in the order of their clips, and of time in each; then ways are taken out of poses.
+// Sorts markers by clip, then by time.
 void add_notes(const clq_template_def &def, model::Model &model)
 {
     require_array(def.markers, def.marker_count, "markers");
@@ -170,10 +133,8 @@ void add_notes(const clq_template_def &def, model::Model &model)
         model.rig.markers.push_back({def.markers[i].clip, def.markers[i].time_s});
         model.rig.marker_names.emplace_back(name_of(def.markers[i].name));
     }
-    if (def.root_motion_count == 0) return;
-    model::check(model.rig);  // as poses are looked at
     for (uint32_t i = 0; i < def.root_motion_count; ++i)
-        meshsplit::extract_root_motion(model.rig, def.root_motions[i].clip, def.root_motions[i].node);
+        model.root_motions.push_back({def.root_motions[i].clip, def.root_motions[i].node});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// A host's own arrays to a Model: lengths, NULLs and indices are checked here, values by model::check.
+// Converts a host's own arrays to a Model. Lengths, NULLs and indices are checked here, values by model::check. Its
+// counterpart for files is lib/asset.
 #pragma once
 
 #include <claque/template.h>

@@ -1,4 +1,4 @@
-// The split meshes of a template, for renderers that are not ours.
+// The split meshes of a template, for renderers other than claque's.
 #include <claque/mesh.h>
 
 #include <algorithm>
@@ -46,7 +46,8 @@ clq_status clq_template_get_mesh(const clq_template *tmpl, uint32_t level, clq_m
     return api::boundary("clq_template_get_mesh", [&] {
         const model::Level &from = level_of(tmpl, level);
         api::require(out != nullptr, "out is NULL");
-        clq_mesh mesh = {};
+        api::require_size(*out, "clq_mesh_init");
+        clq_mesh mesh = clq_mesh_init();
         mesh.vertex_count = from.source_count;
         mesh.positions = from.positions.data();
         mesh.normals = from.normals.data();
@@ -56,7 +57,7 @@ clq_status clq_template_get_mesh(const clq_template *tmpl, uint32_t level, clq_m
         for (const model::Surface &surface : from.surfaces) mesh.bin_count += bins_of(surface);
         mesh.morph_count = static_cast<uint32_t>(from.morph_ranges.size());
         mesh.normals_by_inverse = !tmpl->similar_only;
-        *out = mesh;
+        api::write_out(out, mesh);
     });
 }
 
@@ -65,6 +66,7 @@ clq_status clq_template_get_triangles(const clq_template *tmpl, uint32_t level, 
     return api::boundary("clq_template_get_triangles", [&] {
         const model::Level &from = level_of(tmpl, level);
         api::require(out != nullptr, "out is NULL");
+        api::require_size(*out, "clq_triangles_init");
         uint32_t left = bin;
         for (const model::Surface &surface : from.surfaces) {
             const uint32_t count = bins_of(surface);
@@ -74,14 +76,14 @@ clq_status clq_template_get_triangles(const clq_template *tmpl, uint32_t level, 
             }
             const bool clean = left < surface.clean.size();
             const model::IndexRange range = clean ? surface.clean[left].range : surface.dirty;
-            clq_triangles triangles = {};
+            clq_triangles triangles = clq_triangles_init();
             triangles.texture = surface.texture;
             triangles.double_sided = surface.double_sided;
             triangles.zone =
                 clean ? tmpl->textures[surface.texture].keys[surface.clean[left].zone_index].zone : CLQ_NONE;
             triangles.index_count = range.count;
             triangles.indices = from.indices.data() + range.first;
-            *out = triangles;
+            api::write_out(out, triangles);
             return;
         }
         base::fail(CLQ_ARGUMENT, "bin %u of level %u of '%s', which has %u", bin, level, tmpl->name.c_str(),
@@ -95,36 +97,41 @@ clq_status clq_template_get_morph_target(const clq_template *tmpl, uint32_t leve
     return api::boundary("clq_template_get_morph_target", [&] {
         const model::Level &from = level_of(tmpl, level);
         api::require(out != nullptr, "out is NULL");
+        api::require_size(*out, "clq_morph_target_init");
         if (target >= from.morph_ranges.size())
             base::fail(CLQ_ARGUMENT, "morph target %u of level %u of '%s', which has %zu", target, level,
                        tmpl->name.c_str(), from.morph_ranges.size());
         const model::MorphRange &range = from.morph_ranges[target];
-        out->weight = range.weight;
-        out->delta_count = range.count;
-        out->deltas = reinterpret_cast<const clq_morph_delta *>(from.morph_deltas.data() + range.first);
+        clq_morph_target found = clq_morph_target_init();
+        found.weight = range.weight;
+        found.delta_count = range.count;
+        found.deltas = reinterpret_cast<const clq_morph_delta *>(from.morph_deltas.data() + range.first);
+        api::write_out(out, found);
     });
 }
 
-clq_status clq_template_get_influences(const clq_template *tmpl, uint32_t level, uint32_t per_vertex,
-                                       uint16_t *out_joints, float *out_weights, size_t capacity)
+clq_status clq_template_get_influences(const clq_template *tmpl, uint32_t level, const clq_influences *out)
 {
     return api::boundary("clq_template_get_influences", [&] {
         const model::Level &from = level_of(tmpl, level);
-        api::require(out_joints && out_weights, "out_joints or out_weights is NULL");
+        api::require(out != nullptr, "out is NULL");
+        const clq_influences wanted = api::read_def(out, clq_influences_init, "clq_influences_init");
+        api::require(wanted.joints && wanted.weights, "joints or weights is NULL");
+        const uint32_t per_vertex = wanted.per_vertex;
         if (per_vertex < most_influences(from))
             base::fail(CLQ_ARGUMENT, "%u influences a vertex of level %u of '%s', where one has %u", per_vertex, level,
                        tmpl->name.c_str(), most_influences(from));
-        if (capacity / std::max(per_vertex, 1u) < from.source_count)
-            base::fail(CLQ_ARGUMENT, "room for %zu influences, %u each of %u vertices", capacity, per_vertex,
+        if (wanted.capacity / std::max(per_vertex, 1u) < from.source_count)
+            base::fail(CLQ_ARGUMENT, "room for %zu influences, %u each of %u vertices", wanted.capacity, per_vertex,
                        from.source_count);
-        std::fill_n(out_joints, size_t(per_vertex) * from.source_count, uint16_t(0));
-        std::fill_n(out_weights, size_t(per_vertex) * from.source_count, 0.0f);
+        std::fill_n(wanted.joints, size_t(per_vertex) * from.source_count, uint16_t(0));
+        std::fill_n(wanted.weights, size_t(per_vertex) * from.source_count, 0.0f);
         for (const model::InfluenceRun &run : from.runs)
             for (uint32_t v = 0; v < run.count; ++v) {
                 const size_t source = run.first_influence + size_t(v) * run.influences;
                 const size_t place = size_t(run.first + v) * per_vertex;
-                std::copy_n(from.joints.data() + source, run.influences, out_joints + place);
-                std::copy_n(from.weights.data() + source, run.influences, out_weights + place);
+                std::copy_n(from.joints.data() + source, run.influences, wanted.joints + place);
+                std::copy_n(from.weights.data() + source, run.influences, wanted.weights + place);
             }
     });
 }

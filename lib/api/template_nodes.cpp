@@ -1,5 +1,4 @@
-// The articulated structure of a host's own arrays: nodes, joints, degrees of freedom (S0 3).
-#include <cmath>
+// Reads nodes, joints and degrees of freedom from a host's own arrays (S0 3).
 #include <limits>
 
 #include "lib/api/boundary.h"
@@ -20,17 +19,6 @@ bool all_zero(const float *values, int count)
     return true;
 }
 
-// Any other length would scale what hangs on the node, and its normals and spheres would not know.
-glm::quat unit_rotation(const float *q, uint32_t node, const char *name)
-{
-    double square = 0;
-    for (int k = 0; k < 4; ++k) square += static_cast<double>(q[k]) * q[k];
-    const double length = std::sqrt(square);
-    if (!(std::fabs(length - 1) <= 1e-3))
-        fail(CLQ_ARGUMENT, "node %u '%s' has a rotation of length %g instead of 1", node, name, length);
-    return glm::quat(q[3], q[0], q[1], q[2]);
-}
-
 uint32_t morph_set_of(const model::Rig &rig, uint32_t node, uint32_t dof)
 {
     for (uint32_t i = 0; i < rig.morph_sets.size(); ++i)
@@ -48,16 +36,13 @@ void add_nodes(const clq_template_def &def, model::Model &model)
         math::Trs trs;
         trs.translation = glm::vec3(node.translation[0], node.translation[1], node.translation[2]);
         const float *q = node.rotation_xyzw;
-        if (!all_zero(q, 4)) trs.rotation = unit_rotation(q, i, name_of(node.name));
+        if (!all_zero(q, 4)) trs.rotation = glm::quat(q[3], q[0], q[1], q[2]);
         if (!all_zero(node.scale, 3)) trs.scale = glm::vec3(node.scale[0], node.scale[1], node.scale[2]);
         model.rig.parents.push_back(node.parent);
         model.rig.rest.push_back(trs);
         model.rig.node_names.emplace_back(name_of(node.name));
-        if (node.deactivation_m < 0 || !std::isfinite(node.deactivation_m))
-            fail(CLQ_ARGUMENT, "node %u '%s' is deactivated from %g m on", i, name_of(node.name),
-                 static_cast<double>(node.deactivation_m));
-        model.rig.deactivation_m.push_back(node.deactivation_m > 0 ? node.deactivation_m
-                                                                   : std::numeric_limits<float>::infinity());
+        model.rig.deactivation_m.push_back(node.deactivation_m != 0 ? node.deactivation_m
+                                                                    : std::numeric_limits<float>::infinity());
     }
 }
 

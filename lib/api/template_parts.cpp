@@ -68,13 +68,12 @@ private:
             made.weights.assign(part.vertex_count, 1.0f);
             return;
         }
-        if (part.influence_count > 64)
-            fail(CLQ_ARGUMENT, "part %u '%s' has %u influences a vertex: at most 64", index, made.name.c_str(),
-                 part.influence_count);
+        model::check_influence_count(part.influence_count, index, made.name.c_str());
         if (!part.joints || !part.weights)
             fail(CLQ_ARGUMENT, "skinned part %u '%s' lacks joints or weights", index, made.name.c_str());
         const size_t count = static_cast<size_t>(part.influence_count) * part.vertex_count;
-        // Here and not in model::check: entries of rigid parts stand behind the host's own, which it cannot name.
+        // Checked here and not in model::check: entries of rigid parts follow the host's own, and the host cannot name
+        // them.
         for (size_t i = 0; i < count; ++i)
             if (part.joints[i] >= def_.joint_count)
                 fail(CLQ_ARGUMENT, "vertex %zu of part %u '%s' names joint %u of %u", i / part.influence_count, index,

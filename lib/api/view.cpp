@@ -10,18 +10,18 @@ using namespace claque;
 
 extern "C" {
 
-clq_status clq_camera_look_at(clq_camera *camera, const double eye[3], const double target[3], const float up[3],
-                              float fov_y_rad, float aspect, float z_near, float z_far)
+clq_status clq_camera_look_at(const clq_look_at_def *def, clq_camera *out)
 {
     return api::boundary("clq_camera_look_at", [&] {
-        api::require(camera && eye && target && up, "camera, eye, target or up is NULL");
+        api::require(def && out, "def or out is NULL");
+        const clq_look_at_def d = api::read_def(def, clq_look_at_def_init, "clq_look_at_def_init");
         const frame::Camera made =
-            frame::look_at(glm::dvec3(eye[0], eye[1], eye[2]), glm::dvec3(target[0], target[1], target[2]),
-                           glm::vec3(up[0], up[1], up[2]), fov_y_rad, aspect, z_near, z_far);
-        for (int k = 0; k < 3; ++k) camera->eye[k] = made.eye[k];
-        camera->rotation_xyzw[0] = made.rotation.x, camera->rotation_xyzw[1] = made.rotation.y;
-        camera->rotation_xyzw[2] = made.rotation.z, camera->rotation_xyzw[3] = made.rotation.w;
-        std::copy(made.projection, made.projection + 16, camera->projection);
+            frame::look_at(glm::dvec3(d.eye[0], d.eye[1], d.eye[2]), glm::dvec3(d.target[0], d.target[1], d.target[2]),
+                           glm::vec3(d.up[0], d.up[1], d.up[2]), d.fov_y_rad, d.aspect, d.z_near, d.z_far);
+        for (int k = 0; k < 3; ++k) out->eye[k] = made.eye[k];
+        out->rotation_xyzw[0] = made.rotation.x, out->rotation_xyzw[1] = made.rotation.y;
+        out->rotation_xyzw[2] = made.rotation.z, out->rotation_xyzw[3] = made.rotation.w;
+        std::copy(made.projection, made.projection + 16, out->projection);
     });
 }
 
@@ -113,9 +113,11 @@ clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
 {
     return api::boundary("clq_view_get_stats", [&] {
         api::require(view && out, "view or out is NULL");
+        api::require_size(*out, "clq_view_stats_init");
         const api::Drawing drawing(view);
-        clq_view_stats stats{};
+        clq_view_stats stats = clq_view_stats_init();
         stats.visible = static_cast<uint32_t>(view->view.list.items.size());
+        stats.bytes = view->view.bytes();
         stats.triangles = static_cast<uint32_t>(frame::triangle_count(view->view.list));
         for (const draw::Item &item : view->view.list.items) {
             stats.shadow_only += item.shadow_only;
@@ -123,15 +125,15 @@ clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
             const size_t parts = item.tmpl->levels[item.level].parts.size();
             for (size_t k = 0; k < parts; ++k) ++(item.parts >> k & 1 ? stats.parts : stats.parts_left_out);
         }
-        *out = stats;
+        api::write_out(out, stats);
     });
 }
 
-uint64_t clq_view_hash(const clq_view *view)
+uint64_t clq_view_get_hash(const clq_view *view)
 {
     uint64_t hash = 0;
     if (!view) return hash;
-    api::boundary("clq_view_hash", [&] {
+    api::boundary("clq_view_get_hash", [&] {
         const api::Drawing drawing(view);
         hash = frame::hash(view->view.list);
     });

@@ -71,14 +71,14 @@ void Accessors::check_range(const Accessor &a, uint32_t view_index, uint64_t off
     if (stride < row.bytes)
         fail(CLQ_FORMAT, "%s %s: elements of %llu bytes stand %llu apart", a.path.c_str(), what, big(row.bytes),
              big(stride));
-    // offset < 2^48, count < 2^32, stride < 2^8: no overflow.
+    // No overflow: offset < 2^48, count < 2^32, stride < 2^8.
     const uint64_t end = offset + stride * (row.count - 1) + row.bytes;
     if (end > view.length)
         fail(CLQ_FORMAT, "%s %s: ends at byte %llu of buffer view %u, which has %llu", a.path.c_str(), what, big(end),
              view_index, big(view.length));
     if (offset % row.unit != 0 || (offset + view.offset) % row.unit != 0)
-        fail(CLQ_FORMAT, "%s %s: starts at byte %llu of a view at byte %llu: no multiple of %llu", a.path.c_str(), what,
-             big(offset), big(view.offset), big(row.unit));
+        fail(CLQ_FORMAT, "%s %s: starts at byte %llu of a view at byte %llu: not a multiple of %llu", a.path.c_str(),
+             what, big(offset), big(view.offset), big(row.unit));
 }
 
 void Accessors::parse(const JsonView &view)
@@ -97,7 +97,7 @@ void Accessors::parse(const JsonView &view)
     out.offset = view["byteOffset"].integer_or(0, 0, max_bytes);
     const bool known = out.width != 0 && out.component != Component::unknown;
     if (out.columns > 1 && out.offset % 4 != 0)
-        fail(CLQ_FORMAT, "%s: matrices start at byte %llu: no multiple of 4", out.path.c_str(), big(out.offset));
+        fail(CLQ_FORMAT, "%s: matrices start at byte %llu: not a multiple of 4", out.path.c_str(), big(out.offset));
     if (known && out.view != 0xffffffffu) check_range(out, out.view, out.offset, row_of(out, out.count), "values");
     if (view["sparse"].exists()) parse_sparse(view["sparse"], out);
     if (known && out.sparse.count)

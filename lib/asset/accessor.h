@@ -1,5 +1,5 @@
-// Accessors: typed rows of numbers in buffer views. All ranges of all accessors are checked once, in 64 bits, when the
-// file is opened; reading then only looks at values.
+// Accessors: typed rows of numbers in buffer views. The ranges of all accessors are checked once, in 64 bits, when the
+// file is opened. Reading then checks values only.
 #pragma once
 
 #include <vector>
@@ -19,13 +19,13 @@ struct Sparse {
 };
 
 struct Accessor {
-    std::string path;             // where it stands in the file, for messages
+    std::string path;             // position in the file, for messages
     uint32_t view = 0xffffffffu;  // none: zeros
     uint64_t offset = 0;
     uint32_t count = 0;
     Component component = Component::unknown;
-    uint32_t width = 0;    // components an element: 1 to 4, 9, 16; 0 where the type is not known
-    uint32_t columns = 1;  // of a matrix; each starts at a multiple of 4 bytes
+    uint32_t width = 0;    // components per element: 1 to 4, 9 or 16; 0 for an unknown type
+    uint32_t columns = 1;  // columns of a matrix; each starts at a multiple of 4 bytes
     bool normalized = false;
     Sparse sparse;
 };
@@ -38,14 +38,14 @@ public:
     size_t count() const { return accessors_.size(); }
     const Accessor &at(uint32_t index) const { return accessors_[index]; }
 
-    // Whether all that it reads came with the file: a buffer may be a stand-in without bytes.
+    // True if all bytes that this accessor reads came with the file. A buffer may be a placeholder without bytes.
     bool has_data(uint32_t index) const;
 
-    // An index of an accessor in the file, refused where out of range.
+    // The index of an accessor in the file. Throws if it is out of range.
     uint32_t reference(const JsonView &view) const { return view.index(accessors_.size(), "accessor"); }
 
-    // All components in a row as floats, finite; normalised integers in [0, 1] or [-1, 1]. Refused unless elements
-    // have `width` components; `who` wants them.
+    // All components in a row as finite floats; normalised integers are mapped to [0, 1] or [-1, 1]. Throws unless
+    // elements have `width` components. `who` names the reader in messages.
     std::vector<float> floats(uint32_t index, uint32_t width, const std::string &who) const;
 
     // Unsigned integers, not normalised.
@@ -54,7 +54,7 @@ public:
 private:
     void parse(const JsonView &accessor);
     void parse_sparse(const JsonView &sparse, Accessor &out) const;
-    // How elements lie: the last one ends after `bytes`, though columns of matrices before it are padded.
+    // The layout of elements. The last element ends after `bytes`; earlier matrices may have padded columns.
     struct Row {
         uint64_t count, bytes, stride, unit;
     };

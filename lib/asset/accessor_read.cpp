@@ -1,4 +1,4 @@
-// The reading half of Accessors: bytes to numbers, sparse ones put over the rest.
+// Reads accessors: converts bytes to numbers and applies sparse values.
 #include <cmath>
 #include <cstring>
 
@@ -59,7 +59,7 @@ std::vector<Out> Accessors::decode(const Accessor &a, const std::string &who, co
     budget_.charge(uint64_t(a.count) * a.width * sizeof(Out), who.c_str());
     std::vector<Out> out(size_t(a.count) * a.width);
     const uint64_t size = bytes_of(a.component);
-    const uint64_t element = size * a.width;  // only 4 x 4 matrices are read, whose columns have no padding
+    const uint64_t element = size * a.width;  // only 4 x 4 matrices are read; their columns have no padding
     const auto copy = [&](const uint8_t *from, size_t to) {
         for (uint32_t k = 0; k < a.width; ++k) out[to * a.width + k] = read(from + k * size);
     };

@@ -1,4 +1,5 @@
-// What a file may make us allocate: within the caller's limit, and within a small multiple of the bytes it brought.
+// Limits the memory that a file can make the loader allocate: the caller's limit, and a small multiple of the file's
+// size.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 namespace claque::asset
 {
 
-// Counts geometry, clips and buffers against both rules, images against the caller's limit alone (their own rule is in
-// image.h). Nothing is given back: what is counted is kept, or is as large as something that is.
+// Counts geometry, clips and buffers against both rules. Images count against the caller's limit alone; image.h has a
+// rule of its own for them. Charges are never returned: charged memory is kept, or is as large as something that is.
 class Budget
 {
 public:
@@ -18,10 +19,10 @@ public:
 
     explicit Budget(uint64_t limit_bytes) : limit_(limit_bytes) {}
 
-    // Bytes that came in: the file itself, external buffers.
+    // Adds bytes of input: the file itself or an external buffer.
     void add_input(uint64_t bytes) { allowed_ += multiple * bytes; }
 
-    // Throws base::Error (CLQ_LIMIT), naming `what`.
+    // Throws base::Error (CLQ_LIMIT) that names `what`.
     void charge(uint64_t bytes, const char *what)
     {
         charge_image(bytes, what);

@@ -47,7 +47,7 @@ void Buffers::load_from_uri(const JsonView &buffer, Buffer &out, Budget &budget)
     for (size_t i = 0; i < stored_.size() && !uri.empty() && !out.bytes.data; ++i)
         if (stored_[i].first == uri) out.bytes = {stored_[i].second.data(), stored_[i].second.size()};
     if (!out.bytes.data) {
-        // A data URI is its own name; it is not worth keeping twice.
+        // The name of a data URI is as long as its data, so it is not kept a second time.
         stored_.emplace_back(is_data_uri(uri) ? std::string() : uri, fetch(uri, buffer.path(), budget));
         out.bytes = {stored_.back().second.data(), stored_.back().second.size()};
     }
@@ -85,7 +85,8 @@ void Buffers::check_view(const JsonView &view)
     out.offset = view["byteOffset"].integer_or(0, 0, max_buffer_bytes);
     out.length = view["byteLength"].integer(1, max_buffer_bytes);
     out.stride = static_cast<uint32_t>(view["byteStride"].integer_or(0, 4, 252));
-    if (out.stride % 4 != 0) fail(CLQ_FORMAT, "%s.byteStride is %u: no multiple of 4", view.path().c_str(), out.stride);
+    if (out.stride % 4 != 0)
+        fail(CLQ_FORMAT, "%s.byteStride is %u: not a multiple of 4", view.path().c_str(), out.stride);
     if (out.offset + out.length > buffers_[out.buffer].length)
         fail(CLQ_FORMAT, "%s ends at byte %llu of buffer %u, which has %llu", view.path().c_str(),
              big(out.offset + out.length), out.buffer, big(buffers_[out.buffer].length));

@@ -1,4 +1,4 @@
-// A file's buffers and the views into them: where bytes come from, and which of them may be read.
+// A file's buffers and the views into them: where bytes come from, and which bytes may be read.
 #pragma once
 
 #include <vector>
@@ -19,11 +19,12 @@ struct Bytes {
 struct BufferView {
     uint32_t buffer = 0;
     uint64_t offset = 0, length = 0;
-    uint32_t stride = 0;   // 0: elements lie side by side
-    bool meshopt = false;  // its bytes are compressed and its buffer may be an empty stand-in
+    uint32_t stride = 0;   // 0: elements are contiguous
+    bool meshopt = false;  // its bytes are compressed and its buffer may be a placeholder without bytes
 };
 
-// Reads all buffers that have data when it is made; views are checked against them. Everything throws base::Error.
+// The constructor reads all buffers that have data and checks all views against them. Every function throws
+// base::Error.
 class Buffers
 {
 public:
@@ -34,16 +35,16 @@ public:
 
     bool has_data(uint32_t view) const { return buffers_[views_[view].buffer].bytes.data != nullptr; }
 
-    // The bytes of a view. Refused where its buffer came without data; `who` wants them.
+    // The bytes of a view. Throws if its buffer has no data. `who` names the reader in messages.
     Bytes bytes(uint32_t view, const std::string &who) const;
 
-    // The bytes that a URI stands for, read now; `budget` pays.
+    // Reads the bytes of a URI; they are charged to `budget`.
     std::vector<uint8_t> fetch(const std::string &uri, const std::string &who, Budget &budget) const;
 
 private:
     struct Buffer {
         uint64_t length = 0;  // as declared
-        Bytes bytes;          // data null: none came
+        Bytes bytes;          // data null: the file has none
     };
 
     void load(const JsonView &buffer, size_t index, const Container &container, Budget &budget);
@@ -52,7 +53,7 @@ private:
 
     const LoadOptions &options_;
     std::vector<Buffer> buffers_;
-    std::vector<std::pair<std::string, std::vector<uint8_t>>> stored_;  // by URI: none is read twice
+    std::vector<std::pair<std::string, std::vector<uint8_t>>> stored_;  // by URI, so that each is read once
     std::vector<BufferView> views_;
     std::vector<std::string> warnings_;
 

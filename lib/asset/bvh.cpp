@@ -21,17 +21,17 @@ struct Quat {
     double w = 1, x = 0, y = 0, z = 0;
 };
 
-// `axis` 0, 1, 2: x, y, z.
+// Rotates by an angle about axis 0, 1 or 2: x, y or z.
 Quat times_turn(const Quat &q, int axis, double angle_deg)
 {
-    // Whole turns mean nothing, and sines of large numbers lose theirs.
+    // Whole turns change nothing, and sines of large angles lose precision.
     const double half = std::fmod(angle_deg, 720.0) * degrees / 2, c = std::cos(half), s = std::sin(half);
     if (axis == 0) return {q.w * c - q.x * s, q.x * c + q.w * s, q.y * c + q.z * s, q.z * c - q.y * s};
     if (axis == 1) return {q.w * c - q.y * s, q.x * c - q.z * s, q.y * c + q.w * s, q.z * c + q.x * s};
     return {q.w * c - q.z * s, q.x * c + q.y * s, q.y * c - q.x * s, q.z * c + q.w * s};
 }
 
-// The second half of the file: frames of numbers, one a channel.
+// Reads the second half of the file: frames with one number for each channel.
 class MotionReader
 {
 public:
@@ -70,7 +70,7 @@ public:
 
 private:
     struct Places {
-        uint32_t translation = none, rotation = none;  // first values in the rig
+        uint32_t translation = none, rotation = none;  // offsets of the first values in the rig
     };
 
     void plan(uint32_t frames)

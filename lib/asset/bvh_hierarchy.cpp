@@ -16,7 +16,7 @@ void read_offset(BvhText &text, BvhJoint &joint)
 {
     for (double &value : joint.offset) {
         value = text.number("an offset");
-        // Beyond what floats hold with room for sums along a skeleton.
+        // Larger offsets could overflow a float when they are summed along a skeleton.
         if (std::fabs(value) > 1e15) text.refuse(base::text_of("an offset of %g is too far away", value));
     }
 }
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    // No recursion: a file may nest as deep as it has bytes.
+    // No recursion, as a file can nest joints without limit.
     void read_line()
     {
         const bool is_end = open_.back().is_end;

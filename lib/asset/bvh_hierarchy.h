@@ -1,4 +1,4 @@
-// The first half of a BVH file: joints, their offsets and their channels.
+// Reads the first half of a BVH file: joints, their offsets and their channels.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@ enum class BvhChannel : uint8_t { x_position, y_position, z_position, x_rotation
 
 struct BvhJoint {
     std::string name;
-    uint32_t parent = 0xffffffffu;             // of an earlier one; none for roots
+    uint32_t parent = 0xffffffffu;             // index of an earlier joint; none for roots
     std::array<double, 3> offset = {0, 0, 0};  // from the parent, in the file's unit
-    std::vector<BvhChannel> channels;          // as listed, each once; none for end sites
+    std::vector<BvhChannel> channels;          // in file order, each once; none for end sites
     bool has_position() const;
     bool has_rotation() const;
 };
 
 constexpr uint32_t max_bvh_joints = 10000;
 
-// From the word HIERARCHY up to MOTION, which it takes as well. Parents stand before their children.
+// Reads from the word HIERARCHY up to and including MOTION. Parents come before their children.
 std::vector<BvhJoint> read_hierarchy(BvhText &text, Budget &budget);
 
 }  // namespace claque::asset

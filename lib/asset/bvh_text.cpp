@@ -21,7 +21,7 @@ bool same(std::string_view a, std::string_view b)
     return true;
 }
 
-// For refusals: short, and without bytes that a terminal would take for something else.
+// Quotes a word for a message: short, and without control bytes that a terminal would interpret.
 std::string quoted_word(std::string_view word)
 {
     std::string text = "'";

@@ -10,7 +10,7 @@ using base::fail;
 namespace
 {
 
-constexpr size_t max_markers = 4096;  // of one clip
+constexpr size_t max_markers = 4096;  // per clip
 
 struct Named {
     float time_s;
@@ -57,7 +57,7 @@ uint32_t read_root(const JsonView &view, const model::Rig &rig)
 
 void read_clip_extras(const JsonView &extras, File &file, model::Rig &rig)
 {
-    // Extras of others may be anything; only what carries our name is ours to judge.
+    // Extras of other programs may be anything; only the member with claque's name is checked.
     if (!extras.exists() || !extras.is_object()) return;
     const JsonView ours = extras["claque"];
     if (!ours.exists()) return;

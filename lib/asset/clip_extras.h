@@ -1,15 +1,15 @@
-// How a glTF file says what happens in a clip, and that its way over the ground is to be taken out of its poses. In
-// `extras` of an animation, which the format leaves to us.
+// Markers and root motion of a clip, in the `extras` of a glTF animation. The format leaves the content of extras to
+// applications.
 //
 //   "extras": {"claque": {
-//       "markers": [                     moments with names, in any order
+//       "markers": [                     named times of the clip, in any order
 //           {"name": "left foot down",   required
-//            "time_s": 0.25}             required: on the axis of the animation's key times, between its first and last
+//            "time_s": 0.25}             required: on the axis of the animation's key times, between first and last
 //       ],
-//       "root_motion": "hips"            whose way over the ground is taken out: the name of a node
+//       "root_motion": "hips"            name of the node whose horizontal movement is taken out of the clip's poses
 //   }}
 //
-// Unknown members are passed over.
+// Unknown members are ignored.
 #pragma once
 
 #include "lib/asset/gltf_file.h"
@@ -17,7 +17,7 @@
 namespace claque::asset
 {
 
-// Of the rig's last clip; `extras` may be absent. Throws base::Error: CLQ_FORMAT, CLQ_LIMIT.
+// Reads the extras of the rig's last clip; `extras` may be absent. Throws base::Error: CLQ_FORMAT, CLQ_LIMIT.
 void read_clip_extras(const JsonView &extras, File &file, model::Rig &rig);
 
 }  // namespace claque::asset

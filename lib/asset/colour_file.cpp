@@ -1,6 +1,6 @@
 #include "lib/asset/colour_file.h"
 
-// As samples/scenes has it: one program can hold only one of its two forms.
+// As in samples/scenes: a program may contain only one of the two forms of toml++.
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
@@ -20,7 +20,7 @@ namespace
 
 constexpr size_t max_file_bytes = size_t(4) << 20;
 
-// "#3a5fcd" as hue, saturation and brightness of one colour.
+// Reads "#3a5fcd" as a range that holds one colour.
 bool read_hex(const std::string &text, clq_hsb_range &out)
 {
     if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
@@ -60,19 +60,19 @@ public:
 private:
     const toml::table &table(const toml::node &node, const std::string &what) const
     {
-        if (!node.is_table()) refuse(node, what + " is no table");
+        if (!node.is_table()) refuse(node, what + " is not a table");
         return *node.as_table();
     }
 
     const toml::array &list(const toml::node &node, const std::string &what) const
     {
-        if (!node.is_array()) refuse(node, "'" + what + "' is no list");
+        if (!node.is_array()) refuse(node, "'" + what + "' is not a list");
         return *node.as_array();
     }
 
     const char *text(const toml::node &node, const std::string &what)
     {
-        if (!node.is_string()) refuse(node, "'" + what + "' is no text");
+        if (!node.is_string()) refuse(node, "'" + what + "' is not a string");
         return keep(*node.value<std::string>(), node);
     }
 
@@ -85,7 +85,7 @@ private:
 
     float number(const toml::node &node, const std::string &what) const
     {
-        if (!node.is_number()) refuse(node, "'" + what + "' is no number");
+        if (!node.is_number()) refuse(node, "'" + what + "' is not a number");
         return float(*node.value<double>());
     }
 
@@ -113,7 +113,7 @@ private:
         out_.classes.push_back(made);
     }
 
-    // A parsed table forgets the order of the file.
+    // Members in file order, which a parsed table does not keep.
     std::vector<std::pair<const toml::key *, const toml::node *>> in_order(const toml::table &from) const
     {
         std::vector<std::pair<const toml::key *, const toml::node *>> all;
@@ -169,7 +169,7 @@ private:
                 if (const toml::node *other = from.get(key))
                     refuse(*other, "it has a colour and '" + std::string(key) + "' beside it");
             if (!colour->is_string() || !read_hex(*colour->value<std::string>(), range))
-                refuse(*colour, "'colour' is no text like \"#8a3b12\"");
+                refuse(*colour, "'colour' is not a string like \"#8a3b12\"");
             return range;
         }
         read_pair(from, "hue", range.hue_min_deg, range.hue_max_deg);
@@ -183,12 +183,12 @@ private:
         const toml::node *node = from.get(key);
         if (!node) refuse(from, "it lacks '" + std::string(key) + "'");
         const toml::array *pair = node->as_array();
-        if (!pair || pair->size() != 2) refuse(*node, "'" + std::string(key) + "' is no list [first, last]");
+        if (!pair || pair->size() != 2) refuse(*node, "'" + std::string(key) + "' is not a list [min, max]");
         first = number((*pair)[0], key);
         last = number((*pair)[1], key);
     }
 
-    // Where what a rule is about stands.
+    // The source region of the value that breaks a rule.
     toml::source_region source_of(const model::BrokenColourRule &rule, const toml::table &all) const
     {
         if (rule.colour_class == CLQ_NONE) return all.source();
@@ -242,7 +242,7 @@ void read_colours(std::string_view text, const std::string &name, ColourFile &ou
         fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), max_file_bytes);
     const toml::parse_result parsed = toml::parse(text);
     Reader reader(name, out);
-    if (!parsed) reader.refuse(parsed.error().source(), "no TOML: " + std::string(parsed.error().description()));
+    if (!parsed) reader.refuse(parsed.error().source(), "not TOML: " + std::string(parsed.error().description()));
     reader.read(parsed.table());
 }
 

@@ -1,4 +1,4 @@
-// Colour maps in TOML (claque/colours.h): what people write, and the normal form of it that is written back.
+// Reads colour maps from TOML (claque/colours.h) and writes them in a normal form.
 #pragma once
 
 #include <claque/colours.h>
@@ -11,7 +11,7 @@
 namespace claque::asset
 {
 
-// A map as a file has it; `def` points into the rest.
+// A map as read from a file; `def` points into the other members.
 struct ColourFile {
     ColourFile() = default;
     ColourFile(const ColourFile &) = delete;
@@ -24,12 +24,12 @@ struct ColourFile {
     std::deque<std::vector<clq_palette_entry>> palettes;
 };
 
-// Into an empty one. `name` stands before the sentence. Throws base::Error: CLQ_FORMAT with line, column and the rule that is
-// broken; CLQ_LIMIT for more than 4 MiB. Keeps every rule of model/colour_rules.h.
+// `out` must be empty. `name` stands at the start of messages. Throws base::Error: CLQ_FORMAT with line, column and the
+// broken rule; CLQ_LIMIT for more than 4 MiB. Checks every rule of model/colour_rules.h.
 void read_colours(std::string_view toml, const std::string &name, ColourFile &out);
 
-// The same text for the same map; read and written again it is the same bytes. Throws base::Error (CLQ_ARGUMENT): a name that
-// is no UTF-8.
+// Equal maps give equal texts; reading and writing a text again gives the same bytes. Throws base::Error (CLQ_ARGUMENT)
+// for a name that is not UTF-8.
 std::string colours_text(const clq_colour_map_def &def);
 
 }  // namespace claque::asset

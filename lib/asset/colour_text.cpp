@@ -1,3 +1,4 @@
+// Writes colour maps as TOML.
 #include <charconv>
 
 #include "lib/asset/colour_file.h"
@@ -16,7 +17,7 @@ constexpr char preface[] =
     "at most.\n"
     "# colour_space: \"hsb\", or \"oklab\" for colours that are spread evenly to the eye.\n";
 
-// The shortest digits that are read back as the same float.
+// The shortest digits that read back as the same float.
 std::string show(float value)
 {
     char digits[32];
@@ -28,7 +29,7 @@ std::string pair(const char *key, float first, float last)
     return std::string(key) + " = [" + show(first) + ", " + show(last) + "]";
 }
 
-// Bytes of the UTF-8 sequence that begins here; 0 where none does.
+// The length of the UTF-8 sequence that begins here; 0 if there is none.
 size_t sequence(const unsigned char *at)
 {
     const unsigned first = at[0];
@@ -50,7 +51,7 @@ std::string quoted(const char *text)
     std::string out = "\"";
     for (const unsigned char *at = reinterpret_cast<const unsigned char *>(text); *at;) {
         const size_t length = sequence(at);
-        if (length == 0) base::fail(CLQ_ARGUMENT, "a name of the map is no UTF-8, and a TOML file holds nothing else");
+        if (length == 0) base::fail(CLQ_ARGUMENT, "a name of the map is not UTF-8, as TOML files must be");
         constexpr char hex[] = "0123456789abcdef";
         if (*at == '"' || *at == '\\') out += '\\';
         if (*at < 0x20 || *at == 0x7f) out += std::string("\\u00") + hex[*at >> 4] + hex[*at & 15];
@@ -67,7 +68,7 @@ std::string key(const char *name)
     return text.find_first_not_of(bare) == std::string::npos ? text : quoted(name);
 }
 
-// A range that is exactly what reading this colour gives.
+// True if the range is exactly what reading a hexadecimal colour gives.
 bool is_hex(const clq_hsb_range &range, std::string &out)
 {
     double rgb[3], hsb[3];

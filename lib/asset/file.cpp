@@ -21,7 +21,7 @@ namespace
 class Descriptor
 {
 public:
-    // O_NONBLOCK: opening a pipe that nobody writes to must not wait.
+    // With O_NONBLOCK, opening a pipe that has no writer does not wait.
     explicit Descriptor(const std::string &path) : number_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC))
     {
         if (number_ < 0) fail(CLQ_IO, "'%s' cannot be opened: %s", path.c_str(), std::strerror(errno));

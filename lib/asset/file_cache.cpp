@@ -65,7 +65,7 @@ private:
     int number_;
 };
 
-// What buffers and images of a glTF file name, as far as it can be read.
+// The URIs of buffers and images of a glTF file, as far as it can be parsed.
 std::vector<std::string> uris_of(const std::vector<uint8_t> &bytes, uint64_t memory_bytes)
 {
     std::vector<std::string> uris;
@@ -79,7 +79,7 @@ std::vector<std::string> uris_of(const std::vector<uint8_t> &bytes, uint64_t mem
                     uris.push_back(uri.text());
         }
     } catch (const base::Error &) {
-        // Not a glTF, or one that its reader will refuse.
+        // The file is not glTF, or is one that the glTF reader refuses.
     }
     return uris;
 }
@@ -138,7 +138,7 @@ std::string write_cached(const std::string &folder, const std::string &name, con
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return "'" + folder + "' cannot be made: " + error.message();
-    static std::atomic<uint32_t> count{0};  // threads may keep the same template at the same time
+    static std::atomic<uint32_t> count{0};  // different threads may write the same template at once
     Output part(folder + "/" + name + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part");
     if (part.write_all(bytes) && part.becomes(folder + "/" + name)) return "";
     return "'" + folder + "/" + name + "' cannot be written: " + std::strerror(errno);

@@ -1,4 +1,4 @@
-// A folder of files that are found by a fingerprint of what they were made from.
+// A folder of files that are found by a hash of what they were made from.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 namespace claque::asset
 {
 
-// 128 bits of everything that is added, in order. Not against somebody who looks for collisions.
+// A 128-bit hash of everything that is added, in order. It does not resist deliberate collisions.
 class ContentHash
 {
 public:
     ContentHash();
-    void add(const void *bytes, uint64_t size);  // and how many they are
+    void add(const void *bytes, uint64_t size);  // hashes the size as well
     void add(const std::string &text) { add(text.data(), text.size()); }
     void add(uint64_t number) { add(&number, sizeof number); }
     void add(double number) { add(&number, sizeof number); }
@@ -23,17 +23,17 @@ private:
     uint64_t a_, b_;
 };
 
-// A glTF file's bytes and those of the files that it names, below `folder`; any other file's bytes. A file that is not
-// there counts as such: that it is missing is for the reader to say. Throws base::Error as read_file does.
+// Adds the bytes of a glTF file and of the files that it names below `folder`, or of any other file. A missing file is
+// hashed as missing; its reader reports it. Throws base::Error as read_file does.
 void add_file(const std::string &path, const std::string &folder, uint64_t limit_bytes, ContentHash &content_hash);
 
-// $XDG_CACHE_HOME/claque or ~/.cache/claque; empty where neither is known.
+// $XDG_CACHE_HOME/claque or ~/.cache/claque; empty if neither variable is set.
 std::string user_cache_folder();
 
-// Empty where there is none or it cannot be read.
+// Empty if the file is missing or cannot be read.
 std::vector<uint8_t> read_cached(const std::string &folder, const std::string &name);
 
-// Whole or not at all. Returns "" or why not.
+// Writes the whole file or nothing. Returns "" or the reason of the failure.
 std::string write_cached(const std::string &folder, const std::string &name, const std::vector<uint8_t> &bytes);
 
 }  // namespace claque::asset

@@ -1,4 +1,4 @@
-// The GLB container: twelve bytes of header, a JSON chunk, perhaps a binary chunk. glTF 2.0, section 4.
+// The GLB container (glTF 2.0, section 4): a header of twelve bytes, a JSON chunk and an optional binary chunk.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 namespace claque::asset
 {
 
-// Points into the file's bytes.
+// Points into the bytes of the file.
 struct Container {
     const uint8_t *json = nullptr;
     size_t json_size = 0;
@@ -16,7 +16,7 @@ struct Container {
     bool is_glb = false, has_binary = false;
 };
 
-// Decides by the first four bytes: GLB, or all of it is JSON. Throws base::Error (CLQ_FORMAT; CLQ_UNSUPPORTED for
+// The first four bytes decide: GLB, or JSON in all of the file. Throws base::Error (CLQ_FORMAT; CLQ_UNSUPPORTED for
 // another version of the container).
 Container open_container(const uint8_t *bytes, size_t size);
 

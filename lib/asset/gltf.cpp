@@ -11,7 +11,7 @@ using base::fail;
 namespace
 {
 
-// What is left to find wrong is the file's fault, not the caller's.
+// Errors that the model check still finds are errors of the file, not of the caller.
 void check_as_format(const model::Model &model)
 {
     try {
@@ -23,8 +23,7 @@ void check_as_format(const model::Model &model)
 
 }  // namespace
 
-model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options,
-                       std::vector<RootMotionRequest> *root_motions)
+model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options)
 {
     if (size == 0) fail(CLQ_FORMAT, "the file is empty");
     Budget budget(options.memory_limit_bytes);
@@ -36,7 +35,7 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     File file(root, container, options, budget);
     model::Model model;
     build_model(file, model);
-    if (root_motions) *root_motions = std::move(file.root_motions);
+    model.root_motions = std::move(file.root_motions);
     model.warnings = std::move(file.warnings);
     check_as_format(model);
     return model;

@@ -84,7 +84,7 @@ private:
         }
     }
 
-    // Joints may stand outside the scene; they have their place in the world all the same.
+    // Joints may lie outside the scene; their transforms in the world count all the same.
     void add_joint_trees()
     {
         for (const uint32_t node : shown_) {
@@ -186,7 +186,7 @@ private:
     const NodeTree tree_;
     const std::vector<Skin> skins_;
     Materials materials_;
-    const std::vector<uint32_t> shown_;  // nodes, depth first
+    const std::vector<uint32_t> shown_;  // visible nodes, depth first
     const std::vector<Mesh> meshes_;
     Palette palette_;
     RigMapping places_;

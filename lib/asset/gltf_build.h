@@ -1,4 +1,4 @@
-// From what a file holds to a Model: which nodes become the rig, which primitives become parts.
+// Builds a Model from an opened file: nodes become the rig, primitives become parts.
 #pragma once
 
 #include "lib/asset/gltf_file.h"
@@ -6,7 +6,7 @@
 namespace claque::asset
 {
 
-// Reads all of the file. Everything throws base::Error.
+// Reads all of the file. Throws base::Error.
 void build_model(File &file, model::Model &model);
 
 }  // namespace claque::asset

@@ -39,7 +39,7 @@ public:
         std::set<std::pair<uint32_t, ChannelTarget>> taken;
         for (size_t i = 0; i < channels.count(); ++i) read_channel(channels.at(i), samplers, taken);
         clip.channel_count = static_cast<uint32_t>(rig_.channels.size()) - clip.first_channel;
-        settle_span(clip);
+        model::set_span(rig_, clip);
         rig_.clips.push_back(clip);
         rig_.clip_names.emplace_back(animation["name"].text_or("").c_str());
         if (rig_.clip_names.back().empty()) rig_.clip_names.back() = "clip " + std::to_string(number);
@@ -51,20 +51,6 @@ private:
         uint32_t input = 0, output = 0;
         Interpolation interpolation = Interpolation::linear;
     };
-
-    void settle_span(model::Clip &clip) const
-    {
-        float first = 0, last = 0;
-        for (uint32_t i = 0; i < clip.channel_count; ++i) {
-            const Channel &channel = rig_.channels[clip.first_channel + i];
-            const float begin = rig_.times[channel.first_time];
-            const float end = rig_.times[channel.first_time + channel.key_count - 1];
-            first = i == 0 ? begin : std::min(first, begin);
-            last = i == 0 ? end : std::max(last, end);
-        }
-        clip.start_s = first;
-        clip.duration_s = last - first;
-    }
 
     Sampler sampler_of(const JsonView &view) const
     {
@@ -82,7 +68,7 @@ private:
         return out;
     }
 
-    // False for what the format lets other extensions animate.
+    // False for targets that only other extensions define.
     bool path_of(const JsonView &view, ChannelTarget &out)
     {
         const std::string &name = view.text();
@@ -104,7 +90,7 @@ private:
         ChannelTarget path{};
         if (!path_of(target["path"], path)) return;
         const uint32_t node = target["node"].index_or_none(tree_.nodes.size(), "node");
-        if (node == none) return;  // legal: an extension may say what is meant
+        if (node == none) return;  // legal: an extension may define the target
         if (!taken.insert({node, path}).second)
             fail(CLQ_FORMAT, "%s: another channel of the same clip moves the same", target.path().c_str());
         Channel channel;
@@ -127,10 +113,10 @@ private:
         return targets_[node];
     }
 
-    // Key times as the rig holds them. Two keys at one time are legal nowhere but found; the first of them counts.
+    // Key times as the rig holds them. Two keys at one time are not legal but occur; the first of them counts.
     struct Times {
         uint32_t first = 0;
-        std::vector<uint32_t> kept;  // which keys count; empty: all
+        std::vector<uint32_t> kept;  // indices of the keys that count; empty: all
     };
 
     void read_keys(const Sampler &sampler, Channel &channel)
@@ -145,7 +131,7 @@ private:
         channel.first_value = values_of(sampler, channel, listed, times.kept);
     }
 
-    // Samplers of one file mostly share their times, and all channels of a sampler its values: each is kept once.
+    // Samplers of one file mostly share their times, and all channels of a sampler share its values. Each is kept once.
     const Times &times_of(const Sampler &sampler)
     {
         const auto [place, is_new] = times_.emplace(sampler.input, Times());
@@ -204,7 +190,7 @@ private:
         return out;
     }
 
-    // Tangents of splines are no rotations and stay as they are.
+    // Normalises rotations. Tangents of splines are not rotations and stay as they are.
     static void make_unit(std::vector<float> &values, bool cubic, const std::string &who)
     {
         for (size_t i = cubic ? 4 : 0; i < values.size(); i += cubic ? 12 : 4) {

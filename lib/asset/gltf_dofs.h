@@ -1,4 +1,4 @@
-// What the extras of nodes (node_extras.h) say about the rig.
+// Adds to the rig what the extras of nodes (node_extras.h) define.
 #pragma once
 
 #include "lib/asset/gltf_clip.h"
@@ -6,8 +6,8 @@
 namespace claque::asset
 {
 
-// Degrees of freedom in the order of the rig's nodes, and distances at which nodes stop. Throws base::Error (CLQ_FORMAT)
-// where two have one name, or one moves a morph target that is not there.
+// Adds degrees of freedom in the order of the rig's nodes, and deactivation distances. Throws base::Error (CLQ_FORMAT)
+// if two degrees of freedom have one name, or one moves a missing morph target.
 void add_dofs(const NodeTree &tree, const RigMapping &mapping, model::Rig &rig);
 
 }  // namespace claque::asset

@@ -1,4 +1,4 @@
-// An opened glTF file: what all its readers share.
+// An opened glTF file: the state that all its readers share.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct File {
     File(const File &) = delete;
     File &operator=(const File &) = delete;
 
-    // Kept to a number that a person reads; a hostile file could fill memory with them.
+    // Keeps at most 64 warnings; a malicious file could otherwise fill memory with them.
     void warn(std::string text)
     {
         if (warnings.size() < 64) warnings.push_back(std::move(text));
@@ -38,7 +38,7 @@ struct File {
     Buffers buffers;
     Accessors accessors;
     std::vector<std::string> warnings;
-    std::vector<RootMotionRequest> root_motions;
+    std::vector<model::RootMotionRequest> root_motions;
 };
 
 }  // namespace claque::asset

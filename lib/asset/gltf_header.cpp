@@ -36,8 +36,8 @@ void check_version(const JsonView &asset)
         fail(CLQ_UNSUPPORTED, "the file asks for glTF %ld.%ld at least: 2.0 is read", least.major, least.minor);
 }
 
-// Extensions that may be required: those that are followed, those whose effect GL 1.1 does not show anyway, and those
-// that are judged where they are used.
+// Extensions that a file may require: those that are supported, those without a visible effect in GL 1.1, and those
+// that are checked where they are used.
 constexpr std::string_view followed[] = {
     "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual", "KHR_xmp_json_ld", "KHR_xmp",
     "EXT_texture_webp",      "KHR_texture_basisu",    "MSFT_texture_dds",    "EXT_texture_avif"};

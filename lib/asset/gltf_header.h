@@ -1,4 +1,4 @@
-// What a file says about itself before anything is read: its version, and the extensions it cannot be shown without.
+// Checks a file's version and required extensions before anything else is read.
 #pragma once
 
 #include "lib/asset/json_view.h"
@@ -6,7 +6,7 @@
 namespace claque::asset
 {
 
-// Throws base::Error: CLQ_FORMAT, or CLQ_UNSUPPORTED with the version or the extension named.
+// Throws base::Error: CLQ_FORMAT, or CLQ_UNSUPPORTED that names the version or the extension.
 void check_header(const JsonView &document);
 
 }  // namespace claque::asset

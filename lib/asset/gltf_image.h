@@ -1,4 +1,4 @@
-// One image of a file, decoded.
+// Decodes one image of a file.
 #pragma once
 
 #include "lib/asset/gltf_file.h"
@@ -6,7 +6,8 @@
 namespace claque::asset
 {
 
-// `index` is one of the file's images. From its buffer view, data URI or file; what it is is decided by its content.
+// `index` is one of the file's images. It is read from its buffer view, data URI or file; its content decides its
+// format.
 model::Image read_image(File &file, uint32_t index);
 
 }  // namespace claque::asset

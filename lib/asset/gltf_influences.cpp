@@ -51,7 +51,7 @@ uint32_t busiest(const std::vector<Set> &sets, size_t vertices)
     return most;
 }
 
-// Whether the vertex had any weight.
+// True if the vertex has any weight.
 bool gather(const std::vector<Set> &sets, size_t v, uint32_t count, uint32_t *joints, float *weights)
 {
     double sum = 0;
@@ -70,7 +70,7 @@ bool gather(const std::vector<Set> &sets, size_t v, uint32_t count, uint32_t *jo
                 joints[at] = set.joints[4 * v + k];
                 weights[at++] = static_cast<float>(static_cast<double>(set.weights[4 * v + k]) / sum);
             }
-    // Empty places repeat a joint that is used: what a file leaves in its own empty places need not exist.
+    // Unused slots repeat a joint that is used, because the joints that a file has in its unused slots need not exist.
     std::fill(joints + at, joints + count, joints[0]);
     return true;
 }

@@ -1,4 +1,4 @@
-// JOINTS_n and WEIGHTS_n, any number of sets, to one list of influences a vertex.
+// Merges any number of JOINTS_n and WEIGHTS_n sets into one list of influences per vertex.
 #pragma once
 
 #include "lib/asset/gltf_file.h"
@@ -6,9 +6,9 @@
 namespace claque::asset
 {
 
-// Fills influence_count, joints (places in a skin's list) and weights: sum 1, those that weigh something first, no more
-// columns than the busiest vertex needs. A vertex without any weight follows the first joint it lists, with a warning.
-// False, and nothing filled, where the primitive has no joints.
+// Fills influence_count, joints (indices of a skin's list) and weights. Weights sum to 1 and joints with weight come
+// first; there are no more columns than the vertex with the most influences needs. A vertex without weights follows the
+// first joint it lists, with a warning. Returns false and fills nothing if the primitive has no joints.
 bool read_influences(File &file, const JsonView &attributes, model::Part &part);
 
 }  // namespace claque::asset

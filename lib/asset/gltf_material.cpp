@@ -40,13 +40,13 @@ UvTransform transform_of(const JsonView &view)
     if (view["offset"].exists()) view["offset"].numbers(offset, 2);
     if (view["scale"].exists()) view["scale"].numbers(scale, 2);
     const float angle = view["rotation"].real_or(0), c = std::cos(angle), s = std::sin(angle);
-    // v points down: turning coordinates counter-clockwise, as they are seen, is this way round.
+    // v points down, so a counter-clockwise rotation on the screen has these signs.
     const float m[6] = {scale[0] * c, -scale[0] * s, scale[1] * s, scale[1] * c, offset[0], offset[1]};
     for (int k = 0; k < 6; ++k) out.m[k] = m[k];
     return out;
 }
 
-// Sections that are not otherwise read must be what they are called all the same.
+// Sections that are not read must still have the right JSON type.
 void check_objects(const JsonView &list)
 {
     for (size_t i = 0; i < list.count(); ++i) list.at(i).object();
@@ -85,7 +85,7 @@ void Materials::read(const JsonView &view)
     out.name = view["name"].text_or("");
     if (out.name.empty()) out.name = "material " + std::to_string(materials_.size());
     out.double_sided = view["doubleSided"].boolean_or(false);
-    // The old way to say it, still found in files that offer nothing newer.
+    // Older files have only this extension.
     const JsonView glossy = view["extensions"]["KHR_materials_pbrSpecularGlossiness"];
     const bool is_glossy = glossy.exists() && !view["pbrMetallicRoughness"].exists();
     const JsonView look = is_glossy ? glossy : view["pbrMetallicRoughness"];
@@ -136,7 +136,7 @@ void Materials::read_alpha(const JsonView &view, Material &out)
     const std::string mode = view["alphaMode"].text_or("OPAQUE");
     out.alpha_cutoff = view["alphaCutoff"].real_or(0.5f);
     if (mode == "MASK") out.alpha_mode = model::AlphaMode::mask;
-    if (mode == "BLEND") file_.warn(base::text_of("material '%s' is see-through: drawn opaque", out.name.c_str()));
+    if (mode == "BLEND") file_.warn(base::text_of("material '%s' is transparent: drawn opaque", out.name.c_str()));
     if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
         file_.warn(
             base::text_of("material '%s' has the alpha mode '%.40s': drawn opaque", out.name.c_str(), mode.c_str()));
@@ -202,7 +202,7 @@ void Materials::mark_keyed(const std::vector<bool> &used, model::Model &model)
             add_keys(model.images[materials_[i].image], views_[i]["extras"], model);
 }
 
-// The image that a variant shows in place of a material's own; none where it cannot.
+// The image that a variant shows in place of a material's own; none if it cannot.
 uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const std::string &variant, model::Model &model)
 {
     const Material &own = materials_[material], &shown = materials_[other];
@@ -214,7 +214,7 @@ uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const st
     const UvUse &use = uv_uses_[material], &others = uv_uses_[other];
     if (own.image == none || file_images_[other] == none) return refuse("since both need a texture for that");
     if (!std::equal(use.transform.m, use.transform.m + 6, others.transform.m) || use.set != others.set)
-        return refuse("whose texture lies otherwise on the surface");
+        return refuse("whose texture has another mapping");
     const size_t known = sources_.size();
     const uint32_t image = decoded(file_images_[other], model);
     if (sources_.size() != known)
@@ -225,8 +225,9 @@ uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const st
         return refuse("since only one of them has zone keys in its texture");
     if (own.base_colour != shown.base_colour || own.wrap_s != shown.wrap_s || own.wrap_t != shown.wrap_t ||
         own.double_sided != shown.double_sided || own.alpha_mode != shown.alpha_mode)
-        file_.warn(base::text_of("variant '%s': of material '%s' its texture alone is taken, with all else from '%s'",
-                                 variant.c_str(), shown.name.c_str(), own.name.c_str()));
+        file_.warn(
+            base::text_of("variant '%s': only the texture of material '%s' is used, everything else is from '%s'",
+                          variant.c_str(), shown.name.c_str(), own.name.c_str()));
     return image == own.image ? none : image;
 }
 

@@ -1,4 +1,4 @@
-// Materials as far as GL 1.1 shows them: a base colour, one texture, cut-out alpha, sidedness.
+// Reads what GL 1.1 can show of materials: base colour, one texture, alpha test, sidedness.
 #pragma once
 
 #include <map>
@@ -9,42 +9,42 @@
 namespace claque::asset
 {
 
-// KHR_texture_transform: scale, then rotation about the origin, then offset.
+// KHR_texture_transform: scale, then rotation about the origin, then translation.
 struct UvTransform {
-    float m[6] = {1, 0, 0, 1, 0, 0};  // by column: x axis, y axis, offset
+    float m[6] = {1, 0, 0, 1, 0, 0};  // by column: x axis, y axis, translation
     glm::vec2 applied(glm::vec2 uv) const
     {
         return glm::vec2(m[0] * uv.x + m[2] * uv.y + m[4], m[1] * uv.x + m[3] * uv.y + m[5]);
     }
 };
 
-// Which texture coordinates a material wants.
+// The texture coordinates that a material needs.
 struct UvUse {
     bool has_texture = false;
     uint32_t set = 0;
     UvTransform transform;
 };
 
-// The file's materials, checked, and those that parts turn out to need besides: one for primitives without any, and
-// copies without a texture for primitives without coordinates. Images are decoded for materials in use only.
+// The file's materials, checked, and additional ones: one for primitives without a material, and untextured copies for
+// primitives without texture coordinates. Only images of used materials are decoded.
 class Materials
 {
 public:
     explicit Materials(File &file);
 
-    // The material of a primitive; marks nothing as used.
+    // The material of a primitive; it is not marked as used.
     uint32_t reference(const JsonView &view);
     uint32_t without_texture(uint32_t material);
     const UvUse &uv_use(uint32_t material) const { return uv_uses_[material]; }
     size_t count() const { return materials_.size(); }
-    // What variants show of a primitive with this material.
+    // Records the materials that variants give to a primitive with this material.
     void note_variants(uint32_t material, const JsonView &primitive)
     {
         variants_.note(material, primitive, views_.size());
     }
 
-    // Decodes what `used` (by material) need, gives every used material a zone (or its image's alpha the meaning of
-    // zone keys), and hands everything over. Once, at the end.
+    // Decodes the images of materials in `used`, gives each of these materials a zone (or its image's alpha the meaning
+    // of zone keys), and moves everything into the model. To be called once, at the end.
     void finish(const std::vector<bool> &used, model::Model &model);
 
 private:
@@ -60,14 +60,14 @@ private:
     void mark_keyed(const std::vector<bool> &used, model::Model &model);
 
     File &file_;
-    std::vector<model::Material> materials_;  // image: an index of the file's images until finish()
+    std::vector<model::Material> materials_;  // `image` is an index of the file's images until finish()
     std::vector<UvUse> uv_uses_;
     std::vector<JsonView> views_;
-    std::map<uint32_t, uint32_t> untextured_;  // copies without texture
+    std::map<uint32_t, uint32_t> untextured_;  // copies without a texture
     uint32_t default_ = none;
     Variants variants_;
     std::vector<uint32_t> sources_;         // by image of the model: the image of the file
-    std::vector<uint32_t> file_images_;     // by material: the image of the file, whether or not it is used
+    std::vector<uint32_t> file_images_;     // by material: the image of the file, used or not
     std::map<uint32_t, uint32_t> decoded_;  // by image of the file: that of the model
 };
 

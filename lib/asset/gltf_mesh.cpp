@@ -27,7 +27,7 @@ public:
     {
     }
 
-    // Whether everything that it names is there to be read. References are checked in any case.
+    // True if all data that the primitive names can be read. References are checked in any case.
     bool has_data() const
     {
         const JsonView indices = view_["indices"];
@@ -48,7 +48,7 @@ public:
         return good;
     }
 
-    // Whether there is something to show: primitives without positions are legal and empty.
+    // False if there is nothing to show: primitives without positions are legal and empty.
     bool read(Primitive &out)
     {
         attributes_.object();

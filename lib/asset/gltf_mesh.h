@@ -1,4 +1,4 @@
-// Meshes: each primitive of a file decoded once, to be hung on the nodes that show it.
+// Reads meshes: each primitive of a file is decoded once and then attached to the nodes that show it.
 #pragma once
 
 #include "lib/asset/gltf_file.h"
@@ -8,21 +8,21 @@ namespace claque::asset
 {
 
 struct Primitive {
-    model::Part part;         // without node and palette entries
-    bool has_joints = false;  // part.joints are places in a skin's list of joints
+    model::Part part;         // without node and matrix palette entries
+    bool has_joints = false;  // part.joints are indices of a skin's list of joints
 };
 
 struct Mesh {
     std::string name;
-    std::vector<Primitive> primitives;  // those with positions
+    std::vector<Primitive> primitives;  // only those with positions
     uint32_t target_count = 0;
     std::vector<float> morph_weights;  // target_count of them
 };
 
-// All meshes of the file, shown or not, and so all of them checked; those that are not shown may lack their data.
+// Reads and checks all meshes of the file. Meshes that are not `shown` may lack their data.
 std::vector<Mesh> read_meshes(File &file, Materials &materials, const std::vector<bool> &shown);
 
-// What a part's arrays take.
+// The memory of a part's arrays.
 uint64_t bytes_of(const model::Part &part);
 
 }  // namespace claque::asset

@@ -12,7 +12,7 @@ using base::fail;
 namespace
 {
 
-// A matrix that is further from any translation, rotation and scale shears, which a node may not.
+// A matrix that differs by more from every translation, rotation and scale has shear, which nodes do not support.
 constexpr double shear_refused = 1e-3, shear_noted = 1e-5;
 
 void read_matrix(const JsonView &view, FileNode &node, File &file)
@@ -25,8 +25,9 @@ void read_matrix(const JsonView &view, FileNode &node, File &file)
              static_cast<double>(m[15]));
     const DecomposedMatrix parts = decompose(m);
     if (parts.error > shear_refused)
-        fail(CLQ_FORMAT, "%s: the matrix shears: it is no translation, rotation and scale", view.path().c_str());
-    if (parts.error > shear_noted) file.warn(base::text_of("%s shears a little: shown without", view.path().c_str()));
+        fail(CLQ_FORMAT, "%s: the matrix has shear: it is not a translation, rotation and scale", view.path().c_str());
+    if (parts.error > shear_noted)
+        file.warn(base::text_of("%s has a little shear: shown without", view.path().c_str()));
     node.rest = parts.trs;
     node.has_matrix = true;
 }
@@ -83,7 +84,7 @@ void link_parents(NodeTree &tree)
                 fail(CLQ_FORMAT, "nodes[%u] is a child of nodes[%u] and of nodes[%zu]", child, parent, i);
             parent = static_cast<uint32_t>(i);
         }
-    // With one parent each, what no root reaches goes in a circle.
+    // Each node has at most one parent, so nodes that no root reaches form a cycle.
     std::vector<uint32_t> roots;
     for (size_t i = 0; i < tree.nodes.size(); ++i)
         if (tree.nodes[i].parent == none) roots.push_back(static_cast<uint32_t>(i));

@@ -1,4 +1,4 @@
-// The node tree of a file, checked, and the order in which its nodes become the rig's.
+// The checked node tree of a file, and the order of its nodes in the rig.
 #pragma once
 
 #include <string>
@@ -18,18 +18,19 @@ struct FileNode {
     math::Trs rest;
     bool has_matrix = false;
     uint32_t mesh = none, skin = none;
-    std::vector<float> morph_weights;    // the node's own; empty: its mesh's
+    std::vector<float> morph_weights;    // the node's own weights; empty: those of its mesh
     std::unique_ptr<NodeExtras> extras;  // null: none
 };
 
-// Indices of nodes are the file's. Every node has one parent at most and there are no loops, wherever it stands.
+// Node indices are those of the file. Every node has at most one parent and there are no cycles, inside the scene or
+// outside.
 struct NodeTree {
     std::vector<FileNode> nodes;
-    std::vector<uint32_t> scene;  // root nodes of the scene that is shown, as listed
+    std::vector<uint32_t> scene;  // root nodes of the shown scene, in file order
 
-    // The scene depth first, children as listed.
+    // The nodes of the scene, depth first, children in file order.
     std::vector<uint32_t> shown() const;
-    // Depth first from these roots.
+    // The nodes below these roots, depth first.
     std::vector<uint32_t> below(const std::vector<uint32_t> &roots) const;
     uint32_t root_of(uint32_t node) const;
 };

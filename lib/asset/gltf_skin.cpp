@@ -13,7 +13,7 @@ namespace
 
 math::Affine affine_of(const float *m, const JsonView &view, size_t joint)
 {
-    // Accessors may leave out their data and mean zeros; a joint that collapses what it holds is then what was said.
+    // An accessor without data means zeros; a joint that collapses its vertices is then what the file says.
     const bool zero = std::all_of(m, m + 16, [](float x) { return x == 0; });
     if (!zero && std::fabs(m[3]) + std::fabs(m[7]) + std::fabs(m[11]) + std::fabs(m[15] - 1) > 1e-3f)
         fail(CLQ_FORMAT, "%s: the last row of matrix %zu is not 0 0 0 1", view.path().c_str(), joint);
@@ -37,7 +37,10 @@ Skin read_skin(const JsonView &view, File &file, const NodeTree &tree)
         fail(CLQ_FORMAT, "%s has %u matrices for %zu joints", binds.path().c_str(), accessor.count, skin.joints.size());
     if (accessor.component != Component::f32) fail(CLQ_FORMAT, "%s are not floats", binds.path().c_str());
     if (accessor.view != none && file.buffers.view(accessor.view).stride)
-        fail(CLQ_FORMAT, "%s reads a buffer view with a byteStride", binds.path().c_str());
+        file.warn(
+            base::text_of("%s reads a buffer view with a byteStride, which glTF has for vertices alone: the "
+                          "matrices are read %u bytes apart",
+                          binds.path().c_str(), file.buffers.view(accessor.view).stride));
     const std::vector<float> values = file.accessors.floats(index, 16, binds.path());
     for (size_t i = 0; i < skin.joints.size(); ++i) skin.inverse_binds[i] = affine_of(&values[16 * i], binds, i);
     return skin;
@@ -58,7 +61,7 @@ uint32_t Palette::entry(uint32_t rig_node, const math::Affine &inverse_bind)
 {
     Key key;
     key.first = rig_node;
-    // Adding zero makes -0 a 0: the same matrix.
+    // Adding zero turns -0 into 0, so that equal matrices have equal keys.
     for (size_t k = 0; k < 12; ++k) key.second[k] = inverse_bind.c[k] + 0.0f;
     const auto [place, is_new] = entries_.emplace(key, static_cast<uint32_t>(rig_.palette.size()));
     if (is_new) {

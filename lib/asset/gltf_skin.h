@@ -1,4 +1,4 @@
-// Skins to palette entries: which matrices a character's vertices ask for.
+// Turns skins into entries of the matrix palette.
 #pragma once
 
 #include <map>
@@ -13,10 +13,10 @@ struct Skin {
     std::vector<math::Affine> inverse_binds;
 };
 
-// All skins of the file, checked. A skin without inverse bind matrices has identities.
+// Reads and checks all skins of the file. A skin without inverse bind matrices has identities.
 std::vector<Skin> read_skins(File &file, const NodeTree &tree);
 
-// Entries of rig.palette, each (node, inverse bind) once, however many skins and parts ask for it.
+// Builds rig.palette: each pair of node and inverse bind matrix occurs once, however many skins and parts use it.
 class Palette
 {
 public:

@@ -1,5 +1,5 @@
-// KHR_materials_variants as texture sets: of another material only its image counts, since that is what can differ between
-// individuals of one template.
+// Reads KHR_materials_variants as texture sets. Only the image of a variant's material is used, since individuals of
+// one template can differ in images alone.
 #pragma once
 
 #include <map>
@@ -14,12 +14,13 @@ class Variants
 public:
     explicit Variants(File &file);
 
-    // What a primitive that shows `material` maps to. Throws base::Error (FORMAT) where that breaks the format's rules.
+    // Records the materials that variants give to a primitive that shows `material`. Throws base::Error (FORMAT) if the
+    // mapping breaks a rule of the format.
     void note(uint32_t material, const JsonView &primitive, size_t material_count);
 
     size_t count() const { return names_.size(); }
     const std::string &name(size_t variant) const { return names_[variant]; }
-    // By material: the one that a variant shows in its place; those that it leaves alone are missing.
+    // By material: the material that a variant shows instead. Unchanged materials are missing.
     const std::map<uint32_t, uint32_t> &mapped(size_t variant) const { return mapped_[variant]; }
 
 private:

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr uint8_t png_magic[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-// Each scan of a progressive JPEG walks all of the picture: files in use have about ten.
+// Every scan of a progressive JPEG covers the whole picture; files in use have about ten.
 constexpr uint32_t max_scans = 100;
 
 bool starts_with(const uint8_t *bytes, size_t size, const void *magic, size_t length, size_t at = 0)
@@ -22,7 +22,7 @@ bool starts_with(const uint8_t *bytes, size_t size, const void *magic, size_t le
     return size >= at + length && std::memcmp(bytes + at, magic, length) == 0;
 }
 
-// Chunk lengths that stay inside the file: the decoder allocates by them before it reads.
+// Checks that chunks end inside the file, because the decoder allocates a chunk's size before it reads the chunk.
 void check_png(const uint8_t *bytes, size_t size, const char *name)
 {
     size_t at = sizeof png_magic;
@@ -105,7 +105,7 @@ model::Image decode_image(const uint8_t *bytes, size_t size, const std::string &
     image.width = found.width;
     image.height = found.height;
     image.rgba.resize(size_t(4) * found.width * found.height);
-    // 16-bit samples, filtered and unfiltered, and the doubling of a growing buffer: 24 bytes a pixel cover both.
+    // 24 bytes per pixel cover 16-bit samples, filtered and unfiltered, and the doubling of a growing buffer.
     const uint64_t cap = size + 24 * uint64_t(found.width) * found.height + (1 << 20);
     if (const char *reason = stb::decode(bytes, size, cap, found, image.rgba.data()))
         fail(CLQ_FORMAT, "image '%s' cannot be decoded: %s", name.c_str(), reason);

@@ -1,4 +1,4 @@
-// The way to the JSON parser: it is asked only for what a pass over the bytes found to be small and shallow enough.
+// Guards the JSON parser: a scan of the bytes first checks that the parsed document will be small and shallow enough.
 #include "lib/asset/json_view.h"
 
 namespace claque::asset
@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr uint32_t deepest = 128;
-// Of one parsed value in its worst place: a node of a member map, or an array's slot while the array grows.
+// The largest memory for one parsed value: a node of a member map, or an array's slot while the array grows.
 constexpr uint64_t value_bytes = 200;
 
 struct Scan {
@@ -18,7 +18,7 @@ struct Scan {
     uint64_t string_bytes = 0;
 };
 
-// Counts what a parser would make values of. Wrong syntax is not its business, but it may not be misled by any.
+// Counts the values that a parser would create. It need not detect wrong syntax, but wrong syntax may not mislead it.
 Scan scan(const uint8_t *bytes, size_t size)
 {
     Scan out;
@@ -44,7 +44,7 @@ Scan scan(const uint8_t *bytes, size_t size)
     return out;
 }
 
-// Empties a value from its leaves up; no deeper than `deepest`.
+// Frees a value from its leaves up, at most `deepest` levels deep.
 void dismantle(nlohmann::json &value) noexcept
 {
     if (auto *array = value.get_ptr<nlohmann::json::array_t *>()) {
@@ -58,7 +58,7 @@ void dismantle(nlohmann::json &value) noexcept
 
 void parse(const uint8_t *bytes, size_t size, nlohmann::json &out)
 {
-    // Into a value that outlives a failure, where nlohmann::json::parse would destroy its own.
+    // The value outlives a failure; nlohmann::json::parse would destroy its own.
     nlohmann::detail::json_sax_dom_parser<nlohmann::json> builder(out, true);
     nlohmann::json::sax_parse(bytes, bytes + size, &builder);
 }
@@ -76,7 +76,7 @@ JsonDocument::JsonDocument(const uint8_t *bytes, size_t size, uint64_t memory_by
         parse(bytes, size, root_);
     } catch (const nlohmann::json::exception &error) {
         dismantle(root_);
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the first word is for programs.
+        // The text is "[json.exception.parse_error.101] parse error at line 1, ...": drop the part in brackets.
         std::string text = error.what();
         if (const size_t end = text.find("] "); text[0] == '[' && end != std::string::npos) text.erase(0, end + 2);
         fail(CLQ_FORMAT, "the JSON is broken: %.300s", text.c_str());

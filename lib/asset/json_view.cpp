@@ -75,7 +75,7 @@ float JsonView::real() const
 
 uint64_t JsonView::integer(uint64_t first, uint64_t last) const
 {
-    // Whole numbers are exact in double below 2^53, and nothing here is larger.
+    // Whole numbers below 2^53 are exact in double, and no valid value is larger.
     const double x = number();
     if (x != std::floor(x)) fail(CLQ_FORMAT, "%s is %g instead of a whole number", path_.c_str(), x);
     if (!(x >= static_cast<double>(first) && x <= static_cast<double>(last)))

@@ -1,5 +1,5 @@
-// Checked access to a glTF file's JSON: every read says what it expects, and a refusal says where in the file it was,
-// as 'animations[3].channels[0].target.node'.
+// Checked access to the JSON of a glTF file. Every read states what it expects, and an error names the position in the
+// file, such as 'animations[3].channels[0].target.node'.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace claque::asset
 {
 
-// Points into a parsed document, which must outlive it. A View may be of something absent: exists() tells; reading it
-// is refused as a missing property. All reads throw base::Error (CLQ_FORMAT).
+// Points into a parsed document, which must outlive it. A view may be of an absent value: exists() is then false, and a
+// read fails as a missing property. All reads throw base::Error (CLQ_FORMAT).
 class JsonView
 {
 public:
@@ -23,23 +23,23 @@ public:
     bool is_object() const { return value_ && value_->is_object(); }
     const std::string &path() const { return path_; }
 
-    // A member of an object; absent where the object has none of that name, or is itself absent.
+    // A member of an object; absent if the object has no such member or is itself absent.
     JsonView operator[](const char *key) const;
 
-    // Elements of an array; 0 where the array is absent.
+    // The number of elements of an array; 0 if it is absent.
     size_t count() const;
     JsonView at(size_t index) const;
 
-    const nlohmann::json &object() const;  // refused unless it is an object
+    const nlohmann::json &object() const;  // fails unless it is an object
     const std::string &text() const;
     bool boolean() const;
     double number() const;
     float real() const;                                     // a number that fits a float
     uint64_t integer(uint64_t first, uint64_t last) const;  // a whole number in [first, last]
     uint32_t index(size_t count, const char *what) const;   // a whole number below count: a reference to a `what`
-    void numbers(float *out, size_t count) const;           // an array of exactly so many numbers
+    void numbers(float *out, size_t count) const;           // an array of exactly `count` numbers
 
-    // The same with an answer for what is absent.
+    // The same with a default for an absent value.
     std::string text_or(const char *otherwise) const { return exists() ? text() : otherwise; }
     bool boolean_or(bool otherwise) const { return exists() ? boolean() : otherwise; }
     float real_or(float otherwise) const { return exists() ? real() : otherwise; }
@@ -57,13 +57,13 @@ private:
     std::string path_;
 };
 
-// A parsed text. Taking it apart asks for no memory: nlohmann's own destructor does, and would end the process where
-// there is none, so leaves go first.
+// A parsed text. Its destructor frees leaves first and allocates nothing; nlohmann's own allocates and would end the
+// process when memory has run out.
 class JsonDocument
 {
 public:
-    // After a pass of our own over the bytes: nesting at most 128 deep, and an estimate of the parsed size within
-    // `memory_bytes`, so that the parser is never asked for more. Throws base::Error (CLQ_FORMAT, CLQ_LIMIT).
+    // Scans the bytes before parsing: nesting at most 128 deep, and an estimate of the parsed size within
+    // `memory_bytes`, so that the parser never needs more. Throws base::Error (CLQ_FORMAT, CLQ_LIMIT).
     JsonDocument(const uint8_t *bytes, size_t size, uint64_t memory_bytes);
     ~JsonDocument();
     JsonDocument(const JsonDocument &) = delete;

@@ -1,5 +1,5 @@
-// Zones of characters whose files know of none: one for each material's name and base colour, so that these people can
-// be coloured too.
+// Adds zones to characters whose files define none, so that their individuals can be coloured too: one zone for each
+// material name and base colour.
 #pragma once
 
 #include "lib/model/model.h"
@@ -7,8 +7,8 @@
 namespace claque::asset
 {
 
-// Gives each used material (by index) whose image has no zone keys a zone of model.zones; materials of the same name
-// and colour share one. Keyed zones, which images ask for by key, stand before them.
+// Gives a zone of model.zones to each used material (by index) whose image has no zone keys. Materials of equal name
+// and colour share a zone. Keyed zones come first in the list, because images refer to them by key.
 void add_material_zones(const std::vector<bool> &used, model::Model &model);
 
 }  // namespace claque::asset

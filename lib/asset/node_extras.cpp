@@ -14,7 +14,7 @@ using model::DofKind;
 namespace
 {
 
-constexpr size_t max_dofs = 4096;  // of one node
+constexpr size_t max_dofs = 4096;  // per node
 
 DofKind kind_of(const JsonView &view)
 {
@@ -82,7 +82,7 @@ void read_lod(const JsonView &view, NodeExtras &out)
 
 std::unique_ptr<NodeExtras> read_node_extras(const JsonView &extras, Budget &budget)
 {
-    // Extras of others may be anything; only what carries our name is ours to judge.
+    // Extras of other programs may be anything; only the member with claque's name is checked.
     if (!extras.exists() || !extras.is_object()) return nullptr;
     const JsonView ours = extras["claque"];
     if (!ours.exists()) return nullptr;

@@ -10,14 +10,14 @@ namespace claque::asset
 namespace
 {
 
-// A unit vector that stands on `v`.
+// A unit vector perpendicular to `v`.
 glm::dvec3 across(const glm::dvec3 &v)
 {
     const glm::dvec3 other = std::fabs(v.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return glm::normalize(glm::cross(v, other));
 }
 
-// Unit directions for the axes that have a length; the others are chosen so that all three stand on each other.
+// Normalises the axes that have a length and chooses the others perpendicular to them.
 void complete(glm::dvec3 axis[3], const double length[3], double tiny)
 {
     for (int k = 0; k < 3; ++k) axis[k] = length[k] > tiny ? axis[k] / length[k] : glm::dvec3(0);
@@ -50,7 +50,7 @@ DecomposedMatrix decompose(const float m[16])
     complete(axis, length, 1e-12 * longest);
     if (glm::dot(glm::cross(axis[0], axis[1]), axis[2]) < 0) axis[0] = -axis[0], length[0] = -length[0];
 
-    // The rotation nearest to the axes that a quaternion can say; what it cannot say is the error.
+    // The rotation that is nearest to the axes; the rest is the error.
     const glm::dquat q = glm::normalize(glm::quat_cast(glm::dmat3(axis[0], axis[1], axis[2])));
     const glm::dmat3 turned = glm::mat3_cast(q);
     DecomposedMatrix out;

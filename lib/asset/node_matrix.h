@@ -1,4 +1,4 @@
-// A node's matrix taken apart: the rig keeps translation, rotation and scale, because clips move those.
+// Decomposes a node's matrix into translation, rotation and scale, because clips animate those.
 #pragma once
 
 #include "lib/math/affine.h"
@@ -8,13 +8,13 @@ namespace claque::asset
 
 struct DecomposedMatrix {
     math::Trs trs;
-    // Largest difference of an axis put together again to the one given, as a share of the longest axis. Of a matrix
-    // that shears it is large; of rounded ones about 1e-7.
+    // The largest difference between an axis of the recomposed matrix and the given one, relative to the longest axis.
+    // It is large for a matrix with shear and about 1e-7 for a rounded one.
     double error = 0;
 };
 
-// `matrix` is 16 numbers by column; its last row is the caller's business. A mirrored one gets a negative x scale; an
-// axis of no length gets a direction that fits the others.
+// `matrix` is 16 numbers by column; its last row is not checked here. A mirroring matrix gets a negative x scale. An
+// axis of length 0 gets a direction that fits the others.
 DecomposedMatrix decompose(const float matrix[16]);
 
 }  // namespace claque::asset

@@ -1,4 +1,4 @@
-// glTF's colours are linear, glColor's are not: the sRGB transfer curve between them (IEC 61966-2-1).
+// The sRGB transfer curve (IEC 61966-2-1): colours are linear in glTF, but not in glColor.
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,8 @@
 namespace
 {
 
-// One decode at a time per thread. Blocks carry their size in front so that what is freed can be counted.
+// The memory of one decode; a thread runs one decode at a time. Blocks begin with their size, so that freed memory can
+// be counted.
 struct Arena {
     uint64_t left = 0;
     bool heap_refused = false;
@@ -74,7 +75,7 @@ namespace claque::asset::stb
 namespace
 {
 
-// Enough for what reading a header takes.
+// Enough memory for reading a header.
 constexpr uint64_t header_bytes = 1 << 20;
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The only door to stb_image. Everything about it that needs care is behind this: its compilation switches, its memory
-// and its C interface.
+// The only file that uses stb_image: it holds its compilation switches, its memory limit and its C interface.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +8,13 @@ namespace claque::asset::stb
 {
 
 struct Size {
-    uint32_t width = 0, height = 0;  // 0 where the header is not understood
+    uint32_t width = 0, height = 0;  // 0 if the header cannot be read
 };
 
 Size size_of(const uint8_t *bytes, size_t size);  // size < 2^31
 
-// Fills out_rgba [4 * width * height], rows from the top. At most `cap_bytes` are allocated on the way. Returns null,
-// or what is wrong. Throws std::bad_alloc where the heap, not the cap, refused.
+// Fills out_rgba [4 * width * height], rows from the top. Allocates at most `cap_bytes`. Returns null, or what is
+// wrong. Throws std::bad_alloc if the heap, and not the limit, refused.
 const char *decode(const uint8_t *bytes, size_t size, uint64_t cap_bytes, const Size &expected, uint8_t *out_rgba);
 
 }  // namespace claque::asset::stb

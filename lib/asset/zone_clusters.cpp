@@ -16,10 +16,10 @@ namespace
 {
 
 constexpr uint32_t max_proposed = 48;
-constexpr uint32_t bins = 32;              // a channel
-constexpr double light_share = 0.5;        // of a difference in lightness, beside those in colour
+constexpr uint32_t bins = 32;              // per channel
+constexpr double light_share = 0.5;        // weight of a difference in lightness relative to one in colour
 constexpr double least_difference = 0.04;  // between two zones
-constexpr uint64_t least_share = 200;      // a zone has one texel in so many
+constexpr uint64_t least_share = 200;      // a zone has at least one of this many texels
 constexpr int max_rounds = 64, calming_rounds = 3;
 
 using Point = std::array<double, 3>;
@@ -31,7 +31,7 @@ double distance2(const Point &a, const Point &b)
     return sum;
 }
 
-// Texels of one bin of colours.
+// The texels of one bin of the colour histogram.
 struct Bin {
     Point at{};
     double texels = 0;
@@ -40,7 +40,7 @@ struct Bin {
 
 size_t bin_of(const uint8_t *rgb) { return (size_t(rgb[0] / 8) * bins + rgb[1] / 8) * bins + rgb[2] / 8; }
 
-// Marks the texels whose middles lie in a triangle, or that hold a corner of it.
+// Marks the texels whose centres lie in a triangle, and those that contain one of its corners.
 void cover(const model::Image &image, const glm::vec2 (&uv)[3], std::vector<uint8_t> &covered)
 {
     const double w = image.width, h = image.height;
@@ -101,8 +101,8 @@ std::vector<Bin> bins_of(const model::Image &image, const std::vector<uint8_t> &
     return out;
 }
 
-// The most frequent bin, then again and again the one that is farthest from all so far, weighed by how frequent it is: few
-// texels of a colour of their own count, but not single ones.
+// Starts with the most frequent bin, then adds the bin farthest from all chosen ones, weighted by its frequency: a
+// small area of a distinct colour counts, single texels do not.
 std::vector<Point> first_middles(const std::vector<Bin> &all, uint32_t count)
 {
     const auto most =
@@ -149,7 +149,7 @@ void settle(std::vector<Bin> &all, std::vector<Point> &middles)
     }
 }
 
-// A texel of whose eight neighbours more than half are of one other zone goes with them.
+// A texel takes the zone of its neighbours if more than half of the eight have one other zone.
 void calm(ZoneProposal &out)
 {
     const int w = static_cast<int>(out.width), h = static_cast<int>(out.height);
@@ -175,7 +175,8 @@ void calm(ZoneProposal &out)
     }
 }
 
-// Most texels first. Zones of few texels are what soft edges between two others look like: they go to what lies nearest.
+// Orders zones by texels, most first. Zones of few texels are mostly soft edges between two others; they are merged
+// into the nearest zone.
 void order(const model::Image &image, ZoneProposal &out)
 {
     struct Sum {

@@ -48,7 +48,7 @@ Zone read_zone(const JsonView &view)
 
 std::vector<Zone> read_zone_extras(const JsonView &extras)
 {
-    // Extras of others may be anything; only what carries our name is ours to judge.
+    // Extras of other programs may be anything; only the member with claque's name is checked.
     if (!extras.exists() || !extras.is_object()) return {};
     const JsonView ours = extras["claque"];
     if (!ours.exists() || !ours["zones"].exists()) return {};

@@ -19,7 +19,7 @@ using Rgb = std::array<float, 3>;
 
 double luminance(const uint8_t *rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-// Materials that show an image, in any texture set.
+// The materials that show an image in any texture set.
 std::vector<uint32_t> users_of(const model::Model &model, uint32_t image)
 {
     std::vector<uint32_t> users;
@@ -55,7 +55,8 @@ void check(const model::Model &model, uint32_t image, const ZoneMap &map, size_t
                  model.materials[user].name.c_str(), image, model.images[image].name.c_str());
 }
 
-// What lies at the middle of each texel of an image; unknown ones take what spreads to them first from known ones.
+// The zone at the centre of each texel of an image. Unknown texels take the zone that first spreads to them from known
+// ones.
 std::vector<uint16_t> texels_of(const ZoneMap &map, uint32_t width, uint32_t height)
 {
     std::vector<uint16_t> zones(size_t(width) * height);
@@ -68,7 +69,7 @@ std::vector<uint16_t> texels_of(const ZoneMap &map, uint32_t width, uint32_t hei
             zones[at] = map.zones[v * map.width + u];
             if (zones[at] != unknown_zone) front.push_back(at);
         }
-    // A map with known texels may have none at these middles.
+    // A map with known texels may have none at these centres.
     if (front.empty()) {
         for (size_t i = 0; i < size_t(map.width) * map.height; ++i)
             if (map.zones[i] != unknown_zone) return std::vector<uint16_t>(zones.size(), map.zones[i]);
@@ -89,7 +90,7 @@ std::vector<uint16_t> texels_of(const ZoneMap &map, uint32_t width, uint32_t hei
     return zones;
 }
 
-// The luminance that all but one in fifty of a zone's texels stay below, at least 1.
+// The luminance below which 49 of 50 texels of a zone lie; at least 1.
 double top_of(const model::Image &image, const std::vector<uint16_t> &zones, uint16_t zone)
 {
     std::array<size_t, 256> counts{};
@@ -102,7 +103,7 @@ double top_of(const model::Image &image, const std::vector<uint16_t> &zones, uin
     return 255;
 }
 
-// Makes a zone's texels grey; returns the colour with which they look most like before (least squares, each channel).
+// Makes a zone's texels grey. Returns the colour that restores their look best (least squares, by channel).
 Rgb reduce(model::Image &image, const std::vector<uint16_t> &zones, uint16_t zone)
 {
     const double top = top_of(image, zones, zone);
@@ -120,8 +121,8 @@ Rgb reduce(model::Image &image, const std::vector<uint16_t> &zones, uint16_t zon
     return colour;
 }
 
-// Where all who show an image have one base colour it goes into the texels, theirs in all texture sets: reduced zones
-// would stay tinted by it.
+// If all materials of an image have one base colour, multiplies it into the texels of all their texture sets. Otherwise
+// it would still tint reduced zones.
 void fold_base_colour(model::Model &next, uint32_t image)
 {
     std::vector<uint32_t> users = users_of(next, image), images = {image};
@@ -150,7 +151,7 @@ bool keyed(const model::Model &model, const model::Material &material)
     return material.image != none && model.images[material.image].alpha == model::AlphaMeaning::zone_keys;
 }
 
-// Which zones texels or materials show.
+// The zones that texels or materials show.
 std::vector<bool> shown_zones(const model::Model &model)
 {
     std::array<bool, 256> keys{};
@@ -176,7 +177,7 @@ void drop_unused_zones(model::Model &model)
         if (material.zone != none) material.zone = to[material.zone];
 }
 
-// The key of a painted zone: that of a keyed zone with its name, or the lowest that no keyed zone has.
+// The key of a zone of the map: that of the keyed zone with its name, or else the lowest free key.
 uint8_t key_for(model::Model &next, const ZoneMapZone &painted, const Rgb &colour)
 {
     std::vector<bool> named(next.zones.size());
@@ -214,7 +215,7 @@ void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const
     fold_base_colour(next, image);
     model::Image &texels = next.images[image];
     const std::vector<uint16_t> wanted = texels_of(map, texels.width, texels.height);
-    // Keyed from here on, and its materials' own zones free to go.
+    // The materials now have zone keys, so their own zones may be removed.
     texels.alpha = model::AlphaMeaning::zone_keys;
     for (const uint32_t user : users)
         if (next.materials[user].image == image) next.materials[user].zone = none;

@@ -1,5 +1,5 @@
-// Zones for characters that come without: a map of an image's texels becomes keys in its alpha (S1 3), and zones that are
-// to take light and dark colours alike lose their own for light and dark (S2 2.3).
+// Adds zones to characters that come without: a map of an image's texels becomes keys in its alpha (S1 3). The texels
+// of reduced zones become grey, so that they can take light and dark colours alike (S2 2.3).
 #pragma once
 
 #include "lib/model/model.h"
@@ -11,19 +11,20 @@ constexpr uint16_t unknown_zone = 0xffff;
 
 struct ZoneMapZone {
     std::string name;
-    bool reduced = false;  // its texels become grey, stretched to full brightness; else they keep their colours
-    const model::HsbRange *range = nullptr;  // what colours are drawn from; null: as zone_ranges.h says
+    bool reduced = false;  // its texels become grey, scaled to full brightness; else they keep their colours
+    const model::HsbRange *range = nullptr;  // the range that colours are sampled from; null: as zone_ranges.h says
 };
 
-// Of any size: each texel of the image takes what lies at its middle. Unknown ones take the nearest that is known.
+// A map of any size: each texel of the image takes the zone at its centre. Unknown texels take the nearest known zone.
 struct ZoneMap {
     uint32_t width = 0, height = 0;
-    const uint16_t *zones = nullptr;  // [width * height] numbers of painted zones, or unknown_zone; row v = 0 first
+    // [width * height] indices of the map's zones, or unknown_zone; row v = 0 first
+    const uint16_t *zones = nullptr;
 };
 
-// Zones of the model that nothing shows any longer are dropped; a zone of the same name that another image's keys mean
-// becomes the same zone. Throws base::Error (CLQ_ARGUMENT) for what is out of range, an image that no material shows or
-// that cuts out by its alpha, a map without any known texel; CLQ_LIMIT for more than 256 zones. The model is then as it was.
+// Removes zones of the model that are no longer shown. A zone whose name another image's keys already use becomes the
+// same zone. Throws base::Error: CLQ_ARGUMENT for a value out of range, an image that no material shows or whose alpha
+// cuts out, or a map without known texels; CLQ_LIMIT for more than 256 zones. The model is then unchanged.
 void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones);
 
 }  // namespace claque::asset

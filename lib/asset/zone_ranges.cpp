@@ -16,7 +16,7 @@ struct Word {
     ZoneKind zone_kind;
 };
 
-// The first that occurs decides: eyebrows are hair, eyes are not.
+// The first word that occurs in the name decides: eyebrows are hair, not eyes.
 constexpr Word words[] = {
     {"brow", ZoneKind::hair},    {"beard", ZoneKind::hair}, {"moustache", ZoneKind::hair}, {"mustache", ZoneKind::hair},
     {"hair", ZoneKind::hair},    {"fur", ZoneKind::hair},   {"lash", ZoneKind::eyes},      {"eye", ZoneKind::eyes},
@@ -60,7 +60,7 @@ HsbRange around(const Hsb &c, float hue_deg, float saturation, float brightness)
     return out;
 }
 
-// The range, stretched to hold the colour. Both ends of the hues may move; they never pass each other.
+// The range, extended to include the colour. Both ends of the hue may move; they never pass each other.
 HsbRange with(HsbRange range, const Hsb &c)
 {
     range.saturation_min = std::min(range.saturation_min, c.saturation);
@@ -76,7 +76,7 @@ HsbRange with(HsbRange range, const Hsb &c)
     return range;
 }
 
-// Under a texture that has the colours: a shade of white that leaves them recognisable.
+// For textures that hold the colours: shades of white that keep them recognisable.
 HsbRange tint(ZoneKind zone_kind)
 {
     switch (zone_kind) {
@@ -98,7 +98,7 @@ HsbRange tint(ZoneKind zone_kind)
 
 HsbRange of_cloth(const Hsb &c)
 {
-    // Grey, black and white clothes take on a little colour; coloured ones most others.
+    // Grey, black and white clothes take a little colour; coloured clothes take most hues.
     HsbRange out = around(c, 160, 0.15f, 0.2f);
     if (c.saturation < 0.12f) out.saturation_max = std::min(1.0f, c.saturation + 0.3f);
     return out;

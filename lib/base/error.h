@@ -1,4 +1,4 @@
-// The one exception of start-up code. It ends at lib/api (or at a job that turns it into a Status).
+// The one exception of start-up code. It is caught in lib/api, or in a job that turns it into a Status.
 #pragma once
 
 #include <claque/base.h>
@@ -22,7 +22,7 @@ private:
 };
 
 // printf-like: one sentence with names and numbers, no full stop needed at the end.
-// A 64-bit number as %llu takes it.
+// A 64-bit number in the type that %llu takes.
 inline unsigned long long big(uint64_t n) { return n; }
 
 [[noreturn]] void fail(clq_status status, const char *format, ...) __attribute__((format(printf, 2, 3)));

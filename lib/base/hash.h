@@ -1,4 +1,4 @@
-// The only randomness there is: hashes of (seed, id, purpose). The same everywhere, whatever ran before.
+// The only source of randomness: hashes of (seed, id, purpose). They do not depend on the machine or on earlier calls.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 namespace claque::base
 {
 
-// One purpose per use, so that no two draws for the same individual go together by accident.
+// One purpose per use, so that two samples of the same individual are not correlated by accident.
 enum class Purpose : uint32_t {
     cache_phase = 1,
     hue = 2,
@@ -47,7 +47,7 @@ constexpr uint64_t hash(uint64_t seed, uint64_t id, Purpose purpose, uint64_t in
 // [0, 1), 24 bits, exact in float.
 constexpr float unit(uint64_t h) { return static_cast<float>(h >> 40) * (1.0f / 16777216.0f); }
 
-// Running FNV-1a over bytes, for fingerprints of results.
+// Running FNV-1a over bytes, for hashes of results.
 constexpr uint64_t fnv_start = 0xcbf29ce484222325ULL;
 inline uint64_t fnv(uint64_t h, const void *bytes, uint64_t count)
 {

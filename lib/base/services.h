@@ -1,4 +1,4 @@
-// What the host lends: memory, a log, threads. One per clq_context; everything the library keeps hangs on it.
+// The host's services: memory, log, tasks. One per clq_context, used by all its objects.
 #pragma once
 
 #include <claque/base.h>
@@ -10,7 +10,7 @@
 namespace claque::base
 {
 
-// The host's allocator as a std::pmr resource: a refusal is std::bad_alloc.
+// The host's allocator as a std::pmr resource; a refusal throws std::bad_alloc.
 class HostMemory : public std::pmr::memory_resource
 {
 public:
@@ -24,7 +24,7 @@ private:
     clq_allocator allocator_;
 };
 
-// Spreads a loop over the host's tasks, or runs it here. The order of indices is free.
+// Runs a loop as the host's tasks, or on this thread. The order of indices is unspecified.
 class Jobs
 {
 public:
@@ -44,8 +44,8 @@ public:
             const_cast<Body *>(&body));
     }
 
-    // The same for start-up code, whose body may throw: what the lowest index threw is thrown again here, so that it does
-    // not depend on threads. What stands at other indices may then have been done or not.
+    // For start-up code, whose body may throw: rethrows the exception of the lowest index, so that it does not depend
+    // on threads. The body may then have run or not for any other index.
     template <class Body>
     void try_each(uint32_t count, const Body &body) const
     {

@@ -1,4 +1,4 @@
-// A row of T that somebody else owns: what jobs take and give.
+// A view of an array of T that another object owns, for the arguments and results of jobs.
 #pragma once
 
 #include <cstdint>

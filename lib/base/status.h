@@ -1,4 +1,4 @@
-// Outcome of code that must not throw: the frame path and the drawing. No allocation, cheap when it is good.
+// The result of code that must not throw: updates and drawing. Allocates nothing and is cheap in the good case.
 #pragma once
 
 #include <claque/base.h>

@@ -15,8 +15,9 @@ using pose::LayerKind;
 namespace
 {
 
-// How far back an inertial fade looks for the velocity of what it leaves, as a share of its length: short enough for the
-// present velocity, long enough that the weights that carry it on stay small (crowd::inertial_weight).
+// The interval over which an inertial fade measures the velocity that it continues, as a fraction of its length. It is
+// short enough for the present velocity and long enough that the weights of its continuation stay small
+// (crowd::inertial_weight).
 constexpr double look_back = 0.125;
 
 double clip_time(const crowd::Crowd &crowd, uint32_t row, const crowd::Play &play, double time_s)
@@ -34,7 +35,7 @@ public:
     {
     }
 
-    // `weight` of the way to what a source shows.
+    // Replaces what is below by a source, with `weight`.
     void replace(const Source &source, double weight)
     {
         if (source.gait == model::none) {
@@ -44,12 +45,12 @@ public:
         const crowd::Gait &gait = crowd_.layers().gait(source.gait);
         const double rounds = rounds_at(gait, source, time_s_);
         const double both = weight * static_cast<double>(share_at(source, time_s_));
-        // Two steps that leave 1 - weight of what is below.
+        // Two steps that together leave 1 - weight of what is below.
         if (both < 1) push(gait.clip_a, time_in_a(gait, rounds), 1 - (1 - weight) / (1 - both));
         push(gait.clip_b, time_in_b(gait, rounds), both);
     }
 
-    // The difference of two sources, each at a moment of its own.
+    // Adds the difference of two sources, each at a time of its own.
     void add(const crowd::Play &play, const crowd::Play &reference, double at_s, double weight)
     {
         if (weight == 0 || out_.count == pose::max_layers) return;
@@ -94,9 +95,10 @@ private:
     ActiveClips &out_;
 };
 
-// What is left of the difference when an inertial fade began, and of its velocity: polynomials that start with value 1 and
-// slope 0, and value 0 and slope 1, and end with 0 and 0 (Bollo's inertialisation, on a cubic). The velocity is that from
-// `look_back` before the beginning, so that both are differences of poses of the two clips.
+// What remains, during an inertial fade, of the difference at its start and of its velocity. The weights are
+// polynomials that start with value 1 and slope 0, and with value 0 and slope 1, and end with value and slope 0
+// (Bollo's inertialisation with a cubic). The velocity is measured from `look_back` before the start, so that both are
+// differences of poses of the two clips.
 void inertial(Stack &stack, const crowd::Play &from, const crowd::Play &to, const crowd::Fade &fade, double time_s)
 {
     const double length = static_cast<double>(fade.length_s), x = (time_s - fade.at_s) / length;
@@ -110,7 +112,7 @@ struct FadeChain {
     const Source *sources[crowd::max_fades + 1];
     const crowd::Fade *fades[crowd::max_fades];  // [k]: from sources[k] to sources[k + 1]
     double weights[crowd::max_fades];
-    uint32_t count = 0;  // of fades that have begun
+    uint32_t count = 0;  // fades that have begun
 };
 
 FadeChain fade_chain_of(const crowd::LayerState &layer_state, double time_s)
@@ -128,8 +130,8 @@ FadeChain fade_chain_of(const crowd::LayerState &layer_state, double time_s)
     return chain;
 }
 
-// A cross-fade that is over hides all before it; the target of the last inertial one is shown at once, and what was fading
-// below it goes on as differences on top.
+// A finished cross-fade hides everything before it. The target of the last inertial fade is shown at once; the fades
+// below it continue as differences on top.
 void play(const crowd::LayerState &layer_state, double time_s, Stack &stack)
 {
     const FadeChain chain = fade_chain_of(layer_state, time_s);

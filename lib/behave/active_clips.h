@@ -1,5 +1,5 @@
-// What an actor shows at a moment: the clip it plays, or the layers that its fades, gaits and gestures come to (S2 3.3). A
-// function of time, seed and commands: any moment finds it by itself.
+// The clips that an actor shows at a time: one clip, or the weighted clips of its fades, gaits and layers (S2 3.3). A
+// function of time, seed and commands, so that any time is found by itself.
 #pragma once
 
 #include "lib/behave/behave.h"
@@ -9,24 +9,18 @@ namespace claque::behave
 {
 
 struct ActiveClips {
-    // Plain: one clip, where count is 0.
+    // If count is 0: one clip at one time.
     uint32_t clip = model::none;
     double clip_time_s = 0;
     uint32_t count = 0;
     pose::Layer layers[pose::max_layers];
 };
 
-// `levels`: of its mechanisms, as in play_at().
+// `levels`: of its mechanisms, as in plays_at().
 void active_clips_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels,
                      ActiveClips &out) noexcept;
 
-// Whether shown_at() may come to layers at some moment.
-inline bool may_blend(const crowd::Crowd &crowd, uint32_t row) noexcept
-{
-    return crowd.layers().of(row) || crowd.behaviours().blends(row);
-}
-
-// The share of a fade that has come, in [0, 1].
+// The weight in [0, 1] that a fade has reached.
 double fade_weight(crowd::Curve curve, double gone_s, double length_s) noexcept;
 
 }  // namespace claque::behave

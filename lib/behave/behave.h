@@ -1,6 +1,7 @@
-// Behaviour of one actor at one moment (S0 5.3, 7.1): what its control mechanisms write into its degrees of freedom, which
-// clip it plays, where its Skeleton Root is. Functions of time, seed and commands; nothing here keeps anything, allocates
-// or throws. A host's own mechanisms are called from here, so actors that have some are for one thread.
+// The behaviour of one actor at one time (S0 5.3, 7.1): the values that its control mechanisms write, the clip it
+// plays, and the transform of its Skeleton Root. These are functions of time, seed and commands; they keep no state,
+// allocate nothing and never throw. They also call the host's mechanisms, so actors that have such are evaluated by one
+// thread.
 #pragma once
 
 #include "lib/crowd/crowd.h"
@@ -8,7 +9,7 @@
 namespace claque::behave
 {
 
-// Calls of mechanisms, by kind as in crowd::MechanismKind, since they were set to 0.
+// Calls of mechanisms since the counters were set to 0, by kind as in crowd::MechanismKind.
 struct Counts {
     uint64_t calls[6] = {0, 0, 0, 0, 0, 0};
     uint64_t writes = 0;  // of degrees of freedom
@@ -19,9 +20,9 @@ struct Counts {
     }
 };
 
-// The level of each of an actor's mechanisms at a distance, four bits a use in the order of its chain; 15: off.
-//   distance_m   effective: priority and the view's screen size are in it already
-//   level        of the template: what is left of the skeleton
+// The level of each of an actor's mechanisms at a distance, four bits per attachment in chain order; 15: off.
+//   distance_m   effective: includes priority and the view's scale
+//   level        of the template: the skeleton that remains
 using MechanismLevels = uint64_t;
 constexpr uint32_t off = 15;
 MechanismLevels mechanism_levels(const crowd::Crowd &crowd, uint32_t row, float distance_m,
@@ -32,39 +33,37 @@ inline uint32_t mechanism_level(MechanismLevels levels, uint32_t attachment)
     return static_cast<uint32_t>(levels >> (4 * attachment)) & 15;
 }
 
-// Whether one of its mechanisms is the host's, and whether one of these keeps a memory.
-bool has_host(const crowd::Crowd &crowd, uint32_t row) noexcept;
+// Whether one of the actor's mechanisms is the host's and keeps memory.
 bool has_memory(const crowd::Crowd &crowd, uint32_t row) noexcept;
 
 struct EvaluationContext {
     double time_s = 0;  // the tick that is shown
     MechanismLevels levels = 0;
     const model::Level *level = nullptr;  // of the template
-    float distance = 0;                   // to the eye, world units: told to the host
-    bool visible = true;                  // told to the host
-    bool wanted = true;                   // false: nobody asks for the degrees of freedom; only memories are kept up
+    float distance_m = 0;                 // to the eye; passed to the host
+    bool visible = true;                  // passed to the host
+    bool wanted = true;  // false: the degrees of freedom are not needed, only mechanisms with memory run
 };
 
-// Runs an actor's mechanisms, the lowest priority first. `dofs`: [rig.dofs.size()], set to rest first; every value stays
-// within its range.
+// Runs an actor's mechanisms in ascending order of priority. Sets `dofs` [rig.dofs.size()] to rest first; every value
+// stays within its range.
 void run(const crowd::Crowd &crowd, uint32_t row, const EvaluationContext &context, base::Span<float> dofs,
          Counts &counts) noexcept;
 
-// What it plays: its own, or what the last of its idle mechanisms that is not off has drawn.
+// What the actor plays: its own clip, or the random choice of the last of its idle mechanisms that is not off.
 struct Plays {
-    crowd::Play now, before;  // `before` goes while the weight of `now` grows to 1
+    crowd::Play now, before;  // `before` fades out as the weight of `now` grows to 1
     double weight = 1;
-    bool idle = false;  // drawn
+    bool idle = false;  // chosen at random
 };
 Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept;
-crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept;
 
-// Where its Skeleton Root is in the Reference Point's space, and how it is turned; scale 1. Without the ground.
+// The transform of its Skeleton Root in the Reference Point's space, with scale 1 and without the ground.
 crowd::Transform root_transform_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
 
-// A path alone. `round` in [0, duration_s).
+// The transform on a path alone. `round_s` in [0, duration_s).
 crowd::Transform transform_on(const crowd::RootPath &path, double round_s) noexcept;
-// No point of it is farther from the origin: an upper bound that is tight.
+// A tight upper bound of the distance of the path's points from the origin.
 float reach_of(const crowd::RootPath &path);
 
 }  // namespace claque::behave

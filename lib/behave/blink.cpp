@@ -1,4 +1,4 @@
-// Lids: one blink a slot, at a place drawn by lot (S0 7.1).
+// Blinking: one blink per random slot, at a random time of the slot (S0 7.1).
 #include "lib/behave/mechanisms.h"
 
 namespace claque::behave
@@ -7,7 +7,7 @@ namespace claque::behave
 namespace
 {
 
-// Lids fall faster than they rise: how far they are shut, over the share of a blink that has gone.
+// How far the lids are closed after a share of a blink. They fall faster than they rise.
 double closing(double share)
 {
     if (!(share > 0 && share < 1)) return 0;

@@ -4,6 +4,7 @@
 
 #include "lib/base/error.h"
 #include "lib/behave/mechanisms.h"
+#include "lib/crowd/edits.h"
 
 namespace claque::behave
 {
@@ -13,7 +14,8 @@ using base::fail;
 namespace
 {
 
-// [radians] A point that has moved by less, as its actor sees it, is the same one: the turn to it goes on.
+// [radians] A target that has moved by less, as seen by its actor, counts as the same one, and the turn to it
+// continues.
 constexpr double same_point = 0.09;
 
 template <class Kind>
@@ -23,7 +25,7 @@ const Kind &kind_of(const crowd::Crowd &crowd, uint32_t mechanism, const char *n
     if (mechanism >= behaviours.mechanism_count())
         fail(CLQ_ARGUMENT, "mechanism %u of %u", mechanism + 1, behaviours.mechanism_count());
     const Kind *kind = std::get_if<Kind>(&behaviours.mechanism(mechanism).kind);
-    if (!kind) fail(CLQ_ARGUMENT, "mechanism %u is no %s", mechanism + 1, name);
+    if (!kind) fail(CLQ_ARGUMENT, "mechanism %u is not of kind '%s'", mechanism + 1, name);
     return *kind;
 }
 
@@ -32,14 +34,7 @@ void check_time(double at_s)
     if (!std::isfinite(at_s)) fail(CLQ_ARGUMENT, "a command begins at %g s: a finite time is wanted", at_s);
 }
 
-const crowd::MechanismAttachment &attachment_of(const crowd::Behaviours &behaviours, uint32_t row, uint32_t mechanism)
-{
-    for (uint32_t i = behaviours.first_attachment(row); i != model::none; i = behaviours.attachment_at(i).next)
-        if (behaviours.attachment_at(i).mechanism == mechanism) return behaviours.attachment_at(i);
-    fail(CLQ_ARGUMENT, "the actor does not use mechanism %u", mechanism + 1);
-}
-
-// What is told for a time before the last order replaces that one.
+// A command for a time before the last command replaces that one.
 void push_command(crowd::CommandHistory &history, const crowd::Command &command)
 {
     if (command.at_s > history.at_s) history.before = history;
@@ -71,9 +66,9 @@ void command_gaze(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, const g
         command.choice = 0;
         command.point = point_of(crowd.transform_of(row), *point);
     }
-    const double clock = clock_of(attachment_of(crowd.behaviours(), row, mechanism), at_s);
+    const double clock = clock_of(crowd.behaviours().attachment_of(row, mechanism), at_s);
     const RandomSlots random_slots = random_slots_of(crowd, row, mechanism, base::Purpose::gaze);
-    crowd::CommandHistory &history = crowd.command_history(id, mechanism);
+    crowd::CommandHistory &history = crowd::command_history(crowd, id, mechanism);
     const GazeDirection from = gaze_direction_at(gaze, random_slots, clock, history, crowd, row, at_s);
     command.from_yaw = static_cast<float>(from.yaw), command.from_pitch = static_cast<float>(from.pitch);
     if (point && history.choice == 0 && at_s >= history.at_s) {
@@ -96,8 +91,8 @@ void command_expression(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, u
     const crowd::Expression &expression = kind_of<crowd::Expression>(crowd, mechanism, "expression");
     check_time(at_s);
     if (pose != model::none && pose >= expression.poses.size())
-        fail(CLQ_ARGUMENT, "shape %u of %zu of an expression", pose, expression.poses.size());
-    crowd::CommandHistory &history = crowd.command_history(id, mechanism);
+        fail(CLQ_ARGUMENT, "pose %u of %zu of an expression", pose, expression.poses.size());
+    crowd::CommandHistory &history = crowd::command_history(crowd, id, mechanism);
     crowd::Command command;
     command.at_s = at_s;
     command.choice = pose;
@@ -113,7 +108,7 @@ void command_phrase(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, doubl
     crowd::Command command;
     command.at_s = at_s;
     command.choice = 0;
-    push_command(crowd.command_history(id, mechanism), command);
+    push_command(crowd::command_history(crowd, id, mechanism), command);
 }
 
 }  // namespace claque::behave

@@ -16,7 +16,7 @@ using crowd::Source;
 namespace
 {
 
-// While something is played: after first_s, up to and with last_s.
+// The interval in which something is played: after first_s, up to and including last_s.
 struct Window {
     double first_s, last_s;
     Window within(double first, double last) const { return {std::max(first_s, first), std::min(last_s, last)}; }
@@ -55,8 +55,8 @@ private:
         out_.push_back(event);
     }
 
-    // The moments at which a clock that stands at `phase` rounds at start_s and makes `pace` rounds a second passes `share`
-    // of a round. `each`: (time, how many times it has passed 0 by then).
+    // Calls `each` (time, number of passes of 0 by then) at the times at which a clock passes `share` of a loop. The
+    // clock stands at `phase` loops at start_s and makes `pace` loops per second.
     template <class Each>
     static void passes(double start_s, double phase, double pace, double share, Window window, const Each &each)
     {
@@ -64,11 +64,11 @@ private:
         const auto rounds = [&](double t) { return phase + pace * (t - start_s) - share; };
         const double low = std::min(rounds(window.first_s), rounds(window.last_s));
         const double high = std::max(rounds(window.first_s), rounds(window.last_s));
-        // One more at each end: rounding decides by the moment alone.
+        // One more at each end, because rounding is decided by the time alone.
         const double count = std::floor(high) - std::ceil(low) + 3;
         if (!(count < 2.0 * static_cast<double>(max_events)))
             base::fail(CLQ_LIMIT, "more than %zu events in one interval: ask for a shorter one", max_events);
-        // Counted by whole steps: beyond 2^53 one more round is the same number.
+        // Counts with an integer: beyond 2^53 adding 1 to k would not change it.
         for (uint32_t i = 0; i < static_cast<uint32_t>(count); ++i) {
             const double k = std::ceil(low) - 1 + i;
             const double t = start_s + (k + share - phase) / pace;
@@ -76,7 +76,7 @@ private:
         }
     }
 
-    // A round ends where the next begins, forwards at the clip's end, backwards at its beginning.
+    // A loop ends where the next begins: at the clip's end when played forwards, at its start when played backwards.
     void clip(const crowd::Play &play, Window window, uint32_t layer)
     {
         if (play.clip == model::none) return;
@@ -105,7 +105,7 @@ private:
             if (rig_->markers[i].clip == clip) each(i, static_cast<double>(rig_->markers[i].time_s));
     }
 
-    // The common phase of two gaits is linear but while their share changes: there it is found by halving.
+    // The common phase of a gait is linear except while its share changes; there it is found by bisection.
     void gait(const Source &source, Window window)
     {
         const crowd::Gait &gait = crowd_.layers().gait(source.gait);
@@ -127,7 +127,7 @@ private:
                     if (!(middle > low && middle < high)) break;
                     (passed(middle) ? high : low) = middle;
                 }
-                // As a change of the share is told backwards too, the beginning is known but for rounding.
+                // A change of the share also extends backwards in time, so the start is known only up to rounding.
                 const double begun = rounds(source.play.start_s) - share;
                 each(high, back ? std::ceil(begun - 1e-9) - k : k - std::floor(begun + 1e-9));
             }
@@ -184,7 +184,7 @@ private:
         return last;
     }
 
-    // Slot by slot, each with what was drawn for it.
+    // One slot after the other, each with its random clip.
     void idle(const crowd::MechanismAttachment &attachment, Window window)
     {
         const crowd::Idle &idle = std::get<crowd::Idle>(crowd_.behaviours().mechanism(attachment.mechanism).kind);
@@ -195,7 +195,7 @@ private:
         while (play.start_s < window.last_s) {
             const crowd::Play next = idle_plays(idle, crowd_, row_, attachment, play.start_s + 1.5 * length).now;
             clip(play, window.within(play.start_s, next.start_s), 0);
-            if (!(next.start_s > play.start_s)) break;  // a clock so large that it knows no such times
+            if (!(next.start_s > play.start_s)) break;  // a clock so large that such times do not exist
             play = next;
         }
     }

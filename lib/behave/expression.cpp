@@ -1,4 +1,4 @@
-// Faces by lot, or as the host commands (S0 7.1).
+// Expressions: random, or commanded by the host (S0 7.1).
 #include "lib/behave/face.h"
 #include "lib/behave/mechanisms.h"
 
@@ -8,8 +8,8 @@ namespace claque::behave
 namespace
 {
 
-// Neighbouring slots have different shapes, and each is known without the ones before: even slots draw freely, odd ones
-// among those that neither neighbour has.
+// Neighbouring slots have different poses, and each slot is found without the ones before. Even slots choose freely,
+// odd ones from the poses that neither neighbour has.
 uint32_t pose_of_slot(int64_t slot, uint32_t count, const RandomSlots &random_slots)
 {
     const auto sample = [&](int64_t k, uint32_t n) { return static_cast<uint32_t>(random_slots.bits(k) % n); };
@@ -45,7 +45,7 @@ void run(const crowd::Expression &expression, const Call &call, Writer &writer) 
     const auto chosen = [&](uint32_t choice) {
         return choice == model::none ? random_face(expression, call) : Face::of(choice);
     };
-    // What came before is looked at only while it still shows.
+    // The previous command is evaluated only while it is still visible.
     const double by = time >= history.at_s ? change(call, time - history.at_s, blend) : 0;
     Face face;
     if (by < 1) {

@@ -1,4 +1,4 @@
-// Shapes laid over a face with weights: expressions and mouths blend from some to others.
+// Weighted poses of a face: expressions and mouths blend between them.
 #pragma once
 
 #include "lib/behave/writer.h"
@@ -6,7 +6,7 @@
 namespace claque::behave
 {
 
-// Weights sum to at most 1; what is missing is the face as others leave it.
+// Weights sum to at most 1; the rest keeps what other mechanisms wrote.
 struct Face {
     struct Entry {
         uint32_t pose = model::none;
@@ -15,12 +15,12 @@ struct Face {
     Entry entries[10];
     uint32_t count = 0;
 
-    static Face of(uint32_t pose);  // none: nothing
-    // Goes over to another by the share `by` in [0, 1].
+    static Face of(uint32_t pose);  // none: empty
+    // Blends towards another face with the weight `by` in [0, 1].
     void blend(const Face &other, double by);
 };
 
-// Writes each degree of freedom that a shape names once.
+// Writes each degree of freedom that occurs in the poses once.
 void apply_face(const Face &face, base::Span<const crowd::DofPose> poses, base::Span<const crowd::DofValue> values,
                 Writer &writer) noexcept;
 

@@ -1,3 +1,4 @@
+// Flights: the transform on a closed Catmull-Rom curve, banked into turns (S0 7.1).
 #include <cmath>
 
 #include "lib/behave/path.h"
@@ -35,7 +36,7 @@ glm::dvec3 velocity(const BezierSegment &p, double u)
     return (p.c[1] - p.c[0]) * (v * v) + (p.c[2] - p.c[1]) * (2 * v * u) + (p.c[3] - p.c[2]) * (u * u);
 }
 
-// Where a curve stands still, the way it goes on.
+// The direction in which a curve continues, also where its derivative is 0.
 glm::dvec3 onward(const BezierSegment &p, double u)
 {
     return (p.c[2] - p.c[1] * 2.0 + p.c[0]) * (1 - u) + (p.c[3] - p.c[2] * 2.0 + p.c[1]) * u;
@@ -46,7 +47,7 @@ struct Where {
     double u;
 };
 
-// `at` in segments, at most one round before the beginning or behind the end.
+// `at` in segments, at most one loop before the start or after the end.
 Where where(double at, uint32_t count)
 {
     if (at < 0) at += count;
@@ -61,8 +62,9 @@ glm::dvec3 velocity_at(const crowd::RootPath &path, double at)
     return velocity(bezier_segment_of(path, w.segment), w.u);
 }
 
-// [radians] to the left from one direction to another, seen from above: the first terms of the angle over its sine, which
-// are right within a hundredth to a sixth of a circle. A turn back has no side, and is none: the nearer to it the less.
+// [radians] The turn to the left from one direction to another, seen from above: the first terms of the series of the
+// angle over its sine, accurate to a hundredth up to 60 degrees. It tends to 0 at 180 degrees, where the side is
+// undefined.
 double turned(const glm::dvec3 &from, const glm::dvec3 &to)
 {
     const double square = (from.x * from.x + from.z * from.z) * (to.x * to.x + to.z * to.z);
@@ -73,7 +75,7 @@ double turned(const glm::dvec3 &from, const glm::dvec3 &to)
     return sine * (1 + less * (1.0 / 3 + less * (2.0 / 15)));
 }
 
-// sin and cos of half an angle in (-pi, pi] from those of the angle.
+// sin and cos of half an angle in (-pi, pi], from those of the angle.
 struct Half {
     double sin = 0, cos = 1;
 };
@@ -85,7 +87,7 @@ Half half(double sine, double cosine)
     return {sine < 0 ? -s : s, c};
 }
 
-// Yaw about y, then pitch about x, then roll about z; the roll to the left is positive.
+// Yaw about y, then pitch about x, then roll about z; roll is positive to the left.
 glm::quat heading(const glm::dvec3 &along, double roll)
 {
     const double level = std::sqrt(along.x * along.x + along.z * along.z);
@@ -101,7 +103,7 @@ glm::quat heading(const glm::dvec3 &along, double roll)
 
 double length_of(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-// The corners of halves of halves come close to the curve.
+// After repeated halving the control points are close to the curve.
 double corners(const BezierSegment &p, int halvings)
 {
     if (halvings == 0)
@@ -123,7 +125,7 @@ crowd::Transform flight_transform(const crowd::RootPath &path, double round_s) n
     const BezierSegment piece = bezier_segment_of(path, w.segment);
     glm::dvec3 along = velocity(piece, w.u);
     if (length_of(along) < 1e-9 * length_of(onward(piece, w.u))) along = onward(piece, w.u);
-    // The turn over the length of a segment: the curve's own bend jumps where segments meet.
+    // The turn over the length of a segment, because the curvature jumps where segments meet.
     double roll = 0;
     if (path.bank != 0) {
         const double rate = turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5)) / each_s;

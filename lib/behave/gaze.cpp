@@ -1,4 +1,4 @@
-// Gaze: spine, neck and eyes share the turn towards a point (S0 5.3).
+// Gaze: spine, neck and eyes share the turn towards a target (S0 5.3).
 #include <cmath>
 
 #include "lib/behave/mechanisms.h"
@@ -13,7 +13,7 @@ namespace
 
 constexpr double in_the_back = 2.6;  // [radians] of yaw, on either side
 
-// A turn that has no direction where it is half a circle is given up before: it falls to nothing at pi.
+// The remaining yaw of a turn: it falls to 0 at pi, where the direction of the turn is undefined.
 double let_go(double yaw)
 {
     const double beyond = std::fabs(yaw) - in_the_back;
@@ -29,7 +29,7 @@ GazeDirection wandering(const crowd::Gaze &gaze, const RandomSlots &random_slots
 {
     const double often = static_cast<double>(gaze.wander_s);
     if (!(often > 0)) return GazeDirection();
-    // Mostly ahead: the sum of two draws.
+    // The sum of two random numbers: mostly ahead.
     const auto target = [&](int64_t k) {
         return GazeDirection{
             (random_slots.unit(k, 0) + random_slots.unit(k, 1) - 1) * static_cast<double>(gaze.wander_yaw),
@@ -40,8 +40,9 @@ GazeDirection wandering(const crowd::Gaze &gaze, const RandomSlots &random_slots
     return mixed(target(slot.index - 1), target(slot.index), ease(clock_s - slot.begin_s, turn));
 }
 
-// What is left of a turn, part by part. A part takes its share, as far as its range lets it; below a level that does
-// without it, or on a node that is lost, it is not moved, but takes its share all the same, so that the others do not.
+// The remainder of a turn, part by part. A part takes its share as far as its range allows. A part that a coarse level
+// omits, or whose node is deactivated, does not move but takes its share all the same, so that the others do not
+// change.
 struct Turn {
     const model::Rig &rig;
     Writer &writer;
@@ -73,16 +74,17 @@ GazeDirection target_of(const crowd::Gaze &gaze, const RandomSlots &random_slots
     glm::dvec3 p(command.point);
     if (moves) {
         const crowd::Transform root = root_transform_at(crowd, row, time_s);
-        p = (p - root.position) * math::rotation_of(root.orientation);  // the transpose turns back
+        p = (p - root.position) * math::rotation_of(root.orientation);  // the transpose rotates back
     }
     const glm::dvec3 v = p - glm::dvec3(gaze.eyes);
     const double level = std::sqrt(v.x * v.x + v.z * v.z), length = std::sqrt(level * level + v.y * v.y);
     GazeDirection direction{math::atan2(v.x, v.z), math::atan2(v.y, level)};
-    // Who is carried past a point must not turn its head over in one moment; who stands keeps to the side that it chose.
+    // An actor on a path must not turn its head over at once when it passes a target. An actor at rest keeps the side
+    // that it chose.
     if (moves) direction.yaw = let_go(direction.yaw);
     else if (std::fabs(direction.yaw) > in_the_back && static_cast<double>(command.side) * direction.yaw < 0)
         direction.yaw += direction.yaw < 0 ? 2 * math::pi : -2 * math::pi;
-    // Straight up there is no yaw; it comes smoothly.
+    // The yaw is undefined for a target straight above, so it fades in smoothly.
     direction.yaw *= ease(level, 0.17 * length);
     return direction;
 }
@@ -106,7 +108,7 @@ void run(const crowd::Gaze &gaze, const Call &call, Writer &writer) noexcept
     const GazeDirection direction =
         gaze_direction_at(gaze, call.random_slots(base::Purpose::gaze), call.clock_s(), call.command_history(),
                           call.crowd, call.row, call.context.time_s);
-    // Each level does without the finest part that is left; the last part without its pitch.
+    // Each level omits the finest remaining part; the last part is kept without its pitch.
     const bool eyes = has(gaze.eye_yaw[0], gaze.eye_pitch[0]) || has(gaze.eye_yaw[1], gaze.eye_pitch[1]);
     const bool neck = has(gaze.neck_yaw, gaze.neck_pitch), spine = has(gaze.spine_yaw, gaze.spine_pitch);
     const uint32_t parts = uint32_t(eyes) + uint32_t(neck) + uint32_t(spine);

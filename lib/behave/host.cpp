@@ -1,3 +1,4 @@
+// Calls mechanisms of the host.
 #include "lib/behave/mechanisms.h"
 
 namespace claque::behave
@@ -11,7 +12,7 @@ void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noe
     told.level = call.level;
     told.seed = call.crowd.actor(call.row).seed;
     told.time_s = call.context.time_s;
-    told.eye_distance = call.context.distance;
+    told.eye_distance_m = call.context.distance_m;
     told.visible = call.context.visible;
     host.run(host.user, &told, &writer);
 }

@@ -1,5 +1,5 @@
-// Clips by lot (S0 7.1). Slots are equally long, so that a clip that fits in one a whole number of times is never cut;
-// where an actor's slots begin is drawn by lot, so that a crowd does not change all at once.
+// Idle: random clips (S0 7.1). Slots have equal lengths, so that a clip whose length divides them is never cut. The
+// start of an actor's slots is random, so that a crowd does not change all at once.
 #include "lib/behave/mechanisms.h"
 
 namespace claque::behave
@@ -8,7 +8,7 @@ namespace claque::behave
 namespace
 {
 
-// Which draw: slot 0 has one more, of where slots begin.
+// Which sample of a slot; slot 0 has one more, for the start of the slots.
 enum Sample : uint32_t { clip_sample = 0, shift_sample = 1, speed_sample = 2, phase_sample = 3 };
 
 uint32_t clip_of(const crowd::Idle &idle, const RandomSlots &random_slots, int64_t slot)

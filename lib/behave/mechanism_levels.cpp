@@ -16,7 +16,8 @@ bool keeps_memory(const Mechanism &mechanism)
     return host && host->memory;
 }
 
-// Whether the skeleton has lost every node that it writes. A host's may write all; clips need no node of their own.
+// True if the skeleton has lost every node that the mechanism writes. A host's mechanism may write all nodes; clips
+// need none.
 bool is_lost(const crowd::Behaviours &behaviours, const Mechanism &mechanism, const model::Level &level)
 {
     if (level.active.empty() || std::holds_alternative<crowd::Idle>(mechanism.kind)) return false;
@@ -37,21 +38,12 @@ uint32_t level_of(const crowd::Behaviours &behaviours, const Mechanism &mechanis
     return distance_m >= mechanism.off_m || is_lost(behaviours, mechanism, level) ? off : k;
 }
 
-template <class Rule>
-bool any_mechanism(const crowd::Crowd &crowd, uint32_t row, const Rule &rule)
-{
-    const crowd::Behaviours &behaviours = crowd.behaviours();
-    for (uint32_t i = behaviours.first_attachment(row); i != model::none; i = behaviours.attachment_at(i).next)
-        if (rule(behaviours.mechanism(behaviours.attachment_at(i).mechanism))) return true;
-    return false;
-}
-
 }  // namespace
 
 MechanismLevels mechanism_levels(const crowd::Crowd &crowd, uint32_t row, float distance_m,
                                  const model::Level &level) noexcept
 {
-    static_assert(4 * crowd::max_mechanisms <= 8 * sizeof(MechanismLevels), "four bits a use");
+    static_assert(4 * crowd::max_mechanisms <= 8 * sizeof(MechanismLevels), "four bits per attachment");
     const crowd::Behaviours &behaviours = crowd.behaviours();
     MechanismLevels levels = 0;
     uint32_t slot = 0;
@@ -63,12 +55,12 @@ MechanismLevels mechanism_levels(const crowd::Crowd &crowd, uint32_t row, float 
     return levels;
 }
 
-bool has_host(const crowd::Crowd &crowd, uint32_t row) noexcept
+bool has_memory(const crowd::Crowd &crowd, uint32_t row) noexcept
 {
-    return any_mechanism(
-        crowd, row, [](const Mechanism &mechanism) { return std::holds_alternative<HostMechanism>(mechanism.kind); });
+    const crowd::Behaviours &behaviours = crowd.behaviours();
+    for (uint32_t i = behaviours.first_attachment(row); i != model::none; i = behaviours.attachment_at(i).next)
+        if (keeps_memory(behaviours.mechanism(behaviours.attachment_at(i).mechanism))) return true;
+    return false;
 }
-
-bool has_memory(const crowd::Crowd &crowd, uint32_t row) noexcept { return any_mechanism(crowd, row, keeps_memory); }
 
 }  // namespace claque::behave

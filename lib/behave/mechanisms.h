@@ -1,4 +1,4 @@
-// The kinds of control mechanisms: what each writes at a moment. A file for each.
+// The kinds of control mechanisms: what each writes at a time. Each has a file of its own.
 #pragma once
 
 #include "lib/behave/random_slots.h"
@@ -7,7 +7,7 @@
 namespace claque::behave
 {
 
-// One use of one mechanism by one actor.
+// One evaluation of a mechanism that is attached to an actor.
 struct Call {
     const crowd::Crowd &crowd;
     uint32_t row;
@@ -28,7 +28,7 @@ struct Call {
     }
 };
 
-// The share of a change that has happened: smooth at level 0, at once from level 1 on.
+// The share of a change that is complete: smooth at level 0, immediate from level 1 on.
 double change(const Call &call, double t_s, double length_s) noexcept;
 
 void run(const crowd::Gaze &gaze, const Call &call, Writer &writer) noexcept;
@@ -40,15 +40,15 @@ void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noe
 Plays idle_plays(const crowd::Idle &idle, const crowd::Crowd &crowd, uint32_t row,
                  const crowd::MechanismAttachment &attachment, double time_s) noexcept;
 
-// Where an actor looks: yaw to its left, pitch upwards, before anything is held to a range.
+// Where an actor looks: yaw to its left, pitch upwards, before limits to ranges.
 struct GazeDirection {
     double yaw = 0, pitch = 0;
 };
-// At a moment, as it was told to.
+// The direction at a time under its commands.
 GazeDirection gaze_direction_at(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s,
                                 const crowd::CommandHistory &history, const crowd::Crowd &crowd, uint32_t row,
                                 double time_s) noexcept;
-// Where one order alone ends.
+// The final direction of one command alone.
 GazeDirection target_of(const crowd::Gaze &gaze, const RandomSlots &random_slots, double clock_s,
                         const crowd::Command &command, const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
 

@@ -21,7 +21,7 @@ crowd::Transform root_transform_at(const crowd::Crowd &crowd, uint32_t row, doub
         static_cast<double>(root_play.phase_s) + static_cast<double>(root_play.speed) * (time_s - root_play.start_s);
     double round = std::fmod(clock, duration);
     if (round < 0) round += duration;
-    if (!(round >= 0 && round < duration)) round = 0;  // also of a clock that is beyond numbers
+    if (!(round >= 0 && round < duration)) round = 0;  // also for a clock beyond the range of numbers
     return transform_on(path, round);
 }
 
@@ -31,7 +31,7 @@ float reach_of(const crowd::RootPath &path)
     if (path.flight) {
         reach = flight_reach(path);
     } else {
-        // In between it is straight, and a ball is convex.
+        // Linear between keys, and a ball is convex.
         for (const glm::vec3 &p : path.positions) {
             const glm::dvec3 d(p);
             reach = std::fmax(reach, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));

@@ -1,4 +1,4 @@
-// The two kinds of ways that a Skeleton Root goes (S0 3).
+// The two kinds of root paths (S0 3).
 #pragma once
 
 #include "lib/behave/behave.h"
@@ -6,12 +6,12 @@
 namespace claque::behave
 {
 
-// A flight: a uniform Catmull-Rom curve through all positions, closed; it looks along it and banks into turns.
+// A flight: a closed uniform Catmull-Rom curve through all positions. The actor faces along it and banks into turns.
 crowd::Transform flight_transform(const crowd::RootPath &path, double round_s) noexcept;
-// How far its farthest point is, from above: the corners of its Bezier pieces.
+// An upper bound of the distance of its farthest point, from the control points of its Bezier segments.
 double flight_reach(const crowd::RootPath &path);
 
-// A table of keys, straight in between, turned by the shorter arc.
+// A key-framing table: linear positions between keys, rotations along the shorter arc.
 crowd::Transform table_transform(const crowd::RootPath &path, double round_s) noexcept;
 
 }  // namespace claque::behave

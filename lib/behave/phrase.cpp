@@ -1,4 +1,4 @@
-// Mouth shapes in time: over and over with pauses, and when the host says so (S0 7.1).
+// Phrases: mouth poses in time, repeated with pauses or on the host's command (S0 7.1).
 #include <algorithm>
 
 #include "lib/behave/face.h"
@@ -10,7 +10,7 @@ namespace claque::behave
 namespace
 {
 
-// x seconds after the phrase began; after its end the mouth goes back to rest.
+// x seconds after the start of the phrase; after its end the mouth returns to rest.
 Face mouth_at(const crowd::Phrase &phrase, const Call &call, double x)
 {
     const double length = static_cast<double>(phrase.length_s), blend = static_cast<double>(phrase.blend_s);
@@ -38,7 +38,7 @@ Face random_mouth(const crowd::Phrase &phrase, const Call &call)
     const RandomSlots random_slots = call.random_slots(base::Purpose::phrase);
     const double said = static_cast<double>(phrase.length_s) + static_cast<double>(phrase.blend_s);
     const double pause = static_cast<double>(phrase.pause_s), t = call.clock_s();
-    // The pause is before the phrase, some of it, and after it: between two of them lie 0.5 to 1.5 pauses.
+    // Part of the pause comes before the phrase and part after it, so that 0.5 to 1.5 pauses lie between two phrases.
     const Slot slot = slot_at(t, said + pause);
     return mouth_at(phrase, call, t - slot.begin_s - 0.5 * random_slots.unit(slot.index) * pause);
 }

@@ -8,7 +8,7 @@ namespace claque::behave
 namespace
 {
 
-constexpr double max_slots = 4e15;  // beyond it doubles know no halves; a clock of 10^8 years comes not so far
+constexpr double max_slots = 4e15;  // beyond it doubles cannot represent halves; a clock of 10^8 years stays below it
 
 int64_t floor_of(double x)
 {
@@ -32,7 +32,7 @@ Slot slot_at(double t_s, double length_s) noexcept
 
 Slot uneven_slot_at(double t_s, double length_s, const RandomSlots &random_slots) noexcept
 {
-    constexpr uint32_t boundary = 0xb0;  // which draw: those of the content are others
+    constexpr uint32_t boundary = 0xb0;  // which sample: those of a slot's content have other numbers
     const auto begin_of = [&](int64_t k) {
         return (static_cast<double>(k) + 0.5 * (random_slots.unit(k, boundary) - 0.5)) * length_s;
     };

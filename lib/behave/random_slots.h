@@ -1,4 +1,4 @@
-// What is drawn by lot, and when: slots of time that any moment finds by itself, without a walk from the beginning.
+// Random slots: intervals of time to which random choices belong. Any time finds its slot without the slots before it.
 #pragma once
 
 #include "lib/base/hash.h"
@@ -7,7 +7,7 @@
 namespace claque::behave
 {
 
-// The draws of one actor for one of its mechanisms.
+// The random numbers of one actor for one of its mechanisms.
 struct RandomSlots {
     uint64_t seed = 0;
     base::Purpose purpose = base::Purpose::gaze;
@@ -33,13 +33,13 @@ struct Slot {
 // Slot k is [k, k + 1) lengths.
 Slot slot_at(double t_s, double length_s) noexcept;
 
-// As above, but each boundary is moved by lot by up to a quarter of the length: slots last 0.5 to 1.5 lengths.
+// As slot_at, but each boundary is moved at random by up to a quarter of the length: slots last 0.5 to 1.5 lengths.
 Slot uneven_slot_at(double t_s, double length_s, const RandomSlots &random_slots) noexcept;
 
-// 0 before 0, 1 from `length` on, smooth in between; length 0 is a step.
+// 0 before 0, 1 from `length_s` on, smooth in between; length 0 is a step.
 double ease(double t_s, double length_s) noexcept;
 
-// The clock of a use.
+// The clock of an attachment.
 inline double clock_of(const crowd::MechanismAttachment &attachment, double time_s) noexcept
 {
     return time_s - attachment.start_s + static_cast<double>(attachment.phase_s);

@@ -1,4 +1,4 @@
-// All mechanisms of one actor, the lowest priority first.
+// Runs all mechanisms of one actor in ascending order of priority.
 #include "lib/behave/mechanisms.h"
 
 namespace claque::behave
@@ -32,11 +32,6 @@ void run(const crowd::Crowd &crowd, uint32_t row, const EvaluationContext &conte
         if (const auto *blink = std::get_if<crowd::Blink>(&kind)) run(*blink, call, writer);
         if (const auto *phrase = std::get_if<crowd::Phrase>(&kind)) run(*phrase, call, writer);
     }
-}
-
-crowd::Play play_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept
-{
-    return plays_at(crowd, row, time_s, levels).now;
 }
 
 Plays plays_at(const crowd::Crowd &crowd, uint32_t row, double time_s, MechanismLevels levels) noexcept

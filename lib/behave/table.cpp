@@ -1,3 +1,4 @@
+// Root paths from a key-framing table (S0 4.1).
 #include <algorithm>
 
 #include "lib/behave/path.h"

@@ -1,17 +1,17 @@
-// The one way into an actor's degrees of freedom.
+// Writes an actor's degrees of freedom; nothing else does.
 #pragma once
 
 #include "lib/behave/behave.h"
 
-// What a host's mechanism is handed.
+// The writer that a host's mechanism gets.
 struct clq_dof_writer {
     const claque::model::Rig *rig = nullptr;
     const claque::model::Level *level = nullptr;
     claque::base::Span<float> dofs;
     claque::behave::Counts *counts = nullptr;
 
-    // `weight` of the value, the rest of what is there; held to the range. Nothing of what is not finite, of no degree of
-    // freedom, or of a node that is deactivated.
+    // Blends a value in with `weight`, limited to its range. Ignores values that are not finite, unknown degrees of
+    // freedom, and those of deactivated nodes.
     void write(uint32_t dof, float value, float weight) noexcept;
 };
 
@@ -20,7 +20,7 @@ namespace claque::behave
 
 using Writer = ::clq_dof_writer;
 
-// Whether what it moves is evaluated at this level.
+// True if the node that it moves is evaluated at this level.
 bool is_active(const model::Rig &rig, const model::Level &level, uint32_t dof) noexcept;
 
 inline float clamped(const model::Dof &dof, float value) noexcept

@@ -1,8 +1,8 @@
-// Colours of individuals: given, or drawn inside HSB ranges, repeatably from seeds (S2 5).
+// Colours of individuals: set by the host, or sampled inside HSB ranges, repeatably from seeds (S2 5).
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
 #include "lib/crowd/colour_sample.h"
-#include "lib/crowd/crowd.h"
+#include "lib/crowd/edits.h"
 #include "lib/math/hsb.h"
 
 namespace claque::crowd
@@ -31,32 +31,25 @@ void require_zones(const model::Template &tmpl, uint32_t count)
 
 }  // namespace
 
-uint32_t Crowd::colour_slot(uint32_t row)
+void set_colours(Crowd &crowd, Id id, const float *rgb, uint32_t zone_count)
 {
-    Actor &actor = actors_[row];
-    if (actor.colours == model::none) actor.colours = colours_[actor.tmpl].take();
-    return actor.colours;
-}
-
-void Crowd::set_colours(Id id, const float *rgb, uint32_t zone_count)
-{
-    const uint32_t row = row_of(id);
-    require_zones(template_of(row), zone_count);
+    const uint32_t row = crowd.row_of(id);
+    require_zones(crowd.template_of(row), zone_count);
     for (uint32_t i = 0; i < 3 * zone_count; ++i)
         if (!(rgb[i] >= 0 && rgb[i] <= 1))
             fail(CLQ_ARGUMENT, "channel %u of zone %u is %g: it must lie in [0, 1]", i % 3, i / 3, double(rgb[i]));
     if (zone_count == 0) return;
-    uint8_t *to = colours_[actors_[row].tmpl].row(colour_slot(row));
+    uint8_t *to = make_colours(crowd.tables, row);
     for (uint32_t zone = 0; zone < zone_count; ++zone) {
         const double colour[3] = {rgb[3 * zone], rgb[3 * zone + 1], rgb[3 * zone + 2]};
         store(to + 3 * zone, math::rgb8_of(colour));
     }
 }
 
-void Crowd::randomise_colours(Id id, const model::HsbRange *ranges, uint32_t count)
+void randomise_colours(Crowd &crowd, Id id, const model::HsbRange *ranges, uint32_t count)
 {
-    const uint32_t row = row_of(id);
-    const model::Template &tmpl = template_of(row);
+    const uint32_t row = crowd.row_of(id);
+    const model::Template &tmpl = crowd.template_of(row);
     if (count == 0) {
         ranges = tmpl.zone_ranges.data();
     } else {
@@ -64,21 +57,22 @@ void Crowd::randomise_colours(Id id, const model::HsbRange *ranges, uint32_t cou
         for (uint32_t zone = 0; zone < count; ++zone) check_range(ranges[zone], zone);
     }
     if (tmpl.zone_count() == 0) return;
-    uint8_t *to = colours_[actors_[row].tmpl].row(colour_slot(row));
+    uint8_t *to = make_colours(crowd.tables, row);
     for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone) {
         double rgb[3];
-        rgb_of(ColourSample(seed_, actors_[row].seed, zone).in(ranges[zone]), rgb);
+        rgb_of(ColourSample(crowd.seed(), crowd.actor(row).seed, zone).in(ranges[zone]), rgb);
         store(to + 3 * zone, math::rgb8_of(rgb));
     }
 }
 
-void Crowd::set_texture_set(Id id, uint32_t set)
+void set_texture_set(Crowd &crowd, Id id, uint32_t set)
 {
-    Actor &actor = actors_[row_of(id)];
-    const model::Template &tmpl = *templates_[actor.tmpl];
+    const uint32_t row = crowd.row_of(id);
+    ActorRow &actor = crowd.tables.actors.all[row];
+    const model::Template &tmpl = crowd.template_of(row);
     const uint32_t count = tmpl.texture_set_count();
     if (set == random_texture_set)
-        set = static_cast<uint32_t>(base::hash(seed_, actor.seed, base::Purpose::texture_set) % count);
+        set = static_cast<uint32_t>(base::hash(crowd.seed(), actor.seed, base::Purpose::texture_set) % count);
     if (set >= count)
         fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", set, tmpl.name.c_str(), count);
     actor.texture_set = set;

@@ -1,38 +1,14 @@
 #include "lib/crowd/behaviours.h"
 
 #include "lib/base/error.h"
-#include "lib/crowd/reserve.h"
+#include "lib/base/reserve.h"
 
 namespace claque::crowd
 {
 
 using base::fail;
+using base::reserve_more;
 using model::none;
-
-namespace
-{
-
-// A slot of a pool whose free ones form a chain through `next`; the caller has reserved one.
-template <class T, class Next>
-uint32_t take(Array<T> &pool, uint32_t &first_free, const Next &next)
-{
-    if (first_free == none) {
-        pool.emplace_back();
-        return static_cast<uint32_t>(pool.size() - 1);
-    }
-    const uint32_t slot = first_free;
-    first_free = next(pool[slot]);
-    pool[slot] = T();
-    return slot;
-}
-
-template <class T>
-void reserve_slot(Array<T> &pool, uint32_t first_free)
-{
-    if (first_free == none) reserve_one(pool);
-}
-
-}  // namespace
 
 Behaviours::Behaviours(std::pmr::memory_resource *memory)
     : mechanisms_(memory),
@@ -48,8 +24,8 @@ Behaviours::Behaviours(std::pmr::memory_resource *memory)
 
 uint32_t Behaviours::add(Mechanism &&mechanism, base::Span<const uint32_t> written)
 {
-    reserve_one(mechanisms_);
-    written_.reserve(written_.size() + written.count);
+    reserve_more(mechanisms_);
+    reserve_more(written_, written.count);
     mechanism.first_dof = static_cast<uint32_t>(written_.size());
     mechanism.dof_count = written.count;
     written_.insert(written_.end(), written.begin(), written.end());
@@ -64,43 +40,39 @@ uint32_t Behaviours::add(Mechanism &&mechanism, base::Span<const uint32_t> writt
 
 uint32_t Behaviours::add(RootPath &&path)
 {
-    reserve_one(paths_);
+    reserve_more(paths_);
     paths_.push_back(std::move(path));
     return static_cast<uint32_t>(paths_.size() - 1);
 }
 
 void Behaviours::reserve_row()
 {
-    reserve_one(first_attachment_);
-    reserve_one(root_path_play_of_);
+    reserve_more(first_attachment_);
+    reserve_more(root_path_play_of_);
 }
 
-void Behaviours::push_row()
+void Behaviours::push_row() noexcept
 {
     first_attachment_.push_back(none);
     root_path_play_of_.push_back(none);
 }
 
-void Behaviours::free_attachment(uint32_t index)
+void Behaviours::free_attachment(uint32_t index) noexcept
 {
-    MechanismAttachment &attachment = attachments_[index];
-    if (attachment.command_history != none) {
-        command_histories_[attachment.command_history].choice = free_command_history_;
-        free_command_history_ = attachment.command_history;
-    }
-    attachment = MechanismAttachment();
-    attachment.next = free_attachment_;
-    free_attachment_ = index;
+    if (attachments_[index].command_history != none) command_histories_.free(attachments_[index].command_history);
+    attachments_.free(index);
 }
 
-void Behaviours::clear_row(uint32_t row)
+void Behaviours::clear_row(uint32_t row) noexcept
 {
-    while (first_attachment_[row] != none) {
-        const uint32_t index = first_attachment_[row];
-        first_attachment_[row] = attachments_[index].next;
+    for (uint32_t index = first_attachment_[row]; index != none;) {
+        const uint32_t next = attachments_[index].next;
         free_attachment(index);
+        index = next;
     }
-    play_root_path(row, RootPathPlay());
+    first_attachment_[row] = none;
+    if (root_path_play_of_[row] != none) root_path_plays_.free(root_path_play_of_[row]);
+    root_path_play_of_[row] = none;
 }
 
 bool Behaviours::blends(uint32_t row) const
@@ -119,15 +91,22 @@ uint32_t Behaviours::find_attachment(uint32_t row, uint32_t mechanism) const
     return i;
 }
 
-void Behaviours::unlink(uint32_t row, uint32_t index)
+const MechanismAttachment &Behaviours::attachment_of(uint32_t row, uint32_t mechanism) const
+{
+    const uint32_t index = find_attachment(row, mechanism);
+    if (index == none) fail(CLQ_ARGUMENT, "the actor does not use mechanism %u", mechanism + 1);
+    return attachments_[index];
+}
+
+void Behaviours::unlink(uint32_t row, uint32_t index) noexcept
 {
     uint32_t *link = &first_attachment_[row];
     while (*link != index) link = &attachments_[*link].next;
     *link = attachments_[index].next;
 }
 
-// Behind all of its priority or less.
-void Behaviours::link(uint32_t row, uint32_t index)
+// Insert after all attachments of the same or a lower priority.
+void Behaviours::link(uint32_t row, uint32_t index) noexcept
 {
     uint32_t *link = &first_attachment_[row];
     while (*link != none && attachments_[*link].priority <= attachments_[index].priority)
@@ -150,8 +129,8 @@ void Behaviours::attach_mechanism(uint32_t row, const MechanismAttachment &attac
     uint32_t count = 0;
     for (uint32_t i = first_attachment_[row]; i != none; i = attachments_[i].next) ++count;
     if (count == max_mechanisms) fail(CLQ_LIMIT, "an actor uses at most %u mechanisms", max_mechanisms);
-    reserve_slot(attachments_, free_attachment_);
-    const uint32_t index = take(attachments_, free_attachment_, [](const MechanismAttachment &u) { return u.next; });
+    attachments_.reserve();
+    const uint32_t index = attachments_.take();
     attachments_[index] = attachment;
     attachments_[index].command_history = none;
     link(row, index);
@@ -167,56 +146,68 @@ void Behaviours::detach_mechanism(uint32_t row, uint32_t mechanism)
 
 CommandHistory &Behaviours::command_history(uint32_t row, uint32_t mechanism)
 {
-    const uint32_t index = find_attachment(row, mechanism);
-    if (index == none) fail(CLQ_ARGUMENT, "the actor does not use mechanism %u", mechanism + 1);
-    if (attachments_[index].command_history == none) {
-        reserve_slot(command_histories_, free_command_history_);
-        attachments_[index].command_history =
-            take(command_histories_, free_command_history_, [](const CommandHistory &c) { return c.choice; });
+    attachment_of(row, mechanism);
+    MechanismAttachment &attachment = attachments_[find_attachment(row, mechanism)];
+    if (attachment.command_history == none) {
+        command_histories_.reserve();
+        attachment.command_history = command_histories_.take();
     }
-    return command_histories_[attachments_[index].command_history];
+    return command_histories_[attachment.command_history];
 }
 
 void Behaviours::play_root_path(uint32_t row, const RootPathPlay &root_play)
 {
     uint32_t &slot = root_path_play_of_[row];
     if (root_play.path == none) {
-        if (slot == none) return;
-        root_path_plays_[slot].path = free_root_path_play_;
-        free_root_path_play_ = slot;
+        if (slot != none) root_path_plays_.free(slot);
         slot = none;
         return;
     }
     if (slot == none) {
-        reserve_slot(root_path_plays_, free_root_path_play_);
-        slot = take(root_path_plays_, free_root_path_play_, [](const RootPathPlay &m) { return m.path; });
+        root_path_plays_.reserve();
+        slot = root_path_plays_.take();
     }
     root_path_plays_[slot] = root_play;
 }
 
-void Behaviours::copy_row(uint32_t from, uint32_t to)
+void Behaviours::reserve_copy(uint32_t from)
 {
-    try {
-        for (uint32_t i = first_attachment_[from]; i != none; i = attachments_[i].next) {
-            attach_mechanism(to, MechanismAttachment(attachments_[i]));
-            if (attachments_[i].command_history == none) continue;
-            const CommandHistory history = command_histories_[attachments_[i].command_history];
-            command_history(to, attachments_[i].mechanism) = history;
-        }
-        if (has_root_path_play(from)) play_root_path(to, RootPathPlay(root_path_play(from)));
-    } catch (...) {
-        clear_row(to);
-        throw;
+    uint32_t uses = 0, commands = 0;
+    for (uint32_t i = first_attachment_[from]; i != none; i = attachments_[i].next) {
+        ++uses;
+        commands += attachments_[i].command_history != none;
     }
+    attachments_.reserve(uses);
+    command_histories_.reserve(commands);
+    if (root_path_play_of_[from] != none) root_path_plays_.reserve();
+}
+
+void Behaviours::copy_row(uint32_t from, uint32_t to) noexcept
+{
+    uint32_t *link = &first_attachment_[to];
+    for (uint32_t i = first_attachment_[from]; i != none; i = attachments_[i].next) {
+        const uint32_t index = attachments_.take();
+        attachments_[index] = attachments_[i];
+        if (attachments_[i].command_history != none) {
+            attachments_[index].command_history = command_histories_.take();
+            command_histories_[attachments_[index].command_history] =
+                command_histories_[attachments_[i].command_history];
+        }
+        *link = index;
+        link = &attachments_[index].next;
+        *link = none;
+    }
+    if (root_path_play_of_[from] == none) return;
+    root_path_play_of_[to] = root_path_plays_.take();
+    root_path_plays_[root_path_play_of_[to]] = root_path_plays_[root_path_play_of_[from]];
 }
 
 uint64_t Behaviours::bytes() const
 {
     return mechanisms_.capacity() * sizeof(Mechanism) + written_.capacity() * sizeof(uint32_t) +
            paths_.capacity() * sizeof(RootPath) +
-           (first_attachment_.capacity() + root_path_play_of_.capacity()) * sizeof(uint32_t) +
-           attachments_.capacity() * sizeof(MechanismAttachment) +
-           command_histories_.capacity() * sizeof(CommandHistory) + root_path_plays_.capacity() * sizeof(RootPathPlay);
+           (first_attachment_.capacity() + root_path_play_of_.capacity()) * sizeof(uint32_t) + attachments_.bytes() +
+           command_histories_.bytes() + root_path_plays_.bytes();
 }
 
 }  // namespace claque::crowd

@@ -38,7 +38,7 @@ ColourMap::ColourMap(std::pmr::memory_resource *memory, const clq_colour_map_def
             palette += colours.zones[z].palette_count;
         }
     }
-    // What is pointed into must not move.
+    // Pointers into these arrays must stay valid.
     texts_.reserve(text_bytes);
     classes_.reserve(def.class_count);
     zones_.reserve(zones);
@@ -89,7 +89,7 @@ ColourRecipe::ColourRecipe(std::pmr::memory_resource *memory, const ColourMap &m
             {{r.hue_min_deg, r.hue_max_deg, r.saturation_min, r.saturation_max, r.brightness_min, r.brightness_max},
              1});
     for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone) zones_.push_back({&own_[zone], 1, false, zone, 0});
-    // Those that others are like first, since these may take over their dyes.
+    // Zones that others are linked to come first, since the linked ones may take over their palettes.
     for (const bool linked : {false, true})
         for (uint32_t z = 0; z < colours.zone_count; ++z) {
             const clq_zone_colours &from = colours.zones[z];

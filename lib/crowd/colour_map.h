@@ -1,4 +1,4 @@
-// Colour maps as they are drawn from (claque/colours.h, S2 5.2), and what a class of one comes to for a template.
+// Colour maps in the form for sampling (claque/colours.h, S2 5.2), and the colour ranges of one class for one template.
 #pragma once
 
 #include <claque/colours.h>
@@ -9,7 +9,7 @@
 namespace claque::crowd
 {
 
-// Throws base::Error (CLQ_ARGUMENT) with the first broken rule. Immutable.
+// Throws base::Error (CLQ_ARGUMENT) naming the first broken rule. Immutable.
 class ColourMap
 {
 public:
@@ -18,7 +18,7 @@ public:
     ColourMap &operator=(const ColourMap &) = delete;
 
     const clq_colour_map_def &def() const { return def_; }
-    // Of one of its dyes; null: uniform in HSB.
+    // The sampler of one palette entry; null: uniform in HSB.
     const OklabSampler *oklab_sampler(const clq_palette_entry *entry) const
     {
         const uint32_t table = table_of_[static_cast<size_t>(entry - palette_.data())];
@@ -33,15 +33,15 @@ private:
     std::pmr::vector<clq_colour_class> classes_;
     std::pmr::vector<clq_zone_colours> zones_;
     std::pmr::vector<clq_palette_entry> palette_;
-    std::pmr::vector<uint32_t> table_of_;  // one a dye
+    std::pmr::vector<uint32_t> table_of_;  // one per palette entry
     std::pmr::vector<OklabSampler> tables_;
 };
 
-// A class of a map for one template, zone by zone; the map and the template have to outlive it.
+// A class of a map resolved for one template, zone by zone. The map and the template must outlive it.
 class ColourRecipe
 {
 public:
-    // Throws base::Error (CLQ_ARGUMENT): no such class, a zone that the template lacks.
+    // Throws base::Error (CLQ_ARGUMENT): no such class, or a zone that the template lacks.
     ColourRecipe(std::pmr::memory_resource *memory, const ColourMap &map, uint32_t colour_class,
                  const model::Template &tmpl);
     ColourRecipe(ColourRecipe &&) = default;
@@ -54,7 +54,7 @@ private:
         const clq_palette_entry *palette;
         uint32_t palette_count;
         bool of_map;           // else the template's own range
-        uint32_t sample_zone;  // the zone whose lots it takes: itself, or the one that it is like
+        uint32_t sample_zone;  // the zone whose random numbers it uses: itself, or the one it is linked to
         float variation;
     };
     uint32_t zone_named(const model::Template &tmpl, const char *name, const clq_colour_class &by) const;

@@ -12,7 +12,7 @@ namespace claque::crowd
 namespace
 {
 
-constexpr uint64_t first_variation_index = 1 << 16;  // of picks: below are dyes, one a zone
+constexpr uint64_t first_variation_index = 1 << 16;  // of picks: palette entries use the lower indices, one per zone
 
 double unit(uint64_t crowd_seed, uint64_t seed, base::Purpose purpose, uint64_t index)
 {

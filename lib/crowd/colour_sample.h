@@ -1,4 +1,4 @@
-// The lots that one zone of one individual draws: which of its dyes, and where in that one's range.
+// The random numbers of one zone of one individual: which palette entry, and where in its colour range.
 #pragma once
 
 #include "lib/crowd/oklab_sampler.h"
@@ -7,11 +7,11 @@ namespace claque::crowd
 {
 
 struct ColourSample {
-    // Hashes of (seed of the crowd, of the individual, purpose, zone), nothing else.
+    // Hashes of (crowd seed, individual seed, purpose, zone) only.
     ColourSample(uint64_t crowd_seed, uint64_t seed, uint32_t zone);
 
-    // Each away from where it is, by lots of this zone, by `apart` at most. They bounce off the ends of [0, 1), so that they
-    // stay uniform: with 1 nothing is left of where they were.
+    // Moves each number by a random amount of this zone, by `variation` at most. Numbers are reflected at the ends of
+    // [0, 1), so that they stay uniform; a variation of 1 makes them independent of their former values.
     void vary(uint64_t crowd_seed, uint64_t seed, uint32_t zone, double variation);
 
     Hsb in(const model::HsbRange &range) const;  // uniform in HSB

@@ -4,38 +4,24 @@ namespace claque::crowd
 {
 
 ColourTable::ColourTable(std::pmr::memory_resource *memory, uint32_t zone_count)
-    : stride_(3 * zone_count), chunks_(memory), free_(memory)
+    : stride_(3 * zone_count), slots_(memory), chunks_(memory)
 {
 }
 
-ColourTable::~ColourTable()
+void ColourTable::reserve(uint32_t count)
 {
-    for (uint8_t *chunk : chunks_)
-        chunks_.get_allocator().resource()->deallocate(chunk, size_t(chunk_rows) * stride_, 1);
-}
-
-uint32_t ColourTable::take()
-{
-    if (!free_.empty()) {
-        const uint32_t slot = free_.back();
-        free_.pop_back();
-        return slot;
+    slots_.reserve(count);
+    const uint32_t rows = slots_.size() + (count > slots_.free_count() ? count - slots_.free_count() : 0);
+    while (chunks_.size() * chunk_rows < rows) {
+        base::reserve_more(chunks_);
+        model::Array<uint8_t> chunk(size_t(chunk_rows) * stride_, slots_.memory());
+        chunks_.push_back(std::move(chunk));
     }
-    if (used_ == chunks_.size() * chunk_rows) {
-        free_.reserve((chunks_.size() + 1) * chunk_rows);
-        if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 4);
-        chunks_.push_back(
-            static_cast<uint8_t *>(chunks_.get_allocator().resource()->allocate(size_t(chunk_rows) * stride_, 1)));
-    }
-    return used_++;
 }
-
-void ColourTable::give_back(uint32_t slot) noexcept { free_.push_back(slot); }
 
 uint64_t ColourTable::bytes() const
 {
-    return uint64_t(chunks_.size()) * chunk_rows * stride_ + chunks_.capacity() * sizeof(uint8_t *) +
-           free_.capacity() * sizeof(uint32_t);
+    return uint64_t(chunks_.size()) * chunk_rows * stride_ + chunks_.capacity() * sizeof(chunks_[0]) + slots_.bytes();
 }
 
 }  // namespace claque::crowd

@@ -1,4 +1,4 @@
-// Whole states as one number: of a crowd, and of what it depends on in a template.
+// Hashes of whole states: of a crowd, and of the properties of a template that a crowd depends on.
 #include "lib/crowd/save_archive.h"
 
 namespace claque::crowd

@@ -1,27 +1,19 @@
-// What some actors have beside their columns: attached objects, callbacks round their drawing, the ground under them; and
-// how far an actor reaches with all of it (S0 4.1, 4.3, 7.1).
+// Data that only some actors have: attached objects, callbacks round their drawing, the ground under them; and the
+// bounding radius of an actor with all of it (S0 4.1, 4.3, 7.1).
 #pragma once
 
 #include <claque/crowd.h>
 
+#include "lib/base/slot_map.h"
 #include "lib/model/template.h"
 
 namespace claque::crowd
 {
 
-// What culling asks of one actor beside its place. Radii at scale 1.
-struct Extent {
-    float refpoint = 0;  // round the Reference Point, wherever its Skeleton Root goes and however it is turned
-    float sklsroot = 0;  // round the template's Sklsroot centre
-    float slack = 0;     // world units: how far the ground may take it
-    float priority = 0;  // [0, 1] S0 5
-};
-
-// An object of the scene that an actor holds (S0 4.3): claque knows its sphere alone.
+// An object of the scene that an actor holds (S0 4.3); claque has only its bounding sphere.
 struct Attachment {
-    uint32_t row = model::none;  // none: free, chained through `next`
-    uint32_t next = model::none;
-    uint32_t generation = 0;  // odd while it is there
+    uint32_t row = model::none;   // of its actor
+    uint32_t next = model::none;  // next object of the same actor
     uint32_t node = 0;
     model::Sphere sphere;  // in the node's frame
 };
@@ -30,15 +22,23 @@ struct Extra {
     clq_actor_hooks hooks = {nullptr, nullptr, nullptr};
     uint32_t first_attached = model::none;
     float max_up = 0, max_down = 0;  // world units
-    uint32_t next_free = model::none;
 };
 
-// How far from the template's Sklsroot centre what is attached may come, at scale 1. Without node_reach (a template that
-// knows none) as far as a sphere of the skeleton and the object can lie apart.
+struct Extras {
+    explicit Extras(std::pmr::memory_resource *memory) : all(memory), attached(memory), of(memory) {}
+
+    base::SlotMap<Extra> all;
+    base::SlotMap<Attachment> attached;
+    model::Array<uint32_t> of;  // by row of actors: a row of `all`, or none
+};
+
+// The largest distance of attached objects from the template's Sklsroot centre, at scale 1. A template without
+// node_reach gets a bound from the sphere of the skeleton and that of the object.
 float reach_of(const model::Template &tmpl, const Attachment &attached);
 
-// How far from there any vertex comes where clips are blended and the weights of differences that are added sum to
-// `added`. A template without blend_reach was made by hand: nothing is known but that joints turn.
+// The largest distance of any vertex from there when clips are blended and the weights of additive layers sum to
+// `added`. A template without blend_reach was built from the host's arrays: the bound then only assumes that joints
+// rotate.
 float blended_reach_of(const model::Template &tmpl, float added);
 
 }  // namespace claque::crowd

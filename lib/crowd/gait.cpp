@@ -18,7 +18,7 @@ double per_second(const model::Clip &clip)
 double in_clip(const model::Clip &clip, const Array<double> &sync, double rounds)
 {
     double p = rounds - std::floor(rounds);
-    if (!(p < 1)) p = 0;  // what is not finite is at the beginning
+    if (!(p < 1)) p = 0;  // NaN: starts at the beginning
     const size_t count = sync.size();
     if (count > 0) {
         const double at = p * static_cast<double>(count);

@@ -1,20 +1,22 @@
-// Groups: made, moved, switched on and off; actors join and leave them (S0 4.3, 8).
+// Makes, moves, enables and disables groups; actors join and leave them (S0 4.3, 8).
+#include "lib/crowd/groups.h"
+
 #include <cmath>
 
 #include "lib/base/error.h"
-#include "lib/crowd/crowd.h"
-#include "lib/crowd/reserve.h"
+#include "lib/crowd/edits.h"
+#include "lib/crowd/rows.h"
 
 namespace claque::crowd
 {
 
 using base::fail;
+using model::none;
 
 namespace
 {
 
-constexpr uint32_t max_groups = 1u << 28;
-
+// Scales of a group and its members multiply: these limits keep the product finite.
 Transform checked_group_transform(const Transform &transform)
 {
     const float size = std::fabs(checked(transform).scale);
@@ -24,7 +26,7 @@ Transform checked_group_transform(const Transform &transform)
     return transform;
 }
 
-// Whether numbers can hold it: the place of a member may be beyond them in the world.
+// Whether the transform is finite: the world position of a member may overflow.
 bool is_representable(const Transform &transform)
 {
     bool good = std::isfinite(transform.scale) && transform.scale != 0;
@@ -34,83 +36,72 @@ bool is_representable(const Transform &transform)
 
 }  // namespace
 
-uint32_t Crowd::group_row_of(Id id) const
+void enter_group(Crowd &crowd, uint32_t row, uint32_t group) noexcept
 {
-    const uint32_t row = id.index1 - 1;
-    if (id.index1 == 0 || row >= groups_.size() || groups_[row].generation != id.generation || !(id.generation & 1))
-        fail(CLQ_STALE_ID, "no group has index %u and generation %u", id.index1, id.generation);
-    return row;
+    crowd.tables.groups.of[row] = group;
+    ++crowd.tables.groups.all[group].members;
+    touch_group(crowd, row);
+    ++crowd.structure;
 }
 
-Id Crowd::create_group(const Transform &transform)
+void leave_group(Crowd &crowd, uint32_t row) noexcept
+{
+    uint32_t &group = crowd.tables.groups.of[row];
+    if (group == none) return;
+    touch_group(crowd, row);
+    --crowd.tables.groups.all[group].members;
+    group = none;
+    ++crowd.structure;
+}
+
+Id create_group(Crowd &crowd, const Transform &transform)
 {
     const Transform placed = checked_group_transform(transform);
-    if (first_free_group_ == model::none) {
-        if (groups_.size() >= max_groups) fail(CLQ_LIMIT, "a crowd holds at most %u groups", max_groups);
-        reserve_one(groups_);
+    base::SlotMap<GroupRow> &groups = crowd.tables.groups.all;
+    if (!groups.has_room()) fail(CLQ_LIMIT, "a crowd holds at most %u groups", groups.max_size());
+    groups.reserve();
+    const uint32_t row = groups.take();
+    groups[row] = GroupRow{placed, 0, true, crowd.next_version++};
+    ++crowd.structure;
+    return groups.id_of(row);
+}
+
+void destroy_group(Crowd &crowd, Id id)
+{
+    const uint32_t row = crowd.group_row_of(id);
+    for (uint32_t i = 0; crowd.group(row).members > 0 && i < crowd.row_count(); ++i) {
+        if (crowd.group_of(i) != row) continue;
+        const Transform world = crowd.world_transform_of(i);
+        if (is_representable(world)) crowd.tables.actors.transforms[i] = world;
+        leave_group(crowd, i);
     }
-    uint32_t row = first_free_group_;
-    if (row == model::none) {
-        row = static_cast<uint32_t>(groups_.size());
-        groups_.emplace_back();
-    } else {
-        first_free_group_ = groups_[row].members;
-    }
-    groups_[row] = Group{placed, groups_[row].generation + 1, 0, true, next_version_++};
-    ++structure_version_;
-    return group_id_of(row);
+    crowd.tables.groups.all.free(row);
+    ++crowd.structure;
 }
 
-void Crowd::destroy_group(Id id)
+void set_group_transform(Crowd &crowd, Id id, const Transform &transform)
 {
-    const uint32_t row = group_row_of(id);
-    Group &group = groups_[row];
-    if (group.members)
-        for (uint32_t i = 0; i < row_count(); ++i)
-            if (groups_of_[i] == row) {
-                const Transform world = world_transform_of(i);
-                if (is_representable(world)) transforms_[i] = world;
-                leave(i);
-            }
-    group = Group{Transform(), group.generation + 1, first_free_group_, true, 0};
-    if (group.generation != 0xfffffffeu) first_free_group_ = row;
-    ++structure_version_;
+    const Transform placed = checked_group_transform(transform);
+    crowd.tables.groups.all[crowd.group_row_of(id)].transform = placed;
 }
 
-void Crowd::set_group_transform(Id id, const Transform &transform)
+void enable_group(Crowd &crowd, Id id, bool enabled)
 {
-    const uint32_t row = group_row_of(id);
-    groups_[row].transform = checked_group_transform(transform);
+    crowd.tables.groups.all[crowd.group_row_of(id)].enabled = enabled;
 }
 
-void Crowd::enable_group(Id id, bool enabled) { groups_[group_row_of(id)].enabled = enabled; }
-
-void Crowd::leave(uint32_t row)
+void join(Crowd &crowd, Id id, Id group_id, const Transform *transform)
 {
-    const uint32_t group = groups_of_[row];
-    if (group == model::none) return;
-    --groups_[group].members;
-    groups_[group].version = next_version_++;
-    groups_of_[row] = model::none;
-    ++structure_version_;
-}
-
-void Crowd::join(Id id, Id group_id, const Transform *transform)
-{
-    const uint32_t row = row_of(id);
+    const uint32_t row = crowd.row_of(id);
     const bool leaves = group_id.index1 == 0 && group_id.generation == 0;
-    const uint32_t group = leaves ? model::none : group_row_of(group_id);
-    const Transform world = world_transform_of(row);
+    const uint32_t group = leaves ? none : crowd.group_row_of(group_id);
+    const Transform world = crowd.world_transform_of(row);
     const Transform placed = checked(transform ? *transform
                                      : leaves  ? world
-                                               : relative(groups_[group].transform, world));
-    leave(row);
-    transforms_[row] = placed;
-    if (leaves) return;
-    groups_of_[row] = group;
-    ++groups_[group].members;
-    groups_[group].version = next_version_++;
-    ++structure_version_;
+                                               : relative(crowd.group(group).transform, world));
+    leave_group(crowd, row);
+    crowd.tables.actors.transforms[row] = placed;
+    if (!leaves) enter_group(crowd, row, group);
 }
 
 }  // namespace claque::crowd

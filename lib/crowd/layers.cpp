@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
-#include "lib/crowd/reserve.h"
+#include "lib/base/reserve.h"
 
 namespace claque::crowd
 {
@@ -13,7 +13,7 @@ using model::none;
 uint32_t LayerState::max_clip_count() const
 {
     uint32_t sum = now.gait == none ? 1 : 2;
-    // An inertial fade shows its source as two differences.
+    // An inertial fade shows its source as two additive layers.
     for (uint32_t k = 0; k < fade_count; ++k)
         sum += fades[k].from.gait != none || fades[k].curve == Curve::inertial ? 2 : 1;
     return sum + layer_count;
@@ -24,7 +24,7 @@ float LayerState::max_additive_weight() const
     float sum = 0;
     bool inertial = false;
     for (uint32_t k = 0; k < fade_count; ++k) inertial = inertial || fades[k].curve == Curve::inertial;
-    // Where there is an inertial fade, the others before it go on as differences too.
+    // With an inertial fade, the fades before it continue as additive layers too.
     for (uint32_t k = 0; k < fade_count; ++k)
         sum += fades[k].curve == Curve::inertial ? inertial_weight : inertial ? 1.0f : 0.0f;
     for (uint32_t k = 0; k < layer_count; ++k)
@@ -49,63 +49,56 @@ MaskOf checked_mask(const model::Template &tmpl, Array<float> &&weights)
 
 uint32_t Layers::add(Gait &&gait)
 {
-    reserve_one(gaits_);
+    base::reserve_more(gaits_);
     gaits_.push_back(std::move(gait));
     return gait_count() - 1;
 }
 
 uint32_t Layers::add(MaskOf &&mask)
 {
-    reserve_one(masks_);
+    base::reserve_more(masks_);
     masks_.push_back(std::move(mask));
     return mask_count() - 1;
 }
 
-void Layers::reserve_row() { reserve_one(of_); }
+void Layers::reserve_row() { base::reserve_more(of_); }
 
-void Layers::clear_row(uint32_t row)
+void Layers::clear_row(uint32_t row) noexcept
 {
-    const uint32_t slot = of_[row];
-    if (slot == none) return;
-    slots_[slot] = LayerState();
-    slots_[slot].next_free = first_free_;
-    first_free_ = slot;
+    if (of_[row] != none) slots_.free(of_[row]);
     of_[row] = none;
 }
 
 LayerState &Layers::make(uint32_t row)
 {
-    if (of_[row] != none) return slots_[of_[row]];
-    uint32_t slot = first_free_;
-    if (slot == none) {
-        reserve_one(slots_);
-        slot = slot_count();
-        slots_.emplace_back();
-    } else {
-        first_free_ = slots_[slot].next_free;
-        slots_[slot] = LayerState();
+    if (of_[row] == none) {
+        slots_.reserve();
+        of_[row] = slots_.take();
     }
-    of_[row] = slot;
-    return slots_[slot];
+    return slots_[of_[row]];
 }
 
-void Layers::release_if_plain(uint32_t row)
+void Layers::release_if_plain(uint32_t row) noexcept
 {
     if (of_[row] != none && slots_[of_[row]].is_plain()) clear_row(row);
 }
 
-void Layers::copy_row(uint32_t from, uint32_t to)
+void Layers::reserve_copy(uint32_t from)
+{
+    if (of_[from] != none) slots_.reserve();
+}
+
+void Layers::copy_row(uint32_t from, uint32_t to) noexcept
 {
     if (of_[from] == none) return;
-    LayerState &made = make(to);
-    made = slots_[of_[from]];
-    made.next_free = none;
+    of_[to] = slots_.take();
+    slots_[of_[to]] = slots_[of_[from]];
 }
 
 uint64_t Layers::bytes() const
 {
-    uint64_t sum = gaits_.capacity() * sizeof(Gait) + masks_.capacity() * sizeof(MaskOf) +
-                   slots_.capacity() * sizeof(LayerState) + of_.capacity() * sizeof(uint32_t);
+    uint64_t sum = gaits_.capacity() * sizeof(Gait) + masks_.capacity() * sizeof(MaskOf) + slots_.bytes() +
+                   of_.capacity() * sizeof(uint32_t);
     for (const MaskOf &mask : masks_) sum += mask.weights->size() * sizeof(float);
     return sum;
 }

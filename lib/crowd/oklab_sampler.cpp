@@ -12,11 +12,11 @@ namespace
 {
 
 constexpr uint32_t hue_cells = 24, other_cells = 12;
-constexpr double darkest = 0.01;  // cube root of a brightness that 8 bits do not know
+constexpr double darkest = 0.01;  // cube root of a brightness that 8 bits round to 0
 
 double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// The volume, area or length that is spanned by those slopes whose axis has a width.
+// The volume, area or length that is spanned by the derivatives along axes with a width.
 double spanned_volume(const math::OklabSlopes &slopes, const bool live[3])
 {
     const double *all[3] = {slopes.hue, slopes.saturation, slopes.brightness};
@@ -31,7 +31,7 @@ double spanned_volume(const math::OklabSlopes &slopes, const bool live[3])
     return count == 2 ? std::sqrt(dot(cross, cross)) : std::fabs(dot(cross, of[2]));
 }
 
-// Under a line through the nodes, in cells.
+// Area under a piecewise linear function through the nodes, in cells.
 template <class Node>
 double area(uint32_t nodes, const Node &node)
 {
@@ -41,7 +41,7 @@ double area(uint32_t nodes, const Node &node)
     return sum;
 }
 
-// Where a share u of the area lies to the left.
+// The position with a share u of the area to its left.
 struct Quantile {
     uint32_t cell = 0;
     double within = 0;  // of the cell, [0, 1]
@@ -73,7 +73,7 @@ OklabSampler::OklabSampler(std::pmr::memory_resource *memory, const model::HsbRa
     const double turn = range.hue_min_deg > range.hue_max_deg ? 360 : 0;
     axes_[0] = {range.hue_min_deg, double(range.hue_max_deg) - double(range.hue_min_deg) + turn, hue_cells + 1};
     axes_[1] = {range.saturation_min, double(range.saturation_max) - double(range.saturation_min), other_cells + 1};
-    // Brightness by its cube root, by which the slopes of OKLab stay finite down to black.
+    // Brightness is sampled by its cube root, which keeps OKLab's derivatives finite down to black.
     const double dark = math::nth_root(double(range.brightness_min), 3),
                  light = math::nth_root(double(range.brightness_max), 3);
     min_brightness_ = double(range.brightness_min), max_brightness_ = double(range.brightness_max);
@@ -83,7 +83,7 @@ OklabSampler::OklabSampler(std::pmr::memory_resource *memory, const model::HsbRa
         live[axis] = axes_[axis].width > 0;
         if (!live[axis]) axes_[axis].nodes = 1;
     }
-    // Greys have every hue, black every saturation: what changes nothing fills nothing.
+    // Grey has any hue and black any saturation: an axis without effect has no extent.
     live[1] = live[1] && max_brightness_ > 0;
     live[0] = live[0] && max_brightness_ > 0 && range.saturation_max > 0;
     const uint32_t hues = axes_[0].nodes, saturations = axes_[1].nodes, brightnesses = axes_[2].nodes;

@@ -1,9 +1,9 @@
-// A range of hue, saturation and brightness filled evenly for the eye: three numbers in [0, 1) to a place in it, such that
-// where the numbers are uniform the colours are uniform in OKLab.
+// Samples a range of hue, saturation and brightness uniformly in OKLab: maps three numbers in [0, 1) to a colour, such
+// that uniform numbers give colours of uniform perceived density.
 //
-// How much of OKLab a piece of the range fills is tabulated at nodes and taken to be linear between them; the numbers are then
-// put through the inverses of what hue takes of the whole, saturation at that hue, brightness at both. Near numbers give near
-// colours, which rejection would not: zones that are alike depend on it.
+// The OKLab volume per cell of the range is tabulated at nodes and linear between them. The numbers go through the
+// inverse marginal distributions: of hue, of saturation at that hue, of brightness at both. Near numbers give near
+// colours, which rejection sampling would not; linked zones depend on that.
 #pragma once
 
 #include <memory_resource>

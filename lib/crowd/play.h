@@ -1,4 +1,4 @@
-// A clip and its clock.
+// A clip with its clock.
 #pragma once
 
 #include "lib/model/rig.h"

@@ -1,25 +1,26 @@
-// Gaits, masks and what actors blend, from the bytes of a saved crowd.
+// Restores gaits, masks, and the fades and layers of actors.
+#include "lib/crowd/edits.h"
 #include "lib/crowd/gait.h"
-#include "lib/crowd/save_check.h"
-#include "lib/crowd/save_fields.h"
+#include "lib/crowd/layer_rules.h"
+#include "lib/crowd/restore.h"
 
 namespace claque::crowd
 {
 
 using base::fail;
 
-void read_layers(Reader &in, const std::function<const model::Template *(uint32_t)> &template_at, Layers &out)
+void read_layers(Reader &in, Tables &out)
 {
-    std::pmr::memory_resource *memory = out.memory();
+    std::pmr::memory_resource *memory = out.layers.memory();
     const uint32_t gaits = in.count(20);
     for (uint32_t i = 0; i < gaits; ++i) {
         Gait gait(memory);
         uint32_t tmpl = 0;
         in.value(tmpl);
-        gait.tmpl = template_at(tmpl);
+        gait.tmpl = template_at(out, tmpl);
         walk_gait(in, gait);
         check_gait(gait);
-        out.add(std::move(gait));
+        out.layers.add(std::move(gait));
     }
     const uint32_t masks = in.count(8);
     for (uint32_t i = 0; i < masks; ++i) {
@@ -27,26 +28,32 @@ void read_layers(Reader &in, const std::function<const model::Template *(uint32_
         in.value(tmpl);
         Array<float> weights(memory);
         in.array(weights, 4, [&](float &weight) { in.value(weight); });
-        out.add(checked_mask(*template_at(tmpl), std::move(weights)));
+        out.layers.add(checked_mask(*template_at(out, tmpl), std::move(weights)));
     }
-    in.value(out.last_layer_id);
+    in.value(out.layers.last_layer_id);
 }
 
-bool read_layer_state(Reader &in, uint32_t row, LayerState &out)
+void read_layer_state(Reader &in, Crowd &out, uint32_t row)
 {
-    bool some = false;
-    in.flag(some);
-    if (!some) return false;
+    bool watched = false, some = false;
+    in.flag(watched), in.flag(some);
+    set_watched(out.tables.actors, row, watched);
+    if (!some) return;
+    LayerState read;
     uint8_t fades = 0, layers = 0;
-    walk_source(in, out.now);
+    walk_source(in, read.now);
     in.value(fades), in.value(layers);
     if (fades > max_fades || layers > max_layers)
         fail(CLQ_FORMAT, "a saved crowd's actor %u has %u fades and %u layers", row, fades, layers);
-    out.fade_count = fades, out.layer_count = layers;
-    for (uint32_t k = 0; k < fades; ++k) walk_fade(in, out.fades[k]);
-    for (uint32_t k = 0; k < layers; ++k) walk_layer(in, out.layers[k]);
-    if (out.is_plain()) fail(CLQ_FORMAT, "a saved crowd's actor %u blends one clip alone", row);
-    return true;
+    read.fade_count = fades, read.layer_count = layers;
+    for (uint32_t k = 0; k < fades; ++k) walk_fade(in, read.fades[k]);
+    for (uint32_t k = 0; k < layers; ++k) walk_layer(in, read.layers[k]);
+    if (read.is_plain()) fail(CLQ_FORMAT, "a saved crowd's actor %u blends one clip alone", row);
+    const Play &own = out.play_of(row), &now = read.now.play;
+    if (now.clip != own.clip || now.start_s != own.start_s || now.speed != own.speed || now.phase_s != own.phase_s)
+        fail(CLQ_FORMAT, "a saved crowd's actor %u fades to what it does not play", row);
+    check_layering(out, row, read);
+    change(out, row, read);
 }
 
 }  // namespace claque::crowd

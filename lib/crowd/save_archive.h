@@ -1,5 +1,5 @@
-// How a saved crowd's fields become bytes and come back. Both archives have value() for numbers, flag() for yes or no,
-// and array(), which is told how small an element can be in the bytes.
+// Archives that turn a saved crowd's fields into bytes and back. Both have value() for numbers, flag() for booleans,
+// and array(), which takes the smallest size of an element in bytes.
 #pragma once
 
 #include <cstring>
@@ -12,7 +12,7 @@
 namespace claque::crowd
 {
 
-// The unsigned integer of the size of T that carries its bits.
+// The unsigned integer type with the size of T, which holds its bits.
 template <class T>
 using Bits = std::conditional_t<
     sizeof(T) == 1, uint8_t,
@@ -21,7 +21,7 @@ using Bits = std::conditional_t<
 class Writer
 {
 public:
-    explicit Writer(Sink &sink) : sink_(sink) {}  // ends with flush()
+    explicit Writer(Sink &sink) : sink_(sink) {}  // end with flush()
     Writer(const Writer &) = delete;
     Writer &operator=(const Writer &) = delete;
 
@@ -54,7 +54,7 @@ private:
     uint8_t buffer_[1024] = {};
 };
 
-// How long what it is given is, and its hash, without keeping any of it.
+// Computes the size and the hash of its input without storing it.
 class HashingSink : public Sink
 {
 public:
@@ -89,7 +89,7 @@ public:
         if (byte > 1) base::fail(CLQ_FORMAT, "a saved crowd holds %u where yes or no is due", byte);
         v = byte == 1;
     }
-    // A number of elements, which the bytes that are left must be able to fill.
+    // A count of elements; fails if the remaining bytes cannot hold that many.
     uint32_t count(uint32_t smallest)
     {
         uint32_t n = 0;

@@ -1,5 +1,5 @@
-// The fields of a saved crowd's things in the order in which the bytes hold them: one list for writing and reading alike,
-// so that the two cannot differ. Archives are those of save_archive.h; things are const where they are written.
+// The fields of a saved crowd's structs in the order of the bytes: one list for writing and reading, so that the two
+// cannot differ. Archives are those of save_archive.h; structs are const when they are written.
 #pragma once
 
 #include "lib/crowd/crowd.h"
@@ -96,7 +96,7 @@ void walk_poses(Archive &a, Shapes &poses)
     a.array(poses, 8, [&](auto &s) { a.value(s.first), a.value(s.count); });
 }
 
-// Of each kind of mechanism; Mechanism itself has its template as a number, which is no field of it.
+// Of each kind of mechanism. Mechanism itself stores its template as an index, which is not a plain field.
 template <class Archive, class Kind>
 void walk_kind(Archive &a, Kind &kind)
 {
@@ -134,7 +134,7 @@ void walk_levels(Archive &a, M &mechanism)
     a.value(mechanism.off_m);
 }
 
-// A path's reach follows from its positions.
+// A path's reach is computed from its positions.
 template <class Archive, class P>
 void walk_path(Archive &a, P &path)
 {

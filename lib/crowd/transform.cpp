@@ -13,7 +13,7 @@ using base::fail;
 namespace
 {
 
-// A product of many unit rotations stays one.
+// Normalised: products of many unit quaternions drift.
 glm::quat unit(const glm::dquat &q)
 {
     const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
@@ -54,7 +54,7 @@ Transform composed(const Transform &outer, const Transform &inner)
 Transform relative(const Transform &outer, const Transform &world)
 {
     Transform out;
-    // The transpose turns back.
+    // The transpose is the inverse rotation.
     out.position = (world.position - outer.position) * math::rotation_of(outer.orientation) *
                    (1 / static_cast<double>(outer.scale));
     out.orientation = unit(glm::conjugate(wide(outer.orientation)) * wide(world.orientation));

@@ -1,4 +1,4 @@
-// Where something is in a space: a place, a rotation, one scale. Groups are spaces in which actors have places.
+// A transform: position, rotation and one scale. Groups are spaces in which actors have transforms.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -16,12 +16,12 @@ struct Transform {
 // Returns it, or throws base::Error (CLQ_ARGUMENT) naming the broken rule and the number.
 Transform checked(const Transform &transform);
 
-// The place in the world of what has `inner` in the space of `outer`. A negative scale mirrors through the point, and
-// so goes with every rotation.
+// The world transform of an object with `inner` in the space of `outer`. A negative scale mirrors through the point, so
+// it commutes with every rotation.
 Transform composed(const Transform &outer, const Transform &inner);
 glm::dvec3 composed_position(const Transform &outer, const glm::dvec3 &inner);
 
-// The place in the space of `outer` of what has `world` in the world: composed(outer, relative(outer, world)) is world.
+// The transform in the space of `outer` of an object with `world`: composed(outer, relative(outer, world)) is world.
 Transform relative(const Transform &outer, const Transform &world);
 
 }  // namespace claque::crowd

@@ -15,7 +15,7 @@ constexpr float cell_size = 0.04f;
 constexpr float reach_m = 0.16f;
 constexpr int ray_count = 16;
 
-// Directions spread over the half sphere round +z, denser near it (cosine law), by the golden angle.
+// Directions over the hemisphere about +z, denser near it (cosine law), placed by the golden angle.
 std::array<glm::vec3, ray_count> make_rays()
 {
     std::array<glm::vec3, ray_count> rays;
@@ -63,7 +63,7 @@ const std::vector<uint32_t> &AmbientOcclusion::cell(glm::ivec3 c) const
 
 bool AmbientOcclusion::blocked(glm::vec3 from, glm::vec3 direction, float reach) const
 {
-    // Steps of half a cell may graze past a corner: soft shadows do not show it.
+    // Steps of half a cell may miss a corner; soft shadows do not show it.
     glm::ivec3 before(-1);
     for (float s = 0; s < reach; s += cell_size / 2) {
         const glm::ivec3 at = cell_of(from + direction * s);

@@ -1,4 +1,4 @@
-// How much of its surroundings a point of the figure sees: short rays against the figure itself, in a uniform grid.
+// Ambient occlusion of a figure: short rays against the figure itself in a uniform grid.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class AmbientOcclusion
 public:
     explicit AmbientOcclusion(const Mesh &mesh);
 
-    // 1 where nothing is near in the half space of the normal, towards 0 where everything is.
+    // 1 if nothing is near in the hemisphere of the normal, towards 0 if everything is.
     float ambient_visibility(glm::vec3 position, glm::vec3 normal) const;
 
 private:

@@ -11,7 +11,7 @@ namespace claque::figures
 namespace
 {
 
-// One vertex for each point and place in the texture; normals are the point's, so that seams do not show.
+// One vertex for each pair of point and texture position. Normals are those of the point, so that seams do not show.
 model::Part part_of(const Mesh &mesh, Weigher weigher)
 {
     const std::vector<glm::vec3> normals = mesh.smooth_normals();

@@ -1,4 +1,4 @@
-// What makes one built-in figure different from another, and the making of a Model from it.
+// The definition of a built-in character (a figure), and the function that makes a Model from it.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ namespace claque::figures
 
 struct Figure {
     const char *name = "";
-    void (*add_pieces)(Mesh &) = nullptr;  // body and dress, from parts.h
+    void (*add_pieces)(Mesh &) = nullptr;  // body and clothes, from parts.h
     Painter painter;
-    // Further texture sets.
+    // Additional texture sets.
     struct TextureSet {
         const char *name;
         Painter painter;
@@ -23,10 +23,10 @@ struct Figure {
     Layout layout;
     Zones zones;
     std::vector<ClipMaker> clips;
-    Weigher weigher = nullptr;  // of regions of its own; may be null
+    Weigher weigher = nullptr;  // weights of the figure's own regions; may be null
 };
 
-// Throws base::Error should the figure break a rule of model::check.
+// Throws base::Error if the figure breaks a rule of model::check.
 model::Model assemble(const Figure &figure);
 
 }  // namespace claque::figures

@@ -1,4 +1,4 @@
-// Small tools of the painters: soft steps, spots, lines and a repeatable grain.
+// Functions for painters: smooth steps, spots, lines and deterministic noise.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline float smoothstep(float from, float to, float x)
     return t * t * (3 - 2 * t);
 }
 
-// 1 in the middle, 0 from the radius on.
+// 1 at the centre, 0 from the radius on.
 inline float spot(float distance, float radius)
 {
     const float t = std::clamp(1 - std::fabs(distance) / radius, 0.0f, 1.0f);
@@ -28,7 +28,7 @@ inline float spot(glm::vec2 p, glm::vec2 centre, glm::vec2 radii)
     return spot(std::sqrt(d.x * d.x + d.y * d.y), 1);
 }
 
-// The height of a polyline's y at x; the ends run on level. Points ascend in x.
+// The y of a polyline at x, constant beyond its ends. Points ascend in x.
 template <size_t n>
 float profile(const glm::vec2 (&points)[n], float x)
 {
@@ -49,7 +49,7 @@ inline float to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b)
     return std::sqrt(d.x * d.x + d.y * d.y);
 }
 
-// Smooth noise in [0, 1) with features one unit large.
+// Smooth noise in [0, 1) with features one unit wide.
 inline float value_noise(float x, float y, uint64_t layer)
 {
     const auto value = [layer](float i, float k) {
@@ -63,7 +63,7 @@ inline float value_noise(float x, float y, uint64_t layer)
            (value(i, k + 1) * (1 - u) + value(i + 1, k + 1) * u) * v;
 }
 
-// Light and dark of a cloth's fold from noise in [0, 1): a bright ridge beside a dark furrow.
+// The luminance of a fold of cloth from noise in [0, 1): a bright ridge beside a dark furrow.
 inline float crease(float noise)
 {
     const float x = noise * 2 - 1;

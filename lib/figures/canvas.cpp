@@ -51,7 +51,7 @@ void cover(const Mesh &mesh, const std::vector<glm::vec3> &normals, const Face &
         }
 }
 
-// Openness is soft: it is asked for at every fourth texel of a chart and blended between.
+// Ambient visibility is smooth: it is computed at every fourth texel of a chart and interpolated.
 void shade(const AmbientVisibility &ambient_visibility, std::vector<Cover> &covers)
 {
     constexpr int pitch = 4;
@@ -62,7 +62,7 @@ void shade(const AmbientVisibility &ambient_visibility, std::vector<Cover> &cove
     std::vector<Sample> sampled(covers.size());
     for (int y = 0; y < size; y += pitch)
         for (int x = 0; x < size; x += pitch) {
-            // The first covered texel of each cell and chart stands for the cell.
+            // The first covered texel of each cell and chart represents the cell.
             for (int i = 0; i < pitch * pitch; ++i) {
                 const size_t k = at(x + i % pitch, y + i / pitch);
                 if (!covers[k].covered) continue;
@@ -92,7 +92,7 @@ void shade(const AmbientVisibility &ambient_visibility, std::vector<Cover> &cove
         }
 }
 
-// Every texel takes the bytes of the nearest painted one: rings outwards until nothing is left to fill.
+// Every texel takes the bytes of the nearest painted one, by rings that grow until every texel is filled.
 void fill_gutters(const std::vector<Cover> &covers, std::vector<uint8_t> &rgba)
 {
     std::vector<uint32_t> front, next;

@@ -1,5 +1,5 @@
-// Painting in three dimensions: every texel that a chart covers knows where on the figure it lies; painters answer with
-// luminance and zone, and the gutters take both from the nearest covered texel.
+// Paints a figure's texture in three dimensions. Every texel that a chart covers has a position on the figure, from
+// which a painter computes luminance and zone. Gutters take both from the nearest covered texel.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Texel {
     Region region = Region::torso;
     Side side = Side::left;
     glm::vec2 st;                  // in the chart's own units
-    float ambient_visibility = 1;  // 1: sees the whole sky round its normal, 0: nothing
+    float ambient_visibility = 1;  // 1: the whole hemisphere about its normal is open, 0: nothing of it
 };
 
 struct Paint {
@@ -26,10 +26,10 @@ struct Paint {
 
 using Painter = std::function<Paint(const Texel &)>;
 
-// How much of its surroundings each texel sees, for soft shadows between limbs and under cloth.
+// The open share of each texel's hemisphere, for soft shadows between limbs and under cloth.
 using AmbientVisibility = std::function<float(glm::vec3 position, glm::vec3 normal)>;
 
-// One image for each painter. `mesh` is unwrapped. Deterministic; no texel is left without a key.
+// Paints one image per painter. `mesh` must be unwrapped. Deterministic; every texel gets a zone key.
 std::vector<model::Image> paint(const Mesh &mesh, const AmbientVisibility &ambient_visibility,
                                 const std::vector<Painter> &painters, const Zones &zones);
 

@@ -1,4 +1,4 @@
-// Where each piece of the surface lies in the texture, and what the texture means by its keys.
+// The charts of a figure's texture and the zones of its keys.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@ namespace claque::figures
 
 constexpr int texture_size = 512;
 
-// `outer`: what is worn over the tunic: toga, stola and palla, cloak.
+// `outer`: clothes worn over the tunic: toga, stola and palla, cloak.
 enum class Zone : uint8_t { skin, hair, eyes, lips, tunic, belt, border, sandals, outer, jewellery, wings };
 
-// A zone of one figure; its key follows from its place in the figure's list.
+// A zone of one figure; its key follows from its index in the figure's list.
 struct FigureZone {
     Zone zone = Zone::skin;
     std::array<float, 3> colour = {1, 1, 1};  // by default
-    model::HsbRange range;                    // what individuals' colours are drawn from
+    model::HsbRange range;                    // the range that individuals' colours are sampled from
 };
 using Zones = std::vector<FigureZone>;  // at most ten
 
 std::vector<model::Zone> zones_of(const Zones &zones);
-uint8_t key_of(const Zones &zones, Zone zone);  // throws base::Error where the figure has none
+uint8_t key_of(const Zones &zones, Zone zone);  // throws base::Error if the figure lacks the zone
 
-// Pieces that exist twice are named for the figure's own left; the right one follows it.
+// Charts that exist twice are named for the figure's own left side; the right one is next.
 enum class Chart : uint8_t {
     head,
     ear,
@@ -50,12 +50,12 @@ enum class Chart : uint8_t {
     foot_r,
     sole,
     sole_r,
-    own  // the first of those that a figure names for itself
+    own  // the first chart of the figure's own
 };
 constexpr int shared_chart_count = static_cast<int>(Chart::own), own_chart_count = 24;
 constexpr int chart_count = shared_chart_count + own_chart_count;
 
-// A chart of the figure's own: `constexpr Chart hood = own_chart(0);`. Of pairs the right one is the next.
+// A chart of the figure's own: `constexpr Chart hood = own_chart(0);`. Of a pair the right one is next.
 constexpr Chart own_chart(int number) { return static_cast<Chart>(shared_chart_count + number); }
 
 enum class Side : int8_t { right = -1, left = 1 };
@@ -65,12 +65,12 @@ constexpr Chart on(Side side, Chart left)
     return side == Side::left ? left : static_cast<Chart>(static_cast<int>(left) + 1);
 }
 
-// In texels of the texture: the outline with its gutter.
+// The rectangle of a chart with its gutter, in texels.
 struct ChartRect {
     int x, y, width, height;
 };
 
-// Where a figure's charts lie in its texture; those it does not name must have no faces.
+// The position of a chart in the texture. Charts that are not listed must have no faces.
 struct PlacedChart {
     Chart chart;
     ChartRect rect;

@@ -1,4 +1,4 @@
-// A foot in its sandal as contours seen from above, from the ankle out to the edge of the sole.
+// A foot in its sandal: contours seen from above, from the ankle to the edge of the sole.
 #include "lib/figures/parts.h"
 #include "lib/figures/skeleton.h"
 
@@ -45,7 +45,7 @@ void add_foot(Mesh &mesh, Side side, const std::vector<uint32_t> &ankle)
     const float x0 = skeleton().joint(Bone::foot).x;
     const float turn = 0.10f;  // toes outwards, as a slope
     const Chart chart = on(side, Chart::foot);
-    // Seen from above; steep rings are spread outwards so that none lies over another.
+    // As seen from above. Steep rings are spread outwards so that none overlaps another.
     const auto chain_of = [&](const std::vector<uint32_t> &ring, float spread) {
         Chain chain;
         for (size_t i = 0; i <= ring.size(); ++i) {
@@ -68,7 +68,7 @@ void add_foot(Mesh &mesh, Side side, const std::vector<uint32_t> &ankle)
     }
     Chain loop = chain_of(ring, 1);
     loop.pop_back();
-    // Heel and toes first, so that the sole's triangles lie across it.
+    // Heel and toes first, so that the sole's triangles run across it.
     Chain turned(loop.begin() + 4, loop.end());
     turned.insert(turned.end(), loop.begin(), loop.begin() + 4);
     mesh.cap(on(side, Chart::sole), side == Side::left ? Winding::reversed : Winding::as_given, turned);

@@ -21,7 +21,7 @@ void add_citizen(Mesh &mesh)
     }
 }
 
-// The face has the most room: about 1.3 mm a texel.
+// The face has the largest area: about 1.3 mm per texel.
 const Layout &citizen_layout()
 {
     static const Layout layout = {

@@ -1,5 +1,5 @@
-// A relaxed hand: the palm runs on into three fingers side by side; index finger and thumb stand apart, their roots
-// inside the palm.
+// A relaxed hand: the palm continues into three fingers side by side; index finger and thumb are separate, with their
+// roots inside the palm.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/parts.h"
@@ -11,7 +11,7 @@ namespace claque::figures
 namespace
 {
 
-// Along the hand, across towards the thumb, towards the back of the hand.
+// Along the hand, across it towards the thumb, and up towards its back.
 struct HandPoint {
     float along, across, up;
 };
@@ -53,7 +53,7 @@ const std::array<Section, 5> palm = {{
 
 struct Digit {
     Region region;
-    float chart_shift;  // beside the palm in the chart
+    float chart_shift;  // its offset from the palm in the chart
     std::array<HandPoint, 3> centres;
     std::array<float, 2> radii;
     HandPoint spread;  // the direction of its width
@@ -104,7 +104,7 @@ private:
         return index;
     }
 
-    // Each triangle goes to the chart of the side that it looks to.
+    // Each triangle belongs to the chart of the side that it faces.
     void face(uint32_t a, uint32_t b, uint32_t c)
     {
         const auto at = [&](uint32_t i) { return mirrored(mesh_.points[i].position, side_); };

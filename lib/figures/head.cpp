@@ -1,5 +1,5 @@
-// Head and neck as meridians: polylines from the neck to the crown, dense in the face, sparse at the back, zipped
-// together. The tables are the sculpture; what is painted on it is in paint_head.cpp.
+// Head and neck as meridians: polylines from the neck to the crown, dense in the face, sparse at the back, joined by
+// strips of triangles. The tables define the shape; paint_head.cpp paints it.
 #include <cmath>
 
 #include "lib/figures/parts.h"
@@ -12,7 +12,7 @@ namespace
 
 using Meridian = std::vector<glm::vec3>;
 
-// From the middle of the face to the nape, left half; each starts from a point of the neckline.
+// From the middle of the face to the nape, left half; each starts at a point of the neckline.
 constexpr std::array<size_t, 8> starts = {0, 1, 1, 2, 2, 2, 3, 4};
 
 const std::array<Meridian, 8> meridians = {{
@@ -91,8 +91,8 @@ const std::array<Meridian, 8> meridians = {{
 }};
 const glm::vec3 head_crown(0, 1.7585f, -0.006f);
 
-// 0 in the middle of the face, 0.5 at the nape: like the angle, but with most of the room for the face, and made of
-// divisions only.
+// 0 in the middle of the face, 0.5 at the nape: like the angle, but with most of the range for the face. Uses divisions
+// only, so that it is the same on every processor.
 float around_head(glm::vec3 p)
 {
     const float x = std::fabs(p.x), z = p.z + 0.03f;
@@ -103,7 +103,7 @@ float around_head(glm::vec3 p)
     return quarters <= 1 ? 0.33f * quarters : 0.33f + 0.17f / 3 * (quarters - 1);
 }
 
-// Heights, with less room for the neck, and for the hair where the surface turns inwards.
+// Maps heights with less range for the neck, and for the hair where the surface turns inwards.
 float upwards(glm::vec3 p)
 {
     const float neck = 1.50f, top = 1.70f;
@@ -140,7 +140,7 @@ void add_ear(Mesh &mesh, Side side)
 void add_head(Mesh &mesh)
 {
     const uint32_t top = mesh.add(head_crown, Region::head);
-    // The right half first, mirrored, then the left; the middle ones are shared.
+    // The right half first, mirrored, then the left; they share the middle meridians.
     std::array<std::array<Chain, 8>, 2> halves;
     const auto add = [&](size_t m, glm::vec3 p, Region region) {
         const uint32_t left = mesh.add(p, region);
@@ -151,7 +151,7 @@ void add_head(Mesh &mesh)
     for (size_t m = 0; m < meridians.size(); ++m) {
         if (m > 0 && starts[m] == starts[m - 1])
             for (auto &half : halves) half[m].push_back(half[m - 1].front());
-        else add(m, neckline[starts[m]], Region::torso);  // goes with the cloth
+        else add(m, neckline[starts[m]], Region::torso);  // moves with the cloth
         for (const glm::vec3 &p : meridians[m]) add(m, p, Region::head);
     }
     for (const Side side : {Side::left, Side::right}) {

@@ -1,5 +1,5 @@
-// Arms and legs: rings round the bones with their own girth in four directions, so that calf, knee and forearm have
-// their profile.
+// Arms and legs: rings round the bones with a girth of their own in four directions, so that calf, knee and forearm
+// have their profiles.
 #include <cmath>
 
 #include "lib/figures/parts.h"

@@ -79,7 +79,7 @@ std::vector<glm::vec3> Mesh::smooth_normals() const
         if (!(length > 0)) continue;
         for (int k = 0; k < 3; ++k) {
             const glm::vec3 a = glm::normalize(p[(k + 1) % 3] - p[k]), b = glm::normalize(p[(k + 2) % 3] - p[k]);
-            // 1 - cos stands for the angle: no inverse trigonometry, which differs between processors.
+            // 1 - cos replaces the angle, because inverse trigonometry differs between processors.
             normals[f.corners[k].point] += normal / length * (1 - glm::dot(a, b));
         }
     }
@@ -117,7 +117,7 @@ void unwrap(Mesh &mesh, const Layout &layout)
     }
     for (const Face &f : mesh.faces)
         if (!placed[static_cast<size_t>(f.chart)])
-            base::fail(CLQ_ARGUMENT, "chart %d has faces and no place in the figure's texture",
+            base::fail(CLQ_ARGUMENT, "chart %d has faces and no rectangle in the figure's texture",
                        static_cast<int>(f.chart));
 }
 

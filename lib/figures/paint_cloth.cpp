@@ -1,3 +1,4 @@
+// Paints the citizen's tunic and belt.
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -14,7 +15,8 @@ namespace
 
 constexpr float belt_low = 1.012f, belt_high = 1.056f, hem = 0.508f;
 
-// Round the body like an angle, 0 in front, 4 at the back, negative on the right; divisions only.
+// An angle-like coordinate round the body, 0 in front, 4 at the back, negative on the right. Uses divisions only, so
+// that it is the same on every processor.
 float around_body(glm::vec3 p)
 {
     const float x = std::fabs(p.x), z = p.z * 1.25f;
@@ -44,7 +46,7 @@ bool on_belt(glm::vec3 p)
     return p.y > belt_low - 0.001f && p.y < belt_high + 0.002f && r.x * r.x + r.y * r.y < 1;
 }
 
-// The two stripes of a citizen's tunic, from the shoulders to the hem, along the weave: by the column of the cloth.
+// The two stripes of a citizen's tunic, from the shoulders to the hem along the weave: by the column of the cloth.
 bool on_stripe(const Texel &t)
 {
     const float column = std::fabs(t.chart == Chart::tunic_front ? t.st.x : t.st.x - 7);
@@ -65,14 +67,14 @@ Paint belt(glm::vec3 p)
     return {g, Zone::belt};
 }
 
-// A fold's light: a bright ridge beside a dark furrow, from noise in [0, 1).
+// The luminance of a fold from noise in [0, 1): a bright ridge beside a dark furrow.
 float furrow(float noise)
 {
     const float x = noise * 2 - 1;
     return x * (1.25f - 0.5f * x * x) - 0.45f * spot(x + 0.30f, 0.22f);
 }
 
-// Light and dark of cloth that falls from the shoulders and is gathered at the belt.
+// The luminance of cloth that falls from the shoulders and is gathered at the belt.
 float cloth_folds(glm::vec3 p, glm::vec3 n)
 {
     const float a = around_body(p);

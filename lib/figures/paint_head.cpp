@@ -1,3 +1,4 @@
+// Paints the citizen's face, neck, ears and hair.
 #include <glm/vec3.hpp>
 
 #include "lib/figures/brush.h"
@@ -9,7 +10,7 @@ namespace claque::figures
 namespace
 {
 
-// The height above which hair grows, by how far ahead the point is: fringe, temple, whisker, round the ear, nape.
+// The height of the hairline, by the point's position from front to back: fringe, temple, whisker, round the ear, nape.
 float hairline(glm::vec3 p)
 {
     static const glm::vec2 line[] = {{-0.085f, 1.556f}, {-0.060f, 1.562f}, {-0.036f, 1.580f}, {-0.030f, 1.636f},
@@ -73,7 +74,7 @@ bool is_brow(glm::vec2 q)
     return q.x > 0.0105f && q.x < 0.0505f && std::fabs(q.y - profile(middle, q.x)) < half;
 }
 
-// Positive inside, in metres; upper and lower lip meet at the line of the mouth.
+// Positive inside, in metres; upper and lower lip meet at the mouth line.
 constexpr float mouth_half = 0.0265f;
 float mouth_line(float x) { return 1.5634f + 0.0016f * x / mouth_half * x / mouth_half; }
 
@@ -153,7 +154,7 @@ Paint paint_head(const Texel &t)
         g -= 16 * spot(to_segment({side, p.y}, {0.014f, 1.44f}, {0.050f, 1.53f}) - 0.010f, 0.014f) * low;
         g += 10 * spot(glm::vec2(side, p.y), {0, 1.47f}, {0.012f, 0.016f}) * low;
     }
-    // A breath of shadow where hair meets skin.
+    // A slight shadow where hair meets skin.
     return {g - 30 * spot(hairline(p) - p.y, 0.008f) * (p.y > 1.54f ? 1 : 0), Zone::skin};
 }
 

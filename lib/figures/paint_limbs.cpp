@@ -1,3 +1,4 @@
+// Paints the citizen's arms, hands, legs and sandals.
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -11,7 +12,7 @@ namespace claque::figures
 namespace
 {
 
-// In the left limb's terms.
+// The position on the left limb.
 glm::vec3 left_of(const Texel &t) { return mirrored(t.position, t.side); }
 
 Paint arm(const Texel &t)
@@ -156,7 +157,7 @@ Paint paint_citizen(const Texel &t)
             paint = paint_cloth(t);
             break;
     }
-    // The roots of the fingers lie inside the palm, where nothing is open: no soot on hands.
+    // The roots of the fingers lie inside the palm; ambient occlusion would blacken the hands there.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const float open = hand ? std::max(t.ambient_visibility, 0.72f) : t.ambient_visibility;
     const float shade = 0.50f + 0.50f * smoothstep(0.05f, 0.95f, open);

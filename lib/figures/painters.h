@@ -1,4 +1,4 @@
-// What the figure looks like close up. Each painter answers for the charts that it names, in the rest pose's metres.
+// The painters of the citizen. Each paints the charts that it names, in metres of the rest pose.
 #pragma once
 
 #include "lib/figures/canvas.h"
@@ -12,6 +12,6 @@ Paint paint_limb(const Texel &texel);   // arms and legs with the straps of the 
 Paint paint_hand(const Texel &texel);
 Paint paint_foot(const Texel &texel);
 
-Paint paint_citizen(const Texel &texel);  // whichever is asked for, with the shadows of openness
+Paint paint_citizen(const Texel &texel);  // the painter of the texel's chart, with ambient occlusion
 
 }  // namespace claque::figures

@@ -1,5 +1,5 @@
-// The one skeleton of all built-in figures: 33 nodes whose rest rotations are the identity, so that a clip's rotation
-// reads as a turn about the figure's own axes (X to its left, Y up, Z ahead).
+// The skeleton of all built-in people: 33 nodes whose rest rotations are the identity, so that a clip's rotation is a
+// rotation about the figure's own axes (X to its left, Y up, Z ahead).
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace claque::figures
 {
 
-// Of bones that exist twice the left one is named; the right one follows it.
+// Of a pair of bones the left one is named; the right one is next.
 enum class Bone : uint8_t {
     root,
     pelvis,
@@ -64,15 +64,15 @@ struct Skeleton {
     glm::vec3 offset(Bone bone) const;  // from the parent's joint
 };
 
-// Of a figure 1.75 m tall.
+// For a figure 1.75 m tall.
 const Skeleton &skeleton();
 
-// Along the left upper arm and forearm in the rest pose, and the directions to the back of the hand and the thumb.
+// The direction of the left upper arm and forearm in the rest pose, and those to the back of the hand and the thumb.
 glm::vec3 arm_direction();
 glm::vec3 arm_dorsal();
 inline glm::vec3 arm_thumbward() { return glm::vec3(0, 0, 1); }
 
-// Nodes and palette of the skeleton; clips are added by add_clips.
+// Adds the nodes and matrix palette of the skeleton; add_clip adds clips.
 void add_skeleton(model::Rig &rig);
 
 }  // namespace claque::figures

@@ -18,8 +18,8 @@ namespace
 
 constexpr float mouth_y = 1.5636f;
 
-// How thick a full beard stands, 0 to 1: from the whiskers along the jaw to the chin and down the throat as far as
-// `lowest`, and on the upper lip; the cheeks above it are free.
+// The thickness of a full beard, 0 to 1: from the whiskers along the jaw to the chin and down the throat to `lowest`,
+// and on the upper lip; the cheeks above it are bare.
 float beard(glm::vec3 p, float lowest)
 {
     static const glm::vec2 upper[] = {{-0.012f, 1.600f}, {0.004f, 1.612f}, {0.020f, 1.606f}, {0.040f, 1.584f},
@@ -34,7 +34,7 @@ float beard(glm::vec3 p, float lowest)
     return std::max({thick, 1.2f * lip, 1.1f * corner, under});
 }
 
-// Curls in rows; `shade` is the light and dark that the face has there.
+// Curls in rows; `shade` is the luminance that the face has there.
 Paint curls(glm::vec3 p, float shade)
 {
     const float row = (1.62f - p.y) * 90 + 0.9f * value_noise(p.x * 90, p.z * 90, 501);
@@ -56,7 +56,7 @@ Paint bearded(const Texel &t, Paint paint, float lowest)
 
 bool on_face(const Texel &t) { return t.chart == Chart::head && t.position.z > 0.02f; }
 
-// Some bands beside each other: within the half width of a line at every `pitch`, `count` of them round `middle`.
+// True on `count` bands at every `pitch` about `middle`, each within the half width `half`.
 bool on_bands(float x, float middle, float pitch, float half, int count)
 {
     const float nearest = std::floor((x - middle) / pitch + 0.5f);

@@ -1,4 +1,4 @@
-// Second textures for the four people (S1 1): the same body and dress, another face, another weave.
+// Second texture sets of the four people (S1 1): the same body and clothes with another face and another weave.
 #pragma once
 
 #include "lib/figures/canvas.h"

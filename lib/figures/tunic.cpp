@@ -1,5 +1,5 @@
-// A knee-length tunic: rows of fourteen columns from the hem over the belt and the cloth that is drawn over it up to
-// the armpits, a yoke over the shoulders with a wide neck, and sleeves sewn to its armholes.
+// A knee-length tunic: rows of fourteen columns from the hem over the belt and the overhanging cloth up to the armpits,
+// a yoke over the shoulders with a wide neck, and sleeves joined to its armholes.
 #include <map>
 
 #include "lib/figures/parts.h"
@@ -11,7 +11,7 @@ namespace claque::figures
 namespace
 {
 
-constexpr int columns = 14;  // 0 in front, 7 at the back, to the figure's left first
+constexpr int columns = 14;  // 0 in front, 7 at the back, counted to the figure's left
 
 // Unit directions of columns 0 to 7 on the left.
 const std::array<glm::vec2, 8> directions = {{{0, 1},
@@ -23,7 +23,7 @@ const std::array<glm::vec2, 8> directions = {{{0, 1},
                                               {0.44f, -0.90f},
                                               {0, -1}}};
 
-// How far each column stands out where the cloth falls in folds, in parts of the row's fold.
+// The offset of each column where the cloth falls in folds, as a fraction of the row's fold.
 const std::array<float, columns> tunic_folds = {
     {-0.9f, 1.0f, -0.6f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.9f, 0.8f, -0.9f, 1.0f, -0.7f, 0.8f}};
 
@@ -41,7 +41,7 @@ const std::array<Row, 7> rows = {{
     {1.195f, 0.163f, 0.134f, 0.127f, -0.003f, 0.008f, 0.000f},
 }};
 
-// Armpit row and the row above it, columns 0 to 7 on the left; then the seam on the shoulder from neck to arm.
+// The armpit row and the row above it, columns 0 to 7 on the left; then the shoulder seam from neck to arm.
 const std::array<glm::vec3, 8> armpit = {{{0, 1.342f, 0.120f},
                                           {0.060f, 1.340f, 0.126f},
                                           {0.115f, 1.346f, 0.108f},
@@ -94,7 +94,7 @@ Ring add_row(Mesh &mesh, const std::array<glm::vec3, 8> &half)
     return ring;
 }
 
-// Columns from `first` for `count`, left to right for whoever looks at them.
+// `count` columns from `first`, left to right as seen from outside.
 Chain span(const Ring &ring, int first, int count, float t)
 {
     Chain chain;
@@ -103,7 +103,7 @@ Chain span(const Ring &ring, int first, int count, float t)
     return chain;
 }
 
-// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
 Chain doubled(Mesh &mesh, Chain chain)
 {
     std::map<uint32_t, uint32_t> twins;
@@ -133,7 +133,7 @@ void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 5> &armhole)
     mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
 }
 
-// Chest, back and shoulders above the row of the armpits, which lies at height `t` of the charts; then the sleeves.
+// Chest, back and shoulders above the row of the armpits, at height `t` of the charts; then the sleeves.
 void add_yoke(Mesh &mesh, const Ring &low, float t)
 {
     const Ring high = add_row(mesh, upper);

@@ -41,7 +41,7 @@ void weigh_trunk(BoneWeights &w, glm::vec3 p, float whole)
            {Bone::chest, 0}});
 }
 
-// Torso and sleeve: trunk, then collar bone, then upper arm, by how far out the point lies.
+// Torso and sleeve: trunk, then collar bone, then upper arm, by the point's distance outwards.
 void weigh_shoulder(BoneWeights &w, glm::vec3 p, Side side, float whole)
 {
     const glm::vec3 q = mirrored(p, side);
@@ -70,7 +70,7 @@ void weigh_arm(BoneWeights &w, glm::vec3 p, Side side, float whole)
 namespace
 {
 
-// From the belt down a quarter of the cloth follows each of four bones; `below` of it the shins instead.
+// Below the belt each quarter of the cloth follows a skirt bone; the share `below` follows the shins instead.
 void hang_cloth(BoneWeights &w, glm::vec3 p, float whole, float below)
 {
     const float hang = step(1.02f, 0.80f, p.y);
@@ -125,7 +125,7 @@ void foot(Dense &w, glm::vec3 p, Side side)
 
 void head(Dense &w, glm::vec3 p)
 {
-    // The throat goes with the head later than the nape.
+    // The throat follows the head from a greater height than the nape.
     const float y = p.y + 0.25f * p.z;
     chain(w, 1, {{Bone::chest, step(1.445f, 1.500f, y)}, {Bone::neck, step(1.485f, 1.555f, y)}, {Bone::head, 0}});
 }
@@ -183,7 +183,7 @@ bool smoothed(Region region)
 
 void smooth(const Mesh &mesh, std::vector<Dense> &dense)
 {
-    // Points that share a place are one here, or the surface would tear between them.
+    // Points at equal positions are one here, or the surface would tear between them.
     std::map<std::tuple<float, float, float>, uint32_t> places;
     std::vector<uint32_t> welded;
     for (uint32_t i = 0; i < mesh.points.size(); ++i) {
@@ -233,7 +233,7 @@ std::vector<Binding> bind(const Mesh &mesh, Weigher weigher)
     std::vector<Dense> dense;
     for (const Point &point : mesh.points) {
         if (point.region >= Region::own && !weigher)
-            base::fail(CLQ_ARGUMENT, "a point has a region of the figure's own, and the figure no weigher");
+            base::fail(CLQ_ARGUMENT, "a point has a region of the figure's own, but the figure has no weigher");
         dense.push_back(weights_of(point, weigher));
     }
     smooth(mesh, dense);

@@ -35,7 +35,8 @@ void Blocks::arrange(const crowd::Crowd &crowd)
     at_.assign(crowd.group_count() + 1, 0);
     blocks_.reserve(crowd.group_count() + 1);
     blocks_.clear();
-    // at_[0] counts those without a group, at_[g + 1] those of group g; then both become places.
+    // at_[0] counts actors without a group, at_[g + 1] those of group g; the prefix sum turns counts into start
+    // indices.
     const auto slot = [&](uint32_t row) { return crowd.group_of(row) == model::none ? 0 : crowd.group_of(row) + 1; };
     for (uint32_t row = 0; row < crowd.row_count(); ++row)
         if (crowd.alive(row)) ++at_[slot(row)];

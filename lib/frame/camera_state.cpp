@@ -10,8 +10,8 @@ namespace claque::frame
 namespace
 {
 
-// Distances that a host gives to levels of detail hold in a picture of 768 lines over 60 degrees: half its height over
-// the tangent of half the angle.
+// The distances of levels of detail are given for a reference picture of 768 lines over 60 degrees: half its height
+// divided by the tangent of half the angle.
 constexpr double home_px = 384 * 1.7320508075688772;
 
 math::Frustum pyramid_of(const View &view)
@@ -32,7 +32,8 @@ CameraState::CameraState(const View &view)
       min_distance(0)
 {
     const float *p = view.camera.projection;
-    const double pixels = std::fabs(double(p[5])) * 0.5 * double(view.height_px);  // of a unit across, a unit away
+    // pixels per unit at a distance of one unit
+    const double pixels = std::fabs(double(p[5])) * 0.5 * double(view.height_px);
     if (!(pixels > 0)) return;
     if (p[11] != 0) distance_scale = home_px / pixels;
     else min_distance = home_px / pixels, distance_scale = 0;

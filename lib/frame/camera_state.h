@@ -1,4 +1,4 @@
-// What all steps of an update ask of a view's camera, found once.
+// A view's camera, prepared once for all steps of an update.
 #pragma once
 
 #include "lib/frame/view.h"
@@ -7,15 +7,17 @@
 namespace claque::frame
 {
 
-// An eye, ready for many individuals. Positions are in world axes relative to the eye.
+// An eye, prepared for many individuals. Positions are in world axes relative to the eye.
 struct CameraState {
     explicit CameraState(const View &view);
+    bool casts() const { return shadow != glm::dvec3(0); }  // whether its picture shows shadows
     glm::dvec3 eye;
     glm::dmat3 world_to_eye;
     math::Frustum frustum;
     glm::dvec3 shadow;
-    double distance_scale;  // times a distance: its effective distance (S0 5)
-    double min_distance;    // no effective distance is less: that of a parallel projection, which knows no distance
+    double distance_scale;  // effective distance per distance (S0 5)
+    // lower bound of effective distances: the fixed one of a parallel projection, which has no distance
+    double min_distance;
 };
 
 }  // namespace claque::frame

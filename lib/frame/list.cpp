@@ -1,4 +1,4 @@
-// The one thing that drawing sees: for each view its individuals, in their order.
+// Builds the draw list of each view: its individuals, sorted.
 #include <algorithm>
 
 #include "lib/frame/order.h"
@@ -8,28 +8,31 @@
 namespace claque::frame
 {
 
-draw::Item Update::item_of(const CameraState &eye, uint32_t view, const SortEntry &listed) const
+draw::Item ListView::item_of(const SortEntry &listed) const
 {
-    const Row &found = frame.rows_[listed.row];
-    const crowd::Transform &transform = frame.candidates_[found.candidate].root;
-    const ViewVisibility &visibility = view_visibility(view, found.candidate);
+    const crowd::Crowd &crowd = given.crowd;
+    const CameraState &eye = given.eyes[view_index];
+    const animcache::Request &request = caches.requests()[listed.candidate];
+    const crowd::Transform &transform = candidates[listed.candidate].root;
+    const ViewVisibility &visibility = sights.at(view_index, listed.candidate);
     draw::Item item;
     item.tmpl = &crowd.template_of(listed.row);
-    item.level = found.visibility.level;
+    item.level = request.level;
     item.actor_index = listed.row;
     item.texture_set = listed.texture_set;
     item.generation = crowd.actor(listed.row).generation;
     item.parts = visibility.parts;
     item.shadow_only = visibility.shadow_only;
-    item.locals = frame.caches_.locals_of(listed.row);
-    if (!item.locals) item.vertices = frame.caches_.vertices_of(listed.row);
+    item.locals = caches.locals_of(request);
+    if (!item.locals) item.vertices = caches.vertices_of(request);
+    item.pose = caches.pose_of(request);
     item.zone_rgb = crowd.zone_rgb(listed.row);
     math::store_matrix(math::eye_transform(eye.world_to_eye, eye.eye, transform.position, transform.orientation,
                                            double(transform.scale)),
                        item.model_view);
-    item.eye_distance_m = listed.distance * frame.settings_.caches.metres_per_unit;
+    item.eye_distance_m = listed.distance * given.settings.caches.metres_per_unit;
     item.mirrored = transform.scale < 0;
-    const glm::dvec3 ground = follows_ground(listed.row) ? transform.position : position_of(listed.row);
+    const glm::dvec3 ground = follows_ground(crowd, listed.row) ? transform.position : position_of(crowd, listed.row);
     for (int k = 0; k < 3; ++k) item.ground[k] = ground[k];
     return item;
 }
@@ -37,7 +40,7 @@ draw::Item Update::item_of(const CameraState &eye, uint32_t view, const SortEntr
 namespace
 {
 
-// Within what reserve() made room for: what is copied first does not move.
+// Within the capacity that reserve() made, so copied elements do not move.
 void keep_colours(View &view)
 {
     if (view.grown.capacity() > view.colours.capacity()) {
@@ -65,7 +68,7 @@ void call_after(void *user, uint32_t index1, uint32_t generation)
     host.after(host.user, clq_actor{index1, generation});
 }
 
-// Within what reserve() made room for.
+// Within the capacity that reserve() made.
 void keep_hooks(const crowd::Crowd &crowd, View &view)
 {
     view.hooked.clear();
@@ -84,35 +87,27 @@ void keep_hooks(const crowd::Crowd &crowd, View &view)
 
 }  // namespace
 
-void Update::list_view(uint32_t v)
+void ListView::run() const
 {
-    View &view = *views[v];
-    std::pmr::vector<SortEntry> &listed = frame.listed_;
+    const crowd::Crowd &crowd = given.crowd;
     listed.clear();
-    for (const uint32_t i : frame.visible_) {
-        const uint32_t row = frame.candidates_[i].row;
-        const ViewVisibility &visibility = view_visibility(v, i);
+    for (const uint32_t i : visible) {
+        const uint32_t row = candidates[i].row;
+        const ViewVisibility &visibility = sights.at(view_index, i);
         if (visibility.inside != math::Containment::outside)
-            listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, visibility.distance, row});
+            listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, visibility.distance, row, i});
     }
-    sort_entries(listed, frame.ordered_);
+    sort_entries(listed, ordered);
 
     view.list.items.resize(listed.size());
-    view.list.server = &view.server;
-    view.server.attach(frame.caches_);
     std::copy(std::begin(view.camera.projection), std::end(view.camera.projection), view.list.projection);
-    const CameraState &eye = frame.eyes_[v];
+    const CameraState &eye = given.eyes[view_index];
     for (int k = 0; k < 3; ++k) view.list.eye[k] = eye.eye[k];
     for (int k = 0; k < 9; ++k) view.list.world_to_eye[k] = eye.world_to_eye[k / 3][k % 3];
-    for_slices(static_cast<uint32_t>(listed.size()),
-               [&](uint32_t i) { view.list.items[i] = item_of(eye, v, listed[i]); });
+    given.for_slices(static_cast<uint32_t>(listed.size()),
+                     [&](uint32_t i) { view.list.items[i] = item_of(listed[i]); });
     keep_colours(view);
     keep_hooks(crowd, view);
-}
-
-void Update::list()
-{
-    for (uint32_t v = 0; v < views.count; ++v) list_view(v);
 }
 
 }  // namespace claque::frame

@@ -26,7 +26,7 @@ struct Memory {
     std::pmr::vector<float> weights, dofs, scratch;
 };
 
-// A host's mechanism is not run because somebody asks where a hand is.
+// A query for a node's matrix must not run the host's mechanisms.
 behave::MechanismLevels without_host(const crowd::Crowd &crowd, uint32_t row, behave::MechanismLevels levels)
 {
     const crowd::Behaviours &behaviours = crowd.behaviours();
@@ -54,7 +54,7 @@ void node_world_matrix(const crowd::Crowd &crowd, const Frame &frame, uint32_t r
     behave::EvaluationContext context;
     context.time_s = tick_s;
     context.level = &level;
-    context.distance = visibility.distance;
+    context.distance_m = visibility.distance * frame.settings().caches.metres_per_unit;
     context.levels =
         shown && visibility.visible ? frame.mechanism_levels(row) : behave::mechanism_levels(crowd, row, 0, level);
     context.levels = without_host(crowd, row, context.levels);

@@ -13,7 +13,7 @@ namespace
 
 constexpr uint32_t digit_bits = 11, digits = 3;  // of 32 bits, the lowest first
 
-// Those that have the same number stay in the order in which they came.
+// A stable counting sort by one digit.
 template <class Number>
 void radix_sort_by(Number number, std::pmr::vector<SortEntry> &listed, std::pmr::vector<SortEntry> &spare)
 {
@@ -31,7 +31,7 @@ void radix_sort_by(Number number, std::pmr::vector<SortEntry> &listed, std::pmr:
     }
 }
 
-// Ascends with the number, where that is not below 0: its exponent and the first three bits of its fraction.
+// Monotonic in a non-negative number: its exponent and the first three bits of its fraction.
 uint32_t band_of(float number)
 {
     uint32_t bits = 0;

@@ -1,5 +1,6 @@
-// S0 4.2, phase 3: where the Sklsroot Bsphere crosses a frustum's edge, which parts are inside, by the Internal Bspheres of
-// the pose; who has none is not drawn. In traditional mode everybody is tested here, and here alone.
+// S0 4.2, phase 3: where the Sklsroot Bsphere crosses a frustum's edge, the Internal Bspheres of the pose show which
+// parts are inside. An individual without visible parts is not drawn. Traditional mode tests all individuals here, and
+// only here.
 #include <cmath>
 
 #include "lib/frame/spheres.h"
@@ -15,7 +16,7 @@ using math::Containment;
 namespace
 {
 
-// Of the nodes that a level evaluates.
+// Number of nodes that a level evaluates.
 uint64_t nodes_of(const model::Template &tmpl, const model::Level &level)
 {
     return level.active.empty() ? tmpl.rig.node_count() : level.nodes.size();
@@ -23,17 +24,28 @@ uint64_t nodes_of(const model::Template &tmpl, const model::Level &level)
 
 }  // namespace
 
-// Whether the view sees anything of the individual, and which parts.
-void Update::test_parts(uint32_t view, uint32_t index, const animcache::Request &request, PartsTested &tested) const
+// Results of one task of phase 3.
+struct CullParts::Tested {
+    uint32_t slice = 0;
+    const math::Affine *palette = nullptr;  // of the present candidate; null until it is needed
+    uint64_t spheres_built = 0, sphere_tests = 0, products_tracked = 0;
+    uint64_t products_invisible = 0;  // of these, for individuals found invisible
+    uint32_t crossing = 0;
+};
+
+// Whether the view sees any part of the individual, and which.
+void CullParts::test_parts(uint32_t view, uint32_t i, Tested &tested) const
 {
-    ViewVisibility &visibility = view_visibility(view, frame.requested_[index]);
+    const animcache::Request &request = caches.requests()[i];
+    ViewVisibility &visibility = sights.at(view, i);
     const model::Level &level = request.tmpl->levels[request.level];
-    // What lies between two key-poses is in no hull of theirs part by part; and who shows what must not depend on what is kept.
+    // Blended key-poses can leave the hulls of single parts. Culling must not depend on which key-poses are kept, so
+    // all actors with key-poses skip it.
     if (level.parts.empty() || animcache::shows_key_poses(request.key_pose.mode)) return;
-    if (!tested.palette)
-        tested.palette = frame.caches_.palette_for_spheres(request, tested.slice, tested.products_tracked);
-    const CameraState &eye = frame.eyes_[view];
-    const crowd::Transform &root = frame.candidates_[frame.requested_[index]].root;
+    if (!tested.palette) tested.palette = caches.palette_for_spheres(request, tested.slice, tested.products_tracked);
+    if (!tested.palette) return;  // no memory for the pose
+    const CameraState &eye = given.eyes[view];
+    const crowd::Transform &root = candidates[i].root;
     const ToFrustum to{math::rotation_of(root.orientation) * double(root.scale), root.position - eye.eye,
                        std::fabs(double(root.scale))};
     const PartsInView inside = parts_in_view(*request.tmpl, level, tested.palette, to, eye.frustum);
@@ -46,56 +58,71 @@ void Update::test_parts(uint32_t view, uint32_t index, const animcache::Request 
     else if (visibility.inside == Containment::outside) visibility.inside = Containment::intersects;
 }
 
-void Update::cull_parts()
+// Tests the candidate in all views.
+void CullParts::test(uint32_t i, Tested &tested) const
+{
+    animcache::Request &request = caches.pending()[i];
+    tested.palette = nullptr;
+    request.drawn = false;
+    if (!request.tmpl) return;
+    bool crosses = false;
+    const uint64_t tracked_before = tested.products_tracked;
+    for (uint32_t v = 0; v < given.eyes.count; ++v) {
+        const ViewVisibility &visibility = sights.at(v, i);
+        if (visibility.inside == Containment::outside && !given.traditional()) continue;
+        crosses = crosses || visibility.inside == Containment::intersects;
+        if ((visibility.inside == Containment::intersects && !visibility.shadow_only) || given.traditional())
+            test_parts(v, i, tested);
+        request.drawn = request.drawn || visibility.inside != Containment::outside;
+    }
+    tested.crossing += crosses;
+    if (!request.drawn) tested.products_invisible += tested.products_tracked - tracked_before;
+}
+
+base::Status CullParts::check() const
+{
+    if (caches.requests().count != candidates.count || sights.candidates != candidates.count)
+        return base::Status::bad(CLQ_ARGUMENT, "no request or no sight of every candidate");
+    if (visible.count < candidates.count || rows.count < given.crowd.row_count())
+        return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate and row");
+    return base::Status::good();
+}
+
+uint32_t CullParts::run() const
 {
     constexpr uint32_t slices = animcache::Caches::slice_count;
-    PartsTested tested[slices];
-    std::pmr::vector<animcache::Request> &requests = frame.caches_.pending();
-    const uint32_t count = static_cast<uint32_t>(requests.size());
-    jobs.for_each(slices, [&](uint32_t s) {
-        const uint32_t first = static_cast<uint32_t>(uint64_t(count) * s / slices);
-        const uint32_t last = static_cast<uint32_t>(uint64_t(count) * (s + 1) / slices);
+    Tested tested[slices];
+    const base::Span<const animcache::Request> requests = caches.requests();
+    given.jobs.for_each(slices, [&](uint32_t s) {
+        const uint32_t first = static_cast<uint32_t>(uint64_t(requests.count) * s / slices);
+        const uint32_t last = static_cast<uint32_t>(uint64_t(requests.count) * (s + 1) / slices);
         tested[s].slice = s;
-        for (uint32_t i = first; i < last; ++i) {
-            tested[s].palette = nullptr;
-            requests[i].drawn = false;
-            bool crosses = false;
-            const uint64_t tracked_before = tested[s].products_tracked;
-            for (uint32_t v = 0; v < views.count; ++v) {
-                const ViewVisibility &visibility = view_visibility(v, frame.requested_[i]);
-                if (visibility.inside == Containment::outside && !traditional()) continue;
-                crosses = crosses || visibility.inside == Containment::intersects;
-                if ((visibility.inside == Containment::intersects && !visibility.shadow_only) || traditional())
-                    test_parts(v, i, requests[i], tested[s]);
-                requests[i].drawn = requests[i].drawn || visibility.inside != Containment::outside;
-            }
-            tested[s].crossing += crosses;
-            if (!requests[i].drawn) tested[s].products_invisible += tested[s].products_tracked - tracked_before;
-        }
+        for (uint32_t i = first; i < last; ++i) test(i, tested[s]);
     });
-    Stats &stats = frame.stats_;
     stats.crossing = 0;
     stats.spheres_built = 0, stats.matrices_needed = stats.products = stats.products_tracked = 0;
-    for (const PartsTested &t : tested) {
+    for (const Tested &t : tested) {
         stats.spheres_built += t.spheres_built;
         stats.sphere_tests += t.sphere_tests;
         stats.crossing += t.crossing;
         stats.products_tracked += t.products_tracked;
         stats.products += t.products_invisible;
     }
-    frame.visible_.clear();
-    for (uint32_t i = 0; i < count; ++i) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < requests.count; ++i) {
         const animcache::Request &request = requests[i];
+        if (!request.tmpl) continue;
         const uint64_t nodes = nodes_of(*request.tmpl, request.tmpl->levels[request.level]);
         stats.matrices_needed += nodes;
         if (!request.drawn) {
-            frame.rows_[request.row].visibility.visible = false;
+            rows[request.row].visibility.visible = false;
             continue;
         }
-        frame.visible_.push_back(frame.requested_[i]);
+        visible[count++] = i;
         stats.products += nodes;
         if (request.rigid_mode == animcache::RigidMode::vertices) stats.products_tracked += nodes;
     }
+    return count;
 }
 
 }  // namespace claque::frame

@@ -12,7 +12,7 @@ namespace
 
 struct Ball {
     glm::dvec3 centre;
-    double radius = -1;  // negative: there is nothing
+    double radius = -1;  // negative: empty
 };
 
 double length_of(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
@@ -31,7 +31,8 @@ Ball united(const Ball &a, const Ball &b)
     return out;
 }
 
-// No length grows by more: the largest column of a similarity, else the root of all squares.
+// An upper bound of how much the matrix stretches a length: the largest column of a similarity, else the Frobenius
+// norm.
 double max_scale_of(const math::Affine &m, bool similar)
 {
     double most = 0, sum = 0;
@@ -44,7 +45,7 @@ double max_scale_of(const math::Affine &m, bool similar)
     return std::sqrt(similar ? most * (1 + 1e-3) : sum);
 }
 
-// A few more bits than skinning in float may round away.
+// A margin of a few bits more than float skinning may round away.
 constexpr double margin = 1 + 1e-5;
 
 Ball ball_of(const model::Template &tmpl, const model::Level &level, const model::LevelPart &part,
@@ -62,7 +63,7 @@ Ball ball_of(const model::Template &tmpl, const model::Level &level, const model
     return ball;
 }
 
-constexpr uint32_t max_nodes = 256;  // beyond, parts are tested one by one: the stack is not for thousands
+constexpr uint32_t max_nodes = 256;  // beyond, parts are tested one by one, which keeps the stack small
 
 }  // namespace
 

@@ -1,87 +1,194 @@
-// The steps of one update, in their order; each is a short file of its own. Only reserve() may fail.
+// The steps of one update, in their order (S0 4.2); each has a short file of its own. A step reads its first members
+// and writes only through its last ones; none allocates. run() requires check().
 #pragma once
 
-#include "lib/frame/frame.h"
+#include "lib/base/status.h"
+#include "lib/frame/blocks.h"
+#include "lib/frame/frame_data.h"
+#include "lib/frame/order.h"
+#include "lib/frame/stats.h"
+#include "lib/frame/view.h"
 
 namespace claque::frame
 {
 
-// What one task of phase 3 found.
-struct PartsTested {
-    uint32_t slice = 0;
-    const math::Affine *palette = nullptr;  // of the individual at hand; null until it is needed
-    uint64_t spheres_built = 0, sphere_tests = 0, products_tracked = 0;
-    uint64_t products_invisible = 0;  // of these, for who turned out to be invisible
-    uint32_t crossing = 0;
-};
+// S0 4.3: tests Group Bspheres against each view's frustum and lists the remaining rows.
+struct CullGroups {
+    const Given &given;
+    const Blocks &blocks;
 
-struct Update {
-    const crowd::Crowd &crowd;
-    Frame &frame;
-    base::Span<View *const> views;
-    double time_s;
-    const base::Jobs &jobs;
+    base::Span<uint8_t> block_seen;  // scratch [view][block]
+    base::Span<GroupRow> groups;     // [group_count]: of those visible
+    base::Span<uint32_t> tested;     // [row_capacity]
+    Stats &stats;
 
-    void reserve();  // frame.cpp: memory for all that follows; throws std::bad_alloc
-
-    // S0 4.2. In traditional mode nobody is rejected before phase 3.
-    void cull_groups();                // groups.cpp: Group Bspheres against each view's frustum; who is left
-    void cull_refpoints();             // cull.cpp: phase 1, Refpoint Bspheres
-    void place_roots();                // roots.cpp: Skeleton Roots of who is left
-    void cull_roots();                 // cull.cpp: phase 2, Sklsroot Bspheres; eyeDistances
-    void choose_levels_and_periods();  // levels.cpp: level, rate and tick of who is left
-    void find_due();                   // frame.cpp: whose pose is not that of its tick, and who of them must wait
-    void behave();                     // behave.cpp: control mechanisms of who is due write degrees of freedom
-    void animate();                    // frame.cpp: degrees of freedom and clips to matrices
-    void cull_parts();                 // parts.cpp: phase 3, Internal Bspheres
-
-    void skin();   // frame.cpp: vertices of who is drawn
-    void list();   // list.cpp: one sorted list a view
-    void count();  // counters.cpp
-
-    double now() const;               // budget.cpp: the host's clock where a budget is in milliseconds, else 0
-    void learn_cost(double spent_s);  // of all that were posed in this update
+    base::Status check() const;
+    uint32_t run() const;  // returns how many of `tested` were written
 
 private:
-    using Row = Frame::Row;
-    using Candidate = Frame::Candidate;
-    using ViewVisibility = Frame::ViewVisibility;
-
-    bool traditional() const { return frame.settings_.cull == Cull::traditional; }
     bool is_visible(const CameraState &eye, const Block &block) const;
-    ViewVisibility &view_visibility(uint32_t view, uint32_t candidate) const
-    {
-        return frame.view_visibilities_[size_t(view) * frame.candidates_.size() + candidate];
-    }
-    glm::dvec3 position_of(uint32_t row) const;
-    bool follows_ground(uint32_t row) const;
-    void place_root(Candidate &candidate) const;
-    void evaluate_candidate(uint32_t candidate);
-    uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_distance_m) const;
-    void request(uint32_t candidate);
-    void reserve_layers();  // layers.cpp: of all memory the last, as lists of the update before still point at it
-    void choose_clips(animcache::Request &request, uint64_t levels);
-    void share_key_poses(animcache::Request &request) const;
-    uint32_t budget() const;
-    void keep_to_budget();
-    void run_memories();
-    const animcache::Request *find_request(uint32_t row) const;
-    float *dofs_of(const animcache::Request &request) const;
-    void test_parts(uint32_t view, uint32_t index, const animcache::Request &request, PartsTested &tested) const;
-    void list_view(uint32_t view);
-    draw::Item item_of(const CameraState &eye, uint32_t view, const SortEntry &listed) const;
-    uint32_t band_of(float distance) const;
-
-    // A loop over n in slices whose number does not follow the number of threads.
-    template <class Body>
-    void for_slices(uint32_t n, const Body &body) const
-    {
-        constexpr uint32_t slice_size = 256;
-        jobs.for_each((n + slice_size - 1) / slice_size, [&](uint32_t k) {
-            const uint32_t last = n - k * slice_size < slice_size ? n : (k + 1) * slice_size;
-            for (uint32_t i = k * slice_size; i < last; ++i) body(i);
-        });
-    }
 };
+
+// Phase 1: tests Refpoint Bspheres. Traditional mode rejects no actor before phase 3.
+struct CullRefpoints {
+    const Given &given;
+    base::Span<const uint32_t> tested;
+
+    base::Span<uint8_t> passed;        // scratch [view][tested]: math::Inside
+    base::Span<Candidate> candidates;  // [tested]
+    Stats &stats;
+
+    base::Status check() const;
+    uint32_t run() const;  // returns how many candidates were written
+};
+
+// Places the Skeleton Roots of the candidates: Reference Point, root path, ground.
+struct PlaceRoots {
+    const Given &given;
+
+    base::Span<Candidate> candidates;
+    Stats &stats;
+
+    void run() const;
+};
+
+// Phase 2: tests Sklsroot Bspheres and computes eyeDistances.
+struct CullRoots {
+    const Given &given;
+    base::Span<const Candidate> candidates;
+
+    Sights sights;
+    Stats &stats;
+
+    base::Status check() const;
+    void run() const;
+};
+
+// S1 4, S0 5: selects level, rate and tick of the candidates.
+struct ChooseLevels {
+    const Given &given;
+    Sights sights;
+    uint64_t live_since;  // ticks shown up to this update may be followed by earlier ones
+
+    base::Span<Candidate> candidates;
+    base::Span<Row> rows;  // by row of the crowd
+
+    base::Status check() const;
+    void run() const;
+
+private:
+    void evaluate_candidate(uint32_t i) const;
+    uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_distance_m) const;
+};
+
+// Chooses what each visible candidate shows: one clip, layers, or key-poses.
+struct MakeRequests {
+    const Given &given;
+    base::Span<const Candidate> candidates;
+    base::Span<const Row> rows;
+    const animcache::KeyPoses &key_poses;
+
+    std::pmr::vector<pose::Layer> &layers;           // within its capacity
+    std::pmr::vector<animcache::Request> &requests;  // within its capacity: one per candidate
+    Stats &stats;
+
+    void run() const;
+
+private:
+    void add(const Candidate &candidate) const;
+    void choose_clips(animcache::Request &request, uint64_t levels) const;
+    void share_key_poses(animcache::Request &request) const;
+};
+
+// Live clock: how many poses this update may renew, and what deferred actors show.
+struct KeepToBudget {
+    const Given &given;
+    double elapsed_s;    // since the update before
+    double pose_cost_s;  // of posing and skinning one individual; 0: unknown
+
+    animcache::Caches &caches;
+    base::Span<Candidate> candidates;
+    base::Span<Row> rows;
+
+    void run() const;
+
+private:
+    uint32_t budget() const;
+};
+
+// Control mechanisms of actors that are due write degrees of freedom.
+struct Behave {
+    const Given &given;
+    base::Span<const Candidate> candidates;
+    base::Span<const Row> rows;
+    uint32_t dofs_each;  // the maximum over all templates
+
+    base::Span<uint32_t> behaving;  // scratch [candidates]: candidates whose mechanisms run
+    base::Span<float> dofs;         // [dofs_each] per candidate, and one more for actors that are not candidates
+    animcache::Caches &caches;      // its requests point at their dofs
+    Stats &stats;
+
+    base::Status check() const;
+    void run() const;
+
+private:
+    void run_memories() const;
+    void run_one(uint32_t i, behave::Counts &counts) const;
+    float *dofs_of(uint32_t i) const { return dofs.data + size_t(i) * dofs_each; }
+    bool asks(uint32_t row) const;
+};
+
+// Phase 3: tests Internal Bspheres and lists the individuals to draw.
+struct CullParts {
+    const Given &given;
+    base::Span<const Candidate> candidates;
+
+    animcache::Caches &caches;  // sets `drawn` of its requests
+    Sights sights;
+    base::Span<Row> rows;
+    base::Span<uint32_t> visible;  // [candidates]
+    Stats &stats;
+
+    base::Status check() const;
+    uint32_t run() const;  // returns how many of `visible` were written
+
+private:
+    struct Tested;
+    void test_parts(uint32_t view, uint32_t i, Tested &tested) const;
+    void test(uint32_t i, Tested &tested) const;
+};
+
+// Builds the sorted draw list of one view.
+struct ListView {
+    const Given &given;
+    uint32_t view_index;
+    base::Span<const Candidate> candidates;
+    base::Span<const uint32_t> visible;
+    Sights sights;
+    const animcache::Caches &caches;
+
+    std::pmr::vector<SortEntry> &listed, &ordered;  // scratch, within their capacity
+    View &view;
+
+    void run() const;
+
+private:
+    draw::Item item_of(const SortEntry &listed) const;
+};
+
+// Adds an update to the statistics of distance bands.
+struct CountBands {
+    const animcache::Caches &caches;
+    base::Span<const Row> rows;
+    double elapsed_s;  // since the update before; 0: unknown
+
+    base::Span<Band> bands;
+
+    void run() const;
+};
+
+// The transform of a row's Reference Point in the world, and whether the Skeleton Root follows the ground.
+glm::dvec3 position_of(const crowd::Crowd &crowd, uint32_t row);
+bool follows_ground(const crowd::Crowd &crowd, uint32_t row);
 
 }  // namespace claque::frame

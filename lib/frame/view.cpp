@@ -16,8 +16,8 @@ glm::dvec3 unit(const glm::dvec3 &v) { return v / std::sqrt(v.x * v.x + v.y * v.
 
 double square(const glm::dvec3 &v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
-// Shepperd's way: from the largest component, so that no root is of nearly nothing. Columns x, y, z are rows of a
-// world-to-eye rotation.
+// Shepperd's method: starts from the largest component, so that no root of a small number is taken. Columns x, y, z are
+// rows of a world-to-eye rotation.
 glm::quat quat_of(const glm::dvec3 &x, const glm::dvec3 &y, const glm::dvec3 &z)
 {
     const double m[3][3] = {{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}};  // [row][column]
@@ -79,8 +79,7 @@ uint64_t hash(const draw::DrawList &list)
     uint64_t h = base::fnv(base::fnv_start, list.projection, sizeof list.projection);
     for (const draw::Item &item : list.items) {
         const model::Level &level = item.tmpl->levels[item.level];
-        const bool served = item.vertices.any() || item.locals || !list.server;
-        const draw::Vertices vertices = served ? item.vertices : list.server->serve(item);
+        const draw::Vertices &vertices = item.vertices;
         h = base::fnv(h, item.tmpl->name.data(), item.tmpl->name.size());
         h = base::fnv(h, &item.level, sizeof item.level);
         h = base::fnv(h, &item.actor_index, sizeof item.actor_index);
@@ -102,6 +101,7 @@ uint64_t hash(const draw::DrawList &list)
             h = base::fnv(h, &vertices.step, sizeof vertices.step);
             continue;
         }
+        if (!vertices.any()) continue;  // no memory for them
         h = base::fnv(h, vertices.positions, 3 * sizeof(float) * level.vertex_count);
         h = base::fnv(h, vertices.normals, 3 * sizeof(float) * level.vertex_count);
     }

@@ -1,9 +1,10 @@
 #include "lib/lod/aabb_tree.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
+
+#include <glm/common.hpp>
 
 namespace claque::lod
 {

@@ -1,10 +1,11 @@
-// Triangles in a tree of boxes, of up to four a leaf. Between the files of this room only.
+// A tree of bounding boxes over triangles, with at most four triangles a leaf. Internal to lib/lod.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace claque::lod
 {
@@ -12,15 +13,15 @@ namespace claque::lod
 using Corners3 = std::array<glm::dvec3, 3>;
 
 struct AabbTree {
-    explicit AabbTree(const std::vector<Corners3> &triangles);  // at least one
+    explicit AabbTree(const std::vector<Corners3> &triangles);  // at least one triangle
 
     struct Box {
         glm::dvec3 min, max;
-        uint32_t begin = 0, end = 0;  // of order
-        uint32_t left = 0;            // children left and left + 1; 0: a leaf
+        uint32_t begin = 0, end = 0;  // range of `order`
+        uint32_t left = 0;            // the children are `left` and `left + 1`; 0: a leaf
     };
     std::vector<uint32_t> order;
-    std::vector<Box> boxes;  // the root first
+    std::vector<Box> boxes;  // the root is first
 
 private:
     void split(const std::vector<Corners3> &triangles, uint32_t box);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <numeric>
 #include <set>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace claque::lod
 {
@@ -13,7 +14,8 @@ namespace claque::lod
 namespace
 {
 
-constexpr double min_cosine = 0.5;  // of a triangle's normal and its chart's: lengths are halved at most
+// Minimum cosine between a triangle's normal and its chart's normal: flattening halves lengths at most.
+constexpr double min_cosine = 0.5;
 
 using Flat = std::array<glm::dvec2, 3>;
 
@@ -25,7 +27,8 @@ glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 other)
     return length > 0 ? v / length : other;
 }
 
-// Whether no point lies inside both, which turn the same way: some side of one has all of the other outside of it.
+// Returns whether two triangles of the same orientation share no interior point. By the separating axis test, some side
+// of one then has all of the other outside it.
 bool disjoint(const Flat &a, const Flat &b)
 {
     for (const auto &[one, other] : {std::make_pair(&a, &b), std::make_pair(&b, &a)})
@@ -39,7 +42,7 @@ bool disjoint(const Flat &a, const Flat &b)
     return false;
 }
 
-// A triangle, and who may lie beside it: charts grow from the largest triangle on, over what faces most like it.
+// Grows charts from the largest triangle, across edges to the neighbours whose normals are closest.
 class ChartGrowth
 {
 public:
@@ -118,7 +121,8 @@ Box box_of(const std::vector<uint32_t> &chart, const std::vector<Flat> &texel_co
     return {first, last - first};
 }
 
-// Along the side of a triangle that makes its box least, the longer way across, from 0 on; the box's size.
+// Rotates the chart to its smallest bounding box, aligned with one of its triangle sides, longer side along x, and
+// moves it to the origin. Returns the size of the box.
 glm::dvec2 rotate_to_smallest_box(const std::vector<uint32_t> &chart, std::vector<Flat> &texel_coords)
 {
     glm::dvec2 best(1, 0);
@@ -138,7 +142,7 @@ glm::dvec2 rotate_to_smallest_box(const std::vector<uint32_t> &chart, std::vecto
     return box.size;
 }
 
-// Charts on shelves, the tallest first; false where they do not all find room.
+// Packs charts on shelves, the tallest chart first. Returns false if they do not fit.
 bool pack(const std::vector<glm::dvec2> &sizes, const std::vector<uint32_t> &order, Atlas &atlas)
 {
     uint32_t x = 0, y = 0, tall = 0;
@@ -181,7 +185,7 @@ Atlas build_atlas(const PosedParts &level, uint32_t texels)
         atlas.texel_size = std::sqrt(area / (double(atlas.width) * atlas.height));
         if (!(atlas.texel_size > 0)) atlas.texel_size = 1;
         bool packed = false;
-        // Finer texels than half of what would be there without gutters and gaps are not worth a search.
+        // The search stops at half of the resolution that the area allows without gutters and gaps.
         for (int step = 0; step < 100 && !packed; ++step, atlas.texel_size *= packed ? 1 : 1.02)
             packed = pack(sizes, order, atlas);
         if (packed) break;

@@ -1,5 +1,5 @@
-// A surface of triangles laid flat in an image, in charts that do not overlap: neighbours that face alike lie side by side
-// as they do on the surface. Between the files of this room only.
+// Flattens a triangle surface into an image, as charts that do not overlap. Neighbours with similar normals share a
+// chart and stay adjacent in it. Internal to lib/lod.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -9,7 +9,7 @@
 namespace claque::lod
 {
 
-constexpr uint32_t atlas_gutter = 2;  // texels round each chart that are no other's
+constexpr uint32_t atlas_gutter = 2;  // texels round each chart that no other chart uses
 
 struct Chart {
     std::vector<uint32_t> triangles;
@@ -17,14 +17,14 @@ struct Chart {
 };
 
 struct Atlas {
-    uint32_t width = 0, height = 0;                       // texels, powers of two
-    double texel_size = 0;                                // its size on the surface, where that lies flat
-    std::vector<Chart> charts;                            // each triangle is in one
-    std::vector<std::array<glm::dvec2, 3>> texel_coords;  // [triangles] of their corners, in texels
+    uint32_t width = 0, height = 0;  // in texels; powers of two
+    double texel_size = 0;           // the size of a texel on the surface, where the chart is not distorted
+    std::vector<Chart> charts;       // each triangle is in exactly one chart
+    std::vector<std::array<glm::dvec2, 3>> texel_coords;  // [triangles] in texels, per corner
 };
 
-// Of `texels` for each triangle, gutters included, rounded up to powers of two; twice as many where that leaves some chart no
-// room. Vertices that triangles share join them. Deterministic.
+// Builds an atlas of about `texels` texels per triangle, gutters included, rounded up to powers of two. It doubles in
+// size if some chart does not fit. Triangles are neighbours if they share vertices. Deterministic.
 Atlas build_atlas(const PosedParts &level, uint32_t texels);
 
 }  // namespace claque::lod

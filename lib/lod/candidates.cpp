@@ -21,7 +21,7 @@ std::vector<Candidate> prune(std::vector<Candidate> all)
         if (one.level.triangles < 20 && one.level.zone_area_error > max_zone_area_error) continue;
         if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
     }
-    // Of two that come to the same the finer one goes, but the finest stays.
+    // Of two nearly equal levels the finer one goes, but the finest level of all stays.
     const auto one_is_enough = [](const LevelReport &finer, const LevelReport &next) {
         return finer.distance_m >= next.distance_m || finer.triangles * 10 < next.triangles * 11;
     };

@@ -1,4 +1,4 @@
-// Levels that were made, of which some come to be a character's chain. Between the files of this room only.
+// Candidate levels and the choice of those that form a character's chain. Internal to lib/lod.
 #pragma once
 
 #include <cstddef>
@@ -9,29 +9,31 @@
 namespace claque::lod
 {
 
-constexpr double max_zone_area_error = 0.02;  // of the share of any zone, at any level
+constexpr double max_zone_area_error = 0.02;  // largest allowed error of any zone's area fraction, at any level
 
 struct Candidate {
     LevelReport level;
-    bool is_proxy = false;  // one part in place of all
+    bool is_proxy = false;  // one part replaces all parts
     bool is_measured = false;
     std::vector<model::Part> parts;
 };
 
 size_t triangle_count_of(const Candidate &made);
 
-// Distances must ascend, a level that serves nowhere costs memory for nothing, and a dozen triangles may be too few for zones.
+// Removes useless candidates: levels whose distance does not exceed the one before, levels that hardly save triangles,
+// and levels below 20 triangles that cannot keep the zones' area fractions.
 std::vector<Candidate> prune(std::vector<Candidate> all);
 
-// Of a near and a far level of about as many triangles the one that is nearer shall be. `made` is left with the near ones of
-// these, `far_targets` with what is to be far.
+// Of a decimated level and a proxy with similar triangle counts, keeps the one with the smaller error. `made` keeps the
+// decimated levels of these pairs; `proxy_targets` keeps the targets that become proxies.
 void prefer_near(std::vector<Candidate> &made, std::vector<size_t> &proxy_targets);
 
-// Near levels that are further off than a far one of fewer triangles, and those below them: far ones of as many shall
-// take their places. False where there are none; else `made` is left with the near ones that stay.
+// Finds decimated levels with a larger error than a proxy of fewer triangles, and drops them and all coarser decimated
+// levels from `made`; `proxy_targets` gets their targets. Returns false if there are none.
 bool replace_by_proxy(std::vector<Candidate> &made, std::vector<size_t> &proxy_targets);
 
-// The model's parts with those at `places` in all levels; far ones, which stand for all of them, at the end.
+// Returns the model's parts, with the parts at `part_indices` replaced by their versions in all levels. Proxies, which
+// replace all of these parts, come last.
 std::vector<model::Part> assemble(const model::Model &model, const std::vector<size_t> &part_indices,
                                   std::vector<Candidate> made);
 

@@ -18,23 +18,23 @@ namespace claque::lod
 namespace
 {
 
-// A pixel at one metre, with 768 lines over 60 degrees: where distances of levels are at home (S0 5).
+// The size of a pixel at one metre, with 768 lines over 60 degrees: the reference view for distances of levels (S0 5).
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
 
-constexpr int max_tries = 3;  // to keep to most_drift
+constexpr int max_tries = 3;  // attempts to stay within max_zone_area_error
 
 bool takes_part(const model::Part &part)
 {
     return !part.hidden && part.lod_min_m == 0 && std::isinf(part.lod_max_m) && !model::triangles_of(part).empty();
 }
 
-// What levels are made of.
+// The parts that levels are made from.
 struct Source {
-    std::vector<size_t> part_indices;  // of model.parts
+    std::vector<size_t> part_indices;  // indices into model.parts
     std::vector<const model::Part *> parts;
     size_t triangles = 0;
     bool articulated = false;                        // skinned, or on several nodes
-    std::vector<double> visibility, area_fractions;  // seen.h, shares.h
+    std::vector<double> visibility, area_fractions;  // see visibility.h and area_fractions.h
 };
 
 Source source_of(const model::Model &model, const base::Jobs &jobs)
@@ -48,7 +48,8 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
         source.triangles += model::triangles_of(part).size();
         source.articulated = source.articulated || part.skinned || part.node != source.parts[0]->node;
     }
-    if (source.parts.empty()) base::fail(CLQ_ARGUMENT, "'%s' has no part to make levels of", model.name.c_str());
+    if (source.parts.empty())
+        base::fail(CLQ_ARGUMENT, "'%s' has no visible part to make levels from", model.name.c_str());
     const PosedParts rest = posed_at_rest(model.rig, source.parts);
     source.visibility = visibility_of(model, rest, jobs);
     source.area_fractions = zone_area_fractions(model, rest, source.visibility);
@@ -66,12 +67,12 @@ Candidate finest_of(const Source &source)
     return made;
 }
 
-// Near levels as far as seams let them come down, and how far each is from the zones of the source.
+// Decimated levels as coarse as seams allow, and their zone area errors.
 struct NearLevels {
     std::vector<Decimated> levels;
     std::vector<double> zone_area_errors;
-    size_t valid_count = 0;           // those from this one on do not keep to what is promised
-    bool exceeds_zone_error = false;  // by their zones
+    size_t valid_count = 0;           // levels from this index on miss the target or the zone area limit
+    bool exceeds_zone_error = false;  // whether the first invalid level is invalid because of its zones
 };
 
 NearLevels make_near(const model::Model &model, const std::vector<SourcePart> &pieces,
@@ -94,8 +95,9 @@ NearLevels make_near(const model::Model &model, const std::vector<SourcePart> &p
     return near;
 }
 
-// Those of `targets`, descending, from the first on that seams and borders keep it from or that would not keep its zones: where
-// there are far levels these take over there.
+// Builds decimated levels. Returns the targets, from the first failing one on, for proxies to take over; with no
+// proxies it returns none. A target fails if seams and borders keep decimation from reaching it or if the zone area
+// error is too large.
 std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
                                     const ChainOptions &options, bool has_proxies, std::vector<Candidate> &made)
 {
@@ -105,7 +107,7 @@ std::vector<size_t> add_near_levels(const model::Model &model, const Source &sou
     std::vector<SourcePart> pieces;
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
     NearLevels near = make_near(model, pieces, source.area_fractions, decimation, options);
-    // A little beyond what is promised is often within it where zones cost more.
+    // A level slightly over the zone area limit often meets it with a higher zone weight.
     for (int i = 0; i < max_tries && has_proxies && near.exceeds_zone_error &&
                     near.zone_area_errors[near.valid_count] < 1.25 * max_zone_area_error &&
                     targets[near.valid_count] > options.proxy_max_triangles;
@@ -127,7 +129,7 @@ std::vector<size_t> add_near_levels(const model::Model &model, const Source &sou
     return {};
 }
 
-// `model` gets the materials and the images of these levels, and keys that tell all its zones apart.
+// Adds proxy levels to `made`. `model` gets their materials and images, and zone keys that are all different.
 void add_proxies(model::Model &model, const std::vector<const model::Part *> &source, const ProxyOptions &options,
                  const base::Jobs &jobs, std::vector<Candidate> &made)
 {
@@ -158,7 +160,8 @@ void measure(const model::Model &model, const Source &source, const ChainOptions
         level.deviation = found[i];
         level.error_m = 2 * level.deviation.posed_rms_m;
         level.distance_m = switch_distance(level.error_m, options.tolerance_px);
-        // Where each is kept distances must ascend; else what is coarser and no further off takes a level's place.
+        // Distances of levels that are all kept must ascend. Otherwise prune() drops a level for a coarser one with no
+        // larger error.
         if (options.quadric_only)
             level.distance_m = std::max(level.distance_m, made[k - 1].level.distance_m * 1.001 + 0.001);
         if (made[k].is_proxy)
@@ -171,7 +174,7 @@ std::vector<size_t> checked(std::vector<size_t> targets)
 {
     for (size_t k = 0; k < targets.size(); ++k)
         if (targets[k] < 4 || (k > 0 && targets[k] >= targets[k - 1]))
-            base::fail(CLQ_ARGUMENT, "level %zu asks for %zu triangles: levels go down, and none has fewer than 4",
+            base::fail(CLQ_ARGUMENT, "level %zu has a target of %zu triangles: targets must descend and be at least 4",
                        k + 1, targets[k]);
     return targets;
 }
@@ -193,7 +196,7 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
 {
     const Source source = source_of(model, options.jobs);
     if (!(options.tolerance_px > 0))
-        base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels, not above 0", options.tolerance_px);
+        base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels: it must be above 0", options.tolerance_px);
     const bool has_proxies = source.articulated && options.proxy_max_triangles > 0 && !options.quadric_only;
     std::vector<size_t> near_targets, proxy_targets;
     for (const size_t n : checked(options.targets.empty() ? default_targets(source.triangles) : options.targets)) {
@@ -202,7 +205,7 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
             near_targets.push_back(n);
         if (has_proxies && n <= options.proxy_max_triangles) proxy_targets.push_back(n);
     }
-    // Materials, images and keys as they will be.
+    // The materials, images and keys of the result.
     model::Model next;
     next.name = model.name, next.rig = model::Rig(model.rig, std::pmr::get_default_resource());
     next.zones = model.zones, next.images = model.images, next.materials = model.materials;
@@ -215,7 +218,7 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
         proxy_targets.insert(proxy_targets.begin(), missed.begin(), missed.end());
     }
     const size_t materials = next.materials.size(), images = next.images.size();
-    // Where near levels came as far down as far ones go, those far ones first, to see which are nearer.
+    // If decimation reached `proxy_max_triangles`, build only the overlapping proxies first and compare errors.
     bool compares = has_proxies && triangle_count_of(made.back()) <= options.proxy_max_triangles;
     for (bool again = true; again;) {
         next.materials.resize(materials), next.images.resize(images);

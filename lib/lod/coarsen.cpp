@@ -1,11 +1,13 @@
 #include "lib/lod/coarsen.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <queue>
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "lib/lod/non_manifold_collapse.h"
 #include "lib/lod/welded_surface.h"
@@ -23,14 +25,15 @@ public:
     void run(size_t target);
     size_t triangles() const { return faces_; }
     CoarseMesh result() const { return result(nullptr); }
-    NonManifoldCollapse non_manifold() const;  // to go on with where no lawful collapse is left
+    NonManifoldCollapse non_manifold() const;  // continues where no manifold collapse is left
 
 private:
     struct Collapse {
         double cost = 0;
         int from = 0, to = 0;
         uint32_t from_age = 0, to_age = 0;
-        bool operator<(const Collapse &o) const  // the queue's top is the largest: the cheapest, then the first
+        // The top of the queue is the largest element: the cheapest collapse, then the first by index.
+        bool operator<(const Collapse &o) const
         {
             if (cost != o.cost) return cost > o.cost;
             return from != o.from ? from > o.from : to > o.to;
@@ -41,11 +44,12 @@ private:
     double cost(int a, int b, glm::dvec3 at) const;
     bool flips(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const;
     void collapse(Mesh::HalfedgeHandle h, glm::dvec3 at);
-    CoarseMesh result(std::vector<PlaneQuadric> *planes) const;  // planes: those of its vertices, where wanted
+    // `planes`: receives the quadrics of its vertices; may be null
+    CoarseMesh result(std::vector<PlaneQuadric> *planes) const;
 
     Mesh mesh_;
     size_t faces_ = 0;
-    double sliver_ = 0;  // area
+    double sliver_ = 0;  // area below which a triangle's normal is meaningless
     std::vector<PlaneQuadric> planes_;
     std::vector<Features> features_;
     std::vector<uint32_t> ages_;
@@ -100,7 +104,7 @@ void Coarsening::enqueue(Mesh::HalfedgeHandle h)
     queue_.push({cost(from, to, collapse_position(from, to)), from, to, ages_[size_t(from)], ages_[size_t(to)]});
 }
 
-// Whether a triangle of `moved` that stays would turn away when it goes to `at`.
+// Returns whether moving `moved` to `at` flips one of its remaining triangles.
 bool Coarsening::flips(Mesh::VertexHandle moved, Mesh::VertexHandle other, glm::dvec3 at) const
 {
     for (auto f = mesh_.cvf_iter(moved); f.is_valid(); ++f) {
@@ -134,7 +138,7 @@ void Coarsening::collapse(Mesh::HalfedgeHandle h, glm::dvec3 at)
 
 void Coarsening::run(size_t target)
 {
-    std::vector<Collapse> refused;  // what is not lawful now may be later, when more round it has gone
+    std::vector<Collapse> refused;  // a collapse that is illegal now may become legal after others round it
     while (faces_ > target && !queue_.empty()) {
         const Collapse next = queue_.top();
         queue_.pop();
@@ -149,7 +153,7 @@ void Coarsening::run(size_t target)
             continue;
         }
         collapse(h, at);
-        // All of them would be asked again after every step otherwise.
+        // Retry illegal collapses in bulk; retrying them after every step would cost too much.
         if (queue_.empty() || refused.size() > 256 + faces_) {
             for (const Collapse &again : refused) queue_.push(again);
             refused.clear();
@@ -188,7 +192,7 @@ NonManifoldCollapse Coarsening::non_manifold() const
     return NonManifoldCollapse(std::move(level), std::move(planes), sliver_);
 }
 
-// Without the small pieces.
+// Removes the small connected components.
 ClosedMesh large_pieces_of(const ClosedMesh &surface)
 {
     std::vector<uint32_t> piece(surface.positions.size());
@@ -216,6 +220,24 @@ ClosedMesh large_pieces_of(const ClosedMesh &surface)
 }
 
 }  // namespace
+
+CoarseMesh without_unused_vertices(const CoarseMesh &mesh)
+{
+    CoarseMesh out;
+    std::map<uint32_t, uint32_t> numbers;
+    for (std::array<uint32_t, 3> t : mesh.surface.triangles) {
+        for (uint32_t &v : t) {
+            const auto [found, is_new] = numbers.try_emplace(v, static_cast<uint32_t>(numbers.size()));
+            if (is_new) {
+                out.surface.positions.push_back(mesh.surface.positions[v]);
+                out.features.push_back(mesh.features[v]);
+            }
+            v = found->second;
+        }
+        out.surface.triangles.push_back(t);
+    }
+    return out;
+}
 
 std::vector<CoarseMesh> coarsen(const ClosedMesh &surface, const std::vector<Attributes> &features,
                                 const std::vector<size_t> &targets)

@@ -1,5 +1,5 @@
-// A closed surface in fewer triangles, whose vertices may stand anywhere: what levels of a few dozen triangles need, where
-// keeping vertices of the source would make spikes of arms and heads. Between the files of this room only.
+// Simplifies a closed surface and lets vertices move freely. Levels of a few dozen triangles need this: if they kept
+// vertices of the source, arms and heads would become spikes. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/features.h"
@@ -13,11 +13,15 @@ struct CoarseMesh {
     std::vector<Features> features;  // [positions]
 };
 
-// One for each target, descending strictly. An edge is collapsed to where the planes round it are nearest (Garland and
-// Heckbert 1997); vertices whose features differ are brought together last, by what it adds to the variance of each
-// (Ward's rule). No triangle turns over, and no edge comes to have more than two, while there is another way down to a
-// target (pinch.h). Pieces of less than a fiftieth of the surface are left out. Deterministic.
+// Returns one mesh for each target; targets descend strictly. An edge collapses to the point that minimises the quadric
+// of the planes round it (Garland and Heckbert 1997). The cost also contains what a merge adds to the variance of the
+// features (Ward's rule), so vertices with different features merge last. No triangle flips and no edge gets more than
+// two triangles, unless a target cannot be reached otherwise (non_manifold_collapse.h). Components of less than a
+// fiftieth of the surface are dropped. Deterministic.
 std::vector<CoarseMesh> coarsen(const ClosedMesh &surface, const std::vector<Attributes> &features,
                                 const std::vector<size_t> &targets);
+
+// Vertices keep the order in which triangles name them.
+CoarseMesh without_unused_vertices(const CoarseMesh &mesh);
 
 }  // namespace claque::lod

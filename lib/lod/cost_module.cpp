@@ -1,3 +1,4 @@
+// ModCost: the cost of a collapse (decimater_modules.h).
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +10,7 @@ namespace claque::lod
 namespace
 {
 
-// Numbers of attributes: entries of the palette from `first_joint` on, so that one number means one thing in all parts.
+// The zone term can lower the cost of a collapse to this fraction at most.
 constexpr double min_cost_fraction = 0.75;
 constexpr uint32_t number_of_u = 0, number_of_v = 1, first_joint = 2;
 
@@ -69,8 +70,8 @@ void ModCost<MeshType>::initialize()
     add_borders();
 }
 
-// Planes that stand on open edges, and on edges where the corners of the two sides differ: what is a line on the
-// surface has a cost of its own when it bends.
+// Adds planes through open edges and through edges whose two sides have different corners, perpendicular to the
+// surface. They make it expensive to bend a line on the surface.
 template <class MeshType>
 void ModCost<MeshType>::add_borders()
 {
@@ -103,7 +104,7 @@ void ModCost<MeshType>::add_borders()
     }
 }
 
-// Of the triangles round the vertex that goes, the two that vanish with it included.
+// Returns the change of area of the triangles round the removed vertex, including the two that vanish.
 template <class MeshType>
 double ModCost<MeshType>::area_change(const CollapseInfo &ci)
 {
@@ -143,7 +144,7 @@ float ModCost<MeshType>::collapse_priority(const CollapseInfo &ci)
     }
     const double lost = area_change(ci);
     cost += weights_.area * lost * lost;
-    // What sets zones right is cheaper, but what bends the surface never comes for nothing.
+    // A collapse that corrects zones is cheaper, but bending the surface is never free.
     if (zone_area_) cost = std::max(cost + zone_area_->cost(), min_cost_fraction * cost);
     return static_cast<float>(std::max(cost, 0.0));
 }

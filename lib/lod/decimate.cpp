@@ -1,9 +1,10 @@
 #include "lib/lod/decimate.h"
 
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <algorithm>
 #include <cmath>
 #include <memory>
+
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 
 #include "lib/base/error.h"
 #include "lib/lod/decimated_parts.h"
@@ -31,7 +32,7 @@ LevelTriangles level_triangles(const WeldedSurface &surface, const UvOrientation
     return remaining;
 }
 
-// Metres for each 1 of u or v, from the areas of all triangles here and in the texture.
+// Returns metres per unit of u or v, from the total areas of all triangles in space and in the texture.
 double metres_per_uv(const WeldedSurface &surface)
 {
     double here = 0, there = 0;
@@ -66,10 +67,10 @@ double size_of(const WeldedSurface &surface)
     return std::max({max.x - min.x, max.y - min.y, max.z - min.z});
 }
 
-// What joints cost that the clips do not part: a host's may.
+// Minimum cost, as a fraction of the size, of swapping joints that no clip separates: a host's clips may separate them.
 constexpr double min_influence_cost = 0.01;
 
-// What it costs that an influence goes from one entry of the palette to another, in metres.
+// Returns the cost of moving a whole influence away from each palette entry, in metres.
 std::vector<double> influence_costs(const std::vector<SourcePart> &parts, const DecimationOptions &options, double size)
 {
     std::vector<double> found;
@@ -115,7 +116,8 @@ std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const Deci
         for (size_t before = faces_of(surface.mesh), now = before; before > target; before = now) {
             if (zone_area) zone_area->measure();
             const size_t next = zone_area ? std::max(target, before * 97 / 100) : target;
-            // OpenMesh counts faces that are gone until they are collected, and its handles are what corners are kept by.
+            // OpenMesh counts deleted faces until they are collected; collecting would invalidate the handles that
+            // corners are kept by.
             decimater.decimate_to_faces(0, next + surface.mesh.n_faces() - before);
             now = faces_of(surface.mesh);
             if (now == before || now > next) break;

@@ -16,7 +16,7 @@ int8_t orientation_of(const WeldedSurface &surface, const std::array<uint32_t, 3
     return static_cast<int8_t>((turn > 0) - (turn < 0));
 }
 
-// The influences of one vertex, of parts that may have room for different numbers of them.
+// Copies the influences of one vertex between parts whose influence counts may differ.
 void copy_influences(const model::Part &from, uint32_t v, model::Part &to)
 {
     float sum = 0;
@@ -60,7 +60,7 @@ model::Part head_of(const model::Part &from)
     return to;
 }
 
-// The coarsest level that has each vertex.
+// Maps each vertex to the coarsest level that uses it.
 using Ranks = std::map<LevelVertex, uint32_t>;
 
 Decimated build_decimated_level(const WeldedSurface &surface, size_t part_count, const LevelTriangles &remaining,

@@ -1,4 +1,4 @@
-// Levels as parts, from what stands at each corner of the triangles that are left. Between the files of this room only.
+// Builds the parts of levels from the corners of the remaining triangles. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/welded_surface.h"
@@ -6,8 +6,8 @@
 namespace claque::lod
 {
 
-// A vertex of a level: of which corner of the source it has its place and influences, and of which the part, the normal
-// and the place in the texture. One and the same, but where corners are carried over plainly (plain.h).
+// A vertex of a level. `position_corner`: source corner for position and influences. `attribute_corner`: source corner
+// for part, normal and texture coordinates. They differ only in decimate_quadric_only.
 struct LevelVertex {
     uint32_t position_corner = 0, attribute_corner = 0;
     bool operator==(const LevelVertex &o) const
@@ -23,10 +23,10 @@ struct LevelVertex {
 
 struct LevelTriangles {
     std::vector<std::array<LevelVertex, 3>> triangles;
-    size_t flipped = 0;  // turned over in their texture
+    size_t flipped = 0;  // flipped in texture space
 };
 
-// Which way each face lies in its texture: -1, 0 or 1, by number of face.
+// The orientation of each face in its texture, by face index: -1, 0 or 1.
 class UvOrientations
 {
 public:
@@ -37,7 +37,8 @@ private:
     std::vector<int8_t> orientations_;
 };
 
-// The levels, finest first: vertices of coarse ones stand first, so that a level's are the first of every finer one.
+// Returns the levels, finest first. Vertices of coarse levels come first, so a level's vertices are a prefix of those
+// of every finer level.
 std::vector<Decimated> build_decimated(const WeldedSurface &surface, size_t part_count,
                                        const std::vector<LevelTriangles> &levels);
 

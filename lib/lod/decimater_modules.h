@@ -1,4 +1,4 @@
-// The rules of a collapse, as modules of OpenMesh's decimater. Between the files of this room only.
+// The rules of a collapse, as modules of OpenMesh's decimater. Internal to lib/lod.
 #pragma once
 
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
@@ -8,8 +8,8 @@
 namespace claque::lod
 {
 
-// From a corner's side at the vertex that goes to the corner at the one that stays, as the two triangles that vanish
-// show it. A side that they do not show has nowhere to go.
+// Maps a wedge at the removed vertex to the corner at the vertex that stays, by the two triangles that vanish. A wedge
+// that is in neither of them has no target.
 class CornerMoves
 {
 public:
@@ -25,8 +25,8 @@ private:
     bool torn_ = false;
 };
 
-// Seams stay shut: every side of the vertex that goes has a partner at the end that stays, and open borders are
-// collapsed only along themselves.
+// Keeps seams closed: every wedge of the removed vertex must have a partner at the end that stays. Open borders
+// collapse only along themselves.
 template <class MeshType>
 class ModSeams : public OpenMesh::Decimater::ModBaseT<MeshType>
 {
@@ -40,7 +40,7 @@ private:
     const WeldedSurface *surface_ = nullptr;
 };
 
-// No triangle turns over, on the surface or in its texture, and none becomes a needle that was not one.
+// Forbids collapses that flip a triangle, in space or in its texture, or that make a new needle.
 template <class MeshType>
 class ModFlips : public OpenMesh::Decimater::ModBaseT<MeshType>
 {
@@ -55,22 +55,23 @@ private:
     double min_cosine_ = 0.5;
 };
 
-// What carries over from triangle to triangle and how much it counts, in metres for each 1 of difference.
+// The weights of attributes, in metres per unit of difference.
 struct Weights {
-    std::vector<double> influences;  // [palette] a whole influence that another joint takes
-    double texture = 0;              // 1 of u or v
-    double border = 1;               // seams and open edges against the surface itself
-    double area = 1;                 // the square of what a collapse takes from the surface or adds to it
+    std::vector<double> influences;  // [palette] of a whole influence that moves to another joint
+    double texture = 0;              // of 1 unit of u or v
+    double border = 1;               // of seams and open edges, relative to the surface
+    double area = 1;                 // of the square of the area that a collapse removes or adds
 };
 
-// The cost of a collapse: lib/lod/quadric.h. It also moves the corners of faces, after what they carry has been added up.
+// Computes the cost of a collapse (quadric.h). It also moves the corners of faces, after their attributes have been
+// added up.
 template <class MeshType>
 class ModCost : public OpenMesh::Decimater::ModBaseT<MeshType>
 {
 public:
     DECIMATING_MODULE(ModCost, MeshType, Cost);
     explicit ModCost(MeshType &mesh) : Base(mesh, false) {}
-    void configure(WeldedSurface *surface, const Weights &weights, ZoneAreaCost *zone_area);  // null: none
+    void configure(WeldedSurface *surface, const Weights &weights, ZoneAreaCost *zone_area);  // zone_area may be null
     void initialize() override;
     float collapse_priority(const CollapseInfo &ci) override;
     void preprocess_collapse(const CollapseInfo &ci) override;
@@ -84,7 +85,7 @@ private:
     Weights weights_;
     ZoneAreaCost *zone_area_ = nullptr;
     std::vector<PlaneQuadric> planes_;          // by vertex
-    std::vector<AttributeQuadric> attributes_;  // by side
+    std::vector<AttributeQuadric> attributes_;  // by wedge
     std::vector<Attributes> carried_;           // by corner
 };
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
+
+#include <glm/geometric.hpp>
 
 #include "lib/lod/surface_samples.h"
 #include "lib/lod/visibility.h"
@@ -29,8 +30,9 @@ struct Sum {
     double rms() const { return weight > 0 ? std::sqrt(squares / weight) : 0; }
 };
 
-// Positions as floats, which know a person's to a few tenths of a micrometre: distances take half of the time of doubles.
-using Points = std::vector<math::F4>;  // lane 3: 0
+// Positions as floats: their precision for a person is a few tenths of a micrometre, and distances take half of the
+// time of doubles.
+using Points = std::vector<math::F4>;  // lane 3 is 0
 
 Points points_of(const std::vector<glm::dvec3> &positions)
 {
@@ -40,7 +42,7 @@ Points points_of(const std::vector<glm::dvec3> &positions)
     return out;
 }
 
-// A pair as its vertices and their weights: it is measured in a hundred poses.
+// A pair as vertices and weights, because it is measured in a hundred poses.
 struct Link {
     std::array<uint32_t, 3> here, there;
     std::array<float, 3> here_weights, there_weights;
@@ -48,7 +50,7 @@ struct Link {
 
 std::array<float, 3> as_floats(const glm::dvec3 &w) { return {float(w.x), float(w.y), float(w.z)}; }
 
-// All pairs, and the area that each stands for. Those of one vertex, a corner of several triangles, are one link.
+// All pairs, and the area that each represents. Pairs of one vertex, a corner of several triangles, share one link.
 struct Links {
     struct Weighed {
         uint32_t link;
@@ -73,7 +75,7 @@ void add_distances(const Points &from, const Points &to, const Links &links, Sum
     for (const Links::Weighed &one : links.all) sum.add(double(squares[one.link]), one.area);
 }
 
-// Without those that stand for nothing. area(pair): what it stands for.
+// Leaves out pairs of no area. area(pair): the area that the pair represents.
 template <class Area>
 Links links_of(const PosedParts &from, const PosedParts &to, const std::vector<PointPair> &pairs, const Area &area)
 {
@@ -133,10 +135,10 @@ std::vector<double> areas_of(const PosedParts &parts)
     return areas;
 }
 
-// One level against the source, of which each triangle counts by its area, as much of it as can be seen.
+// One level against the source. Each source triangle counts by its visible area.
 struct LevelComparison {
     PosedParts coarse;
-    Links out, back;  // from the source to the level, and from the level
+    Links out, back;  // from the source to the level, and back
     Sum rest, posed;
     double wrong_zone = 0;
     size_t open_edges = 0;
@@ -148,7 +150,7 @@ struct LevelComparison {
         out = links_of(fine, coarse, pairs, [&](const PointPair &pair) { return areas[pair.here.triangle]; });
         wrong_zone = wrong_zones(model, fine, coarse, pairs, areas);
     }
-    // What is nearest to something hidden is hidden as well.
+    // A point of the level counts as visible as the nearest point of the source.
     void match_back(const PosedParts &fine, const PartTrees &trees, const std::vector<double> &visibility)
     {
         const std::vector<double> areas = areas_of(coarse);
@@ -165,7 +167,7 @@ struct LevelComparison {
     }
 };
 
-// A pose of the rig, and what becomes of the source in it.
+// A pose of the rig, with the source's positions in it.
 struct SampledPose {
     std::vector<math::Affine> palette;
     std::vector<float> weights;
@@ -218,7 +220,7 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
         for (uint32_t i = 0; i < sampling.poses_per_clip; ++i)
             sampled_poses.push_back(
                 pose(clip, double(c.start_s) + double(c.duration_s) * (i + 0.5) / sampling.poses_per_clip));
-        // Sums are made in the order of time, each by one task.
+        // One task sums all poses of a level in time order, so that the result does not depend on the jobs.
         jobs.try_each(count, [&](uint32_t k) {
             for (const SampledPose &sampled_pose : sampled_poses) go(all[k], sampled_pose, all[k].posed);
         });

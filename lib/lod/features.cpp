@@ -6,7 +6,7 @@ namespace claque::lod
 namespace
 {
 
-// Squared distance of two means.
+// Returns the squared distance of two means.
 double squared_distance(const Attributes &a, const Attributes &b)
 {
     double sum = 0;

@@ -1,4 +1,4 @@
-// What a vertex of a far level stands for, and what it costs to let one stand for two. Between the files of this room only.
+// The attributes that a vertex of a proxy represents, and the cost of merging two vertices. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/quadric.h"
@@ -6,23 +6,24 @@
 namespace claque::lod
 {
 
-// The mean over the surface that has come to a vertex.
+// The mean over the surface that a vertex represents.
 struct Features {
     double area = 0;
-    Attributes mean;  // ascending by id; in metres for each 1 of difference
+    Attributes mean;  // ascending by id; in metres per unit of difference
 };
 
-// Of both.
+// The features of a vertex that represents both.
 Features merged(const Features &a, const Features &b);
 
-// What joining two adds to the variance of each (Ward's rule).
+// Returns what a merge adds to the variance of the features (Ward's rule).
 double variance_of(const Features &a, const Features &b);
 
-// Where the vertex is to stand that takes the places of two at `p` and `q`: nearest to the planes of both, and not far from
-// the edge, as flat regions have no best place along themselves.
+// Returns the position of the vertex that replaces two at `p` and `q`: closest to the planes of both, but not far from
+// the edge, because flat regions have no unique minimum.
 glm::dvec3 optimal_position(const PlaneQuadric &planes, glm::dvec3 p, glm::dvec3 q);
 
-// Whether a triangle turns away between the one place and the other. Those of less than `sliver` of area point anywhere.
+// Returns whether a triangle's normal flips. Triangles with an area below `sliver` never do: their normals are
+// meaningless.
 bool flips(const TriangleFrame &was, const TriangleFrame &is, double sliver);
 
 }  // namespace claque::lod

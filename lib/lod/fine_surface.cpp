@@ -1,6 +1,7 @@
 #include "lib/lod/fine_surface.h"
 
 #include <algorithm>
+
 #include <glm/geometric.hpp>
 
 namespace claque::lod
@@ -24,7 +25,7 @@ FineSurface::FineSurface(const ClosedMesh &surface, const std::vector<Attributes
         for (const uint32_t v : t) areas[v] += area / 3;
         area_ += area;
     }
-    // Every so many: marching goes through space row by row, so that each region keeps its share.
+    // Takes every nth vertex. Marching tetrahedra order vertices row by row in space, so each region gets its share.
     const size_t most = std::max<size_t>(max_samples, 1), step = (areas.size() + most - 1) / most;
     double since = 0;
     for (size_t v = 0; v < areas.size(); ++v) {

@@ -1,4 +1,4 @@
-// The fine closed surface that coarse ones stand for, by samples, and the distance of both. Between the files of this room only.
+// The fine closed surface that coarse levels represent, as samples, with nearest-point queries. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/coarsen.h"
@@ -10,7 +10,7 @@ namespace claque::lod
 class FineSurface
 {
 public:
-    // Both are to outlive it; features [positions] as coarsened() takes them.
+    // Both arguments must outlive the object; `features` [positions] as coarsen() takes them.
     FineSurface(const ClosedMesh &surface, const std::vector<Attributes> &features, size_t max_samples);
 
     struct Sample {
@@ -20,7 +20,8 @@ public:
     };
     const std::vector<Sample> &samples() const { return samples_; }
     double area() const { return area_; }
-    // Point of it. `guess`: where what was asked for before was found; places asked for in a row are mostly near each other.
+    // Returns the nearest point of the surface. `guess` is the triangle found last; successive queries are mostly close
+    // to each other.
     glm::dvec3 nearest(glm::dvec3 p, uint32_t &guess) const;
 
 private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "lib/model/model.h"
@@ -12,11 +13,11 @@ namespace claque::lod
 namespace
 {
 
-constexpr double hold = 0.02;      // how much vertices keep to where they are, against what they stand for
-constexpr double max_lines = 12;   // of places on a triangle
-constexpr double min_gain = 0.01;  // of the squared distance: less gained is the last round
+constexpr double hold = 0.02;      // weight that holds vertices at their position, against that of the samples
+constexpr double max_lines = 12;   // limit of the sampling lines on a triangle
+constexpr double min_gain = 0.01;  // of the squared distance: iteration stops if it gains less
 
-// What places that are weighted sums of n unknowns say of them, by least squares: Cholesky's way.
+// Least squares for positions that are weighted sums of n unknowns, solved by Cholesky factorisation.
 class NormalEquations
 {
 public:
@@ -67,15 +68,16 @@ bool any_flips(const ClosedMesh &was, const std::vector<glm::dvec3> &positions, 
     return false;
 }
 
-struct Correspondence {  // a place of the coarse surface, and where it should be
+struct Correspondence {  // a point of the coarse surface and its target
     std::array<uint32_t, 3> vertices{};
     glm::dvec3 weights = glm::dvec3(0);
     glm::dvec3 target = glm::dvec3(0);
     double area = 0;
-    const Attributes *features = nullptr;  // null: of a place of the coarse surface's own
+    const Attributes *features = nullptr;  // null for samples of the coarse surface itself
 };
 
-// From the fine surface's samples; and from places of the coarse one, about as many for its area.
+// Returns the correspondences of the fine surface's samples and of about as many samples of the coarse surface for its
+// area.
 std::vector<Correspondence> correspondences_of(const FineSurface &fine, const ClosedMesh &coarse)
 {
     const std::vector<NearestPoint::Triangle> triangles = corners_of(coarse);
@@ -134,7 +136,7 @@ std::vector<glm::dvec3> solve_positions(const FineSurface &fine, const std::vect
     return positions;
 }
 
-// The mean of what is nearest to a vertex, each by its share of the place.
+// Sets the features of each vertex to the mean of the samples nearest to it, by their weights.
 void update_features(const std::vector<Correspondence> &links, CoarseMesh &coarse)
 {
     std::vector<Features> sums(coarse.features.size());

@@ -1,6 +1,6 @@
-// A coarse surface's vertices, moved to where it lies nearest to the fine one that it stands for, its triangles as they are:
-// the inner problem of Hoppe et al. 1993 (Mesh Optimization, 4.1). Quadrics keep to planes, which have no end, and so cut off
-// what is thin: hands, feet, heads. Between the files of this room only.
+// Moves the vertices of a coarse surface to fit it to the fine one, with fixed triangles: the inner problem of Hoppe et
+// al. 1993 (Mesh Optimization, 4.1). Quadrics alone cut off thin parts such as hands, feet and heads, because the
+// planes that they keep to are infinite. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/fine_surface.h"
@@ -10,8 +10,8 @@ namespace claque::lod
 
 constexpr int max_fit_rounds = 12;
 
-// Its vertices' places, in so many rounds at most, and what they stand for. The mean squared distance between the two surfaces, from either to the
-// other, does not grow, and no triangle turns over. Deterministic.
+// Fits the positions in at most `rounds` iterations and updates the features. The mean squared distance between the two
+// surfaces, in both directions, does not grow, and no triangle flips. Deterministic.
 void fit(const FineSurface &fine, CoarseMesh &coarse, int rounds = max_fit_rounds);
 
 }  // namespace claque::lod

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "lib/pose/pose.h"
@@ -13,9 +14,9 @@ namespace
 {
 
 constexpr uint32_t max_clips = 32, poses_per_clip = 4;
-constexpr size_t max_points = 16;  // of a joint
+constexpr size_t max_points = 16;  // per joint
 
-// Places at rest that follow each joint by a quarter and more.
+// Returns rest positions of vertices whose weight for a joint is at least a quarter, for each joint.
 std::vector<std::vector<glm::vec3>> points_of(const model::Model &model, const std::vector<SourcePart> &parts)
 {
     std::vector<std::vector<glm::vec3>> points(model.rig.palette.size());
@@ -33,7 +34,7 @@ std::vector<std::vector<glm::vec3>> points_of(const model::Model &model, const s
     return points;
 }
 
-// Of each entry of the palette, one of the next node above that has any; model::none where there is none.
+// Returns, for each palette entry, an entry of the nearest ancestor node that has one, or model::none.
 std::vector<uint32_t> entries_above(const model::Rig &rig)
 {
     std::vector<uint32_t> entry(rig.parents.size(), model::none), above;
@@ -55,7 +56,7 @@ std::vector<double> joint_displacements(const model::Model &model, const std::ve
     const std::vector<std::vector<glm::vec3>> points = points_of(model, parts);
     const std::vector<uint32_t> above = entries_above(rig);
     pose::Workspace workspace(rig);
-    // From where things are at rest to where the vertices of each entry lie.
+    // From rest positions back to bind positions, for each palette entry.
     std::vector<math::Affine> back;
     for (const math::Affine &matrix : workspace.pose(model::none, 0)) back.push_back(math::inverse(matrix));
     std::vector<double> squares(rig.palette.size(), 0);

@@ -1,5 +1,4 @@
-// How far joints part from one another when a character moves: what it costs a vertex to follow another one. Between the files
-// of this room only.
+// How far joints separate in a character's clips: the cost for a vertex to follow another joint. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/decimate.h"
@@ -7,9 +6,9 @@
 namespace claque::lod
 {
 
-// [palette of `model`] how far, by the root of the mean of squares over poses of all clips, what follows a joint comes from
-// where it would be if it followed the joint above instead; of joints that nothing is above or that nothing follows, 0.
-// Empty where there are no clips. Deterministic.
+// Returns [palette of `model`] the RMS displacement, over poses of all clips, of what follows a joint from where it
+// would be if it followed the parent joint. 0 for joints without a parent or without vertices. Empty if there are no
+// clips. Deterministic.
 std::vector<double> joint_displacements(const model::Model &model, const std::vector<SourcePart> &parts);
 
 }  // namespace claque::lod

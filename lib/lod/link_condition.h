@@ -1,11 +1,12 @@
-// Whether an edge of a triangle mesh may collapse and leave a surface: the link condition (Dey, Edelsbrunner, Guha and
-// Nekhayev 1999). The same answer as OpenMesh's is_collapse_ok, which is compiled into its library with all its checks of
-// handles; two fifths of a decimation's time went there. Between the files of this room only.
+// The link condition: whether an edge of a triangle mesh may collapse and leave a surface (Dey, Edelsbrunner, Guha and
+// Nekhayev 1999). It gives the same answer as OpenMesh's is_collapse_ok, which is compiled into its library with all
+// its checks of handles and took two fifths of a decimation's time. Internal to lib/lod.
 #pragma once
 
-#include <OpenMesh/Core/Mesh/Handles.hh>
 #include <algorithm>
 #include <array>
+
+#include <OpenMesh/Core/Mesh/Handles.hh>
 
 namespace claque::lod
 {
@@ -19,7 +20,7 @@ public:
 
     explicit LinkCondition(const Mesh &mesh) : mesh_(mesh) {}
 
-    // Of the collapse of the vertex that `h` comes from into the one that it points to.
+    // Tests the collapse of the start of `h` into its end.
     bool holds(Halfedge h) const
     {
         const Halfedge back = mesh_.opposite_halfedge_handle(h);
@@ -33,7 +34,7 @@ public:
     }
 
 private:
-    static constexpr size_t max_near = 32;  // neighbours that are looked through one by one
+    static constexpr size_t max_near = 32;  // larger neighbourhoods are not buffered for the linear search
 
     bool is_border(Halfedge h) const { return !mesh_.face_handle(h).is_valid(); }
 
@@ -42,7 +43,7 @@ private:
         return is_border(h) ? Vertex() : mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h));
     }
 
-    // A triangle whose two other edges are the border's.
+    // A triangle whose two other edges are open.
     bool hangs_on_this_edge(Halfedge h) const
     {
         if (is_border(h)) return false;

@@ -8,8 +8,8 @@ namespace claque::lod
 namespace
 {
 
-// Corners of a cube are numbered by bits: x, y, z. Six tetrahedra round its diagonal from 0 to 7, along which every side
-// is cut from its lowest corner to its highest: so neighbouring cubes cut their common side alike.
+// Cube corners are numbered by bits: x, y, z. Six tetrahedra surround the diagonal from 0 to 7. Every side is cut from
+// its lowest corner to its highest, so neighbouring cubes cut their common side alike.
 constexpr std::array<std::array<uint32_t, 4>, 6> tetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 

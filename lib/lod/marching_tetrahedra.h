@@ -1,5 +1,5 @@
-// The surface between filled and empty cells, by marching tetrahedra: closed, and no edge has more than two triangles,
-// however the cells lie. Between the files of this room only.
+// Extracts the surface between filled and empty cells by marching tetrahedra. It is closed, and no edge has more than
+// two triangles, for any set of cells. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/voxels.h"

@@ -1,9 +1,10 @@
 #include "lib/lod/nearest.h"
 
 #include <algorithm>
+#include <limits>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace claque::lod
 {
@@ -65,8 +66,8 @@ NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : tree_(trian
     slack_ = 1e-18 * glm::dot(most, most);
 }
 
-// What lies further than `enough` need not be looked at; the first of what is nearest, in the order of the tree, is found
-// whatever the guess. Where something is as near as a guess the last bits of a distance decide, so a little more is enough.
+// Boxes beyond `enough` are skipped. The result is the first of the nearest triangles in tree order, whatever the
+// guess; `enough` is a little larger than the guess's distance because rounding decides between equals.
 NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
 {
     Found best;
@@ -83,7 +84,7 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
         uint32_t box;
         double square;
     };
-    std::array<Open, 128> open;  // halves of halves: the tree is not deeper than the bits of a count
+    std::array<Open, 128> open;  // the tree halves its range, so its depth is at most the bits of a count
     size_t count = 0;
     open[count++] = {0, 0};
     while (count) {

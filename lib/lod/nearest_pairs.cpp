@@ -1,7 +1,9 @@
+// Nearest points between two sets of posed parts: PartTrees and nearest_pairs (surface_samples.h).
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <memory>
+
+#include <glm/geometric.hpp>
 
 #include "lib/lod/nearest.h"
 #include "lib/lod/surface_samples.h"
@@ -12,7 +14,7 @@ namespace claque::lod
 namespace
 {
 
-// Middles of the four triangles that halving the sides makes, then the corners.
+// The centres of the four triangles that halving the sides makes, then the corners.
 const std::array<glm::dvec3, samples_per_triangle> sample_weights = {
     glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0, glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0,
     glm::dvec3(1, 0, 0),       glm::dvec3(0, 1, 0),       glm::dvec3(0, 0, 1)};
@@ -49,7 +51,7 @@ std::vector<PointPair> PartTrees::nearest_pairs(const PosedParts &from) const
     std::vector<PointPair> out;
     if (!all_) return out;
     const bool part_by_part = from.part_count() == by_part_.size();
-    // A vertex is a corner of several triangles, and what is nearest to one place is mostly so to the next.
+    // A vertex is a corner of several triangles, and the nearest triangle of one point is mostly that of the next.
     std::vector<SurfacePoint> of_vertex(from.positions().size(), SurfacePoint{model::none, {}});
     uint32_t guess = model::none;
     out.reserve(samples_per_triangle * from.triangles().size());

@@ -11,14 +11,14 @@ namespace claque::lod
 namespace
 {
 
-// The smallest corner first, the way round kept.
+// Rotates the smallest corner to the front and keeps the orientation.
 Triangle turned(Triangle t)
 {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
 }
 
-// What is back to back with one that begins with its smallest corner.
+// The opposite triangle of one that begins with its smallest corner.
 Triangle behind(const Triangle &t) { return {t[0], t[2], t[1]}; }
 
 }  // namespace
@@ -58,7 +58,7 @@ NonManifoldCollapse::Step NonManifoldCollapse::step(uint32_t a, uint32_t b,
                 if (v == a) v = b;
             after.push_back(turned(t));
         }
-    // Back to back they will be gone: that is cheap where they are the walls of a hole, and not where they are a sheet.
+    // Opposite triangles cancel out. That is cheap if they are the walls of a hole, and expensive if they are a sheet.
     double lost = 0;
     for (const Triangle &t : after) {
         if (std::find(after.begin(), after.end(), behind(t)) == after.end()) continue;
@@ -86,7 +86,7 @@ void NonManifoldCollapse::run(size_t target)
         for (const Triangle &t : level_.surface.triangles)
             for (size_t k = 0; k < 3; ++k) {
                 const uint32_t a = t[k], b = t[(k + 1) % 3];
-                if (a > b) continue;  // the triangle beyond the edge has it the other way round
+                if (a > b) continue;  // the triangle on the other side of the edge has it reversed
                 const Step next = step(a, b, round);
                 if (best.from == best.to || next < best) best = next;
             }

@@ -1,7 +1,7 @@
-// The last collapses of a surface with handles. Arms that touch hips and legs that touch one another leave holes round which
-// a mesh of dozens of triangles cannot get smaller and stay one whose edges have two triangles each. Here two vertices may
-// become one whatever is round them: a hole that goes leaves triangles back to back, which cancel out, or an edge that four
-// share, and the surface stays closed. Between the files of this room only.
+// The last collapses of a surface with handles. Where arms touch hips or legs touch each other, the surface has holes.
+// A mesh of dozens of triangles cannot become smaller round them while every edge has two triangles. This class merges
+// any two vertices: a hole that closes leaves opposite triangles, which cancel out, or an edge with four triangles, and
+// the surface stays closed. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/coarsen.h"
@@ -12,12 +12,12 @@ namespace claque::lod
 class NonManifoldCollapse
 {
 public:
-    // planes [positions]: what each vertex is to stay near to.
+    // planes: [positions] the quadric of each vertex.
     NonManifoldCollapse(CoarseMesh level, std::vector<PlaneQuadric> planes, double sliver);
 
-    // Cheapest edge first; one whose collapse turns a triangle over only where all do.
+    // Collapses the cheapest edge first; one that flips a triangle only if all do.
     void run(size_t target);
-    CoarseMesh result() const;  // without vertices that no triangle has
+    CoarseMesh result() const;  // without unused vertices
 
 private:
     struct Step {
@@ -33,7 +33,7 @@ private:
 
     CoarseMesh level_;
     std::vector<PlaneQuadric> planes_;
-    double sliver_ = 0;  // area below which a triangle points anywhere
+    double sliver_ = 0;  // area below which a triangle's normal is meaningless
 };
 
 }  // namespace claque::lod

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -18,7 +19,7 @@ bool intersects_box(glm::dvec3 min, glm::dvec3 max, glm::dvec3 from, glm::dvec3 
     return std::max({near.x, near.y, near.z, 0.0}) <= std::min({far.x, far.y, far.z});
 }
 
-// Far more than what a few operations in floats are off by, in shares of what they are made of.
+// A bound far above the relative error of a few float operations.
 constexpr double rounding = 1e-5;
 
 using Four3 = std::array<math::F4, 3>;
@@ -38,7 +39,7 @@ math::F4 larger(math::F4 a, math::F4 b) { return a > b ? a : b; }
 
 }  // namespace
 
-// Finite inverses, so that a box that a ray just touches is one that it meets.
+// Inverses are finite, so a ray that only touches a box hits it.
 Occluders::Ray::Ray(glm::dvec3 direction) : dir(direction)
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -104,7 +105,7 @@ uint32_t Occluders::add_leaf(const AabbTree::Box &box)
     return static_cast<uint32_t>(leaves_.size() - 1);
 }
 
-// Moeller and Trumbore 1997.
+// The intersection test of Moeller and Trumbore 1997.
 bool Occluders::intersects_triangle(const Triangle &t, glm::dvec3 from, const Ray &ray, double min_distance) const
 {
     const glm::dvec3 p = glm::cross(ray.dir, t.v);
@@ -118,7 +119,7 @@ bool Occluders::intersects_triangle(const Triangle &t, glm::dvec3 from, const Ra
     return c >= 0 && b + c <= 1 && glm::dot(t.v, q) / determinant > min_distance;
 }
 
-// The same four at once, without dividing, for a first look.
+// The same test for four triangles at once, without division, as a conservative first test.
 bool Occluders::intersects_leaf(const Leaf &leaf, glm::dvec3 from, const Ray &ray, double min_distance) const
 {
     const Four3 dir = splat(ray.small_dir), at = splat(from), p = cross(dir, leaf.v);
@@ -139,7 +140,7 @@ bool Occluders::intersects(glm::dvec3 from, Ray &ray, double min_distance) const
 {
     if (ray.last_hit < leaves_.size() && intersects_leaf(leaves_[ray.last_hit], from, ray, min_distance)) return true;
     const Four3 at = splat(from), inverse = splat(ray.small_inverse);
-    std::array<uint32_t, 128> open;  // three of each of at most 16 nodes on the way down, and four
+    std::array<uint32_t, 128> open;  // at most 16 levels with three siblings each, and four
     size_t count = 0;
     open[count++] = root_;
     while (count) {

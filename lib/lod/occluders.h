@@ -1,4 +1,4 @@
-// What of a set of triangles is in the way of a ray. Between the files of this room only.
+// Occlusion queries: whether a ray hits one of a set of triangles. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/aabb_tree.h"
@@ -10,10 +10,10 @@ namespace claque::lod
 class Occluders
 {
 public:
-    explicit Occluders(const std::vector<Corners3> &triangles);  // at least one
+    explicit Occluders(const std::vector<Corners3> &triangles);  // at least one triangle
 
-    // A unit direction in which rays go, and what was last found in the way of one: rays from places that are near each other
-    // mostly end at the same thing.
+    // A unit direction of rays, and the leaf that occluded the last one: rays from nearby points are mostly stopped by
+    // the same leaf.
     struct Ray {
         explicit Ray(glm::dvec3 direction);
         glm::dvec3 dir, inverse;
@@ -21,7 +21,7 @@ public:
         uint32_t last_hit = none;
     };
 
-    // Whether something lies further than `after` along the way.
+    // Returns whether the ray hits something further away than `min_distance`.
     bool intersects(glm::dvec3 from, Ray &ray, double min_distance) const;
 
 private:
@@ -30,14 +30,14 @@ private:
         glm::dvec3 origin, u, v;
     };
     using Four3 = std::array<math::F4, 3>;
-    // Up to four triangles: in floats side by side, which say what is surely not met, and what decides.
+    // Up to four triangles. The float copies, side by side, reject sure misses; the exact copies decide.
     struct Leaf {
         Four3 origin, u, v;
-        math::F4 rounding, far_rounding;  // how much roundings may add to what is compared
+        math::F4 rounding, far_rounding;  // bounds of the rounding errors of the compared values
         glm::dvec3 min, max;
         uint32_t begin, end;
     };
-    // Four boxes side by side, a little larger than they are: what they keep back is surely not met.
+    // Four boxes side by side, slightly enlarged: a rejected box is surely missed.
     struct Node {
         Four3 min, max;
         std::array<uint32_t, 4> child;  // a node, or a leaf with leaf_bit
@@ -51,7 +51,7 @@ private:
     std::vector<Leaf> leaves_;
     std::vector<Node> nodes_;
     uint32_t root_ = 0;
-    double size_ = 0;  // no coordinate is further from 0
+    double size_ = 0;  // the largest absolute coordinate
 };
 
 }  // namespace claque::lod

@@ -16,7 +16,8 @@ namespace claque::lod
 namespace
 {
 
-// Keys that tell all zones apart: as they are where they do, else new ones for those that no image names.
+// Returns zone keys that are all different: the present ones if they are, else new ones for zones that share a key,
+// taken from values that no image uses.
 std::vector<uint8_t> keys_of(const model::Model &model)
 {
     std::vector<uint8_t> keys;
@@ -40,7 +41,7 @@ std::vector<uint8_t> keys_of(const model::Model &model)
     return keys;
 }
 
-// One material with what each texture set shows of it.
+// Adds one material with its image in each texture set.
 uint32_t add_material(const ProxySource &source, std::vector<model::Image> images, ProxyLevels &proxies)
 {
     const auto next = [&] { return static_cast<uint32_t>(source.model.images.size() + proxies.images.size()); };

@@ -1,7 +1,7 @@
-// Levels of detail for characters that are a few dozen pixels tall: one closed surface in place of all parts (shell.h).
-// Levels of few triangles show one zone on each, from an image of a few texels, one for each zone and brightness: every
-// triangle is clean, and individuals share calls. Levels of more have an image of their own each, laid out in charts
-// (atlas.h), whose texels show what lies nearest on the source.
+// Proxies: levels of detail for characters that are a few dozen pixels tall. One closed surface replaces all parts
+// (proxy_mesh.h). In levels of few triangles each triangle shows one zone, from a shared image with a few texels for
+// each zone and brightness: every triangle is clean, and individuals share draw calls. Finer levels have an image of
+// their own, laid out in charts (atlas.h), whose texels show the nearest point of the source.
 #pragma once
 
 #include <vector>
@@ -12,29 +12,32 @@
 namespace claque::lod
 {
 
-// Levels of so many triangles and fewer show one zone on each: passes::RendererOptions::batch_triangles has as many.
+// Levels of at most this many triangles show one zone per triangle: the value of
+// passes::RendererOptions::batch_triangles.
 constexpr size_t max_clean_triangles = 128;
 
 struct ProxyOptions {
-    std::vector<size_t> targets;          // triangles, descending strictly
-    double influence = 0.1, zone = 0.05;  // as in ShellWish
+    std::vector<size_t> targets;          // triangles, strictly descending
+    double influence = 0.1, zone = 0.05;  // as in ProxyMeshOptions
 };
 
 struct ProxyLevels {
-    std::vector<model::Part> parts;  // one for each target, finest first; materials as they are numbered once entered
-    std::vector<model::Material> materials;         // images likewise
-    std::vector<model::Image> images;               // with keys of the model's zones
+    // One for each target, finest first; material indices are valid after add_to_model()
+    std::vector<model::Part> parts;
+    std::vector<model::Material> materials;         // image indices likewise
+    std::vector<model::Image> images;               // with the zone keys below
     std::vector<std::vector<uint32_t>> set_images;  // [texture sets of the model][materials]
-    // [zones] that images use: the model's own, or new ones where those do not tell zones apart.
+
+    // [zones] keys that the images use: the model's own, or new ones if the model's do not tell zones apart.
     std::vector<uint8_t> zone_keys;
 };
 
-// `source` are triangle parts of `model`, which has passed model::check. Throws base::Error (CLQ_LIMIT) where zones are
-// more than keys. Deterministic, whatever the jobs.
+// `source` are triangle parts of `model`, which must have passed model::check. Throws base::Error (CLQ_LIMIT) if there
+// are more zones than keys. The result does not depend on `jobs`. Deterministic.
 ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
                          const ProxyOptions &options, const base::Jobs &jobs = {});
 
-// Gives the same `model` materials, images, what its texture sets show of them, and keys; parts are left to the caller.
+// Adds materials, images, texture-set entries and keys to the same `model`. The caller adds the parts.
 void add_to_model(const ProxyLevels &proxies, model::Model &model);
 
 }  // namespace claque::lod

@@ -13,15 +13,15 @@ namespace claque::lod
 namespace
 {
 
-constexpr double tolerance = 0.0195;  // of a share: just below the 2 points that are promised
+constexpr double tolerance = 0.0195;  // of a zone's area fraction: just below the promised 2 points
 
-// Places that show one zone.
+// The points that show one zone.
 struct ZonePoints {
     std::vector<SurfacePoint> points;
     std::unique_ptr<NearestPoint> nearest;
 };
 
-// One texel, and for each zone the place of it that is nearest.
+// A texel, and for each zone the nearest point that shows it.
 struct TexelDistances {
     size_t texel = 0;
     std::vector<uint32_t> point;
@@ -63,7 +63,7 @@ private:
         return false;
     }
 
-    // How far each texel is from each zone.
+    // Computes the distance of each texel from each zone.
     void find_distances()
     {
         zones_.resize(source_fractions_.size());
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    // The one change that moves a border least and brings the zone that is furthest off nearer to its share.
+    // Makes the one change that moves a border least and brings the zone with the largest error closer to its fraction.
     bool step()
     {
         size_t worst = 0;

@@ -1,4 +1,4 @@
-// Shares of zones in the image of a far level. Between the files of this room only.
+// Balances the area fractions of zones in the image of a proxy. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/proxy_image.h"
@@ -6,17 +6,17 @@
 namespace claque::lod
 {
 
-// What a texel shows.
+// A texel of a proxy's image.
 struct ProxyTexel {
     bool used = false;
     uint32_t zone = model::none;
     glm::dvec3 rgb = glm::dvec3(0);
-    glm::dvec3 at = glm::dvec3(0);  // at rest, on the level
-    double area = 0;                // on which it is shown, in shares of the level's
+    glm::dvec3 at = glm::dvec3(0);  // rest position on the level
+    double area = 0;                // as a fraction of the level's area
 };
 
-// Where some zone has more or less of the level than of the source's surface, by more than is allowed, its borders move: texels
-// change to a zone that is nearly as near, those first that are nearest to it, and show what is there.
+// Moves the borders of zones whose area fraction differs from the source's by more than is allowed. Texels change to a
+// zone that is almost as close, those closest to it first, and take its colour at the nearest point.
 void balance_zones(const ProxySource &source, size_t set, std::vector<ProxyTexel> &texels);
 
 }  // namespace claque::lod

@@ -1,7 +1,9 @@
+// bake_charts: the image of a finer proxy, laid out in charts (proxy_image.h).
 #include <algorithm>
+#include <limits>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "lib/lod/atlas.h"
 #include "lib/lod/nearest.h"
@@ -16,14 +18,14 @@ namespace
 {
 
 constexpr uint32_t texels_per_triangle = 32;
-constexpr size_t samples = 4;             // of each texel
-constexpr double outward_offset = 0.005;  // of the character's size
+constexpr size_t samples = 4;             // per texel
+constexpr double outward_offset = 0.005;  // as a fraction of the character's size
 
-// A place of the level under a point of the atlas; off it the nearest.
+// The point of the level under a point of the atlas; outside of the charts the nearest.
 struct LevelPoint {
     uint32_t triangle = 0;
     glm::dvec3 weights = glm::dvec3(0);
-    double distance_squared = std::numeric_limits<double>::infinity();  // texels
+    double distance_squared = std::numeric_limits<double>::infinity();  // in texels
 };
 
 LevelPoint level_point_at(const std::vector<PrecomputedTriangle> &flat, const Chart &chart, glm::dvec2 p)
@@ -37,7 +39,7 @@ LevelPoint level_point_at(const std::vector<PrecomputedTriangle> &flat, const Ch
     return best;
 }
 
-// What lies nearest on the source to what one texel covers.
+// The nearest points of the source to the samples of one texel.
 struct TexelSamples {
     bool used = false;
     glm::dvec3 middle = glm::dvec3(0);
@@ -99,7 +101,7 @@ private:
             const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
             const double length = glm::length(normal);
             const glm::dvec3 at = point_on(c, here.weights);
-            // A little outside: of two layers the outer one is seen.
+            // The query point is slightly outside: of two layers the outer one is visible.
             const NearestPoint::Found found = nearest_.to(length > 0 ? at + normal * (offset_ / length) : at);
             texel.points[i] = {visible_triangles_[found.triangle], found.weights};
             texel.middle += at / double(samples);
@@ -109,13 +111,13 @@ private:
 
     const PosedParts &level_;
     const Atlas &atlas_;
-    std::vector<uint32_t> visible_triangles_;  // triangles of the source that can be seen
+    std::vector<uint32_t> visible_triangles_;  // visible triangles of the source
     NearestPoint nearest_;
-    std::vector<PrecomputedTriangle> flat_;  // the level in the atlas
+    std::vector<PrecomputedTriangle> flat_;  // the triangles of the level in the atlas
     double offset_ = 0;
 };
 
-// The zone that most of a texel shows, and its mean colour.
+// Returns the zone that most samples of a texel show, and their mean colour.
 ProxyTexel proxy_texel(const ProxySource &source, const model::TextureSet *set, const TexelSamples &texel)
 {
     std::array<uint32_t, samples> zones;
@@ -133,7 +135,7 @@ ProxyTexel proxy_texel(const ProxySource &source, const model::TextureSet *set, 
     return shown;
 }
 
-// How much of the level each texel is shown on.
+// Returns the fraction of the level's visible area that each texel covers.
 std::vector<double> areas_of(const model::Model &model, const PosedParts &level, const Atlas &atlas)
 {
     const std::vector<double> visibility = visibility_of(model, level);
@@ -167,7 +169,7 @@ std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &pa
         }
         balance_zones(source, set, shown);
         images.push_back(empty_image(atlas.width, atlas.height));
-        // Texels that nobody points at show what another does, so that none names a zone that there is not.
+        // Unused texels copy a used one, so that no key names a missing zone.
         const ProxyTexel any =
             *std::find_if(shown.begin(), shown.end(), [](const ProxyTexel &one) { return one.used; });
         for (size_t i = 0; i < shown.size(); ++i) {

@@ -1,4 +1,4 @@
-// What triangles of far levels show. Between the files of this room only.
+// Bakes the images of proxies. Internal to lib/lod.
 #pragma once
 
 #include "lib/lod/proxy.h"
@@ -7,7 +7,7 @@
 namespace claque::lod
 {
 
-// What they are painted from.
+// The character that proxies are baked from.
 struct ProxySource {
     ProxySource(const model::Model &model, const std::vector<const model::Part *> &parts, const base::Jobs &jobs = {});
 
@@ -17,23 +17,23 @@ struct ProxySource {
 
     const model::Model &model;
     PosedParts fine;                                  // at rest
-    std::vector<double> visibility;                   // [triangles of fine] how much of it can be (seen.h)
-    std::vector<std::vector<double>> area_fractions;  // [sets] of zones (shares.h)
-    std::vector<uint8_t> keys;                        // [zones], which tell all of them apart
+    std::vector<double> visibility;                   // [triangles of fine] visibility (visibility.h)
+    std::vector<std::vector<double>> area_fractions;  // [sets] per zone (area_fractions.h)
+    std::vector<uint8_t> keys;                        // [zones] all different
 };
 
 model::Image empty_image(uint32_t width, uint32_t height);
 void set_texel(const ProxySource &source, size_t at, uint32_t zone, glm::dvec3 rgb, model::Image &image);
 
-// The vertices of a part once for each place in the texture, [0, 1], that their corners have.
+// Splits the vertices of a part, one for each different texture coordinate, in [0, 1], of their corners.
 void split_by_uv(model::Part &part, const std::vector<glm::vec2> &corners);
 
-// Each triangle of each part shows one zone in one brightness, from all of the source that lies nearest to it; parts get
-// their texture coordinates. One image for each texture set, for all parts.
+// Gives each triangle of each part one zone in one brightness, from the source surface that is nearest to it, and sets
+// texture coordinates. Returns one image per texture set for all parts.
 std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
                                         const base::Jobs &jobs = {});
 
-// One part whose triangles show, texel by texel, what lies nearest on the source.
+// Bakes one part whose texels show the nearest points of the source.
 std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part, const base::Jobs &jobs = {});
 
 }  // namespace claque::lod

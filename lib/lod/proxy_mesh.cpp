@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -20,18 +21,19 @@ namespace
 {
 
 constexpr uint32_t max_influences = 4;
-// Of an influence: of how far clips part joints, and of the size, as hosts may have others. Found by trying.
+// The cost of an influence, as a fraction of the joint displacement and of the size; the latter because hosts may have
+// other clips. Found by experiment.
 constexpr double displacement_cost = 0.5, min_cost = 0.05;
-constexpr size_t max_reduced_triangles = 128;  // triangles: from here down by reduced()
-constexpr size_t stand_in_triangles = 1000;    // triangles: what stands in for the fine surface below that
-constexpr uint32_t first_zone = 0x80000000u;   // of a feature's numbers: those below are joints
+constexpr size_t max_reduced_triangles = 128;  // levels of at most so many triangles use reduce_by_distance()
+constexpr size_t stand_in_triangles = 1000;    // triangles of the mesh that replaces the fine surface for those
+constexpr uint32_t first_zone = 0x80000000u;   // feature ids from here on are zones; those below are joints
 
 struct Influence {
     uint32_t joint = 0;
     double weight = 0;
 };
 
-// What stands at a place: which joints it follows and which zone it shows.
+// Returns the features of a point: its joints and its zone.
 Attributes features_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
                        const std::vector<double> &influences, double zone_cost)
 {
@@ -55,7 +57,7 @@ Attributes features_at(const model::Model &model, const PosedParts &parts, const
     return found;
 }
 
-// The heaviest first.
+// Returns the influences, heaviest first.
 std::vector<Influence> influences_of(const Features &features, const std::vector<double> &costs)
 {
     std::vector<Influence> found;
@@ -72,7 +74,8 @@ std::vector<Influence> influences_of(const Features &features, const std::vector
     return found;
 }
 
-// A little off the place that it stands for, to its own side: the two sides of a sheet stay apart.
+// Moves a vertex of the proxy to just above the nearest surface point, on its own side, so that the two sides of a
+// sheet stay apart.
 glm::dvec3 shrink_to_surface(glm::dvec3 p, glm::dvec3 nearest, double cell)
 {
     const glm::dvec3 off = p - nearest;
@@ -82,7 +85,7 @@ glm::dvec3 shrink_to_surface(glm::dvec3 p, glm::dvec3 nearest, double cell)
     return distance > stay ? nearest + off * (stay / distance) : p;
 }
 
-// Of the triangles round each vertex.
+// Returns vertex normals, summed over the triangles round each vertex.
 std::vector<glm::dvec3> normals_of(const ClosedMesh &surface)
 {
     std::vector<glm::dvec3> sums(surface.positions.size(), glm::dvec3(0));
@@ -102,10 +105,12 @@ math::Affine blended(const std::vector<Influence> &influences, base::Span<const 
     return sum;
 }
 
-// Without the lightest, where all together fold space up at rest: what lies there would be thrown far away by other poses.
+// Drops the lightest influences while the blended matrix is nearly singular at rest: other poses would throw the vertex
+// far away.
 void drop_unstable_influences(std::vector<Influence> &influences, base::Span<const math::Affine> palette)
 {
-    constexpr float least = 0.5f;  // of the space that the heaviest leaves
+    // Minimum determinant of the blend, as a fraction of the heaviest joint's.
+    constexpr float least = 0.5f;
     const auto space = [&] { return std::abs(math::determinant(blended(influences, palette))); };
     const float own = std::abs(math::determinant(palette[influences[0].joint]));
     while (influences.size() > 1 && space() < least * own) {
@@ -146,7 +151,8 @@ double size_of(const std::vector<Voxels::Triangle> &triangles)
     return std::max({last.x - first.x, last.y - first.y, last.z - first.z});
 }
 
-// [palette] of an influence: how far what follows a joint sways, or so much of the size where there are no clips.
+// Returns [palette] the cost of an influence, from joint displacements, or as a fraction of the size if there are no
+// clips.
 std::vector<double> proxy_influence_costs(const model::Model &model, const std::vector<const model::Part *> &source,
                                           const ProxyMeshOptions &options, double size)
 {
@@ -159,7 +165,7 @@ std::vector<double> proxy_influence_costs(const model::Model &model, const std::
     return costs;
 }
 
-// By planes as far as limbs are many triangles each, then by what is seen.
+// Simplifies by quadrics while limbs have many triangles each, then by distance.
 std::vector<CoarseMesh> coarse_levels(const ClosedMesh &surface, const std::vector<Attributes> &features,
                                       const std::vector<size_t> &targets, const base::Jobs &jobs)
 {
@@ -173,7 +179,7 @@ std::vector<CoarseMesh> coarse_levels(const ClosedMesh &surface, const std::vect
     }
     std::vector<CoarseMesh> levels = coarsen(surface, features, many);
     if (few == targets.end()) return levels;
-    // What is fine enough to reduce by; its vertices are the samples.
+    // The mesh that replaces the fine surface for the reduction; its vertices are the samples.
     const CoarseMesh stand_in = std::move(levels[size_t(stand_in_at)]), from = std::move(levels.back());
     levels.erase(levels.begin() + stand_in_at), levels.pop_back();
     std::vector<Attributes> means;

@@ -1,5 +1,5 @@
-// One closed surface round all parts of a character at rest, in levels of a few triangles: clothes, hair and limbs that
-// are pieces of their own grow together, and what is hidden inside is not there. Between the files of this room only.
+// One closed surface round all parts of a character at rest, in levels of a few triangles. Clothes, hair and separate
+// limbs fuse, and hidden interior surface disappears. Internal to lib/lod.
 #pragma once
 
 #include "lib/base/services.h"
@@ -9,16 +9,17 @@ namespace claque::lod
 {
 
 struct ProxyMeshOptions {
-    std::vector<size_t> targets;  // triangles, descending strictly
-    uint32_t cells = 48;          // along the character's longest side: what is thinner than one does not show
-    // What a vertex costs that stands for surface that follows other joints, or shows another zone, in shares of the
-    // character's size.
+    std::vector<size_t> targets;  // triangles, strictly descending
+    uint32_t cells = 48;          // along the character's longest side; details below one cell are lost
+
+    // The cost of a vertex that represents surface of other joints, or of another zone, as fractions of the character's
+    // size.
     double influence = 0.1, zone = 0.05;
     base::Jobs jobs;
 };
 
-// One skinned part for each target, without texture coordinates. Vertices follow the joints that what they stand for
-// follows, the four that weigh most.
+// Returns one skinned part per target, without texture coordinates. A vertex follows the joints of the surface that it
+// represents, at most the four heaviest.
 std::vector<model::Part> proxy_meshes(const model::Model &model, const std::vector<const model::Part *> &source,
                                       const ProxyMeshOptions &options);
 

@@ -1,3 +1,4 @@
+// bake_swatches: the shared image of proxies with one zone per triangle (proxy_image.h).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,14 +14,17 @@ namespace claque::lod
 namespace
 {
 
-constexpr uint32_t max_shades = 8;          // of one zone
-constexpr size_t one_shade_triangles = 64;  // from here down one shade a tint: vertices between shades stand twice
-constexpr double tint_step = 0.25;          // of colours off their grey: zones of light and dark alone have one tint
-constexpr uint32_t swatch_px = 4;           // texels across that are alike, so that no rounding reaches a neighbour
-constexpr uint32_t swatches_across = 16;    // of the image
+constexpr uint32_t max_shades = 8;  // per zone
+
+// Levels of at most so many triangles get one shade per tint, because vertices between shades are split.
+constexpr size_t one_shade_triangles = 64;
+// Quantisation step of a colour's difference from its grey. A zone that varies only in brightness has one tint.
+constexpr double tint_step = 0.25;
+constexpr uint32_t swatch_px = 4;         // equal texels across a swatch, so that rounding never samples a neighbour
+constexpr uint32_t swatches_across = 16;  // across the image
 
 struct Swatch {
-    uint32_t zone = 0, shade = 0, shades = 1;  // which of how many
+    uint32_t zone = 0, shade = 0, shades = 1;  // index and count of shades
     std::array<int, 3> tint{};                 // in steps
     bool operator<(const Swatch &o) const
     {
@@ -38,7 +42,7 @@ struct ColourSum {
     }
     glm::dvec3 mean() const { return area > 0 ? colour / area : glm::dvec3(1); }
 };
-using ColourSums = std::vector<ColourSum>;  // [texture sets] where a set shows the zone of the first
+using ColourSums = std::vector<ColourSum>;  // [texture sets] in which the point shows the same zone as in the first set
 
 void add(const ColourSums &from, ColourSums &to)
 {
@@ -46,7 +50,7 @@ void add(const ColourSums &from, ColourSums &to)
     for (size_t i = 0; i < from.size(); ++i) to[i] += from[i];
 }
 
-// Of everything that is nearest to one triangle, by zone.
+// The colours of the source surface nearest to one triangle, by zone.
 using ZoneColours = std::map<uint32_t, ColourSums>;
 
 void add_colour(const ProxySource &source, const SurfacePoint &point, double area, ZoneColours &zone_colours)
@@ -82,7 +86,7 @@ std::vector<uint32_t> zones_of(const ProxySource &source, const PosedParts &part
     return assign_zones(source.model, source.fine, part, areas, source.area_fractions[0]);
 }
 
-// Where a triangle shows a zone that it has seen nothing of, the zone's usual colour does.
+// The mean colour of each zone, for triangles that show a zone without samples of it.
 ZoneColours usual_colours(const std::vector<ZoneColours> &all)
 {
     ZoneColours usual;
@@ -121,7 +125,7 @@ model::Image image_of(const ProxySource &source, const std::map<Swatch, ColourSu
     };
     uint32_t at = 0;
     for (const auto &[swatch, sums] : colours) paint(at++, swatch, sums);
-    // Texels that nobody points at show what the first does, so that none names a zone that there is not.
+    // Unused texels copy the first swatch, so that no key names a missing zone.
     while (at < rows * swatches_across) paint(at++, colours.begin()->first, colours.begin()->second);
     return image;
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
+
+#include <glm/common.hpp>
 
 #include "lib/lod/nearest.h"
 #include "lib/lod/visibility.h"
@@ -15,18 +16,19 @@ namespace claque::lod
 namespace
 {
 
-constexpr double zone_tolerance = 0.0195;  // of a share: just below the 2 points that are promised
-constexpr double excess_penalty = 100;     // of a share beyond it, against harm
-constexpr double seam_penalty =
-    0.004;  // of a share: where triangles that share an edge show two zones, vertices stand twice
+constexpr double zone_tolerance = 0.0195;  // of a zone's area fraction: just below the promised 2 points
+constexpr double excess_penalty = 100;     // weight of an excess beyond the tolerance, against the zone cost
+
+// The cost of an edge between two zones, in area fractions: its vertices are split.
+constexpr double seam_penalty = 0.004;
 constexpr size_t max_rounds = 2000;
-constexpr size_t few = 64;            // triangles: what is worth a longer search
-constexpr size_t beam_width = 20000;  // ways that are kept while the next triangle is looked at, times triangles
+constexpr size_t few = 64;            // levels of at most so many triangles get a longer search
+constexpr size_t beam_width = 20000;  // partial assignments kept per step, times the number of triangles
 
 using ZoneValues = std::vector<double>;
 
-// What showing each zone on each triangle does harm, in shares of the surface: the part of what the triangle stands for
-// that shows another, and for zones that are not there how far off they are, in sizes of the character.
+// The cost of each zone on each triangle, in fractions of the surface: the part of what the triangle represents that
+// shows another zone and, for zones that are absent there, their distance as a fraction of the character's size.
 class ZoneCost
 {
 public:
@@ -89,7 +91,7 @@ public:
         }
     }
 
-    // The best change of one triangle while one helps; then the best of two at once, of three.
+    // Applies the best change of one triangle while one helps, then the best of two at once, then of three.
     void improve()
     {
         const size_t max_at_once = areas_.size() <= few ? 3 : 2;
@@ -105,7 +107,7 @@ public:
     {
         for (size_t t = 0; t < zones.size(); ++t) set({t, zones[t]});
     }
-    // What it comes to: harm, shares that are off, seams.
+    // Returns the total cost: zone costs, area excess, seams.
     double cost() const
     {
         double sum = 0;
@@ -114,8 +116,8 @@ public:
         for (size_t zone = 0; zone < source_fractions_.size(); ++zone) sum += excess_cost(zone, area_fractions_[zone]);
         return sum;
     }
-    // A good whole to start from: triangles one after the other, the largest first, in the best of all ways so far, so that small ones
-    // are left to make up the shares (a beam search).
+    // Finds a good start by beam search. It assigns the largest triangle first and extends the best partial
+    // assignments, so that small triangles are left to balance the fractions.
     std::vector<size_t> beam_search() const
     {
         std::vector<size_t> order(areas_.size());
@@ -190,14 +192,14 @@ private:
                excess_cost(c.zone, area_fractions_[c.zone]) - excess_cost(c.zone, area_fractions_[c.zone] + a) +
                seam_penalty * (equal_neighbours(c.triangle, c.zone) - equal_neighbours(c.triangle, was));
     }
-    // How many triangles beside it show the zone.
+    // Returns how many neighbours of the triangle show the zone.
     double equal_neighbours(size_t triangle, size_t zone) const
     {
         const std::vector<uint32_t> &all = neighbours_[triangle];
         return double(std::count_if(all.begin(), all.end(), [&](uint32_t t) { return zones_[t] == zone; }));
     }
-    // Among all rows of changes that begin with row_. A row goes on where some zone has too much or too little, and by
-    // what changes that.
+    // Searches all sequences of changes that begin with changes_. A sequence continues only if some zone has an excess,
+    // and only with changes that affect it.
     void search(size_t at_once, double so_far)
     {
         for (size_t t = 0; t < areas_.size(); ++t) {

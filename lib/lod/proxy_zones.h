@@ -1,4 +1,4 @@
-// Which zone each triangle of a far level shows. Between the files of this room only.
+// Assigns a zone to each triangle of a proxy. Internal to lib/lod.
 #pragma once
 
 #include <map>
@@ -9,13 +9,13 @@
 namespace claque::lod
 {
 
-// Of one triangle: how much of each zone is nearest to it.
+// The area nearest to one triangle, by zone.
 using ZoneAreas = std::map<uint32_t, double>;
 
-// A zone each for the triangles of `level`: each would show what most of it stands for, and where then some zone had more
-// or less of the surface than `shares` says (shares.h), those change that it does least harm to, until all are within 2
-// points of it or nothing more helps. Of ways that are as good triangles beside each other show the same, so that fewer
-// vertices stand twice. Both are at rest; `seen` [triangles of level]. Deterministic.
+// Returns a zone for each triangle of `level`. Each triangle first takes the zone of most of its area. Where a zone's
+// area fraction then differs from `area_fractions` (area_fractions.h), the triangles with the least cost change, until
+// all zones are within 2 points or no change helps. Among equal assignments neighbours share zones, so that fewer
+// vertices are split. `source` and `level` are at rest. Deterministic.
 std::vector<uint32_t> assign_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
                                    const std::vector<ZoneAreas> &zone_areas, const std::vector<double> &area_fractions);
 

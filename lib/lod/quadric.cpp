@@ -17,14 +17,14 @@ TriangleFrame::TriangleFrame(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2) : orig
     b = glm::cross(n, e1) / square;
 }
 
-// Cramer's rule, about a point near by so that rounding does not depend on where the character stands.
+// Solves by Cramer's rule about a nearby point, so that rounding does not depend on the character's position.
 bool PlaneQuadric::find_minimum(glm::dvec3 near, glm::dvec3 &out) const
 {
     const glm::dvec3 x(xx_, xy_, xz_), y(xy_, yy_, yz_), z(xz_, yz_, zz_);
     const glm::dvec3 r(-(glm::dot(x, near) + b_.x), -(glm::dot(y, near) + b_.y), -(glm::dot(z, near) + b_.z));
     const double determinant = glm::dot(x, glm::cross(y, z)), trace = xx_ + yy_ + zz_;
     if (!(determinant > 1e-4 * trace * trace * trace)) return false;
-    // The matrix is symmetric: its columns are its rows.
+    // The matrix is symmetric, so its columns are its rows.
     out =
         near + glm::dvec3(glm::dot(r, glm::cross(y, z)), glm::dot(x, glm::cross(r, z)), glm::dot(x, glm::cross(y, r))) /
                    determinant;
@@ -87,7 +87,7 @@ AttributeQuadric &AttributeQuadric::operator+=(const AttributeQuadric &o)
     return *this;
 }
 
-// Each term is the sum of area (g p + d - s)^2, triangles without the attribute counting as g = 0, d = 0.
+// Each term is the sum of area (g p + d - s)^2; triangles without the attribute count as g = 0, d = 0.
 double AttributeQuadric::at(glm::dvec3 p, const Attributes &values) const
 {
     double sum = 0;

@@ -1,12 +1,13 @@
-// What a collapse costs: how far what is left lies from the planes that were there, and how far what its corners carry
-// (texture coordinates, influences) differs from what stood at the same place. Area-weighted sums of squares: Garland and
-// Heckbert's for planes, Hoppe's form of 1999 for attributes that are linear over each triangle.
+// The cost of a collapse: the distance of the result from the original planes, and the difference of corner attributes
+// (texture coordinates, influences) from those at the same point before. Area-weighted sums of squares, after Garland
+// and Heckbert for planes and Hoppe 1999 for attributes that are linear over each triangle.
 #pragma once
 
 #include <cstdint>
+#include <vector>
+
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <vector>
 
 namespace claque::lod
 {
@@ -35,7 +36,7 @@ public:
         return p.x * p.x * xx_ + p.y * p.y * yy_ + p.z * p.z * zz_ +
                2 * (p.x * p.y * xy_ + p.x * p.z * xz_ + p.y * p.z * yz_) + 2 * glm::dot(b_, p) + c_;
     }
-    // Where it is least; false where the planes leave a direction open, or nearly so.
+    // Finds the minimum. Returns false if the planes leave a direction open, or nearly so.
     bool find_minimum(glm::dvec3 near, glm::dvec3 &out) const;
 
 private:
@@ -43,13 +44,13 @@ private:
     glm::dvec3 b_ = glm::dvec3(0);
 };
 
-// A value that is g p + d over a triangle.
+// The function g p + d over a triangle.
 struct Linear {
     glm::dvec3 g = glm::dvec3(0);
     double d = 0;
 };
 
-// The frame of a triangle, in which values at its corners become Linear.
+// The frame of a triangle, which turns corner values into a Linear.
 struct TriangleFrame {
     glm::dvec3 origin, a, b, normal;  // unit normal; a and b dual to the edges
     double area = 0;                  // 0: no frame
@@ -61,15 +62,14 @@ struct TriangleFrame {
     }
 };
 
-// What the corners on one side of a surface carry: pairs of an attribute's number and its value, ascending by number;
-// an attribute that is not named is 0 there.
+// The attributes of a wedge: pairs of attribute id and value, ascending by id. An absent attribute is 0.
 struct Attribute {
     uint32_t id = 0;
     double value = 0;
 };
 using Attributes = std::vector<Attribute>;
 
-// Sum over triangles of area times the squared differences of all attributes from what was linear there.
+// The sum over triangles of area times the squared differences of all attributes from the triangle's linear function.
 class AttributeQuadric
 {
 public:

@@ -1,9 +1,10 @@
 #include "lib/lod/quadric_only.h"
 
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
 #include <limits>
+
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
 #include "lib/base/error.h"
 #include "lib/lod/decimated_parts.h"
@@ -14,7 +15,7 @@ namespace claque::lod
 namespace
 {
 
-// Forbids nothing and costs nothing: it notes for each corner of a face at which vertex it stands now.
+// Allows everything at no cost; it tracks at which vertex each face corner stands.
 template <class MeshType>
 class ModFollow : public OpenMesh::Decimater::ModBaseT<MeshType>
 {
@@ -34,7 +35,7 @@ private:
     WeldedSurface *surface_ = nullptr;
 };
 
-// Which corners of the source stand at each vertex of the mesh: vertices are moved onto one another, never elsewhere.
+// The corners of the source at each vertex of the mesh. Vertices only move onto one another.
 using CornersAt = std::vector<std::vector<uint32_t>>;
 
 CornersAt corners_at(const WeldedSurface &surface)
@@ -51,7 +52,7 @@ CornersAt corners_at(const WeldedSurface &surface)
     return found;
 }
 
-// What a corner becomes at a place.
+// Returns the vertex that a corner becomes at a new position.
 LevelVertex carried(const WeldedSurface &surface, const std::vector<uint32_t> &there, uint32_t was)
 {
     if (std::binary_search(there.begin(), there.end(), was)) return {was, was};

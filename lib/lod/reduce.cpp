@@ -1,10 +1,11 @@
 #include "lib/lod/reduce.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <set>
+
+#include <glm/geometric.hpp>
 
 #include "lib/lod/fit.h"
 #include "lib/lod/vertex_merge.h"
@@ -16,8 +17,8 @@ namespace claque::lod
 namespace
 {
 
-constexpr size_t min_manifold_triangles = 30;  // triangles: below, holes are closed as soon as that is best
-constexpr size_t refit_triangles = 40;         // triangles: from here down after each collapse
+constexpr size_t min_manifold_triangles = 30;  // levels of fewer triangles may close holes as soon as that is cheapest
+constexpr size_t refit_triangles = 40;         // levels of at most so many triangles are fitted after each collapse
 constexpr double illegal_cost = std::numeric_limits<double>::infinity();
 
 class Reduction
@@ -28,7 +29,7 @@ public:
         begin(from);
     }
 
-    // False: none is left that turns nothing over.
+    // Returns false if no collapse without a flip is left.
     bool collapse()
     {
         if (collapse_next()) return true;
@@ -36,7 +37,7 @@ public:
         allow_non_manifold();
         return collapse_next();
     }
-    // From here on edges may come to have four triangles, where holes close.
+    // Allows edges with four triangles from here on, where holes close.
     void allow_non_manifold()
     {
         if (!non_manifold_allowed_) collapses_.clear();
@@ -49,34 +50,17 @@ public:
         begin(now);
     }
     size_t count() const { return level_.surface.triangles.size(); }
-    // Without vertices that no triangle has.
-    CoarseMesh result() const
-    {
-        CoarseMesh out;
-        std::map<uint32_t, uint32_t> numbers;
-        for (Triangle t : level_.surface.triangles) {
-            for (uint32_t &v : t) {
-                const auto [found, is_new] = numbers.try_emplace(v, static_cast<uint32_t>(numbers.size()));
-                if (is_new) {
-                    out.surface.positions.push_back(level_.surface.positions[v]);
-                    out.features.push_back(level_.features[v]);
-                }
-                v = found->second;
-            }
-            out.surface.triangles.push_back(t);
-        }
-        return out;
-    }
+    CoarseMesh result() const { return without_unused_vertices(level_); }
 
 private:
     struct Collapse {
         double cost = illegal_cost;
         glm::dvec3 at = glm::dvec3(0);
     };
-    struct Star {  // of an edge
+    struct Star {  // the neighbourhood of an edge
         std::vector<Triangle> before, after;
         std::vector<uint32_t> samples;
-        double now = 0;  // what its triangles and samples cost as they are
+        double now = 0;  // the present cost of its triangles and samples
         mutable uint32_t guess = model::none;
     };
 
@@ -111,7 +95,8 @@ private:
     }
     glm::dvec3 at(uint32_t v) const { return level_.surface.positions[v]; }
 
-    // Squared distance of a triangle from the fine surface, times its area. `guess`: where the last one was near.
+    // Returns the squared distance of a triangle from the fine surface, times its area. `guess`: the nearest triangle
+    // of the last query.
     double distance_cost(const NearestPoint::Triangle &t, uint32_t &guess) const
     {
         double sum = 0;
@@ -140,7 +125,7 @@ private:
         return star;
     }
 
-    // Whether a limb would come off: where the surface is round a neck that the edge is part of.
+    // Returns whether the collapse would cut off a limb: the edge is part of a ring round a neck.
     bool disconnects(Edge edge, const Star &star) const
     {
         if (star.after.size() + 2 == star.before.size() && common_neighbours(star, edge) == 2) return false;
@@ -178,7 +163,7 @@ private:
         return best;
     }
 
-    // With both ends at one place.
+    // The corners with both ends of the edge at `position`.
     NearestPoint::Triangle corners(const Triangle &t, Edge edge, glm::dvec3 position) const
     {
         NearestPoint::Triangle out;
@@ -218,7 +203,7 @@ private:
         return sum;
     }
 
-    // Where the vertex in place of both lies best for the samples of its triangles, by least squares.
+    // Returns the least-squares position of the merged vertex for the samples of its triangles.
     glm::dvec3 least_squares_position(Edge edge, glm::dvec3 position, const Star &star) const
     {
         const std::vector<PrecomputedTriangle> next = after(star, edge, position);
@@ -278,11 +263,11 @@ private:
     const base::Jobs &jobs_;
     CoarseMesh level_;
     std::vector<double> distance_costs_;       // [triangles]
-    std::vector<uint32_t> nearest_triangles_;  // [samples] triangle where each is nearest
-    std::vector<double> distances_;            // [samples] squared, to it
+    std::vector<uint32_t> nearest_triangles_;  // [samples] the nearest triangle
+    std::vector<double> distances_;            // [samples] squared distance to it
     std::map<Edge, Collapse> collapses_;
     bool non_manifold_allowed_ = false;
-    double sliver_ = 0;  // twice the area below which a triangle points anywhere
+    double sliver_ = 0;  // twice the area below which a triangle's normal is meaningless
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Coarser and coarser by what is seen to go: for levels of a few dozen triangles, where each collapse takes a limb or leaves
-// it. Between the files of this room only.
+// Simplifies by the visible loss, for levels of a few dozen triangles, in which each collapse removes or keeps a limb.
+// Internal to lib/lod.
 #pragma once
 
 #include "lib/base/services.h"
@@ -8,9 +8,9 @@
 namespace claque::lod
 {
 
-// `from`, closed, in fewer triangles, one for each target, descending. The next edge to collapse is the one by which the
-// squared distance of both surfaces, from either to the other, and the variance of what vertices stand for grow least. Stops
-// above a target where no lawful collapse is left. Each result is fit (fit.h). Deterministic.
+// Returns the closed mesh `from` in fewer triangles, one mesh for each target, descending. The next edge to collapse is
+// the one that adds least to the squared distance between the two surfaces, in both directions, plus the variance of
+// the features. Stops above a target if no legal collapse is left. Each result is fitted (fit.h). Deterministic.
 std::vector<CoarseMesh> reduce_by_distance(const FineSurface &fine, const CoarseMesh &from,
                                            const std::vector<size_t> &targets, const base::Jobs &jobs = {});
 

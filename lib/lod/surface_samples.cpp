@@ -84,7 +84,7 @@ uint32_t texel(double at, uint32_t size, model::Wrap wrap)
     return static_cast<uint32_t>(std::fmin(std::fmax(x, 0), n - 1));
 }
 
-// None where the material has none.
+// Returns model::none if the material has no image.
 uint32_t image_of(const model::Model &model, uint32_t material, const model::TextureSet *set)
 {
     const bool other = set && material < set->images.size() && set->images[material] != model::none;

@@ -1,10 +1,11 @@
-// Places on a character's surface, and where they are in a pose. Between the files of this room only.
+// Points on a character's surface, and their positions in a pose. Internal to lib/lod.
 #pragma once
 
 #include <array>
-#include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "lib/base/span.h"
 #include "lib/model/model.h"
@@ -12,17 +13,17 @@
 namespace claque::lod
 {
 
-// Vertices of several parts in one pose of the rig, numbered through all parts.
+// The vertices of several parts in one pose of the rig, indexed through all parts.
 class PosedParts
 {
 public:
     explicit PosedParts(std::vector<const model::Part *> parts);
-    // palette and weights as pose::Workspace gives them.
+    // `palette` and `weights` are those of pose::Workspace.
     void pose(const model::Rig &rig, base::Span<const math::Affine> palette, base::Span<const float> weights);
 
     struct Triangle {
         uint32_t part = 0;
-        std::array<uint32_t, 3> vertices{};  // of the part
+        std::array<uint32_t, 3> vertices{};  // vertices of the part
     };
     const std::vector<Triangle> &triangles() const { return triangles_; }
     const model::Part &part(uint32_t index) const { return *parts_[index]; }
@@ -30,7 +31,7 @@ public:
     glm::dvec3 vertex(uint32_t part, uint32_t v) const { return positions_[first_[part] + v]; }
     glm::dvec3 corner(const Triangle &t, size_t k) const { return positions_[first_[t.part] + t.vertices[k]]; }
     const std::vector<glm::dvec3> &positions() const { return positions_; }  // of all parts
-    std::array<uint32_t, 3> vertices_of(uint32_t triangle) const             // in positions()
+    std::array<uint32_t, 3> vertices_of(uint32_t triangle) const             // indices into positions()
     {
         const Triangle &t = triangles_[triangle];
         const uint32_t first = first_[t.part];
@@ -54,11 +55,11 @@ inline std::vector<const model::Part *> pointers(const std::vector<model::Part> 
 
 PosedParts posed_at_rest(const model::Rig &rig, std::vector<const model::Part *> parts);
 
-// Where the vertices of parts are at rest, in the space of the model.
+// Returns the rest positions of the parts' vertices in model space.
 std::vector<std::vector<glm::vec3>> rest_positions(const model::Rig &rig,
                                                    const std::vector<const model::Part *> &parts);
 
-// A place: so much of each corner of a triangle.
+// A point of the surface by barycentric coordinates.
 struct SurfacePoint {
     uint32_t triangle = 0;
     glm::dvec3 weights = glm::dvec3(0);
@@ -66,38 +67,39 @@ struct SurfacePoint {
 
 glm::dvec3 position_of(const PosedParts &parts, const SurfacePoint &point);
 
-// The zone that a place shows: its material's, or that of the texel's key; model::none where there is none. `set`: what it
-// shows in one of the model's further texture sets; null: in the first.
+// Returns the zone that a point shows: its material's, or that of the texel's zone key; model::none if there is none.
+// `set`: one of the model's further texture sets; null: the first.
 uint32_t zone_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
                  const model::TextureSet *set = nullptr);
 
-// Of a part, at a place in its texture.
+// The same for texture coordinates of a part.
 uint32_t zone_at(const model::Model &model, const model::Part &part, glm::vec2 uv,
                  const model::TextureSet *set = nullptr);
 
-// The texel there, each of red, green and blue in [0, 1]; white where there is no image.
+// Returns the texel at a point, with red, green and blue in [0, 1]; white if there is no image.
 glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
                     const model::TextureSet *set = nullptr);
 
-// Places that stand for the whole surface, about `count` and one at least on each triangle: middles of small triangles that
-// lines along the sides make, and their areas.
+// Samples of the whole surface: about `count`, and at least one on each triangle. They are the centres of the small
+// triangles of a regular subdivision, with their areas.
 struct SurfaceSample {
     SurfacePoint point;
     double area = 0;
 };
-constexpr double surface_sample_count = 20000;  // that shares of area are measured by
+constexpr double surface_sample_count = 20000;  // for measuring area fractions
 std::vector<SurfaceSample> sample_surface(const PosedParts &parts, double count);
 
-// Each place of `from` that stands for its surface (middles of the four triangles that halving the sides of each triangle
-// makes, a quarter of its area each; then its corners, for distances alone), and the place of `to` nearest to it as they
-// are posed now: of the part of the same number or, where that has no triangle, of any.
+// Matches the samples of `from` with the nearest points of `to` in their present poses. The samples are, for each
+// triangle, the centres of the four triangles that halving its sides makes, with a quarter of its area each, then its
+// corners, for distances only. The nearest point is on the part of the same index or, if that has no triangles, on any
+// part.
 struct PointPair {
     SurfacePoint here, there;
 };
 constexpr size_t samples_per_triangle = 7, area_samples = 4;
 std::vector<PointPair> nearest_pairs(const PosedParts &from, const PosedParts &to);
 
-// The same, where several are held against one: what is found by is made once.
+// The same for several queries against one target; the trees are built once.
 class PartTrees
 {
 public:
@@ -107,12 +109,12 @@ public:
 
 private:
     struct Tree;
-    std::vector<std::unique_ptr<Tree>> by_part_;  // none where there is one part
-    std::unique_ptr<Tree> all_;                   // none where there is no triangle
+    std::vector<std::unique_ptr<Tree>> by_part_;  // empty if there is one part
+    std::unique_ptr<Tree> all_;                   // null if there are no triangles
 };
 double area_of(const PosedParts &parts, uint32_t triangle);
 
-// Of each triangle those that go along one of its edges the other way, as neighbours on a surface do.
+// Returns the neighbours of each triangle: those that run along one of its edges in the opposite direction.
 std::vector<std::vector<uint32_t>> neighbours_of(const PosedParts &parts);
 
 }  // namespace claque::lod

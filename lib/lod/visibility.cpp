@@ -1,9 +1,10 @@
 #include "lib/lod/visibility.h"
 
 #include <algorithm>
+#include <limits>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "lib/lod/nearest.h"
 #include "lib/lod/occluders.h"
@@ -14,10 +15,10 @@ namespace claque::lod
 namespace
 {
 
-constexpr size_t sparse_triangles = 2500;  // triangles: more are small enough to be judged by their middles
-constexpr size_t task_triangles = 128;     // triangles of a task
+constexpr size_t sparse_triangles = 2500;  // larger meshes are sampled only at the triangles' centres
+constexpr size_t task_triangles = 128;     // triangles per task
 
-// To the sides and the corners of a cube.
+// The directions to the sides and the corners of a cube.
 std::vector<Occluders::Ray> directions()
 {
     std::vector<Occluders::Ray> found;
@@ -55,7 +56,7 @@ std::vector<double> visibility_of(const std::vector<VisibilityQuery> &queries, V
     }
     std::vector<double> visibility(queries.size());
     if (triangles.empty()) return visibility;
-    const double skin = 1e-5 * glm::length(max - min);  // what is as near as this is not in the way
+    const double skin = 1e-5 * glm::length(max - min);  // occluders nearer than this do not count
     const Occluders all(triangles);
     const std::array<glm::dvec3, 4> sample_weights = {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
                                                       glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0};

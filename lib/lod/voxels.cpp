@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace claque::lod
 {
@@ -18,13 +19,13 @@ Voxels::Voxels(const std::vector<Triangle> &triangles, uint32_t cells)
     const double longest = std::max({box.x, box.y, box.z});
     cell_ = longest > 0 ? longest / cells : 1;
     size_ = glm::uvec3(glm::floor(box / cell_)) + 3u;
-    // The box lies in the middle of its cells.
+    // The triangles' box is centred in the grid.
     origin_ = 0.5 * (min + max) - 0.5 * cell_ * glm::dvec3(size_);
     cells_.assign(size_t(size_.x) * size_.y * size_.z, 0);
     for (const Triangle &t : triangles) add(t);
 }
 
-// Points of the triangle no further apart than half a cell.
+// Fills the cells of points at most half a cell apart.
 void Voxels::add(const Triangle &t)
 {
     const double longest =
@@ -41,7 +42,7 @@ void Voxels::add(const Triangle &t)
 
 void Voxels::fill()
 {
-    std::vector<uint8_t> met(cells_.size(), 0);  // how many directions
+    std::vector<uint8_t> met(cells_.size(), 0);  // in how many directions a triangle lies
     const std::array<size_t, 3> stride = {1, size_.x, size_t(size_.x) * size_.y};
     for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;

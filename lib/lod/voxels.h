@@ -1,11 +1,12 @@
-// Which cells of a grid round a character are filled: those that its triangles pass through, and those that they close
-// off from outside. Between the files of this room only.
+// The filled cells of a grid round a character: those that its triangles pass through and those that they enclose.
+// Internal to lib/lod.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace claque::lod
 {
@@ -15,11 +16,11 @@ class Voxels
 public:
     using Triangle = std::array<glm::dvec3, 3>;
 
-    // `cells` along the longest side of the triangles' box, with an empty layer round it. At least one triangle.
+    // `cells` along the longest side of the triangles' box, with an empty border. At least one triangle.
     Voxels(const std::vector<Triangle> &triangles, uint32_t cells);
 
-    // Fills what is shut in: cells from which five of the six directions along the axes meet a triangle, so that an open
-    // hem or sleeve counts as shut.
+    // Fills enclosed cells: those from which five of the six axis directions meet a triangle, so that an open hem or
+    // sleeve counts as closed.
     void fill();
 
     bool filled(uint32_t x, uint32_t y, uint32_t z) const { return cells_[index(x, y, z)] != 0; }

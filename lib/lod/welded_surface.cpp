@@ -15,7 +15,7 @@ using Triangles = std::vector<std::array<uint32_t, 3>>;
 
 PositionKey position_key(glm::vec3 p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }
 
-// Places on edges that one triangle of the part has to itself.
+// The positions on edges that only one triangle of the part uses.
 std::set<PositionKey> border_of(const std::vector<glm::vec3> &positions, const Triangles &triangles)
 {
     std::map<std::pair<PositionKey, PositionKey>, int> count;
@@ -51,7 +51,7 @@ WeldedSurface::WeldedSurface(const std::vector<SourcePart> &parts) : parts_(part
     mesh.request_edge_status();
     mesh.request_face_status();
 
-    // A place, and who may share it: a part, or beyond all parts those that are sewn.
+    // Vertices weld by position and group: a part, or, after all parts, a group of sewn parts.
     std::map<std::pair<PositionKey, uint32_t>, Mesh::VertexHandle> found;
     std::vector<Triangles> triangles;
     std::vector<Mesh::VertexHandle> welded(corner_count());
@@ -62,7 +62,7 @@ WeldedSurface::WeldedSurface(const std::vector<SourcePart> &parts) : parts_(part
         for (uint32_t v = 0; v < parts[i].part->positions.size(); ++v) {
             const glm::vec3 p = rest_of(parts[i])[v];
             const PositionKey key = position_key(p);
-            // Parts stand below nodes in one row of numbers.
+            // Groups of parts and of nodes share one range of numbers.
             const uint32_t group = !border.count(key) ? i : static_cast<uint32_t>(parts.size()) + sewn + 1;
             const auto [at, fresh] = found.try_emplace({key, group});
             if (fresh) at->second = mesh.add_vertex({double(p.x), double(p.y), double(p.z)});

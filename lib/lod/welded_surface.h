@@ -1,10 +1,10 @@
-// The parts of a character as one mesh of OpenMesh's, welded where they touch, with what stands at each corner of a
-// face: the corner of the source, whose normal, texture coordinates and influences it keeps. Between the files of this
-// room only.
+// The parts of a character as one OpenMesh mesh, welded where they touch. Each face corner refers to a corner of the
+// source and keeps its normal, texture coordinates and influences. Internal to lib/lod.
 #pragma once
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "lib/lod/decimate.h"
 #include "lib/lod/link_condition.h"
@@ -18,12 +18,12 @@ struct MeshTraits : OpenMesh::DefaultTraits {
     using Normal = OpenMesh::Vec3d;
 };
 struct Mesh : OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
-    // What its decimater asks, in place of OpenMesh's own.
+    // The decimater calls this in place of OpenMesh's own.
     bool is_collapse_ok(HalfedgeHandle h) const { return LinkCondition<Mesh>(*this).holds(h); }
 };
 
-// Which corner of the source stands at each corner of a face; kept by vertex, so that it does not matter how the mesh
-// re-uses its halfedges.
+// The corners of the source at the corners of a face. They are found by vertex, so the order in which the mesh re-uses
+// its halfedges does not matter.
 struct Corners {
     std::array<int, 3> at{};
     std::array<uint32_t, 3> corner{};
@@ -45,22 +45,22 @@ inline glm::dvec3 point(const Mesh &mesh, Mesh::VertexHandle v)
 class WeldedSurface
 {
 public:
-    // Vertices of one part that share a position are one. So are those of several parts that move together (all skinned,
-    // or on one node) where both have an open border: the parts are then sewn, and no crack opens between them.
+    // Welds vertices of one part that share a position. Open borders of several parts that move together (all skinned,
+    // or on one node) are welded as well: the parts are sewn, and no crack opens between them.
     explicit WeldedSurface(const std::vector<SourcePart> &parts);
 
     Mesh mesh;
     OpenMesh::FPropHandleT<Corners> corners;
-    size_t non_manifold_triangles =
-        0;  // triangles on edges with more than two faces: they stand apart, and do not move
+    // Triangles on edges with more than two faces. They are separate and do not move.
+    size_t non_manifold_triangles = 0;
 
-    // A corner of the source: a vertex of a part, numbered through all parts.
+    // A corner of the source is a vertex of a part, indexed through all parts.
     uint32_t corner_count() const { return first_.back(); }
     uint32_t part_of(uint32_t corner) const { return part_of_[corner]; }
     uint32_t vertex_of(uint32_t corner) const { return corner - first_[part_of_[corner]]; }
     const model::Part &part(uint32_t index) const { return *parts_[index].part; }
     glm::vec3 at_rest(uint32_t corner) const;
-    // Corners that differ only in their normals are one side of the surface: the first of them.
+    // Corners that differ only in their normals are one wedge, named by the first of them.
     uint32_t wedge(uint32_t corner) const { return wedge_[corner]; }
     glm::vec2 uv(uint32_t corner) const;
     bool has_uv(uint32_t corner) const { return !part(part_of_[corner]).uvs.empty(); }

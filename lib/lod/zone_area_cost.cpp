@@ -12,7 +12,7 @@ namespace claque::lod
 namespace
 {
 
-// Of a share: off by more, what a zone costs grows with the third power, so that none comes to two points.
+// Beyond this error of an area fraction, a zone's cost grows with the third power, so that no zone reaches two points.
 constexpr double steep = 0.006;
 
 }  // namespace
@@ -84,7 +84,7 @@ double ZoneAreaCost::cost()
 {
     double all = 0, sum = 0;
     for (const auto &[zone, area] : changes_) all += area, sum += area * slope(zone);
-    // Shares of all zones change when the whole does.
+    // A change of the total area changes the fractions of all zones.
     for (size_t zone = 0; zone < area_fractions_.size(); ++zone) sum -= all * area_fractions_[zone] * slope(zone);
     changes_.clear();
     return weight_ * area_ * sum;

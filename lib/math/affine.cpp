@@ -53,7 +53,7 @@ Affine inverse(const Affine &a)
     const float det = determinant(a);
     Affine out;
     if (det == 0) return out;
-    // Rows of the inverse are the cross products of the columns over the determinant.
+    // The rows of the inverse are the cross products of the columns divided by the determinant.
     const glm::vec3 r0 = glm::cross(a.column(1), a.column(2)) / det;
     const glm::vec3 r1 = glm::cross(a.column(2), a.column(0)) / det;
     const glm::vec3 r2 = glm::cross(a.column(0), a.column(1)) / det;

@@ -1,6 +1,6 @@
-// 3x4 matrices, packed by column: x axis, y axis, z axis, translation. 48 bytes, so that palettes stay small and a
-// 4-lane load of a column needs no shuffle (lane 3 is the next column's first number: ignore it). An array of these
-// that such loads run over needs one more float behind its end.
+// 3x4 matrices by column: x axis, y axis, z axis, translation. At 48 bytes palettes stay small, and a 4-lane load of a
+// column needs no shuffle; lane 3 holds the next column's first number and is ignored. An array that such loads read
+// needs one more float after its end.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -18,7 +18,7 @@ struct Affine {
     void set_column(int k, glm::vec3 v) { c[3 * k] = v.x, c[3 * k + 1] = v.y, c[3 * k + 2] = v.z; }
 };
 
-// Translation, then rotation, then scale, applied right to left: a glTF node's or a key-pose's local transform.
+// Scale, then rotation, then translation: the local transform of a glTF node or key-pose.
 struct Trs {
     glm::vec3 translation = glm::vec3(0);
     glm::quat rotation = glm::quat(1, 0, 0, 0);  // (w, x, y, z)
@@ -28,17 +28,17 @@ struct Trs {
 Affine affine_of(const Trs &trs);
 Affine affine_of(const glm::mat4 &matrix);
 glm::mat4 mat4_of(const Affine &a);
-Affine mul(const Affine &a, const Affine &b);  // a after b
-Affine inverse(const Affine &a);               // of a singular one: the identity; ask determinant() first
+Affine mul(const Affine &a, const Affine &b);  // applies b first
+Affine inverse(const Affine &a);               // the identity for a singular matrix; check determinant() first
 float determinant(const Affine &a);
 glm::vec3 transform_point(const Affine &a, glm::vec3 p);
 glm::vec3 transform_vector(const Affine &a, glm::vec3 d);
 
-// Directions of normals: inverse transpose of the upper 3x3, without translation, scaled to the size of a rotation.
-// The same matrix up to that factor where `a` is a similarity, mirrored or not.
+// Transforms the directions of normals: the inverse transpose of the upper 3x3 without translation, scaled to the size
+// of a rotation. If `a` is a similarity, mirrored or not, it is `a` up to that factor.
 Affine normal_matrix(const Affine &a);
 
-// Whether the upper 3x3 is a rotation times one factor, possibly mirrored, within `tolerance` of the factor.
+// True if the upper 3x3 is a rotation times one factor, possibly mirrored, within `tolerance` of the factor.
 bool is_similarity(const Affine &a, float tolerance = 1e-4f);
 
 }  // namespace claque::math

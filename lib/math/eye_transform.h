@@ -1,4 +1,5 @@
-// From an actor's space to an eye's, in double until the eye has been taken off: a world of 10^6 m does not shake.
+// Transforms from an actor's space to an eye's. They are double until the eye is subtracted, so that a world of 10^6 m
+// does not jitter.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -8,16 +9,16 @@
 namespace claque::math
 {
 
-// Rotation of a quaternion that need not be quite unit; columns are the turned axes.
+// The rotation of a quaternion of about unit length; columns are the rotated axes.
 glm::dmat3 rotation_of(const glm::quat &q);
 
-// A rotation times one factor, and a place: actor's space to eye space.
+// From actor space to eye space: a rotation times one factor, and an origin.
 struct EyeTransform {
     glm::dmat3 axes = glm::dmat3(1);
     glm::dvec3 origin = glm::dvec3(0);
 };
 
-// An actor at `position`, turned and scaled (a negative scale mirrors), seen by an eye.
+// For an actor at `position`, rotated and scaled (a negative scale mirrors).
 EyeTransform eye_transform(const glm::dmat3 &world_to_eye, const glm::dvec3 &eye, const glm::dvec3 &position,
                            const glm::quat &orientation, double scale);
 

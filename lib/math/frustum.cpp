@@ -10,7 +10,7 @@ Frustum frustum_of(const float projection[16])
     const auto row = [&](int r, int c) { return double(projection[4 * c + r]); };
     Frustum out;
     for (int i = 0; i < 6; ++i) {
-        // -w <= x, x <= w and so on: w + x >= 0, w - x >= 0.
+        // From -w <= x, x <= w and so on: w + x >= 0, w - x >= 0.
         const int axis = i / 2;
         const double sign = i % 2 ? -1.0 : 1.0;
         const glm::dvec3 n(row(3, 0) + sign * row(axis, 0), row(3, 1) + sign * row(axis, 1),

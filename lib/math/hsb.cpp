@@ -10,7 +10,7 @@ void hsb_to_rgb(double hue_deg, double saturation, double brightness, double out
 {
     const double s = std::clamp(saturation, 0.0, 1.0), b = std::clamp(brightness, 0.0, 1.0);
     const double turn = hue_deg / 360 - std::floor(hue_deg / 360);
-    // Each channel is full for a third of the circle round its own hue and fades over a sixth on both sides.
+    // Each channel is full for a third of the circle about its own hue and falls off over a sixth on both sides.
     for (int channel = 0; channel < 3; ++channel) {
         double away = std::fabs(turn - channel / 3.0);
         if (away > 0.5) away = 1 - away;

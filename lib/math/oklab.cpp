@@ -10,7 +10,7 @@ namespace claque::math
 namespace
 {
 
-// Linear sRGB to the responses of three cones, and their cube roots to OKLab.
+// The matrix from linear sRGB to cone responses, and the one from their cube roots to OKLab.
 constexpr double cones_of[3][3] = {{0.4122214708, 0.5363325363, 0.0514459929},
                                    {0.2119034982, 0.6806995451, 0.1073969566},
                                    {0.0883024619, 0.2817188376, 0.6299787005}};
@@ -23,7 +23,7 @@ void times(const double matrix[3][3], const double x[3], double out[3])
     for (int row = 0; row < 3; ++row) out[row] = matrix[row][0] * x[0] + matrix[row][1] * x[1] + matrix[row][2] * x[2];
 }
 
-// Of sRGB's curve: the light of a channel, and how it changes with the channel.
+// A value of the sRGB curve and its derivative.
 struct Light {
     double value, slope;
 };
@@ -34,7 +34,7 @@ Light light_of(double channel)
     return {value, 2.4 / 1.055 * value / t};
 }
 
-// Share of a channel of the pure hue, and how it changes by a degree: see hsb_to_rgb.
+// The value of a channel in the pure hue, and its derivative per degree: see hsb_to_rgb.
 Light share_of(double hue_deg, int channel)
 {
     double away = hue_deg / 360 - channel / 3.0;
@@ -55,7 +55,8 @@ double nth_root(double x, int n)
     std::frexp(x, &exponent);
     const int whole = exponent >= 0 ? exponent / n : -((n - 1 - exponent) / n), rest = exponent - whole * n;
     double y =
-        std::ldexp(1 + double(rest) / n, whole);  // off by a quarter at most, which six steps of Newton's bring to 0
+        // off by a quarter at most, which six steps of Newton's method reduce to 0
+        std::ldexp(1 + double(rest) / n, whole);
     for (int step = 0; step < 6; ++step) {
         double power = 1;
         for (int k = 1; k < n; ++k) power *= y;

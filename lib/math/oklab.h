@@ -1,18 +1,18 @@
-// OKLab (Ottosson 2020): a space in which equal distances look about equally large, of colours as a display takes them (sRGB).
-// Taken in place of CIELAB because blues keep their hue in it, and because cube roots are all that it needs.
+// OKLab (Ottosson 2020): a perceptual space, from display colours (sRGB). It is used instead of CIELAB because blues
+// keep their hue and it needs cube roots only.
 #pragma once
 
 namespace claque::math
 {
 
-// The positive n-th root of x, 2 <= n <= 5; 0 for x <= 0. By +, *, / alone, so the same on every processor.
+// The positive n-th root of x, 2 <= n <= 5; 0 for x <= 0. Uses +, *, / alone, so it is the same on every processor.
 double nth_root(double x, int n);
 
 // rgb: each [0, 1]. out: lightness [0, 1], green to red, blue to yellow.
 void oklab_of(const double rgb[3], double out[3]);
 
-// How OKLab changes with hue (a degree), saturation and brightness: three vectors. At the six hues where the change breaks
-// off, that towards higher hues. brightness > 0.
+// Derivatives of OKLab by hue (per degree), saturation and brightness: three vectors. At the six hues where the
+// derivative jumps it is the one towards higher hues. brightness > 0.
 struct OklabSlopes {
     double hue[3], saturation[3], brightness[3];
 };

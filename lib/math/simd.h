@@ -1,5 +1,5 @@
-// Four floats at once, in the compilers' own vector types: plain multiply and add on any processor, the same bits as
-// the scalar code that does the same steps in the same order.
+// Four floats at once in the compilers' own vector types. Multiply and add are separate on any processor and give the
+// same bits as scalar code with the same steps in the same order.
 #pragma once
 
 #include <cstring>
@@ -18,11 +18,11 @@ inline F4 load4(const float *p)
 
 inline void store4(float *p, F4 v) { std::memcpy(p, &v, sizeof v); }
 inline void store3(float *p, F4 v) { std::memcpy(p, &v, 3 * sizeof(float)); }
-// With its lanes 0 to 2 moved round by one, as cross products want them.
+// Rotates lanes 0 to 2 by one, for cross products.
 inline F4 yzx(F4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
 inline F4 splat(float x) { return F4{x, x, x, x}; }
 
-// An affine matrix as four columns of four lanes, lane 3 unused: what chains of products are computed in.
+// An affine matrix as four columns of four lanes, lane 3 unused: the form for chains of products.
 struct Columns {
     F4 c[4];
 };

@@ -1,5 +1,5 @@
-// Which instruction set posing and skinning run on. All but `fused` give the same bits: the same steps in the same order,
-// one number, four or eight at a time.
+// The instruction set of posing and skinning. All but `fma` give the same bits: the same steps in the same order on
+// one, four or eight numbers at a time.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@ enum class SimdLevel : uint8_t {
     scalar = 0,
     simd128 = 1,
     simd256 = 2,
-    fma = 3  // wide, with products that are not rounded before they are added: sooner, and of other bits
+    fma = 3  // simd256 with products that are not rounded before they are added: faster, with other bits
 };
 
-// What runs unless asked otherwise: the widest that the processor has of the first three, or what the environment names
-// by CLAQUE_SIMD (scalar, 128, 256, fma), asked once; scalar where the build says CLAQUE_SCALAR; or what use_kernel said.
+// The level in use: that of set_simd_level, or else of the environment variable CLAQUE_SIMD (scalar, 128, 256, fma;
+// read once), or else the widest of the first three that the processor has. Scalar if the build defines CLAQUE_SCALAR.
 SimdLevel default_simd_level();
 
-// From here on, for everything in this process; one that can_run. Not while anything is posed or skinned, or parts of
-// one update may differ in bits where one of the two is `fused`.
+// Sets the level of the whole process; can_run() must be true for it. Not to be called while a crowd is posed or
+// skinned: parts of one update could differ in bits if one of the two levels is `fma`.
 void set_simd_level(SimdLevel simd_level);
 
-// Whether this processor can run it.
+// True if this processor can run it.
 bool can_run(SimdLevel simd_level);
 
 }  // namespace claque::math

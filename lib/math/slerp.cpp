@@ -10,19 +10,19 @@ namespace
 
 typedef double D2 __attribute__((vector_size(16)));
 
-// sin(f a) / sin(a) for two f at once, as a series in x = cos(a) - 1 whose terms fall by x / 2 each: for x >= -0.08 six
-// leave less than 1e-9. Between keys of a recorded motion x is above -0.002, where three do.
+// sin(f a) / sin(a) for two f at once, as a series in x = cos(a) - 1 whose terms fall by x / 2 each. For x >= -0.08 six
+// terms leave an error below 1e-9. Between keys of a recorded motion x is above -0.002, where three suffice.
 D2 arc_weights(D2 f, double x)
 {
     const D2 f2 = f * f, one = {1, 1}, xx = {x, x};
-    // Term i is the one before it times (f^2 - i^2) x / (i (2 i + 1)).
+    // Term i is the previous one times (f^2 - i^2) x / (i (2 i + 1)).
     const auto step = [&](double u, double v, D2 rest) { return one + (f2 * u - v) * xx * rest; };
     D2 sum = one;
     if (x < -0.002) sum = step(1.0 / 36, 4.0 / 9, step(1.0 / 55, 5.0 / 11, step(1.0 / 78, 6.0 / 13, one)));
     return f * step(1.0 / 3, 1.0 / 3, step(1.0 / 10, 2.0 / 5, step(1.0 / 21, 3.0 / 7, sum)));
 }
 
-// A quaternion in double, two numbers at a time.
+// A quaternion in double, as two pairs.
 struct Quad {
     D2 xy, zw;
 };

@@ -1,4 +1,4 @@
-// Spherical interpolation of unit quaternions by the shorter arc, without acos or sin: glTF 2.0, appendix C.4.
+// Spherical interpolation of unit quaternions along the shorter arc, without acos or sin: glTF 2.0, appendix C.4.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -6,11 +6,11 @@
 namespace claque::math
 {
 
-// f in [0, 1]. The result is a unit quaternion (float rounding apart); keys that are not quite unit do no harm.
-// Error of the angle below 1e-9 rad before rounding to float.
+// f in [0, 1]. The result has unit length up to float rounding, also for keys that are only approximately unit. The
+// error of the angle is below 1e-9 rad before rounding to float.
 glm::quat slerp(const float a_xyzw[4], const float b_xyzw[4], double f);
 
-// Of length 1; the identity for a quaternion of no length.
+// Normalises; the identity for a quaternion of length 0.
 glm::quat unit_quat(double w, double x, double y, double z);
 
 }  // namespace claque::math

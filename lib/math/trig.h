@@ -1,5 +1,5 @@
-// Trigonometry that is the same on every processor: only +, -, *, / and sqrt, which IEEE 754 fixes to the last bit.
-// The C library's acos, atan2 and tan are not: they choose their code by processor.
+// Trigonometry with the same bits on every processor: it uses only +, -, *, / and sqrt, which IEEE 754 fixes to the
+// last bit. The C library's acos, atan2 and tan choose their code by processor.
 #pragma once
 
 namespace claque::math

@@ -27,7 +27,7 @@ void check_marker(const Rig &rig, size_t i)
     if (i == 0) return;
     const Marker &before = rig.markers[i - 1];
     if (before.clip > marker.clip || (before.clip == marker.clip && before.time_s > marker.time_s))
-        fail(CLQ_ARGUMENT, "marker %zu '%s' stands behind a later one", i, name);
+        fail(CLQ_ARGUMENT, "marker %zu '%s' comes after a later one", i, name);
 }
 
 }  // namespace

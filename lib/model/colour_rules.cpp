@@ -17,7 +17,7 @@ constexpr float max_weight = 1e6f;
 
 bool named(const char *name) { return name && *name; }
 
-// Walks through a map until a rule is broken. Each step is true where all is well.
+// Checks a map up to the first broken rule. Each step returns true if its rule holds.
 class Walk
 {
 public:
@@ -82,7 +82,7 @@ private:
         const clq_zone_colours &zone = colours.zones[index];
         if (!named(zone.zone)) return refuse(Field::zone, "it has no name");
         if (find_zone(colours, zone.zone) < index) return refuse(Field::zone, "it stands twice in its class");
-        unsigned colour_space = 0;  // what C let a host put there
+        unsigned colour_space = 0;  // a C host may store any value in the enum
         std::memcpy(&colour_space, &zone.colour_space, sizeof colour_space);
         if (colour_space > CLQ_COLOUR_SPACE_OKLAB)
             return refuse(

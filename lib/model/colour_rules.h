@@ -1,5 +1,5 @@
-// The rules of colour maps (claque/colours.h), in one place for maps that hosts make and for those that stand in files: which
-// one is broken first, where, and in words.
+// The rules of colour maps (claque/colours.h), for maps from hosts and from files. The check reports the first broken
+// rule, its position and a text.
 #pragma once
 
 #include <claque/colours.h>
@@ -9,7 +9,7 @@
 namespace claque::model
 {
 
-// Which member of a class, zone or dye a sentence is about.
+// The member of a class, zone or palette entry that a message is about.
 enum class ColourField {
     whole,
     name,
@@ -27,7 +27,8 @@ enum class ColourField {
 
 struct BrokenColourRule {
     bool broken = false;
-    uint32_t colour_class = CLQ_NONE, zone = CLQ_NONE, palette_entry = CLQ_NONE;  // none: about what holds it
+    // The position of the error; CLQ_NONE: in the structure that holds it.
+    uint32_t colour_class = CLQ_NONE, zone = CLQ_NONE, palette_entry = CLQ_NONE;
     ColourField field = ColourField::whole;
     std::string text;
 };

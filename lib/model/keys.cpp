@@ -11,7 +11,7 @@ namespace claque::model
 namespace
 {
 
-// In 1/255. Less than the quarter step that the acceptance checks keep free, more than a float's error.
+// In 1/255. Smaller than the quarter step that the acceptance checks keep free, larger than the error of a float.
 constexpr double nudge = 1.0 / 16.0;
 constexpr double spare_steps = 0.25;
 
@@ -19,7 +19,7 @@ double halfway(Keys keys, uint32_t index) { return 0.5 * (double(keys[index - 1]
 
 double centre(Keys keys) { return keys[0] - 0.5; }
 
-// A fragment alpha of `value` (in 1/255), in whole steps of the target.
+// A fragment alpha of `value` (in 1/255) as whole steps of the target.
 struct Steps {
     double per_255;
     double low(double value) const { return std::floor(value * per_255 - spare_steps + 0.5); }

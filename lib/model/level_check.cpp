@@ -64,7 +64,7 @@ void check_vertices(const Level &level)
 void check_range(const Level &level, const IndexRange &range, uint32_t vertices)
 {
     if (range.count % 3 != 0 || uint64_t(range.first) + range.count > level.indices.size())
-        fail(CLQ_ARGUMENT, "indices %u to %llu of %zu are no triangles", range.first,
+        fail(CLQ_ARGUMENT, "indices %u to %llu of %zu are not triangles", range.first,
              static_cast<unsigned long long>(uint64_t(range.first) + range.count), level.indices.size());
     for (uint32_t i = range.first; i < range.first + range.count; ++i)
         if (level.indices[i] >= vertices)
@@ -95,7 +95,7 @@ void check_surface(const Template &tmpl, const Level &level, const Surface &surf
                  level.slots[level.indices[i]], zones);
 }
 
-// At a distance where nothing is drawn, nothing is there.
+// A level without vertices must be empty in everything else.
 void check_empty(const Level &level, size_t index)
 {
     if (level.source_count > 0) return;

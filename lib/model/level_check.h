@@ -1,4 +1,4 @@
-// The rules of the levels of template.h. Part of template_check.h.
+// The rules of the levels in template.h; part of template_check.h.
 #pragma once
 
 #include "lib/base/error.h"
@@ -21,10 +21,14 @@ inline void require_count(size_t have, size_t wanted, const char *what)
     if (have != wanted) base::fail(CLQ_ARGUMENT, "%s: %zu instead of %zu", what, have, wanted);
 }
 
-// Throw base::Error (CLQ_ARGUMENT) naming the first broken rule. Rig and textures have been checked.
+// These throw base::Error (CLQ_ARGUMENT) that names the first broken rule. The rig and the textures have been checked
+// before.
 void check_levels(const Template &tmpl);
-void check_skeleton(const Template &tmpl, size_t level);  // which nodes and entries are left; check_parts() comes first
-void check_parts(const Template &tmpl, const Level &level);  // and their spheres
-void check_part_firsts(const Level &level);                  // of all its surfaces
+// Checks the active nodes and entries; check_parts() comes first.
+void check_skeleton(const Template &tmpl, size_t level);
+// Checks parts and their spheres.
+void check_parts(const Template &tmpl, const Level &level);
+// Checks part_offsets of all surfaces.
+void check_part_firsts(const Level &level);
 
 }  // namespace claque::model

@@ -88,16 +88,36 @@ void check_part(const Model &model, const Part &part, size_t index)
     }
 }
 
+void check_zone(const Zone &zone, size_t index)
+{
+    const auto within = [](float x, float max) { return x >= 0 && x <= max; };
+    for (const float c : zone.colour)
+        if (!within(c, 1))
+            fail(CLQ_ARGUMENT, "zone %zu '%s' has a colour with a channel of %g: 0 to 1 is wanted", index,
+                 zone.name.c_str(), static_cast<double>(c));
+    const HsbRange &r = zone.range;
+    if (!within(r.hue_min_deg, 360) || !within(r.hue_max_deg, 360) || !within(r.saturation_min, 1) ||
+        !within(r.saturation_max, 1) || !within(r.brightness_min, 1) || !within(r.brightness_max, 1))
+        fail(CLQ_ARGUMENT, "zone %zu '%s' has a range that leaves [0, 360] degrees or [0, 1]", index,
+             zone.name.c_str());
+}
+
 void check_looks(const Model &model)
 {
+    for (size_t i = 0; i < model.zones.size(); ++i) check_zone(model.zones[i], i);
     for (size_t i = 0; i < model.images.size(); ++i) {
         const Image &image = model.images[i];
-        if (image.width == 0 || image.height == 0 || image.rgba.size() != 4ull * image.width * image.height)
+        if (!is_image_size(image.width, image.height) || image.rgba.size() != 4ull * image.width * image.height)
             fail(CLQ_ARGUMENT, "image %zu '%s' of %u x %u has %zu bytes", i, image.name.c_str(), image.width,
                  image.height, image.rgba.size());
     }
     for (size_t i = 0; i < model.materials.size(); ++i) {
         const Material &material = model.materials[i];
+        const std::array<float, 4> &c = material.base_colour;
+        for (const float x : {c[0], c[1], c[2], c[3], material.alpha_cutoff})
+            if (!std::isfinite(x))
+                fail(CLQ_ARGUMENT, "material %zu '%s' has a colour or an alpha_cutoff that is not finite", i,
+                     material.name.c_str());
         if (material.image != none && material.image >= model.images.size())
             fail(CLQ_ARGUMENT, "material %zu '%s' has image %u of %zu", i, material.name.c_str(), material.image,
                  model.images.size());
@@ -108,6 +128,13 @@ void check_looks(const Model &model)
 }
 
 }  // namespace
+
+void check_influence_count(uint32_t influence_count, size_t part, const char *part_name)
+{
+    if (influence_count > max_influences)
+        fail(CLQ_ARGUMENT, "part %zu '%s' has %u influences a vertex: at most %u", part, part_name, influence_count,
+             max_influences);
+}
 
 void check_texture_sets(const Model &model)
 {
@@ -161,5 +188,7 @@ std::vector<std::array<uint32_t, 3>> triangles_of(const Part &part)
         for (size_t i = 1; i + 1 < n; ++i) add(at(0), at(i), at(i + 1));
     return out;
 }
+
+bool is_drawn(const Part &part) { return !part.hidden && !triangles_of(part).empty(); }
 
 }  // namespace claque::model

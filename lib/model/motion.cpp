@@ -82,7 +82,7 @@ void fill_still(const Rig &rig, Motion &m)
 void check_group(const Motion &m, const Rig &rig, const MotionGroup &group)
 {
     if (group.target == ChannelTarget::rotation || group.target > ChannelTarget::morph_weights)
-        fail(CLQ_ARGUMENT, "a motion group of path %u", unsigned(group.target));
+        fail(CLQ_ARGUMENT, "a motion group of target %u", unsigned(group.target));
     const bool morphs = group.target == ChannelTarget::morph_weights;
     const uint64_t owners = morphs ? rig.rest_weights.size() : m.nodes.size();
     const bool counted = morphs ? group.count >= 1 && group.count <= 4 : group.count == 3;
@@ -94,23 +94,23 @@ void check_group(const Motion &m, const Rig &rig, const MotionGroup &group)
 
 void check_rows(uint64_t first, uint64_t stride, uint64_t intervals, uint64_t numbers, uint64_t length)
 {
-    // A row and the one behind it are read, also where there is one only.
+    // Sampling reads a row and its successor, also when there is only one row.
     if (first + stride * std::max<uint64_t>(intervals, 1) + numbers > length)
-        fail(CLQ_ARGUMENT, "rows of motion from %llu on leave their %llu numbers",
+        fail(CLQ_ARGUMENT, "rows of motion from %llu on exceed their %llu numbers",
              static_cast<unsigned long long>(first), static_cast<unsigned long long>(length));
 }
 
-// What a degree of freedom shifts has numbers to be shifted by.
+// A node that a degree of freedom shifts needs a group to add the shift to.
 void check_shift(const Motion &m, const Dof &dof)
 {
     const auto shifts = [&](const MotionGroup &group) {
         return group.target == ChannelTarget::translation && m.nodes[group.index] == dof.node;
     };
     if (dof.kind == DofKind::translation && std::none_of(m.groups.begin(), m.groups.end(), shifts))
-        fail(CLQ_ARGUMENT, "motion has no place for the shift of node %u", dof.node);
+        fail(CLQ_ARGUMENT, "motion has no group for the translation of node %u", dof.node);
 }
 
-// A channel of this clip, going where its path says.
+// An exact channel belongs to this clip and its index matches its target.
 void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const MotionExactChannel &exact)
 {
     if (exact.channel < clip.first_channel || exact.channel - clip.first_channel >= clip.channel_count)

@@ -1,4 +1,4 @@
-// Rules of skeletal levels and of parts (S0 5.2, 4.1).
+// The rules of skeletal levels (S0 5.2) and of parts (S0 4.1).
 #include "lib/model/level_check.h"
 
 namespace claque::model
@@ -45,7 +45,7 @@ void check_part(const Template &tmpl, const Level &level, size_t index)
             fail(CLQ_ARGUMENT, "part %zu has spheres of matrices that do not ascend", index);
 }
 
-// Rises by whole triangles from 0 to what the range holds.
+// Offsets rise by whole triangles from 0 to the size of the range.
 void check_firsts(const uint32_t *firsts, size_t parts, uint32_t count, std::vector<uint64_t> *triangles)
 {
     if (firsts[0] != 0 || firsts[parts] != count)
@@ -71,7 +71,7 @@ void check_entries(const Template &tmpl, const Level &level)
     for (const uint16_t joint : level.joints)
         if (!kept[joint]) fail(CLQ_ARGUMENT, "a vertex follows matrix %u, which its level does not ask for", joint);
     for (const LevelPart &part : level.parts)
-        if (!level.active[part.node]) fail(CLQ_ARGUMENT, "a part hangs on node %u, which has stopped", part.node);
+        if (!level.active[part.node]) fail(CLQ_ARGUMENT, "a part hangs on node %u, which is deactivated", part.node);
     for (const PartSphere &sphere : level.part_spheres)
         if (!kept[sphere.entry])
             fail(CLQ_ARGUMENT, "a part's sphere follows matrix %u, which its level does not ask for", sphere.entry);
@@ -132,11 +132,11 @@ void check_part_firsts(const Level &level)
     std::vector<uint64_t> triangles(parts);
     for (const Surface &surface : level.surfaces) {
         if (parts < 2) {
-            require_count(surface.part_offsets.size(), 0, "places of parts where there is one");
+            require_count(surface.part_offsets.size(), 0, "offsets of parts where there is one");
             continue;
         }
         const size_t ranges = surface.clean.size() + surface.dirty_by_zone.size() + 2;
-        require_count(surface.part_offsets.size(), ranges * (parts + 1), "places of parts");
+        require_count(surface.part_offsets.size(), ranges * (parts + 1), "offsets of parts");
         const uint32_t *firsts = surface.part_offsets.data();
         const auto next = [&](uint32_t count, std::vector<uint64_t> *sums) {
             check_firsts(firsts, parts, count, sums);

@@ -54,6 +54,11 @@ void check_nodes(const Rig &rig)
                  rig.parents[i]);
         if (!finite(&trs.translation.x, 3) || !finite(&trs.scale.x, 3) || !finite(&trs.rotation.x, 4))
             fail(CLQ_ARGUMENT, "node %u '%s' has a rest transform that is not finite", i, rig.node_names[i].c_str());
+        const glm::dquat q(trs.rotation);
+        const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+        if (!(std::fabs(length - 1) <= 1e-3))
+            fail(CLQ_ARGUMENT, "node %u '%s' has a rotation of length %g instead of 1", i, rig.node_names[i].c_str(),
+                 length);
     }
     for (size_t i = 0; i < rig.palette.size(); ++i) {
         if (rig.palette[i].node >= n)
@@ -153,6 +158,20 @@ float Rig::deactivation_of(uint32_t node) const
     return deactivation_m.empty() ? std::numeric_limits<float>::infinity() : deactivation_m[node];
 }
 
+void set_span(const Rig &rig, Clip &clip)
+{
+    float first = 0, last = 0;
+    for (uint32_t i = 0; i < clip.channel_count; ++i) {
+        const Channel &channel = rig.channels[clip.first_channel + i];
+        const float begin = rig.times[channel.first_time];
+        const float end = rig.times[channel.first_time + channel.key_count - 1];
+        first = i == 0 ? begin : std::fmin(first, begin);
+        last = i == 0 ? end : std::fmax(last, end);
+    }
+    clip.start_s = first;
+    clip.duration_s = last - first;
+}
+
 void check(const Rig &rig)
 {
     check_nodes(rig);
@@ -171,7 +190,7 @@ void check(const Rig &rig)
         if (uint64_t(clip.first_channel) + clip.channel_count > rig.channels.size())
             fail(CLQ_ARGUMENT, "clip %zu '%s' has channels out of range", i, rig.clip_names[i].c_str());
         if (!std::isfinite(clip.start_s) || !(clip.duration_s >= 0) || !std::isfinite(clip.duration_s))
-            fail(CLQ_ARGUMENT, "clip %zu '%s' has no proper length", i, rig.clip_names[i].c_str());
+            fail(CLQ_ARGUMENT, "clip %zu '%s' has an invalid length", i, rig.clip_names[i].c_str());
     }
     for (size_t i = 0; i < rig.channels.size(); ++i) check_channel(rig, rig.channels[i], i);
     check_deactivations(rig);

@@ -14,7 +14,7 @@ GroundTransform sample(const Rig &rig, const RootCurve &curve, uint32_t i)
     return {static_cast<double>(s[0]), static_cast<double>(s[1]), static_cast<double>(s[2])};
 }
 
-// `share` of the clip in [0, 1].
+// `share` is the fraction of the clip in [0, 1].
 GroundTransform within(const Rig &rig, const RootCurve &curve, double share)
 {
     const double at = share * (curve.sample_count - 1);
@@ -39,7 +39,7 @@ GroundTransform inverse(const GroundTransform &step)
     return {-(c * step.x - s * step.z), -(s * step.x + c * step.z), -step.yaw};
 }
 
-// The steps' shifts are a geometric series of turns.
+// The translations of the repeated steps form a geometric series of rotations.
 GroundTransform repeated(const GroundTransform &step, double times)
 {
     const double half = 0.5 * step.yaw, s = std::sin(half);

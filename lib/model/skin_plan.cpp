@@ -11,9 +11,9 @@ namespace claque::model
 namespace
 {
 
-constexpr uint32_t least_block = 5;  // vertices: fewer are done sooner by pairs
+constexpr uint32_t least_block = 5;  // vertices; fewer are faster in pairs
 
-// A chunk of vertices is skinned by sets where these are at most half as many as the vertices.
+// A chunk of vertices is skinned by sets if it has at most half as many sets as vertices.
 constexpr uint32_t vertices_per_set = 2;
 
 class Planner
@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    // Vertices are counted from the run's first here.
+    // `v` counts from the first vertex of the run.
     const uint16_t *joints(uint32_t v) const
     {
         return level_.joints.data() + run_->first_influence + size_t(v) * run_->influences;
@@ -112,7 +112,7 @@ private:
         plan_.blocks.push_back(block);
     }
 
-    // Not in blocks: chunk by chunk of as many vertices as have sets for one.
+    // Vertices without blocks: in chunks of as many vertices as max_chunk_sets allows.
     void add_singles(uint32_t first, uint32_t end)
     {
         if (run_->influences == 1 && first < end) return add_vertices(first, end);
@@ -140,12 +140,12 @@ private:
         else to.push_back(segment(SkinMethod::vertex, first, end - first));
     }
 
-    // False: the chunk has no room for the set that the vertex would bring.
+    // Returns false if the chunk has no room for the new set of this vertex.
     bool add_to_set(SkinSegment &chunk, uint32_t v)
     {
         const size_t joint_bytes = run_->influences * sizeof(uint16_t), weight_bytes = run_->influences * sizeof(float);
         uint32_t set = chunk.item_count;
-        while (set-- > 0) {  // neighbours are alike more often
+        while (set-- > 0) {  // neighbours are more often equal
             const size_t at = chunk.first_item + size_t(set) * run_->influences;
             if (std::memcmp(&plan_.set_joints[at], joints(v), joint_bytes) == 0 &&
                 std::memcmp(&plan_.set_weights[at], weights(v), weight_bytes) == 0)

@@ -1,8 +1,8 @@
-// A character as split: immutable, shared by all its individuals. Made by meshsplit; S1 3, S1 4, S2 2.1.
+// A character after splitting: immutable and shared by all its individuals. Made by meshsplit; S1 3, S1 4, S2 2.1.
 //
-// One Level holds one mesh in one vertex order: `source_count` vertices that are skinned, then copies of some of them
-// that the fused strategy needs (a dirty triangle stands once per zone it touches, with vertices of its own for that
-// zone). A geometry cache array is sized for all of them; skinning fills the first part, copying the second.
+// A Level holds one mesh in one vertex order: first `source_count` vertices that are skinned, then copies of some of
+// them for the fused strategy. That strategy draws a dirty triangle once per zone it touches, with vertices of its own
+// for each zone. A geometry cache array has room for all vertices; skinning fills the first part, copying the second.
 #pragma once
 
 #include "lib/model/model.h"
@@ -12,7 +12,7 @@
 namespace claque::model
 {
 
-// Vertices [first, first + count) all have exactly `influences` influences, found from `first_influence` on.
+// Vertices [first, first + count) have exactly `influences` influences each, from `first_influence` on.
 struct InfluenceRun {
     uint32_t first = 0;
     uint32_t count = 0;
@@ -34,17 +34,17 @@ struct MorphRange {
 };
 
 struct IndexRange {
-    uint32_t first = 0;  // into Level::indices
-    uint32_t count = 0;  // three a triangle
+    uint32_t first = 0;  // index of Level::indices
+    uint32_t count = 0;  // three per triangle
 };
 
-// A zone of one texture: `key` is the renumbered alpha that the texture given to GL holds, ascending with the index.
+// A zone of one texture. `key` is the renumbered alpha in the texture given to GL; keys ascend with the index.
 struct ZoneKey {
-    uint32_t zone = 0;  // of Template::zones
+    uint32_t zone = 0;  // index of Template::zones
     uint8_t key = 0;
 };
 
-// What a texture shows of one further texture set: zones and wraps are the texture's.
+// The image of a texture in one further texture set; its zones and wraps are the texture's.
 struct TextureImage {
     explicit TextureImage(std::pmr::memory_resource *memory) : rgba(memory) {}
     uint32_t width = 0, height = 0;  // powers of two
@@ -55,33 +55,37 @@ struct Texture {
     explicit Texture(std::pmr::memory_resource *memory) : rgba(memory), keys(memory), set_images(memory) {}
     uint32_t width = 0, height = 0;                     // powers of two
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;  // repeat or clamp; mirror has been baked
-    Array<uint8_t> rgba;     // alpha: the renumbered key, or 0 where an alpha-masked material has a hole
+    // Alpha: the renumbered key, or 0 for a hole of an alpha-masked material.
+    Array<uint8_t> rgba;
     Array<ZoneKey> keys;     // ascending by key
     bool has_holes = false;  // in any set
-    // One for each of Template::texture_sets, where any of them differs; empty: all show the same. Triangles are clean
-    // or dirty by what they show in any set, so that all sets share indices and vertices.
+    // One per Template::texture_sets if any of them differs; empty: all show the same image. Triangles are clean or
+    // dirty by their zones in all sets, so that all sets share indices and vertices.
     Array<TextureImage> set_images;
 };
 
-// Index ranges of the triangles of one zone. `zone_index` counts within the texture's keys.
+// The triangles of one zone. `zone_index` counts within the texture's keys.
 struct Bin {
     uint32_t zone_index = 0;
     IndexRange range;
 };
 
-// What one texture and one sidedness cover: the unit of drawing. Most characters have one.
+// The triangles with one texture and one sidedness: the unit of drawing. Most characters have one.
 struct Surface {
     explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory), part_offsets(memory) {}
     uint32_t texture = 0;
     bool double_sided = false;
-    Array<Bin> clean;          // triangles of one zone, one bin a zone that has any
-    IndexRange dirty;          // triangles of several zones, once each (source vertices): S1's passes
-    Array<Bin> dirty_by_zone;  // for each zone, ascending: the dirty triangles that touch it (source vertices)
-    IndexRange fused;          // clean triangles once; dirty ones once per zone touched, ascending; own vertices
+    Array<Bin> clean;  // triangles of one zone, one bin for each zone that has any
+    // Triangles of several zones, once each (source vertices): S1's passes.
+    IndexRange dirty;
+    // For each zone, ascending: the dirty triangles that touch it (source vertices).
+    Array<Bin> dirty_by_zone;
+    // Clean triangles once; dirty ones once per zone touched, ascending; with their own vertices.
+    IndexRange fused;
 
-    // Where the parts of the level begin in each of these ranges, whose triangles stand part by part: the ranges in the
-    // order clean bins, dirty, dirty_by_zone bins, fused; for each, level.parts.size() + 1 places within it, from 0 to
-    // its count. Empty where the level has one part.
+    // The offsets of the level's parts in each of these ranges; the triangles of a range are sorted by part. Ranges are
+    // in the order clean bins, dirty, dirty_by_zone bins, fused. Each has level.parts.size() + 1 offsets, from 0 to its
+    // count. Empty if the level has one part.
     Array<uint32_t> part_offsets;
 };
 
@@ -90,23 +94,24 @@ struct Sphere {
     float radius = 0;
 };
 
-// The vertices of one part that one palette entry has a hand in, as they lie before that entry moves them.
+// A sphere of those vertices of one part that one palette entry influences, before that entry transforms them.
 struct PartSphere {
     uint32_t entry = 0;
-    Sphere bind;  // morph targets included, each at the most that its weight may be
+    Sphere bind;  // includes morph targets at their largest weights
 };
 
-// What is drawn or left out by itself (S0 4.1, 4.2 phase 3): rigid geometry on one node, or a skinned part. In a pose it
-// lies inside the hull of its spheres as their entries move them: these are the leaves of the Internal Bspheres.
+// The unit of part culling (S0 4.1, 4.2 phase 3): rigid geometry on one node, or a skinned part. In a pose it lies
+// inside the hull of its spheres, transformed by their entries; these spheres are the leaves of the Internal Bspheres.
 struct LevelPart {
-    uint32_t node = 0;  // that it hangs on; of a skinned part the lowest node above all that moves it, or
-                        // the root above the first of these where they stand in several trees
+    // The node that it hangs on. For a skinned part: the lowest node above all nodes that move it, or the root above
+    // the first of these if they are in several trees.
+    uint32_t node = 0;
     uint32_t first_sphere = 0, sphere_count = 0;  // of Level::part_spheres
     uint32_t triangles = 0;
 };
 
-constexpr uint32_t max_level_parts =
-    64;  // so that a set of them is one number; a model with more has some drawn together
+// A set of parts fits one 64-bit number; a model with more parts has some drawn together.
+constexpr uint32_t max_level_parts = 64;
 
 struct Level {
     explicit Level(std::pmr::memory_resource *memory)
@@ -134,52 +139,55 @@ struct Level {
     uint32_t source_count = 0;
     uint32_t vertex_count = 0;  // source_count + copies.size()
 
-    Array<float> positions;    // bind pose, 3 a source vertex
-    Array<float> normals;      // unit, 3 a source vertex
+    Array<float> positions;    // bind pose, 3 per source vertex
+    Array<float> normals;      // unit length, 3 per source vertex
     Array<InfluenceRun> runs;  // cover the source vertices in order, fewer influences first
     Array<uint16_t> joints;    // entries of rig.palette
     Array<float> weights;      // sum to 1 per vertex
-    SkinPlan skinning;         // how to go through them; empty: run by run
+    SkinPlan skinning;         // the order of skinning; empty: run by run
     Array<MorphDelta> morph_deltas;
     Array<MorphRange> morph_ranges;
 
     Array<uint32_t> copies;  // vertex source_count + i repeats source vertex copies[i]
-    Array<float> uvs;        // 2 a vertex, copies included
-    Array<uint8_t> colours;  // RGBA a vertex, copies included, or empty: times the zone's colour
-    // Per vertex, copies included: which entry of an individual's colour table the fused strategy gives it:
-    // 2 * zone_index + raised of the surface it belongs to; raised = 1 carries the alpha threshold of that zone.
+    Array<float> uvs;        // 2 per vertex, copies included
+    // RGBA per vertex, copies included, or empty; multiplied by the zone's colour
+    Array<uint8_t> colours;
+    // Per vertex, copies included: the entry of an individual's colour table that the fused strategy uses, 2 *
+    // zone_index + raised of its surface. raised = 1 selects the alpha threshold of that zone.
     Array<uint16_t> slots;
     Array<uint32_t> indices;
     Array<Surface> surfaces;
 
-    float switch_distance_m = 0;  // this level serves from here on, up to the next one's; the first from 0
+    float switch_distance_m = 0;  // this level serves from here up to the next one's; the first from 0
 
-    // S0 5.2: what is left of the skeleton at this level. Levels with equal nodes and entries have equal `skeletal`, and
-    // share poses.
+    // S0 5.2: the part of the skeleton that this level needs. Levels with equal nodes and entries have equal
+    // `skeletal_level` and share poses.
     uint32_t skeletal_level = 0;  // the first level that evaluates these nodes and entries
-    Array<uint8_t> active;        // one a node: whether it is evaluated; empty, all three: everything is
-    Array<uint32_t> nodes;        // those that are, ascending, so parents first
-    Array<uint32_t> entries;  // of the palette that this level's vertices, or a later one's of equal skeletal, ask for
+    // One per node: true if it is evaluated; if active, nodes and entries are empty, everything is evaluated.
+    Array<uint8_t> active;
+    Array<uint32_t> nodes;  // the evaluated nodes, ascending, so parents first
+    // The palette entries that vertices of this level need, or of a later one with equal skeletal_level.
+    Array<uint32_t> entries;
 
-    Array<LevelPart> parts;  // at most max_level_parts, at least one where there are triangles
+    Array<LevelPart> parts;  // at most max_level_parts, at least one if there are triangles
     Array<PartSphere> part_spheres;
 };
 
-// In every pose that the Sklsroot Bsphere holds.
+// Bounds of a node in every pose that the Sklsroot Bsphere holds.
 struct NodeReach {
     float distance = 0;  // of the node's origin from sklsroot.centre
-    float scale = 1;     // that lengths in the node's frame undergo
+    float scale = 1;     // of lengths in the node's frame
 };
 
-// A bound that grows with the weights of what is added to a pose (pose/layer.h), which sum to most_added at most.
+// A bound that grows with the weights of additive layers (pose/layer.h); these sum to most_added at most.
 struct AdditiveBound {
-    float base = 0;        // where nothing is added
+    float base = 0;        // without additive layers
     float per_weight = 0;  // for each 1 of weight
     float at(float added) const { return base + per_weight * added; }
 };
 constexpr float max_additive_weight = 32;
 
-// As NodeReach, whatever clips are blended (S2 3.3).
+// As NodeReach, for all blends of clips (S2 3.3).
 struct BlendReach {
     AdditiveBound distance, scale;
 };
@@ -188,8 +196,8 @@ struct SplitReport {
     uint32_t triangles = 0;
     uint32_t degenerate = 0;  // dropped: no area in any pose of the rest mesh
     uint32_t dirty = 0;
-    uint32_t dirty_zone_sum = 0;   // over dirty triangles, zones touched: mean = sum / dirty
-    uint32_t coincident = 0;       // triangles that lie on another with the same corners
+    uint32_t dirty_zone_sum = 0;   // zones touched, summed over dirty triangles: mean = sum / dirty
+    uint32_t coincident = 0;       // triangles on another with the same corners
     uint32_t fused_triangles = 0;  // triangles of the fused stream
     uint32_t copies = 0;           // vertices that the fused stream adds
 };
@@ -215,31 +223,33 @@ struct Template {
 
     std::pmr::string name;
     Rig rig;
-    Motion motion;             // its clips as they are sampled; empty: from their channels
-    bool similar_only = true;  // every palette matrix stays a similarity in every pose: normals may use it directly
+    Motion motion;  // its clips for sampling; empty: sampled from their channels
+    // True if every palette matrix stays a similarity in every pose: normals may use it directly.
+    bool similar_only = true;
 
     Array<std::pmr::string> zone_names;
     Array<std::array<float, 3>> zone_colours;
     Array<HsbRange> zone_ranges;
     Array<uint32_t> zone_clean;  // clean triangles per zone, level 0
 
-    Array<std::pmr::string> texture_sets;  // names of those besides the first, which all individuals have at first
+    // Names of all but the first set, which is the default of all individuals.
+    Array<std::pmr::string> texture_sets;
     Array<Texture> textures;
     Array<Level> levels;  // at least one, finest first
 
-    Sphere
-        sklsroot;  // S0 4.1: holds every vertex of every level in every pose of every clip with the degrees of freedom
-                   // anywhere in their ranges, in the actor's own space
-    Array<NodeReach>
-        node_reach;  // per node: where it gets to in all these poses, so that what is attached to it can be held
-    AdditiveBound blend_radius;     // of a sphere round sklsroot.centre that holds every vertex in every blend
+    // S0 4.1: in the actor's own space, holds every vertex of every level in every pose of every clip, with the degrees
+    // of freedom anywhere in their ranges.
+    Sphere sklsroot;
+    // Per node: its bounds in all these poses, so that attached objects can be bounded.
+    Array<NodeReach> node_reach;
+    AdditiveBound blend_radius;     // of a sphere about sklsroot.centre that holds every vertex in every blend
     Array<BlendReach> blend_reach;  // per node
     SplitReport report;
 
     uint32_t zone_count() const { return static_cast<uint32_t>(zone_names.size()); }
     uint32_t texture_set_count() const { return 1 + static_cast<uint32_t>(texture_sets.size()); }
 
-    // Whether everything hangs on one node each and nothing morphs, so that GL's matrix stack can place it.
+    // True if every vertex hangs on one node and nothing morphs, so that GL's matrix stack can transform it.
     bool has_rigid_parts_only() const;
 };
 

@@ -16,7 +16,7 @@ void check_motion(const Rig &rig)
     check(rig);
     for (const Channel &channel : rig.channels)
         if (channel.target > ChannelTarget::morph_weights || channel.interpolation > Interpolation::cubic_spline)
-            fail(CLQ_ARGUMENT, "a channel of path %u and interpolation %u", unsigned(channel.target),
+            fail(CLQ_ARGUMENT, "a channel of target %u and interpolation %u", unsigned(channel.target),
                  unsigned(channel.interpolation));
 }
 
@@ -29,7 +29,7 @@ void check_zones(const Template &tmpl)
     for (const HsbRange &range : tmpl.zone_ranges) require_finite(&range.hue_min_deg, 6, "zone range");
 }
 
-// Of Texture or TextureImage.
+// For Texture and TextureImage.
 template <class Image>
 void check_image(const Image &image, const bool (&known)[256], size_t index)
 {

@@ -1,4 +1,4 @@
-// The rules of template.h as a test: what passes here can be posed, skinned and drawn without a read out of range.
+// Checks the rules of template.h: a template that passes can be posed, skinned and drawn without a read out of range.
 #pragma once
 
 #include "lib/model/template.h"
@@ -6,7 +6,7 @@
 namespace claque::model
 {
 
-// Throws base::Error (CLQ_ARGUMENT) naming the first broken rule.
+// Throws base::Error (CLQ_ARGUMENT) that names the first broken rule.
 void check(const Template &tmpl);
 
 }  // namespace claque::model

@@ -1,6 +1,6 @@
-// The fields of a template in the order in which a file holds them: one list for writing and reading alike, so that the
-// two cannot differ. An Archive has value() for numbers, flag(), text(), and array() and rows(), which say how small an
-// element can be in the file; Tmpl is Template or const Template.
+// The fields of a template in file order. Writing and reading use this one list, so that they cannot differ. An Archive
+// has value() for numbers, flag(), text(), and array() and rows() with the smallest size of an element in the file.
+// Tmpl is Template or const Template.
 #pragma once
 
 #include "lib/model/template.h"
@@ -124,7 +124,7 @@ void walk_texture(Archive &a, T &texture)
     });
 }
 
-// What derive() finds is not kept.
+// Members computed by derive() are not stored.
 template <class Archive, class M>
 void walk_motion(Archive &a, M &motion)
 {

@@ -19,7 +19,7 @@ namespace
 constexpr uint8_t magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'T', 0x1a};
 constexpr size_t header_bytes = 32;
 
-// The unsigned integer of the size of T that carries its bits.
+// The unsigned integer type with the size of T.
 template <class T>
 using Bits = std::conditional_t<
     sizeof(T) == 1, uint8_t,
@@ -95,7 +95,7 @@ public:
         values.resize(count(smallest));
         for (auto &v : values) element(v);
     }
-    // Elements that are made on the memory of the array.
+    // For elements that are constructed with the array's memory resource.
     template <class A, class Element>
     void rows(A &values, uint64_t smallest, const Element &element)
     {
@@ -109,7 +109,7 @@ public:
     size_t left() const { return left_; }
 
 private:
-    // A length, which the bytes that are left must be able to fill with elements of this size.
+    // A length; the remaining bytes must be able to hold that many elements of this size.
     size_t count(uint64_t smallest)
     {
         uint64_t n = 0;

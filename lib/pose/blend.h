@@ -1,5 +1,5 @@
-// How layers meet at one joint: by the shorter arc, on the chord, made unit again. The kernels of kernel.h do the same to
-// eight joints at once.
+// Blending of rotations by normalised linear interpolation along the shorter arc. The kernels of pose_kernels.h do the
+// same for eight joints at once.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -7,11 +7,11 @@
 namespace claque::pose
 {
 
-// `weight` of the way from unit `a` to unit `b`.
+// Interpolates from unit `a` to unit `b`.
 glm::quat nlerp(const glm::quat &a, const glm::quat &b, float weight);
 
-// `below`, then `weight` of the turn from `from` to `to`, as seen from the joint (S2 3.3). Any finite weight: less than 0
-// turns back, more than 1 turns farther.
+// Returns `below` followed by `weight` of the rotation from `from` to `to`, in the joint's space (S2 3.3). Any finite
+// weight is allowed: below 0 it reverses the rotation, above 1 it extrapolates.
 glm::quat add_rotation(const glm::quat &below, const glm::quat &from, const glm::quat &to, float weight);
 
 }  // namespace claque::pose

@@ -10,7 +10,7 @@ namespace claque::pose
 namespace
 {
 
-// Weights of the Hermite form for value, out-tangent, next value, next in-tangent; tangents are per second.
+// Hermite weights of the value, the out-tangent, the next value and the next in-tangent; tangents are per second.
 struct Hermite {
     double v0, m0, v1, m1;
     Hermite(double t, double step_s)
@@ -29,7 +29,7 @@ double step_after(const model::Rig &rig, const model::Channel &channel, uint32_t
     return double(times[key + 1]) - double(times[key]);
 }
 
-// Where a key's value stands; cubic splines have (in-tangent, value, out-tangent) a key.
+// The value of a key; cubic splines store (in-tangent, value, out-tangent) per key.
 const float *value_at(const model::Rig &rig, const model::Channel &channel, uint32_t key)
 {
     const uint32_t n = channel.component_count;
@@ -49,7 +49,7 @@ KeyInterval find_key(const float *times, uint32_t count, double time_s)
     const double guess = (time_s - times[0]) / span * (count - 1);
     uint32_t key = std::min(static_cast<uint32_t>(guess), count - 2);
     if (!(times[key] <= time_s && time_s < times[key + 1])) {
-        // Rounding puts a uniform rate off by one at most; anything else is searched.
+        // With a uniform rate, rounding shifts the guess by at most one key; other rates need a search.
         if (time_s < times[key] && times[key - 1] <= time_s) {
             --key;
         } else if (time_s >= times[key + 1] && key + 2 < count && time_s < times[key + 2]) {

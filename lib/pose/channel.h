@@ -1,5 +1,5 @@
-// One animated property at one time, as glTF 2.0 says (3.11, appendix C): STEP, LINEAR, CUBICSPLINE; the time is
-// clamped to the channel's own keys. No state: any time costs the same, whatever was asked before.
+// Samples one channel at one time, as in glTF 2.0 (3.11, appendix C): STEP, LINEAR, CUBICSPLINE. The time is clamped to
+// the channel's own keys. It keeps no state, so any time costs the same.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -7,19 +7,19 @@
 namespace claque::pose
 {
 
-// Between key and key + 1, `f` of the way in [0, 1); f = 0 means exactly at `key`.
+// A time between `key` and `key + 1`: the fraction `f` is in [0, 1); f = 0 means exactly at `key`.
 struct KeyInterval {
     uint32_t key = 0;
     double f = 0;
 };
 
-// times ascend strictly. Keys at a uniform rate are found at once, others by halving.
+// `times` are strictly ascending. Keys at a uniform rate are found directly, others by binary search.
 KeyInterval find_key(const float *times, uint32_t count, double time_s);
 
-// `out` takes channel.component_count numbers. Not for rotations.
+// `out` gets channel.component_count numbers. Not for rotations.
 void sample_numbers(const model::Rig &rig, const model::Channel &channel, KeyInterval place, float *out);
 
-// A unit quaternion: LINEAR by the shorter arc, CUBICSPLINE renormalised.
+// Returns a unit quaternion: LINEAR along the shorter arc, CUBICSPLINE normalised.
 glm::quat sample_rotation(const model::Rig &rig, const model::Channel &channel, KeyInterval place);
 
 }  // namespace claque::pose

@@ -1,15 +1,15 @@
-// S0 3: what the degrees of freedom add to the nodes' own transforms. One at zero adds nothing, to the bit.
+// Applies degrees of freedom to the nodes' local transforms (S0 3). A value of zero changes no bit.
 #pragma once
 
-#include "lib/model/rig.h"
-
 #include <cmath>
+
+#include "lib/model/rig.h"
 
 namespace claque::pose
 {
 
-// Pose has turn(node, quaternion) and shift(node, vector), both between the node's rotation and its scale.
-//   dofs   [rig.dofs.size()]; null: all at rest
+// Pose has turn(node, quaternion) and shift(node, vector); both act between the node's rotation and its scale. `dofs`:
+// [rig.dofs.size()]; null: all at rest.
 template <class Pose>
 void apply_dofs(const model::Rig &rig, const float *dofs, float *weights, Pose &pose)
 {

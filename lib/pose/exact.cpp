@@ -65,7 +65,7 @@ void sample_exact(const model::Rig &rig, uint32_t clip_index, double time_s, con
     std::copy(rig.rest_weights.begin(), rig.rest_weights.end(), out.weights);
     if (clip_index == model::none) return;
     const model::Clip &clip = rig.clips[clip_index];
-    // Channels often share their key times: what was found for the last serves the next.
+    // Channels often share their key times, so the last key interval is reused.
     const model::Channel *last = nullptr;
     KeyInterval place;
     for (uint32_t i = 0; i < clip.channel_count; ++i) {

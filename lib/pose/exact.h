@@ -1,5 +1,5 @@
-// A pose as the channels have it, to the key: the reference that resampled clips are measured against, and what is used
-// where a template keeps none. Node by node, in local transforms.
+// Samples a pose directly from the channels, in local transforms, node by node. It is the reference for resampled
+// clips, and is used if a template has none.
 #pragma once
 
 #include "lib/base/span.h"
@@ -14,10 +14,10 @@ struct LocalPose {
     float *weights = nullptr;
 };
 
-// `active`: one a node, 0 where it stays at rest; null: all move. clip none: the rest pose.
+// `active`: [node_count], 0 for nodes that stay at rest; null: all may move. clip none: the rest pose.
 void sample_exact(const model::Rig &rig, uint32_t clip, double time_s, const uint8_t *active, const LocalPose &out);
 
-// All layers in order, on the rest pose. `spare` and `reference` are overwritten.
+// Applies all layers in order to the rest pose. `spare` and `reference` are overwritten.
 void sample_layers(const model::Rig &rig, base::Span<const Layer> layers, const uint8_t *active, const LocalPose &out,
                    const LocalPose &spare, const LocalPose &reference);
 

@@ -1,5 +1,5 @@
-// What one clip adds to a pose. A pose is made of layers in order: cross-fades replace, gestures and inertial blends add
-// (S2 3.3). Everything about a layer is a function of time and commands; it keeps nothing.
+// Layers: what one clip contributes to a pose. Layers apply in order: cross-fades replace, additive layers and inertial
+// blends add (S2 3.3). A layer is a function of time and commands and keeps no state.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -8,7 +8,7 @@ namespace claque::pose
 {
 
 enum class LayerKind : uint8_t {
-    replace = 0,  // goes `weight` of the way from what is below to this clip's pose
+    replace = 0,  // blends by `weight` from the pose below to this clip's pose
     add = 1       // adds `weight` of the difference from the reference pose to this clip's pose
 };
 
@@ -17,14 +17,15 @@ struct Layer {
     double time_s = 0;            // on the clip's own axis, like PoseJob::time_s
     float weight = 1;             // replace: [0, 1]; add: any finite
     LayerKind kind = LayerKind::replace;
-    // add: the reference pose that differences are taken from; model::none: the rest pose
+    // For `add`: the reference pose; model::none: the rest pose.
     uint32_t reference_clip = model::none;
     double reference_time_s = 0;
-    // [node_count], each in [0, 1] and times the weight; null: 1 for all. Morph weights follow the mask of their node.
+    // [node_count], each in [0, 1], multiplied with the weight; null: 1 for all. Morph weights use the mask of their
+    // node.
     const float *mask = nullptr;
 };
 
-// Most that one individual shows at once.
+// The maximum number of layers of one individual.
 constexpr uint32_t max_layers = 8;
 
 }  // namespace claque::pose

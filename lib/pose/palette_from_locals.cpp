@@ -1,3 +1,4 @@
+// Palettes from local matrices (pose.h).
 #include "lib/pose/pose.h"
 
 namespace claque::pose
@@ -9,7 +10,7 @@ using math::F4;
 namespace
 {
 
-// Written out, not looped over, so that columns stay in registers at any optimisation.
+// Unrolled by hand, so that columns stay in registers at any optimisation level.
 F4 transform(const Columns &a, float x, float y, float z)
 {
     return a.c[0] * math::splat(x) + a.c[1] * math::splat(y) + a.c[2] * math::splat(z);
@@ -17,7 +18,7 @@ F4 transform(const Columns &a, float x, float y, float z)
 
 void mul_to_affine(const Columns &a, const float *b, float *out)
 {
-    // Each store's fourth lane is overwritten by the next.
+    // Each store's fourth lane is overwritten by the next store.
     math::store4(out, transform(a, b[0], b[1], b[2]));
     math::store4(out + 3, transform(a, b[3], b[4], b[5]));
     math::store4(out + 6, transform(a, b[6], b[7], b[8]));

@@ -24,7 +24,7 @@ uint32_t count32(const A &array)
 
 constexpr size_t exact_node_floats = sizeof(math::Trs) / sizeof(float);
 
-// The same steps as math::affine_of(Trs), in plain numbers.
+// The same steps as math::affine_of(Trs), in plain floats.
 struct Axes {
     float xx, xy, xz, yx, yy, yz, zx, zy, zz;
     explicit Axes(const math::Trs &trs)
@@ -49,7 +49,7 @@ const uint8_t *active_of(const PoseJob &job)
     return job.level && !job.level->active.empty() ? job.level->active.data() : nullptr;
 }
 
-// Scratch holds as many local poses as layers need.
+// The scratch memory holds as many local poses as layers need.
 LocalPose spare_pose(const PoseJob &job, uint32_t index)
 {
     const size_t node_floats = exact_node_floats * job.rig->node_count();
@@ -64,7 +64,7 @@ void sample(const PoseJob &job)
     else sample_layers(*job.rig, job.layers, active_of(job), out, spare_pose(job, 0), spare_pose(job, 1));
 }
 
-// Local transforms that degrees of freedom turn.
+// Local transforms that degrees of freedom modify.
 struct TrsPose {
     math::Trs *nodes;
 
@@ -75,7 +75,7 @@ struct TrsPose {
     }
 };
 
-// The clip or layers and the degrees of freedom, from rows; morph weights are told on the way.
+// Applies the clip or layers and the degrees of freedom to the sampler's rows, and writes morph weights.
 void take(const PoseJob &job, Sampler &sampler)
 {
     if (active_of(job)) sampler.limit_to({job.level->nodes.data(), count32(job.level->nodes)});
@@ -91,7 +91,7 @@ void take(const PoseJob &job, Sampler &sampler)
 size_t scratch_floats(const model::Rig &rig, const model::Motion *motion)
 {
     const size_t exact = 2 * (exact_node_floats * rig.node_count() + rig.rest_weights.size());
-    // Also of motion whose clips are still to come: it is measured while it is made.
+    // The bound also holds for motion without clips yet: motion is measured while it is built.
     return motion ? std::max(exact, sampled_floats(*motion)) : exact;
 }
 

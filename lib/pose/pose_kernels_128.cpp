@@ -1,7 +1,7 @@
-// Four joints at a time, a column at a time: any processor that has 128-bit lanes, SSE2 on x86.
-#include "lib/pose/pose_kernels.h"
-
+// Four joints at a time, one column at a time, for processors with 128-bit lanes: SSE2 on x86.
 #include <cmath>
+
+#include "lib/pose/pose_kernels.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -64,7 +64,7 @@ struct Four {
         b.c[2] = transform(a, b.c[2]);
         b.c[3] = transform(a, b.c[3]) + a.c[3];
     }
-    // Each store's fourth lane is overwritten by the next.
+    // Each store's fourth lane is overwritten by the next store.
     static void product_out(const math::Columns &a, const float *b, float *out)
     {
         store(out, transform(a, load(b)));

@@ -1,5 +1,5 @@
-// Eight joints at a time, two columns at a time, on processors with AVX2. Only functions of this file are compiled for
-// it, so that nothing the linker may share with other files runs where the processor has none.
+// Eight joints at a time, two columns at a time, for processors with AVX2. Only functions of this file are compiled for
+// AVX2. So no function that the linker may share with other files contains AVX2 code.
 #include "lib/pose/pose_kernels.h"
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -53,13 +53,13 @@ struct Eight {
     {
         return _mm256_broadcast_ps(reinterpret_cast<const __m128 *>(&column));
     }
-    // Two columns of b.
+    // Transforms two columns of b.
     CLAQUE_POSE_INLINE static V transform(const math::Columns &a, V b)
     {
         const V x = _mm256_permute_ps(b, 0x00), y = _mm256_permute_ps(b, 0x55), z = _mm256_permute_ps(b, 0xaa);
         return twice(a.c[0]) * x + twice(a.c[1]) * y + twice(a.c[2]) * z;
     }
-    // The third column as it is, the fourth moved.
+    // Adds the translation to the fourth column only.
     CLAQUE_POSE_INLINE static V moved(const math::Columns &a, V zt)
     {
         return _mm256_blend_ps(zt, zt + twice(a.c[3]), 0xf0);
@@ -75,8 +75,8 @@ struct Eight {
     {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1);
     }
-    // The last column's load begins one early, so that it ends with the matrix; each store's fourth lane is overwritten
-    // by the next.
+    // The last column's load begins one float early, so that it ends with the matrix. Each store's fourth lane is
+    // overwritten by the next store.
     CLAQUE_POSE_INLINE static void product_out(const math::Columns &a, const float *b, float *out)
     {
         const V xy = transform(a, two(b, b + 3));

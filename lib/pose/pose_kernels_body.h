@@ -1,9 +1,10 @@
-// The steps of steps.h for a type of lanes L, included once by each file that makes a set of them. CLAQUE_STEP is what
-// compiles a function for that set: nothing here is shared between the files, so nothing wide runs where it must not.
-//   L::V               `L::width` floats
-//   L::load, store     of such floats; L::load_shorts widens them
-//   L::splat, root     one float to all lanes; the square root of each
-//   L::flipped(v, by)  -v where `by` is below 0, else v
+// The steps of pose_kernels.h for a lane type L, included once by each file that defines a set. CLAQUE_POSE_INLINE sets
+// the attributes for which functions are compiled. The files share no function, so no wide code runs on a processor
+// without it.
+//   L::V                        `L::width` floats
+//   L::load, store              of such floats; L::load_shorts widens them
+//   L::splat, root              one float to all lanes; the square root of each
+//   L::flipped(v, by)           -v where `by` is below 0, else v
 //   L::columns(x, y, z, to, k)  (x, y, z, 0) of each lane to to[lane]->c[k]
 //   L::product, product_out     of two matrices
 #include <cstring>
@@ -114,7 +115,7 @@ CLAQUE_POSE_KERNEL void add(float *pose, const float *other, const float *refere
         }
 }
 
-// The matrix of a quaternion of any length but 0: 2 / length^2 stands where a unit one has 2.
+// The matrix of a quaternion of any length but 0: 2 / length^2 replaces the factor 2 of a unit quaternion.
 template <class L>
 CLAQUE_POSE_INLINE void place_lanes(const float *rotations, const float *scales, math::Columns *const *to)
 {

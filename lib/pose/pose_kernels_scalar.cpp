@@ -1,7 +1,7 @@
-// One number at a time: the reference of the other sets, and what CLAQUE_SIMD=scalar runs.
-#include "lib/pose/pose_kernels.h"
-
+// One float at a time: the reference of the other sets, and the implementation for CLAQUE_SIMD=scalar.
 #include <cmath>
+
+#include "lib/pose/pose_kernels.h"
 
 #define CLAQUE_POSE_INLINE inline
 #define CLAQUE_POSE_KERNEL

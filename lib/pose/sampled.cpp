@@ -27,7 +27,7 @@ size_t lane_of(uint32_t joint) { return size_t(block_numbers) * (joint / motion_
 
 F4 widened(const uint16_t *p) { return F4{float(p[0]), float(p[1]), float(p[2]), float(p[3])}; }
 
-// Between which rows of a clip a moment lies.
+// The position of a time between two rows of a clip.
 struct RowPlace {
     uint32_t row = 0;
     float part = 0;
@@ -56,7 +56,7 @@ Sampler::Sampler(const model::Rig &rig, const model::Motion &motion, math::SimdL
       scratch_(scratch),
       blocks_(motion.block_count())
 {
-    // Rows of eight floats that cross no line of the cache.
+    // Aligned rows of eight floats cross no cache line.
     scratch_ = reinterpret_cast<float *>((reinterpret_cast<uintptr_t>(scratch) + 31) & ~uintptr_t(31));
 }
 
@@ -120,7 +120,7 @@ void Sampler::sample_exact(const model::MotionClip &clip, double time_s, const S
             float *lane = out.rotations + lane_of(exact.index);
             lane[0] = q.x, lane[motion_lanes] = q.y, lane[2 * motion_lanes] = q.z, lane[3 * motion_lanes] = q.w;
         } else {
-            // Groups of four lie one behind the other, as the channel's numbers do.
+            // Groups of four are stored one after the other, in the order of the channel's numbers.
             sample_numbers(rig_, channel, place, out.groups + 4 * size_t(exact.index));
         }
     }

@@ -1,3 +1,4 @@
+// The memory of pose jobs for start-up code and tests (pose.h).
 #include "lib/pose/pose.h"
 
 namespace claque::pose

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 namespace claque::retarget
@@ -12,7 +13,7 @@ using model::none;
 namespace
 {
 
-// The rotations that carry axes to axes, the identity first.
+// The 24 rotations that map axes to axes, the identity first.
 std::array<glm::dquat, 24> axis_rotations()
 {
     constexpr double h = 0.70710678118654752440;
@@ -25,7 +26,7 @@ std::array<glm::dquat, 24> axis_rotations()
     return out;
 }
 
-// That in which the joints at rest lie most alike; files differ in which axis is up and which is ahead.
+// Returns the axis rotation under which the joints at rest are most similar; files differ in their up and forward axes.
 glm::dquat common_axes(const std::vector<JointMatch> &matches, const GlobalPose &target, const GlobalPose &source)
 {
     glm::dvec3 middle_t(0), middle_s(0);
@@ -46,7 +47,8 @@ glm::dquat common_axes(const std::vector<JointMatch> &matches, const GlobalPose 
     return best;
 }
 
-// Lengths from joint to joint down to the lowest one, without the first step, which differs most between skeletons.
+// Returns the ratio of leg lengths: the bone lengths down to the lowest joint, without the first bone, which differs
+// most between skeletons.
 double leg_ratio(const std::vector<JointMatch> &matches, const GlobalPose &target, const GlobalPose &source)
 {
     uint32_t lowest = 0;
@@ -87,7 +89,7 @@ SkeletonAlignment align_skeletons(const std::vector<JointMatch> &matches, const 
         const JointMatch &match = matches[i];
         glm::dquat rotation(1, 0, 0, 0);
         if (match.rest == RestAlignment::align) {
-            // What has no bone of its own, or several, goes with what is above it: a hand with the forearm.
+            // A joint with no child bone, or several, takes its parent's rotation: a hand follows the forearm.
             if (match.above != none) rotation = alignment.aligned[match.above];
             if (below_count[i] == 1) {
                 const JointMatch &next = matches[below[i]];

@@ -1,4 +1,5 @@
-// How one skeleton at rest lies in another: axes, size, and the turn of each bone from one rest pose to the other.
+// Aligns two skeletons at rest: axes, size, and a rotation for each bone between the rest poses. Internal to
+// lib/retarget.
 #pragma once
 
 #include "lib/retarget/joints.h"
@@ -8,15 +9,15 @@ namespace claque::retarget
 
 struct SkeletonAlignment {
     glm::dquat axes = glm::dquat(1, 0, 0, 0);  // from the source's model space to the target's: one of 24
-    double scale = 1;                          // of ways, by the legs
-    std::vector<glm::dquat> aligned;           // one a match: the target's bone at rest to the source's
+    double scale = 1;                          // of translations, by the ratio of leg lengths
+    std::vector<glm::dquat> aligned;           // [matches] from the target's bone at rest to the source's
 };
 
 SkeletonAlignment align_skeletons(const std::vector<JointMatch> &matches, const GlobalPose &target,
                                   const GlobalPose &source);
 
-// The shortest turn of one direction into another; none where either has no length. Half a turn about any axis where
-// they are opposite.
+// Returns the shortest rotation from one direction to the other: the identity if either has no length, a half turn
+// about any perpendicular axis if they are opposite.
 glm::dquat rotation_between(glm::dvec3 from, glm::dvec3 to);
 
 }  // namespace claque::retarget

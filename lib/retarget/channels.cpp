@@ -1,8 +1,10 @@
-// Clips between skeletons that agree: channels as they are, but for axes and scales above the topmost bound joints.
+// Clips between skeletons that agree: channels are copied; only axes and scales above the topmost bound joints are
+// converted.
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
+
+#include <glm/geometric.hpp>
 
 #include "lib/retarget/new_clips.h"
 
@@ -14,7 +16,7 @@ using model::none;
 namespace
 {
 
-// From the frame that the source's channels of a joint are told in to that of the target's.
+// Converts a joint's channels from the source's parent frame to the target's.
 struct Rebase {
     math::Affine transform;
     glm::quat rotation = glm::quat(1, 0, 0, 0);
@@ -28,7 +30,7 @@ bool alike(const math::Affine &a, const math::Affine &b, float size)
     return true;
 }
 
-// What a joint of one side hangs on, told in the frame of the bound joint above it (none: in model space).
+// The frame of a joint's parent, relative to the bound ancestor joint, or in model space if there is none.
 struct Frame {
     math::Affine transform;
     glm::dquat rotation = glm::dquat(1, 0, 0, 0);
@@ -79,7 +81,7 @@ public:
         return out;
     }
 
-    // The farthest that a bound joint lies from the topmost.
+    // The largest distance of a bound joint from the topmost one.
     float size() const
     {
         double most = 0;
@@ -101,7 +103,7 @@ uint32_t morph_set_on(const model::Rig &rig, uint32_t node, uint32_t target_coun
     return none;
 }
 
-// Splines hold in-tangent, value, out-tangent: tangents are directions.
+// Splines store in-tangent, value, out-tangent; tangents are converted as directions.
 void append_values(const model::Rig &source, const model::Channel &channel, const Rebase &rebase,
                    std::vector<float> &out)
 {
@@ -128,7 +130,7 @@ bool rest_poses_agree(const model::Rig &target, const model::Rig &source, const 
     const Pairs pairs(target, source, matches);
     const float size = pairs.size();
     for (const JointMatch &match : matches) {
-        // The source's joint hangs, at any distance, on the one that answers what the target's hangs on.
+        // The match of the target's bound ancestor must be an ancestor of the source's joint, at any distance.
         const uint32_t anchor = match.above == none ? none : matches[match.above].source;
         uint32_t up = source.parents[match.source];
         for (; up != anchor && up != none; up = source.parents[up])
@@ -146,7 +148,7 @@ void copy_channels(const model::Rig &target, const model::Rig &source, const std
                    uint32_t clip, NewClips &added)
 {
     const Pairs pairs(target, source, matches);
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> times;  // samplers mostly share them
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> times;  // samplers mostly share key times
     const model::Clip &from = source.clips[clip];
     model::Clip made;
     made.first_channel = static_cast<uint32_t>(added.channels.size());

@@ -1,6 +1,7 @@
 #include "lib/retarget/followers.h"
 
 #include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
@@ -15,7 +16,8 @@ using model::none;
 namespace
 {
 
-// Of a share, where one of several leaders goes away from what follows it: cloth hangs then, and is pulled a little.
+// The minimum fraction of a leader's share, where one of several leaders moves away from the follower: cloth then hangs
+// and is only pulled a little.
 constexpr double min_pull = 0.3;
 
 LeaderBinding leader_binding(const model::Rig &target, const std::vector<JointMatch> &matches, uint32_t joint,
@@ -37,7 +39,7 @@ LeaderBinding leader_binding(const model::Rig &target, const std::vector<JointMa
     return out;
 }
 
-// How much of its share a leader has that turns like this, as the follower's parent sees it.
+// Returns the fraction of its share that a leader has with this rotation, in the space of the follower's parent.
 double push_of(const LeaderBinding &leader, const glm::dquat &rotation)
 {
     const double towards = glm::dot(rotation * leader.along - leader.along, leader.side);
@@ -57,13 +59,13 @@ std::vector<FollowerBinding> match_followers(const model::Rig &target, const std
     for (const Follower &follower : options.followers) {
         const uint32_t joint = target.find_node(follower.joint), leader = target.find_node(follower.leader);
         if (joint == none || match_of[joint] != none)
-            fail(CLQ_ARGUMENT, "'%s', which is to follow '%s', is %s", follower.joint.c_str(), follower.leader.c_str(),
-                 joint == none ? "no joint of the character" : "bound itself");
+            fail(CLQ_ARGUMENT, "'%s' cannot follow '%s': it is %s", follower.joint.c_str(), follower.leader.c_str(),
+                 joint == none ? "not a joint of the character" : "bound itself");
         if (leader == none || match_of[leader] == none)
-            fail(CLQ_ARGUMENT, "'%s' is to follow '%s', which is not bound", follower.joint.c_str(),
+            fail(CLQ_ARGUMENT, "'%s' cannot follow '%s', which is not bound", follower.joint.c_str(),
                  follower.leader.c_str());
         if (!(follower.share >= 0 && follower.share <= 1))
-            fail(CLQ_ARGUMENT, "'%s' follows by a share of %g: 0 to 1 are wanted", follower.joint.c_str(),
+            fail(CLQ_ARGUMENT, "'%s' follows with a share of %g: it must be from 0 to 1", follower.joint.c_str(),
                  follower.share);
         auto made = std::find_if(out.begin(), out.end(), [&](const FollowerBinding &f) { return f.joint == joint; });
         if (made == out.end()) {
@@ -83,11 +85,11 @@ glm::dquat local_rotation(const FollowerBinding &f, const model::Rig &target, co
 {
     const uint32_t parent = target.parents[f.joint];
     const glm::dquat parent_rest = parent == none ? glm::dquat(1, 0, 0, 0) : rest.rotations[parent];
-    glm::dquat moved(1, 0, 0, 0);  // of what is above, since rest
+    glm::dquat moved(1, 0, 0, 0);  // rotation of the ancestor joints since rest
     if (f.above != none) moved = rotations[f.above] * glm::conjugate(rest.rotations[matches[f.above].target]);
     const glm::dquat above = moved * parent_rest;
     const glm::dquat at_rest = glm::conjugate(parent_rest) * rest.rotations[f.joint];
-    // Who turns it farther counts for more, smoothly: by the cube of the turn.
+    // Leaders are weighted smoothly by the cube of their rotation, so the largest dominates.
     glm::dquat sum(0, 0, 0, 0);
     for (const LeaderBinding &leader : f.leaders) {
         const glm::dquat led = rotations[leader.match] * glm::conjugate(rest.rotations[matches[leader.match].target]);

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
+
+#include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
 
@@ -18,7 +19,7 @@ namespace
 
 constexpr size_t max_listed = 12;
 
-// "3 joints of the map are not in the source: a, b, c".
+// For example "3 joints of the map not in the character: a, b, c".
 void warn(std::vector<std::string> &warnings, const std::vector<std::string> &names, const char *what)
 {
     if (names.empty()) return;
@@ -41,7 +42,7 @@ std::vector<JointMatch> by_map(const model::Rig &target, const model::Rig &sourc
         if (match.source == none || match.target == none) continue;
         const auto [place, fresh] = taken.emplace(match.target, pair.source);
         if (!fresh)
-            fail(CLQ_ARGUMENT, "the map moves joint '%s' by '%s' and by '%s'", pair.target.c_str(),
+            fail(CLQ_ARGUMENT, "the map binds joint '%s' to both '%s' and '%s'", pair.target.c_str(),
                  place->second.c_str(), pair.source.c_str());
         out.push_back(match);
     }
@@ -68,7 +69,7 @@ std::vector<JointMatch> by_name(const model::Rig &target, const model::Rig &sour
     return out;
 }
 
-// A node that is called the same and moves nothing makes no binding.
+// A node with the same name that has no channel does not count as a binding.
 bool binds(const std::vector<JointMatch> &matches, const model::Rig &source)
 {
     std::vector<bool> matched(source.node_count(), false);
@@ -86,9 +87,9 @@ std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig 
     std::vector<JointMatch> out =
         options.joints.empty() ? by_name(target, source, warnings) : by_map(target, source, options, warnings);
     if (!binds(out, source))
-        fail(CLQ_ARGUMENT, "none of the %zu joints that the clips move is bound to one of the %u of the character%s",
+        fail(CLQ_ARGUMENT, "none of the %zu joints of the clips is bound to any of the character's %u joints%s",
              static_cast<size_t>(source.node_count()), target.node_count(),
-             options.joints.empty() ? " (no names are equal; a map says which joint is which)" : " by the map");
+             options.joints.empty() ? " (no names are equal; use a joint map)" : " by the map");
     std::sort(out.begin(), out.end(), [](const JointMatch &a, const JointMatch &b) { return a.target < b.target; });
     std::vector<uint32_t> match_of(target.node_count(), none);
     for (uint32_t i = 0; i < out.size(); ++i) match_of[out[i].target] = i;

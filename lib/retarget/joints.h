@@ -1,4 +1,4 @@
-// Which joint of the source answers which of the target, and what both are at rest.
+// Matches joints of the source with joints of the target, and computes rest poses. Internal to lib/retarget.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -11,17 +11,18 @@ namespace claque::retarget
 struct JointMatch {
     uint32_t source = 0, target = 0;
     RestAlignment rest = RestAlignment::keep;
-    uint32_t above = model::none;  // the match of the nearest joint above it in the target that has one
+    uint32_t above = model::none;  // match of the nearest matched ancestor in the target
 };
 
-// In the target's order, so that what is above stands first. Throws base::Error (CLQ_ARGUMENT) where none is left.
+// Returns the matches in the target's order, so ancestors come first. Throws base::Error (CLQ_ARGUMENT) if there are
+// none.
 std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig &source, const Options &options,
                                      std::vector<std::string> &warnings);
 
-// Whether any clip takes it out of its rest: files also hold channels of what stands still.
+// Returns whether any clip moves the node out of its rest pose; files also hold channels of nodes at rest.
 bool moves(const model::Rig &rig, uint32_t node);
 
-// Rotations and places in model space. Scales move places and turn nothing.
+// Rotations and positions in model space. Scales affect positions only.
 struct GlobalPose {
     std::vector<glm::dquat> rotations;
     std::vector<glm::dvec3> positions;

@@ -1,4 +1,5 @@
-// Clips on their way into a rig: made aside first, so that a rig stays as it was where something fails.
+// Clips before they are added to a rig. They are complete first, so that a failure leaves the rig unchanged. Internal
+// to lib/retarget.
 #pragma once
 
 #include "lib/retarget/joints.h"
@@ -6,23 +7,23 @@
 namespace claque::retarget
 {
 
-// Places in `times` and `values` count from the beginning of these.
+// Indices into `times` and `values` count from the start of these arrays.
 struct NewClips {
     std::vector<model::Clip> clips;
     std::vector<std::string> names;
     std::vector<model::Channel> channels;
     std::vector<float> times, values;
-    std::vector<model::Marker> markers;  // of clips of these, in their order
+    std::vector<model::Marker> markers;  // of these clips, in their order
     std::vector<std::string> marker_names;
 };
 
-// Copies channels of the clip; morph weights too, where the target has a morph set of that size on the bound node.
-// Needs `agree`.
+// Copies the clip's channels; morph weights too, if the bound node of the target has a morph set of that size. Requires
+// rest_poses_agree().
 void copy_channels(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
                    uint32_t clip, NewClips &added);
 
-// Whether copied channels show on the target what they show on the source: bound joints lie alike at rest, below what
-// they hang on, and nothing between them moves.
+// Returns whether copied channels look the same on the target: bound joints have the same rest transforms relative to
+// their bound ancestors, and nothing between them moves.
 bool rest_poses_agree(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches);
 
 struct SkeletonAlignment;

@@ -17,10 +17,12 @@ namespace
 
 void check(const Options &o)
 {
-    if (!(o.rate_hz >= 1 && o.rate_hz <= 1000)) fail(CLQ_ARGUMENT, "%g keys a second: 1 to 1000 are wanted", o.rate_hz);
+    if (!(o.rate_hz >= 1 && o.rate_hz <= 1000))
+        fail(CLQ_ARGUMENT, "the rate is %g keys per second: it must be from 1 to 1000", o.rate_hz);
     if (!(o.start_s >= 0) || !(o.end_s >= o.start_s))
-        fail(CLQ_ARGUMENT, "from %g s to %g s of the clips: 0 <= first <= last is wanted", o.start_s, o.end_s);
-    if (!(o.close_s >= 0)) fail(CLQ_ARGUMENT, "clips close within %g s", o.close_s);
+        fail(CLQ_ARGUMENT, "the range of the clips is %g s to %g s: it must ascend from 0 or later", o.start_s,
+             o.end_s);
+    if (!(o.close_s >= 0)) fail(CLQ_ARGUMENT, "the time to close clips is %g s: it must not be negative", o.close_s);
 }
 
 std::vector<uint32_t> wanted_clips(const model::Rig &source, const Options &options)
@@ -32,7 +34,7 @@ std::vector<uint32_t> wanted_clips(const model::Rig &source, const Options &opti
     for (const std::string &name : options.clips) {
         out.push_back(source.find_clip(name));
         if (out.back() == none)
-            fail(CLQ_ARGUMENT, "there is no clip '%s' among the %zu", name.c_str(), source.clips.size());
+            fail(CLQ_ARGUMENT, "there is no clip '%s' among the %zu clips", name.c_str(), source.clips.size());
     }
     return out;
 }
@@ -49,12 +51,12 @@ std::string unique_name(const model::Rig &target, const NewClips &added, const s
     for (int number = 2;; ++number) {
         const std::string other = name + "." + std::to_string(number);
         if (is_taken(target, added, other)) continue;
-        report.warnings.push_back("there is a clip '" + name + "' already: the new one is '" + other + "'");
+        report.warnings.push_back("clip '" + name + "' already exists: the new clip is '" + other + "'");
         return other;
     }
 }
 
-// Of a clip that was added last.
+// For the clip that was added last.
 void copy_markers(const model::Rig &source, uint32_t clip, const Options &options, Mode mode, NewClips &added)
 {
     const model::Clip &made = added.clips.back();
@@ -77,12 +79,12 @@ void append(To &to, const From &from)
     to.insert(to.end(), from.begin(), from.end());
 }
 
-// Everything that may fail comes before the first change.
+// Everything that may fail comes before the first change of the target.
 void merge(model::Rig &target, NewClips &&added)
 {
     const uint64_t room = 0xffffffffull;
     if (target.times.size() + added.times.size() > room || target.values.size() + added.values.size() > room)
-        fail(CLQ_LIMIT, "the clips are more than a character holds");
+        fail(CLQ_LIMIT, "the clips have more keys or values than a character can hold");
     const uint32_t channels = static_cast<uint32_t>(target.channels.size());
     const uint32_t times = static_cast<uint32_t>(target.times.size());
     const uint32_t values = static_cast<uint32_t>(target.values.size());

@@ -1,9 +1,9 @@
-// Clips of one skeleton for another: joints are bound by name, whatever else the two rigs have. Start-up only.
+// Retargeting: makes clips of one skeleton usable on another, whose joints are bound by name. Start-up only.
 //
-// Where the skeletons agree at rest, channels are copied as they are: key times, steps and splines stay. Where they do
-// not, the motion is transferred: a joint turns from its rest in model space as the source's does, and the topmost
-// joint goes the source's way, scaled by the ratio of the legs and set down so that the feet stand on the ground.
-// Markers go with their clips; of those that are cut, the ones in what is taken.
+// If the skeletons agree at rest, channels are copied with their key times, steps and splines. Otherwise the motion is
+// transferred: a joint rotates from its rest in model space as the source's does, and the topmost joint follows the
+// source's path, scaled by the ratio of leg lengths and lowered so that the feet touch the ground. Markers go with
+// their clips; of a cut clip, those within the kept range.
 #pragma once
 
 #include <limits>
@@ -16,10 +16,12 @@
 namespace claque::retarget
 {
 
-// What answers the source's rest pose.
+// How a target joint relates to the source's rest pose.
 enum class RestAlignment : uint8_t {
-    keep = 0,  // the joint's own rest: whoever stands the same way at rest stands the same way in motion
-    align = 1  // the joint turned so that its bone points where the source's does: T-poses against A-poses
+    // The joint keeps its own rest: characters with the same rest pose move alike.
+    keep = 0,
+    // The joint is rotated so that its bone points where the source's does: T-poses against A-poses.
+    align = 1
 };
 
 struct JointPair {
@@ -27,47 +29,48 @@ struct JointPair {
     RestAlignment rest = RestAlignment::keep;
 };
 
-// A joint that nothing of the source answers, and that gives way to one that is bound: cloth to a thigh.
+// A target joint without a counterpart in the source, which follows a bound joint: cloth on a thigh.
 struct Follower {
     std::string joint, leader;  // of the target
-    double share = 1;           // of the leader's turn from its rest, as the joint's parent sees it; [0, 1]
-    // A joint with several lines goes with whichever leader turns it farthest, smoothly; a leader that turns away from the
-    // side on which the joint lies turns it by 0.3 of its share.
+    double share = 1;           // of the leader's rotation from rest, in the space of the follower's parent; [0, 1]
+
+    // A joint may have several entries. It then follows, smoothly, the leader that rotates it furthest. A leader that
+    // moves away from the joint's side rotates it by 0.3 of its share.
 };
 
-// automatic: channels, where the skeletons agree and whole clips are wanted, unclosed.
+// automatic: channels if the skeletons agree and whole clips are wanted without closing.
 enum class Mode : uint8_t { automatic = 0, channels = 1, motion = 2 };
 
-// Of the topmost joint over the ground.
+// The horizontal travel of the topmost joint.
 enum class RootTravel : uint8_t {
-    in_place = 0,  // without the straight way from its first place to its last
-    keep = 1       // as the source goes, from the joint's own rest place on
+    in_place = 0,  // without the straight displacement from its first position to its last
+    keep = 1       // as in the source, from the joint's own rest position on
 };
 
 struct Options {
-    std::vector<JointPair> joints;    // empty: joints of equal names
-    std::vector<Follower> followers;  // of motion that is transferred
+    std::vector<JointPair> joints;    // empty: joints with equal names
+    std::vector<Follower> followers;  // for transferred motion
     std::vector<std::string> clips;   // of the source; empty: all
-    std::string prefix;               // of the names of what is added
+    std::string prefix;               // of the names of added clips
     Mode mode = Mode::automatic;
-    // The rest is for motion that is transferred.
+    // The members below are for transferred motion.
     RootTravel travel = RootTravel::in_place;
-    double rate_hz = 30;                                                  // of keys
-    double start_s = 0, end_s = std::numeric_limits<double>::infinity();  // what is taken, from the clip's start on
-    double close_s = 0;  // so long before its end a clip begins to turn into its first pose; 0: it does not
+    double rate_hz = 30;                                                  // rate of the keys
+    double start_s = 0, end_s = std::numeric_limits<double>::infinity();  // the range to take, from the clip's start
+    double close_s = 0;  // how long before its end a clip begins to blend into its first pose; 0: it does not
 };
 
 struct Report {
     Mode mode = Mode::channels;
     uint32_t clip_count = 0;
-    uint32_t joint_count = 0;                           // that are bound
-    std::vector<uint32_t> clips;                        // of the source: the last of the target's, in their order
-    std::vector<std::pair<uint32_t, uint32_t>> joints;  // bound ones: of the source, of the target
-    std::vector<std::string> warnings;                  // what was not bound, by name and number
+    uint32_t joint_count = 0;     // count of bound joints
+    std::vector<uint32_t> clips;  // indices in the source; they are the last clips of the target, in order
+    std::vector<std::pair<uint32_t, uint32_t>> joints;  // bound joints: source, target
+    std::vector<std::string> warnings;                  // what was not bound, by name and count
 };
 
-// Adds clips to the target; leaves it as it was when it throws base::Error: CLQ_ARGUMENT (nothing matches, names that
-// are wanted and not there, numbers out of range), CLQ_LIMIT.
+// Adds clips to the target. If it throws base::Error the target is unchanged: CLQ_ARGUMENT (nothing matches, a clip
+// name is unknown, a number is out of range), CLQ_LIMIT.
 Report add_clips(model::Rig &target, const model::Rig &source, const Options &options);
 
 }  // namespace claque::retarget

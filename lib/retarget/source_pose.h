@@ -1,4 +1,5 @@
-// A clip's pose at any time, as the source has it: rotations and places of all joints in model space, in doubles.
+// Samples the pose of a source clip at any time: rotations and positions of all joints in model space, in doubles.
+// Internal to lib/retarget.
 #pragma once
 
 #include "lib/retarget/joints.h"
@@ -10,7 +11,7 @@ class SourcePose
 {
 public:
     SourcePose(const model::Rig &rig, uint32_t clip);
-    void at(double time_s);  // on the clip's own axis
+    void at(double time_s);  // on the clip's own time axis
 
     glm::dquat rotation(uint32_t node) const { return rotations_[node]; }
     glm::dvec3 position(uint32_t node) const { return dvec_of(globals_[node].column(3)); }

@@ -1,6 +1,8 @@
-// Clips between skeletons that differ: turns in model space from rest to rest, and the way of the topmost joints.
+// Clips between skeletons that differ: transfers rotations in model space from rest to rest, and the path of the
+// topmost joints.
 #include <algorithm>
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
@@ -17,11 +19,11 @@ using model::none;
 namespace
 {
 
-// Poses of the target, one a key: turns of the bound joints in model space and places of the topmost ones.
+// Poses of the target, one a key: rotations of the bound joints in model space and positions of the topmost ones.
 struct Keys {
     std::vector<double> times_s;
     std::vector<std::vector<glm::dquat>> rotations;  // [key][match]
-    std::vector<std::vector<glm::dvec3>> positions;  // [key][match]: meaningful for topmost ones
+    std::vector<std::vector<glm::dvec3>> positions;  // [key][match]: meaningful for topmost joints
 };
 
 class Transfer
@@ -53,7 +55,7 @@ public:
     }
 
 private:
-    // Joints of the target that are near the ground at rest: they are to stand on it.
+    // Finds the joints of the target that are near the ground at rest; they are to stand on it.
     void find_soles()
     {
         double low = 1e300, high = -1e300;
@@ -71,11 +73,11 @@ private:
         const double length = static_cast<double>(from.duration_s), first = std::min(options_.start_s, length);
         const double last = std::min(options_.end_s, length);
         if (options_.start_s > length && length > 0)
-            base::fail(CLQ_ARGUMENT, "clip '%s' is %g s long: from %g s on nothing is left of it",
+            base::fail(CLQ_ARGUMENT, "clip '%s' is %g s long: nothing is left of it from %g s on",
                        source_.clip_names[clip].c_str(), length, options_.start_s);
         if (!(last >= first))
-            base::fail(CLQ_ARGUMENT, "from %g s to %g s of clip '%s', which is %g s long", options_.start_s,
-                       options_.end_s, source_.clip_names[clip].c_str(), length);
+            base::fail(CLQ_ARGUMENT, "the range %g s to %g s is empty in clip '%s', which is %g s long",
+                       options_.start_s, options_.end_s, source_.clip_names[clip].c_str(), length);
         const double steps = std::ceil((last - first) * options_.rate_hz - 1e-6);
         if (steps > 1e7) base::fail(CLQ_LIMIT, "clip '%s' would have %g keys", source_.clip_names[clip].c_str(), steps);
         const uint32_t count = static_cast<uint32_t>(std::max(steps, 0.0));
@@ -99,7 +101,7 @@ private:
         return keys;
     }
 
-    // All start over the place where the first topmost joint rests; up and down is set_down's.
+    // Every clip starts where the first topmost joint rests, horizontally; place_on_ground sets the height.
     void move_to_rest(Keys &keys) const
     {
         glm::dvec3 by = rest_t_.positions[matches_[0].target] - keys.positions[0][0];
@@ -118,7 +120,7 @@ private:
         }
     }
 
-    // Places of all joints of the target with these turns, unbound ones at rest.
+    // Returns the positions of all joints of the target with these rotations; unbound joints are at rest.
     std::vector<glm::dvec3> posed(const std::vector<glm::dquat> &rotations, const std::vector<glm::dvec3> &tops) const
     {
         std::vector<glm::dquat> rotation(target_.node_count());
@@ -129,15 +131,15 @@ private:
             rotation[i] = match != none ? rotations[match] : above * glm::normalize(dquat_of(target_.rest[i].rotation));
             if (match != none && matches_[match].above == none) position[i] = tops[match];
             else if (parent == none) position[i] = rest_t_.positions[i];
-            else  // the bone as it lies at rest, turned with its parent
+            else  // the rest bone, rotated with its parent
                 position[i] = position[parent] + above * (glm::conjugate(rest_t_.rotations[parent]) *
                                                           (rest_t_.positions[i] - rest_t_.positions[parent]));
         }
         return position;
     }
 
-    // So that soles are on the ground where they stand: the lowest of each pose counts, and of these the lower quarter's
-    // middle, so that neither a jump nor one bad frame lifts or sinks the whole.
+    // Lowers the motion so that soles touch the ground. Each pose counts by its lowest sole; the result is the median
+    // of the lower quarter, so that neither a jump nor one bad frame shifts the whole clip.
     void place_on_ground(Keys &keys) const
     {
         std::vector<double> gaps;
@@ -153,14 +155,14 @@ private:
             for (glm::dvec3 &position : positions) position.y -= gap;
     }
 
-    // Of the matches, then of those that follow.
+    // Local rotations of the matches, then of the followers.
     std::vector<std::vector<glm::dquat>> locals_of(const Keys &keys) const
     {
         std::vector<std::vector<glm::dquat>> out;
         for (const std::vector<glm::dquat> &rotations : keys.rotations) {
             out.emplace_back();
             for (const JointMatch &m : matches_) {
-                // What lies between a joint and the bound one above it rests.
+                // Joints between a joint and its bound ancestor are at rest.
                 glm::dquat above(1, 0, 0, 0);
                 const uint32_t parent = target_.parents[m.target];
                 if (parent != none) above = rest_t_.rotations[parent];
@@ -175,7 +177,7 @@ private:
         return out;
     }
 
-    // How much of the way back to the first pose is gone at this key.
+    // Returns how much of the blend into the first pose is done at this key.
     double closing(const Keys &keys, size_t k) const
     {
         if (!(options_.close_s > 0)) return 0;
@@ -234,7 +236,7 @@ private:
             const double share = closing(keys, k);
             glm::dquat q = locals[k][i];
             if (share > 0) q = glm::normalize(q * partial_rotation(closes, share));
-            if (glm::dot(before, q) < 0) q = -q;  // the short way from key to key
+            if (glm::dot(before, q) < 0) q = -q;  // the shorter arc from key to key
             before = q;
             added.values.insert(added.values.end(), {static_cast<float>(q.x), static_cast<float>(q.y),
                                                      static_cast<float>(q.z), static_cast<float>(q.w)});
@@ -247,7 +249,7 @@ private:
     const SkeletonAlignment &alignment_;
     const Options &options_;
     GlobalPose rest_t_, rest_s_;
-    std::vector<uint32_t> match_of_;  // by node of the target
+    std::vector<uint32_t> match_of_;  // [nodes of the target]
     std::vector<FollowerBinding> follower_bindings_;
     std::vector<uint32_t> soles_;
 };

@@ -1,7 +1,8 @@
-// Eight vertices that follow the same matrices, as two times four lanes: each number of a matrix is spread once for
-// all of them. Row after row, so that what is at work fits into 16 registers. The steps of scalar.cpp in the same order.
-// Compiled twice, as blocks_256.h is; CLAQUE_BLOCKS_BROADCAST says that the processor spreads a number as it reads it. Where it
-// does not, whole numbers are shuffled, because SSE2 has a shuffle that reads memory for them.
+// Skins eight vertices that follow the same matrices, as two times four lanes. Each matrix element is broadcast once
+// for all of them. It works row by row, so that the working set fits into 16 registers, and does the steps of
+// scalar.cpp in the same order. It is compiled twice, like blocks_256.h. CLAQUE_BLOCKS_BROADCAST means that the
+// processor broadcasts an element as it loads it. Otherwise integers are shuffled, because SSE2 has an integer shuffle
+// with a memory operand.
 #pragma once
 
 #include "lib/math/simd.h"
@@ -36,7 +37,7 @@ CLAQUE_BLOCKS_INLINE F4 spread(const float *column)
 #endif
 }
 
-// The same number of eight vertices.
+// The same coordinate of eight vertices.
 struct Float8 {
     F4 low, high;
 };
@@ -46,7 +47,7 @@ CLAQUE_BLOCKS_INLINE Float8 operator*(const Float8 &a, const Float8 &b) { return
 CLAQUE_BLOCKS_INLINE Float8 operator*(F4 a, const Float8 &b) { return {a * b.low, a * b.high}; }
 CLAQUE_BLOCKS_INLINE Float8 operator+(const Float8 &a, const Float8 &b) { return {a.low + b.low, a.high + b.high}; }
 
-// The matrices of a block and what each lane takes of them.
+// The matrices of a block and the weight of each in each lane.
 template <uint32_t K>
 struct BlendedMatrix {
     const float *matrices[K];
@@ -113,7 +114,7 @@ struct Floats {
     CLAQUE_BLOCKS_INLINE static void write_normals(const Float8 v[3], Float3 *to) { write_positions(v, to); }
 
 private:
-    // x, y and z of four vertices to twelve numbers, vertex after vertex.
+    // Stores x, y and z of four vertices as twelve floats, vertex after vertex.
     CLAQUE_BLOCKS_INLINE static void store(float *out, F4 x, F4 y, F4 z)
     {
         const F4 xy = mix<0, 2, 0, 2>(x, y), yz = mix<1, 3, 1, 3>(y, z), zx = mix<0, 2, 1, 3>(z, x);

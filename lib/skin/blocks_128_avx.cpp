@@ -1,5 +1,5 @@
-// The same with 128-bit lanes on processors with AVX: its instructions of three operands copy nothing, and it spreads a number as it
-// reads it.
+// The same with 128-bit lanes for processors with AVX: its three-operand instructions need no copies, and it broadcasts
+// an element as it loads it.
 #include "lib/skin/kernel.h"
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -23,7 +23,7 @@ namespace claque::skin
 {
 
 bool has_avx() { return false; }
-void run_128_avx_blocks(const BlockRun &) {}  // nobody asks
+void run_128_avx_blocks(const BlockRun &) {}  // never called
 
 }  // namespace claque::skin
 

@@ -1,4 +1,4 @@
-// Blocks on processors with AVX2: the bits of scalar.cpp.
+// Blocks for processors with AVX2; bit-equal to scalar.cpp.
 #include "lib/skin/kernel.h"
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -14,7 +14,7 @@
 namespace claque::skin
 {
 
-void run_256_blocks(const BlockRun &) {}  // nobody asks
+void run_256_blocks(const BlockRun &) {}  // never called
 
 }  // namespace claque::skin
 

@@ -1,8 +1,8 @@
-// Eight vertices that follow the same matrices, a number of each in every lane: a matrix's number is read once for all
-// of them. The steps of scalar.cpp in the same order. Compiled twice: what includes it says by macros for which
-// processors (CLAQUE_BLOCKS, CLAQUE_BLOCKS_INLINE: attributes of functions, so that nothing the linker may share with
-// other files runs where they are not), how a sum takes one product more (CLAQUE_BLOCKS_PLUS_TIMES), and the name of
-// the function that it makes (CLAQUE_BLOCKS_RUN).
+// Skins eight vertices that follow the same matrices, one per lane. Each matrix element is loaded once for all of them.
+// It does the steps of scalar.cpp in the same order. It is compiled twice, and the including file defines macros:
+// CLAQUE_BLOCKS and CLAQUE_BLOCKS_INLINE, the function attributes that select the processors (so that no function that
+// the linker may share with other files uses their instructions); CLAQUE_BLOCKS_PLUS_TIMES, which adds a product to a
+// sum; and CLAQUE_BLOCKS_RUN, the name of the resulting function.
 #pragma once
 
 #include <immintrin.h>
@@ -34,7 +34,7 @@ CLAQUE_BLOCKS_INLINE Float8x3 plus_times(const Float8x3 &sum, const Float8x3 &a,
             CLAQUE_BLOCKS_PLUS_TIMES(sum.z, a.z, b)};
 }
 
-// The matrices of a block and what each lane takes of them.
+// The matrices of a block and the weight of each in each lane.
 template <uint32_t K>
 struct BlendedMatrix {
     const float *matrices[K];
@@ -46,7 +46,7 @@ struct BlendedMatrix {
     {
         for (uint32_t k = 0; k < K; ++k) matrices[k] = palette + aligned_matrix_floats * block.joints[k];
     }
-    // One after the other, so that few registers are in use beside the sums.
+    // One element after the other, so that few registers are in use beside the sums.
     CLAQUE_BLOCKS_INLINE Float8x3 column(int c) const { return {number(4 * c), number(4 * c + 1), number(4 * c + 2)}; }
 
 private:

@@ -1,5 +1,5 @@
-// Blocks on processors with AVX2 and fused multiply-add, where a host asked for it by name: a product is not rounded before it is
-// added, so bits differ from scalar.cpp's.
+// Blocks for processors with AVX2 and fused multiply-add, used only if a host asks for it by name: a product is not
+// rounded before it is added, so bits differ from scalar.cpp's.
 #include "lib/skin/kernel.h"
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -15,7 +15,7 @@
 namespace claque::skin
 {
 
-void run_256_fma_blocks(const BlockRun &) {}  // nobody asks
+void run_256_fma_blocks(const BlockRun &) {}  // never called
 
 }  // namespace claque::skin
 

@@ -1,4 +1,4 @@
-// Eight vertices to memory, as floats or packed: see blocks_run.h, and blocks_256.h for the macros.
+// Stores eight vertices as floats or packed: see blocks_run.h, and blocks_256.h for the macros.
 #pragma once
 
 #include <immintrin.h>
@@ -29,7 +29,7 @@ struct Floats {
     CLAQUE_BLOCKS_INLINE static void write_normals(const Float8x3 &v, Float3 *to) { store(&to->x, v); }
 
 private:
-    // x, y and z of eight vertices to 24 numbers, vertex after vertex.
+    // Stores x, y and z of eight vertices as 24 floats, vertex after vertex.
     CLAQUE_BLOCKS_INLINE static void store(float *out, const Float8x3 &v)
     {
         const __m256 xy = _mm256_shuffle_ps(v.x, v.y, _MM_SHUFFLE(2, 0, 2, 0));  // x0 x2 y0 y2 of each half
@@ -68,7 +68,8 @@ struct Packed {
         const __m256i x = step(p.x, offset_.x), y = step(p.y, offset_.y), z = step(p.z, offset_.z);
         const __m256i xy = _mm256_blend_epi16(x, _mm256_slli_epi32(y, 16), 0xaa);
         const __m256i zw = _mm256_blend_epi16(z, _mm256_set1_epi32(1 << 16), 0xaa);
-        const __m256i a = _mm256_unpacklo_epi32(xy, zw), b = _mm256_unpackhi_epi32(xy, zw);  // 0 1 4 5, 2 3 6 7
+        // vertices 0 1 4 5, 2 3 6 7
+        const __m256i a = _mm256_unpacklo_epi32(xy, zw), b = _mm256_unpackhi_epi32(xy, zw);
         _mm256_storeu_si256(reinterpret_cast<__m256i *>(to), _mm256_permute2x128_si256(a, b, 0x20));
         _mm256_storeu_si256(reinterpret_cast<__m256i *>(to + 4), _mm256_permute2x128_si256(a, b, 0x31));
     }

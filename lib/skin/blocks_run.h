@@ -1,7 +1,7 @@
-// All blocks of a run by skin_block(), which stands before this is included, with the forms that it writes vertices in: Reals and Packed,
-// each made from a BlockRun, with positions and normals of vertex 0. Macros say the attributes of functions for the processors
-// that it is for (CLAQUE_BLOCKS), and the name of the function made (CLAQUE_BLOCKS_RUN).
-// No #pragma once: each file that includes it has its own.
+// Runs skin_block() over all blocks of a run. The including file defines skin_block() first, and the output forms
+// Floats and Packed, which are made from a BlockRun and hold the positions and normals of vertex 0. Macros set the
+// function attributes that select the processors (CLAQUE_BLOCKS) and the name of the resulting function
+// (CLAQUE_BLOCKS_RUN). No #pragma once: each including file needs its own copy.
 #include <algorithm>
 
 #include "lib/skin/kernel.h"

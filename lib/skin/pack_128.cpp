@@ -1,4 +1,4 @@
-// Four vertices at a time with SSE2. Other processors take the loop of pack.cpp.
+// Four vertices at a time with SSE2. Other processors use the loop of pack.cpp.
 #include "lib/skin/pack_lanes.h"
 
 namespace claque::skin
@@ -9,7 +9,7 @@ namespace claque::skin
 namespace
 {
 
-// Three numbers of each of four vertices to the vertices' x, y and z.
+// Transposes four vertices of three floats into x, y and z.
 struct Four {
     __m128 x, y, z;
 

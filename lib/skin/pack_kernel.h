@@ -1,4 +1,4 @@
-// What rounds vertices: PackJob's rows, one vertex or four at a time, and the steps that kernels take on lanes of their own.
+// The rounding steps of packing, for one vertex or four, and the functions of PackJob. Internal to lib/skin.
 #pragma once
 
 #include <cmath>
@@ -10,12 +10,12 @@ namespace claque::skin
 {
 
 constexpr float position_limit = 32767, normal_limit = 127;
-constexpr float min_square = 1e-30f;  // of a normal's length, so that one of no length is divided by something
+constexpr float min_square = 1e-30f;  // lower limit of a normal's squared length, so that the division is safe
 
-// A number within 2^22 of zero, to the nearest whole one, halves to the even one, without a call: added to this one, it loses its fraction.
+// Adding this to a value within 2^22 of zero rounds it to the nearest integer, halves to even, without a function call.
 constexpr float rounder = 12582912;  // 1.5 * 2^23
 
-// Comparisons as the processor's minimum and maximum do them: what is no number becomes the limit.
+// Compares like the processor's minimum and maximum: NaN becomes the limit.
 inline float within(float x, float limit)
 {
     const float below = x < limit ? x : limit;
@@ -53,6 +53,6 @@ inline PackedNormal packed_normal(float x, float y, float z)
 }
 
 void pack_scalar(const PackJob &job, uint32_t first);  // from vertex `first` on
-uint32_t pack_128(const PackJob &job);                 // how many it did, from the first on
+uint32_t pack_128(const PackJob &job);                 // returns how many vertices it packed, from the first on
 
 }  // namespace claque::skin

@@ -1,5 +1,6 @@
-// Four vertices at a time, x, y and z in lanes of their own: with SSE2 the steps of pack_kernel.h in the same order, elsewhere those
-// themselves. In an unnamed namespace, because what includes it may be compiled for other processors than the next.
+// Four vertices at a time, with x, y and z in separate lanes: with SSE2 the steps of pack_kernel.h in the same order,
+// elsewhere those functions themselves. In an unnamed namespace, because each including file may be compiled for other
+// processors.
 #pragma once
 
 #include "lib/math/simd.h"

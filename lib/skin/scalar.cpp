@@ -1,4 +1,4 @@
-// The reference: one number at a time. All other kernels do the same steps in the same order.
+// The reference: one float at a time. All other kernels do the same steps in the same order.
 #include "lib/skin/kernel.h"
 
 namespace claque::skin

@@ -1,5 +1,5 @@
-// Four numbers at a time: the columns of the matrices are blended, then the vertex is sent through them. Stores of
-// four overlap, each vertex overwriting what the one before it left in its fourth lane; the last stores three.
+// Four floats at a time: the columns of the matrices are blended, then the vertex is transformed. Stores of four
+// overlap: each vertex overwrites the fourth lane of the one before it, and the last stores three.
 #include "lib/math/simd.h"
 #include "lib/skin/kernel.h"
 
@@ -19,7 +19,7 @@ CLAQUE_INLINE F4 column(const float *matrix, int k)
     return *static_cast<const F4 *>(__builtin_assume_aligned(matrix + 4 * k, 16));
 }
 
-// One number of a vector in all lanes: sooner than to load each by itself.
+// Broadcasts one element of a vector to all lanes; faster than loading each element separately.
 template <int I>
 CLAQUE_INLINE F4 lane(F4 v)
 {
@@ -32,7 +32,7 @@ CLAQUE_INLINE F4 lane(F4 v)
 
 CLAQUE_INLINE F4 load3(const float *p) { return F4{p[0], p[1], p[2], 0}; }
 
-// Columns of a blended matrix. Written out, not looped over, so that they stay in registers at any optimisation.
+// The columns of a blended matrix. Unrolled by hand, so that they stay in registers at any optimisation level.
 struct Blended {
     F4 x, y, z, t;
 
@@ -58,7 +58,7 @@ CLAQUE_INLINE const float *matrix(const float *palette, uint16_t joint)
     return palette + aligned_matrix_floats * joint;
 }
 
-// The weights of K influences, from memory where they are many: reads four where it may.
+// Loads the weights of K influences; it loads four floats where memory allows it.
 template <uint32_t K, bool Last>
 CLAQUE_INLINE F4 weights_of(const float *weights)
 {
@@ -68,7 +68,7 @@ CLAQUE_INLINE F4 weights_of(const float *weights)
     else return F4{weights[0], weights[1], 0, 0};
 }
 
-// K influences; 0 means `influences`, which is more than 1.
+// K influences; K = 0 means `influences`, which is more than 1.
 template <uint32_t K>
 CLAQUE_INLINE Blended blend(const float *palette, const uint16_t *joints, F4 w, const float *weights,
                             uint32_t influences)
@@ -86,7 +86,7 @@ CLAQUE_INLINE Blended blend(const float *palette, const uint16_t *joints, F4 w, 
     return m;
 }
 
-// One vertex. Behind all but the last there is another, which reading may run into.
+// Skins one vertex. All but the last are followed by another, so loads may run over.
 template <uint32_t K, bool OwnNormalMatrices, bool Last>
 CLAQUE_INLINE void vertex(const Run &run, size_t v, F4 &position, F4 &normal)
 {

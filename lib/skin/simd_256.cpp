@@ -1,6 +1,6 @@
-// Two columns of a matrix, then two vertices at a time, on processors with AVX2: each number goes through the steps of
-// vector.cpp in the same order, without fused multiply-add. Only functions of this file are compiled for AVX2, so that nothing the
-// linker may share with other files runs where the processor has none.
+// Two columns of a matrix, then two vertices at a time, for processors with AVX2: the steps of simd_128.cpp in the same
+// order, without fused multiply-add. Only functions of this file are compiled for AVX2. So no function that the linker
+// may share with other files contains AVX2 code.
 #include "lib/math/simd.h"
 #include "lib/skin/kernel.h"
 
@@ -17,7 +17,7 @@ namespace claque::skin
 namespace
 {
 
-// The columns of one blended matrix: x beside y, z beside t.
+// The columns of one blended matrix: x and y, z and t.
 struct Blended {
     __m256 xy, zt;
 };
@@ -29,7 +29,7 @@ CLAQUE_AVX2_INLINE void add(Blended &m, const float *matrix, float weight)
     m.zt = _mm256_add_ps(m.zt, _mm256_mul_ps(_mm256_load_ps(matrix + 8), w));
 }
 
-// K influences; 0 means `influences`, which is more than 1.
+// K influences; K = 0 means `influences`, which is more than 1.
 template <uint32_t K>
 CLAQUE_AVX2_INLINE Blended blend(const float *palette, const uint16_t *joints, const float *weights,
                                  uint32_t influences)
@@ -61,7 +61,7 @@ struct Pair {
     }
 };
 
-// x * d[0] + y * d[1] + z * d[2] for the vectors at d and d + 3; reads one float behind them.
+// x * d[0] + y * d[1] + z * d[2] for the vectors at d and d + 3; reads one float after them.
 CLAQUE_AVX2_INLINE __m256 direction(const Pair &m, const float *d)
 {
     const __m256 v = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(d)), _mm_loadu_ps(d + 3), 1);
@@ -71,7 +71,7 @@ CLAQUE_AVX2_INLINE __m256 direction(const Pair &m, const float *d)
     return _mm256_add_ps(_mm256_add_ps(x, y), z);
 }
 
-// The second store overwrites what the first left in its fourth lane; its own is the next vertex's to overwrite.
+// The second store overwrites the fourth lane of the first; the next vertex overwrites the fourth lane of the second.
 CLAQUE_AVX2_INLINE void store(float *out, __m256 v)
 {
     _mm_storeu_ps(out, _mm256_castps256_ps128(v));
@@ -111,7 +111,7 @@ void choose(const Run &run, size_t pairs)
 
 void run_256(const Run &run)
 {
-    // One vertex at least is left: nothing behind the last is read or written.
+    // At least one vertex is left for run_128: nothing after the last is read or written.
     const size_t pairs = run.count ? (run.count - 1) / 2 : 0;
     switch (run.influences) {
         case 1:

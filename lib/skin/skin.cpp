@@ -18,7 +18,7 @@ bool morphs_active(const SkinJob &job)
     return false;
 }
 
-// Bind-pose vertices with their morph targets, into `out`: positions, then normals.
+// Writes the bind-pose vertices with their morph targets.
 void morph(const SkinJob &job, float *positions, float *normals)
 {
     const model::Level &level = *job.level;
@@ -48,14 +48,14 @@ Float3 *vertices_of(base::Span<float> floats) { return reinterpret_cast<Float3 *
 
 constexpr size_t alignment_floats = 8;
 
-// Aligned matrices: of the palette, of sets; again of normals.
+// Aligned matrices of the palette and of sets, and the same for normals if those have their own.
 size_t matrix_floats(size_t palette_count, Normals normals)
 {
     return aligned_matrix_floats * (palette_count + model::max_chunk_sets) *
            (normals == Normals::by_own_matrices ? 2 : 1);
 }
 
-// One job: its scratch, then the segments of the level's plan.
+// One job: divides its scratch memory, then runs the segments of the level's plan.
 class Work
 {
 public:
@@ -70,7 +70,7 @@ public:
         if (job.normals == Normals::by_own_matrices) {
             normal_palette_ = spare;
             for (uint32_t i = 0; i < job.palette.count; ++i, spare += aligned_matrix_floats) {
-                math::Affine padded[2];  // what is read runs one float over
+                math::Affine padded[2];  // loads run one float over
                 padded[0] = math::normal_matrix(job.palette[i]);
                 align_matrices({padded, 1}, spare);
             }
@@ -137,14 +137,14 @@ private:
         return run;
     }
 
-    // `first`: of the level's vertices.
+    // `first`: index in the level's vertices.
     void run_vertices(const Run &run, uint32_t first, SimdLevel simd_level) const
     {
         if (packed_.positions) run_packed(run, first, simd_level);
         else run_floats(run, simd_level);
     }
 
-    // By way of as many floats as stay in the nearest cache.
+    // Packs through a buffer that stays in the L1 cache.
     void run_packed(Run run, uint32_t first, SimdLevel simd_level) const
     {
         constexpr uint32_t most = 64;

@@ -1,31 +1,32 @@
-// A palette and a level's vertices to positions and normals of one individual, in arrays of their own that GL takes as
-// they are (S1 4), floats or packed. Source vertices are skinned, then the copies that the fused strategy needs are filled.
+// Skins a level's vertices by a matrix palette into positions and normals of one individual, in arrays that GL accepts
+// (S1 4), as floats or packed. Source vertices are skinned first, then copied to the duplicates that the fused strategy
+// needs.
 #pragma once
+
+#include <vector>
 
 #include "lib/base/span.h"
 #include "lib/base/status.h"
 #include "lib/model/template.h"
 #include "lib/skin/pack.h"
 
-#include <vector>
-
 namespace claque::skin
 {
 
 using math::can_run;
 
-// How normals are turned.
+// How normals are transformed.
 enum class Normals : uint8_t {
-    by_palette = 0,      // by the blended palette matrix itself: right where template.similar_only
-    by_own_matrices = 1  // by math::normal_matrix of each palette entry, blended
+    by_palette = 0,      // by the blended palette matrix: correct if template.similar_only
+    by_own_matrices = 1  // by the blend of math::normal_matrix of each palette entry
 };
 
-// Normals are not renormalised: GL_NORMALIZE does it, and scales must not be lost in between.
+// Normals are not normalised: GL_NORMALIZE does it, and scales must not be lost before it.
 struct SkinJob {
     // in
     const model::Level *level = nullptr;
-    base::Span<const math::Affine> palette;  // every entry that the level uses; one more float readable behind it
-    base::Span<const float> morph_weights;   // of the pose; empty means none
+    base::Span<const math::Affine> palette;  // every entry that the level uses, followed by one more readable float
+    base::Span<const float> morph_weights;   // of the pose; empty: none
     Normals normals = Normals::by_palette;
     SimdLevel simd_level = default_simd_level();
 
@@ -35,12 +36,13 @@ struct SkinJob {
     // out
     base::Span<float> out_positions;  // [3 * level.vertex_count]
     base::Span<float> out_normals;    // [3 * level.vertex_count]
-    // Instead of these two, where it is not empty: what PackJob would make of them, without the way through memory.
+
+    // Replace the two above unless empty: the results of PackJob, without an intermediate array.
     base::Span<PackedPosition> out_packed_positions;  // [level.vertex_count]
     base::Span<PackedNormal> out_packed_normals;      // likewise
     PackRange range;
 
-    base::Status check() const;  // the first broken rule of lengths; joints are trusted, as meshsplit checked them
+    base::Status check() const;  // reports the first inconsistent length; joint indices were checked by meshsplit
     void run() const;            // requires check(); allocates nothing
 };
 

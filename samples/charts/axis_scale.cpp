@@ -30,7 +30,7 @@ double power_of_ten(int exponent)
     return exponent < 0 ? 1 / power : power;
 }
 
-// 1, 2 and 5 times powers of ten, counted through: 0 is 1, 1 is 2, 2 is 5, 3 is 10 ...
+// 1, 2 and 5 times powers of ten, in order: 0 is 1, 1 is 2, 2 is 5, 3 is 10 ...
 double preferred(int i)
 {
     constexpr double first[] = {1, 2, 5};
@@ -47,7 +47,7 @@ AxisScale logarithmic(double least, double largest, int most)
     while (preferred(low + 1) <= least * (1 + 1e-9)) ++low;
     while (preferred(high - 1) >= largest * (1 - 1e-9)) --high;
     high = std::max(high, low + 1);
-    // With many decades, whole ones only, and then each second, third ...
+    // With many decades only whole ones, then every second, third ...
     int every = 1;
     if (high - low > most) {
         low = 3 * static_cast<int>(std::floor(low / 3.0));

@@ -1,8 +1,8 @@
 #include "samples/charts/bars.h"
 
-#include "samples/charts/frame.h"
-
 #include <algorithm>
+
+#include "samples/charts/frame.h"
 
 namespace charts
 {
@@ -11,7 +11,7 @@ namespace
 
 constexpr double left_px = 64;
 
-// Over a bar: as many digits as say something, in little room.
+// The number over a bar: significant digits only, because there is little room.
 std::string shown(double value) { return number_text(value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0); }
 
 double largest(const Panel &panel)

@@ -1,4 +1,4 @@
-// Bar charts: panels one above the other that share their groups, clusters of bars in each group.
+// Bar charts: panels one above the other that share their groups, with clusters of bars in each group.
 #pragma once
 
 #include "samples/charts/drawing.h"
@@ -14,7 +14,7 @@ struct Cluster {
 struct Panel {
     std::string title, unit;
     std::vector<Cluster> clusters;
-    // [group][cluster][colour]; negative: there is no such bar
+    // [group][cluster][colour]; negative: no bar
     std::vector<std::vector<std::vector<double>>> values;
     int height_px = 240;  // of the bars alone
 };

@@ -1,4 +1,4 @@
-// A chart as marks on a sheet, before anybody says whether it becomes SVG or PNG. Units are CSS pixels, y down.
+// A chart as a list of marks, independent of SVG and PNG. Units are CSS pixels, y down.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace charts
 {
 
-// Inks that follow the reader's light or dark theme, and the colours of what is compared, which do not.
+// Inks that follow the reader's light or dark theme, and the colours of the series, which do not.
 enum class Ink { text, quiet, ground, edge, grid, axis, series };
 constexpr size_t theme_inks = static_cast<size_t>(Ink::series);
 constexpr size_t series_colours = 8;
@@ -62,8 +62,8 @@ struct Drawing {
     std::vector<Mark> marks;
 };
 
-// The same bytes for the same drawing, both of them. SVG follows the reader's theme on a ground of its own; pixels are of
-// the light one. Text is in DejaVu Sans.
+// Both give the same bytes for the same drawing. SVG follows the reader's theme on a ground of its own; pixels use the
+// light theme. Text is in DejaVu Sans.
 std::string svg_of(const Drawing &drawing);
 
 struct Pixels {

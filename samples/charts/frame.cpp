@@ -1,9 +1,9 @@
 #include "samples/charts/frame.h"
 
-#include "samples/charts/theme.h"
-
 #include <algorithm>
 #include <sstream>
+
+#include "samples/charts/theme.h"
 
 namespace charts
 {
@@ -50,7 +50,7 @@ void Sheet::legend(const std::vector<Swatch> &swatches)
         all += width(s);
         widest = std::max(widest, width(s));
     }
-    // One row as it comes, several in columns.
+    // One row in the given order; several rows are aligned in columns.
     const double room = right - left + gap;
     const bool one_row = all <= room;
     double x = left;

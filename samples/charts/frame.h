@@ -1,4 +1,4 @@
-// What all charts have: the sheet with its title above and notes below, and a legend.
+// The parts that all charts share: the sheet with its title above and notes below, and a legend.
 #pragma once
 
 #include "samples/charts/axis_scale.h"
@@ -15,7 +15,7 @@ public:
     explicit Sheet(double left_px);
 
     const double left, right = sheet_width_px - margin_right_px;
-    double y = 0;  // how far down the sheet is filled
+    double y = 0;  // the height of the sheet that is used so far
 
     template <class Kind>
     void add(Kind mark)
@@ -34,7 +34,7 @@ public:
     };
     void legend(const std::vector<Swatch> &swatches);
 
-    // Grid, numbers and title of an upright axis over the full width, between these two heights.
+    // Grid, numbers and title of a vertical axis over the full width, between these two heights.
     void upright(const AxisScale &axis_scale, double top, double bottom, const std::string &title);
 
     Drawing finish(const std::string &title);

@@ -1,10 +1,10 @@
 #include "samples/charts/lines.h"
 
-#include "samples/charts/frame.h"
-#include "samples/charts/theme.h"
-
 #include <algorithm>
 #include <limits>
+
+#include "samples/charts/frame.h"
+#include "samples/charts/theme.h"
 
 namespace charts
 {
@@ -36,7 +36,7 @@ double widest_tick(const AxisScale &axis_scale)
     return widest;
 }
 
-// As many numbers as stand apart.
+// As many numbers as fit side by side.
 AxisScale ruler_below(const LineChart &chart, double width)
 {
     int most = 12;

@@ -1,9 +1,9 @@
-#include "samples/charts/lines.h"
-#include "samples/scenes/check.h"
+#include <array>
 
 #include <nlohmann/json.hpp>
 
-#include <array>
+#include "samples/charts/lines.h"
+#include "samples/scenes/check.h"
 
 namespace charts
 {
@@ -24,12 +24,12 @@ public:
 
     [[noreturn]] void refuse(const std::string &why) const
     {
-        throw scenes::Failure(name_ + " holds no chart of lines: " + why);
+        throw scenes::Failure(name_ + " is not a line chart: " + why);
     }
     std::string text(const Json &of, const char *key, const std::string &whose) const
     {
         if (!of.contains(key)) return "";
-        if (!of[key].is_string()) refuse(whose + "'" + key + "' is no text");
+        if (!of[key].is_string()) refuse(whose + "'" + key + "' is not a string");
         return of[key].get<std::string>();
     }
     template <class Choice, size_t n>
@@ -48,8 +48,8 @@ public:
     {
         const double least = scale == Scale::logarithmic ? least_logarithmic : -most_value;
         if (!value.is_number() || !(value.get<double>() >= least) || !(value.get<double>() <= most_value))
-            refuse(what + " is no number" +
-                   (scale == Scale::logarithmic ? " above 0, as a logarithmic axis takes" : " from -1e15 to 1e15"));
+            refuse(what + " is not a number" +
+                   (scale == Scale::logarithmic ? " above 0, as a logarithmic axis needs" : " from -1e15 to 1e15"));
         return value.get<double>();
     }
 
@@ -63,7 +63,7 @@ Axis axis_of(const Reader &reader, const Json &json, const char *key)
     if (!json.contains(key)) return axis;
     const Json &found = json[key];
     const std::string whose = "its '" + std::string(key) + "': ";
-    if (!found.is_object()) reader.refuse("its '" + std::string(key) + "' is no object");
+    if (!found.is_object()) reader.refuse("its '" + std::string(key) + "' is not an object");
     axis.title = reader.text(found, "title", whose);
     axis.scale = reader.choice<Scale>(found, "scale", scales, whose);
     if (found.contains("from")) axis.from = reader.number(found["from"], axis.scale, whose + "'from'");
@@ -74,7 +74,7 @@ Axis axis_of(const Reader &reader, const Json &json, const char *key)
 Series series_of(const Reader &reader, const Json &json, const LineChart &chart, const std::string &number)
 {
     const std::string whose = "series " + number + ": ";
-    if (!json.is_object()) reader.refuse("series " + number + " is no object");
+    if (!json.is_object()) reader.refuse("series " + number + " is not an object");
     Series one;
     one.name = reader.text(json, "name", whose);
     if (one.name.empty()) reader.refuse(whose + "it has no 'name'");
@@ -82,15 +82,15 @@ Series series_of(const Reader &reader, const Json &json, const LineChart &chart,
     one.dots = reader.choice<Series::Dots>(json, "dots", dots, whose);
     if (json.contains("colour")) {
         if (!json["colour"].is_number_unsigned() || json["colour"].get<uint64_t>() >= series_colours)
-            reader.refuse(whose + "'colour' is no whole number from 0 to " + std::to_string(series_colours - 1));
+            reader.refuse(whose + "'colour' is not a whole number from 0 to " + std::to_string(series_colours - 1));
         one.colour = json["colour"].get<size_t>();
     }
     if (!json.contains("points") || !json["points"].is_array() || json["points"].empty() ||
         json["points"].size() > most_points)
-        reader.refuse(whose + "'points' is no list of 1 to " + std::to_string(most_points));
+        reader.refuse(whose + "'points' is not a list of 1 to " + std::to_string(most_points));
     for (const Json &point : json["points"]) {
         const std::string which = whose + "point " + std::to_string(one.points.size() + 1);
-        if (!point.is_array() || point.size() != 2) reader.refuse(which + " is no pair [x, y]");
+        if (!point.is_array() || point.size() != 2) reader.refuse(which + " is not a pair [x, y]");
         one.points.push_back({reader.number(point[0], chart.x.scale, which + ": x"),
                               reader.number(point[1], chart.y.scale, which + ": y")});
         if (one.points.size() > 1 && one.points.back().x < one.points[one.points.size() - 2].x)
@@ -113,7 +113,7 @@ LineChart line_chart_of(const std::string &text, const std::string &name)
 {
     const Reader reader(name);
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) reader.refuse("it is no JSON");
+    if (json.is_discarded()) reader.refuse("it is not JSON");
     if (!json.is_object() || reader.text(json, "kind", "its ") != "lines") reader.refuse("its 'kind' is not 'lines'");
     LineChart chart;
     chart.title = reader.text(json, "title", "its ");
@@ -124,7 +124,7 @@ LineChart line_chart_of(const std::string &text, const std::string &name)
     chart.y = axis_of(reader, json, "y");
     if (!json.contains("series") || !json["series"].is_array() || json["series"].empty() ||
         json["series"].size() > most_series)
-        reader.refuse("its 'series' is no list of 1 to " + std::to_string(most_series));
+        reader.refuse("its 'series' is not a list of 1 to " + std::to_string(most_series));
     for (const Json &one : json["series"])
         chart.series.push_back(series_of(reader, one, chart, std::to_string(chart.series.size() + 1)));
     return chart;

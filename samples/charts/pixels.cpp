@@ -1,15 +1,15 @@
-// Drawings as pixels, by Cairo. Hinting is off and metrics are unrounded, so that letters stand where they stand at any
-// size and on any machine that has the font.
-#include "samples/charts/drawing.h"
-#include "samples/charts/theme.h"
-#include "samples/scenes/check.h"
-
-#include <cairo.h>
-
+// Drawings as pixels, by Cairo. Hinting is off and metrics are unrounded, so that letters have the same positions at
+// any size and on any machine that has the font.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+
+#include <cairo.h>
+
+#include "samples/charts/drawing.h"
+#include "samples/charts/theme.h"
+#include "samples/scenes/check.h"
 
 namespace charts
 {
@@ -99,7 +99,7 @@ private:
         cairo_arc(cairo_, left + r, top + r, r, pi, 3 * pi / 2);
         cairo_close_path(cairo_);
     }
-    // Stripes and dots hang on the sheet, not on the box, as SVG's do.
+    // Stripes and dots are aligned to the sheet, not to the box, as in SVG.
     void pattern(const Box &b)
     {
         constexpr double each = 5;
@@ -107,7 +107,7 @@ private:
         cairo_clip(cairo_);
         ink(b.paint);
         if (b.fill == Fill::hatched) {
-            // x + y is one number along a stripe; each stripe is 2 wide.
+            // x + y is constant along a stripe; each stripe is 2 wide.
             const double step = each * std::sqrt(2.0), bottom = b.at.y + b.height, to = b.at.x + b.width + bottom;
             cairo_set_line_width(cairo_, 2);
             for (double at = step * (std::floor((b.at.x + b.at.y) / step) + 0.2); at <= to + step; at += step) {

@@ -1,7 +1,7 @@
+#include <cstdio>
+
 #include "samples/charts/drawing.h"
 #include "samples/charts/theme.h"
-
-#include <cstdio>
 
 namespace charts
 {
@@ -132,7 +132,7 @@ std::string patterns_of(const Paint &paint)
            fill + "/></pattern>\n";
 }
 
-// Of the paints that some box is patterned with.
+// Patterns of the paints that some box uses.
 std::string patterns(const Drawing &drawing)
 {
     std::string text;

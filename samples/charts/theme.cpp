@@ -57,7 +57,7 @@ Lettering lettering(Face face)
 namespace
 {
 
-// In parts of the letters' size, after DejaVu Sans.
+// As a fraction of the font size, for DejaVu Sans.
 double width_of(char c)
 {
     const auto is_in = [c](const char *letters) { return std::strchr(letters, c) != nullptr; };

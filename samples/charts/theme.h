@@ -1,9 +1,9 @@
-// Colours and letters of charts: one table for all writers.
+// Colours and fonts of charts: one table for all writers.
 #pragma once
 
-#include "samples/charts/drawing.h"
-
 #include <array>
+
+#include "samples/charts/drawing.h"
 
 namespace charts
 {
@@ -16,7 +16,7 @@ struct Theme {
 };
 extern const Theme light, dark;
 
-// Apart from each other in hue and in brightness, legible on both grounds.
+// Distinct in hue and in brightness, legible on both grounds.
 extern const std::array<Colour, series_colours> series_palette;
 
 Colour colour_of(const Paint &paint, const Theme &theme);
@@ -30,7 +30,7 @@ Lettering lettering(Face face);
 
 constexpr const char *font_family = "DejaVu Sans";
 
-// How wide a text gets, near enough for making room; no writer depends on it.
+// Approximate width of a text, for layout only; no writer depends on it.
 double width_of(const std::string &text, Face face);
 
 // Lengths of stroke and gap for a line of this width; empty for solid ones.

@@ -1,15 +1,15 @@
 #include "samples/cli/agreement.h"
 
-#include "samples/cli/bench.h"
-
 #include <algorithm>
+
+#include "samples/cli/bench.h"
 
 namespace cli
 {
 namespace
 {
 
-// More than one tie in so many pixels is no tie.
+// More than one differing pixel in this many cannot be explained by depth ties.
 constexpr size_t pixels_a_tie = 50000;
 
 size_t different_pixels(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b)
@@ -40,7 +40,7 @@ void Agreement::check(const std::vector<uint8_t> &rgb, const std::string &cache,
     const size_t differ = different_pixels(rgb, reference_);
     if (differ * pixels_a_tie > rgb.size() / 3)
         throw scenes::Failure("the picture of " + what_ + with + " differs in " + std::to_string(differ) +
-                              " pixels, so the times mean nothing");
+                              " pixels, so the times are not comparable");
     max_ties_ = std::max(max_ties_, differ);
 }
 

@@ -1,12 +1,12 @@
-// claque bench: what a frame costs, by cache and by variety, in one run. A picture's hash stands beside every time:
-// they have to be equal where the same is drawn, or the times mean nothing.
+// claque bench: what a frame costs, by cache and by draw strategy, in one run. Every time has the hash of its picture
+// beside it: where the same is drawn the hashes must be equal, or the times cannot be compared.
 #include "samples/cli/bench.h"
-
-#include "samples/cli/command.h"
-#include "samples/cli/files.h"
 
 #include <iostream>
 #include <memory>
+
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
 
 namespace cli
 {
@@ -15,8 +15,8 @@ void expect_same_picture(std::string &before, const std::string &now, const std:
 {
     if (before.empty()) before = now;
     if (now != before)
-        throw scenes::Failure("the picture of " + what + " differs (" + now + ", not " + before +
-                              "), so the times mean nothing");
+        throw scenes::Failure("the picture of " + what + "), so the times are not comparable" + now + ", not " +
+                              before + "), so the times mean nothing");
 }
 
 namespace
@@ -72,8 +72,8 @@ void choose_scene(BenchArguments &a)
     check_scene_usage(a.setup);
 }
 
-// What is not given is as a host would have it who wants ten thousand people fast: on a GL that rasterises while more is sent,
-// where there is one (a flush of OSMesa's copies the picture), everybody cached and in one draw or fewer.
+// Defaults for a host that draws ten thousand people fast: every individual cached, the fused strategy, and a GL that
+// rasterises while triangles are still sent, where there is one (a flush of OSMesa copies the picture).
 void prefer_speed(const CLI::App &command, BenchArguments &a)
 {
     if (command.count("--cache") == 0) a.caches = {"full"};
@@ -93,61 +93,62 @@ void add_bench(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand(
         "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
     c->add_option("SCENE", a->subject,
-                  "A scene's name (ten_thousand: with --cache full --strategy fused, and on EGL --flush 16384, unless "
-                  "said otherwise), or a character's file, or growth: updates of 1000 to 100 000 actors; "
-                  "or vertex_format: packed vertices against floats; "
-                  "or of shared key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
+                  "The name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to --flush "
+                  "16384), or a character's file, or growth: updates of 1000 to 100 000 actors; or vertex_format: "
+                  "packed vertices against floats; or a test of shared key-poses (S3): keypose-choice, keypose-path, "
+                  "keypose-script, keypose-error")
         ->required();
-    CLI::Option *count = c->add_option("--count", a->counts, "Numbers of people, with commas; along a path one at most")
-                             ->delimiter(',')
-                             ->check(CLI::Range(1, 1000000))
-                             ->capture_default_str();
-    c->add_option("--strategy", a->strategies, "Which, with commas")
+    CLI::Option *count =
+        c->add_option("--count", a->counts, "Numbers of people, separated by commas; along a path at most one")
+            ->delimiter(',')
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str();
+    c->add_option("--strategy", a->strategies, "Caches to compare, separated by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(strategy_names()))
         ->capture_default_str();
-    c->add_option("--cache", a->caches,
-                  "Which, with commas; those of key-poses (S3) may have a size, as keypose-intermittent:100")
+    c->add_option(
+         "--cache", a->caches,
+         "Caches to compare, separated by commas; key-pose caches (S3) may name a size, as keypose-intermittent:100")
         ->delimiter(',')
         ->check(cache_choice)
         ->capture_default_str();
     c->add_option("--lod", a->lods,
-                  "Along the path of the odeon: people with levels of detail, or without, or both with a comma (S1 "
-                  "Fig. 8); with "
-                  "--shadows one of them")
+                  "Along the odeon's path: people with levels of detail (on), without (off), or both separated by a "
+                  "comma (S1 Fig. 8); with --shadows only one")
         ->delimiter(',')
         ->check(CLI::IsMember({"off", "on"}))
         ->capture_default_str();
-    c->add_option(
-         "--shadows", a->shadows,
-         "What shadows on the ground cost, by kind, with commas, instead of caches and varieties: none, blob, mesh, "
-         "and with a stencil bit lent blob-stencil, mesh-stencil")
+    c->add_option("--shadows", a->shadows,
+                  "Measure shadows on the ground instead of caches and strategies; kinds separated by commas: none, "
+                  "blob, mesh, and with a stencil bit blob-stencil, mesh-stencil")
         ->delimiter(',')
         ->check(CLI::IsMember(shadow_names()));
-    c->add_option("--frames", a->frames, "Measured frames a run, or a section of the path, at 25 a second")
+    c->add_option("--frames", a->frames, "Measured frames of a run, or of each section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    CLI::Option *cull = c->add_option("--cull", a->culls, "Of scenes of actors: which modes, with commas")
-                            ->delimiter(',')
-                            ->check(CLI::IsMember({"actor", "traditional"}))
-                            ->capture_default_str();
+    CLI::Option *cull =
+        c->add_option("--cull", a->culls, "Cull modes to compare in a scene of actors, separated by commas")
+            ->delimiter(',')
+            ->check(CLI::IsMember({"actor", "traditional"}))
+            ->capture_default_str();
     c->add_option("--operations", a->operations,
-                  "Of a scene of actors: also write how often each operation of S0's Table 1 was done, for claque cost "
-                  "--measured")
+                  "For a scene of actors: also write how often each operation of S0's Table 1 was done, for claque "
+                  "cost --measured")
         ->type_name("FILE");
     add_scene_options(*c, a->setup);
-    CLI::Option *json = c->add_flag("--json", a->json, "As JSON instead of a table (claque plot draws it)");
-    c->add_flag("--markdown", a->markdown, "Along a path, or of shared key-poses: as a table for a README")
+    CLI::Option *json = c->add_flag("--json", a->json, "Print JSON instead of a table (claque plot draws it)");
+    c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a table for a README")
         ->excludes(json);
-    c->add_option("--save", a->save, "Write the JSON here as well")->excludes(json);
+    c->add_option("--save", a->save, "Also write the JSON to this file")->excludes(json);
     c->callback([a, c, count, cull, &chosen] {
         choose_scene(*a);
         if (cull->count() > 0 && !of_actors(*a))
             throw CLI::ValidationError("--cull",
-                                       "compares modes on scenes of actors: hundred_actors, town_sky, vehicle");
+                                       "compares cull modes in scenes of actors: hundred_actors, town_sky, vehicle");
         if (a->lods != std::vector<std::string>{"off"} && !is_of_shadows(*a) &&
             (a->setup.camera != "path" || scene_of(a->setup) != "odeon"))
-            throw CLI::ValidationError("--lod", "is for the odeon along its path");
+            throw CLI::ValidationError("--lod", "needs the odeon with a camera that follows its path");
         if (a->subject == "ten_thousand" && count->count() == 0) a->counts = {100, 1000, 10000, 20000};
         if (a->subject == "ten_thousand" && !is_of_shadows(*a)) prefer_speed(*c, *a);
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
@@ -157,15 +158,17 @@ void add_bench(CLI::App &app, Work &chosen)
                 if (a->setup.scene == entry.name) a->counts = {entry.default_count};
         if (is_of_shadows(*a) && (has_no_scene(*a) || of_actors(*a) || !a->operations.empty()))
             throw CLI::ValidationError("--shadows",
-                                       "is for scenes with a ground: plaza, multitude, ten_thousand, parade");
+                                       "needs a scene with a ground: plaza, multitude, ten_thousand, parade");
         if (!a->operations.empty() && (!of_actors(*a) || a->counts.size() > 1))
-            throw CLI::ValidationError("--operations",
-                                       "is for one scene of actors, of one number: hundred_actors, town_sky, vehicle");
+            throw CLI::ValidationError(
+                "--operations",
+                "needs one scene of actors, with one number of people: hundred_actors, town_sky, vehicle");
         if (a->setup.camera != "path" && !is_of_key_poses(*a) && a->markdown)
-            throw CLI::ValidationError("--markdown", "is for cameras that follow a path, and for key-poses");
+            throw CLI::ValidationError("--markdown", "needs a camera that follows a path, or shared key-poses");
         if (a->setup.camera == "path" && count->count() > 0) {
             if (a->counts.size() > 1)
-                throw CLI::ValidationError("--count", "along a path there is one crowd, and so one number at most");
+                throw CLI::ValidationError("--count",
+                                           "takes at most one number along a path, where there is one crowd");
             a->setup.count = a->counts[0];
         }
         chosen = [a] { bench(*a); };

@@ -1,4 +1,4 @@
-// What `bench` measures, and how it is said.
+// The measurements of `claque bench`, and how they are printed.
 #pragma once
 
 #include "samples/cli/scene_arguments.h"
@@ -13,49 +13,50 @@ struct BenchArguments {
     std::vector<std::string> strategies = strategy_names(), caches = cache_names();
     std::vector<std::string> lods = {"off"};
     std::vector<std::string> culls = {"actor", "traditional"};
-    std::vector<std::string> shadows;  // empty: as the scene paints them, and caches and varieties are compared
+    std::vector<std::string> shadows;  // empty: shadows as the scene paints them; caches and strategies are compared
     std::string save;
     std::string operations;  // file for `claque cost --measured`
     int frames = 25;
     bool json = false, markdown = false;
 };
 
-// A crowd of each size, frame by frame from the same camera. "runs": one per count, cache and variety.
+// A crowd of each size, frame by frame from the same camera. "runs": one for each count, cache and strategy.
 Json bench_by_count(const BenchArguments &arguments);
 void print_counts(const Json &report);
 
-// The sections of a camera path (S1 7). "sections": who is in view; "runs": one per section, cache and variety.
+// The sections of a camera path (S1 7). "sections": how many people are in view; "runs": one for each section, cache
+// and strategy.
 Json bench_along_path(const BenchArguments &arguments);
 void print_sections(const Json &report);
-// The same as a paragraph and a table for a README.
+// The report as a paragraph and a table for a README.
 std::string markdown_of(const Json &report);
 
-// Scenes of actors: update and draw in each cull mode, with what every phase was asked (S0 7.2).
+// Scenes of actors: update and draw in each cull mode, with the number of tests in each phase (S0 7.2).
 Json bench_actors(const BenchArguments &arguments);
 void print_actors(const Json &report);
 
-// Writes the counts of a scene of actors to `operations`.
+// Writes the operation counts of a scene of actors to the file `operations`.
 void write_operations(const BenchArguments &arguments);
 
-// How an update grows with the number of actors: a chart of lines, with its table in "runs".
+// How the cost of an update grows with the number of actors: a line chart, with its table in "runs".
 Json bench_growth(const BenchArguments &arguments);
 void print_growth(const Json &report);
 
-// Shared key-poses (S3), each a chart of lines with its table in "runs"; the subject says which.
+// Shared key-poses (S3): a line chart with its table in "runs"; the subject selects the experiment.
 bool is_of_key_poses(const BenchArguments &arguments);
 Json bench_key_poses(const BenchArguments &arguments);
 void print_key_poses(const Json &report);
 std::string markdown_of_key_poses(const Json &report);
 
-// Shadows on the ground, of one kind and another.
+// Kinds of shadows on the ground.
 Json bench_shadows(const BenchArguments &arguments);
 void print_shadows(const Json &report);
 
-// Floats against packed vertices.
+// Floating-point against packed vertices.
 Json bench_vertex_format(const BenchArguments &arguments);
 void print_vertex_format(const Json &report);
 
-// Throws scenes::Failure unless `now` is what the variants before it drew; `what` names what was drawn.
+// Throws scenes::Failure unless `now` is the picture of the variants before it; `what` names the frame.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);
 
 }  // namespace cli

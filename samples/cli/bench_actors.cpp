@@ -1,12 +1,13 @@
-// claque bench of scenes of actors (S0 7.2): what an update costs in both cull modes, side by side in one run, with what
-// each phase and each mechanism was asked; the picture apart. And how the cost grows with those who are out of view.
+// claque bench of scenes of actors (S0 7.2): the cost of an update in both cull modes, side by side in one run, with
+// the number of tests in each phase and calls of each mechanism; the picture is measured apart. Also measures how the
+// cost grows with the number of actors out of view.
+#include <cstdio>
+#include <memory>
+
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
-
-#include <cstdio>
-#include <memory>
 
 namespace cli
 {
@@ -17,7 +18,7 @@ struct ActorsRival {
     std::string cull, cache;
     std::unique_ptr<scenes::SceneRenderer> scene_renderer;
     Times update, draw;
-    clq_draw_stats drawn = {};
+    clq_draw_stats drawn = clq_draw_stats_init();
     std::string hash;
 };
 
@@ -45,7 +46,7 @@ Json result_of(const ActorsRival &rival, uint32_t count)
             {"picture_hash", rival.hash}};
 }
 
-// Frames in turn, so that both modes meet the same machine.
+// The modes take turns frame by frame, so that other load on the machine affects both alike.
 void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
 {
     for (int frame = 0; frame <= a.frames; ++frame)
@@ -55,7 +56,7 @@ void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
             const Stopwatch updating;
             rival.scene_renderer->update(2 + frame / 25.0);
             const double update_ms = updating.ms();
-            // Pictures are dear and alike: the first and the last of a run.
+            // Pictures are expensive and alike: draw only the first and the last of a run.
             const bool draws = frame <= 1 || frame == a.frames;
             double draw_ms = 0;
             if (draws) {
@@ -82,7 +83,7 @@ Json bench_actors(const BenchArguments &a)
     report["runs"] = Json::array();
     for (const uint32_t count : a.counts) {
         std::vector<ActorsRival> rivals;
-        // Actor mode with and without caches, so that it shows what of the gain comes from culling.
+        // Actor mode runs with and without caches, to show which part of the gain comes from culling.
         std::vector<std::pair<std::string, std::string>> modes;
         for (const std::string &cull : a.culls) {
             if (cull == "actor") modes.push_back({cull, "full"});

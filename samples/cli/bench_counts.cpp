@@ -1,19 +1,21 @@
-// claque bench of a scene without a camera path: what a frame costs, by number of people, by cache and by variety.
+// claque bench of a scene without a camera path: what a frame costs, by number of people, by cache and by draw
+// strategy.
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <map>
 
 namespace cli
 {
 namespace
 {
 
-// One moment drawn again and again: by claque with a GL that does nothing; with one that clips every triangle away; whole.
+// Draws one time of the crowd repeatedly: with a GL that does nothing, which leaves claque's own work; with a scissor
+// box that clips all pixels; and completely.
 Json draw_parts(scenes::SceneRenderer &scene_renderer, int frames)
 {
     using Part = scenes::SceneRenderer::DrawPart;
@@ -33,12 +35,12 @@ Json draw_parts(scenes::SceneRenderer &scene_renderer, int frames)
             {"gl_pixels", of(all.minimum() - vertices.minimum(), all.median() - vertices.median())}};
 }
 
-// Frames 1 to n of a warm crowd, each part waited for; the one before them fills the caches and is not counted. Then as
-// many whole ones, as a host draws them: update, setting, shadows, people, and one wait.
+// Frames 1 to n of a warm crowd, with a wait after each part; frame 0 fills the caches and is not counted. Then as
+// many complete frames as a host draws them: update, environment, shadows, people, and one wait.
 Json run(scenes::SceneRenderer &scene_renderer, const BenchArguments &a)
 {
     Times update, draw;
-    clq_draw_stats drawn = {};
+    clq_draw_stats drawn = clq_draw_stats_init();
     scenes::check(clq_crowd_reset_bands(scene_renderer.scene().crowd()));
     for (int frame = 0; frame <= a.frames; ++frame) {
         stop_if_asked();
@@ -75,10 +77,10 @@ Json run(scenes::SceneRenderer &scene_renderer, const BenchArguments &a)
             {"picture_hash", picture}};
 }
 
-// How the first cache and variety grow with the crowd, for claque plot.
+// How the cost with the first cache and strategy grows with the crowd, for claque plot.
 void chart(Json &report)
 {
-    constexpr double least_ms = 0.001;  // differences of times may come out as nothing, which no logarithm knows
+    constexpr double least_ms = 0.001;  // differences of times may be zero, which has no logarithm
     const auto line = [&](const char *name, const auto &median) {
         Json points = Json::array();
         const Json &first = report["runs"][0];
@@ -113,7 +115,7 @@ Json bench_by_count(const BenchArguments &a)
     report["runs"] = Json::array();
     const size_t all = a.counts.size() * a.caches.size() * a.strategies.size();
     for (uint32_t count : a.counts) {
-        std::map<std::string, std::string> hashes;  // by what caches show
+        std::map<std::string, std::string> hashes;  // by what the caches show
         for (const std::string &cache : a.caches) {
             SceneArguments scene_arguments = a.setup;
             scene_arguments.count = count;
@@ -165,7 +167,8 @@ void print_counts(const Json &report)
                     r["counters"]["animated"].get<unsigned>(), r["draws"].get<unsigned>(),
                     r["picture_hash"].get<std::string>().c_str());
     }
-    std::printf("milliseconds, minimum and median; claque, vertices, pixels: of a draw of one moment, minima\n");
+    std::printf(
+        "milliseconds, minimum and median; claque, vertices and pixels are parts of drawing one time, minima\n");
 }
 
 }  // namespace cli

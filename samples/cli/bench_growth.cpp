@@ -1,13 +1,14 @@
-// claque bench growth: what an update costs as a crowd grows (S0 7.2), once with a fifth of it in view and once with a
-// thousand in view whatever its size; and what one more actor out of view costs, alone and in a group. No picture is drawn.
+// claque bench growth: how the cost of an update grows with the crowd (S0 7.2), once with a fifth of it in view and
+// once with 1000 actors in view at every size; and what one more actor out of view costs, alone and in a group. No
+// picture is drawn.
+#include <cmath>
+#include <cstdio>
+
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/scenes/random.h"
-
-#include <cmath>
-#include <cstdio>
 
 namespace cli
 {
@@ -22,7 +23,7 @@ constexpr uint32_t kept_in_view = 1000;
 enum class View { share, number };
 enum class Rest { alone, grouped };
 
-// Citizens on a disc round the eye: everywhere, or `kept_in_view` of them ahead and all others behind.
+// Citizens on a disc round the eye: all over it, or `kept_in_view` of them ahead and all others behind.
 struct GrowthField {
     GrowthField(scenes::Library &library, uint32_t count, View view, Rest rest) : cast(library, scenes::CrowdOptions())
     {
@@ -35,7 +36,7 @@ struct GrowthField {
                          away = 8 + field_m * std::sqrt(random_unit(7, who, Purpose::radius));
             constexpr double tau = 2 * 3.14159265358979323846;
             const double angle = ahead ? 0.5 * (turn - 0.5) : tau * turn;
-            // Those behind stand on a disc of their own, so that the sphere round all of them is behind as well.
+            // Those behind stand on a disc of their own, so that their group's bounding sphere is behind as well.
             const double back = view == View::number && !ahead ? 1.1 * (field_m + 8) : 0;
             clq_play play = {};
             play.clip = clq_template_find_clip(citizen, "stand");
@@ -64,7 +65,7 @@ struct GrowthField {
 
 struct Measured {
     Times update;
-    clq_crowd_stats stats = {};
+    clq_crowd_stats stats = clq_crowd_stats_init();
 };
 
 Measured measure(scenes::Library &library, uint32_t count, View view, Rest rest, int frames)
@@ -116,7 +117,7 @@ Json bench_growth(const BenchArguments &a)
                         {"visible", m.stats.visible},
                         {"tested", m.stats.tested},
                         {"update_ms", {{"minimum", m.update.minimum()}, {"median", median}}}};
-            // One more actor out of view, from the step before.
+            // Cost of one more actor out of view since the previous size.
             if (kind.view == View::number && before >= kept_in_view)
                 run["ns_each_more"] = (median - before_ms) * 1e6 / (count - before);
             before = count, before_ms = median;
@@ -134,7 +135,7 @@ Json bench_growth(const BenchArguments &a)
 void print_growth(const Json &report)
 {
     std::printf("%-36s %8s %8s %8s  %10s %10s  %s\n", "kind", "actors", "tested", "in view", "update ms", "median",
-                "ns for one more out of view");
+                "ns for each more out of view");
     for (const Json &r : report["runs"])
         std::printf("%-36s %8u %8u %8u  %10.3f %10.3f  %s\n", r["kind"].get<std::string>().c_str(),
                     r["count"].get<unsigned>(), r["tested"].get<unsigned>(), r["visible"].get<unsigned>(),

@@ -1,4 +1,4 @@
-// claque bench keypose-choice, -path, -script, -error: the experiments of S3, and what its key-poses are wrong by.
+// claque bench keypose-choice, -path, -script, -error: the experiments of S3, and the errors of its key-poses.
 #include "samples/cli/bench_keypose.h"
 
 #include <algorithm>
@@ -37,12 +37,13 @@ double rate_of_200_hz(const clq_template *tmpl)
     std::vector<double> durations_s;
     double sum = 0;
     for (const std::string &name : multitude_clips()) {
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, name.c_str()), &clip));
         durations_s.push_back(static_cast<double>(clip.duration_s));
         sum += durations_s.back();
     }
-    // Each clip has a whole number of them: the rate next below the even one at which they are no more than 200.
+    // Each clip has a whole number of key-poses: lower the rate, starting from the one of 200 in all, until the
+    // numbers add up to at most 200.
     double rate = 200 / sum;
     const auto poses = [&] {
         double all = 0;

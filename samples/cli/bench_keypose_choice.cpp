@@ -1,12 +1,13 @@
-// S3 Fig. 7: 30 individuals draw two of 22 key-poses each with normal distribution; how many can be served from a cache of 7,
-// 15, 22 or 30 that is filled greedily, as well as can be (every set tried), with the first n, with n at random.
-#include "samples/cli/bench_keypose.h"
-#include "samples/scenes/random.h"
-
+// S3 Fig. 7: 30 individuals sample two of 22 key-poses each from a normal distribution. Counts how many a cache of 7,
+// 15, 22 or 30 key-poses can serve when it is filled greedily, optimally (every set tried), with the first n, or with
+// n at random.
 #include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
+
+#include "samples/cli/bench_keypose.h"
+#include "samples/scenes/random.h"
 
 namespace cli
 {
@@ -56,7 +57,7 @@ uint32_t served(const Bins &bins, uint32_t kept)
     return sum;
 }
 
-// All sets of exactly `size` key-poses: smaller ones serve no more.
+// Tries all sets of exactly `size` key-poses; smaller sets serve no more.
 uint32_t best(const Bins &bins, uint32_t size)
 {
     if (size >= poses) return character_count;
@@ -71,14 +72,14 @@ uint32_t best(const Bins &bins, uint32_t size)
 
 uint32_t greedy(const Bins &bins, uint32_t size)
 {
-    std::array<uint8_t, poses> chosen = {};
-    scenes::check(clq_key_poses_choose(bins.data(), static_cast<uint32_t>(bins.size()), poses, size, chosen.data()));
+    std::array<bool, poses> chosen = {};
+    scenes::check(clq_key_poses_choose(bins.data(), static_cast<uint32_t>(bins.size()), size, chosen.data(), poses));
     uint32_t kept = 0;
     for (uint32_t pose = 0; pose < poses; ++pose) kept |= uint32_t(chosen[pose]) << pose;
     return served(bins, kept);
 }
 
-// S3 4.2: bin by bin, the fullest first, as long as there is room.
+// S3 4.2: keeps the fullest bins first, until the cache is full.
 uint32_t fullest_first(Bins bins, uint32_t size)
 {
     std::stable_sort(bins.begin(), bins.end(),
@@ -107,8 +108,8 @@ uint32_t random_set(uint64_t crowd, uint32_t size)
 
 Json key_pose_choice()
 {
-    Json report =
-        chart_of_lines("Who is served from a cache of key-poses", "key-poses kept, of 22", "individuals served, of 30");
+    Json report = chart_of_lines("Individuals served from a cache of key-poses", "key-poses kept, of 22",
+                                 "individuals served, of 30");
     report["columns"] = {"key-poses kept", ways[0], ways[1], ways[2], ways[3], ways[4]};
     std::array<Json, ways.size()> points;
     for (const uint32_t size : sizes) {
@@ -130,8 +131,8 @@ Json key_pose_choice()
     }
     for (size_t way = 0; way < ways.size(); ++way)
         report["series"].push_back({{"name", ways[way]}, {"points", points[way]}});
-    report["note"] =
-        "S3 Fig. 7: means of " + std::to_string(crowds) + " crowds of 30 who draw two key-poses each, normally";
+    report["note"] = "S3 Fig. 7: means of " + std::to_string(crowds) +
+                     " crowds of 30 that sample two key-poses each from a normal distribution";
     return report;
 }
 

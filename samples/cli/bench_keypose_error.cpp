@@ -1,17 +1,17 @@
-// What key-poses are wrong by (S3 3, 4): vertices of the nearest one, and of two blended, against the exact pose, over the
+// The errors of key-poses (S3 3, 4): vertices of the nearest one, and of two blended, against the exact pose, over the
 // multitude's clips, in millimetres and in pixels of a picture of 768 lines over 60 degrees.
-#include "samples/cli/bench_keypose.h"
-#include "samples/cli/interrupt.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/cli/bench_keypose.h"
+#include "samples/cli/interrupt.h"
 
 namespace cli
 {
 namespace
 {
 
-constexpr double steps_s = 120;  // poses compared a second of a clip
+constexpr double steps_s = 120;  // poses compared for each second of a clip
 constexpr double pixels_a_radian = 384 / 0.57735026918962576;
 
 struct Error {
@@ -46,7 +46,7 @@ public:
         clq_asset *made = nullptr;
         scenes::check(clq_asset_builtin(library.context(), name, &made));
         asset_.reset(made);
-        clq_asset_info info = {};
+        clq_asset_info info = clq_asset_info_init();
         scenes::check(clq_asset_get_info(made, &info));
         floats_ = 3 * size_t(info.vertex_count);
         tmpl_ = library.builtin(name);
@@ -57,7 +57,7 @@ public:
         for (const std::string &name : multitude_clips()) {
             stop_if_asked();
             const uint32_t clip = clq_template_find_clip(tmpl_, name.c_str());
-            clq_clip_info info = {};
+            clq_clip_info info = clq_clip_info_init();
             scenes::check(clq_template_get_clip(tmpl_, clip, &info));
             const double length = static_cast<double>(info.duration_s);
             const int intervals = static_cast<int>(std::max(1.0, std::round(length * rate_hz)));
@@ -82,7 +82,7 @@ private:
     std::vector<float> at(uint32_t clip, const clq_clip_info &info, double within_s) const
     {
         std::vector<float> positions(floats_);
-        scenes::check(clq_asset_positions(asset_.get(), clip, static_cast<float>(double(info.start_s) + within_s),
+        scenes::check(clq_asset_get_positions(asset_.get(), clip, static_cast<float>(double(info.start_s) + within_s),
                                           positions.data(), positions.size()));
         return positions;
     }
@@ -99,10 +99,10 @@ double pixels(double metres, double distance_m) { return metres / distance_m * p
 
 Json key_pose_error(scenes::Library &library)
 {
-    Json report = chart_of_lines("What key-poses are wrong by", "key-poses a second", "millimetres");
-    report["y"] = {{"title", "millimetres, the worst vertex of all moments"}, {"scale", "log"}};
-    report["columns"] = {"figure and method", "hz",         "mean mm",    "most mm",
-                         "most px at 10 m",   "px at 20 m", "px at 50 m", "mean px at 20 m"};
+    Json report = chart_of_lines("Errors of key-poses", "key-poses a second", "millimetres");
+    report["y"] = {{"title", "millimetres, the worst vertex at any time"}, {"scale", "log"}};
+    report["columns"] = {"character and mode", "hz",         "mean mm",    "max mm",
+                         "max px at 10 m",     "px at 20 m", "px at 50 m", "mean px at 20 m"};
     for (const char *name : {"decurion", "patrician"}) {
         const Figure figure(library, name);
         Json series[2] = {Json::array(), Json::array()};
@@ -112,11 +112,11 @@ Json key_pose_error(scenes::Library &library)
             for (int way = 0; way < 2; ++way) {
                 const Error &e = *both[way];
                 report["runs"].push_back(
-                    {{"figure and method", std::string(name) + (way == 0 ? ", intermittent" : ", interpolated")},
+                    {{"character and mode", std::string(name) + (way == 0 ? ", intermittent" : ", interpolated")},
                      {"hz", rate},
                      {"mean mm", e.mean_mm()},
-                     {"most mm", 1000 * e.most_m},
-                     {"most px at 10 m", pixels(e.most_m, 10)},
+                     {"max mm", 1000 * e.most_m},
+                     {"max px at 10 m", pixels(e.most_m, 10)},
                      {"px at 20 m", pixels(e.most_m, 20)},
                      {"px at 50 m", pixels(e.most_m, 50)},
                      {"mean px at 20 m", pixels(e.mean_mm() / 1000, 20)}});
@@ -128,7 +128,7 @@ Json key_pose_error(scenes::Library &library)
                 {{"name", figure.name() + (way == 0 ? ", intermittent" : ", interpolated")}, {"points", series[way]}});
     }
     report["note"] = "positions of all vertices over the multitude's five clips, " +
-                     std::to_string(static_cast<int>(steps_s)) + " moments a second, against the exact pose";
+                     std::to_string(static_cast<int>(steps_s)) + " poses a second, against the exact pose";
     return report;
 }
 

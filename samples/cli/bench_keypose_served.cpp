@@ -1,5 +1,5 @@
-// S3 Figs. 11 and 12: which share of the multitude is served from the stores, and how many key-poses are skinned for it. No
-// picture is drawn, and who is not served is not skinned.
+// S3 Figs. 11 and 12: the share of the multitude that is served from the key-pose stores, and the number of key-poses
+// that are skinned for it. No picture is drawn, and individuals that are not served are not skinned.
 #include "samples/cli/bench_keypose.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
@@ -23,7 +23,7 @@ struct ServedMean {
     }
 };
 
-// The multitude with nothing but its key-poses kept.
+// The multitude with only its key-poses cached.
 struct ServedField {
     ServedField(scenes::Library &library, uint32_t count, clq_key_pose_mode method, uint32_t max_kept, uint64_t seed)
     {
@@ -48,7 +48,7 @@ struct ServedField {
         clq_view *views[] = {view.get()};
         scenes::check(clq_view_set_camera(view.get(), &camera));
         scenes::check(clq_crowd_update(scene->crowd(), time_s, views, 1));
-        clq_key_pose_stats stats = {};
+        clq_key_pose_stats stats = clq_key_pose_stats_init();
         scenes::check(clq_crowd_get_key_pose_stats(scene->crowd(), &stats));
         return stats;
     }
@@ -57,18 +57,18 @@ struct ServedField {
     std::vector<clq_actor> actors;
 };
 
-// S3 5: everybody draws one of the clips that are open to it: five at first, then one, and one more every 5 s.
+// S3 5: each individual picks one of the available clips at random: five at first, then one, and one more every 5 s.
 void play(ServedField &field, uint64_t seed, uint32_t turn)
 {
     const uint32_t open = turn == 0 ? 5 : std::min(turn, 5u);
     for (uint32_t who = 0; who < field.actors.size(); ++who) {
-        clq_actor_info info = {};
+        clq_actor_info info = clq_actor_info_init();
         scenes::check(clq_actor_get_info(field.scene->crowd(), field.actors[who], &info));
         const uint64_t bits = scenes::random_bits(seed + turn, who, scenes::Purpose::act);
         clq_play play = {};
         play.clip = clq_template_find_clip(info.tmpl, multitude_clips()[bits % open].c_str());
         play.speed = 1;
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_template_get_clip(info.tmpl, play.clip, &clip));
         play.phase_s = static_cast<float>(scenes::random_unit(seed + turn, who, scenes::Purpose::phase) *
                                           static_cast<double>(clip.duration_s));
@@ -88,8 +88,8 @@ Json key_poses_along_path(const BenchArguments &a, scenes::Library &library)
     Progress progress("claque bench");
     const uint32_t count = a.counts.front();
     const scenes::CameraPath path(*scenes::recorded_path("multitude"), "multitude/path.toml");
-    Json report =
-        chart_of_lines("Who is served from the stores along the camera path", "seconds", "% of those in view");
+    Json report = chart_of_lines("Individuals served from the key-pose stores along the camera path", "seconds",
+                                 "% of those in view");
     report["columns"] = {"stores", "served %", "least %", "wanted", "updated a frame"};
     size_t done = 0;
     for (const auto &way : methods)

@@ -1,6 +1,6 @@
-// claque bench --operations: the operations of S0's Table 1 as the library counted them frame by frame, for `claque cost
-// --measured`. Beside actor mode stands S0's traditional processing, which knows neither culling before behaviour nor levels of
-// detail; that traditional culling draws the same picture is made sure of at equal levels.
+// claque bench --operations: the operations of S0's Table 1 as the library counts them frame by frame, for `claque
+// cost --measured`. Actor mode is compared with S0's traditional processing, which has neither culling before
+// behaviour nor levels of detail. At equal levels both must draw the same picture.
 #include "samples/cli/bench.h"
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
@@ -21,7 +21,7 @@ enum class Levels { by_distance, finest };
 
 cost::Counts counts_of(const clq_crowd_stats &s)
 {
-    // fCoh is the share of these that were made anew, so NO_01 is what would be made without coherence.
+    // fCoh is the share of these that were rebuilt, so NO_01 is the number that would be rebuilt without coherence.
     return {static_cast<double>(s.matrices_needed), static_cast<double>(s.tested),
             static_cast<double>(s.roots_placed),    static_cast<double>(s.spheres_built),
             static_cast<double>(s.sphere_tests),    static_cast<double>(s.distances)};
@@ -42,7 +42,7 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
     for (int frame = 0; frame <= a.frames; ++frame) {
         stop_if_asked();
         scene_renderer.update(2 + frame / 25.0);
-        if (frame == 0) continue;  // everything is new in it
+        if (frame == 0) continue;  // frame 0 rebuilds everything
         const clq_crowd_stats stats = scene_renderer.crowd_stats();
         const cost::Counts counts = counts_of(stats);
         for (size_t i = 0; i < cost::operation_count; ++i) out.counts[i] += counts[i];

@@ -1,17 +1,17 @@
-// claque bench along a camera path, in the manner of S1 7: each section by cache and by variety. Every frame is drawn in
-// all variants, one right after the other in turning order, so that what else the machine does hits them alike. Each
-// cache has a crowd of its own. Frames come in bursts, 1/25 s apart, spread over the section; before a burst each crowd
-// is updated once, unmeasured, a frame's time before, so that its caches hold what they would hold on the way.
+// claque bench along a camera path, in the manner of S1 7: each section by cache and by draw strategy. Every frame is
+// drawn in all variants in a rotating order, so that other load on the machine affects them alike. Each cache has a
+// crowd of its own. Frames come in bursts, 1/25 s apart, spread over the section. Before a burst each crowd gets one
+// unmeasured update, one frame earlier, so that its caches hold what they would hold on a continuous path.
+#include <algorithm>
+#include <map>
+#include <memory>
+
 #include "samples/cli/agreement.h"
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/machine.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
-
-#include <algorithm>
-#include <map>
-#include <memory>
 
 namespace cli
 {
@@ -33,18 +33,18 @@ struct Mean {
     double value() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
 };
 
-// One cache and one variety over one section.
+// One cache and one draw strategy over one section.
 struct Variant {
     Times update, environment, draw, frame;
     Mean draws, triangles_sent, vertices_sent, animated, skinned, asked, served, updated;
 };
 
-// One cache, with levels of detail or without: a crowd and a context of its own, whatever the variety.
+// One cache, with or without levels of detail: a crowd and a context of its own for all strategies.
 struct PathRival {
-    std::string cache;    // and levels, as reports have it
-    std::string picture;  // what shows the same has the same one
+    std::string cache;    // with levels, as in reports
+    std::string picture;  // equal for rivals that show the same picture
     std::unique_ptr<scenes::SceneRenderer> scene_renderer;
-    std::vector<Variant> variants;  // by variety
+    std::vector<Variant> variants;  // by draw strategy
 };
 
 struct Seen {
@@ -92,7 +92,7 @@ public:
                                    picture_of(cache) + (lod == "on" ? with_levels : ""),
                                    std::make_unique<scenes::SceneRenderer>(library, options),
                                    {}});
-                // First draws of a renderer cost more than any later one.
+                // The first draws of a renderer cost more than later ones.
                 rivals_.back().scene_renderer->update(options.path->start_s());
                 for (const std::string &strategy : a.strategies) {
                     rivals_.back().scene_renderer->use_strategy(strategy_named(strategy));
@@ -172,7 +172,7 @@ private:
         return most;
     }
 
-    // One update, which is the same for every variety, and a picture in each.
+    // One update, which all strategies share, and a picture with each strategy.
     void frame(PathRival &rival, double time_s)
     {
         scenes::SceneRenderer &scene_renderer = *rival.scene_renderer;
@@ -181,7 +181,7 @@ private:
         scene_renderer.update(time_s);
         const double update_ms = updating.ms();
         const clq_crowd_stats stats = scene_renderer.crowd_stats();
-        clq_key_pose_stats key_poses = {};
+        clq_key_pose_stats key_poses = clq_key_pose_stats_init();
         scenes::check(clq_crowd_get_key_pose_stats(scene_renderer.scene().crowd(), &key_poses));
         for (size_t i = 0; i < a_.strategies.size(); ++i) {
             const size_t v = (i + turn_) % a_.strategies.size();
@@ -214,8 +214,8 @@ private:
     std::vector<PathRival> rivals_;
     std::string section_;
     Seen seen_;
-    std::map<std::string, Agreement> agreements_;  // by what they show
-    std::string hashes_;                           // of every picture of the section
+    std::map<std::string, Agreement> agreements_;  // by what the rivals show
+    std::string hashes_;                           // of all pictures of the section
     size_t turn_ = 0;
 };
 

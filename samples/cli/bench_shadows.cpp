@@ -1,20 +1,20 @@
-// claque bench SCENE --shadows A,B ...: what shadows on the ground cost, side by side in one run, and that nobody is posed or
-// skinned for them.
+// claque bench SCENE --shadows A,B ...: what shadows on the ground cost, side by side in one run, and that they cause
+// no posing and no skinning.
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
-
-#include <cstdio>
-#include <ctime>
-#include <memory>
 
 namespace cli
 {
 namespace
 {
 
-// Of all threads, GL's too: what others do on the machine counts less than by the clock on the wall.
+// Processor time of all threads, GL's too: other load on the machine affects it less than wall time.
 class ProcessorWatch
 {
 public:
@@ -34,9 +34,8 @@ struct ShadowsRival {
     std::string name;
     std::unique_ptr<scenes::SceneRenderer> scene_renderer;
     Times update, shadows, draw;
-    clq_shadow_stats drawn = {};
-    uint64_t skinned = 0;             // by updates
-    uint64_t skinned_when_drawn = 0;  // by drawing, shadows and people
+    clq_shadow_stats drawn = clq_shadow_stats_init();
+    uint64_t skinned = 0;  // by updates
 };
 
 void frame(ShadowsRival &rival, double time_s, bool counts)
@@ -57,8 +56,7 @@ void frame(ShadowsRival &rival, double time_s, bool counts)
     rival.update.ms.push_back(update_ms);
     rival.shadows.ms.push_back(shadow_ms);
     rival.draw.ms.push_back(draw_ms);
-    rival.skinned += rival.scene_renderer->crowd_stats().skinned;
-    rival.skinned_when_drawn += rival.drawn.skinned + rival.scene_renderer->crowd_stats().on_demand;
+    rival.skinned += rival.scene_renderer->crowd_stats().skinned + rival.scene_renderer->crowd_stats().on_demand;
 }
 
 Json about(const ShadowsRival &rival, uint32_t count)
@@ -74,7 +72,6 @@ Json about(const ShadowsRival &rival, uint32_t count)
     run["shadow_ms"] = both(rival.shadows);
     run["draw_ms"] = both(rival.draw);
     run["skinned"] = rival.skinned;
-    run["skinned_when_drawn"] = rival.skinned_when_drawn;
     run["drawn"] = shadow_counters(rival.drawn);
     run["microseconds_each"] =
         rival.drawn.individuals > 0 ? 1000 * rival.shadows.median() / rival.drawn.individuals : 0.0;
@@ -120,21 +117,20 @@ void print_shadows(const Json &report)
 {
     std::printf("%s, %d threads, %d frames; milliseconds of processor time of all threads, medians\n",
                 report["scene"].get<std::string>().c_str(), report["threads"].get<int>(), report["frames"].get<int>());
-    std::printf("%6s  %-13s %7s %7s %8s %8s %9s  %9s %9s  %7s %7s %8s %9s\n", "people", "shadows", "visible", "outside",
-                "update", "shadows", "draw", "us each", "of draw", "skinned", "at draw", "draws", "triangles");
+    std::printf("%6s  %-13s %7s %7s %8s %8s %9s  %9s %9s  %7s %8s %9s\n", "people", "shadows", "visible", "outside",
+                "update", "shadows", "draw", "us each", "of draw", "skinned", "draws", "triangles");
     for (const Json &run : report["runs"]) {
         const double each = run["microseconds_each"].get<double>();
-        std::printf("%6u  %-13s %7u %7u %8.3f %8.3f %9.3f  %9.3f %9.3f  %7u %7u %8u %9u\n",
-                    run["count"].get<unsigned>(), run["shadows"].get<std::string>().c_str(),
-                    run["visible"].get<unsigned>(), run["shadow_only"].get<unsigned>(),
-                    run["update_ms"]["median"].get<double>(), run["shadow_ms"]["median"].get<double>(),
-                    run["draw_ms"]["median"].get<double>(), each, each / run["draw_microseconds_each"].get<double>(),
-                    run["skinned"].get<unsigned>(), run["skinned_when_drawn"].get<unsigned>(),
+        std::printf("%6u  %-13s %7u %7u %8.3f %8.3f %9.3f  %9.3f %9.3f  %7u %8u %9u\n", run["count"].get<unsigned>(),
+                    run["shadows"].get<std::string>().c_str(), run["visible"].get<unsigned>(),
+                    run["shadow_only"].get<unsigned>(), run["update_ms"]["median"].get<double>(),
+                    run["shadow_ms"]["median"].get<double>(), run["draw_ms"]["median"].get<double>(), each,
+                    each / run["draw_microseconds_each"].get<double>(), run["skinned"].get<unsigned>(),
                     run["drawn"]["draws"].get<unsigned>(), run["drawn"]["triangles"].get<unsigned>());
     }
     std::printf(
-        "outside: of whom only the shadow is seen; us each: microseconds of a shadow; of draw: against drawing a "
-        "person;\nskinned: by all updates; at draw: by all drawing, for whom no cache had room\n");
+        "outside: individuals of which only the shadow is visible; us each: microseconds a shadow; of draw: a shadow's "
+        "time as a share of a person's draw;\nskinned: by all updates\n");
 }
 
 }  // namespace cli

@@ -1,8 +1,8 @@
-// A bench along a path as tables: one for a terminal, one for a README.
-#include "samples/cli/bench.h"
-
+// The report of a bench along a path as tables: one for a terminal, one for a README.
 #include <algorithm>
 #include <cstdio>
+
+#include "samples/cli/bench.h"
 
 namespace cli
 {
@@ -16,7 +16,7 @@ std::string with_digits(double value, int digits)
     return text;
 }
 
-// Three digits that say something.
+// Three significant digits.
 std::string figure(double ms) { return with_digits(ms, ms < 9.995 ? 2 : ms < 99.95 ? 1 : 0); }
 
 std::string spread(const Json &times)
@@ -50,7 +50,7 @@ const Json *run_of(const Json &report, const std::string &section, const std::st
     return nullptr;
 }
 
-// What runs of a section have, in the order in which it first appears.
+// The values of `name` in all runs, in the order of their first appearance.
 std::vector<std::string> different(const Json &report, const char *name)
 {
     std::vector<std::string> found;
@@ -73,21 +73,21 @@ bool has_levels(const Json &report)
     return false;
 }
 
-// What is left to say of "the same picture".
+// How "the same picture" is restricted in this report.
 std::string same_picture(const Json &report)
 {
     unsigned most = 0;
     for (const Json &section : report["sections"]) most = std::max(most, section["depth_ties"].get<unsigned>());
     const std::string but =
         std::string(has_levels(report) ? " with levels of detail, and one without" : "") +
-        (has_key_poses(report) ? " but for that of key-poses, of which each method has one whatever its size" : "");
+        (has_key_poses(report) ? ", except that each key-pose mode has a picture of its own whatever its size" : "");
     if (most == 0) return "the same picture" + but + ", by hash";
-    return "the same picture" + but + " (varieties differ in " + std::to_string(most) +
-           " pixels at most, where crossing surfaces have one depth)";
+    return "the same picture" + but + " (strategies differ in " + std::to_string(most) +
+           " pixels at most, where intersecting surfaces have one depth)";
 }
 
-// A run's counts a frame: what is animated and skinned alone, and, where the table has key-poses, who is served by them
-// and how many are skinned for that.
+// A run's counts a frame: individuals that are animated and skinned on their own, and, where the table has key-poses,
+// the share served by them and the number of key-poses skinned.
 std::string counts(const Json &run, bool key_poses)
 {
     const auto whole = [&](const char *name) { return with_digits(run[name].get<double>(), 0); };
@@ -95,7 +95,7 @@ std::string counts(const Json &run, bool key_poses)
     std::string text = whole("animated") + " | " + whole("skinned") + " | ";
     if (!shares_key_poses(words(run, "cache"))) return text + "| |";
     const double asked = run["key_poses_requested"].get<double>();
-    text += asked > 0 ? with_digits(100 * run["key_poses_served"].get<double>() / asked, 0) + " %" : "nobody asks";
+    text += asked > 0 ? with_digits(100 * run["key_poses_served"].get<double>() / asked, 0) + " %" : "none requested";
     return text + " | " + with_digits(run["key_poses_updated"].get<double>(), 1) + " |";
 }
 
@@ -137,17 +137,17 @@ void print_sections(const Json &report)
 std::string markdown_of(const Json &report)
 {
     const std::vector<std::string> caches = different(report, "cache"), strategies = different(report, "strategy");
-    std::string text = "Measured with `claque bench " + words(report, "scene") + " --frames " +
-                       std::to_string(report["frames"].get<int>()) + "`: " + conditions(report) + ". " +
-                       std::to_string(report["count"].get<unsigned>()) +
-                       " people; every frame is drawn in all variants, which give " + same_picture(report) +
-                       ". "
-                       "Milliseconds a frame, minimum / median; *update* is the library, *draw* the renderer with GL, "
-                       "*setting* all that is not people.\n\n| section | people in view | caches | update | animated |";
+    std::string text =
+        "Measured with `claque bench " + words(report, "scene") + " --frames " +
+        std::to_string(report["frames"].get<int>()) + "`: " + conditions(report) + ". " +
+        std::to_string(report["count"].get<unsigned>()) + " people; every frame is drawn in all variants, which give " +
+        same_picture(report) +
+        ". Milliseconds a frame, minimum / median; *update* is the library, *draw* the renderer with GL, *environment* "
+        "everything but people.\n\n| section | people in view | caches | update | animated |";
     const bool key_poses = has_key_poses(report);
     if (key_poses) text += " skinned | served by key-poses | key-poses skinned |";
     for (const std::string &strategy : strategies) text += " draw " + strategy + " |";
-    text += " setting | frames a second, " + strategies.back() + " |\n|---|---|---|---|---|";
+    text += " environment | frames a second, " + strategies.back() + " |\n|---|---|---|---|---|";
     if (key_poses) text += "---|---|---|";
     for (size_t i = 0; i < strategies.size(); ++i) text += "---|";
     text += "---|---|\n";

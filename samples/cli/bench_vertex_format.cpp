@@ -1,13 +1,13 @@
-// claque bench vertex_format: skinned vertices as floats and packed, side by side: what an individual holds, what an update and a
-// draw cost, and how many pixels of the picture differ, and by how much.
+// claque bench vertex_format: skinned vertices as floats and packed, side by side: bytes for each individual, cost of
+// an update and of a draw, and how many pixels of the picture differ by how much.
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
 #include "samples/cli/bench.h"
 #include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
-
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
 
 namespace cli
 {
@@ -26,7 +26,7 @@ struct VertexFormatRival {
     std::vector<uint8_t> picture;
 };
 
-// Pixels that differ in any channel; those by more than a shade that an eye could tell; the most that one channel differs.
+// Pixels that differ in any channel; those that differ visibly; and the largest difference of one channel.
 struct Difference {
     size_t pixels = 0, seen = 0;
     int most = 0;

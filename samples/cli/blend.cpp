@@ -1,4 +1,11 @@
-// claque blend: strips of one person who goes from one clip to another, clip over clip, gait with gait (S2 3.3).
+// claque blend: strips of pictures of one person that changes from one clip to another, layers a clip over another, or
+// blends two gaits (S2 3.3).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
 #include "samples/cli/blend_rows.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
@@ -7,12 +14,6 @@
 #include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <iostream>
-#include <memory>
 
 namespace cli
 {
@@ -28,7 +29,7 @@ struct BlendArguments {
     int width = 1600, height = 1500;
 };
 
-// What a row shows at a moment, as far as it is blended.
+// What a row shows at a time, as a list of its blended clips.
 std::string shown_at(scenes::Library &library, clq_template *tmpl, const BlendRow &row, double time_s)
 {
     scenes::CrowdOptions crowd_options;
@@ -41,7 +42,7 @@ std::string shown_at(scenes::Library &library, clq_template *tmpl, const BlendRo
     scenes::check(clq_actor_get_active_clips(cast.crowd(), cast.actors()[0], time_s, shown, &count));
     std::string text;
     for (uint32_t i = 0; i < count; ++i) {
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_template_get_clip(tmpl, shown[i].clip, &clip));
         char part[160];
         std::snprintf(part, sizeof part, "%s%s %.2f s x %.2f", i > 0 ? ", " : "", clip.name, shown[i].clip_time_s,
@@ -66,7 +67,7 @@ void draw_rows(Board &board, Portraits &portraits, const std::vector<BlendRow> &
     const int tall = (a.height - 2 * margin_px) / count - row_label_px;
     if (wide < 8 || tall < 8)
         throw scenes::Failure(std::to_string(count) + " rows of " + std::to_string(columns) +
-                              " phases find no room in a picture of " + std::to_string(a.width) + " x " +
+                              " pictures do not fit into one of " + std::to_string(a.width) + " x " +
                               std::to_string(a.height));
     portraits.resize(wide, tall);
     for (int i = 0; i < count; ++i) {
@@ -110,27 +111,29 @@ void add_blend(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<BlendArguments>();
     CLI::App *c = app.add_subcommand(
-        "blend", "Draw strips of one person: a fade by each curve, clips over a part of the body, two gaits in step");
-    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+        "blend", "Draw strips of one person: a fade by each curve, layers over a part of the body, two gaits in step");
+    c->add_option("FILE", a->file,
+                  "glTF, GLB, prepared .clq, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
+    c->add_option("--out,-o", a->out, "PNG file; - streams raw RGB, rows from the top")->required();
     c->add_option("--fade", a->options.fade,
-                  "The clips of the first three rows, with a comma (default stand_wave,sit_cheer)")
+                  "The clips of the first three rows, separated by a comma (default stand_wave,sit_cheer)")
         ->delimiter(',')
         ->expected(2)
         ->type_name("FROM,TO");
-    c->add_option("--length", a->options.length_s, "Seconds of the fade")
+    c->add_option("--length", a->options.length_s, "Length of the fade in seconds")
         ->check(CLI::Range(0.0, 60.0))
         ->capture_default_str();
     c->add_option("--over", a->options.over, "The clip below the layers")->capture_default_str();
-    c->add_option("--layer", a->options.layer, "The clip in its place from a node on")->capture_default_str();
-    c->add_option("--additive", a->options.added, "The clip that is added from a node on")->capture_default_str();
-    c->add_option("--node", a->options.node, "Where both begin")->capture_default_str();
-    c->add_option("--gaits", a->options.gaits, "The clips of the last row, with a comma (default walk,jog)")
+    c->add_option("--layer", a->options.layer, "The clip that replaces it, from a node on")->capture_default_str();
+    c->add_option("--additive", a->options.added, "The clip that is added to it, from a node on")
+        ->capture_default_str();
+    c->add_option("--node", a->options.node, "The node where both layers begin")->capture_default_str();
+    c->add_option("--gaits", a->options.gaits, "The clips of the last row, separated by a comma (default walk,jog)")
         ->delimiter(',')
         ->expected(2)
         ->type_name("A,B");
-    c->add_option("--phases", a->options.phases, "Pictures a row")->check(CLI::Range(2, 100))->capture_default_str();
+    c->add_option("--phases", a->options.phases, "Pictures in a row")->check(CLI::Range(2, 100))->capture_default_str();
     add_clip_options(*c, a->clips);
     add_size_option(*c, a->width, a->height);
     c->callback([a, &chosen] { chosen = [a] { blend(*a); }; });

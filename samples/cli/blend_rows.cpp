@@ -22,7 +22,7 @@ NamedClip clip_named(const clq_template *tmpl, const std::string &name)
     NamedClip out;
     out.name = name;
     out.clip = clq_template_find_clip(tmpl, name.c_str());
-    clq_clip_info info = {};
+    clq_clip_info info = clq_clip_info_init();
     if (out.clip != CLQ_NONE) {
         check(clq_template_get_clip(tmpl, out.clip, &info));
         out.length_s = static_cast<double>(info.duration_s);
@@ -62,7 +62,7 @@ std::string seconds(double value)
 BlendRow fade_row(const NamedClip &from, const NamedClip &to, clq_curve curve, const char *label,
                   const BlendOptions &options)
 {
-    // In the middle of a movement, so that there is something to go on with.
+    // Starts in the middle of a movement, so that the clip before the fade is seen to go on.
     const double at_s = from.length_s * 0.4, length_s = options.length_s;
     BlendRow row;
     row.label = label;
@@ -71,9 +71,10 @@ BlendRow fade_row(const NamedClip &from, const NamedClip &to, clq_curve curve, c
     row.command = [=](clq_crowd *crowd, clq_actor actor) {
         const clq_play play = play_of(from, 0);
         check(clq_actor_play(crowd, actor, &play));
-        clq_fade_target motion = {};
-        motion.play = play_of(to, at_s);
-        check(clq_actor_fade_to(crowd, actor, &motion, at_s, static_cast<float>(length_s), curve));
+        clq_fade_def fade = clq_fade_def_init();
+        fade.play = play_of(to, at_s);
+        fade.at_s = at_s, fade.length_s = static_cast<float>(length_s), fade.curve = curve;
+        check(clq_actor_fade_to(crowd, actor, &fade));
     };
     return row;
 }
@@ -81,12 +82,12 @@ BlendRow fade_row(const NamedClip &from, const NamedClip &to, clq_curve curve, c
 BlendRow layer_row(const clq_template *tmpl, const NamedClip &over, const NamedClip &layer, clq_layer_kind kind,
                    const BlendOptions &options)
 {
-    // It comes in on the way to its middle, and the strip ends there.
+    // The layer fades in until its middle, where the strip ends.
     const double fade_s = layer.length_s * 0.35, last_s = layer.length_s * 0.5;
     BlendRow row;
     row.label = kind == CLQ_LAYER_ADD ? "added" : "masked";
     row.about = layer.name + (kind == CLQ_LAYER_ADD ? " added to " : " over ") + over.name + " from " + options.node +
-                " on within " + seconds(fade_s);
+                " from its node on, within " + seconds(fade_s);
     row.times_s = evenly(0, last_s, options.phases);
     row.command = [=](clq_crowd *crowd, clq_actor actor) {
         const clq_play play = play_of(over, 0);
@@ -120,10 +121,11 @@ BlendRow gait_row(const clq_template *tmpl, const NamedClip &a, const NamedClip 
         clq_gait_def def = clq_gait_def_init();
         def.tmpl = tmpl;
         def.clip_a = a.clip, def.clip_b = b.clip;
-        clq_fade_target motion = {};
-        check(clq_crowd_add_gait(crowd, &def, &motion.gait));
-        motion.play = play_of(a, -a.length_s);  // a round before the strip begins
-        check(clq_actor_fade_to(crowd, actor, &motion, -a.length_s, 0, CLQ_CURVE_SMOOTH));
+        clq_fade_def fade = clq_fade_def_init();
+        check(clq_crowd_add_gait(crowd, &def, &fade.gait));
+        fade.play = play_of(a, -a.length_s);  // one loop before the strip begins
+        fade.at_s = -a.length_s, fade.length_s = 0;
+        check(clq_actor_fade_to(crowd, actor, &fade));
         check(clq_actor_set_gait_share(crowd, actor, 1, 0, static_cast<float>(length_s)));
     };
     return row;
@@ -157,7 +159,7 @@ double fastest_node(scenes::Library &library, clq_template *tmpl, const BlendRow
     const uint32_t nodes = info_of(tmpl).node_count;
     for (uint32_t node = 0; node < nodes; ++node) {
         double before[16] = {}, now[16] = {};
-        // A little before and behind: ends are where poses jump.
+        // Includes a margin before and after, because poses jump at ends.
         for (double t = row.times_s.front() - 0.05; t < row.times_s.back() + 0.05; t += step_s) {
             check(clq_actor_get_node(cast.crowd(), cast.actors()[0], node, t, now));
             const double speed = std::hypot(now[12] - before[12], now[13] - before[13], now[14] - before[14]) / step_s;

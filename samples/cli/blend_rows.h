@@ -1,10 +1,10 @@
 // What the rows of a strip of blends show: a fade by each curve, layers over parts of the body, two gaits in step.
 #pragma once
 
-#include "samples/cli/portraits.h"
-
 #include <string>
 #include <vector>
+
+#include "samples/cli/portraits.h"
 
 namespace cli
 {
@@ -14,7 +14,7 @@ struct BlendOptions {
     std::string over = "walk", layer = "stand_wave", added = "sit_laugh", node = "chest";
     std::vector<std::string> gaits = {"walk", "jog"};
     double length_s = 0.6;  // of fades
-    uint32_t phases = 9;    // of each row; at least 2
+    uint32_t phases = 9;    // pictures in each row; at least 2
 };
 
 struct BlendRow {
@@ -24,10 +24,11 @@ struct BlendRow {
     bool from_the_side = false;
 };
 
-// Throws Failure where there is no clip or node of a name, and says which there are.
+// Throws Failure if no clip or node has a name that the options use; the message lists the names there are.
 std::vector<BlendRow> blend_rows(const clq_template *tmpl, const BlendOptions &options);
 
-// The greatest speed of any node in model units a second, against the root, while a row goes by: what pops is fast.
+// The greatest speed of any node relative to the root while a row plays, in model units a second. A jump shows as a
+// high speed.
 double fastest_node(scenes::Library &library, clq_template *tmpl, const BlendRow &row);
 
 }  // namespace cli

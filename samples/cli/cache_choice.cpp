@@ -30,8 +30,8 @@ const CLI::Validator cache_choice(
         if (std::find(plain.begin(), plain.end(), cache) != plain.end()) return {};
         const std::string name = cache.substr(0, cache.find(':'));
         if ((name == intermittent || name == interpolated) && (name == cache || is_size(digits_of(cache)))) return {};
-        return "'" + cache + "' is none of none, animation, full, " + intermittent + ", " + interpolated +
-               ", the last two also with a number of key-poses, as in " + intermittent + ":100";
+        return "'" + cache + "' is not one of none, animation, full, " + intermittent + ", " + interpolated +
+               "; the last two may name a number of key-poses, as in " + intermittent + ":100";
     },
     "none|animation|full|keypose-intermittent[:N]|keypose-interpolated[:N]");
 

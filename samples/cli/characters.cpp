@@ -1,10 +1,9 @@
 #include "samples/cli/characters.h"
 
-#include "samples/cli/files.h"
-
 #include <unistd.h>
-
 #include <algorithm>
+
+#include "samples/cli/files.h"
 
 namespace cli
 {
@@ -14,7 +13,8 @@ using scenes::check;
 namespace
 {
 
-// The mean box of a few clips, each at its middle: rest poses spread their arms, and people do not stand like that.
+// The mean box of a few clips, each at its middle time: rest poses spread their arms, and people do not stand like
+// that.
 void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::Character &character)
 {
     constexpr uint32_t most = 8;
@@ -23,9 +23,9 @@ void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::
     std::vector<float> xyz(3 * static_cast<size_t>(info.vertex_count));
     double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
     for (uint32_t i = 0; i < clips; ++i) {
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         check(clq_asset_get_clip(asset, i, &clip));
-        check(clq_asset_positions(asset, i, clip.start_s + clip.duration_s / 2, xyz.data(), xyz.size()));
+        check(clq_asset_get_positions(asset, i, clip.start_s + clip.duration_s / 2, xyz.data(), xyz.size()));
         for (size_t axis = 0; axis < 3; ++axis) {
             float low = xyz[axis], high = xyz[axis];
             for (size_t v = axis; v < xyz.size(); v += 3) {
@@ -66,17 +66,18 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
                                   uint32_t *first_clip)
 {
     clq_asset *made = nullptr;
-    // A name without folder or ending, and no such file: one of ours.
+    // A name without folder or extension, and no such file: a built-in character.
     if (path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0) {
         if (clips.vary > 0) check(clq_asset_builtin_varied(library.context(), path.c_str(), clips.vary, &made));
         else check(clq_asset_builtin(library.context(), path.c_str(), &made));
     } else {
-        if (clips.vary > 0) throw scenes::Failure(path + " is no built-in figure, whose clips alone are varied");
+        if (clips.vary > 0)
+            throw scenes::Failure(path + " is no built-in character; only the clips of those can be varied");
         std::vector<const char *> names;
         for (const std::string &name : hidden) names.push_back(name.c_str());
         clq_asset_options options = clq_asset_options_init();
         options.hidden_nodes = names.data();
-        options.motion_unit_m = clips.unit_m;
+        options.bvh_metres_per_unit = clips.unit_m;
         options.hidden_node_count = static_cast<uint32_t>(names.size());
         check(clq_asset_load_file(library.context(), path.c_str(), &options, &made), path);
     }
@@ -93,7 +94,7 @@ LoadedCharacter load_character(scenes::Library &library, const std::string &path
     clq_template *made = nullptr;
     if (is_prepared(path)) {
         if (!clips.files.empty() || clips.vary > 0)
-            throw scenes::Failure(path + " is prepared: clips are added before, by claque prepare --clips");
+            throw scenes::Failure(path + " is prepared already; add clips earlier, with claque prepare --clips");
         const std::vector<unsigned char> bytes = read_file(path);
         check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
     } else {
@@ -106,14 +107,14 @@ LoadedCharacter load_character(scenes::Library &library, const std::string &path
 
 clq_asset_info info_of(const clq_asset *asset)
 {
-    clq_asset_info info = {};
+    clq_asset_info info = clq_asset_info_init();
     check(clq_asset_get_info(asset, &info));
     return info;
 }
 
 clq_template_info info_of(const clq_template *tmpl)
 {
-    clq_template_info info = {};
+    clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
     return info;
 }

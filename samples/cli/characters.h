@@ -1,13 +1,13 @@
-// Characters from the command line: a glTF or GLB file, a prepared file (.clq), or the name of a built-in figure.
+// Characters from the command line: a glTF or GLB file, a prepared file (.clq), or the name of a built-in character.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "samples/cli/clip_arguments.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene.h"
-
-#include <string>
-#include <vector>
 
 namespace cli
 {
@@ -15,13 +15,13 @@ namespace cli
 struct LoadedCharacter {
     scenes::Own<clq_asset> asset;  // none for prepared files
     scenes::Own<clq_template> tmpl;
-    uint32_t first_clip = 0;  // to show: of those that were added, where there are any
+    uint32_t first_clip = 0;  // to show: of the added clips, where there are any
     scenes::Character character() const;
 };
 
 bool is_prepared(const std::string &path);
 
-// Both throw Failure with the path in the sentence. `first_clip`: the first to show, see add_clips.
+// Both throw Failure with the path in the message. `first_clip`: the first to show, see add_clips.
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
                                   const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {},
                                   uint32_t *first_clip = nullptr);

@@ -1,10 +1,10 @@
 #include "samples/cli/clip_arguments.h"
 
+#include <iostream>
+
 #include "samples/cli/characters.h"
 #include "samples/cli/files.h"
 #include "samples/cli/joint_map.h"
-
-#include <iostream>
 
 namespace cli
 {
@@ -29,31 +29,33 @@ void add_clip_options(CLI::App &command, ClipArguments &a)
 {
     CLI::Option *files = command
                              .add_option("--clips", a.files,
-                                         "Add the clips of this file, bound by joint name: glTF, GLB, BVH, or a "
-                                         "built-in figure's name (may repeat)")
+                                         "Add the clips of this file, bound by joint name: glTF, GLB, BVH, or the name "
+                                         "of a built-in character (may repeat)")
                              ->type_name("FILE")
                              ->expected(1)
                              ->take_all();
-    command.add_option("--vary", a.vary, "Vary the clips of a built-in person until there are so many, as 150")
+    command.add_option("--vary", a.vary, "Vary the clips of a built-in person until it has this many, such as 150")
         ->check(CLI::Range(19, 2000));
     command
-        .add_option("--map", a.map, "Which joint of the clips is which of the character, and how they are taken (TOML)")
+        .add_option("--map", a.map,
+                    "Map (TOML) that binds joints of the clips to joints of the character and says how clips are read")
         ->type_name("FILE")
         ->needs(files);
-    command.add_option("--unit", a.unit_m, "Metres a unit of BVH files (default 1, or what the map says)")
+    command.add_option("--unit", a.unit_m, "Metres of one unit in BVH files (default 1, or what the map says)")
         ->check(CLI::Range(1e-6, 1e6));
-    command.add_option("--from", a.start_s, "Seconds that are left out at the beginning of the clips")
+    command.add_option("--from", a.start_s, "Seconds to skip at the beginning of each clip")
         ->check(CLI::Range(0.0, 1e6))
         ->needs(files);
-    command.add_option("--to", a.end_s, "Where the clips end, in seconds")->check(CLI::Range(0.0, 1e6))->needs(files);
-    command.add_option("--close", a.close_s, "Seconds before its end in which a clip turns into its first pose")
+    command.add_option("--to", a.end_s, "End of each clip, in seconds")->check(CLI::Range(0.0, 1e6))->needs(files);
+    command.add_option("--close", a.close_s, "Seconds before a clip's end over which it blends into its first pose")
         ->check(CLI::Range(0.0, 1e6))
         ->needs(files);
-    command.add_option("--rate", a.rate_hz, "Keys a second of clips that are transferred (default 30)")
+    command.add_option("--rate", a.rate_hz, "Keys a second of retargeted clips (default 30)")
         ->check(CLI::Range(1.0, 1000.0))
         ->needs(files);
     command
-        .add_option("--root-travel", a.travel, "Whether the topmost joint goes the clips' way or stays in its place")
+        .add_option("--root-travel", a.travel,
+                    "Whether the topmost joint keeps the clips' travel (keep) or stays in place (in-place)")
         ->check(CLI::IsMember({"in-place", "keep"}))
         ->needs(files);
 }

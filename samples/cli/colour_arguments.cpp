@@ -14,7 +14,7 @@ void add_colour_options(CLI::App &command, ColourArguments &arguments)
             ->type_name("FILE");
     command
         .add_flag("--reload", arguments.reload,
-                  "Look at the file of colours before every frame and take it up where it has changed; a broken one "
+                  "Check the file of colours before every frame and apply it when it has changed; a broken file "
                   "changes nothing")
         ->needs(file);
 }
@@ -33,7 +33,7 @@ void SceneColours::apply_to(const scenes::SceneRenderer &scene_renderer)
         applied_ = true;
     } catch (const scenes::Failure &broken) {
         if (!applied_) throw;
-        std::cerr << "claque: colours stay as they were: " << broken.what() << '\n';
+        std::cerr << "claque: colours are unchanged: " << broken.what() << '\n';
     }
 }
 

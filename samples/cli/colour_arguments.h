@@ -1,12 +1,12 @@
-// --colours and --reload, for commands that draw a stage frame by frame.
+// --colours and --reload, for commands that draw a scene frame by frame.
 #pragma once
 
-#include "samples/scenes/colours.h"
-#include "samples/scenes/scene_renderer.h"
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
-#include <optional>
+#include "samples/scenes/colours.h"
+#include "samples/scenes/scene_renderer.h"
 
 namespace cli
 {
@@ -18,14 +18,14 @@ struct ColourArguments {
 
 void add_colour_options(CLI::App &command, ColourArguments &arguments);
 
-// What the people on a stage wear.
+// The colours of the people in a scene.
 class SceneColours
 {
 public:
     SceneColours(scenes::Library &library, const ColourArguments &arguments, uint64_t seed);
 
-    // Before each frame. The first time it throws scenes::Failure where the file cannot be worn. With --reload a file that has
-    // changed is taken up; one that is broken leaves the colours as they were, and standard error says why.
+    // Call this before each frame. The first call throws scenes::Failure if the file cannot be applied. With --reload
+    // a changed file is applied; a broken one leaves the colours as they were and is reported on standard error.
     void apply_to(const scenes::SceneRenderer &scene_renderer);
 
 private:

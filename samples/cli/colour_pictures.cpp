@@ -1,12 +1,12 @@
 #include "samples/cli/colour_pictures.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "samples/cli/interrupt.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/portraits.h"
 #include "samples/scenes/random.h"
-
-#include <algorithm>
-#include <functional>
 
 namespace cli
 {
@@ -19,7 +19,7 @@ using Colouring = std::function<void(clq_crowd *, clq_actor, uint32_t who)>;
 
 clq_colour_map_def def_of(const clq_colour_map *map)
 {
-    clq_colour_map_def def = {};
+    clq_colour_map_def def = clq_colour_map_def_init();
     scenes::check(clq_colour_map_get_def(map, &def));
     return def;
 }
@@ -31,11 +31,11 @@ LoadedCharacter wearer_of(scenes::Library &library, const clq_colour_class &colo
     return load_character(library, colours.tmpl);
 }
 
-// Every channel of every zone by lot: what HSB ranges are there to prevent.
+// Picks every channel of every zone at random, which HSB ranges exist to prevent.
 void colour_at_random(clq_crowd *crowd, clq_actor actor, uint64_t seed, uint32_t who)
 {
-    clq_actor_info info = {};
-    clq_template_info tmpl = {};
+    clq_actor_info info = clq_actor_info_init();
+    clq_template_info tmpl = clq_template_info_init();
     scenes::check(clq_actor_get_info(crowd, actor, &info));
     scenes::check(clq_template_get_info(info.tmpl, &tmpl));
     std::vector<float> rgb(3 * static_cast<size_t>(tmpl.zone_count));
@@ -55,7 +55,7 @@ public:
     {
         if (tile_width_ < 8 || tile_height_ < 8)
             throw scenes::Failure(std::to_string(across) + " people in " + std::to_string(rows) +
-                                  " rows find no room in a picture of " + std::to_string(width) + " x " +
+                                  " rows do not fit into a picture of " + std::to_string(width) + " x " +
                                   std::to_string(height));
     }
 

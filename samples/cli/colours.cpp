@@ -1,4 +1,7 @@
-// claque colours: maps of what people's colours are drawn from (S2 5): saved from what there is, and shown.
+// claque colours: maps from which the colours of people are sampled (S2 5): written from existing ones, and shown.
+#include <deque>
+#include <memory>
+
 #include "samples/cli/characters.h"
 #include "samples/cli/colour_pictures.h"
 #include "samples/cli/command.h"
@@ -6,9 +9,6 @@
 #include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/scenes/odeon/theatre.h"
-
-#include <deque>
-#include <memory>
 
 namespace cli
 {
@@ -22,19 +22,19 @@ struct MapArguments {
     int width = 1280, height = 800;
 };
 
-// A map under construction; `def` points into the rest.
+// A map under construction; `def` points into the other members.
 struct Making {
     std::deque<std::vector<clq_zone_colours>> zones;
     std::deque<clq_palette_entry> dyes;
     std::vector<clq_colour_class> classes;
 
-    // Every zone of the template, in its own range.
+    // Adds every zone of the template with its own range.
     std::vector<clq_zone_colours> &add(const char *name, const clq_template *tmpl)
     {
         const clq_template_info info = info_of(tmpl);
         std::vector<clq_zone_colours> &all = zones.emplace_back();
         for (uint32_t i = 0; i < info.zone_count; ++i) {
-            clq_zone_info zone = {};
+            clq_zone_info zone = clq_zone_info_init();
             scenes::check(clq_template_get_zone(tmpl, i, &zone));
             dyes.push_back({zone.range, 1});
             all.push_back({zone.name, 1, &dyes.back(), CLQ_COLOUR_SPACE_HSB, nullptr, 0});
@@ -54,7 +54,8 @@ scenes::ColourMap made(scenes::Library &library, const Making &making)
     return scenes::ColourMap(map);
 }
 
-// The classes of a theatre, each zone in the dye that its description has for it, else in the figure's own range.
+// The classes of a theatre: each zone has the palette of the theatre's description, or else the built-in character's
+// own range.
 scenes::ColourMap map_of_theatre(scenes::Library &library, const std::string &file)
 {
     const scenes::Theatre theatre = file.empty() ? scenes::read_theatre(scenes::odeon_description(), "odeon.toml")
@@ -66,8 +67,8 @@ scenes::ColourMap map_of_theatre(scenes::Library &library, const std::string &fi
         for (const scenes::SocialClass::Dye &dye : one.palette) {
             const uint32_t zone = clq_template_find_zone(tmpl, dye.zone.c_str());
             if (zone == CLQ_NONE)
-                throw scenes::Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" +
-                                      one.figure + "' has no such zone");
+                throw scenes::Failure("the " + one.name + " have a palette for '" + dye.zone +
+                                      "', and the built-in character '" + one.figure + "' has no such zone");
             making.dyes.push_back({dye.range, 1});
             zones[zone].palette = &making.dyes.back();
         }
@@ -124,11 +125,12 @@ void add_picture(CLI::App &colours, Work &chosen, const char *name, const std::s
     auto a = std::make_shared<MapArguments>();
     a->each = each;
     CLI::App *c = colours.add_subcommand(name, about);
-    c->add_option("--colours", a->colours, "Map to show (TOML), odeon, or a built-in figure (default roman-classes)");
+    c->add_option("--colours", a->colours,
+                  "Map to show (TOML), odeon, or a built-in character (default roman-classes)");
     c->add_option("--count", a->each, "Individuals of each class")->capture_default_str()->check(CLI::Range(1, 64));
-    c->add_option("--seed", a->seed, "Of the colours that are drawn by lot")->capture_default_str();
+    c->add_option("--seed", a->seed, "Seed of the random colours")->capture_default_str();
     add_size_option(*c, a->width, a->height);
-    c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
+    c->add_option("--out,-o", a->out, "PNG file; - streams raw RGB, rows from the top")->required();
     c->callback([a, &chosen, picture, about] { chosen = [a, picture, about] { draw(*a, picture, about); }; });
 }
 
@@ -136,17 +138,17 @@ void add_picture(CLI::App &colours, Work &chosen, const char *name, const std::s
 
 void add_colours(CLI::App &app, Work &chosen)
 {
-    CLI::App *colours =
-        app.add_subcommand("colours", "What people's colours are drawn from: maps of HSB ranges (S2 5)");
+    CLI::App *colours = app.add_subcommand(
+        "colours", "Write and show colour maps: HSB ranges from which people's colours are sampled (S2 5)");
     colours->require_subcommand(1);
     auto a = std::make_shared<MapArguments>();
-    CLI::App *c = colours->add_subcommand("save", "Write a map as TOML, to be changed and used with --colours");
+    CLI::App *c = colours->add_subcommand("save", "Write a map as TOML, to be edited and used with --colours");
     c->add_option("FROM", a->from,
-                  "odeon, roman-classes, a map (TOML: in its normal form), or a character: its own ranges")
+                  "odeon, roman-classes, a map (TOML, written in its normal form), or a character: its own ranges")
         ->required();
-    c->add_option("--theatre", a->theatre, "Of odeon: a description instead of the built-in one (TOML)")
+    c->add_option("--theatre", a->theatre, "With odeon: a description that replaces the built-in one (TOML)")
         ->type_name("FILE");
-    c->add_option("--out,-o", a->out, "TOML; - is standard output")->required();
+    c->add_option("--out,-o", a->out, "TOML file; - is standard output")->required();
     c->callback([a, &chosen] {
         if (!a->theatre.empty() && a->from != "odeon")
             throw CLI::ValidationError("--theatre", "goes with odeon, not with " + a->from);
@@ -154,7 +156,7 @@ void add_colours(CLI::App &app, Work &chosen)
     });
     add_picture(*colours, chosen, "classes", "Draw the social classes of a map side by side (S2 5.3)", classes_picture,
                 12);
-    add_picture(*colours, chosen, "compare", "Draw people in random RGB and the same people in HSB ranges (S2 Fig. 6)",
+    add_picture(*colours, chosen, "compare", "Draw people in random RGB, and the same people in HSB ranges (S2 Fig. 6)",
                 comparison_picture, 4);
 }
 

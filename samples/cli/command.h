@@ -1,10 +1,10 @@
-// The claque command: one file a subcommand. Each adds itself to the parser; the one that was asked for leaves its work
-// in `chosen`, which runs after parsing is over, so that usage errors and failures stay apart.
+// The claque command: one file for each subcommand. Each adds itself to the parser. The chosen one stores its work in
+// `chosen`, which runs after parsing, so that usage errors and failures stay apart.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
+
+#include <CLI/CLI.hpp>
 
 namespace cli
 {

@@ -1,16 +1,16 @@
-// claque cost: S0's cost model (its section 6 and appendix), with what a run of the library counted beside it.
+// claque cost: S0's cost model (its section 6 and appendix), with the counts of a run of the library beside it.
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/plot.h"
 #include "samples/cost/curves.h"
 #include "samples/cost/measured.h"
 #include "samples/cost/report.h"
-
-#include <nlohmann/json.hpp>
-
-#include <iostream>
-#include <memory>
-#include <optional>
 
 namespace cli
 {
@@ -41,18 +41,20 @@ void show(const CostArguments &a)
 void add_cost(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<CostArguments>();
-    CLI::App *c =
-        app.add_subcommand("cost", "What an actor pipeline saves, by the model of S0: Tables 1 to 6, equation 3");
+    CLI::App *c = app.add_subcommand(
+        "cost", "Print what an actor pipeline saves by the cost model of S0: Tables 1 to 6, equation 3");
     c->add_option("--measured", a->measured, "Counts of a run of the library (JSON), shown beside the model");
-    c->add_option("--json", a->json, "All tables and numbers as JSON; - is standard output, instead of the text");
-    c->add_option("--plot", a->plot, "Equation (3) over AverageCost, PNG or SVG by its name; - is SVG")
+    c->add_option("--json", a->json,
+                  "Write all tables and numbers as JSON; - is standard output, where it replaces the text");
+    c->add_option("--plot", a->plot,
+                  "Draw equation (3) over AverageCost, as PNG or SVG by the file name; - is SVG on standard output")
         ->check(chart_file);
-    c->add_flag("--markdown", a->markdown, "Tables for a README");
+    c->add_flag("--markdown", a->markdown, "Print tables for a README");
     c->callback([a, &chosen] {
         if (a->json == "-" && a->plot == "-")
-            throw CLI::ValidationError("--json and --plot", "only one of them can go to standard output");
+            throw CLI::ValidationError("--json and --plot", "only one of them can write to standard output");
         if (a->markdown && (a->json == "-" || a->plot == "-"))
-            throw CLI::ValidationError("--markdown", "standard output is taken by --json - or --plot -");
+            throw CLI::ValidationError("--markdown", "standard output is used by --json - or --plot -");
         chosen = [a] { show(*a); };
     });
 }

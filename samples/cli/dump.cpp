@@ -1,11 +1,11 @@
-// claque dump: animated positions as numbers, so that others can check our skinning.
+// claque dump: animated positions as numbers, so that other programs can check claque's skinning.
+#include <cmath>
+#include <memory>
+
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/npy.h"
-
-#include <cmath>
-#include <memory>
 
 namespace cli
 {
@@ -18,14 +18,14 @@ struct DumpArguments {
     double time_s = 0;
 };
 
-// A clip by its name, or else by its number.
+// Finds a clip by its name, or else by its number.
 uint32_t find_clip(const clq_asset *asset, const DumpArguments &a)
 {
     if (a.clip.empty()) return CLQ_NONE;
     const uint32_t count = info_of(asset).clip_count;
     std::string names;
     for (uint32_t i = 0; i < count; ++i) {
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_asset_get_clip(asset, i, &clip));
         if (a.clip == clip.name) return i;
         names += (i == 0 ? "" : ", ") + std::string(clip.name);
@@ -45,7 +45,8 @@ void dump(const DumpArguments &a)
     const scenes::Own<clq_asset> asset = load_asset(library, a.file, {}, a.clips);
     const uint32_t clip = find_clip(asset.get(), a);
     std::vector<float> xyz(3 * static_cast<size_t>(info_of(asset.get()).vertex_count));
-    scenes::check(clq_asset_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()), a.file);
+    scenes::check(clq_asset_get_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()),
+                  a.file);
     const std::string bytes = npy(xyz, 3);
     write_whole(a.out, bytes);
 }
@@ -59,14 +60,15 @@ void add_dump(CLI::App &app, Work &chosen)
         "dump",
         "Write animated world-space positions of all mesh primitives of the default scene: nodes depth first with "
         "children in listed order, primitives in order, vertices as in the file; float32 (n, 3), NumPy's .npy 1.0");
-    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen, patrician ...)")->required();
+    c->add_option("FILE", a->file, "glTF or GLB, or the name of a built-in character (citizen, patrician ...)")
+        ->required();
     add_clip_options(*c, a->clips);
-    CLI::Option *clip =
-        c->add_option("--clip", a->clip, "Name or number; without it the rest pose and default morph weights");
-    c->add_option("--time", a->time_s, "In seconds on the file's own key axis, clamped to the clip")
+    CLI::Option *clip = c->add_option("--clip", a->clip,
+                                      "Name or number of a clip; without it the rest pose and default morph weights");
+    c->add_option("--time", a->time_s, "Time in seconds on the file's own key axis, clamped to the clip")
         ->check([](const std::string &text) {
             double value = 0;
-            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "has to be finite";
+            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "must be finite";
         })
         ->needs(clip);
     c->add_option("--out,-o", a->out, "The .npy file; - is standard output")->required();

@@ -1,14 +1,13 @@
 #include "samples/cli/files.h"
 
-#include "samples/scenes/check.h"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+
+#include "samples/scenes/check.h"
 
 namespace cli
 {
@@ -26,7 +25,7 @@ std::string folder_of(const std::string &path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A file that is gone again unless it is kept.
+// A temporary file that is removed unless it is kept.
 class Draft
 {
 public:

@@ -1,4 +1,5 @@
-// Files in whole: read at once; written beside their place and renamed into it, so that a reader sees all or nothing.
+// Complete files: read at once; written beside their destination and renamed into it, so that a reader sees all or
+// nothing.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +13,11 @@ namespace cli
 std::vector<unsigned char> read_file(const std::string &path);
 std::string text_of(const std::string &path);
 
-// `path` "-" is standard output. A file that was there before stays as it was unless all goes well.
+// `path` "-" is standard output. An existing file stays as it was unless the write succeeds.
 void write_whole(const std::string &path, const void *bytes, size_t size_bytes);
 void write_whole(const std::string &path, const std::string &text);
 
-// Fails early what write_whole would fail late: the folder of `path` has to be there and take files.
+// Fails early where write_whole would fail late: the folder of `path` must exist and be writable.
 void expect_writable(const std::string &path);
 
 }  // namespace cli

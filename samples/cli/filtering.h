@@ -1,14 +1,14 @@
-// What --filter linear came to.
+// The effect of --filter linear.
 #pragma once
 
-#include "samples/scenes/scene_renderer.h"
-
 #include <nlohmann/json.hpp>
+
+#include "samples/scenes/scene_renderer.h"
 
 namespace cli
 {
 
-// For each of the scene's templates: how many triangles are filtered, and how far they are from neighbours that are not.
+// For each template of the scene: how many triangles are filtered, and their distance from unfiltered neighbours.
 nlohmann::json filtering(const scenes::SceneRenderer &scene_renderer);
 
 }  // namespace cli

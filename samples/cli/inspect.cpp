@@ -1,12 +1,12 @@
 // claque inspect: what a character is made of, as loaded and as split.
-#include "samples/cli/characters.h"
-#include "samples/cli/command.h"
-#include "samples/cli/scene_arguments.h"
-
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+
+#include "samples/cli/characters.h"
+#include "samples/cli/command.h"
+#include "samples/cli/scene_arguments.h"
 
 namespace cli
 {
@@ -24,14 +24,14 @@ Json clip_json(const clq_clip_info &clip)
             {"channels", clip.channel_count}};
 }
 
-// Lengths as they are read, not as they are stored.
+// Rounds lengths for reading; stored ones keep all digits.
 double rounded(double value, double to) { return std::round(value / to) * to; }
 
 Json sampled_clip_json(const clq_clip_info &clip)
 {
     Json json = clip_json(clip);
     json["rate_hz"] = rounded(double(clip.rate_hz), 0.01);
-    json["error_mm"] = rounded(double(clip.error_m) * 1000, 0.001);
+    json["error_mm"] = rounded(double(clip.error) * 1000, 0.001);
     json["error_rad"] = rounded(double(clip.error_rad), 1e-5);
     json["kept"] = clip.kept_count;
     json["bytes"] = clip.bytes;
@@ -56,7 +56,7 @@ Json asset_json(const clq_asset *asset)
                  {"box_max", info.box_max}};
     json["part_list"] = Json::array();
     for (uint32_t i = 0; i < info.part_count; ++i) {
-        clq_asset_part part = {};
+        clq_asset_part part = clq_asset_part_init();
         scenes::check(clq_asset_get_part(asset, i, &part));
         json["part_list"].push_back({{"name", part.name},
                                      {"node", part.node_name},
@@ -71,7 +71,7 @@ Json asset_json(const clq_asset *asset)
     }
     json["clips"] = Json::array();
     for (uint32_t i = 0; i < info.clip_count; ++i) {
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_asset_get_clip(asset, i, &clip));
         json["clips"].push_back(clip_json(clip));
     }
@@ -80,8 +80,9 @@ Json asset_json(const clq_asset *asset)
     return json;
 }
 
-// Clips against the same animation as meshes, a position and a normal a vertex (S1 4): one for each row of each clip (where
-// no rate is known, 30 a second), and one for each frame of 25 a second, in which meshes that nothing is between are played.
+// Bytes of the clips against the same animation stored as meshes with a position and a normal for each vertex (S1 4):
+// one mesh for each row of each clip (30 a second if no rate is known), and one for each frame at 25 a second, which
+// is how meshes without interpolation are played.
 Json motion_json(const clq_template_info &info, const Json &clips)
 {
     uint64_t bytes = 0;
@@ -125,13 +126,13 @@ Json template_json(const clq_template *tmpl)
                  {"bytes", info.bytes}};
     json["zones"] = Json::array();
     for (uint32_t i = 0; i < info.zone_count; ++i) {
-        clq_zone_info zone = {};
+        clq_zone_info zone = clq_zone_info_init();
         scenes::check(clq_template_get_zone(tmpl, i, &zone));
         json["zones"].push_back({{"name", zone.name}, {"clean", zone.clean_count}, {"colour", zone.colour}});
     }
     json["clips"] = Json::array();
     for (uint32_t i = 0; i < info.clip_count; ++i) {
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_template_get_clip(tmpl, i, &clip));
         json["clips"].push_back(sampled_clip_json(clip));
     }
@@ -161,8 +162,8 @@ void print_motion(const Json &motion)
 {
     if (motion.empty() || !motion.contains("times_less")) return;
     std::cout << "clips take " << motion["bytes"] << " bytes; as meshes, one for each of their rows, "
-              << motion["as_meshes_bytes"] << ": " << motion["times_less"] << " times more; 25 a second, "
-              << motion["as_meshes_25_hz_bytes"] << ": " << motion["times_less_25_hz"] << " times more\n";
+              << motion["as_meshes_bytes"] << ": " << motion["times_less"] << " times as much; 25 a second, "
+              << motion["as_meshes_25_hz_bytes"] << ": " << motion["times_less_25_hz"] << " times as much\n";
 }
 
 void print_text(const Json &report)
@@ -208,7 +209,7 @@ void inspect(const InspectArguments &a)
         clq_template *made = nullptr;
         if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
             report["split"] = template_json(scenes::Own<clq_template>(made).get());
-        else report["not_split"] = clq_last_error();  // points and lines load, but are nothing to split
+        else report["not_split"] = clq_last_error();  // points and lines load, but cannot be split
     }
     if (a.json) std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
     else print_text(report);
@@ -219,15 +220,15 @@ void inspect(const InspectArguments &a)
 void add_inspect(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<InspectArguments>();
-    CLI::App *c = app.add_subcommand("inspect", "Say what a character is made of");
+    CLI::App *c = app.add_subcommand("inspect", "Print what a character is made of");
     c->add_option("FILE", a->file,
-                  "glTF, GLB, BVH, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+                  "glTF, GLB, BVH, prepared .clq, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
         ->expected(1)
         ->take_all();
     add_clip_options(*c, a->clips);
-    c->add_flag("--json", a->json, "As JSON");
+    c->add_flag("--json", a->json, "Print JSON");
     c->callback([a, &chosen] { chosen = [a] { inspect(*a); }; });
 }
 

@@ -1,8 +1,8 @@
 #include "samples/cli/interrupt.h"
 
-#include "samples/scenes/check.h"
-
 #include <csignal>
+
+#include "samples/scenes/check.h"
 
 namespace cli
 {
@@ -24,7 +24,7 @@ void watch_signals()
 
 void stop_if_asked()
 {
-    if (asked_to_stop) throw scenes::Failure("stopped by a signal; the frames that are done stay");
+    if (asked_to_stop) throw scenes::Failure("stopped by a signal; finished frames are kept");
 }
 
 }  // namespace cli

@@ -1,13 +1,13 @@
-// Stopping between frames: SIGINT and SIGTERM are noticed, not obeyed at once, so that no half a file is left behind.
+// Stops between frames: SIGINT and SIGTERM are recorded and acted on later, so that no partial file is left behind.
 #pragma once
 
 namespace cli
 {
 
-// Also ignores SIGPIPE: a reader that went away is an error to report, not a reason to die silently.
+// Also ignores SIGPIPE: a closed reader is an error to report, not a reason to die silently.
 void watch_signals();
 
-// Throws scenes::Failure where somebody asked to stop.
+// Throws scenes::Failure if a signal asked the process to stop.
 void stop_if_asked();
 
 }  // namespace cli

@@ -1,8 +1,8 @@
 #include "samples/cli/joint_map.h"
 
-#include "samples/scenes/odeon/toml_table.h"
-
 #include <algorithm>
+
+#include "samples/scenes/odeon/toml_table.h"
 
 namespace cli
 {
@@ -21,7 +21,7 @@ void read_options(scenes::TomlTable &all, JointMap &map)
     if (all.has("end_s")) map.end_s = all.number("end_s", seconds_key);
     if (all.has("close_s")) map.close_s = all.number("close_s", seconds_key);
     if (all.has("travel") && !travel_named(all.text("travel"), map.travel))
-        all.refuse("has the travel '" + all.text("travel") + "'; there are: in-place, keep", "travel");
+        all.refuse("has the travel '" + all.text("travel") + "'; allowed are: in-place, keep", "travel");
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ JointMap read_joint_map(const std::string &text, const std::string &where)
             const auto joint = std::find_if(map.joints.begin(), map.joints.end(),
                                             [&](const JointMap::Joint &j) { return j.target == name; });
             if (joint == map.joints.end())
-                all.refuse("aligns '" + name + "', which no line of [joints] moves", "align");
+                all.refuse("aligns '" + name + "', which no line of [joints] binds", "align");
             joint->rest = CLQ_REST_ALIGN;
         }
     if (all.has("follow")) map.followers = all.table("follow", "[follow]").named_texts();

@@ -1,10 +1,10 @@
-// Which joint is which, and how the clips of a source are taken: a TOML file that people write.
+// Joint maps: a TOML file, written by hand, that binds joints and says how the clips of a source are read.
 #pragma once
-
-#include <claque/assets.h>
 
 #include <string>
 #include <vector>
+
+#include <claque/assets.h>
 
 namespace cli
 {
@@ -14,7 +14,7 @@ struct JointMap {
         std::string source, target;
         clq_rest_alignment rest = CLQ_REST_KEEP;
     };
-    std::vector<Joint> joints;                                       // none: those of equal names
+    std::vector<Joint> joints;                                       // none: joints of equal names
     std::vector<std::pair<std::string, std::string>> followers;      // each a joint and its leader
     std::vector<std::pair<std::string, std::string>> followers_too;  // second leaders
     double follow_share = 0.8, follow_too_share = 0.4;
@@ -25,10 +25,10 @@ struct JointMap {
     double rate_hz = 0, start_s = 0, end_s = 0, close_s = 0;
 };
 
-// Throws Failure, with the line and what is wrong with it.
+// Throws Failure with the line and the error in it.
 JointMap read_joint_map(const std::string &text, const std::string &where);
 
-// "in-place" or "keep"; false where it is neither.
+// Accepts "in-place" and "keep"; returns false for anything else.
 bool travel_named(const std::string &name, clq_root_travel &out);
 
 }  // namespace cli

@@ -7,7 +7,7 @@ namespace
 
 struct Glyph {
     char letter;
-    const char *rows;  // seven of five dots
+    const char *rows;  // seven rows of five dots
 };
 
 constexpr Glyph glyphs[] = {

@@ -1,4 +1,4 @@
-// Capitals to write into pictures, five by seven dots each, as on an inscription: small letters are written large.
+// Capital letters for pictures, five by seven dots each; small letters are written as capitals.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ public:
     int height() const { return height_; }
     const std::vector<uint8_t> &rgb() const { return rgb_; }
 
-    // What lies outside the board is left out.
+    // Both clip to the board.
     void dot(int x, int y, Ink ink);
     void fill(int x, int y, int width, int height, Ink ink);
     void paste(int x, int y, int width, int height, const std::vector<uint8_t> &rgb);
-    // Letters `scale` pixels a dot; (x, y) is the upper left corner. Bytes that are no ASCII letter, digit, space or
-    // one of -_.#() are a box.
+    // Letters of `scale` pixels a dot; (x, y) is the upper left corner. Bytes other than ASCII letters, digits, space
+    // or one of -_.#() are drawn as a box.
     void write(int x, int y, int scale, const std::string &text, Ink ink);
 
 private:

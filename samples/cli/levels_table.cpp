@@ -1,9 +1,9 @@
 #include "samples/cli/levels_table.h"
 
-#include "samples/scenes/check.h"
-
 #include <algorithm>
 #include <cstdio>
+
+#include "samples/scenes/check.h"
 
 namespace cli
 {
@@ -14,13 +14,13 @@ namespace
 double mm(float metres) { return 1000 * double(metres); }
 double percent(float share) { return 100 * double(share); }
 
-// In the middle of the distances that a level serves: which of them does not matter.
+// A distance in the middle of those that a level serves; any of them would do.
 float served(const Levels &levels, size_t k)
 {
     return k + 1 < levels.size() ? 0.5f * (levels[k].lod_min_m + levels[k + 1].lod_min_m) : levels[k].lod_min_m + 1;
 }
 
-// Of the levels that both have, in the order of the finest.
+// Visits the levels that both have, from the finest on.
 template <class Row>
 void for_each_pair(const LevelsComparison &comparison, const Row &row)
 {
@@ -52,8 +52,8 @@ nlohmann::ordered_json json_of(const Levels &levels)
 void print(const Levels &levels)
 {
     std::printf(
-        "triangles vertices   from m   at rest mm: rms    most   in motion mm: rms    most   wrong zone %%  zones "
-        "drift %%  open edges  flipped uvs\n");
+        "triangles vertices   from m   at rest mm: rms     max   in motion mm: rms     max   wrong zone %%   zone area "
+        "%%  open edges  flipped uvs\n");
     for (const clq_level_report &l : levels)
         std::printf("%9u %8u %8.1f %17.2f %7.1f %19.2f %7.1f %14.2f %14.2f %11u %12u\n", l.triangle_count,
                     l.vertex_count, double(l.lod_min_m), mm(l.rest_rms_m), mm(l.rest_max_m), mm(l.posed_rms_m),
@@ -95,18 +95,17 @@ void print(const Levels &levels, const ZoneAreas &area_fractions)
 void print(const LevelsComparison &comparison)
 {
     std::printf(
-        "           in motion mm: rms   |             most   |   wrong zone %%    |  zones drift %%    |  open edges "
-        "  |  flipped uvs\n"
-        "triangles    claque    plain   |  claque    plain   |  claque    plain   |  claque    plain   | claque  "
-        "plain | claque  plain\n");
+        "           in motion mm: rms   |              max   |   wrong zone %%    |   zone area %%     |  open edges   "
+        "|  flipped uvs\ntriangles    claque  quadric   |  claque  quadric   |  claque  quadric   |  claque  quadric   "
+        "| claque quadr. | claque quadr.\n");
     for_each_pair(comparison, [](const clq_level_report &a, const clq_level_report &b) {
         std::printf("%9u %9.2f %8.2f   |%8.1f %8.1f   |%8.2f %8.2f   |%8.2f %8.2f   | %6u %6u | %6u %6u\n",
                     a.triangle_count, mm(a.posed_rms_m), mm(b.posed_rms_m), mm(a.posed_max_m), mm(b.posed_max_m),
                     percent(a.wrong_zone), percent(b.wrong_zone), percent(a.zone_area_error),
                     percent(b.zone_area_error), a.open_edges, b.open_edges, a.flipped_uvs, b.flipped_uvs);
-        if (a.triangle_count != b.triangle_count) std::printf("%9s (plain: %u)\n", "", b.triangle_count);
+        if (a.triangle_count != b.triangle_count) std::printf("%9s (quadric: %u)\n", "", b.triangle_count);
     });
-    std::printf("s, with measuring: claque %.2f, plain %.2f\n", comparison.ours_s, comparison.quadric_only_s);
+    std::printf("s, with measuring: claque %.2f, quadric alone %.2f\n", comparison.ours_s, comparison.quadric_only_s);
 }
 
 nlohmann::ordered_json json_of(const LevelsComparison &comparison)

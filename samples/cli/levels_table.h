@@ -1,11 +1,11 @@
-// Levels of detail in figures.
+// Levels of detail in numbers.
 #pragma once
 
-#include <claque/levels.h>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include <vector>
+#include <claque/levels.h>
 
 namespace cli
 {
@@ -15,7 +15,7 @@ using Levels = std::vector<clq_level_report>;
 nlohmann::ordered_json json_of(const Levels &levels);
 void print(const Levels &levels);
 
-// What each level shows of each zone, the finest first.
+// The area fraction of each zone in each level, from the finest on.
 struct ZoneAreas {
     std::vector<std::string> zones;                  // the last: no zone
     std::vector<std::vector<float>> area_fractions;  // [levels][zones]
@@ -23,7 +23,8 @@ struct ZoneAreas {
 ZoneAreas zone_areas(const clq_asset *asset, const Levels &levels);
 void print(const Levels &levels, const ZoneAreas &area_fractions);
 
-// The same character by claque and by a quadric alone, with what each took in seconds, measuring included.
+// The levels of one character by claque and by OpenMesh's quadric alone, with the seconds that each took, measuring
+// included.
 struct LevelsComparison {
     Levels ours, quadric_only;
     double ours_s = 0, quadric_only_s = 0;

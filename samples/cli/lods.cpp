@@ -1,5 +1,11 @@
-// claque lods: a character's levels of detail, side by side at equal size and at the size where each begins to serve, as S1
-// Fig. 7 shows them, with what each is off by.
+// claque lods: a character's levels of detail, side by side at equal size and at the size where each begins to serve,
+// as in S1 Fig. 7, with their errors.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
@@ -10,12 +16,6 @@
 #include "samples/cli/portraits.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/stopwatch.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <iostream>
-#include <memory>
 
 namespace cli
 {
@@ -42,12 +42,10 @@ Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArgumen
     def.tolerance_px = static_cast<float>(a.tolerance_px);
     def.proxy_max_triangles = a.proxy_max_triangles;
     def.quadric_only = quadric_only;
-    Levels levels(64);
     uint32_t count = 0;
-    scenes::check(clq_asset_make_levels(library.context(), asset, &def, levels.data(),
-                                        static_cast<uint32_t>(levels.size()), &count),
-                  a.file);
-    levels.resize(std::min<size_t>(count, levels.size()));
+    scenes::check(clq_asset_make_levels(library.context(), asset, &def, &count), a.file);
+    Levels levels(count, clq_level_report_init());
+    for (uint32_t i = 0; i < count; ++i) scenes::check(clq_asset_get_level_report(asset, i, &levels[i]), a.file);
     return levels;
 }
 
@@ -66,7 +64,7 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
     Board board(a.width, a.height, paper);
     const int columns = static_cast<int>(levels.size());
     const int wide = (a.width - 2 * margin_px + column_gap_px) / columns - column_gap_px, tall = a.height * 3 / 5;
-    if (wide < 24) throw scenes::Failure(std::to_string(columns) + " levels find no room in a picture of this size");
+    if (wide < 24) throw scenes::Failure(std::to_string(columns) + " levels do not fit into a picture of this size");
     Portraits portraits(library, loaded, 1);
     for (int i = 0; i < columns; ++i) {
         stop_if_asked();
@@ -96,7 +94,7 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
     write_whole(a.out, file.data(), file.size());
 }
 
-// The same number of triangles by both ways.
+// The same numbers of triangles by both methods.
 void compare(const LodsArguments &a, scenes::Library &library)
 {
     LevelsComparison comparison;
@@ -121,7 +119,8 @@ void show(const LodsArguments &a)
 {
     if (!a.out.empty()) expect_writable(a.out);
     scenes::Library library(core_count());
-    if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared: levels are made before, from its source");
+    if (is_prepared(a.file))
+        throw scenes::Failure(a.file + " is prepared already; levels are made earlier, from its source");
     if (a.compare) return compare(a, library);
     LoadedCharacter loaded;
     loaded.asset = load_asset(library, a.file, a.hidden);
@@ -140,24 +139,23 @@ void show(const LodsArguments &a)
 void add_lods(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<LodsArguments>();
-    CLI::App *c =
-        app.add_subcommand("lods", "Make a character's levels of detail, and say and show what they are off by");
-    c->add_option("FILE", a->file, "glTF, GLB, or a built-in figure's name (citizen, patrician ...)")->required();
+    CLI::App *c = app.add_subcommand("lods", "Make a character's levels of detail, print their errors and draw them");
+    c->add_option("FILE", a->file, "glTF, GLB, or the name of a built-in character (citizen, patrician ...)")
+        ->required();
     c->add_option("--picture,--out,-o", a->out, "PNG: levels at equal size, and below at the size where they begin");
-    c->add_option("--targets", a->targets, "Triangles of the levels, descending, with commas")->delimiter(',');
+    c->add_option("--targets", a->targets, "Triangles of the levels, descending, separated by commas")->delimiter(',');
     c->add_option("--proxy-max-triangles", a->proxy_max_triangles,
-                  "Levels of so many triangles and fewer are one closed surface; 0: none")
+                  "Levels of at most this many triangles are proxies, one mesh without seams; 0: no proxies")
         ->capture_default_str();
-    c->add_option("--tolerance", a->tolerance_px, "Pixels that a level may be off by where it begins")
+    c->add_option("--tolerance", a->tolerance_px, "Error in pixels that a level may have where it begins")
         ->check(CLI::Range(0.01, 100.0))
         ->capture_default_str();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
         ->expected(1)
         ->take_all();
-    c->add_flag("--compare", a->compare,
-                "Beside what a quadric alone makes of the same character: errors, zones, cracks")
+    c->add_flag("--compare", a->compare, "Compare with levels made by OpenMesh's quadric alone: errors, zones, cracks")
         ->excludes("--picture");
-    c->add_flag("--json", a->json, "As JSON");
+    c->add_flag("--json", a->json, "Print JSON");
     add_size_option(*c, a->width, a->height);
     c->callback([a, &chosen] { chosen = [a] { show(*a); }; });
 }

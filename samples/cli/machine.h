@@ -1,4 +1,4 @@
-// What figures were measured on.
+// The machine that measurements were made on.
 #pragma once
 
 #include "samples/cli/scene_arguments.h"
@@ -6,7 +6,7 @@
 namespace cli
 {
 
-// {"processor": its maker's words, "cores": how many this process may use}
+// {"processor": its maker's name, "cores": how many this process may use}
 Json machine();
 
 }  // namespace cli

@@ -1,11 +1,11 @@
-// claque: pictures of crowds, and what characters are made of. Exit codes: 0 done; 1 failed, with one sentence on
-// stderr; 2 used wrongly.
+// claque: draws pictures of crowds and describes characters. Exit codes: 0 success; 1 failure, with one sentence on
+// stderr; 2 wrong usage.
+#include <iostream>
+#include <new>
+
 #include "samples/cli/command.h"
 #include "samples/cli/interrupt.h"
 #include "samples/scenes/check.h"
-
-#include <iostream>
-#include <new>
 
 namespace
 {

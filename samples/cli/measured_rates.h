@@ -1,4 +1,4 @@
-// How often people are really animated, and what frames cost.
+// How often people are animated, and what frames cost.
 #pragma once
 
 #include "samples/cli/scene_arguments.h"
@@ -6,7 +6,7 @@
 namespace cli
 {
 
-// One second of updates at 50 Hz, which is the fastest rung, and a few pictures: the rates that are really reached and
+// Measures one second of updates at 50 Hz, the fastest rate step, and a few pictures: the rates that are reached, and
 // what a frame costs once caches are warm.
 Json measured_rates(scenes::SceneRenderer &scene_renderer, double from_s);
 

@@ -1,4 +1,4 @@
-// claque parity: claque as the reference of other renderers (docs/parity.md).
+// claque parity: claque as the reference for other renderers (docs/parity.md).
 #include "samples/cli/parity.h"
 
 namespace cli
@@ -6,7 +6,7 @@ namespace cli
 
 void add_parity(CLI::App &app, Work &chosen)
 {
-    CLI::App *c = app.add_subcommand("parity", "Hold another renderer's crowd against claque's");
+    CLI::App *c = app.add_subcommand("parity", "Compare another renderer's crowd with claque's");
     c->require_subcommand(1);
     add_parity_export(*c, chosen);
     add_parity_capture(*c, chosen);

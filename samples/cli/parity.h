@@ -1,4 +1,4 @@
-// The subcommands of claque parity, one file each or two.
+// The subcommands of claque parity, in one or two files each.
 #pragma once
 
 #include "samples/cli/command.h"

@@ -1,4 +1,9 @@
-// claque parity compare: two results beside each other. Exit codes: 0 within the tolerance; 1 not; 2 they cannot be compared.
+// claque parity compare: compares two results. Exit codes: 0 within the tolerance; 1 outside it; 2 they cannot be
+// compared.
+#include <cmath>
+#include <iostream>
+#include <memory>
+
 #include "samples/cli/files.h"
 #include "samples/cli/parity.h"
 #include "samples/cli/png.h"
@@ -6,10 +11,6 @@
 #include "samples/parity/pictures.h"
 #include "samples/parity/report.h"
 #include "samples/scenes/check.h"
-
-#include <cmath>
-#include <iostream>
-#include <memory>
 
 namespace cli
 {
@@ -34,18 +35,18 @@ std::vector<parity::Figure> figures(const parity::Report &r)
     if (b.colour) out.push_back(figure("Result", b.renderer, *b.colour));
     if (a.colour && b.colour) {
         out.push_back(figure("Difference of colours", "16 times as bright.", difference_picture(*a.colour, *b.colour)));
-        out.push_back(
-            figure("LDR-FLIP", "Black: none, pale yellow: as large as can be.", heat_picture(r.comparison.flip)));
+        out.push_back(figure("LDR-FLIP", "Black: equal, pale yellow: the largest possible difference.",
+                             heat_picture(r.comparison.flip)));
     }
     const parity::Picture *under = a.colour ? &*a.colour : nullptr;
     const char *marks = "Amber: within a pixel of a border, red: elsewhere.";
     if (!r.comparison.actor_marks.values.empty())
-        out.push_back(figure("Who differs", marks, marks_picture(r.comparison.actor_marks, under)));
+        out.push_back(
+            figure("Pixels with different individuals", marks, marks_picture(r.comparison.actor_marks, under)));
     if (!r.comparison.zone_marks.values.empty())
-        out.push_back(figure("Which zones differ", marks, marks_picture(r.comparison.zone_marks, under)));
+        out.push_back(figure("Pixels with different zones", marks, marks_picture(r.comparison.zone_marks, under)));
     if (a.depth && b.depth)
-        out.push_back(figure("Difference of depth",
-                             "Black: 1e-7 and less, pale yellow: 1; equal steps of powers of ten.",
+        out.push_back(figure("Difference of depth", "Black: 1e-7 and less, pale yellow: 1; logarithmic.",
                              heat_picture(depth_difference(*a.depth, *b.depth))));
     return out;
 }
@@ -73,16 +74,16 @@ void compare(const CompareArguments &a)
 void add_parity_compare(CLI::App &parity_command, Work &chosen)
 {
     auto a = std::make_shared<CompareArguments>();
-    CLI::App *c = parity_command.add_subcommand("compare",
-                                                "Compare two results (docs/parity.md): vertices, normals, who and "
-                                                "which zone is seen, depth, colour. Exit codes: 0 within "
-                                                "the tolerance, 1 not, 2 they cannot be compared");
-    c->add_option("REFERENCE", a->reference, "The folder of the one that is right")->required();
-    c->add_option("RESULT", a->result, "The folder of the one that is held against it")->required();
+    CLI::App *c = parity_command.add_subcommand(
+        "compare",
+        "Compare two results (docs/parity.md): vertices, normals, visible individuals and zones, depth, colour. Exit "
+        "codes: 0 within the tolerance, 1 not, 2 they cannot be compared");
+    c->add_option("REFERENCE", a->reference, "The folder of the reference result")->required();
+    c->add_option("RESULT", a->result, "The folder of the result to check")->required();
     c->add_option("--tolerance", a->tolerance, "exact, gpu, loose or a TOML file")->capture_default_str();
-    c->add_option("--json", a->json, "Where to write all measures for a machine; - is standard output");
-    c->add_option("--html", a->html, "Where to write a page with pictures of the differences; - is standard output");
-    c->add_option("--pixels-per-degree", a->pixels_per_degree, "What FLIP takes the screen to be seen at")
+    c->add_option("--json", a->json, "Write all measures as JSON; - is standard output");
+    c->add_option("--html", a->html, "Write an HTML page with pictures of the differences; - is standard output");
+    c->add_option("--pixels-per-degree", a->pixels_per_degree, "Pixels a degree of the viewer's screen, for FLIP")
         ->capture_default_str()
         ->check(CLI::Range(5.0, 500.0));
     c->callback([a, &chosen] {

@@ -1,12 +1,12 @@
-// claque parity export and capture: a crowd for somebody else's renderer, and what the CPU path made of the same moment.
+// claque parity export and capture: a crowd for another renderer, and the result of the CPU path for the same time.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
 #include "samples/cli/parity.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/parity/write/write.h"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
 
 namespace cli
 {
@@ -22,7 +22,7 @@ struct ParityArguments {
 
 using Writer = size_t (*)(scenes::SceneRenderer &, const parity::CaptureTime &, const std::string &);
 
-// A scene's name, or else a character.
+// The subject is a scene's name, or else a character.
 void take_subject(ParityArguments &a)
 {
     const std::vector<scenes::SceneEntry> &entries = scenes::scene_entries();
@@ -57,11 +57,10 @@ void check_usage(ParityArguments &a)
 {
     take_subject(a);
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
-        throw CLI::ValidationError("--clips", "and --vary need a FILE whose character gets them");
+        throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
     check_scene_usage(a.setup);
-    if (a.setup.format != "rgba8888")
-        throw CLI::ValidationError("--format", "parity wants 8 bits a channel, which rgba8888 has");
-    if (!std::isfinite(a.time_s)) throw CLI::ValidationError("--time", "has to be finite");
+    if (a.setup.format != "rgba8888") throw CLI::ValidationError("--format", "parity needs 8 bits a channel: rgba8888");
+    if (!std::isfinite(a.time_s)) throw CLI::ValidationError("--time", "must be finite");
 }
 
 void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *about, Writer writer)
@@ -69,21 +68,21 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
     auto a = std::make_shared<ParityArguments>();
     CLI::App *c = parity.add_subcommand(name, about);
     c->add_option("SCENE", a->subject,
-                  "A scene by name, as claque render --scene has them, or a character that stands on a ground: glTF, "
-                  "GLB, prepared .clq, or a built-in figure's name")
+                  "A scene of claque render --scene, or a character to stand on a ground: glTF, GLB, prepared .clq, or "
+                  "the name of a built-in character")
         ->required();
     c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
-    a->setup.flat_triangles = 0;  // lit smoothly, as other renderers do
+    a->setup.flat_triangles = 0;  // lit smoothly, as in other renderers
     add_scene_options(*c, a->setup);
     add_clip_options(*c, a->clips);
-    c->add_option(
-         "--lod", a->setup.lod,
-         "On the plaza and in the odeon: people with levels of detail, or without; finest: the first level, everywhere")
+    c->add_option("--lod", a->setup.lod,
+                  "On the plaza and in the odeon: people with levels of detail (on), without (off), or only the first "
+                  "level (finest)")
         ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();
-    c->add_option("--time", a->time_s, "Of the picture, in seconds")->capture_default_str();
-    c->add_option("--out,-o", a->out, "A folder, which is made where there is none")->required();
+    c->add_option("--time", a->time_s, "Time of the picture in seconds")->capture_default_str();
+    c->add_option("--out,-o", a->out, "A folder, created if missing")->required();
     c->callback([a, &chosen, writer] {
         check_usage(*a);
         chosen = [a, writer] { write(*a, writer); };
@@ -102,7 +101,7 @@ void add_parity_export(CLI::App &parity, Work &chosen)
 void add_parity_capture(CLI::App &parity, Work &chosen)
 {
     add_writer(parity, chosen, "capture",
-               "Write what the CPU path made of it into a folder: skinned vertices, ids, depth, colour",
+               "Write the result of the CPU path into a folder: skinned vertices, ids, depth, colour",
                parity::write_result);
 }
 

@@ -1,14 +1,14 @@
-// claque plot: a chart of what was measured, as PNG or SVG.
+// claque plot: a chart of measurements, as PNG or SVG.
 #include "samples/cli/plot.h"
+
+#include <memory>
+
+#include <nlohmann/json.hpp>
 
 #include "samples/charts/lines.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
-
-#include <nlohmann/json.hpp>
-
-#include <memory>
 
 namespace cli
 {
@@ -48,7 +48,7 @@ const CLI::Validator chart_file(
     [](const std::string &path) -> std::string {
         const std::string extension = extension_of(path);
         if (extension.empty() || extension == ".svg" || extension == ".png") return {};
-        return path + " ends in " + extension + ", and a chart is written as .png or .svg";
+        return path + " ends in " + extension + "; a chart is written as .png or .svg";
     },
     "FILE.png|FILE.svg");
 
@@ -64,8 +64,8 @@ void write_chart(const std::string &path, const charts::Drawing &drawing)
 void add_plot(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<PlotArguments>();
-    CLI::App *c = app.add_subcommand("plot", "Draw what was measured as a chart");
-    c->add_option("FILE", a->file, "What 'bench SCENE --json' wrote along a camera path, or a chart of lines (JSON)")
+    CLI::App *c = app.add_subcommand("plot", "Draw measurements as a chart");
+    c->add_option("FILE", a->file, "A report of 'bench SCENE --json' along a camera path, or a line chart (JSON)")
         ->required();
     c->add_option("--out,-o", a->out, "The chart, PNG or SVG by its name; - is SVG on standard output")
         ->required()

@@ -1,21 +1,22 @@
-// Charts of the command: what may be drawn, and files that come out of it.
+// The command's charts: their sources and their output files.
 #pragma once
 
-#include "samples/charts/bars.h"
+#include <string>
 
 #include <CLI/CLI.hpp>
 
-#include <string>
+#include "samples/charts/bars.h"
 
 namespace cli
 {
 
-// A report of `claque bench SCENE --json` along a camera path; `name` is what refusals call it. Throws scenes::Failure.
+// The chart of a `claque bench SCENE --json` report along a camera path; `name` names the report in error messages.
+// Throws scenes::Failure.
 charts::BarChart path_chart_of(const std::string &json, const std::string &name);
 
-// Passes names that say which format is meant: .png, .svg, or none, as for -, which is SVG.
+// Accepts names that tell the format: .png, .svg, or none, as for -, which is SVG.
 extern const CLI::Validator chart_file;
-// As PNG or SVG by that rule; there in whole or not at all. Throws scenes::Failure.
+// Writes PNG or SVG by that rule; the file is complete or absent. Throws scenes::Failure.
 void write_chart(const std::string &path, const charts::Drawing &drawing);
 
 }  // namespace cli

@@ -1,12 +1,12 @@
-// What `claque bench --json` measured along a camera path, as a chart in the manner of S1's Fig. 8.
-#include "samples/cli/cache_choice.h"
-#include "samples/cli/plot.h"
-#include "samples/scenes/check.h"
+// The measurements of `claque bench --json` along a camera path, as a chart in the manner of S1's Fig. 8.
+#include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "samples/cli/cache_choice.h"
+#include "samples/cli/plot.h"
+#include "samples/scenes/check.h"
 
 namespace cli
 {
@@ -18,13 +18,13 @@ using charts::BarChart;
 using charts::Fill;
 using charts::Panel;
 
-// A report as it was read, with every access checked: files come from anywhere.
+// A report as it was read. Every access is checked, because files come from anywhere.
 class Report
 {
 public:
     Report(const std::string &text, const std::string &name) : name_(name), json_(Json::parse(text, nullptr, false))
     {
-        if (json_.is_discarded()) refuse("it is no JSON");
+        if (json_.is_discarded()) refuse("it is not JSON");
     }
 
     const Json &root() const { return json_; }
@@ -36,23 +36,23 @@ public:
     std::string text(const Json &of, const char *name) const
     {
         const Json &found = member(of, name);
-        if (!found.is_string()) refuse("its '" + std::string(name) + "' is no text");
+        if (!found.is_string()) refuse("its '" + std::string(name) + "' is not a string");
         return found.get<std::string>();
     }
     double number(const Json &of, const char *name) const
     {
         const Json &found = member(of, name);
         if (!found.is_number() || !(found.get<double>() >= 0) || !(found.get<double>() < 1e12))
-            refuse("its '" + std::string(name) + "' is no number from 0 up");
+            refuse("its '" + std::string(name) + "' is not a number of at least 0");
         return found.get<double>();
     }
     const Json &list(const char *name) const
     {
         const Json &found = member(json_, name);
-        if (!found.is_array() || found.empty()) refuse("its '" + std::string(name) + "' is no list, or empty");
+        if (!found.is_array() || found.empty()) refuse("its '" + std::string(name) + "' is not a list, or empty");
         return found;
     }
-    // Of list `name`, what its members have under `key`, in the order in which it first appears.
+    // The values under `key` of all members of list `name`, in the order of their first appearance.
     std::vector<std::string> different(const char *name, const char *key) const
     {
         std::vector<std::string> found;
@@ -64,7 +64,7 @@ public:
     }
     [[noreturn]] void refuse(const std::string &why) const
     {
-        throw scenes::Failure(name_ + " is nothing that 'claque bench SCENE --json' wrote along a camera path: " + why);
+        throw scenes::Failure(name_ + " is not a report of 'claque bench SCENE --json' along a camera path: " + why);
     }
 
 private:
@@ -72,7 +72,7 @@ private:
     Json json_;
 };
 
-// One value a section, cluster and cache; negative where that was not measured.
+// One value for each section, cluster and cache; negative where it was not measured.
 using Measure = double (*)(const Report &, const Json &run);
 
 Panel panel_of(const Report &report, const BarChart &chart, const std::vector<std::string> &strategies, Measure measure)
@@ -104,7 +104,7 @@ double update_ms(const Report &report, const Json &run)
 
 double draw_ms(const Report &report, const Json &run) { return report.number(report.member(run, "draw_ms"), "median"); }
 
-// What is left of a frame's time once nothing but the library counted: for the note below.
+// The range of the library's share of a frame's time, for the note below.
 std::string library_share(const Report &report, const std::string &strategy)
 {
     double least = 1, most = 0;
@@ -122,7 +122,7 @@ BarChart chart_of(const Report &report)
 {
     BarChart chart;
     const std::string scene = report.text(report.root(), "scene");
-    chart.title = "The " + scene + " along its camera path: what caches and colour varieties cost";
+    chart.title = "The " + scene + " along its camera path: what caches and draw strategies cost";
     bool key_poses = false, levels = false;
     for (const std::string &cache : report.different("runs", "cache")) {
         chart.colours.push_back("caches: " + cache);
@@ -134,8 +134,8 @@ BarChart chart_of(const Report &report)
     chart.subtitle = std::to_string(std::lround(report.number(report.root(), "count"))) + " people, medians of " +
                      std::to_string(std::lround(report.number(report.root(), "frames"))) +
                      " frames a section; all bars of a section show the same pictures";
-    if (levels) chart.subtitle += ", with levels of detail others than without";
-    if (key_poses) chart.subtitle += ", but for key-poses: one a method";
+    if (levels) chart.subtitle += ", with levels of detail different ones than without";
+    if (key_poses) chart.subtitle += ", except that each key-pose mode has its own";
     for (const Json &section : report.list("sections")) {
         const Json &people = report.member(section, "people");
         chart.groups.push_back({report.text(section, "name"),
@@ -148,14 +148,14 @@ BarChart chart_of(const Report &report)
     if (strategies.empty()) strategies.push_back(measured.front());
 
     Panel frames = panel_of(report, chart, strategies, frames_a_second);
-    frames.title = "Whole frames: library, setting and crowd with GL";
+    frames.title = "Whole frames: library, environment and crowd with GL";
     frames.unit = "frames a second";
     for (size_t v = 0; v < strategies.size(); ++v)
         frames.clusters.push_back({strategies[v], v + 1 < strategies.size() ? Fill::hatched : Fill::solid});
     chart.panels.push_back(frames);
 
     Panel update = panel_of(report, chart, {strategies.back()}, update_ms);
-    update.title = "The library's share of them: who is where, poses, skinning";
+    update.title = "The library's share of them: culling, poses, skinning";
     update.unit = "milliseconds a frame";
     update.clusters.push_back({"", Fill::solid});
     update.height_px = 150;
@@ -163,7 +163,7 @@ BarChart chart_of(const Report &report)
 
     if (key_poses) {
         Panel draw = panel_of(report, chart, {strategies.back()}, draw_ms);
-        draw.title = "The crowd's drawing, with GL: what key-poses cannot save";
+        draw.title = "Drawing the crowd, with GL: the part that key-poses cannot save";
         draw.unit = update.unit;
         draw.clusters.push_back({"", Fill::solid});
         draw.height_px = update.height_px;
@@ -172,7 +172,7 @@ BarChart chart_of(const Report &report)
 
     const Json &machine = report.member(report.root(), "machine"), &size = report.member(report.root(), "size_px");
     if (!size.is_array() || size.size() != 2 || !size[0].is_number() || !size[1].is_number())
-        report.refuse("its 'size_px' is no size");
+        report.refuse("its 'size_px' is not a size");
     chart.notes.push_back("The library takes " + library_share(report, strategies.back()) + " of a frame (" +
                           strategies.back() + "). Higher is better above, lower is better below it.");
     chart.notes.push_back(report.text(machine, "processor") + ", " +

@@ -1,13 +1,13 @@
 #include "samples/cli/png.h"
 
-#include "samples/scenes/check.h"
-
-#include <png.h>
-
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+
+#include <png.h>
+
+#include "samples/scenes/check.h"
 
 namespace cli
 {
@@ -20,7 +20,7 @@ void append(png_structp writer, png_bytep bytes, size_t size_bytes)
     file.insert(file.end(), bytes, bytes + size_bytes);
 }
 
-// libpng leaves by longjmp: nothing here has a destructor.
+// libpng leaves by longjmp, so no object here has a destructor.
 bool encode(png_structp writer, png_infop info, const uint8_t *rgb, int width, int height, png_textp texts, int count)
 {
     if (setjmp(png_jmpbuf(writer))) return false;

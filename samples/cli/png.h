@@ -1,5 +1,5 @@
-// RGB pictures as PNG, with a few words in them about how they were made. The same picture and words give the same
-// bytes: no times, no dates.
+// RGB pictures as PNG, with text chunks that say how they were made. The same picture and text give the same bytes: no
+// times, no dates.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ using Words = std::vector<std::pair<std::string, std::string>>;  // PNG text: ke
 // rgb: [3 * width * height], top row first. Throws scenes::Failure.
 std::vector<unsigned char> png(const uint8_t *rgb, int width, int height, const Words &words);
 
-// True where `path` is a whole PNG file of this size.
+// Returns true if `path` is a complete PNG file of this size.
 bool is_whole_png(const std::string &path, int width, int height);
 
 }  // namespace cli

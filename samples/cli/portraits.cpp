@@ -27,11 +27,11 @@ Portraits::Portraits(scenes::Library &library, const LoadedCharacter &loaded, ui
 
 Portraits::~Portraits()
 {
-    // Textures go with what holds them, and need their context for it.
+    // Textures are freed with their owner, which needs their context current.
     if (offscreen_) offscreen_->make_current();
 }
 
-// Standing about where a clip's name says so, else as the first clip begins, else as modelled.
+// Prefers a clip that is named for standing, then the start of the first clip, then the modelled pose.
 clq_play Portraits::pose() const
 {
     clq_play play = {};
@@ -39,7 +39,7 @@ clq_play Portraits::pose() const
     const uint32_t count = info_of(loaded_.tmpl.get()).clip_count;
     for (const char *word : {"idle", "stand"})
         for (uint32_t i = 0; i < count && play.clip == CLQ_NONE; ++i) {
-            clq_clip_info clip = {};
+            clq_clip_info clip = clq_clip_info_init();
             check(clq_template_get_clip(loaded_.tmpl.get(), i, &clip));
             std::string name = clip.name;
             for (char &letter : name)
@@ -55,7 +55,7 @@ void Portraits::measure()
     const clq_template_info info = info_of(loaded_.tmpl.get());
     double low[3], high[3];
     for (int axis = 0; axis < 3; ++axis) {
-        // Prepared files have no box but a sphere of all poses, which upright people fill only in part.
+        // Prepared files have no box, only a sphere of all poses; upright people fill only a part of it.
         const double reach = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.40);
         low[axis] = info.sklsroot_centre[axis] - reach;
         high[axis] = info.sklsroot_centre[axis] + reach;
@@ -66,10 +66,10 @@ void Portraits::measure()
         std::copy(asset.box_max, asset.box_max + 3, high);
         const clq_play play = pose();
         if (asset.hidden_part_count == 0 && play.clip != CLQ_NONE && asset.vertex_count > 0) {
-            clq_clip_info clip = {};
+            clq_clip_info clip = clq_clip_info_init();
             check(clq_asset_get_clip(loaded_.asset.get(), play.clip, &clip));
             std::vector<float> xyz(3 * static_cast<size_t>(asset.vertex_count));
-            check(clq_asset_positions(loaded_.asset.get(), play.clip, clip.start_s, xyz.data(), xyz.size()));
+            check(clq_asset_get_positions(loaded_.asset.get(), play.clip, clip.start_s, xyz.data(), xyz.size()));
             for (size_t axis = 0; axis < 3; ++axis) low[axis] = high[axis] = xyz[axis];
             for (size_t i = 0; i < xyz.size(); ++i) {
                 low[i % 3] = std::min(low[i % 3], static_cast<double>(xyz[i]));
@@ -101,7 +101,7 @@ double Portraits::visible_m() const { return extents_.last[1] - extents_.first[1
 void Portraits::build_surroundings()
 {
     constexpr scenes::Rgb near = {0.60f, 0.59f, 0.57f}, far = scenes::Sky::backdrop;
-    constexpr float ahead = 1.2f;  // the middle of the floor, towards the eye
+    constexpr float ahead = 1.2f;  // centre of the floor, towards the eye
     constexpr float radii[] = {2.0f, 2.6f, 3.3f, 4.1f, 5.0f, 40}, shares[] = {0, 0.2f, 0.5f, 0.8f, 1, 1};
     constexpr uint32_t sides = 48, rings = 6;
     const float y = static_cast<float>(extents_.first[1]);
@@ -144,7 +144,7 @@ void Portraits::resize(int width, int height)
     shadows_ = std::make_unique<scenes::Shadows>();
     const auto middle = [this](int axis) { return (extents_.first[axis] + extents_.last[axis]) / 2; };
     const auto half = [this](int axis) { return (extents_.last[axis] - extents_.first[axis]) / 2; };
-    // Arms that the pose spreads throw no shadow to speak of.
+    // Leaves out spread arms, whose shadow is negligible.
     const double wide = std::min(half(0), std::max(half(2), 0.22)) * 1.15 + 0.10, deep = half(2) * 1.15 + 0.10;
     shadows_->ring(static_cast<float>(middle(0)), static_cast<float>(extents_.first[1]),
                    static_cast<float>(middle(2)) - 0.02f, static_cast<float>(wide), static_cast<float>(deep));
@@ -163,11 +163,11 @@ clq_camera Portraits::camera() const
     return scenes::look(eye, target, fov_deg, shape, away * 0.05, away * 12 + 60);
 }
 
-// What makes the wanted level serve at the distance of the camera.
+// The scale that selects the wanted level at the camera's distance.
 float Portraits::lod_scale(const clq_camera &seen) const
 {
     if (level_ == 0) return 0;
-    clq_level_info level = {}, next = {};
+    clq_level_info level = clq_level_info_init(), next = level;
     check(clq_template_get_level(loaded_.tmpl.get(), level_, &level));
     double wanted = 2 * static_cast<double>(level.lod_min_m);
     if (level_ + 1 < info_of(loaded_.tmpl.get()).level_count) {
@@ -199,12 +199,12 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &comm
     check(clq_view_create(cast.crowd(), &made));
     const scenes::Own<clq_view> view(made);
     check(clq_view_set_camera(made, &seen));
-    check(clq_view_set_height(made, 0));  // the camera's narrow angle is no reason for more detail here
+    check(clq_view_set_height(made, 0));  // the camera's narrow angle must not raise the detail
     check(clq_crowd_update(cast.crowd(), time_s, &made, 1));
-    clq_actor_info shown = {};
+    clq_actor_info shown = clq_actor_info_init();
     check(clq_actor_get_info(cast.crowd(), cast.actors()[0], &shown));
     if (shown.level != level_)
-        throw scenes::Failure("level " + std::to_string(level_) + " was to be drawn, and level " +
+        throw scenes::Failure("level " + std::to_string(level_) + " was requested, and level " +
                               std::to_string(shown.level) + " was");
     const scenes::Eye eye = scenes::eye_of(seen);
     gl_.Viewport(0, 0, width_, height_);

@@ -1,6 +1,10 @@
-// Individuals of one template, each by itself before a studio's backdrop, all in the same pose and from the same side,
-// so that only their colours differ.
+// Individuals of one template, each alone before a studio backdrop, all in the same pose and from the same side, so
+// that only their colours differ.
 #pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "samples/cli/characters.h"
 #include "samples/contexts/offscreen.h"
@@ -9,14 +13,10 @@
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
 
-#include <functional>
-#include <memory>
-#include <vector>
-
 namespace cli
 {
 
-// How much room a character takes in the pose and the turn that it is shown in, in metres; Y up.
+// The space that a character takes in its displayed pose and orientation, in metres; Y up.
 struct Extents {
     double scale = 1;  // of the character, so that its longest side is a person's height
     double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
@@ -25,28 +25,28 @@ struct Extents {
 class Portraits
 {
 public:
-    // Throws scenes::Failure where no context can be had. `loaded` has to outlive it.
+    // Throws scenes::Failure if no context is available. `loaded` must outlive this object.
     Portraits(scenes::Library &library, const LoadedCharacter &loaded, uint64_t seed);
     ~Portraits();
     Portraits(const Portraits &) = delete;
     Portraits &operator=(const Portraits &) = delete;
 
-    // Width by height of what is seen, at best.
+    // The preferred ratio of width to height.
     double aspect() const;
     void resize(int width, int height);
-    // Metres that a picture shows from its lower edge to its upper one, at best.
+    // The preferred height of a picture, in metres.
     double visible_m() const;
-    // From now on at this level of detail, whatever the size. Level 0 until then.
+    // Shows this level of detail from now on, whatever the size. Level 0 until then.
     void show_level(uint32_t level) { level_ = level; }
-    // From now on with so much more room round the person, for poses that reach farther than the one that was measured,
-    // and seen from where people look along (x, z).
+    // Adds space round the person from now on, for poses that reach farther than the measured one.
     void make_room(double beside_m, double above_m) { room_beside_m_ = beside_m, room_above_m_ = above_m; }
+    // The person faces (x, z) from now on; the camera is on the side of +z.
     void turn(double x, double z) { turn_x_ = x, turn_z_ = z; }
     const std::string &context_name() const { return offscreen_->name(); }
 
-    // Three bytes a pixel, top row first, valid until the next. resize() comes first.
+    // Three bytes a pixel, top row first, valid until the next call. Call resize() first.
     const std::vector<uint8_t> &picture(uint32_t who);
-    // At a moment after something has been commanded.
+    // At a time after a command.
     using Command = std::function<void(clq_crowd *, clq_actor)>;
     const std::vector<uint8_t> &picture(uint32_t who, const Command &command, double time_s);
 
@@ -62,7 +62,7 @@ private:
     uint64_t seed_;
     uint32_t level_ = 0;
     double room_beside_m_ = 0, room_above_m_ = 0;
-    double turn_x_ = 0.34, turn_z_ = 0.94;  // breast and a side are seen
+    double turn_x_ = 0.34, turn_z_ = 0.94;  // the front and one side are visible
     int width_ = 1, height_ = 1;
     Extents extents_;
     scenes::Sky sky_;

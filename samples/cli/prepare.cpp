@@ -1,11 +1,11 @@
-// claque prepare: a character read and split once, saved so that libclaque alone can load it.
+// claque prepare: reads and splits a character once and saves it so that libclaque alone can load it.
+#include <memory>
+
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/zone_arguments.h"
-
-#include <memory>
 
 namespace cli
 {
@@ -45,14 +45,15 @@ void add_prepare(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<PrepareArguments>();
     CLI::App *c = app.add_subcommand("prepare", "Read and split a character once; render takes the result as FILE");
-    c->add_option("FILE", a->file, "glTF or GLB, or a built-in figure's name (citizen, patrician ...)")->required();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+    c->add_option("FILE", a->file, "glTF or GLB, or the name of a built-in character (citizen, patrician ...)")
+        ->required();
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
         ->expected(1)
         ->take_all();
     add_clip_options(*c, a->clips);
     add_zone_options(*c, a->zones);
     c->add_option("--texture-size", a->texture_px,
-                  "Texels along a side at most; larger images are reduced, zones unmixed (0: 1024)")
+                  "Most texels along a side; larger images are reduced without mixing zones (0: 1024)")
         ->capture_default_str()
         ->check(CLI::Range(0, 16384));
     c->add_option("--out,-o", a->out, "The prepared file (.clq); - is standard output")->required();

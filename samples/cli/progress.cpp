@@ -1,7 +1,6 @@
 #include "samples/cli/progress.h"
 
 #include <unistd.h>
-
 #include <cstdio>
 
 namespace cli

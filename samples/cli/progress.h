@@ -1,4 +1,4 @@
-// One line that says how far it has come, on a terminal only: in a pipe or a log it says nothing.
+// One line of progress, on a terminal only; a pipe or a log gets none.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@ public:
 
     void phase(const std::string &what);
     void step(size_t done, size_t of);
-    // A last line that stays.
+    // Prints a last line that stays.
     void conclude(const std::string &sentence);
 
 private:

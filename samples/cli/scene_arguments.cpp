@@ -1,8 +1,8 @@
 #include "samples/cli/scene_arguments.h"
 
-#include "samples/cli/files.h"
-
 #include <thread>
+
+#include "samples/cli/files.h"
 
 namespace cli
 {
@@ -11,7 +11,7 @@ namespace
 
 constexpr int largest_side_px = 16384;
 
-// "1024x768" in two numbers; the sentence for CLI11 where it is none.
+// Parses "1024x768" into two numbers; returns an error message for CLI11 otherwise.
 std::string read_size(const std::string &text, int &width, int &height)
 {
     const size_t x = text.find('x');
@@ -23,7 +23,7 @@ std::string read_size(const std::string &text, int &width, int &height)
     width = x == std::string::npos ? 0 : number(text.substr(0, x));
     height = x == std::string::npos ? 0 : number(text.substr(x + 1));
     if (width >= 1 && height >= 1 && width <= largest_side_px && height <= largest_side_px) return {};
-    return "'" + text + "' is no size like 1024x768, each side 1 to " + std::to_string(largest_side_px);
+    return "'" + text + "' is not a size like 1024x768, each side 1 to " + std::to_string(largest_side_px);
 }
 
 }  // namespace
@@ -37,71 +37,72 @@ void add_size_option(CLI::App &command, int &width, int &height)
                 const std::string wrong = read_size(text, width, height);
                 if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
             },
-            "Of the picture in pixels (default " + std::to_string(width) + "x" + std::to_string(height) + ")")
+            "Size of the picture in pixels (default " + std::to_string(width) + "x" + std::to_string(height) + ")")
         ->type_name("WxH");
 }
 
 void add_scene_options(CLI::App &command, SceneArguments &a)
 {
     command
-        .add_option("--hide", a.hidden, "Leave out the node of this name and what hangs on it (FILE only; may repeat)")
+        .add_option("--hide", a.hidden, "Leave out the node of this name and its descendants (FILE only; may repeat)")
         ->expected(1)
         ->take_all();
     add_size_option(command, a.width, a.height);
     command
         .add_option("--camera", a.camera,
-                    "Which view of the scene (default overview, or path where --path is given or the scene has its own "
-                    "and frames are asked for)")
+                    "View of the scene (default overview; path if --path is given, or if the scene has a path and "
+                    "frames are requested)")
         ->check(CLI::IsMember({"overview", "close", "path"}));
     command.add_option("--path", a.path, "Camera path to follow instead of the scene's own (TOML)")->type_name("FILE");
     command.add_option("--theatre", a.theatre, "Description of the odeon instead of the built-in one (TOML)")
         ->type_name("FILE");
-    command.add_option("--context", a.context, "Where OpenGL comes from; any: OSMesa if it is there, else EGL")
+    command.add_option("--context", a.context, "Source of OpenGL; any: OSMesa if it is there, else EGL")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
-    command.add_option("--format", a.format, "Of the drawing surface")
+    command.add_option("--format", a.format, "Pixel format of the drawing surface")
         ->check(CLI::IsMember({"rgba8888", "rgb565"}))
         ->capture_default_str();
     command
         .add_option("--rigid-mode", a.rigid_mode,
-                    "Rigid parts by moved vertices, or by OpenGL's matrix stack (S0 6.2.2)")
+                    "Rigid parts by transformed vertices, or by OpenGL's matrix stack (S0 6.2.2)")
         ->check(CLI::IsMember({"vertices", "matrices"}))
         ->capture_default_str();
     command.add_option("--vertex-format", a.vertex_format, "Skinned vertices as floats, or packed into 12 bytes each")
         ->check(CLI::IsMember({"float", "packed"}))
         ->capture_default_str();
-    command.add_option("--cache-mib", a.budget_mib, "Bound of the caches in MiB (0: 1024)")
+    command.add_option("--cache-mib", a.budget_mib, "Memory limit of the caches in MiB (0: 1024)")
         ->check(CLI::Range(0, 1 << 20));
     command
-        .add_option(
-            "--key-poses", a.key_poses,
-            "Of the caches keypose-*: how many are kept for each template and level, where --cache says no number")
+        .add_option("--key-poses", a.key_poses,
+                    "For the caches keypose-*: key-poses kept for each template and level, if --cache names no number")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command.add_option("--key-pose-rate", a.key_pose_hz, "Of the caches keypose-*: key-poses a second of each clip")
+    command.add_option("--key-pose-rate", a.key_pose_hz, "For the caches keypose-*: key-poses a second of each clip")
         ->check(CLI::Range(0.5, 120.0))
         ->capture_default_str();
     command
-        .add_option("--lod-scale", a.lod_scale,
-                    "Times every distance that chooses levels of detail: 2 shows everybody as from twice as far")
+        .add_option(
+            "--lod-scale", a.lod_scale,
+            "Multiplies every distance that selects levels of detail: at 2 individuals look as from twice the distance")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
     command
         .add_option("--flush", a.flush_triangles,
-                    "glFlush after about so many triangles of people, so that GL begins with them (0: never)")
+                    "Call glFlush after about this many triangles of people, so that GL starts on them (0: never)")
         ->check(CLI::Range(0, 1 << 30))
         ->capture_default_str();
     command
         .add_option("--flat", a.flat_triangles,
-                    "Far levels of so many triangles and fewer in a colour a triangle (0: never)")
+                    "Draw coarse levels of at most this many triangles with one colour a triangle (0: never)")
         ->check(CLI::Range(0, 2730))
         ->capture_default_str();
-    command.add_option("--blob-from", a.blob_from_m, "Of shadows mesh: ellipses from so many metres")
+    command.add_option("--blob-from", a.blob_from_m, "With mesh shadows: ellipses from this distance on, in metres")
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();
-    command.add_option("--seed", a.seed, "Of everything that is drawn by lot")->capture_default_str();
+    command.add_option("--seed", a.seed, "Seed of everything random")->capture_default_str();
     command
-        .add_option("--threads", a.threads, "For the update, through oneTBB; may exceed the cores (default: the cores)")
+        .add_option("--threads", a.threads,
+                    "Threads of the update, through oneTBB; may exceed the cores (default: the cores)")
         ->check(CLI::Range(1, 256));
 }
 
@@ -132,9 +133,9 @@ void check_scene_usage(const SceneArguments &a)
     if (!a.path.empty() && !a.camera.empty() && a.camera != "path")
         throw CLI::ValidationError("--path", "the camera " + a.camera + " follows no path");
     if (a.camera == "path" && !has_path(a))
-        throw CLI::ValidationError("--camera", "the scene " + scene_of(a) + " has no path of its own; --path FILE has");
+        throw CLI::ValidationError("--camera", "the scene " + scene_of(a) + " has no path of its own; use --path FILE");
     if (!a.theatre.empty() && scene_of(a) != "odeon")
-        throw CLI::ValidationError("--theatre", "the scene " + scene_of(a) + " is no theatre; odeon is");
+        throw CLI::ValidationError("--theatre", "the scene " + scene_of(a) + " is not a theatre; only odeon is");
 }
 
 scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacter &loaded)
@@ -143,7 +144,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     options.scene = scene_of(a);
     options.character = loaded.tmpl ? loaded.character() : scenes::Character();
     options.crowd_options.count = a.count;
-    // A theatre's description says for itself how many there are.
+    // A theatre's description has its own number of people.
     if (a.count == 0 && a.theatre.empty())
         for (const scenes::SceneEntry &entry : scenes::scene_entries())
             if (options.scene == entry.name) options.crowd_options.count = entry.default_count;
@@ -215,9 +216,8 @@ scenes::ShadowChoice shadows_named(const std::string &name)
 
 Json shadow_counters(const clq_shadow_stats &s)
 {
-    return {{"individuals", s.individuals}, {"blobs", s.blobs}, {"shadow_only", s.shadow_only},
-            {"skinned", s.skinned},         {"draws", s.draws}, {"triangles", s.triangles},
-            {"vertices", s.vertices}};
+    return {{"individuals", s.individuals}, {"blobs", s.blobs},      {"shadow_only", s.shadow_only}, {"draws", s.draws},
+            {"triangles", s.triangles},     {"vertices", s.vertices}};
 }
 
 Json counters(const clq_crowd_stats &s)
@@ -230,7 +230,7 @@ Json counters(const clq_crowd_stats &s)
             {"skinned", s.skinned},
             {"palettes_from_cache", s.palette_served},
             {"vertices_from_cache", s.vertices_served},
-            {"skinned_when_drawn", s.on_demand},
+            {"skinned_without_room", s.on_demand},
             {"evicted", s.evicted},
             {"cache_bytes", s.cache_bytes},
             {"cache_budget_bytes", s.cache_budget_bytes},
@@ -264,12 +264,13 @@ Json rates(const clq_crowd_stats &s)
     Json bands = Json::array();
     for (const clq_distance_band &band : s.bands) {
         if (band.actor_frames == 0) continue;
-        bands.push_back({{"distance_min_m", band.distance_min},
-                         {"distance_max_m", band.distance_max > band.distance_min ? Json(band.distance_max) : Json()},
-                         {"actor_frames", band.actor_frames},
-                         {"actor_seconds", band.seconds},
-                         {"animated", band.animated},
-                         {"rate_hz", band.seconds > 0 ? static_cast<double>(band.animated) / band.seconds : 0.0}});
+        bands.push_back(
+            {{"distance_min_m", band.distance_min_m},
+             {"distance_max_m", band.distance_max_m > band.distance_min_m ? Json(band.distance_max_m) : Json()},
+             {"actor_frames", band.actor_frames},
+             {"actor_seconds", band.seconds},
+             {"animated", band.animated},
+             {"rate_hz", band.seconds > 0 ? static_cast<double>(band.animated) / band.seconds : 0.0}});
     }
     return bands;
 }

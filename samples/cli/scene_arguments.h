@@ -1,12 +1,12 @@
-// The options that `render` and `bench` share, and what they say in words and JSON.
+// The options that `render` and `bench` share, and their form in text and JSON.
 #pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "samples/cli/cache_choice.h"
 #include "samples/cli/characters.h"
 #include "samples/scenes/scene_renderer.h"
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 namespace cli
 {
@@ -36,25 +36,25 @@ struct SceneArguments {
     int width = 1024, height = 768;
 };
 
-// Everything but the scene's own argument, the file and `count`.
+// All options except the scene's own argument, the file and `count`.
 void add_scene_options(CLI::App &command, SceneArguments &arguments);
 
-// --size WxH, into the two numbers, which hold the default before.
+// --size WxH, stored in the two numbers, which hold the default on entry.
 void add_size_option(CLI::App &command, int &width, int &height);
 
 // Accepts the name of a scene.
 CLI::IsMember scene_names();
 
 int thread_count(const SceneArguments &arguments);
-int core_count();  // that threads may run on: [1, 256]
+int core_count();  // available to threads: [1, 256]
 
-// The scene that is meant, and whether its camera is moved along a path: one of its own, or --path.
+// The selected scene, and whether its camera moves along a path: one of its own, or --path.
 std::string scene_of(const SceneArguments &arguments);
 bool has_path(const SceneArguments &arguments);
-// Throws CLI::ValidationError where options do not go together, before anything is read.
+// Throws CLI::ValidationError if options conflict, before any file is read.
 void check_scene_usage(const SceneArguments &arguments);
 
-// Reads the files that options name. `loaded` has to live as long as the stage that is made from this.
+// Reads the files that options name. `loaded` must live as long as the scene that is made from this.
 scenes::SceneOptions scene_options(const SceneArguments &arguments, const LoadedCharacter &loaded);
 
 clq_draw_strategy strategy_named(const std::string &name);

@@ -42,7 +42,7 @@ std::string read_range(const std::string &text, FrameRange &range)
     const size_t colon = text.find(':');
     if (colon == std::string::npos || !read_number(text.substr(0, colon), range.first) ||
         !read_number(text.substr(colon + 1), range.last) || range.first > range.last)
-        return "'" + text + "' is no range like 0:99, first to last";
+        return "'" + text + "' is not a range like 0:99, first to last";
     return {};
 }
 

@@ -1,4 +1,7 @@
 // claque sheet: the sections of a camera path in one picture, each at its middle (S1 7).
+#include <algorithm>
+#include <memory>
+
 #include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
@@ -6,9 +9,6 @@
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/scene_arguments.h"
-
-#include <algorithm>
-#include <memory>
 
 namespace cli
 {
@@ -24,7 +24,7 @@ struct SheetArguments {
     std::string out, json;
 };
 
-// Tiles in rows, as many across as down or one more, with even lines between them.
+// Tiles in rows, with as many columns as rows or one more, and even lines between them.
 class Sheet
 {
 public:
@@ -112,21 +112,22 @@ void add_sheet(CLI::App &app, Work &chosen)
     auto a = std::make_shared<SheetArguments>();
     CLI::App *c = app.add_subcommand("sheet", "Draw the sections of a camera path side by side, each at its middle");
     a->setup.scene = "odeon";
-    c->add_option("--scene", a->setup.scene, "Which scene")->capture_default_str()->check(scene_names());
-    c->add_option("--count", a->setup.count, "Individuals (default: what the scene says)")
+    c->add_option("--scene", a->setup.scene, "The scene")->capture_default_str()->check(scene_names());
+    c->add_option("--count", a->setup.count, "Individuals (default: the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     a->setup.width = 640;
     a->setup.height = 480;
     add_scene_options(*c, a->setup);
     add_colour_options(*c, a->colours);
-    c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
-    c->add_option("--json", a->json, "Write what each tile shows here; - is standard output");
+    c->add_option("--out,-o", a->out, "PNG file; - streams raw RGB, rows from the top")->required();
+    c->add_option("--json", a->json, "Write what each tile shows as JSON; - is standard output");
     c->callback([a, &chosen] {
         if (a->setup.camera.empty()) a->setup.camera = "path";
-        if (a->setup.camera != "path") throw CLI::ValidationError("--camera", "a sheet follows the path");
+        if (a->setup.camera != "path")
+            throw CLI::ValidationError("--camera", "must be path: a sheet follows the camera path");
         check_scene_usage(a->setup);
         if (a->out == "-" && a->json == "-")
-            throw CLI::ValidationError("--json", "standard output takes the picture already");
+            throw CLI::ValidationError("--json", "standard output is used by the picture already");
         chosen = [a] { draw_sheet(*a); };
     });
 }

@@ -1,12 +1,12 @@
-// claque split: which triangles are clean and which dirty, in numbers and as a picture over the zone map.
+// claque split: clean and dirty triangles, as numbers and as a picture over the zone map.
+#include <cstdio>
+#include <memory>
+
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
-
-#include <cstdio>
-#include <memory>
 
 namespace cli
 {
@@ -21,13 +21,14 @@ struct SplitArguments {
 
 void write_picture(const clq_template *tmpl, const SplitArguments &a)
 {
-    uint32_t width = 0, height = 0;
-    scenes::check(clq_template_split_picture(tmpl, a.texture, a.scale, nullptr, 0, &width, &height), a.file);
-    std::vector<uint8_t> rgb(3 * static_cast<size_t>(width) * height);
-    scenes::check(clq_template_split_picture(tmpl, a.texture, a.scale, rgb.data(), rgb.size(), &width, &height),
-                  a.file);
+    clq_picture picture = clq_picture_init();
+    scenes::check(clq_template_get_split_picture(tmpl, a.texture, a.scale, &picture), a.file);
+    std::vector<uint8_t> rgb(3 * static_cast<size_t>(picture.width_px) * picture.height_px);
+    picture.pixels = rgb.data(), picture.capacity_bytes = rgb.size();
+    scenes::check(clq_template_get_split_picture(tmpl, a.texture, a.scale, &picture), a.file);
     const std::vector<unsigned char> file =
-        png(rgb.data(), static_cast<int>(width), static_cast<int>(height), {{"Software", "claque " + version()}});
+        png(rgb.data(), static_cast<int>(picture.width_px), static_cast<int>(picture.height_px),
+            {{"Software", "claque " + version()}});
     write_whole(a.picture, file.data(), file.size());
 }
 
@@ -47,7 +48,7 @@ void split(const SplitArguments &a)
                 info.fused_vertex_count, info.vertex_count, info.coincident_count);
     std::printf("zones       %u\n", info.zone_count);
     for (uint32_t i = 0; i < info.zone_count; ++i) {
-        clq_zone_info zone = {};
+        clq_zone_info zone = clq_zone_info_init();
         scenes::check(clq_template_get_zone(loaded.tmpl.get(), i, &zone));
         std::printf("  %-24s %u clean\n", zone.name, zone.clean_count);
     }
@@ -60,14 +61,15 @@ void add_split(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<SplitArguments>();
     CLI::App *c = app.add_subcommand("split", "Report clean and dirty triangles, and draw them over the zone map");
-    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+    c->add_option("FILE", a->file,
+                  "glTF, GLB, prepared .clq, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
         ->expected(1)
         ->take_all();
     CLI::Option *picture =
-        c->add_option("--picture", a->picture, "PNG of the triangles over the zones, dirty ones marked");
-    c->add_option("--texture", a->texture, "Which texture to draw")->capture_default_str()->needs(picture);
+        c->add_option("--picture", a->picture, "PNG of the triangles over the zones, with dirty ones marked");
+    c->add_option("--texture", a->texture, "Index of the texture to draw")->capture_default_str()->needs(picture);
     c->add_option("--scale", a->scale, "Pixels a texel")
         ->check(CLI::Range(1, 16))
         ->capture_default_str()

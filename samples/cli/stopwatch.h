@@ -20,7 +20,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// What repeats are worth quoting: the minimum is the machine's best, the median what a user sees.
+// Measurements of repeated runs: the minimum shows what the machine can do, the median what a user sees.
 struct Times {
     std::vector<double> ms;
 

@@ -1,5 +1,9 @@
-// claque variety: one template in many colourings, beside the light and dark that its texture holds and the map of its
-// zones (S1 3, Fig. 6).
+// claque variety: one template in many colourings, beside the light and dark of its texture and the map of its zones
+// (S1 3, Fig. 6).
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/interrupt.h"
@@ -9,10 +13,6 @@
 #include "samples/cli/portraits.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/scenes/colours.h"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
 
 namespace cli
 {
@@ -38,16 +38,17 @@ struct VarietySheet {
 VarietySheet sheet_of(const clq_template *tmpl, uint32_t set, uint32_t texture, const std::string &file)
 {
     VarietySheet s;
-    scenes::check(clq_template_get_set_texture(tmpl, set, texture, nullptr, nullptr, 0, &s.width, &s.height), file);
+    clq_texels texels = clq_texels_init();
+    scenes::check(clq_template_get_texture(tmpl, set, texture, &texels), file);
+    s.width = texels.width_px, s.height = texels.height_px;
     s.zones.resize(static_cast<size_t>(s.width) * s.height);
     s.rgb.resize(3 * s.zones.size());
-    scenes::check(clq_template_get_set_texture(tmpl, set, texture, s.rgb.data(), s.zones.data(), s.zones.size(),
-                                               &s.width, &s.height),
-                  file);
+    texels.rgb = s.rgb.data(), texels.zones = s.zones.data(), texels.capacity = s.zones.size();
+    scenes::check(clq_template_get_texture(tmpl, set, texture, &texels), file);
     return s;
 }
 
-// A dozen that are told apart at a glance, then hues apart by the golden angle.
+// A dozen inks that are easily told apart, then hues apart by the golden angle.
 Ink zone_ink(uint32_t zone)
 {
     constexpr Ink first[] = {{238, 178, 140}, {92, 58, 34},   {60, 200, 230}, {214, 48, 92},
@@ -103,7 +104,7 @@ void draw_zones(Board &board, const VarietySheet &s, Box box)
         }
 }
 
-// The zones that this texture shows, in two columns where one is too short; those that find no room are counted in the last line.
+// The zones of this texture, in two columns if one is too short; the last line counts those that do not fit.
 void draw_key(Board &board, const clq_template *tmpl, const VarietySheet &s, Box box)
 {
     std::vector<uint32_t> shown(s.zones);
@@ -120,7 +121,7 @@ void draw_key(Board &board, const clq_template *tmpl, const VarietySheet &s, Box
         return Box{box.x + across * wide, box.y + down * line, 0, 0};
     };
     for (size_t i = 0; i < fit; ++i) {
-        clq_zone_info zone = {};
+        clq_zone_info zone = clq_zone_info_init();
         scenes::check(clq_template_get_zone(tmpl, shown[i], &zone));
         const Box at = corner(i);
         board.fill(at.x, at.y, letter_height * scale, letter_height * scale, zone_ink(shown[i]));
@@ -131,7 +132,7 @@ void draw_key(Board &board, const clq_template *tmpl, const VarietySheet &s, Box
         board.write(corner(fit).x, corner(fit).y, scale, "and " + std::to_string(shown.size() - fit) + " more", quiet);
 }
 
-// As many columns as let the people be largest.
+// The number of columns that draws people largest.
 struct Grid {
     int columns = 1, rows = 1, width = 1, height = 1;
 };
@@ -149,7 +150,7 @@ Grid grid_for(uint32_t count, const Box &box, double aspect)
     return best;
 }
 
-// What --colours and --class say.
+// The result of --colours and --class.
 struct Worn {
     scenes::ColourMap map;  // none: the template's own ranges
     uint32_t colour_class = CLQ_NONE;
@@ -164,7 +165,7 @@ Worn worn_by(scenes::Library &library, const clq_template *tmpl, const VarietyAr
     if (!a.colour_class.empty() && clq_colour_map_find(worn.map.get(), a.colour_class.c_str()) == CLQ_NONE)
         throw scenes::Failure(a.colours + ": has no class '" + a.colour_class + "'");
     if (worn.colour_class == CLQ_NONE)
-        throw scenes::Failure(a.colours + ": has no class for the template '" + name + "'; --class NAME takes any");
+        throw scenes::Failure(a.colours + ": has no class for the template '" + name + "'; --class NAME selects any");
     return worn;
 }
 
@@ -172,7 +173,7 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
 {
     const Grid grid = grid_for(count, box, portraits.aspect());
     if (grid.width < 8 || grid.height < 8)
-        throw scenes::Failure(std::to_string(count) + " people find no room in a picture of " +
+        throw scenes::Failure(std::to_string(count) + " people do not fit into a picture of " +
                               std::to_string(board.width()) + " x " + std::to_string(board.height()));
     portraits.resize(grid.width, grid.height);
     const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
@@ -225,19 +226,22 @@ void add_variety(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<VarietyArguments>();
     CLI::App *c = app.add_subcommand("variety", "Draw one character in many colourings beside its texture and zones");
-    c->add_option("FILE", a->file, "glTF, GLB, prepared .clq, or a built-in figure's name (citizen, patrician ...)")
+    c->add_option("FILE", a->file,
+                  "glTF, GLB, prepared .clq, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--out,-o", a->out, "PNG; - streams raw RGB, rows from the top")->required();
+    c->add_option("--out,-o", a->out, "PNG file; - streams raw RGB, rows from the top")->required();
     c->add_option("--count", a->count, "Individuals")->capture_default_str()->check(CLI::Range(1, 400));
-    c->add_option("--seed", a->seed, "Of the colours that are drawn by lot")->capture_default_str();
+    c->add_option("--seed", a->seed, "Seed of the random colours")->capture_default_str();
     add_size_option(*c, a->width, a->height);
     CLI::Option *colours =
         c->add_option("--colours", a->colours, "Map of colours (TOML) instead of the template's own");
     colours->type_name("FILE");
-    c->add_option("--class", a->colour_class, "Which class of it (default: the one for this template)")->needs(colours);
-    c->add_option("--texture", a->texture, "Which texture to show")->capture_default_str();
-    c->add_option("--texture-set", a->set, "Of which texture set; people show them by lot")->capture_default_str();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and what hangs on it (may repeat)")
+    c->add_option("--class", a->colour_class, "Colour class of the map (default: the one for this template)")
+        ->needs(colours);
+    c->add_option("--texture", a->texture, "Index of the texture to show")->capture_default_str();
+    c->add_option("--texture-set", a->set, "Index of the texture set; people pick theirs at random")
+        ->capture_default_str();
+    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
         ->expected(1)
         ->take_all();
     c->callback([a, &chosen] { chosen = [a] { draw_variety(*a); }; });

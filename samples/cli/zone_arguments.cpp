@@ -1,17 +1,17 @@
 #include "samples/cli/zone_arguments.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
 #include <claque/zones.h>
 
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/scenes/check.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <map>
 
 namespace cli
 {
@@ -20,7 +20,7 @@ namespace
 
 using Rgb = std::array<uint8_t, 3>;
 
-// What zones a map has, by number: what names them on the command line, and what they are painted with.
+// The zones of a map, by number: their keys on the command line, and the colours they are painted with.
 struct Zones {
     uint32_t width = 0, height = 0;
     std::vector<uint16_t> texels;
@@ -36,7 +36,7 @@ std::string text_of(const Rgb &rgb)
     return text;
 }
 
-// Told apart at a glance: hues by the golden angle, light and dark by turns.
+// Inks that are easily told apart: hues by the golden angle, alternating light and dark.
 Rgb ink_of(size_t zone)
 {
     const double turn = 0.02 + 0.6180339887498949 * static_cast<double>(zone), hue = 6 * (turn - std::floor(turn));
@@ -48,15 +48,17 @@ Rgb ink_of(size_t zone)
     return {channel(0), channel(2), channel(4)};
 }
 
-// A colour of one texel in two thousand or more is a zone; the others, as along soft edges, take what lies nearest. See-through
-// texels are nobody's.
+// A colour of at least one texel in 2000 is a zone; other colours, as along soft edges, take the nearest zone.
+// Transparent texels belong to no zone.
 Zones read_painted(scenes::Library &library, const std::string &path)
 {
     Zones out;
-    scenes::check(clq_image_read(library.context(), path.c_str(), nullptr, 0, &out.width, &out.height), path);
+    clq_picture picture = clq_picture_init();
+    scenes::check(clq_image_read(library.context(), path.c_str(), &picture), path);
+    out.width = picture.width_px, out.height = picture.height_px;
     std::vector<uint8_t> rgba(4 * static_cast<size_t>(out.width) * out.height);
-    scenes::check(clq_image_read(library.context(), path.c_str(), rgba.data(), rgba.size(), &out.width, &out.height),
-                  path);
+    picture.pixels = rgba.data(), picture.capacity_bytes = rgba.size();
+    scenes::check(clq_image_read(library.context(), path.c_str(), &picture), path);
     std::map<Rgb, size_t> counts;
     const auto colour = [&](size_t i) { return Rgb{rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}; };
     for (size_t i = 0; 4 * i < rgba.size(); ++i)
@@ -65,12 +67,12 @@ Zones read_painted(scenes::Library &library, const std::string &path)
     for (const auto &[rgb, count] : counts) {
         if (count * 2000 < rgba.size() / 4) continue;
         if (numbers.size() == 256)
-            throw scenes::Failure(path + " is painted in more than 256 colours: each is to be a zone");
+            throw scenes::Failure(path + " is painted in more than 256 colours; each colour has to be a zone");
         numbers.emplace(rgb, static_cast<uint16_t>(numbers.size()));
         out.keys.push_back(text_of(rgb));
         out.inks.push_back(rgb);
     }
-    if (numbers.empty()) throw scenes::Failure(path + " has no colour that fills a two-thousandth of it");
+    if (numbers.empty()) throw scenes::Failure(path + " has no colour that covers a two-thousandth of it");
     out.texels.assign(rgba.size() / 4, CLQ_NO_ZONE);
     for (size_t i = 0; i < out.texels.size(); ++i) {
         const auto found = numbers.find(colour(i));
@@ -82,16 +84,18 @@ Zones read_painted(scenes::Library &library, const std::string &path)
 
 Zones propose(const clq_asset *asset, const ZoneArguments &a)
 {
-    clq_asset_image image = {};
+    clq_asset_image image = clq_asset_image_init();
     scenes::check(clq_asset_get_image(asset, a.image, &image));
     Zones out;
     out.width = image.width_px, out.height = image.height_px;
     out.texels.resize(static_cast<size_t>(out.width) * out.height);
     std::vector<uint8_t> means(3 * static_cast<size_t>(a.propose));
-    uint32_t count = 0;
-    scenes::check(
-        clq_asset_propose_zones(asset, a.image, a.propose, out.texels.data(), out.texels.size(), means.data(), &count));
-    for (size_t i = 0; i < count; ++i) {
+    clq_zone_proposal proposal = clq_zone_proposal_init();
+    proposal.max_zones = a.propose;
+    proposal.texels = out.texels.data(), proposal.capacity_texels = out.texels.size();
+    proposal.rgb = means.data();
+    scenes::check(clq_asset_propose_zones(asset, a.image, &proposal));
+    for (size_t i = 0; i < proposal.zone_count; ++i) {
         out.keys.push_back(std::to_string(i + 1));
         out.names.push_back("zone " + out.keys.back() + " " +
                             text_of({means[3 * i], means[3 * i + 1], means[3 * i + 2]}));
@@ -118,14 +122,15 @@ void name_zones(Zones &zones, const std::vector<std::string> &names)
     }
 }
 
-// The image's zones as they are now, each texel in its zone's ink, those that nobody painted too: given back, the same again.
+// Writes the image's current zones, each texel in its zone's ink, unpainted texels too. Read again, the map gives the
+// same zones.
 void write_map(const clq_asset *asset, const ZoneArguments &a, const Zones &zones)
 {
-    clq_asset_image image = {};
+    clq_asset_image image = clq_asset_image_init();
     scenes::check(clq_asset_get_image(asset, a.image, &image));
     std::array<Rgb, 256> ink_of_key{};
     const size_t texels = static_cast<size_t>(image.width_px) * image.height_px;
-    const auto zone_at = [&](size_t i) {  // of the map, at the middle of a texel of the image
+    const auto zone_at = [&](size_t i) {  // position in the map of the centre of an image texel
         const size_t x = (2 * (i % image.width_px) + 1) * zones.width / (2 * static_cast<size_t>(image.width_px));
         const size_t y = (2 * (i / image.width_px) + 1) * zones.height / (2 * static_cast<size_t>(image.height_px));
         return zones.texels[y * zones.width + x];
@@ -160,11 +165,11 @@ std::vector<clq_zone_map_zone> painted_of(const Zones &zones, const std::vector<
 
 void add_zone_options(CLI::App &c, ZoneArguments &a)
 {
-    c.add_option("--image", a.image, "Which image of the file gets zones")->capture_default_str();
+    c.add_option("--image", a.image, "Name of the file's image that gets zones")->capture_default_str();
     CLI::Option *painted =
         c.add_option("--zones", a.painted, "Zones painted over the image in a PNG of any size, one colour each");
     CLI::Option *proposed =
-        c.add_option("--propose", a.propose, "Propose so many zones at most, from the image's colours")
+        c.add_option("--propose", a.propose, "Propose at most this many zones from the image's colours")
             ->check(CLI::Range(1, 48));
     painted->excludes(proposed);
     c.add_option("--zone", a.names,
@@ -175,14 +180,14 @@ void add_zone_options(CLI::App &c, ZoneArguments &a)
                  "Reduce the zone of this name, or all, to light and dark, so that it takes any colour")
         ->expected(1)
         ->take_all();
-    c.add_option("--zones-out", a.map, "Write the zones as a PNG, to be corrected and given back as --zones");
+    c.add_option("--zones-out", a.map, "Write the zones as a PNG, to be corrected and read again with --zones");
 }
 
 void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &a)
 {
     if (a.painted.empty() && a.propose == 0) {
         if (!a.names.empty() || !a.reduced.empty() || !a.map.empty())
-            throw scenes::Failure("--zone, --reduce and --zones-out go with --zones or --propose");
+            throw scenes::Failure("--zone, --reduce and --zones-out need --zones or --propose");
         return;
     }
     if (!a.map.empty()) expect_writable(a.map);

@@ -1,12 +1,12 @@
-// The options that give a character zones: painted by somebody in a picture, or proposed from the texture's colours.
+// The options that give a character zones: painted by hand in a picture, or proposed from the texture's colours.
 #pragma once
-
-#include "samples/scenes/library.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "samples/scenes/library.h"
 
 namespace cli
 {
@@ -14,15 +14,15 @@ namespace cli
 struct ZoneArguments {
     uint32_t image = 0;
     std::string painted;               // PNG or JPEG: each colour a zone
-    uint32_t propose = 0;              // so many zones at most
+    uint32_t propose = 0;              // maximum number of zones
     std::vector<std::string> names;    // "#eeb28c=skin" of a painted colour, "2=skin" of a proposed zone
     std::vector<std::string> reduced;  // names, or "all"
-    std::string map;                   // PNG to be written: the map as it is used, to be painted on
+    std::string map;                   // PNG to write: the current map, to be painted on
 };
 
 void add_zone_options(CLI::App &command, ZoneArguments &arguments);
 
-// Does what the arguments ask for, if anything, and says on standard error which zones came of it. Throws Failure.
+// Applies the arguments and reports the resulting zones on standard error. Throws Failure.
 void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &arguments);
 
 }  // namespace cli

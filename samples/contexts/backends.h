@@ -1,4 +1,4 @@
-// What the two kinds of context share, inside this folder.
+// Declarations that the two kinds of context share; private to this folder.
 #pragma once
 
 #include "samples/contexts/offscreen.h"
@@ -11,8 +11,8 @@ std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, s
 
 void tell_leak_checker();
 
-// Opens the first library of a null-ended list and keeps it for the life of the process: drivers do not like to be
-// unloaded. Null if there is none.
+// Opens the first library of a null-terminated list and keeps it for the life of the process, because drivers do not
+// tolerate unloading. Null if there is none.
 void *open_library(const char *const *names);
 
 // A function of an opened library, or null.

@@ -1,4 +1,4 @@
-// EGL on the surfaceless platform, drawing into a pixel buffer surface: no window system, no device needed.
+// EGL on the surfaceless platform, drawing into a pixel buffer surface: no window system and no device needed.
 #include "samples/contexts/backends.h"
 
 namespace contexts
@@ -33,7 +33,7 @@ EglLibrary open_display()
     static const char *const names[] = {"libEGL.so.1", "libEGL.so", nullptr};
     EglLibrary l;
     Handle so = open_library(names);
-    l.why_not = "EGL: libEGL.so.1 is not there (Debian: libegl1 and libgl1-mesa-dri)";
+    l.why_not = "EGL: libEGL.so.1 is missing (Debian: libegl1 and libgl1-mesa-dri)";
     if (!so || !find(so, "eglGetProcAddress", l.get_proc_address) || !find(so, "eglInitialize", l.initialize) ||
         !find(so, "eglBindAPI", l.bind_api) || !find(so, "eglChooseConfig", l.choose_config) ||
         !find(so, "eglGetConfigAttrib", l.get_config) || !find(so, "eglCreateContext", l.create_context) ||
@@ -52,7 +52,7 @@ EglLibrary open_display()
     return l;
 }
 
-// Opened once and kept, display and all: others in the process may share it.
+// Opened once and kept with its display, because other code in the process may share it.
 const EglLibrary &egl_library()
 {
     static const EglLibrary opened = open_display();
@@ -66,7 +66,7 @@ int config_value(Handle config, int what)
     return value;
 }
 
-// EGL sorts deeper colours first, so the exact one has to be looked for.
+// EGL sorts deeper colours first, so the exact format has to be searched for.
 Handle choose_config(PixelFormat format)
 {
     const bool small = format == PixelFormat::rgb565;
@@ -113,7 +113,7 @@ public:
         }
         return describe("EGL", why_not);
     }
-    // Let go first: EGL would think its context still current after OSMesa took Mesa's dispatch away.
+    // Releases the context first: EGL would believe it still current after OSMesa took over Mesa's dispatch.
     bool make_current() override
     {
         const EglLibrary &l = egl_library();

@@ -1,16 +1,16 @@
 #include "samples/contexts/offscreen.h"
 
-#include "samples/contexts/backends.h"
-
 #include <dlfcn.h>
 #include <algorithm>
+
+#include "samples/contexts/backends.h"
 
 namespace contexts
 {
 namespace
 {
 
-constexpr int largest_side_px = 16384;  // OSMesa takes larger ones and draws them wrong
+constexpr int largest_side_px = 16384;  // OSMesa accepts larger ones and draws them wrong
 
 constexpr unsigned gl_renderer = 0x1F01, gl_version = 0x1F02, gl_max_viewport_dims = 0x0D3A;
 constexpr unsigned gl_pixel_mode_bit = 0x20, gl_client_pixel_store_bit = 1;
@@ -25,7 +25,7 @@ Function ask(const Offscreen &context, const char *name)
     return reinterpret_cast<Function>(context.get_proc_address()(context.user(), name));
 }
 
-// Everything that glReadPixels heeds, at its default.
+// Sets all state that glReadPixels uses to its default.
 void default_pixel_state(const Offscreen &context)
 {
     const auto store = ask<void (*)(unsigned, int)>(context, "glPixelStorei");
@@ -34,7 +34,8 @@ void default_pixel_state(const Offscreen &context)
     store(gl_pack_alignment, 1);
     transfer(gl_map_color, 0);
     for (unsigned name = gl_red_scale; name <= gl_depth_bias; ++name)
-        if (name != gl_zoom_x && name != gl_zoom_y) transfer(name, name % 2 == 0 ? 1.0f : 0.0f);  // scales are even
+        // the enums of scales are even
+        if (name != gl_zoom_x && name != gl_zoom_y) transfer(name, name % 2 == 0 ? 1.0f : 0.0f);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Offscreen OpenGL contexts for samples and tests: OSMesa, or EGL without a surface system. Nothing is linked; the
-// libraries are opened at run time, so that one program serves machines that have either. No part of libclaque.
+// Offscreen OpenGL contexts for samples and tests: OSMesa, or EGL without a window system. Nothing is linked; the
+// libraries are opened at run time, so that one program serves machines that have either. This is no part of libclaque.
 //
 // One context is current per thread. OSMesa and EGL contexts may live in one process (they share Mesa's dispatch):
 // call make_current() before each use when there are several.
@@ -28,7 +28,7 @@ public:
     virtual bool make_current() = 0;
     virtual bool release() = 0;  // no context is current on this thread afterwards
 
-    // As clq_renderer_def takes it: a C function and what to give it. Good while the process lives.
+    // In the form of clq_renderer_def: a C function and its argument. Valid for the life of the process.
     using GetProcAddress = GlFunction (*)(void *user, const char *name);
     virtual GetProcAddress get_proc_address() const = 0;
     virtual void *user() const = 0;
@@ -39,7 +39,7 @@ public:
     int height() const { return height_; }
 
     // Waits for GL, then reads: three bytes, or one float in [0, 1], a pixel, top row first. The context must be
-    // current. Pixel store and transfer state are set aside meanwhile and put back.
+    // current. Pixel store and transfer state are saved and restored.
     void read_rgb(std::vector<uint8_t> &out) const;
     void read_depth(std::vector<float> &out) const;
 
@@ -55,7 +55,7 @@ private:
 };
 
 // Makes a context of width x height pixels (1 to 16384 each) with 24 bits of depth and 8 of stencil, and makes it
-// current. Null, and one sentence in why_not, when this machine cannot.
+// current. Null, and one sentence in why_not, if this machine cannot.
 std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not);
 
 }  // namespace contexts

@@ -1,4 +1,4 @@
-// OSMesa: Mesa drawing into the program's own memory. Gone from Mesa since 25.1, which is why EGL is the other kind.
+// OSMesa: Mesa drawing into the program's own memory. Mesa dropped it in 25.1, which is why EGL is the other kind.
 #include "samples/contexts/backends.h"
 
 namespace contexts
@@ -82,7 +82,7 @@ private:
 std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not)
 {
     if (!osmesa_library().complete) {
-        why_not = "OSMesa: libOSMesa.so.8 is not there (Debian: libosmesa6)";
+        why_not = "OSMesa: libOSMesa.so.8 is missing (Debian: libosmesa6)";
         return nullptr;
     }
     auto made = std::make_unique<OsmesaOffscreen>(width, height, format);

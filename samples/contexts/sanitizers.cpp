@@ -1,6 +1,6 @@
-// Mesa keeps a little memory of each OSMesa context for good, and fontconfig of each font that a chart is lettered with. A
-// build with a leak checker is told so here, where the drivers are opened, so that its other findings stay readable;
-// everywhere else this file is empty.
+// Suppressions for leak checkers: Mesa keeps a little memory of each OSMesa context forever, and fontconfig of each
+// font that a chart uses. They are given here, where the drivers are opened, so that other findings stay readable;
+// without a leak checker this file is empty.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define CLAQUE_LEAK_CHECKER 1
@@ -22,7 +22,7 @@ const char *__lsan_default_suppressions()
 namespace contexts
 {
 
-// Called by make_offscreen, so that the linker takes this file along.
+// Called by make_offscreen, so that the linker includes this file.
 void tell_leak_checker() {}
 
 }  // namespace contexts

@@ -33,11 +33,11 @@ charts::LineChart curves_of(const Scene &scene, const Measured *measured)
         chart.series.push_back(curve(printed, corner_shares[i], i + 1, charts::Dash::solid));
     for (size_t i = 0; i < corner_shares.size(); ++i)
         chart.series.push_back(curve(real, corner_shares[i], i + 1, charts::Dash::dashed));
-    chart.note = "The more a node's behaviour costs, the less the rest counts: printed curves tend to " +
+    chart.note = "The more a node's behaviour costs, the less the rest matters: printed curves tend to " +
                  text_of(Figure{printed.limit(), 1}) + ", dashed ones to " + text_of(Figure{real.limit(), 1}) + ".";
     chart.note +=
-        " fTrack is the share of matrix products that the CPU has to know, fCoh the share of frames in which a "
-        "matrix changes.";
+        " fTrack is the share of matrix products that the CPU has to know, fCoh the share of frames in which a matrix "
+        "changes.";
     if (measured) {
         chart.series.push_back(curve(as_measured(*measured, scene), measured->shares, 5, charts::Dash::dotted));
         chart.note += " Measured: " + measured->note + ".";

@@ -7,8 +7,8 @@
 namespace cost
 {
 
-// A curve for each of fTrack and fCoh 0 or 1: as the paper prints them, and dashed with the counts of its section 4.2; what
-// was measured, if it was, with the shares that were measured.
+// A curve for each of fTrack and fCoh 0 or 1: as the paper prints them, and dashed with the counts of its section 4.2;
+// also the measured one, with the measured shares, if there is one.
 charts::LineChart curves_of(const Scene &scene, const Measured *measured);
 
 }  // namespace cost

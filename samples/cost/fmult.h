@@ -1,4 +1,4 @@
-// What operations cost in FMULT, the time of one multiplication (S0 6): Table 6, and equations (1) to (3) on top of it.
+// Costs of operations in FMULT, the time of one multiplication (S0 6): Table 6, and equations (1) to (3) on top of it.
 #pragma once
 
 #include "samples/cost/operations.h"
@@ -6,7 +6,7 @@
 namespace cost
 {
 
-// S0 6.2.2. Tracking: the share of matrix products that the CPU has to know. Coherence: the share of frames in which a
+// S0 6.2.2. Tracking: the share of matrix products that the CPU must know. Coherence: the share of frames in which a
 // matrix changes.
 struct Shares {
     double track, coherence;
@@ -24,8 +24,8 @@ struct Polynomial {
 Polynomial operator*(double times, const Polynomial &p);
 Polynomial operator+(const Polynomial &a, const Polynomial &b);
 
-// Table 6. Of NO_01 to NO_03 the values of the degrees of freedom cost `values` times AverageCost (CO_01a to CO_03a) and
-// the matrices `one` (CO_01b to CO_03b); the others cost `one`.
+// Table 6. For NO_01 to NO_03 the values of the degrees of freedom cost `values` times AverageCost (CO_01a to CO_03a)
+// and the matrices `one` (CO_01b to CO_03b); the other operations cost `one`.
 struct UnitCosts {
     std::array<double, 3> values;
     std::array<Polynomial, operation_count> one;
@@ -44,12 +44,12 @@ struct Cost {
 };
 Cost cost_of(const Counts &counts, const UnitCosts &units);
 
-// Of SGMC what does not depend on the shares because no matrix is involved: spheres, tests and distances.
+// The part of SGMC that does not depend on the shares because it involves no matrix: spheres, tests and distances.
 double cost_without_matrices(const Counts &counts, const UnitCosts &units);
 
 // Equations (1) and (3).
 double improvement(const Cost &traditional, const Cost &actor, double average_cost, const Shares &shares);
-// What it tends to as AverageCost grows.
+// The limit of the improvement as AverageCost grows.
 double improvement_limit(const Cost &traditional, const Cost &actor);
 
 }  // namespace cost

@@ -1,8 +1,8 @@
 #include "samples/cost/measured.h"
 
-#include "samples/scenes/check.h"
-
 #include <nlohmann/json.hpp>
+
+#include "samples/scenes/check.h"
 
 namespace cost
 {
@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string &name, const std::string &why)
 {
-    throw scenes::Failure(name + " holds no counts of a run: " + why);
+    throw scenes::Failure(name + " is not a report of counts: " + why);
 }
 
 double number_of(const Json &of, const char *key, double most, const std::string &name)
@@ -22,7 +22,7 @@ double number_of(const Json &of, const char *key, double most, const std::string
     const Json &value = of[key];
     if (!value.is_number() || !(value.get<double>() >= 0) || !(value.get<double>() <= most))
         refuse(name, "its '" + std::string(key) + "' is " + value.dump(-1, ' ', false, Json::error_handler_t::replace) +
-                         ", no number from 0 to " + (most == 1 ? "1" : "1e12"));
+                         ", not a number from 0 to " + (most == 1 ? "1" : "1e12"));
     return value.get<double>();
 }
 
@@ -31,7 +31,7 @@ Counts counts_of(const Json &of, const std::string &name)
     Counts counts;
     for (size_t i = 0; i < operation_count; ++i)
         counts[i] = number_of(of, name_of(static_cast<Operation>(i)), 1e12, name);
-    if (!(counts[no_01] + counts[no_02] + counts[no_03] > 0)) refuse(name, "NO_01 to NO_03 are all 0: nobody moved");
+    if (!(counts[no_01] + counts[no_02] + counts[no_03] > 0)) refuse(name, "NO_01 to NO_03 are all 0: no actor moved");
     return counts;
 }
 
@@ -47,15 +47,15 @@ Json counts_json(const Counts &counts)
 Measured measured_of(const std::string &text, const std::string &name)
 {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) refuse(name, "it is no JSON");
-    if (!json.is_object()) refuse(name, "it is no object");
+    if (json.is_discarded()) refuse(name, "it is not JSON");
+    if (!json.is_object()) refuse(name, "it is not an object");
     Measured measured;
     measured.actor = counts_of(json, name);
     measured.shares = {number_of(json, "fTrack", 1, name), number_of(json, "fCoh", 1, name)};
     if (!json.contains("note") || !json["note"].is_string()) refuse(name, "it has no 'note' that says what ran");
     measured.note = json["note"].get<std::string>();
     if (json.contains("traditional")) {
-        if (!json["traditional"].is_object()) refuse(name, "its 'traditional' is no object");
+        if (!json["traditional"].is_object()) refuse(name, "its 'traditional' is not an object");
         measured.traditional = counts_of(json["traditional"], name + ", under 'traditional',");
     }
     return measured;

@@ -8,16 +8,16 @@
 //     "traditional": { "NO_01": 4000, ... all six ... }
 //   }
 //
-// NO_01: articulations of Skeleton nodes made into matrices; NO_02, NO_03: Reference Points and Skeleton Roots placed;
-// NO_04a: Internal Bspheres recalculated; NO_04b: spheres of any kind tested against a frustum; NO_05: distances to an eye.
-// Counts are means of a frame, from 0 up; shares are from 0 to 1 and mean what S0 6.2.2 says. "traditional" is what the
-// same frames take in traditional mode; without it the scene of Table 2 is counted. Other members are passed over.
+// NO_01: articulation matrices of Skeleton nodes; NO_02, NO_03: transforms of Reference Points and Skeleton Roots;
+// NO_04a: Internal Bspheres recalculated; NO_04b: spheres of any kind tested against a frustum; NO_05: distances to an
+// eye. Counts are means of a frame, at least 0. Shares are from 0 to 1, as defined in S0 6.2.2. "traditional" has the
+// counts of the same frames in traditional mode; without it the scene of Table 2 is counted. Other members are ignored.
 #pragma once
-
-#include "samples/cost/fmult.h"
 
 #include <optional>
 #include <string>
+
+#include "samples/cost/fmult.h"
 
 namespace cost
 {
@@ -29,7 +29,7 @@ struct Measured {
     Shares shares = {1, 1};
 };
 
-// `name` is what refusals call the text. Throws scenes::Failure.
+// `name` names the text in error messages. Throws scenes::Failure.
 Measured measured_of(const std::string &json, const std::string &name);
 std::string json_of(const Measured &measured);
 

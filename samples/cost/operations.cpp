@@ -30,37 +30,38 @@ constexpr TableFormula actor_5[operation_count] = {
     {"nActors", [](F f) { return f.actors; }},
 };
 
-// What lies in the frustum decides which spheres are tested, and that is one scene for both kinds of processing.
+// The frustum's contents decide which spheres are tested; they are the same for both kinds of processing.
 constexpr const char *tests = "nActors + C + C3.1 + C3.2 x nBsphsPerActor / 2",
                      *tests_why =
-                         "every Refpoint Bsphere; the Sklsroot Bsphere of who is on the edge; then one test "
-                         "settles C3.1, and half of the Internal Bspheres C3.2 (hierarchy)";
+                         "every Refpoint Bsphere; the Sklsroot Bsphere of actors on the edge; then one test settles "
+                         "C3.1, and half of the Internal Bspheres C3.2 (hierarchy)";
 double tests_of(S s)
 {
     return s.actors() + s.refpoint_crossing() + s.internal_decided + s.internal_crossing * s.spheres_per_actor / 2.0;
 }
 
 constexpr SceneFormula traditional_4_2[operation_count] = {
-    {"nActors x nSkelsPerActor", "everybody is moved before anybody is culled",
+    {"nActors x nSkelsPerActor", "every actor is moved before any is culled",
      [](S s) { return 1.0 * s.actors() * s.nodes_per_actor; }},
     {"nActors", "everybody", [](S s) { return 1.0 * s.actors(); }},
     {"nActors", "everybody", [](S s) { return 1.0 * s.actors(); }},
-    {"nActors x (1 + 1 + nBsphsPerActor)", "all spheres of everybody",
+    {"nActors x (1 + 1 + nBsphsPerActor)", "all spheres of all actors",
      [](S s) { return s.actors() * (1.0 + 1 + s.spheres_per_actor); }},
     {tests, tests_why, tests_of},
-    {"nActors x (1 + nSkelsPerActor)", "every LOD node of everybody",
+    {"nActors x (1 + nSkelsPerActor)", "every LOD node of every actor",
      [](S s) { return s.actors() * (1.0 + s.nodes_per_actor); }},
 };
 
 constexpr SceneFormula actor_4_2[operation_count] = {
-    {"(B + C2 + C3) x nSkelsPerActor x fLODtopo", "who passes the second cull shows: steps 4 and 5",
+    {"(B + C2 + C3) x nSkelsPerActor x fLODtopo", "actors that pass the second cull: steps 4 and 5",
      [](S s) { return s.pass_second_cull() * s.nodes_per_actor * s.nodes_kept; }},
-    {"nActors", "step 1 is done for everybody", [](S s) { return 1.0 * s.actors(); }},
-    {"B + C", "who passes the first cull needs a Skeleton Root: step 3", [](S s) { return 1.0 * s.pass_first_cull(); }},
-    {"C3 x nBsphsPerActor", "only new Internal Bspheres tell C3.1 from C3.2: step 6",
+    {"nActors", "step 1 is done for all actors", [](S s) { return 1.0 * s.actors(); }},
+    {"B + C", "actors that pass the first cull need a Skeleton Root: step 3",
+     [](S s) { return 1.0 * s.pass_first_cull(); }},
+    {"C3 x nBsphsPerActor", "only new Internal Bspheres distinguish C3.1 from C3.2: step 6",
      [](S s) { return 1.0 * s.root_crossing() * s.spheres_per_actor; }},
     {tests, tests_why, tests_of},
-    {"B + C2 + C3", "one eyeDistance for each actor that has levels to choose (S0 5)",
+    {"B + C2 + C3", "one eyeDistance for each actor with levels to choose from (S0 5)",
      [](S s) { return 1.0 * s.pass_second_cull(); }},
 };
 

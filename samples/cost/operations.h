@@ -1,12 +1,12 @@
 // How often each elementary operation of S0 Table 1 is done in a frame: Table 5 by its own formulas, and the same
-// operations counted for the scene of Table 2 by the order of work of S0 4.2.
+// operations counted for the scene of Table 2 in the order of work of S0 4.2.
 #pragma once
-
-#include "samples/cost/scene.h"
 
 #include <array>
 #include <cstddef>
 #include <string>
+
+#include "samples/cost/scene.h"
 
 namespace cost
 {
@@ -19,7 +19,7 @@ using Counts = std::array<double, operation_count>;
 const char *name_of(Operation operation);
 const char *description_of(Operation operation);
 
-// A count as the paper or this file defines it, with the formula in words beside the formula itself.
+// A count as the paper or this file defines it: the formula, and its text.
 struct TableFormula {
     const char *words;
     double (*count)(const Factors &);

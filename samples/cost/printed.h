@@ -1,5 +1,5 @@
-// What S0 prints where its results could be computed: data to hold computed results against, used for nothing else but
-// the reading "as printed".
+// The results that S0 prints although they could be computed: for comparison with computed results, and for the
+// reading "as printed" only.
 #pragma once
 
 #include "samples/cost/fmult.h"
@@ -21,7 +21,7 @@ constexpr Polynomial actor_management = {11600, 21200, 12350, 35290};
 // Section 6.2.3: the improvement for AverageCost below 100, and in the worst case.
 constexpr double least = 50, most = 120, worst = 13, common_cost = 100;
 
-// Section 4.2, of a typical scene: shares of the actors that the first cull stops, and the second.
+// Section 4.2, of a typical scene: shares of the actors that the first cull removes, and the second.
 constexpr double typical_first = 0.7, typical_second = 0.1;
 
 }  // namespace cost::printed

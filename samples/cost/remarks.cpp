@@ -1,9 +1,9 @@
-// Where S0's numbers and what follows from its own tables part, both numbers said; and where they agree.
-#include "samples/cost/printed.h"
-#include "samples/cost/report.h"
-
+// Compares S0's printed numbers with results from its own tables: disagreements, with both numbers, and agreements.
 #include <algorithm>
 #include <cmath>
+
+#include "samples/cost/printed.h"
+#include "samples/cost/report.h"
 
 namespace cost
 {
@@ -79,17 +79,17 @@ std::string dropped(const Scene &s)
            " pass the first cull (B+C) and " + number(s.pass_second_cull()) +
            " the second (B+C2+C3); Table 5 counts B = " + number(f.refpoint_in * f.actors) +
            " for NO_03 and C2 = " + number(f.root_in * f.actors) + " for NO_01. " + number(first) + " and " +
-           number(second) + " would be right of the typical scene of section 4.2, in which the first cull stops " +
+           number(second) + " would be right for the typical scene of section 4.2, in which the first cull removes " +
            number(100 * printed::typical_first) + " % and the second " + number(100 * printed::typical_second) +
-           " % more; in Table 2 they stop " + number(s.outside) + " and " + number(s.root_outside) + ".";
+           " % more; in Table 2 they remove " + number(s.outside) + " and " + number(s.root_outside) + ".";
 }
 
 std::string sphere_tests(const Scene &s)
 {
     return "NO_04b of Table 5 tests the Sklsroot Bspheres of C1 and C2 but not those of C3 (" +
            number(s.root_crossing()) +
-           "), and NO_04a recalculates Internal Bspheres for C3.2 alone, though nothing but "
-           "they tell C3.2 from C3.1. For traditional processing it spends " +
+           "), and NO_04a recalculates Internal Bspheres for C3.2 alone, although only these distinguish C3.2 from "
+           "C3.1. For traditional processing it spends " +
            number(s.spheres_per_actor / 2.0) + " tests on each of C3.1 and none on C3.2.";
 }
 
@@ -100,8 +100,8 @@ std::string halved_twice()
                  once = counts[no_01] + counts[no_02] + counts[no_03];
     return "Act_ProcBMC is printed as " + number(printed::actor_behaviour) + " AverageCost; Tables 5 and 6 give " +
            number(follows) + (follows == printed::actor_behaviour ? ": it follows" : ": it does not follow") +
-           ". But they leave the nodes that levels of detail drop out twice: fLODtopo is in NO_01, and Table 6 halves "
-           "CO_01a and CO_03a for the same reason. Left out once it is " +
+           ". But both leave out the nodes that levels of detail drop: fLODtopo is in NO_01, and Table 6 halves CO_01a "
+           "and CO_03a for the same reason. If they are left out once it is " +
            number(once) + ", and the improvement tends to " + tenth(printed::traditional_behaviour / once) +
            " instead of " + tenth(as_printed().limit()) + " (printed: " + number(printed::worst) + ").";
 }
@@ -117,7 +117,7 @@ std::string range()
         }
         return tenth(least) + " to " + tenth(most);
     };
-    return "The improvement is said to be " + number(printed::least) + " to " + number(printed::most) +
+    return "The paper states an improvement of " + number(printed::least) + " to " + number(printed::most) +
            " for AverageCost below " + number(printed::common_cost) + "; equation (3) as printed gives " + between(0) +
            " at 0 and " + between(printed::common_cost) + " at " + number(printed::common_cost) + ".";
 }

@@ -1,10 +1,10 @@
 #include "samples/cost/report.h"
 
-#include "samples/cost/measured.h"
+#include <iterator>
 
 #include <nlohmann/json.hpp>
 
-#include <iterator>
+#include "samples/cost/measured.h"
 
 namespace cost
 {
@@ -13,7 +13,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char *heading = "Where the paper's numbers and its own tables part, and where they agree";
+constexpr const char *heading = "Where the paper's numbers differ from its own tables, and where they agree";
 
 Json json_of(const Counts &counts)
 {
@@ -52,14 +52,15 @@ Json json_of(const Reading &reading)
     return json;
 }
 
-// NO_01 was counted after levels of detail, and Table 6 halves its price for them once more.
+// NO_01 was counted after levels of detail, and Table 6 halves its price once more for them.
 std::string remark_of(const Measured &measured, const Reading &reading)
 {
     const double full = measured.actor[no_01] + measured.actor[no_02] + measured.actor[no_03];
     return "Measured: " + measured.note + ", " + text_of(measured.shares) + ". The improvement is " +
            text_of(Figure{reading.improvement(0, measured.shares), 1}) + " at AverageCost 0 and tends to " +
            text_of(Figure{reading.limit(), 1}) + ", or to " + text_of(Figure{reading.traditional.behaviour / full, 1}) +
-           " with CO_01a and CO_03a at a whole AverageCost, as what levels of detail drop is not among the counts.";
+           " with CO_01a and CO_03a at a whole AverageCost, because the counts already leave out what levels of detail "
+           "drop.";
 }
 
 void append(std::vector<Table> &to, std::vector<Table> tables)

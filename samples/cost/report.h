@@ -1,5 +1,5 @@
-// What `claque cost` says: S0's Tables 1 to 6 and equation (3), computed, beside what the paper prints, and in sentences
-// where the two part.
+// The output of `claque cost`: S0's Tables 1 to 6 and equation (3), computed, beside the paper's printed values, with
+// sentences where the two differ.
 #pragma once
 
 #include "samples/cost/readings.h"
@@ -20,7 +20,7 @@ std::string text_of(const Shares &shares);
 
 Report report_of(const Scene &scene, const Measured *measured);
 
-// Parts of it.
+// Parts of the report.
 std::vector<Table> tables_of_scene(const Scene &scene);                     // 1 to 4
 std::vector<Table> tables_of_counts(const std::vector<Reading> &readings);  // 5, 6
 std::vector<Table> tables_of_costs(const std::vector<Reading> &readings);   // equations (2) and (3)

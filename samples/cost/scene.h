@@ -1,10 +1,11 @@
-// The example scene of S0 6.1: who is where, as its Tables 2 and 3 say, and the factors of Table 4 that follow from them.
+// The example scene of S0 6.1: the positions of its actors relative to the frustum from its Tables 2 and 3, and the
+// factors of Table 4 that follow from them.
 #pragma once
 
 namespace cost
 {
 
-// Tables 2 and 3. Numbers of actors, told apart by how their spheres lie in the frustum.
+// Tables 2 and 3. Numbers of actors by the position of their spheres relative to the frustum.
 struct Scene {
     int outside = 20;           // A: Refpoint Bsphere outside
     int refpoint_within = 30;   // B: Refpoint Bsphere within

@@ -1,10 +1,10 @@
 #include "samples/cost/table.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include <nlohmann/json.hpp>
 
 namespace cost
 {
@@ -20,7 +20,7 @@ std::string text_of(const Cell &cell)
     return is_number(cell) ? text_of(std::get<Figure>(cell)) : std::get<std::string>(cell);
 }
 
-// Numbers to the right, words to the left, by what the column holds.
+// Aligns numbers to the right and words to the left, by the column's contents.
 bool to_the_right(const Table &table, size_t column)
 {
     return std::any_of(table.rows.begin(), table.rows.end(),
@@ -40,7 +40,7 @@ bool may_break(const std::string &text, size_t at)
     return text[at] == ' ' && !(at > 0 && digit(at - 1) && digit(at + 1));
 }
 
-// Lines of at most `width` letters, an indent before all but the first.
+// Lines of at most `width` characters, all but the first indented.
 std::string broken(const std::string &text, size_t width, const std::string &indent)
 {
     std::string lines;

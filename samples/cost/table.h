@@ -1,16 +1,16 @@
 // Tables of words and numbers, written for a terminal, for a README or as JSON.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <string>
 #include <variant>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace cost
 {
 
-// Shown with so many digits after the point, in groups of three before it.
+// Shown with this many digits after the point, in groups of three before it.
 struct Figure {
     double value;
     int digits = 0;
@@ -25,14 +25,14 @@ struct Table {
 };
 
 std::string text_of(const Figure &figure);
-// As many digits as it has, two at most.
+// With the digits it needs, at most two.
 Figure figure(double value);
 
 std::string text_of(const Table &table);
 std::string markdown_of(const Table &table);
 nlohmann::ordered_json json_of(const Table &table);
 
-// `text` in lines of at most `width` letters, all but the first indented.
+// `text` in lines of at most `width` characters, all but the first indented.
 std::string wrapped(const std::string &text, size_t width, const std::string &indent);
 
 }  // namespace cost

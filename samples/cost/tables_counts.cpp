@@ -1,4 +1,4 @@
-// Tables 5 and 6: how often, and at what price.
+// Tables 5 and 6: numbers of operations, and their costs.
 #include "samples/cost/report.h"
 
 namespace cost
@@ -6,7 +6,7 @@ namespace cost
 namespace
 {
 
-// One column a reading. The first two have the same counts, and one of them is shown.
+// One column for each reading. The first two have the same counts, so only one of them is shown.
 Table table_5_of(Processing processing, const std::vector<Reading> &all)
 {
     const bool actor = processing == Processing::actor;
@@ -32,7 +32,10 @@ Table table_5_of(Processing processing, const std::vector<Reading> &all)
 
 Table order_of_work()
 {
-    Table t = {"How section 4.2 processes the scene of Table 2", {"", "processing", "operations", "because"}, {}, {}};
+    Table t = {"Counts for the scene of Table 2 in the order of work of section 4.2",
+               {"", "processing", "operations", "because"},
+               {},
+               {}};
     for (size_t i = 0; i < operation_count; ++i)
         for (const Processing p : {Processing::traditional, Processing::actor}) {
             const Operation operation = static_cast<Operation>(i);

@@ -1,4 +1,4 @@
-// Tables 1 to 4: what is counted, and who is where.
+// Tables 1 to 4: the operations that are counted, and the actors of the scene.
 #include "samples/cost/report.h"
 
 namespace cost
@@ -33,8 +33,8 @@ Table table_2(const Scene &s)
          row("C3", "  Sklsroot Bsphere on the edge (C3.1+C3.2)", s.root_crossing()),
          row("C3.1", "    Internal Bspheres all outside or all within", s.internal_decided),
          row("C3.2", "    Internal Bspheres on the edge", s.internal_crossing),
-         row("B+C", "so pass the first cull (section 4.2)", s.pass_first_cull()),
-         row("B+C2+C3", "and pass the second", s.pass_second_cull())},
+         row("B+C", "of these pass the first cull (section 4.2)", s.pass_first_cull()),
+         row("B+C2+C3", "of these pass the second", s.pass_second_cull())},
         {}};
 }
 

@@ -1,9 +1,9 @@
 #include "samples/parity/arrays.h"
 
-#include "samples/parity/ulp.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/parity/ulp.h"
 
 namespace parity
 {
@@ -20,7 +20,7 @@ double distance(const float *a, const float *b)
     return std::sqrt(x * x + y * y + z * z);
 }
 
-// By sine and cosine, so that small angles are not lost in an arc cosine.
+// Uses sine and cosine, because an arc cosine would lose small angles.
 double angle_degrees(const float *a, const float *b)
 {
     const double x = double(a[1]) * b[2] - double(a[2]) * b[1];

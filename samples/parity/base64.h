@@ -1,4 +1,4 @@
-// Bytes as text, for pages that hold their own pictures (RFC 4648).
+// Bytes as text, for pages that contain their own pictures (RFC 4648).
 #pragma once
 
 #include <string>

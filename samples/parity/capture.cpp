@@ -1,11 +1,11 @@
 #include "samples/parity/capture.h"
 
-#include "samples/parity/capture_json.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+
+#include "samples/parity/capture_json.h"
 
 namespace parity
 {
@@ -34,7 +34,7 @@ std::string shape_text(const std::vector<size_t> &shape)
     return out + ")";
 }
 
-// Absent: nothing.
+// Returns nothing if the file is absent.
 std::optional<Array> array(const fs::path &folder, const char *file, const char *type)
 {
     const fs::path path = folder / file;

@@ -1,10 +1,10 @@
 // A result in a parity folder, as docs/parity.md describes it.
 #pragma once
 
+#include <optional>
+
 #include "samples/parity/map.h"
 #include "samples/parity/npy.h"
-
-#include <optional>
 
 namespace parity
 {
@@ -29,8 +29,8 @@ struct Capture {
     std::optional<Map<uint16_t>> zone;
 };
 
-// Reads what is there; arrays may be absent. Throws Unreadable: no folder, no capture.json or one of another version,
-// arrays that are broken, of another type, or of a size that capture.json does not give.
+// Reads the files that are there; arrays may be absent. Throws Unreadable if there is no folder, no capture.json or
+// one of another version, or if arrays are broken, of another type, or of a size that contradicts capture.json.
 Capture read_capture(const std::string &folder);
 
 }  // namespace parity

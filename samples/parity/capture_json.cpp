@@ -1,8 +1,8 @@
 #include "samples/parity/capture_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
+
+#include <nlohmann/json.hpp>
 
 namespace parity
 {
@@ -21,7 +21,7 @@ public:
     std::string text(const char *key) const
     {
         const Json &v = field(key);
-        if (!v.is_string()) fail(key, "a text");
+        if (!v.is_string()) fail(key, "a string");
         return v.get<std::string>();
     }
     double number(const char *key, double low, double high) const
@@ -48,7 +48,7 @@ public:
     {
         std::vector<std::string> out;
         for (const Json &v : list(key)) {
-            if (!v.is_string()) fail(key, "a list of texts");
+            if (!v.is_string()) fail(key, "a list of strings");
             out.push_back(v.get<std::string>());
         }
         return out;

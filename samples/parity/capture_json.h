@@ -20,7 +20,7 @@ struct CaptureInfo {
     std::vector<std::string> actor_columns;
 };
 
-// path: for sentences. Throws Unreadable.
+// path: for error messages. Throws Unreadable.
 CaptureInfo capture_info(const std::string &text, const std::string &path);
 
 }  // namespace parity

@@ -1,9 +1,9 @@
 #include "samples/parity/compare.h"
 
-#include "samples/parity/compare_parts.h"
-
 #include <cmath>
 #include <cstdio>
+
+#include "samples/parity/compare_parts.h"
 
 namespace parity
 {
@@ -23,7 +23,7 @@ void expect_one_scene(const Capture &a, const Capture &b)
         throw Unreadable(b.folder + " has a picture of " + std::to_string(b.width) + " x " + std::to_string(b.height) +
                          ", and " + a.folder + " one of " + std::to_string(a.width) + " x " + std::to_string(a.height));
     if (std::fabs(a.time_s - b.time_s) > 1e-6 * (1 + std::fabs(a.time_s)))
-        throw Unreadable(b.folder + " shows the moment " + seconds(b.time_s) + ", and " + a.folder + " " +
+        throw Unreadable(b.folder + " shows the time " + seconds(b.time_s) + ", and " + a.folder + " " +
                          seconds(a.time_s));
 }
 

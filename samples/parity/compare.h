@@ -1,4 +1,4 @@
-// Two results beside each other: every measure that both have the arrays for.
+// Compares two results by every measure for which both have the arrays.
 #pragma once
 
 #include "samples/parity/capture.h"
@@ -16,10 +16,11 @@ struct Comparison {
     std::vector<Measure> measures;
     std::vector<NotCompared> not_compared;
     Map<Mark> actor_marks, zone_marks;  // empty where ids were not compared
-    Map<float> flip;                    // likewise of colours
+    Map<float> flip;                    // the same for colours
 };
 
-// Throws Unreadable where the two cannot be of one scene: other sizes of the picture, another moment, or nothing in common.
+// Throws Unreadable if the two cannot be of one scene: different picture sizes, different times, or no array in
+// common.
 Comparison compare(const Capture &reference, const Capture &result, double pixels_per_degree);
 
 }  // namespace parity

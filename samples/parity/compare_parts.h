@@ -12,14 +12,14 @@ struct Pair {
 
 void compare_actors(const Pair &pair, Comparison &out);
 void compare_vertices(const Pair &pair, Comparison &out);  // positions and normals
-void compare_id_maps(const Pair &pair, Comparison &out);   // individuals, then zones where both show the same one
+void compare_id_maps(const Pair &pair, Comparison &out);   // individuals, then zones of individuals that both show
 void compare_depth(const Pair &pair, Comparison &out);
 void compare_colour(const Pair &pair, double pixels_per_degree, Comparison &out);
 
-// "actor 17 (citizen, level 2)" by the reference's table; nobody's is "the background".
+// "actor 17 (citizen, level 2)" by the reference's table; pixels without an actor are "the background".
 std::string actor_text(const Capture &capture, uint32_t id);
 
-// True where both have it; else notes which folder lacks the file.
+// Returns true if both have the array; otherwise notes which folder lacks the file.
 template <class Array>
 bool both_have(const Array &reference, const Array &result, const char *group, const char *file, Comparison &out)
 {

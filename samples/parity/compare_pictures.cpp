@@ -1,11 +1,11 @@
+#include <algorithm>
+
 #include "samples/parity/compare_parts.h"
 #include "samples/parity/depth.h"
 #include "samples/parity/flip.h"
 #include "samples/parity/psnr.h"
 #include "samples/parity/regions.h"
 #include "samples/parity/ssim.h"
-
-#include <algorithm>
 
 namespace parity
 {
@@ -21,7 +21,7 @@ std::string first_outside(const IdAgreement &ids)
     return ids.outside == 0 ? std::string() : "first at " + pixel(ids.first_x, ids.first_y);
 }
 
-// "actor 17 (citizen, level 2), tunic, 35 pixels": the id is an actor's and a zone's.
+// "actor 17 (citizen, level 2), tunic, 35 pixels": the id combines an actor and a zone.
 std::string zone_text(const Capture &capture, const WorstRegion &worst)
 {
     if (worst.value == 0) return {};
@@ -48,7 +48,8 @@ void add_zones(const Pair &pair, Comparison &out)
     out.zone_marks = std::move(ids.marks);
 }
 
-// Pixels in which either shows somebody, so that an empty background does not dilute shares. Empty: not known.
+// Pixels in which either picture shows an individual, so that an empty background does not dilute shares. Empty:
+// unknown.
 std::vector<uint8_t> who_shows_somebody(const Pair &pair)
 {
     std::vector<uint8_t> out;
@@ -68,7 +69,7 @@ std::vector<uint8_t> who_shows_somebody(const Pair &pair)
 void compare_id_maps(const Pair &pair, Comparison &out)
 {
     if (!both_have(pair.reference.actor, pair.result.actor, "actor_ids", "actor.npy", out)) {
-        out.not_compared.push_back({"zone_ids", "without actor.npy in both there is no saying whose zones they are"});
+        out.not_compared.push_back({"zone_ids", "zones cannot be attributed without actor.npy in both"});
         return;
     }
     IdAgreement ids = compare_ids(actor_ids(*pair.reference.actor), actor_ids(*pair.result.actor), {});
@@ -104,7 +105,7 @@ void compare_colour(const Pair &pair, double pixels_per_degree, Comparison &out)
     const Picture &a = *pair.reference.colour, &b = *pair.result.colour;
     const std::vector<uint8_t> counted = who_shows_somebody(pair);
     const ColourDeviation d = colour_deviation(a, b, counted);
-    const std::string of = counted.empty() ? "of all pixels" : "of pixels that show somebody";
+    const std::string of = counted.empty() ? "of all pixels" : "of pixels that show individuals";
     out.measures.push_back({"colour.max", double(d.max), "LSB", {}});
     out.measures.push_back({"colour.over_1", d.share_over(1), "", of});
     out.measures.push_back({"colour.over_2", d.share_over(2), "", of});

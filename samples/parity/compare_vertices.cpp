@@ -1,7 +1,7 @@
+#include <algorithm>
+
 #include "samples/parity/arrays.h"
 #include "samples/parity/compare_parts.h"
-
-#include <algorithm>
 
 namespace parity
 {
@@ -17,7 +17,7 @@ const Actor *find(const std::vector<Actor> &actors, uint32_t id)
 
 bool same_mesh(const Actor &a, const Actor &b) { return a.kind == b.kind && a.vertex_count == b.vertex_count; }
 
-// The first one that has no equal, and how many.
+// The first one that has no counterpart, and their number.
 struct Tally {
     size_t count = 0;
     std::string first;
@@ -32,7 +32,8 @@ void add(Comparison &out, const char *name, const Tally &tally)
     out.measures.push_back({name, static_cast<double>(tally.count), "actors", tally.first});
 }
 
-// Who is in both with the same mesh. A folder without a table has the other's order; without any all is one.
+// Actors that are in both with the same mesh. A folder without a table is in the other's order; without any table all
+// vertices form one span.
 std::vector<Span> spans_of(const Pair &pair, size_t reference_vertices, size_t result_vertices)
 {
     const auto &own = pair.reference.actors, &other = pair.result.actors;
@@ -40,7 +41,7 @@ std::vector<Span> spans_of(const Pair &pair, size_t reference_vertices, size_t r
     if ((one_table || !own) && reference_vertices != result_vertices)
         throw Unreadable(pair.result.folder + " has " + std::to_string(result_vertices) + " vertices, " +
                          pair.reference.folder + " " + std::to_string(reference_vertices) +
-                         ", and without actors.npy in both there is no saying which are whose");
+                         ", and without actors.npy in both they cannot be matched");
     if (!own && !other) return {{0, 0, 0, reference_vertices, 0}};
     std::vector<Span> spans;
     for (const Actor &a : own ? *own : *other) {

@@ -8,7 +8,7 @@ namespace parity
 namespace
 {
 
-// The smallest value that this share of all do not exceed.
+// The smallest value that at least this share of all values does not exceed.
 double quantile(std::vector<double> &values, double share)
 {
     const size_t needed = static_cast<size_t>(std::ceil(share * static_cast<double>(values.size())));

@@ -1,9 +1,9 @@
 #include "samples/parity/flip.h"
 
-#include "samples/parity/flip_filters.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/parity/flip_filters.h"
 
 namespace parity
 {
@@ -27,7 +27,7 @@ Opponent opponent_of(const Map<Colour> &linear)
     return out;
 }
 
-// As the eye sees it from that distance, in a space where equal steps look equal.
+// The picture as the eye perceives it from that distance, in a perceptually uniform space.
 Map<Colour> perceived(const Opponent &opponent, double pixels_per_degree)
 {
     Opponent seen;
@@ -43,7 +43,7 @@ Map<Colour> perceived(const Opponent &opponent, double pixels_per_degree)
     return out;
 }
 
-// 4.1.3: to the power of 0.7, then the lower 0.4 of what there can be spread over [0, 0.95].
+// 4.1.3: to the power of 0.7, then the lower 0.4 of the possible range spread over [0, 0.95].
 float colour_difference(const Colour &a, const Colour &b, float largest)
 {
     const float difference = std::pow(flip::hyab(a, b), 0.7f), knee = 0.4f * largest;

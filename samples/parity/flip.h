@@ -1,5 +1,6 @@
-// LDR-FLIP: how much a person sees who has two pictures shown by turns in one place (Andersson, Nilsson, Akenine-Moller,
-// Oskarsson, Astrom, Fairchild: FLIP: A Difference Evaluator for Alternating Images, 2020). Written from the paper.
+// LDR-FLIP: how visible the difference is when two pictures alternate in one place (Andersson, Nilsson,
+// Akenine-Moller, Oskarsson, Astrom, Fairchild: FLIP: A Difference Evaluator for Alternating Images, 2020). Written
+// from the paper.
 #pragma once
 
 #include "samples/parity/flip_colours.h"

@@ -7,14 +7,14 @@ namespace parity::flip
 namespace
 {
 
-// sRGB's primaries and white, as the paper's supplement takes them: whole numbers over a common one.
+// sRGB's primaries and white as in the paper's supplement: whole numbers over a common denominator.
 constexpr double to_xyz[3][3] = {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                  {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                  {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}};
 
 constexpr double white(int row) { return to_xyz[row][0] + to_xyz[row][1] + to_xyz[row][2]; }
 
-// XYZ over the white's: every grey has three equal numbers.
+// XYZ relative to the white: every grey has three equal numbers.
 Colour relative_xyz(const Colour &linear)
 {
     Colour out = {};
@@ -37,7 +37,7 @@ double inverse(int r, int c)
     return cofactor(c, r) / determinant;
 }
 
-// From XYZ over the white's back to RGB.
+// From XYZ relative to the white back to RGB.
 std::array<std::array<float, 3>, 3> back_matrix()
 {
     std::array<std::array<float, 3>, 3> out = {};

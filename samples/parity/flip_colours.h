@@ -1,4 +1,4 @@
-// The colour spaces of LDR-FLIP and the largest difference there can be in them (Andersson et al. 2020, 4.1).
+// The colour spaces of LDR-FLIP and the largest possible difference in them (Andersson et al. 2020, 4.1).
 #pragma once
 
 #include <array>

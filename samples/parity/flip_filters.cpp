@@ -22,13 +22,13 @@ constexpr Sensitivity sensitivities[3] = {
     {{{{1, 0.0047}, {0, 0}}}, 1}, {{{{1, 0.0053}, {0, 0}}}, 1}, {{{{34.1, 0.04}, {13.5, 0.025}}}, 2}};
 constexpr double widest = 0.04;  // of all b
 
-// Three standard deviations of the widest, for every channel alike.
+// Three standard deviations of the widest kernel, for all channels.
 int reach(double pixels_per_degree)
 {
     return static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
 }
 
-// Along one axis, summing to 1. sum: what it summed to before.
+// Along one axis, normalised to a sum of 1. sum: the sum before that.
 Kernel gaussian(double b, double pixels_per_degree, double &sum)
 {
     const int radius = reach(pixels_per_degree);

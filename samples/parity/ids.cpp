@@ -7,7 +7,7 @@ namespace parity
 namespace
 {
 
-// Whether any pixel round (x, y) fulfils it.
+// True if any pixel round (x, y) meets the condition.
 template <class Condition>
 bool any_near(const Map<uint64_t> &ids, int x, int y, Condition fulfils)
 {

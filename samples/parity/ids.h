@@ -1,4 +1,5 @@
-// Who and which zone is seen, pixel by pixel. Two rasterisers may disagree along a border by a pixel, and nowhere else.
+// Compares the visible individual and zone, pixel by pixel. Two rasterisers may disagree along a border by a pixel,
+// and nowhere else.
 #pragma once
 
 #include "samples/parity/map.h"
@@ -8,7 +9,7 @@ namespace parity
 
 enum class Mark : uint8_t {
     same,
-    border,   // different, at a border of the reference, and what is seen is also in the reference one pixel away
+    border,   // different, at a border of the reference, and the id is in the reference one pixel away
     outside,  // different, and no border explains it
     ignored
 };
@@ -23,15 +24,15 @@ struct IdAgreement {
     double border_share() const { return borders == 0 ? 0 : double(different - outside) / double(borders); }
 };
 
-// Of one size. seen_alike: pixels that count, nonzero; empty: all.
+// Both of one size. seen_alike: pixels that count, nonzero; empty: all.
 IdAgreement compare_ids(const Map<uint64_t> &reference, const Map<uint64_t> &result,
                         const std::vector<uint8_t> &seen_alike);
 
-// True where another id is within a pixel.
+// True if another id is within a pixel.
 bool at_border(const Map<uint64_t> &ids, int x, int y);
 
 Map<uint64_t> actor_ids(const Map<uint32_t> &actor);
-// One id for each zone of each actor, so that a zone of a neighbour explains nothing.
+// One id for each zone of each actor, so that a neighbour's zone explains nothing.
 Map<uint64_t> zone_ids(const Map<uint32_t> &actor, const Map<uint16_t> &zone);
 
 }  // namespace parity

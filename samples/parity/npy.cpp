@@ -1,8 +1,8 @@
 #include "samples/parity/npy.h"
 
-#include "samples/parity/npy_header.h"
-
 #include <cstring>
+
+#include "samples/parity/npy_header.h"
 
 namespace parity
 {
@@ -34,7 +34,7 @@ void expect_type(const NpyHeader &header, const std::string &name, const std::st
         throw Unreadable(name + " is in Fortran order: np.ascontiguousarray before saving");
 }
 
-// Values in the shape; stops at what no file here can hold.
+// The number of values in the shape; stops at more than a file here can hold.
 size_t count_of(const NpyHeader &header, const std::string &name, size_t most)
 {
     size_t count = 1;
@@ -53,7 +53,7 @@ Array read_npy(const std::vector<unsigned char> &file, const std::string &name, 
 {
     constexpr size_t magic_bytes = 6;
     if (file.size() < 10 || std::memcmp(file.data(), "\x93NUMPY", magic_bytes) != 0)
-        throw Unreadable(name + " is no NumPy array: it does not begin as one");
+        throw Unreadable(name + " is not a NumPy array: it does not begin as one");
     const int version = file[magic_bytes];
     if (version < 1 || version > 3)
         throw Unreadable(name + " is in version " + std::to_string(version) + " of NumPy's format; 1 to 3 can be read");
@@ -77,7 +77,7 @@ Array read_npy(const std::vector<unsigned char> &file, const std::string &name, 
 template <class Value>
 std::vector<Value> Array::as() const
 {
-    // The machines that this is built for are little-endian, as the arrays are.
+    // The supported machines are little-endian, as the arrays are.
     std::vector<Value> out(bytes.size() / sizeof(Value));
     if (!out.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
     return out;

@@ -1,16 +1,16 @@
 #include "samples/parity/npy_header.h"
 
-#include "samples/parity/npy.h"
-
 #include <cstring>
 #include <set>
+
+#include "samples/parity/npy.h"
 
 namespace parity
 {
 namespace
 {
 
-// Reads the few things that NumPy writes: strings, True and False, whole numbers, tuples.
+// Reads the subset of Python that NumPy writes: strings, True and False, whole numbers, tuples.
 class Reader
 {
 public:
@@ -32,7 +32,7 @@ public:
         blanks();
         const char quote = at_ < text_.size() ? text_[at_] : 0;
         const size_t end = quote == '\'' || quote == '"' ? text_.find(quote, at_ + 1) : std::string::npos;
-        if (end == std::string::npos) fail("has no text in quotes");
+        if (end == std::string::npos) fail("has no quoted string");
         const std::string inside = text_.substr(at_ + 1, end - at_ - 1);
         at_ = end + 1;
         return inside;
@@ -67,7 +67,7 @@ public:
     }
     [[noreturn]] void fail(const std::string &what) const
     {
-        throw Unreadable(name_ + " is no NumPy array: its header " + what + " at character " + std::to_string(at_));
+        throw Unreadable(name_ + " is not a NumPy array: its header " + what + " at character " + std::to_string(at_));
     }
 
 private:

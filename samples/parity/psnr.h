@@ -1,9 +1,9 @@
 // Pictures of two renderers, byte by byte, and the peak signal-to-noise ratio.
 #pragma once
 
-#include "samples/parity/map.h"
-
 #include <array>
+
+#include "samples/parity/map.h"
 
 namespace parity
 {
@@ -11,7 +11,7 @@ namespace parity
 struct ColourDeviation {
     int max = 0;                          // LSB of any channel
     std::array<size_t, 256> histogram{};  // of pixels by the largest difference of their three channels
-    double psnr_db = 0;                   // over all channels of all pixels, peak 255; infinite where nothing differs
+    double psnr_db = 0;                   // over all channels of all pixels, peak 255; infinite if nothing differs
 
     double share_over(int lsb) const;  // of the pixels in the histogram
 };

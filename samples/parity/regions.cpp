@@ -1,19 +1,19 @@
 #include "samples/parity/regions.h"
 
-#include "samples/parity/ids.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "samples/parity/ids.h"
+
 namespace parity
 {
 namespace
 {
 
-// Calls visit(index, id) of every pixel whose neighbours show the same.
+// Calls visit(index, id) for every pixel whose neighbours have the same id.
 template <class Visit>
 void each_inner_pixel(const Map<uint64_t> &ids, Visit visit)
 {

@@ -1,4 +1,4 @@
-// A comparison for machines and for people.
+// A comparison as JSON, text and HTML.
 #pragma once
 
 #include "samples/parity/verdict.h"
@@ -21,7 +21,7 @@ struct Figure {
     std::vector<unsigned char> png;
 };
 
-// One page with everything in it, no other file and no script; readable on a dark screen and on a light one.
+// One page without other files and scripts; readable with dark and light themes.
 std::string report_html(const Report &report, const std::vector<Figure> &figures);
 
 }  // namespace parity

@@ -6,7 +6,7 @@ namespace parity
 namespace
 {
 
-// Colours come from the reader's theme; what is said by colour is said by a word too.
+// Colours follow the reader's theme; every meaning of a colour is also given by a word.
 const char head[] = R"html(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>claque parity</title>

@@ -1,8 +1,8 @@
-#include "samples/parity/report.h"
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include "samples/parity/report.h"
 
 namespace parity
 {
@@ -11,7 +11,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity, which is what PSNR is where nothing differs.
+// JSON has no infinity, which is the PSNR of equal pictures.
 Json number(double value)
 {
     if (std::isfinite(value)) return value;

@@ -1,6 +1,6 @@
-#include "samples/parity/report.h"
-
 #include <cstdio>
+
+#include "samples/parity/report.h"
 
 namespace parity
 {

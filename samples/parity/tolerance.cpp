@@ -1,16 +1,16 @@
 #include "samples/parity/tolerance.h"
 
-#include "samples/parity/measures.h"
-
-// As samples/scenes has it: one program can hold only one of its two forms.
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+// The same setting as in samples/scenes: one program can hold only one of toml++'s two forms.
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include "samples/parity/measures.h"
 
 namespace parity
 {
@@ -55,7 +55,7 @@ void read_limits(const toml::table &table, const std::string &before, bool at_mo
 void read_required(const toml::node &node, const std::string &path, Tolerance &t)
 {
     const toml::array *list = node.as_array();
-    if (!list) throw Unreadable(at(node, path) + "'require' has to be a list of texts");
+    if (!list) throw Unreadable(at(node, path) + "'require' has to be a list of strings");
     for (const toml::node &entry : *list) {
         const std::string group = entry.value_or(std::string());
         const auto &groups = measure_groups();
@@ -99,7 +99,7 @@ Tolerance tolerance_from(const std::string &text, const std::string &path)
         else if (limits && key.str() == "at_least") read_limits(*limits, "", false, path, t);
         else
             throw Unreadable(at(node, path) + "'" + std::string(key.str()) +
-                             "' is none of base, require, [at_most] and [at_least]");
+                             "' is not one of base, require, [at_most] and [at_least]");
     }
     if (t.limits.empty() && t.required.empty()) throw Unreadable(path + " sets no limit");
     return t;

@@ -1,5 +1,5 @@
-// The tolerances that have names. Those of shares of a picture stand beside limits of single individuals and zones, because
-// a missing person far away is a very small share.
+// The named tolerances. Limits of shares of a picture are combined with limits of single individuals and zones,
+// because a missing person far away is a very small share.
 #include "samples/parity/tolerance.h"
 
 namespace parity
@@ -22,7 +22,7 @@ const std::vector<Tolerance> &named_tolerances()
           {"depth.not_finite", 0},
           {"colour.max", 0}},
          {}},
-        // Other rounding: of skinning, of where a pixel's centre lies, of a blend. Not other geometry, poses or colours.
+        // Allows other rounding of skinning, pixel centres and blends; not other geometry, poses or colours.
         {"gpu",
          {{"actors.missing", 0},
           {"actors.added", 0},
@@ -42,7 +42,7 @@ const std::vector<Tolerance> &named_tolerances()
           {"colour.worst_zone", 2},
           {"colour.flip_mean", 0.02}},
          {}},
-        // The same crowd to the eye: another rasteriser, other shading of edges, textures filtered.
+        // Allows what looks like the same crowd: another rasteriser, other shading of edges, filtered textures.
         {"loose",
          {{"actors.missing", 0},
           {"actors.added", 0},

@@ -8,7 +8,7 @@ namespace parity
 namespace
 {
 
-// Numbers in order as integers in order, both zeros as 0.
+// Maps numbers to integers in the same order, both zeros to 0.
 int64_t rank_of(float value)
 {
     uint32_t bits = 0;

@@ -26,7 +26,7 @@ Verdict verdict_of(const Comparison &comparison, const Tolerance &tolerance)
         for (const Measure &m : comparison.measures) {
             if (m.name != limit.measure) continue;
             const bool at_least = !find_kind(m.name)->larger_is_worse;
-            // Written so that a value that is no number breaks the limit.
+            // Written so that NaN breaks the limit.
             const bool kept = at_least ? m.value >= limit.bound : m.value <= limit.bound;
             v.checks.push_back({m.name, m.value, limit.bound, at_least, kept});
         }

@@ -1,4 +1,4 @@
-// Measures held against a tolerance.
+// Measures checked against a tolerance.
 #pragma once
 
 #include "samples/parity/compare.h"
@@ -15,8 +15,8 @@ struct Check {
 
 struct Verdict {
     std::string tolerance;
-    std::vector<Check> checks;         // of limits whose measure there is
-    std::vector<NotCompared> lacking;  // groups that the tolerance asks for
+    std::vector<Check> checks;         // of limits whose measure exists
+    std::vector<NotCompared> lacking;  // groups that the tolerance requires
     bool pass = false;
 
     size_t broken() const;
@@ -24,10 +24,10 @@ struct Verdict {
 };
 Verdict verdict_of(const Comparison &comparison, const Tolerance &tolerance);
 
-// "colour.over_2 0.0123 (at most 0.001), positions ..." of what failed; empty where nothing did.
+// "colour.over_2 0.0123 (at most 0.001), positions ..." of the failed checks; empty if none failed.
 std::string reasons(const Verdict &verdict, size_t most);
 
-// A value as people read it: seven digits, no exponents for what is of ordinary size.
+// A value for display: seven digits, without exponents at ordinary sizes.
 std::string number_text(double value);
 
 }  // namespace parity

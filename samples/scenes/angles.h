@@ -1,4 +1,4 @@
-// Angles.
+// Conversion of angles.
 #pragma once
 
 namespace scenes

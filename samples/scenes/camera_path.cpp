@@ -1,15 +1,15 @@
 #include "samples/scenes/camera_path.h"
 
+#include <cmath>
+
 #include "samples/scenes/check.h"
 #include "samples/scenes/eye.h"
 #include "samples/scenes/odeon/toml_table.h"
 
-#include <cmath>
-
 namespace scenes
 {
 
-const std::string &odeon_path();      // odeon/path.toml, brought by the build
+const std::string &odeon_path();      // odeon/path.toml, embedded by the build
 const std::string &vehicle_path();    // town/path.toml
 const std::string &multitude_path();  // multitude/path.toml
 
@@ -19,8 +19,8 @@ namespace
 using PathPoint = std::array<double, 3>;
 
 constexpr Limits anywhere = {-1e6, 1e6}, film = {0, 86400}, angle = {5, 120}, depth = {0.001, 1e6},
-                 nearest = {0.001, 5};  // the sky is drawn ten metres away
-constexpr double least_m = 0.01;        // from the eye to what it looks at
+                 nearest = {0.001, 5};  // the sky is drawn at ten metres
+constexpr double least_m = 0.01;        // from the eye to its target
 
 double distance(const PathPoint &a, const PathPoint &b)
 {
@@ -28,7 +28,7 @@ double distance(const PathPoint &a, const PathPoint &b)
     return std::sqrt(x * x + y * y + z * z);
 }
 
-// `look` has no upright for views within about two degrees of straight up or down.
+// `look` has no up direction for views within about two degrees of straight up or down.
 bool is_upright(const Viewpoint &v)
 {
     const double x = v.target[0] - v.eye[0], z = v.target[2] - v.eye[2];
@@ -57,9 +57,9 @@ KeyFrame read_key(TomlTable &d, double far_m)
     if (!(key.view.near_m < far_m))
         d.refuse("has near_m = " + show(key.view.near_m) + ", which is not below far_m = " + show(far_m));
     if (distance(key.view.eye, key.view.target) < least_m)
-        d.refuse("looks at where it stands: eye and target are " + show(distance(key.view.eye, key.view.target)) +
+        d.refuse("looks at its own position: eye and target are " + show(distance(key.view.eye, key.view.target)) +
                  " m apart");
-    if (!is_upright(key.view)) d.refuse("looks straight up or down, where nothing says which way is upright");
+    if (!is_upright(key.view)) d.refuse("looks straight up or down, where no direction is upright");
     return key;
 }
 
@@ -91,7 +91,7 @@ std::vector<PathSection> read_sections(TomlTable &path, double start_s, double e
         const std::string span = "'" + s.name + "' from " + show(s.start_s) + " to " + show(s.end_s) + " s ";
         if (s.name.empty()) d.refuse("has no name");
         for (const PathSection &other : sections)
-            if (other.name == s.name) d.refuse("has the name '" + s.name + "' of another one");
+            if (other.name == s.name) d.refuse("has the name '" + s.name + "' of another section");
         if (!(s.end_s > s.start_s)) d.refuse(span + "ends before it begins");
         if (s.start_s < start_s || s.end_s > end_s)
             d.refuse(span + "is not within the key frames, which are from " + show(start_s) + " to " + show(end_s) +
@@ -105,8 +105,8 @@ std::vector<PathSection> read_sections(TomlTable &path, double start_s, double e
     return sections;
 }
 
-// Cubic through four values at four times with the middle two at 0 and 1: Catmull and Rom's tangents for uneven times
-// (those of the parabola through three neighbours), so that speed has no jump at a key. Ends are at rest.
+// A cubic through four values at four times, the middle two at 0 and 1. Its tangents are Catmull and Rom's for uneven
+// times (those of the parabola through three neighbours), so speed is continuous at a key. Both ends are at rest.
 double between(const double (&t)[4], const double (&v)[4], double time)
 {
     const double h = t[2] - t[1], u = (time - t[1]) / h;
@@ -129,7 +129,7 @@ CameraPath::CameraPath(const std::string &toml, const std::string &where)
     keys_ = read_keys(path, far_m_);
     sections_ = read_sections(path, start_s(), end_s());
     path.done();
-    // Between key frames a camera may still cross its own target, or swing over it.
+    // Between valid key frames a camera may still cross its own target, or swing over it.
     for (size_t k = 0; k + 1 < keys_.size(); ++k)
         for (int step = 1; step < 64; ++step) {
             const double time = keys_[k].time_s + (keys_[k + 1].time_s - keys_[k].time_s) * step / 64;
@@ -159,7 +159,7 @@ Viewpoint CameraPath::at(double time_s) const
         v.eye[axis] = cubic([axis](const Viewpoint &at) { return at.eye[axis]; });
         v.target[axis] = cubic([axis](const Viewpoint &at) { return at.target[axis]; });
     }
-    // What has limits never goes beyond its two key frames.
+    // Values with limits stay between those of the two key frames.
     const double u = (time_s - a.time_s) / (b.time_s - a.time_s), eased = u * u * (3 - 2 * u);
     v.fov_deg = a.view.fov_deg + (b.view.fov_deg - a.view.fov_deg) * eased;
     v.near_m = a.view.near_m + (b.view.near_m - a.view.near_m) * eased;

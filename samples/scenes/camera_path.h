@@ -1,20 +1,20 @@
-// A recorded camera path: key frames, smooth in between, and named sections of it (S1 7: "four different sections, each
-// of them showing an average specific number of characters"). Where the camera is depends on the time alone.
+// A recorded camera path: key frames, smooth in between, and named sections of it (S1 7: "four different sections,
+// each of them showing an average specific number of characters"). The camera's position depends on the time alone.
 #pragma once
-
-#include <claque/view.h>
 
 #include <array>
 #include <string>
 #include <vector>
+
+#include <claque/view.h>
 
 namespace scenes
 {
 
 struct Viewpoint {
     std::array<double, 3> eye, target;  // metres
-    double fov_deg = 0;                 // the whole upright angle
-    double near_m = 0;                  // nothing nearer is drawn; the farther it is, the finer is depth
+    double fov_deg = 0;                 // the whole vertical angle
+    double near_m = 0;                  // near plane; depth is finer the farther it is
 };
 
 struct KeyFrame {
@@ -30,12 +30,13 @@ struct PathSection {
 class CameraPath
 {
 public:
-    // Reads a description (odeon/path.toml shows all there is); `where` names it in sentences. Throws Failure where it
-    // is no TOML, lacks something, or cannot be filmed, with the key frame and the numbers.
+    // Reads a description (odeon/path.toml uses every key); `where` names it in error messages. Throws Failure with
+    // the key frame and the numbers if the text is not TOML, lacks something, or describes a path that no camera can
+    // follow.
     CameraPath(const std::string &toml, const std::string &where);
 
-    // Held before the first key frame and after the last. Passes through every key frame; position and direction have
-    // no jump in speed at them.
+    // Constant before the first key frame and after the last. Passes through every key frame, where the speed of
+    // position and direction is continuous.
     Viewpoint at(double time_s) const;
     clq_camera camera(double time_s, double aspect) const;
 
@@ -50,7 +51,7 @@ private:
     double far_m_ = 0;
 };
 
-// The path that comes with a scene; null where it has none.
+// The path that comes with a scene; null if it has none.
 const std::string *recorded_path(const std::string &scene);
 
 }  // namespace scenes

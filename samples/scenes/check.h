@@ -1,17 +1,17 @@
 // claque's statuses as C++ exceptions, and its owners as smart pointers, for samples and tests.
 #pragma once
 
-#include <claque/assets.h>
-#include <claque/claque.h>
-
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include <claque/assets.h>
+#include <claque/claque.h>
+
 namespace scenes
 {
 
-// One sentence for the person who started the program.
+// One sentence for the user of the program.
 struct Failure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -25,8 +25,9 @@ Step Circuit::at(double metres) const
     if (left < 0) left += length_;
     const double bend = quarter_turn * corner_;
 
-    // Side k goes along its own direction from the middle of a straight to the middle of the next, round one corner.
-    double out = half_z_, along = half_x_;  // how far the straight lies from the middle, and half its corner-to-corner
+    // Side k runs along its own direction from the centre of one straight to the centre of the next, round one corner.
+    // distance of the straight from the centre, and half its length between corners
+    double out = half_z_, along = half_x_;
     double nx = 0, nz = 1, tx = 1, tz = 0;  // outwards, and along
     for (;;) {
         const double straight = along - corner_, next = out - corner_;
@@ -39,7 +40,7 @@ Step Circuit::at(double metres) const
                     tz * c - nz * s};
         }
         left -= bend;
-        const double old_nx = nx, old_nz = nz;  // turn left: what was ahead is now outside
+        const double old_nx = nx, old_nz = nz;  // turn left: the old direction is now outwards
         nx = tx, nz = tz;
         tx = -old_nx, tz = -old_nz;
         if (left <= next) return {nx * along + tx * (left - next), nz * along + tz * (left - next), tx, tz};

@@ -1,4 +1,5 @@
-// A way round a rectangle with rounded corners, walked at a steady pace. Where a walker is depends on the time alone.
+// A path round a rectangle with rounded corners, walked at constant speed. A walker's position depends on the time
+// alone.
 #pragma once
 
 namespace scenes
@@ -6,17 +7,18 @@ namespace scenes
 
 struct Step {
     double x, z;    // metres
-    double dx, dz;  // the way it goes, length 1
+    double dx, dz;  // direction of motion, length 1
 };
 
 class Circuit
 {
 public:
-    // Centred on the origin; half_x and half_z to the straight sides, which are at least twice the corner radius long.
+    // Centred on the origin. half_x and half_z reach to the straight sides, which must be at least twice the corner
+    // radius long.
     Circuit(double half_x, double half_z, double corner);
 
     double length() const { return length_; }
-    // `metres` along it, any number; from the middle of the near side (+z), first towards +x.
+    // The position after `metres`, any number; it starts at the centre of the near side (+z), towards +x.
     Step at(double metres) const;
 
 private:

@@ -1,9 +1,9 @@
 #include "samples/scenes/colours.h"
 
-#include "samples/scenes/social_classes.h"
-
 #include <fstream>
 #include <sstream>
+
+#include "samples/scenes/social_classes.h"
 
 namespace scenes
 {
@@ -18,19 +18,19 @@ struct Group {
 
 clq_template_info info_of(const clq_template *tmpl)
 {
-    clq_template_info info = {};
+    clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
     return info;
 }
 
-// Everybody of one class in one template together.
+// One group for all individuals of one class and one template.
 std::vector<Group> groups_of(const Scene &scene, const clq_colour_map *map)
 {
     std::vector<Group> groups;
     const SocialClasses *social = dynamic_cast<const SocialClasses *>(&scene);
     const std::vector<clq_actor> actors = scene.actors();
     for (size_t who = 0; who < actors.size(); ++who) {
-        clq_actor_info actor = {};
+        clq_actor_info actor = clq_actor_info_init();
         check(clq_actor_get_info(scene.crowd(), actors[who], &actor));
         const uint32_t own = class_for(map, social ? social->class_of(who) : std::string(), info_of(actor.tmpl).name);
         if (own == CLQ_NONE) continue;
@@ -60,11 +60,14 @@ uint32_t class_for(const clq_colour_map *map, const std::string &called, const c
 void colour(const Scene &scene, const clq_colour_map *map, uint64_t crowd_seed)
 {
     const std::vector<Group> groups = groups_of(scene, map);
-    if (groups.empty()) throw Failure("the colours are for classes and templates that nobody in the scene is of");
-    for (const Group &group : groups) {  // what does not fit is found before anybody is changed
+    if (groups.empty())
+        throw Failure("no individual in the scene is of the classes and templates that the colours are for");
+    for (const Group &group : groups) {  // all groups are checked before any individual is changed
         std::vector<float> rgb(3 * static_cast<size_t>(info_of(group.tmpl).zone_count));
-        check(clq_colour_map_sample(map, group.colour_class, group.tmpl, crowd_seed, 0, rgb.data(),
-                                    static_cast<uint32_t>(rgb.size() / 3)));
+        clq_colour_sample_def def = clq_colour_sample_def_init();
+        def.colour_class = group.colour_class, def.tmpl = group.tmpl;
+        def.crowd_seed = crowd_seed;
+        check(clq_colour_map_sample(map, &def, rgb.data(), static_cast<uint32_t>(rgb.size() / 3)));
     }
     for (const Group &group : groups)
         check(clq_crowd_randomise_colours(scene.crowd(), map, group.colour_class, group.actors.data(),
@@ -78,7 +81,7 @@ bool ColourFile::apply(const Scene &scene, uint64_t crowd_seed)
     std::ifstream file(path_, std::ios::binary);
     std::stringstream text;
     if (file) text << file.rdbuf();
-    // A file that is being replaced may be gone for a moment.
+    // A file that is being replaced may be absent for a moment.
     if (!file || !text) {
         if (read_) return false;
         throw Failure(path_ + ": cannot be read");

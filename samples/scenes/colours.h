@@ -1,13 +1,13 @@
-// The colours of a scene's people from a file (S2 5.2), taken up anew when the file has changed.
+// The colours of a scene's people from a file (S2 5.2), applied again when the file changes.
 #pragma once
-
-#include "samples/scenes/library.h"
-#include "samples/scenes/scene.h"
-
-#include <claque/colour_files.h>
 
 #include <memory>
 #include <string>
+
+#include <claque/colour_files.h>
+
+#include "samples/scenes/library.h"
+#include "samples/scenes/scene.h"
 
 namespace scenes
 {
@@ -22,21 +22,21 @@ const std::string &roman_classes();
 
 ColourMap read_colours(Library &library, const std::string &toml, const std::string &where);
 
-// The class for individuals that are called so, or wear that template; CLQ_NONE where the map has none.
+// The class for individuals of this class name or this template; CLQ_NONE if the map has none.
 uint32_t class_for(const clq_colour_map *map, const std::string &called, const char *template_name);
 
-// Gives everybody in the scene the colours of their class; who has none keeps what it has. Throws Failure, with nobody changed,
-// where a class does not fit its template, or nobody is of any.
+// Gives each individual of the scene the colours of its class; individuals without a class keep theirs. Throws
+// Failure, with no individual changed, if a class does not fit its template, or no individual has a class.
 void colour(const Scene &scene, const clq_colour_map *map, uint64_t crowd_seed);
 
-// A file of colours, and a scene that wears them.
+// A file of colours for a scene.
 class ColourFile
 {
 public:
     ColourFile(Library &library, std::string path);
 
-    // The first time, or where the file is another than the last time it was looked at: reads it, and gives the scene what it
-    // holds; true. Throws Failure where it cannot: the scene is then as it was, and the same file is not tried again.
+    // Reads the file if this is the first call or its content has changed, and applies it to the scene; then returns
+    // true. Throws Failure if it cannot; the scene is then unchanged, and the same content is not tried again.
     bool apply(const Scene &scene, uint64_t crowd_seed);
 
 private:

@@ -2,8 +2,11 @@
 
 #include "samples/scenes/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#include "samples/scenes/check.h"
 
 namespace scenes
 {
@@ -35,9 +38,13 @@ clq_camera look(const double (&eye)[3], const double (&target)[3], double fov_y_
                 double z_far)
 {
     clq_camera camera = {};
-    const float up[3] = {0, 1, 0};
-    check(clq_camera_look_at(&camera, eye, target, up, static_cast<float>(fov_y_deg * 3.141592653589793 / 180.0),
-                             static_cast<float>(aspect), static_cast<float>(z_near), static_cast<float>(z_far)));
+    clq_look_at_def def = clq_look_at_def_init();
+    std::copy_n(eye, 3, def.eye);
+    std::copy_n(target, 3, def.target);
+    def.fov_y_rad = static_cast<float>(fov_y_deg * 3.141592653589793 / 180.0);
+    def.aspect = static_cast<float>(aspect);
+    def.z_near = static_cast<float>(z_near), def.z_far = static_cast<float>(z_far);
+    check(clq_camera_look_at(&def, &camera));
     return camera;
 }
 

@@ -1,7 +1,8 @@
 #include "samples/scenes/geometry.h"
-#include "samples/scenes/angles.h"
 
 #include <cmath>
+
+#include "samples/scenes/angles.h"
 
 namespace scenes
 {

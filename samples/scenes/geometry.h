@@ -1,11 +1,11 @@
-// What scenery is made of: indexed triangles with colours, built from a few shapes, drawn as GL 1.1 vertex arrays.
+// Scenery as indexed triangles with colours, built from a few shapes and drawn as GL 1.1 vertex arrays.
 #pragma once
-
-#include "samples/scenes/gl.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include "samples/scenes/gl.h"
 
 namespace scenes
 {
@@ -36,14 +36,15 @@ public:
 
     // Corners counter-clockwise seen from outside.
     void quad(const std::array<Vec3, 4> &corners, Rgb colour);
-    // Without a bottom where it stands on the ground.
+    // Has no bottom, because it stands on the ground.
     void box(Vec3 first, Vec3 last, Rgb colour);
-    // Turned about the upright axis through (x, z): rings of (radius, height) from the bottom up, smooth between.
+    // A surface of revolution about the vertical axis through (x, z): rings of (radius, height) from the bottom up,
+    // shaded smoothly between.
     struct Ring {
         float radius, y;
     };
     void turned(float x, float z, const std::vector<Ring> &rings, int sides, Rgb colour);
-    // A level disc that looks up.
+    // A horizontal disc that faces up.
     void disc(float x, float y, float z, float radius, int sides, Rgb colour);
 
     void draw(const Gl &gl) const;

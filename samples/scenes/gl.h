@@ -1,11 +1,11 @@
-// The few OpenGL 1.1 functions with which scenes draw what stands round a crowd. Asked from the context by name, as
-// claque does it: nothing is linked, and no GL header is needed.
+// The few OpenGL 1.1 functions with which scenes draw the scenery round a crowd. They are loaded from the context by
+// name, as claque does it: nothing is linked, and no GL header is needed.
 #pragma once
-
-#include <claque/renderer.h>
 
 #include <cstddef>
 #include <string>
+
+#include <claque/renderer.h>
 
 namespace scenes
 {
@@ -73,7 +73,7 @@ struct Gl {
 
 using GetProcAddress = clq_gl_function (*)(void *user, const char *name);
 
-// Fills the table from the current context. False, and the name of what is missing, where it cannot.
+// Fills the table from the current context. Returns false with the name of the missing function if it cannot.
 bool load(Gl &gl, GetProcAddress get, void *user, std::string &missing);
 
 }  // namespace scenes

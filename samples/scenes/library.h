@@ -1,13 +1,13 @@
-// One clq_context with threads, its warnings collected.
+// One clq_context with threads, whose warnings are collected.
 #pragma once
-
-#include "samples/scenes/check.h"
-#include "samples/scenes/tasks_tbb.h"
 
 #include <map>
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/tasks_tbb.h"
 
 namespace scenes
 {
@@ -18,10 +18,11 @@ public:
     explicit Library(int threads);
 
     clq_context *context() const { return context_.get(); }
-    // A built-in figure, made when it is first asked for; lives as long as the library. From one thread at a time.
+    // A built-in character, made at the first request; lives as long as the library. Call it from one thread at a
+    // time.
     clq_template *builtin(const std::string &name);
-    // The same with coarser levels of detail of about so many triangles, descending; empty: claque's usual ones
-    // (claque/levels.h). Kept in the user's cache folder (claque/prepare.h).
+    // The same with coarser levels of detail of about these numbers of triangles, descending; empty: claque's usual
+    // ones (claque/levels.h). Kept in the user's cache folder (claque/prepare.h).
     clq_template *builtin(const std::string &name, const std::vector<uint32_t> &levels);
     std::vector<std::string> warnings() const;
 

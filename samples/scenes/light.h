@@ -1,10 +1,10 @@
-// Daylight on the fixed-function pipeline: a sun, what the sky scatters, and what the ground throws back.
+// Daylight on the fixed-function pipeline: a sun, scattered light of the sky, and light reflected by the ground.
 #pragma once
+
+#include <claque/shadow.h>
 
 #include "samples/scenes/eye.h"
 #include "samples/scenes/geometry.h"
-
-#include <claque/shadow.h>
 
 namespace scenes
 {
@@ -16,11 +16,11 @@ struct Daylight {
     Rgb bounce = {0.13f, 0.11f, 0.09f};  // from the side away from the sun
 };
 
-// What claque's shadows are to be in this light (claque/shadow.h).
+// The settings of claque's shadows for this light (claque/shadow.h).
 clq_shadow_def shadows_in(const Daylight &light);
 
-// Switches lighting on with lights 0 and 1 and sets what claque inherits; the model-view matrix is the eye's view
-// afterwards. Materials follow colours.
+// Switches lighting on with lights 0 and 1 and sets the state that claque inherits; afterwards the model-view matrix
+// is the eye's view. Materials follow colours.
 void set_lights(const Gl &gl, const Daylight &light, const Eye &eye);
 
 }  // namespace scenes

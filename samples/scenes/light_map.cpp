@@ -9,7 +9,7 @@ namespace
 {
 
 constexpr int side_px = 1024;
-constexpr double ground_grey = 0.35;  // of which a shadow's own colour leaves so much
+constexpr double ground_grey = 0.35;  // brightness of the ground, against 0.1 of a shadow's own colour
 constexpr double least = 1 - Shadows::darkness * (1 - 0.1 / ground_grey);
 
 struct Span {
@@ -37,7 +37,7 @@ void LightMap::paint(const Shadows &shadows)
     for (size_t i = 0; i + 4 <= vertices.size(); i += 4) darken(&vertices[i], picture);
 }
 
-// A quad is a parallelogram: its first corner, and from there the ways along u and along v.
+// A quad is a parallelogram: its first corner, and the edges along u and along v.
 void LightMap::darken(const SceneryVertex *quad, const Image &picture)
 {
     const auto texel = [&](float metres) { return static_cast<double>(coordinate(metres)) * side_px; };

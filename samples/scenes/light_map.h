@@ -1,4 +1,5 @@
-// A picture of how light level ground is, painted once: shadows of many who stand still, for what a texture takes to draw.
+// A picture of the light on level ground, painted once: the shadows of many standing people for the price of one
+// texture.
 #pragma once
 
 #include "samples/scenes/shadows.h"
@@ -6,13 +7,13 @@
 namespace scenes
 {
 
-// Of the square from `low` to `high` metres in x and in z.
+// Covers the square from `low` to `high` metres in x and in z.
 class LightMap
 {
 public:
     LightMap(float low, float high);
 
-    // What the people's quads cover, each as if blended over ground of middling grey.
+    // Paints the people's quads, each as if blended over medium grey ground.
     void paint(const Shadows &shadows);
 
     float coordinate(float metres) const { return (metres - low_) / (high_ - low_); }

@@ -1,4 +1,4 @@
-// Who stands where already: nobody stands inside anybody. A grid of square cells, so that thousands are quick.
+// The positions that are taken, so that people do not overlap. A grid of square cells makes it fast for thousands.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace scenes
 class OccupancyGrid
 {
 public:
-    // True where nobody stands nearer than `distance` [0, 2] metres.
+    // True if no position nearer than `distance` [0, 2] metres is taken.
     bool free(double x, double z, double distance) const
     {
         for (int64_t i = cell(x) - 1; i <= cell(x) + 1; ++i)

@@ -1,12 +1,13 @@
-// Rows of one character, whatever it is, scaled to the size of a person, coloured apart and playing its clips in turn.
+// Rows of one character, any character, scaled to the size of a person, each individual in its own colours and playing
+// the clips in turn.
+#include <algorithm>
+#include <cmath>
+
 #include "samples/scenes/light.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace scenes
 {
@@ -16,7 +17,7 @@ namespace
 constexpr double size_m = 1.75;  // the longest side of a character, once scaled
 constexpr double fov_deg = 30, half_fov = fov_deg / 2 * 0.017453292519943295;
 
-// A character in metres: how much room it takes round its Reference Point.
+// A character in metres: its extent round its Reference Point.
 struct Extent {
     double scale = 1;
     double ground = 0;       // its lowest point, scaled
@@ -35,14 +36,14 @@ Extent extent_of(const Character &character, const clq_template_info &info)
             last[axis] = character.box_max[axis];
             continue;
         }
-        // Prepared files have no box but a sphere of all poses: most who fill it are upright and slimmer than it, and
-        // have their Reference Point on the ground.
+        // Prepared files have no box, only a sphere of all poses. Most characters are upright, slimmer than their
+        // sphere, and have their Reference Point on the ground.
         const double centre = info.sklsroot_centre[axis], radius = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.35);
         first[axis] = centre - radius;
         last[axis] = centre + radius;
     }
-    // Most stand on y = 0; what reaches a little lower is a blade, a tail or a jump. Others stand on their lowest
-    // point.
+    // Most characters stand on y = 0; parts a little below it are a blade, a tail or a jump. Others stand on their
+    // lowest point.
     if (std::abs(first[1]) < 0.15 * (last[1] - first[1])) first[1] = 0;
     const double longest = std::max({last[0] - first[0], last[1] - first[1], last[2] - first[2]});
     e.scale = longest > 0 && std::isfinite(longest) ? size_m / longest : 1;
@@ -106,14 +107,14 @@ public:
     }
 
 private:
-    // As many columns as let the camera come nearest.
+    // Selects the number of columns that brings the camera nearest.
     void line_up(int count)
     {
         constexpr double usual_aspect = 4.0 / 3.0;
         double nearest = 0;
         for (int columns = 1; columns <= count && columns < 4 * std::sqrt(count) + 2; ++columns) {
             const int rows = (count + columns - 1) / columns;
-            if (rows > columns + 1) continue;  // whoever stands far behind is not seen
+            if (rows > columns + 1) continue;  // rows far behind are not visible
             const double distance = fit(rows, columns, usual_aspect).distance;
             if (nearest > 0 && distance >= nearest) continue;
             nearest = distance;
@@ -123,11 +124,10 @@ private:
     }
 
     struct Fit {
-        double distance, target_y, target_z, fy, fz;  // f: the way the eye looks
+        double distance, target_y, target_z, fy, fz;  // f: the eye's direction
     };
 
-    // Looks down on so many rows from the front, near enough that they fill the picture and far enough that all of them
-    // are in it.
+    // Looks down on these rows from the front, at the smallest distance that has all of them in the picture.
     Fit fit(int rows, int columns, double aspect) const
     {
         constexpr double fill = 0.88;
@@ -147,7 +147,7 @@ private:
                 top = std::max(top, up / (f.distance + ahead));
                 bottom = std::min(bottom, up / (f.distance + ahead));
             }
-            if (round > 0) f.target_y += (top + bottom) / 2 * f.distance;  // as much is free above as below
+            if (round > 0) f.target_y += (top + bottom) / 2 * f.distance;  // equal margins above and below
             f.distance = next;
         }
         return f;
@@ -175,7 +175,7 @@ private:
         const uint32_t first = std::min(character_.first_clip, info_.clip_count);
         play.clip = info_.clip_count > first ? first + who % (info_.clip_count - first) : CLQ_NONE;
         play.speed = static_cast<float>(random_between(seed_, who, Purpose::speed, 0.9, 1.1));
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)
             play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * clip.duration_s);
         return play;
@@ -191,7 +191,7 @@ private:
         clq_transform place =
             stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
         scene_crowd_.enter({character_.tmpl, place, play(who)});
-        // Arms that the rest pose spreads throw no shadow to speak of.
+        // Leaves out spread arms of the rest pose, whose shadow is negligible.
         const double body = std::max(extent_.half_z, 0.22 * extent_.height);
         const float rx = static_cast<float>(std::min(extent_.half_x, body) * 1.25 + 0.12);
         const float rz = static_cast<float>(std::min(extent_.half_z, std::max(extent_.half_x, body)) * 1.25 + 0.12);
@@ -229,7 +229,7 @@ private:
     uint64_t seed_;
     Character character_;
     SceneCrowd scene_crowd_;
-    clq_template_info info_ = {};
+    clq_template_info info_ = clq_template_info_init();
     Extent extent_;
     int columns_ = 1, rows_ = 1;
     double across_ = 1, deep_ = 1;

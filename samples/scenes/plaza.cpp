@@ -1,4 +1,6 @@
-// Citizens on a Roman plaza: rings of talkers, an audience before its speaker, walkers round them all.
+// Citizens on a Roman plaza: rings of talkers, an audience before its speaker, and walkers round them all.
+#include <algorithm>
+
 #include "samples/scenes/light.h"
 #include "samples/scenes/plaza_buildings.h"
 #include "samples/scenes/random.h"
@@ -7,14 +9,12 @@
 #include "samples/scenes/sky.h"
 #include "samples/scenes/stone.h"
 
-#include <algorithm>
-
 namespace scenes
 {
 namespace
 {
 
-// What the built-in citizen covers in one cycle of its walk clip at scale 1, so that feet do not slide.
+// The distance of one cycle of the built-in citizen's walk clip at scale 1, so that feet do not slide.
 constexpr double citizen_stride_m = 1.24;
 constexpr float citizen_height_m = 1.75f, citizen_shadow_width_m = 0.95f;
 
@@ -95,7 +95,7 @@ public:
 private:
     static double walk_speed(const clq_template *citizen)
     {
-        clq_clip_info walk = {};
+        clq_clip_info walk = clq_clip_info_init();
         check(clq_template_get_clip(citizen, clq_template_find_clip(citizen, "walk"), &walk));
         return citizen_stride_m / static_cast<double>(walk.duration_s);
     }
@@ -110,7 +110,7 @@ private:
         clq_play play = {};
         play.clip = clq_template_find_clip(citizen_, clip);
         play.speed = static_cast<float>(speed);
-        clq_clip_info info = {};
+        clq_clip_info info = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(citizen_, play.clip, &info) == CLQ_OK)
             play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * info.duration_s);
         return play;
@@ -136,7 +136,7 @@ private:
     {
         const size_t who = scene_crowd_.places().size();
         const float size = size_of(who);
-        // All in a lane go at one pace; short people take more steps for it.
+        // All walkers of a lane have one speed; short people take more steps for it.
         const double speed = std::abs(layout_.lanes[w.lane].speed) / (walk_speed_ * size);
         scene_crowd_.enter({citizen_, walked(w, 0, size), play("walk", speed, who)});
     }
@@ -160,7 +160,7 @@ private:
     }
 
     uint64_t seed_;
-    clq_template *citizen_;  // of the library
+    clq_template *citizen_;  // owned by the library
     double walk_speed_;      // metres a second of the walk clip at speed and scale 1
     PlazaLayout layout_;
     SceneCrowd scene_crowd_;

@@ -1,10 +1,10 @@
 #include "samples/scenes/plaza_buildings.h"
 
-#include "samples/scenes/random.h"
-#include "samples/scenes/stone.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/random.h"
+#include "samples/scenes/stone.h"
 
 namespace scenes
 {
@@ -15,10 +15,11 @@ constexpr Rgb travertine = {0.93f, 0.89f, 0.80f}, marble = {0.97f, 0.95f, 0.90f}
 constexpr Rgb red = {0.62f, 0.22f, 0.16f}, tile = {0.74f, 0.42f, 0.28f}, water = {0.40f, 0.58f, 0.62f};
 constexpr Rgb shade = {0.50f, 0.44f, 0.40f}, cypress = {0.17f, 0.26f, 0.15f}, bark = {0.35f, 0.27f, 0.20f};
 
-// A building's own axes: `along` its front, `out` from its front towards the plaza, y up. Turned by quarters.
+// A building's own axes: `along` its front, `out` from its front towards the plaza, y up. Turned by multiples of 90
+// degrees.
 struct Site {
-    float x, z;    // middle of the front
-    float tx, tz;  // along; out is (-tz, tx) turned so that it looks at the plaza
+    float x, z;    // centre of the front
+    float tx, tz;  // along; out is (-tz, tx) with the sign that points to the plaza
     float ox, oz;
 
     Vec3 at(float along, float y, float out) const { return {x + tx * along + ox * out, y, z + tz * along + oz * out}; }
@@ -27,7 +28,7 @@ struct Site {
         const Vec3 p = at(a0, y0, o0), q = at(a1, y1, o1);
         g.box({std::min(p.x, q.x), y0, std::min(p.z, q.z)}, {std::max(p.x, q.x), y1, std::max(p.z, q.z)}, colour);
     }
-    // Corners given in the building's axes; counter-clockwise for somebody who looks at the front.
+    // Corners in the building's axes; counter-clockwise seen from before the front.
     void quad(Geometry &g, const std::array<Vec3, 4> &c, Rgb colour) const
     {
         g.quad({at(c[0].x, c[0].y, c[0].z), at(c[1].x, c[1].y, c[1].z), at(c[2].x, c[2].y, c[2].z),
@@ -52,7 +53,7 @@ struct Site {
     }
 };
 
-// Seen from below.
+// Visible from below.
 void ceiling(Geometry &g, const Site &s, float half, float y, float back, float front)
 {
     s.quad(g, {Vec3{-half, y, back}, {half, y, back}, {half, y, front}, {-half, y, front}}, shade);
@@ -150,7 +151,7 @@ void cypresses(Geometry &g, const PlazaLayout &layout, uint64_t seed)
     }
 }
 
-// A level sheet of square cells, each corner's colour by lot or by rule.
+// A horizontal sheet of square cells, each corner's colour at random or by rule.
 template <class Colour>
 void sheet(Geometry &g, float half_x, float half_z, float cell, float y, float texture_metres, Colour colour)
 {
@@ -200,7 +201,7 @@ void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed)
 void build(Geometry &g, const PlazaLayout &layout, uint64_t seed)
 {
     const float hx = static_cast<float>(layout.half_x), hz = static_cast<float>(layout.half_z);
-    const float wing = hx - 7.6f;  // what the temple leaves of the back on either side
+    const float wing = hx - 7.6f;  // the width beside the temple on either side
     temple(g, {0, -hz - 3.0f, 1, 0, 0, 1});
     for (float side : {-1.0f, 1.0f}) {
         if (wing > 3) colonnade(g, {side * (hx + 4.5f - (wing + 4.5f) / 2), -hz - 0.9f, 1, 0, 0, 1}, wing + 4.5f);

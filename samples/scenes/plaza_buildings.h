@@ -1,4 +1,4 @@
-// What stands on and round the plaza, and its ground.
+// The buildings on and round the plaza, and its ground.
 #pragma once
 
 #include "samples/scenes/geometry.h"
@@ -7,10 +7,10 @@
 namespace scenes
 {
 
-// The paving, with broad stains in its colours; texture coordinates are repeats of the flagstones.
+// The paving, with broad stains in its colours; texture coordinates count repeats of the flagstones.
 void pave(Geometry &ground, const PlazaLayout &layout, uint64_t seed);
 
-// The country round it, seen between and beyond buildings.
+// The surrounding country, visible between and beyond buildings.
 void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed);
 
 // Colonnades on three sides, a temple at the back, cypresses behind it, a fountain and the speaker's platform.

@@ -1,10 +1,10 @@
 #include "samples/scenes/plaza_layout.h"
 
+#include <algorithm>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/occupancy_grid.h"
 #include "samples/scenes/random.h"
-
-#include <algorithm>
 
 namespace scenes
 {
@@ -37,7 +37,7 @@ public:
         plan_.close_target[1] = plan_.close_eye[1] - 6.0;
     }
 
-    // False where there was no room for all.
+    // Returns false if there was no room for all.
     bool plan(PlazaLayout &out)
     {
         foreground();
@@ -77,7 +77,7 @@ private:
         room_.take(x, z);
     }
 
-    // Two small groups that the close camera sees well, their open side towards it.
+    // Two small groups in good view of the close camera, with their open side towards it.
     void foreground()
     {
         const double *eye = plan_.close_eye, *target = plan_.close_target;
@@ -89,7 +89,7 @@ private:
             for (double angle : angles_deg) {
                 const double s = std::sin(angle * radians), c = std::cos(angle * radians);
                 const double px = x + radius * (dx * c - dz * s), pz = z + radius * (dz * c + dx * s);
-                // Between each other and the eye: faces are to be seen.
+                // Between the others and the eye, so that faces are visible.
                 add(px, 0, pz, x - 1.1 * dx, z - 1.1 * dz, Standing::Role::talker);
             }
         };
@@ -141,7 +141,7 @@ private:
         for (uint64_t draw = 0; left() > 0 && failures < 600; ++draw) {
             const double x = random_between(seed_, draw, Purpose::place_x, -inner_x_, inner_x_);
             const double z = random_between(seed_, draw, Purpose::place_z, -inner_z_, inner_z_);
-            // Where large groups find no room any more, small ones still may.
+            // When large groups no longer fit, small ones still may.
             if (!gather(x, z, std::min(group_size(draw), failures > 450 ? 1u : failures > 250 ? 2u : 5u), draw))
                 ++failures;
             else failures -= std::min(failures, 12u);
@@ -179,7 +179,7 @@ private:
         if (std::abs(x - plan_.rostra[0]) < plan_.rostra_half[0] + 0.6 &&
             std::abs(z - plan_.rostra[1]) < plan_.rostra_half[1] + 1.3)
             return false;
-        // The close camera keeps a clear view: a wedge before it, out to its two groups.
+        // Keeps the view of the close camera clear: a wedge before it, out to its two groups.
         const double ex = x - plan_.close_eye[0], ez = z - plan_.close_eye[1];
         const double tx = plan_.close_target[0] - plan_.close_eye[0], tz = plan_.close_target[1] - plan_.close_eye[1];
         const double scale = 1 / std::sqrt(tx * tx + tz * tz);
@@ -192,7 +192,7 @@ private:
     uint32_t count_;
     uint64_t seed_;
     bool wide_street_;
-    double inner_x_, inner_z_;  // where people stand
+    double inner_x_, inner_z_;  // bounds of the standing people
     OccupancyGrid room_;
 };
 
@@ -202,7 +202,7 @@ PlazaLayout lay_out_plaza(uint32_t count, uint64_t seed, double walk_speed)
 {
     PlazaLayout layout;
     double size = std::max(0.62, std::sqrt(count / 400.0));
-    while (!Planner(count, seed, walk_speed, size).plan(layout)) size *= 1.05;  // more room finds room for all
+    while (!Planner(count, seed, walk_speed, size).plan(layout)) size *= 1.05;  // a larger square until all fit
     return layout;
 }
 

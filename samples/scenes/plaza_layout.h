@@ -1,11 +1,11 @@
-// Who stands and walks where on the plaza: talkers in rings, listeners in arcs before the speaker, walkers in lanes.
-// Metres; x to the right, z towards the overview camera, the middle of the plaza at the origin.
+// The positions on the plaza: talkers in rings, listeners in arcs before the speaker, walkers in lanes. Metres; x to
+// the right, z towards the overview camera, the centre of the plaza at the origin.
 #pragma once
-
-#include "samples/scenes/circuit.h"
 
 #include <cstdint>
 #include <vector>
+
+#include "samples/scenes/circuit.h"
 
 namespace scenes
 {
@@ -24,14 +24,16 @@ struct Walking {
 struct Lane {
     Circuit way;
     double
-        speed;  // metres a second; negative goes the other way round. All in a lane walk alike, so none runs into none
+        // metres a second; negative walks the other way round. All walkers of a lane have one speed, so they never
+        // collide
+        speed;
 };
 
 struct PlazaLayout {
     double half_x, half_z;  // of the paved square
     double fountain[2], fountain_radius;
-    double rostra[2], rostra_half[2], rostra_height;  // the speaker's platform: middle, half sizes
-    double close_eye[2], close_target[2];             // where the close camera stands and looks
+    double rostra[2], rostra_half[2], rostra_height;  // the speaker's platform: centre, half sizes
+    double close_eye[2], close_target[2];             // position and target of the close camera
     std::vector<Lane> lanes;
     std::vector<Standing> standing;
     std::vector<Walking> walking;

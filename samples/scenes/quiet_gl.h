@@ -1,4 +1,5 @@
-// A context's functions, but for one: glDrawElements can be told to do nothing. What a draw then takes is claque's alone.
+// A context's functions, with a glDrawElements that can be told to do nothing. The rest of a draw is claque's own
+// work.
 #pragma once
 
 #include "samples/contexts/offscreen.h"
@@ -6,10 +7,11 @@
 namespace scenes
 {
 
-// As Offscreen::get_proc_address(), `user` being the Offscreen. Of several contexts the one asked last is drawn in.
+// Like Offscreen::get_proc_address(), with the Offscreen as `user`. With several contexts, glDrawElements is that of
+// the last one asked.
 contexts::GlFunction quiet_proc_address(void *user, const char *name);
 
-// From now on, for everybody whose functions came from here.
+// Applies from now on to all functions that came from here.
 void quieten(bool quiet);
 
 }  // namespace scenes

@@ -1,5 +1,5 @@
-// Draws by lot that are functions of (seed, who, what for) and nothing else, so that a scene is the same on every
-// machine and does not change where somebody is added to it.
+// Random numbers that are functions of (seed, individual, purpose) and nothing else, so that a scene is the same on
+// every machine and does not change when individuals are added to it.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@ const std::vector<SceneEntry> &scene_entries()
         {"odeon", "three classes of Roman society in a theatre", make_odeon, 1020},
         {"multitude", "ten thousand on a field: applauding, cheering, laughing, waving or idle (S3 5)", make_multitude,
          10000},
-        {"ten_thousand", "the same field with all four people in chains of levels of detail, everybody in view",
+        {"ten_thousand", "the same field with all four people in chains of levels of detail, all individuals in view",
          make_ten_thousand, 10000},
         {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 12},
         {"vehicle", "omnibuses full of people on the streets of a small town, each a group", make_vehicle, 320, true},

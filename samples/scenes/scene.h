@@ -1,30 +1,30 @@
-// A scene: people in a place, seen by a camera in daylight. Shared by the claque command, tests and benchmarks, so that
-// a figure, a stored picture and a test show the same thing. Everything in it is a function of its casting and the
-// time: any frame can be made by itself.
+// A scene: people in surroundings, seen by a camera in daylight. The claque command, tests and benchmarks share
+// scenes, so that a measurement, a stored picture and a test show the same thing. All of a scene is a function of its
+// options and the time: any frame can be drawn by itself.
 #pragma once
-
-#include "samples/scenes/eye.h"
-#include "samples/scenes/gl.h"
-#include "samples/scenes/scene_crowd.h"
-
-#include <claque/shadow.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <claque/shadow.h>
+
+#include "samples/scenes/eye.h"
+#include "samples/scenes/gl.h"
+#include "samples/scenes/scene_crowd.h"
+
 namespace scenes
 {
 
-// `path`: along the scene's recorded camera path, where it has one; else as overview.
+// `path`: along the scene's recorded camera path if it has one, else as overview.
 enum class Shot { overview, close, path };
 
-// A character that came from a file. Without a box (prepared files carry none) scenes go by the template's sphere.
+// A character from a file. Without a box (prepared files have none) scenes use the template's sphere.
 struct Character {
     clq_template *tmpl = nullptr;
     bool has_box = false;
     float box_min[3] = {0, 0, 0}, box_max[3] = {0, 0, 0};
-    uint32_t first_clip = 0;  // a parade plays this one and what follows it
+    uint32_t first_clip = 0;  // a parade plays this one and those after it
 };
 
 class Scene
@@ -33,22 +33,23 @@ public:
     virtual ~Scene() = default;
 
     virtual clq_crowd *crowd() const = 0;
-    // Everybody in it, for pictures that show what is known of each; a scene may have nothing to show.
+    // All individuals, for overlays that show each one's state; a scene may have nothing to show.
     virtual std::vector<clq_actor> actors() const { return {}; }
     virtual std::vector<clq_template *> templates() const = 0;
     virtual clq_camera camera(Shot shot, double aspect, double time_s) const = 0;
 
-    // Puts those who move where they are at this time; before clq_crowd_update.
+    // Moves the individuals to their positions at this time; call it before clq_crowd_update.
     virtual void place(double time_s) = 0;
 
-    // Brings textures to the current context, which must be current again when the scene ends.
+    // Loads textures into the current context, which must be current again when the scene is destroyed.
     virtual void prepare(const Gl &gl) = 0;
-    // Draws all but the crowd into a cleared picture, and leaves the lights on for it.
+    // Draws everything but the crowd into a cleared picture, and leaves the lights on for the crowd.
     virtual void draw_environment(const Gl &gl, const Eye &eye) const = 0;
-    // Shadows of people are claque's to draw from now on, or nobody's: those that the scene paints itself are left out. Says
-    // what light they fall in; false where the scene has no ground for them, and then nothing has changed.
+    // From now on the scene leaves out the shadows that it paints itself, so that claque draws shadows or nothing
+    // does. Returns the light of the shadows; returns false, with nothing changed, if the scene has no ground for
+    // them.
     virtual bool take_shadows(clq_shadow_def &) { return false; }
-    // From now on it leaves out what a pyramid of this share of the picture's does not meet, where it culls at all.
+    // From now on a scene that culls leaves out what does not meet a frustum of this fraction of the picture's.
     virtual void cull_by(double) {}
 };
 
@@ -56,14 +57,14 @@ struct SceneEntry {
     const char *name;
     const char *about;
     std::unique_ptr<Scene> (*make)(Library &library, const CrowdOptions &crowd_options, const Character &character);
-    uint32_t default_count;  // of individuals, where nobody asks for a number
+    uint32_t default_count;  // of individuals, if none is given
     bool actors = false;     // a scene of S0, which is measured in both cull modes
 };
 
-// Every scene there is.
+// All scenes.
 const std::vector<SceneEntry> &scene_entries();
 
-// Throws Failure, naming what there is, where none has this name. character.tmpl null: the built-in citizen.
+// Throws Failure with the list of names if no scene has this name. character.tmpl null: the built-in citizen.
 std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const CrowdOptions &crowd_options,
                                   const Character &character);
 

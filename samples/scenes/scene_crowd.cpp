@@ -63,7 +63,8 @@ clq_transform stand(double x, double y, double z, double facing_x, double facing
     place.position[2] = z;
     const double length = std::sqrt(facing_x * facing_x + facing_z * facing_z);
     const double s = length > 0 ? facing_x / length : 0, c = length > 0 ? facing_z / length : 1;
-    // Half the angle about the upright axis, from its sine and cosine: no arc tangent, which processors round apart.
+    // Half the angle about the vertical axis, from its sine and cosine: no arc tangent, which processors round
+    // differently.
     const double half_c = std::sqrt(std::fmax(0.0, (1 + c) / 2));
     const double half_s = std::sqrt(std::fmax(0.0, (1 - c) / 2)) * (s < 0 ? -1 : 1);
     place.orientation_xyzw[1] = static_cast<float>(half_s);

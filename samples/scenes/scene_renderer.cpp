@@ -8,7 +8,7 @@ namespace scenes
 SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : library_(library), options_(options)
 {
     if (options_.shot == Shot::path && !options_.path)
-        throw Failure("the scene '" + options_.scene + "' is asked for by a camera path, and has none");
+        throw Failure("the scene '" + options_.scene + "' has no camera path, which was requested");
     std::string why_not;
     offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not);
     if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
@@ -33,7 +33,7 @@ void SceneRenderer::take_shadows()
     shadows_.stencil_bit = options_.shadows.stencil ? 0 : -1;
     shadows_.blob_distance_m = options_.shadows.form == ShadowChoice::Form::blob ? 0.0f : options_.shadows.blob_from_m;
     if (options_.shadows.form == ShadowChoice::Form::none) return;
-    // As far as a person's shadow reaches: whoever is out of view may throw one into it.
+    // Extended by the length of a person's shadow: people out of view may throw one into it.
     constexpr double tall_m = 2.2;
     float fall[3];
     for (int k = 0; k < 3; ++k) fall[k] = static_cast<float>(-shadows_.light[k] / shadows_.light[1] * tall_m);
@@ -42,7 +42,7 @@ void SceneRenderer::take_shadows()
 
 SceneRenderer::~SceneRenderer()
 {
-    // Textures go with what holds them, and need their context for it.
+    // Textures are freed with their owner, which needs their context current.
     if (offscreen_) offscreen_->make_current();
 }
 
@@ -73,7 +73,7 @@ void SceneRenderer::use_strategy(clq_draw_strategy strategy)
 
 clq_prepared_info SceneRenderer::prepared(const clq_template *tmpl) const
 {
-    clq_prepared_info info = {};
+    clq_prepared_info info = clq_prepared_info_init();
     check(clq_renderer_get_prepared(renderer_, tmpl, &info));
     return info;
 }
@@ -107,7 +107,7 @@ void SceneRenderer::draw_environment()
 
 clq_shadow_stats SceneRenderer::send_shadows()
 {
-    clq_shadow_stats stats = {};
+    clq_shadow_stats stats = clq_shadow_stats_init();
     const ShadowChoice::Form form = options_.shadows.form;
     if (form == ShadowChoice::Form::painted || form == ShadowChoice::Form::none) return stats;
     check(clq_renderer_draw_shadows(renderer_, view_.get(), &shadows_, &stats));
@@ -116,7 +116,7 @@ clq_shadow_stats SceneRenderer::send_shadows()
 
 clq_draw_stats SceneRenderer::send_crowd()
 {
-    clq_draw_stats stats = {};
+    clq_draw_stats stats = clq_draw_stats_init();
     check(clq_renderer_draw(renderer_, view_.get(), &stats));
     return stats;
 }
@@ -176,7 +176,7 @@ const std::vector<uint8_t> &SceneRenderer::picture(double time_s)
 namespace
 {
 
-// Halton's sequence: places that fill a pixel evenly however many are taken.
+// Halton's sequence: points that fill a pixel evenly, however many are used.
 double halton(uint32_t i, uint32_t base)
 {
     double at = 0, digit = 1;
@@ -203,19 +203,19 @@ const std::vector<uint8_t> &SceneRenderer::picture(double time_s, uint32_t sampl
 
 clq_crowd_stats SceneRenderer::crowd_stats() const
 {
-    clq_crowd_stats stats = {};
+    clq_crowd_stats stats = clq_crowd_stats_init();
     check(clq_crowd_get_stats(scene_->crowd(), &stats));
     return stats;
 }
 
 clq_view_stats SceneRenderer::view_stats() const
 {
-    clq_view_stats stats = {};
+    clq_view_stats stats = clq_view_stats_init();
     check(clq_view_get_stats(view_.get(), &stats));
     return stats;
 }
 
-uint64_t SceneRenderer::view_hash() const { return clq_view_hash(view_.get()); }
+uint64_t SceneRenderer::view_hash() const { return clq_view_get_hash(view_.get()); }
 
 uint64_t hash_of(const std::vector<uint8_t> &bytes)
 {

@@ -1,25 +1,25 @@
-// A scene in a GL context of its own: library, scene, view and renderer in the order in which they need each other.
-// One frame is update, draw, read; each may be timed by itself.
+// A scene in a GL context of its own: library, scene, view and renderer, in the order in which they depend on each
+// other. One frame is update, draw, read; each may be timed by itself.
 #pragma once
+
+#include <array>
+#include <optional>
 
 #include "samples/contexts/offscreen.h"
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/show.h"
 
-#include <array>
-#include <optional>
-
 namespace scenes
 {
 
-// Of people on the ground: as the scene paints them, none, or claque's (claque/shadow.h) by ellipses or from what people show,
-// with a stencil bit lent or without.
+// Shadows of people on the ground: as the scene paints them, none, or claque's (claque/shadow.h) as ellipses or from
+// the individuals' meshes, with or without a stencil bit.
 struct ShadowChoice {
     enum class Form { painted, none, blob, mesh };
     Form form = Form::painted;
     bool stencil = false;
-    float blob_from_m = 40;  // of Form::mesh
+    float blob_from_m = 40;  // for Form::mesh
 };
 
 struct SceneOptions {
@@ -27,16 +27,16 @@ struct SceneOptions {
     CrowdOptions crowd_options;
     Character character;
     Shot shot = Shot::overview;
-    std::optional<CameraPath> path;  // of Shot::path, which needs one
+    std::optional<CameraPath> path;  // for Shot::path, which needs one
     int width = 1024, height = 768;
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
     clq_draw_strategy strategy = CLQ_STRATEGY_FUSED;
     bool linear_clean = false;     // clq_renderer_def.linear_clean
-    uint32_t flush_triangles = 0;  // clq_renderer_def.flush_triangles; the setting is then flushed too
+    uint32_t flush_triangles = 0;  // clq_renderer_def.flush_triangles; the environment is then flushed too
     uint32_t flat_triangles = 64;  // clq_renderer_def.flat_triangles
-    bool tells_parts = false;      // draw_parts() will be asked for
-    float cull_scale = 1;          // of the culling pyramid, against the picture's (S0 Fig. 10)
+    bool tells_parts = false;      // needed by draw_crowd_up_to()
+    float cull_scale = 1;          // of the culling frustum, relative to the picture's (S0 Fig. 10)
     Show show = Show::nothing;
     ShadowChoice shadows;
 };
@@ -44,37 +44,40 @@ struct SceneOptions {
 class SceneRenderer
 {
 public:
-    // Throws Failure, also where Shot::path is asked for and there is none, and where the scene has no ground for shadows. Its context is current afterwards.
+    // Throws Failure; also if Shot::path has no path, or shadows are requested and the scene has no ground for them.
+    // Its context is current afterwards.
     SceneRenderer(Library &library, const SceneOptions &options);
     ~SceneRenderer();
     SceneRenderer(const SceneRenderer &) = delete;
     SceneRenderer &operator=(const SceneRenderer &) = delete;
 
-    // Everything that costs no GL: who is where, and clq_crowd_update.
+    // All work without GL: positions of the individuals, and clq_crowd_update.
     void update(double time_s);
     void draw_environment();
-    // Of people, where they are claque's: after the setting, before the crowd; waits as draw_crowd() does.
+    // The shadows of people, if they are claque's. Call it after the environment and before the crowd; it waits for GL
+    // as draw_crowd() does.
     clq_shadow_stats draw_shadows();
-    // What StageOptions::show asks for, over all the rest.
+    // Draws the overlay of SceneOptions::show over the finished picture.
     void draw_show();
     // The crowd alone, waiting for GL before and after, so that it can be timed.
     clq_draw_stats draw_crowd();
-    // The same in parts, of a stage made with tells_parts: claque's own work, GL's with vertices, GL's with pixels.
+    // The same in parts, for a scene with tells_parts: claque's own work, GL's with vertices, GL's with pixels.
     enum class DrawPart { claque, and_vertices, all };
     void draw_crowd_up_to(DrawPart last);
-    // A whole frame as a host draws it: all of the above, waiting for GL at the end alone.
+    // A whole frame as a host draws it: all of the above, waiting for GL only at the end.
     void frame(double time_s);
-    // The same, and read; three bytes a pixel, top row first, valid until the next.
+    // The same, and read; three bytes a pixel, top row first, valid until the next call.
     const std::vector<uint8_t> &picture(double time_s);
-    // The mean of `samples` pictures of one moment, each moved by its part of a pixel: anti-aliasing where there is no
-    // multisampling, over the values that pixels hold. All show the same poses, which are made once. 1: as picture().
+    // The mean of `samples` pictures of one time, each moved by its part of a pixel: anti-aliasing without
+    // multisampling, averaged over stored pixel values. All show the same poses, which are computed once. 1: as
+    // picture().
     const std::vector<uint8_t> &picture(double time_s, uint32_t samples);
     const std::vector<uint8_t> &read();
 
-    // Another strategy for the same crowd in the same context, from the next draw. What it needs is kept, so that
-    // changing to and fro costs nothing.
+    // Another strategy for the same crowd in the same context, from the next draw on. Renderers are kept, so that
+    // switching back costs nothing.
     void use_strategy(clq_draw_strategy strategy);
-    // Where there are several stages in turn.
+    // For several scenes in turn.
     void make_current();
 
     clq_prepared_info prepared(const clq_template *tmpl) const;
@@ -100,15 +103,15 @@ private:
     Gl gl_;
     std::unique_ptr<Scene> scene_;
     Own<clq_view> view_;
-    std::array<Own<clq_renderer>, 3> renderers_;  // by variety; made when first used
+    std::array<Own<clq_renderer>, 3> renderers_;  // by strategy; made when first used
     clq_renderer *renderer_ = nullptr;            // one of them
-    clq_shadow_def shadows_ = {};                 // where they are claque's
+    clq_shadow_def shadows_ = {};                 // if they are claque's
     Eye eye_ = {};
-    double moved_px_[2] = {0, 0};  // the picture, right and up
+    double moved_px_[2] = {0, 0};  // of the picture, right and up
     std::vector<uint8_t> rgb_;
 };
 
-// A fingerprint of bytes (FNV-1a, 64 bits), for pictures.
+// A hash of bytes (FNV-1a, 64 bits), for pictures.
 uint64_t hash_of(const std::vector<uint8_t> &bytes);
 
 }  // namespace scenes

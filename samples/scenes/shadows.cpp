@@ -55,7 +55,7 @@ Image person_and_blot()
                                          : smooth(1.25 * (1 - std::sqrt(across * across + (2 * v - 1) * (2 * v - 1))));
             image.rgba[4 * static_cast<size_t>(y * side + x) + 3] = static_cast<uint8_t>(shade * 255 + 0.5);
         }
-    for (size_t i = 0; i < image.rgba.size(); i += 4) {  // white, so that the vertex colour says which dark
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {  // white, so that the vertex colour sets the darkness
         image.rgba[i] = image.rgba[i + 1] = image.rgba[i + 2] = 255;
     }
     return image;
@@ -79,7 +79,7 @@ void finish(const Gl &g)
 }
 
 constexpr Rgb dark = {0.10f, 0.09f, 0.13f};
-constexpr float lift = 0.012f;  // metres above the ground, so that depth tells them apart
+constexpr float lift = 0.012f;  // metres above the ground, to separate them in depth
 
 }  // namespace
 

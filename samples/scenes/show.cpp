@@ -71,7 +71,7 @@ void draw_sphere(const Gl &g, const Eye &eye, const Wires &wires, const double (
     g.DrawElements(lines, static_cast<int>(wires.indices.size()), gl::unsigned_int, wires.indices.data());
 }
 
-// `offset` turned and scaled by a place, and moved to it.
+// `offset` scaled, rotated and translated by a transform.
 void put(const clq_transform &place, const float (&offset)[3], double (&out)[3])
 {
     const double x = static_cast<double>(place.orientation_xyzw[0]), y = static_cast<double>(place.orientation_xyzw[1]);
@@ -91,9 +91,9 @@ void draw_spheres(const Gl &g, const Eye &eye, clq_crowd *crowd, const std::vect
     const Wires wires;
     begin_lines(g, eye.projection);
     for (const clq_actor actor : actors) {
-        clq_actor_info info = {};
+        clq_actor_info info = clq_actor_info_init();
         check(clq_actor_get_info(crowd, actor, &info));
-        clq_template_info tmpl = {};
+        clq_template_info tmpl = clq_template_info_init();
         check(clq_template_get_info(info.tmpl, &tmpl));
         const float alpha = info.visible ? 1.0f : 0.35f;
         const double scale = std::fabs(static_cast<double>(info.root.scale));
@@ -101,7 +101,7 @@ void draw_spheres(const Gl &g, const Eye &eye, clq_crowd *crowd, const std::vect
         put(info.root, tmpl.sklsroot_centre, centre);
         g.Color4f(0.90f, 0.45f, 0.05f, alpha);
         draw_sphere(g, eye, wires, centre, scale * static_cast<double>(info.sklsroot_radius));
-        // A member's place is in its group's space.
+        // A member's transform is in its group's space.
         if (info.group.index1 != 0) continue;
         g.Color4f(0.10f, 0.30f, 0.80f, alpha);
         draw_sphere(g, eye, wires, info.transform.position, scale * static_cast<double>(info.refpoint_radius));
@@ -116,10 +116,10 @@ void tint_by_level(clq_crowd *crowd, const std::vector<clq_actor> &actors)
                                    {0.45f, 0.45f, 0.45f}};
     std::vector<float> rgb;
     for (const clq_actor actor : actors) {
-        clq_actor_info info = {};
+        clq_actor_info info = clq_actor_info_init();
         check(clq_actor_get_info(crowd, actor, &info));
         if (!info.visible) continue;
-        clq_template_info tmpl = {};
+        clq_template_info tmpl = clq_template_info_init();
         check(clq_template_get_info(info.tmpl, &tmpl));
         const float *tint = tints[info.level < 7 ? info.level : 6];
         rgb.clear();

@@ -1,8 +1,9 @@
 #include "samples/scenes/sky.h"
-#include "samples/scenes/angles.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/angles.h"
 
 namespace scenes
 {
@@ -12,7 +13,7 @@ namespace
 constexpr Rgb zenith = {0.27f, 0.47f, 0.74f}, middle = {0.52f, 0.69f, 0.86f}, haze = {0.86f, 0.88f, 0.88f};
 constexpr Rgb country = {0.60f, 0.66f, 0.57f};
 constexpr int sides = 96;
-constexpr double ground_below = -0.2;  // the sine of the angle to the horizon, of what ground may hide
+constexpr double ground_below = -0.2;  // the sine of the lowest angle to the horizon, in the part that ground may hide
 
 Rgb mix(Rgb a, Rgb b, float t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
 
@@ -24,7 +25,7 @@ Rgb sky_at(double height)  // the sine of the angle above the horizon
     return t < 0.45f ? mix(haze, middle, t / 0.45f) : mix(middle, zenith, (t - 0.45f) / 0.55f);
 }
 
-// Rolling heights that close upon themselves.
+// Rolling heights that join at the ends.
 double hill(uint64_t seed, int side, double height, int waves)
 {
     double sum = 0;
@@ -36,14 +37,14 @@ double hill(uint64_t seed, int side, double height, int waves)
     return height * (1 + 0.38 * sum);
 }
 
-// Whether each edge of the ground is seen above ground_below.
+// True if each edge of the ground is visible above ground_below.
 bool hides(double ground_m, const Eye &eye)
 {
     const double edge_m = ground_m - std::max(std::abs(eye.position[0]), std::abs(eye.position[2]));
     return edge_m > 0 && eye.position[1] > 0 && eye.position[1] < -ground_below * std::hypot(eye.position[1], edge_m);
 }
 
-// False where all of it lies on the outer side of the view's left edge, or of its right one.
+// False if all of it lies outside the view's left edge, or outside its right one.
 bool in_view(const Geometry &far_away, const Eye &eye)
 {
     const float *p = eye.projection, *r = eye.rotation;
@@ -110,7 +111,7 @@ Sky::Sky(uint64_t seed, Land land)
     strip(at(-0.06), hills(seed + 5, 0.016, 5), {0.62f, 0.68f, 0.60f}, {0.52f, 0.61f, 0.56f});
 }
 
-// A backdrop as photographers have it.
+// A photographer's backdrop.
 void Sky::studio()
 {
     const auto at = [](double y) { return [y](int) { return y; }; };
@@ -125,7 +126,7 @@ void Sky::draw(const Gl &g, const Eye &eye, double ground_m) const
     g.MatrixMode(gl::projection);
     g.LoadMatrixf(eye.projection);
     g.MatrixMode(gl::modelview);
-    // A sphere of radius 1 may lie before the near plane: ten metres is beyond all of ours.
+    // A sphere of radius 1 could be nearer than the near plane; ten metres is beyond the near plane of all scenes.
     float far_away[16];
     for (int i = 0; i < 16; ++i) far_away[i] = i < 12 ? eye.rotation[i] * 10.0f : eye.rotation[i];
     g.LoadMatrixf(far_away);

@@ -1,4 +1,4 @@
-// What is far away: a sky that pales towards the horizon, and hills; or a plain backdrop.
+// The distance: a sky that pales towards the horizon, and hills; or a plain backdrop.
 #pragma once
 
 #include "samples/scenes/eye.h"
@@ -14,8 +14,8 @@ public:
     static constexpr Rgb backdrop = {0.72f, 0.74f, 0.76f};  // of the studio, at the horizon
     Sky(uint64_t seed, Land land);
 
-    // First of all in a frame: covers the whole picture, writes no depth. ground_m: how far level ground at height 0, which is drawn
-    // next, reaches from the middle each way; what it hides anyway is then left out.
+    // Draw this first in a frame: it covers the whole picture and writes no depth. ground_m: the extent from the
+    // centre, each way, of level ground at height 0 that is drawn next; the part of the sky that it hides is left out.
     void draw(const Gl &gl, const Eye &eye, double ground_m = 0) const;
 
 private:
@@ -23,11 +23,11 @@ private:
 
     static constexpr int sectors = 12;
 
-    // One strip right round, from `low` to `high` above the horizon (sines), each a function of the side.
+    // One strip all round, from `low` to `high` above the horizon (sines), each a function of the side.
     template <class Low, class High>
     void strip(Low low, High high, Rgb low_colour, Rgb high_colour);
 
-    Geometry below_[sectors], dome_[sectors];  // what lies under what level ground may hide, and the rest
+    Geometry below_[sectors], dome_[sectors];  // the part that level ground may hide, and the rest
 };
 
 }  // namespace scenes

@@ -11,7 +11,7 @@ class SocialClasses
 {
 public:
     virtual ~SocialClasses() = default;
-    // What number `who` of Scene::actors() is called.
+    // The class name of number `who` of Scene::actors().
     virtual std::string class_of(size_t who) const = 0;
 };
 

@@ -1,9 +1,9 @@
 #include "samples/scenes/stone.h"
 
-#include "samples/scenes/random.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/random.h"
 
 namespace scenes
 {
@@ -37,7 +37,7 @@ private:
     std::vector<double> values_;
 };
 
-// One course: where its slabs end, as fractions of the repeat, and where the first begins.
+// One course: the ends of its slabs, as fractions of the repeat, and the start of the first.
 struct Course {
     double shift;
     std::vector<double> ends;  // ascending, the last is 1

@@ -6,13 +6,13 @@
 namespace scenes
 {
 
-constexpr float flagstone_metres = 8.0f;  // what one repeat of the flagstones covers
+constexpr float flagstone_metres = 8.0f;  // size of one repeat of the flagstones
 constexpr float plaster_metres = 4.0f;
 
-// Travertine slabs in courses of about a metre, joints between, each slab with a tone of its own. Repeats.
+// Travertine slabs in courses of about a metre, with joints between; each slab has a tone of its own. Repeats.
 Image flagstones(uint64_t seed);
 
-// Weathered plaster or ashlar without joints: light, to be multiplied with a colour. Repeats.
+// Weathered plaster or ashlar without joints: brightness, to be multiplied with a colour. Repeats.
 Image plaster(uint64_t seed);
 
 }  // namespace scenes

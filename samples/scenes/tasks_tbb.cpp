@@ -12,7 +12,7 @@ struct TbbTasks::Arena {
         : control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads)), arena(threads)
     {
     }
-    // Workers are gone before the program ends: a thread that is still on its way out then confuses leak checkers.
+    // Waits for the workers to end before the program ends: threads that are still exiting confuse leak checkers.
     ~Arena()
     {
         arena.terminate();
@@ -33,7 +33,7 @@ clq_tasks TbbTasks::hook()
     hook.user = arena_.get();
     hook.run = [](void *user, uint32_t count, void (*job)(void *, uint32_t), void *job_data) {
         static_cast<Arena *>(user)->arena.execute([&] {
-            // One task each: claque has cut its work into pieces that are worth one already.
+            // One task each: claque has already cut its work into pieces of that size.
             tbb::parallel_for(
                 tbb::blocked_range<uint32_t>(0, count, 1),
                 [&](const tbb::blocked_range<uint32_t> &range) {

@@ -1,9 +1,9 @@
 // claque's task hook on oneTBB, with a stated number of threads, which may exceed the number of cores.
 #pragma once
 
-#include <claque/base.h>
-
 #include <memory>
+
+#include <claque/base.h>
 
 namespace scenes
 {
@@ -16,7 +16,7 @@ public:
     TbbTasks(const TbbTasks &) = delete;
     TbbTasks &operator=(const TbbTasks &) = delete;
 
-    // Valid while this lives. All zero for one thread: claque then works on the calling thread.
+    // Valid while this object lives. All zero for one thread: claque then works on the calling thread.
     clq_tasks hook();
 
 private:

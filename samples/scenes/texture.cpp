@@ -5,7 +5,7 @@ namespace scenes
 namespace
 {
 
-// Each texel the mean of four, rounded.
+// Each texel is the mean of four, rounded.
 Image half(const Image &from)
 {
     Image to;

@@ -1,10 +1,10 @@
-// An image with its smaller copies, as a GL 1.1 texture.
+// An image with its mipmaps, as a GL 1.1 texture.
 #pragma once
-
-#include "samples/scenes/gl.h"
 
 #include <cstdint>
 #include <vector>
+
+#include "samples/scenes/gl.h"
 
 namespace scenes
 {
@@ -14,11 +14,11 @@ struct Image {
     std::vector<uint8_t> rgba;  // [4 * side_px * side_px], the row at v = 0 first
 };
 
-// Belongs to the context that is current when it is made, and must be ended while that is current.
+// Belongs to the context that is current at construction, which must also be current at destruction.
 class Texture
 {
 public:
-    enum class Filter { trilinear, nearest };  // nearest: of the nearest copy, a quarter of the time on software GL
+    enum class Filter { trilinear, nearest };  // nearest: from the nearest mipmap, a quarter of the time on software GL
     Texture(const Gl &gl, const Image &image, bool repeats, Filter filter = Filter::trilinear);
     ~Texture();
     Texture(const Texture &) = delete;

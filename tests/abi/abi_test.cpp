@@ -1,4 +1,5 @@
-// The binary interface of the shared libraries, as tests/abi/*.abi lists it: soname, exports, what is needed and imported.
+// The binary interface of the shared libraries, as tests/abi/*.abi lists it: soname, exports, what is needed and
+// imported.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,9 +1,10 @@
-// What actors have beside clips: objects in their hands, ground under them, shadows, copies (S0 4.3, 7.1).
+// What actors have besides clips: attached objects, ground, shadows and copies (S0 4.3, 7.1).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/crowd/edits.h"
 #include "lib/frame/node_matrix.h"
 #include "tests/actors/robot.h"
 
@@ -32,13 +33,13 @@ TEST(Attached, ObjectsEnlargeTheSpheresAndLetThemShrinkAgain)
     const crowd::Id id = world.add({0, 0, 0});
     const crowd::Extent before = world.crowd.extent_of(0);
     const model::Sphere lance{glm::vec3(0.4f, 1.5f, 0), 1.6f};
-    const crowd::Id held = world.crowd.attach(id, hand_left, lance);
-    const crowd::Id small = world.crowd.attach(id, head, {glm::vec3(0, 0.1f, 0), 0.05f});
+    const crowd::Id held = crowd::attach(world.crowd, id, hand_left, lance);
+    const crowd::Id small = crowd::attach(world.crowd, id, head, {glm::vec3(0, 0.1f, 0), 0.05f});
     const crowd::Extent with = world.crowd.extent_of(0);
     EXPECT_GT(with.sklsroot, before.sklsroot + 1);
     EXPECT_GE(with.refpoint, with.sklsroot);
 
-    // It holds the object in every pose: of the clip, and with the arms anywhere.
+    // The sphere holds the object in every pose: in those of the clip and with the arms at any angle.
     world.look({0, 1, 8}, {0, 1, 0});
     const glm::dvec3 centre(world.tmpl->sklsroot.centre);
     double farthest = 0;
@@ -50,12 +51,12 @@ TEST(Attached, ObjectsEnlargeTheSpheresAndLetThemShrinkAgain)
     }
     EXPECT_LE(farthest, double(with.sklsroot));
 
-    world.crowd.detach(held);
+    crowd::detach(world.crowd, held);
     EXPECT_LT(world.crowd.extent_of(0).sklsroot, before.sklsroot + 0.3f);
-    world.crowd.detach(small);
+    crowd::detach(world.crowd, small);
     EXPECT_EQ(world.crowd.extent_of(0).sklsroot, before.sklsroot);
     EXPECT_EQ(world.crowd.extent_of(0).refpoint, before.refpoint);
-    EXPECT_THROW(world.crowd.detach(held), base::Error);
+    EXPECT_THROW(crowd::detach(world.crowd, held), base::Error);
 }
 
 TEST(Attached, AnObjectInViewKeepsItsActorAlive)
@@ -65,7 +66,7 @@ TEST(Attached, AnObjectInViewKeepsItsActorAlive)
     world.look({0, 30, 60}, {0, 30, 0}, 0.4f);
     world.update(0);
     EXPECT_EQ(world.frame.stats().passed_sklsroot, 0u);
-    world.crowd.attach(id, hand_right, {glm::vec3(0, 20, 0), 10});
+    crowd::attach(world.crowd, id, hand_right, {glm::vec3(0, 20, 0), 10});
     world.update(0);
     EXPECT_EQ(world.frame.stats().passed_sklsroot, 1u);
 }
@@ -83,7 +84,7 @@ TEST(Nodes, AreWhereTheirVerticesAre)
         frame::node_world_matrix(world.crowd, world.frame, 0, arm_left, std::nan(""), shown);
         frame::node_world_matrix(world.crowd, world.frame, 0, arm_left, seen.shown_s, exact);
         for (int i = 0; i < 16; ++i) EXPECT_EQ(shown[i], exact[i]) << i;
-        // The first vertex of the arm's box stands at a corner of the box in the node's frame.
+        // The first vertex of the arm's box is a corner of that box in the node's frame.
         const model::Level &level = world.tmpl->levels[0];
         const draw::Item &item = world.views[0]->list.items[0];
         double nearest = 1e9;
@@ -111,7 +112,7 @@ TEST(Shadows, CastersAreUpdatedByTheirSweptSphereAndNotDrawn)
     EXPECT_TRUE(world.seen(world.ids[0]).visible);
     view.shadow = glm::vec3(40, -12, 0);
     world.update(0);
-    EXPECT_EQ(view.list.items.size(), 1u) << "its sphere crosses the view on the way";
+    EXPECT_EQ(view.list.items.size(), 1u) << "the sphere crosses the view on its way";
     view.shadow = glm::vec3(0, 12, 0);
     world.update(0);
     EXPECT_EQ(view.list.items.size(), 0u);
@@ -121,9 +122,9 @@ TEST(Ground, CarriesActorsThatFollowItWithinItsReach)
 {
     World world;
     const crowd::Id follows = world.add({0, 0, 0}), stays = world.add({2, 0, 0}), far = world.add({-2, 0, 0});
-    world.crowd.follow_ground(follows, 3, 3);
-    world.crowd.follow_ground(far, 0.5f, 3);
-    world.crowd.set_ground(flat_at_two, nullptr);
+    crowd::follow_ground(world.crowd, follows, 3, 3);
+    crowd::follow_ground(world.crowd, far, 0.5f, 3);
+    crowd::set_ground(world.crowd, flat_at_two, nullptr);
     world.look({0, 2, 9}, {0, 2, 0});
     world.update(0);
     crowd::Transform root;
@@ -137,8 +138,8 @@ TEST(Ground, CarriesActorsThatFollowItWithinItsReach)
 
     crowd::Transform place;
     place.position = {10, 0, 0};
-    world.crowd.set_ground(slope, nullptr);
-    world.crowd.set_transforms(&follows, &place, 1);
+    crowd::set_ground(world.crowd, slope, nullptr);
+    crowd::set_transforms(world.crowd, &follows, &place, 1);
     world.views[0]->camera = frame::look_at({10, 2, 9}, {10, 1, 0}, glm::vec3(0, 1, 0), 1, 1.3f, 0.1f, 100);
     world.update(0.1);
     ASSERT_TRUE(world.frame.root_of(world.crowd, 0, root));
@@ -150,29 +151,30 @@ TEST(Clones, StartEqualToTheirOriginalAndThenDiverge)
     World world;
     const crowd::Id id = world.add({0, 0, 0}, 0.3f, 11);
     const float red[3] = {1, 0, 0}, blue[3] = {0, 0, 1};
-    world.crowd.set_colours(id, red, 1);
-    world.crowd.set_priority(id, 0.25f);
-    world.crowd.follow_ground(id, 1, 2);
+    crowd::set_colours(world.crowd, id, red, 1);
+    crowd::set_priority(world.crowd, id, 0.25f);
+    crowd::follow_ground(world.crowd, id, 1, 2);
     crowd::Transform group_place;
     group_place.position = {1, 0, -4};
-    const crowd::Id group = world.crowd.create_group(group_place);
-    world.crowd.join(id, group, nullptr);
-    const crowd::Id attached = world.crowd.attach(id, head, {glm::vec3(0), 5});
+    const crowd::Id group = crowd::create_group(world.crowd, group_place);
+    crowd::join(world.crowd, id, group, nullptr);
+    const crowd::Id attached = crowd::attach(world.crowd, id, head, {glm::vec3(0), 5});
     (void)attached;
 
     crowd::Transform place;
     place.position = {2, 0, 0};
-    const crowd::Id twin = world.crowd.clone(id, &place, 11);
+    const crowd::Id twin = crowd::clone(world.crowd, id, &place, 11);
     const uint32_t row = twin.index1 - 1;
     EXPECT_EQ(world.crowd.group_of(row), world.crowd.group_of(0));
     EXPECT_EQ(world.crowd.group(0).members, 2u);
     EXPECT_EQ(world.crowd.extent_of(row).priority, 0.25f);
     EXPECT_EQ(world.crowd.extent_of(row).slack, 2.0f);
-    EXPECT_LT(world.crowd.extent_of(row).sklsroot, world.crowd.extent_of(0).sklsroot) << "what is held is not copied";
+    EXPECT_LT(world.crowd.extent_of(row).sklsroot, world.crowd.extent_of(0).sklsroot)
+        << "attached objects are not copied";
     EXPECT_EQ(world.crowd.zone_rgb(row)[0], 255);
-    world.crowd.set_colours(id, blue, 1);
+    crowd::set_colours(world.crowd, id, blue, 1);
     EXPECT_EQ(world.crowd.zone_rgb(row)[0], 255);
-    world.crowd.destroy(id);
+    crowd::destroy(world.crowd, id);
     world.look({2, 1, 6}, {2, 1, -4});
     world.update(0.3);
     EXPECT_EQ(world.views[0]->list.items.size(), 1u);
@@ -184,7 +186,7 @@ TEST(Clones, OfOneSeedShowTheSamePose)
     const crowd::Id id = world.add({-1, 0, 0}, 0, 5);
     crowd::Transform place;
     place.position = {1, 0, 0};
-    world.crowd.clone(id, &place, 5);
+    crowd::clone(world.crowd, id, &place, 5);
     world.look({0, 1, 3}, {0, 1, 0}, 1.4f);
     world.frame.reset_bands();
     world.update(0);

@@ -1,9 +1,10 @@
-// S0 5: geometry, skeleton and behaviour follow one effective distance of each actor.
+// Levels of geometry, skeleton and behaviour follow one effective distance per actor (S0 5).
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "lib/crowd/edits.h"
 #include "meshsplit/build.h"
 #include "tests/actors/robot.h"
 
@@ -55,9 +56,9 @@ TEST(Levels, PriorityRaisesTheDetail)
     const crowd::Id id = world.add({0, 0, 0});
     world.look({0, 1, 5}, {0, 1, 0});
     EXPECT_EQ(level_at(world, 100), 2u);
-    world.crowd.set_priority(id, 0.5f);
+    crowd::set_priority(world.crowd, id, 0.5f);
     EXPECT_EQ(level_at(world, 100), 1u);
-    world.crowd.set_priority(id, 1);
+    crowd::set_priority(world.crowd, id, 1);
     EXPECT_EQ(level_at(world, 1500), 0u);
 }
 
@@ -85,12 +86,12 @@ TEST(Levels, AParallelProjectionChoosesBySizeAlone)
     World world;
     world.add({0, 0, 0});
     frame::View &view = world.look({0, 1, 500}, {0, 1, 0});
-    // 768 lines show 16 m: 48 pixels a metre, as from 13.9 m through the lens that distances are for.
+    // 16 m fill 768 lines: 48 pixels per metre, as at 13.9 m through the lens that the level distances assume.
     float parallel[16] = {0.1f, 0, 0, 0, 0, 0.125f, 0, 0, 0, 0, -0.002f, 0, 0, 0, -1, 1};
     std::copy(parallel, parallel + 16, view.camera.projection);
     world.update(0);
     EXPECT_EQ(world.seen(world.ids[0]).level, 0u);
-    view.camera.projection[5] = 0.02f;  // 100 m
+    view.camera.projection[5] = 0.02f;  // the picture is 100 m high
     world.update(0);
     EXPECT_EQ(world.seen(world.ids[0]).level, 2u);
 }
@@ -124,7 +125,7 @@ TEST(Levels, SeveralViewsGetTheDetailOfTheNearest)
 
 TEST(Levels, ASwitchOfTheMeshAloneKeepsThePose)
 {
-    // Both levels of one skeleton: the robot without deactivations.
+    // Both levels share one skeleton: the robot without deactivated nodes.
     model::Model model = robot_model();
     model.rig.deactivation_m.clear();
     for (model::Part &part : model.parts) {
@@ -143,6 +144,6 @@ TEST(Levels, ASwitchOfTheMeshAloneKeepsThePose)
     level_at(world, 29.9);
     EXPECT_EQ(world.frame.stats().animated, 1u);
     level_at(world, 30.1);
-    EXPECT_EQ(world.frame.stats().animated, 0u) << "S1 4: a switch of level skins anew from the palette that is held";
+    EXPECT_EQ(world.frame.stats().animated, 0u) << "S1 4: after a switch of level the cached palette is skinned again";
     EXPECT_EQ(world.frame.stats().skinned, 1u);
 }

@@ -1,4 +1,4 @@
-// S0 4.2 phase 3: what is left out is outside, and what is seen is never left out.
+// Part culling (S0 4.2 phase 3): culled parts are outside the frustum, and visible parts are never culled.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Corner clip_of(const float (&projection)[16], const float (&model_view)[16], con
     return {out[0], out[1], out[2], out[3]};
 }
 
-// The planes of the frustum that all corners of a triangle lie outside of.
+// The frustum planes that have all corners of a triangle outside.
 uint32_t outside(const Corner (&c)[3])
 {
     uint32_t all = 63;
@@ -38,7 +38,7 @@ uint32_t outside(const Corner (&c)[3])
     return all;
 }
 
-// Part of a level that an index of the fused range belongs to.
+// The part of a level to which an index of the fused range belongs.
 uint32_t part_of(const model::Level &level, const model::Surface &surface, uint32_t offset)
 {
     const uint32_t parts = static_cast<uint32_t>(level.parts.size());
@@ -69,7 +69,7 @@ TEST(Parts, OverAThousandCamerasNoVisibleTriangleIsLeftOut)
             listed[item.actor_index] = true;
             const model::Level &level = item.tmpl->levels[item.level];
             ASSERT_GT(level.parts.size(), 1u);
-            ASSERT_NE(item.parts, 0u) << "an actor none of whose parts is drawn is not listed";
+            ASSERT_NE(item.parts, 0u) << "an actor without drawn parts is not listed";
             for (uint32_t p = 0; p < level.parts.size(); ++p) ++(item.parts >> p & 1 ? kept : left_out);
             for (const model::Surface &surface : level.surfaces)
                 for (uint32_t i = 0; i < surface.fused.count; i += 3) {

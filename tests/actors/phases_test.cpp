@@ -1,8 +1,9 @@
-// S0 4.2: three cull phases with behaviour between them, and the traditional order of work beside it.
+// The three cull phases with behaviour between them, compared with the traditional order of work (S0 4.2).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lib/crowd/edits.h"
 #include "tests/actors/robot.h"
 
 using namespace actors;
@@ -10,7 +11,7 @@ using namespace actors;
 namespace
 {
 
-// What the host's mechanism was told, in order.
+// The calls of the host's mechanism, in order.
 struct Calls {
     std::vector<clq_behaviour_call> made;
     static void run(void *user, const clq_behaviour_call *call, clq_dof_writer *)
@@ -53,7 +54,7 @@ uint32_t add_circle(World &world, float radius)
     return world.crowd.behaviours().add(std::move(path));
 }
 
-// 150 robots within 80 m, all round the eye: some on a way of their own, some in groups, all looking about.
+// 150 robots within 80 m on all sides of the eye: some follow a path, some are in groups, all have a gaze mechanism.
 void populate(World &world)
 {
     const uint32_t gaze = add_gaze(world), circle = add_circle(world, 4);
@@ -62,16 +63,16 @@ void populate(World &world)
         crowd::Transform place;
         place.position = {20.0 * g - 20, 0, -25};
         place.orientation = turned(float(g));
-        groups.push_back(world.crowd.create_group(place));
+        groups.push_back(crowd::create_group(world.crowd, place));
     }
     for (uint32_t i = 0; i < 150; ++i) {
         const double angle = 6.2831853 * random_unit(1, i), away = 2 + 78 * random_unit(2, i);
         const crowd::Id id =
             world.add({away * std::sin(angle), 0, away * std::cos(angle)}, float(6 * random_unit(3, i)), i);
-        if (i % 2 == 0) world.crowd.attach_mechanism(id, {gaze, model::none, 0, 0, 0, model::none});
-        if (i % 3 == 0) world.crowd.play_root_path(id, {circle, 1, float(6 * random_unit(4, i)), 0});
-        if (i % 5 == 0) world.crowd.join(id, groups[i % 3], nullptr);
-        if (i % 7 == 0) world.crowd.set_priority(id, 0.8f);
+        if (i % 2 == 0) crowd::attach_mechanism(world.crowd, id, {gaze, model::none, 0, 0, 0, model::none});
+        if (i % 3 == 0) crowd::play_root_path(world.crowd, id, {circle, 1, float(6 * random_unit(4, i)), 0});
+        if (i % 5 == 0) crowd::join(world.crowd, id, groups[i % 3], nullptr);
+        if (i % 7 == 0) crowd::set_priority(world.crowd, id, 0.8f);
     }
 }
 
@@ -109,7 +110,8 @@ TEST(Phases, EachPhaseLeavesFewerAndBehaviourRunsForTheseAlone)
     populate(world);
     Calls calls;
     const uint32_t host = add_host(world, calls, false);
-    for (const crowd::Id id : world.ids) world.crowd.attach_mechanism(id, {host, model::none, 1, 0, 0, model::none});
+    for (const crowd::Id id : world.ids)
+        crowd::attach_mechanism(world.crowd, id, {host, model::none, 1, 0, 0, model::none});
     world.look({0, 1.7, 0}, {0, 1, -30});
     world.update(1);
     const frame::Stats &stats = world.frame.stats();
@@ -118,7 +120,7 @@ TEST(Phases, EachPhaseLeavesFewerAndBehaviourRunsForTheseAlone)
     EXPECT_LE(stats.visible, stats.passed_sklsroot);
     EXPECT_GT(stats.visible, 5u);
     EXPECT_LT(stats.crossing, stats.passed_sklsroot);
-    // Where the skeleton has lost all that could be written, nothing is asked.
+    // The mechanism is not called for a level in which all nodes that it writes are deactivated.
     uint32_t articulated = 0;
     for (const crowd::Id id : world.ids) articulated += world.seen(id).visible && world.seen(id).level < 2;
     EXPECT_GE(calls.made.size(), articulated);
@@ -128,10 +130,10 @@ TEST(Phases, EachPhaseLeavesFewerAndBehaviourRunsForTheseAlone)
     for (const clq_behaviour_call &call : calls.made) {
         EXPECT_EQ(call.visible, 1);
         EXPECT_LE(call.time_s, 1.0);
-        EXPECT_NEAR(double(call.eye_distance), double(world.seen({call.actor.index1, call.actor.generation}).distance),
-                    1e-4);
+        EXPECT_NEAR(double(call.eye_distance_m),
+                    double(world.seen({call.actor.index1, call.actor.generation}).distance), 1e-4);
     }
-    // Who is not due is not asked again.
+    // The mechanism is not called for an actor that is not due.
     calls.made.clear();
     world.update(1);
     EXPECT_EQ(calls.made.size(), 0u);
@@ -146,7 +148,7 @@ TEST(Phases, AMechanismWithMemoryRunsInEveryUpdateForEveryActorInOrderInBothMode
         populate(*worlds[w]);
         const uint32_t host = add_host(*worlds[w], calls[w], true);
         for (size_t i = 0; i < worlds[w]->ids.size(); i += 4)
-            worlds[w]->crowd.attach_mechanism(worlds[w]->ids[i], {host, model::none, 1, 0, 0, model::none});
+            crowd::attach_mechanism(worlds[w]->crowd, worlds[w]->ids[i], {host, model::none, 1, 0, 0, model::none});
         worlds[w]->look({0, 1.7, 0}, {0, 1, -30});
         for (int frame = 0; frame < 3; ++frame) worlds[w]->update(0.01 * frame);
     }
@@ -157,7 +159,7 @@ TEST(Phases, AMechanismWithMemoryRunsInEveryUpdateForEveryActorInOrderInBothMode
         EXPECT_EQ(a.actor.index1, b.actor.index1);
         EXPECT_EQ(a.level, b.level);
         EXPECT_EQ(a.time_s, b.time_s);
-        EXPECT_EQ(a.eye_distance, b.eye_distance);
+        EXPECT_EQ(a.eye_distance_m, b.eye_distance_m);
         EXPECT_EQ(a.visible, 0);
         if (i % 38 > 0) {
             EXPECT_GT(a.actor.index1, calls[0].made[i - 1].actor.index1);
@@ -171,7 +173,7 @@ TEST(Phases, TheRefpointBsphereHoldsTheSklsrootBsphereWhereverTheRootGoes)
     World world;
     const uint32_t circle = add_circle(world, 6);
     const crowd::Id id = world.add({3, 1, -2}, 0.4f);
-    world.crowd.play_root_path(id, {circle, 1.3f, 0.2f, 0});
+    crowd::play_root_path(world.crowd, id, {circle, 1.3f, 0.2f, 0});
     const crowd::Extent &extent = world.crowd.extent_of(0);
     const model::Sphere &sklsroot = world.tmpl->sklsroot;
     double farthest = 0;
@@ -183,7 +185,7 @@ TEST(Phases, TheRefpointBsphereHoldsTheSklsrootBsphereWhereverTheRootGoes)
     }
     EXPECT_LE(farthest, double(extent.refpoint));
     EXPECT_GE(farthest * 1.25, double(extent.refpoint)) << "it is not needlessly large";
-    world.crowd.play_root_path(id, {});
+    crowd::play_root_path(world.crowd, id, {});
     EXPECT_LT(world.crowd.extent_of(0).refpoint, extent.refpoint + 1e-6f);
     EXPECT_LT(world.crowd.extent_of(0).refpoint, 4.0f);
 }

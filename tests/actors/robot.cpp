@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lib/base/hash.h"
+#include "lib/crowd/edits.h"
 #include "meshsplit/build.h"
 
 namespace actors
@@ -76,7 +77,7 @@ void add_dof(model::Model &model, const char *name, Node node, model::DofKind ki
     model.rig.dof_names.emplace_back(name);
 }
 
-// One second in which the left arm goes up and down and the whole bobs.
+// A clip of one second in which the left arm goes up and down and the whole robot bobs.
 void add_clip(model::Model &model)
 {
     model::Rig &rig = model.rig;
@@ -173,7 +174,7 @@ crowd::Id World::add(const glm::dvec3 &at, float yaw_rad, uint64_t seed)
     place.orientation = turned(yaw_rad);
     crowd::Play play;
     play.clip = 0;
-    ids.push_back(crowd.create(*tmpl, place, play, seed));
+    ids.push_back(crowd::create(crowd, *tmpl, place, play, seed));
     return ids.back();
 }
 

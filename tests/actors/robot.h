@@ -1,5 +1,5 @@
-// An actor of rigid boxes for tests: ten nodes, eight degrees of freedom, a clip, and levels of detail in which arms and
-// head are merged into the body (S0 3, 5).
+// An actor of rigid boxes for tests: ten nodes, eight degrees of freedom, a clip, and levels of detail in which arms
+// and head are merged into the body (S0 3, 5).
 #pragma once
 
 #include "lib/frame/frame.h"
@@ -25,12 +25,12 @@ enum Dof : uint32_t {
     leg_right_swing
 };
 
-constexpr float hands_stop_m = 20, limbs_stop_m = 60;  // S0 5.2: fingers of a kind; then all but the body
+constexpr float hands_stop_m = 20, limbs_stop_m = 60;  // S0 5.2: hands are deactivated first, then all but the body
 
 model::Model robot_model();
 std::unique_ptr<model::Template> make_robot();
 
-// A crowd of them with frames and views, as a host has them.
+// A crowd of robots with its frame and views, as a host has them.
 struct World {
     explicit World(const frame::Settings &settings = frame::Settings(), uint64_t seed = 7);
 
@@ -38,7 +38,7 @@ struct World {
     frame::View &look(const glm::dvec3 &eye, const glm::dvec3 &target, float fov_y_rad = 1.0472f,
                       float aspect = 4.0f / 3);
     void update(double time_s);
-    uint64_t hash() const;  // of all views' lists
+    uint64_t hash() const;  // of the lists of all views
     frame::ActorVisibility seen(crowd::Id id) const { return frame.visibility(crowd, id.index1 - 1); }
 
     std::unique_ptr<model::Template> tmpl;
@@ -48,9 +48,9 @@ struct World {
     std::vector<crowd::Id> ids;
 };
 
-// A turn about the upright axis.
+// A rotation about the upright axis.
 glm::quat turned(float yaw_rad);
-// In [0, 1): the k-th draw of a series.
+// In [0, 1): the k-th number of a random series.
 double random_unit(uint64_t series, uint64_t k);
 
 }  // namespace actors

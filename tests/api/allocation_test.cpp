@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "samples/contexts/offscreen.h"
+#include "tests/api/calls.h"
 #include "tests/api/failing_memory.h"
 #include "tests/api/small_template.h"
 
@@ -72,7 +73,7 @@ protected:
         clq_camera camera;
         const double eye[3] = {0, 1, 12}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.0f, 0.1f, 100.0f), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.0f, 0.1f, 100.0f), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     }
 
@@ -106,7 +107,7 @@ std::vector<char> bytes_of(const std::string &path)
 
 }  // namespace
 
-TEST(Allocation, AContextThatFindsNoMemoryIsNotMade)
+TEST(ContextAllocation, AContextThatFindsNoMemoryIsNotMade)
 {
     clq_context_def def = clq_context_def_init();
     def.allocator = fm::allocator;
@@ -139,8 +140,8 @@ TEST_F(Allocation, CreatingActorsFailsCleanlyAtEveryAllocation)
     make_crowd(0);
     // Enough actors that every column has to grow at least twice on the way.
     for (int i = 0; i < 100; ++i) {
-        const uint64_t before = clq_crowd_hash(crowd_);
-        const uint32_t count = clq_crowd_actor_count(crowd_);
+        const uint64_t before = clq_crowd_get_hash(crowd_);
+        const uint32_t count = clq_crowd_get_actor_count(crowd_);
         uint64_t n = 1;
         for (;; ++n) {
             clq_actor_def def = clq_actor_def_init();
@@ -154,8 +155,8 @@ TEST_F(Allocation, CreatingActorsFailsCleanlyAtEveryAllocation)
             }
             ASSERT_EQ(status, CLQ_OUT_OF_MEMORY);
             ASSERT_EQ(actor.index1, 0u) << "out is written only on success";
-            ASSERT_EQ(clq_crowd_hash(crowd_), before);
-            ASSERT_EQ(clq_crowd_actor_count(crowd_), count);
+            ASSERT_EQ(clq_crowd_get_hash(crowd_), before);
+            ASSERT_EQ(clq_crowd_get_actor_count(crowd_), count);
         }
     }
 }
@@ -163,25 +164,25 @@ TEST_F(Allocation, CreatingActorsFailsCleanlyAtEveryAllocation)
 TEST_F(Allocation, AnUpdateFailsCleanlyAtEveryAllocationAndTheNextOneIsTheSame)
 {
     make_crowd(60);
-    const uint64_t crowd_before = clq_crowd_hash(crowd_);
+    const uint64_t crowd_before = clq_crowd_get_hash(crowd_);
     ASSERT_EQ(clq_crowd_update(crowd_, 0.1, &view_, 1), CLQ_OK) << clq_last_error();
-    const uint64_t first = clq_view_hash(view_);
-    ASSERT_EQ(crowd_before, clq_crowd_hash(crowd_)) << "an update changes nothing that the host has set";
+    const uint64_t first = clq_view_get_hash(view_);
+    ASSERT_EQ(crowd_before, clq_crowd_get_hash(crowd_)) << "an update changes nothing that the host has set";
 
     for (int i = 60; i < 200; ++i) ASSERT_EQ(add_actor(i), CLQ_OK);  // so that the update must make room
-    ASSERT_EQ(first, clq_view_hash(view_));
+    ASSERT_EQ(first, clq_view_get_hash(view_));
     fail_each(
         "clq_crowd_update", fm::Reach::everything, 1, [&] { return clq_crowd_update(crowd_, 0.3, &view_, 1); },
-        [&] { ASSERT_EQ(clq_view_hash(view_), first) << "a failed update leaves the list as it was"; },
+        [&] { ASSERT_EQ(clq_view_get_hash(view_), first) << "a failed update leaves the list as it was"; },
         Memory::may_be_kept);
-    const uint64_t after = clq_view_hash(view_);
+    const uint64_t after = clq_view_get_hash(view_);
 
     clq_crowd *fresh = nullptr;
     std::swap(crowd_, fresh);
     clq_template *old = tmpl_;
     make_crowd(200);
     ASSERT_EQ(clq_crowd_update(crowd_, 0.3, &view_, 1), CLQ_OK);
-    EXPECT_EQ(clq_view_hash(view_), after) << "failures on the way changed what is shown";
+    EXPECT_EQ(clq_view_get_hash(view_), after) << "failures on the way changed what is shown";
     clq_crowd_destroy(fresh);
     clq_template_destroy(old);
 }

@@ -1,4 +1,4 @@
-// Bad arguments get a status and a sentence with names and numbers, and change nothing.
+// Wrong arguments give a status and a sentence with names and numbers, and change nothing.
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 namespace
@@ -69,7 +70,7 @@ TEST_F(Arguments, NullPointersAreRefusedByEveryCall)
     EXPECT_EQ(clq_actor_get_info(crowd_, actor_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_view_create(nullptr, &view), CLQ_ARGUMENT);
     EXPECT_EQ(clq_view_set_camera(view_, nullptr), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_camera_look_at(&camera, nullptr, nullptr, nullptr, 1, 1, 1, 2), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_camera_look_at(nullptr, &camera), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_create(context_, nullptr, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_draw(nullptr, view_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_draw_shadows(nullptr, view_, nullptr, nullptr), CLQ_ARGUMENT);
@@ -98,7 +99,7 @@ TEST_F(Arguments, CrowdSettingsOutsideTheirLimitsAreRefused)
     def.period_far_s = 0.01f;  // below period_near_s
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     def = clq_crowd_def_init();
-    def.distance_far = def.distance_near;
+    def.distance_far_m = def.distance_near_m;
     EXPECT_EQ(clq_crowd_create(context_, &def, &crowd), CLQ_ARGUMENT);
     def = clq_crowd_def_init();
     def.period_near_s = nan_argument;
@@ -138,8 +139,8 @@ TEST_F(Arguments, AStaleOrInventedIdIsAnErrorAndChangesNothing)
     const clq_actor invented[] = {{0, 0}, {2, 1}, {1, 99}, {0xffffffffu, 1}};
     clq_play play = {0, 0, 1, 0};
     clq_transform transform = {{0, 0, 0}, {0, 0, 0, 1}, 1};
-    clq_actor_info info;
-    const uint64_t before = clq_crowd_hash(crowd_);
+    clq_actor_info info = clq_actor_info_init();
+    const uint64_t before = clq_crowd_get_hash(crowd_);
     for (const clq_actor &actor : invented) {
         EXPECT_EQ(clq_actor_play(crowd_, actor, &play), CLQ_STALE_ID);
         EXPECT_EQ(clq_crowd_set_transforms(crowd_, &actor, &transform, 1), CLQ_STALE_ID);
@@ -147,14 +148,14 @@ TEST_F(Arguments, AStaleOrInventedIdIsAnErrorAndChangesNothing)
         EXPECT_EQ(clq_actor_get_info(crowd_, actor, &info), CLQ_STALE_ID);
         EXPECT_EQ(clq_actor_destroy(crowd_, actor), CLQ_STALE_ID);
     }
-    EXPECT_EQ(clq_crowd_hash(crowd_), before);
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), before);
     EXPECT_EQ(clq_actor_destroy(crowd_, actor_), CLQ_OK);
     EXPECT_EQ(clq_actor_destroy(crowd_, actor_), CLQ_STALE_ID);
     clq_actor_def def = clq_actor_def_init();
     def.tmpl = tmpl_;
     clq_actor again;
     ASSERT_EQ(clq_actor_create(crowd_, &def, &again), CLQ_OK);
-    EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_STALE_ID) << "the row is in use again, the old id is not";
+    EXPECT_EQ(clq_actor_play(crowd_, actor_, &play), CLQ_STALE_ID) << "the row is reused, the old id stays stale";
 }
 
 TEST_F(Arguments, SettingTransformsIsAllOrNothing)
@@ -163,21 +164,21 @@ TEST_F(Arguments, SettingTransformsIsAllOrNothing)
     def.tmpl = tmpl_;
     clq_actor other;
     ASSERT_EQ(clq_actor_create(crowd_, &def, &other), CLQ_OK);
-    const uint64_t before = clq_crowd_hash(crowd_);
+    const uint64_t before = clq_crowd_get_hash(crowd_);
     const clq_actor actors[2] = {actor_, other};
     clq_transform places[2] = {{{1, 2, 3}, {0, 0, 0, 1}, 1}, {{1, 2, 3}, {0, 0, 0, 1}, nan_argument}};
     EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_hash(crowd_), before);
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), before);
     places[1].scale = 1;
     places[1].orientation_xyzw[0] = 3;
     EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_ARGUMENT);
     places[1].orientation_xyzw[0] = 0;
     places[1].position[1] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_hash(crowd_), before);
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), before);
     places[1].position[1] = 0;
     EXPECT_EQ(clq_crowd_set_transforms(crowd_, actors, places, 2), CLQ_OK);
-    EXPECT_NE(clq_crowd_hash(crowd_), before);
+    EXPECT_NE(clq_crowd_get_hash(crowd_), before);
 }
 
 TEST_F(Arguments, ClipsAndColoursOfAnotherTemplateAreRefused)
@@ -199,12 +200,12 @@ TEST_F(Arguments, CamerasThatSeeNothingAreRefused)
     clq_camera camera;
     const double eye[3] = {0, 0, 0}, target[3] = {0, 1, 0}, ahead[3] = {0, 0, -1};
     const float up[3] = {0, 1, 0};
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1, 1, 0.1f, 10), CLQ_ARGUMENT)
+    EXPECT_EQ(api_test::look_at(&camera, eye, target, up, 1, 1, 0.1f, 10), CLQ_ARGUMENT)
         << "up along the line of sight";
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, eye, up, 1, 1, 0.1f, 10), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 4, 1, 0.1f, 10), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 1, 1, 10, 0.1f), CLQ_ARGUMENT);
-    ASSERT_EQ(clq_camera_look_at(&camera, eye, ahead, up, 1, 1, 0.1f, 10), CLQ_OK);
+    EXPECT_EQ(api_test::look_at(&camera, eye, eye, up, 1, 1, 0.1f, 10), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::look_at(&camera, eye, ahead, up, 4, 1, 0.1f, 10), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::look_at(&camera, eye, ahead, up, 1, 1, 10, 0.1f), CLQ_ARGUMENT);
+    ASSERT_EQ(api_test::look_at(&camera, eye, ahead, up, 1, 1, 0.1f, 10), CLQ_OK);
     EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     camera.projection[0] = nan_argument;
     EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_ARGUMENT);
@@ -217,9 +218,9 @@ TEST_F(Arguments, WhatIsStillNeededOutlivesItsDestroy)
     clq_template_destroy(tmpl_);  // the crowd still holds it
     tmpl_ = nullptr;
     EXPECT_EQ(clq_crowd_update(crowd_, 0, &view_, 1), CLQ_OK) << clq_last_error();
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     ASSERT_EQ(clq_actor_get_info(crowd_, actor_, &info), CLQ_OK);
-    clq_template_info template_info;
+    clq_template_info template_info = clq_template_info_init();
     EXPECT_EQ(clq_template_get_info(info.tmpl, &template_info), CLQ_OK);
     EXPECT_STREQ(template_info.name, "strip");
 }

@@ -1,4 +1,5 @@
 #include "tests/api/arm.h"
+#include "tests/api/calls.h"
 
 #include <cmath>
 #include <cstring>
@@ -75,17 +76,17 @@ double Arm::angle(uint32_t joint, double time_s)
     return own;
 }
 
-clq_fade_target Arm::motion(uint32_t clip, double start_s) const
+clq_fade_def Arm::motion(uint32_t clip, double start_s) const
 {
-    clq_fade_target out{};
+    clq_fade_def out = clq_fade_def_init();
     out.play.clip = clip, out.play.start_s = start_s, out.play.speed = 1;
     return out;
 }
 
 void Arm::fade(uint32_t clip, double at_s, float length, clq_curve curve)
 {
-    const clq_fade_target to = motion(clip, at_s);
-    EXPECT_EQ(clq_actor_fade_to(crowd, actor, &to, at_s, length, curve), CLQ_OK) << clq_last_error();
+    const clq_fade_def to = motion(clip, at_s);
+    EXPECT_EQ(api_test::fade_to(crowd, actor, to, at_s, length, curve), CLQ_OK) << clq_last_error();
 }
 
 clq_gait Arm::add_gait(uint32_t a, uint32_t b, const std::vector<float> &sync_a, const std::vector<float> &sync_b)
@@ -119,8 +120,8 @@ std::vector<clq_active_clip> Arm::shown(double time_s)
 std::vector<clq_event> Arm::events(double from_s, double to_s)
 {
     size_t count = 0;
-    EXPECT_EQ(clq_crowd_get_events(crowd, from_s, to_s, nullptr, 0, &count), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(api_test::get_events(crowd, from_s, to_s, nullptr, 0, &count), CLQ_OK) << clq_last_error();
     std::vector<clq_event> out(count);
-    EXPECT_EQ(clq_crowd_get_events(crowd, from_s, to_s, out.data(), count, &count), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(api_test::get_events(crowd, from_s, to_s, out.data(), count, &count), CLQ_OK) << clq_last_error();
     return out;
 }

@@ -1,4 +1,4 @@
-// A crowd of one arm: three joints in a row that turn about z, in clips whose angles anybody can compute.
+// A crowd of one arm: three joints in a row that turn about z, with clips whose angles are easy to compute.
 #pragma once
 
 #include <claque/claque.h>
@@ -19,11 +19,11 @@ public:
     Arm(const Arm &) = delete;
     Arm &operator=(const Arm &) = delete;
 
-    // Of a joint in a clip at a time on its axis, as the clip has it: radians about z.
+    // The angle of a joint in a clip at a time on the clip's axis: radians about z.
     static double angle_in(uint32_t clip, uint32_t joint, double clip_time_s);
-    // Of a joint as it is shown, against that above it.
+    // The shown angle of a joint relative to its parent.
     double angle(uint32_t joint, double time_s);
-    clq_fade_target motion(uint32_t clip, double start_s) const;
+    clq_fade_def motion(uint32_t clip, double start_s) const;
     void fade(uint32_t clip, double at_s, float length_s, clq_curve curve = CLQ_CURVE_SMOOTH);
     clq_gait add_gait(uint32_t a, uint32_t b, const std::vector<float> &sync_a = {},
                       const std::vector<float> &sync_b = {});

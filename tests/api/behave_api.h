@@ -1,4 +1,4 @@
-// An actor with degrees of freedom and an eye on it, and descriptions of mechanisms that are accepted as they stand.
+// An actor with degrees of freedom, a view of it, and definitions of mechanisms that are valid as they are.
 #pragma once
 
 #include <claque/claque.h>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 enum : uint32_t { nod, turn, shift };
@@ -33,7 +34,7 @@ protected:
         clq_camera camera;
         const double eye[3] = {0, 1, 0}, target[3] = {0, 1, -10};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 100), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 100), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
         shape_ = {1, &value_};
     }
@@ -44,7 +45,7 @@ protected:
         clq_template_destroy(other_);
         clq_context_destroy(context_);
     }
-    // A def of a kind that is accepted as it stands.
+    // A valid definition of this kind.
     clq_mechanism_def def(clq_mechanism_kind kind)
     {
         clq_mechanism_def out = clq_mechanism_def_init();
@@ -73,7 +74,7 @@ protected:
         const clq_mechanism_attachment wanted = {mechanism, priority, 0, 0};
         return clq_actor_attach_mechanism(crowd_, actor_, &wanted);
     }
-    // Changes one thing of a def that is good, and expects the sentence about it.
+    // Changes one thing of a valid definition and expects this message.
     void refused(clq_mechanism_kind kind, const char *sentence, const std::function<void(clq_mechanism_def &)> &change)
     {
         clq_mechanism_def wrong = def(kind);
@@ -96,7 +97,7 @@ protected:
     uint64_t hash(double time_s)
     {
         EXPECT_EQ(clq_crowd_update(crowd_, time_s, &view_, 1), CLQ_OK) << clq_last_error();
-        return clq_view_hash(view_);
+        return clq_view_get_hash(view_);
     }
 
     virtual void run(const clq_behaviour_call &call, clq_dof_writer *writer)

@@ -1,4 +1,4 @@
-// Descriptions, uses and commands that are refused, each by its sentence.
+// Invalid definitions, attachments and commands of mechanisms, each with its message.
 #include <cmath>
 
 #include "tests/api/behave_api.h"
@@ -21,7 +21,7 @@ TEST_F(BehaveApi, RefusesDefsByTheirFirstBrokenRule)
     EXPECT_EQ(clq_crowd_add_mechanism(crowd_, &old, nullptr), CLQ_ARGUMENT);
 }
 
-TEST_F(BehaveApi, RefusesGazesThatCannotBe)
+TEST_F(BehaveApi, RefusesInvalidGazes)
 {
     using Def = clq_mechanism_def;
     refused(CLQ_MECHANISM_GAZE, "names no degree of freedom",
@@ -38,7 +38,7 @@ TEST_F(BehaveApi, RefusesGazesThatCannotBe)
     refused(CLQ_MECHANISM_GAZE, "wander_pitch_rad is -0.1", [](Def &d) { d.gaze.wander_pitch_rad = -0.1f; });
 }
 
-TEST_F(BehaveApi, RefusesFacesThatCannotBe)
+TEST_F(BehaveApi, RefusesInvalidFaces)
 {
     using Def = clq_mechanism_def;
     const clq_dof_value far = {turn, 2}, unknown = {3, 0}, twice[2] = {{turn, 0}, {turn, 1}}, no_number = {turn, NAN};
@@ -62,7 +62,7 @@ TEST_F(BehaveApi, RefusesFacesThatCannotBe)
     refused(CLQ_MECHANISM_BLINK, "period_s is 0.1", [](Def &d) { d.blink.period_s = 0.1f; });
 }
 
-TEST_F(BehaveApi, RefusesPhrasesClipsAndHostsThatCannotBe)
+TEST_F(BehaveApi, RefusesInvalidPhrasesClipsAndHosts)
 {
     using Def = clq_mechanism_def;
     const clq_phrase_key late[1] = {{1, 0}}, back[2] = {{0, 0}, {0, 0}}, unknown[1] = {{0, 1}};
@@ -87,7 +87,7 @@ TEST_F(BehaveApi, RefusesPhrasesClipsAndHostsThatCannotBe)
     refused(CLQ_MECHANISM_HOST, "never off", [](Def &d) { d.host.has_memory = 1, d.off_m = 10; });
 }
 
-TEST_F(BehaveApi, RefusesPathsThatCannotBe)
+TEST_F(BehaveApi, RefusesInvalidPaths)
 {
     using Def = clq_root_path_def;
     refused("1 positions", [](Def &d) { d.count = 1; });
@@ -128,7 +128,8 @@ TEST_F(BehaveApi, RefusesAttachmentsAndCommandsOfMissingMechanisms)
     EXPECT_NE(std::string(clq_last_error()).find("mechanism 9 of 4"), std::string::npos) << clq_last_error();
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, &none), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, &bad), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_actor_detach_mechanism(crowd_, actor_, blink), CLQ_OK) << "one that there is not is ignored";
+    EXPECT_EQ(clq_actor_detach_mechanism(crowd_, actor_, blink), CLQ_OK)
+        << "detaching a mechanism that is not attached is ignored";
     EXPECT_EQ(clq_actor_detach_mechanism(crowd_, actor_, {9}), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_gaze(crowd_, actor_, gaze, point, 0), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("does not use mechanism 2"), std::string::npos) << clq_last_error();
@@ -137,7 +138,7 @@ TEST_F(BehaveApi, RefusesAttachmentsAndCommandsOfMissingMechanisms)
     EXPECT_EQ(clq_actor_say(crowd_, actor_, gaze, 0), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_gaze(crowd_, actor_, gaze, point, NAN), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_express(crowd_, actor_, expression, 1, 0), CLQ_ARGUMENT);
-    EXPECT_NE(std::string(clq_last_error()).find("shape 1 of 1"), std::string::npos) << clq_last_error();
+    EXPECT_NE(std::string(clq_last_error()).find("pose 1 of 1"), std::string::npos) << clq_last_error();
     EXPECT_EQ(clq_actor_express(crowd_, actor_, expression, CLQ_NONE, 0), CLQ_OK);
     const clq_root_path_play motion = {{1}, 1, 0, 0}, still = {{0}, 1, 0, 0}, infinite = {{0}, INFINITY, 0, 0};
     EXPECT_EQ(clq_actor_play_root_path(crowd_, actor_, &motion), CLQ_ARGUMENT);

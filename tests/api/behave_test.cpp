@@ -1,4 +1,4 @@
-// Control mechanisms and paths through the C API: what is accepted moves somebody.
+// Control mechanisms and root paths through the C API: what is accepted moves the actor.
 #include <cmath>
 
 #include "tests/api/behave_api.h"
@@ -33,10 +33,10 @@ TEST_F(BehaveApi, RunsTheHostsMechanismForVisibleActors)
     EXPECT_EQ(calls_[0].actor.index1, actor_.index1);
     EXPECT_LE(calls_[0].time_s, 1.0);
     EXPECT_GT(calls_[0].time_s, 0.7) << "its tick";
-    EXPECT_NEAR(calls_[0].eye_distance, 10, 1.1);
+    EXPECT_NEAR(calls_[0].eye_distance_m, 10, 1.1);
     EXPECT_EQ(calls_[0].visible, 1);
     wanted_ = NAN;
-    EXPECT_NE(hash(2), left) << "what is no number is ignored";
+    EXPECT_NE(hash(2), left) << "NaN is ignored";
     wanted_ = 0.7f;
     EXPECT_EQ(hash(3), left);
     const clq_transform away = {{0, 0, 50}, {0, 0, 0, 1}, 1};
@@ -46,7 +46,7 @@ TEST_F(BehaveApi, RunsTheHostsMechanismForVisibleActors)
     EXPECT_EQ(calls_.size(), before);
 }
 
-TEST_F(BehaveApi, RunsMemoriesInEveryUpdateAlsoUnseen)
+TEST_F(BehaveApi, RunsMechanismsWithMemoryInEveryUpdateAlsoForInvisibleActors)
 {
     clq_mechanism_def wanted = def(CLQ_MECHANISM_HOST);
     wanted.host.has_memory = 1;
@@ -100,12 +100,12 @@ TEST_F(BehaveApi, LetsActorsFollowTheGround)
     EXPECT_EQ(clq_actor_follow_ground(crowd_, {9, 9}, 1, 0), CLQ_STALE_ID);
 }
 
-TEST_F(BehaveApi, LetsAnActorUseSixteen)
+TEST_F(BehaveApi, AttachesUpToSixteenToAnActor)
 {
     std::vector<clq_mechanism> all;
     for (int i = 0; i < 17; ++i) all.push_back(add(def(CLQ_MECHANISM_BLINK)));
     for (int i = 0; i < 16; ++i) ASSERT_EQ(attach_mechanism(all[i]), CLQ_OK) << i;
     EXPECT_EQ(attach_mechanism(all[16]), CLQ_LIMIT);
-    EXPECT_EQ(attach_mechanism(all[3], 5), CLQ_OK) << "one that it uses already";
+    EXPECT_EQ(attach_mechanism(all[3], 5), CLQ_OK) << "it is attached already";
     hash(1);
 }

@@ -1,4 +1,4 @@
-// Colour maps as files: what is saved is loaded as it was, and what breaks a rule is told by line and column.
+// Colour maps as files: a saved map loads unchanged, and errors are reported by line and column.
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -57,7 +57,7 @@ name = "nobody"
 
 }  // namespace
 
-TEST_F(ColourFiles, ThatAreSavedAndLoadedAreSavedAgainByteForByte)
+TEST_F(ColourFiles, RoundTripByteForByte)
 {
     const Loaded first(context_, whole);
     ASSERT_EQ(first.status, CLQ_OK) << first.says;
@@ -72,7 +72,7 @@ TEST_F(ColourFiles, ThatAreSavedAndLoadedAreSavedAgainByteForByte)
     EXPECT_LT(once.find("two ="), once.find("one ="));
 }
 
-// Ranges with numbers that no few digits tell, drawn by hash.
+// Random ranges whose numbers need all their digits.
 TEST_F(ColourFiles, KeepEveryFloatToTheBit)
 {
     uint32_t state = 12345;
@@ -87,7 +87,7 @@ TEST_F(ColourFiles, KeepEveryFloatToTheBit)
         make({zone("one", dyes), linked_to("two", "one", next())});
         const Loaded back(context_, saved(map_));
         ASSERT_EQ(back.status, CLQ_OK) << back.says;
-        clq_colour_map_def was, is;
+        clq_colour_map_def was = clq_colour_map_def_init(), is = was;
         ASSERT_EQ(clq_colour_map_get_def(map_, &was), CLQ_OK);
         ASSERT_EQ(clq_colour_map_get_def(back.map, &is), CLQ_OK);
         EXPECT_EQ(was.classes[0].zones[1].variation, is.classes[0].zones[1].variation);
@@ -125,7 +125,7 @@ TEST_F(ColourFiles, ColoursInHexadecimalAreUsedExactly)
     }
 }
 
-TEST_F(ColourFiles, ThatAreBrokenAreToldByLineColumnAndRule)
+TEST_F(ColourFiles, ErrorsNameLineColumnAndRule)
 {
     const std::string head = "[[classes]]\nname = \"a\"\n[classes.zones]\n";
     const std::string hsb = "hue = [0, 9], saturation = [0, 1], brightness = [0, 1]";
@@ -135,14 +135,14 @@ TEST_F(ColourFiles, ThatAreBrokenAreToldByLineColumnAndRule)
         std::vector<const char *> says;
     } cases[] = {
         {"", "line 1", {"[[classes]]"}},
-        {"classes = 7\n", "line 1, column 11", {"no list"}},
+        {"classes = 7\n", "line 1, column 11", {"not a list"}},
         {"classes = []\n", "line 1", {"0 classes", "1 to 256"}},
         {"[[classes]]\nname = \"a\"\ncolor = 1\n", "line 3, column 1", {"'color' is not known", "zones"}},
-        {"[[classes]]\nname = 3\n", "line 2, column 8", {"'name' is no text"}},
+        {"[[classes]]\nname = 3\n", "line 2, column 8", {"'name' is not a string"}},
         {"[[classes]]\n", "line 1, column 1", {"no name"}},
         {"[[classes]]\nname = \"a\"\n[[classes]]\nname = \"a\"\n", "line 4, column 8", {"this name already"}},
-        {head + "one = { hue = [0, 9 }\n", "line 4", {"no TOML"}},
-        {head + "one = 4\n", "line 4, column 7", {"zone 'one' is no table"}},
+        {head + "one = { hue = [0, 9 }\n", "line 4", {"not TOML"}},
+        {head + "one = 4\n", "line 4, column 7", {"zone 'one' is not a table"}},
         {head + "one = { hue = [0, 400], saturation = [0, 1], brightness = [0, 1] }\n",
          "line 4, column 15",
          {"class 'a', zone 'one'", "hue is 0 to 400"}},
@@ -152,10 +152,10 @@ TEST_F(ColourFiles, ThatAreBrokenAreToldByLineColumnAndRule)
         {head + "one = { hue = [0, 9], saturation = [0, 1] }\n", "line 4, column 7", {"lacks 'brightness'"}},
         {head + "one = { hue = [0], saturation = [0, 1], brightness = [0, 1] }\n",
          "line 4, column 15",
-         {"[first, last]"}},
+         {"[min, max]"}},
         {head + "one = { hue = [0, \"9\"], saturation = [0, 1], brightness = [0, 1] }\n",
          "line 4, column 19",
-         {"no number"}},
+         {"not a number"}},
         {head + "one = { hue = [0, nan], saturation = [0, 1], brightness = [0, 1] }\n", "line 4, column 15", {"hue"}},
         {head + "one = { colour = \"red\" }\n", "line 4, column 18", {"#8a3b12"}},
         {head + "one = { colour = \"#123456\", hue = [1, 2] }\n", "line 4, column 35", {"beside it"}},
@@ -166,11 +166,11 @@ TEST_F(ColourFiles, ThatAreBrokenAreToldByLineColumnAndRule)
         {head + "one = { palette = [] }\n", "line 4, column 1", {"neither a palette entry"}},
         {head + "one = { linked_to = \"one\" }\n", "line 4, column 21", {"linked to itself"}},
         {head + "one = { linked_to = \"two\", variation = 3 }\n", "line 4, column 40", {"variation is 3"}},
-        {head + "one = { " + hsb + " }\none = { " + hsb + " }\n", "line 5", {"no TOML", "one"}},
+        {head + "one = { " + hsb + " }\none = { " + hsb + " }\n", "line 5", {"not TOML", "one"}},
         {head + "one = { linked_to = \"a\\u0000b\" }\n", "line 4", {"zero byte"}},
         {head + "\"\" = { " + hsb + " }\n", "line 4, column 1", {"no name"}},
-        {"\xff\xfe", "line 1", {"no TOML"}},
-        {"x = " + std::string(2000, '['), "line 1", {"no TOML"}},
+        {"\xff\xfe", "line 1", {"not TOML"}},
+        {"x = " + std::string(2000, '['), "line 1", {"not TOML"}},
     };
     for (const auto &c : cases) {
         const Loaded file(context_, c.text);
@@ -185,8 +185,8 @@ TEST_F(ColourFiles, ThatAreBrokenAreToldByLineColumnAndRule)
     }
 }
 
-// Whatever a few bytes of a good file become: a map or a sentence, never anything else.
-TEST_F(ColourFiles, ThatAreDamagedAreMapsOrSentences)
+// Whatever a few bytes of a valid file become, the result is a map or an error message.
+TEST_F(ColourFiles, DamagedOnesGiveAMapOrAnErrorMessage)
 {
     uint64_t state = 99;
     const auto below = [&](size_t n) {
@@ -213,7 +213,7 @@ TEST_F(ColourFiles, ThatAreDamagedAreMapsOrSentences)
     EXPECT_GT(refused, 1000);
 }
 
-TEST_F(ColourFiles, ThatCannotBeReadOrWrittenAreTold)
+TEST_F(ColourFiles, FailuresToReadOrWriteAreReported)
 {
     clq_colour_map *map = nullptr;
     EXPECT_EQ(clq_colour_map_load_file(context_, "/no/such/file.toml", &map), CLQ_IO);
@@ -235,8 +235,8 @@ TEST_F(ColourFiles, ThatCannotBeReadOrWrittenAreTold)
     EXPECT_TRUE(mentions("UTF-8")) << clq_last_error();
 }
 
-// The map that comes with claque, and the place where the README says it is.
-TEST_F(ColourFiles, OfClaqueItselfAreWhole)
+// The colour map that comes with claque, and the place where the README says it is.
+TEST_F(ColourFiles, TheBuiltInOneIsComplete)
 {
     ASSERT_EQ(clq_colour_map_load_file(context_, CLAQUE_SOURCE_DIR "/samples/maps/roman-classes.toml", &map_), CLQ_OK)
         << clq_last_error();

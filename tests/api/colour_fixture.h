@@ -1,4 +1,4 @@
-// A template of four zones, and maps of one class for it.
+// A template of four zones, and colour maps of one class for it.
 #pragma once
 
 #include <claque/claque.h>
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 namespace colours
@@ -22,7 +23,7 @@ struct Rgb {
     double r, g, b;
 };
 
-// Written apart from the library's, by the textbook's case distinction; hue 0 for greys.
+// Written independently of the library, by the textbook's case distinction; hue 0 for greys.
 struct Hsb {
     double hue, saturation, brightness;
 };
@@ -73,11 +74,12 @@ protected:
         return clq_colour_map_create(context_, &def, &map_);
     }
     void make(const std::vector<clq_zone_colours> &zones) { ASSERT_EQ(try_map(zones), CLQ_OK) << clq_last_error(); }
-    // Of all zones of one individual.
+    // The colours of all zones of one individual.
     std::vector<Rgb> draw(uint64_t seed, uint64_t crowd_seed = 7) const
     {
         float rgb[3 * zone_count];
-        EXPECT_EQ(clq_colour_map_sample(map_, 0, tmpl_, crowd_seed, seed, rgb, zone_count), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(api_test::sample_colours(map_, 0, tmpl_, crowd_seed, seed, rgb, zone_count), CLQ_OK)
+            << clq_last_error();
         std::vector<Rgb> out;
         for (uint32_t i = 0; i < zone_count; ++i)
             out.push_back({double(rgb[3 * i]), double(rgb[3 * i + 1]), double(rgb[3 * i + 2])});

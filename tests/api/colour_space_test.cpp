@@ -1,4 +1,4 @@
-// Colours fill their range evenly: in HSB, or in OKLab, which is computed here in another way than in the library.
+// Sampled colours fill their range evenly, in HSB or in OKLab; OKLab is computed here independently of the library.
 #include "tests/api/colour_fixture.h"
 
 namespace colours
@@ -44,8 +44,9 @@ int box_of(const Lab &c, const Lab &first, const Lab &last)
     return (place(c.l, first.l, last.l) * across + place(c.a, first.a, last.a)) * across + place(c.b, first.b, last.b);
 }
 
-// Chi-square of the draws in boxes of OKLab, against the share of each box that the range fills: the share of evenly strewn
-// points of the box that lie in it. Boxes of less than 8 expected draws are taken together. Divided by the degrees of freedom.
+// Chi-square of the samples in boxes of OKLab against the part of each box that the range fills: the fraction of evenly
+// spread points of the box that lie in the range. Boxes of fewer than 8 expected samples are merged. The result is
+// divided by the degrees of freedom.
 double unevenness(const std::vector<Lab> &drawn, const clq_hsb_range &r)
 {
     Lab first = drawn[0], last = drawn[0];
@@ -126,11 +127,11 @@ TEST_F(Colours, SampledInOklabFillItEvenlyAndOthersDoNot)
             of[uniform] = unevenness(drawn, range);
         }
         EXPECT_LT(of[CLQ_COLOUR_SPACE_OKLAB], 1.6) << range.hue_min_deg;
-        EXPECT_GT(of[CLQ_COLOUR_SPACE_HSB], 5 * of[CLQ_COLOUR_SPACE_OKLAB]) << "or the first says nothing";
+        EXPECT_GT(of[CLQ_COLOUR_SPACE_HSB], 5 * of[CLQ_COLOUR_SPACE_OKLAB]) << "otherwise the first test shows nothing";
     }
 }
 
-// A line of one hue and saturation: equal steps of what is perceived come equally often.
+// A line of one hue and saturation: equal perceptual steps are equally frequent.
 TEST_F(Colours, OfARangeThatIsALineAreEvenAlongIt)
 {
     const std::vector<clq_palette_entry> entry = {{{30, 30, 0.5f, 0.5f, 0, 1}, 1}};

@@ -1,7 +1,8 @@
-// Colours given to crowds while they are shown: all or none, by seeds and nothing else.
+// Colours of a shown crowd change for all actors or for none, and depend on seeds alone.
 #include <cstdlib>
 #include <thread>
 
+#include "tests/api/calls.h"
 #include "tests/api/colour_fixture.h"
 
 namespace colours
@@ -20,7 +21,7 @@ protected:
         clq_camera camera;
         const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
         for (int i = 0; i < 60; ++i) {
             clq_actor_def def = clq_actor_def_init();
@@ -56,7 +57,7 @@ protected:
     uint64_t shown()
     {
         EXPECT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK) << clq_last_error();
-        return clq_view_hash(view_);
+        return clq_view_get_hash(view_);
     }
 
     const std::vector<clq_palette_entry> wide_ = {{{200, 100, 0.2f, 0.9f, 0.2f, 1}, 2},
@@ -100,12 +101,12 @@ TEST_F(ColouredCrowd, HasTheSameColoursUnderEveryInstructionSet)
     ASSERT_EQ(colour(actors_), CLQ_OK);
     const std::vector<float> usual = colours();
     for (const clq_simd simd : {CLQ_SIMD_SCALAR, CLQ_SIMD_128, CLQ_SIMD_256}) {
-        if (clq_simd_use(simd) != CLQ_OK) continue;
+        if (clq_simd_set(simd) != CLQ_OK) continue;
         make({zone("zero", wide_, CLQ_COLOUR_SPACE_OKLAB), zone("one", wide_), linked_to("two", "zero", 0.2f)});
         ASSERT_EQ(colour(actors_), CLQ_OK);
         EXPECT_EQ(colours(), usual);
     }
-    ASSERT_EQ(clq_simd_use(CLQ_SIMD_WIDEST), CLQ_OK);
+    ASSERT_EQ(clq_simd_set(CLQ_SIMD_WIDEST), CLQ_OK);
 }
 
 TEST_F(ColouredCrowd, MayShareAMapWithOthersOnOtherThreads)
@@ -127,8 +128,8 @@ TEST_F(ColouredCrowd, MayShareAMapWithOthersOnOtherThreads)
     for (const int n : wrong) EXPECT_EQ(n, 0);
 }
 
-// A sum over all bytes that 60 people get: it is the same on every machine.
-TEST_F(ColouredCrowd, HasTheColoursThatItHasEverywhere)
+// A sum over all colour bytes of 60 individuals: it is the same on every machine.
+TEST_F(ColouredCrowd, HasTheSameColoursOnEveryMachine)
 {
     ASSERT_EQ(colour(actors_), CLQ_OK);
     uint64_t hash = 0xcbf29ce484222325u;
@@ -136,7 +137,7 @@ TEST_F(ColouredCrowd, HasTheColoursThatItHasEverywhere)
     EXPECT_EQ(hash, 0xba5788422c1354edu);
 }
 
-TEST_F(ColouredCrowd, StaysAsItWasWhereAnythingIsWrong)
+TEST_F(ColouredCrowd, StaysUnchangedOnAnyError)
 {
     ASSERT_EQ(colour({actors_.begin(), actors_.begin() + 30}), CLQ_OK);
     const std::vector<float> before = colours();
@@ -155,14 +156,14 @@ TEST_F(ColouredCrowd, StaysAsItWasWhereAnythingIsWrong)
     EXPECT_EQ(colour(actors_), CLQ_ARGUMENT);
     float rgb[3];
     EXPECT_EQ(clq_actor_get_colours(crowd_, actors_[0], rgb, 1), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_colour_map_sample(map_, 0, tmpl_, 0, 0, rgb, 1), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::sample_colours(map_, 0, tmpl_, 0, 0, rgb, 1), CLQ_ARGUMENT);
     EXPECT_EQ(colours(), before);
 }
 
 namespace
 {
 
-// Memory whose n-th allocation from now on fails; 0: none does.
+// Memory whose n-th allocation from now on fails; 0: none fails.
 struct Countdown {
     int left = 0;
     int64_t held = 0;
@@ -182,7 +183,7 @@ void release(void *user, void *memory, size_t, size_t)
 
 }  // namespace
 
-TEST(ColourMemory, ThatRunsOutAnywhereLeavesPeopleAsTheyWere)
+TEST(ColourMemory, ThatRunsOutAnywhereLeavesAllColoursUnchanged)
 {
     Countdown countdown;
     clq_context_def context_def = clq_context_def_init();

@@ -1,4 +1,4 @@
-// What individuals' colours are drawn from: ranges hold, palettes keep their weights, zones that are alike are alike.
+// Sampling of individuals' colours: ranges hold, palettes keep their weights, linked zones stay alike.
 #include "tests/api/colour_fixture.h"
 
 namespace colours
@@ -46,9 +46,9 @@ TEST_F(Colours, OfAWrappingHueRangeLieOnBothSidesOfRed)
     EXPECT_LT(below, 570);
 }
 
-// 10 000 draws of three dyes: chi-square with two degrees of freedom stays under 13.8 but once in a thousand seeds, and seeds
-// are fixed.
-TEST_F(Colours, OfAPaletteComeAsOftenAsTheirWeightsSay)
+// 10 000 samples of three palette entries: chi-square with two degrees of freedom exceeds 13.8 for one seed in a
+// thousand, and the seeds are fixed.
+TEST_F(Colours, OfAPaletteAreAsFrequentAsTheirWeights)
 {
     const std::vector<clq_palette_entry> palette = {
         {{0, 0, 1, 1, 1, 1}, 5}, {{120, 120, 1, 1, 1, 1}, 3}, {{240, 240, 1, 1, 1, 1}, 0.5f}};
@@ -86,7 +86,7 @@ TEST_F(Colours, OfLinkedZonesAreEqualAndDifferMoreWithVariation)
     }
 }
 
-// Correlation of brightness, which is uniform by itself, with that of the zone that it is like.
+// Correlation of brightness, which is uniform by itself, with that of the linked zone.
 TEST_F(Colours, OfALinkedZoneKeepTheirOwnDistribution)
 {
     const std::vector<clq_palette_entry> entry = {{{10, 20, 0.5f, 0.5f, 0, 1}, 1}};
@@ -115,7 +115,7 @@ TEST_F(Colours, OfALinkedZoneKeepTheirOwnDistribution)
     }
 }
 
-TEST_F(Colours, OfALinkedZoneWithAPaletteOfItsOwnTakeTheSamePlaceInIt)
+TEST_F(Colours, OfALinkedZoneWithAPaletteOfItsOwnTakeTheSamePositionInIt)
 {
     const std::vector<clq_palette_entry> light = {{{40, 40, 0.2f, 0.2f, 0.8f, 1}, 1}},
                                          dark = {{{40, 40, 0.2f, 0.2f, 0, 0.4f}, 1}};
@@ -126,7 +126,7 @@ TEST_F(Colours, OfALinkedZoneWithAPaletteOfItsOwnTakeTheSamePlaceInIt)
         const std::vector<Rgb> c = draw(seed);
         EXPECT_NEAR((c[2].r - 0.8) / 0.2, c[0].r / 0.4, 1e-5) << seed;
     }
-    // Of a zone that the class does not name, the template's own range.
+    // A zone that the class does not name has the template's own range.
     make({linked_to("zero", "three")});
     for (uint64_t seed = 0; seed < 50; ++seed) {
         const std::vector<Rgb> c = draw(seed);
@@ -135,7 +135,7 @@ TEST_F(Colours, OfALinkedZoneWithAPaletteOfItsOwnTakeTheSamePlaceInIt)
     }
 }
 
-TEST_F(Colours, OfAClassWithoutOptionsAreThoseThatRangesAloneGive)
+TEST_F(Colours, OfAClassWithoutOptionsFollowItsRangesAlone)
 {
     const clq_hsb_range range = {300, 20, 0.1f, 0.9f, 0.2f, 1};
     const std::vector<clq_palette_entry> entry = {{range, 17}};
@@ -211,7 +211,7 @@ TEST_F(Colours, MapsReturnTheirDefinition)
 {
     const std::vector<clq_palette_entry> palette = {{{0, 90, 0.1f, 0.2f, 0.3f, 0.4f}, 2}, {{1, 1, 1, 1, 1, 1}, 3}};
     make({zone("one", palette, CLQ_COLOUR_SPACE_OKLAB), linked_to("two", "one", 0.25f)});
-    clq_colour_map_def def;
+    clq_colour_map_def def = clq_colour_map_def_init();
     ASSERT_EQ(clq_colour_map_get_def(map_, &def), CLQ_OK);
     ASSERT_EQ(def.class_count, 1u);
     EXPECT_STREQ(def.classes[0].name, "people");

@@ -1,4 +1,4 @@
-// The crowd through the C API: what is shown is a function of calls, time and views, whatever threads and caches do.
+// The crowd through the C API: what is shown depends on calls, time and views, and not on threads or caches.
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 namespace
@@ -26,7 +27,7 @@ void run_on_threads(void *user, uint32_t count, void (*job)(void *, uint32_t), v
     for (std::thread &thread : threads) thread.join();
 }
 
-// A crowd of strips in rows, seen by one camera.
+// A crowd of strips in rows, with one camera.
 class Strips
 {
 public:
@@ -66,17 +67,17 @@ public:
         clq_camera camera;
         const double eye[3] = {x, 1.5, 6}, target[3] = {0, 1, -20};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view, &camera), CLQ_OK);
     }
     uint64_t at(double time_s)
     {
         EXPECT_EQ(clq_crowd_update(crowd, time_s, &view, 1), CLQ_OK) << clq_last_error();
-        return clq_view_hash(view);
+        return clq_view_get_hash(view);
     }
     clq_crowd_stats stats() const
     {
-        clq_crowd_stats out;
+        clq_crowd_stats out = clq_crowd_stats_init();
         EXPECT_EQ(clq_crowd_get_stats(crowd, &out), CLQ_OK);
         return out;
     }
@@ -136,12 +137,12 @@ TEST(Crowd, ThreadsAndCachesChangeTheCostAndNotTheList)
     }
 }
 
-TEST(Crowd, TheCacheServesWhatIsNotDue)
+TEST(Crowd, TheCacheServesActorsThatAreNotDue)
 {
     Strips strips;
     strips.at(1.0);
     EXPECT_GT(strips.stats().visible, 100u);
-    EXPECT_EQ(strips.stats().animated, strips.stats().visible) << "everybody is new";
+    EXPECT_EQ(strips.stats().animated, strips.stats().visible) << "all actors are new";
     strips.at(1.0 + 1 / 60.0);
     const clq_crowd_stats second = strips.stats();
     EXPECT_LT(second.animated, second.visible) << "a sixtieth of a second later most are not due";
@@ -161,7 +162,7 @@ TEST(Crowd, ActorsOutOfViewAreNotAnimatedAndAreInTimeOnReturn)
     clq_camera away;
     const double eye[3] = {0, 1.5, 6}, target[3] = {0, 1, 60};
     const float up[3] = {0, 1, 0};
-    ASSERT_EQ(clq_camera_look_at(&away, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
+    ASSERT_EQ(api_test::look_at(&away, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
     ASSERT_EQ(clq_view_set_camera(strips.view, &away), CLQ_OK);
     strips.at(0.5);
     EXPECT_EQ(strips.stats().visible, 0u);
@@ -192,7 +193,7 @@ TEST(Crowd, ADestroyedActorLeavesNothingOfItsPosesToTheNext)
     Strips used, fresh;
     used.at(1.0);  // so that row 7 has cached poses
     for (Strips *strips : {&used, &fresh}) {
-        clq_actor_info info;
+        clq_actor_info info = clq_actor_info_init();
         ASSERT_EQ(clq_actor_get_info(strips->crowd, strips->actors[7], &info), CLQ_OK);
         ASSERT_EQ(clq_actor_destroy(strips->crowd, strips->actors[7]), CLQ_OK);
         clq_actor_def def = clq_actor_def_init();
@@ -220,27 +221,27 @@ TEST(Crowd, SeveralViewsShareOneUpdate)
     clq_camera camera;
     const double eye[3] = {20, 1.5, -20}, target[3] = {0, 1, -20};
     const float up[3] = {0, 1, 0};
-    ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
+    ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
     ASSERT_EQ(clq_view_set_camera(second, &camera), CLQ_OK);
     clq_view *const views[2] = {strips.view, second};
     ASSERT_EQ(clq_crowd_update(strips.crowd, 1.0, views, 2), CLQ_OK) << clq_last_error();
-    clq_view_stats a, b;
+    clq_view_stats a = clq_view_stats_init(), b = clq_view_stats_init();
     ASSERT_EQ(clq_view_get_stats(strips.view, &a), CLQ_OK);
     ASSERT_EQ(clq_view_get_stats(second, &b), CLQ_OK);
     EXPECT_GT(a.visible, 0u);
     EXPECT_GT(b.visible, 0u);
-    EXPECT_EQ(strips.stats().animated, strips.stats().visible) << "nobody is animated twice";
+    EXPECT_EQ(strips.stats().animated, strips.stats().visible) << "no actor is animated twice";
     ASSERT_EQ(clq_crowd_update(strips.crowd, 1.0, views, 1), CLQ_OK);
     ASSERT_EQ(clq_view_get_stats(second, &b), CLQ_OK);
-    EXPECT_EQ(b.visible, 0u) << "a view that was not asked for has an empty list";
+    EXPECT_EQ(b.visible, 0u) << "a view that was not updated has an empty list";
 }
 
-TEST(Crowd, AThousandKilometresAwayPeopleLookTheSame)
+TEST(Crowd, AThousandKilometresAwayActorsLookTheSame)
 {
     Strips near_by, far_off;
     std::vector<clq_transform> places;
     for (const clq_actor &actor : far_off.actors) {
-        clq_actor_info info;
+        clq_actor_info info = clq_actor_info_init();
         ASSERT_EQ(clq_actor_get_info(far_off.crowd, actor, &info), CLQ_OK);
         info.transform.position[0] += 1048576, info.transform.position[2] += 1048576;
         places.push_back(info.transform);
@@ -251,7 +252,7 @@ TEST(Crowd, AThousandKilometresAwayPeopleLookTheSame)
     clq_camera camera;
     const double eye[3] = {1048576, 1.5, 1048576 + 6}, target[3] = {1048576, 1, 1048576 - 20};
     const float up[3] = {0, 1, 0};
-    ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
+    ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 200), CLQ_OK);
     ASSERT_EQ(clq_view_set_camera(far_off.view, &camera), CLQ_OK);
     near_by.at(1.0), far_off.at(1.0);
     EXPECT_EQ(near_by.stats().visible, far_off.stats().visible);

@@ -1,5 +1,5 @@
-// Drawing on one thread while another updates: each is done or told BUSY, and no memory is read while it is written. The
-// GL here is none: it reads the arrays as GL would, so that a thread sanitizer sees who touches what.
+// Drawing on one thread while another updates: each call succeeds or returns CLQ_BUSY, and no memory is read while it
+// is written. The GL here is a stub that reads the arrays as GL would, so that a thread sanitizer sees every access.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -20,7 +20,7 @@ struct Bound {
     const void *positions = nullptr;
     uint32_t type = 0;
     int32_t stride = 0, width = 0;
-    uint64_t sum = 0;  // of what was read
+    uint64_t sum = 0;  // of all bytes read
 };
 thread_local Bound bound;
 
@@ -43,7 +43,7 @@ void get_integer(uint32_t name, int32_t *out)
 }
 
 void get_doubles(uint32_t, double *out) { std::memset(out, 0, 16 * sizeof *out); }
-// Of the texture that was offered last.
+// Of the last uploaded texture.
 void get_level(uint32_t, int32_t, uint32_t name, int32_t *out)
 {
     *out = name == gl::texture_alpha_size ? 8 : bound.width;
@@ -151,7 +151,7 @@ clq_renderer *new_renderer(TestWorld &test_world)
 
 struct Tried {
     uint32_t done = 0, busy = 0;
-    // Whether it was done.
+    // Whether the view was drawn.
     bool note(clq_status status)
     {
         EXPECT_TRUE(status == CLQ_OK || status == CLQ_BUSY) << clq_last_error();
@@ -183,13 +183,13 @@ void draw_while_updating(const clq_crowd_def &def)
     for (uint32_t k = 0; k < drawers; ++k)
         threads.emplace_back([&, k] {
             while (!stop && !::testing::Test::HasFailure()) {
-                clq_draw_stats stats = {};
+                clq_draw_stats stats = clq_draw_stats_init();
                 if (drawn[k].note(clq_renderer_draw(renderers[k], views[k], &stats)) && drawn[k].done == 5) ++ready;
                 individuals[k] += stats.individuals;
                 std::this_thread::yield();
             }
         });
-    // Until each has drawn and some updates have found their moment.
+    // Until each thread has drawn and some updates have run between draws.
     while (!::testing::Test::HasFailure() && (updated.done < 20 || ready < drawers)) {
         updated.note(clq_crowd_update(crowd, 1 + 0.01 * updated.done, views, drawers));
         std::this_thread::yield();
@@ -209,7 +209,8 @@ void draw_while_updating(const clq_crowd_def &def)
 TEST(DrawThreads, DrawsAndUpdatesAreDoneOrBusyAndNeverARace)
 {
     for (const clq_vertex_format geometry : {CLQ_VERTEX_FLOAT, CLQ_VERTEX_PACKED})
-        for (const uint64_t budget : {uint64_t(0), uint64_t(20000)}) {  // much of the latter is skinned by the draws
+        // with the second budget the draws skin much of the crowd
+        for (const uint64_t budget : {uint64_t(0), uint64_t(20000)}) {
             clq_crowd_def def = clq_crowd_def_init();
             def.vertex_format = geometry;
             def.cache_budget_bytes = budget;
@@ -233,12 +234,12 @@ TEST(DrawThreads, HooksThatUpdateGetBusyAndADrawnViewCannotBeUsedElsewhere)
     clq_actor_hooks hooks = {};
     hooks.before = [](void *user, clq_actor) {
         Asked &a = *static_cast<Asked *>(user);
-        clq_view_stats stats;
+        clq_view_stats stats = clq_view_stats_init();
         a.update = clq_crowd_update(a.crowd, 9, &a.view, 1);
         a.same = clq_view_get_stats(a.view, &stats);
         a.beside = clq_view_get_stats(a.other, &stats);
         ++a.calls;
-        return int32_t(0);
+        return false;
     };
     hooks.user = &asked;
     for (const clq_actor actor : actors) ASSERT_EQ(clq_actor_set_hooks(crowd, actor, &hooks), CLQ_OK);

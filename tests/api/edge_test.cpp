@@ -1,5 +1,5 @@
-// What lies at the edges of the C API: reused rows, lists that are drawn late, tasks that call back, values just
-// outside their limits.
+// Edge cases of the C API: reused rows, lists that are drawn late, tasks that call back, values just outside their
+// limits.
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 namespace
@@ -17,7 +18,7 @@ struct Calls {
     clq_status reset = CLQ_OK;
 };
 
-// A host whose tasks call what they must not.
+// A host whose tasks make calls that tasks must not make.
 void run_and_meddle(void *user, uint32_t count, void (*job)(void *, uint32_t), void *data)
 {
     Calls &calls = *static_cast<Calls *>(user);
@@ -40,7 +41,7 @@ protected:
         clq_camera camera;
         const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.33f, 0.1f, 100), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
     }
     void TearDown() override
@@ -91,9 +92,9 @@ TEST_F(Edge, ANewActorHasNotBeenVisibleEvenInAReusedRow)
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
     ASSERT_EQ(clq_actor_destroy(crowd_, first), CLQ_OK);
     const clq_actor second = add(far_away);
-    ASSERT_EQ(second.index1, first.index1) << "the row is used again, or this shows nothing";
+    ASSERT_EQ(second.index1, first.index1) << "the row must be reused, otherwise this test shows nothing";
     ASSERT_EQ(clq_crowd_update(crowd_, 2.0, &view_, 1), CLQ_OK);
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     ASSERT_EQ(clq_actor_get_info(crowd_, second, &info), CLQ_OK);
     EXPECT_EQ(info.visible, 0);
     EXPECT_EQ(info.period_s, 0.0f);
@@ -105,18 +106,18 @@ TEST_F(Edge, AListKeepsTheColoursThatItsUpdateFound)
     const clq_actor actor = add(0);
     colour(actor, 1);
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
-    const uint64_t list = clq_view_hash(view_);
+    const uint64_t list = clq_view_get_hash(view_);
     colour(actor, 0.5f);
-    EXPECT_EQ(clq_view_hash(view_), list) << "colours set after the update";
+    EXPECT_EQ(clq_view_get_hash(view_), list) << "colours set after the update";
     ASSERT_EQ(clq_actor_destroy(crowd_, actor), CLQ_OK);
     for (int i = 0; i < 600; ++i) colour(add(far_away), 0.25f);
-    EXPECT_EQ(clq_view_hash(view_), list) << "another individual took over the memory";
+    EXPECT_EQ(clq_view_get_hash(view_), list) << "another individual took over the memory";
     ASSERT_NE(clq_crowd_update(crowd_, std::numeric_limits<double>::infinity(), &view_, 1), CLQ_OK);
-    EXPECT_EQ(clq_view_hash(view_), list) << "an update that failed";
+    EXPECT_EQ(clq_view_get_hash(view_), list) << "an update that failed";
     const clq_actor again = add(0);
     colour(again, 0.5f);
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
-    EXPECT_NE(clq_view_hash(view_), list) << "the next update shows them";
+    EXPECT_NE(clq_view_get_hash(view_), list) << "the next update shows them";
 }
 
 TEST_F(Edge, CountersCannotBeResetByATaskOfAnUpdate)
@@ -147,7 +148,7 @@ TEST_F(Edge, ZonesOutsideTheirLimitsAreRefusedWhenTheyAreGiven)
 
 TEST_F(Edge, AJointBeyondTheHostsOwnIsRefusedBesideRigidPartsToo)
 {
-    // A rigid part brings a matrix of its own, which stands where joint 2 would.
+    // A rigid part adds a matrix of its own, at the index where joint 2 would be.
     clq_part_def parts[2] = {small_.parts[0], small_.parts[0]};
     uint32_t joints[20];
     std::memcpy(joints, small_.parts[0].joints, sizeof joints);
@@ -194,9 +195,9 @@ TEST_F(Edge, AViewTooNarrowForItsProjectionIsRefused)
     clq_camera camera;
     const double eye[3] = {0, 1, 6}, target[3] = {0, 1, 0};
     const float up[3] = {0, 1, 0};
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-44f, 1, 0.1f, 100), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 1, 1e-42f, 0.1f, 100), CLQ_ARGUMENT);
-    ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1e-6f, 1, 0.1f, 100), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(api_test::look_at(&camera, eye, target, up, 1e-44f, 1, 0.1f, 100), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::look_at(&camera, eye, target, up, 1, 1e-42f, 0.1f, 100), CLQ_ARGUMENT);
+    ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 1e-6f, 1, 0.1f, 100), CLQ_OK) << clq_last_error();
     EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK) << clq_last_error();
 }
 
@@ -217,7 +218,7 @@ TEST_F(Edge, AnActorFartherThanFloatReachesHasTheLongestPeriod)
     const clq_transform transform = {{0, 0, -1e100}, {0, 0, 0, 1}, 1};
     ASSERT_EQ(clq_crowd_set_transforms(crowd_, &actor, &transform, 1), CLQ_OK);
     ASSERT_EQ(clq_crowd_update(crowd_, 1.5, &view_, 1), CLQ_OK);
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     ASSERT_EQ(clq_actor_get_info(crowd_, actor, &info), CLQ_OK);
     ASSERT_EQ(info.visible, 1);
     EXPECT_NEAR(info.period_s, 0.1f, 1e-6f);

@@ -1,17 +1,18 @@
-// Events against a walk through time in small steps.
+// Events, compared with a walk through time in small steps.
 #include <cmath>
 #include <tuple>
 
 #include "tests/api/arm.h"
+#include "tests/api/calls.h"
 
 namespace
 {
 
-TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
+TEST(Events, ComeInTheOrderOfTimeForAnyIntervals)
 {
     Arm arm;
-    EXPECT_TRUE(arm.events(0, 100).empty()) << "nobody is watched";
-    ASSERT_EQ(clq_actor_watch(arm.crowd, arm.actor, 1), CLQ_OK);
+    EXPECT_TRUE(arm.events(0, 100).empty()) << "no actor is watched";
+    ASSERT_EQ(clq_actor_set_watched(arm.crowd, arm.actor, 1), CLQ_OK);
     arm.fade(Arm::fast, 5.1, 0.5f);
     clq_layer_def layer = clq_layer_def_init();
     layer.play.clip = Arm::wave, layer.play.start_s = 6.05, layer.loops = 3;
@@ -29,7 +30,7 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
     }
     EXPECT_TRUE(arm.events(9, 3).empty()) << "time that has jumped back";
 
-    // Slow from 0 to 5.1: 2 rounds, markers at 0.5 and 1.25; fast from 5.1 to 10: 4, and as many markers, from 0.25 on.
+    // Slow from 0 to 5.1: 2 loops, markers at 0.5 and 1.25; fast from 5.1 to 10: 4 loops and 4 markers, from 0.25 on.
     int ends[Arm::clip_count] = {}, markers[Arm::clip_count] = {}, fades = 0, layers = 0;
     for (const clq_event &e : all) {
         if (e.kind == CLQ_EVENT_CLIP_END) {
@@ -37,7 +38,7 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
         }
         if (e.kind == CLQ_EVENT_MARKER) {
             ++markers[e.clip];
-            clq_marker_info info;
+            clq_marker_info info = clq_marker_info_init();
             ASSERT_EQ(clq_template_get_marker(arm.tmpl, e.marker, &info), CLQ_OK);
             EXPECT_STREQ(info.name, "down");
             EXPECT_EQ(info.clip, e.clip);
@@ -54,19 +55,19 @@ TEST(Events, ComeInTheOrderOfTimeWhicheverIntervalsAreAsked)
     EXPECT_EQ(layers, 1);
 }
 
-// Whatever moments of the two belong together.
+// With and without synchronisation points of the two clips.
 class GaitEvents : public testing::TestWithParam<bool>
 {
 };
 
-TEST_P(GaitEvents, AreThoseOfTheFirstClipAtItsPresentPace)
+TEST_P(GaitEvents, FollowTheFirstClipAtItsCurrentSpeed)
 {
     Arm arm;
-    ASSERT_EQ(clq_actor_watch(arm.crowd, arm.actor, 1), CLQ_OK);
-    clq_fade_target motion = arm.motion(0, 1);
+    ASSERT_EQ(clq_actor_set_watched(arm.crowd, arm.actor, 1), CLQ_OK);
+    clq_fade_def motion = arm.motion(0, 1);
     motion.gait = GetParam() ? arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f})
                              : arm.add_gait(Arm::slow, Arm::fast);
-    ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 1, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
+    ASSERT_EQ(api_test::fade_to(arm.crowd, arm.actor, motion, 1, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
     ASSERT_EQ(clq_actor_set_gait_share(arm.crowd, arm.actor, 0.5f, 4, 3), CLQ_OK);
     std::vector<double> walked;
     double last = -1;
@@ -89,7 +90,7 @@ TEST_P(GaitEvents, AreThoseOfTheFirstClipAtItsPresentPace)
 INSTANTIATE_TEST_SUITE_P(Moments, GaitEvents, testing::Bool(),
                          [](const auto &test) { return test.param ? "OfTheirOwn" : "AtEqualShares"; });
 
-// One step of two minutes over clips of a second, for several, against steps of a hundredth.
+// One step of two minutes over clips of a second, for several actors, compared with steps of a hundredth.
 TEST(Events, OfSeveralComeInTheOrderOfTimeHoweverLongTheStep)
 {
     Arm arm;
@@ -103,7 +104,7 @@ TEST(Events, OfSeveralComeInTheOrderOfTimeHoweverLongTheStep)
         actors.emplace_back();
         ASSERT_EQ(clq_actor_create(arm.crowd, &def, &actors.back()), CLQ_OK) << clq_last_error();
     }
-    for (const clq_actor &actor : actors) ASSERT_EQ(clq_actor_watch(arm.crowd, actor, 1), CLQ_OK);
+    for (const clq_actor &actor : actors) ASSERT_EQ(clq_actor_set_watched(arm.crowd, actor, 1), CLQ_OK);
     const std::vector<clq_event> all = arm.events(0, 120);
     EXPECT_GT(all.size(), 5u * 60u);
     const auto key = [](const clq_event &e) { return std::make_tuple(e.time_s, e.actor.index1, e.kind); };
@@ -122,12 +123,12 @@ TEST(Events, OfSeveralComeInTheOrderOfTimeHoweverLongTheStep)
 TEST(Events, AreBoundedAndRefusedByName)
 {
     Arm arm;
-    ASSERT_EQ(clq_actor_watch(arm.crowd, arm.actor, 1), CLQ_OK);
+    ASSERT_EQ(clq_actor_set_watched(arm.crowd, arm.actor, 1), CLQ_OK);
     size_t count = 77;
     clq_event one[1];
-    EXPECT_EQ(clq_crowd_get_events(arm.crowd, 0, 10, one, 1, &count), CLQ_LIMIT);
-    EXPECT_EQ(clq_crowd_get_events(arm.crowd, 0, 1e15, nullptr, 0, &count), CLQ_LIMIT);
-    EXPECT_EQ(clq_crowd_get_events(arm.crowd, NAN, 1, nullptr, 0, &count), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_events(arm.crowd, 0, 10, one, 1, &count), CLQ_LIMIT);
+    EXPECT_EQ(api_test::get_events(arm.crowd, 0, 1e15, nullptr, 0, &count), CLQ_LIMIT);
+    EXPECT_EQ(api_test::get_events(arm.crowd, NAN, 1, nullptr, 0, &count), CLQ_ARGUMENT);
     EXPECT_EQ(count, 77u);
     ASSERT_EQ(clq_actor_destroy(arm.crowd, arm.actor), CLQ_OK);
     EXPECT_TRUE(arm.events(0, 10).empty());

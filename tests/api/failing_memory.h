@@ -8,10 +8,10 @@ namespace failing_memory
 
 enum class Reach { host_only, everything };
 
-// From now on the n-th allocation fails (and, if `persistent`, all after it). n = 0: none fails, they are only counted.
+// From now on the n-th allocation fails and, if `persistent`, all later ones. n = 0: none fails, they are only counted.
 void arm(uint64_t n, Reach reach, bool persistent = false);
-uint64_t disarm();     // how many allocations there were since arm()
-int64_t host_bytes();  // now held through the host's allocator
+uint64_t disarm();     // number of allocations since arm()
+int64_t host_bytes();  // held now through the host's allocator
 
 extern const clq_allocator allocator;
 

@@ -1,6 +1,7 @@
-// Random calls about who is there: actors, what they hold, groups.
+// Random calls that create and destroy actors, attached objects and groups.
 #include <algorithm>
 
+#include "tests/api/calls.h"
 #include "tests/api/fuzz_world.h"
 
 namespace fuzz
@@ -94,7 +95,7 @@ void World::attach()
     const bool wants = !random_.one_in(5);
     if (call("clq_actor_attach",
              [&] {
-                 return clq_actor_attach(crowd_, id, random_.index(2), centre, random_.oddf(0, 2),
+                 return api_test::attach(crowd_, id, random_.index(2), centre, random_.oddf(0, 2),
                                          wants ? &made : nullptr);
              }) &&
         wants)
@@ -113,7 +114,7 @@ void World::detach()
 
 void World::hooks()
 {
-    const clq_actor_hooks hooks = {[](void *, clq_actor) { return 0; }, [](void *, clq_actor) {}, this};
+    const clq_actor_hooks hooks = {[](void *, clq_actor) { return false; }, [](void *, clq_actor) {}, this};
     const clq_actor id = who();
     const bool none = random_.one_in(3);
     call("clq_actor_set_hooks", [&] { return clq_actor_set_hooks(crowd_, id, none ? nullptr : &hooks); });
@@ -144,7 +145,7 @@ void World::move_group()
     const clq_group group = any_group();
     const clq_transform place = any_place();
     if (random_.one_in(3))
-        call("clq_group_enable", [&] { return clq_group_enable(crowd_, group, !random_.one_in(3)); });
+        call("clq_group_set_enabled", [&] { return clq_group_set_enabled(crowd_, group, !random_.one_in(3)); });
     else call("clq_group_set_transform", [&] { return clq_group_set_transform(crowd_, group, &place); });
 }
 

@@ -1,4 +1,4 @@
-// Random calls about behaviour: descriptions good and bad, uses, commands, ways of the Skeleton Root, the ground.
+// Random calls about behaviour: valid and invalid definitions, attachments, commands, root paths and the ground.
 #include <cmath>
 
 #include "tests/api/fuzz_world.h"
@@ -100,7 +100,7 @@ void World::command()
     const double at_s = random_.odd(-5, 30);
     const double point[3] = {random_.odd(-9, 9), random_.odd(-9, 9), random_.odd(-9, 9)};
     const bool free = random_.one_in(4);
-    // Of all three kinds: that of the mechanism is right, the others are refused.
+    // One definition of each of three kinds: the one of the mechanism's kind is accepted, the others are refused.
     call("clq_actor_gaze", [&] { return clq_actor_gaze(crowd_, id, mechanism, free ? nullptr : point, at_s); });
     const uint32_t shape = free ? CLQ_NONE : random_.index(2);
     call("clq_actor_express", [&] { return clq_actor_express(crowd_, id, mechanism, shape, at_s); });

@@ -1,4 +1,5 @@
-// Random calls about what is blended: gaits, masks, fades, layers, events.
+// Random calls about blending: gaits, masks, fades, layers and events.
+#include "tests/api/calls.h"
 #include "tests/api/fuzz_world.h"
 
 namespace fuzz
@@ -28,13 +29,14 @@ void World::describe_play()
 void World::blend()
 {
     const clq_actor id = who();
-    clq_fade_target to{};
+    clq_fade_def to = clq_fade_def_init();
     to.play = {random_.index(1), random_.odd(-5, 30), random_.oddf(-2, 2), random_.oddf(-2, 2)};
     if (random_.one_in(2)) to.gait = {random_.index(gaits_ + 1)}, to.share = random_.oddf(0, 1);
     const double at_s = random_.odd(-5, 30);
     const float length_s = random_.oddf(0, 3);
-    const auto curve = static_cast<clq_curve>(random_.below(4));  // one more than there are: what the type can hold
-    call("clq_actor_fade_to", [&] { return clq_actor_fade_to(crowd_, id, &to, at_s, length_s, curve); });
+    // one more than the type has, so that an invalid value occurs
+    const auto curve = static_cast<clq_curve>(random_.below(4));
+    call("clq_actor_fade_to", [&] { return api_test::fade_to(crowd_, id, to, at_s, length_s, curve); });
     const float share = random_.oddf(0, 1);
     if (random_.one_in(2))
         call("clq_actor_set_gait_share", [&] { return clq_actor_set_gait_share(crowd_, id, share, at_s, length_s); });
@@ -54,11 +56,11 @@ void World::watch()
 {
     const clq_actor id = who();
     const int32_t watched = !random_.one_in(3);
-    call("clq_actor_watch", [&] { return clq_actor_watch(crowd_, id, watched); });
+    call("clq_actor_set_watched", [&] { return clq_actor_set_watched(crowd_, id, watched); });
     clq_event events[200];
     size_t count = 0;
     const double from = random_.odd(-5, 30), to = random_.odd(-5, 30);
-    if (call("clq_crowd_get_events", [&] { return clq_crowd_get_events(crowd_, from, to, events, 200, &count); }))
+    if (call("clq_crowd_get_events", [&] { return api_test::get_events(crowd_, from, to, events, 200, &count); }))
         for (size_t i = 0; i < count; ++i) {
             EXPECT_GT(events[i].time_s, from);
             EXPECT_LE(events[i].time_s, to);
@@ -78,7 +80,7 @@ void World::watch()
     def.clip_count = random_.below(3), def.clips = clips, def.weights = random_.one_in(2) ? weights : nullptr;
     def.speed_spread = random_.oddf(0, 0.9), def.phase_spread = random_.oddf(0, 1);
     clq_play play;
-    call("clq_actor_sample_play", [&] { return clq_actor_sample_play(crowd_, id, &def, 3, at_s, &play); });
+    call("clq_actor_sample_play", [&] { return api_test::sample_play(crowd_, id, def, 3, at_s, &play); });
 }
 
 }  // namespace fuzz

@@ -1,7 +1,8 @@
-// Random calls about seeing and knowing: views, updates, questions, saved states; and calls with nothing in them.
+// Random calls about views, updates, queries and saved states, and calls with null arguments.
 #include <algorithm>
 #include <cmath>
 
+#include "tests/api/calls.h"
 #include "tests/api/fuzz_world.h"
 
 namespace fuzz
@@ -31,7 +32,7 @@ void World::look()
     const double target[3] = {random_.odd(-20, 20), random_.odd(0, 5), random_.odd(-20, 0)};
     const float up[3] = {0, random_.oddf(1, 1), 0};
     if (call("clq_camera_look_at", [&] {
-            return clq_camera_look_at(&camera, eye, target, up, random_.oddf(0.3, 2), random_.oddf(0.5, 2),
+            return api_test::look_at(&camera, eye, target, up, random_.oddf(0.3, 2), random_.oddf(0.5, 2),
                                       random_.oddf(0.1, 1), random_.oddf(20, 200));
         })) {
         if (random_.one_in(20)) camera.projection[random_.below(16)] = random_.oddf(-1, 1, 2);
@@ -52,7 +53,7 @@ void World::update()
     for (clq_view *view : views_)
         if (!random_.one_in(4)) views.push_back(view);
     const uint32_t asked = static_cast<uint32_t>(views.size());
-    const uint64_t print = clq_crowd_hash(crowd_);
+    const uint64_t print = clq_crowd_get_hash(crowd_);
     bool good = std::isfinite(time_s);
     if (random_.one_in(30)) {
         clq_view *wrong[] = {nullptr, strange_view_, views.empty() ? nullptr : views[0]};
@@ -67,14 +68,14 @@ void World::update()
         return status;
     });
     EXPECT_EQ(done, good && !refused) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
-    EXPECT_EQ(clq_crowd_hash(crowd_), print) << "an update changes nothing that a host has set";
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), print) << "an update must not change what a host has set";
     if (!done) return;
     for (uint32_t v = 0; v < asked; ++v) {
-        clq_view_stats stats;
+        clq_view_stats stats = clq_view_stats_init();
         ASSERT_EQ(clq_view_get_stats(views[v], &stats), CLQ_OK);
         EXPECT_LE(stats.visible, known_.actors.size());
-        const uint64_t hash = clq_view_hash(views[v]);
-        EXPECT_EQ(clq_view_hash(views[v]), hash) << "seed " << seed_ << ", step " << step_;
+        const uint64_t hash = clq_view_get_hash(views[v]);
+        EXPECT_EQ(clq_view_get_hash(views[v]), hash) << "seed " << seed_ << ", step " << step_;
     }
 }
 
@@ -84,7 +85,7 @@ void World::ask()
     double matrix[16];
     const double time_s = random_.odd(-9, 9, 4);
     call("clq_actor_get_node", [&] { return clq_actor_get_node(crowd_, id, random_.index(2), time_s, matrix); });
-    clq_crowd_stats stats;
+    clq_crowd_stats stats = clq_crowd_stats_init();
     ASSERT_TRUE(call("clq_crowd_get_stats", [&] { return clq_crowd_get_stats(crowd_, &stats); }));
     EXPECT_EQ(stats.actor_count, known_.actors.size());
     EXPECT_LE(stats.cache_bytes, stats.cache_budget_bytes);
@@ -121,7 +122,7 @@ void World::restore()
         refused = status == CLQ_OUT_OF_MEMORY;
         return status;
     });
-    // A mechanism of the host's own that this state does not have any more is the one good reason.
+    // The only valid reason is a host mechanism that this state no longer has.
     const bool lacks = std::string(clq_last_error()).find("the host's own") != std::string::npos;
     if (mine) {
         EXPECT_TRUE(done || refused || lacks) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
@@ -142,7 +143,7 @@ void World::nonsense()
     clq_mechanism mechanism;
     clq_root_path path;
     clq_group group;
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     const float centre[3] = {0, 0, 0};
     const uint32_t huge = 0xffffffffu;
     const std::pair<const char *, clq_status> calls[] = {
@@ -154,8 +155,8 @@ void World::nonsense()
         {"play", clq_actor_play(crowd_, a, nullptr)},
         {"colours", clq_actor_set_colours(crowd_, a, nullptr, huge)},
         {"draw", clq_actor_randomise_colours(crowd_, a, nullptr, huge)},
-        {"attach", clq_actor_attach(crowd_, a, 0, nullptr, 1, nullptr)},
-        {"attach", clq_actor_attach(crowd_, a, huge, centre, 1, nullptr)},
+        {"attach", clq_actor_attach(crowd_, a, nullptr, nullptr)},
+        {"attach", api_test::attach(crowd_, a, huge, centre, 1, nullptr)},
         {"group", clq_group_create(crowd_, &place, nullptr)},
         {"mechanism", clq_crowd_add_mechanism(crowd_, nullptr, &mechanism)},
         {"path", clq_crowd_add_root_path(crowd_, nullptr, &path)},

@@ -1,5 +1,5 @@
-// The C API called at random, with good arguments and bad ones, with ids that are stale, and with memory that fails: every
-// call keeps to the laws of all calls, and what a host can know stays true.
+// Random calls of the C API, with valid and invalid arguments, stale ids and failing memory: every call keeps the rules
+// of all calls, and what the host knows of the crowd stays true.
 #include "tests/api/failing_memory.h"
 #include "tests/api/fuzz_world.h"
 

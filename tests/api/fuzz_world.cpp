@@ -23,7 +23,8 @@ uint32_t Random::index(uint32_t n, uint32_t rare)
 World::World(uint64_t seed, const Options &options)
     : options_(options), random_(seed), test_world_(options.context), seed_(seed)
 {
-    // One whose parts begin and end and whose tip stops; one of rigid parts, which GL's matrix stack can place.
+    // One template with parts in distance bands and a tip that is deactivated; one of rigid parts for GL's matrix
+    // stack.
     far_def_.def.name = "far", rigid_def_.def.name = "rigid";
     far_def_.nodes[1].deactivation_m = 25;
     far_parts_[0] = far_parts_[1] = far_def_.parts[0];
@@ -109,19 +110,19 @@ void World::judge(const char *name, clq_status status, uint64_t print_before)
 {
     ++(status == CLQ_OK ? good_ : bad_);
     if (status == CLQ_OK) return;
-    EXPECT_EQ(clq_crowd_hash(crowd_), print_before)
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), print_before)
         << name << " failed and changed something; seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
     EXPECT_NE(std::string(clq_last_error()).find(name), std::string::npos)
         << name << " failed and said " << clq_last_error() << "; seed " << seed_ << ", step " << step_;
     EXPECT_TRUE(options_.before || status != CLQ_OUT_OF_MEMORY) << name << " seed " << seed_ << ", step " << step_;
 }
 
-// What is known is so.
+// Compares what the host knows with the crowd.
 void World::check()
 {
     const auto where = [&] { return "seed " + std::to_string(seed_) + ", step " + std::to_string(step_); };
-    EXPECT_EQ(clq_crowd_actor_count(crowd_), known_.actors.size()) << where();
-    clq_actor_info info;
+    EXPECT_EQ(clq_crowd_get_actor_count(crowd_), known_.actors.size()) << where();
+    clq_actor_info info = clq_actor_info_init();
     if (!known_.gone.empty()) {
         const clq_actor gone = known_.gone[random_.below(static_cast<uint32_t>(known_.gone.size()))];
         EXPECT_EQ(clq_actor_get_info(crowd_, gone, &info), CLQ_STALE_ID) << where();
@@ -136,7 +137,7 @@ void World::check()
         for (const double x : info.transform.position) EXPECT_TRUE(std::isfinite(x)) << where();
         EXPECT_GE(info.refpoint_radius, info.sklsroot_radius) << where();
     }
-    clq_group_info group;
+    clq_group_info group = clq_group_info_init();
     if (!known_.gone_groups.empty()) {
         const clq_group gone = known_.gone_groups[random_.below(static_cast<uint32_t>(known_.gone_groups.size()))];
         EXPECT_EQ(clq_group_get_info(crowd_, gone, &group), CLQ_STALE_ID) << where();

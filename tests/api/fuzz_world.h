@@ -1,5 +1,5 @@
-// A crowd that is called at random, and what a host may know about it: which ids are alive and which stale, who is in which
-// group. Every number follows from a seed.
+// A crowd that receives random calls, and the state that a host knows of it: which ids are alive, which are stale, and
+// which actors are in which group. Every number follows from a seed.
 #pragma once
 
 #include "tests/api/saved_bytes.h"
@@ -8,7 +8,7 @@
 namespace fuzz
 {
 
-// Lots, one after the other.
+// A series of random numbers.
 class Random
 {
 public:
@@ -17,10 +17,10 @@ public:
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(number() >> 20) % n; }
     bool one_in(uint32_t n) { return below(n) == 0; }
     double in(double low, double high) { return low + (high - low) * below(100001) / 100000; }
-    // Mostly in between; once in `rare` what no sensible host would say.
+    // Mostly a value in between; once in `rare` one that no sensible host passes.
     double odd(double low, double high, uint32_t rare = 30);
     float oddf(double low, double high, uint32_t rare = 30) { return static_cast<float>(odd(low, high, rare)); }
-    uint32_t index(uint32_t n, uint32_t rare = 20);  // below n; once in `rare` at it, or far beyond
+    uint32_t index(uint32_t n, uint32_t rare = 20);  // below n; once in `rare` n or far beyond
 
 private:
     uint64_t seed_, drawn_ = 0;
@@ -29,12 +29,13 @@ private:
 struct Options {
     uint32_t steps = 2000;
     const clq_context_def *context = nullptr;
-    // Round every call: to let memory fail. A call that fails then must leave the crowd as it was, like any other.
+    // Called round every call, to make memory fail. A call that fails then must leave the crowd unchanged, like any
+    // other.
     void (*before)(uint64_t bits) = nullptr;
     void (*after)() = nullptr;
 };
 
-// What is known of the ids of one state.
+// The known ids of one state.
 struct Known {
     struct Actor {
         clq_actor id;
@@ -44,7 +45,7 @@ struct Known {
     std::vector<Actor> actors;
     std::vector<clq_actor> gone;
     std::vector<clq_group> groups, gone_groups;
-    std::vector<clq_attachment> objects;  // some of them gone with their actors
+    std::vector<clq_attachment> objects;  // may be gone with their actors
     uint32_t mechanisms = 0, paths = 0;
 };
 
@@ -63,11 +64,11 @@ public:
 private:
     using Step = void (World::*)();
 
-    // Makes a call and holds it to the laws of every call.
+    // Makes a call and checks the rules of all calls.
     template <class Body>
     bool call(const char *name, const Body &body)
     {
-        const uint64_t print = clq_crowd_hash(crowd_);
+        const uint64_t print = clq_crowd_get_hash(crowd_);
         if (options_.before) options_.before(random_.number());
         const clq_status status = body();
         if (options_.after) options_.after();
@@ -77,7 +78,7 @@ private:
     void judge(const char *name, clq_status status, uint64_t print_before);
     void check();
 
-    // fuzz_actors.cpp: who is there
+    // fuzz_actors.cpp: actors, objects and groups
     void create();
     void destroy();
     void clone();
@@ -107,7 +108,7 @@ private:
     void blend();
     void watch();
 
-    // fuzz_seeing.cpp: views, updates, questions, states
+    // fuzz_seeing.cpp: views, updates, queries, states
     void new_view();
     void end_view();
     void look();
@@ -117,7 +118,7 @@ private:
     void restore();
     void nonsense();
 
-    clq_actor who();  // mostly somebody
+    clq_actor who();  // mostly a live actor
     clq_group any_group();
     clq_mechanism any_mechanism() { return {random_.one_in(20) ? 0 : 1 + random_.index(known_.mechanisms + 1)}; }
     clq_transform any_place();

@@ -1,10 +1,12 @@
-// Feet of gaits that go in step, on the ground: whoever moves the Reference Point by the ways of both clips, each by its
-// share, sees a planted foot stay where it is, but for what angles that are mixed are off from places that are mixed.
+// Feet of synchronised gaits on the ground. When the Reference Point moves by the root motions of both clips, each
+// weighted by its share, a planted foot stays in place up to the difference between blended angles and blended
+// positions.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 #include <gtest/gtest.h>
@@ -12,9 +14,10 @@
 namespace
 {
 
-constexpr double limb_m = 0.45, hips_m = 0.78, carried = 0.6;  // of the cycle a foot stands
+// `carried`: part of the cycle in which a foot is planted
+constexpr double limb_m = 0.45, hips_m = 0.78, carried = 0.6;
 
-// Hips and two legs of two limbs. Feet stand still in the world while they carry; the hips go ahead.
+// Hips and two legs of two segments. Planted feet stand still in the world; the hips move ahead.
 class Strider
 {
 public:
@@ -52,22 +55,22 @@ public:
         clq_context_destroy(context);
     }
 
-    // In step; or with the left foot of one when the right one of the other comes down.
+    // Synchronised; or the left foot of one clip together with the right foot of the other.
     void go(float share, bool in_step)
     {
         const float at_a[] = {0}, at_b[] = {static_cast<float>(in_step ? 0 : 0.5 * length_s[fast])};
         clq_gait_def def = clq_gait_def_init();
         def.tmpl = tmpl, def.clip_a = slow, def.clip_b = fast;
         def.sync_count = 1, def.sync_a_s = at_a, def.sync_b_s = at_b;
-        clq_fade_target motion{};
+        clq_fade_def motion = clq_fade_def_init();
         ASSERT_EQ(clq_crowd_add_gait(crowd, &def, &motion.gait), CLQ_OK) << clq_last_error();
         motion.play.speed = 1, motion.share = share;
-        ASSERT_EQ(clq_actor_fade_to(crowd, actor, &motion, 0, 0, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(api_test::fade_to(crowd, actor, motion, 0, 0, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
     }
 
     struct Slide {
-        double fastest = 0, mean = 0;  // of planted feet over the ground, m/s
-        double way_m = 0;              // of the Reference Point
+        double fastest = 0, mean = 0;  // speed of planted feet over the ground, m/s
+        double way_m = 0;              // travelled by the Reference Point
     };
     Slide walk(double from_s, double to_s)
     {
@@ -83,7 +86,7 @@ public:
             for (int side = 0; side < 2; ++side) {
                 const double phase = now[0].clip_time_s / length_s[now[0].clip] + 0.5 * side;
                 const double own = phase - std::floor(phase);
-                // All of it but the instants at which feet come down and leave.
+                // The whole cycle except the instants at which feet come down and lift.
                 const bool planted = own > 0.02 && own < carried - 0.02;
                 double m[16];
                 EXPECT_EQ(clq_actor_get_node(crowd, actor, side == 0 ? foot_l : foot_r, t, m), CLQ_OK);
@@ -115,7 +118,7 @@ private:
         return {clips, clips + count};
     }
 
-    // By the ways of what is shown: each goes over the part of those below that it replaces.
+    // By the root motion of the active clips: each replaces its share of those below it.
     void advance(const std::vector<clq_active_clip> &from, const std::vector<clq_active_clip> &to)
     {
         double way[3] = {0, 0, 0};
@@ -159,7 +162,7 @@ private:
             for (const double x : {0.0, hips_m, z}) places_[clip].push_back(static_cast<float>(x));
             for (int side = 0; side < 2; ++side) {
                 float thigh[4], shin[4];
-                // The right foot is half a cycle on, and half a stride behind for it.
+                // The right foot is half a cycle ahead and, for that, half a stride behind.
                 make_leg(stride_m[clip], phase + 0.5 * side, z + 0.5 * side * stride_m[clip], thigh, shin);
                 turns_[clip][2 * side].insert(turns_[clip][2 * side].end(), thigh, thigh + 4);
                 turns_[clip][2 * side + 1].insert(turns_[clip][2 * side + 1].end(), shin, shin + 4);
@@ -184,7 +187,7 @@ private:
     clq_transform place_ = {{0, 0, 0}, {0, 0, 0, 1}, 1};
 };
 
-// m/s; the slower clip goes 0.82, the faster one 1.53.
+// m/s; the slower clip goes 0.82, the faster one 1.53
 constexpr double alone_bound = 0.02, blended_bound = 0.03;
 
 TEST(GaitFeet, StandStillInEitherClipAlone)
@@ -199,7 +202,7 @@ TEST(GaitFeet, StandStillInEitherClipAlone)
     }
 }
 
-TEST(GaitFeet, HardlySlideInBlendsThatGoInStep)
+TEST(GaitFeet, HardlySlideInSynchronisedBlends)
 {
     for (const float share : {0.25f, 0.5f, 0.75f}) {
         Strider strider;
@@ -221,7 +224,7 @@ TEST(GaitFeet, HardlySlideWhileTheShareChanges)
     RecordProperty("slide", std::to_string(slide.fastest));
 }
 
-TEST(GaitFeet, SlideWhereTheGaitsAreOutOfStep)
+TEST(GaitFeet, SlideInUnsynchronisedBlends)
 {
     Strider strider;
     strider.go(0.5f, false);

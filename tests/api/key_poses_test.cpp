@@ -1,4 +1,4 @@
-// Shared key-poses over the C API: what is refused, in sentences with names and numbers, and what is counted.
+// Shared key-poses through the C API: refusals, with names and numbers, and counters.
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 namespace
@@ -37,7 +38,7 @@ protected:
         return clq_crowd_create(context_, &def, &crowd_);
     }
 
-    // A row of individuals, each at another moment of the one clip, seen by so many views from one place.
+    // A row of individuals, each at another phase of one clip, in a number of views from one position.
     void stand(uint32_t count, uint32_t view_count)
     {
         for (uint32_t i = 0; i < count; ++i) {
@@ -52,7 +53,7 @@ protected:
         const double eye[] = {0, 1, 20}, target[] = {0, 1, 0};
         const float up[] = {0, 1, 0};
         clq_camera camera;
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1.0f, 1.5f, 0.5f, 100.0f), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 1.0f, 1.5f, 0.5f, 100.0f), CLQ_OK);
         views_.resize(view_count);
         for (clq_view *&view : views_) {
             ASSERT_EQ(clq_view_create(crowd_, &view), CLQ_OK);
@@ -63,7 +64,7 @@ protected:
     {
         EXPECT_EQ(clq_crowd_update(crowd_, time_s, views_.data(), static_cast<uint32_t>(views_.size())), CLQ_OK)
             << clq_last_error();
-        clq_key_pose_stats stats = {};
+        clq_key_pose_stats stats = clq_key_pose_stats_init();
         EXPECT_EQ(clq_crowd_get_key_pose_stats(crowd_, &stats), CLQ_OK);
         return stats;
     }
@@ -96,11 +97,11 @@ TEST_F(KeyPoses, AreNotShownUnlessRequested)
     EXPECT_EQ(stats.bytes, 0u);
 }
 
-TEST_F(KeyPoses, OfRatesAndBandsThatMakeNoSenseAreRefusedWithTheNumber)
+TEST_F(KeyPoses, OfInvalidRatesAndBandsAreRefusedWithTheNumber)
 {
     const auto refused = [&](const clq_key_poses &key_poses, const char *name, const char *number) {
         EXPECT_EQ(create(key_poses), CLQ_ARGUMENT);
-        EXPECT_EQ(crowd_, nullptr) << "written only where it goes well";
+        EXPECT_EQ(crowd_, nullptr) << "written only on success";
         EXPECT_TRUE(mentions(name) && mentions(number)) << clq_last_error();
     };
     for (const float rate : {0.4f, 121.0f, -1.0f, infinite, nan_value}) {
@@ -113,28 +114,29 @@ TEST_F(KeyPoses, OfRatesAndBandsThatMakeNoSenseAreRefusedWithTheNumber)
     refused(key_poses, "5 bands", "4");
     for (const float distance : {-1.0f, infinite, nan_value}) {
         key_poses = whole_crowd(CLQ_KEY_POSE_INTERMITTENT);
-        key_poses.bands[0].distance = distance;
-        refused(key_poses, "bands[0].distance", "0 or more");
+        key_poses.bands[0].distance_min_m = distance;
+        refused(key_poses, "bands[0].distance_min_m", "0 or more");
     }
     for (const float second : {5.0f, 4.0f, nan_value}) {
         key_poses = whole_crowd(CLQ_KEY_POSE_INTERPOLATED);
-        key_poses.bands[0].distance = 5;
-        key_poses.bands[1].distance = second;
+        key_poses.bands[0].distance_min_m = 5;
+        key_poses.bands[1].distance_min_m = second;
         key_poses.bands[1].mode = CLQ_KEY_POSE_INTERMITTENT;
         key_poses.band_count = 2;
-        refused(key_poses, "bands[1].distance", "before");
+        refused(key_poses, "bands[1].distance_min_m", "before");
     }
     key_poses = whole_crowd(static_cast<clq_key_pose_mode>(CLQ_KEY_POSE_SKINNED + 1));
     refused(key_poses, "bands[0].mode", "4");
 }
 
-TEST_F(KeyPoses, AtTheLimitsAreTaken)
+TEST_F(KeyPoses, AtTheLimitsAreAccepted)
 {
     for (const float rate : {0.5f, 120.0f}) {
         clq_key_poses key_poses = whole_crowd(CLQ_KEY_POSE_INTERPOLATED);
         key_poses.rate_hz = rate;
         key_poses.band_count = CLQ_KEY_POSE_BAND_MAX;
-        for (uint32_t i = 0; i < CLQ_KEY_POSE_BAND_MAX; ++i) key_poses.bands[i].distance = static_cast<float>(10 * i);
+        for (uint32_t i = 0; i < CLQ_KEY_POSE_BAND_MAX; ++i)
+            key_poses.bands[i].distance_min_m = static_cast<float>(10 * i);
         key_poses.max_kept = 0;
         key_poses.budget_bytes = 1;
         EXPECT_EQ(create(key_poses), CLQ_OK) << clq_last_error();
@@ -160,7 +162,7 @@ TEST_F(KeyPoses, AreSkinnedOnceWhateverTheNumberOfViewsAndNotAgainWhileWanted)
     EXPECT_EQ(again.served, 40u);
 }
 
-TEST_F(KeyPoses, ThatFindNoRoomAreSkinnedForEachActorThatShowsThem)
+TEST_F(KeyPoses, ThatDoNotFitAreSkinnedForEachActorThatShowsThem)
 {
     clq_key_poses key_poses = whole_crowd(CLQ_KEY_POSE_INTERMITTENT);
     key_poses.rate_hz = 10;
@@ -175,7 +177,7 @@ TEST_F(KeyPoses, ThatFindNoRoomAreSkinnedForEachActorThatShowsThem)
         EXPECT_LE(stats.held, kept[i]);
         EXPECT_EQ(stats.served == 40, i == 0) << stats.served;
         EXPECT_EQ(stats.served == 0, i == 2) << stats.served;
-        hashes[i] = clq_view_hash(views_[0]);
+        hashes[i] = clq_view_get_hash(views_[0]);
     }
     EXPECT_EQ(hashes[1], hashes[0]);
     EXPECT_EQ(hashes[2], hashes[0]);
@@ -184,25 +186,25 @@ TEST_F(KeyPoses, ThatFindNoRoomAreSkinnedForEachActorThatShowsThem)
 TEST_F(KeyPoses, NullPointersAreRefused)
 {
     ASSERT_EQ(create(clq_key_poses_init()), CLQ_OK);
-    clq_key_pose_stats stats = {};
+    clq_key_pose_stats stats = clq_key_pose_stats_init();
     EXPECT_EQ(clq_crowd_get_key_pose_stats(nullptr, &stats), CLQ_ARGUMENT);
     EXPECT_EQ(clq_crowd_get_key_pose_stats(crowd_, nullptr), CLQ_ARGUMENT);
-    uint8_t chosen[4] = {7, 7, 7, 7};
-    EXPECT_EQ(clq_key_poses_choose(nullptr, 1, 4, 2, chosen), CLQ_ARGUMENT);
+    bool chosen[4] = {true, true, true, true};
+    EXPECT_EQ(clq_key_poses_choose(nullptr, 1, 2, chosen, 4), CLQ_ARGUMENT);
     const clq_key_pose_bin bin = {0, 1, 1};
-    EXPECT_EQ(clq_key_poses_choose(&bin, 1, 4, 2, nullptr), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_key_poses_choose(nullptr, 0, 0, 2, nullptr), CLQ_OK) << "nothing to choose from";
+    EXPECT_EQ(clq_key_poses_choose(&bin, 1, 2, nullptr, 4), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_key_poses_choose(nullptr, 0, 2, nullptr, 0), CLQ_OK) << "nothing to choose from";
 }
 
-TEST_F(KeyPoses, AChoiceAmongKeyPosesThatAreNotThereIsRefusedAndWritesNothing)
+TEST_F(KeyPoses, AChoiceAmongMissingKeyPosesIsRefusedAndWritesNothing)
 {
-    uint8_t chosen[4] = {7, 7, 7, 7};
+    bool chosen[4] = {true, true, true, true};
     const clq_key_pose_bin bins[] = {{0, 1, 5}, {3, 4, 1}};
-    EXPECT_EQ(clq_key_poses_choose(bins, 2, 4, 2, chosen), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_key_poses_choose(bins, 2, 2, chosen, 4), CLQ_ARGUMENT);
     EXPECT_TRUE(mentions("bin 1") && mentions("3 and 4") && mentions("there are 4")) << clq_last_error();
-    for (const uint8_t one : chosen) EXPECT_EQ(one, 7);
-    EXPECT_EQ(clq_key_poses_choose(bins, 1, 4, 0, chosen), CLQ_OK);
-    for (const uint8_t one : chosen) EXPECT_EQ(one, 0) << "no room, none chosen";
-    EXPECT_EQ(clq_key_poses_choose(bins, 1, 4, 2, chosen), CLQ_OK);
-    EXPECT_TRUE(chosen[0] == 1 && chosen[1] == 1 && chosen[2] == 0 && chosen[3] == 0);
+    for (const bool one : chosen) EXPECT_TRUE(one);
+    EXPECT_EQ(clq_key_poses_choose(bins, 1, 0, chosen, 4), CLQ_OK);
+    for (const bool one : chosen) EXPECT_FALSE(one) << "no room, none chosen";
+    EXPECT_EQ(clq_key_poses_choose(bins, 1, 2, chosen, 4), CLQ_OK);
+    EXPECT_TRUE(chosen[0] && chosen[1] && !chosen[2] && !chosen[3]);
 }

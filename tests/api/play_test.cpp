@@ -1,14 +1,15 @@
-// Fades, gaits, layers (S2 3.3): poses against angles that are computed here.
+// Fades, gaits and layers (S2 3.3): poses compared with angles that are computed here.
 #include <cmath>
 
 #include "tests/api/arm.h"
+#include "tests/api/calls.h"
 
 namespace
 {
 
 double smooth(double x) { return x <= 0 ? 0 : x >= 1 ? 1 : x * x * (3 - 2 * x); }
 
-// Turns about one axis, mixed as quaternions that are normalised.
+// Rotations about one axis, blended as normalised quaternions.
 double mixed(double a, double b, double w)
 {
     return 2 *
@@ -21,7 +22,7 @@ double in(uint32_t clip, uint32_t joint, double t)
                          std::fmod(std::fmod(t, Arm::length_s[clip]) + Arm::length_s[clip], Arm::length_s[clip]));
 }
 
-constexpr double close = 5e-3;  // radians: straight lines between keys, and what stored motion may be off
+constexpr double close = 5e-3;  // radians: linear interpolation between keys plus the error of stored motion
 
 TEST(Play, AFadeGoesFromOneClipToTheOtherOnItsCurve)
 {
@@ -30,7 +31,7 @@ TEST(Play, AFadeGoesFromOneClipToTheOtherOnItsCurve)
     arm.fade(Arm::fast, 12, 1, CLQ_CURVE_LINEAR);
     for (uint32_t joint = 0; joint < 3; ++joint) {
         for (const double t : {0.0, 9.3, 9.999})
-            EXPECT_NEAR(arm.angle(joint, t), in(Arm::slow, joint, t), close) << "before, as if nothing had been told";
+            EXPECT_NEAR(arm.angle(joint, t), in(Arm::slow, joint, t), close) << "earlier times are unchanged";
         for (const double t : {10.0, 10.1, 10.25, 10.4, 10.499})
             EXPECT_NEAR(arm.angle(joint, t),
                         mixed(in(Arm::slow, joint, t), in(Arm::bent, joint, 0), smooth((t - 10) / 0.5)), close);
@@ -68,7 +69,7 @@ TEST(Play, AnInertialFadeKeepsPositionAndVelocityAndEndsInTheNewClip)
         EXPECT_NEAR(arm.angle(joint, 10.3), in(Arm::slow, joint, 10.3), close);
         const double before = (in(Arm::slow, joint, 10.3) - in(Arm::slow, joint, 10.3 - 0.05)) / 0.05;
         const double after = (arm.angle(joint, 10.3 + 8 * h) - arm.angle(joint, 10.3)) / (8 * h);
-        // What it goes to moves on its own: of that the step over which velocities are taken may leave a share.
+        // The fade target moves by itself; part of that remains because velocities are taken over a finite step.
         const double own = std::fabs(in(Arm::wave, joint, 0.01) - in(Arm::wave, joint, 0)) / 0.01;
         EXPECT_NEAR(after, before, 0.35 + 0.15 * own) << joint;
         for (const double t : {10.7, 10.8, 12.0})
@@ -78,7 +79,7 @@ TEST(Play, AnInertialFadeKeepsPositionAndVelocityAndEndsInTheNewClip)
         EXPECT_NEAR(end, clip, 0.3 + 0.15 * own) << joint;
     }
     EXPECT_EQ(arm.shown(10.8).size(), 1u);
-    // One that interrupts another, and a cross-fade below.
+    // A fade that interrupts another, above a cross-fade.
     arm.fade(Arm::bent, 10.45, 0.3f, CLQ_CURVE_INERTIAL);
     for (double t = 10.2; t < 11.2; t += 0.001)
         for (uint32_t joint = 0; joint < 3; ++joint)
@@ -90,15 +91,15 @@ TEST(Play, AnInertialFadeKeepsPositionAndVelocityAndEndsInTheNewClip)
         EXPECT_LT(std::fabs(other.angle(0, t + 0.001) - other.angle(0, t)), 0.03) << t;
 }
 
-TEST(Play, GaitsGoInStepAtAnyShareAndThroughItsChanges)
+TEST(Play, GaitsStaySynchronisedAtAnyShareAndThroughItsChanges)
 {
     Arm arm;
-    clq_fade_target motion = arm.motion(0, 10);
+    clq_fade_def motion = arm.motion(0, 10);
     motion.gait = arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f});
-    ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 10, 0, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(api_test::fade_to(arm.crowd, arm.actor, motion, 10, 0, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
     EXPECT_EQ(arm.shown(10.3).size(), 1u) << "a share of 0";
     ASSERT_EQ(clq_actor_set_gait_share(arm.crowd, arm.actor, 0.75f, 12, 2), CLQ_OK) << clq_last_error();
-    // Moments that belong together are met together: wherever slow is at 0.25, fast is at 0.5.
+    // Synchronised phases meet: whenever slow is at 0.25, fast is at 0.5.
     double last = -1;
     int met = 0;
     for (double t = 12.1; t < 20; t += 0.0005) {
@@ -117,28 +118,28 @@ TEST(Play, GaitsGoInStepAtAnyShareAndThroughItsChanges)
         }
         last = a;
     }
-    // 0.5 rounds a second at first, 0.875 at last: 1 s of the mean of both, of the change 0.05 s are not looked at.
+    // From 0.5 to 0.875 loops a second: 1 s at the mean of both; 0.05 s of the change are not sampled.
     EXPECT_NEAR(met, 0.5 * (2 + 6) + 0.375 * (1 + 6), 1.0);
     const auto clips = arm.shown(16);
     EXPECT_NEAR(clips[1].weight, 0.75, 1e-6);
     const double expected = mixed(in(Arm::slow, 1, clips[0].clip_time_s), in(Arm::fast, 1, clips[1].clip_time_s), 0.75);
     EXPECT_NEAR(arm.angle(1, 16), expected, close);
-    EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 21, 1, CLQ_CURVE_INERTIAL), CLQ_UNSUPPORTED);
+    EXPECT_EQ(api_test::fade_to(arm.crowd, arm.actor, motion, 21, 1, CLQ_CURVE_INERTIAL), CLQ_UNSUPPORTED);
 }
 
-TEST(Play, AGaitBeginsAtThePhaseOfItsFirstClipWhateverBelongsTogether)
+TEST(Play, AGaitBeginsAtThePhaseOfItsFirstClipForAnySynchronisation)
 {
     Arm arm;
-    clq_fade_target motion = arm.motion(0, 10);
+    clq_fade_def motion = arm.motion(0, 10);
     motion.gait = arm.add_gait(Arm::slow, Arm::fast, {0.25f, 1.5f}, {0.5f, 0.75f});
     for (const float phase_s : {0.0f, 0.25f, 0.9f, 1.75f}) {
         motion.play.phase_s = phase_s, motion.share = 0.5f;
-        ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 10, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
+        ASSERT_EQ(api_test::fade_to(arm.crowd, arm.actor, motion, 10, 0, CLQ_CURVE_SMOOTH), CLQ_OK);
         EXPECT_NEAR(arm.shown(10)[0].clip_time_s, static_cast<double>(phase_s), 1e-6);
     }
 }
 
-TEST(Play, AMaskedLayerMovesWhatIsBelowItsNodeAndIsOverAfterItsRounds)
+TEST(Play, AMaskedLayerMovesTheNodesBelowItsNodeAndEndsAfterItsLoops)
 {
     Arm arm;
     clq_layer_def def = clq_layer_def_init();
@@ -176,12 +177,12 @@ TEST(Play, FinishedFadesMakeRoomAndOneWithoutRoomIsRefused)
 {
     Arm arm;
     for (int i = 0; i < 3; ++i) arm.fade(Arm::fast + i, 10 + i, 5);
-    const clq_fade_target to = arm.motion(Arm::slow, 13);
-    EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &to, 14, 1, CLQ_CURVE_SMOOTH), CLQ_LIMIT);
+    const clq_fade_def to = arm.motion(Arm::slow, 13);
+    EXPECT_EQ(api_test::fade_to(arm.crowd, arm.actor, to, 14, 1, CLQ_CURVE_SMOOTH), CLQ_LIMIT);
     EXPECT_NE(std::string(clq_last_error()).find("at most 3 fades"), std::string::npos) << clq_last_error();
-    EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &to, 15, 1, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
-    // For an earlier time: those that would begin later are replaced.
-    EXPECT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &to, 11, 1, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(api_test::fade_to(arm.crowd, arm.actor, to, 15, 1, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
+    // For an earlier time: fades that would begin later are replaced.
+    EXPECT_EQ(api_test::fade_to(arm.crowd, arm.actor, to, 11, 1, CLQ_CURVE_SMOOTH), CLQ_OK) << clq_last_error();
     EXPECT_EQ(arm.shown(11.5).size(), 2u);
     EXPECT_EQ(arm.shown(12.5).size(), 1u) << "those from 12 and 15 on are gone";
     clq_layer_def def = clq_layer_def_init();
@@ -198,10 +199,10 @@ TEST(Play, AnyTimeShowsTheSameWhateverIsKept)
         def.cache = mode == 2 ? CLQ_CACHE_NONE : CLQ_CACHE_FULL;
         if (mode == 1) def.cache_budget_bytes = 1;
         Arm arm(&def);
-        clq_fade_target motion = arm.motion(0, 1);
+        clq_fade_def motion = arm.motion(0, 1);
         motion.gait = arm.add_gait(Arm::slow, Arm::fast);
         motion.share = 0.4f;
-        ASSERT_EQ(clq_actor_fade_to(arm.crowd, arm.actor, &motion, 1, 0.5f, CLQ_CURVE_SMOOTH), CLQ_OK);
+        ASSERT_EQ(api_test::fade_to(arm.crowd, arm.actor, motion, 1, 0.5f, CLQ_CURVE_SMOOTH), CLQ_OK);
         arm.fade(Arm::bent, 2, 0.5f);
         clq_layer_def layer = clq_layer_def_init();
         layer.kind = CLQ_LAYER_ADD, layer.play.clip = Arm::wave, layer.play.start_s = 1.5, layer.loops = 2;
@@ -212,15 +213,15 @@ TEST(Play, AnyTimeShowsTheSameWhateverIsKept)
         clq_camera camera;
         const double eye[3] = {0, 1, 12}, target[3] = {0, 1, 0};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 1, 1, 0.1f, 100), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 1, 1, 0.1f, 100), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view, &camera), CLQ_OK);
         hashes[mode].resize(60);
         for (int i = 0; i < 60; ++i) {
             const int frame = mode == 0 ? i : (i * 37) % 60;
             ASSERT_EQ(clq_crowd_update(arm.crowd, 0.05 * frame, &view, 1), CLQ_OK);
-            hashes[mode][frame] = clq_view_hash(view);
+            hashes[mode][frame] = clq_view_get_hash(view);
             double shown[16], again[16];
-            clq_actor_info info;
+            clq_actor_info info = clq_actor_info_init();
             ASSERT_EQ(clq_actor_get_info(arm.crowd, arm.actor, &info), CLQ_OK);
             ASSERT_EQ(clq_actor_get_node(arm.crowd, arm.actor, 2, NAN, shown), CLQ_OK);
             ASSERT_EQ(clq_actor_get_node(arm.crowd, arm.actor, 2, info.tick_s, again), CLQ_OK);
@@ -244,8 +245,8 @@ TEST(Play, RandomPlaysFollowTheirWeightsAndRepeat)
     double least = 9, most = 0;
     for (uint32_t i = 0; i < 4000; ++i) {
         clq_play play, again;
-        ASSERT_EQ(clq_actor_sample_play(arm.crowd, arm.actor, &def, i, 3, &play), CLQ_OK) << clq_last_error();
-        ASSERT_EQ(clq_actor_sample_play(arm.crowd, arm.actor, &def, i, 3, &again), CLQ_OK);
+        ASSERT_EQ(api_test::sample_play(arm.crowd, arm.actor, def, i, 3, &play), CLQ_OK) << clq_last_error();
+        ASSERT_EQ(api_test::sample_play(arm.crowd, arm.actor, def, i, 3, &again), CLQ_OK);
         EXPECT_EQ(play.speed, again.speed);
         ++drawn[play.clip];
         least = std::min(least, double(play.speed)), most = std::max(most, double(play.speed));

@@ -1,4 +1,4 @@
-// Templates that are kept on disk.
+// Prepared templates: their bytes on disk and in memory.
 #include <claque/prepare.h>
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ protected:
         fs::remove_all(folder_);
     }
 
-    // The template's bytes, and what was said of it.
+    // The template's bytes and the message of the call.
     Bytes made(const clq_prepare_def &def, clq_prepare_report &report)
     {
         clq_template *tmpl = nullptr;
@@ -97,7 +97,7 @@ protected:
 
 TEST_F(Prepare, MakesOnceAndThenTakesTheSameBytesFromDisk)
 {
-    clq_prepare_report first = {}, second = {};
+    clq_prepare_report first = clq_prepare_report_init(), second = first;
     const Bytes fresh = made(owl(), first), kept = made(owl(), second);
     EXPECT_FALSE(first.from_disk);
     EXPECT_TRUE(first.stored) << first.text;
@@ -107,9 +107,9 @@ TEST_F(Prepare, MakesOnceAndThenTakesTheSameBytesFromDisk)
     EXPECT_EQ(read(files()[0]), fresh);
 }
 
-TEST_F(Prepare, MendsAFileThatWasCutOrChanged)
+TEST_F(Prepare, ReplacesAFileThatWasCutOrChanged)
 {
-    clq_prepare_report report = {};
+    clq_prepare_report report = clq_prepare_report_init();
     const Bytes fresh = made(owl(), report);
     ASSERT_EQ(files().size(), 1u);
     Bytes cut(fresh.begin(), fresh.begin() + std::ptrdiff_t(fresh.size() / 2)), changed = fresh, other = fresh;
@@ -123,9 +123,9 @@ TEST_F(Prepare, MendsAFileThatWasCutOrChanged)
     }
 }
 
-TEST_F(Prepare, KeepsWhatWasAskedForOtherwiseApart)
+TEST_F(Prepare, KeepsOtherOptionsInOtherFiles)
 {
-    clq_prepare_report report = {};
+    clq_prepare_report report = clq_prepare_report_init();
     clq_prepare_def def = owl();
     made(def, report);
     def.max_texture_px = 64;
@@ -150,7 +150,7 @@ TEST_F(Prepare, SeesThatAFileBesideTheCharacterChanged)
     clq_prepare_def def = owl();
     const std::string path = triangle().string(), kept = (folder_ / "kept").string();
     def.builtin = nullptr, def.path = path.c_str(), def.folder = kept.c_str();
-    clq_prepare_report report = {};
+    clq_prepare_report report = clq_prepare_report_init();
     const Bytes before = made(def, report);
     made(def, report);
     EXPECT_TRUE(report.from_disk);
@@ -161,14 +161,14 @@ TEST_F(Prepare, SeesThatAFileBesideTheCharacterChanged)
     EXPECT_FALSE(report.from_disk);
 }
 
-TEST_F(Prepare, WorksWhereNothingCanBeKeptAndSaysWhy)
+TEST_F(Prepare, WorksWithoutAWritableStoreAndSaysWhy)
 {
     fs::create_directories(folder_);
     clq_prepare_def def = owl();
     const std::string file = (folder_ / "file").string();
     write(file, {'x'});
     def.folder = file.c_str();
-    clq_prepare_report report = {};
+    clq_prepare_report report = clq_prepare_report_init();
     EXPECT_FALSE(made(def, report).empty());
     EXPECT_FALSE(report.stored);
     EXPECT_NE(std::string(report.text).find(file), std::string::npos) << report.text;
@@ -177,7 +177,7 @@ TEST_F(Prepare, WorksWhereNothingCanBeKeptAndSaysWhy)
     EXPECT_FALSE(report.stored);
 }
 
-TEST_F(Prepare, RefusesWhatNamesNoOneCharacter)
+TEST_F(Prepare, RefusesNamesThatMatchNotExactlyOneCharacter)
 {
     clq_prepare_def def = owl();
     clq_template *tmpl = nullptr;

@@ -1,4 +1,4 @@
-// Ways taken out of clips: whoever moves the Reference Point by them is where the clip alone would have been.
+// Root motion: moving the Reference Point by it gives the position that the clip alone has.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// Walks a bow: hips go ahead and turn, up and down in it; the tip is a foot.
+// Walks on a curve: hips go ahead, turn and bob; the tip is a foot.
 struct Walker {
     explicit Walker(bool taken)
     {
@@ -40,7 +40,7 @@ struct Walker {
         clq_template_destroy(tmpl);
         clq_context_destroy(context);
     }
-    // Of the tip, with the Reference Point at a place and turned.
+    // Of the tip, with the Reference Point at a position and turned.
     void tip(double t, double x, double z, double yaw, double out[3])
     {
         const clq_transform transform = {
@@ -61,7 +61,7 @@ struct Walker {
     clq_actor actor{};
 };
 
-TEST(RootMotion, TakenOutAndGivenBackIsTheClip)
+TEST(RootMotion, ExtractedAndReappliedIsTheClip)
 {
     Walker whole(false), taken(true);
     for (double t = 0; t < 0.999; t += 0.013) {
@@ -71,13 +71,13 @@ TEST(RootMotion, TakenOutAndGivenBackIsTheClip)
         taken.tip(t, step[0], step[1], step[2], b);
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1.5e-3) << t;
     }
-    clq_template_info with, without;
+    clq_template_info with = clq_template_info_init(), without = clq_template_info_init();
     ASSERT_EQ(clq_template_get_info(taken.tmpl, &with), CLQ_OK);
     ASSERT_EQ(clq_template_get_info(whole.tmpl, &without), CLQ_OK);
-    EXPECT_LT(with.sklsroot_radius, without.sklsroot_radius - 0.1f) << "it stays where it stands";
+    EXPECT_LT(with.sklsroot_radius, without.sklsroot_radius - 0.1f) << "the position stays";
 }
 
-TEST(RootMotion, StepsJoinWhereverTheyAreCutAndGoRound)
+TEST(RootMotion, StepsAddUpForAnyIntervalsAndAcrossLoops)
 {
     Walker taken(true);
     const auto step = [&](double from, double to) {
@@ -101,7 +101,7 @@ TEST(RootMotion, StepsJoinWhereverTheyAreCutAndGoRound)
     EXPECT_NEAR(step(0, 10)[2], 6, 1e-4);
 }
 
-TEST(RootMotion, WhatCannotBeTakenOutIsRefusedByName)
+TEST(RootMotion, InvalidDefinitionsAreRefusedByName)
 {
     SmallTemplate small;
     const clq_root_motion_def twice[2] = {{0, 1}, {0, 1}};

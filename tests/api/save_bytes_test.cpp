@@ -1,4 +1,4 @@
-// Saved crowds that are no saved crowds: cut, changed, of another version, forged.
+// Invalid saved crowds: cut, changed, of another version, forged.
 #include "tests/api/save_fixture.h"
 
 namespace
@@ -68,12 +68,12 @@ TEST_F(SaveBytes, ForgedBytesAreRefusedOrGiveACrowdThatWorks)
             if (other[at] == value) continue;
             other[at] = value;
             saved::forge(other);
-            const uint64_t before = clq_crowd_hash(crowd_);
+            const uint64_t before = clq_crowd_get_hash(crowd_);
             const clq_status status = restore(crowd_, other);
             if (status != CLQ_OK) {
                 ++refused_count;
                 ASSERT_TRUE(status == CLQ_FORMAT || status == CLQ_ARGUMENT) << clq_last_error();
-                ASSERT_EQ(clq_crowd_hash(crowd_), before) << at << clq_last_error();
+                ASSERT_EQ(clq_crowd_get_hash(crowd_), before) << at << clq_last_error();
                 continue;
             }
             ++taken;

@@ -1,4 +1,4 @@
-// A crowd with everything in it, restored here and there, and stories to tell with it.
+// A crowd with one of everything, restored into other crowds, and scripted runs to compare them by.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ protected:
         test_world_.set_up(crowd_);
         actors_ = test_world_.fill(crowd_, 40, 1);
     }
-    clq_crowd *other()  // set up as a host would, and with other people in it
+    clq_crowd *other()  // set up as a host would, with other actors in it
     {
         clq_crowd *crowd = test_world_.new_crowd();
         test_world_.set_up(crowd);
@@ -25,7 +25,7 @@ protected:
     {
         return clq_crowd_restore(crowd, bytes.data(), bytes.size(), test_world_.templates, 2);
     }
-    // A story of 100 frames; the hashes of what two views show.
+    // A scripted run of 100 frames; returns the hashes of two views.
     std::vector<uint64_t> story(clq_crowd *crowd, std::vector<clq_actor> actors, uint64_t seed)
     {
         std::vector<uint64_t> out;
@@ -33,18 +33,18 @@ protected:
         for (uint32_t frame = 0; frame < 100; ++frame) {
             test_world_.happen(crowd, actors, seed, frame);
             EXPECT_EQ(clq_crowd_update(crowd, 3 + 0.05 * frame, views, 2), CLQ_OK) << clq_last_error();
-            out.push_back(clq_view_hash(views[0]));
-            out.push_back(clq_view_hash(views[1]));
+            out.push_back(clq_view_get_hash(views[0]));
+            out.push_back(clq_view_get_hash(views[1]));
         }
         for (clq_view *view : views) clq_view_destroy(view);
         return out;
     }
     void refused(const saved::Bytes &bytes, clq_status status, const char *sentence)
     {
-        const uint64_t before = clq_crowd_hash(crowd_);
+        const uint64_t before = clq_crowd_get_hash(crowd_);
         EXPECT_EQ(restore(crowd_, bytes), status) << sentence;
         EXPECT_NE(std::string(clq_last_error()).find(sentence), std::string::npos) << clq_last_error();
-        EXPECT_EQ(clq_crowd_hash(crowd_), before) << sentence;
+        EXPECT_EQ(clq_crowd_get_hash(crowd_), before) << sentence;
     }
 
     TestWorld test_world_;

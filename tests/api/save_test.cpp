@@ -1,4 +1,5 @@
-// Save and restore through the C API: what is restored shows, answers and goes on as what was saved.
+// Save and restore through the C API: a restored crowd shows, answers and continues as the saved one.
+#include "tests/api/calls.h"
 #include "tests/api/save_fixture.h"
 
 namespace
@@ -14,18 +15,18 @@ double slope(void *, const double point[3]) { return 0.1 * point[0]; }
 
 }  // namespace
 
-TEST_F(Save, AFreshCrowdRestoredGoesOnAsTheSavedOne)
+TEST_F(Save, ARestoredFreshCrowdContinuesLikeTheSavedOne)
 {
     const Bytes bytes = saved::save(crowd_);
     clq_crowd *fresh = test_world_.new_crowd();
     test_world_.set_up(fresh);
     ASSERT_EQ(restore(fresh, bytes), CLQ_OK) << clq_last_error();
-    EXPECT_EQ(clq_crowd_hash(fresh), clq_crowd_hash(crowd_));
-    EXPECT_EQ(clq_crowd_actor_count(fresh), clq_crowd_actor_count(crowd_));
+    EXPECT_EQ(clq_crowd_get_hash(fresh), clq_crowd_get_hash(crowd_));
+    EXPECT_EQ(clq_crowd_get_actor_count(fresh), clq_crowd_get_actor_count(crowd_));
     EXPECT_EQ(saved::save(fresh), bytes);
     const std::vector<uint64_t> shown = story(crowd_, actors_, 7);
     EXPECT_EQ(story(fresh, actors_, 7), shown);
-    EXPECT_NE(shown[0], shown[198]) << "a picture in which nothing moves shows nothing";
+    EXPECT_NE(shown[0], shown[198]) << "without motion this test shows nothing";
     EXPECT_EQ(saved::save(fresh), saved::save(crowd_)) << "the same calls gave the same ids";
 }
 
@@ -35,11 +36,11 @@ TEST_F(Save, ACrowdGoesBackInTimeAndShowsTheSameAgain)
     const Bytes bytes = saved::save(crowd_);
     const std::vector<uint64_t> first = story(crowd_, actors_, 7);
     for (int take = 0; take < 3; ++take) {
-        // Something else in between, so that caches and lists are full of it.
+        // Other frames in between, so that caches and lists are full of them.
         EXPECT_EQ(clq_crowd_update(crowd_, 3.02 + take, &view, 1), CLQ_OK);
-        const uint64_t list = clq_view_hash(view);
+        const uint64_t list = clq_view_get_hash(view);
         ASSERT_EQ(restore(crowd_, bytes), CLQ_OK) << clq_last_error();
-        EXPECT_EQ(clq_view_hash(view), list) << "lists stay until the next update";
+        EXPECT_EQ(clq_view_get_hash(view), list) << "lists stay until the next update";
         EXPECT_EQ(saved::save(crowd_), bytes);
         EXPECT_EQ(story(crowd_, actors_, 7), first);
     }
@@ -57,7 +58,7 @@ TEST_F(Save, AnotherCrowdsStateReplacesEverythingThatWasThere)
     for (int frame = 0; frame < 20; ++frame) {
         ASSERT_EQ(clq_crowd_update(crowd_, 9 + 0.1 * frame, &views[0], 1), CLQ_OK);
         ASSERT_EQ(clq_crowd_update(full, 9 + 0.1 * frame, &views[1], 1), CLQ_OK);
-        ASSERT_EQ(clq_view_hash(views[1]), clq_view_hash(views[0])) << frame;
+        ASSERT_EQ(clq_view_get_hash(views[1]), clq_view_get_hash(views[0])) << frame;
     }
 }
 
@@ -67,10 +68,10 @@ TEST_F(Save, IdsAreValidAgainAndStaleWhereTheyWereStale)
     ASSERT_EQ(clq_actor_destroy(crowd_, gone), CLQ_OK);
     clq_attachment object, lost;
     const float centre[3] = {0, 0, 0};
-    ASSERT_EQ(clq_actor_attach(crowd_, actors_[4], 0, centre, 1, &lost), CLQ_OK);
+    ASSERT_EQ(api_test::attach(crowd_, actors_[4], 0, centre, 1, &lost), CLQ_OK);
     ASSERT_EQ(clq_actor_detach(crowd_, lost), CLQ_OK);
-    ASSERT_EQ(clq_actor_attach(crowd_, actors_[4], 0, centre, 9, &object), CLQ_OK);
-    clq_actor_info before, after;
+    ASSERT_EQ(api_test::attach(crowd_, actors_[4], 0, centre, 9, &object), CLQ_OK);
+    clq_actor_info before = clq_actor_info_init(), after = clq_actor_info_init();
     ASSERT_EQ(clq_actor_get_info(crowd_, actors_[4], &before), CLQ_OK);
     const Bytes bytes = saved::save(crowd_);
     clq_crowd *crowd = other();
@@ -79,7 +80,7 @@ TEST_F(Save, IdsAreValidAgainAndStaleWhereTheyWereStale)
     ASSERT_EQ(restore(crowd, bytes), CLQ_OK) << clq_last_error();
     for (const clq_actor actor : actors_)
         if (clq_actor_get_info(crowd, actor, &after) == CLQ_OK) {
-            EXPECT_EQ(after.visible, 0) << "nobody has been seen since";
+            EXPECT_EQ(after.visible, 0) << "no actor has been visible since";
         }
     EXPECT_EQ(clq_actor_destroy(crowd, gone), CLQ_STALE_ID);
     EXPECT_EQ(clq_actor_detach(crowd, lost), CLQ_STALE_ID);
@@ -88,7 +89,7 @@ TEST_F(Save, IdsAreValidAgainAndStaleWhereTheyWereStale)
     EXPECT_EQ(after.refpoint_radius, before.refpoint_radius);
     EXPECT_EQ(clq_actor_detach(crowd, object), CLQ_OK) << clq_last_error();
     ASSERT_EQ(clq_actor_get_info(crowd, actors_[4], &after), CLQ_OK);
-    EXPECT_LT(after.sklsroot_radius, before.sklsroot_radius) << "what is attached is held by its actor again";
+    EXPECT_LT(after.sklsroot_radius, before.sklsroot_radius) << "attached objects are held by their actors again";
     clq_actor_def def = clq_actor_def_init();
     def.tmpl = test_world_.templates[1];
     clq_actor next, same;
@@ -103,7 +104,7 @@ TEST_F(Save, TheGroundStaysWithTheCrowd)
     for (const clq_actor actor : actors_) ASSERT_EQ(clq_actor_follow_ground(crowd_, actor, 5, 5), CLQ_OK);
     const Bytes bytes = saved::save(crowd_);
     ASSERT_EQ(clq_crowd_set_ground(crowd_, slope, nullptr), CLQ_OK);
-    EXPECT_EQ(saved::save(crowd_), bytes) << "a callback is no state";
+    EXPECT_EQ(saved::save(crowd_), bytes) << "callbacks are not part of the state";
     clq_crowd *fresh = test_world_.new_crowd();
     test_world_.set_up(fresh);
     ASSERT_EQ(clq_crowd_set_ground(fresh, slope, nullptr), CLQ_OK);
@@ -111,17 +112,17 @@ TEST_F(Save, TheGroundStaysWithTheCrowd)
     EXPECT_EQ(story(fresh, actors_, 3), story(crowd_, actors_, 3));
 }
 
-TEST_F(Save, HostMechanismsAreTakenOverByNumberOrRefusedByIt)
+TEST_F(Save, HostMechanismsAreMatchedByNumberOrRefused)
 {
     const Bytes bytes = saved::save(crowd_);
     clq_crowd *bare = test_world_.new_crowd();
-    const uint64_t before = clq_crowd_hash(bare);
+    const uint64_t before = clq_crowd_get_hash(bare);
     EXPECT_EQ(restore(bare, bytes), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("mechanism 6 of the saved crowd is the host's own"), std::string::npos)
         << clq_last_error();
-    EXPECT_EQ(clq_crowd_hash(bare), before);
+    EXPECT_EQ(clq_crowd_get_hash(bare), before);
 
-    // One with a memory where the saved one has none.
+    // A mechanism with memory where the saved one has none.
     clq_actor_def def = clq_actor_def_init();
     def.tmpl = test_world_.templates[0];
     clq_actor actor;
@@ -145,7 +146,7 @@ TEST_F(Save, TemplatesAreFoundByNameAndStructure)
     const auto says = [](const char *sentence) {
         return std::string(clq_last_error()).find(sentence) != std::string::npos ? "" : clq_last_error();
     };
-    const uint64_t before = clq_crowd_hash(crowd_);
+    const uint64_t before = clq_crowd_get_hash(crowd_);
     EXPECT_EQ(with({test_world_.templates[1]}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 'figure' of the saved crowd is not among those given"), "");
     EXPECT_EQ(with({test_world_.templates[0], test_world_.templates[0]}), CLQ_ARGUMENT);
@@ -161,19 +162,19 @@ TEST_F(Save, TemplatesAreFoundByNameAndStructure)
     TestWorld abroad;
     EXPECT_EQ(with({test_world_.templates[0], abroad.templates[1]}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 1 was made from another context"), "");
-    EXPECT_EQ(clq_crowd_hash(crowd_), before);
-    // One that was built anew serves as well, in any order, and is held.
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), before);
+    // A template that was rebuilt is accepted in any order, and the crowd keeps it alive.
     ASSERT_EQ(clq_template_build(test_world_.context, &test_world_.with_dofs.def, &same), CLQ_OK);
     EXPECT_EQ(with({changed, test_world_.templates[1], same}), CLQ_OK) << clq_last_error();
     for (clq_template *tmpl : {changed, foreign, same}) clq_template_destroy(tmpl);
     EXPECT_EQ(saved::save(crowd_), bytes);
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     ASSERT_EQ(clq_actor_get_info(crowd_, actors_[0], &info), CLQ_OK);
     EXPECT_EQ(info.tmpl, same);
     story(crowd_, actors_, 3);
 }
 
-TEST_F(Save, NoCacheTakesItsPosesForThoseOfAnotherState)
+TEST_F(Save, NoCacheConfusesPosesOfTwoStates)
 {
     clq_crowd *fresh = test_world_.new_crowd();
     test_world_.set_up(crowd_ = test_world_.new_crowd());
@@ -183,7 +184,7 @@ TEST_F(Save, NoCacheTakesItsPosesForThoseOfAnotherState)
     const clq_actor actor = {1, 1};
     ASSERT_EQ(clq_crowd_set_transforms(crowd_, &actor, &in_front, 1), CLQ_OK);
     ASSERT_EQ(clq_actor_attach_mechanism(crowd_, actor, &use), CLQ_OK);
-    // Two states that differ in nothing but where one actor looks.
+    // Two states that differ only in the gaze target of one actor.
     Bytes states[2];
     for (int i = 0; i < 2; ++i) {
         const double point[3] = {i ? 9.0 : -9.0, 1, 2};
@@ -198,10 +199,10 @@ TEST_F(Save, NoCacheTakesItsPosesForThoseOfAnotherState)
         if (take < 2) {
             ASSERT_EQ(restore(fresh, states[take]), CLQ_OK) << clq_last_error();
             ASSERT_EQ(clq_crowd_update(fresh, 5, &fresh_view, 1), CLQ_OK);
-            EXPECT_EQ(clq_view_hash(view), clq_view_hash(fresh_view)) << take;
+            EXPECT_EQ(clq_view_get_hash(view), clq_view_get_hash(fresh_view)) << take;
         }
-        EXPECT_NE(clq_view_hash(view), last) << take;
-        last = clq_view_hash(view);
+        EXPECT_NE(clq_view_get_hash(view), last) << take;
+        last = clq_view_get_hash(view);
     }
 }
 

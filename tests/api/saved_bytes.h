@@ -1,4 +1,4 @@
-// Saved crowds as bytes in memory, and forging them: changed bytes under a hash that is right again.
+// Saved crowds as bytes in memory, and forged ones: changed bytes under a corrected hash.
 #pragma once
 
 #include <claque/claque.h>

@@ -1,4 +1,4 @@
-// Shadows through the C API: what a def may say, and that nobody is posed or skinned for them.
+// Shadows through the C API: limits of the definition; no actor is posed or skinned for them.
 #include <claque/shadow.h>
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "samples/contexts/offscreen.h"
+#include "tests/api/calls.h"
 #include "tests/api/test_world.h"
 
 namespace
@@ -32,7 +33,7 @@ protected:
         clq_camera camera;
         const double eye[3] = {5, 6, 14}, target[3] = {5, 1, 0};
         const float up[3] = {0, 1, 0};
-        ASSERT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 4.0f / 3.0f, 0.5f, 100), CLQ_OK);
+        ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.9f, 4.0f / 3.0f, 0.5f, 100), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
         ASSERT_EQ(clq_crowd_update(crowd_, 1.0, &view_, 1), CLQ_OK) << clq_last_error();
         clq_renderer_def renderer = clq_renderer_def_init();
@@ -87,17 +88,16 @@ TEST_F(Shadow, ADefThatMakesNoSenseIsRefusedWithItsReason)
 
 TEST_F(Shadow, NothingIsPosedOrSkinnedForIt)
 {
-    clq_crowd_stats before, after;
+    clq_crowd_stats before = clq_crowd_stats_init(), after = clq_crowd_stats_init();
     ASSERT_EQ(clq_crowd_get_stats(crowd_, &before), CLQ_OK);
     EXPECT_EQ(before.skinned, 12u);
     clq_shadow_def def = clq_shadow_def_init();
     def.light[0] = 0.5, def.light[2] = 0.4;
     for (const int32_t bit : {-1, 0}) {
         def.stencil_bit = bit;
-        clq_shadow_stats stats;
+        clq_shadow_stats stats = clq_shadow_stats_init();
         ASSERT_EQ(draw(def, &stats), CLQ_OK) << clq_last_error();
         EXPECT_EQ(stats.individuals, 12u);
-        EXPECT_EQ(stats.skinned, 0u);
         EXPECT_GT(stats.triangles, 0u);
     }
     ASSERT_EQ(clq_crowd_get_stats(crowd_, &after), CLQ_OK);

@@ -1,4 +1,4 @@
-// Templates from a host's own arrays: what is wrong with them is named; what is right survives saving and loading.
+// Templates from a host's own arrays: errors are named; valid templates survive saving and loading.
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/small_template.h"
 
 namespace
@@ -26,7 +27,7 @@ protected:
     void SetUp() override { ASSERT_EQ(clq_context_create(nullptr, &context_), CLQ_OK); }
     void TearDown() override { EXPECT_EQ(clq_context_destroy(context_), CLQ_OK); }
 
-    // The status of building the small template with one thing changed; the error text names `word`.
+    // The status of building the small template with one change; the error text names `word`.
     void refused(const std::function<void(SmallTemplate &)> &change, clq_status wanted, const char *word)
     {
         SmallTemplate small;
@@ -69,7 +70,7 @@ TEST_F(Templates, FactsOfTheSplitAreThoseOfTheStrip)
     SmallTemplate small;
     clq_template *tmpl = nullptr;
     ASSERT_EQ(clq_template_build(context_, &small.def, &tmpl), CLQ_OK) << clq_last_error();
-    clq_template_info info;
+    clq_template_info info = clq_template_info_init();
     ASSERT_EQ(clq_template_get_info(tmpl, &info), CLQ_OK);
     EXPECT_EQ(info.triangle_count, 8u);
     EXPECT_EQ(info.dirty_count, 8u) << "every triangle spans both halves of the texture";
@@ -82,11 +83,11 @@ TEST_F(Templates, FactsOfTheSplitAreThoseOfTheStrip)
     EXPECT_EQ(info.max_influences, 2u);
     EXPECT_GE(info.sklsroot_radius, 1.0f);
     EXPECT_LE(info.sklsroot_radius, 1.5f);
-    clq_clip_info clip;
+    clq_clip_info clip = clq_clip_info_init();
     ASSERT_EQ(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, "bend"), &clip), CLQ_OK);
     EXPECT_FLOAT_EQ(clip.duration_s, 1);
     EXPECT_EQ(clq_template_get_clip(tmpl, 1, &clip), CLQ_ARGUMENT);
-    clq_zone_info zone;
+    clq_zone_info zone = clq_zone_info_init();
     ASSERT_EQ(clq_template_get_zone(tmpl, clq_template_find_zone(tmpl, "skin"), &zone), CLQ_OK);
     EXPECT_FLOAT_EQ(zone.colour[1], 0.7f);
     EXPECT_EQ(clq_template_find_node(tmpl, "tip"), 1u);
@@ -133,19 +134,19 @@ TEST_F(Templates, ATextureReturnsItsTexelsAndTheirZones)
     clq_template *tmpl = nullptr;
     ASSERT_EQ(clq_template_build(context_, &small.def, &tmpl), CLQ_OK);
     uint32_t width = 0, height = 0;
-    ASSERT_EQ(clq_template_get_texture(tmpl, 0, nullptr, nullptr, 0, &width, &height), CLQ_OK);
+    ASSERT_EQ(api_test::get_texture(tmpl, 0, 0, nullptr, nullptr, 0, &width, &height), CLQ_OK);
     EXPECT_EQ(width, 8u);
     EXPECT_EQ(height, 8u);
     std::vector<uint8_t> rgb(3 * 64, 7);
     std::vector<uint32_t> zones(64, 77);
-    EXPECT_EQ(clq_template_get_texture(tmpl, 0, rgb.data(), zones.data(), 63, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_texture(tmpl, 0, 0, rgb.data(), zones.data(), 63, &width, &height), CLQ_ARGUMENT);
     EXPECT_EQ(rgb, std::vector<uint8_t>(3 * 64, 7)) << "nothing is written on failure";
-    EXPECT_EQ(clq_template_get_texture(tmpl, 1, rgb.data(), zones.data(), 64, &width, &height), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_template_get_texture(nullptr, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_ARGUMENT);
-    ASSERT_EQ(clq_template_get_texture(tmpl, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
+    EXPECT_EQ(api_test::get_texture(tmpl, 0, 1, rgb.data(), zones.data(), 64, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_texture(nullptr, 0, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_ARGUMENT);
+    ASSERT_EQ(api_test::get_texture(tmpl, 0, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
     EXPECT_EQ(rgb, std::vector<uint8_t>(3 * 64, 255));
     for (size_t i = 0; i < 64; ++i) EXPECT_EQ(zones[i], i % 8 < 4 ? 0u : 1u) << "texel " << i;
-    EXPECT_EQ(clq_template_get_texture(tmpl, 0, nullptr, zones.data(), 64, &width, &height), CLQ_OK);
+    EXPECT_EQ(api_test::get_texture(tmpl, 0, 0, nullptr, zones.data(), 64, &width, &height), CLQ_OK);
     clq_template_destroy(tmpl);
 }
 
@@ -155,14 +156,14 @@ TEST_F(Templates, TheSplitPictureIsAsLargeAsSaid)
     clq_template *tmpl = nullptr;
     ASSERT_EQ(clq_template_build(context_, &small.def, &tmpl), CLQ_OK);
     uint32_t width = 0, height = 0;
-    ASSERT_EQ(clq_template_split_picture(tmpl, 0, 4, nullptr, 0, &width, &height), CLQ_OK);
+    ASSERT_EQ(api_test::get_split_picture(tmpl, 0, 4, nullptr, 0, &width, &height), CLQ_OK);
     EXPECT_EQ(width, 32u);
     EXPECT_EQ(height, 32u);
     std::vector<uint8_t> rgb(3 * 32 * 32);
-    EXPECT_EQ(clq_template_split_picture(tmpl, 0, 4, rgb.data(), rgb.size() - 1, &width, &height), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_template_split_picture(tmpl, 0, 4, rgb.data(), rgb.size(), &width, &height), CLQ_OK);
+    EXPECT_EQ(api_test::get_split_picture(tmpl, 0, 4, rgb.data(), rgb.size() - 1, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_split_picture(tmpl, 0, 4, rgb.data(), rgb.size(), &width, &height), CLQ_OK);
     EXPECT_NE(std::vector<uint8_t>(3 * 32 * 32), rgb);
-    EXPECT_EQ(clq_template_split_picture(tmpl, 1, 1, nullptr, 0, &width, &height), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_template_split_picture(tmpl, 0, 0, nullptr, 0, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_split_picture(tmpl, 1, 1, nullptr, 0, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_split_picture(tmpl, 0, 0, nullptr, 0, &width, &height), CLQ_ARGUMENT);
     clq_template_destroy(tmpl);
 }

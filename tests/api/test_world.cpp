@@ -1,3 +1,4 @@
+#include "tests/api/calls.h"
 #include "tests/api/test_world.h"
 
 #include <cmath>
@@ -108,18 +109,18 @@ clq_view *TestWorld::new_view(clq_crowd *crowd, double x)
     clq_camera camera;
     const double eye[3] = {x, 2, 4}, target[3] = {0, 1, -10};
     const float up[3] = {0, 1, 0};
-    EXPECT_EQ(clq_camera_look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 200), CLQ_OK);
+    EXPECT_EQ(api_test::look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 200), CLQ_OK);
     EXPECT_EQ(clq_view_set_camera(view, &camera), CLQ_OK);
     return view;
 }
 
-// Any of these may find no room.
+// Any of these may find no free row.
 void TestWorld::blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play)
 {
-    clq_fade_target to{};
+    clq_fade_def to = clq_fade_def_init();
     to.play = play;
     if (figure && play.phase_s > 0.5f) to.gait = {1}, to.share = play.phase_s;
-    clq_actor_fade_to(crowd, who, &to, play.start_s + 12, 1 + play.phase_s,
+    api_test::fade_to(crowd, who, to, play.start_s + 12, 1 + play.phase_s,
                       to.gait.index1 ? CLQ_CURVE_SMOOTH : CLQ_CURVE_INERTIAL);
     clq_actor_set_gait_share(crowd, who, play.phase_s, play.start_s + 13, 2);
     clq_layer_def layer = clq_layer_def_init();
@@ -127,7 +128,7 @@ void TestWorld::blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_pl
     layer.kind = play.phase_s > 0.3f ? CLQ_LAYER_ADD : CLQ_LAYER_REPLACE;
     if (figure) layer.mask = {1};
     clq_actor_add_layer(crowd, who, &layer, nullptr);
-    clq_actor_watch(crowd, who, play.phase_s > 0.2f);
+    clq_actor_set_watched(crowd, who, play.phase_s > 0.2f);
 }
 
 void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step)
@@ -138,7 +139,7 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
                  z = -static_cast<double>((bits >> 30) % 300) / 10;
     const float share = static_cast<float>((bits >> 40) % 1000) / 1000;
     const clq_transform place = {{x, share, z}, {0, 0, 0, 1}, 0.5f + share};
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     ASSERT_EQ(clq_actor_get_info(crowd, who, &info), CLQ_OK) << clq_last_error();
     const bool figure = info.tmpl == templates[0];
     const uint32_t kind = (bits >> 50) % 6;
@@ -165,7 +166,7 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
             status = clq_actor_set_priority(crowd, who, share);
             break;
         case 4:
-            status = clq_actor_attach(crowd, who, 1, centre, share, &attached);
+            status = api_test::attach(crowd, who, 1, centre, share, &attached);
             break;
         case 5:
             status = clq_actor_follow_ground(crowd, who, share, 0.5f);
@@ -180,7 +181,7 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
             clq_actor_join(crowd, who, group, step % 3 ? nullptr : &place);
             break;
         case 9:
-            clq_group_enable(crowd, group, step % 5 != 0), clq_group_set_transform(crowd, group, &place);
+            clq_group_set_enabled(crowd, group, step % 5 != 0), clq_group_set_transform(crowd, group, &place);
             break;
         case 10:
             if (figure) status = clq_actor_attach_mechanism(crowd, who, &use);

@@ -1,5 +1,5 @@
-// A crowd with everything that a crowd can hold, for tests of its whole state: two templates, mechanisms of all kinds with
-// commands, paths, groups, attached objects, colours, ids that are stale and rows that are free.
+// A crowd with everything that a crowd can hold, for tests of its whole state: two templates, mechanisms of all kinds
+// with commands, root paths, groups, attached objects, colours, stale ids and free rows.
 #pragma once
 
 #include <claque/claque.h>
@@ -18,15 +18,15 @@ struct TestWorld {
     TestWorld(const TestWorld &) = delete;
     TestWorld &operator=(const TestWorld &) = delete;
 
-    clq_crowd *new_crowd(const clq_crowd_def *def = nullptr);  // empty; ends with the stage
-    clq_mechanism_def mechanism(uint32_t kind);                // accepted as it stands
+    clq_crowd *new_crowd(const clq_crowd_def *def = nullptr);  // empty; destroyed with this world
+    clq_mechanism_def mechanism(uint32_t kind);                // valid as it is
     clq_root_path_def path(bool flight);
-    // `seed` changes who stands where and does what.
+    // `seed` changes which actors stand where and what they play.
     void set_up(clq_crowd *crowd);  // mechanisms 1 to 6 in the order above, paths 1 and 2, one actor
     std::vector<clq_actor> fill(clq_crowd *crowd, uint32_t count, uint64_t seed);
     clq_view *new_view(clq_crowd *crowd, double x);
 
-    // Something happens to somebody: number `step` of a story that is the same for equal seeds.
+    // Changes something of one actor: number `step` of a scripted run that is the same for equal seeds.
     void happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step);
 
     void blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play);

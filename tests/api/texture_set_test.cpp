@@ -1,10 +1,11 @@
-// Texture sets through the C API: who shows which, by order or by lot, and what is refused.
+// Texture sets through the C API: which actor shows which set, chosen or at random, and refusals.
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "tests/api/calls.h"
 #include "tests/api/saved_bytes.h"
 #include "tests/api/small_template.h"
 
@@ -50,7 +51,7 @@ protected:
 
     uint32_t set_of(clq_actor actor)
     {
-        clq_actor_info info = {};
+        clq_actor_info info = clq_actor_info_init();
         EXPECT_EQ(clq_actor_get_info(crowd_, actor, &info), CLQ_OK);
         return info.texture_set;
     }
@@ -69,12 +70,12 @@ protected:
 
 TEST_F(TextureSet, ATemplateKnowsItsSetsByNumberAndByName)
 {
-    clq_template_info info = {};
+    clq_template_info info = clq_template_info_init();
     ASSERT_EQ(clq_template_get_info(tmpl_, &info), CLQ_OK);
     EXPECT_EQ(info.texture_set_count, 3u);
-    EXPECT_STREQ(clq_template_texture_set_name(tmpl_, 0), "");
-    EXPECT_STREQ(clq_template_texture_set_name(tmpl_, 1), "plain");
-    EXPECT_STREQ(clq_template_texture_set_name(tmpl_, 9), "");
+    EXPECT_STREQ(clq_template_get_texture_set_name(tmpl_, 0), "");
+    EXPECT_STREQ(clq_template_get_texture_set_name(tmpl_, 1), "plain");
+    EXPECT_STREQ(clq_template_get_texture_set_name(tmpl_, 9), "");
     EXPECT_EQ(clq_template_find_texture_set(tmpl_, "same"), 2u);
     EXPECT_EQ(clq_template_find_texture_set(tmpl_, "other"), CLQ_NONE);
 }
@@ -84,21 +85,21 @@ TEST_F(TextureSet, TheTexelsOfEachSetCanBeRead)
     uint32_t width = 0, height = 0;
     std::vector<uint32_t> zones(64);
     std::vector<uint8_t> rgb(3 * 64);
-    ASSERT_EQ(clq_template_get_set_texture(tmpl_, 1, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
+    ASSERT_EQ(api_test::get_texture(tmpl_, 1, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
     EXPECT_EQ(width, 4u);
     EXPECT_EQ(height, 4u);
     for (uint32_t i = 0; i < 16; ++i) {
         EXPECT_EQ(zones[i], 0u) << i;
         EXPECT_EQ(rgb[3 * i], 60) << i;
     }
-    ASSERT_EQ(clq_template_get_set_texture(tmpl_, 2, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
+    ASSERT_EQ(api_test::get_texture(tmpl_, 2, 0, rgb.data(), zones.data(), 64, &width, &height), CLQ_OK);
     EXPECT_EQ(width, 8u);
     EXPECT_EQ(zones[7], 1u);
-    EXPECT_EQ(clq_template_get_set_texture(tmpl_, 3, 0, nullptr, nullptr, 0, &width, &height), CLQ_ARGUMENT);
+    EXPECT_EQ(api_test::get_texture(tmpl_, 3, 0, nullptr, nullptr, 0, &width, &height), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("texture set 3 of 'strip', which has 3"), std::string::npos);
 }
 
-TEST_F(TextureSet, AnIndividualShowsTheSetThatItIsGivenAndKeepsItWhenItIsRefusedAnother)
+TEST_F(TextureSet, AnIndividualShowsItsSetAndKeepsItWhenAnotherIsRefused)
 {
     clq_actor actor = {};
     ASSERT_EQ(create(0, 1, actor), CLQ_OK);
@@ -112,7 +113,7 @@ TEST_F(TextureSet, AnIndividualShowsTheSetThatItIsGivenAndKeepsItWhenItIsRefused
     ASSERT_EQ(clq_actor_clone(crowd_, actor, nullptr, 9, &twin), CLQ_OK);
     EXPECT_EQ(set_of(twin), 2u);
     EXPECT_EQ(create(3, 1, twin), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_crowd_actor_count(crowd_), 2u);
+    EXPECT_EQ(clq_crowd_get_actor_count(crowd_), 2u);
     ASSERT_EQ(clq_actor_destroy(crowd_, actor), CLQ_OK);
     EXPECT_EQ(clq_actor_set_texture_set(crowd_, actor, 0), CLQ_STALE_ID);
 }
@@ -130,7 +131,7 @@ TEST_F(TextureSet, AtRandomTheSeedDecidesAndEverySetGetsItsShare)
         ASSERT_EQ(clq_actor_set_texture_set(crowd_, twin, CLQ_RANDOM), CLQ_OK);
         EXPECT_EQ(set_of(twin), set_of(actor)) << "seed " << seed;
     }
-    // Five standard deviations of a binomial of 3000 draws at 1/3 are 129.
+    // Five standard deviations of a binomial of 3000 samples at 1/3 are 129.
     for (const uint32_t count : counts) EXPECT_NEAR(count, 1000, 129);
 }
 
@@ -162,7 +163,7 @@ TEST_F(TextureSet, APreparedTemplateKeepsThem)
     ASSERT_EQ(clq_template_load(context_, bytes.data(), bytes.size(), &again), CLQ_OK) << clq_last_error();
     EXPECT_EQ(clq_template_find_texture_set(again, "plain"), 1u);
     uint32_t width = 0, height = 0;
-    EXPECT_EQ(clq_template_get_set_texture(again, 1, 0, nullptr, nullptr, 0, &width, &height), CLQ_OK);
+    EXPECT_EQ(api_test::get_texture(again, 1, 0, nullptr, nullptr, 0, &width, &height), CLQ_OK);
     EXPECT_EQ(width, 4u);
     clq_template_destroy(again);
 }

@@ -1,5 +1,5 @@
-// Updates on a host's threads show what updates on one thread show, and touch nothing from two threads at once: to be run
-// under a thread sanitizer as well.
+// Updates on a host's threads show what updates on one thread show, and two threads never touch the same data; to be
+// run under a thread sanitizer as well.
 #include <atomic>
 #include <thread>
 
@@ -25,7 +25,7 @@ void run_tasks_on_threads(void *user, uint32_t count, void (*job)(void *job_data
     for (std::thread &thread : threads) thread.join();
 }
 
-// What two views show over a story with mechanisms, groups, paths, and a saved state that comes back.
+// The hashes of two views over a run with mechanisms, groups, paths and a restored state.
 std::vector<uint64_t> shown(const clq_context_def *context, clq_cache_mode cache, uint32_t last_mechanism)
 {
     TestWorld test_world(context);
@@ -49,7 +49,7 @@ std::vector<uint64_t> shown(const clq_context_def *context, clq_cache_mode cache
             actors = actors_then;
         }
         EXPECT_EQ(clq_crowd_update(crowd, 2 + 0.04 * frame, views, 2), CLQ_OK) << clq_last_error();
-        for (clq_view *view : views) out.push_back(clq_view_hash(view));
+        for (clq_view *view : views) out.push_back(clq_view_get_hash(view));
     }
     return out;
 }

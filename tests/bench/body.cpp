@@ -84,7 +84,7 @@ std::unique_ptr<model::Template> make_body(uint32_t influences)
     model::check(out->rig);
     out->levels.push_back(make_level(influences));
     out->sklsroot.radius = 2;
-    // So tight that every clip keeps the rate of its keys.
+    // A tolerance so small that every clip keeps the rate of its keys.
     meshsplit::inflate(meshsplit::make_motion({0.001f, 0.01f}, *out), *out);
     return out;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <random>
 
+#include "lib/crowd/edits.h"
 #include "lib/frame/frame.h"
 #include "tests/bench/body.h"
 
@@ -25,7 +26,7 @@ struct Scene {
             crowd::Play play;
             play.clip = 0;
             play.phase_s = float(i) * 0.137f;
-            crowd.create(*tmpl, place, play, i);
+            crowd::create(crowd, *tmpl, place, play, i);
         }
     }
     void update(double time_s, const base::Jobs &jobs = base::Jobs())
@@ -39,7 +40,7 @@ struct Scene {
     frame::View view;
 };
 
-// All of a field of 100 m by 100 m is in view, and everybody due in every update.
+// All of a field of 100 m by 100 m is in view, and every actor is due in every update.
 struct AllDue : Scene {
     AllDue(uint32_t count, animcache::VertexFormat vertex_format) : Scene(count, 50, settings(vertex_format))
     {

@@ -1,6 +1,7 @@
-// What the far level costs as a mesh, as it is drawn, and what an impostor with the same colour variety would: one textured
-// quad that faces the eye, standing once per zone it shows with a threshold in its alpha (SPEC 3, fused), batched in the
-// same way. Nanoseconds of processor time of all threads, of the shortest of many frames; one run shows both.
+// Compares the drawing cost of a distant level as a mesh with that of an impostor of the same colour variety: one
+// textured quad that faces the eye, drawn once per visible zone with an alpha threshold (SPEC 3, fused), batched in the
+// same way. The unit is nanoseconds of processor time of all threads, of the shortest of many frames; one run measures
+// both.
 #include <cmath>
 
 #include "lib/figures/figure.h"
@@ -39,7 +40,7 @@ PosedModel mesh_of(uint32_t triangles)
     return split_posed(model);
 }
 
-// People in rows, `tall_px` high, all in view.
+// Individuals in rows, `tall_px` high, all in view.
 struct Field {
     explicit Field(float tall_px)
     {
@@ -47,7 +48,7 @@ struct Field {
         context = contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why);
         if (!context) return;
         host = std::make_unique<HostGl>(*context);
-        const float scale = tall_px / 1.75f;  // pixels a metre: a parallel view, so that all are as high
+        const float scale = tall_px / 1.75f;  // pixels per metre: a parallel projection, so that all have one height
         projection[0] = 2 * scale / width, projection[5] = 2 * scale / height;
         projection[10] = -0.01f, projection[15] = 1;
         for (uint32_t who = 0; who < people; ++who)
@@ -64,7 +65,7 @@ struct Field {
         host->Enable(0x0B50);
         host->Viewport(0, 0, width, height);
     }
-    // Of one person, the shortest of many frames.
+    // Time for one individual, of the shortest of many frames.
     template <class Draw>
     void measure(benchmark::State &state, const Draw &draw) const
     {
@@ -77,7 +78,7 @@ struct Field {
             host->Finish();
             return all_threads_ns() - begun;
         };
-        frame();  // GL compiles what this state asks for
+        frame();  // GL compiles what this state needs
         for (auto _ : state) shortest = std::min(shortest, frame());
         state.counters["ns/person"] = shortest / people;
     }
@@ -87,7 +88,7 @@ struct Field {
     std::unique_ptr<HostGl> host;
     float projection[16] = {0};
     std::vector<glm::vec3> places;
-    std::vector<uint8_t> colours;  // of everybody, `zones` each
+    std::vector<uint8_t> colours;  // of all individuals, `zones` each
 };
 
 void mesh(benchmark::State &state, uint32_t triangles, float tall_px)
@@ -117,7 +118,7 @@ void mesh(benchmark::State &state, uint32_t triangles, float tall_px)
     state.counters["triangles"] = double(posed.tmpl->report.triangles);
 }
 
-// Bodies on a sheet of eight by eight views, each a column of `zones` bands; beyond it holes.
+// Bodies on a sheet of eight by eight views, each a column of `zones` bands; holes elsewhere.
 void load_views(const HostGl &host, uint32_t zones)
 {
     constexpr uint32_t side = 256, cell = 32;
@@ -152,7 +153,7 @@ void set_up(const HostGl &host, const float *projection)
         host.EnableClientState(array);
 }
 
-// Quads of many people, one behind the other; indices never change.
+// Quads of many individuals, one after the other; indices never change.
 struct Quads {
     static constexpr uint32_t room = 2048;
     explicit Quads(const HostGl &host) : host_(host)

@@ -1,5 +1,5 @@
-// What every benchmark says beside its time: nanoseconds of processor time a thing, and `ratio`: how many times
-// longer the textbook's way takes for the same in the same run. Both are of the shortest iteration.
+// What every benchmark reports beside its time: nanoseconds of processor time per unit, and `ratio`: how many times
+// longer the textbook's way takes for the same work in the same run. Both are of the shortest iteration.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -19,11 +19,11 @@ inline double cpu_ns()
     return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
 }
 
-// Of all iterations the shortest, so that whatever else the machine does counts as little as possible.
+// The shortest of all iterations, so that other load on the machine counts as little as possible.
 class Shortest
 {
 public:
-    // Lives as long as one iteration's work.
+    // Measures one iteration; its lifetime is the iteration's work.
     class Lap
     {
     public:
@@ -56,7 +56,7 @@ double shortest_ns(int runs, const Body &body)
     return shortest.ns();
 }
 
-// `things`: done in one iteration; name: "ns/vertex" and its like. textbook_ns: for one thing; 0: nothing to compare with.
+// `things`: units of work per iteration; name: "ns/vertex" and the like. textbook_ns: per unit; 0: no comparison.
 inline void report(benchmark::State &state, const Shortest &shortest, const char *name, double things,
                    double textbook_ns)
 {

@@ -1,5 +1,5 @@
-// ns a joint: rows of clips to rotations, to blended ones, and all the way to matrix palettes, of 1000 characters at the ticks of
-// several rates and at random times (0).
+// ns per joint: rows of clips to rotations, to blended rotations and to matrix palettes, of 1000 characters at the
+// ticks of several rates and at random times (0).
 #include <cmath>
 #include <vector>
 
@@ -26,7 +26,7 @@ const model::Template &character()
     return *tmpl;
 }
 
-// Times of everybody's next ticks, found before anything is measured; rate 0: at random.
+// Times of all next ticks, computed before the measurement; rate 0: random times.
 class Times
 {
 public:
@@ -84,7 +84,7 @@ double textbook_palette_ns(const Times &times, Blend blend)
            joints;
 }
 
-// Two rows to rotations, no more.
+// Two rows to rotations only.
 void sample(benchmark::State &state, SimdLevel simd_level)
 {
     if (!bench::can_run(state, simd_level)) return;
@@ -106,7 +106,7 @@ void sample(benchmark::State &state, SimdLevel simd_level)
     bench::report(state, shortest, "ns/joint", joints, textbook_ns);
 }
 
-// What a blend is made of: as lib/behave makes it, an inertial one of what is left of an offset and of its velocity.
+// The parts of a blend as lib/behave makes them; an inertial one has what is left of an offset and of its velocity.
 class Layers
 {
 public:
@@ -127,7 +127,7 @@ public:
             layer->reference_clip = 0, layer->reference_time_s = layer->time_s;
         }
     }
-    // The layers at a moment; none for a clip alone.
+    // The layers at a time; none for a clip alone.
     base::Span<const pose::Layer> at(double time_s, double other_s)
     {
         layers_[0].time_s = time_s;

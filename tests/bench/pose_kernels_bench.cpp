@@ -1,4 +1,4 @@
-// ns a joint of each step from rotations to palettes by itself: which of them a pose's time goes into.
+// ns per joint of each step from rotations to palettes by itself, to see which step a pose's time goes into.
 #include <vector>
 
 #include "lib/pose/pose_kernels.h"
@@ -36,7 +36,7 @@ void step(benchmark::State &state, SimdLevel simd_level, Step which)
                 kernels.replace(rotations.data(), others.data(), {0.4f, nullptr}, motion.block_count());
             if (which == Step::chain)
                 kernels.local_to_model(tmpl->rig.parents.data(), nullptr, joint_count, columns.data());
-            // A chain of products upon products would leave what floats can hold.
+            // A chain of repeated products would leave the range of floats.
             if (which == Step::locals || (which == Step::chain && turn % 8 == 7))
                 kernels.local_matrices(rotations.data(), places, columns.data());
             if (which == Step::palette)

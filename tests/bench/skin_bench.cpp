@@ -1,5 +1,5 @@
-// ns a vertex for positions and normals of bodies of 650 vertices: by number of influences, instruction set, form of the vertices and working
-// set: one body that stays in the nearest caches, 1000, and 20 000 that no cache holds.
+// ns per vertex for positions and normals of bodies of 650 vertices: by number of influences, instruction set, vertex
+// format and working set: one body that stays in the nearest caches, 1000, and 20 000 that no cache holds.
 #include <map>
 #include <random>
 #include <vector>

@@ -1,5 +1,6 @@
-// What a template costs before the first frame (SPEC 5: 0.5 s for about 1040 triangles, eight levels of detail, split, spheres of
-// all clips): the steps of a first start, by one thread and by two, and a second one, from memory as a prepared file has it.
+// The cost of a template before the first frame (SPEC 5: 0.5 s for about 1040 triangles, eight levels of detail, split,
+// spheres of all clips): the steps of a first start on one thread and on two, and a second start, from a prepared file
+// in memory.
 #include <claque/claque.h>
 #include <claque/levels.h>
 
@@ -15,7 +16,7 @@
 namespace
 {
 
-// S1 6: eight levels, the figure itself the first of them.
+// S1 6: eight levels; the source mesh is the first.
 constexpr uint32_t s1_targets[] = {934, 839, 753, 676, 607, 545, 490};
 
 void check(clq_status status)
@@ -25,7 +26,7 @@ void check(clq_status status)
     std::abort();
 }
 
-// The calling thread and one more, made for each loop: there are a few dozen of them.
+// The calling thread and one more, created for each loop: there are only a few dozen loops.
 void run_on_two(void *, uint32_t count, void (*job)(void *, uint32_t), void *data)
 {
     std::atomic<uint32_t> next{0};
@@ -68,7 +69,7 @@ void give_levels(clq_asset *asset, Levels levels, Threads threads = Threads::one
     if (levels == Levels::none) return;
     clq_levels_def def = clq_levels_def_init();
     if (levels == Levels::s1) def.targets = s1_targets, def.target_count = 7;
-    check(clq_asset_make_levels(context(threads), asset, &def, nullptr, 0, nullptr));
+    check(clq_asset_make_levels(context(threads), asset, &def, nullptr));
 }
 
 clq_template *split(const clq_asset *asset, Threads threads = Threads::one)
@@ -88,7 +89,7 @@ void startup_split(benchmark::State &state, const char *name, Levels levels, Thr
 
 enum class Until { levels, split };
 
-// From a figure that is there, as far as `until`.
+// From a finished character up to and including `until`.
 void startup(benchmark::State &state, const char *name, Levels levels, Threads threads, Until until)
 {
     for (auto _ : state) {

@@ -1,5 +1,5 @@
-// Posing and skinning as textbooks write them, to measure against: a linear search for the key, the C library's acos and sin, 4 x 4
-// matrices, a loop over influences.
+// Posing and skinning as textbooks write them, for comparison: a linear search for the key, the C library's acos and
+// sin, 4 x 4 matrices, a loop over influences.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -13,9 +13,9 @@ namespace claque::bench
 enum class Blend { one_clip, two_clips, upper_body, inertial };
 
 constexpr float blend_weight = 0.4f;
-constexpr float velocity_weight = 0.2f;  // inertial: of what the velocity carries on
+constexpr float velocity_weight = 0.2f;  // inertial fade: the part of the velocity that continues
 
-// Of the upper half of the bones.
+// Rotations of the upper half of the bones.
 inline float mask_of(uint32_t joint) { return joint % 2 ? 1.0f : 0.0f; }
 
 class TextbookPose
@@ -24,7 +24,7 @@ public:
     explicit TextbookPose(const model::Rig &rig);
 
     glm::quat sample(uint32_t clip, uint32_t joint, float time_s) const;
-    // All bones of one body; times of the first clip and of the second.
+    // All bones of one body; times of the first and of the second clip.
     void pose(Blend blend, float time_s, float other_s, glm::mat4 *palette);
 
 private:
@@ -34,7 +34,7 @@ private:
     std::vector<glm::mat4> globals_, binds_;
 };
 
-// out: three numbers a vertex of positions, then of normals.
+// out: three numbers per vertex of positions, then of normals.
 void textbook_skin(const model::Level &level, const glm::mat4 *palette, float *out);
 
 }  // namespace claque::bench

@@ -1,6 +1,6 @@
-// What a second core is worth: the same work by one thread and by two, by turns. Time by the wall, the shortest of each; `ratio` is
-// how many times longer one thread takes. `skinning_alone` shares nothing but the machine: more than that no update can gain on it, and
-// where two threads stand on one core it is far from 2.
+// What a second core gains: the same work on one thread and on two, alternating. Wall time, the shortest of each;
+// `ratio` is how many times longer one thread takes. `skinning_alone` shares nothing but the machine, so no update can
+// gain more than it does; where two threads share one core it is far from 2.
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -17,8 +17,8 @@ namespace
 
 using namespace claque;
 
-// The calling thread and one more, which take the tasks as they come. Between updates the other sleeps; within one it waits awake, as
-// pools of threads do, because an update's loops are microseconds apart.
+// The calling thread and one more, which take the tasks as they come. The other sleeps between updates; within one it
+// spins, as thread pools do, because an update's loops are microseconds apart.
 class TwoThreads
 {
 public:
@@ -83,7 +83,7 @@ double wall_ms(const std::chrono::steady_clock::time_point &start)
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// By turns: body(jobs) on one thread and on two.
+// Alternates body(jobs) on one thread and on two.
 template <class Body>
 void compare(benchmark::State &state, const Body &body)
 {
@@ -110,7 +110,7 @@ void two_threads(benchmark::State &state, animcache::VertexFormat vertex_format)
     compare(state, [&](const base::Jobs &jobs) { scene.update(t += 0.0167, jobs); });
 }
 
-// 64 tasks, each of which skins a body of its own again and again.
+// 64 tasks, each of which skins its own body again and again.
 void skinning_alone(benchmark::State &state)
 {
     constexpr uint32_t task_count = 64, turns = 16;

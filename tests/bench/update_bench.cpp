@@ -1,8 +1,9 @@
-// Whole updates on one core: everybody due, by instruction set and form of the vertices; a crowd of which one in five is seen, at the rates
-// of the law; and a crowd out of view.
+// Whole updates on one core: all actors due, by instruction set and vertex format; a crowd of which one in five is
+// visible, at the rates of the law; and a crowd out of view.
 #include <random>
 #include <vector>
 
+#include "lib/crowd/edits.h"
 #include "tests/bench/crowd_scene.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/textbook.h"
@@ -15,7 +16,7 @@ using animcache::VertexFormat;
 using bench::Scene;
 using math::SimdLevel;
 
-// Posing and skinning alone, with nothing of culling, periods and lists.
+// Posing and skinning alone, without culling, periods and lists.
 double textbook_ns(const model::Template &tmpl, uint32_t count)
 {
     bench::TextbookPose book(tmpl.rig);
@@ -61,7 +62,7 @@ void one_in_five_seen(benchmark::State &state)
     state.counters["due"] = scene.frame.stats().due;
 }
 
-// A crowd behind the eye, in as many groups as the second number says: what an actor out of view costs.
+// A crowd behind the eye, in as many groups as the second number says: the cost of an actor out of view.
 void out_of_view(benchmark::State &state)
 {
     Scene scene(0, 1, frame::Settings());
@@ -69,12 +70,12 @@ void out_of_view(benchmark::State &state)
     std::uniform_real_distribution<double> real(-300, 300);
     const int64_t groups = state.range(1);
     std::vector<crowd::Id> ids;
-    for (int64_t g = 0; g < groups; ++g) ids.push_back(scene.crowd.create_group(crowd::Transform()));
+    for (int64_t g = 0; g < groups; ++g) ids.push_back(crowd::create_group(scene.crowd, crowd::Transform()));
     for (int64_t i = 0; i < state.range(0); ++i) {
         crowd::Transform place;
         place.position = glm::dvec3(real(random), 0, 900 + real(random));
-        const crowd::Id id = scene.crowd.create(*scene.tmpl, place, crowd::Play(), uint64_t(i));
-        if (groups) scene.crowd.join(id, ids[size_t(i % groups)], nullptr);
+        const crowd::Id id = crowd::create(scene.crowd, *scene.tmpl, place, crowd::Play(), uint64_t(i));
+        if (groups) crowd::join(scene.crowd, id, ids[size_t(i % groups)], nullptr);
     }
     scene.view.camera = frame::look_at({0, 2, 0}, {0, 2, -1}, {0, 1, 0}, 0.9f, 1.5f, 0.1f, 1000);
     double t = 0;

@@ -1,4 +1,4 @@
-// blend: strips of one person between clips.
+// blend: strips of one individual between clips.
 #include <fstream>
 
 #include "tests/cli/run.h"

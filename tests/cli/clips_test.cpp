@@ -1,4 +1,4 @@
-// Clips for characters from other files: by joint name, by a map, and what is refused.
+// Clips for characters from other files: bound by joint name or by a joint map, and refusals.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -15,7 +15,7 @@ namespace
 
 using Json = nlohmann::json;
 
-// A pelvis that goes ahead and a thigh that swings, 11 frames at 20 Hz, half a second; a T-pose's length in inches.
+// A pelvis that goes ahead and a thigh that swings: 11 frames at 20 Hz, half a second; a T-pose with lengths in inches.
 constexpr const char *bow = R"(HIERARCHY
 ROOT Hips
 {
@@ -86,7 +86,7 @@ protected:
         std::memcpy(out.data(), npy.data() + head, 4 * out.size());
         return out;
     }
-    // The sentence, which is one.
+    // Standard error, which must be one sentence.
     std::string failure(const std::vector<std::string> &arguments) const
     {
         const Outcome done = inspect(arguments);
@@ -133,12 +133,12 @@ TEST_F(Clips, AreCutClosedAndSampledAsTheOptionsSay)
     ASSERT_GT(first.size(), 1000u);
     EXPECT_GT(farthest(first, last, 2), 0.01f) << "the thigh has swung";
     EXPECT_LT(farthest(first, dump("0.5", {"--close", "0.2"}), 2), 1e-5f) << "closed";
-    // 20 units of 37 that the hips are high, of a man whose hips are about 0.95 m high.
+    // 20 of 37 units of hip height, for a man whose hips are about 0.95 m high.
     const std::vector<float> keeps = dump("0.5", {"--root-travel", "keep"});
     EXPECT_NEAR(farthest(keeps, last, 2), 0.95 * 20 / 37, 0.1);
 }
 
-TEST_F(Clips, OfAnotherCharacterAreTakenByJointName)
+TEST_F(Clips, OfAnotherCharacterAreBoundByJointName)
 {
     const Json with = report({"citizen", "--clips", "plebeian"});
     const size_t own = report({"citizen"})["split"]["clips"].size();
@@ -147,7 +147,7 @@ TEST_F(Clips, OfAnotherCharacterAreTakenByJointName)
     EXPECT_FALSE(with["loaded"]["warnings"].empty());
 }
 
-TEST_F(Clips, ThatMakeNoSenseAreRefusedInOneSentence)
+TEST_F(Clips, ThatAreInvalidAreRefusedInOneSentence)
 {
     const std::string bvh = path("bow.bvh"), map = path("bow.toml");
     EXPECT_NE(failure({"citizen", "--clips", path("none.bvh")}).find("none.bvh"), std::string::npos);
@@ -214,7 +214,7 @@ TEST_F(Clips, AHundredAndFiftyTakeASmallPartOfTheMeshesThatTheyMove)
     EXPECT_GT(motion["times_less_25_hz"].get<double>(), 50);
 }
 
-// Of the motion capture that lies beside this project, where it does.
+// The motion capture files that may lie beside this project.
 class Mocap : public Clips, public testing::WithParamInterface<const char *>
 {
 protected:
@@ -233,7 +233,7 @@ TEST_P(Mocap, MovesABuiltInPerson)
     EXPECT_NEAR(last_clip(with)["duration_s"].get<double>(), 1.98, 1e-3) << "the map leaves the T-pose out";
     EXPECT_GT(last_clip(with)["channels"].get<int>(), 20);
     EXPECT_LT(last_clip(with)["error_mm"].get<double>(), 1);
-    // In place, so that nobody needs a larger sphere for it.
+    // In place, so that the character needs no larger sphere for it.
     EXPECT_LT(with["split"]["sklsroot_radius"].get<double>(), 1.4);
 }
 

@@ -1,4 +1,4 @@
-// colours: maps of colours saved, used by other commands, shown, and changed while frames are drawn.
+// colours: colour maps are saved, used by other commands, shown, and changed while frames are drawn.
 #include <cstdio>
 #include <fstream>
 
@@ -106,8 +106,9 @@ TEST_F(Colours, ClassesAndTheComparisonArePictures)
     }
 }
 
-// A frame is larger than a pipe: whoever has drawn frame 1 waits until most of it is read, and looks at the file after that.
-TEST_F(Colours, AFileThatChangesIsTakenUpByTheFramesThatFollow)
+// A frame is larger than a pipe: after drawing frame 1 the command blocks until most of it is read, and only then looks
+// at the file.
+TEST_F(Colours, AChangedFileIsUsedByTheFollowingFrames)
 {
     const auto write =
         [&](const std::string &colour) {
@@ -147,7 +148,7 @@ TEST_F(Colours, AFileThatChangesIsTakenUpByTheFramesThatFollow)
     EXPECT_TRUE(frame(pipe) == blue_4);
     EXPECT_EQ(pclose(pipe), 0);
     const std::string said = file_text(path("said.txt"));
-    EXPECT_NE(said.find("map.toml, line 4, column 26: 'colour' is no text like"), std::string::npos) << said;
+    EXPECT_NE(said.find("map.toml, line 4, column 26: 'colour' is not a string like"), std::string::npos) << said;
     EXPECT_EQ(said.find('\n'), said.size() - 1) << "once: " << said;
 }
 

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 constexpr const char *counts = R"({"note": "a run by hand", "NO_01": 1180, "NO_02": 100, "NO_03": 80, "NO_04a": 790,
     "NO_04b": 231, "NO_05": 60, "fTrack": 0.5, "fCoh": 0.25})";
 
-// Of the command with these arguments, which has to go well.
+// Output of the command with these arguments, which must succeed.
 std::string cost_output(const std::vector<std::string> &arguments)
 {
     const Outcome done = claque(arguments);
@@ -58,12 +58,12 @@ TEST_F(Cost, MeasuredCountsStandBesideThePaperS)
     EXPECT_EQ(cost_output({"cost", "--measured", path("counts.json"), "--json", "-"}), file_text(path("cost.json")));
 }
 
-TEST_F(Cost, AFileThatCountsNothingIsRefusedInOneSentence)
+TEST_F(Cost, AFileWithoutCountsIsRefusedInOneSentence)
 {
     std::ofstream(path("counts.json")) << R"({"NO_01": 4})";
     const Outcome outcome = claque({"cost", "--measured", path("counts.json"), "--plot", path("x.png")});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_EQ(outcome.err, "claque: " + path("counts.json") + " holds no counts of a run: it lacks 'NO_02'.\n");
+    EXPECT_EQ(outcome.err, "claque: " + path("counts.json") + " is not a report of counts: it lacks 'NO_02'.\n");
     EXPECT_EQ(left(), std::vector<std::string>{"counts.json"});
 }
 

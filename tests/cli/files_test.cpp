@@ -1,4 +1,4 @@
-// inspect, dump, split and prepare: what they write, read by somebody else.
+// inspect, dump, split and prepare: their outputs, read by independent readers.
 #include <cmath>
 #include <cstring>
 #include <fstream>

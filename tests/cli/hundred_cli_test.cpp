@@ -1,4 +1,4 @@
-// claque bench hundred_actors --operations, and claque cost --measured with what it wrote.
+// claque bench hundred_actors --operations, and claque cost --measured on its output.
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
@@ -63,7 +63,7 @@ TEST_F(Hundred, AnotherNumberOfActorsIsRefused)
     const Outcome outcome =
         claque({"render", "--scene", "hundred_actors", "--count", "40", "--out", path("picture.png")});
     EXPECT_NE(outcome.code, 0);
-    EXPECT_NE(outcome.err.find("40 were asked for"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("40 were requested"), std::string::npos) << outcome.err;
     EXPECT_TRUE(left().empty());
 }
 

@@ -1,4 +1,4 @@
-// Shared key-poses on the command line: S3's experiments with small numbers, their tables, and their charts.
+// Shared key-poses on the command line: S3's experiments with small numbers, their tables and charts.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -81,7 +81,7 @@ TEST_F(KeyPosesUsage, TablesForAReadmeHaveARowForEachRun)
     EXPECT_NE(file_text(path("c.svg")).find("individuals served, of 30"), std::string::npos);
 }
 
-TEST_F(KeyPosesUsage, SizesThatAreNoneAreRefusedWithTheNamesThereAre)
+TEST_F(KeyPosesUsage, UnknownSizesAreRefusedWithTheValidNames)
 {
     for (const char *cache :
          {"keypose", "keypose-intermittent:", "keypose-interpolated:many", "full:7", "keypose-intermittent:12345678"}) {
@@ -101,7 +101,7 @@ protected:
     }
 };
 
-// The command itself refuses to go on where sizes of one method differ in their pictures.
+// The command fails when runs of one key-pose mode show different pictures.
 TEST_F(KeyPoseBench, EverySizeOfAKeyPoseModeDrawsTheSamePicture)
 {
     const std::string kinds[] = {"keypose-intermittent", "keypose-interpolated"};
@@ -134,7 +134,7 @@ TEST_F(KeyPoseBench, IsPrintedAsATableAndPlottedWithTheLibraryAndGlApart)
     EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'), 1 + 1 + 2 + 4 * 3);
     EXPECT_EQ(claque({"plot", path("b.json"), "--out", path("b.svg")}).code, 0);
     const std::string chart = file_text(path("b.svg"));
-    for (const char *words : {"The library's share", "drawing, with GL", "keypose-interpolated:4"})
+    for (const char *words : {"The library's share", "Drawing the crowd, with GL", "keypose-interpolated:4"})
         EXPECT_NE(chart.find(words), std::string::npos) << words;
 }
 

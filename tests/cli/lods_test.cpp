@@ -72,7 +72,7 @@ TEST_F(Lods, APictureIsAPngOfTheSizeThatWasAskedFor)
     EXPECT_EQ(static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]), 300);
 }
 
-// The command itself refuses to go on where caches differ in a picture with levels, or in one without.
+// The command fails when caches change a picture, with levels or without.
 TEST_F(Lods, SaveTrianglesInTheOdeonAndEveryCacheShowsTheSame)
 {
     const Outcome done = claque({"bench", "odeon", "--frames", "1", "--count", "40", "--size", "64x48", "--strategy",
@@ -91,7 +91,7 @@ TEST_F(Lods, SaveTrianglesInTheOdeonAndEveryCacheShowsTheSame)
     }
 }
 
-TEST_F(Lods, OfTenThousandAreDrawnManyWithOneCall)
+TEST_F(Lods, OfTenThousandAreDrawnInBatches)
 {
     const Outcome done = claque({"render", "--scene", "ten_thousand", "--count", "400", "--size", "64x48", "--out",
                                  path("t.png"), "--json", "-"});
@@ -102,8 +102,8 @@ TEST_F(Lods, OfTenThousandAreDrawnManyWithOneCall)
     EXPECT_LT(drawn["triangles_sent"].get<int>(), 400 * 130);
 }
 
-// Whole frames are with the setting; what a draw is made of adds up to one; flushing changes no pixel.
-TEST_F(Lods, BenchSaysHowFramesOfTenThousandGrowAndWhatOf)
+// Whole frames include the environment; the parts of a draw add up to one; flushing changes no pixel.
+TEST_F(Lods, BenchReportsHowFramesOfTenThousandGrowAndTheirParts)
 {
     std::string hashes[2];
     for (const char *flush : {"0", "50"}) {
@@ -129,8 +129,8 @@ TEST_F(Lods, BenchSaysHowFramesOfTenThousandGrowAndWhatOf)
     EXPECT_EQ(hashes[0], hashes[1]);
 }
 
-// As somebody would draw them who wants them fast, unless said otherwise.
-TEST_F(Lods, BenchDrawsTenThousandCachedInOneDrawUnlessTold)
+// The fastest way of drawing unless an option says otherwise.
+TEST_F(Lods, BenchDrawsTenThousandCachedInOneDrawByDefault)
 {
     const auto runs_of = [&](std::vector<std::string> more) {
         std::vector<std::string> command = {"bench", "ten_thousand", "--count", "20",    "--frames",

@@ -1,4 +1,4 @@
-// The odeon on the command line: frames along the path, the sheet, the bench by sections and its chart.
+// The odeon on the command line: frames along the camera path, the sheet, the bench by sections and its chart.
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ std::vector<std::string> joined(std::vector<std::string> arguments, const std::v
     return arguments;
 }
 
-// Of the command with these arguments, which has to go well.
+// Output of the command with these arguments, which must succeed.
 std::string output(const std::vector<std::string> &arguments)
 {
     const Outcome done = claque(arguments);
@@ -42,10 +42,10 @@ TEST_F(Odeon, FramesFollowThePathAndEachIsTheSameAlone)
     EXPECT_EQ(both.substr(bytes), late);
     EXPECT_NE(both.substr(0, bytes), late);
     const std::string overview = output(joined({"render", "--scene", "odeon", "--time", "36", "--out", "-"}, small));
-    EXPECT_NE(overview, late) << "a single picture is the overview, unless the path is asked for";
+    EXPECT_NE(overview, late) << "a single picture is the overview unless the path is requested";
 }
 
-TEST_F(Odeon, APathOfTheUsersTakesThePlaceOfTheRecordedOneInAnyScene)
+TEST_F(Odeon, AUsersPathReplacesTheBuiltInOneInAnyScene)
 {
     const std::string toml = path("p.toml");
     std::ofstream(toml)
@@ -121,7 +121,7 @@ TEST_F(Bench, HasARunForEachSectionCacheAndStrategy)
         EXPECT_LE(section["people"]["maximum"].get<int>(), 40);
         EXPECT_EQ(section["pictures_hash"].get<std::string>().size(), 16u);
     }
-    EXPECT_EQ(report["sections"][3]["people"]["maximum"], 40) << "everybody is in view in the last section";
+    EXPECT_EQ(report["sections"][3]["people"]["maximum"], 40) << "all actors are in view in the last section";
 }
 
 TEST_F(Bench, FindsMoreWorkWithoutCachesAndTheSamePictures)
@@ -159,7 +159,7 @@ TEST_F(Bench, IsPrintedAsTablesAndPlottedAsAChart)
     EXPECT_EQ(file_text(path("chart.png")).substr(1, 3), "PNG");
 }
 
-TEST_F(Bench, WhatItDidNotWriteIsNoChart)
+TEST_F(Bench, OtherFilesAreNoChart)
 {
     const Json report = measured({"--cache", "full", "--strategy", "fused"});
     Json no_runs = report, no_time = report, odd_time = report, no_size = report;
@@ -168,11 +168,11 @@ TEST_F(Bench, WhatItDidNotWriteIsNoChart)
     odd_time["runs"][1]["frame_ms"]["median"] = -4;
     no_size["size_px"] = "big";
     const std::vector<std::pair<std::string, std::string>> wrong = {
-        {"not JSON at all", "no JSON"},
+        {"not JSON at all", "not JSON"},
         {"[1, 2]", "lacks 'scene'"},
         {no_runs.dump(), "'runs'"},
         {no_time.dump(), "lacks 'frame_ms'"},
-        {odd_time.dump(), "'median' is no number"},
+        {odd_time.dump(), "'median' is not a number"},
         {no_size.dump(), "'size_px'"},
     };
     for (const auto &[text, said] : wrong) {

@@ -1,4 +1,4 @@
-// claque parity compare as a script would run it: exit codes, one clear line each, its files.
+// claque parity compare as a script runs it: exit codes, one clear line each, its files.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -56,7 +56,7 @@ TEST_F(ParityCompare, TwoCapturesOfOneTimeAreEqual)
     EXPECT_EQ(compare({"--tolerance", "exact", "--json", "-"}).out, file_text(path("r.json")));
 }
 
-TEST_F(ParityCompare, WhatIsBeyondTheToleranceFailsInOneLine)
+TEST_F(ParityCompare, DifferencesBeyondTheToleranceFailInOneLine)
 {
     overwrite("yours/colour.npy", 128 + 3 * 160 * 40, std::string(3 * 160 * 40, '\xff'));  // 40 lines white
     const Outcome done = compare({"--json", path("r.json")});
@@ -68,7 +68,7 @@ TEST_F(ParityCompare, WhatIsBeyondTheToleranceFailsInOneLine)
     EXPECT_EQ(compare({"--tolerance", path("mine.toml")}).code, 0);
 }
 
-TEST_F(ParityCompare, WhatCannotBeComparedIsRefusedInOneLine)
+TEST_F(ParityCompare, FoldersThatCannotBeComparedAreRefusedInOneLine)
 {
     const auto refused = [this](const std::vector<std::string> &more, const std::string &sentence) {
         const Outcome done = compare(more);
@@ -81,7 +81,7 @@ TEST_F(ParityCompare, WhatCannotBeComparedIsRefusedInOneLine)
     std::ofstream(path("mine.toml")) << "[at_most]\ncolours = 1\n";
     refused({"--tolerance", path("mine.toml")}, "mine.toml, line 2: there is no measure 'colours'.");
     overwrite("yours/depth.npy", 0, "PK");
-    refused({}, "yours/depth.npy is no NumPy array: it does not begin as one.");
+    refused({}, "yours/depth.npy is not a NumPy array: it does not begin as one.");
     std::ofstream(path("yours/capture.json")) << "{";
     refused({}, "yours/capture.json is not JSON.");
     std::filesystem::remove_all(path("yours"));
@@ -95,7 +95,7 @@ TEST_F(ParityCompare, CapturesOfDifferentTimesAreNotCompared)
     ASSERT_EQ(later.code, 0) << later.err;
     const Outcome done = compare();
     EXPECT_EQ(done.code, 2);
-    EXPECT_NE(done.err.find("yours shows the moment 3 s, and "), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("yours shows the time 3 s, and "), std::string::npos) << done.err;
 }
 
 TEST(ParityCompareUsage, IsChecked)

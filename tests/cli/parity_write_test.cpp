@@ -1,4 +1,4 @@
-// parity export and capture: folders that another renderer reads, the same bytes from the same command.
+// parity export and capture: folders that another renderer reads, with the same bytes from the same command.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -50,7 +50,7 @@ TEST_F(ParityWrite, ASceneHasWhatThePagePromises)
     EXPECT_EQ(file_text(path("scene") + "/scene.glb").substr(0, 4), "glTF");
 }
 
-TEST_F(ParityWrite, AResultTakesThePlaceOfAnOlderScene)
+TEST_F(ParityWrite, AResultReplacesAnOlderScene)
 {
     write("export", "folder");
     write("capture", "folder");

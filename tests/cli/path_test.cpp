@@ -1,4 +1,4 @@
-// Camera paths: what they refuse, and that a camera on one goes through its key frames without a jump.
+// Camera paths: refusals, and a camera that passes the key frames without a jump.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ const std::string keys =
     "[[keys]]\ntime_s = 0.0\neye = [0.0, 2.0, 10.0]\ntarget = [0.0, 1.0, 0.0]\nfov_deg = 30.0\nnear_m = 0.5\n"
     "[[keys]]\ntime_s = 2.0\neye = [4.0, 3.0, 8.0]\ntarget = [1.0, 1.0, 0.0]\nfov_deg = 50.0\nnear_m = 0.5\n"
     "[[keys]]\ntime_s = 7.0\neye = [9.0, 2.0, 2.0]\ntarget = [0.0, 2.0, 0.0]\nfov_deg = 40.0\nnear_m = 2.0\n";
-const std::string whole = "far_m = 900.0\n" + keys + "[[sections]]\nname = \"all\"\nfirst_s = 1.0\nlast_s = 6.0\n";
+const std::string whole = "far_m = 900.0\n" + keys + "[[sections]]\nname = \"all\"\nstart_s = 1.0\nend_s = 6.0\n";
 
 std::string with(const std::string &what, const std::string &instead)
 {
@@ -61,7 +61,7 @@ TEST(CameraPath, IsHeldBeforeItsFirstKeyFrameAndAfterItsLast)
     EXPECT_EQ(path.at(1e9).eye, path.keys().back().view.eye);
 }
 
-TEST(CameraPath, HasNoJumpInPlaceOrSpeed)
+TEST(CameraPath, HasNoJumpInPositionOrSpeed)
 {
     for (const std::string &toml : {whole, *scenes::recorded_path("odeon")}) {
         const CameraPath path(toml, "p.toml");
@@ -93,20 +93,20 @@ TEST(CameraPath, OfTheOdeonHasFourSectionsAndNeverZoomsBeyondItsKeys)
     }
 }
 
-TEST(CameraPath, ThatCannotBeFilmedIsRefusedWithItsKeyFrameAndTheNumbers)
+TEST(CameraPath, WithAnInvalidKeyFrameIsRefusedWithItsNumbers)
 {
     ASSERT_EQ(refusal(whole), "");
     const struct {
         std::string toml;
         std::vector<std::string> said;
     } refused[] = {
-        {"this is no TOML", {"p.toml", "no TOML"}},
+        {"this is no TOML", {"p.toml", "not TOML"}},
         {"", {"p.toml", "lacks", "far_m"}},
         {"far_m = 900.0\n", {"p.toml", "at least 2 key frames", "0"}},
         {with("time_s = 2.0", "time_s = 8.0"), {"key frame 3", "7 s", "8 s"}},
         {with("time_s = 2.0", "time_s = 0.0"), {"key frame 2", "not after"}},
         {with("time_s = 2.0", "time_s = -1.0"), {"key frame 2", "-1"}},
-        {with("time_s = 2.0", "time_s = \"two\""), {"key frame 2", "a text"}},
+        {with("time_s = 2.0", "time_s = \"two\""), {"key frame 2", "a string"}},
         {with("time_s = 2.0", "time_s = nan"), {"key frame 2", "not finite"}},
         {with("time_s = 2.0\n", ""), {"key frame 2", "lacks 'time_s'"}},
         {with("eye = [4.0, 3.0, 8.0]", "eye = [4.0, 3.0]"), {"key frame 2", "eye", "2 numbers"}},
@@ -122,8 +122,8 @@ TEST(CameraPath, ThatCannotBeFilmedIsRefusedWithItsKeyFrameAndTheNumbers)
         {with("start_s = 1.0", "start_s = 6.5"), {"section 1", "'all'", "6.5", "ends before it begins"}},
         {with("end_s = 6.0", "end_s = 60.0"), {"section 1", "60", "0 to 7 s"}},
         {with("name = \"all\"", "name = \"\""), {"section 1", "no name"}},
-        {whole + "[[sections]]\nname = \"more\"\nfirst_s = 5.0\nlast_s = 7.0\n", {"section 2", "'more'", "6 s"}},
-        {whole + "[[sections]]\nname = \"all\"\nfirst_s = 6.0\nlast_s = 7.0\n", {"section 2", "'all'"}},
+        {whole + "[[sections]]\nname = \"more\"\nstart_s = 5.0\nend_s = 7.0\n", {"section 2", "'more'", "6 s"}},
+        {whole + "[[sections]]\nname = \"all\"\nstart_s = 6.0\nend_s = 7.0\n", {"section 2", "'all'"}},
     };
     for (const auto &r : refused) {
         const std::string sentence = refusal(r.toml);

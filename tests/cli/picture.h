@@ -9,7 +9,7 @@ namespace cli_test
 {
 
 struct Picture {
-    int width = 0, height = 0;  // 0: no PNG
+    int width = 0, height = 0;  // 0: not a PNG
     std::vector<unsigned char> rgb;
 
     int count_of(const std::array<int, 3> &colour) const;

@@ -1,4 +1,4 @@
-// claque plot on charts of lines, as SVG and as PNG; tests/cli/odeon_test.cpp plots what bench wrote.
+// claque plot on line charts, as SVG and as PNG; tests/cli/odeon_test.cpp plots the output of bench.
 #include <algorithm>
 #include <fstream>
 
@@ -48,14 +48,14 @@ TEST_F(Plot, LinesBecomePngWithTheirColoursAndTheSameBytesTwice)
     EXPECT_EQ(left(), (std::vector<std::string>{"a.png", "b.png", "in.json"})) << "no part is left behind";
 }
 
-TEST_F(Plot, APictureThatWasThereStaysWhereANewOneFails)
+TEST_F(Plot, AnOlderPictureStaysWhenANewOneFails)
 {
     std::ofstream(path("a.png")) << "old";
     EXPECT_EQ(plot(R"({"kind": "lines", "title": "t", "series": []})", "a.png").code, 1);
     EXPECT_EQ(file_text(path("a.png")), "old");
 }
 
-TEST_F(Plot, WhatIsNoChartIsRefusedInOneSentence)
+TEST_F(Plot, OtherFilesAreRefusedInOneSentence)
 {
     for (const auto &[text, said] : std::vector<std::pair<std::string, std::string>>{
              {R"({"kind": "pie"})", "'kind' is not 'lines'"},

@@ -1,4 +1,4 @@
-// prepare: zones for characters that come without, proposed and painted.
+// prepare: zones for characters that have none, proposed and painted.
 #include "tests/cli/picture.h"
 #include "tests/cli/run.h"
 
@@ -9,7 +9,7 @@ namespace
 
 using Prepare = Command;
 
-// The map that a proposal wrote, painted on by nobody, is the same map again.
+// A proposed map that is not edited gives the same map again.
 TEST_F(Prepare, AProposedMapGivenBackAsAPaintedOneMakesTheSameZones)
 {
     const Outcome proposed = claque({"prepare", "citizen", "--propose", "4", "--zone", "1=light", "--zone", "2=dark",
@@ -38,13 +38,13 @@ TEST_F(Prepare, NamesWhatIsWrongWithItsOptions)
         EXPECT_NE(outcome.code, 0) << why;
         EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
     };
-    refused({"--reduce", "all"}, "go with --zones or --propose");
+    refused({"--reduce", "all"}, "need --zones or --propose");
     refused({"--propose", "3", "--zone", "9=skin"}, "there is no 9; there are 1, 2, 3");
     refused({"--propose", "3", "--zone", "skin"}, "is not KEY=NAME");
     refused({"--propose", "3", "--reduce", "hat"}, "--reduce hat: no zone has that name");
     refused({"--zones", path("nothing.png")}, "nothing.png");
     refused({"--image", "9", "--propose", "3"}, "image 9 of 'citizen', which has 2");
-    EXPECT_TRUE(left().empty()) << "nothing is written where something is wrong";
+    EXPECT_TRUE(left().empty()) << "nothing is written after an error";
 }
 
 TEST_F(Prepare, KeepsATextureWithinTheSizeThatItIsGiven)

@@ -1,4 +1,4 @@
-// render and bench: pictures that are the same however they are made, files that are whole or not there.
+// render and bench: pictures are the same however they are made, and files are complete or absent.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +37,7 @@ TEST_F(Render, ASequenceSkipsWhatIsFinishedAndMendsWhatIsNot)
 {
     render({"--frames", "0:2", "--out", path("s-%05d.png")});
     const std::string first = file_text(path("s-00000.png")), last = file_text(path("s-00002.png"));
-    // A frame that is whole stays although it is another picture; one that was cut is drawn again.
+    // A complete frame stays although it is another picture; a truncated one is drawn again.
     std::filesystem::copy_file(path("s-00002.png"), path("s-00000.png"),
                                std::filesystem::copy_options::overwrite_existing);
     std::ofstream(path("s-00001.png"), std::ios::binary) << last.substr(0, last.size() / 2);
@@ -144,7 +144,7 @@ TEST_F(Render, TheReportCountsAllActorsAndVisibleOnes)
     EXPECT_NE(report["context"].get<std::string>().find("Mesa"), std::string::npos);
 }
 
-TEST_F(Render, OneCharacterStandsThereTwelveTimesUnlessToldOtherwise)
+TEST_F(Render, OneCharacterIsShownTwelveTimesByDefault)
 {
     const Outcome outcome =
         claque({"render", "citizen", "--size", "96x72", "-o", path("a.png"), "--json", path("a.json")});
@@ -191,7 +191,7 @@ TEST_F(Render, BenchHasARunForEachOfItsMatrixAndOneHash)
     EXPECT_NE(report["runs"][0]["picture_hash"], report["runs"][6]["picture_hash"]);
 }
 
-TEST_F(Render, FiltersCleanTrianglesWhereItIsAskedToAndSaysWhatThatComesTo)
+TEST_F(Render, FiltersCleanTrianglesOnRequestAndReportsThem)
 {
     const auto render = [&](const char *filter, const char *name) {
         const Outcome outcome =

@@ -51,9 +51,9 @@ Outcome claque(const std::vector<std::string> &arguments)
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
-    // Leak checkers tell what they were told to forgive, which is no word of the command's.
+    // Leak checkers report their suppressions, which are not output of the command.
     setenv("LSAN_OPTIONS", "print_suppressions=0", 0);
-    // GCC 12's takes a driver's thread-local memory for a table of it, and faults while it looks for leaks there.
+    // GCC 12's leak checker takes a driver's thread-local memory for a table of it and crashes there.
     setenv("ASAN_OPTIONS", "intercept_tls_get_addr=0", 0);
     pid_t child = 0;
     Outcome outcome;
@@ -104,7 +104,7 @@ void Drawing::render(std::vector<std::string> arguments) const
     arguments.insert(arguments.begin(), {"render", "--count", "30", "--size", "96x72"});
     const Outcome done = claque(arguments);
     ASSERT_EQ(done.code, 0) << done.err;
-    EXPECT_EQ(done.err, "") << "a command that is not on a terminal says nothing when all is well";
+    EXPECT_EQ(done.err, "") << "without a terminal a successful command prints nothing to stderr";
 }
 
 std::string Drawing::picture_hash(std::vector<std::string> arguments) const

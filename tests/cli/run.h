@@ -1,4 +1,4 @@
-// Runs the claque command as a person or a script would, and holds what came of it. No shell in between.
+// Runs the claque command as a user or a script would, without a shell, and keeps its output.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Outcome claque(const std::vector<std::string> &arguments);
 
 std::string file_text(const std::string &path);
 
-// A folder of its own for each test, gone afterwards.
+// A folder for one test, deleted afterwards.
 class Command : public testing::Test
 {
 protected:
@@ -27,25 +27,25 @@ protected:
     ~Command() override;
 
     std::string path(const std::string &name) const { return (folder_ / name).string(); }
-    std::vector<std::string> left() const;  // names of what is in the folder, sorted
+    std::vector<std::string> left() const;  // names of the files in the folder, sorted
 
 private:
     std::filesystem::path folder_;
 };
 
-// Of the tests that draw: skipped with a reason where this machine has no software GL.
+// For tests that draw: skipped with a reason where this machine has no software GL.
 class Drawing : public Command
 {
 protected:
     void SetUp() override;
 
-    // A small picture; more arguments follow. Fails the test where the command fails.
+    // Renders a small picture; more arguments follow. Fails the test if the command fails.
     void render(std::vector<std::string> arguments) const;
-    // The picture's hash with these arguments.
+    // The hash of the picture with these arguments.
     std::string picture_hash(std::vector<std::string> arguments) const;
 };
 
-// Empty where contexts of this kind ("osmesa", "egl", "any") can be had, else why not.
+// Empty if contexts of this kind ("osmesa", "egl", "any") are available, else the reason.
 std::string why_no_context(const std::string &kind);
 
 }  // namespace cli_test

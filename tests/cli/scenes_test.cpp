@@ -1,4 +1,4 @@
-// The plaza's plan: everybody has room, walkers keep their lanes, and nothing depends on what came before.
+// The plaza's plan: all individuals have room, walkers keep their lanes, and nothing depends on earlier frames.
 #include <gtest/gtest.h>
 
 #include <cmath>

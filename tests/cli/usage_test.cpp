@@ -1,4 +1,4 @@
-// Exit codes and what is said with them: 0 done, 1 failed with one sentence, 2 used wrongly.
+// Exit codes and their messages: 0 done, 1 failed with one sentence, 2 wrong usage.
 #include <algorithm>
 #include <fstream>
 
@@ -138,7 +138,8 @@ TEST_F(Usage, WhatFailsSaysWhyInOneSentence)
         EXPECT_EQ(outcome.err.substr(0, 8), "claque: ") << line;
         EXPECT_EQ(outcome.out, "") << line;
     }
-    EXPECT_EQ(left(), (std::vector<std::string>{"bad.clq", "bad.glb", "bad.toml"})) << "nothing is left of what failed";
+    EXPECT_EQ(left(), (std::vector<std::string>{"bad.clq", "bad.glb", "bad.toml"}))
+        << "a failed command leaves no file";
 }
 
 TEST_F(Usage, AClipThatIsNotThereIsAnsweredWithThoseThatAre)

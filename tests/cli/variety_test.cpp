@@ -1,4 +1,4 @@
-// variety: colourings of one template beside what its texture holds.
+// variety: colourings of one template beside the content of its texture.
 #include <fstream>
 #include <set>
 
@@ -12,7 +12,7 @@ namespace
 using Variety = Drawing;
 using VarietyUsage = Command;
 
-// A raw picture by pixels.
+// A raw picture as pixels.
 struct Picture {
     size_t width, height;
     std::string rgb;
@@ -50,8 +50,8 @@ TEST_F(Variety, ThePictureIsAPngOfTheSizeThatWasAskedFor)
     EXPECT_EQ(left(), (std::vector<std::string>{"v.png"}));
 }
 
-// Left above the grey texture, below it the map in a few flat colours; the citizen has eight zones.
-TEST_F(Variety, LeftIsTheLightAndBelowItTheMapOfZones)
+// Above left the grey texture, below it the zone map in a few flat colours; the citizen has eight zones.
+TEST_F(Variety, LeftIsTheGreyTextureAndBelowItTheZoneMap)
 {
     const Picture p = draw({"citizen"}, 640, 400);
     std::set<std::string> colours;
@@ -66,7 +66,7 @@ TEST_F(Variety, LeftIsTheLightAndBelowItTheMapOfZones)
     EXPECT_LE(colours.size(), 10u);
 }
 
-TEST_F(Variety, TheSameSeedGivesTheSamePeopleAndAnotherOneOthers)
+TEST_F(Variety, TheSameSeedGivesTheSameIndividualsAndAnotherSeedOthers)
 {
     const Picture one = draw({"plebeian", "--count", "6"}, 480, 300);
     EXPECT_TRUE(draw({"plebeian", "--count", "6"}, 480, 300).rgb == one.rgb);
@@ -75,7 +75,7 @@ TEST_F(Variety, TheSameSeedGivesTheSamePeopleAndAnotherOneOthers)
     EXPECT_TRUE(other.block(0, 0, 120, 300) == one.block(0, 0, 120, 300)) << "texture and map have no seed";
 }
 
-// Each tile has the same pixels of backdrop and other colours on the same person.
+// Each tile has the same pixels of background and other colours on the same character.
 TEST_F(Variety, PeopleStandTheSameAndDifferInColours)
 {
     const Picture p = draw({"patrician", "--count", "4"}, 900, 320);
@@ -134,7 +134,7 @@ TEST_F(Variety, TooManyPeopleAreRefusedByTheirNumber)
 {
     const Outcome outcome = claque({"variety", "citizen", "--count", "300", "--size", "90x60", "--out", path("a.png")});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.err.find("300 people find no room in a picture of 90 x 60"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("300 people do not fit into a picture of 90 x 60"), std::string::npos) << outcome.err;
     EXPECT_TRUE(left().empty());
 }
 

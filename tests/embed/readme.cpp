@@ -3,10 +3,10 @@
 #include <regex>
 #include <sstream>
 
-std::vector<Block> blocks_of(const std::string &readme, const std::string &section)
+std::vector<Block> blocks_of(const std::string &page, const std::string &section)
 {
     std::vector<Block> blocks;
-    std::istringstream lines(readme);
+    std::istringstream lines(page);
     std::string line, part, file;
     bool inside = false, in_block = false;
     const std::regex named("`([A-Za-z.]+)`[^`]*:$");

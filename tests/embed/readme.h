@@ -1,15 +1,16 @@
-// README.md as something that can be followed: the blocks of a section, each with its language and, where a line before it
-// names a file, that file.
+// Code blocks of a section of README.md or of a page in docs/, for tests that run what the text shows. A block has a
+// language, and a file name if the line before it ends with that name in backquotes and a colon.
 #pragma once
 
 #include <string>
 #include <vector>
 
 struct Block {
-    std::string part;      // title of the ### part it stands in; "" before the first
+    std::string part;      // title of the ### part that contains it; "" before the first
     std::string language;  // c, cmake, sh
-    std::string file;      // of a block that is no commands
+    std::string file;      // to write the block to; "" for commands
     std::string text;
 };
 
-std::vector<Block> blocks_of(const std::string &readme, const std::string &section);
+// The blocks of the ## section of this title, in order. `page` is the text of the page.
+std::vector<Block> blocks_of(const std::string &page, const std::string &section);

@@ -1,7 +1,7 @@
-// README.md's section 'Embedding', followed word for word: its files are written, its commands run, each way of embedding in a home
-// of its own. Two things stand in for what would take minutes: `make` installs the build that is there instead of making it again
-// (`-o build`), and the project that has claque as a folder takes objects from that build wherever it compiles the same source in
-// the same way (reuse.sh).
+// What README.md and docs/hosts.md say about building a program with claque, done word for word: their files are
+// written and their commands run, each way in a home of its own. Two things replace what would take minutes: `make`
+// installs the existing build instead of building again (`-o build`), and the project that has claque as a folder takes
+// objects from that build where it compiles the same source in the same way (reuse.sh).
 #include <gtest/gtest.h>
 
 #include "tests/embed/readme.h"
@@ -10,7 +10,11 @@
 namespace
 {
 
-const char *const section = "Embedding";
+struct Section {
+    const char *page, *title;
+};
+const Section window = {"/README.md", "A crowd in your own window"};
+const Section embedding = {"/docs/hosts.md", "Embedding"};
 
 std::string environment(const Scratch &home)
 {
@@ -27,12 +31,13 @@ std::string environment(const Scratch &home)
 class Readme : public testing::Test
 {
 protected:
-    // What the parts say, one after the other; what the last command printed.
-    std::string follow(const std::vector<std::string> &parts)
+    // Follows the parts of a section in order. Returns what the last command printed.
+    std::string follow(const Section &section, const std::vector<std::string> &parts)
     {
         std::string said;
         for (const std::string &part : parts)
-            for (const Block &block : blocks_of(text_of_file(CLAQUE_SOURCE_DIR "/README.md"), section)) {
+            for (const Block &block :
+                 blocks_of(text_of_file(std::string(CLAQUE_SOURCE_DIR) + section.page), section.title)) {
                 if (block.part != part) continue;
                 ++blocks_;
                 if (block.language != "sh") {
@@ -57,22 +62,35 @@ protected:
     int blocks_ = 0;
 };
 
+// A program that still draws after five seconds has not failed: it ends with a message at the first call that fails.
+TEST_F(Readme, ShowsAProgramThatDrawsInAWindow)
+{
+    if (home_.run("pkg-config --exists glut").first != 0) GTEST_SKIP() << "needs freeglut (Debian: libglut-dev)";
+    follow(window, {""});
+    EXPECT_EQ(blocks_, 2);
+    if (!has_command("xvfb-run")) GTEST_SKIP() << "compiled, but not run: needs xvfb-run (Debian: xvfb)";
+    const auto [code, printed] = home_.run(
+        "export LD_LIBRARY_PATH=$PWD/.local/lib ASAN_OPTIONS=detect_leaks=0\n"
+        "xvfb-run -a sh -c 'timeout 5 ./window; test $? = 124'");
+    EXPECT_EQ(code, 0) << printed;
+}
+
 TEST_F(Readme, SaysHowToEmbedWithPkgConfig)
 {
-    expect_a_crowd(follow({"", "With pkg-config"}));
+    expect_a_crowd(follow(embedding, {"", "With pkg-config"}));
     EXPECT_EQ(blocks_, 3);
 }
 
 TEST_F(Readme, SaysHowToEmbedWithCmake)
 {
-    expect_a_crowd(follow({"", "With CMake"}));
+    expect_a_crowd(follow(embedding, {"", "With CMake"}));
     EXPECT_EQ(blocks_, 4);
 }
 
 TEST_F(Readme, SaysHowToEmbedClaqueAsAFolder)
 {
     ASSERT_EQ(home_.run("ln -s '" CLAQUE_SOURCE_DIR "' claque").first, 0);
-    expect_a_crowd(follow({"", "As a folder of your project"}));
+    expect_a_crowd(follow(embedding, {"", "As a folder of your project"}));
     EXPECT_EQ(blocks_, 4);
 }
 

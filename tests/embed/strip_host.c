@@ -1,6 +1,6 @@
-/* A host in C99 that brings its own arrays, and so needs libclaque alone: a strip of eight triangles bends over two joints.
- * Forty of them are posed, skinned and listed for a view over two seconds; what is printed is the fingerprint of every list,
- * with all matrices, colours and vertices, which is the same on every machine. */
+/* A C99 host with arrays of its own needs libclaque alone: a strip of eight triangles bends over two joints. Forty of
+ * them are posed, skinned and listed for a view over two seconds. The host prints the hash of every list, with all
+ * matrices, colours and vertices, which is the same on every machine. */
 #include <claque/claque.h>
 #include <stdio.h>
 #include <string.h>
@@ -93,23 +93,25 @@ static int stand(clq_crowd *crowd, clq_template *tmpl)
 
 int main(void)
 {
-    const double eye[3] = {0, 2, 6}, target[3] = {0, 1, -4};
-    const float up[3] = {0, 1, 0};
+    clq_look_at_def look = clq_look_at_def_init();
     clq_context *context = NULL;
     clq_crowd *crowd = NULL;
     clq_view *view = NULL;
     clq_camera camera;
-    clq_view_stats stats;
+    clq_view_stats stats = clq_view_stats_init();
     unsigned long long all = 0;
     if (!check(clq_context_create(NULL, &context))) return 1;
     clq_template *tmpl = strip(context);
     if (!tmpl || !check(clq_crowd_create(context, NULL, &crowd)) || !check(clq_view_create(crowd, &view))) return 1;
     if (!stand(crowd, tmpl)) return 1;
-    if (!check(clq_camera_look_at(&camera, eye, target, up, 0.8f, 1.25f, 0.1f, 100))) return 1;
+    look.eye[1] = 2, look.eye[2] = 6;
+    look.target[1] = 1, look.target[2] = -4;
+    look.fov_y_rad = 0.8f, look.aspect = 1.25f, look.z_far = 100;
+    if (!check(clq_camera_look_at(&look, &camera))) return 1;
     if (!check(clq_view_set_camera(view, &camera))) return 1;
     for (int frame = 0; frame <= 50; ++frame) {
         if (!check(clq_crowd_update(crowd, frame / 25.0, &view, 1))) return 1;
-        all = all * 1099511628211u + clq_view_hash(view);
+        all = all * 1099511628211u + clq_view_get_hash(view);
     }
     if (!check(clq_view_get_stats(view, &stats))) return 1;
     printf("%u of %d in view, %u triangles, fingerprint %08lx%08lx\n", (unsigned)stats.visible, (int)STRIPS,

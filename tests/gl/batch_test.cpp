@@ -1,4 +1,4 @@
-// Individuals of few triangles share calls: who does, what is shown, and that neighbours of another kind stay apart.
+// Batches: which individuals share GL calls, that the picture is right, and that other neighbours stay apart.
 #include "tests/gl/support/crowds.h"
 #include "tests/gl/support/hooked.h"
 
@@ -24,7 +24,7 @@ TEST_F(Batches, TakeManyIndividualsInOneCall)
     EXPECT_EQ(together.vertices, one_by_one.vertices);
 }
 
-// Rounding on the way to the eye moves an edge over a pixel's middle now and then.
+// Rounding in the transform to eye space now and then moves an edge over a pixel's centre.
 TEST_F(Batches, ShowWhatSingleCallsShow)
 {
     const Picture together = shown(many(), {}), one_by_one = shown(many(), apart());
@@ -37,7 +37,7 @@ TEST_F(Batches, ShowWhatSingleCallsShow)
 
 TEST_F(Batches, AreTheSameForAllStrategiesAndFormatsOfColours) { expect_the_same_for_all_strategies_and_formats(); }
 
-// Lit from the side, in odd scales and mirrored: normals go the way that GL's would.
+// Lit from the side, in odd scales and mirrored: normals are transformed as by GL.
 TEST_F(Batches, LightTheirIndividualsAsGlWould)
 {
     light_from({1, 0.4f, 0.2f, 0});
@@ -66,7 +66,7 @@ TEST_F(Batches, AreDrawnBeforeTheHooksOfTheNextActor)
     shown(list, {}, &stats);
     ASSERT_GE(seen.size(), 2u);
     EXPECT_GT(seen[0], 1000u);    // those before it
-    EXPECT_GT(seen[1], seen[0]);  // and then it, alone
+    EXPECT_GT(seen[1], seen[0]);  // and then this one alone
     EXPECT_EQ(stats.individuals, crowd);
 }
 

@@ -1,4 +1,4 @@
-// What claque asks GL for, and what it calls: functions of GL 1.1 alone, nothing without need, nothing after a loss.
+// The GL functions that claque loads and calls: those of GL 1.1 only, no redundant calls, none after a lost context.
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/spy.h"
 
@@ -29,7 +29,7 @@ std::unique_ptr<passes::Renderer> fresh(const passes::RendererOptions &options =
     return std::make_unique<passes::Renderer>(std::pmr::get_default_resource(), options);
 }
 
-// Every name of GL 1.1 stands in Mesa's header above its first function of 1.2.
+// In Mesa's header every name of GL 1.1 stands above the first function of 1.2.
 std::set<std::string> names_of_gl_1_1()
 {
     std::ifstream file("/usr/include/GL/gl.h");
@@ -44,7 +44,7 @@ std::set<std::string> names_of_gl_1_1()
 TEST_F(Calls, AskForNamesOfGl11Alone)
 {
     const std::set<std::string> names = names_of_gl_1_1();
-    if (names.empty()) GTEST_SKIP() << "no /usr/include/GL/gl.h to take the names from";
+    if (names.empty()) GTEST_SKIP() << "no /usr/include/GL/gl.h to read the names from";
     ASSERT_EQ(names.size(), 336u);
     const auto renderer = fresh();
     ASSERT_TRUE(open(*renderer).ok());
@@ -110,7 +110,7 @@ TEST_F(Calls, AreAsManyDrawsAsTheStatisticsSay)
     }
 }
 
-// As often as was asked for, by count of triangles, and by default never; the picture is the same.
+// As often as requested, by triangle count, and never by default; the picture is the same.
 TEST_F(Calls, FlushAfterSoManyTriangles)
 {
     const PosedModel posed = small_posed();
@@ -139,7 +139,7 @@ TEST_F(Calls, FlushAfterSoManyTriangles)
     }
 }
 
-TEST_F(Calls, BringATemplateToGlOnceOnly)
+TEST_F(Calls, UploadATemplateOnlyOnce)
 {
     const PosedModel posed = small_posed();
     const auto renderer = fresh();

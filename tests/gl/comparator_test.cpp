@@ -1,5 +1,5 @@
-// The comparison behind the law of zones is itself shown to fail: at one bit of one zone's colour, and when one
-// triangle loses one of its zones.
+// The comparison behind the law of zones can fail: at one changed bit of one zone's colour, and at one triangle that
+// loses one of its zones.
 #include "tests/gl/support/fixture.h"
 
 namespace gltest
@@ -35,7 +35,7 @@ TEST_F(Comparator, SeesOneZoneThatIsOneBitOff)
     }
 }
 
-// Takes the last triangle out of a range.
+// Removes the last triangle of a range.
 void shorten(model::IndexRange &range) { range.count -= 3; }
 
 // Four zones in squares so small that every triangle of the mixed half shows all of them.

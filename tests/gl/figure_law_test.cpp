@@ -1,4 +1,4 @@
-// The law of zones on the built-in figures, at rest and in their clips.
+// The law of zones on the built-in characters, at rest and in their clips.
 #include "lib/figures/figure.h"
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
@@ -10,12 +10,12 @@ namespace
 
 using FigureLaw = LawTest;
 
-// Clips after which a figure's surface is bent most: arms forward, arms up, cloth over the lap.
+// Clips that bend a character's surface most: arms forward, arms up, cloth over the lap.
 constexpr const char *clips[] = {"applaud", "cheer", "sit_applaud"};
 
 TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
 {
-    most_ties_share_ = 1e-5;  // where a band of cloth goes into the dress
+    most_ties_share_ = 1e-5;  // where a strip of cloth goes into the dress
     for (const claque::figures::Builtin &posed : claque::figures::people()) {
         SCOPED_TRACE(posed.name);
         const model::Model made = posed.make();

@@ -1,4 +1,4 @@
-// Levels in a colour a triangle: what they show unlit and lit, what they send, and that nobody else is touched by it.
+// Levels with one colour per triangle: unlit and lit pictures, sent data, and no effect on other individuals.
 #include "passes/flat.h"
 #include "passes/welded.h"
 #include "tests/gl/support/crowds.h"
@@ -30,10 +30,10 @@ protected:
     passes::PreparedTemplate prepared_{std::pmr::get_default_resource()};
 };
 
-// In double precision, as GL lights: what each provoking vertex shows.
+// In double precision, with GL's lighting: what each provoking vertex shows.
 std::vector<Flat::Colour> Flat::colours_lit_from(const glm::dvec3 &light, const Item &item, const uint8_t *zone_rgb)
 {
-    constexpr double ambient = 0.2;  // GL's own
+    constexpr double ambient = 0.2;  // GL's default
     const passes::FlatLevel &flat = flat_level();
     glm::dmat3 turn;
     for (int c = 0; c < 3; ++c)
@@ -68,9 +68,9 @@ TEST_F(Flat, ShowUnlitWhatTheyShowSmooth)
     EXPECT_EQ(different(flat, expected, 1), 0u);
 }
 
-TEST_F(Flat, ShowUnlitWhatTheyShowSmoothInPaintToo)
+TEST_F(Flat, ShowUnlitWhatTheyShowSmoothWithTexturesToo)
 {
-    constexpr uint32_t block = 4;  // texels across that far levels have alike
+    constexpr uint32_t block = 4;  // side in texels of the uniform squares in proxies' textures
     PosedModel painted = proxy_posed(60);
     model::Texture &texture = painted.tmpl->textures[painted.tmpl->levels[0].surfaces[0].texture];
     for (uint32_t y = 0; y < texture.height; ++y)
@@ -83,7 +83,7 @@ TEST_F(Flat, ShowUnlitWhatTheyShowSmoothInPaintToo)
     EXPECT_GT(different(expected, shown(squeezed(), smooth()), 8), 1000u);
     EXPECT_EQ(different(flat, expected, 1), 0u);
     posed_ = &posed();
-    EXPECT_GT(different(flat, shown(many(), {}), 8), 1000u) << "the paint does not show";
+    EXPECT_GT(different(flat, shown(many(), {}), 8), 1000u) << "the texture is not visible";
 }
 
 TEST_F(Flat, SendAboutOneVertexForTwoTriangles)
@@ -104,8 +104,8 @@ TEST_F(Flat, AreTheSameForAllStrategiesAndFormatsOfColours)
     expect_the_same_for_all_strategies_and_formats();
 }
 
-// One of them alone, as it is, in odd scales and mirrored: every pixel has the colour of one of its triangles.
-TEST_F(Flat, AreLitAsTheyFace)
+// A single individual, unscaled, in odd scales and mirrored: every pixel has the colour of one of its triangles.
+TEST_F(Flat, AreLitByTheirFaceNormals)
 {
     light_from({1, 0.4f, 0.2f, 0});
     for (const DrawList &crowd_list : {many(), squeezed()})
@@ -150,8 +150,8 @@ TEST_F(Flat, AreOnlyThoseOfFewTrianglesAtOneTexelEach)
     EXPECT_FALSE(passes::shows_texels(sheet.tmpl->levels[0], 1000));
 }
 
-// The host's shade model, texture coordinates and textures are what they were, for hooks and for who is drawn smooth after
-// people in flat colours.
+// The host's shade model, texture coordinates and textures are restored for hooks and for smooth individuals that are
+// drawn after those in flat colours.
 TEST_F(Flat, LeaveOthersTheHostsShadeModel)
 {
     constexpr gl::Enum smooth_model = 0x1D01;
@@ -197,7 +197,7 @@ TEST_F(Flat, DrawActorsWithHooksSmoothBetweenThem)
     }
 }
 
-// What a texture of the host's would do to people who have none.
+// A texture of the host's must not affect individuals that are drawn without one.
 TEST_F(Flat, AreNotTintedByATextureThatTheHostHasLeftOn)
 {
     const Picture calm = shown(many(), {});

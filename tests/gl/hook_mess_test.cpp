@@ -1,4 +1,4 @@
-// What callbacks of a host leave behind in GL reaches nobody (S0 7.1).
+// GL state that a host's callbacks leave behind affects no later individual (S0 7.1).
 #include "passes/guard.h"
 #include "tests/gl/support/hooked.h"
 #include "tests/gl/support/mess.h"
@@ -147,12 +147,12 @@ TEST_F(MessHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
     use(0);
     EXPECT_EQ(status.code, CLQ_GL_STATE);
     EXPECT_NE(std::string(status.text).find("'after'"), std::string::npos) << status.text;
-    EXPECT_EQ(stats.individuals, 2u) << "nobody is drawn by somebody else's program";
+    EXPECT_EQ(stats.individuals, 2u) << "no individual may be drawn by another's program";
     EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>());
     EXPECT_EQ(draw(*context_, *renderer, trio()), expected);
 }
 
-// Nothing below what it has pushed is the host's to pop; who does it all the same loses its own alone.
+// The host must not pop below what it has pushed; if it does, it loses only its own state.
 TEST_F(MessHooks, ThatPopTooMuchLeaveTheStacksBalanced)
 {
     const Callbacks pops([&] { return host_->PopAttrib(), host_->PopAttrib(), 0; }, [&] { host_->PopClientAttrib(); });

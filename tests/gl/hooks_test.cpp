@@ -1,4 +1,5 @@
-// A host's callbacks round the drawing of one individual (S0 7.1): when they are called, what they find and may do.
+// A host's callbacks round the drawing of one individual (S0 7.1): when they are called, which state they find, and
+// what they may change.
 #include "tests/gl/support/hooked.h"
 #include "tests/gl/support/spy.h"
 
@@ -70,7 +71,7 @@ TEST_F(Hooks, FindTheirIndividualsTransformNoArraysAndNoTexture)
         draw(*context_, *make_renderer_of(posed_, options_of(strategy)), trio(looking));
 }
 
-// What one hook pushes the other may pop: lights of their own for one individual.
+// One hook may push and the other pop: lights for one individual.
 TEST_F(Hooks, MayLightTheirIndividual)
 {
     constexpr gl::Enum lighting = 0x0B50;
@@ -94,7 +95,7 @@ TEST_F(Hooks, MayLightTheirIndividual)
     EXPECT_EQ(host_->GetError(), 0u);
 }
 
-// The same template with another picture on it, and the zone keys that it needs.
+// The same template with another image, and the zone keys that the image needs.
 TEST_F(Hooks, MayBindATextureOfTheirOwn)
 {
     PosedModel other = small_posed();
@@ -124,7 +125,7 @@ TEST_F(Hooks, MayBindATextureOfTheirOwn)
         expect_same_neighbours(swapped, expected);
         EXPECT_TRUE(same_middle(swapped, all_other)) << int(strategy);
         answer = 0;
-        EXPECT_EQ(draw(*context_, *renderer, trio(binds)), expected) << "it has not asked for it to be used";
+        EXPECT_EQ(draw(*context_, *renderer, trio(binds)), expected) << "the hook did not request its texture";
     }
 }
 

@@ -1,4 +1,4 @@
-// "Leave no trace" (SPEC 4): all GL 1.1 state before and after a draw, for a host that leaves nothing at its default.
+// "Leave no trace" (SPEC 4): all GL 1.1 state before and after a draw, for a host with no state at its default.
 #include "passes/guard.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/hostile.h"
@@ -15,7 +15,7 @@ using passes::Left;
 class HostState : public GlTest
 {
 protected:
-    // Names of what a draw changed.
+    // Names of the state that a draw changed.
     std::vector<std::string> changed_by_draw(passes::Renderer &renderer, const claque::draw::DrawList &list)
     {
         const State before = dump_state(*host_);
@@ -25,8 +25,8 @@ protected:
         return differences(before, after_);
     }
 
-    // Draws for hosts with everything at its default, with its arrays left on, and hostile; by array and by glColor;
-    // mirrored and double-sided or not.
+    // Draws for hosts with everything at its default, with arrays left enabled, and hostile; colours by array and by
+    // glColor; mirrored and double-sided or not.
     std::set<gl::Enum> names_changed(Guard guard)
     {
         std::set<gl::Enum> names;
@@ -56,7 +56,7 @@ protected:
         return nullptr;
     }
 
-    // Parameters belong to the texture that is bound, and another one is.
+    // Parameters belong to the bound texture, and a draw binds another one.
     static bool is_of_a_texture(const std::string &name) { return name.rfind("GL_TEXTURE_2D GL_", 0) == 0; }
 
     static void expect_documented(const std::set<gl::Enum> &changed, const std::vector<Left> &documented)
@@ -139,7 +139,7 @@ TEST_F(HostState, OfEdgeFlagsLeftOnDoesNotSpoilAWireframe)
     EXPECT_EQ(draw(*context_, *renderer, list_of(posed, whole_view(posed))), calm);
 }
 
-// Colours have to reach the materials whatever the host had following them; emission and highlights are the host's.
+// Colours must reach the materials whatever colour-material mode the host set; emission and highlights stay the host's.
 TEST_F(HostState, OfAHostileHostDoesNotSpoilThePictureUnderLight)
 {
     const PosedModel posed = small_posed();
@@ -209,7 +209,7 @@ TEST_F(HostState, OfErrorsIsTheHostsOwn)
     EXPECT_EQ(host_->GetError(), 0u) << "left by draw";
     host_->Enable(0xffff);
     draw(*context_, *renderer, list_of(posed, whole_view(posed)));
-    EXPECT_EQ(host_->GetError(), invalid_enum) << "the host's pending error was eaten";
+    EXPECT_EQ(host_->GetError(), invalid_enum) << "the host's pending error was cleared";
     EXPECT_EQ(host_->GetError(), 0u);
 }
 

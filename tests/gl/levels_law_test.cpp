@@ -1,5 +1,5 @@
-// The law of zones at every level of detail, in every size of the texture, by every strategy, from cameras drawn by hash:
-// on the built-in figures here alone more than a thousand.
+// The law of zones at every level of detail, in every size of the texture, by every strategy, from random cameras: more
+// than a thousand on the built-in characters alone.
 #include "lib/figures/figure.h"
 #include "tests/gl/support/levels.h"
 

@@ -1,4 +1,4 @@
-// Bilinear filtering of clean triangles: zones stay what they are, to the pixel; shades within them are filtered.
+// Bilinear filtering of clean triangles: zones stay exact to the pixel; shades within them are filtered.
 #include "passes/linear_clean.h"
 
 #include "lib/figures/figure.h"
@@ -37,7 +37,7 @@ PosedModel citizen(bool white)
 
 using Smooth = GlTest;
 
-// The law's own picture: with white light and dark a filtered texel shows its zone's colour, if nothing is mixed.
+// The law's own picture: with white light and dark zones a filtered texel shows its zone's colour if nothing is mixed.
 TEST_F(Smooth, MixesNoZonesUnderAnyStrategy)
 {
     const PosedModel posed = citizen(true);
@@ -97,7 +97,7 @@ TEST_F(Smooth, TakesOneDrawMoreAndReportsTheStepAlongItsEdges)
     plain->destroy(), filtered->destroy();
 }
 
-// Against brute force: the four texels of every one of many samples.
+// Compared with brute force: the four texels of each of many samples.
 TEST(LinearFootprint, NeverLetsATriangleThroughThatTakesTwoZonesAnywhere)
 {
     model::Template tmpl(std::pmr::get_default_resource());
@@ -136,7 +136,7 @@ TEST(LinearFootprint, NeverLetsATriangleThroughThatTakesTwoZonesAnywhere)
         }
     }
     EXPECT_GT(passed, 400);
-    EXPECT_LT(refused_clean, passed) << "or it would be no use";
+    EXPECT_LT(refused_clean, passed) << "otherwise filtering would be useless";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Contexts that are lost, and what comes after them, a thousand times: the same picture, and nothing kept.
+// Lost contexts and renderers on new ones, a thousand times: the same picture, and no memory kept.
 #include "tests/gl/support/fixture.h"
 
 namespace gltest
@@ -9,7 +9,7 @@ namespace
 class Ledger : public std::pmr::memory_resource
 {
 public:
-    size_t bytes = 0;  // that are taken now
+    size_t bytes = 0;  // allocated now
 
 private:
     void *do_allocate(size_t size, size_t alignment) override
@@ -33,7 +33,7 @@ protected:
 
 TEST_F(LostContexts, LeaveTheSamePictureAndNoMemoryAThousandTimes)
 {
-    constexpr int lives = 1000, lives_a_context = 25;  // making one takes Mesa longer than a life
+    constexpr int lives = 1000, lives_a_context = 25;  // creating a context takes Mesa longer than a renderer's life
     const PosedModel posed = make_posed(sheet(3, 0.2f), torture_map(16, 2, 3));
     const claque::draw::DrawList list = list_of(posed, whole_view(posed));
     Ledger ledger;

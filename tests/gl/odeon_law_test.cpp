@@ -1,5 +1,5 @@
-// The law of zones on the odeon: its people, in their seats and poses, through its own cameras. The crowd is asked who
-// is where and plays what; the pictures are made of the figures' own models, drawn plainly.
+// The law of zones on the odeon: its individuals in their seats and poses, through the scene's cameras. The crowd gives
+// positions and clips; the reference pictures are drawn plainly from the characters' own models.
 #include <cstring>
 
 #include "lib/figures/figure.h"
@@ -22,8 +22,8 @@ struct Person {
     clq_transform place = {};
 };
 
-// Layers of cloth go through one another, and from the stage a step of the depth buffer is a tenth of a millimetre: along
-// such lines different triangles tie. 12 of 199 000 pixels from the stage, 6 of 312 000 near, when this was written.
+// Layers of cloth intersect, and from the stage a step of the depth buffer is a tenth of a millimetre: along such lines
+// different triangles tie. 12 of 199 000 pixels from the stage, 6 of 312 000 near, when this was written.
 constexpr double ties_of_cloth = 1e-4;
 
 class OdeonLaw : public LawTest
@@ -43,7 +43,7 @@ protected:
     // The model of the same name, split anew.
     PosedModel split(const clq_template *tmpl)
     {
-        clq_template_info info = {};
+        clq_template_info info = clq_template_info_init();
         scenes::check(clq_template_get_info(tmpl, &info));
         for (const claque::figures::Builtin &builtin : claque::figures::builtins())
             if (std::strcmp(builtin.name, info.name) == 0) return split_posed(builtin.make());
@@ -53,7 +53,7 @@ protected:
 
     Person person(uint32_t index, double time_s)
     {
-        clq_actor_info info = {};
+        clq_actor_info info = clq_actor_info_init();
         scenes::check(clq_actor_get_info(scene_->crowd(), {index + 1, 1}, &info));
         Person person;
         const std::vector<clq_template *> templates = scene_->templates();
@@ -68,7 +68,7 @@ protected:
         return person;
     }
 
-    // Holds all strategies against the plain picture of every `step`th person.
+    // Compares all strategies with the plain picture of every `step`th individual.
     void hold(scenes::Shot shot, double time_s, uint32_t step)
     {
         scene_->place(time_s);
@@ -76,7 +76,8 @@ protected:
         const float *q = camera.rotation_xyzw;
         const glm::dmat3 world_to_eye = claque::math::rotation_of(glm::quat(q[3], q[0], q[1], q[2]));
         std::vector<Person> people;
-        for (uint32_t i = 0; i < clq_crowd_actor_count(scene_->crowd()); i += step) people.push_back(person(i, time_s));
+        for (uint32_t i = 0; i < clq_crowd_get_actor_count(scene_->crowd()); i += step)
+            people.push_back(person(i, time_s));
         const std::vector<uint8_t> colours = zone_colours(16);
         std::vector<Individual> individuals;
         for (const Person &p : people) {

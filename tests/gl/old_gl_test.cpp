@@ -1,4 +1,4 @@
-// A GL that knows version 1.1 and nothing else: what claque asks of it.
+// claque on a GL that knows version 1.1 and nothing else: the calls it makes.
 #include "tests/gl/support/checked.h"
 #include "tests/gl/support/hooked.h"
 #include "tests/gl/support/jointed.h"
@@ -17,7 +17,7 @@ protected:
     {
         HooksTest::SetUp();
         if (!context_) return;
-        if (values_of_gl_1_1().empty()) GTEST_SKIP() << "no /usr/include/GL/gl.h to take the names from";
+        if (values_of_gl_1_1().empty()) GTEST_SKIP() << "no /usr/include/GL/gl.h to read the names from";
         spy_ = std::make_unique<Spy>(*context_);
         checked_ = std::make_unique<Checked>(*spy_);
     }
@@ -69,7 +69,7 @@ TEST_F(OldGl, HasStacksDeepEnoughForAnyTree)
 }
 
 // The tests above can fail.
-TEST_F(OldGl, IsFoundOverstrained)
+TEST_F(OldGl, DetectsCallsThatItDoesNotKnow)
 {
     call<void (*)(gl::Enum)>("glEnable")(0x806F);                                            // GL_TEXTURE_3D
     call<void (*)(gl::Enum, gl::Enum, int32_t)>("glTexParameteri")(0x0DE1, 0x2802, 0x812F);  // GL_CLAMP_TO_EDGE
@@ -85,8 +85,8 @@ TEST_F(OldGl, IsFoundOverstrained)
     EXPECT_EQ(checked_->offences, expected);
 }
 
-// Where the environment asks for one, as some of this folder's tests are run.
-TEST_F(OldGl, IsWhatMesaShowsWhereItIsToldTo)
+// If the environment asks for such a GL, as it does for some tests of this folder.
+TEST_F(OldGl, IsReportedByMesaOnRequest)
 {
     const char *asked = std::getenv("MESA_GL_VERSION_OVERRIDE");
     if (!asked) GTEST_SKIP() << "MESA_GL_VERSION_OVERRIDE is not set";

@@ -1,4 +1,4 @@
-// Parts out of view are left out, and nobody sees it (S0 4.2, phases 3 and 7).
+// Culling parts changes no pixel (S0 4.2, phases 3 and 7).
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/jointed.h"
 #include "tests/gl/support/spy.h"
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(Parts, OutOfViewMayBeLeftOutWithoutATraceInThePicture)
+TEST_F(Parts, OutOfViewAreCulledWithoutAChangeInThePicture)
 {
     const Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
     ASSERT_EQ(puppet_on.parts.size(), 11u);
@@ -40,12 +40,12 @@ TEST_F(Parts, OutOfViewMayBeLeftOutWithoutATraceInThePicture)
             partial += in != 0 && in != all;
             drawn += whole != Picture(whole.size(), 0);
         }
-        EXPECT_GT(partial, 100u) << "hardly ever anything to leave out";
+        EXPECT_GT(partial, 100u) << "too few cameras cull any part";
         EXPECT_EQ(drawn, 200u);
     }
 }
 
-TEST_F(Parts, InViewAreMissedWhenLeftOut)
+TEST_F(Parts, InViewAreMissingWhenCulled)
 {
     const Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
     const DrawList list = list_of(puppet_on.posed, camera_on(puppet_on.posed, 2.6f, 0, 0.1f, aspect));
@@ -75,7 +75,7 @@ TEST_F(Parts, DrawnOneByOneGiveThePictureOfTheWhole)
                     one_by_one.items.push_back(whole.items[0]);
                     one_by_one.items.back().parts = uint64_t(1) << part;
                 }
-                // A new one, in which no colour is left from earlier pictures.
+                // A new one, without colours from earlier pictures.
                 const auto renderer = make_renderer_of(puppet_on.posed, options_of(strategy));
                 const Picture parts = draw(*context_, *renderer, one_by_one);
                 EXPECT_TRUE(parts == draw(*context_, *renderer, whole)) << i;
@@ -83,7 +83,7 @@ TEST_F(Parts, DrawnOneByOneGiveThePictureOfTheWhole)
     }
 }
 
-// Runs of neighbours are one call; all parts are as many as without parts.
+// Runs of neighbouring parts are one call; drawing all parts takes as many calls as a mesh without parts.
 TEST_F(Parts, ThatAreNeighboursAreDrawnTogether)
 {
     const Jointed rope_of_8 = make_jointed(rope(8), torture_map(128, 1, 3));
@@ -93,7 +93,7 @@ TEST_F(Parts, ThatAreNeighboursAreDrawnTogether)
     passes::Renderer renderer(std::pmr::get_default_resource(), options_of(passes::Strategy::fused));
     ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
     ASSERT_TRUE(renderer.prepare(*rope_of_8.posed.tmpl).ok());
-    // Even parts are of one surface, odd ones of the other: in each, the four have nothing between them.
+    // Even parts belong to one surface, odd ones to the other: within each, the four are adjacent.
     const struct {
         uint64_t parts;
         uint32_t draws, shown;
@@ -149,10 +149,10 @@ TEST_F(Parts, OfALevelWithoutTrianglesAskForNothing)
     const Status status = renderer.draw(list, &stats);
     EXPECT_TRUE(status.ok()) << status.text;
     EXPECT_EQ(stats.individuals, 0u);
-    EXPECT_EQ(spy.calls["glPushAttrib"], 0u) << "nothing to draw, nothing to touch";
+    EXPECT_EQ(spy.calls["glPushAttrib"], 0u) << "nothing to draw: no GL calls";
 }
 
-TEST_F(Parts, WhoseOffsetsDoNotRiseAreRefused)
+TEST_F(Parts, WithOffsetsThatDoNotAscendAreRefused)
 {
     Jointed puppet_on = make_jointed(puppet(), torture_map(128, 8, 3));
     model::Array<uint32_t> &firsts = puppet_on.posed.tmpl->levels[0].surfaces[0].part_offsets;

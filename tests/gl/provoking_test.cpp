@@ -1,4 +1,4 @@
-// How few vertices triangles can end at: against trying everything.
+// The smallest number of provoking vertices, compared with exhaustive search.
 #include "passes/provoking.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ uint32_t vertices_of(const std::vector<FlatTriangle> &triangles, const std::vect
     return static_cast<uint32_t>(ends.size() + vertices.size());
 }
 
-// Of triangles that all face one way, the fewest: each of the three corners for each.
+// The fewest for triangles of one orientation: tries each of the three corners of each triangle.
 uint32_t fewest(const std::vector<FlatTriangle> &triangles)
 {
     uint32_t least = ~0u;
@@ -53,7 +53,7 @@ std::vector<FlatTriangle> octahedron(const std::array<uint32_t, 8> &colour_entri
     return out;
 }
 
-TEST(ProvokingVertices, AreAboutAsFewAsCanBe)
+TEST(ProvokingVertices, AreNearlyAsFewAsPossible)
 {
     uint32_t more = 0, meshes = 0;
     for (uint64_t seed = 0; seed < 60; ++seed) {
@@ -70,7 +70,7 @@ TEST(ProvokingVertices, AreAboutAsFewAsCanBe)
     EXPECT_LE(more, meshes / 10);
 }
 
-TEST(ProvokingVertices, HoldEveryTriangleOnceAtACornerOfItsOwnInItsLook)
+TEST(ProvokingVertices, HoldEveryTriangleOnceAtACornerOfItsOwnWithItsAttributes)
 {
     const std::vector<FlatTriangle> triangles = octahedron({0, 1, 2, 0, 1, 1, 2, 0});
     std::multiset<uint32_t> held;

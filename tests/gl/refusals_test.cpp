@@ -1,4 +1,4 @@
-// A renderer refuses, by name and with nothing changed, what would spoil its picture (SPEC 4).
+// A renderer refuses state that would spoil its picture, by name and without changing anything (SPEC 4).
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/spy.h"
 #include "tests/gl/support/state_dump.h"
@@ -14,7 +14,7 @@ namespace
 class Refusals : public GlTest
 {
 protected:
-    // Sets something, draws, expects CLQ_GL_STATE with `word` and an untouched host and picture; undoes it.
+    // Sets a state, draws, expects CLQ_GL_STATE with `word` and an unchanged host and picture; undoes it.
     void expect_refusal(const char *word, const std::function<void()> &set, const std::function<void()> &undo)
     {
         const PosedModel posed = small_posed();
@@ -197,7 +197,7 @@ TEST_F(Refusals, NameACoreProfile)
     EXPECT_NE(std::string(status.text).find("core profile"), std::string::npos) << status.text;
 }
 
-// An old GL is asked for nothing that it does not know, so that no error is left behind.
+// claque asks an old GL for nothing that it does not know, so that no error is left behind.
 TEST_F(Refusals, AskAnOldGlForNothingNew)
 {
     Spy spy(*context_);

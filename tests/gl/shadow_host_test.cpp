@@ -1,4 +1,4 @@
-// What shadows on the ground leave of a host's state and buffers: everything but the colour that they darken.
+// Shadows on the ground leave a host's state and buffers unchanged except for the colours that they darken.
 #include "tests/gl/support/hostile.h"
 #include "tests/gl/support/shadows.h"
 #include "tests/gl/support/state_dump.h"

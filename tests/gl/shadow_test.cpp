@@ -1,4 +1,4 @@
-// Shadows on the ground: where they lie, that no pixel is darkened twice, and what hides them.
+// Shadows on the ground: their position, that no pixel is darkened twice, and what hides them.
 #include "tests/gl/support/jointed.h"
 #include "tests/gl/support/shadows.h"
 
@@ -71,35 +71,19 @@ TEST_F(Shadows, AreHiddenByWhatStandsBeforeTheGround)
     }
 }
 
-TEST_F(Shadows, UseCachedVertices)
+TEST_F(Shadows, LeaveOutItemsWithoutVerticesAndSaySo)
 {
-    struct Server : claque::draw::VertexServer {
-        claque::draw::Vertices serve(const Item &item) override
-        {
-            ++asked;
-            claque::draw::Vertices vertices;
-            if (!empty) vertices.positions = vertices.normals = posed->positions.data();
-            return item.tmpl ? vertices : claque::draw::Vertices();
-        }
-        claque::draw::Pose pose(const Item &) override { return {}; }
-        const PosedModel *posed;
-        uint32_t asked = 0;
-        bool empty = false;
-    } server;
-    server.posed = posed_;
     const auto renderer = make_renderer_of(*posed_);
     DrawList list = ground_.list_of(people_);
-    list.server = &server;
     passes::ShadowStats stats;
-    const Picture cached = shown(*renderer, list, options_for(sun, -1), &stats);
-    EXPECT_EQ(server.asked, 0u);
-    EXPECT_EQ(stats.skinned, 0u);
+    const Picture all = shown(*renderer, list, options_for(sun, -1), &stats);
     EXPECT_EQ(stats.individuals, 3u);
     list.items[1].vertices = claque::draw::Vertices();
-    EXPECT_EQ(shown(*renderer, list, options_for(sun, -1), &stats), cached);
-    EXPECT_EQ(stats.skinned, 1u);
-    server.empty = true;
-    EXPECT_EQ(renderer->draw_shadows(list, options_for(sun, -1), nullptr).code, CLQ_OUT_OF_MEMORY);
+    const claque::base::Status status = renderer->draw_shadows(list, options_for(sun, -1), &stats);
+    EXPECT_EQ(status.code, CLQ_OUT_OF_MEMORY);
+    EXPECT_EQ(stats.individuals, 2u);
+    people_.erase(people_.begin() + 1);
+    EXPECT_NE(shown(*renderer, ground_.list_of(people_), options_for(sun, -1), &stats), all);
 }
 
 TEST_F(Shadows, FallFromActorsThatAreNotVisibleThemselves)
@@ -155,7 +139,7 @@ TEST_F(Shadows, OfPartsOnGlsMatrixStackAreThoseOfMovedVertices)
     }
 }
 
-// An ellipse is no person, but it lies where the person's shadow does and is about as large.
+// An ellipse has another shape, but it lies where the individual's shadow does and is about as large.
 TEST_F(Shadows, FromAfarAreEllipsesInTheirPlace)
 {
     const Picture mesh = shown({people_[0]}, options_for(sun, -1));
@@ -174,7 +158,7 @@ TEST_F(Shadows, FromAfarAreEllipsesInTheirPlace)
     EXPECT_EQ(darkened(shown(people_, options)), 0u);
 }
 
-// The lamp is below somebody's head, the eye is below the ground: nothing to be drawn, and nothing goes wrong.
+// The lamp is below a head, or the eye is below the ground: nothing is drawn, and there is no error.
 TEST_F(Shadows, FallNowhereFromALightOrAnEyeThatIsTooLow)
 {
     EXPECT_EQ(darkened(shown(people_, options_for({0.3, 1.2, 0, 1}, -1))), 0u);
@@ -182,8 +166,8 @@ TEST_F(Shadows, FallNowhereFromALightOrAnEyeThatIsTooLow)
     EXPECT_EQ(darkened(shown(people_, options_for(sun, -1))), 0u);
 }
 
-// At its own feet, a shadow goes behind the eye.
-TEST_F(Shadows, GoOnBehindTheEye)
+// A shadow at the eye's own feet reaches behind the eye.
+TEST_F(Shadows, ContinueBehindTheEye)
 {
     const Ground low({0, 0.25, 2}, {0, 0.3, 0}, 320.0f / 240.0f);
     std::vector<Item> people = {low.stand(*posed_, {0, 0, 0}, 0), low.stand(*posed_, {0, 0, 2.1}, 0)};

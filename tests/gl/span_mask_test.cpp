@@ -1,4 +1,4 @@
-// The mask that keeps shadows from darkening twice, against the plainest way to ask whether a pixel is in a triangle.
+// The mask that keeps shadows from darkening twice, compared with the plainest test of a pixel against a triangle.
 #include "passes/span_mask.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using Triangle = std::array<glm::vec2, 3>;
 
 double side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
 
-// How far a pixel's middle is inside, pixels; negative outside.
+// Distance of a pixel's centre from the outline, pixels; negative outside.
 double depth_in(const Triangle &t, double x, double y)
 {
     double least = 1e9;
@@ -39,7 +39,7 @@ protected:
         mask.reserve(width, height);
         mask.begin(width, height);
     }
-    // Adds what is taken to `times`.
+    // Adds the taken spans to `times`.
     uint32_t take()
     {
         uint32_t boxes = 0;
@@ -87,7 +87,7 @@ TEST_F(SpanMasks, GivesEveryPixelInsideOnceAndNoneOutside)
         }
 }
 
-// Triangles that share an edge leave no seam, wherever it runs.
+// Triangles that share an edge leave no seam, wherever the edge runs.
 TEST_F(SpanMasks, LeavesNoSeamBetweenNeighbours)
 {
     std::mt19937 random(3);
@@ -111,7 +111,7 @@ TEST_F(SpanMasks, JoinsRowsThatAreAlikeIntoOneBox)
     EXPECT_EQ(take(), 0u);
     mask.add({0, 20}, {150, 20}, {150, 50});
     mask.add({0, 20}, {150, 50}, {0, 50});
-    EXPECT_EQ(take(), 2u);  // left and right of what was there
+    EXPECT_EQ(take(), 2u);  // left and right of the existing span
 }
 
 TEST_F(SpanMasks, BeginsAnewInAnotherSize)

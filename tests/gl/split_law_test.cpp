@@ -1,4 +1,4 @@
-// The law of zones on sheets that meshsplit splits: awkward keys, wraps and image sizes.
+// The law of zones on sheets that meshsplit splits: awkward keys, wrap modes and image sizes.
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
 
@@ -9,7 +9,7 @@ namespace
 
 using SplitLaw = LawTest;
 
-// Keys of a file, as awkward as they come: from 0 on, or up to 255, with gaps of 1; or wide apart.
+// Awkward keys of a file: from 0 on or up to 255 with gaps of 1; or wide apart.
 std::vector<uint8_t> awkward_keys(uint32_t count, int first, int step)
 {
     std::vector<uint8_t> keys;

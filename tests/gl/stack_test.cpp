@@ -1,4 +1,4 @@
-// Rigid parts placed by GL's matrix stack give the picture that moved vertices give (S0 6.2.2, fTrack).
+// Rigid parts on GL's matrix stack give the same picture as moved vertices (S0 6.2.2, fTrack).
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/jointed.h"
 #include "tests/gl/support/spy.h"
@@ -14,7 +14,7 @@ using claque::draw::DrawList;
 
 constexpr gl::Enum stack_lighting = 0x0B50, stack_light0 = 0x4000;
 
-// Counts what is asked of it.
+// Counts the calls of GL.
 class Counting : public std::pmr::memory_resource
 {
 public:
@@ -37,7 +37,7 @@ struct Differences {
     uint32_t covered = 0;  // pixels of the first picture
     uint32_t slightly = 0, other = 0;
 
-    // By two of 255 in any channel, or more.
+    // By two of 255 or more in any channel.
     void add(const Picture &a, const Picture &b)
     {
         for (size_t i = 0; i < a.size(); i += 3) {
@@ -80,11 +80,11 @@ protected:
         return sum;
     }
 
-    // GL multiplies model_view, the projection and each local in floats of its own, in another order than claque does:
-    // a vertex lands some 1e-6 of its distance away. On edges, of triangles or of texels inside them, that is another
-    // pixel now and then; in the light it is a last bit of a colour. Over 200 cameras 56 to 77 of 1 092 000 pixels were
-    // other ones, 21 to 26 a last bit apart, with llvmpipe and softpipe: four times as many are let pass, and two more
-    // for pictures of few pixels.
+    // GL multiplies model_view, the projection and each local matrix in its own floats and in another order than
+    // claque: a vertex differs by about 1e-6 of its distance. On edges, of triangles or of texels inside them, now and
+    // then another pixel results; in the lighting it is a last bit of a colour. Over 200 cameras 56 to 77 of 1 092 000
+    // pixels differed, 21 to 26 by a last bit, with llvmpipe and softpipe: the test allows four times as many, and two
+    // more for pictures of few pixels.
     static void expect_close(const Differences &d)
     {
         EXPECT_GT(d.covered, 0u);
@@ -102,14 +102,14 @@ TEST_F(Stack, ShowsWhatMovedVerticesShow)
         expect_close(compare_ways(*make_renderer_of(jointed.posed, options_of(strategy)), jointed, 100));
 }
 
-TEST_F(Stack, FindsVerticesWhereverTheirInverseBindMatricesBringThemFrom)
+TEST_F(Stack, AppliesInverseBindMatrices)
 {
     light_up();
     const Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3), 0.7f);
     expect_close(compare_ways(*make_renderer_of(jointed.posed), jointed, 30));
 }
 
-TEST_F(Stack, ShowsThePartsThatAreInAlone)
+TEST_F(Stack, ShowsOnlyThePartsInView)
 {
     const Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
     for (const passes::Strategy strategy : all_strategies) {
@@ -119,7 +119,7 @@ TEST_F(Stack, ShowsThePartsThatAreInAlone)
     }
 }
 
-// The test above can fail: a node turned by half a degree is seen.
+// The test above can fail: it detects a node turned by half a degree.
 TEST_F(Stack, IsSeenToBeWrongWhenANodeIsTurnedALittle)
 {
     Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
@@ -131,7 +131,7 @@ TEST_F(Stack, IsSeenToBeWrongWhenANodeIsTurnedALittle)
     EXPECT_GT(d.other, 3e-3 * d.covered);
 }
 
-// A tree deeper than any stack; whatever the host has on it already.
+// A tree deeper than any stack, whatever the host has pushed already.
 TEST_F(Stack, IsDeepEnoughForAnyTreeAndAnyHost)
 {
     const Jointed jointed = make_jointed(rope(48), torture_map(128, 2, 64));
@@ -172,7 +172,7 @@ TEST_F(Stack, IsGivenOneMatrixForEachNodeThatHasPartsBelowIt)
         const uint32_t allocations = memory.count;
         passes::DrawStats stats;
         ASSERT_TRUE(renderer.draw(list, &stats).ok());
-        EXPECT_EQ(memory.count, allocations) << "a draw asks for no memory";
+        EXPECT_EQ(memory.count, allocations) << "a draw allocates no memory";
         EXPECT_EQ(stats.matrices, c.matrices) << c.parts;
         EXPECT_EQ(stats.parts, c.shown) << c.parts;
         EXPECT_EQ(spy.calls["glMultMatrixf"], c.matrices);
@@ -181,7 +181,7 @@ TEST_F(Stack, IsGivenOneMatrixForEachNodeThatHasPartsBelowIt)
     }
 }
 
-// Hooks may take places on it too, and give them back afterwards.
+// Hooks may push matrices too and pop them afterwards.
 TEST_F(Stack, IsSharedWithHooks)
 {
     Jointed jointed = make_jointed(rope(20), torture_map(128, 2, 64));
@@ -208,7 +208,7 @@ TEST_F(Stack, IsSharedWithHooks)
     EXPECT_EQ(host_->GetError(), 0u);
     passes::DrawStats stats;
     ASSERT_TRUE(renderer->draw(list, &stats).ok());
-    EXPECT_EQ(stats.matrices, 40u) << "one for each part, however few places there are";
+    EXPECT_EQ(stats.matrices, 40u) << "one per part, however small the stack";
 }
 
 TEST_F(Stack, PlacesRigidPartsAlone)
@@ -222,7 +222,7 @@ TEST_F(Stack, PlacesRigidPartsAlone)
     EXPECT_EQ(status.code, CLQ_ARGUMENT);
     EXPECT_NE(std::string(status.text).find("rigid"), std::string::npos) << status.text;
 
-    // A part that says it follows one node, some of whose vertices follow another.
+    // A part that claims to follow one node, while some of its vertices follow another.
     Jointed jointed = make_jointed(puppet(), torture_map(128, 8, 3));
     model::Level &level = jointed.posed.tmpl->levels[0];
     level.joints[level.source_count - 1] = 0;

@@ -1,5 +1,5 @@
-// All strategies, colour formats and context kinds give the same RGB and depth (SPEC 3), lit and unlit, whatever a
-// template brings.
+// All strategies, colour formats and context kinds give the same RGB and depth (SPEC 3), lit and unlit, for every kind
+// of template.
 #include "tests/gl/support/fixture.h"
 
 #include <cmath>
@@ -40,7 +40,7 @@ protected:
         return shot;
     }
 
-    // Every strategy and format against the papers' way.
+    // Compares every strategy and format with the papers' way.
     void expect_same(const PosedModel &posed, const claque::draw::DrawList &list)
     {
         const Shot papers = shoot(posed, options_of(Strategy::per_zone), list);
@@ -121,7 +121,7 @@ TEST_F(Strategies, AgreeOnHolesAndLeaveThem)
     }
 }
 
-// The sheet seen from behind: nothing, unless it is double-sided; and mirrored, its front.
+// The sheet seen from behind: nothing unless it is double-sided; mirrored, its front.
 TEST_F(Strategies, AgreeOnMirroredAndDoubleSidedOnes)
 {
     PosedModel posed = small_posed();
@@ -176,8 +176,8 @@ TEST_F(Strategies, AgreeOnIndividualsOfTheirOwnColoursBehindEachOther)
     expect_same(posed, list);
 }
 
-// Under light of one half, odd multiples of 17 on odd multiples of 15 come to lie exactly between two values of a
-// pixel: an ulp between the ways that GL is given a colour becomes another pixel.
+// Under light of one half, odd multiples of 17 on odd multiples of 15 lie exactly between two pixel values: an ulp of
+// difference between the ways of passing a colour to GL becomes another pixel.
 TEST_F(Strategies, AgreeWhereAPixelIsOneUlpFromAnother)
 {
     constexpr gl::Enum light_model_ambient = 0x0B53;

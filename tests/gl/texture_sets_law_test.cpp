@@ -15,7 +15,8 @@ std::vector<uint8_t> keys_from(uint32_t count, int first)
     return keys;
 }
 
-// A sheet whose further sets have maps of their own: finer, coarser, of another size, and one that swaps two zones.
+// A sheet whose further sets have zone maps of their own: finer, coarser, of another size, and one with two zones
+// swapped.
 model::Model sheet_in_sets()
 {
     const std::vector<uint8_t> keys = keys_from(8, 3);

@@ -1,4 +1,4 @@
-// Hosts with state drawn by lot get the picture that a calm one gets, and their state back (SPEC 4).
+// Hosts with random state get the same picture as one with default state, and their state back (SPEC 4).
 #include "tests/gl/support/torture.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/state_dump.h"
@@ -32,7 +32,7 @@ protected:
     const PosedModel posed_ = small_posed();
 };
 
-// Every call of a renderer's life, each with all state dumped before and after.
+// Every call of a renderer's life, each between two dumps of all state.
 TEST_F(Torture, OfFortyHostsSpoilsNeitherThePictureNorTheirState)
 {
     std::vector<Picture> calm;

@@ -1,7 +1,6 @@
-// The law of zones: every pixel of a picture shows exactly the zone that its texel names (SPEC 2), whatever the
-// strategy, the colours' format, the number of zones, the camera and the target. Held against a plain, unlit picture
-// that is drawn in one go from a texture whose RGB is each zone's colour. Templates are made by hand, apart from
-// meshsplit.
+// The law of zones: every pixel shows exactly the zone that its texel names (SPEC 2), for every strategy, colour
+// format, number of zones, camera and target. The comparison is a plain, unlit picture, drawn in one pass from a
+// texture whose RGB is each zone's colour. Templates are made by hand, independently of meshsplit.
 #include "tests/gl/support/law_fixture.h"
 
 namespace gltest
@@ -32,7 +31,7 @@ TEST_P(ZoneLaw, HoldsForThePapersEqualTest)
     }
 }
 
-// Light that lets every colour through as it is: what reaches the materials, of both faces, is the zones' colours.
+// Light that passes every colour unchanged: the zones' colours reach the materials of both faces.
 TEST_P(ZoneLaw, HoldsUnderFullAmbientLightOnBothFaces)
 {
     constexpr gl::Enum lighting = 0x0B50, light_model_ambient = 0x0B53;

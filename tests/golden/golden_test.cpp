@@ -1,6 +1,6 @@
-// The scenes as they were accepted, pixel for pixel. Thresholds are zero: softpipe's bits do not depend on the
-// processor, and claque's do not either. Another Mesa may round differently, so the pictures belong to the Mesa named
-// in mesa.txt.
+// Compares the scenes with accepted pictures, pixel for pixel. Thresholds are zero: the bits of softpipe and of claque
+// do not depend on the processor. Another Mesa may round differently, so the pictures belong to the Mesa named in
+// mesa.txt.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -22,7 +22,7 @@ const struct Golden {
     {"odeon-close", "--scene odeon --camera close --size 320x240 --time 1.5"},
 };
 
-// What CTest shows of a case.
+// The name that CTest shows for a case.
 void PrintTo(const Golden &golden, std::ostream *out) { *out << golden.name; }
 
 std::string text_of(const std::string &path)
@@ -33,7 +33,7 @@ std::string text_of(const std::string &path)
     return text.str();
 }
 
-// Renders, and returns what the JSON says of the context; empty where there is no software GL.
+// Renders and returns the JSON's description of the context; empty without software GL.
 std::string render(const Golden &golden, const std::string &picture)
 {
     const std::string json = std::string(OUTPUT_DIR) + "/" + golden.name + ".json";
@@ -89,5 +89,6 @@ TEST(Comparator, SeesOnePixelOfOneStep)
     EXPECT_EQ(compare(a, b).most, 1);
     b.width = 3, b.height = 4;
     EXPECT_EQ(compare(a, b).pixels, 12u);
-    EXPECT_GT(compare(Picture(), Picture()).pixels, 0u) << "nothing is not equal to nothing: a missing picture fails";
+    EXPECT_GT(compare(Picture(), Picture()).pixels, 0u)
+        << "two missing pictures are not equal: a missing picture fails";
 }

@@ -1,4 +1,4 @@
-// Pictures as tests compare them.
+// Pictures for comparison in tests.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@ struct Picture {
     std::vector<uint8_t> rgb;
 };
 
-// Empty where the file is not there or is no picture.
+// Empty if the file is missing or not a picture.
 Picture read_picture(const std::string &path);
 
 struct Difference {
-    uint64_t pixels = 0;  // that differ at all
+    uint64_t pixels = 0;  // pixels that differ at all
     int most = 0;         // largest difference of one channel
 };
 
 // Pictures of different sizes differ in every pixel.
 Difference compare(const Picture &a, const Picture &b);
 
-// Where they differ, as a PGM: white differs, black does not.
+// The differing pixels as a PGM: white differs, black does not.
 void write_difference(const std::string &path, const Picture &a, const Picture &b);

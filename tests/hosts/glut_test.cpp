@@ -1,4 +1,4 @@
-// The GLUT program of samples/hosts in a window: people are in its picture, and in nothing else of it.
+// The GLUT program of samples/hosts in a window: individuals appear in its picture and change nothing else in it.
 #include "tests/cli/picture.h"
 #include "tests/hosts/x_server.h"
 
@@ -37,7 +37,7 @@ protected:
     hosts_test::XServer server_;
 };
 
-// Pixels of a rectangle that differ, top row first.
+// Number of differing pixels in a rectangle, top row first.
 size_t other_pixels(const Picture &a, const Picture &b, int x0, int y0, int x1, int y1)
 {
     size_t other = 0;
@@ -56,20 +56,20 @@ TEST_F(Glut, HasPeopleInItsPicture)
     const size_t other = other_pixels(with, without, 0, 0, with.width, with.height);
     EXPECT_GT(other, with.rgb.size() / 3 / 20);
     EXPECT_LT(other, with.rgb.size() / 3 / 2);
-    // What is drawn after them is as it was: the sky, the nearest lamp and trees, the first line of the panel.
+    // What is drawn after them is unchanged: the sky, the nearest lamp and trees, the first line of the panel.
     EXPECT_EQ(other_pixels(with, without, 0, 0, with.width, 28), 0u);
     EXPECT_EQ(other_pixels(with, without, 675, 60, 795, 250), 0u);
 }
 
-TEST_F(Glut, FindsItsStateAsItLeftItOnceTheyAreGone)
+TEST_F(Glut, FindsItsStateUnchangedAfterClaquesDraw)
 {
     const Picture after = run("--frames 4 --people-until 3"), never = run("--frames 4 --people-until 0");
     ASSERT_EQ(after.rgb.size(), never.rgb.size());
     EXPECT_EQ(other_pixels(after, never, 0, 0, after.width, after.height), 0u);
 }
 
-// The test above can fail: this host sets its state once, and does not get it back.
-TEST_F(Glut, FindsAnotherStateWhereItAsksForNoGuard)
+// The test above can fail: this host sets its state once and needs it restored.
+TEST_F(Glut, FindsItsStateChangedWithoutAGuard)
 {
     const Picture after = run("--frames 4 --people-until 3 --guard none"), never = run("--frames 4 --people-until 0");
     ASSERT_EQ(after.rgb.size(), never.rgb.size());

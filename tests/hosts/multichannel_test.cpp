@@ -1,4 +1,4 @@
-// Three channels with frusta of their own show what one wide picture shows (samples/hosts/multichannel).
+// Three channels with frusta of their own show the same as one wide picture (samples/hosts/multichannel).
 #include "samples/hosts/multichannel/room.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +14,13 @@ using namespace multichannel;
 constexpr int width = 256, height = 192, wide = Wall::columns * width;
 
 struct Match {
-    size_t other = 0;    // pixels that are not the same to the bit
-    size_t strange = 0;  // and that are not even between what stands next to them in the other picture
+    size_t other = 0;    // pixels whose bits differ
+    size_t strange = 0;  // of them, those that are not even between their neighbours in the other picture
 };
 
-// GL rounds a vertex of a channel and of the wide picture differently, in the last bit; so an edge may fall on the other
-// side of a pixel's middle, which shows what is next to it. `moved`: by how many pixels to the left the first is taken.
+// GL rounds the last bit of a vertex differently in a channel and in the wide picture; so an edge may fall on the other
+// side of a pixel's centre, which then shows its neighbour. `moved`: pixels by which the first picture is shifted to
+// the left.
 Match compare(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b, int moved = 0)
 {
     Match match;
@@ -69,12 +70,12 @@ TEST_F(Multichannel, ShowsWhatOneWidePictureShowsToThePixel)
         room->show(time_s);
         const Match match = compare(room->side_by_side(), room->wide());
         EXPECT_LE(match.other, pixels / 1000) << "at " << time_s << " s";
-        // What is thinner than a pixel stands next to nothing like it.
+        // Features thinner than a pixel have no similar neighbour.
         EXPECT_LE(match.strange, pixels / 25000) << "at " << time_s << " s";
     }
 }
 
-TEST_F(Multichannel, IsFoundWrongWhereAChannelIsOffByOnePixel)
+TEST_F(Multichannel, DetectsAChannelThatIsOffByOnePixel)
 {
     const Match match = compare(room->side_by_side(), room->wide(), 1);
     EXPECT_GT(match.other, size_t(wide * height) / 10);
@@ -100,11 +101,11 @@ TEST_F(Multichannel, DrawsActorsAcrossAnEdgeInBothChannels)
         EXPECT_GT(room->channel(i).stats().visible, 20u);
     }
     const uint32_t in_wide = room->wide_channel().stats().visible;
-    EXPECT_GT(sum, in_wide) << "nobody stands across an edge";
+    EXPECT_GT(sum, in_wide) << "no actor stands across an edge";
 
-    // The wide picture shows nobody whom no channel shows, nor the other way round.
+    // The wide picture shows exactly the actors that the channels show.
     const auto visible = [] {
-        clq_crowd_stats stats = {};
+        clq_crowd_stats stats = clq_crowd_stats_init();
         scenes::check(clq_crowd_get_stats(room->people().crowd(), &stats));
         return stats.visible;
     };
@@ -115,8 +116,8 @@ TEST_F(Multichannel, DrawsActorsAcrossAnEdgeInBothChannels)
 
 TEST_F(Multichannel, PosesEveryActorOnceForAllChannels)
 {
-    room->show(30);  // far in time: everybody is due
-    clq_crowd_stats stats = {};
+    room->show(30);  // far in time: every actor is due
+    clq_crowd_stats stats = clq_crowd_stats_init();
     scenes::check(clq_crowd_get_stats(room->people().crowd(), &stats));
     EXPECT_EQ(stats.animated, stats.visible);
     EXPECT_EQ(stats.skinned, stats.visible);

@@ -1,5 +1,5 @@
-// People inside OpenSceneGraph's cull and draw traversals (samples/hosts/osg): both cull each other (S0 4.3), and osg::State
-// stays right about GL.
+// Actors inside OpenSceneGraph's cull and draw traversals (samples/hosts/osg): each culls for the other (S0 4.3), and
+// osg::State stays consistent with GL.
 #include "samples/hosts/osg/application.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ protected:
         host_ = std::make_unique<Application>(*context_, people);
     }
 
-    // The eye where it stands on the roofs, turned about the upright axis.
+    // The eye at its position on the roofs, rotated about the upright axis.
     Viewpoint turned(double degrees) const
     {
         Viewpoint viewpoint = host_->from_the_roofs();
@@ -35,7 +35,7 @@ protected:
 
     clq_group_info group(size_t omnibus) const
     {
-        clq_group_info info = {};
+        clq_group_info info = clq_group_info_init();
         scenes::check(clq_group_get_info(host_->passengers().crowd(), host_->passengers().groups()[omnibus], &info));
         return info;
     }
@@ -55,12 +55,12 @@ TEST_F(Osg, FindsItsStateAsItLeftItAfterPeopleWereDrawn)
 {
     const Viewpoint viewpoint = host_->from_the_roofs();
     host_->crowd().setNodeMask(0);
-    host_->picture(viewpoint, 2);  // textures are brought
+    host_->picture(viewpoint, 2);  // uploads textures
     const std::vector<uint8_t> without = host_->picture(viewpoint, 2);
     host_->crowd().setNodeMask(~0u);
     const std::vector<uint8_t> with = host_->picture(viewpoint, 2);
     EXPECT_GT(host_->crowd().drawn().individuals, 50u);
-    EXPECT_EQ(host_->picture(viewpoint, 2), with) << "another picture of the same moment";
+    EXPECT_EQ(host_->picture(viewpoint, 2), with) << "another picture of the same time";
     host_->crowd().setNodeMask(0);
     EXPECT_EQ(host_->picture(viewpoint, 2), without);
     EXPECT_GT(other_pixels(with, without), without.size() / 3 / 50);
@@ -78,9 +78,9 @@ TEST_F(Osg, CullsPassengersWithTheirOmnibus)
         }
     }
     EXPECT_GT(on, 0u);
-    EXPECT_GT(off, on) << "most of what is in a town is not seen";
+    EXPECT_GT(off, on) << "most of a town is not visible";
 
-    // One that the host hides takes its passengers along.
+    // A node that the host hides hides its passengers too.
     host_->picture(host_->from_the_roofs(), 2);
     size_t seen = 0;
     while (!group(seen).visible) ASSERT_LT(++seen, host_->omnibuses().count());
@@ -91,7 +91,7 @@ TEST_F(Osg, CullsPassengersWithTheirOmnibus)
     EXPECT_LT(host_->crowd().drawn().individuals, before);
 }
 
-TEST_F(Osg, CullsWhatActorsHoldWithThem)
+TEST_F(Osg, CullsAttachedObjectsWithTheirActors)
 {
     size_t shown = 0, hidden = 0;
     for (int degrees = 0; degrees < 360; degrees += 12) {
@@ -101,19 +101,19 @@ TEST_F(Osg, CullsWhatActorsHoldWithThem)
             EXPECT_EQ(is, host_->crowd().is_shown(host_->street_life().holder(i))) << i << " at " << degrees;
             ++(is ? shown : hidden);
         }
-        if (degrees == 48) degrees = 300;  // nobody stands behind the eye
+        if (degrees == 48) degrees = 300;  // no individual stands behind the eye
     }
     EXPECT_GT(shown, 0u);
     EXPECT_GT(hidden, 0u);
-    // Whoever holds one has grown by it.
-    clq_actor_info with = {}, without = {};
+    // Actors with attached objects have larger spheres.
+    clq_actor_info with = clq_actor_info_init(), without = with;
     scenes::check(clq_actor_get_info(host_->passengers().crowd(), host_->street_life().holder(0), &with));
     scenes::check(
         clq_actor_get_info(host_->passengers().crowd(), host_->passengers().cast().actors().back(), &without));
     EXPECT_GT(with.sklsroot_radius, without.sklsroot_radius + 0.8f);
 }
 
-// S0 Fig. 10: inside the margin nothing is missing, outside much is, of scenery and of actors.
+// S0 Fig. 10: inside the margin nothing is missing; outside, much of scenery and actors is.
 TEST_F(Osg, ShowsAllThatANarrowPyramidMeetsWhereCullingIsForced)
 {
     constexpr double share = 0.5;

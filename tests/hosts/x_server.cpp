@@ -30,7 +30,7 @@ std::string read_number(int from)
 
 [[noreturn]] void become_server(int report)
 {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // no server is left where a test crashes
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends the server if a test crashes
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);

@@ -7,7 +7,7 @@
 namespace hosts_test
 {
 
-// Runs while this lives; DISPLAY says where.
+// Runs during this object's lifetime; sets DISPLAY.
 class XServer
 {
 public:
@@ -16,7 +16,7 @@ public:
     XServer(const XServer &) = delete;
     XServer &operator=(const XServer &) = delete;
 
-    // Empty, or why there is none.
+    // Empty, or the reason why there is no server.
     const std::string &why_not() const { return why_not_; }
 
 private:

@@ -1,4 +1,4 @@
-// Key-poses (S3): what is kept of them changes what a frame costs, never what it shows; nobody is skinned twice.
+// Key-poses (S3): keeping them changes the cost of a frame, never what it shows; no actor is skinned twice.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ SceneDef with(KeyPoseMode mode)
     return def;
 }
 
-// Each method in a ring of its own.
+// Each key-pose mode in a distance band of its own.
 SceneDef rings()
 {
     SceneDef def;
@@ -69,7 +69,7 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnHowManyKeyPosesAreKept)
             SceneDef def = kind;
             def.settings.caches.vertex_format = vertex_format;
             const std::vector<uint64_t> all = walk_key_poses(def);
-            EXPECT_GT(std::set<uint64_t>(all.begin(), all.end()).size(), 25u) << "they do move";
+            EXPECT_GT(std::set<uint64_t>(all.begin(), all.end()).size(), 25u) << "the individuals must move";
             different.insert(all);
             for (const uint32_t most : {0u, 1u, 2u, 7u, 20u}) {
                 def.settings.caches.key_poses.max_kept = most;
@@ -80,7 +80,7 @@ TEST(KeyPoseLaw, ThePictureDoesNotDependOnHowManyKeyPosesAreKept)
                 EXPECT_EQ(walk_key_poses(def), all) << budget << " bytes";
             }
         }
-    EXPECT_EQ(different.size(), 6u) << "the methods do show different things";
+    EXPECT_EQ(different.size(), 6u) << "the key-pose modes must show different poses";
 }
 
 TEST(KeyPoseLaw, ThePictureDoesNotDependOnOtherCachesNorOnThreads)
@@ -120,9 +120,10 @@ TEST(KeyPoseLaw, NoKeyPoseIsSkinnedTwiceInAFrameWhateverTheNumberOfViews)
         EXPECT_EQ(key_poses.served, key_poses.requested);
         EXPECT_EQ(key_poses.updated, key_poses.wanted) << "the first update makes each key-pose once";
         EXPECT_LT(key_poses.wanted, 2 * key_poses.requested);
-        EXPECT_GT(listed, 2 * stats.visible) << "several views show them";
+        EXPECT_GT(listed, 2 * stats.visible) << "several views must show them";
         EXPECT_EQ(stats.on_demand, 0u);
-        // Each array of vertices was made once: those of key-poses, and of those who stand between two or have no clip.
+        // Each vertex array was made once: those of key-poses, and those of actors between two key-poses or without a
+        // clip.
         if (mode == KeyPoseMode::intermittent) {
             EXPECT_LT(memory.size(), stats.visible);
             EXPECT_EQ(memory.size(), key_poses.updated + stats.skinned);
@@ -174,7 +175,7 @@ TEST(KeyPoseLaw, WhatIsShownIsTheNearestKeyPoseToTheBit)
     EXPECT_GT(checked, 20u);
 }
 
-TEST(KeyPoseLaw, WhatIsLeastRecentlyUsedGoesAndWhatIsWantedStays)
+TEST(KeyPoseLaw, TheLeastRecentlyUsedKeyPoseIsEvictedAndAWantedOneStays)
 {
     SceneDef def = with(KeyPoseMode::intermittent);
     def.actors = 200;
@@ -190,11 +191,11 @@ TEST(KeyPoseLaw, WhatIsLeastRecentlyUsedGoesAndWhatIsWantedStays)
         served += key_poses.served, requested += key_poses.requested;
     }
     EXPECT_GT(served, requested / 4);
-    EXPECT_LT(served, requested) << "there is not room for all";
-    EXPECT_LT(updates, 59u * 48 / 2) << "what is still wanted is not made again";
+    EXPECT_LT(served, requested) << "the memory must not hold all";
+    EXPECT_LT(updates, 59u * 48 / 2) << "key-poses that are still wanted are not made again";
 }
 
-TEST(KeyPoseLaw, ThoseWhoAreMovedByMoreThanOneClipKeepTheirOwnCache)
+TEST(KeyPoseLaw, ActorsMovedByMoreThanOneClipKeepTheirOwnCache)
 {
     Scene scene(with(KeyPoseMode::intermittent));
     scene.update(4);

@@ -1,9 +1,10 @@
-// Live mode: nobody steps back (SPEC 2), and a budget of poses is kept without letting anybody wait longer than twice its
-// period. Loads are simulated: updates at the times of a clock that is the test's.
+// The live clock: no actor steps back (SPEC 2), and a budget of poses is kept while no actor waits longer than twice
+// its period. Loads are simulated: the test's own clock times the updates.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lib/crowd/edits.h"
 #include "support/scene.h"
 
 namespace claque
@@ -24,7 +25,7 @@ SceneDef people(uint32_t count, frame::Clock clock, uint32_t budget = 0)
     return def;
 }
 
-// An eye that goes forward and back before 400 people in rows from 4 to 60 m, for 20 s at 60 frames a second.
+// An eye that goes forward and back before 400 individuals in rows from 4 to 60 m, for 20 s at 60 frames per second.
 glm::dvec3 wandering_eye(double time_s) { return glm::dvec3(0, 1.7, 20 - 20 * std::cos(time_s * 0.6)); }
 
 uint32_t who_step_back(frame::Clock clock)
@@ -35,8 +36,8 @@ uint32_t who_step_back(frame::Clock clock)
     for (uint32_t i = 0; i < 400; ++i) {
         crowd::Transform place;
         place.position = glm::dvec3(0.01 * (i % 20), 1, -4 - 56.0 * i / 400);
-        scene.crowd.set_transforms(&scene.ids[i], &place, 1);
-        scene.crowd.play(scene.ids[i], play);
+        crowd::set_transforms(scene.crowd, &scene.ids[i], &place, 1);
+        crowd::play(scene.crowd, scene.ids[i], play);
     }
     std::vector<double> shown(400, -1);
     std::vector<bool> stepped(400, false);
@@ -55,7 +56,7 @@ uint32_t who_step_back(frame::Clock clock)
     return static_cast<uint32_t>(std::count(stepped.begin(), stepped.end(), true));
 }
 
-// Longest time that anybody keeps a pose, in its periods, and what the counters say, over some seconds.
+// The longest time that any actor keeps a pose, in its periods, and the counters, over some seconds.
 struct Waits {
     double periods = 0;
     uint32_t most_evaluated = 0, deferred = 0, overdue = 0, over_budget = 0;
@@ -70,7 +71,7 @@ Waits simulate(Scene &scene, double seconds, double frame_s)
         EXPECT_TRUE(scene.try_update(t).ok());
         const frame::Stats &stats = scene.frame.stats();
         EXPECT_EQ(stats.due, stats.animated + stats.deferred);
-        if (f == 0) {  // everybody is new
+        if (f == 0) {  // every actor is new
             for (uint32_t i = 0; i < shown.size(); ++i)
                 shown[i] = scene.frame.visibility(scene.crowd, i).shown_s, renewed[i] = t;
             continue;
@@ -90,7 +91,7 @@ Waits simulate(Scene &scene, double seconds, double frame_s)
     return waits;
 }
 
-// What an update evaluates in the mean without a budget.
+// The mean number of poses evaluated per update without a budget.
 double load(uint32_t count, double frame_s)
 {
     Scene scene(people(count, frame::Clock::live));
@@ -107,7 +108,7 @@ double load(uint32_t count, double frame_s)
 TEST(LiveLaw, ActorsStepBackInReferenceModeAndNoneInLiveMode)
 {
     const uint32_t reference = who_step_back(frame::Clock::reference);
-    std::printf("of 400 people, %u step back within 20 s in reference mode\n", reference);
+    std::printf("of 400 actors, %u step back within 20 s in reference mode\n", reference);
     EXPECT_GT(reference, 300u);
     EXPECT_EQ(who_step_back(frame::Clock::live), 0u);
 }
@@ -157,7 +158,7 @@ TEST(BudgetLaw, ABudgetThatIsTooSmallIsKeptAndSaysSo)
     EXPECT_EQ(waits.most_evaluated, budget);
     EXPECT_GT(waits.overdue, 1000u);
     EXPECT_EQ(waits.over_budget, 0u);
-    EXPECT_LT(waits.periods, 12);  // all wait alike; nobody is left out
+    EXPECT_LT(waits.periods, 12);  // waiting times are alike
 }
 
 TEST(BudgetLaw, AnActorWithoutAPoseGetsOneWhateverTheBudget)
@@ -170,7 +171,7 @@ TEST(BudgetLaw, AnActorWithoutAPoseGetsOneWhateverTheBudget)
     EXPECT_EQ(stats.deferred, 0u);
     crowd::Play play;
     play.clip = clip_sway;
-    for (uint32_t i = 0; i < 40; ++i) scene.crowd.play(scene.ids[i], play);
+    for (uint32_t i = 0; i < 40; ++i) crowd::play(scene.crowd, scene.ids[i], play);
     scene.update(3.001);
     EXPECT_GT(scene.frame.stats().over_budget, 20u);
     EXPECT_LE(scene.frame.stats().animated, 40u);
@@ -185,8 +186,8 @@ TEST(BudgetLaw, NearActorsGoFirstAndWaitingActorsShowTheirLastTick)
         for (uint32_t i = 0; i < count; ++i) {
             crowd::Transform place;
             place.position = glm::dvec3(0, 1, -60 - 0.3 * i);  // all at 4 Hz
-            scene.crowd.set_transforms(&scene.ids[i], &place, 1);
-            scene.crowd.play(scene.ids[i], play);
+            crowd::set_transforms(scene.crowd, &scene.ids[i], &place, 1);
+            crowd::play(scene.crowd, scene.ids[i], play);
         }
         scene.update(3);
     };
@@ -194,7 +195,7 @@ TEST(BudgetLaw, NearActorsGoFirstAndWaitingActorsShowTheirLastTick)
     stand_in_a_row(scene), stand_in_a_row(free);
     std::vector<double> first;
     for (uint32_t i = 0; i < count; ++i) first.push_back(scene.frame.visibility(scene.crowd, i).shown_s);
-    scene.update(3.05), free.update(3.05);  // some one in five is due, and nobody is urgent
+    scene.update(3.05), free.update(3.05);  // about one in five is due, and no actor is urgent
     ASSERT_GT(scene.frame.stats().deferred, 10u);
     uint32_t renewed = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -225,14 +226,14 @@ TEST(BudgetLaw, AnyNumberOfThreadsDefersTheSameActors)
 
 TEST(BudgetLaw, ABudgetInMillisecondsBecomesOneOfPosesByWhatTheyCost)
 {
-    // A clock on which everything takes 1 ms: an update asks it four times, so that posing and skinning take 2 ms.
+    // A clock on which everything takes 1 ms: an update reads it four times, so that posing and skinning take 2 ms.
     double now = 0;
     SceneDef def = people(300, frame::Clock::live);
     def.settings.caches.can_defer = true;
     def.settings.update_budget_ms = 1;
     def.settings.now = {[](void *user) { return *static_cast<double *>(user) += 1e-3; }, &now};
     Scene scene(def);
-    scene.update(3);  // all 300, in 2 ms: a pose costs 2/300 ms, a budget of 1 ms is one of half of them
+    scene.update(3);  // all 300, in 2 ms: a pose costs 2/300 ms, so a budget of 1 ms allows half of them
     const uint32_t all = scene.frame.stats().animated;
     scene.update(3.5);
     EXPECT_EQ(scene.frame.stats().animated, all / 2);

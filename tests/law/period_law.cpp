@@ -1,9 +1,10 @@
-// T(d^2) = clamp(T_near + (T_far - T_near)(d^2 - d_near^2) / (d_far^2 - d_near^2)), on the ladder; the rates that are
-// really reached, and how evenly the work falls (S1 4, SPEC 2).
+// Tests T(d^2) = clamp(T_near + (T_far - T_near)(d^2 - d_near^2) / (d_far^2 - d_near^2)), rounded to rate steps; the
+// rates that are reached, and how evenly updates are spread over frames (S1 4, SPEC 2).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lib/crowd/edits.h"
 #include "support/scene.h"
 
 namespace claque
@@ -14,7 +15,7 @@ using namespace testing_support;
 namespace
 {
 
-// One template's walk, standing in a row at given distances.
+// One clip of one template, played by actors in a row at given distances.
 void line_up(Scene &scene, double first, double last)
 {
     crowd::Play play;
@@ -22,14 +23,14 @@ void line_up(Scene &scene, double first, double last)
     for (size_t i = 0; i < scene.ids.size(); ++i) {
         crowd::Transform place;
         place.position = glm::dvec3(0, 1.7, -(first + (last - first) * double(i) / double(scene.ids.size())));
-        scene.crowd.set_transforms(&scene.ids[i], &place, 1);
-        scene.crowd.play(scene.ids[i], play);
+        crowd::set_transforms(scene.crowd, &scene.ids[i], &place, 1);
+        crowd::play(scene.crowd, scene.ids[i], play);
     }
 }
 
 double lawful_rate(double d)
 {
-    // Written from the sentence, not from the code.
+    // Follows the sentence in the documentation, not the code.
     double period = 0.02 + (0.25 - 0.02) * (d * d - 25) / (2500 - 25);
     period = std::min(0.25, std::max(0.02, period));
     double rate = 50;

@@ -1,5 +1,5 @@
-// S2's Fig. 11: people in view against frames a second, by the CPU path and by the shaders of the peer, side by side in one
-// run and on the same OpenGL.
+// S2's Fig. 11: individuals in view against frames per second, drawn by the CPU path and by the peer's shaders, side by
+// side in one run and on the same OpenGL.
 //   fig11 [--counts 100,300,1000] [--frames N] [--size WxH] [--save chart.json]
 // prints a table; the chart is for claque plot.
 #include "samples/charts/lines.h"
@@ -28,7 +28,7 @@ struct Arguments {
     std::string scene = "ten_thousand", save;
 };
 
-// Of whole frames, milliseconds: what the library takes, and what OpenGL takes.
+// Of whole frames, milliseconds: time of the library, and time of OpenGL.
 struct Measured {
     cli::Times update, draw, frame;
 
@@ -97,15 +97,15 @@ struct Row {
     Measured per_zone, fused, shaders;
 };
 
-// Room for everybody's palette and for next to nobody's vertices: who finds none is skinned when somebody asks for its
-// vertices, which nobody does here. The deformation is the shader's.
+// Memory for every palette and for almost no vertices: actors without cached vertices are skinned only when their
+// vertices are requested, which does not happen here. The deformation is the shader's.
 uint64_t palette_bytes(scenes::SceneRenderer &scene_renderer)
 {
     scene_renderer.update(2);
     uint64_t bytes = 0;
     for (uint32_t i = 0; i < scene_renderer.view_stats().visible; ++i) {
-        clq_drawn_actor shown = {};
-        clq_template_info info = {};
+        clq_drawn_actor shown = clq_drawn_actor_init();
+        clq_template_info info = clq_template_info_init();
         scenes::check(clq_view_get_drawn_actor(scene_renderer.view(), i, &shown));
         scenes::check(clq_template_get_info(shown.tmpl, &info));
         bytes +=
@@ -124,7 +124,7 @@ void expect_unskinned(const scenes::SceneRenderer &scene_renderer)
                               std::to_string(stats.visible));
 }
 
-// In turn, so that all three meet the same machine; the first frame of each fills caches and compiles.
+// Alternating, so that all three meet the same machine; the first frame of each fills caches and compiles.
 Row measure(const Arguments &a, scenes::Library &library, uint32_t count, const std::string &folder)
 {
     scenes::SceneRenderer cached(library, options_of(a, count));

@@ -1,5 +1,4 @@
-// The functions of OpenGL 2.0, and of transform feedback, that the GPU peer asks its context for by name. The library never
-// sees them.
+// The functions of OpenGL 2.0 and of transform feedback that the GPU peer loads by name. The library never uses them.
 #pragma once
 
 #include "samples/contexts/offscreen.h"
@@ -85,7 +84,7 @@ constexpr unsigned transform_feedback_buffer = 0x8C8E, interleaved_attribs = 0x8
     X(void, Uniform3fv, (int, int, const float *))                                             \
     X(void, Uniform4fv, (int, int, const float *))
 
-// Of OpenGL 3.0: how skinned vertices are read back. Without it they are not.
+// Of OpenGL 3.0: needed to read back skinned vertices. Without it they are not read.
 #define PARITY_GL30(X)                                                                 \
     X(void, TransformFeedbackVaryings, (unsigned, int, const char *const *, unsigned)) \
     X(void, BeginTransformFeedback, (unsigned))                                        \
@@ -93,13 +92,13 @@ constexpr unsigned transform_feedback_buffer = 0x8C8E, interleaved_attribs = 0x8
     X(void, BindBufferBase, (unsigned, unsigned, unsigned))
 
 struct Gl20 {
-    // The context must be current. Throws Failure with the first function of 2.0 that it lacks.
+    // The context must be current. Throws Failure with the first function of 2.0 that is missing.
     explicit Gl20(const contexts::Offscreen &context);
     bool has_feedback() const
     {
         return TransformFeedbackVaryings && BeginTransformFeedback && EndTransformFeedback && BindBufferBase;
     }
-    // Throws Failure where OpenGL has noted an error.
+    // Throws Failure if OpenGL has recorded an error.
     void expect_no_error(const char *doing) const;
 
 #define PARITY_FUNCTION(type, name, arguments) type(*name) arguments = nullptr;

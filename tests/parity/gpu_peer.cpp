@@ -1,5 +1,5 @@
-// gpu_peer SCENE RESULT: draws what claque parity export wrote with shaders, and writes what came of it. Exit codes: 0 done;
-// 1 failed, with one sentence; 2 used wrongly; 77 this machine has no OpenGL to draw with.
+// gpu_peer SCENE RESULT: draws the output of claque parity export with shaders and writes the result. Exit codes: 0
+// done; 1 failed, with one sentence; 2 wrong usage; 77 this machine has no OpenGL to draw with.
 #include "tests/parity/result_out.h"
 
 #include <iostream>
@@ -7,7 +7,7 @@
 int main(int argc, char **argv)
 {
     if (argc != 3) {
-        std::cerr << "gpu_peer SCENE RESULT: the folder of a parity scene, and one for what comes of it\n";
+        std::cerr << "gpu_peer SCENE RESULT: the folder of a parity scene, and a folder for the result\n";
         return 2;
     }
     try {

@@ -12,10 +12,10 @@ LivePeer::LivePeer(const contexts::Offscreen &context, const std::string &folder
     for (size_t row = 0; row < scene_.individuals.size(); ++row) row_[scene_.individuals[row].actor] = row;
     const Json &meshes = scene_.json.at("meshes");
     std::map<const clq_template *, uint32_t> numbers;
-    clq_view_stats stats = {};
+    clq_view_stats stats = clq_view_stats_init();
     scenes::check(clq_view_get_stats(view, &stats));
     for (uint32_t i = 0; i < stats.visible; ++i) {
-        clq_drawn_actor shown = {};
+        clq_drawn_actor shown = clq_drawn_actor_init();
         scenes::check(clq_view_get_drawn_actor(view, i, &shown));
         const auto known = row_.find(shown.actor.index1);
         if (known != row_.end())
@@ -35,10 +35,10 @@ void LivePeer::begin()
 
 void LivePeer::draw(const clq_view *view)
 {
-    clq_view_stats stats = {};
+    clq_view_stats stats = clq_view_stats_init();
     scenes::check(clq_view_get_stats(view, &stats));
     for (uint32_t i = 0; i < stats.visible; ++i) {
-        clq_drawn_actor shown = {};
+        clq_drawn_actor shown = clq_drawn_actor_init();
         scenes::check(clq_view_get_drawn_actor(view, i, &shown));
         if (shown.shadow_only) continue;
         const auto row = row_.find(shown.actor.index1);
@@ -48,8 +48,8 @@ void LivePeer::draw(const clq_view *view)
         columns_.resize(12 * static_cast<size_t>(shown.joint_count));
         rows_.resize(columns_.size());
         weights_.resize(shown.morph_weight_count);
-        scenes::check(
-            clq_view_get_pose(view, i, columns_.data(), shown.joint_count, weights_.data(), shown.morph_weight_count));
+        scenes::check(clq_view_get_palette(view, i, columns_.data(), shown.joint_count));
+        scenes::check(clq_view_get_morph_weights(view, i, weights_.data(), shown.morph_weight_count));
         for (size_t joint = 0; joint < columns_.size(); joint += 12)
             for (size_t k = 0; k < 12; ++k) rows_[joint + k] = columns_[joint + 3 * (k % 4) + k / 4];
         Individual who;

@@ -1,5 +1,4 @@
-// The GPU peer at work on a running crowd: meshes, textures and colours as they were exported once, palettes as each update
-// leaves them.
+// The GPU peer on a running crowd: meshes, textures and colours as exported once, palettes from each update.
 #pragma once
 
 #include "tests/parity/peer.h"
@@ -18,11 +17,11 @@ namespace parity_test
 class LivePeer
 {
 public:
-    // `folder` was written of this view. The context must be current, here and below.
+    // `folder` was exported from this view. The context must be current, here and below.
     LivePeer(const contexts::Offscreen &context, const std::string &folder, const clq_view *view);
 
     void begin();
-    // Asks for everybody's palette, and waits for OpenGL. Throws.
+    // Draws from the palettes of all individuals, and waits for OpenGL. Throws.
     void draw(const clq_view *view);
 
 private:

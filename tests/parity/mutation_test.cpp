@@ -1,5 +1,6 @@
-// The comparison has to fail: what the library makes of a crowd, against what it makes of the same crowd with one thing wrong. Vertices
-// alone have to show it, and pictures alone, because another renderer may have only either.
+// The comparison must be able to fail: the library's output for a crowd is compared with that for the same crowd with
+// one error. Vertices alone must show the error, and pictures alone, because another renderer may have only one of
+// them.
 #include "samples/parity/compare.h"
 #include "samples/parity/verdict.h"
 #include "samples/parity/write/write.h"
@@ -51,16 +52,16 @@ protected:
     clq_crowd *crowd() const { return scene_renderer_->scene().crowd(); }
     clq_actor_info info_of(clq_actor actor) const
     {
-        clq_actor_info info = {};
+        clq_actor_info info = clq_actor_info_init();
         scenes::check(clq_actor_get_info(crowd(), actor, &info));
         return info;
     }
-    // Of the pixels that the map shows of it.
+    // Of the pixels at which the id map shows the actor.
     static size_t pixels_of(const Capture &c, clq_actor actor)
     {
         return static_cast<size_t>(std::count(c.actor->values.begin(), c.actor->values.end(), actor.index1));
     }
-    // Whoever fills most of the picture, so that every mutation is to be seen.
+    // The actor that fills most of the picture, so that every mutation is visible.
     clq_actor nearest(const Capture &c) const
     {
         const std::vector<clq_actor> all = scene_renderer_->scene().actors();
@@ -68,7 +69,7 @@ protected:
                                  [&](clq_actor a, clq_actor b) { return pixels_of(c, a) < pixels_of(c, b); });
     }
 
-    // The zone of it that most pixels show.
+    // The zone of the actor that most pixels show.
     static size_t widest_zone(const Capture &c, clq_actor actor)
     {
         std::vector<size_t> pixels(UINT16_MAX + 1);
@@ -93,7 +94,7 @@ protected:
         c.depth.reset(), c.actor.reset(), c.zone.reset();
         return c;
     }
-    // What breaks which limits; empty: it passes.
+    // Exceeded limits; empty: the comparison passes.
     static std::string broken(const Capture &reference, const Capture &result, const char *tolerance = "gpu")
     {
         return reasons(verdict_of(compare(reference, result, 67), tolerance_of(tolerance)), 99);
@@ -120,7 +121,7 @@ TEST_F(Mutation, NonePassesExactly)
 
 TEST_F(Mutation, OneActorMissingIsCaught)
 {
-    options_.scene = "parade";  // whose people stay where they are put
+    options_.scene = "parade";  // a scene whose individuals do not move
     make_scene_renderer();
     const Capture a = capture();
     scenes::check(clq_actor_destroy(crowd(), nearest(a)));
@@ -145,18 +146,18 @@ TEST_F(Mutation, OneLevelOfDetailSwappedIsCaught)
     EXPECT_NE(broken(a, colours_of(b)), "");
 }
 
-TEST_F(Mutation, OneZoneSColourIsCaught)
+TEST_F(Mutation, AChangedZoneColourIsCaught)
 {
     make_scene_renderer();
     const Capture a = capture();
     const clq_actor who = nearest(a);
     const clq_template *tmpl = info_of(who).tmpl;
-    clq_template_info info = {};
+    clq_template_info info = clq_template_info_init();
     scenes::check(clq_template_get_info(tmpl, &info));
     std::vector<float> colours(3 * size_t{info.zone_count}, 0.5f);
     scenes::check(clq_actor_set_colours(crowd(), who, colours.data(), info.zone_count));
     const Capture grey = capture();
-    colours[3 * widest_zone(grey, who) + 1] = 0.56f;  // a little more green in one zone of one of twelve
+    colours[3 * widest_zone(grey, who) + 1] = 0.56f;  // a little more green in one zone of one of twelve individuals
     scenes::check(clq_actor_set_colours(crowd(), who, colours.data(), info.zone_count));
     const Capture greener = capture();
     EXPECT_EQ(broken(vertices_of(grey), vertices_of(greener), "exact"), "");
@@ -181,7 +182,7 @@ TEST_F(Mutation, APoseOneTickOldIsCaught)
     EXPECT_NE(broken(a, colours_of(b)), "");
 }
 
-// Columns move to the right, the first one stands twice.
+// Columns move to the right; the first is duplicated.
 template <class Values>
 void shift(Values &values, size_t width, size_t numbers)
 {

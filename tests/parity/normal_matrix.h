@@ -1,4 +1,4 @@
-// What a normal follows where a matrix may stretch, as docs/parity.md has it.
+// The matrix that transforms normals where a joint matrix may stretch, as in docs/parity.md.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The GPU peer against the CPU path: vertices within 1e-4 of a character's size, colours within 2 of 255 on 99.9 % of the
-// pixels that show somebody.
+// The GPU peer against the CPU path: vertices within 1e-4 of a character's size, colours within 2 of 255 on 99.9 % of
+// the pixels that show somebody.
 #include "samples/parity/verdict.h"
 #include "samples/parity/write/write.h"
 #include "tests/parity/result_out.h"

@@ -112,7 +112,7 @@ void Peer::begin(What what)
     gl_.DepthFunc(gl::lequal);
     gl_.Disable(gl::blend);
     gl_.CullFace(gl::back);
-    // As OpenGL 1.1 leaves it where colours are shown; numbers are not to be dithered.
+    // OpenGL 1.1's state for colours; id pictures must not be dithered.
     if (what != What::colour) gl_.Disable(gl::dither);
     gl_.MatrixMode(gl::projection);
     gl_.LoadMatrixf(scene_.projection.data());
@@ -147,7 +147,7 @@ void Peer::use_mesh(const Individual &who, const float *weights)
     if (moved) bind_morphed(mesh, weights);
 }
 
-// Morph targets are added before the vertices reach the shader: S2 knows none.
+// Morph targets are added before the vertices reach the shader: S2 has none.
 void Peer::bind_morphed(const Mesh &mesh, const float *weights)
 {
     std::vector<float> both = mesh.positions;

@@ -1,5 +1,5 @@
-// The GPU peer (S2 2.2, 2.5): a crowd drawn by matrix palettes in a vertex shader and one look-up in a colour atlas a
-// fragment, one draw an individual and material. It knows a scene's folder and nothing of claque.
+// The GPU peer (S2 2.2, 2.5): a crowd drawn by matrix palettes in a vertex shader and one lookup in a colour atlas per
+// fragment, one draw per individual and material. It reads a scene's folder and uses nothing of claque.
 #pragma once
 
 #include "tests/parity/gl20.h"
@@ -14,8 +14,8 @@ namespace parity_test
 class Peer
 {
 public:
-    // The context must be current, here and below. `scene` has to live as long. Throws Failure, also where a palette does not fit
-    // this OpenGL's uniforms.
+    // The context must be current, here and below. `scene` must outlive this object. Throws Failure, also if a palette
+    // does not fit this OpenGL's uniforms.
     Peer(const contexts::Offscreen &context, const SceneIn &scene);
     ~Peer();
     Peer(const Peer &) = delete;
@@ -23,12 +23,12 @@ public:
 
     // A cleared picture, and the state that all draws share.
     void begin(What what);
-    // `palette`: three rows of four a joint; `weights` of the morph targets. row: of the atlas.
+    // `palette`: three rows of four per joint; `weights`: of the morph targets; row: of the atlas.
     void draw(const Individual &who, size_t row, const float *palette, const float *weights);
-    // The whole scene as it was exported, in the order of its list.
+    // The whole exported scene, in the order of its list.
     void draw_all(What what);
 
-    // Positions and normals of all individuals, as the vertex shader has them; false where this OpenGL cannot give them back.
+    // Positions and normals of all individuals from the vertex shader; false if this OpenGL cannot return them.
     bool skin(std::vector<float> &positions, std::vector<float> &normals);
 
     const Gl20 &gl() const { return gl_; }
@@ -61,7 +61,7 @@ private:
     std::vector<Buffers> meshes_;
     unsigned morphed_ = 0;  // buffer
     What what_ = What::colour;
-    // What OpenGL has now.
+    // The state that OpenGL has now.
     size_t mesh_ = SIZE_MAX, material_ = SIZE_MAX, atlas_ = SIZE_MAX;
     const Program *program_ = nullptr;
     bool palette_is_set_ = false;

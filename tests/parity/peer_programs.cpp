@@ -1,4 +1,4 @@
-// Shaders to programs, and what of a scene is the same for everybody in it.
+// Compiles shaders to programs and uploads the data that all individuals of a scene share.
 #include "tests/parity/peer.h"
 
 namespace parity_test

@@ -1,4 +1,4 @@
-// What the vertex shader makes of each vertex, caught by transform feedback.
+// The vertex shader's output for each vertex, captured by transform feedback.
 #include "tests/parity/peer.h"
 
 namespace parity_test

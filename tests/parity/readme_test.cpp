@@ -1,4 +1,5 @@
-// README.md's section 'As a reference renderer', followed word for word, with this build as the one that stands beside it.
+// Runs the commands of docs/parity.md, section "As a reference renderer", word for word; the gpu_peer of this build is
+// the other renderer.
 #include <gtest/gtest.h>
 
 #include "samples/contexts/offscreen.h"
@@ -8,14 +9,14 @@
 namespace
 {
 
-TEST(ReadmeParity, SaysHowToHoldARendererAgainstClaque)
+TEST(ReadmeParity, ShowsHowToCompareARendererWithClaque)
 {
     std::string why;
     if (!contexts::make_offscreen(contexts::Kind::any, 8, 8, contexts::PixelFormat::rgba8888, why)) GTEST_SKIP() << why;
     const Scratch folder;
     ASSERT_EQ(folder.run("mkdir build && ln -s '" CLAQUE_BUILD_DIR "' build/release").first, 0);
     int followed = 0;
-    for (const Block &block : blocks_of(text_of_file(CLAQUE_SOURCE_DIR "/README.md"), "As a reference renderer")) {
+    for (const Block &block : blocks_of(text_of_file(CLAQUE_SOURCE_DIR "/docs/parity.md"), "As a reference renderer")) {
         if (block.language != "sh") continue;
         ++followed;
         const auto [code, printed] = folder.run("export ASAN_OPTIONS=detect_leaks=0\n" + block.text);

@@ -1,4 +1,4 @@
-// What the GPU peer made of a scene, as a result's folder (docs/parity.md).
+// The GPU peer's output for a scene, as a result folder (docs/parity.md).
 #pragma once
 
 #include "tests/parity/peer.h"
@@ -6,7 +6,8 @@
 namespace parity_test
 {
 
-// The context, of the scene's size, must be current. scene_folder: where the tables that both have are. Throws.
+// The context, of the scene's size, must be current. scene_folder: holds the tables that scene and result share.
+// Throws.
 void write_result(const contexts::Offscreen &context, Peer &peer, const SceneIn &scene, const std::string &scene_folder,
                   const std::string &folder);
 

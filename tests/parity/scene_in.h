@@ -1,4 +1,4 @@
-// A scene as claque parity export wrote it, read by nothing but docs/parity.md.
+// A scene written by claque parity export, read by docs/parity.md alone.
 #pragma once
 
 #include <array>
@@ -87,7 +87,7 @@ struct SceneIn {
 // Throws Failure.
 SceneIn read_scene(const std::string &folder);
 
-// In parts: meshes, materials and textures of scene.glb; an array of NumPy's of this type, and how many values it has.
+// Steps of reading: meshes, materials and textures of scene.glb; a NumPy array of this type, and its number of values.
 void read_glb(const std::string &path, SceneIn &out);
 std::string bytes_of(const std::string &path);
 template <class Value>

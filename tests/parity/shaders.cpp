@@ -20,7 +20,7 @@ double most_light(const Lighting &lighting)
 {
     if (!lighting.enabled) return 1;
     double most = 0;
-    // A normal gets the most from the lights on its side: the length of their sum, if they are directions.
+    // A normal gets most light from the lights on its side: the length of their sum, if they are directions.
     for (size_t channel = 0; channel < 3; ++channel) {
         double always = double(lighting.ambient[channel]);
         std::vector<std::array<double, 3>> directions;
@@ -119,7 +119,7 @@ void main()
     follow(joints1.w, weights1.w);
 #endif
     vec4 v = vec4(position, 1.0);
-    vec3 skinned;  // added in the order that claque adds in, as dot() need not
+    vec3 skinned;  // summed in claque's order, which dot() does not promise
     for (int row = 0; row < 3; ++row)
         skinned[row] = ((rows[row].x * v.x + rows[row].y * v.y) + rows[row].z * v.z) + rows[row].w;
 #ifdef NORMALS_BY_INVERSE
@@ -160,7 +160,7 @@ varying vec3 behind[KNOTS];
 varying vec2 at;
 varying float distance_to_eye;
 
-// Light, limited at the vertices to what brings this colour to 1.
+// The light, limited at the vertices so that light times this colour is at most 1.
 vec3 limited(vec3 zone, vec3 light[KNOTS])
 {
     vec3 sum = light[0];
@@ -197,8 +197,9 @@ void main()
 }
 )";
 
-// OpenGL 1.1 multiplies a vertex's light by its colour and limits the product to 1; here the colour is known at a pixel only, so
-// light is passed on as limited at the vertices to each of a few values, between which it is interpolated.
+// OpenGL 1.1 multiplies a vertex's light by its colour and limits the product to 1. Here the colour is known only per
+// pixel, so the vertex shader passes on the light limited for each of a few values, and the fragment shader
+// interpolates between them.
 constexpr int most_knots = 4;
 
 std::string defines_of(const Variant &variant, const Lighting &lighting)

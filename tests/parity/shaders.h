@@ -1,5 +1,5 @@
-// S2's shaders (2.2, 2.5) in GLSL 1.20, lit per vertex: a matrix palette of up to eight influences, and one look-up in the
-// colour atlas.
+// S2's shaders (2.2, 2.5) in GLSL 1.20, lit per vertex: a matrix palette of up to eight influences and one lookup in
+// the colour atlas.
 #pragma once
 
 #include "tests/parity/scene_in.h"
@@ -11,7 +11,7 @@ namespace parity_test
 
 enum class What { colour, actor, zone, vertices };
 
-// What a program is compiled for.
+// Options of a compiled program.
 struct Variant {
     What what = What::colour;
     size_t joints = 1, sets = 1;  // sets of four influences
@@ -33,7 +33,7 @@ extern const char *const attribute_names[attribute_count];
 std::string vertex_shader(const Variant &variant, const Lighting &lighting);
 std::string fragment_shader(const Variant &variant, const Lighting &lighting, const Fog &fog);
 
-// That any vertex can get in any channel.
+// The most light that any vertex can get in any channel.
 double most_light(const Lighting &lighting);
 
 }  // namespace parity_test

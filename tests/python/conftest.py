@@ -1,3 +1,4 @@
+# Fixtures of the Python tests: the module of this tree, a context, the citizen and a small crowd.
 import pathlib
 import sys
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# run.sh FOLDERS_WITH_THE_LIBRARIES: the Python module's tests, by pytest; 77 where something is missing here.
+# run.sh FOLDERS_WITH_THE_LIBRARIES: runs the Python module's tests by pytest; exits with 77 if something is missing
+# here.
 here=$(dirname "$0")
 for python in /usr/bin/python3 python3; do
     command -v "$python" > /dev/null && "$python" -c 'import numpy, pytest' 2> /dev/null && found=$python && break

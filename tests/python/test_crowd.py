@@ -8,7 +8,7 @@ import pytest
 import claque
 
 
-def test_a_template_says_what_it_is_made_of(citizen):
+def test_a_template_describes_its_content(citizen):
     assert citizen.name == "citizen"
     assert citizen.zones == ["skin", "hair", "eyes", "lips", "tunic", "belt", "border", "sandals"]
     assert citizen.clips["walk"] == pytest.approx(1.1)
@@ -34,7 +34,7 @@ def test_views_of_a_templates_memory_cannot_be_written_and_keep_it_alive(context
     numpy.testing.assert_array_equal(positions, before)
 
 
-def test_the_palette_skins_the_mesh_to_the_vertices_that_are_shown(crowd, citizen):
+def test_the_palette_skins_the_mesh_to_the_shown_vertices(crowd, citizen):
     crowd.update(1.5)
     view = crowd.the_view
     assert len(view) > 50
@@ -48,7 +48,7 @@ def test_the_palette_skins_the_mesh_to_the_vertices_that_are_shown(crowd, citize
         assert numpy.abs(turned - normals).max() < 1e-5
 
 
-def test_equal_calls_show_equal_lists_and_another_time_another_one(crowd, context, citizen):
+def test_equal_calls_give_equal_lists_and_another_time_gives_another(crowd, context, citizen):
     crowd.update(1.5)
     first = crowd.the_view.hash
     crowd.update(2.0)
@@ -57,7 +57,7 @@ def test_equal_calls_show_equal_lists_and_another_time_another_one(crowd, contex
     assert crowd.the_view.hash == first
 
 
-def test_who_is_gone_is_a_stale_id_with_a_sentence(crowd):
+def test_a_destroyed_actor_is_a_stale_id_with_a_message(crowd):
     actor = crowd.add(crowd._held[-1])
     actor.remove()
     with pytest.raises(claque.Error) as refused:
@@ -67,7 +67,7 @@ def test_who_is_gone_is_a_stale_id_with_a_sentence(crowd):
     assert len(crowd) == 100
 
 
-def test_a_clip_that_is_not_there_is_named_with_those_that_are(crowd, citizen):
+def test_an_unknown_clip_is_named_with_the_existing_ones(crowd, citizen):
     with pytest.raises(KeyError, match="citizen has no clip 'fly'; it has stand, walk"):
         crowd.add(citizen, clip="fly")
 
@@ -82,7 +82,7 @@ def test_colours_of_another_shape_or_range_are_refused(crowd, citizen):
         actor.set_colours(numpy.full((8, 3), 2.0))
 
 
-def test_closed_things_say_so_and_a_context_outlives_what_was_made_from_it():
+def test_closed_objects_report_it_and_a_context_outlives_its_objects():
     context = claque.Context()
     template = claque.Template.builtin(context, "citizen", folder=None)
     del context

@@ -17,14 +17,14 @@ def test_the_package_has_the_librarys_version_and_every_module():
         assert (ROOT / "lib/python" / package / "__init__.py").exists()
 
 
-def test_nothing_in_it_is_longer_than_a_reader_likes():
+def test_no_file_of_the_package_is_too_long():
     for path in (ROOT / "lib/python").rglob("*.py"):
         assert len(path.read_text().splitlines()) <= 300, path
 
 
-def test_the_readmes_parity_example_is_the_one_that_is_run():
-    readme = (ROOT / "README.md").read_text()
+def test_the_parity_example_of_the_docs_is_the_one_that_is_run():
+    page = (ROOT / "docs/python.md").read_text()
     example = (ROOT / "lib/python/examples/parity.py").read_text()
-    shown = re.search(r"```python\n(.*?)```", readme, re.DOTALL)
-    assert shown, "the README shows no Python"
+    shown = re.search(r"```python\n(.*?)```", page, re.DOTALL)
+    assert shown, "docs/python.md shows no Python"
     assert shown.group(1).strip() == example.split('"""', 2)[2].strip()

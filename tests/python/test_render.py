@@ -30,7 +30,7 @@ def picture_of(context, crowd, citizen, strategy="fused"):
 
 
 @drawing
-def test_a_picture_shows_the_people_on_the_background_that_was_asked_for(context, crowd, citizen):
+def test_a_picture_shows_the_actors_on_the_requested_background(context, crowd, citizen):
     picture, stats = picture_of(context, crowd, citizen)
     assert picture.shape == (240, 320, 3)
     assert stats.individuals == len(crowd.the_view)
@@ -40,7 +40,7 @@ def test_a_picture_shows_the_people_on_the_background_that_was_asked_for(context
 
 
 @drawing
-def test_every_variety_shows_the_same_pixels(context, crowd, citizen):
+def test_every_strategy_shows_the_same_pixels(context, crowd, citizen):
     fused, _ = picture_of(context, crowd, citizen)
     for strategy in ("binned", "per-zone"):
         numpy.testing.assert_array_equal(picture_of(context, crowd, citizen, strategy)[0], fused)
@@ -60,7 +60,7 @@ def run_example(name, folder):
                           capture_output=True, text=True).stdout
 
 
-def test_the_parity_example_says_how_far_apart_they_are(tmp_path):
+def test_the_parity_example_reports_the_distance(tmp_path):
     assert "vertices within 0.00" in run_example("parity.py", tmp_path)
 
 

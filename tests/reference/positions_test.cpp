@@ -49,7 +49,7 @@ protected:
         std::vector<float> actual(3 * character.vertex_count() + 1);
         const uint32_t number = clip == rest ? CLQ_NONE : static_cast<uint32_t>(clip);
         const float time = static_cast<float>(time_s);
-        ASSERT_EQ(CLQ_OK, clq_asset_positions(asset_.get(), number, time, actual.data(), actual.size()))
+        ASSERT_EQ(CLQ_OK, clq_asset_get_positions(asset_.get(), number, time, actual.data(), actual.size()))
             << clq_last_error();
         actual.pop_back();
         const Comparison comparison = compare(evaluate(character, clip, time).positions, actual, size);
@@ -78,7 +78,7 @@ TEST_P(PositionsOfRealFiles, AreThoseOfTheReferenceInEveryPose)
 {
     ASSERT_EQ(CLQ_OK, load()) << clq_last_error();
     const Character character = load_character(path());
-    clq_asset_info info;
+    clq_asset_info info = clq_asset_info_init();
     ASSERT_EQ(CLQ_OK, clq_asset_get_info(asset_.get(), &info));
     ASSERT_EQ(character.parts.size(), info.part_count);
     ASSERT_EQ(character.vertex_count(), info.vertex_count);
@@ -99,7 +99,7 @@ TEST_P(PositionsOfRealFiles, ClipsStartAndEndWhereTheReferenceSays)
     ASSERT_EQ(CLQ_OK, load()) << clq_last_error();
     const Character character = load_character(path());
     for (size_t i = 0; i < character.clips.size(); ++i) {
-        clq_clip_info info;
+        clq_clip_info info = clq_clip_info_init();
         ASSERT_EQ(CLQ_OK, clq_asset_get_clip(asset_.get(), static_cast<uint32_t>(i), &info)) << clq_last_error();
         const Clip &clip = character.clips[i];
         EXPECT_NEAR(clip.first_s, info.start_s, 1e-5) << clip.name;

@@ -10,6 +10,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "tests/api/calls.h"
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"
 #include "tests/reference/trajectories.h"
@@ -68,9 +69,9 @@ protected:
     double stated_error() const
     {
         double most = 0;
-        clq_clip_info clip = {};
+        clq_clip_info clip = clq_clip_info_init();
         for (uint32_t i = 0; clq_template_get_clip(template_.get(), i, &clip) == CLQ_OK; ++i)
-            most = std::max(most, double(clip.error_m));
+            most = std::max(most, double(clip.error));
         return most;
     }
 
@@ -90,7 +91,7 @@ protected:
         const double eye[3] = {0, 0, reach}, target[3] = {0, 0, 0};
         const float up[3] = {0, 1, 0};
         clq_camera camera;
-        ASSERT_EQ(CLQ_OK, clq_camera_look_at(&camera, eye, target, up, 1.5f, 1, static_cast<float>(0.01 * reach),
+        ASSERT_EQ(CLQ_OK, api_test::look_at(&camera, eye, target, up, 1.5f, 1, static_cast<float>(0.01 * reach),
                                              static_cast<float>(10 * reach)));
         ASSERT_EQ(CLQ_OK, clq_view_set_camera(view_, &camera)) << clq_last_error();
     }
@@ -104,7 +105,7 @@ protected:
         const draw::DrawList &list = view_->view.list;
         ASSERT_EQ(1u, list.items.size()) << "the view does not see the actor";
         const draw::Item &item = list.items[0];
-        const draw::Vertices vertices = item.vertices.positions ? item.vertices : list.server->serve(item);
+        const draw::Vertices &vertices = item.vertices;
         const double start_s = clip == rest ? 0 : character_.clips[clip].first_s;
         Pose pose;
         pose.expected = evaluate(character_, clip, start_s + offset_s);

@@ -1,4 +1,4 @@
-// The audience as a crowd: the same frame however it is reached, and neighbours that do not move alike.
+// The audience as a crowd: a frame does not depend on earlier frames, and neighbours do not move alike.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ const Theatre &small_odeon()
     return theatre;
 }
 
-// Seen from the stage, without GL.
+// The view from the stage, without GL.
 class House
 {
 public:
@@ -34,7 +34,7 @@ public:
         audience_.act(time_s);
         clq_view *views[] = {view_.get()};
         check(clq_crowd_update(audience_.crowd(), time_s, views, 1));
-        return clq_view_hash(view_.get());
+        return clq_view_get_hash(view_.get());
     }
     Audience &audience() { return audience_; }
 
@@ -66,15 +66,15 @@ TEST(Audience, AFrameIsTheSameHoweverItIsReached)
 TEST(Audience, EqualCastingsMakeEqualCrowds)
 {
     House one, other, fewer(299);
-    EXPECT_EQ(clq_crowd_hash(one.audience().crowd()), clq_crowd_hash(other.audience().crowd()));
-    EXPECT_NE(clq_crowd_hash(one.audience().crowd()), clq_crowd_hash(fewer.audience().crowd()));
+    EXPECT_EQ(clq_crowd_get_hash(one.audience().crowd()), clq_crowd_get_hash(other.audience().crowd()));
+    EXPECT_NE(clq_crowd_get_hash(one.audience().crowd()), clq_crowd_get_hash(fewer.audience().crowd()));
 }
 
 TEST(Audience, HasThreeFiguresWithEveryClip)
 {
     House house;
     EXPECT_EQ(house.audience().templates().size(), 3u);
-    EXPECT_EQ(clq_crowd_actor_count(house.audience().crowd()), 300u);
+    EXPECT_EQ(clq_crowd_get_actor_count(house.audience().crowd()), 300u);
 }
 
 TEST(Audience, NeighboursDoNotMoveAlike)
@@ -103,7 +103,7 @@ TEST(Audience, NeighboursDoNotMoveAlike)
     EXPECT_LT(once, pairs / 50);
 }
 
-// Far away poses are renewed four times a second: what they show of a clip is never of before its beginning.
+// Distant poses are renewed four times a second: a new clip shows nothing from before its start.
 TEST(Audience, AClipThatHasJustBegunNeverShowsItsEnd)
 {
     Theatre theatre = small_odeon();
@@ -122,7 +122,7 @@ TEST(Audience, AClipThatHasJustBegunNeverShowsItsEnd)
         clq_view *views[] = {view.get()};
         check(clq_crowd_update(audience.crowd(), t, views, 1));
         for (uint32_t i = 0; i < 1020; ++i) {
-            clq_actor_info info = {};
+            clq_actor_info info = clq_actor_info_init();
             const clq_actor actor = {i + 1, 1};
             check(clq_actor_get_info(audience.crowd(), actor, &info));
             if (!info.visible) continue;

@@ -1,4 +1,4 @@
-// People sit on their seats with their feet on the stone, and nobody is inside anybody.
+// Individuals sit on their seats with their feet on the stone, and no body intersects another.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace scenes;
 using bodies::Body;
 using bodies::Capsule;
 
-constexpr double touch_m = 0.015;  // sleeves of neighbours may be pressed so far
+constexpr double touch_m = 0.015;  // allowed depth where neighbours' sleeves touch
 
 const std::vector<std::string> figures = {"decurion", "patrician", "plebeian"};
 
@@ -33,12 +33,12 @@ Body &body(const std::string &figure)
     return *found;
 }
 
-// Flesh between the joints of the hips and the seat, of a figure of scale 1.
+// Distance between the hip joints and the seat, of a character of scale 1.
 constexpr double flesh_m = 0.072;
 
-// Where a sitter meets the stone, above its figure's own ground.
+// Where a sitter touches the stone, above its character's own ground.
 struct Contact {
-    double pelvis = 0;  // by its joints
+    double pelvis = 0;  // of its joints
     double skin = 9;    // the lowest vertex under it
     double left_foot = 9, right_foot = 9;
 };
@@ -101,7 +101,7 @@ Posed posed(const Member &member, const std::string &figure, const clq_transform
     return out;
 }
 
-// How deep a vertex of one lies in a limb of another, in metres; negative where none does.
+// How deep a vertex of one body lies in a limb of another, in metres; negative outside.
 struct Overlap {
     double depth = -1;
     const char *limb = "";
@@ -128,7 +128,7 @@ struct Crush {
     std::string who;
 };
 
-// Everybody of every `stride`th seat with those beside and behind, in theatres whose seats and rows may be narrower.
+// Every `stride`th seat with those beside and behind it, in theatres whose seats and rows may be narrower.
 Crush crush(const Theatre &theatre, size_t stride, const std::vector<double> &times)
 {
     const std::vector<Seat> seats = seats_of(theatre);
@@ -198,7 +198,7 @@ TEST(Bodies, ClipsThatFollowEachOtherJoin)
             for (size_t v = 0; v < seat.size(); ++v) {
                 const glm::dvec3 from = seated || act == Act::rise ? seat[v] : up[v];
                 const glm::dvec3 to = seated || act == Act::sit_down ? seat[v] : up[v];
-                // Cloth may still swing a little where somebody has just risen.
+                // Cloth may still swing a little where a neighbour has just risen.
                 ASSERT_LT(glm::length(begin[v] - from), act == Act::sit_down ? 0.04 : 0.01)
                     << figure << " " << clip_name(act) << " begins";
                 ASSERT_LT(glm::length(end[v] - to), act == Act::rise ? 0.04 : 0.01)

@@ -31,7 +31,7 @@ Body::Body(const std::string &figure) : model_(model_of(figure)), workspace_(mod
     clq_asset *asset = nullptr;
     scenes::check(clq_asset_builtin(context, figure.c_str(), &asset));
     asset_.reset(asset);
-    clq_asset_info info = {};
+    clq_asset_info info = clq_asset_info_init();
     scenes::check(clq_asset_get_info(asset, &info));
     xyz_.resize(3 * static_cast<size_t>(info.vertex_count));
     vertices_.resize(info.vertex_count);
@@ -49,7 +49,7 @@ double Body::duration_s(uint32_t clip) const { return static_cast<double>(model_
 void Body::pose(uint32_t clip, double time_s)
 {
     workspace_.pose(clip, time_s);
-    scenes::check(clq_asset_positions(asset_.get(), clip, static_cast<float>(time_s), xyz_.data(), xyz_.size()));
+    scenes::check(clq_asset_get_positions(asset_.get(), clip, static_cast<float>(time_s), xyz_.data(), xyz_.size()));
     for (size_t v = 0; v < vertices_.size(); ++v)
         vertices_[v] = {double(xyz_[3 * v]), double(xyz_[3 * v + 1]), double(xyz_[3 * v + 2])};
 }

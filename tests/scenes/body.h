@@ -1,4 +1,4 @@
-// A built-in figure as a body in the world: its vertices, and capsules in its limbs.
+// A built-in character as a body in the world: its vertices, and capsules in its limbs.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -18,7 +18,7 @@ struct Capsule {
     const char *name;
 };
 
-// Of the vertex `p`: how deep it lies inside; negative outside.
+// How deep the vertex `p` lies inside; negative outside.
 double depth(const Capsule &capsule, const glm::dvec3 &p);
 
 class Body
@@ -30,7 +30,7 @@ public:
     double duration_s(uint32_t clip) const;
     void pose(uint32_t clip, double time_s);
 
-    // In the figure's own space, of the last pose.
+    // In model space, of the last pose.
     const std::vector<glm::dvec3> &vertices() const { return vertices_; }
     std::vector<Capsule> capsules() const;
     glm::dvec3 hips() const;  // between the joints of the thighs
@@ -46,7 +46,7 @@ private:
     std::vector<glm::dvec3> vertices_;
 };
 
-// From the figure's space to the world.
+// From model space to the world.
 glm::dvec3 placed(const clq_transform &place, const glm::dvec3 &p);
 
 }  // namespace bodies

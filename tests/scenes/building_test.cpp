@@ -1,4 +1,5 @@
-// The theatre's stone: seats and steps where the description says, faces that look outwards, within a budget.
+// The theatre's stone: seats and steps at their described positions, faces that look outwards, within a triangle
+// budget.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +56,7 @@ Face face(const Geometry &g, size_t triangle)
 
 size_t triangles(const Geometry &g) { return g.indices().size() / 3; }
 
-// The highest surface over a point of the ground plan, and whether it looks up.
+// The highest surface over a point of the ground plan, and whether it faces up.
 struct Top {
     double y = -1;
     bool looks_up = false;
@@ -83,7 +84,7 @@ std::vector<Face> faces_of(const Geometry &g)
     return faces;
 }
 
-// Every seat: the stone some way behind its front edge (inwards where negative) has the height that is asked.
+// For every seat: the stone at this distance behind its front edge (negative: inwards) has the requested height.
 void expect_stone(double behind_m, const std::function<double(const Seat &)> &height)
 {
     const std::vector<Face> faces = faces_of(cavea());

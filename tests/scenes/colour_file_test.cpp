@@ -1,4 +1,5 @@
-// A file of colours that changes while a scene wears it: a good one is taken up, a broken one changes nothing and is told once.
+// A colour file that changes while a scene uses it: a valid one is applied, an invalid one changes nothing and is
+// reported once.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -38,8 +39,8 @@ protected:
     {
         std::vector<float> all;
         for (const clq_actor actor : scene_->actors()) {
-            clq_actor_info info = {};
-            clq_template_info tmpl = {};
+            clq_actor_info info = clq_actor_info_init();
+            clq_template_info tmpl = clq_template_info_init();
             check(clq_actor_get_info(scene_->crowd(), actor, &info));
             check(clq_template_get_info(info.tmpl, &tmpl));
             std::vector<float> rgb(3 * static_cast<size_t>(tmpl.zone_count));
@@ -50,7 +51,7 @@ protected:
         }
         return all;
     }
-    // What applying it says; empty: nothing, and `taken_up` whether anything was new.
+    // The message of applying it, or empty; `taken_up`: whether there was anything new.
     std::string apply(ColourFile &file)
     {
         try {
@@ -85,7 +86,7 @@ TEST_F(SceneColours, ColoursAreReloadedWhenTheirFileChanges)
     EXPECT_NE(tunics(), in_red);
     write(red);
     EXPECT_EQ(apply(file), "");
-    EXPECT_EQ(tunics(), in_red) << "and back, to the byte";
+    EXPECT_EQ(tunics(), in_red) << "and back, byte for byte";
 }
 
 TEST_F(SceneColours, ColoursStayWhenTheirFileBreaksWithOneWarning)

@@ -1,5 +1,5 @@
-// S0's Tables 2 and 3 hold in `hundred_actors`, at any time, by what the library counts; and nothing shows which way it
-// culls.
+// S0's Tables 2 and 3 hold in `hundred_actors` at any time, by the library's counters; both ways of culling show the
+// same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,12 +25,12 @@ CrowdOptions crowd_options(clq_cull_mode cull = CLQ_CULL_ACTOR, float lod_scale 
 }
 
 struct Seen {
-    clq_crowd_stats stats = {};
-    clq_view_stats view = {};
+    clq_crowd_stats stats = clq_crowd_stats_init();
+    clq_view_stats view = clq_view_stats_init();
     uint64_t hash = 0;
 };
 
-// The scene before its own camera in a picture of 1024 x 768, without a picture.
+// The scene before its own camera at 1024 x 768, without drawing.
 class Watched
 {
 public:
@@ -53,7 +53,7 @@ public:
         Seen seen;
         check(clq_crowd_get_stats(scene_->crowd(), &seen.stats));
         check(clq_view_get_stats(view_.get(), &seen.view));
-        seen.hash = clq_view_hash(view_.get());
+        seen.hash = clq_view_get_hash(view_.get());
         return seen;
     }
 
@@ -81,7 +81,7 @@ TEST(HundredActors, EightyPassTheFirstPhaseAndSixtyTheSecondAtAnyTime)
     }
 }
 
-// The first two of the scene are C3.2.
+// The scene's first two actors are C3.2.
 void send_away(Watched &watched, size_t first, size_t count)
 {
     const std::vector<clq_actor> actors = watched.scene().actors();
@@ -119,14 +119,14 @@ TEST(HundredActors, EachOfTheTwoOthersHasPartsInsideAndPartsOutside)
 TEST(HundredActors, EachHasTheNodesDegreesOfFreedomAndSpheresOfTable3)
 {
     Watched watched(crowd_options());
-    clq_template_info dragon = {};
+    clq_template_info dragon = clq_template_info_init();
     check(clq_template_get_info(watched.scene().templates()[0], &dragon));
     EXPECT_EQ(dragon.node_count, static_cast<uint32_t>(table_2.nodes_per_actor));
     EXPECT_EQ(dragon.dof_count, 2 * dragon.node_count);
     uint32_t nodes[3] = {};
     ASSERT_EQ(dragon.level_count, 3u);
     for (uint32_t i = 0; i < 3; ++i) {
-        clq_level_info level = {};
+        clq_level_info level = clq_level_info_init();
         check(clq_template_get_level(watched.scene().templates()[0], i, &level));
         nodes[i] = level.node_count;
     }
@@ -142,7 +142,7 @@ TEST(HundredActors, EachHasTheNodesDegreesOfFreedomAndSpheresOfTable3)
 
 TEST(HundredActors, EveryDegreeOfFreedomIsWritten)
 {
-    // By the first, whose writes are those that are missing where it is away. A mouth at rest is not written.
+    // The first actor's writes are those that are missing without it. A mouth at rest is not written.
     Watched all(crowd_options()), without(crowd_options());
     send_away(without, 0, 1);
     uint64_t most = 0;
@@ -174,7 +174,7 @@ TEST(HundredActors, OnlySpheresOfPartsNeedMatrixProductsWhereOpenglDoesTheRest)
     c.rigid_mode = CLQ_RIGID_MATRICES;
     const clq_crowd_stats matrices = Watched(c).at(2).stats;
     EXPECT_EQ(matrices.products_tracked, matrices.crossing * 40u);
-    // With those three of C3.1 whose spheres show that they are outside.
+    // Includes the three of C3.1 that only their spheres show to be outside.
     EXPECT_EQ(matrices.products, 1200u);
     c.cull = CLQ_CULL_TRADITIONAL;
     const clq_crowd_stats everybody = Watched(c).at(2).stats;
@@ -188,9 +188,9 @@ TEST(HundredActors, AnotherNumberOfActorsIsRefused)
     c.count = 40;
     try {
         make_scene("hundred_actors", library, c, {});
-        FAIL() << "40 actors were taken";
+        FAIL() << "40 actors were accepted";
     } catch (const Failure &failure) {
-        EXPECT_NE(std::string(failure.what()).find("40 were asked for"), std::string::npos) << failure.what();
+        EXPECT_NE(std::string(failure.what()).find("40 were requested"), std::string::npos) << failure.what();
     }
 }
 

@@ -1,4 +1,4 @@
-// Shadows painted into a picture of the ground: where they fall, and how dark.
+// Shadows painted into a picture of the ground: their position and darkness.
 #include "samples/scenes/light_map.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ clq_transform at(double x, double z)
 class LightMapTest : public testing::Test
 {
 protected:
-    // The sun stands east, so that shadows fall towards -x, as long as people are tall.
+    // The sun is in the east, so shadows fall towards -x, as long as individuals are tall.
     static LightMap of(const std::vector<clq_transform> &places)
     {
         Shadows shadows;

@@ -1,4 +1,4 @@
-// Same time, same camera, same picture: whatever caches, memory bounds, threads and earlier frames.
+// Same time and camera give the same picture, whatever the caches, memory limits, threads and earlier frames.
 #include <gtest/gtest.h>
 
 #include "samples/scenes/scene_renderer.h"
@@ -35,7 +35,7 @@ Shown show(SceneRenderer &scene_renderer, double time_s)
 
 constexpr double times_s[] = {3.0, 17.25, 31.5};
 
-// Each in a crowd of its own, so that nothing was before it.
+// Each in a crowd of its own, without earlier frames.
 const std::vector<Shown> &alone()
 {
     static const std::vector<Shown> shown = [] {
@@ -54,7 +54,7 @@ const std::vector<Shown> &alone()
 
 TEST(Odeon, AFrameInASequenceIsTheFrameAloneAlsoBackwards)
 {
-    alone();  // whose contexts were current last, before that of this stage
+    alone();  // runs first, because it makes contexts of its own current
     Library library(1);
     SceneRenderer scene_renderer(library, options());
     for (double t = 2.0; t < 3.0; t += 0.04) scene_renderer.update(t);

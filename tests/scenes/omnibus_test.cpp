@@ -1,4 +1,4 @@
-// Omnibuses: they keep to their lane, stand on the ground, hold those who sit in them, and go as groups.
+// Omnibuses keep to their lane, stand on the ground, hold their passengers, and move as groups.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,8 @@ double from_axis(Point p)
     double nearest = 1e9;
     for (const Street &street : plan.streets())
         for (double along = std::max(street.first, -300.0); along < std::min(street.last, 300.0); along += 0.25) {
-            const Point q = street.direction == Street::Direction::south ? plan.at(street.at, along) : plan.at(along, street.at);
+            const Point q =
+                street.direction == Street::Direction::south ? plan.at(street.at, along) : plan.at(along, street.at);
             nearest = std::min(nearest, std::hypot(p.x - q.x, p.z - q.z));
         }
     return nearest;
@@ -54,7 +55,7 @@ TEST(Omnibus, KeepsToTheStreetOnItsRightHandSide)
     double sum = 0, count = 0;
     for (double metres = 0; metres < path().length_m(); metres += 3) {
         const double away = from_axis(path().point(metres));
-        ASSERT_LT(away, 3.0) << "at " << metres;  // the roadway's half, less half an omnibus, and corners cut
+        ASSERT_LT(away, 3.0) << "at " << metres;  // half the roadway less half an omnibus, and cut corners
         sum += away, ++count;
     }
     EXPECT_NEAR(sum / count, VehiclePath::lane_m, 0.25);
@@ -115,7 +116,7 @@ TEST(Omnibus, SphereHoldsBodyAndPeople)
         ASSERT_LE(away(v.position.x, v.position.y, v.position.z), s.radius);
     EXPECT_GE(Omnibus::seats().size(), 13u);
     for (const Omnibus::Seat &seat : Omnibus::seats())
-        for (const double high : {0.0, 1.35})  // from the feet to the crown of somebody who sits
+        for (const double high : {0.0, 1.35})  // from a sitter's feet to its crown
             ASSERT_LE(away(seat.x, seat.y + high, seat.z), s.radius);
 }
 
@@ -137,10 +138,10 @@ TEST(Omnibus, MovesItsPassengersAsOneGroup)
     Passengers people(library, crowd_options, the_omnibus_town());
     EXPECT_EQ(people.cast().actors().size(), 60u);
     people.drive(3);
-    clq_actor_info info = {};
+    clq_actor_info info = clq_actor_info_init();
     check(clq_actor_get_info(people.crowd(), people.cast().actors()[0], &info));
     ASSERT_NE(info.group.index1, 0u);
-    clq_group_info group = {};
+    clq_group_info group = clq_group_info_init();
     check(clq_group_get_info(people.crowd(), info.group, &group));
     EXPECT_EQ(group.member_count,
               people.seated() / people.poses().size() + (people.seated() % people.poses().size() > 0));

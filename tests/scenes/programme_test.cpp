@@ -1,4 +1,4 @@
-// Programmes: a function of seed, individual and time; whole clips, one after the other; most of them quiet.
+// Programmes depend on seed, individual and time; they are whole clips in sequence, most of them quiet.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ TEST(Programme, MostSitQuietlyAndAFewStand)
             quiet += act <= Act::talk;
             standing += act >= Act::rise;
         }
-    EXPECT_EQ(seen.size(), act_count) << "every clip is played by somebody";
+    EXPECT_EQ(seen.size(), act_count) << "every clip is played";
     EXPECT_GT(quiet, all * 55 / 100);
     EXPECT_LT(quiet, all * 85 / 100);
     EXPECT_GT(standing, all * 1 / 100);

@@ -1,4 +1,4 @@
-// Seats lie on their rows, not on each other and in no gangway; classes sit apart; heads turn smoothly.
+// Seats lie on their rows, do not overlap and leave gangways free; classes sit apart; heads turn smoothly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -97,7 +97,7 @@ TEST(Seating, EveryClassFillsItsOwnRowsAndNoSeatTwice)
     }
 }
 
-TEST(Seating, OtherCountsAreSharedOutInProportion)
+TEST(Seating, OtherCountsAreDistributedInProportion)
 {
     for (uint32_t count : {0u, 1020u})
         for (const auto &[one, people] : by_class(count)) EXPECT_EQ(people, 340u) << one;

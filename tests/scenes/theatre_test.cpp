@@ -1,4 +1,4 @@
-// Descriptions of theatres that make no sense are refused by one sentence with file, line or row, and the numbers.
+// Invalid descriptions of theatres are refused by one sentence with file, line or row, and the numbers.
 #include <gtest/gtest.h>
 
 #include "samples/scenes/check.h"
@@ -19,7 +19,7 @@ std::string refusal(const std::string &toml)
     return "read";
 }
 
-// The description that comes with claque with the first `was` after `after` changed.
+// The description that comes with claque, with the first `was` after `after` replaced.
 std::string changed(const std::string &after, const std::string &was, const std::string &is)
 {
     std::string text = odeon_description();
@@ -57,13 +57,13 @@ TEST(Theatre, TheDescriptionThatComesWithClaqueIsRead)
     for (const SocialClass &one : theatre.classes) EXPECT_EQ(one.count, 340u);
 }
 
-TEST(Theatre, WhatIsNoTomlIsRefusedWithItsLine)
+TEST(Theatre, InvalidTomlIsRefusedWithItsLine)
 {
-    expect_refused("name = \"x\"\nthis is no key\n", {"mine.toml:2:", "no TOML"});
-    expect_refused(std::string("name = \"\x01\""), {"no TOML"});
+    expect_refused("name = \"x\"\nthis is no key\n", {"mine.toml:2:", "not TOML"});
+    expect_refused(std::string("name = \"\x01\""), {"not TOML"});
 }
 
-TEST(Theatre, WhatIsMissingIsNamed)
+TEST(Theatre, MissingKeysAreNamed)
 {
     expect_refused("", {"'name'"});
     expect_refused(changed("[orchestra]", "radius_m = 6.2", ""), {"[orchestra]", "lacks 'radius_m'"});
@@ -75,7 +75,7 @@ TEST(Theatre, WithoutADescriptionOfItsAudienceIsRefused)
 {
     const std::string text = odeon_description();
     expect_refused(text.substr(0, text.find("[audience]")), {"audience", "[[audience.classes]]"});
-    expect_refused(text.substr(0, text.find(palette)), {"names nobody"});
+    expect_refused(text.substr(0, text.find(palette)), {"has no classes"});
 }
 
 TEST(Theatre, WithoutSeatsIsRefused)
@@ -84,7 +84,7 @@ TEST(Theatre, WithoutSeatsIsRefused)
     expect_refused(text.substr(0, text.find("[[rows]]")) + text.substr(text.find("[[walkways]]")), {"no seats"});
 }
 
-TEST(Theatre, AnUnknownKeyIsNamedWithThoseThereAre)
+TEST(Theatre, AnUnknownKeyIsNamedWithTheValidOnes)
 {
     expect_refused(changed(lower, "sweep_deg", "sweep"), {"lacks 'sweep_deg'"});
     expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.43\nslope = 3"),
@@ -94,9 +94,9 @@ TEST(Theatre, AnUnknownKeyIsNamedWithThoseThereAre)
 
 TEST(Theatre, WrongTypesAreNamed)
 {
-    expect_refused(changed(lower, "radius_m = 6.9", "radius_m = \"wide\""), {"'radius_m'", "a text", "number"});
+    expect_refused(changed(lower, "radius_m = 6.9", "radius_m = \"wide\""), {"'radius_m'", "a string", "number"});
     expect_refused(changed(lower, "count = 9", "count = 9.5"), {"'count'", "whole"});
-    expect_refused(changed(lower, "who = \"decurions\"", "who = 3"), {"'who'", "a whole number", "text"});
+    expect_refused(changed(lower, "who = \"decurions\"", "who = 3"), {"'who'", "a whole number", "string"});
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 0.0, 97.0]"), {"'sweep_deg'", "[first, last]"});
     expect_refused("audience = 1\n" + odeon_description().substr(0, odeon_description().find("[audience]")),
                    {"'audience'", "table"});
@@ -115,9 +115,9 @@ TEST(Theatre, NumbersThatAreNotFiniteOrAbsurdAreRefused)
     expect_refused(changed(lower, "count = 9", "count = 9000000000000"), {"'count' = 9e+12"});
     expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.9"), {"'rise_m' = 0.9", "0.46"});
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-197.0, 97.0]"), {"-197", "-180 to 180"});
-    expect_refused(changed(lower, "[-97.0, 97.0]", "[97.0, -97.0]"), {"97 to -97", "backwards"});
+    expect_refused(changed(lower, "[-97.0, 97.0]", "[97.0, -97.0]"), {"97 to -97", "descending"});
     expect_refused(changed(palette, "saturation = [0.40, 0.80]", "saturation = [0.40, 1.80]"), {"1.8", "0 to 1"});
-    expect_refused(changed(palette, "saturation = [0.40, 0.80]", "saturation = [0.80, 0.40]"), {"wrong way round"});
+    expect_refused(changed(palette, "saturation = [0.40, 0.80]", "saturation = [0.80, 0.40]"), {"in the wrong order"});
 }
 
 TEST(Theatre, RowsThatOverlapAreRefusedWithTheirNumbers)
@@ -148,7 +148,7 @@ TEST(Theatre, AWalkwayThroughSeatsIsRefused)
     expect_refused(changed(walkway, "outer_m = 15.0", "outer_m = 13.0"), {"walkway 1", "13.92", "13 m"});
 }
 
-TEST(Theatre, GangwaysThatMakeNoSenseAreRefused)
+TEST(Theatre, InvalidGangwaysAreRefused)
 {
     expect_refused(changed(stairs, "-64.6", "-120.0"), {"gangway 1", "-120", "row 1", "-97"});
     expect_refused(changed(stairs, "rows = [1, 9]", "rows = [1, 19]"), {"19", "1 to 18"});
@@ -162,7 +162,7 @@ TEST(Theatre, ARowOnTheStageIsRefused)
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 170.0]"), {"row 1", "170", "stage", "5.2"});
 }
 
-TEST(Theatre, UnknownClassesAndFiguresAreRefusedWithTheirRow)
+TEST(Theatre, UnknownClassesAndCharactersAreRefusedWithTheirRow)
 {
     expect_refused(changed(upper, "who = \"plebeians\"", "who = \"slaves\""), {"row 15", "'slaves'"});
     expect_refused(changed(palette, "figure = \"decurion\"", "figure = \"emperor\""), {"'emperor'", "patrician"});

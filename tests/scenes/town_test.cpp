@@ -1,4 +1,4 @@
-// The town: a ground whose height is that of its triangles, houses that stand on it, pieces that hold what they say.
+// The town: ground height matches its triangles, houses stand on the ground, and pieces lie inside their spheres.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST(Town, GroundHasTheHeightOfTheTriangleThatIsDrawnThere)
                 if (span.layer != layer) continue;
                 const Geometry &g = the_town().pieces().on(layer);
                 for (uint32_t i = span.first; i < span.first + span.count; i += 3) {
-                    double x = 0, y = 0, z = 0;  // weights apart, so that the point is in one triangle alone
+                    double x = 0, y = 0, z = 0;  // weights that put the point in one triangle alone
                     for (uint32_t k = 0; k < 3; ++k) {
                         const Vec3 p = g.vertices()[g.indices()[i + k]].position;
                         const double weight = k == 0 ? 0.5 : k == 1 ? 0.3 : 0.2;
@@ -99,7 +99,7 @@ TEST(Town, HousesStandOnTheGroundWithEveryLowestCorner)
     }
 }
 
-TEST(Town, NothingThatStandsFloats)
+TEST(Town, NoStandingPieceFloats)
 {
     for (const Piece &piece : the_town().pieces().all()) {
         if (piece.kind == Piece::Kind::ground || piece.kind == Piece::Kind::shade) continue;
@@ -198,7 +198,7 @@ TEST(Town, IsAtMostThirtyThousandTrianglesOnScreen)
     }
 }
 
-TEST(Town, HousesDoNotStandInEachOtherOrOnStreets)
+TEST(Town, HousesDoNotOverlapOrStandOnStreets)
 {
     const std::vector<House> &houses = the_town().houses();
     EXPECT_GE(houses.size(), 60u);
@@ -219,8 +219,8 @@ TEST(Town, HousesDoNotStandInEachOtherOrOnStreets)
     for (const House &house : houses)
         for (const Street &street : plan.streets())
             for (double along = std::max(street.first, -300.0); along < std::min(street.last, 300.0); along += 1) {
-                const Point p =
-                    street.direction == Street::Direction::south ? plan.at(street.at, along) : plan.at(along, street.at);
+                const Point p = street.direction == Street::Direction::south ? plan.at(street.at, along)
+                                                                             : plan.at(along, street.at);
                 const double x = p.x - house.at.x, z = p.z - house.at.z;
                 const double clear = 0.66 * street.half_width;  // the roadway: steps may reach over the pavement
                 ASSERT_FALSE(std::abs(x * house.out.x + z * house.out.z) < house.depth_m / 2 + clear &&

@@ -5,6 +5,8 @@
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/assets/assets_helpers.h"
 #include "lib/api/boundary.h"
+#include "lib/api/build_id.h"
+#include "lib/api/model_entry.h"
 #include "lib/asset/bvh.h"
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"
@@ -15,35 +17,31 @@ using namespace claque;
 namespace
 {
 
-asset::LoadOptions options_of(const clq_asset_options *options)
+asset::LoadOptions options_of(const clq_asset_options &options)
 {
     asset::LoadOptions out;
-    if (!options) return out;
-    if (options->base_folder) out.base_folder = options->base_folder;
-    api::require(options->hidden_nodes || options->hidden_node_count == 0, "hidden_nodes is NULL with a count");
-    for (uint32_t i = 0; i < options->hidden_node_count; ++i) {
-        api::require(options->hidden_nodes[i] != nullptr, "a hidden node's name is NULL");
-        out.hidden_nodes.push_back(options->hidden_nodes[i]);
+    if (options.base_folder) out.base_folder = options.base_folder;
+    api::require(options.hidden_nodes || options.hidden_node_count == 0, "hidden_nodes is NULL with a count");
+    for (uint32_t i = 0; i < options.hidden_node_count; ++i) {
+        api::require(options.hidden_nodes[i] != nullptr, "a hidden node's name is NULL");
+        out.hidden_nodes.push_back(options.hidden_nodes[i]);
     }
-    if (options->motion_unit_m != 0) out.motion_unit_m = options->motion_unit_m;
-    if (options->memory_limit_bytes) out.memory_limit_bytes = options->memory_limit_bytes;
+    if (options.bvh_metres_per_unit != 0) out.motion_unit_m = options.bvh_metres_per_unit;
+    if (options.memory_limit_bytes) out.memory_limit_bytes = options.memory_limit_bytes;
     return out;
 }
 
-// Nothing but parsing below: what it throws has been turned into base::Error, and what was missed ends at the boundary.
-clq_asset *finish(clq_context *context, model::Model &&model, std::vector<asset::RootMotionRequest> &&root_motions = {})
+// Makes the handle of a parsed model and logs the warnings of parsing.
+clq_asset *finish(clq_context *context, model::Model &&model)
 {
     auto made = std::make_unique<clq_asset>(std::move(model));
-    made->root_motions = std::move(root_motions);
     for (const std::string &warning : made->model.warnings) clq_context_log(context, CLQ_LOG_WARNING, warning.c_str());
     return made.release();
 }
 
-model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options,
-                  std::vector<asset::RootMotionRequest> &root_motions)
+model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options)
 {
-    if (asset::is_bvh(bytes, size)) return asset::load_bvh(bytes, size, options);
-    return asset::load_gltf(bytes, size, options, &root_motions);
+    return asset::is_bvh(bytes, size) ? asset::load_bvh(bytes, size, options) : asset::load_gltf(bytes, size, options);
 }
 
 model::Model made_of(const std::vector<figures::Builtin> &figures, const char *what, const char *name)
@@ -72,10 +70,8 @@ clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_b
 {
     return api::boundary("clq_asset_load", [&] {
         api::require(context && bytes && out, "context, bytes or out is NULL");
-        api::require_size(options, "clq_asset_options_init");
-        std::vector<asset::RootMotionRequest> root_motions;
-        model::Model model = load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(options), root_motions);
-        *out = finish(context, std::move(model), std::move(root_motions));
+        const clq_asset_options wanted = api::read_def(options, clq_asset_options_init, "clq_asset_options_init");
+        *out = finish(context, load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(wanted)));
     });
 }
 
@@ -84,17 +80,16 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
 {
     return api::boundary("clq_asset_load_file", [&] {
         api::require(context && path && out, "context, path or out is NULL");
-        api::require_size(options, "clq_asset_options_init");
-        asset::LoadOptions wanted = options_of(options);
+        const clq_asset_options given = api::read_def(options, clq_asset_options_init, "clq_asset_options_init");
+        asset::LoadOptions wanted = options_of(given);
         if (wanted.base_folder.empty()) wanted.base_folder = api::folder_of(path);
         const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
         try {
-            std::vector<asset::RootMotionRequest> root_motions;
-            model::Model model = load(bytes.data(), bytes.size(), wanted, root_motions);
+            model::Model model = load(bytes.data(), bytes.size(), wanted);
             if (model.name.empty()) model.name = stem_of(path);
             if (asset::is_bvh(bytes.data(), bytes.size()))
                 for (std::pmr::string &name : model.rig.clip_names) name = stem_of(path).c_str();
-            *out = finish(context, std::move(model), std::move(root_motions));
+            *out = finish(context, std::move(model));
         } catch (const base::Error &error) {
             base::fail(error.status(), "%s: %s", path, error.what());
         }
@@ -128,12 +123,11 @@ clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_
 {
     if (!context || !asset || !out) return clq_report(CLQ_ARGUMENT, "clq_asset_build: context, asset or out is NULL");
     clq_status status = CLQ_OK;
-    const clq_status converted = api::boundary("clq_asset_build", [&] {
-        api::TemplateDef def(*asset);
-        def.def.max_texture_px = max_texture_px;
-        status = clq_template_build(context, &def.def, out);
+    const clq_status named = api::boundary("clq_asset_build", [&] {
+        const std::string build_id = api::build_id_of(api::assets_sources());
+        status = clq_private_template_from_model(context, build_id.c_str(), &asset->model, max_texture_px, out);
     });
-    return converted != CLQ_OK ? converted : status;
+    return named != CLQ_OK ? named : status;
 }
 
 clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,

@@ -10,7 +10,7 @@
 namespace claque::api
 {
 
-// Fails with the status and the sentence of another public call.
+// Fails with the status and the message of another public call.
 inline void pass_on(clq_status status)
 {
     if (status == CLQ_OK) return;

@@ -1,4 +1,4 @@
-// Clips of one asset for another.
+// Copies clips of one asset to another.
 #include <claque/assets.h>
 
 #include "lib/api/assets/asset_handle.h"
@@ -48,13 +48,13 @@ retarget::Options options_of(const clq_clips_def &def)
     return out;
 }
 
-// Those of the source's clips go with them, where their joints are bound.
+// Copies the root motion requests of the source's clips, if their joints are bound.
 void add_root_motions(const clq_asset &source, const retarget::Report &made, clq_root_travel travel, clq_asset &target,
                       std::vector<std::string> &warnings)
 {
     const uint32_t first = static_cast<uint32_t>(target.model.rig.clips.size() - made.clips.size());
     for (uint32_t i = 0; i < made.clips.size(); ++i)
-        for (const asset::RootMotionRequest &motion : source.root_motions) {
+        for (const model::RootMotionRequest &motion : source.model.root_motions) {
             if (motion.clip != made.clips[i]) continue;
             const char *clip = source.model.rig.clip_names[motion.clip].c_str();
             if (made.mode == retarget::Mode::motion && travel == CLQ_ROOT_TRAVEL_IN_PLACE) {
@@ -64,7 +64,7 @@ void add_root_motions(const clq_asset &source, const retarget::Report &made, clq
             uint32_t node = model::none;
             for (const auto &[from, to] : made.joints)
                 if (from == motion.node) node = to;
-            if (node != model::none) target.root_motions.push_back({first + i, node});
+            if (node != model::none) target.model.root_motions.push_back({first + i, node});
             else
                 warnings.push_back(base::text_of("clip '%s' has no root motion: '%s' is not bound", clip,
                                                  source.model.rig.node_names[motion.node].c_str()));
@@ -76,19 +76,25 @@ void add_root_motions(const clq_asset &source, const retarget::Report &made, clq
 extern "C" {
 
 clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq_asset *source,
-                               const clq_clips_def *def, clq_clips_report *report)
+                               const clq_clips_def *def, clq_clips_report *out_report)
 {
     return api::boundary("clq_asset_add_clips", [&] {
         api::require(context && asset && source, "context, asset or source is NULL");
-        api::require(asset != source, "an asset is no source of clips for itself");
-        api::require_size(def, "clq_clips_def_init");
-        const retarget::Options options = options_of(def ? *def : clq_clips_def_init());
+        api::require(asset != source, "the source of clips is the asset itself");
+        if (out_report) api::require_size(*out_report, "clq_clips_report_init");
+        const clq_clips_def wanted = api::read_def(def, clq_clips_def_init, "clq_clips_def_init");
+        const retarget::Options options = options_of(wanted);
         const std::string who = "clips of '" + source->model.name + "' for '" + asset->model.name + "': ";
         std::vector<std::string> &warnings = asset->model.warnings;
         try {
             retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
-            add_root_motions(*source, made, def ? def->travel : CLQ_ROOT_TRAVEL_IN_PLACE, *asset, made.warnings);
-            if (report) *report = {static_cast<clq_retarget_mode>(made.mode), made.clip_count, made.joint_count};
+            add_root_motions(*source, made, wanted.travel, *asset, made.warnings);
+            if (out_report) {
+                clq_clips_report report = clq_clips_report_init();
+                report.mode = static_cast<clq_retarget_mode>(made.mode);
+                report.clip_count = made.clip_count, report.joint_count = made.joint_count;
+                api::write_out(out_report, report);
+            }
             for (const std::string &warning : made.warnings) {
                 warnings.push_back(who + warning);
                 clq_context_log(context, CLQ_LOG_WARNING, warnings.back().c_str());

@@ -41,12 +41,11 @@ clq_status clq_colour_map_load_file(clq_context *context, const char *path, clq_
     });
 }
 
-clq_status clq_colour_map_save(const clq_colour_map *map,
-                               int (*write)(void *user, const void *bytes, size_t size_bytes), void *user)
+clq_status clq_colour_map_save(const clq_colour_map *map, clq_write_function write, void *user)
 {
     return api::boundary("clq_colour_map_save", [&] {
         api::require(map && write, "map or write is NULL");
-        clq_colour_map_def def;
+        clq_colour_map_def def = clq_colour_map_def_init();
         api::pass_on(clq_colour_map_get_def(map, &def));
         const std::string text = asset::colours_text(def);
         if (write(user, text.data(), text.size()) != 0)

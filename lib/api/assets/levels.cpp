@@ -13,7 +13,7 @@ using namespace claque;
 namespace
 {
 
-// What the context spreads over, as libclaque lends it to other libraries.
+// The context's tasks, in the form that libclaque lends to other libraries.
 base::Jobs jobs_of(clq_context *context)
 {
     clq_tasks tasks{};
@@ -35,13 +35,13 @@ lod::ChainOptions options_of(clq_context *context, const clq_levels_def &def)
     options.tolerance_px = double(def.tolerance_px);
     options.metres_per_unit = double(def.metres_per_unit);
     options.proxy_max_triangles = def.proxy_max_triangles;
-    options.quadric_only = def.quadric_only != 0;
+    options.quadric_only = def.quadric_only;
     return options;
 }
 
 clq_level_report made(const lod::LevelReport &level)
 {
-    clq_level_report out;
+    clq_level_report out = clq_level_report_init();
     out.lod_min_m = static_cast<float>(level.distance_m);
     out.triangle_count = static_cast<uint32_t>(level.triangles);
     out.vertex_count = static_cast<uint32_t>(level.vertices);
@@ -60,21 +60,30 @@ clq_level_report made(const lod::LevelReport &level)
 }  // namespace
 
 extern "C" clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
-                                            clq_level_report *out, uint32_t capacity, uint32_t *count)
+                                            uint32_t *out_count)
 {
     return api::boundary("clq_asset_make_levels", [&] {
         api::require(context && asset, "context or asset is NULL");
-        api::require_array(out, capacity, "out");
-        api::require_size(def, "clq_levels_def_init");
-        const std::vector<lod::LevelReport> levels =
-            lod::make_chain(asset->model, options_of(context, def ? *def : clq_levels_def_init()));
-        for (size_t i = 0; i < std::min<size_t>(capacity, levels.size()); ++i) out[i] = made(levels[i]);
-        if (count) *count = static_cast<uint32_t>(levels.size());
+        const clq_levels_def wanted = api::read_def(def, clq_levels_def_init, "clq_levels_def_init");
+        asset->levels = lod::make_chain(asset->model, options_of(context, wanted));
+        if (out_count) *out_count = static_cast<uint32_t>(asset->levels.size());
+    });
+}
+
+extern "C" clq_status clq_asset_get_level_report(const clq_asset *asset, uint32_t level, clq_level_report *out)
+{
+    return api::boundary("clq_asset_get_level_report", [&] {
+        api::require(asset && out, "asset or out is NULL");
+        api::require_size(*out, "clq_level_report_init");
+        if (level >= asset->levels.size())
+            base::fail(CLQ_ARGUMENT, "level %u of '%s', for which %zu were made", level, asset->model.name.c_str(),
+                       asset->levels.size());
+        api::write_out(out, made(asset->levels[level]));
     });
 }
 
 extern "C" clq_status clq_asset_get_zone_areas(const clq_asset *asset, float distance_m, float *out, uint32_t capacity,
-                                               uint32_t *count)
+                                               uint32_t *out_count)
 {
     return api::boundary("clq_asset_get_zone_areas", [&] {
         api::require(asset != nullptr, "asset is NULL");
@@ -86,7 +95,7 @@ extern "C" clq_status clq_asset_get_zone_areas(const clq_asset *asset, float dis
         const std::vector<double> fractions = lod::zone_area_fractions(asset->model, shown);
         for (size_t i = 0; i < std::min<size_t>(capacity, fractions.size()); ++i)
             out[i] = static_cast<float>(fractions[i]);
-        if (count) *count = static_cast<uint32_t>(fractions.size());
+        if (out_count) *out_count = static_cast<uint32_t>(fractions.size());
     });
 }
 

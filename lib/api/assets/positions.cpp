@@ -1,4 +1,4 @@
-// Animated positions of a character as loaded, in file order: by the very pose and skinning code that crowds use.
+// Animated positions of a loaded character, in file order, computed by the same pose and skinning code that crowds use.
 #include <claque/assets.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace claque;
 namespace
 {
 
-// A part as a level that can be skinned, and where each of its vertices stands in the part.
+// A part as a level that can be skinned, and the index of each of its vertices in the part.
 struct PartLevel {
     model::Level level{std::pmr::get_default_resource()};
     std::vector<uint32_t> part_vertex;
@@ -75,7 +75,7 @@ PartLevel level_of(const model::Part &part, const model::Rig &rig)
         level_vertex[v] = out.level.source_count;
         for (int k = 0; k < 3; ++k) {
             out.level.positions.push_back(part.positions[v][k]);
-            out.level.normals.push_back(k == 2 ? 1.0f : 0.0f);  // asked for by the kernel, not read from here
+            out.level.normals.push_back(k == 2 ? 1.0f : 0.0f);  // the kernel needs normals; the result is not read
         }
         add_influences(part, v, out.level);
         ++out.level.source_count;
@@ -139,10 +139,10 @@ void grow(clq_asset_info &info, const float *xyz, size_t count)
 
 extern "C" {
 
-clq_status clq_asset_positions(const clq_asset *asset, uint32_t clip, float time_s, float *out_xyz,
-                               size_t capacity_floats)
+clq_status clq_asset_get_positions(const clq_asset *asset, uint32_t clip, float time_s, float *out_xyz,
+                                   size_t capacity_floats)
 {
-    return api::boundary("clq_asset_positions", [&] {
+    return api::boundary("clq_asset_get_positions", [&] {
         api::require(asset && out_xyz, "asset or out_xyz is NULL");
         const model::Model &model = asset->model;
         if (clip != CLQ_NONE && clip >= model.rig.clips.size())
@@ -163,8 +163,9 @@ clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out)
 {
     return api::boundary("clq_asset_get_info", [&] {
         api::require(asset && out, "asset or out is NULL");
+        api::require_size(*out, "clq_asset_info_init");
         const model::Model &model = asset->model;
-        clq_asset_info info{};
+        clq_asset_info info = clq_asset_info_init();
         info.name = model.name.c_str();
         info.part_count = static_cast<uint32_t>(model.parts.size());
         info.node_count = model.rig.node_count();
@@ -190,7 +191,7 @@ clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out)
         }
         if (info.box_min[0] > info.box_max[0])
             for (size_t k = 0; k < 3; ++k) info.box_min[k] = info.box_max[k] = 0;
-        *out = info;
+        api::write_out(out, info);
     });
 }
 
@@ -198,11 +199,12 @@ clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_p
 {
     return api::boundary("clq_asset_get_part", [&] {
         api::require(asset && out, "asset or out is NULL");
+        api::require_size(*out, "clq_asset_part_init");
         const model::Model &model = asset->model;
         if (part >= model.parts.size())
             base::fail(CLQ_ARGUMENT, "part %u of '%s', which has %zu", part, model.name.c_str(), model.parts.size());
         const model::Part &p = model.parts[part];
-        clq_asset_part info{};
+        clq_asset_part info = clq_asset_part_init();
         info.name = p.name.c_str();
         info.node_name = p.node == model::none ? "" : model.rig.node_names[p.node].c_str();
         info.material_name = p.material == model::none ? "" : model.materials[p.material].name.c_str();
@@ -213,7 +215,7 @@ clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_p
         info.skinned = p.skinned;
         info.hidden = p.hidden;
         info.topology = static_cast<uint32_t>(p.topology);
-        *out = info;
+        api::write_out(out, info);
     });
 }
 
@@ -221,15 +223,16 @@ clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_in
 {
     return api::boundary("clq_asset_get_clip", [&] {
         api::require(asset && out, "asset or out is NULL");
+        api::require_size(*out, "clq_clip_info_init");
         const model::Rig &rig = asset->model.rig;
         if (clip >= rig.clips.size())
             base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, asset->model.name.c_str(),
                        rig.clips.size());
-        clq_clip_info info{};
+        clq_clip_info info = clq_clip_info_init();
         info.name = rig.clip_names[clip].c_str();
         info.start_s = rig.clips[clip].start_s, info.duration_s = rig.clips[clip].duration_s;
         info.channel_count = rig.clips[clip].channel_count;
-        *out = info;
+        api::write_out(out, info);
     });
 }
 

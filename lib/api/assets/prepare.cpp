@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lib/api/assets/assets_helpers.h"
-#include "lib/api/assets/made_by.h"
 #include "lib/api/boundary.h"
+#include "lib/api/build_id.h"
 #include "lib/asset/file_cache.h"
 #include "lib/model/template_file.h"
 
@@ -29,10 +29,8 @@ using Template = std::unique_ptr<clq_template, Destroy>;
 void check(const clq_prepare_def &def)
 {
     api::require((def.builtin != nullptr) != (def.path != nullptr), "either builtin or path is wanted, not both");
-    api::require(def.builtin || def.clip_count == 0, "clip_count goes with builtin alone");
+    api::require(def.builtin || def.clip_count == 0, "clip_count needs builtin");
     api::require(def.path || !def.options, "options go with path alone");
-    api::require_size(def.options, "clq_asset_options_init");
-    api::require_size(def.levels, "clq_levels_def_init");
 }
 
 void add_options(const clq_asset_options &options, asset::ContentHash &all)
@@ -40,7 +38,7 @@ void add_options(const clq_asset_options &options, asset::ContentHash &all)
     all.add(uint64_t(options.hidden_node_count));
     for (uint32_t i = 0; options.hidden_nodes && i < options.hidden_node_count; ++i)
         all.add(std::string(api::name_of(options.hidden_nodes[i])));
-    all.add(options.motion_unit_m);
+    all.add(options.bvh_metres_per_unit);
 }
 
 void add_levels(const clq_levels_def &levels, asset::ContentHash &all)
@@ -56,20 +54,21 @@ void add_levels(const clq_levels_def &levels, asset::ContentHash &all)
 std::string name_of(const clq_prepare_def &def)
 {
     asset::ContentHash all;
-    all.add(std::string(api::made_by()));
+    all.add(std::string(api::assets_sources()));
     all.add(uint64_t(model::template_file_version));
     if (def.builtin) {
         all.add(std::string(def.builtin));
         all.add(uint64_t(def.clip_count));
     } else {
-        const clq_asset_options options = def.options ? *def.options : clq_asset_options_init();
+        const clq_asset_options options = api::read_def(def.options, clq_asset_options_init, "clq_asset_options_init");
         const std::string folder = options.base_folder ? options.base_folder : api::folder_of(def.path);
         asset::add_file(def.path, folder, options.memory_limit_bytes ? options.memory_limit_bytes : usual_limit, all);
-        all.add(std::string(def.path).substr(std::string(def.path).find_last_of('/') + 1));  // it names the template
+        // the file name names the template
+        all.add(std::string(def.path).substr(std::string(def.path).find_last_of('/') + 1));
         add_options(options, all);
     }
     all.add(uint64_t(def.levels != nullptr));
-    if (def.levels) add_levels(*def.levels, all);
+    if (def.levels) add_levels(api::read_def(def.levels, clq_levels_def_init, "clq_levels_def_init"), all);
     all.add(uint64_t(def.max_texture_px));
     return all.hex() + ".claque";
 }
@@ -86,7 +85,7 @@ Asset asset_of(clq_context *context, const clq_prepare_def &def)
 Template made_anew(clq_context *context, const clq_prepare_def &def)
 {
     const Asset asset = asset_of(context, def);
-    if (def.levels) api::pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr, 0, nullptr));
+    if (def.levels) api::pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr));
     clq_template *made = nullptr;
     api::pass_on(clq_asset_build(context, asset.get(), def.max_texture_px, &made));
     return Template(made);
@@ -116,24 +115,27 @@ std::string keep(const clq_template &made, const std::string &folder, const std:
 }  // namespace
 
 extern "C" clq_status clq_template_prepare(clq_context *context, const clq_prepare_def *def, clq_template **out,
-                                           clq_prepare_report *report)
+                                           clq_prepare_report *out_report)
 {
     return api::boundary("clq_template_prepare", [&] {
         api::require(context && def && out, "context, def or out is NULL");
-        api::require_size(def, "clq_prepare_def_init");
-        check(*def);
-        clq_prepare_report found = {};
-        const std::string folder = def->folder ? def->folder : asset::user_cache_folder();
-        const std::string name = folder.empty() ? "" : name_of(*def);
+        if (out_report) api::require_size(*out_report, "clq_prepare_report_init");
+        const clq_prepare_def wanted = api::read_def(def, clq_prepare_def_init, "clq_prepare_def_init");
+        check(wanted);
+        if (wanted.options) api::require_size(*wanted.options, "clq_asset_options_init");
+        if (wanted.levels) api::require_size(*wanted.levels, "clq_levels_def_init");
+        clq_prepare_report found = clq_prepare_report_init();
+        const std::string folder = wanted.folder ? wanted.folder : asset::user_cache_folder();
+        const std::string name = folder.empty() ? "" : name_of(wanted);
         Template made = folder.empty() ? nullptr : from_disk(context, folder, name);
         found.from_disk = made != nullptr;
         if (!made) {
-            made = made_anew(context, *def);
+            made = made_anew(context, wanted);
             const std::string why = folder.empty() ? "no folder was given" : keep(*made, folder, name);
             found.stored = why.empty();
             std::snprintf(found.text, sizeof found.text, "%s", why.c_str());
         }
-        if (report) *report = found;
+        if (out_report) api::write_out(out_report, found);
         *out = made.release();
     });
 }

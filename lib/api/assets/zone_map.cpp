@@ -46,9 +46,14 @@ clq_status clq_asset_get_image(const clq_asset *asset, uint32_t image, clq_asset
 {
     return api::boundary("clq_asset_get_image", [&] {
         api::require(asset && out, "asset or out is NULL");
+        api::require_size(*out, "clq_asset_image_init");
         const model::Image &from = image_of(asset, image);
-        *out = {from.name.c_str(), from.width, from.height, from.rgba.data(),
-                from.alpha == model::AlphaMeaning::zone_keys ? CLQ_ALPHA_ZONE_KEYS : CLQ_ALPHA_OPACITY};
+        clq_asset_image found = clq_asset_image_init();
+        found.name = from.name.c_str();
+        found.width_px = from.width, found.height_px = from.height;
+        found.rgba = from.rgba.data();
+        found.alpha = from.alpha == model::AlphaMeaning::zone_keys ? CLQ_ALPHA_ZONE_KEYS : CLQ_ALPHA_OPACITY;
+        api::write_out(out, found);
     });
 }
 
@@ -56,17 +61,17 @@ clq_status clq_asset_set_zone_map(clq_context *context, clq_asset *asset, const 
 {
     return api::boundary("clq_asset_set_zone_map", [&] {
         api::require(context && asset && def, "context, asset or def is NULL");
-        api::require_size(def, "clq_zone_map_def_init");
-        api::require(def->texels != nullptr, "texels is NULL");
-        api::require_array(def->zones, def->zone_count, "zones");
+        const clq_zone_map_def wanted = api::read_def(def, clq_zone_map_def_init, "clq_zone_map_def_init");
+        api::require(wanted.texels != nullptr, "texels is NULL");
+        api::require_array(wanted.zones, wanted.zone_count, "zones");
         std::vector<asset::ZoneMapZone> zones;
-        std::vector<model::HsbRange> ranges(def->zone_count);
-        for (uint32_t i = 0; i < def->zone_count; ++i) {
-            const clq_zone_map_zone &from = def->zones[i];
+        std::vector<model::HsbRange> ranges(wanted.zone_count);
+        for (uint32_t i = 0; i < wanted.zone_count; ++i) {
+            const clq_zone_map_zone &from = wanted.zones[i];
             asset::ZoneMapZone zone;
             zone.name = api::name_of(from.name);
             if (zone.name.empty()) base::fail(CLQ_ARGUMENT, "zone %u has no name", i);
-            zone.reduced = from.reduced != 0;
+            zone.reduced = from.reduced;
             if (from.range) {
                 check_range(*from.range, zone.name.c_str());
                 ranges[i] = range_of(*from.range);
@@ -74,42 +79,44 @@ clq_status clq_asset_set_zone_map(clq_context *context, clq_asset *asset, const 
             }
             zones.push_back(std::move(zone));
         }
-        asset::set_zone_map(asset->model, def->image, {def->width_px, def->height_px, def->texels}, zones);
+        asset::set_zone_map(asset->model, wanted.image, {wanted.width_px, wanted.height_px, wanted.texels}, zones);
     });
 }
 
-clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, uint32_t max_zones, uint16_t *out_texels,
-                                   size_t capacity, uint8_t *out_rgb, uint32_t *out_count)
+clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, clq_zone_proposal *out)
 {
     return api::boundary("clq_asset_propose_zones", [&] {
-        api::require(asset && out_texels && out_rgb && out_count, "asset, out_texels, out_rgb or out_count is NULL");
+        api::require(asset && out, "asset or out is NULL");
+        clq_zone_proposal wanted = api::read_def(out, clq_zone_proposal_init, "clq_zone_proposal_init");
+        api::require(wanted.texels && wanted.rgb, "texels or rgb is NULL");
         const model::Image &from = image_of(asset, image);
         const size_t texels = size_t(from.width) * from.height;
-        if (capacity < texels)
-            base::fail(CLQ_ARGUMENT, "room for %zu texels of an image of %u x %u, which has %zu", capacity, from.width,
-                       from.height, texels);
-        const asset::ZoneProposal made = asset::propose_zones(asset->model, image, max_zones);
-        std::copy(made.zones.begin(), made.zones.end(), out_texels);
-        for (size_t i = 0; i < made.means.size(); ++i) std::copy_n(made.means[i].begin(), 3, out_rgb + 3 * i);
-        *out_count = static_cast<uint32_t>(made.means.size());
+        if (wanted.capacity_texels < texels)
+            base::fail(CLQ_ARGUMENT, "room for %zu texels of an image of %u x %u, which has %zu",
+                       wanted.capacity_texels, from.width, from.height, texels);
+        const asset::ZoneProposal made = asset::propose_zones(asset->model, image, wanted.max_zones);
+        std::copy(made.zones.begin(), made.zones.end(), wanted.texels);
+        for (size_t i = 0; i < made.means.size(); ++i) std::copy_n(made.means[i].begin(), 3, wanted.rgb + 3 * i);
+        wanted.zone_count = static_cast<uint32_t>(made.means.size());
+        api::write_out(out, wanted);
     });
 }
 
-clq_status clq_image_read(clq_context *context, const char *path, uint8_t *out_rgba, size_t capacity_bytes,
-                          uint32_t *out_width_px, uint32_t *out_height_px)
+clq_status clq_image_read(clq_context *context, const char *path, clq_picture *out)
 {
     return api::boundary("clq_image_read", [&] {
-        api::require(context && path && out_width_px && out_height_px, "context, path or a size is NULL");
+        api::require(context && path && out, "context, path or out is NULL");
+        clq_picture picture = api::read_def(out, clq_picture_init, "clq_picture_init");
         const std::vector<uint8_t> bytes = asset::read_file(path, most_image_bytes);
         const model::Image image = asset::decode_image(bytes.data(), bytes.size(), path, asset::ImageLimits());
-        if (out_rgba) {
-            if (capacity_bytes < image.rgba.size())
-                base::fail(CLQ_ARGUMENT, "%zu bytes for '%s' of %u x %u, which takes %zu", capacity_bytes, path,
+        if (picture.pixels) {
+            if (picture.capacity_bytes < image.rgba.size())
+                base::fail(CLQ_ARGUMENT, "%zu bytes for '%s' of %u x %u, which takes %zu", picture.capacity_bytes, path,
                            image.width, image.height, image.rgba.size());
-            std::copy(image.rgba.begin(), image.rgba.end(), out_rgba);
+            std::copy(image.rgba.begin(), image.rgba.end(), picture.pixels);
         }
-        *out_width_px = image.width;
-        *out_height_px = image.height;
+        picture.width_px = image.width, picture.height_px = image.height;
+        api::write_out(out, picture);
     });
 }
 

@@ -1,4 +1,4 @@
-// Both arms up, one fist after the other thrust at the sky, heels off the ground with every thrust.
+// Both arms up, the fists thrust at the sky in turn, heels off the ground with every thrust.
 #include <cmath>
 
 #include "lib/figures/clips/clips.h"

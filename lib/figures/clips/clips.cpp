@@ -46,7 +46,7 @@ void add_rotation(model::Rig &rig, const std::vector<Pose> &poses, Bone bone, mo
     glm::quat before(1, 0, 0, 0);
     for (const Pose &pose : poses) {
         glm::quat q = pose.local(bone);
-        if (glm::dot(before, q) < 0) q = -q;  // the short way from key to key
+        if (glm::dot(before, q) < 0) q = -q;  // the shorter arc between keys
         rig.values.insert(rig.values.end(), {q.x, q.y, q.z, q.w});
         before = q;
     }
@@ -86,7 +86,7 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
     std::vector<Pose> poses;
     for (int k = 0; k < maker.frames; ++k)
         poses.push_back(maker.pose_at(static_cast<float>(k) / static_cast<float>(maker.frames)));
-    // The last key of a loop is the first one, to the bit.
+    // The last key of a loop equals the first to the bit.
     poses.push_back(maker.ending == Ending::closed ? poses.front() : maker.pose_at(1));
 
     add_clip(rig, maker.name, poses);

@@ -1,4 +1,4 @@
-// Clips of the built-in figures: 30 keys a second, straight between them.
+// Clips of the built-in characters: 30 keys per second, linear between them.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,17 @@ namespace claque::figures
 
 constexpr int keys_per_second = 30;
 
-// Where seated clips expect the seat: its top, and its front edge behind the feet, which stand on the ground.
+// The seat that seated clips expect: the height of its top, and its front edge behind the feet, which stand on the
+// ground.
 constexpr float seat_height_m = 0.43f;
 constexpr float seat_edge_m = -0.14f;
 
 enum class Ending : uint8_t {
-    closed,  // the last key is the first one
+    closed,  // a loop: the last key equals the first
     open     // a movement from one pose to another
 };
 
-// A clip as a function of its phase, 0 <= phase < 1 (<= 1 where it is open), and of nothing else: so it closes.
+// A clip as a function of its phase, 0 <= phase < 1 (<= 1 if open), and of nothing else, so that it closes.
 struct ClipMaker {
     const char *name;
     int frames;  // length in thirtieths of a second
@@ -28,7 +29,7 @@ struct ClipMaker {
     Ending ending = Ending::closed;
 };
 
-// Every built-in figure's, in this order.
+// The clips of every built-in character, in this order.
 const std::vector<ClipMaker> &figure_clips();
 
 Pose stand_at(float phase);
@@ -36,8 +37,8 @@ Pose walk_at(float phase);
 Pose jog_at(float phase);
 Pose applaud_at(float phase);
 Pose cheer_at(float phase);
-float cheer_heels_deg(float phase);  // how far the heels are off the ground
-// Seated ones begin and end in sit_at(0).
+float cheer_heels_deg(float phase);  // height of the heels off the ground
+// Seated clips begin and end in sit_at(0).
 Pose sit_at(float phase);
 Pose sit_lean_at(float phase);
 Pose sit_look_at(float phase);
@@ -49,18 +50,18 @@ Pose sit_wave_at(float phase);
 // From sit_at(0) to stand_at(0), and back.
 Pose rise_at(float phase);
 Pose sit_down_at(float phase);
-// Begin and end in stand_at(0).
+// These begin and end in stand_at(0).
 Pose stand_wave_at(float phase);
 Pose stand_laugh_at(float phase);
 Pose stand_applaud_at(float phase);
 Pose stand_cheer_at(float phase);
 
-// Adds a clip: translations of the pelvis and of every node that ever leaves its place, rotations of all that turn.
+// Adds a clip: translations of the pelvis and of every node that moves, rotations of every node that turns.
 void add_clip(model::Rig &rig, const ClipMaker &maker);
-// Of these poses, one a key.
+// Adds a clip with one key per pose.
 void add_clip(model::Rig &rig, const char *name, const std::vector<Pose> &poses);
 
-// A wave of the phase, `cycles` whole turns a clip, starting at `at` of a turn: closes by itself.
+// A sine of the phase with `cycles` whole periods per clip, starting at the fraction `at` of a period; so it closes.
 float wave(float phase, int cycles, float at = 0);
 
 }  // namespace claque::figures

@@ -1,4 +1,4 @@
-// How a movement starts, holds and stops: shares of it over a clip's phase.
+// Easing functions over the phase of a clip: how a movement starts, holds and stops.
 #pragma once
 
 #include <cmath>
@@ -8,14 +8,14 @@
 namespace claque::figures
 {
 
-// 0 up to `from`, 1 after `to`, without a jerk at either (no acceleration there).
+// 0 up to `from`, 1 after `to`; the acceleration is 0 at both.
 inline float ease(float from, float to, float x)
 {
     const float t = (x - from) / (to - from);
     return t <= 0 ? 0 : t >= 1 ? 1 : t * t * t * (10 + t * (6 * t - 15));
 }
 
-// The same with a jerk, and softer on the way.
+// As ease, with acceleration at both ends and softer between them.
 inline float smooth(float from, float to, float x)
 {
     float t = (x - from) / (to - from);
@@ -23,20 +23,20 @@ inline float smooth(float from, float to, float x)
     return t * t * (3 - 2 * t);
 }
 
-// From p0 to p1 while t goes from 0 to 1, leaving with velocity v0 and arriving with v1.
+// From p0 to p1 as t goes from 0 to 1, with velocity v0 at the start and v1 at the end.
 inline float hermite(float p0, float v0, float p1, float v1, float t)
 {
     const float t2 = t * t, t3 = t2 * t;
     return p0 * (2 * t3 - 3 * t2 + 1) + v0 * (t3 - 2 * t2 + t) + p1 * (-2 * t3 + 3 * t2) + v1 * (t3 - t2);
 }
 
-// Up between `from` and `full`, down again between `until` and `to`.
+// Rises between `from` and `full`, falls between `until` and `to`.
 inline float hold(float phase, float from, float full, float until, float to)
 {
     return ease(from, full, phase) * (1 - ease(until, to, phase));
 }
 
-// `cycles` swells from 0 to 1 and back.
+// Rises from 0 to 1 and falls back `cycles` times.
 inline float swell(float phase, int cycles = 1)
 {
     const float s = std::sin(pi * static_cast<float>(cycles) * phase);

@@ -17,7 +17,7 @@ glm::vec3 turned(glm::vec3 from, glm::vec3 to, float share)
     return glm::normalize(glm::normalize(from) * (1 - share) + glm::normalize(to) * share);
 }
 
-// Half of the part of a turn that is about `axis`.
+// Half of the rotation of `q` about `axis` (its twist).
 glm::quat half_twist(glm::quat q, glm::vec3 axis)
 {
     if (q.w < 0) q = -q;
@@ -42,7 +42,7 @@ Grip mix(const Grip &from, const Grip &to, float share, glm::vec3 arc, float tuc
 
 Grip clapping(float apart, glm::vec3 middle)
 {
-    constexpr float touching = 0.0205f;  // half the distance of the hands' middle planes when the palms meet
+    constexpr float touching = 0.0205f;  // half the distance between the hands' centre planes when the palms meet
     const float open = 18 * apart;
     const glm::quat spread = yaw(open * 0.6f) * roll(-open * 0.4f);
     Grip grip;

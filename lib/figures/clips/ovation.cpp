@@ -1,5 +1,5 @@
-// Applauding and cheering on one's feet for a while: out of `stand`, into what applaud and cheer do, and back; the feet
-// stay, and the elbows keep clear of those who stand on either side.
+// Applauding and cheering on one's feet for a while: from `stand` into the movements of applaud and cheer, and back.
+// The feet stay in place, and the elbows keep clear of neighbours on either side.
 #include <cmath>
 
 #include "lib/figures/clips/clips.h"
@@ -13,7 +13,7 @@ namespace claque::figures
 namespace
 {
 
-// Trunk, head and cloth of one pose on the way to another; the arms stay the first one's.
+// Trunk, head and cloth of one pose interpolated towards another; the arms stay those of the first.
 Pose between_poses(const Pose &from, const Pose &to, float share, float heels_deg)
 {
     Pose pose = from;

@@ -1,5 +1,5 @@
-// From the seat to one's feet and back: the trunk leans forward until the weight is over the feet, and only then do the
-// hips leave the seat; the feet stay.
+// From the seat to standing, and back. The trunk leans forward until the weight is over the feet; only then do the hips
+// leave the seat. The feet stay in place.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/clips/clips.h"
@@ -14,16 +14,16 @@ namespace claque::figures
 namespace
 {
 
-// How far along each part of the body is, from sitting (0) to standing (1).
+// The progress of each part of the body from sitting (0) to standing (1).
 struct Progress {
     float ahead, up;  // of the hips
-    float lean;       // 0: as in either end, 1: bent over the feet
+    float lean;       // 0: as at either end, 1: bent over the feet
     float arms;
 };
 
 glm::vec3 hips_of(const Pose &pose) { return (pose.joint(Bone::thigh) + pose.joint(Bone::thigh_r)) * 0.5f; }
 
-// A hand on its thigh where this goes, sliding up it by `slide` metres, as arms are no longer than they are.
+// A hand that follows its thigh and slides up it by `slide` metres, because the arm has a fixed length.
 Grip carried(const Pose &sat, const Pose &pose, Side side, float slide)
 {
     const Bone thigh = on(side, Bone::thigh);
@@ -59,7 +59,7 @@ Pose on_the_way(const Progress &at)
         stand_on(pose, side, {0.012f, side == Side::left ? 0.016f : -0.010f, 0, 1, 0, 5, knee});
     }
     drape_lap(pose);
-    // The hands push on the thighs, which take them along, go round them, and hang.
+    // The hands push on the thighs and move with them, then swing round them and hang.
     for (const Side side : {Side::left, Side::right}) {
         const Bone shoulder = on(side, Bone::upper_arm);
         Grip hanging = grip_of(stood, side);

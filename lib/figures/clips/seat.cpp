@@ -13,11 +13,11 @@ namespace claque::figures
 namespace
 {
 
-constexpr glm::vec3 hips_on_seat(0, seat_height_m + 0.072f, -0.400f);  // middle of the joints of the thighs
+constexpr glm::vec3 hips_on_seat(0, seat_height_m + 0.072f, -0.400f);  // midpoint of the thigh joints
 
-// How the quarters of the skirt lie against the thighs of a sitter, left side: the lap's cloth sinks towards the knees
-// and is pushed up and out by the thighs' outer sides, what is below the thighs comes up to them, and both are drawn in
-// at the hem, since a skirt is wider than the thighs together.
+// How the quarters of the skirt lie against a sitter's thighs, left side. The cloth of the lap sinks towards the knees,
+// and the outer sides of the thighs push it up and out. The cloth below the thighs comes up to them. Both are pulled in
+// at the hem, since a skirt is wider than both thighs together.
 constexpr float lap_deg = 7.5f, lap_up_deg = 10, below_deg = -5, lap_in_deg = 8, below_in_deg = 3;
 constexpr glm::vec3 lap_shift(0.036f, 0, -0.030f), below_shift(0, 0.010f, -0.050f);
 
@@ -54,14 +54,14 @@ void drape_lap(Pose &pose)
     for (const Side side : {Side::left, Side::right}) {
         const glm::quat thigh = pose.local(on(side, Bone::thigh));
         const float raised = ease(-0.97f, -0.12f, (pose.world(on(side, Bone::thigh)) * glm::vec3(0, -1, 0)).y);
-        // About the bone's own axes, as it hangs: Y runs along the thigh.
+        // About the bone's own axes in its hanging orientation: Y runs along the thigh.
         const auto own = [side](glm::quat left) { return side == Side::left ? left : mirrored(left); };
         const glm::quat lap = roll(-lap_in_deg) * yaw(-lap_up_deg) * pitch(lap_deg);
         const glm::quat below = roll(-below_in_deg) * pitch(below_deg);
         const Bone front = on(side, Bone::skirt_front), back = on(side, Bone::skirt_back);
         pose.set(front, nlerp(pose.local(front), thigh * own(lap), raised));
         pose.set(back, nlerp(pose.local(back), thigh * own(below), raised));
-        // The lap stays with the thighs, however the pelvis leans over them.
+        // The lap stays with the thighs whatever the lean of the pelvis.
         const auto stay = [&pose, raised, side](Bone quarter, glm::vec3 by) {
             const glm::vec3 own_place = skeleton().joint(quarter) - skeleton().joint(Bone::thigh) * glm::vec3(0, 1, 1);
             const glm::quat leant = glm::conjugate(pose.local(Bone::pelvis)) * pitch(Posture().tilt);

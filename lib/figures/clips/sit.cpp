@@ -1,5 +1,4 @@
-// Sitting still, as far as people do: breath, a little weight from one side to the other, a glance, the hands
-// now on the thighs and now together.
+// Sitting still: breath, small shifts of weight from side to side, a glance, the hands on the thighs and then together.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"

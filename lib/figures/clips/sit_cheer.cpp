@@ -1,4 +1,4 @@
-// Cheers on the seat: both fists go up, one thrust after the other, and come back to the lap.
+// Cheering on the seat: both fists go up, thrust in turn, and return to the lap.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"

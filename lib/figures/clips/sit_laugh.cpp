@@ -1,4 +1,4 @@
-// Laughs: the head goes back, the chest shakes, then the whole body folds over and a hand slaps the thigh.
+// Laughing: the head goes back, the chest shakes, then the whole body folds over and a hand slaps the thigh.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"
@@ -23,7 +23,7 @@ Pose sit_laugh_at(float phase)
     // Three slaps while bent over.
     const float slap = hold(phase, 0.42f, 0.46f, 0.68f, 0.72f) * swell((phase - 0.44f) / 0.27f, 3);
     Grip left = in_lap(Side::left), right = in_lap(Side::right);
-    // Bent over, the elbows would stick out into the neighbours.
+    // When bent over, the elbows would stick out into the neighbours.
     left.pole.x -= 0.22f * over;
     right.pole.x -= 0.15f * over;
     right.wrist += glm::vec3(0.004f, 0.125f, -0.045f) * slap;

@@ -1,4 +1,4 @@
-// Caught by what is to be seen: leans forward, forearms on the thighs, hands loosely together, chin up; then back.
+// Watching closely: leans forward, forearms on the thighs, hands loosely together, chin up; then back.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"

@@ -1,4 +1,4 @@
-// Looks about: to the left, to the right, up to the rows above the stage, and ahead again.
+// Looking about: left, right, up to the rows above the theatre's stage, and ahead again.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"
@@ -12,7 +12,7 @@ Pose sit_look_at(float phase)
     const float left = hold(phase, 0.05f, 0.15f, 0.27f, 0.37f), right = hold(phase, 0.34f, 0.46f, 0.58f, 0.67f);
     const float up = hold(phase, 0.66f, 0.75f, 0.86f, 0.96f);
     body.breath = wave(phase, 2);
-    // The chest sets out a little later than the head.
+    // The chest starts a little later than the head.
     body.twist = 8 * hold(phase, 0.08f, 0.19f, 0.28f, 0.40f) - 10 * hold(phase, 0.38f, 0.50f, 0.58f, 0.70f);
     body.look = 38 * left - 42 * right + 6 * up;
     body.nod += 3 * left - 3 * right - 22 * up;

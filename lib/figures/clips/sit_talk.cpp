@@ -1,4 +1,4 @@
-// Talks to the neighbour on the left: turns to him, nods, and the right hand tells the story too.
+// Talking to the neighbour on the left: turns to him and nods; the right hand gestures.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"
@@ -9,7 +9,7 @@ namespace claque::figures
 namespace
 {
 
-// An open hand before the chest, palm up; `offer` 0 to 1 holds it out.
+// An open hand in front of the chest, palm up; `offer` 0 to 1 holds it out.
 Grip telling(float offer)
 {
     const Grip near = {

@@ -1,4 +1,4 @@
-// Waves to somebody over there, from the seat.
+// Waving from the seat to a person in the distance.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"

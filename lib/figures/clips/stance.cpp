@@ -12,9 +12,9 @@ namespace claque::figures
 namespace
 {
 
-constexpr glm::vec3 heel_point(0.090f, 0, -0.072f);  // where the sole touches, left foot
+constexpr glm::vec3 heel_point(0.090f, 0, -0.072f);  // contact point of the sole, left foot
 
-// Slopes of a thigh in the pelvis: how far it leads ahead and outwards for each metre down.
+// The slope of a thigh in the pelvis: metres ahead and outwards for each metre down.
 struct Slope {
     float ahead, out;
 };
@@ -32,7 +32,7 @@ glm::quat lean(glm::vec3 to) { return shortest_rotation(glm::vec3(0, -1, 0), to)
 void stand_on(Pose &pose, Side side, const Footing &f)
 {
     const glm::vec3 rest_ankle = mirrored(skeleton().joint(Bone::foot), side);
-    // Heels are raised about the joint of the toes, so that the toes stay exactly where they are.
+    // The heel is raised about the toe joint, so that the toes stay exactly in place.
     const glm::vec3 ball = mirrored(skeleton().joint(Bone::toes), side), heel = mirrored(heel_point, side);
     const glm::vec3 pivot = f.heel_up_deg > 0 ? ball : heel;
     const glm::quat outwards = yaw(side == Side::left ? f.yaw_deg : -f.yaw_deg);
@@ -69,10 +69,10 @@ void hang_arm(Pose &pose, Side side, float forward, float out, float elbow, floa
 
 void curl_hand(Pose &pose, Side side, float curl)
 {
-    const glm::vec3 axis = -arm_thumbward();  // carries the fingers towards the palm
+    const glm::vec3 axis = -arm_thumbward();  // rotates the fingers towards the palm
     pose.set(side, Bone::fingers, turn(axis, 80 * curl));
     pose.set(side, Bone::fingertips, turn(axis, 122 * curl));
-    // The thumb comes to lie across the bent fingers.
+    // The thumb lies across the bent fingers.
     const auto in_hand = [](float along, float across, float up) {
         return arm_direction() * along + arm_thumbward() * across + arm_dorsal() * up;
     };

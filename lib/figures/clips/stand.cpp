@@ -1,4 +1,4 @@
-// Standing about: breath, weight from one leg to the other and back, a look to either side.
+// Standing: breath, weight from one leg to the other and back, a look to either side.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/stance.h"
 

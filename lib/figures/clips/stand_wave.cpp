@@ -1,4 +1,4 @@
-// Standing as in `stand`, and waving to somebody over there with the right hand.
+// Standing as in `stand`, and waving with the right hand to a person in the distance.
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/grip.h"

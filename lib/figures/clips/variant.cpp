@@ -26,7 +26,7 @@ bool is_gait(const ClipMaker &maker)
     return std::strcmp(maker.name, "walk") == 0 || std::strcmp(maker.name, "jog") == 0;
 }
 
-// Begins and ends in a pose that it shares with others.
+// True for clips that begin and end in a pose shared with other clips.
 bool is_anchored(const ClipMaker &maker)
 {
     const char *name = maker.name;
@@ -51,7 +51,7 @@ Pose mirror_image(const Pose &pose)
     return out;
 }
 
-// A wrist as the chest sees it.
+// The position of a wrist in the chest's frame.
 glm::vec3 in_chest(const Pose &pose, Side side)
 {
     return glm::conjugate(pose.world(Bone::chest)) * (pose.joint(on(side, Bone::hand)) - pose.joint(Bone::chest));
@@ -59,7 +59,7 @@ glm::vec3 in_chest(const Pose &pose, Side side)
 
 glm::vec3 from_chest(const Pose &pose, glm::vec3 p) { return pose.joint(Bone::chest) + pose.world(Bone::chest) * p; }
 
-// What a clip's ways are measured from.
+// The reference from which a clip's movements are measured.
 struct Centre {
     std::array<glm::quat, bone_count> mean;
     std::array<glm::vec3, 2> wrists;  // in the chest's frame; where the hands are nearest, if they meet
@@ -95,7 +95,7 @@ Centre centre_of(const ClipMaker &maker)
     return out;
 }
 
-// -1 to 1, and the same after a whole cycle.
+// In [-1, 1], with the period of a whole cycle.
 float sway(const Variant &v, float phase, uint64_t which)
 {
     float sum = 0;
@@ -105,7 +105,7 @@ float sway(const Variant &v, float phase, uint64_t which)
     return sum / 2.4f;
 }
 
-// 1 on the thigh, 0 from a hand's breadth off it on.
+// 1 on the thigh, 0 from a hand's breadth away.
 float on_thigh(const Pose &pose, Side side)
 {
     const glm::vec3 hip = pose.joint(on(side, Bone::thigh)), knee = pose.joint(on(side, Bone::shin));
@@ -125,7 +125,7 @@ public:
 
     Pose at(float phase) const
     {
-        // Late at one half of the clip, early at the other, and in time at both ends.
+        // Late in one half of the clip, early in the other, and in time at both ends.
         const Pose own = handed(maker_.pose_at(phase + v_.lead * std::sin(2 * pi * phase) / (2 * pi)), phase);
         const float share = anchored_ ? hold(phase, 0, 0.15f, 0.85f, 1) : 1;
         Pose pose = own;
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    // Legs of who stays in place stand as they stand; a gait is mirrored whole.
+    // The legs of a clip that stays in place are not mirrored; a gait is mirrored as a whole.
     Pose handed(const Pose &pose, float phase) const
     {
         if (v_.handedness == Handedness::own) return pose;
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    // The hand goes with the chest, or stays where it lies; its way is as much wider as the variant says.
+    // The hand moves with the chest or stays where it lies; its path is scaled as the variant says.
     void move_arm(Pose &pose, const Pose &own, Side side, float share) const
     {
         const Bone upper = on(side, Bone::upper_arm), forearm = on(side, Bone::forearm), hand = on(side, Bone::hand);
@@ -185,7 +185,7 @@ private:
 
         const glm::quat chest_turn = pose.world(Bone::chest) * glm::conjugate(own.world(Bone::chest));
         const glm::quat with_chest = chest_turn * own.world(hand);
-        // Twists of the bones about themselves are what is left of them beside a plain reach.
+        // The twist of a bone about itself is what a plain reach leaves.
         const Pose before = pose;
         const glm::vec3 shoulder = pose.joint(upper), elbow = pose.joint(forearm), now = pose.joint(hand);
         const glm::vec3 pole = mirrored(elbow - (shoulder + now) * 0.5f, side);
@@ -210,7 +210,7 @@ private:
     bool anchored_;
 };
 
-// Evenly spread over [0, 1) with growing n, whatever it begins with (the golden section).
+// Evenly spread over [0, 1) as n grows, for any `from` (golden ratio sequence).
 float spread(uint32_t n, float from)
 {
     const float x = from + 0.61803399f * static_cast<float>(n);
@@ -228,10 +228,10 @@ Variant variant_of(uint32_t clip, uint32_t number)
     const ClipMaker &maker = figure_clips()[clip];
     const float tempo = 0.80f + 0.42f * spread(number, draw(clip, 1));
     v.frames = static_cast<int>(static_cast<float>(maker.frames) * tempo + 0.5f);
-    // A stride whose halves differ limps.
+    // Gaits vary little, since a cycle whose halves differ limps.
     v.lead = (is_anchored(maker) ? 0.35f : 0.12f) * (2 * draw(v.seed, 1000) - 1);
     v.trunk = 0.70f + 0.55f * spread(number, draw(clip, 2));
-    // Hands that meet may open wider than they do; others must not come nearer to the body.
+    // Hands that meet may open wider than in the clip; other hands must not come nearer to the body.
     const float most = centre_of(maker).meets ? 1.25f : 1.0f;
     v.reach = 0.80f + (most - 0.80f) * spread(number, draw(clip, 3));
     v.handedness = number % 2 == 1 ? Handedness::other : Handedness::own;

@@ -1,4 +1,4 @@
-// One stride of two steps on the spot, as on a treadmill: while a foot carries, its place goes back at a constant
+// One cycle of a walk, two steps on the spot as on a treadmill. While a foot carries, it moves back at a constant
 // speed.
 #include <cmath>
 
@@ -12,9 +12,9 @@ namespace claque::figures
 namespace
 {
 
-constexpr float stride_m = 1.24f;   // of a whole cycle: 1.13 m/s with 33 frames
-constexpr float carry_end = 0.62f;  // of the cycle: toes leave the ground
-constexpr float ahead_m = 0.335f;   // of the foot's place at the strike of the heel
+constexpr float stride_m = 1.24f;   // per cycle: 1.13 m/s with 33 frames
+constexpr float carry_end = 0.62f;  // fraction of the cycle at which the toes leave the ground
+constexpr float ahead_m = 0.335f;   // of the foot when the heel strikes
 
 constexpr float strike_deg = -17, leave_deg = 52;
 
@@ -33,7 +33,7 @@ Footing footing(float phase)
     f.ahead = hermite(ahead_m - stride_m * carry_end, -stride_m * length, ahead_m, -stride_m * length, t);
     f.heel_up_deg = hermite(leave_deg, 66, strike_deg, 50, t);
     f.toes_flat = 1 - smooth(0, 0.55f, t);
-    // High enough for the tips of the toes, which hang while the foot is steep.
+    // High enough for the tips of the toes, which point down while the foot is steep.
     const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
     f.lift = 0.085f * std::sin(toes_deg * pi / 180) + 0.024f * std::sin(pi * t);
     return f;
@@ -55,7 +55,7 @@ Pose walk_at(float phase)
     pose.set(Bone::head, yaw(-2.5f * lead) * pitch(-1.5f + 0.8f * std::cos(4 * pi * phase)));
     for (const Side side : {Side::left, Side::right}) {
         const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
-        const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is ahead
+        const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is in front
         hang_arm(pose, side, 1 + 20 * swing, 9, 19 + 9 * swing, 10);
         curl_hand(pose, side, 0.22f);
         stand_on(pose, side, footing(own));

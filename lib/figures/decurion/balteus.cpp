@@ -1,5 +1,6 @@
-// The balteus, a roll of gathered cloth in a loop from under the right arm over the left shoulder and slantwise down
-// the back, and the umbo, cloth that is drawn out from under it and falls before the belly. Their edges lie in the dress: neither has an inside.
+// The balteus, a roll of gathered cloth in a loop from under the right arm over the left shoulder and down the back,
+// and the umbo, cloth pulled out from under it over the belly. Their edges lie inside the dress, so they have no inner
+// side.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/decurion/decurion.h"
@@ -10,7 +11,7 @@ namespace claque::figures::decurion
 namespace
 {
 
-// From the edge towards neck and right over two ridges to the edge towards arm and left.
+// From the edge towards the neck and right over two ridges to the edge towards the arm and left.
 using Station = std::array<glm::vec3, 4>;
 
 const std::array<Station, 10> stations = {{

@@ -1,5 +1,5 @@
-// The pieces of the decurion: an older, well-fed town councillor in a tunic and a toga to the shins, whose bordered
-// fold hangs before the thighs and whose roll runs from the right side to the left shoulder.
+// The pieces of the decurion: an older, stout town councillor in a tunic and a toga to the shins. The toga's bordered
+// fold hangs in front of the thighs, and its roll runs from the right side to the left shoulder.
 #pragma once
 
 #include "lib/figures/parts.h"
@@ -7,19 +7,19 @@
 namespace claque::figures::decurion
 {
 
-// Charts of his own; of pairs the right one is the next.
+// The figure's own charts; of pairs the right one is next.
 constexpr Chart toga_front = own_chart(0), toga_back = own_chart(1), toga_inside = own_chart(2);
 constexpr Chart chest_front = own_chart(3), chest_back = own_chart(4);
 constexpr Chart balteus = own_chart(5);  // the roll across the breast, over the left shoulder and down the back
-constexpr Chart umbo = own_chart(6);     // the pouch that is drawn out over the roll
+constexpr Chart umbo = own_chart(6);     // the pouch that is pulled out over the roll
 
-// Cloth round the trunk, which reaches out as far as an arm and must not follow it.
+// Cloth round the trunk. It extends as far as an arm and must not follow it.
 constexpr Region wrap = own_region(0);
-// Cloth below the sinus, which parts between the shins in a stride.
+// Cloth below the sinus, which divides between the shins in a stride.
 constexpr Region skirts = own_region(1);
 
-// How high the lower edge of the sinus, the toga's great fold, hangs at each of twelve columns, and how far it stands
-// out from the cloth below. 0 in front, 3 at the left side, 6 at the back, where there is none.
+// The edge of the sinus, the toga's great fold, at each of twelve columns: its height, and its distance from the cloth
+// below. Column 0 is in front, 3 at the left side, 6 at the back, where there is no fold.
 struct SinusEdge {
     float y, out;
 };
@@ -37,9 +37,9 @@ inline const std::array<SinusEdge, columns> sinus = {{{0.655f, 0.032f},
                                                       {0.632f, 0.032f},
                                                       {0.628f, 0.034f}}};
 
-void add_aged_head(Mesh &mesh);  // the shared head, made an old man's
-void add_toga(Mesh &mesh);       // the cloth from the shins to the shoulders, with what shows of the tunic; sleeves
+void add_aged_head(Mesh &mesh);  // the shared head, aged
+void add_toga(Mesh &mesh);       // the cloth from the shins to the shoulders, the visible tunic, and sleeves
 void add_balteus(Mesh &mesh);    // with the umbo
-void add_limbs(Mesh &mesh);      // arms; feet without legs, which nobody sees
+void add_limbs(Mesh &mesh);      // arms, and feet without the legs, which are hidden
 
 }  // namespace claque::figures::decurion

@@ -1,3 +1,4 @@
+// The decurion's zones, layout, weights and definition.
 #include "lib/figures/figure.h"
 
 #include <algorithm>
@@ -29,11 +30,11 @@ BoneWeights weigh(const Point &point)
     BoneWeights w{};
     glm::vec3 p = point.position;
     if (point.region == skirts) {
-        p.x *= 1 + 0.9f * smoothstep(0.45f, 0.25f, p.y);  // each half its own shin's, but for a narrow strip
+        p.x *= 1 + 0.9f * smoothstep(0.45f, 0.25f, p.y);  // each half follows its own shin, except for a narrow strip
         weigh_gown(w, p, 1);
         return w;
     }
-    constexpr float body = 0.195f;  // nowhere wider, where the cloth is
+    constexpr float body = 0.195f;  // where cloth covers it, the body counts as no wider
     p.x = std::clamp(p.x, -body, body);
     weigh_shoulder(w, p, p.x >= 0 ? Side::left : Side::right, 1);
     return w;

@@ -1,5 +1,5 @@
-// An old man's head from the shared one: jowls and a double chin, a heavy hooked nose, brows over deep sockets, long
-// ears, a thick neck, and a scalp with little hair on it.
+// Makes an old man's head from the shared one: jowls and a double chin, a heavy hooked nose, brows over deep sockets,
+// long ears, a thick neck, and a scalp with little hair.
 #include <cmath>
 
 #include "lib/figures/brush.h"
@@ -44,7 +44,7 @@ glm::vec3 aged(glm::vec3 p)
     const float neck = smoothstep(1.565f, 1.510f, p.y + 0.35f * p.z);
     q.x *= 1 + 0.12f * neck;
     q.z = -0.015f + (q.z + 0.015f) * (1 + 0.10f * neck);
-    // The scalp without a young man's hair, flatter on top; a wreath of hair is left at the sides and behind.
+    // The scalp without a young man's hair is flatter on top; a wreath of hair remains at the sides and behind.
     const float scalp = smoothstep(1.685f, 1.740f, p.y);
     q.y -= 0.007f * scalp;
     q.z -= 0.006f * spot(front, {0, 1.715f}, {0.060f, 0.030f}) * ahead;
@@ -70,7 +70,7 @@ void add_aged_head(Mesh &mesh)
         for (const Corner &corner : face.corners) ear[corner.point] = face.chart != Chart::head;
     for (size_t i = 0; i < mesh.points.size(); ++i) {
         Point &point = mesh.points[i];
-        if (point.region != Region::head) continue;  // the neckline is the tunic's as well
+        if (point.region != Region::head) continue;  // the neckline belongs to the tunic as well
         const Side side = point.position.x >= 0 ? Side::left : Side::right;
         const glm::vec3 p = mirrored(point.position, side);
         point.position = mirrored(ear[i] ? long_ear(p) : aged(p), side);

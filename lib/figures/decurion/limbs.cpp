@@ -1,4 +1,4 @@
-// Stout arms from the shared ones, with the shared hands; of the legs only what shows below the hem is made.
+// Stout arms made from the shared ones, with the shared hands. Of the legs only the part below the hem exists.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/decurion/decurion.h"
@@ -12,7 +12,7 @@ namespace
 
 constexpr float stoutness = 1.10f;
 
-// Of the arm, less and less towards the wrist; the hand is the shared one.
+// Thickens the arm, decreasing towards the wrist; the hand is the shared one.
 glm::vec3 stout(const Point &point)
 {
     const glm::vec3 p = mirrored(point.position, point.side), shoulder = skeleton().joint(Bone::upper_arm);

@@ -15,7 +15,7 @@ namespace decurion
 namespace
 {
 
-// A signet ring on the ring finger, with veins and knuckles that stand out more than a young man's.
+// A signet ring on the ring finger, and more prominent veins and knuckles than a young man's.
 Paint old_hand(const Texel &t)
 {
     const glm::vec3 from = mirrored(t.position, t.side) - skeleton().joint(Bone::hand);
@@ -72,9 +72,9 @@ Paint plain(const Texel &t)
 Paint paint_decurion(const Texel &t)
 {
     Paint paint = decurion::plain(t);
-    // The roots of the fingers lie inside the palm: no soot on hands.
+    // The roots of the fingers lie inside the palm; ambient occlusion would blacken the hands there.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
-    const bool loose = t.chart == decurion::balteus || t.chart == decurion::umbo;  // whose edges lie in the dress
+    const bool loose = t.chart == decurion::balteus || t.chart == decurion::umbo;  // their edges lie inside the dress
     const float open = std::max(t.ambient_visibility, hand                          ? 0.74f
                                                       : paint.zone == Zone::sandals ? 0.5f
                                                       : loose                       ? 0.35f

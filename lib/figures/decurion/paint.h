@@ -1,4 +1,4 @@
-// What the decurion looks like close up; each painter answers for its own charts, before the shadows of openness.
+// The painters of the decurion. Each paints its own charts, without ambient occlusion.
 #pragma once
 
 #include "lib/figures/painters.h"
@@ -9,9 +9,9 @@ namespace claque::figures
 namespace decurion
 {
 
-Paint paint_aged_head(const Texel &texel);  // face, neck, ears, and hair by the next
+Paint paint_aged_head(const Texel &texel);  // face, neck and ears; hair by paint_hair
 Paint paint_aged_hair(const Texel &texel);
-Paint paint_tunic(const Texel &texel);    // what shows on breast and right arm
+Paint paint_tunic(const Texel &texel);    // the visible tunic on breast and right arm
 Paint paint_toga(const Texel &texel);     // the cloth round the body, the left sleeve
 Paint paint_balteus(const Texel &texel);  // the roll over the shoulder, the lappet
 Paint paint_shoe(const Texel &texel);

@@ -24,7 +24,7 @@ Eye eye_at(glm::vec2 q)
 {
     const float u = (q.x - eye_centre.x) / eye_half;
     const float arch = std::max(0.0f, 1 - u * u);
-    const float tilt = -0.0008f * u;  // the outer corner has sunk
+    const float tilt = -0.0008f * u;  // the outer corner is lower
     const float upper = eye_centre.y + tilt + 0.0046f * std::sqrt(arch) * (1 - 0.26f * u);
     const float lower = eye_centre.y + tilt - 0.0044f * arch;
     return {std::fabs(u) < 1 ? std::min(upper - q.y, q.y - lower) : -1, upper, lower};
@@ -67,7 +67,7 @@ bool is_lip(glm::vec2 q)
     return q.y < top && q.y > bottom;
 }
 
-// Broad light and dark.
+// Large areas of light and dark.
 float relief(glm::vec2 q, glm::vec3 n)
 {
     float g = 220;
@@ -90,7 +90,7 @@ float relief(glm::vec2 q, glm::vec3 n)
     return g;
 }
 
-// Lines that age drew; q is mirrored, x tells left from right so that the halves differ a little.
+// Wrinkles. q is mirrored; x distinguishes left and right, so that the halves differ a little.
 float wrinkles(glm::vec2 q, float x)
 {
     const float wave = 0.0016f * (value_noise(x * 70 + 20, 3, 312) - 0.5f);
@@ -154,7 +154,7 @@ Paint face(glm::vec3 p, glm::vec3 n)
     return {g, Zone::skin};
 }
 
-// Windpipe, slack cords and creases round a thick neck.
+// Windpipe, slack cords and creases of a thick neck.
 float neck(glm::vec3 p)
 {
     const float side = std::fabs(p.x), low = smoothstep(1.525f, 1.490f, p.y), ahead = smoothstep(-0.02f, 0.03f, p.z);

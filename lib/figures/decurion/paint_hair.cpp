@@ -1,4 +1,4 @@
-// What hair is left: short locks at temples and nape, combed forward over a high forehead, thin on the crown.
+// The remaining hair: short locks at temples and nape, combed forward over a high forehead, thin on the crown.
 #include <glm/vec3.hpp>
 
 #include "lib/figures/brush.h"
@@ -12,7 +12,7 @@ float hair_edge(glm::vec3 p)
     static const glm::vec2 line[] = {{-0.085f, 1.550f}, {-0.060f, 1.556f}, {-0.036f, 1.576f}, {-0.030f, 1.636f},
                                      {-0.012f, 1.655f}, {0.008f, 1.650f},  {0.012f, 1.618f},  {0.022f, 1.616f},
                                      {0.032f, 1.668f},  {0.044f, 1.712f},  {0.056f, 1.738f},  {0.080f, 1.760f}};
-    // In the middle of the forehead a tuft has stayed.
+    // A tuft remains in the middle of the forehead.
     const float tuft = 0.016f * spot(p.x, 0.026f) * smoothstep(0.03f, 0.05f, p.z);
     const float jag = value_noise(p.x * 170 + 40, p.z * 130, 321) - 0.5f;
     return profile(line, p.z) - tuft + jag * (p.z > 0.03f ? 0.016f : 0.008f);

@@ -1,5 +1,5 @@
-// The toga: a heavy cloth whose folds hang in bows from the left shoulder to the right hip, fall straight below, and
-// whose curved edge carries a woven border.
+// The toga: heavy cloth whose folds hang in bows from the left shoulder to the right hip and fall straight below. Its
+// curved edge carries a woven border.
 #include <glm/vec3.hpp>
 
 #include "lib/figures/brush.h"
@@ -13,11 +13,11 @@ namespace
 {
 
 constexpr float hem = 0.115f, hem_border = 0.030f, sinus_border = 0.040f;
-constexpr float edge_t = 0.660f;  // of the chart: the row of the sinus's edge
+constexpr float edge_t = 0.660f;  // t of the chart at the row of the sinus's edge
 
 bool round_legs(const Texel &t) { return t.chart == toga_front || t.chart == toga_back; }
 
-// Above the waist the toga is what lies below the roll, under the middle of which it ends.
+// Above the waist the toga is the cloth below the roll; it ends under the middle of the roll.
 bool thrown_over(const Texel &t)
 {
     static const glm::vec2 front[] = {{-0.20f, 1.120f}, {-0.145f, 1.150f}, {0, 1.215f},
@@ -28,7 +28,7 @@ bool thrown_over(const Texel &t)
     return p.y < (t.chart == chest_front ? profile(front, p.x) : profile(back, p.x));
 }
 
-// The column of the cloth as a real number: the height of the sinus's edge there, and how far the fold stands out.
+// The edge of the sinus at a fractional column: its height and its distance from the cloth below.
 SinusEdge edge_at(const Texel &t)
 {
     const float k = t.st.x + columns;
@@ -37,18 +37,18 @@ SinusEdge edge_at(const Texel &t)
     return {sinus[low].y + (sinus[high].y - sinus[low].y) * f, sinus[low].out + (sinus[high].out - sinus[low].out) * f};
 }
 
-// Straight folds of the part that falls to the shins, broader towards the hem.
+// Straight folds of the part down to the shins, broader towards the hem.
 float fall(const Texel &t)
 {
     const glm::vec3 p = t.position;
     const float a = t.st.x + 0.5f * (value_noise(t.st.x * 2 + 9, p.y * 4, 331) - 0.5f);
-    const float slant = p.z > 0 ? 0.9f * (p.y - hem) * (p.x + 0.05f) : 0.0f;  // drawn to the left shoulder
+    const float slant = p.z > 0 ? 0.9f * (p.y - hem) * (p.x + 0.05f) : 0.0f;  // pulled to the left shoulder
     const float broad = value_noise((a - 3 * slant) * 1.5f + 40, p.y * 1.2f, 332),
                 fine = value_noise((a - 3 * slant) * 4 + 90, p.y * 1.8f, 333);
     return 226 + 46 * crease(broad) + 26 * crease(fine);
 }
 
-// Bows: level at the deepest place, steeper towards the left shoulder.
+// Bows: level at the deepest point, steeper towards the left shoulder.
 float bows(glm::vec3 p)
 {
     if (p.z > 0) {
@@ -65,7 +65,7 @@ float bows(glm::vec3 p)
            24 * crease(value_noise(line * 30, across * 1.7f, 339));
 }
 
-// The front turns from bows to straight folds at the sinus's edge, the back by and by.
+// The front changes from bows to straight folds at the sinus's edge, the back gradually.
 float draped(const Texel &t)
 {
     const glm::vec3 p = t.position;
@@ -113,7 +113,7 @@ Paint paint_toga(const Texel &t)
 Paint paint_balteus(const Texel &t)
 {
     if (t.chart == umbo) {
-        // It falls in folds that lean after it and run out below.
+        // It falls in slanted folds that fade out below.
         const glm::vec3 p = t.position;
         const float across = t.st.x + 0.35f * (value_noise(t.st.x * 2 + 20, p.y * 7, 345) - 0.5f);
         const float low = smoothstep(0.95f, 0.82f, p.y);

@@ -1,4 +1,5 @@
-// What shows of tunic and shoes: breast and right sleeve with the broad stripe, and closed boots tied with thongs.
+// The visible parts of tunic and shoes: breast and right sleeve with the broad stripe, and closed boots tied with
+// thongs.
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 

@@ -1,5 +1,5 @@
-// The toga round the body and what shows of the tunic: twelve columns of cloth from the shins over the fold that hangs
-// before the thighs, the belly and the armpits to the yoke. On the left the toga covers shoulder and upper arm.
+// The toga round the body and the visible tunic: twelve columns of cloth from the shins over the fold in front of the
+// thighs, the belly and the armpits to the yoke. On the left the toga covers shoulder and upper arm.
 #include <algorithm>
 #include <map>
 
@@ -19,7 +19,7 @@ const std::array<glm::vec2, 7> directions = {
 const std::array<float, columns> folds = {
     {-0.7f, 1.2f, -0.7f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.8f}};
 
-// Half widths of the body and its cloth by height: the belly is widest a hand below the waist.
+// Half widths of the body and its cloth by height; the belly is widest a hand below the waist.
 struct Girths {
     float y, side, front, back, fold;
 };
@@ -91,7 +91,8 @@ glm::vec3 on_cloth(int column, float y, float out)
 {
     const Girths g = girths_at(y);
     glm::vec2 d = directions[half_of(column)];
-    // Towards the hem two columns come together before the shins, which would tread out of the cloth between them.
+    // Towards the hem two columns come together in front of the shins, which would otherwise penetrate the cloth
+    // between them.
     if (half_of(column) == 1) d += glm::vec2(-0.31f, 0.08f) * smoothstep(0.49f, 0.20f, y);
     const float fold = folds[static_cast<size_t>(column)] * g.fold + out;
     return mirrored(glm::vec3(d.x * (g.side + fold), y, d.y * ((d.y > 0 ? g.front : g.back) + fold)), side_of(column));
@@ -121,7 +122,7 @@ Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
     return ring;
 }
 
-// Columns from `first` for `count`, left to right for whoever looks at them.
+// `count` columns from `first`, left to right as seen from outside.
 Chain span(const Ring &ring, int first, int count, float t)
 {
     Chain chain;
@@ -130,7 +131,7 @@ Chain span(const Ring &ring, int first, int count, float t)
     return chain;
 }
 
-// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
 Chain doubled(Mesh &mesh, Chain chain)
 {
     std::map<uint32_t, uint32_t> twins;
@@ -171,7 +172,7 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
     const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
     for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
-    // Seen from outside, to the right: from the neck to the arm, or from the arm to the neck.
+    // To the right as seen from outside: from the neck to the arm, or from the arm to the neck.
     const auto chain = [&](int first, float height, bool outwards) {
         Chain c;
         for (size_t i = 0; i < 3; ++i)
@@ -193,7 +194,7 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
 void add_toga(Mesh &mesh)
 {
     const auto level = [](float y) { return [y](size_t) { return SinusEdge{y, 0}; }; };
-    // Where the fold stands out, the cloth below begins behind it, a little higher than its edge.
+    // The cloth below starts behind the fold, a little higher than its edge.
     const auto behind = [](size_t k) {
         return SinusEdge{sinus[k].y - 0.055f + 0.067f * std::min(1.0f, sinus[k].out / 0.030f), -0.006f};
     };

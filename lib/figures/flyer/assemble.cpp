@@ -1,5 +1,5 @@
-// A flyer's pieces as parts of a Model. All levels of all pieces share one texture: charts are laid out over all of
-// them, and painted where the finest one that covers a texel lies.
+// Makes a flyer's pieces parts of a Model. All levels of all pieces share one texture: charts are unwrapped over all
+// levels, and each texel is painted at its position on the finest level that covers it.
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -47,7 +47,7 @@ void append(Mesh &all, const Mesh &mesh)
     }
 }
 
-// Coarse before fine, so that what is painted last is the finest surface.
+// Coarse before fine, so that the finest surface is painted last.
 Mesh unwrapped(std::vector<Block> &blocks, const Layout &layout)
 {
     Mesh all;
@@ -66,7 +66,7 @@ Mesh unwrapped(std::vector<Block> &blocks, const Layout &layout)
     return all;
 }
 
-// One vertex for each point and place in the texture; normals are the point's, so that seams do not show.
+// One vertex for each pair of point and texture position. Normals are those of the point, so that seams do not show.
 model::Part part_of(const Block &block, const Joints &joints)
 {
     const std::vector<glm::vec3> normals = block.mesh.smooth_normals();
@@ -92,7 +92,7 @@ model::Part part_of(const Block &block, const Joints &joints)
     return part;
 }
 
-// Too far about to leave a shadow at rest.
+// True for nodes that move too far to leave a shadow at their rest position.
 bool sweeps(Node node)
 {
     return node == Node::wing_left || node == Node::wing_right || node == Node::arm_left || node == Node::arm_right;
@@ -113,7 +113,7 @@ model::Model assemble(const Flyer &flyer)
     add_nodes(model.rig, flyer.joints);
     add_clips(model.rig, flyer.joints, flyer.flight_style);
     model.zones = zones_of(flyer.zones);
-    // Asked for a little off the surface, lest flat faces under round normals see their own far side.
+    // Evaluated slightly off the surface, so that flat faces with smooth normals do not occlude themselves.
     model.images = paint(
         all, [&](glm::vec3 p, glm::vec3 n) { return occlusion.ambient_visibility(p + n * 0.015f, n); }, {flyer.painter},
         flyer.zones);

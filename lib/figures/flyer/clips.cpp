@@ -1,5 +1,5 @@
-// The clips of flyers: `fly` lying forward with beating wings, `glide`, and `hover` upright. Functions of the phase
-// alone, whole waves only, so that they close.
+// The clips of flyers: `fly` lying forward with beating wings, `glide`, and `hover` upright. They are functions of the
+// phase with whole periods only, so that they close.
 #include <cmath>
 
 #include "lib/figures/clips/clips.h"
@@ -12,7 +12,7 @@ namespace claque::figures::flyer
 namespace
 {
 
-// Angles as the freedoms of the same names count them.
+// Angles with the ranges and signs of the degrees of freedom of the same names.
 struct Attitude {
     float lean = 0, bank = 0, rise_m = 0;  // of the body
     float spine_pitch = 0, neck_pitch = 0;
@@ -20,7 +20,7 @@ struct Attitude {
     float arm_left = 0, arm_right = 0, legs = 0;
 };
 
-// Wings are quick down and slow up: the wave leans over.
+// Wings move down fast and up slowly, so the wave is skewed.
 float beat(float phase, int beats) { return wave(phase + 0.02f * wave(phase, beats, 0.25f), beats); }
 
 Attitude fly_at(float phase, const FlightStyle &flight_style)
@@ -66,7 +66,7 @@ Attitude hover_at(float phase, const FlightStyle &flight_style)
     a.spine_pitch = 0.03f, a.neck_pitch = 0.08f;
     a.flap = 0.30f + 0.85f * flight_style.beat_rad * stroke;
     a.sweep = -0.12f - 0.08f * stroke;
-    a.twist = 0.30f - 0.30f * rate;  // turned so that the stroke presses air down
+    a.twist = 0.30f - 0.30f * rate;  // rotated so that the stroke presses air down
     a.arm_left = 0.10f + 0.06f * wave(phase, 1, 0.3f);
     a.arm_right = 0.06f * wave(phase, 1, 0.8f);
     a.legs = 0.06f + 0.08f * wave(phase, 1, 0.6f);
@@ -114,7 +114,7 @@ void add_clip(model::Rig &rig, const Joints &joints, const FlightStyle &flight_s
     std::vector<Attitude> attitudes;
     for (int k = 0; k < maker.frames; ++k)
         attitudes.push_back(maker.at(static_cast<float>(k) / static_cast<float>(maker.frames), flight_style));
-    attitudes.push_back(attitudes.front());  // the last key of a loop is the first one, to the bit
+    attitudes.push_back(attitudes.front());  // the last key of a loop equals the first to the bit
     model::Clip clip;
     clip.first_channel = static_cast<uint32_t>(rig.channels.size());
     clip.duration_s = static_cast<float>(maker.frames) / keys_per_second;

@@ -1,9 +1,9 @@
-// Flying characters in rigid parts, like the actors of S0 7.1: 13 Skeleton nodes with 19 degrees of freedom below a
-// body, five levels of detail whose pieces change at distances of their own (S0 5.1), nodes that stop on the way
-// (S0 5.2). What one of them looks like is a list of pieces; nodes, freedoms and clips are shared.
+// Flying characters of rigid parts, like the actors of S0 7.1: 13 Skeleton nodes with 19 degrees of freedom below a
+// body, five levels of detail whose pieces switch at distances of their own (S0 5.1), and nodes with deactivation
+// distances (S0 5.2). A flyer is a list of pieces; nodes, degrees of freedom and clips are shared.
 //
-// Space: metres, Y up, looking along +Z, its left +X; the origin is the body's middle. At rest it stands upright with
-// its wings spread; clips lay it forward.
+// Space: metres, Y up, facing +Z, left +X; the origin is the middle of the body. At rest the flyer is upright with its
+// wings spread; clips lean it forward.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace claque::figures::flyer
 {
 
 enum class Node : uint8_t {
-    body,  // hips and skirt, or tail; moved by clips alone
+    body,  // hips and skirt, or tail; moved by clips only
     spine,
     neck,
     head,
@@ -32,20 +32,20 @@ enum class Node : uint8_t {
 };
 constexpr int node_count = 14;
 
-// Where the nodes turn, in the rest pose, and where they stop.
+// The joints of the nodes in the rest pose, and their deactivation distances.
 struct Joint {
     Node parent;
     glm::vec3 at;
 };
 using Joints = std::array<Joint, node_count>;
 
-// Distances from the eye, in metres. An error of half a pixel at 768 lines and 60 degrees is 0.75 mm a metre.
+// Distances from the eye in metres. An error of half a pixel at 768 lines and 60 degrees is 0.75 mm per metre.
 constexpr float face_deactivation_m = 35;    // eyes, lids, jaw, brow
 constexpr float limbs_deactivation_m = 160;  // neck, head, arms, legs
-constexpr float wings_deactivation_m = 400;  // and the spine, which carries them
+constexpr float wings_deactivation_m = 400;  // and the spine, their parent
 constexpr float for_ever = std::numeric_limits<float>::infinity();
 
-// A geometry on one node in several levels: level k is drawn from where k - 1 ends to ends_m[k].
+// A geometry on one node in several levels: level k is drawn from the end of level k - 1 up to ends_m[k].
 struct Piece {
     const char *name;
     Node node;
@@ -54,14 +54,14 @@ struct Piece {
     void (*shape)(Mesh &, int level);
 };
 
-// How the clips of one figure beat, see clips.cpp.
+// The parameters of one flyer's clips, see clips.cpp.
 struct FlightStyle {
     float lean_rad;     // of the body in `fly`
     int beats;          // of the wings in the two seconds of `fly`
-    int hover_beats;    // and of `hover`
-    float beat_rad;     // half of what the wings sweep over
-    float raised_rad;   // where a beat has its middle
-    float look_up_rad;  // how neck and spine together make good for the lean
+    int hover_beats;    // the same for `hover`
+    float beat_rad;     // half the sweep of the wings
+    float raised_rad;   // centre of a beat
+    float look_up_rad;  // how far neck and spine together compensate for the lean
     float trail_rad;    // the legs in `fly`
 };
 
@@ -75,10 +75,11 @@ struct Flyer {
     FlightStyle flight_style;
 };
 
-void add_nodes(model::Rig &rig, const Joints &joints);  // with freedoms, ranges, stops; one matrix each
+// With degrees of freedom, ranges and deactivation distances; one matrix each.
+void add_nodes(model::Rig &rig, const Joints &joints);
 void add_clips(model::Rig &rig, const Joints &joints, const FlightStyle &flight_style);
 
-// Throws base::Error should the figure break a rule of model::check.
+// Throws base::Error if the figure breaks a rule of model::check.
 model::Model assemble(const Flyer &flyer);
 
 }  // namespace claque::figures::flyer

@@ -1,3 +1,4 @@
+// Paints wings: rows of coverts, then the long feathers.
 #include <cmath>
 
 #include "lib/figures/brush.h"
@@ -9,7 +10,7 @@ namespace claque::figures::flyer
 namespace
 {
 
-// One row of feathers from `from` to `until` along the chord. Inside a feather: 0 .. 1 along, -1 .. 1 across.
+// One row of feathers from `from` to `until` along the chord. Inside a feather: 0 .. 1 along it, -1 .. 1 across.
 struct Quill {
     bool inside;
     float along, across, shade;
@@ -25,7 +26,7 @@ Quill quill_at(float u, float c, float from, float until, float count)
 float feather(const Quill &q)
 {
     float g = 232 + 20 * (q.shade - 0.5f);
-    g += 10 * q.across;                               // each lies over the next
+    g += 10 * q.across;                               // each overlaps the next
     g -= 34 * spot(q.across, 0.10f) * (1 - q.along);  // shaft
     g -= 46 * smoothstep(0.80f, 1.0f, std::fabs(q.across));
     g -= 30 * smoothstep(0.72f, 1.0f, q.along);
@@ -41,7 +42,7 @@ Paint paint_wing(const Texel &t, const Plumage &plumage)
     struct Layer {
         float from, until, count;
     };
-    // Those nearest to the leading edge lie uppermost.
+    // The rows nearest to the leading edge are on top.
     static constexpr Layer layers[] = {{0.00f, 0.13f, 26}, {0.08f, 0.24f, 21}, {0.18f, 0.40f, 17}};
     for (const Layer &layer : layers) {
         const Quill q = quill_at(u, c, layer.from, layer.until, layer.count);

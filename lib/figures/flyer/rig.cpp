@@ -1,4 +1,4 @@
-// The Skeleton nodes of a flyer and what they may do (S0 3).
+// The Skeleton nodes of a flyer and their degrees of freedom (S0 3).
 #include "lib/figures/flyer/axes.h"
 #include "lib/figures/flyer/flyer.h"
 
@@ -41,11 +41,11 @@ struct DofRange {
     const char *name;
     Node node;
     glm::vec3 axis;
-    float first, last;  // radians; of the brow, metres
+    float first, last;  // radians; for the brow metres
     model::DofKind kind = model::DofKind::rotation;
 };
 
-// Yaw to the left, pitch up, roll towards the left shoulder, lids and jaw from shut or open as their names say, wings
+// Yaw to the left, pitch up, roll towards the left shoulder. Lids and jaw from shut or open as their names say. Wings
 // up behind the back, sweep towards the feet, arms forward and up, legs back.
 const std::array<DofRange, 19> freedoms = {{{"spine_yaw", Node::spine, y, -0.40f, 0.40f},
                                             {"spine_pitch", Node::spine, -x, -0.30f, 0.30f},

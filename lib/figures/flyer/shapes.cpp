@@ -11,7 +11,7 @@ namespace
 
 constexpr float spine_turn = 6.28318531f;
 
-// At `u` of the way round, from the back over the right and the front.
+// The point at the fraction `u` of the ring, from the back over the right and the front.
 glm::vec3 on_ring(const Ring &ring, float u, float swell)
 {
     const float x = -std::sin(spine_turn * u), z = -std::cos(spine_turn * u);
@@ -36,7 +36,7 @@ void MeshBuilder::sheet(Chart chart, Winding winding, const std::vector<std::vec
         for (const SheetVertex &stop : meridian) chain.push_back(corner(stop));
         chains.push_back(chain);
     }
-    // Seen with the meridians lying to the right, the next one is below.
+    // With the meridians running to the right, the next one is below.
     for (size_t i = 0; i + 1 < chains.size(); ++i) mesh_.sew(chart, winding, chains[i + 1], chains[i], Along::t);
 }
 
@@ -115,7 +115,7 @@ std::vector<Ring> rings_along(const std::vector<PathRing> &beads, glm::vec3 forw
     for (size_t i = 0; i < beads.size(); ++i) {
         const glm::vec3 before = beads[i > 0 ? i - 1 : 0].centre;
         const glm::vec3 after = beads[i + 1 < beads.size() ? i + 1 : i].centre;
-        glm::vec3 up = glm::normalize(before - after);  // beads run downwards, rings are looked at from above
+        glm::vec3 up = glm::normalize(before - after);  // the path runs downwards, rings are seen from above
         if (!rings.empty() && glm::dot(up, last_up) < 0) up = -up;  // a hem that is turned in
         last_up = up;
         const glm::vec3 ez = glm::normalize(forward - up * glm::dot(forward, up));

@@ -8,7 +8,7 @@ namespace claque::figures::flyer
 namespace
 {
 
-// By the share of the span: where the leading edge runs, and the tips of the feathers, from the root, in metres.
+// By the fraction of the span: the leading edge and the tips of the feathers, from the root, in metres.
 constexpr glm::vec2 lead_x[] = {{0, 0}, {0.2f, 0.27f}, {0.42f, 0.60f}, {0.65f, 1.02f}, {0.85f, 1.42f}, {1, 1.70f}};
 constexpr glm::vec2 lead_y[] = {{0, 0.05f},      {0.12f, 0.150f}, {0.28f, 0.285f}, {0.40f, 0.330f},
                                 {0.55f, 0.310f}, {0.75f, 0.190f}, {0.90f, 0.000f}, {1, -0.19f}};
@@ -19,7 +19,7 @@ constexpr glm::vec2 tips_y[] = {{0, -0.30f},      {0.1f, -0.415f},  {0.45f, -0.4
 
 enum class Face : uint8_t { back, front };
 
-// `c` from the leading edge, 0, to the tips, 1.
+// `c` runs from the leading edge, 0, to the tips, 1.
 glm::vec3 on_wing(const Wing &wing, float u, float c, Face face)
 {
     const glm::vec2 lead(profile(lead_x, u), profile(lead_y, u)), tip(profile(tips_x, u), profile(tips_y, u));
@@ -31,7 +31,7 @@ glm::vec3 on_wing(const Wing &wing, float u, float c, Face face)
            glm::vec3(q.x * wing.scale.x, q.y * wing.scale.y, arch + droop + (face == Face::front ? thick : -thick));
 }
 
-// The row of tips: a tip, then a notch, deeper between the feathers of the hand.
+// The row of tips: a tip, then a notch; notches are deeper between the feathers of the hand.
 std::vector<std::pair<float, float>> tips_of(int feathers, float hand_from, float notch, float hand_notch)
 {
     std::vector<std::pair<float, float>> out = {{0, 1}};
@@ -72,7 +72,7 @@ std::vector<std::vector<std::pair<float, float>>> rows_of(int level)
 void add_wing(Mesh &mesh, const Wing &wing, Side side, int level)
 {
     for (const Face face : {Face::back, Face::front}) {
-        MeshBuilder to(mesh);  // of its own: normals do not go round the edges of what is so thin
+        MeshBuilder to(mesh);  // separate, because normals must not be shared round the edges of a thin wing
         const Chart chart = face == Face::back ? wing.back : wing.front;
         // Seen from the front the span of the left wing runs to the right, seen from behind to the left.
         const bool as_given = (face == Face::front) == (side == Side::left);

@@ -1,3 +1,4 @@
+// The patrician's zones, layout and definition.
 #include "lib/figures/figure.h"
 #include "lib/figures/assemble.h"
 #include "lib/figures/patrician/paint.h"

@@ -1,5 +1,6 @@
-// A woman's head from the shared one: narrower jaw, neck and nose, a shorter chin, fuller lips; the scalp is raised to
-// the high dressing of the Flavian court, a bank of curls over the brow and a coiled bun behind. With earrings.
+// Makes a woman's head from the shared one: narrower jaw, neck and nose, a shorter chin, fuller lips. The scalp is
+// raised to the high hairdress of the Flavian court, a bank of curls over the brow and a coiled bun behind. With
+// earrings.
 #include <cmath>
 
 #include "lib/figures/brush.h"
@@ -11,7 +12,7 @@ namespace claque::figures::patrician
 namespace
 {
 
-// Lower face: what lies below the eyes is a little shorter.
+// The part of the face below the eyes is a little shorter.
 float height(glm::vec3 p)
 {
     static const glm::vec2 heights[] = {{1.490f, 1.490f},
@@ -59,8 +60,8 @@ glm::vec3 dressed(glm::vec3 p)
     return q;
 }
 
-// The citizen's points under the chin and hers: a clear edge of the jaw, a slender throat, the pit between the collar
-// bones.
+// Points of the shared head under the chin and their positions here: a clear edge of the jaw, a slender throat, the pit
+// between the collar bones.
 struct Moved {
     glm::vec3 from, to;
 };
@@ -105,7 +106,7 @@ void shape(Mesh &mesh)
     }
 }
 
-// More of the chart for the face, less for hair and neck.
+// More area of the chart for the face, less for hair and neck.
 glm::vec2 spread(glm::vec2 st)
 {
     static const glm::vec2 across[] = {{0, 0}, {0.24f, 0.30f}, {0.34f, 0.40f}, {0.50f, 0.50f}};

@@ -1,4 +1,4 @@
-// Arms and hands are the shared ones made slender; of the legs only what shows below the hem is made.
+// Slender arms and hands made from the shared ones. Of the legs only the part below the hem exists.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/patrician/patrician.h"

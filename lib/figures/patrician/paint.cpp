@@ -15,7 +15,7 @@ namespace patrician
 namespace
 {
 
-// The shared painters know hands and feet in the citizen's size.
+// The shared painters expect hands and feet of the citizen's size.
 Texel grown(Texel t, Bone joint, float size, float size_y)
 {
     const glm::vec3 centre = skeleton().joint(joint);
@@ -34,7 +34,7 @@ Paint arm_with_bracelet(const Texel &t)
                 Zone::jewellery};
     }
     Paint paint = paint_limb(t);
-    paint.luminance = 232 + 0.6f * (paint.luminance - 226);  // soft, not a labourer's
+    paint.luminance = 232 + 0.6f * (paint.luminance - 226);  // softer than the shared skin
     return paint;
 }
 
@@ -84,7 +84,8 @@ Paint plain(const Texel &t)
 Paint paint_patrician(const Texel &t)
 {
     Paint paint = patrician::plain(t);
-    // The roots of the fingers lie inside the palm and earrings beside the neck: no soot there.
+    // The roots of the fingers lie inside the palm, and earrings beside the neck; ambient occlusion would blacken them
+    // there.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const bool ring = paint.zone == Zone::jewellery;
     const float open = hand || ring ? std::max(t.ambient_visibility, 0.75f) : t.ambient_visibility;

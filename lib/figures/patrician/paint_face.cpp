@@ -102,7 +102,7 @@ Paint face(glm::vec3 p, glm::vec3 n)
     if (is_brow(q)) return {168 + 50 * value_noise(p.x * 900, p.y * 260, 107), Zone::hair};
     if (is_lip(q)) return lips(q);
     float g = skin_of_face(q, n);
-    // Kohl: a dark line on the upper lid that runs on past the outer corner, a thin one below.
+    // Kohl: a dark line on the upper lid that extends beyond the outer corner, a thin one below.
     const float u = (q.x - eye_centre.x) / eye_half;
     if (u > -1.04f && u < 1.04f) {
         const float above = q.y - eye.upper, below = eye.lower - q.y;

@@ -1,4 +1,4 @@
-// A bank of ring curls over the brow, behind it strands drawn back to a bun of coiled braids.
+// A bank of ring curls over the brow; behind it, strands combed back to a bun of coiled braids.
 #include <glm/vec3.hpp>
 
 #include "lib/figures/brush.h"
@@ -10,12 +10,12 @@ namespace claque::figures::patrician
 
 float hair_edge(glm::vec3 p)
 {
-    // Beside the face and behind by depth: temple, before the ear, behind it, nape.
+    // Beside the face and behind it, by depth: temple, in front of the ear, behind it, nape.
     static const glm::vec2 sides[] = {{-0.085f, 1.570f}, {-0.060f, 1.574f}, {-0.036f, 1.590f}, {-0.028f, 1.620f},
                                       {-0.006f, 1.630f}, {0.014f, 1.620f},  {0.024f, 1.624f},  {0.036f, 1.644f},
                                       {0.050f, 1.662f},  {0.070f, 1.675f},  {0.095f, 1.690f},  {0.106f, 1.696f}};
     const float jag = value_noise(p.x * 190 + 40, p.z * 150, 101) - 0.5f;
-    // Over the brow ringlets lap over the edge.
+    // Ringlets overlap the edge over the brow.
     const float lap = std::fabs(p.x) * 68 + 0.5f - std::floor(std::fabs(p.x) * 68 + 0.5f) - 0.5f;
     const float scallop = 0.0055f * (1 - 4 * lap * lap) * smoothstep(0.050f, 0.075f, p.z);
     return profile(sides, p.z) + 0.002f - scallop + 0.003f * jag;
@@ -24,7 +24,7 @@ float hair_edge(glm::vec3 p)
 namespace
 {
 
-// Ringlets side by side in rows that are offset like tiles, none quite like its neighbour.
+// Ringlets side by side in rows that are offset like tiles, each different from its neighbours.
 float curls(float u, float v)
 {
     const float row = std::floor(v + 0.3f * value_noise(u * 0.9f, v * 0.5f, 108));
@@ -39,7 +39,7 @@ float curls(float u, float v)
            40 * smoothstep(0.40f, 0.62f, r) + 40 * (strand - 0.5f);
 }
 
-// Behind the bank of curls: 0 there, growing towards the back.
+// 0 at the bank of curls, growing towards the back.
 float behind(glm::vec3 p) { return 0.016f - 0.20f * std::max(0.0f, 1.70f - p.y) - p.z; }
 
 }  // namespace
@@ -52,7 +52,7 @@ Paint paint_hair(const Texel &t)
     if (back < 0 && t.chart == Chart::head) {
         const float round = p.x / (std::fabs(p.x) + std::max(p.z + 0.01f, 0.0f) + 0.01f);
         const float up = p.y + 0.6f * std::max(0.0f, 0.09f - p.z);
-        // Light lies on the crest, shade at the roots and beside the temples.
+        // The crest is light, roots and temples are dark.
         const float crest = 30 * spot(p.y - 1.755f, 0.055f) - 26 * smoothstep(1.735f, 1.690f, p.y);
         return {curls(round * 6.5f, up * 46) + crest - 24 * (1 - edge), Zone::hair};
     }
@@ -70,7 +70,7 @@ Paint paint_hair(const Texel &t)
 Paint paint_bun(const Texel &t)
 {
     const float r = std::sqrt(t.st.x * t.st.x + t.st.y * t.st.y);
-    // Distance along the coil, as the angle by divisions.
+    // The distance along the coil; the angle is computed by divisions.
     const float x = t.st.x, y = t.st.y;
     const float part = std::fabs(x) + std::fabs(y) > 1e-5f ? x / (std::fabs(x) + std::fabs(y)) : 0;
     const float angle = y >= 0 ? part : 2 - part;  // -1 .. 3

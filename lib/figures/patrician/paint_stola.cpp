@@ -102,7 +102,7 @@ Paint sleeve(const Texel &t)
     const float along = glm::dot(from, arm_direction()), up = glm::dot(from, arm_dorsal());
     const float round = up * 12 + from.z * 16;
     float g = 224 + 24 * crease(value_noise(round * 2.4f + along * 2, along * 3, 118));
-    // Buttoned along the top of the arm, as stolas' tunics were.
+    // Buttoned along the top of the arm, as the tunics under stolas were.
     const float button = std::fmod(along, 0.042f) - 0.021f;
     const float d = std::sqrt(button * button + from.z * from.z);
     if (up > 0.02f && along > 0.03f && along < 0.23f) {

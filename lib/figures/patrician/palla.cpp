@@ -1,5 +1,5 @@
-// The palla's upper part, a broad band of gathered cloth: from the waist up over the left shoulder, slantwise down the
-// back, and as a roll round the right hip to the left one. Its edges lie in the dress, so that it has no inside.
+// The palla's upper part, a broad band of gathered cloth: from the waist up over the left shoulder, diagonally down the
+// back, and as a roll round the right hip to the left one. Its edges lie inside the dress, so it has no inner side.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/patrician/patrician.h"
@@ -10,7 +10,7 @@ namespace claque::figures::patrician
 namespace
 {
 
-// Where the band runs: its edge towards neck and right, a ridge, another, the edge towards arm and left.
+// A cross-section of the band: its edge towards neck and right, two ridges, the edge towards arm and left.
 struct CrossSection {
     std::array<glm::vec3, 4> across;
 };

@@ -1,5 +1,6 @@
 // The stola: twelve columns of cloth from the ankles over hips and the girdle under the breast to the armpits, with a
-// yoke and short sleeves. From the palla's edge to the waist the same surface is the palla, which lies on top there.
+// yoke and short sleeves. Between the palla's lower edge and the waist the same surface is the palla, which covers the
+// stola there.
 #include <map>
 
 #include "lib/figures/patrician/patrician.h"
@@ -22,10 +23,10 @@ const std::array<float, columns> folds = {
 struct Row {
     float y, side, front, back, ahead, fold;
     float slant;   // how much higher the left is than the right, as a slope
-    float valley;  // how far the middle of the front lies back, between the legs
+    float valley;  // depth of the middle of the front between the legs
 };
 
-// Rows stand close about the knees, where a sitter's cloth turns.
+// Rows are close together near the knees, where a sitter's cloth bends.
 const std::array<Row, 8> rows = {{
     {0.040f, 0.222f, 0.172f, 0.164f, 0.000f, 0.032f, 0, 0.006f},  // hem
     {0.240f, 0.200f, 0.156f, 0.144f, 0.000f, 0.022f, 0, 0.022f},
@@ -97,7 +98,7 @@ Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
     return ring;
 }
 
-// Columns from `first` for `count`, left to right for whoever looks at them.
+// `count` columns from `first`, left to right as seen from outside.
 Chain span(const Ring &ring, int first, int count, float t)
 {
     Chain chain;
@@ -106,7 +107,7 @@ Chain span(const Ring &ring, int first, int count, float t)
     return chain;
 }
 
-// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
 Chain doubled(Mesh &mesh, Chain chain)
 {
     std::map<uint32_t, uint32_t> twins;
@@ -147,7 +148,7 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
     const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
     for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
-    // Seen from outside, to the right: from the neck to the arm, or from the arm to the neck.
+    // To the right as seen from outside: from the neck to the arm, or from the arm to the neck.
     const auto chain = [&](int first, float height, bool outwards) {
         Chain c;
         for (size_t i = 0; i < 3; ++i)
@@ -168,7 +169,7 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
 
 void add_stola(Mesh &mesh)
 {
-    constexpr size_t waist = 6;  // from here up it is the bodice
+    constexpr size_t waist = 6;  // from here up the surface is the bodice
     std::vector<Ring> rings;
     std::vector<float> heights;
     for (const Row &row : rows) rings.push_back(add_row(mesh, row)), heights.push_back(row.y);

@@ -1,5 +1,5 @@
-// Gown and palla below the waist as one heavy cloth: like Region::gown, but what hangs at the side takes part in what
-// hangs before and behind it, so that a sitter's palla does not fold through the gown beside her thighs.
+// Gown and palla below the waist as one heavy cloth: like Region::gown, but cloth at the side partly follows the cloth
+// in front and behind, so that a sitter's palla does not fold through the gown beside her thighs.
 #include "lib/figures/brush.h"
 #include "lib/figures/patrician/patrician.h"
 

@@ -1,5 +1,5 @@
-// The short cloak, folded to a thick band and slung over the left shoulder, its ends under the rope. Its edges lie in the
-// tunic, so that it has no inside.
+// The short cloak, folded to a thick band over the left shoulder with its ends under the rope. Its edges lie inside the
+// tunic, so it has no inner side.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/plebeian/plebeian.h"

@@ -1,6 +1,6 @@
-// The exomis as twelve columns of cloth from the hem above the knees over the rope to the armpits and shoulders. What is
-// bare of breast and back is the same surface; where the cloth ends is painted. The left shoulder has a cap of a sleeve,
-// the right one runs on into the arm.
+// The exomis as twelve columns of cloth from the hem above the knees over the rope to the armpits and shoulders. Bare
+// skin on breast and back is the same surface; the edge of the cloth is painted. The left shoulder has a cap sleeve;
+// the right one continues into the arm.
 #include <map>
 
 #include "lib/figures/brush.h"
@@ -18,7 +18,7 @@ constexpr int columns = 12;  // 0 in front, 3 at the left side, 6 at the back
 const std::array<glm::vec2, 7> directions = {
     {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
 
-// How far each column stands out where the cloth falls in folds, in parts of the row's fold.
+// The offset of each column where the cloth falls in folds, as a fraction of the row's fold.
 const std::array<float, columns> folds = {
     {-0.8f, 1.0f, -0.7f, 0.9f, -0.8f, 0.9f, -0.7f, 1.0f, -0.9f, 0.8f, -0.6f, 0.9f}};
 
@@ -37,7 +37,7 @@ const std::array<Row, 6> rows = {{
 
 using Half = std::array<glm::vec3, 7>;
 
-// Row of the armpits and the one above it, columns 0 to 6; the left side is dressed, the right one bare.
+// The row of the armpits and the row above it, columns 0 to 6; the left side is clothed, the right one bare.
 const Half armpit_left = {{{0, 1.338f, 0.112f},
                            {0.072f, 1.338f, 0.124f},
                            {0.136f, 1.346f, 0.074f},
@@ -91,7 +91,7 @@ Ring add_row(Mesh &mesh, const Row &row)
     return ring;
 }
 
-// The head's point where there is one: no edge shows on bare skin.
+// The head's point at this position, if there is one, so that bare skin shows no edge.
 uint32_t shared(Mesh &mesh, glm::vec3 p, Side side)
 {
     for (uint32_t i = 0; i < mesh.points.size(); ++i)
@@ -109,7 +109,7 @@ Ring add_row(Mesh &mesh, const Half &left, const Half &right)
     return ring;
 }
 
-// Columns from `first` for `count`, left to right for whoever looks at them.
+// `count` columns from `first`, left to right as seen from outside.
 Chain span(const Ring &ring, int first, int count, float t)
 {
     Chain chain;
@@ -118,7 +118,7 @@ Chain span(const Ring &ring, int first, int count, float t)
     return chain;
 }
 
-// The same edge with points of its own, where a surface turns sharply and the light must not bend round it.
+// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
 Chain doubled(Mesh &mesh, Chain chain)
 {
     std::map<uint32_t, uint32_t> twins;
@@ -194,7 +194,7 @@ Armhole add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, f
     const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
     for (size_t i = 0; i < 3; ++i) seam[i] = shared(mesh, mirrored((left ? seam_left : seam_right)[i], side), side);
-    // Seen from outside, to the right: from the neck to the arm, or from the arm to the neck.
+    // To the right as seen from outside: from the neck to the arm, or from the arm to the neck.
     const auto chain = [&](int first, float height, bool outwards) {
         Chain c;
         for (size_t i = 0; i < 3; ++i)
@@ -237,7 +237,7 @@ void add_exomis(Mesh &mesh)
     }
     rings.push_back(add_row(mesh, armpit_left, armpit_right));
     heights.push_back(t += 0.15f);
-    constexpr size_t fold = 3;  // from here the overhang falls to its lip, the next row, with an edge at either
+    constexpr size_t fold = 3;  // from here the overhang falls to its lip, the next row, with a sharp edge at both
     for (size_t r = 0; r + 1 < rings.size(); ++r)
         sew_rows(mesh, r == fold || r == fold + 1 ? twin(mesh, rings[r]) : rings[r], rings[r + 1], heights[r],
                  heights[r + 1]);

@@ -1,3 +1,4 @@
+// The plebeian's zones, layout and definition.
 #include "lib/figures/figure.h"
 
 #include "lib/figures/assemble.h"

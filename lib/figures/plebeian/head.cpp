@@ -1,5 +1,5 @@
-// A young man's head from the shared one: a narrow face with a clear jaw, a lean neck, thick hair that stands off the
-// scalp in tufts and falls over brow, temples and nape.
+// Makes a young man's head from the shared one: a narrow face with a clear jaw, a lean neck, and thick hair in tufts
+// that falls over brow, temples and nape.
 #include <cmath>
 
 #include "lib/figures/brush.h"
@@ -26,7 +26,7 @@ glm::vec3 lean(glm::vec3 p)
     return q;
 }
 
-// How far hair stands off: thick on top and behind, in tufts.
+// The thickness of the hair: thick on top and behind, in tufts.
 float thickness(glm::vec3 p)
 {
     static const glm::vec2 fringe[] = {
@@ -41,14 +41,14 @@ float thickness(glm::vec3 p)
 
 glm::vec3 haired(glm::vec3 p, glm::vec3 q, Side side)
 {
-    // Left and right differ: nobody's hair is a mirror.
+    // Left and right differ, as real hair does.
     const float out = thickness(side == Side::left ? p : p + glm::vec3(0.011f, 0.007f, 0.005f));
     const glm::vec3 from(0, 1.640f, -0.010f);
     const glm::vec3 d = q - from;
     return q + d / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) * out;
 }
 
-// The shared points under the chin and his: a clear edge of the jaw and a long throat.
+// Points of the shared head under the chin and their positions here: a clear edge of the jaw and a long throat.
 struct Moved {
     glm::vec3 from, to;
 };
@@ -75,7 +75,7 @@ glm::vec3 shaped(glm::vec3 p, Side side, bool ear)
     return q;
 }
 
-// More of the chart for the face, less for hair and neck.
+// More area of the chart for the face, less for hair and neck.
 glm::vec2 spread(glm::vec2 st)
 {
     static const glm::vec2 across[] = {{0, 0}, {0.24f, 0.28f}, {0.34f, 0.38f}, {0.50f, 0.50f}};

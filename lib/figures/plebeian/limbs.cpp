@@ -1,4 +1,5 @@
-// Legs that show from above the knee: the shared ones with a ring more, so that the knee keeps its shape when it bends.
+// Legs that are visible from above the knee: the shared ones with one more ring, so that the knee keeps its shape when
+// it bends.
 #include "lib/figures/plebeian/plebeian.h"
 
 namespace claque::figures::plebeian

@@ -1,3 +1,4 @@
+// Chooses the plebeian's painter for each chart and applies ambient occlusion.
 #include "lib/figures/brush.h"
 #include "lib/figures/plebeian/plebeian.h"
 
@@ -39,10 +40,10 @@ Paint plain(const Texel &t)
 Paint paint_plebeian(const Texel &t)
 {
     Paint paint = plain(t);
-    // The roots of the fingers lie inside the palm, where nothing is open: no soot on hands.
+    // The roots of the fingers lie inside the palm; ambient occlusion would blacken the hands there.
     const bool hand = t.chart >= Chart::hand_back && t.chart <= Chart::hand_palm_r;
     const float open = hand ? std::max(t.ambient_visibility, 0.72f) : t.ambient_visibility;
-    // Cloth is seen where the arms covered it when they rise: less shadow there than skin may have.
+    // Raised arms uncover cloth that they shade in the rest pose, so cloth gets less shadow than skin.
     const float deepest = paint.zone == Zone::tunic ? 0.74f : 0.60f;
     const float shade = deepest + (1 - deepest) * smoothstep(0.05f, 0.90f, open);
     paint.luminance *= paint.zone == Zone::eyes ? 0.5f + 0.5f * shade : shade;

@@ -1,4 +1,4 @@
-// Rough wool girded with a rope, and what the exomis leaves bare: the right breast, shoulder and shoulder blade.
+// Rough wool girded with a rope, and the bare skin beside it: the right breast, shoulder and shoulder blade.
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -14,7 +14,8 @@ namespace
 
 constexpr float rope_low = 1.016f, rope_high = 1.052f, hem = 0.590f;
 
-// Round the body like an angle, 0 in front, 4 at the back, negative on the right; divisions only.
+// An angle-like coordinate round the body, 0 in front, 4 at the back, negative on the right. Uses divisions only, so
+// that it is the same on every processor.
 float around(glm::vec3 p)
 {
     const float x = std::fabs(p.x), z = p.z * 1.25f;
@@ -22,7 +23,8 @@ float around(glm::vec3 p)
     return p.x < 0 ? -quarters : quarters;
 }
 
-// Metres inside the cloth, up to its slanting edge from the left shoulder to under the right arm.
+// Metres from the slanting edge of the cloth, which runs from the left shoulder to under the right arm; positive
+// inside.
 float inside_cloth(const Texel &t)
 {
     static const glm::vec2 front[] = {{-0.170f, 1.262f}, {-0.110f, 1.268f}, {-0.050f, 1.300f},
@@ -36,10 +38,10 @@ float inside_cloth(const Texel &t)
     return ((p.z > 0 ? profile(front, p.x) : profile(back, p.x)) + wave - p.y) * 0.75f;
 }
 
-// The charts' heights are those of the figure up to the fold over the rope, and go on from there over the cloth.
+// Chart heights are those of the figure up to the fold over the rope; from there they continue along the cloth.
 bool on_rope(const Texel &t) { return t.st.y > rope_low && t.st.y < rope_high + 0.004f; }
 
-// Two strands laid round each other.
+// Two strands twisted round each other.
 Paint rope(glm::vec3 p)
 {
     const float height = (p.y - rope_low) / (rope_high - rope_low);
@@ -52,7 +54,7 @@ Paint rope(glm::vec3 p)
     return {g, Zone::belt};
 }
 
-// A fold's light from noise in [0, 1): a bright ridge beside a dark furrow.
+// The luminance of a fold from noise in [0, 1): a bright ridge beside a dark furrow.
 float furrow(float noise)
 {
     const float x = noise * 2 - 1;
@@ -69,7 +71,7 @@ float skirt(glm::vec3 p)
            64 * spot(p.y - rope_low, 0.026f);
 }
 
-// Above the rope: gathered there, then pulled towards the knot on the left shoulder.
+// Above the rope the cloth is gathered, then pulled towards the knot on the left shoulder.
 float bodice(glm::vec3 p, glm::vec3 n)
 {
     const float a = around(p), up = p.y - 1.045f;
@@ -115,7 +117,7 @@ float trunk_skin(glm::vec3 p)
     return g;
 }
 
-// Under the shoulder joint the muscle ends in a point between those of the upper arm.
+// Below the shoulder joint the muscle ends in a point between those of the upper arm.
 float shoulder_skin(glm::vec3 p)
 {
     const glm::vec3 from = mirrored(p, Side::right) - skeleton().joint(Bone::upper_arm);

@@ -72,8 +72,8 @@ Paint lips(glm::vec2 q)
     return {g - 18 * smoothstep(0.6f, 1.0f, q.x / mouth_half), Zone::lips};
 }
 
-// How thick the beard is, 0 to 1: from the whiskers along the edge of the jaw to the chin, and on the upper lip; thin
-// everywhere, since he is young.
+// The thickness of the beard, 0 to 1: from the whiskers along the edge of the jaw to the chin, and on the upper lip. It
+// is thin everywhere, since he is young.
 float beard(glm::vec3 p)
 {
     static const glm::vec2 upper[] = {{-0.010f, 1.560f}, {0.004f, 1.606f}, {0.024f, 1.612f}, {0.040f, 1.576f},

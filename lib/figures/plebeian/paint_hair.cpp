@@ -1,4 +1,4 @@
-// Tousled hair: overlapping locks of uneven length, combed by nobody.
+// Tousled hair: overlapping locks of uneven length.
 #include <glm/vec3.hpp>
 
 #include "lib/figures/brush.h"
@@ -22,7 +22,7 @@ float hair_edge(glm::vec3 p)
 Paint paint_hair(const Texel &t)
 {
     const glm::vec3 p = t.position;
-    const float dx = p.x - 0.012f, dz = p.z + 0.022f;  // the whorl lies off the middle
+    const float dx = p.x - 0.012f, dz = p.z + 0.022f;  // the whorl is off the middle
     const float round = dx / (std::fabs(dx) + std::fabs(dz) + 0.004f);
     const float far = std::sqrt(dx * dx + dz * dz) + 0.9f * (1.775f - p.y);
     const float v = far * 24 + 1.5f * value_noise(round * 4 + 9, far * 7, 203);

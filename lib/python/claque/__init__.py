@@ -1,8 +1,8 @@
 """Crowds of individuals on fixed-function OpenGL 1.1: claque's C API for Python, with NumPy views.
 
-Context, then Template, Crowd, View; Offscreen and Renderer where pictures are wanted. Everything is a context manager and
-is also ended when it is collected, children before parents. A call that fails raises claque.Error, with the library's own
-sentence and its status. What is said in include/claque holds here too; units carry over.
+Create a Context, then Template, Crowd and View; for pictures also Offscreen and Renderer. Every object is a context
+manager and is also closed when it is garbage-collected, children before parents. A failing call raises claque.Error
+with the library's message and status. The documentation and units of include/claque hold here too.
 """
 
 from .abi import Error, Status, library_paths

@@ -1,6 +1,6 @@
-"""The C ABI: where the libraries are, their structs in the order of the headers, and calls that raise.
+"""The C ABI: the paths of the libraries, their structs in the order of the headers, and calls that raise Error.
 
-tests/python/test_layout.py holds every struct here against the compiler's own layout of the headers.
+tests/python/test_layout.py compares every struct here with the compiler's layout of the headers.
 """
 
 import ctypes
@@ -8,7 +8,7 @@ import ctypes.util
 import enum
 import os
 import pathlib
-from ctypes import (POINTER, Structure, c_char_p, c_double, c_float, c_int, c_int32, c_uint8, c_uint16, c_uint32,
+from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_int, c_size_t, c_uint8, c_uint16, c_uint32,
                     c_uint64, c_void_p)
 
 NONE = 0xFFFFFFFF
@@ -33,11 +33,19 @@ class Status(enum.IntEnum):
 
 
 class Error(Exception):
-    """A call of the library that failed, or a library that is not there. `status` is None in the second case."""
+    """A call of the library failed, or a library was not found. `status` is None in the second case."""
 
     def __init__(self, text, status=None):
         super().__init__(text)
         self.status = status
+
+
+class Sized(Structure):
+    """A struct that may grow: it begins with its size in bytes, as the clq_..._init functions of the headers set it."""
+
+    def __init__(self, *arguments, **members):
+        super().__init__(*arguments, **members)
+        self.struct_bytes = ctypes.sizeof(self)
 
 
 class Allocator(Structure):
@@ -55,7 +63,7 @@ class Tasks(Structure):
     _fields_ = [("user", c_void_p), ("run", c_void_p)]
 
 
-class ContextDef(Structure):
+class ContextDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("allocator", Allocator), ("log", Log), ("tasks", Tasks)]
 
 
@@ -71,7 +79,7 @@ class Play(Structure):
     _fields_ = [("clip", c_uint32), ("start_s", c_double), ("speed", c_float), ("phase_s", c_float)]
 
 
-class ActorDef(Structure):
+class ActorDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("tmpl", c_void_p), ("transform", Transform), ("play", Play), ("seed", c_uint64),
                 ("texture_set", c_uint32)]
 
@@ -81,23 +89,38 @@ class Camera(Structure):
     _fields_ = [("eye", c_double * 3), ("rotation_xyzw", c_float * 4), ("projection", c_float * 16)]
 
 
+class LookAtDef(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("eye", c_double * 3), ("target", c_double * 3), ("up", c_float * 3),
+                ("fov_y_rad", c_float), ("aspect", c_float), ("z_near", c_float), ("z_far", c_float)]
+
+
+class Texels(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("rgb", POINTER(c_uint8)), ("zones", POINTER(c_uint32)),
+                ("capacity", c_size_t), ("width_px", c_uint32), ("height_px", c_uint32)]
+
+
+class Influences(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("per_vertex", c_uint32), ("joints", POINTER(c_uint16)),
+                ("weights", POINTER(c_float)), ("capacity", c_size_t)]
+
+
 class HsbRange(Structure):
     _fields_ = [("hue_min_deg", c_float), ("hue_max_deg", c_float), ("saturation_min", c_float),
                 ("saturation_max", c_float), ("brightness_min", c_float), ("brightness_max", c_float)]
 
 
-class ClipInfo(Structure):
-    _fields_ = [("name", c_char_p), ("start_s", c_float), ("duration_s", c_float), ("channel_count", c_uint32),
-                ("rate_hz", c_float), ("error_m", c_float), ("error_rad", c_float), ("kept_count", c_uint32),
+class ClipInfo(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p), ("start_s", c_float), ("duration_s", c_float), ("channel_count", c_uint32),
+                ("rate_hz", c_float), ("error", c_float), ("error_rad", c_float), ("kept_count", c_uint32),
                 ("bytes", c_uint64)]
 
 
-class ZoneInfo(Structure):
-    _fields_ = [("name", c_char_p), ("colour", c_float * 3), ("range", HsbRange), ("clean_count", c_uint32)]
+class ZoneInfo(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p), ("colour", c_float * 3), ("range", HsbRange), ("clean_count", c_uint32)]
 
 
-class TemplateInfo(Structure):
-    _fields_ = [("name", c_char_p)] + [(name, c_uint32) for name in (
+class TemplateInfo(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p)] + [(name, c_uint32) for name in (
         "node_count", "joint_count", "clip_count", "zone_count", "texture_count", "surface_count", "vertex_count",
         "fused_vertex_count", "triangle_count", "clean_count", "dirty_count", "coincident_count",
         "fused_triangle_count")] + [
@@ -107,58 +130,60 @@ class TemplateInfo(Structure):
             ("texture_set_count", c_uint32)]
 
 
-class Mesh(Structure):
-    _fields_ = [("vertex_count", c_uint32), ("positions", POINTER(c_float)), ("normals", POINTER(c_float)),
+class Mesh(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("vertex_count", c_uint32), ("positions", POINTER(c_float)), ("normals", POINTER(c_float)),
                 ("uvs", POINTER(c_float)), ("colours", POINTER(c_uint8)), ("influence_count", c_uint32),
-                ("bin_count", c_uint32), ("morph_count", c_uint32), ("normals_by_inverse", c_int32)]
+                ("bin_count", c_uint32), ("morph_count", c_uint32), ("normals_by_inverse", c_bool)]
 
 
-class Triangles(Structure):
-    _fields_ = [("texture", c_uint32), ("double_sided", c_int32), ("zone", c_uint32), ("index_count", c_uint32),
+class Triangles(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("texture", c_uint32), ("double_sided", c_bool), ("zone", c_uint32), ("index_count", c_uint32),
                 ("indices", POINTER(c_uint32))]
 
 
-class DrawnActor(Structure):
-    _fields_ = [("actor", ActorId), ("tmpl", c_void_p), ("level", c_uint32), ("texture_set", c_uint32),
-                ("model_view", c_float * 16), ("eye_distance_m", c_float), ("mirrored", c_int32),
-                ("shadow_only", c_int32), ("parts", c_uint64), ("vertex_count", c_uint32), ("joint_count", c_uint32),
+class DrawnActor(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("actor", ActorId), ("tmpl", c_void_p), ("level", c_uint32), ("texture_set", c_uint32),
+                ("model_view", c_float * 16), ("eye_distance_m", c_float), ("mirrored", c_bool),
+                ("shadow_only", c_bool), ("parts", c_uint64), ("vertex_count", c_uint32), ("joint_count", c_uint32),
                 ("morph_weight_count", c_uint32), ("zone_count", c_uint32)]
 
 
-class ViewStats(Structure):
-    _fields_ = [(name, c_uint32) for name in ("visible", "triangles", "shadow_only", "parts", "parts_left_out")]
+class ViewStats(Sized):
+    _fields_ = [(name, c_uint32) for name in (
+        "struct_bytes", "visible", "triangles", "shadow_only", "parts", "parts_left_out")] + [("bytes", c_uint64)]
 
 
 GetProcAddress = ctypes.CFUNCTYPE(c_void_p, c_void_p, c_char_p)
 
 
-class RendererDef(Structure):
+class RendererDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("get_proc_address", GetProcAddress), ("user", c_void_p),
                 ("strategy", c_int), ("guard", c_int), ("colours", c_int), ("key_test", c_int),
-                ("batch_triangles", c_uint32), ("linear_clean", c_int32), ("flush_triangles", c_uint32),
+                ("batch_triangles", c_uint32), ("linear_clean", c_bool), ("flush_triangles", c_uint32),
                 ("flat_triangles", c_uint32)]
 
 
-class DrawStats(Structure):
-    _fields_ = [("individuals", c_uint32), ("draws", c_uint32), ("triangles", c_uint32), ("vertices", c_uint64),
+class DrawStats(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("individuals", c_uint32), ("draws", c_uint32), ("triangles", c_uint32), ("vertices", c_uint64),
                 ("parts", c_uint32), ("matrices", c_uint32)]
 
 
-class LevelsDef(Structure):
+class LevelsDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("targets", POINTER(c_uint32)), ("target_count", c_uint32),
-                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("proxy_max_triangles", c_uint32), ("quadric_only", c_uint32)]
+                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("proxy_max_triangles", c_uint32), ("quadric_only", c_bool)]
 
 
-class PrepareDef(Structure):
+class PrepareDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("builtin", c_char_p), ("path", c_char_p), ("clip_count", c_uint32),
                 ("options", c_void_p), ("levels", POINTER(LevelsDef)), ("max_texture_px", c_uint32),
                 ("folder", c_char_p)]
 
 
-# By name, as in the headers, for the layout test.
+# By their names in the headers, for the layout test.
 STRUCTS = {
     "clq_context_def": ContextDef, "clq_actor": ActorId, "clq_transform": Transform, "clq_play": Play,
-    "clq_actor_def": ActorDef, "clq_camera": Camera, "clq_hsb_range": HsbRange, "clq_clip_info": ClipInfo,
+    "clq_actor_def": ActorDef, "clq_camera": Camera, "clq_look_at_def": LookAtDef, "clq_texels": Texels,
+    "clq_influences": Influences, "clq_hsb_range": HsbRange, "clq_clip_info": ClipInfo,
     "clq_zone_info": ZoneInfo, "clq_template_info": TemplateInfo, "clq_mesh": Mesh, "clq_triangles": Triangles,
     "clq_drawn_actor": DrawnActor, "clq_view_stats": ViewStats, "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
     "clq_levels_def": LevelsDef, "clq_prepare_def": PrepareDef,
@@ -171,7 +196,7 @@ def _folders():
 
 
 def library_paths():
-    """Where libclaque and libclaque-assets are looked for: in the folders of CLAQUE_LIBRARY_DIR, then by the system."""
+    """Paths of libclaque and libclaque-assets: in the folders of CLAQUE_LIBRARY_DIR, then by the system's search."""
     found = []
     for stem in ("claque", "claque-assets"):
         here = [folder / f"lib{stem}.so" for folder in _folders() if (folder / f"lib{stem}.so").exists()]
@@ -183,7 +208,7 @@ def library_paths():
 
 
 class _Library:
-    """Calls by name: clq_... that return a status raise Error unless it is OK."""
+    """Calls functions by name. Functions that return a status raise Error unless it is OK."""
 
     def __init__(self):
         paths = library_paths()

@@ -1,4 +1,4 @@
-"""claque/crowd.h, view.h, drawn_actor.h: who is there, and what a view shows of them."""
+"""Crowds, their actors, and views of them (claque/crowd.h, view.h, drawn_actor.h)."""
 
 from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint64, c_void_p
 
@@ -9,27 +9,27 @@ from .owner import Owned, made
 
 
 class Actor:
-    """One individual, by its id. Calls raise Error with STALE_ID once it is gone."""
+    """One individual, identified by its id. After its removal calls raise Error with STALE_ID."""
 
     def __init__(self, crowd, identity, template):
         self.crowd, self.id, self.template = crowd, identity, template
 
     def play(self, clip, start_s=0.0, speed=1.0, phase_s=0.0):
-        """Starts a clip, by name."""
+        """Starts the clip of this name."""
         play = abi.Play(self.template.clip(clip), start_s, speed, phase_s)
         abi.call("clq_actor_play", self.crowd.handle, self.id, byref(play))
 
     def set_transform(self, position, heading_rad=0.0, scale=1.0):
-        """Puts its Reference Point there, turned about y."""
+        """Sets the transform of its Reference Point, rotated about y."""
         transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
         abi.call("clq_crowd_set_transforms", self.crowd.handle, byref(self.id), byref(transform), c_uint32(1))
 
     def randomise_colours(self):
-        """Colours of its own from its template's HSB ranges and its seed (S2 5)."""
+        """Samples its colours from its template's HSB ranges by its seed (S2 5)."""
         abi.call("clq_actor_randomise_colours", self.crowd.handle, self.id, None, 0)
 
     def set_colours(self, rgb):
-        """One colour a zone: (zones, 3), each [0, 1]."""
+        """Sets one colour per zone: (zones, 3), each in [0, 1]."""
         rgb = numpy.ascontiguousarray(rgb, numpy.float32)
         if rgb.ndim != 2 or rgb.shape[1] != 3:
             raise ValueError(f"colours of shape {rgb.shape}: (zones, 3) is wanted")
@@ -47,7 +47,7 @@ def _upright(heading_rad):
 
 
 class Crowd(Owned):
-    """Who is there. It holds the templates of everybody who was ever added."""
+    """The actors that are updated together. It keeps the templates of all actors ever added."""
 
     _destroy = "clq_crowd_destroy"
 
@@ -57,9 +57,9 @@ class Crowd(Owned):
 
     def add(self, template, position=(0, 0, 0), heading_rad=0.0, scale=1.0, clip=None, start_s=0.0, speed=1.0,
             phase_s=0.0, seed=0, texture_set=0, colours=True):
-        """Adds an individual. `clip`: by name, None: the rest pose; `colours`: drawn from its seed, or its template's."""
+        """Adds an individual. `clip`: a name, or None for the rest pose; `colours`: sampled by its seed if true, else
+        the template's."""
         definition = abi.ActorDef()
-        definition.struct_bytes = abi.ctypes.sizeof(definition)
         definition.tmpl = template.handle
         definition.transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
         definition.play = abi.Play(abi.NONE if clip is None else template.clip(clip), start_s, speed, phase_s)
@@ -73,12 +73,12 @@ class Crowd(Owned):
         return actor
 
     def __len__(self):
-        return abi.library().function("clq_crowd_actor_count", c_uint32)(self.handle)
+        return abi.library().function("clq_crowd_get_actor_count", c_uint32)(self.handle)
 
     @property
     def hash(self):
-        """Of everything that was set in it."""
-        return abi.library().function("clq_crowd_hash", c_uint64)(self.handle)
+        """The hash of all state that was set in the crowd."""
+        return abi.library().function("clq_crowd_get_hash", c_uint64)(self.handle)
 
     def view(self):
         view = View(self)
@@ -86,37 +86,38 @@ class Crowd(Owned):
         return view
 
     def update(self, time_s, *views):
-        """One frame, for these views; all of the crowd's where none is named."""
+        """Updates the crowd to a time for these views, or for all its views if none is given."""
         views = views or tuple(self._views)
         pointers = (c_void_p * len(views))(*[view.handle for view in views])
         abi.call("clq_crowd_update", self.handle, c_double(time_s), pointers, c_uint32(len(views)))
 
     def close(self):
         for view in getattr(self, "_views", []):
-            view._pointer = None  # they end with their crowd
+            view._pointer = None  # views are destroyed with their crowd
         super().close()
 
 
 class View(Owned):
-    """An eye on a crowd. Crowd.view() makes it."""
+    """A camera on a crowd, created by Crowd.view()."""
 
     def __init__(self, crowd):
         super().__init__(made("clq_view_create", abi.call, crowd.handle), crowd)
 
     def look_at(self, eye, target, up=(0, 1, 0), fov_y_rad=1.0, aspect=4 / 3, near=0.1, far=1000.0):
         camera = abi.Camera()
-        abi.call("clq_camera_look_at", byref(camera), (c_double * 3)(*eye), (c_double * 3)(*target),
-                 (c_float * 3)(*up), c_float(fov_y_rad), c_float(aspect), c_float(near), c_float(far))
+        definition = abi.LookAtDef(eye=tuple(eye), target=tuple(target), up=tuple(up), fov_y_rad=fov_y_rad,
+                                   aspect=aspect, z_near=near, z_far=far)
+        abi.call("clq_camera_look_at", byref(definition), byref(camera))
         abi.call("clq_view_set_camera", self.handle, byref(camera))
 
     def set_height(self, height_px):
-        """How high the picture is: levels of detail follow it."""
+        """Sets the height of the picture in pixels, which affects levels of detail."""
         abi.call("clq_view_set_height", self.handle, c_float(height_px))
 
     @property
     def hash(self):
-        """Of the draw list with all its vertices: equal ones draw equal pictures."""
-        return abi.library().function("clq_view_hash", c_uint64)(self.handle)
+        """The hash of the draw list with all its vertices: equal hashes draw equal pictures."""
+        return abi.library().function("clq_view_get_hash", c_uint64)(self.handle)
 
     @property
     def stats(self):
@@ -128,13 +129,13 @@ class View(Owned):
         return self.stats.visible
 
     def drawn_actor(self, index):
-        """All of clq_drawn_actor, of one individual of the draw list."""
+        """The clq_drawn_actor of one individual of the draw list."""
         out = abi.DrawnActor()
         abi.call("clq_view_get_drawn_actor", self.handle, index, byref(out))
         return out
 
     def model_view(self, index):
-        """(4, 4), as on paper: m @ column."""
+        """The model-view matrix, (4, 4), to be multiplied as m @ column."""
         return numpy.array(self.drawn_actor(index).model_view, numpy.float32).reshape(4, 4).T
 
     def vertices(self, index):
@@ -146,15 +147,15 @@ class View(Owned):
         return positions, normals
 
     def palette(self, index):
-        """The matrix palette, (joints, 3, 4), as on paper (S1 4)."""
+        """The matrix palette, (joints, 3, 4), to be multiplied as m @ column (S1 4)."""
         drawn = self.drawn_actor(index)
         columns = numpy.empty((drawn.joint_count, 4, 3), numpy.float32)
-        abi.call("clq_view_get_pose", self.handle, index, columns.ctypes.data_as(POINTER(c_float)),
-                 c_uint32(drawn.joint_count), None, c_uint32(0))
+        abi.call("clq_view_get_palette", self.handle, index, columns.ctypes.data_as(POINTER(c_float)),
+                 c_uint32(drawn.joint_count))
         return columns.transpose(0, 2, 1)
 
     def colours(self, index):
-        """(zones, 3), 8 bits, as GL gets them."""
+        """The colours of its zones, (zones, 3), 8 bits, as for GL."""
         zones = self.drawn_actor(index).zone_count
         rgb = numpy.empty((zones, 3), numpy.uint8)
         abi.call("clq_view_get_colours", self.handle, index, rgb.ctypes.data_as(POINTER(c_uint8)), c_uint32(zones))

@@ -24,16 +24,16 @@ def _osmesa():
         library.OSMesaGetProcAddress.restype = c_void_p
         library.OSMesaGetProcAddress.argtypes = [c_char_p]
         return library
-    raise abi.Error("libOSMesa.so.8 is not there (Debian: libosmesa6)")
+    raise abi.Error("libOSMesa.so.8 was not found (Debian: libosmesa6)")
 
 
 class Offscreen(Closing):
-    """Current on the thread that makes it. clear() begins a picture, `pixels` and picture() are what is there."""
+    """Current on the thread that creates it. clear() begins a picture; `pixels` and picture() return it."""
 
     def __init__(self, width, height):
         self._mesa = _osmesa()
         self.width, self.height = width, height
-        self.pixels = numpy.zeros((height, width, 4), numpy.uint8)  # bottom row first, as GL has it
+        self.pixels = numpy.zeros((height, width, 4), numpy.uint8)  # bottom row first, as in GL
         self._context = c_void_p(self._mesa.OSMesaCreateContextExt(_RGBA, 24, 8, 0, None))
         self.get_proc_address = abi.GetProcAddress(lambda _user, name: self._mesa.OSMesaGetProcAddress(name))
         self.make_current()
@@ -41,10 +41,10 @@ class Offscreen(Closing):
     def make_current(self):
         if not self._context or not self._mesa.OSMesaMakeCurrent(
                 self._context, self.pixels.ctypes.data_as(c_void_p), _UNSIGNED_BYTE, self.width, self.height):
-            raise abi.Error(f"OSMesa makes no context of {self.width} x {self.height} pixels")
+            raise abi.Error(f"OSMesa cannot create a context of {self.width} x {self.height} pixels")
 
     def gl(self, name, *arguments):
-        """A GL 1.1 function by name: numbers become floats where they are floats, sequences arrays of floats."""
+        """Calls a GL 1.1 function by name. Python floats become GL floats, sequences become arrays of floats."""
         address = self._mesa.OSMesaGetProcAddress(name.encode())
         if not address:
             raise abi.Error(f"this GL has no {name}")
@@ -59,7 +59,7 @@ class Offscreen(Closing):
         return ctypes.CFUNCTYPE(None, *kinds)(address)(*values)
 
     def clear(self, colour=(0.0, 0.0, 0.0)):
-        """Fills the picture, with depth 1, and sets the viewport to the whole of it."""
+        """Clears colour and depth and sets the viewport to the whole picture."""
         self.make_current()
         self.gl("glViewport", 0, 0, self.width, self.height)
         self.gl("glClearColor", float(colour[0]), float(colour[1]), float(colour[2]), 1.0)
@@ -67,7 +67,7 @@ class Offscreen(Closing):
         self.gl("glEnable", _DEPTH_TEST)
 
     def light(self, to_light=(0.4, 0.8, 0.5), diffuse=(0.75, 0.72, 0.68), ambient=(0.42, 0.43, 0.46)):
-        """One light from a direction in eye space."""
+        """Sets one light from a direction in eye space."""
         self.gl("glEnable", _LIGHTING)
         self.gl("glEnable", _LIGHT0)
         self.gl("glLightModelfv", _LIGHT_MODEL_AMBIENT, (*map(float, ambient), 1.0))
@@ -78,7 +78,7 @@ class Offscreen(Closing):
         self.gl("glLightfv", _LIGHT0, _POSITION, (*map(float, to_light), 0.0))
 
     def picture(self):
-        """(height, width, 3), top row first: a view of `pixels`, good until the next drawing."""
+        """The picture, (height, width, 3), top row first: a view of `pixels`, valid until the next drawing."""
         self.gl("glFinish")
         return self.pixels[::-1, :, :3]
 

@@ -1,4 +1,4 @@
-"""Things that the library makes and a host ends."""
+"""Base classes of objects that the library creates and a host destroys."""
 
 from ctypes import byref, c_void_p
 
@@ -6,7 +6,7 @@ from .abi import Error, library
 
 
 class Closing:
-    """Ended by close(), by leaving a with statement, or when it is collected."""
+    """Closed by close(), at the end of a with statement, or when it is garbage-collected."""
 
     def __enter__(self):
         return self
@@ -17,14 +17,14 @@ class Closing:
     def __del__(self):
         try:
             self.close()
-        except Exception:  # the interpreter is going
+        except Exception:  # the interpreter is shutting down
             pass
 
 
 class Owned(Closing):
-    """One opaque thing. It holds what it was made from, so that nothing is ended before what was made from it."""
+    """One opaque object. It holds the objects it was created from, so that they outlive it."""
 
-    _destroy = None  # the name of the call that ends it
+    _destroy = None  # the name of the function that destroys it
 
     def __init__(self, pointer, *held):
         self._pointer = pointer
@@ -37,7 +37,7 @@ class Owned(Closing):
         return self._pointer
 
     def close(self):
-        """Ends it. Again is harmless; what was made from it must be closed before."""
+        """Destroys the object; a second call does nothing. Objects created from it must be closed before."""
         pointer, self._pointer = self._pointer, None
         if pointer and self._destroy:
             library().function(self._destroy, None)(pointer)
@@ -45,7 +45,7 @@ class Owned(Closing):
 
 
 def made(name, call, *arguments_before_out):
-    """What a call writes through its last argument."""
+    """Returns the pointer that a call writes through its last argument."""
     out = c_void_p()
     call(name, *arguments_before_out, byref(out))
     return out

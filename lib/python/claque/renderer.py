@@ -1,6 +1,6 @@
-"""claque/renderer.h: draw lists to pixels in whatever GL context is current."""
+"""Draws draw lists in the current GL context (claque/renderer.h)."""
 
-from ctypes import byref, sizeof
+from ctypes import byref
 
 from . import abi
 from .owner import Owned, made
@@ -9,7 +9,8 @@ STRATEGIES = {"fused": 0, "binned": 1, "per-zone": 2}
 
 
 class Renderer(Owned):
-    """For the current context. `target`: an Offscreen, or anything with its `get_proc_address` (an abi.GetProcAddress)."""
+    """A renderer for the current context. `target`: an Offscreen or another object with `get_proc_address`
+    (an abi.GetProcAddress)."""
 
     _destroy = "clq_renderer_destroy"
 
@@ -18,23 +19,22 @@ class Renderer(Owned):
         if strategy not in STRATEGIES:
             raise ValueError(f"{strategy!r} is none of {', '.join(STRATEGIES)}")
         definition = abi.RendererDef()
-        definition.struct_bytes = sizeof(definition)
         definition.get_proc_address = target.get_proc_address
         definition.strategy = STRATEGIES[strategy]
         definition.batch_triangles = 128
-        definition.linear_clean = int(linear_clean)
+        definition.linear_clean = bool(linear_clean)
         definition.flush_triangles = flush_triangles
         definition.flat_triangles = flat_triangles
         super().__init__(made("clq_renderer_create", abi.call, context.handle, byref(definition)), context, target)
 
     def prepare(self, *templates):
-        """Brings their textures to GL; once, before the first draw that shows them."""
+        """Uploads the textures of templates to GL; to be called once, before the first draw that shows them."""
         for template in templates:
             abi.call("clq_renderer_prepare", self.handle, template.handle)
             self._held += (template,)
 
     def draw(self, view):
-        """Draws what the last update put into a view; returns clq_draw_stats."""
+        """Draws the draw list that the last update made for a view; returns clq_draw_stats."""
         stats = abi.DrawStats()
         abi.call("clq_renderer_draw", self.handle, view.handle, byref(stats))
         return stats

@@ -1,6 +1,6 @@
-"""claque/template.h, template_info.h, mesh.h, prepare.h: characters, and what they are made of."""
+"""Templates, their meshes and textures (claque/template.h, template_info.h, mesh.h, prepare.h)."""
 
-from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float, sizeof
+from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float
 
 import numpy
 
@@ -9,7 +9,7 @@ from .owner import Owned, made
 
 
 def _view(pointer, shape, holder):
-    """The library's own memory as a read-only array that keeps its owner alive."""
+    """A read-only array over the library's memory; it keeps the owner alive."""
     count = int(numpy.prod(shape))
     if not pointer or count == 0:
         return None if not pointer else numpy.zeros(shape)
@@ -20,31 +20,31 @@ def _view(pointer, shape, holder):
 
 
 class _Held(numpy.ndarray):
-    """An array over memory that somebody else owns."""
+    """An array over memory that another object owns."""
 
     def __array_finalize__(self, other):
         self.holder = getattr(other, "holder", None)
 
 
 class Template(Owned):
-    """A character that many individuals share. Make one with builtin(), load() or load_prepared()."""
+    """A character that many individuals share, created by builtin(), load() or load_prepared()."""
 
     _destroy = "clq_template_destroy"
 
     @classmethod
     def builtin(cls, context, name, levels=False, folder=""):
-        """A built-in figure: citizen, patrician, decurion, plebeian, herald, owl. `levels`: with levels of detail;
-        `folder`: where it is kept once made (None: the user's cache folder; "": nowhere)."""
+        """A built-in character: citizen, patrician, decurion, plebeian, herald or owl. `levels`: with levels of detail;
+        `folder`: where the prepared template is stored (None: the user's cache folder; "": nowhere)."""
         return cls._prepare(context, levels, folder, builtin=name.encode())
 
     @classmethod
     def load(cls, context, path, levels=False, folder=""):
-        """A glTF or GLB file."""
+        """Reads a glTF or GLB file."""
         return cls._prepare(context, levels, folder, path=str(path).encode())
 
     @classmethod
     def load_prepared(cls, context, path):
-        """What claque prepare wrote."""
+        """Reads a prepared template that `claque prepare` wrote."""
         with open(path, "rb") as file:
             data = file.read()
         return cls(made("clq_template_load", abi.call, context.handle, data, c_size_t(len(data))), context)
@@ -52,11 +52,10 @@ class Template(Owned):
     @classmethod
     def _prepare(cls, context, levels, folder, **source):
         definition = abi.PrepareDef(**source)
-        definition.struct_bytes = sizeof(definition)
         definition.folder = None if folder is None else str(folder).encode()
         chain = abi.LevelsDef()
         if levels:
-            chain.struct_bytes, chain.tolerance_px, chain.metres_per_unit, chain.proxy_max_triangles = sizeof(chain), 1, 1, 250
+            chain.tolerance_px, chain.metres_per_unit, chain.proxy_max_triangles = 1, 1, 250
             definition.levels = cast(byref(chain), POINTER(abi.LevelsDef))
         out = abi.c_void_p()
         abi.call("clq_template_prepare", context.handle, byref(definition), byref(out), None)
@@ -64,7 +63,7 @@ class Template(Owned):
 
     @property
     def info(self):
-        """All of clq_template_info."""
+        """The clq_template_info of the template."""
         out = abi.TemplateInfo()
         abi.call("clq_template_get_info", self.handle, byref(out))
         return out
@@ -75,7 +74,7 @@ class Template(Owned):
 
     @property
     def clips(self):
-        """Names and lengths in seconds, in the order of their numbers."""
+        """Lengths in seconds by name, in the order of clip indices."""
         found = {}
         for i in range(self.info.clip_count):
             out = abi.ClipInfo()
@@ -85,7 +84,7 @@ class Template(Owned):
 
     @property
     def zones(self):
-        """Names, in the order of their numbers."""
+        """Names, in the order of zone indices."""
         names = []
         for i in range(self.info.zone_count):
             out = abi.ZoneInfo()
@@ -94,23 +93,23 @@ class Template(Owned):
         return names
 
     def clip(self, name):
-        """The number of a clip. Raises KeyError, with the names that there are."""
+        """The index of a clip. Raises KeyError that lists the existing names."""
         names = list(self.clips)
         if name not in names:
             raise KeyError(f"{self.name} has no clip {name!r}; it has {', '.join(names)}")
         return names.index(name)
 
     def mesh(self, level=0):
-        """Bind pose of a level: a dict of positions, normals (n, 3), uvs (n, 2), which are views of the template's own
-        memory, and joints, weights (n, influences)."""
+        """The bind pose of a level: a dict of positions, normals (n, 3) and uvs (n, 2), which are views of the
+        template's memory, and of joints, weights (n, influences)."""
         out = abi.Mesh()
         abi.call("clq_template_get_mesh", self.handle, level, byref(out))
         n, influences = out.vertex_count, out.influence_count
         joints = numpy.zeros((n, influences), numpy.uint16)
         weights = numpy.zeros((n, influences), numpy.float32)
-        abi.call("clq_template_get_influences", self.handle, level, influences,
-                 joints.ctypes.data_as(POINTER(c_uint16)), weights.ctypes.data_as(POINTER(c_float)),
-                 c_size_t(joints.size))
+        arrays = abi.Influences(per_vertex=influences, joints=joints.ctypes.data_as(POINTER(c_uint16)),
+                                weights=weights.ctypes.data_as(POINTER(c_float)), capacity=joints.size)
+        abi.call("clq_template_get_influences", self.handle, level, byref(arrays))
         return {"positions": _view(out.positions, (n, 3), self), "normals": _view(out.normals, (n, 3), self),
                 "uvs": _view(out.uvs, (n, 2), self), "joints": joints, "weights": weights,
                 "bins": [self._bin(level, i) for i in range(out.bin_count)]}
@@ -122,12 +121,12 @@ class Template(Owned):
                 "indices": _view(out.indices, (out.index_count // 3, 3), self)}
 
     def texture(self, texture=0, texture_set=0):
-        """What a texture holds: rgb (height, width, 3), and zones (height, width), -1 in holes."""
-        width, height = c_uint32(), c_uint32()
-        arguments = (self.handle, texture_set, texture)
-        abi.call("clq_template_get_set_texture", *arguments, None, None, c_size_t(0), byref(width), byref(height))
-        rgb = numpy.zeros((height.value, width.value, 3), numpy.uint8)
-        zones = numpy.zeros((height.value, width.value), numpy.uint32)
-        abi.call("clq_template_get_set_texture", *arguments, rgb.ctypes.data_as(POINTER(c_uint8)),
-                 zones.ctypes.data_as(POINTER(c_uint32)), c_size_t(zones.size), byref(width), byref(height))
+        """The texels of a texture: rgb (height, width, 3), and zones (height, width), -1 in holes."""
+        texels = abi.Texels()
+        abi.call("clq_template_get_texture", self.handle, texture_set, texture, byref(texels))
+        rgb = numpy.zeros((texels.height_px, texels.width_px, 3), numpy.uint8)
+        zones = numpy.zeros((texels.height_px, texels.width_px), numpy.uint32)
+        texels.rgb, texels.zones = rgb.ctypes.data_as(POINTER(c_uint8)), zones.ctypes.data_as(POINTER(c_uint32))
+        texels.capacity = zones.size
+        abi.call("clq_template_get_texture", self.handle, texture_set, texture, byref(texels))
         return rgb, zones.astype(numpy.int64) - (zones == abi.NONE) * (1 << 32)

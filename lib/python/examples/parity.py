@@ -1,4 +1,4 @@
-"""Holds one's own skinning against claque's: linear blending in NumPy here, a shader elsewhere."""
+"""Compares skinning in NumPy, as a shader would do it, with claque's."""
 
 import numpy
 
@@ -6,7 +6,7 @@ import claque
 
 
 def skin(mesh, palette):
-    """What a vertex shader would do: weighted sum of palette matrices, then the vertex (S2 2.2)."""
+    """Skins as a vertex shader would: a weighted sum of palette matrices, times the vertex (S2 2.2)."""
     matrices = numpy.einsum("vi,virc->vrc", mesh["weights"], palette[mesh["joints"]])
     points = numpy.concatenate([mesh["positions"], numpy.ones((len(mesh["positions"]), 1), numpy.float32)], axis=1)
     return numpy.einsum("vrc,vc->vr", matrices, points)

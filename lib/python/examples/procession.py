@@ -1,4 +1,4 @@
-"""A scenario as a script: a procession of four abreast, led by a decurion, along a bent road. Leaves procession.png.
+"""A procession of four abreast, led by a decurion, along a winding road. Writes procession.png.
 
     python3 procession.py [TIME_S]
 """
@@ -12,7 +12,7 @@ import claque
 
 
 def road(at_m):
-    """Where the road is at so many metres, and its heading."""
+    """The position and heading of the road after so many metres."""
     bend = 0.35 * math.sin(at_m / 11)
     return 6 * math.sin(at_m / 11), at_m, math.atan(bend * 6 / 11 / 0.35)
 
@@ -36,7 +36,7 @@ def move(people, time_s, speed=1.27):
 
 
 def paint_ground(target, eye, look_at, fov_y_rad):
-    """Dust up to the horizon of a level world."""
+    """Paints the ground in one colour up to the horizon."""
     level = math.hypot(look_at[0] - eye[0], look_at[2] - eye[2])
     slope = (eye[1] - look_at[1]) / level
     rows = int(target.height * (0.5 + 0.5 * slope / math.tan(fov_y_rad / 2)))

@@ -1,10 +1,11 @@
 #include "samples/hosts/glut/hud.h"
 
-#include "samples/hosts/glut/visitors.h"
-
-#include <GL/freeglut.h>
 #include <math.h>
 #include <stdio.h>
+
+#include <GL/freeglut.h>
+
+#include "samples/hosts/glut/visitors.h"
 
 static void panel(float x0, float y0, float x1, float y1)
 {
@@ -23,7 +24,7 @@ static void write(int x, int y, const char *text)
     glutBitmapString(GLUT_BITMAP_HELVETICA_12, (const unsigned char *)text);
 }
 
-/* Everybody as a point, those in view bright; 3.4 pixels a metre, the bandstand in the middle. */
+/* Every visitor as a point, bright if in view; 3.4 pixels a metre, the bandstand in the centre. */
 static void draw_map(float x0, float y0, float side, const park_eye *eye, int with_people)
 {
     const float scale = 3.4f, cx = x0 + side / 2, cy = y0 + side * 0.6f;

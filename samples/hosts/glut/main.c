@@ -1,18 +1,21 @@
-/* A freeglut program with its own lights, fog, textures, display lists and head-up display, into which claque brings people.
+/* A freeglut program with its own lights, fog, textures, display lists and head-up display, to which claque adds
+ * people.
  *
- *   claque_host_glut                              a window: arrow keys walk and turn, p pauses, g changes the guard, q ends
+ *   claque_host_glut                              a window: arrow keys walk and turn, p pauses, g changes the guard,
+ *                                                 q quits
  *   claque_host_glut --frames N --picture F.png   N frames of 1/25 s, then the last one as a picture
  *     --people-until K   people are drawn in the frames before number K only; 0: claque is never called
  *     --guard full|minimal|none */
-#include "samples/hosts/glut/hud.h"
-#include "samples/hosts/glut/visitors.h"
-
-#include <GL/freeglut.h>
 #include <math.h>
-#include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <GL/freeglut.h>
+#include <png.h>
+
+#include "samples/hosts/glut/hud.h"
+#include "samples/hosts/glut/visitors.h"
 
 enum { WIDTH = 800, HEIGHT = 600 };
 

@@ -1,7 +1,8 @@
 #include "samples/hosts/glut/paint.h"
 
-#include <GL/glu.h>
 #include <math.h>
+
+#include <GL/glu.h>
 
 enum { SIDE = 256 };
 

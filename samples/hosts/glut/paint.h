@@ -1,4 +1,4 @@
-/* Textures that the park is made of, painted by code and brought to GL with mipmaps by GLU. */
+/* Textures of the park, painted by code and loaded into GL with mipmaps by GLU. */
 #ifndef PAINT_H
 #define PAINT_H
 

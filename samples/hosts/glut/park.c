@@ -1,9 +1,10 @@
 #include "samples/hosts/glut/park.h"
 
-#include "samples/hosts/glut/paint.h"
+#include <math.h>
 
 #include <GL/glu.h>
-#include <math.h>
+
+#include "samples/hosts/glut/paint.h"
 
 enum { FAR_LIST = 1, TREE_LIST, LAMP_LIST, NEAR_LIST };
 
@@ -12,7 +13,7 @@ static const float lamps[2][3] = {{-3.2f, 3.6f, -1.5f}, {3.2f, 3.6f, -8.5f}};
 static GLuint grass, cobbles, leaves, boards;
 static GLUquadric *quadric;
 
-/* One square of a metre by a metre at a time, so that lamps, which light vertices, light the ground. */
+/* Squares of one metre, so that lamps, which light vertices, light the ground. */
 static void draw_floor(float x0, float z0, float x1, float z1, float y, float texture_m)
 {
     glNormal3f(0, 1, 0);
@@ -65,7 +66,7 @@ static void draw_bandstand(void)
     glPopMatrix();
 }
 
-/* A crown of flattened balls. Its texture coordinates are made by GL. */
+/* A crown of flattened balls. GL generates its texture coordinates. */
 static void draw_tree(void)
 {
     glColor3f(0.42f, 0.33f, 0.25f);

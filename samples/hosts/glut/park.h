@@ -1,5 +1,5 @@
-/* The park: what this program drew before it knew of claque. Display lists, textures, fog, a moon and two lamps; everything is set
- * once, in park_create, and relied on ever after, as programs of its age do. */
+/* The park: the part of the program that existed before claque. Display lists, textures, fog, a moon and two lamps.
+ * All state is set once, in park_create, and assumed from then on, as was usual in programs of its age. */
 #ifndef PARK_H
 #define PARK_H
 
@@ -14,10 +14,10 @@ typedef struct park_eye {
 
 void park_create(void);
 
-/* The frame's beginning: clears, sky, camera, lights, and all that stands behind people. */
+/* Begins a frame: clears, sky, camera, lights, and everything behind the people. */
 void park_draw_far(const park_eye *eye);
 
-/* What stands before them. Nothing is set anew. */
+/* Draws everything before the people. Sets no state. */
 void park_draw_near(void);
 
 #endif

@@ -1,11 +1,12 @@
 #include "samples/hosts/glut/visitors.h"
 
-#include "samples/hosts/glut/paint.h"
-
-#include <claque/assets.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <claque/assets.h>
+
+#include "samples/hosts/glut/paint.h"
 
 enum { LISTENERS = 70, PLAYERS = 6, WALKERS = 18, VISITORS = LISTENERS + PLAYERS + WALKERS, TEMPLATES = 4, GUARDS = 3 };
 
@@ -25,7 +26,7 @@ static void check(clq_status status)
     exit(1);
 }
 
-/* Standing at (x, z) on ground y and looking along (dx, dz); characters look along +z. */
+/* Standing at (x, z) on ground y and facing along (dx, dz); characters face +z. */
 static clq_transform stand(float x, float y, float z, float dx, float dz)
 {
     clq_transform transform = {{x, y, z}, {0, 0, 0, 1}, 1};
@@ -46,7 +47,7 @@ static void enter(int who, clq_transform transform, const char *clip)
     check(clq_actor_randomise_colours(crowd, actors[who], NULL, 0));
 }
 
-/* Arcs before the bandstand, which looks towards the eye, with a way left open between them. */
+/* Arcs before the bandstand, which faces the eye, with a path left open between them. */
 static void enter_listeners(void)
 {
     static const char *const clips[] = {"stand_applaud", "stand", "applaud", "stand_wave", "stand_laugh", "stand"};
@@ -73,7 +74,7 @@ static void enter_players(void)
     }
 }
 
-/* Up and down the path for ever: a function of time. */
+/* Up and down the path forever: a function of time. */
 static clq_transform walk(int walker, double time_s)
 {
     const float speed = 1.15f, length = 30;
@@ -105,15 +106,19 @@ void visitors_create(clq_gl_function (*get_proc_address)(void *user, const char 
 
 void visitors_draw(const park_eye *eye, double time_s, clq_guard guard)
 {
-    static const float up[3] = {0, 1, 0};
+    clq_look_at_def look = clq_look_at_def_init();
     clq_camera camera;
     const int first = LISTENERS + PLAYERS;
     for (int i = 0; i < WALKERS; ++i) places[first + i] = walk(i, time_s);
     check(clq_crowd_set_transforms(crowd, actors + first, places + first, WALKERS));
-    check(clq_camera_look_at(&camera, eye->at, eye->target, up, (float)(eye->fov_y_deg * 3.14159265358979 / 180),
-                             (float)eye->aspect, (float)eye->z_near, (float)eye->z_far));
+    for (int k = 0; k < 3; ++k) look.eye[k] = eye->at[k], look.target[k] = eye->target[k];
+    look.fov_y_rad = (float)(eye->fov_y_deg * 3.14159265358979 / 180);
+    look.aspect = (float)eye->aspect;
+    look.z_near = (float)eye->z_near, look.z_far = (float)eye->z_far;
+    check(clq_camera_look_at(&look, &camera));
     check(clq_view_set_camera(view, &camera));
     check(clq_crowd_update(crowd, time_s, &view, 1));
+    last = clq_draw_stats_init();
     check(clq_renderer_draw(renderers[guard], view, &last));
 }
 
@@ -129,7 +134,7 @@ int visitors_count(void) { return VISITORS; }
 
 int visitors_at(int who, float *x, float *z)
 {
-    clq_actor_info info;
+    clq_actor_info info = clq_actor_info_init();
     *x = (float)places[who].position[0], *z = (float)places[who].position[2];
     return clq_actor_get_info(crowd, actors[who], &info) == CLQ_OK && info.visible;
 }

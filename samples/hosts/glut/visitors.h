@@ -1,17 +1,17 @@
-/* The park's visitors: all that this program has to do with claque. */
+/* The park's visitors: the part of the program that uses claque. */
 #ifndef VISITORS_H
 #define VISITORS_H
 
-#include "samples/hosts/glut/park.h"
-
 #include <claque/claque.h>
 
-/* Ends the program with claque's sentence where something fails. */
+#include "samples/hosts/glut/park.h"
+
+/* Exits the program with claque's message if a call fails. */
 void visitors_create(clq_gl_function (*get_proc_address)(void *user, const char *name));
 void visitors_draw(const park_eye *eye, double time_s, clq_guard guard);
 void visitors_destroy(void);
 
-/* For the map. Where number `who` is on the ground; returns whether it was in view. */
+/* For the map: the position of number `who` on the ground; returns whether it was in view. */
 int visitors_count(void);
 int visitors_at(int who, float *x, float *z);
 

@@ -32,7 +32,7 @@ Channel::Channel(Library &library, const People &people, const Forum &forum, con
     offscreen_->release();
 }
 
-// For good: whoever draws here inherits viewport and scissor box.
+// Set once: later draws inherit the viewport and the scissor box.
 void Channel::keep_to_pane()
 {
     constexpr unsigned scissor_test = 0xC11;
@@ -47,7 +47,7 @@ void Channel::keep_to_pane()
 
 Channel::~Channel()
 {
-    offscreen_->make_current();  // textures go with what holds them, and need their context for it
+    offscreen_->make_current();  // textures are freed with their owner, which needs their context current
 }
 
 void Channel::set_camera(const clq_camera &camera)
@@ -77,7 +77,7 @@ const std::vector<uint8_t> &Channel::draw()
 
 clq_view_stats Channel::stats() const
 {
-    clq_view_stats stats = {};
+    clq_view_stats stats = clq_view_stats_init();
     check(clq_view_get_stats(view_.get(), &stats));
     return stats;
 }

@@ -1,17 +1,18 @@
-// One screen: a GL context of its own, as each projector's computer or window has it, with a renderer and a view of the
-// crowd that all share.
+// One screen: a GL context of its own, as for each projector's computer or window, with a renderer and a view of the
+// shared crowd.
 #pragma once
+
+#include <optional>
 
 #include "samples/contexts/offscreen.h"
 #include "samples/hosts/multichannel/forum.h"
 #include "samples/hosts/multichannel/people.h"
 
-#include <optional>
-
 namespace multichannel
 {
 
-// The columns of a surface that a channel draws, in pixels: all of them, or by glScissor some of one that spans the wall.
+// The columns of a surface that a channel draws, in pixels: all of them, or with glScissor some columns of a surface
+// that spans the wall.
 struct Pane {
     int surface_width, left, width, height;
 };
@@ -25,12 +26,12 @@ public:
     Channel(const Channel &) = delete;
     Channel &operator=(const Channel &) = delete;
 
-    // Before clq_crowd_update, on the crowd's thread. The camera is the whole surface's.
+    // Call this before clq_crowd_update, on the crowd's thread. The camera is that of the whole surface.
     void set_camera(const clq_camera &camera);
     clq_view *view() const { return view_.get(); }
 
-    // After it, on any one thread: the pane, three bytes a pixel, top row first, valid until the next. No context is
-    // current then.
+    // Call this after the update, on any one thread. Returns the pane, three bytes a pixel, top row first, valid until
+    // the next call. No context is current afterwards.
     const std::vector<uint8_t> &draw();
 
     int width() const { return pane_.width; }

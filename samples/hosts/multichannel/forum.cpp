@@ -1,10 +1,10 @@
 #include "samples/hosts/multichannel/forum.h"
 
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/stone.h"
-
-#include <cmath>
 
 namespace multichannel
 {
@@ -32,7 +32,7 @@ Forum::Forum() : sky_(forum_seed, Sky::Land::hills), stone_(plaster_metres)
 
 Daylight Forum::light() { return {}; }
 
-// Tiles of two metres with broad stains, farther than the colonnade.
+// Tiles of two metres with broad stains, out to beyond the colonnade.
 void Forum::pave()
 {
     constexpr int half = 40;

@@ -1,5 +1,5 @@
-// What stands round the people: a paved round with a colonnade, under a sky. Its shapes serve every context; pictures belong
-// to one each.
+// The surroundings of the people: a paved circle with a colonnade, under a sky. Its geometry serves all contexts;
+// pictures belong to one context each.
 #pragma once
 
 #include "samples/scenes/geometry.h"
@@ -19,7 +19,7 @@ public:
     Forum();
     static scenes::Daylight light();
 
-    // Of the context that is current when it is made.
+    // Belongs to the context that is current at construction.
     class Pictures
     {
     public:
@@ -31,7 +31,7 @@ public:
         scenes::Shadows shadows_;
     };
 
-    // Into a cleared picture; leaves the lights on. A shadow for everybody at `people`.
+    // Draws into a cleared picture and leaves the lights on. Paints a shadow for each transform of `people`.
     void draw(const scenes::Gl &gl, const scenes::Eye &eye, Pictures &pictures,
               const std::vector<clq_transform> &people) const;
 

@@ -1,12 +1,12 @@
-// Three projectors on one wall: three contexts, frusta and threads, one crowd and one update. Writes each channel's picture,
-// the three side by side, and the wall as one wide picture; then says in how many pixels the last two differ, where screens
-// have windows of their own and where one surface spans them.
-#include "samples/cli/png.h"
-#include "samples/hosts/multichannel/room.h"
-
+// Three projectors on one wall: three contexts, frusta and threads, one crowd and one update. Writes each channel's
+// picture, the three side by side, and the wall as one wide picture. Prints in how many pixels the last two differ:
+// with a window for each screen, and with one surface that spans all screens.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+
+#include "samples/cli/png.h"
+#include "samples/hosts/multichannel/room.h"
 
 namespace
 {

@@ -1,10 +1,10 @@
 #include "samples/hosts/multichannel/people.h"
 
+#include <cmath>
+
 #include "samples/hosts/multichannel/forum.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/scene_crowd.h"
-
-#include <cmath>
 
 namespace multichannel
 {
@@ -15,7 +15,7 @@ using namespace scenes;
 
 constexpr uint64_t people_seed = 11;
 constexpr double pi = 3.141592653589793;
-constexpr double stride_m = 1.24;  // what a walk cycle at speed 1 covers
+constexpr double stride_m = 1.24;  // length of a walk cycle at speed 1
 
 clq_transform at(double radius, double turn, double facing_x, double facing_z, double scale)
 {
@@ -81,7 +81,7 @@ void People::walk_rings()
         const int count = ring < 2 ? 7 : 40;
         for (int i = 0; i < count; ++i) {
             const size_t who = enter(at(radii_m[ring], 0, 1, 0, 1), "walk");
-            clq_clip_info walk = {};
+            clq_clip_info walk = clq_clip_info_init();
             const clq_template *tmpl =
                 templates_[random_bits(people_seed, who, Purpose::group_size) % templates_.size()];
             check(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, "walk"), &walk));

@@ -1,11 +1,11 @@
-// Some three hundred people round an eye in the middle: rows that watch it, and three rings of walkers, who cross from one
-// screen to the next.
+// Some three hundred people round an eye in the centre: rows that watch it, and three rings of walkers, which cross
+// from one screen to the next.
 #pragma once
-
-#include "samples/scenes/library.h"
 
 #include <array>
 #include <vector>
+
+#include "samples/scenes/library.h"
 
 namespace multichannel
 {

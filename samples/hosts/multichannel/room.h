@@ -1,5 +1,5 @@
-// The whole simulator: one crowd, one update a frame, a wall of three channels that are drawn by three threads, and the same
-// wall as one wide picture to compare with.
+// The whole simulator: one crowd, one update a frame, a wall of three channels that three threads draw, and the same
+// wall as one wide picture for comparison.
 #pragma once
 
 #include "samples/hosts/multichannel/channel.h"
@@ -8,8 +8,8 @@
 namespace multichannel
 {
 
-// apart: a window for each screen, with a frustum of its own. spanning: one surface behind all screens, of which each channel
-// draws its columns; GL then rounds alike in all of them.
+// apart: a window for each screen, with a frustum of its own. spanning: one surface behind all screens, of which each
+// channel draws its columns; GL then rounds alike in all of them.
 enum class Surfaces : uint8_t { apart, spanning };
 
 class Room
@@ -17,7 +17,7 @@ class Room
 public:
     Room(int channel_width, int channel_height, Surfaces surfaces = Surfaces::apart);
 
-    // Everybody's channels show this moment afterwards.
+    // Updates the crowd to this time and draws all channels.
     void show(double time_s);
 
     const std::vector<uint8_t> &picture(int column) const { return *pictures_.at(static_cast<size_t>(column)); }

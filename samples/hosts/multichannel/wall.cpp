@@ -1,8 +1,8 @@
 #include "samples/hosts/multichannel/wall.h"
 
-#include "samples/scenes/eye.h"
-
 #include <algorithm>
+
+#include "samples/scenes/eye.h"
 
 namespace multichannel
 {
@@ -15,7 +15,7 @@ Wall::Wall(double tan_half_width, double tan_half_height, double z_near, double 
 clq_camera Wall::camera(const double (&eye)[3], const double (&target)[3], int first, int count) const
 {
     clq_camera camera = scenes::look(eye, target, 60, 1, near_, far_);
-    // glFrustum(left, right, -tan_half_height, tan_half_height) at distance 1; the projection of look() is replaced.
+    // glFrustum(left, right, -tan_half_height, tan_half_height) at distance 1; it replaces the projection of look().
     const double step = 2 * tan_half_width_ / columns;
     const double left = -tan_half_width_ + step * first, right = left + step * count;
     std::fill(camera.projection, camera.projection + 16, 0.0f);

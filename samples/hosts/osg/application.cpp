@@ -118,8 +118,8 @@ const std::vector<uint8_t> &Application::picture_of_culling(const Viewpoint &vie
 {
     for (const clq_actor actor : passengers_.cast().actors()) {
         if (crowd_->is_shown(actor)) continue;
-        clq_actor_info info = {};
-        clq_template_info tmpl = {};
+        clq_actor_info info = clq_actor_info_init();
+        clq_template_info tmpl = clq_template_info_init();
         check(clq_actor_get_info(passengers_.crowd(), actor, &info));
         check(clq_template_get_info(info.tmpl, &tmpl));
         const std::vector<float> grey(3 * size_t(tmpl.zone_count), ghost_rgb);

@@ -1,13 +1,13 @@
-// The whole program: an osgViewer over an offscreen EGL context that was there before it, the town, and people in it.
+// The whole program: an osgViewer over an existing offscreen EGL context, the town, and people in it.
 #pragma once
+
+#include <osgViewer/Viewer>
 
 #include "samples/contexts/offscreen.h"
 #include "samples/hosts/osg/culling.h"
 #include "samples/hosts/osg/street_life.h"
 #include "samples/hosts/osg/town_graph.h"
 #include "samples/scenes/library.h"
-
-#include <osgViewer/Viewer>
 
 namespace osg_host
 {
@@ -25,12 +25,12 @@ public:
     ~Application();
 
     Viewpoint from_the_roofs() const;  // down on the square
-    Viewpoint from_outside() const;    // on that pyramid from beside it
+    Viewpoint from_outside() const;    // on that frustum from beside it
 
-    // Three bytes a pixel, top row first, valid until the next. cull_share: see NarrowCulling.
+    // Three bytes a pixel, top row first, valid until the next call. cull_share: see NarrowCulling.
     const std::vector<uint8_t> &picture(const Viewpoint &viewpoint, double time_s, double cull_share = 1);
 
-    // What the last picture culled in grey, and its pyramid, as seen from elsewhere.
+    // Another view of the last picture's scene, with culled objects in grey and its frustum.
     const std::vector<uint8_t> &picture_of_culling(const Viewpoint &viewpoint, double time_s);
 
     CrowdNode &crowd() const { return *crowd_; }
@@ -51,7 +51,7 @@ private:
     scenes::Own<clq_renderer> renderer_;
     osg::ref_ptr<CrowdNode> crowd_;
     std::unique_ptr<StreetLife> life_;
-    osg::ref_ptr<osg::Group> root_, scene_;  // the latter is culled by the narrow pyramid
+    osg::ref_ptr<osg::Group> root_, scene_;  // the latter is culled by the narrow frustum
     osg::ref_ptr<NarrowCulling> narrow_ = new NarrowCulling;
     Marks pieces_, omnibuses_;
     osgViewer::Viewer viewer_;

@@ -1,11 +1,11 @@
-// What this host's scenery was made in, as OpenSceneGraph's own.
+// Converts this host's scenery from the sample scenes' types to OpenSceneGraph's own.
 #pragma once
-
-#include "samples/scenes/geometry.h"
-#include "samples/scenes/texture.h"
 
 #include <osg/Geometry>
 #include <osg/Texture2D>
+
+#include "samples/scenes/geometry.h"
+#include "samples/scenes/texture.h"
 
 namespace osg_host
 {

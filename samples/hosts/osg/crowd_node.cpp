@@ -1,9 +1,9 @@
 #include "samples/hosts/osg/crowd_node.h"
 
-#include <osg/Drawable>
-
 #include <cmath>
 #include <limits>
+
+#include <osg/Drawable>
 
 namespace osg_host
 {
@@ -21,7 +21,7 @@ public:
 
     void drawImplementation(osg::RenderInfo &info) const override
     {
-        // What OSG leaves bound for its next drawable, and claque refuses to draw with.
+        // Resets the state that OSG leaves bound for its next drawable, with which claque refuses to draw.
         osg::State &state = *info.getState();
         state.disableAllVertexArrays();
         state.unbindVertexBufferObject();
@@ -32,7 +32,7 @@ public:
     }
 
     mutable std::string failure;
-    mutable clq_draw_stats drawn = {};
+    mutable clq_draw_stats drawn = clq_draw_stats_init();
 
 private:
     clq_renderer *renderer_;
@@ -67,12 +67,13 @@ void CrowdNode::gate(osg::Node &node, clq_group group) { gates_.push_back(new Ga
 
 void CrowdNode::hold(clq_actor actor, const char *joint, osg::Node &object, float radius_m)
 {
-    clq_actor_info info = {};
+    clq_actor_info info = clq_actor_info_init();
     note(clq_actor_get_info(crowd_, actor, &info));
-    const uint32_t node = clq_template_find_node(info.tmpl, joint);
-    const float centre[3] = {0, 0, 0};
-    note(clq_actor_attach(crowd_, actor, node, centre, radius_m, nullptr));
-    held_.push_back({actor, node, new osg::MatrixTransform, false});
+    clq_attachment_def def = clq_attachment_def_init();
+    def.node = clq_template_find_node(info.tmpl, joint);
+    def.radius = radius_m;
+    note(clq_actor_attach(crowd_, actor, &def, nullptr));
+    held_.push_back({actor, def.node, new osg::MatrixTransform, false});
     held_.back().place->addChild(&object);
     addChild(held_.back().place);
 }
@@ -89,7 +90,7 @@ void CrowdNode::note(clq_status status)
 
 bool CrowdNode::is_shown(clq_actor actor) const
 {
-    clq_actor_info info = {};
+    clq_actor_info info = clq_actor_info_init();
     return clq_actor_get_info(crowd_, actor, &info) == CLQ_OK && info.visible;
 }
 
@@ -102,11 +103,11 @@ void CrowdNode::traverse(osg::NodeVisitor &visitor)
     cull_held(*cull);
 }
 
-// In the cull traversal, all gating nodes having been visited or culled.
+// Runs in the cull traversal, after all gating nodes were visited or culled.
 void CrowdNode::update(osgUtil::CullVisitor &visitor, double time_s)
 {
     for (const osg::ref_ptr<Gate> &gate : gates_) {
-        note(clq_group_enable(crowd_, gate->group, gate->open));
+        note(clq_group_set_enabled(crowd_, gate->group, gate->open));
         gate->open = false;
     }
     clq_camera camera = {};
@@ -120,7 +121,7 @@ void CrowdNode::update(osgUtil::CullVisitor &visitor, double time_s)
     note(clq_crowd_update(crowd_, time_s, &view_, 1));
 }
 
-// Whoever is culled takes along what it holds.
+// A culled actor takes its held objects along.
 void CrowdNode::cull_held(osgUtil::CullVisitor &visitor)
 {
     constexpr double now_shown = std::numeric_limits<double>::quiet_NaN();

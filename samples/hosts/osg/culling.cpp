@@ -1,19 +1,19 @@
 #include "samples/hosts/osg/culling.h"
 
+#include <algorithm>
+
 #include <osg/Camera>
 #include <osg/Geometry>
 #include <osg/LineWidth>
 #include <osg/Material>
 #include <osgUtil/CullVisitor>
 
-#include <algorithm>
-
 namespace osg_host
 {
 namespace
 {
 
-// State that lines are drawn with, over everything.
+// State for drawing lines over everything.
 void make_visible(osg::Node &lines)
 {
     osg::StateSet *state = lines.getOrCreateStateSet();
@@ -60,7 +60,7 @@ void NarrowCulling::operator()(osg::Node *node, osg::NodeVisitor *visitor)
         traverse(node, visitor);
         return;
     }
-    // OSG derives the pyramid of each transform from this one.
+    // OSG derives the frustum of each transform from this one.
     osg::Polytope &pyramid = cull->getProjectionCullingStack().back().getFrustum();
     pyramid.setToUnitFrustum(true, true);
     pyramid.transformProvidingInverse(*cull->getProjectionMatrix() * osg::Matrixd::scale(1 / share, 1 / share, 1));

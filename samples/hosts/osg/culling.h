@@ -1,15 +1,15 @@
-// To see culling at work (S0 Fig. 10): a pyramid that is narrower than the picture's, and marks on what was left over.
+// Makes culling visible (S0 Fig. 10): a frustum that is narrower than the picture's, and marks on the culled objects.
 #pragma once
+
+#include <vector>
 
 #include <osg/MatrixTransform>
 #include <osg/NodeCallback>
 
-#include <vector>
-
 namespace osg_host
 {
 
-// On a scene's root: everything below it is culled by a pyramid so much narrower than the camera's.
+// For a scene's root: everything below it is culled by a frustum narrower than the camera's by the factor `share`.
 class NarrowCulling : public osg::NodeCallback
 {
 public:
@@ -17,7 +17,7 @@ public:
     void operator()(osg::Node *node, osg::NodeVisitor *visitor) override;
 };
 
-// Knows which nodes the last frame's culling left over.
+// Records which nodes survived the last frame's culling.
 class Marks
 {
 public:
@@ -27,7 +27,7 @@ public:
     size_t left_over() const;
     bool is_left(size_t number) const;
 
-    // Paints grey what was culled when this is called, or everything as it is.
+    // Paints the objects that are culled at this time in grey, or restores everything.
     void show_culled_as_ghosts();
     void show_as_they_are();
 
@@ -46,10 +46,10 @@ private:
     std::vector<osg::ref_ptr<Mark>> marks_;
 };
 
-// The edges of a camera's pyramid as lines in the world, to reach_m away.
+// The edges of a camera's frustum as lines in the world, to the distance reach_m.
 osg::ref_ptr<osg::Node> frustum_lines(const osg::Matrixd &view, const osg::Matrixd &projection, double reach_m);
 
-// The margin of a narrow pyramid as a rectangle over the picture.
+// The margin of a narrow frustum as a rectangle over the picture.
 osg::ref_ptr<osg::Node> margin_lines(double share);
 
 }  // namespace osg_host

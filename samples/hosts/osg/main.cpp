@@ -1,10 +1,10 @@
-// People in an OpenSceneGraph program. Writes three pictures: the town as a viewer shows it, the same with a culling pyramid
-// smaller than the picture's (S0 Fig. 10), and that pyramid from outside, with all that it left out in grey.
-#include "samples/cli/png.h"
-#include "samples/hosts/osg/application.h"
-
+// People in an OpenSceneGraph program. Writes three pictures: the town as a viewer shows it, the same with a culling
+// frustum smaller than the picture's (S0 Fig. 10), and that frustum from outside, with the culled objects in grey.
 #include <cstdio>
 #include <fstream>
+
+#include "samples/cli/png.h"
+#include "samples/hosts/osg/application.h"
 
 namespace
 {
@@ -25,7 +25,7 @@ void write(const std::string &path, const std::vector<uint8_t> &rgb)
 
 void tell(const char *what, const Application &application)
 {
-    clq_crowd_stats stats = {};
+    clq_crowd_stats stats = clq_crowd_stats_init();
     scenes::check(clq_crowd_get_stats(application.passengers().crowd(), &stats));
     std::printf("%s: %zu of %zu pieces of scenery, %zu of %zu omnibuses, %u of %u people\n", what,
                 application.pieces().left_over(), application.pieces().count(), application.omnibuses().left_over(),

@@ -1,14 +1,14 @@
 #include "samples/hosts/osg/street_life.h"
 
-#include "samples/hosts/osg/convert.h"
-#include "samples/hosts/osg/town_graph.h"
-#include "samples/scenes/stone.h"
+#include <cmath>
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
 #include <osg/PolygonOffset>
 
-#include <cmath>
+#include "samples/hosts/osg/convert.h"
+#include "samples/hosts/osg/town_graph.h"
+#include "samples/scenes/stone.h"
 
 namespace osg_host
 {
@@ -70,7 +70,7 @@ clq_actor StreetLife::holder(size_t number) const
     return everybody[passengers_.seated() + 3 * number];
 }
 
-// One body for all of one colour; a transform each.
+// One body for all omnibuses of one colour; a transform for each.
 void StreetLife::build_omnibuses(CrowdNode &crowd)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
@@ -112,7 +112,7 @@ void StreetLife::open_parasols(CrowdNode &crowd)
     }
 }
 
-// Of no interest to culling: they are few, and change in every frame.
+// Not culled: shadows are few, and change in every frame.
 void StreetLife::lay_shadows()
 {
     shadows_ = new osg::Group;

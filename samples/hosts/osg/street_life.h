@@ -1,15 +1,15 @@
-// What moves: omnibuses that drive through the town with people in them, people on its square, some of them under parasols,
-// and the shadows of all.
+// The moving objects: omnibuses that drive through the town with people in them, people on its square, some of them
+// under parasols, and the shadows of all.
 #pragma once
 
-#include "samples/hosts/osg/crowd_node.h"
-#include "samples/scenes/shadows.h"
-#include "samples/scenes/town/passengers.h"
+#include <vector>
 
 #include <osg/Geometry>
 #include <osg/MatrixTransform>
 
-#include <vector>
+#include "samples/hosts/osg/crowd_node.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/town/passengers.h"
 
 namespace osg_host
 {
@@ -23,8 +23,8 @@ public:
     StreetLife(scenes::town::Passengers &passengers, CrowdNode &crowd);
 
     osg::Group &root() const { return *root_; }
-    const std::vector<osg::ref_ptr<osg::Node>> &omnibuses() const { return omnibuses_; }  // one a group
-    // Who holds parasol `number`.
+    const std::vector<osg::ref_ptr<osg::Node>> &omnibuses() const { return omnibuses_; }  // one for each group
+    // The actor that holds parasol `number`.
     clq_actor holder(size_t number) const;
 
     void move(double time_s);  // in the update traversal, or before the frame

@@ -1,6 +1,6 @@
 #include "samples/hosts/osg/town_graph.h"
 
-#include "samples/hosts/osg/convert.h"
+#include <array>
 
 #include <osg/BlendFunc>
 #include <osg/CullFace>
@@ -13,7 +13,7 @@
 #include <osg/PolygonOffset>
 #include <osg/Transform>
 
-#include <array>
+#include "samples/hosts/osg/convert.h"
 
 namespace osg_host
 {

@@ -5,7 +5,7 @@ namespace parity
 namespace
 {
 
-// Rows of what OpenGL holds column after column.
+// Rows of a matrix that OpenGL stores column by column.
 Json rows_of(const float *columns, int size)
 {
     Json out = Json::array();

@@ -1,4 +1,4 @@
-// What capture.json says in both kinds of folders.
+// The part of capture.json that both kinds of folders share.
 #pragma once
 
 #include "samples/parity/write/drawn_actors.h"

@@ -1,8 +1,8 @@
 #include "samples/parity/write/drawn_actors.h"
 
-#include "samples/scenes/check.h"
-
 #include <algorithm>
+
+#include "samples/scenes/check.h"
 
 namespace parity
 {
@@ -17,7 +17,7 @@ constexpr const char *columns[] = {"actor",         "mesh",         "first_verte
 
 clq_template_info info_of(const clq_template *tmpl)
 {
-    clq_template_info info = {};
+    clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
     return info;
 }
@@ -26,7 +26,7 @@ clq_template_info info_of(const clq_template *tmpl)
 
 DrawnActors::DrawnActors(const clq_view *view) : view_(view)
 {
-    clq_view_stats stats = {};
+    clq_view_stats stats = clq_view_stats_init();
     check(clq_view_get_stats(view, &stats));
     for (uint32_t i = 0; i < stats.visible; ++i) {
         Individual who = {};
@@ -37,7 +37,7 @@ DrawnActors::DrawnActors(const clq_view *view) : view_(view)
     std::sort(individuals_.begin(), individuals_.end(), [](const Individual &a, const Individual &b) {
         return a.drawn_actors.actor.index1 < b.drawn_actors.actor.index1;
     });
-    // Who is left out leaves no gaps.
+    // Individuals that are left out leave no gaps.
     std::vector<uint32_t> places;
     for (const Individual &who : individuals_) places.push_back(who.place);
     std::sort(places.begin(), places.end());
@@ -92,7 +92,7 @@ void DrawnActors::describe(Json &out) const
         const clq_template_info info = info_of(tmpl);
         Json zones = Json::array();
         for (uint32_t i = 0; i < info.zone_count; ++i) {
-            clq_zone_info zone = {};
+            clq_zone_info zone = clq_zone_info_init();
             check(clq_template_get_zone(tmpl, i, &zone));
             zones.push_back(zone.name);
         }
@@ -100,8 +100,8 @@ void DrawnActors::describe(Json &out) const
     }
     out["meshes"] = Json::array();
     for (const MeshName &name : meshes_) {
-        clq_level_info level = {};
-        clq_mesh mesh = {};
+        clq_level_info level = clq_level_info_init();
+        clq_mesh mesh = clq_mesh_init();
         check(clq_template_get_level(templates_[name.tmpl], name.level, &level));
         check(clq_template_get_mesh(templates_[name.tmpl], name.level, &mesh));
         out["meshes"].push_back({{"template", name.tmpl},

@@ -1,13 +1,12 @@
 #include "samples/parity/write/files.h"
 
-#include "samples/scenes/check.h"
-
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+
+#include "samples/scenes/check.h"
 
 namespace parity
 {
@@ -50,7 +49,7 @@ Folder::Folder(const std::string &path) : path_(path)
     if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
         throw scenes::Failure(path + " could not be made: " + std::strerror(errno));
     struct stat what = {};
-    if (stat(path.c_str(), &what) != 0 || !S_ISDIR(what.st_mode)) throw scenes::Failure(path + " is no folder");
+    if (stat(path.c_str(), &what) != 0 || !S_ISDIR(what.st_mode)) throw scenes::Failure(path + " is not a folder");
 }
 
 void Folder::clear() const

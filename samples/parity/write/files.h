@@ -1,4 +1,4 @@
-// The files of a parity folder (docs/parity.md): arrays as NumPy has them, and whatever bytes.
+// The files of a parity folder (docs/parity.md): arrays in NumPy's format, and raw bytes.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace parity
 
 using Shape = std::vector<size_t>;
 
-// A folder that files are written into; made where there is none. Throws scenes::Failure with the path, as all here do.
+// A folder for files, created if missing. All functions throw scenes::Failure with the path.
 class Folder
 {
 public:
@@ -24,7 +24,7 @@ public:
     void array(const std::string &name, const std::vector<uint16_t> &values, const Shape &shape) const;
     void array(const std::string &name, const std::vector<uint8_t> &values, const Shape &shape) const;
 
-    // So that nobody reads the rest of an older capture as part of this one.
+    // Removes the files of an older capture, so that they cannot be read as part of this one.
     void clear() const;
 
 private:

@@ -1,8 +1,8 @@
 #include "samples/parity/write/gl_query.h"
 
-#include "samples/scenes/check.h"
-
 #include <array>
+
+#include "samples/scenes/check.h"
 
 namespace parity
 {
@@ -70,7 +70,7 @@ Json light_of(const Query &query, unsigned light)
 {
     if (query.of_light(light, spot_cutoff)[0] != 180.0f)
         throw scenes::Failure("light " + std::to_string(light - light0) +
-                              " is a spot, which a parity folder has no words for");
+                              " is a spot, which a parity folder cannot describe");
     const auto rgb = [&](unsigned name) {
         const std::array<float, 4> c = query.of_light(light, name);
         return Json{c[0], c[1], c[2]};

@@ -1,4 +1,4 @@
-// What a scene has set in OpenGL for whoever is drawn next: lights and fog, as capture.json has them (docs/parity.md).
+// The OpenGL state that a scene has set for the crowd: lights and fog, as in capture.json (docs/parity.md).
 #pragma once
 
 #include "samples/contexts/offscreen.h"
@@ -7,8 +7,8 @@
 namespace parity
 {
 
-// The context must be current. Throw scenes::Failure where something is set that another renderer could not be told of.
+// The context must be current. Both throw scenes::Failure for state that a parity folder cannot describe.
 Json lighting_of(const contexts::Offscreen &context);
-Json fog_of(const contexts::Offscreen &context);  // null where there is none
+Json fog_of(const contexts::Offscreen &context);  // null if there is none
 
 }  // namespace parity

@@ -1,11 +1,11 @@
-// A glTF 2.0 file being written: JSON, and bytes behind it.
+// Writes a glTF 2.0 file: JSON, and a binary chunk.
 #pragma once
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace parity
 {
@@ -15,10 +15,10 @@ class Glb
 public:
     using Json = nlohmann::ordered_json;
 
-    // glTF's numbers.
+    // glTF's constants.
     static constexpr int unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, real = 5126;
 
-    // The whole document but for buffers, bufferViews and accessors, which these calls fill.
+    // The whole document except buffers, bufferViews and accessors, which these calls fill.
     Json json;
 
     // Index of a new bufferView. target: 34962 vertices, 34963 indices, 0 neither.

@@ -1,12 +1,12 @@
 #include "samples/parity/write/id_pictures.h"
 
-#include "samples/parity/write/texels.h"
-#include "samples/scenes/check.h"
-#include "samples/scenes/gl.h"
-
 #include <algorithm>
 #include <map>
 #include <tuple>
+
+#include "samples/parity/write/texels.h"
+#include "samples/scenes/check.h"
+#include "samples/scenes/gl.h"
 
 namespace parity
 {
@@ -150,7 +150,7 @@ void Painter::begin(What what, const float projection[16])
 
 void Painter::draw(What what, const Individual &who)
 {
-    clq_mesh mesh = {};
+    clq_mesh mesh = clq_mesh_init();
     check(clq_template_get_mesh(who.drawn_actors.tmpl, who.drawn_actors.level, &mesh));
     gl_.LoadMatrixf(who.drawn_actors.model_view);
     gl_.VertexPointer(3, gl::float_type, 0, skinned_.positions.data() + 3 * static_cast<size_t>(who.first_vertex));
@@ -160,7 +160,7 @@ void Painter::draw(What what, const Individual &who)
     more_.Color3ub(static_cast<uint8_t>(id & 255), static_cast<uint8_t>(id >> 8 & 255),
                    static_cast<uint8_t>(id >> 16 & 255));
     for (uint32_t bin = 0; bin < mesh.bin_count; ++bin) {
-        clq_triangles triangles = {};
+        clq_triangles triangles = clq_triangles_init();
         check(clq_template_get_triangles(who.drawn_actors.tmpl, who.drawn_actors.level, bin, &triangles));
         const Names names = textures_of(who, triangles.texture);
         gl_.BindTexture(gl::texture_2d, what == What::zone ? names.zones : names.holes);

@@ -1,16 +1,15 @@
+#include <algorithm>
+
 #include "samples/parity/write/mesh_glb.h"
 #include "samples/parity/write/texels.h"
-
 #include "samples/scenes/check.h"
-
-#include <algorithm>
 
 namespace parity
 {
 namespace
 {
 
-constexpr int nearest_filter = 9728, repeat = 10497, clamp_to_edge = 33071;  // OpenGL's, which glTF has taken over
+constexpr int nearest_filter = 9728, repeat = 10497, clamp_to_edge = 33071;  // OpenGL's constants, which glTF uses too
 constexpr double least_key = 0.5 / 255;
 
 }  // namespace

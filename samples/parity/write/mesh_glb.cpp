@@ -1,8 +1,8 @@
 #include "samples/parity/write/mesh_glb.h"
 
-#include "samples/scenes/check.h"
-
 #include <algorithm>
+
+#include "samples/scenes/check.h"
 
 namespace parity
 {
@@ -15,7 +15,7 @@ namespace
 
 constexpr int vertices = 34962, indices = 34963;
 
-// glTF wants to know the box of positions.
+// glTF requires the bounding box of positions.
 void add_box(Json &accessor, const clq_mesh &mesh)
 {
     Json low = Json::array(), high = Json::array();
@@ -36,7 +36,10 @@ void add_influences(Glb &glb, Json &attributes, const clq_template *tmpl, uint32
     const uint32_t sets = (std::max(mesh.influence_count, 1u) + 3) / 4, each = 4 * sets;
     std::vector<uint16_t> joints(static_cast<size_t>(each) * mesh.vertex_count);
     std::vector<float> weights(joints.size());
-    check(clq_template_get_influences(tmpl, level, each, joints.data(), weights.data(), joints.size()));
+    clq_influences influences = clq_influences_init();
+    influences.per_vertex = each, influences.capacity = joints.size();
+    influences.joints = joints.data(), influences.weights = weights.data();
+    check(clq_template_get_influences(tmpl, level, &influences));
     for (uint32_t set = 0; set < sets; ++set) {
         std::vector<uint16_t> j;
         std::vector<float> w;
@@ -68,7 +71,7 @@ Json attributes_of(Glb &glb, const clq_template *tmpl, uint32_t level, const clq
     return out;
 }
 
-// glTF wants sparse indices to ascend.
+// glTF requires ascending sparse indices.
 Json target_of(Glb &glb, const clq_morph_target &target, uint32_t vertex_count)
 {
     std::vector<const clq_morph_delta *> deltas;
@@ -100,12 +103,12 @@ Json target_of(Glb &glb, const clq_morph_target &target, uint32_t vertex_count)
 
 Json mesh_json(Glb &glb, const clq_template *tmpl, uint32_t level)
 {
-    clq_mesh mesh = {};
+    clq_mesh mesh = clq_mesh_init();
     check(clq_template_get_mesh(tmpl, level, &mesh));
     const Json attributes = attributes_of(glb, tmpl, level, mesh);
     Json targets = Json::array(), weights = Json::array(), zeros = Json::array();
     for (uint32_t i = 0; i < mesh.morph_count; ++i) {
-        clq_morph_target target = {};
+        clq_morph_target target = clq_morph_target_init();
         check(clq_template_get_morph_target(tmpl, level, i, &target));
         targets.push_back(target_of(glb, target, mesh.vertex_count));
         weights.push_back(target.weight);
@@ -113,7 +116,7 @@ Json mesh_json(Glb &glb, const clq_template *tmpl, uint32_t level)
     }
     Json out = {{"primitives", Json::array()}};
     for (uint32_t bin = 0; bin < mesh.bin_count; ++bin) {
-        clq_triangles triangles = {};
+        clq_triangles triangles = clq_triangles_init();
         check(clq_template_get_triangles(tmpl, level, bin, &triangles));
         Json primitive = {
             {"attributes", attributes},
@@ -129,7 +132,7 @@ Json mesh_json(Glb &glb, const clq_template *tmpl, uint32_t level)
 void dress(Json &mesh, Materials &materials, const clq_template *tmpl, const MeshName &name)
 {
     for (uint32_t bin = 0; bin < mesh["primitives"].size(); ++bin) {
-        clq_triangles triangles = {};
+        clq_triangles triangles = clq_triangles_init();
         check(clq_template_get_triangles(tmpl, name.level, bin, &triangles));
         mesh["primitives"][bin]["material"] = materials.material(tmpl, triangles, name.texture_set);
     }

@@ -1,11 +1,11 @@
-// One mesh of a template as glTF has it.
+// One mesh of a template as glTF.
 #pragma once
-
-#include "samples/parity/write/drawn_actors.h"
-#include "samples/parity/write/glb.h"
 
 #include <map>
 #include <tuple>
+
+#include "samples/parity/write/drawn_actors.h"
+#include "samples/parity/write/glb.h"
 
 namespace parity
 {
@@ -29,7 +29,8 @@ private:
     std::map<std::pair<size_t, int32_t>, size_t> materials_;  // by texture and sidedness
 };
 
-// The glTF mesh without materials, and these, which are all that texture sets differ in. Throw scenes::Failure.
+// mesh_json: the glTF mesh without materials; dress: adds the materials, in which alone texture sets differ. Both
+// throw scenes::Failure.
 Glb::Json mesh_json(Glb &glb, const clq_template *tmpl, uint32_t level);
 void dress(Glb::Json &mesh, Materials &materials, const clq_template *tmpl, const MeshName &name);
 

@@ -1,9 +1,9 @@
+#include <algorithm>
+
 #include "samples/parity/write/describe.h"
 #include "samples/parity/write/gl_query.h"
 #include "samples/parity/write/scene_glb.h"
 #include "samples/scenes/check.h"
-
-#include <algorithm>
 
 namespace parity
 {
@@ -20,8 +20,9 @@ struct Poses {
         std::vector<float> columns;
         for (const Individual &who : drawn_actors.individuals()) {
             columns.resize(12 * static_cast<size_t>(who.drawn_actors.joint_count));
-            check(clq_view_get_pose(drawn_actors.view(), who.place, columns.data(), who.drawn_actors.joint_count,
-                                    weights.data() + who.first_weight, who.drawn_actors.morph_weight_count));
+            check(clq_view_get_palette(drawn_actors.view(), who.place, columns.data(), who.drawn_actors.joint_count));
+            check(clq_view_get_morph_weights(drawn_actors.view(), who.place, weights.data() + who.first_weight,
+                                             who.drawn_actors.morph_weight_count));
             float *rows = palettes.data() + 12 * static_cast<size_t>(who.first_palette);
             for (size_t joint = 0; joint < who.drawn_actors.joint_count; ++joint)
                 for (size_t row = 0; row < 3; ++row)
@@ -32,7 +33,7 @@ struct Poses {
     std::vector<float> palettes, weights;
 };
 
-// S2 2.2: a row an individual, a column a key.
+// S2 2.2: a row for each individual, a column for each key.
 void write_atlas(const Folder &folder, const DrawnActors &drawn_actors)
 {
     const size_t count = drawn_actors.individuals().size(), plates = (count + atlas_rows - 1) / atlas_rows;
@@ -41,7 +42,7 @@ void write_atlas(const Folder &folder, const DrawnActors &drawn_actors)
         const Individual &who = drawn_actors.individuals()[i];
         rgb.resize(3 * static_cast<size_t>(who.drawn_actors.zone_count));
         check(clq_view_get_colours(drawn_actors.view(), who.place, rgb.data(), who.drawn_actors.zone_count));
-        const size_t most = 3 * (atlas_columns - 1);  // zones beyond that no texture can name
+        const size_t most = 3 * (atlas_columns - 1);  // textures cannot name zones beyond that
         std::copy_n(rgb.begin(), std::min(rgb.size(), most),
                     atlas.begin() + static_cast<std::ptrdiff_t>(3 * (i * atlas_columns + 1)));
     }

@@ -1,10 +1,10 @@
 #include "samples/parity/write/scene_glb.h"
 
-#include "samples/parity/write/mesh_glb.h"
-#include "samples/scenes/check.h"
-
 #include <cmath>
 #include <map>
+
+#include "samples/parity/write/mesh_glb.h"
+#include "samples/scenes/check.h"
 
 namespace parity
 {
@@ -14,7 +14,7 @@ using Json = Glb::Json;
 namespace
 {
 
-// Column after column, with the row that an affine matrix lacks.
+// Column by column, with the row that an affine matrix lacks.
 Json matrix_of_rows(const float *rows)
 {
     Json out = Json::array();
@@ -25,7 +25,7 @@ Json matrix_of_rows(const float *rows)
     return out;
 }
 
-// Joints below a node that stands where the individual does, before the eye; the mesh beside them, which its skin places.
+// Joints below a node at the individual's position in eye space; the mesh is beside them, placed by its skin.
 void stand(Json &json, const Individual &who, const float *palette, size_t mesh, const std::string &name)
 {
     Json joints = Json::array();
@@ -40,7 +40,7 @@ void stand(Json &json, const Individual &who, const float *palette, size_t mesh,
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
 }
 
-// glTF has no cameras that look past their axis.
+// glTF has no off-axis cameras.
 void add_camera(Json &json, const float *p)
 {
     const bool perspective = p[11] == -1 && p[15] == 0 && p[8] == 0 && p[9] == 0 && p[0] > 0 && p[5] > 0;
@@ -72,8 +72,8 @@ std::string scene_glb(const DrawnActors &drawn_actors, const std::vector<float> 
         const auto [known, is_new] = shapes.try_emplace({name.tmpl, name.level});
         if (is_new) known->second = mesh_json(glb, tmpl, name.level);
         Json mesh = known->second;
-        dress(mesh, materials, tmpl, name);  // adds members to the document, which moves what is in it
-        clq_template_info info = {};
+        dress(mesh, materials, tmpl, name);  // adds members to the document, which moves its contents
+        clq_template_info info = clq_template_info_init();
         scenes::check(clq_template_get_info(tmpl, &info));
         mesh["name"] = std::string(info.name) + ", level " + std::to_string(name.level);
         json["meshes"].push_back(mesh);

@@ -1,8 +1,8 @@
 #include "samples/parity/write/texels.h"
 
-#include "samples/scenes/check.h"
-
 #include <png.h>
+
+#include "samples/scenes/check.h"
 
 namespace parity
 {
@@ -11,11 +11,14 @@ using scenes::check;
 
 Texels::Texels(const clq_template *tmpl, uint32_t texture, uint32_t texture_set)
 {
-    check(clq_template_get_set_texture(tmpl, texture_set, texture, nullptr, nullptr, 0, &width, &height));
+    clq_texels texels = clq_texels_init();
+    check(clq_template_get_texture(tmpl, texture_set, texture, &texels));
+    width = texels.width_px, height = texels.height_px;
     const size_t count = static_cast<size_t>(width) * height;
     rgb.resize(3 * count);
     zones.resize(count);
-    check(clq_template_get_set_texture(tmpl, texture_set, texture, rgb.data(), zones.data(), count, &width, &height));
+    texels.rgb = rgb.data(), texels.zones = zones.data(), texels.capacity = count;
+    check(clq_template_get_texture(tmpl, texture_set, texture, &texels));
 }
 
 std::vector<uint8_t> png_of(const Texels &texels)

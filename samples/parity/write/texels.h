@@ -1,12 +1,12 @@
 // A texture of a template in one of its texture sets, row 0 at v = 0.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include <claque/claque.h>
 #include <claque/drawn_actor.h>
 #include <claque/mesh.h>
-
-#include <cstdint>
-#include <vector>
 
 namespace parity
 {
@@ -20,7 +20,7 @@ struct Texels {
     std::vector<uint32_t> zones;  // of the template; CLQ_NONE: a hole
 };
 
-// As PNG: RGB as it is, alpha zone + 1, 0 in holes. Throws scenes::Failure where a zone has no number in 8 bits.
+// As PNG: RGB unchanged, alpha zone + 1, 0 in holes. Throws scenes::Failure if a zone has no number in 8 bits.
 std::vector<uint8_t> png_of(const Texels &texels);
 
 }  // namespace parity

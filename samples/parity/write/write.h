@@ -1,9 +1,9 @@
-// A parity folder (docs/parity.md) of what a stage shows: for another renderer, or what the CPU path made of it.
+// Writes parity folders (docs/parity.md) of a scene: for another renderer, or with the result of the CPU path.
 #pragma once
 
-#include "samples/scenes/scene_renderer.h"
-
 #include <string>
+
+#include "samples/scenes/scene_renderer.h"
 
 namespace parity
 {
@@ -14,8 +14,8 @@ struct CaptureTime {
     int width = 0, height = 0;
 };
 
-// Both update the stage and draw in its context, of 8 bits a channel. What was in the folder of an older capture goes first;
-// capture.json comes last. Return how many individuals are drawn. Throw scenes::Failure.
+// Both update the scene and draw in its context, which must have 8 bits a channel. Files of an older capture are
+// removed first; capture.json is written last. Return the number of drawn individuals. Throw scenes::Failure.
 size_t write_scene(scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time, const std::string &folder);
 size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time, const std::string &folder);
 

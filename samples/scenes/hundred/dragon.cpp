@@ -15,7 +15,7 @@ bool lives_at(uint32_t node, float distance_m)
     return ends == 0 || ends > distance_m;
 }
 
-// A node's piece and those of the nodes below it that have ended: geometry that takes over.
+// A node's piece and those of the nodes below it that have ended: the geometry that replaces them.
 void gather(PieceMesh &into, uint32_t node, float distance_m, Detail detail)
 {
     const PieceMesh own = piece_of(node, detail);

@@ -1,7 +1,7 @@
 // The head: a long skull with horns, brows and fangs, a jaw with a beard, whiskers, and flames round the neck.
-#include "samples/scenes/hundred/dragon_shape.h"
-
 #include <cmath>
+
+#include "samples/scenes/hundred/dragon_shape.h"
 
 namespace scenes::hundred
 {

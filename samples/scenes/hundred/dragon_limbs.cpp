@@ -1,4 +1,4 @@
-// Legs with flames at their elbows, and feet with four claws, as dragons of rank have them.
+// Legs with flames at their elbows, and feet with four claws, which mark a dragon of rank.
 #include "samples/scenes/hundred/dragon_shape.h"
 
 namespace scenes::hundred
@@ -45,7 +45,7 @@ void add_leg_piece(PieceMesh &mesh, uint32_t node, Detail detail)
     mesh.limb(lacquer, {from - way * 0.10, from + way * 0.25, from + way * 0.85}, {0.13, 0.165, 0.105}, sides);
     mesh.limb(gold, {from + way * 0.80, to}, {0.125, 0.115}, sides);
     if (detail == Detail::coarse) return;
-    const double behind = way.z > 0 ? -1 : 1;  // where the elbow points
+    const double behind = way.z > 0 ? -1 : 1;  // direction of the elbow
     for (int k = 0; k < (detail == Detail::fine ? 3 : 1); ++k) {
         const Point root = from + way * (0.05 + 0.22 * k) + Point{0, 0, 0.10 * behind};
         mesh.blade(mane, root, root + way * 0.26,

@@ -1,9 +1,9 @@
 #include "samples/scenes/hundred/dragon_mechanisms.h"
 
+#include <vector>
+
 #include "samples/scenes/hundred/dragon_plan.h"
 #include "samples/scenes/random.h"
-
-#include <vector>
 
 namespace scenes::hundred
 {
@@ -22,7 +22,7 @@ using Values = std::vector<clq_dof_value>;
 
 clq_dof_pose shape_of(const Values &values) { return {static_cast<uint32_t>(values.size()), values.data()}; }
 
-// A share of the way from rest to the end of the range.
+// The value at a fraction of the way from rest to the end of the range.
 clq_dof_value leaning(uint32_t dof, const clq_dof_def &def, double share)
 {
     const float end = share < 0 ? def.min : def.max;
@@ -54,7 +54,7 @@ Values bearing(const Bearing &b)
         const What what = what_of(dof);
         if (node == heart) values.push_back(leaning(i, dof, b.surge));
         else if (trunk) {
-            const bool ahead = node <= neck3;  // the neck answers the tail: an S
+            const bool ahead = node <= neck3;  // the neck bends against the tail: an S
             values.push_back(
                 leaning(i, dof, what == What::yaw ? (ahead ? -b.yaw : b.yaw) : (ahead ? b.pitch : -b.pitch)));
         } else if (node >= legs) {

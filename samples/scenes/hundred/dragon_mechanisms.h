@@ -1,5 +1,5 @@
-// What moves a dragon beside its clip (S0 5.3): it looks about, rears and curls, plays with ears, whiskers and crest, and
-// roars. Together they write all 80 degrees of freedom.
+// The control mechanisms of a dragon, on top of its clip (S0 5.3): it looks about, rears and curls, moves ears,
+// whiskers and crest, and roars. Together they write all 80 degrees of freedom.
 #pragma once
 
 #include "samples/scenes/check.h"
@@ -10,7 +10,7 @@ namespace scenes::hundred
 class DragonMechanisms
 {
 public:
-    // Of a crowd in which the template is used already.
+    // The crowd must already have an actor of the template.
     DragonMechanisms(clq_crowd *crowd, const clq_template *dragon);
     void attach(clq_actor actor, uint64_t who) const;
 

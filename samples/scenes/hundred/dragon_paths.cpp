@@ -1,8 +1,8 @@
 #include "samples/scenes/hundred/dragon_paths.h"
 
-#include "samples/scenes/random.h"
-
 #include <cmath>
+
+#include "samples/scenes/random.h"
 
 namespace scenes::hundred
 {
@@ -19,7 +19,7 @@ clq_root_path add(clq_crowd *crowd, const clq_root_path_def &def)
     return path;
 }
 
-// A level circle, flown with a little bank.
+// A horizontal circle, flown with a little bank.
 clq_root_path circle(clq_crowd *crowd, double beside)
 {
     std::vector<float> positions;
@@ -83,13 +83,13 @@ Spheres spheres_of(clq_context *context, clq_template *dragon)
     clq_actor actor = {};
     check(clq_actor_create(made, &def, &actor));
     Spheres spheres = {};
-    clq_actor_info info = {};
+    clq_actor_info info = clq_actor_info_init();
     for (uint32_t way = 0; way < static_cast<uint32_t>(PathKind::count); ++way) {
         ways.send(actor, static_cast<PathKind>(way), 0);
         check(clq_actor_get_info(made, actor, &info));
         spheres.refpoint[way] = static_cast<double>(info.refpoint_radius);
     }
-    clq_template_info about = {};
+    clq_template_info about = clq_template_info_init();
     check(clq_template_get_info(dragon, &about));
     spheres.sklsroot = static_cast<double>(info.sklsroot_radius);
     spheres.sklsroot_centre = {static_cast<double>(about.sklsroot_centre[0]),

@@ -1,4 +1,4 @@
-// The ways of dragons round their Reference Points (S0 3, 4.1), as paths of a crowd.
+// The root paths of dragons round their Reference Points (S0 3, 4.1), as paths of a crowd.
 #pragma once
 
 #include "samples/scenes/check.h"
@@ -18,7 +18,7 @@ private:
     clq_root_path paths_[static_cast<size_t>(PathKind::count)];
 };
 
-// What the library says of an actor that goes each way.
+// The library's spheres for an actor on each path.
 Spheres spheres_of(clq_context *context, clq_template *dragon);
 
 }  // namespace scenes::hundred

@@ -62,7 +62,7 @@ struct Named {
     float first, last;
 };
 
-// Names have to outlive the call that makes a template.
+// Names must outlive the call that makes a template.
 constexpr Named named[dof_count] = {
     {heart, "heart.thrust", 't', -0.8f, 0.8f},
     {chest, "chest.yaw", 'y', -0.06f, 0.06f},

@@ -1,10 +1,10 @@
-// The skeleton of the dragon of `hundred_actors` (S0 6.1, Table 3): 40 Skeleton nodes with 80 degrees of freedom, of which
-// 20 nodes are left from one distance on and 10 from another (S0 5.2).
+// The skeleton of the dragon of `hundred_actors` (S0 6.1, Table 3): 40 Skeleton nodes with 80 degrees of freedom. 20
+// nodes remain from one distance on and 10 from another (S0 5.2).
 #pragma once
 
-#include <claque/template.h>
-
 #include <array>
+
+#include <claque/template.h>
 
 namespace scenes::hundred
 {
@@ -21,7 +21,7 @@ struct Bone {
 constexpr size_t bone_count = 40, dof_count = 80;
 using Skeleton = std::array<Bone, bone_count>;
 
-// Parents first. What hangs on it is built in these numbers.
+// Parents first. Pieces are built in these coordinates.
 const Skeleton &skeleton();
 
 enum Joint : uint32_t {

@@ -1,4 +1,4 @@
-// The body: plates of lacquer that overlap like those of a procession's dragon, a gold rim and a flame on each.
+// The body: overlapping plates of lacquer as on a procession's dragon, with a gold rim and a flame on each.
 #include "samples/scenes/hundred/dragon_shape.h"
 
 namespace scenes::hundred
@@ -8,7 +8,7 @@ namespace
 
 struct Segment {
     uint32_t node, next;  // the joints that it spans
-    double first, last;   // radius at either
+    double first, last;   // radius at each joint
 };
 
 constexpr Segment body[] = {

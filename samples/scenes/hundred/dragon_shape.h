@@ -1,4 +1,4 @@
-// The forms of the dragon, a rigid piece for each Skeleton node, at three finenesses.
+// The shapes of the dragon, a rigid piece for each Skeleton node, at three resolutions.
 #pragma once
 
 #include "samples/scenes/hundred/dragon_plan.h"
@@ -9,12 +9,12 @@ namespace scenes::hundred
 
 enum class Detail { fine, middle, coarse };
 
-// What hangs on a node, in model space at rest.
+// A node's piece, in model space at rest.
 PieceMesh piece_of(uint32_t node, Detail detail);
 
-// The two that are long: dragon_limbs.cpp and dragon_head.cpp.
+// The two long ones, in dragon_limbs.cpp and dragon_head.cpp.
 void add_leg_piece(PieceMesh &mesh, uint32_t node, Detail detail);
-void add_head_piece(PieceMesh &mesh, uint32_t node, Detail detail);  // of head to ear_r
+void add_head_piece(PieceMesh &mesh, uint32_t node, Detail detail);  // for nodes head to ear_r
 
 Point joint(uint32_t node);
 

@@ -1,9 +1,9 @@
 #include "samples/scenes/hundred/frustum.h"
 
-#include "samples/scenes/eye.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/eye.h"
 
 namespace scenes::hundred
 {

@@ -1,18 +1,18 @@
-// The camera of `hundred_actors` and what it sees: how far spheres are from the planes that bound it.
+// The camera of `hundred_actors` and its frustum: the distances of spheres from the planes that bound it.
 #pragma once
 
-#include "samples/scenes/hundred/piece_mesh.h"
+#include <array>
 
 #include <claque/view.h>
 
-#include <array>
+#include "samples/scenes/hundred/piece_mesh.h"
 
 namespace scenes::hundred
 {
 
 enum class Lies { outside, across, within };
 
-// Of pictures of 4 to 3, as S0 7.2 made them (1024 x 768).
+// For pictures of 4 to 3, as in S0 7.2 (1024 x 768).
 class Frustum
 {
 public:
@@ -21,17 +21,17 @@ public:
     static clq_camera camera(double aspect);
     static Point eye();
 
-    // So far ahead of the eye, to the right, and up, in the camera's own axes.
+    // The point at these distances ahead of the eye, to the right, and up, in the camera's own axes.
     Point at(double ahead, double right, double up) const;
-    // So far ahead, and so far outside the right (side 1) or left (side -1) plane.
+    // The point at a distance ahead, and at a distance outside the right (side 1) or left (side -1) plane.
     Point beside(double side, double ahead, double out, double up) const;
     // Outward normal of that plane.
     Point normal(double side) const;
     Point right() const { return right_; }
 
-    // Against all planes. Wholly outside means: of one of them.
+    // Tests against all planes. Wholly outside means outside one of them.
     Lies test(Point centre, double radius) const;
-    // The largest distance outside any plane but the one on `side`; 0: of all.
+    // The largest distance outside any plane except the one on `side`; 0: all planes.
     double out_but(double side, Point centre) const;
     double reach(Point p) const;  // from the eye
 

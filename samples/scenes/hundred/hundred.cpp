@@ -1,5 +1,6 @@
-// The scene `hundred_actors` of S0 6.1: a hundred dragons over a lake, who are to the camera's frustum as its Table 2 says,
-// each as its Table 3 says. What the library counts there stands beside the paper's cost model.
+// The scene `hundred_actors` of S0 6.1: a hundred dragons over a lake. Their positions relative to the camera's
+// frustum follow S0's Table 2, and each dragon follows its Table 3. The library's counts are printed beside the
+// paper's cost model.
 #include "samples/scenes/hundred/dragon.h"
 #include "samples/scenes/hundred/dragon_mechanisms.h"
 #include "samples/scenes/hundred/dragon_paths.h"
@@ -24,7 +25,7 @@ const CrowdOptions &checked(const CrowdOptions &crowd_options)
 {
     if (crowd_options.count != actors_of_table_2)
         throw Failure("hundred_actors has the 100 actors of S0's Table 2, and " + std::to_string(crowd_options.count) +
-                      " were asked for; parade has as many as you like");
+                      " were requested; parade takes any number");
     return crowd_options;
 }
 
@@ -54,7 +55,7 @@ public:
     std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
     std::vector<clq_template *> templates() const override { return {dragon_.get()}; }
 
-    // overview: that of Table 2. close: from outside, on its frustum and who is where in it.
+    // overview: the camera of Table 2. close: from outside, a view of that camera's frustum and the dragons in it.
     clq_camera camera(Shot shot, double aspect, double) const override
     {
         if (shot == Shot::close) return look({-40, 170, 95}, {0, 8, -72}, 52, aspect, 2, 6000);

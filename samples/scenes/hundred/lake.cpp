@@ -1,9 +1,9 @@
 #include "samples/scenes/hundred/lake.h"
 
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/random.h"
-
-#include <cmath>
 
 namespace scenes::hundred
 {
@@ -77,7 +77,7 @@ void add_rock(Geometry &rocks, const Rock &rock, uint64_t seed, uint64_t who)
 
 bool is_clear(const Rock &rock, const std::vector<Spot> &spots, const Spheres &spheres)
 {
-    constexpr double below_m = 3;  // what hangs down from a dragon
+    constexpr double below_m = 3;  // the lowest point of a dragon
     for (const Spot &spot : spots) {
         const double dx = rock.x - spot.place.position[0], dz = rock.z - spot.place.position[2];
         const double reach = spheres.refpoint[static_cast<size_t>(spot.way)] + rock.size;

@@ -1,8 +1,8 @@
 #include "samples/scenes/hundred/piece_mesh.h"
 
-#include "samples/scenes/hundred/paint.h"
-
 #include <cmath>
+
+#include "samples/scenes/hundred/paint.h"
 
 namespace scenes::hundred
 {
@@ -41,7 +41,7 @@ void PieceMesh::loft(const std::vector<Ring> &rings, int sides, Cell cell, Cell 
         const Point right = unit(cross({0, 1, 0}, along)), up = cross(along, right);
         std::vector<Point> ring;
         for (int k = 0; k < sides; ++k) {
-            // Side 0 begins beside the lowest line, so that sides lie evenly about it.
+            // Side 0 begins beside the lowest line, so that the sides are symmetric about it.
             const double turn = 6.283185307179586 * (k - under * 0.5) / sides;
             ring.push_back(rings[i].centre + right * (rings[i].wide * std::sin(turn)) +
                            up * (-rings[i].high * std::cos(turn)));

@@ -1,4 +1,4 @@
-// What the dragon is made of: flat triangles in model space that take a place in the atlas of zones (paint.h).
+// The geometry of the dragon: flat triangles in model space with texture coordinates in the atlas of zones (paint.h).
 #pragma once
 
 #include <cstdint>
@@ -30,12 +30,12 @@ struct PieceMesh {
         Point centre;
         double wide, high;  // half axes, across and upright
     };
-    // A skin round the rings in their order, closed at both ends; rings stand upright across the way between their
-    // neighbours. The lower `under` sides are of cell `below`.
+    // A surface through the rings in their order, closed at both ends. Rings stand upright and square to the line
+    // between their neighbours. The lower `under` sides are of cell `below`.
     void loft(const std::vector<Ring> &rings, int sides, Cell cell, Cell below, int under);
     // A round limb or a horn.
     void limb(Cell cell, const std::vector<Point> &way, const std::vector<double> &radius, int sides);
-    // A thin blade, seen from both sides: `root` to `heel` along its foot, and its tip.
+    // A thin blade, visible from both sides: `root` to `heel` along its foot, and its tip.
     void blade(Cell cell, Point root, Point heel, Point tip, double thick);
     // An octahedron with these half axes.
     void bead(Cell cell, Point centre, double x, double y, double z);

@@ -1,18 +1,19 @@
 #include "samples/scenes/hundred/spots.h"
 
-#include "samples/scenes/random.h"
-#include "samples/scenes/scene_crowd.h"
-
 #include <cmath>
 #include <string>
+
+#include "samples/scenes/random.h"
+#include "samples/scenes/scene_crowd.h"
 
 namespace scenes::hundred
 {
 namespace
 {
 
-// From the eye. Between the bands levels change: half of the nodes at the middle one, a quarter at the far one; who crosses
-// with its parts is near and has them all. 10 x 40 + 30 x 20 + 20 x 10 nodes of 60 actors: half of all, as S0 6.1 says.
+// Distances from the eye. Between the bands levels change: half of the nodes remain at the middle level, a quarter at
+// the far one; actors with parts across the frustum's edge are near and have all nodes. 10 x 40 + 30 x 20 + 20 x 10
+// nodes of 60 actors: half of all, as in S0 6.1.
 struct Band {
     double first_m, last_m;
 };
@@ -63,7 +64,7 @@ public:
 private:
     struct Try {
         Spot spot;
-        Point middle;  // of where the dragon moves
+        Point middle;  // of the dragon's range of motion
         bool good;
     };
 
@@ -77,7 +78,7 @@ private:
             taken_.push_back(tried.middle);
             return tried.spot;
         }
-        throw Failure("hundred_actors found no room for number " + std::to_string(taken_.size()) + " with seed " +
+        throw Failure("hundred_actors found no position for number " + std::to_string(taken_.size()) + " with seed " +
                       std::to_string(seed_));
     }
 
@@ -100,7 +101,7 @@ private:
     Lies lies(Point at, double radius) const
     {
         const Lies less = pyramid_.test(at, radius - slack_m), more = pyramid_.test(at, radius + slack_m);
-        return less == more ? less : Lies::across;  // a hair's breadth from an edge: neither outside nor within
+        return less == more ? less : Lies::across;  // within rounding of an edge: neither outside nor within
     }
     bool is_in(const Band &band, Point p) const
     {
@@ -152,7 +153,7 @@ private:
         const double far = between(kind.band.first_m, kind.band.last_m, Purpose::radius), reach = refpoint(kind.way);
         const Point at = pyramid_.beside(side, far, between(-reach, reach, Purpose::place_x),
                                          between(-0.35, 0.42, Purpose::row) * far);
-        const Point to = pyramid_.right() * (outside ? side : -side);  // the actor's left, where its circle is
+        const Point to = pyramid_.right() * (outside ? side : -side);  // the side of the actor's circle, its left
         Spot spot = {kind.row, kind.way, put(at, {-to.z, 0, to.x})};
         const Point middle = at + turned(spot.place, {aside_m, 0, 0});
         const bool good = is_in(kind.band, middle) && lies(at, reach) == Lies::across &&
@@ -160,7 +161,7 @@ private:
         return {spot, middle, good};
     }
 
-    // It moves along the plane that it crosses, but for C3.2, which comes in head first.
+    // It moves along the plane that it crosses, except in C3.2, which enters head first.
     Try on_edge(const Kind &kind, double side) const
     {
         const Point out = pyramid_.normal(side);

@@ -1,8 +1,8 @@
 #include "samples/scenes/hundred/swim.h"
 
-#include "samples/scenes/hundred/dragon_plan.h"
-
 #include <cmath>
+
+#include "samples/scenes/hundred/dragon_plan.h"
 
 namespace scenes::hundred
 {
@@ -11,7 +11,7 @@ namespace
 
 constexpr uint32_t steps = 14;
 
-// A turn to the side and one up, each a sine of the clip's round: how far [radians], and how late [rounds].
+// A turn to the side and one up, each a sine over the clip's loop: amplitude [radians] and delay [loops].
 struct Sway {
     uint32_t node;
     double yaw, pitch, late;

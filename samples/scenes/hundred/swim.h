@@ -1,9 +1,10 @@
-// How a dragon swims through the air: a wave that runs down its body, its legs rowing. One clip, without a seam.
+// The swimming motion of a dragon in the air: a wave that runs down its body, with rowing legs. One clip that loops
+// without a seam.
 #pragma once
 
-#include <claque/template.h>
-
 #include <vector>
+
+#include <claque/template.h>
 
 namespace scenes::hundred
 {
@@ -18,7 +19,7 @@ struct Swim {
 
 private:
     std::vector<float> times_;
-    std::vector<std::vector<float>> turns_;  // a node: quaternions
+    std::vector<std::vector<float>> turns_;  // for each node: quaternions
     std::vector<clq_channel_def> channels_;
 };
 

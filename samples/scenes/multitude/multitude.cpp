@@ -1,13 +1,14 @@
-// A field full of people: S3's test scene (section 5). Two templates of three levels of detail, five clips, four textures (two
-// a template), everybody with a clip, a phase and colours of its own. And the same field with four templates in chains of levels, from where ten thousand are in view at once.
+// A field full of people: S3's test scene (section 5). Two templates with three levels of detail, five clips and four
+// textures (two for each template); each individual has a clip, a phase and colours of its own. The scene
+// `ten_thousand` is the same field with four templates in chains of levels, with ten thousand in view at once.
+#include <array>
+#include <cmath>
+#include <optional>
+
 #include "samples/scenes/light_map.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/sky.h"
-
-#include <array>
-#include <cmath>
-#include <optional>
 
 namespace scenes
 {
@@ -16,20 +17,20 @@ namespace
 
 constexpr double spacing_m = 1.2, jitter_m = 0.28, ground_m = 600;
 constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
-// Triangles of the two coarser levels; S3's have a fifth and a tenth of a finest one that is five times ours.
+// Triangles of the two coarser levels. S3's have a fifth and a tenth of a finest one that is five times ours.
 const std::vector<uint32_t> coarser = {540, 270};
 constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh", "stand_wave", "stand"};
 
 constexpr uint32_t cells = 28;  // of the ground, across
 
-// Between cells, metres from the middle.
+// Coordinate of the line between cells, in metres from the centre.
 double line(uint32_t i)
 {
     const double t = 2.0 * i / cells - 1;
     return ground_m * (0.25 * t + 0.75 * t * t * t);
 }
 
-// The last line before people of so many a row and what their shadows reach.
+// The last line before the people in rows of `side` and their shadows.
 uint32_t first_worn(uint32_t side)
 {
     constexpr double shadow_m = 4;
@@ -107,8 +108,8 @@ public:
     }
 
 private:
-    // Shadows of all are a few pixels then, most of them behind people, who stand still: ten thousand blended triangles would
-    // take as long as half of the people.
+    // From that distance all shadows are a few pixels, most of them behind people, who stand still. Ten thousand
+    // blended triangles would take as long as half of the people.
     bool afar(const Eye &eye) const { return view_ == View::whole && eye.position[2] > side_ * spacing_m; }
     void enter(uint32_t who)
     {
@@ -123,14 +124,14 @@ private:
         clq_play play = {};
         play.clip = clq_template_find_clip(tmpl, clips[random_bits(seed_, who, Purpose::clip) % clips.size()]);
         play.speed = 1;
-        clq_clip_info info = {};
+        clq_clip_info info = clq_clip_info_init();
         check(clq_template_get_clip(tmpl, play.clip, &info));
         play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * info.duration_s);
         const float size = static_cast<float>(random_between(seed_, who, Purpose::size, 0.94, 1.06));
         scene_crowd_.enter({tmpl, stand(x, 0, z, std::sin(turn), std::cos(turn), size), play});
     }
 
-    // Grass, worn where they stand; cells grow outwards. Those that people and their shadows reach are apart.
+    // Grass, worn under the people; cells grow outwards. Cells with people or their shadows are apart from the others.
     void lay_ground()
     {
         const double worn = side_ * spacing_m / 2;
@@ -158,8 +159,8 @@ private:
     }
 
     uint64_t seed_;
-    uint32_t side_;                          // people a row
-    std::vector<clq_template *> templates_;  // of the library
+    uint32_t side_;                          // people in each row
+    std::vector<clq_template *> templates_;  // owned by the library
     View view_;
     SceneCrowd scene_crowd_;
     Daylight light_;
@@ -179,7 +180,7 @@ std::unique_ptr<Scene> make_multitude(Library &library, const CrowdOptions &crow
                                        View::among);
 }
 
-// As from twice as far: levels begin where twice their root mean square error is two pixels, not one.
+// As from twice the distance: levels begin where twice their root mean square error is two pixels, not one.
 std::unique_ptr<Scene> make_ten_thousand(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
     const std::vector<const char *> all = {"citizen", "patrician", "decurion", "plebeian"};

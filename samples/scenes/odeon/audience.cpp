@@ -15,7 +15,7 @@ Temperament manners_of(const std::string &figure)
                                    : Temperament::hearty;
 }
 
-// Sideways from each seat to the nearest of the row in front that is taken; 9 where none is near.
+// Sideways from each seat to the nearest taken seat of the row in front; 9 if none is near.
 double aside_of(const std::vector<Seat> &seats, const std::vector<bool> &taken, size_t seat)
 {
     const Seat &own = seats[seat];
@@ -29,7 +29,7 @@ double aside_of(const std::vector<Seat> &seats, const std::vector<bool> &taken, 
     return nearest;
 }
 
-// A little below the exact speed: a clip that does not close must not begin again at its end by rounding.
+// A little below the exact speed: rounding must not restart a clip at its end if the clip does not loop.
 float rounded_down(double speed) { return std::nextafter(static_cast<float>(speed), 0.0f); }
 
 }  // namespace
@@ -86,9 +86,10 @@ size_t Audience::figure(Library &library, const std::string &name, Lod lod)
     for (size_t a = 0; a < act_count; ++a) {
         const char *clip = clip_name(static_cast<Act>(a));
         made.clips[a] = clq_template_find_clip(tmpl, clip);
-        clq_clip_info info = {};
+        clq_clip_info info = clq_clip_info_init();
         if (made.clips[a] != CLQ_NONE) check(clq_template_get_clip(tmpl, made.clips[a], &info));
-        if (!(info.duration_s > 0)) throw Failure("the figure '" + name + "' has no clip '" + clip + "' to play");
+        if (!(info.duration_s > 0))
+            throw Failure("the built-in character '" + name + "' has no clip '" + clip + "' to play");
         made.duration_s[a] = static_cast<double>(info.duration_s);
     }
     figures_.push_back(std::move(made));
@@ -97,12 +98,12 @@ size_t Audience::figure(Library &library, const std::string &name, Lod lod)
 
 std::vector<clq_hsb_range> Audience::palette_of(const SocialClass &one, const Figure &worn) const
 {
-    clq_template_info info = {};
+    clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(worn.tmpl, &info));
     std::vector<clq_hsb_range> ranges;
     std::string names;
     for (uint32_t zone = 0; zone < info.zone_count; ++zone) {
-        clq_zone_info found = {};
+        clq_zone_info found = clq_zone_info_init();
         check(clq_template_get_zone(worn.tmpl, zone, &found));
         ranges.push_back(found.range);
         names += (names.empty() ? "" : ", ") + std::string(found.name);
@@ -110,8 +111,8 @@ std::vector<clq_hsb_range> Audience::palette_of(const SocialClass &one, const Fi
     for (const SocialClass::Dye &dye : one.palette) {
         const uint32_t zone = clq_template_find_zone(worn.tmpl, dye.zone.c_str());
         if (zone == CLQ_NONE)
-            throw Failure("the " + one.name + " dye their '" + dye.zone + "', and the figure '" + worn.name +
-                          "' has no such zone; there are: " + names);
+            throw Failure("the " + one.name + " have a palette for '" + dye.zone + "', and the built-in character '" +
+                          worn.name + "' has no such zone; there are: " + names);
         ranges[zone] = dye.range;
     }
     return ranges;

@@ -8,7 +8,7 @@
 namespace scenes
 {
 
-// Each sitter as a programme sees it, but for the lengths of its clips.
+// The members that programmes need, one for each sitter; the lengths of their clips are not set yet.
 std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &seats,
                                const std::vector<Sitter> &sitters, uint64_t seed);
 
@@ -17,7 +17,7 @@ class Audience
 public:
     Audience(Library &library, const Theatre &theatre, const CrowdOptions &crowd_options);
 
-    // Lets everybody play what the programme has at this time.
+    // Lets all individuals play what their programmes have at this time.
     void act(double time_s);
 
     clq_crowd *crowd() const { return scene_crowd_.crowd(); }
@@ -31,7 +31,7 @@ public:
 private:
     struct Figure {
         std::string name;
-        clq_template *tmpl = nullptr;  // of the library
+        clq_template *tmpl = nullptr;  // owned by the library
         std::array<uint32_t, act_count> clips;
         std::array<double, act_count> duration_s;
     };

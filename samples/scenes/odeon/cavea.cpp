@@ -1,11 +1,11 @@
 #include "samples/scenes/odeon/cavea.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/stone.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace scenes
 {
@@ -14,12 +14,12 @@ namespace
 
 constexpr Rgb seat_marble = {0.93f, 0.89f, 0.81f}, wall = {0.84f, 0.77f, 0.66f};
 constexpr double undercut_m = 0.05, lip_m = 0.13;  // of a seat's front, for the heels
-// Paving reaches a little below the stone that it meets, so that there is no crack and no tie in depth.
+// Paving reaches a little below the adjoining stone, so that there is neither a crack nor a tie in depth.
 constexpr double below_m = 0.004;
 constexpr double stair_run_m = 0.27, stair_rise_m = 0.22;
 constexpr double gallery_m = 1.3, gallery_wall_m = 2.7, gallery_thick_m = 0.8;
 
-// A corner of a profile in the plane through the axis. shade: how much of the sky it sees, 1 all.
+// A corner of a profile in the plane through the axis. shade: the visible fraction of the sky.
 struct Corner {
     double radius, y, shade;
 };
@@ -30,7 +30,7 @@ class CaveaBuilder
 public:
     CaveaBuilder(Geometry &stone, uint64_t seed) : stone_(stone), seed_(seed) {}
 
-    // Sweeps a profile, which goes up and outwards as the audience's feet would, in blocks that each have a tone.
+    // Sweeps a profile, which runs outwards and upwards like a walk to the last row, in blocks that each have a tone.
     void sweep(const Profile &profile, double first_deg, double last_deg, double block_m, Rgb colour)
     {
         const double length = (last_deg - first_deg) * radians * profile.front().radius;
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    // The face in which a profile ends at an angle, down to `foot`; side -1 looks to falling angles.
+    // The face in which a profile ends at an angle, down to `foot`; side -1 faces decreasing angles.
     void end(const Profile &profile, double at_deg, int side, double foot, Rgb colour)
     {
         for (size_t i = 0; i + 1 < profile.size(); ++i) {
@@ -118,7 +118,7 @@ private:
     const SeatRow &row(size_t i) const { return theatre_.rows[i]; }
     double sweep_first() const { return theatre_.rows.front().first_deg; }
 
-    // Where the stone before a row's seats begins: at the row before, at a walkway, or at the orchestra.
+    // The start of the stone before a row's seats: at the previous row, at a walkway, or at the orchestra.
     double front_of(size_t i) const
     {
         double front = i == 0 ? theatre_.orchestra_radius_m : row(i - 1).radius_m + row(i - 1).depth_m;
@@ -145,7 +145,7 @@ private:
                 {back, r.seat_y_m, more ? 0.66 : 0.97}};
     }
 
-    // Podium and the step on which the feet of the first row stand.
+    // Podium and the step under the feet of the first row.
     void step(size_t i)
     {
         const double front = front_of(i), y = row(i).step_y_m, below = floor_before(i);
@@ -166,7 +166,7 @@ private:
             block(gangway, front - stair_run_m * (steps - k), front + 0.1, from, from + (to - from) * k / steps);
     }
 
-    // Two treads a row: the seat's own height, and half a rise more before the next row.
+    // Two treads a row: one at the seat's own height, and one half a rise higher before the next row.
     void stairs(size_t i, const Gangway &gangway)
     {
         const SeatRow &r = row(i);
@@ -202,7 +202,7 @@ private:
         for (const int side : {-1, 1}) mason_.end(paving, side < 0 ? first : last, side, 0, wall * 0.92f);
     }
 
-    // Behind the last row: a way, and a wall with pilasters and a cornice.
+    // Behind the last row: a walkway, and a wall with pilasters and a cornice.
     void gallery()
     {
         const SeatRow &last = theatre_.rows.back();

@@ -1,5 +1,5 @@
-// The stone that the audience sits on: rows of seats in blocks, stairs in the gangways, walkways, the podium and the
-// wall round it all. Swept round the upright axis in the theatre's coordinates.
+// The stone under the audience: rows of seats in blocks, stairs in the gangways, walkways, the podium and the outer
+// wall. It is swept round the vertical axis in the theatre's coordinates.
 #pragma once
 
 #include "samples/scenes/geometry.h"

@@ -11,7 +11,7 @@ namespace
 constexpr float lift_m = 0.006f;
 constexpr Rgb dark = {0.10f, 0.08f, 0.07f};
 
-// Dark in the middle, nothing at the rim.
+// Dark in the centre, fading to nothing at the rim.
 Image blot()
 {
     constexpr int side = 64;
@@ -38,7 +38,7 @@ void ContactShadows::lay(const Seat &seat, float scale)
 {
     const double out = std::sqrt(seat.x * seat.x + seat.z * seat.z);
     const Vec3 back = {static_cast<float>(seat.x / out), 0, static_cast<float>(seat.z / out)};
-    // A point by metres to the right of who looks at the seat, behind its edge, and up; u and v of the picture.
+    // A point to the right of a viewer who faces the seat, behind its edge, and up, in metres; u and v of the picture.
     const auto corner = [&](float aside, float behind, double y, Vec3 normal, float u, float v, float alpha) {
         return patches_.add({static_cast<float>(seat.x) + back.x * behind - back.z * aside, static_cast<float>(y),
                              static_cast<float>(seat.z) + back.z * behind + back.x * aside},

@@ -1,12 +1,12 @@
-// Where people touch the stone: soft dark patches on the seat, on the step under the feet and on the riser behind the
-// legs, a blended picture of a shadow each. They lie square to the seat and end at its edge.
+// Contact shadows of people on the stone: soft dark patches on the seat, on the step under the feet and on the riser
+// behind the legs, each a blended picture of a shadow. They are aligned with the seat and end at its edge.
 #pragma once
+
+#include <optional>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/odeon/seating.h"
 #include "samples/scenes/texture.h"
-
-#include <optional>
 
 namespace scenes
 {
@@ -17,7 +17,7 @@ public:
     ContactShadows(const std::vector<Seat> &seats, const std::vector<Sitter> &sitters);
 
     void prepare(const Gl &gl);
-    // On top of what is drawn, with the view set. Leaves blending off and lighting on.
+    // Draws over the current picture, with the view set. Leaves blending off and lighting on.
     void draw(const Gl &gl) const;
 
 private:

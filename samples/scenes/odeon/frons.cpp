@@ -45,7 +45,7 @@ private:
     {
         stone_.box({-half_, 0, front_}, {half_, floor_ - 0.12f, back_}, travertine);
         stone_.box({-half_, floor_ - 0.12f, front_ - 0.08f}, {half_, floor_, back_}, boards);
-        // Niches in the front, round and square in turn as shadows between pilasters.
+        // Niches in the front, alternately round and square, as shadows between pilasters.
         const int bays = std::max(4, static_cast<int>(half_ * 2 / 1.3f));
         for (int bay = 0; bay <= bays; ++bay) {
             const float x = -half_ + 2 * half_ * static_cast<float>(bay) / static_cast<float>(bays);
@@ -68,7 +68,7 @@ private:
         }
     }
 
-    // Columns two by two on a podium before a veneered wall, an entablature on them; statues between.
+    // Pairs of columns on a podium before a veneered wall, with an entablature on them and statues between.
     void storey(float foot, float high, float deep, Rgb shaft, const std::array<Rgb, 2> &veneer)
     {
         const float podium = high * 0.20f, beam = high * 0.15f, columns = high - podium - beam;
@@ -94,7 +94,7 @@ private:
         }
     }
 
-    // A slab in a frame, darker above where the beam shades it.
+    // A slab in a frame, darker above in the shade of the beam.
     void panel(float x, float half, float low, float high, Rgb colour)
     {
         stone_.box({x - half - 0.1f, low - 0.1f, back_ - 0.04f}, {x + half + 0.1f, high + 0.1f, back_},
@@ -109,7 +109,7 @@ private:
         stone_.triangle(a, c, d);
     }
 
-    // A draped figure as one sees it from the seats.
+    // A draped statue, as detailed as it appears from the seats.
     void statue(float x, float z, float foot, float high, float deep)
     {
         stone_.box({x - 0.45f, foot - 0.02f, z - 0.35f}, {x + 0.45f, foot + 0.25f, z + deep}, marble * 0.9f);
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    // Tiles that fall away from the stage.
+    // Tiles that slope away from the stage.
     void roof()
     {
         const float left = -half_ - 1.3f, right = half_ + 1.3f, z0 = back_ - 0.9f, z1 = back_ + 1.9f;

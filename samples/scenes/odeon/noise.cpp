@@ -1,15 +1,16 @@
 #include "samples/scenes/odeon/noise.h"
 
-#include "samples/scenes/random.h"
-
 #include <cmath>
+
+#include "samples/scenes/random.h"
 
 namespace scenes
 {
 namespace
 {
 
-// The dot product of a corner's gradient, one of the twelve middles of a cube's edges, with the way from there.
+// The dot product of a corner's gradient, which is one of the twelve edge midpoints of a cube, with the offset from
+// that corner.
 double corner(uint64_t seed, int64_t i, int64_t j, int64_t k, double x, double y, double z)
 {
     const uint64_t cell = static_cast<uint64_t>(i) * 0x9e3779b97f4a7c15u ^
@@ -37,7 +38,7 @@ double gradient_noise(uint64_t seed, double x, double y, double z)
             mix(v, mix(u, corner(seed, i, j, k + up, x, y, z - up), corner(seed, i + 1, j, k + up, x - 1, y, z - up)),
                 mix(u, corner(seed, i, j + 1, k + up, x, y - 1, z - up),
                     corner(seed, i + 1, j + 1, k + up, x - 1, y - 1, z - up)));
-    // Gradients are the square root of 2 long, corners at most that of 3/4 away from the middle of a cell.
+    // Gradients have the length sqrt(2); corners are at most sqrt(3/4) away from the centre of a cell.
     const double bound = 1.2247448713915890;
     return mix(w, layer[0], layer[1]) / bound;
 }

@@ -1,4 +1,4 @@
-// Gradient noise as Perlin has it: smooth, 0 at whole coordinates, the same on every machine.
+// Perlin's gradient noise: smooth, 0 at whole coordinates, the same on every machine.
 #pragma once
 
 #include <cstdint>

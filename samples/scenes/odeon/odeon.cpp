@@ -1,4 +1,8 @@
 // The odeon: three classes of Roman society in a theatre on a bright day (S1 7, S2 5.3).
+#include <fstream>
+#include <optional>
+#include <sstream>
+
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
@@ -10,16 +14,13 @@
 #include "samples/scenes/social_classes.h"
 #include "samples/scenes/stone.h"
 
-#include <fstream>
-#include <optional>
-#include <sstream>
-
 namespace scenes
 {
 namespace
 {
 
-// The sun stands over the stage house and lights the faces of those who look at it; their stone lights the stage.
+// The sun is above the stage house and lights the faces of the audience; reflected light from the seats lights the
+// stage.
 constexpr Daylight afternoon = {
     {-0.30f, 0.62f, 0.72f}, {0.82f, 0.74f, 0.60f}, {0.39f, 0.41f, 0.45f}, {0.26f, 0.23f, 0.18f}};
 constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
@@ -97,7 +98,7 @@ private:
                     aspect, 1.5, 900);
     }
 
-    // Hovers over the rows before a walkway, where two classes meet; before the middle row where there is none.
+    // Close above the rows before a walkway, where two classes meet; before the middle row if there is no walkway.
     clq_camera few_rows(double aspect) const
     {
         size_t number = theatre_.rows.size() / 2;

@@ -1,12 +1,12 @@
 #include "samples/scenes/odeon/opus_sectile.h"
 
-#include "samples/scenes/odeon/noise.h"
-#include "samples/scenes/random.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+
+#include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 namespace scenes
 {
@@ -17,13 +17,13 @@ struct Marble {
     double r, g, b;
     double veins;  // how strongly they differ from the ground
 };
-// Imperial porphyry, giallo antico, green serpentine, pavonazzetto, grey granite: worn and dusty, so that the floor stays
-// behind the people above it.
+// Imperial porphyry, giallo antico, green serpentine, pavonazzetto, grey granite: worn and dusty, so that the floor
+// does not distract from the people above it.
 constexpr Marble porphyry = {0.56, 0.36, 0.33, 0.14}, floor_giallo = {0.84, 0.70, 0.48, 0.16};
 constexpr Marble floor_serpentine = {0.44, 0.51, 0.43, 0.22}, white = {0.87, 0.83, 0.75, 0.20};
 constexpr Marble floor_granite = {0.66, 0.63, 0.59, 0.12};
 
-// One cut piece: what it is of, which it is, and how near its edge is, as a fraction of the floor's radius.
+// One cut piece: its marble, its number, and its distance to the edge as a fraction of the floor's radius.
 struct Piece {
     Marble marble;
     uint64_t id;
@@ -31,15 +31,15 @@ struct Piece {
 };
 
 constexpr int side_px = 1024;
-constexpr double joint_fade = 0.0022;  // of the floor's radius: how wide a joint darkens
+constexpr double joint_fade = 0.0022;  // width of a joint's shading, as a fraction of the floor's radius
 constexpr int spokes = 72;             // of the rim's ring of wedges
 constexpr double rim = 0.965, wedges = 0.875, line = 0.85;
 
-// Rings round the floor: a white rim, wedges of two colours in turn, a line of porphyry.
+// Rings round the floor: a white rim, wedges of alternating colours, a line of porphyry.
 Piece ring(double x, double y, double radius)
 {
     const double edge = std::min({std::abs(radius - rim), std::abs(radius - wedges), std::abs(radius - line)});
-    // The angle over a full turn without a library's arc functions: exact at the diagonals, even enough between.
+    // The angle over a full turn without a library's arc functions: exact at the diagonals, nearly even between.
     const double slant = x / (std::abs(x) + std::abs(y));
     const double turn = (y >= 0 ? 1 - slant : 3 + slant) / 4;
     const double along = turn * spokes, nearest = std::floor(along + 0.5);
@@ -48,14 +48,14 @@ Piece ring(double x, double y, double radius)
     if (radius < wedges) return {porphyry, 4200 + spoke / 3, edge};
     // A wedge narrows inwards to a point: giallo between serpentine.
     const double inwards = (rim - radius) / (rim - wedges);
-    const double off = std::abs(along - std::floor(along) - 0.5) * 2;  // 0 on its middle, 1 where two meet
+    const double off = std::abs(along - std::floor(along) - 0.5) * 2;  // 0 in its middle, 1 where two meet
     const double side = (1 - inwards) - off;
     const double to_side = std::abs(side) * radius * 2.2 / spokes;
     if (side > 0) return {floor_giallo, 4400 + spoke, std::min(edge, to_side)};
     return {floor_serpentine, 4600 + static_cast<uint64_t>(nearest) % spokes, std::min(edge, to_side)};
 }
 
-// A panel in coordinates of its own, -1 to 1: a round or a square in a square, framed by white bands.
+// A panel in coordinates of its own, -1 to 1: a circle or a square in a square, framed by white bands.
 Piece panel(double x, double y, int column, int row, double unit)
 {
     const uint64_t id = static_cast<uint64_t>((row + 64) * 128 + column + 64) * 4;
@@ -88,7 +88,8 @@ Piece piece_at(double x, double y, int panels)
     return piece;
 }
 
-// How light a stone is at a texel: clouds, veins where a noise crosses zero, wear; each piece toned its own way.
+// The brightness of a stone at a texel: clouds, veins where a noise crosses zero, wear; each piece has a tone of its
+// own.
 double stone(const Piece &piece, uint64_t seed, double x, double y, uint64_t texel)
 {
     const double tone = random_between(seed, piece.id, Purpose::tone, 0.93, 1.06);
@@ -100,7 +101,7 @@ double stone(const Piece &piece, uint64_t seed, double x, double y, uint64_t tex
     return tone * (1 + 0.05 * grain + 0.10 * vein + 0.09 * worn - piece.marble.veins * 0.55 * drawn);
 }
 
-// The mean over the texel of the pieces' colours and joints; noise is taken once, for it is smooth.
+// The mean over the texel of the pieces' colours and joints; noise is sampled once, because it is smooth.
 std::array<uint8_t, 4> texel(uint64_t seed, int panels, int column, int row)
 {
     constexpr int samples = 2, all = samples * samples;

@@ -6,8 +6,8 @@
 namespace scenes
 {
 
-// A round floor that fills the picture: its rim touches the picture's edges. The corners beyond are white marble.
-// panels: how many lie across the floor.
+// A round floor whose rim touches the picture's edges; the corners beyond are white marble. panels: their number
+// across the floor.
 Image opus_sectile(uint64_t seed, int panels);
 
 }  // namespace scenes

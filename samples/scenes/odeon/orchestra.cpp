@@ -1,10 +1,10 @@
 #include "samples/scenes/odeon/orchestra.h"
 
-#include "samples/scenes/angles.h"
-#include "samples/scenes/odeon/opus_sectile.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/angles.h"
+#include "samples/scenes/odeon/opus_sectile.h"
 
 namespace scenes
 {
@@ -15,7 +15,7 @@ constexpr double panel_m = 1.15, under_podium_m = 0.10;
 constexpr int sides = 72;
 
 struct Circle {
-    double part, shade;  // of the floor's radius; how much of the sky it sees
+    double part, shade;  // of the floor's radius; visible fraction of the sky
 };
 constexpr Circle circles[] = {{0.84, 1.0}, {0.95, 0.96}, {1.0, 0.80}};
 

@@ -1,11 +1,11 @@
-// The orchestra's floor: a disc of coloured marbles, darker at its rim where the podium stands.
+// The orchestra's floor: a disc of coloured marbles, darker at its rim beside the podium.
 #pragma once
+
+#include <optional>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/odeon/theatre.h"
 #include "samples/scenes/texture.h"
-
-#include <optional>
 
 namespace scenes
 {
@@ -16,8 +16,8 @@ public:
     Orchestra(const Theatre &theatre, uint64_t seed);
 
     void prepare(const Gl &gl);
-    // On the ground at y = 0, right after the ground and before all that stands on it: it lies in the ground's plane and
-    // covers it whatever the depth buffer resolves, for it neither tests nor writes depth.
+    // Draw this at y = 0 right after the ground and before everything on it. It lies in the ground's plane and neither
+    // tests nor writes depth, so it covers the ground whatever the depth buffer resolves.
     void draw(const Gl &gl) const;
 
     const Geometry &floor() const { return floor_; }

@@ -1,28 +1,28 @@
 #include "samples/scenes/odeon/programme.h"
 
-#include "samples/scenes/odeon/noise.h"
-#include "samples/scenes/random.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 namespace scenes
 {
 namespace
 {
 
-// A programme is cut into blocks of this length, each a row of whole clips that fills it: so none has to be followed
-// from its beginning. Blocks of individuals begin at times of their own.
+// A programme is cut into blocks of this length, each a row of whole clips that fills it, so that any time is found
+// without following the programme from its beginning. Blocks of different individuals begin at different times.
 constexpr double block_s = 32;
 constexpr size_t most_acts = 64;
 
 using Weights = std::array<double, seated_count>;
 
-//                         sit   lean look talk applaud cheer laugh wave
+// sit   lean look talk applaud cheer laugh wave
 constexpr Weights odds[] = {{3.4, 1.8, 2.4, 2.2, 0.20, 0.02, 0.15, 0.02},   // grave
                             {2.8, 2.0, 2.4, 3.0, 0.20, 0.04, 0.30, 0.10},   // gracious
                             {2.2, 2.6, 2.6, 2.4, 0.20, 0.12, 0.40, 0.16}};  // hearty
-// How far each goes where all around applaud or laugh, and how readily it stands up.
+// The response of each temperament where all around applaud or laugh, and its tendency to stand up.
 constexpr double cheer_odds[] = {1.0, 1.6, 6.0}, laugh_odds[] = {5.0, 9.0, 10.0}, rise_odds[] = {0.5, 0.6, 1.6};
 
 double above(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
@@ -31,7 +31,7 @@ struct Mood {
     double applause, ovation, mirth;  // [0, 1]
 };
 
-// Applause is of patches some eight metres wide and of the whole house, mirth of smaller ones.
+// Applause has patches some eight metres wide and a part common to the whole house; mirth has smaller patches.
 Mood mood_at(const Member &m, double time_s)
 {
     const double patch = gradient_noise(m.seed + 1, m.x / 8, m.z / 8, time_s / 13);
@@ -104,7 +104,7 @@ private:
         return Act::wave;
     }
 
-    // Rises, stays up for a clip or two, sits down again; false where it stays seated.
+    // Rises, stays up for a clip or two, sits down again; returns false if it stays seated.
     bool stand_up(const Mood &mood)
     {
         const double ready = rise_odds[static_cast<size_t>(m_.temperament)];
@@ -124,7 +124,7 @@ private:
         return true;
     }
 
-    // Near the end of a block: the quiet clip after which least is missing, so that speeds stay near the pace.
+    // Near the end of a block: the quiet clip that leaves the smallest gap, so that speeds stay near 1.
     Act best_fit()
     {
         const size_t first = static_cast<size_t>(draw() * 4);
@@ -165,7 +165,7 @@ Playing playing_at(const Member &member, double time_s)
     const int64_t number = static_cast<int64_t>(std::floor((time_s + shift) / block_s));
     const double begin = static_cast<double>(number) * block_s - shift;
     const Block block = Writer(member, number, begin).write();
-    // What the clips lack or have too much is taken up by the speed of them all.
+    // Scales the speed of all clips so that they fill the block.
     const double second = block_s / block.total_s;
     Playing playing;
     playing.speed = block.total_s / block_s;
@@ -176,7 +176,7 @@ Playing playing_at(const Member &member, double time_s)
         playing.end_s += member.duration_s[static_cast<size_t>(playing.act)] * second;
         if (time_s < playing.end_s) return playing;
     }
-    playing.end_s = begin + block_s;  // which the sum above misses by what it rounds away
+    playing.end_s = begin + block_s;  // avoids the rounding error of the sum above
     return playing;
 }
 

@@ -1,6 +1,6 @@
-// What somebody in the audience does: an endless row of clips, drawn by lot, that is a function of who it is and the
-// time alone, so that any moment can be made by itself. Seated clips begin and end in one pose; they change at their
-// ends only. Applause and laughter spread: their odds follow noise over place and time.
+// The programme of one member of the audience: an endless row of clips, picked at random, that is a function of the
+// member and the time alone, so that any frame can be drawn by itself. Seated clips begin and end in one pose; they
+// change at their ends only. Applause and laughter spread: their odds follow noise over place and time.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ enum class Act : uint8_t {
     stand_laugh,
     sit_down
 };
-constexpr size_t act_count = 15, seated_count = 8;  // the first of them are seated
+constexpr size_t act_count = 15, seated_count = 8;  // the first ones are seated
 
 const char *clip_name(Act act);
 
@@ -36,10 +36,10 @@ enum class Temperament : uint8_t { grave, gracious, hearty };  // of a decurion,
 struct Member {
     uint64_t seed = 0, who = 0;
     double x = 0, z = 0;  // of the seat, metres
-    // Sideways to the nearest who sits in the row in front. Who rises or leans forward needs room for head and chest.
+    // Sideways to the nearest sitter in the row in front. Rising or leaning forward needs room for head and chest.
     double aside_m = 9;
     Temperament temperament = Temperament::grave;
-    std::array<double, act_count> duration_s = {};  // of its figure's clips, each above 0
+    std::array<double, act_count> duration_s = {};  // of its character's clips, each above 0
 };
 
 constexpr double aside_to_rise_m = 0.42, aside_to_lean_m = 0.18;
@@ -51,7 +51,7 @@ struct Playing {
     double speed = 1;
 };
 
-// What it plays at a time: begin_s <= time_s < end_s.
+// The clip at a time: begin_s <= time_s < end_s.
 Playing playing_at(const Member &member, double time_s);
 
 }  // namespace scenes

@@ -1,4 +1,4 @@
-// A theatre from its description (S1 2: seats on circular layers with a radius and an angle of their own).
+// Reads a theatre from its description (S1 2: seats on circular layers with a radius and an angle of their own).
 #include "samples/scenes/odeon/theatre.h"
 #include "samples/scenes/odeon/toml_table.h"
 #include "samples/scenes/odeon/validate_theatre.h"
@@ -21,14 +21,14 @@ void read_rows(TomlTable rows, Theatre &theatre)
     row.seat_y_m = rows.number("seat_y_m", height_limits_m);
     const auto [first, last] = rows.pair("sweep_deg", turn_deg);
     if (!(first < last))
-        rows.refuse("has a sweep from " + show(first) + " to " + show(last) + " degrees, which goes backwards",
+        rows.refuse("has a sweep from " + show(first) + " to " + show(last) + " degrees, which is descending",
                     "sweep_deg");
     row.first_deg = first;
     row.last_deg = last;
     if (rows.has("who")) row.who = rows.text("who");
     rows.done();
     if (theatre.rows.size() + count > row_number.last)
-        rows.refuse("would make row " + show(double(theatre.rows.size() + count)) + "; there may be " +
+        rows.refuse("would make row " + show(double(theatre.rows.size() + count)) + "; the limit is " +
                     show(row_number.last));
     for (uint32_t i = 0; i < count; ++i) {
         row.step_y_m = row.seat_y_m - rise;
@@ -60,8 +60,8 @@ clq_hsb_range read_range(TomlTable dye)
 {
     const auto hue = dye.pair("hue", {0, 360}), saturation = dye.pair("saturation", fraction),
                brightness = dye.pair("brightness", fraction);
-    if (saturation[0] > saturation[1]) dye.refuse("has its saturation the wrong way round", "saturation");
-    if (brightness[0] > brightness[1]) dye.refuse("has its brightness the wrong way round", "brightness");
+    if (saturation[0] > saturation[1]) dye.refuse("has its saturation in the wrong order", "saturation");
+    if (brightness[0] > brightness[1]) dye.refuse("has its brightness in the wrong order", "brightness");
     dye.done();
     return {static_cast<float>(hue[0]),        static_cast<float>(hue[1]),        static_cast<float>(saturation[0]),
             static_cast<float>(saturation[1]), static_cast<float>(brightness[0]), static_cast<float>(brightness[1])};
@@ -75,7 +75,7 @@ void read_class(TomlTable described_class, Theatre &theatre)
     made.count = described_class.whole("count", people);
     if (described_class.has("palette"))
         for (auto &[zone, dye] : described_class.table("palette", "class '" + made.name + "'")
-                                     .named_tables("dye of class '" + made.name + "' for"))
+                                     .named_tables("palette entry of class '" + made.name + "' for"))
             made.palette.push_back({zone, read_range(dye)});
     described_class.done();
     for (const SocialClass &other : theatre.classes)
@@ -86,8 +86,9 @@ void read_class(TomlTable described_class, Theatre &theatre)
             theatre.classes.push_back(std::move(made));
             return;
         }
-    described_class.refuse(
-        "wears '" + made.figure + "', which is no figure; there are: citizen, patrician, decurion, plebeian", "figure");
+    described_class.refuse("wears '" + made.figure +
+                               "', which is no built-in character; there are: citizen, patrician, decurion, plebeian",
+                           "figure");
 }
 
 void read_stage(TomlTable stage, Theatre &theatre)
@@ -102,12 +103,11 @@ void read_stage(TomlTable stage, Theatre &theatre)
 
 void read_audience(TomlTable &all, Theatre &theatre)
 {
-    if (!all.has("audience"))
-        all.refuse("says nothing about its audience: it needs [audience] and at least one [[audience.classes]]");
+    if (!all.has("audience")) all.refuse("has no audience: it needs [audience] and at least one [[audience.classes]]");
     TomlTable audience = all.table("audience", "[audience]");
     theatre.facing_noise_deg = audience.number("facing_noise_deg", {0, 20});
     for (TomlTable &one : audience.tables("classes", "[[audience.classes]]")) read_class(one, theatre);
-    if (theatre.classes.empty()) audience.refuse("names nobody: it needs at least one [[audience.classes]]");
+    if (theatre.classes.empty()) audience.refuse("has no classes: it needs at least one [[audience.classes]]");
     audience.done();
 }
 

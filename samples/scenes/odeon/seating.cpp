@@ -1,24 +1,25 @@
 #include "samples/scenes/odeon/seating.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/odeon/noise.h"
 #include "samples/scenes/odeon/validate_theatre.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/scene_crowd.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace scenes
 {
 namespace
 {
 
-constexpr double noise_cell_m = 4.0;         // about six seats
-constexpr double feet_to_hips_m = 0.40;      // level, of a sitter of scale 1
-constexpr double share_of_feet = 1.0 / 3.0;  // of what a tall or short sitter does not fit the seat; hips the rest
+constexpr double noise_cell_m = 4.0;     // about six seats
+constexpr double feet_to_hips_m = 0.40;  // horizontal, of a sitter of scale 1
+// the feet's share of the misfit between a tall or short sitter and the seat; the hips take the rest
+constexpr double share_of_feet = 1.0 / 3.0;
 
-// In the proportions of the description; the largest remainders are rounded up.
+// Shares in the proportions of the description; the largest remainders are rounded up.
 std::vector<uint32_t> shares(const Theatre &theatre, uint32_t count)
 {
     std::vector<uint32_t> shares;

@@ -1,9 +1,9 @@
-// Who sits on which seat, how tall, and turned which way.
+// The sitters of the audience: their seats, sizes and directions.
 #pragma once
 
-#include "samples/scenes/odeon/theatre.h"
-
 #include <claque/crowd.h>
+
+#include "samples/scenes/odeon/theatre.h"
 
 namespace scenes
 {
@@ -15,12 +15,12 @@ struct Sitter {
     clq_transform place = {};
 };
 
-// Fills the rows of each class, row by row; which seats stay empty is drawn by lot. count 0: as many as the description
-// says; others are shared out in its proportions. Throws Failure where a class has not that many seats.
+// Fills the rows of each class, row by row; empty seats are picked at random. count 0: the description's numbers;
+// other counts are distributed in its proportions. Throws Failure if a class has too few seats.
 std::vector<Sitter> seat_people(const Theatre &theatre, const std::vector<Seat> &seats, uint32_t count, uint64_t seed);
 
-// A turn from where the seat faces, in degrees, in [-facing_noise_deg, facing_noise_deg]: Perlin noise over the plan, so
-// that neighbours turn alike, but not quite (S1 2).
+// A turn away from the seat's direction, in degrees, in [-facing_noise_deg, facing_noise_deg]: Perlin noise over the
+// plan, so that neighbours turn alike, but not quite (S1 2).
 double facing_turn_deg(const Theatre &theatre, const Seat &seat, uint64_t seed);
 
 // Sits a person of this scale on a seat, turned about the hips.

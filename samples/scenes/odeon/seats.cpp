@@ -1,19 +1,21 @@
-// Seats on circular rows, a wedge at a time between gangways.
-#include "samples/scenes/angles.h"
-#include "samples/scenes/odeon/theatre.h"
-
+// Seats on circular rows, one wedge at a time between gangways.
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/angles.h"
+#include "samples/scenes/odeon/theatre.h"
 
 namespace scenes
 {
 namespace
 {
 
-// Hips stay square on the stone: nobody turns further towards the stage than this from the middle of the orchestra.
+// Hips stay square on the stone: sitters turn from the centre of the orchestra towards the stage by at most this
+// angle.
 constexpr double greatest_turn_deg = 6;
 
-// Towards the middle of the stage's front, as far as one turns on a seat that looks to the middle of the orchestra.
+// Turns towards the centre of the stage's front, as far as is possible on a seat that faces the centre of the
+// orchestra.
 void face_the_stage(Seat &seat, double stage_z)
 {
     const double out = std::sqrt(seat.x * seat.x + seat.z * seat.z);

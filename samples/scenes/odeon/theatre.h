@@ -1,19 +1,19 @@
-// A Roman theatre as its description says: rows of seats on circles, gangways, stage, and who sits where. The audience
-// sits on the side of -z and looks towards the stage, which is on the side of +z; the origin is the middle of the
-// orchestra's floor. Angles are about the upright axis, 0 behind the middle of the audience (along -z), positive
-// towards +x. Metres and degrees.
+// A Roman theatre as its description has it: rows of seats on circles, gangways, stage, and the classes of the rows.
+// The audience sits on the side of -z and looks towards the stage, which is on the side of +z; the origin is the
+// centre of the orchestra's floor. Angles are about the vertical axis, 0 behind the centre of the audience (along -z),
+// positive towards +x. Metres and degrees.
 #pragma once
-
-#include <claque/template.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include <claque/template.h>
+
 namespace scenes
 {
 
-// A class of the audience: which template it wears, how many there are, and what its colours are drawn from.
+// A class of the audience: its template, its number of people, and the palettes of its colours.
 struct SocialClass {
     std::string name;
     std::string figure;  // of clq_template_builtin
@@ -22,16 +22,16 @@ struct SocialClass {
         std::string zone;
         clq_hsb_range range;
     };
-    std::vector<Dye> palette;  // zones that it does not name keep the template's own range
+    std::vector<Dye> palette;  // zones that are not named keep the template's own range
 };
 
 struct SeatRow {
     double radius_m = 0;                 // of the front edge of its seats
     double depth_m = 0;                  // from there to the riser of the next row, or to a walkway's inner edge
     double seat_y_m = 0;                 // height of its seats
-    double step_y_m = 0;                 // where the feet of those who sit here stand: seat_y_m less the rise
+    double step_y_m = 0;                 // height under the sitters' feet: seat_y_m less the rise
     double first_deg = 0, last_deg = 0;  // its sweep
-    std::string who;                     // name of a class; empty: nobody sits here
+    std::string who;                     // name of a class; empty: the row stays empty
 };
 
 // Stairs that cut through rows [first_row, last_row].
@@ -40,7 +40,7 @@ struct Gangway {
     size_t first_row = 0, last_row = 0;
 };
 
-// A level walkway (praecinctio) between two blocks of rows.
+// A horizontal walkway (praecinctio) between two blocks of rows.
 struct Walkway {
     double inner_m = 0, outer_m = 0, y_m = 0;
 };
@@ -63,7 +63,7 @@ struct Theatre {
     double facing_noise_deg = 0;  // greatest turn away from the stage
 };
 
-// One seat: the middle of its front edge, at the height of the seat, and the way a sitter looks.
+// One seat: the centre of its front edge, at the height of the seat, and the direction of a sitter.
 struct Seat {
     size_t row = 0;
     double angle_deg = 0;
@@ -72,20 +72,21 @@ struct Seat {
     double step_y = 0;
 };
 
-// Reads a description; `where` names it in sentences. Throws Failure where it is no TOML, lacks something, or makes no
-// sense (rows that overlap, gangways that leave no seats, more people of a class than seats), with the row and numbers.
+// Reads a description; `where` names it in error messages. Throws Failure with the row and numbers if the text is not
+// TOML, lacks something, or contradicts itself (rows that overlap, gangways that leave no seats, more people of a
+// class than seats).
 Theatre read_theatre(const std::string &toml, const std::string &where);
 
 // The description that comes with claque (odeon.toml beside this header).
 const std::string &odeon_description();
 
-// What the gangways leave of a row, by rising angle.
+// The parts of a row between gangways, by ascending angle.
 struct Wedge {
     double first_deg = 0, last_deg = 0;
 };
 std::vector<Wedge> wedges_of(const Theatre &theatre, size_t row);
 
-// All seats, row by row, by rising angle; none within a gangway.
+// All seats, row by row, by ascending angle; none within a gangway.
 std::vector<Seat> seats_of(const Theatre &theatre);
 
 }  // namespace scenes

@@ -1,9 +1,9 @@
 #include "samples/scenes/odeon/toml_table.h"
 
-#include "samples/scenes/check.h"
-
 #include <cmath>
 #include <cstdio>
+
+#include "samples/scenes/check.h"
 
 namespace scenes
 {
@@ -23,7 +23,7 @@ std::string kind_of(const toml::node &node)
         case toml::node_type::array:
             return "a list";
         case toml::node_type::string:
-            return "a text";
+            return "a string";
         case toml::node_type::integer:
             return "a whole number";
         case toml::node_type::floating_point:
@@ -49,7 +49,7 @@ toml::table parse_toml(const std::string &text, const std::string &where)
     toml::parse_result result = toml::parse(text);
     if (!result)
         throw Failure(at_line(where, result.error().source()) +
-                      ": no TOML: " + std::string(result.error().description()));
+                      ": not TOML: " + std::string(result.error().description()));
     return std::move(result).table();
 }
 
@@ -101,7 +101,7 @@ uint32_t TomlTable::whole(std::string_view key, Limits limits)
 std::string TomlTable::text(std::string_view key)
 {
     const toml::node &node = need(key);
-    if (!node.is_string()) refuse("has '" + std::string(key) + "' = " + kind_of(node) + " instead of a text", key);
+    if (!node.is_string()) refuse("has '" + std::string(key) + "' = " + kind_of(node) + " instead of a string", key);
     return *node.value<std::string>();
 }
 
@@ -124,10 +124,10 @@ std::vector<double> TomlTable::numbers(std::string_view key, Limits limits)
 std::vector<std::string> TomlTable::texts(std::string_view key)
 {
     const toml::array *list = need(key).as_array();
-    if (!list) refuse("has '" + std::string(key) + "' that is not a list of texts", key);
+    if (!list) refuse("has '" + std::string(key) + "' that is not a list of strings", key);
     std::vector<std::string> all;
     for (const toml::node &item : *list) {
-        if (!item.is_string()) refuse("has '" + std::string(key) + "' that is not a list of texts", key);
+        if (!item.is_string()) refuse("has '" + std::string(key) + "' that is not a list of strings", key);
         all.push_back(*item.value<std::string>());
     }
     return all;

@@ -1,8 +1,6 @@
-// Tables of a TOML description, read with every value checked. Each refusal is one sentence: file, line, what, numbers.
+// Tables of a TOML description; every value is checked as it is read. Each error is one sentence with file, line, key
+// and numbers.
 #pragma once
-
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
 
 #include <array>
 #include <cstdint>
@@ -11,21 +9,24 @@
 #include <string_view>
 #include <vector>
 
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
 namespace scenes
 {
 
-// Parses a description. Throws Failure where it is no TOML. `where` names it in sentences.
+// Parses a description. Throws Failure if it is not TOML. `where` names it in error messages.
 toml::table parse_toml(const std::string &text, const std::string &where);
 
 struct Limits {
     double first, last;
 };
 
-// One table. Keys that nobody asked for are refused by done().
+// One table. done() rejects keys that were never read.
 class TomlTable
 {
 public:
-    // `what` names it in sentences, "[stage]".
+    // `what` names it in error messages: "[stage]".
     TomlTable(const toml::table &table, std::string where, std::string what);
 
     bool has(std::string_view key);
@@ -35,16 +36,16 @@ public:
     std::array<double, 2> pair(std::string_view key, Limits limits);
     std::vector<double> numbers(std::string_view key, Limits limits);  // one number, or a list of them
     std::vector<std::string> texts(std::string_view key);
-    // Every text by its own name, for keys that are names.
+    // All texts with their keys, for tables whose keys are names.
     std::vector<std::pair<std::string, std::string>> named_texts();
     TomlTable table(std::string_view key, const std::string &what);
-    // The tables of [[key]]; `what` is numbered from 1. None where the key is missing.
+    // The tables of [[key]]; `what` is numbered from 1. None if the key is missing.
     std::vector<TomlTable> tables(std::string_view key, const std::string &what);
-    // Every table by its own name, for keys that are names.
+    // All tables with their keys, for tables whose keys are names.
     std::vector<std::pair<std::string, TomlTable>> named_tables(const std::string &what);
     void done() const;
 
-    // Throws Failure: where, the line of the table (or of one key), what it is, and the sentence.
+    // Throws Failure: file, line of the table (or of one key), what it is, and the sentence.
     [[noreturn]] void refuse(const std::string &sentence, std::string_view key = {}) const;
 
 private:
@@ -56,7 +57,7 @@ private:
     std::set<std::string, std::less<>> known_;
 };
 
-// A number as people write it.
+// A number in its usual notation.
 std::string show(double value);
 
 }  // namespace scenes

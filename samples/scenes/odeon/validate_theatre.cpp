@@ -1,11 +1,11 @@
 #include "samples/scenes/odeon/validate_theatre.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/odeon/toml_table.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace scenes
 {
@@ -56,7 +56,7 @@ private:
                    show(before.seat_y_m) + " m");
     }
 
-    // Feet stand on the row before, where it adjoins, or on a step of its own behind a walkway.
+    // Feet stand on the previous row if it adjoins, or on a separate step behind a walkway.
     void step(size_t i) const
     {
         if (i == 0) return;
@@ -78,7 +78,7 @@ private:
                        show(walkway.y_m) + " m");
             return;
         }
-        refuse("between " + name(i - 1) + " and " + name(i) + " nothing fills " + show(end(before)) + " to " +
+        refuse("between " + name(i - 1) + " and " + name(i) + " there is no stone at " + show(end(before)) + " to " +
                show(row.radius_m) + " m: it needs a walkway");
     }
 

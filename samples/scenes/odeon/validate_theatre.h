@@ -1,4 +1,4 @@
-// Whether a theatre can be built and sat in.
+// Checks that a theatre can be built and sat in.
 #pragma once
 
 #include "samples/scenes/odeon/theatre.h"
@@ -6,11 +6,11 @@
 namespace scenes
 {
 
-// How the figures sit, in metres of a person of scale 1: this far above their feet, their feet this far before the edge
-// of the seat, and stone for their toes this far before it.
+// The seated pose of the built-in characters, in metres at scale 1: the seat's height above the feet, the distance of
+// the feet before the seat's edge, and that of the end of the stone under the toes.
 constexpr double sitting_height_m = 0.43, seat_edge_to_feet_m = 0.14, seat_edge_to_toes_m = 0.40;
 
-// Throws Failure with the first thing that makes no sense; rows count from 1.
+// Throws Failure with the first contradiction; rows count from 1.
 void validate(const Theatre &theatre, const std::string &where);
 
 }  // namespace scenes

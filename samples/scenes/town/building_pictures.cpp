@@ -1,8 +1,8 @@
 // Roof tiles and leaves.
+#include <cmath>
+
 #include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
-
-#include <cmath>
 
 namespace scenes::town
 {
@@ -17,7 +17,7 @@ Image tiles(uint64_t seed)
         const double column = std::floor(x), in = x - column;
         const uint64_t number =
             static_cast<uint64_t>(row) * 64 + static_cast<uint64_t>(static_cast<int>(column) % across);
-        // Each tile is rounded at its end and lies on the next one's head, which it shades.
+        // Each tile is rounded at its end and shades the head of the next one, on which it lies.
         const double side = std::abs(in - 0.5) * 2, end = 0.16 * side * side;
         const double lip = smooth_step((up - end) / 0.10), under = 0.55 + 0.45 * smooth_step((1.0 - up) / 0.30);
         const double joint = 0.72 + 0.28 * smooth_step((1 - side) / 0.16);

@@ -1,11 +1,11 @@
-// What pictures are painted with: smooth noise that repeats, and texels by place.
+// Tools for painting pictures: smooth noise that repeats, and functions of texels.
 #pragma once
+
+#include <algorithm>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/texture.h"
-
-#include <algorithm>
 
 namespace scenes::town
 {
@@ -47,7 +47,7 @@ private:
     std::vector<double> values_;
 };
 
-// Paints every texel by a function of u and v, its middle.
+// Paints every texel by a function of u and v at its centre.
 template <class Colour>
 Image painted(int side_px, Colour colour)
 {

@@ -1,9 +1,9 @@
 #include "samples/scenes/town/clouds.h"
 
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/town/canvas.h"
-
-#include <cmath>
 
 namespace scenes::town
 {
@@ -19,7 +19,7 @@ Rgb sky_at(double height)  // the sine of the angle above the horizon
     return t < 0.5 ? blend(Clouds::haze, middle, t / 0.5) : blend(middle, zenith, (t - 0.5) / 0.5);
 }
 
-// White where it is thick, grey below, nothing between: alpha says how much.
+// White where it is thick, grey below; alpha is the density.
 Image cloud_picture(uint64_t seed)
 {
     const RepeatingNoise a(seed + 400, 5, 5), b(seed + 401, 11, 11), c(seed + 402, 23, 23), d(seed + 403, 51, 51);
@@ -51,7 +51,7 @@ Clouds::Clouds(uint64_t seed) : seed_(seed)
             const double turn = two_pi * side / sides, x = level * std::sin(turn), z = level * std::cos(turn);
             dome_.add({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, {0, 1, 0}, 0, 0,
                       sky_at(y));
-            // A layer above: nearer to the horizon it is farther away, and there it fades into the haze.
+            // A layer above: towards the horizon it is farther away and fades into the haze.
             const double far = 0.34 / std::max(0.05, y + 0.03);
             layer_.add({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, {0, 1, 0},
                        static_cast<float>(far * std::sin(turn) * level),
@@ -78,7 +78,7 @@ void Clouds::draw(const Gl &g, const Eye &eye) const
     g.MatrixMode(gl::projection);
     g.LoadMatrixf(eye.projection);
     g.MatrixMode(gl::modelview);
-    float far_away[16];  // a hundred metres away: beyond the near plane, before the far one
+    float far_away[16];  // a hundred metres away: between the near plane and the far one
     for (int i = 0; i < 16; ++i) far_away[i] = i < 12 ? eye.rotation[i] * 100.0f : eye.rotation[i];
     g.LoadMatrixf(far_away);
     for (const unsigned off : {gl::fog, gl::lighting, gl::depth_test, gl::cull_face, gl::texture_2d}) g.Disable(off);

@@ -1,11 +1,11 @@
 // The sky over the town: blue that pales towards the horizon, and fair-weather clouds.
 #pragma once
 
+#include <memory>
+
 #include "samples/scenes/eye.h"
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/texture.h"
-
-#include <memory>
 
 namespace scenes::town
 {
@@ -13,15 +13,15 @@ namespace scenes::town
 class Clouds
 {
 public:
-    static constexpr Rgb haze = {0.74f, 0.82f, 0.88f};  // at the horizon, and what distance fades into
+    static constexpr Rgb haze = {0.74f, 0.82f, 0.88f};  // at the horizon, and the colour into which distance fades
 
     explicit Clouds(uint64_t seed);
     void prepare(const Gl &gl);
-    // For who draws them otherwise, round the eye: the sky itself, and a layer over it that shows picture(), blended.
+    // For other renderers, round the eye: the sky itself, and a layer over it that shows picture(), blended.
     const Geometry &dome() const { return dome_; }
     const Geometry &layer() const { return layer_; }
     Image picture() const;
-    // First of all in a frame: covers the whole picture, writes no depth.
+    // Draw this first in a frame: it covers the whole picture and writes no depth.
     void draw(const Gl &gl, const Eye &eye) const;
 
 private:

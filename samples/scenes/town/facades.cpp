@@ -1,9 +1,9 @@
-// Bays of walls: doors, shops, windows, timber, stone. Painted as somebody would with a brush: wall first, then what is
-// in it, lighter and darker edges last. Metres inside a bay, three by three; x to the right, y up.
+// Bays of walls: doors, shops, windows, timber, stone. They are painted in layers: the wall first, then the objects in
+// it, lighter and darker edges last. Metres inside a bay, three by three; x to the right, y up.
+#include <cmath>
+
 #include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
-
-#include <cmath>
 
 namespace scenes::town
 {
@@ -243,7 +243,7 @@ private:
         const double dx = x - 1.5, dy = y - 1.5, r = std::sqrt(dx * dx + dy * dy);
         if (r > 1.3) return wall;
         if (r > 1.18 || r < 0.07) return iron;
-        // Hours as strokes: where the direction is near a multiple of thirty degrees.
+        // Hours as strokes, where the direction is near a multiple of thirty degrees.
         double nearest = 9;
         for (int hour = 0; hour < 12; ++hour) {
             const double angle = hour * 0.5235987755982988, s = std::sin(angle), c = std::cos(angle);

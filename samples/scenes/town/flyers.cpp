@@ -11,11 +11,11 @@ namespace
 {
 
 constexpr double sky_radius_m = 270, lowest_m = 20, highest_m = 120;
-constexpr int way_count = 16;  // shared; each actor goes along one with a clock, size and heading of its own
+constexpr int way_count = 16;  // shared; each actor follows one with a clock, size and heading of its own
 constexpr double flying_m_per_s = 9;
 constexpr double tau = 2 * 3.14159265358979323846;
 
-// Where the template's nodes stop (S0 5.2): a mechanism has nothing to write beyond.
+// The distance at which the template's nodes stop (S0 5.2); beyond it a mechanism has nothing to write.
 constexpr float face_stops_m = 35, neck_stops_m = 160;
 
 clq_transform somewhere(uint64_t seed, uint32_t who, const std::array<double, 3> &middle)
@@ -44,7 +44,7 @@ uint32_t Flyers::dof(const char *name) const
     return found;
 }
 
-// Closed rounds of five to nine turning points, some wide, some like an eight, none of them level.
+// Closed loops of five to nine turning points; some wide, some like an eight, none horizontal.
 void Flyers::describe_paths()
 {
     for (uint64_t way = 0; way < way_count; ++way) {
@@ -146,7 +146,7 @@ void Flyers::enter(uint32_t who, const std::array<double, 3> &middle)
     play.clip = clq_template_find_clip(template_, "fly");
     play.speed = 1;
     scene_crowd_.enter({template_, somewhere(seed_, who, middle), play});
-    // Mechanisms name a template that the crowd has: the first actor brings it.
+    // Mechanisms need a template that the crowd has: the first actor brings it.
     if (who == 0) describe_paths(), describe_mechanisms();
     const clq_actor actor = scene_crowd_.actors().back();
     clq_root_path_play motion = {};

@@ -1,9 +1,9 @@
-// Those who fly over the town (S0 7.1): each with a way, a gaze, a face, eyelids and phrases of its own.
+// The flyers over the town (S0 7.1): each has a path, a gaze, a face, eyelids and phrases of its own.
 #pragma once
 
-#include "samples/scenes/scene_crowd.h"
-
 #include <array>
+
+#include "samples/scenes/scene_crowd.h"
 
 namespace scenes::town
 {
@@ -11,7 +11,7 @@ namespace scenes::town
 class Flyers
 {
 public:
-    // `middle`: of the cylinder that they fly in. Heights are above y = 0.
+    // `middle`: centre of the cylinder that they fly in. Heights are above y = 0.
     Flyers(Library &library, const CrowdOptions &crowd_options, const std::array<double, 3> &middle);
 
     const SceneCrowd &cast() const { return scene_crowd_; }

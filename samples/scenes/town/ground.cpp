@@ -1,11 +1,11 @@
 #include "samples/scenes/town/ground.h"
 
+#include <algorithm>
+
 #include "samples/scenes/odeon/noise.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
-
-#include <algorithm>
 
 namespace scenes::town
 {
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    // Patches of lighter and darker over many metres, so that no repeat of a texture shows from the air.
+    // Patches of lighter and darker over many metres, so that repeats of a texture do not show from the air.
     Rgb mottled(Rgb c, const Vec3 &p, double depth) const
     {
         const double broad = gradient_noise(seed_ + 21, static_cast<double>(p.x) / 130, static_cast<double>(p.z) / 130);
@@ -74,7 +74,7 @@ private:
         return {std::min(1.0f, c.r * k), std::min(1.0f, c.g * k), std::min(1.0f, c.b * (k * 0.5f + 0.5f))};
     }
 
-    // u and v of the texture as functions of the corner (0 or 1 each way) of the cell.
+    // u and v of the texture as functions of the cell's corner (0 or 1 each way).
     template <class Texel>
     void put(size_t i, size_t k, SurfaceKind layer, Rgb colour, double depth, Texel texel)
     {
@@ -88,7 +88,7 @@ private:
             at[n] = g.add(p, terrain_.normal(column, row), static_cast<float>(s), static_cast<float>(t),
                           depth > 0 ? mottled(colour, p, depth) : colour);
         }
-        g.triangle(at[0], at[1], at[2]);  // as Terrain::triangle has them
+        g.triangle(at[0], at[1], at[2]);  // the same triangles as Terrain::triangle
         g.triangle(at[0], at[2], at[3]);
     }
 
@@ -175,7 +175,7 @@ private:
 
 void cover_ground(Pieces &pieces, const Plan &plan, const Terrain &terrain, uint64_t seed)
 {
-    constexpr size_t patch = 6;  // cells a piece has each way
+    constexpr size_t patch = 6;  // cells of a piece each way
     Paver paver(pieces, plan, terrain, seed);
     for (size_t row = 0; row < terrain.rows(); row += patch)
         for (size_t column = 0; column < terrain.columns(); column += patch) {

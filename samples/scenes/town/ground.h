@@ -1,4 +1,4 @@
-// What covers the ground: streets, the square, gardens, fields, a stream, each cell of the plan in its material.
+// The covering of the ground: streets, the square, gardens, fields, a stream; each cell of the plan in its material.
 #pragma once
 
 #include "samples/scenes/town/pieces.h"
@@ -9,7 +9,7 @@ namespace scenes::town
 
 void cover_ground(Pieces &pieces, const Plan &plan, const Terrain &terrain, uint64_t seed);
 
-// Woods where the plan has them: a roof of crowns over the cell, with an edge down to the ground.
+// Woods on the plan's cells of that kind: a roof of crowns over the cell, with an edge down to the ground.
 void grow_woods(Pieces &pieces, const Plan &plan, const Terrain &terrain, uint64_t seed);
 
 }  // namespace scenes::town

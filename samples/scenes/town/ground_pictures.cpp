@@ -1,9 +1,9 @@
 // Grass, crops, a street and water.
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/town/canvas.h"
 #include "samples/scenes/town/pictures.h"
-
-#include <cmath>
 
 namespace scenes::town
 {
@@ -12,7 +12,7 @@ namespace
 
 Rgb grey(double tone) { return {static_cast<float>(tone), static_cast<float>(tone), static_cast<float>(tone)}; }
 
-// Stones in rows set against each other: how near a point is to a joint, and which stone it is on.
+// Stones in staggered rows: the distance of a point to a joint, and the stone that it is on.
 struct Stone {
     double to_joint;  // in widths of a stone
     uint64_t number;
@@ -61,7 +61,7 @@ Image cobbles(uint64_t seed)
     constexpr double kerb = (1 - roadway_share) / 2, kerb_wide = 0.022;
     return painted(512, [&](double u, double v) {
         const double from_side = std::min(v, 1 - v), grain = 0.07 * (fine(u, v) - 0.5) + 0.10 * (dirt(u, v) - 0.5);
-        if (from_side < kerb - kerb_wide) {  // slabs for those who walk
+        if (from_side < kerb - kerb_wide) {  // slabs of the pavement
             const Stone s = stone_at(seed + 53, u * slabs, v * slabs * 1.3, slabs);
             const double joint = 0.72 + 0.28 * smooth_step(s.to_joint / 0.05);
             const double tone = (0.80 + 0.08 * (random_unit(seed, s.number, Purpose::tone) - 0.5) + grain) * joint;

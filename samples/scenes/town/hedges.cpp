@@ -1,9 +1,9 @@
 // Hedges between the gardens behind the houses.
-#include "samples/scenes/random.h"
-#include "samples/scenes/town/trees.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/random.h"
+#include "samples/scenes/town/trees.h"
 
 namespace scenes::town
 {
@@ -24,7 +24,7 @@ bool in_house(const std::vector<House> &houses, Point p)
     return false;
 }
 
-// From one point of the ground to another: two sides and a top that follow it, an end each.
+// From one point of the ground to another: two sides and a top that follow the ground, and two ends.
 void hedge(Pieces &pieces, const Terrain &terrain, Point a, Point b)
 {
     const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.z - a.z) * (b.z - a.z));

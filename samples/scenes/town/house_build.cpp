@@ -1,12 +1,11 @@
 // One house: walls of bays on a plinth that follows the ground, a roof with eaves, a chimney, a step at the door.
-#include "samples/scenes/town/houses.h"
-
-#include "samples/scenes/random.h"
-#include "samples/scenes/town/roofs.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "samples/scenes/random.h"
+#include "samples/scenes/town/houses.h"
+#include "samples/scenes/town/roofs.h"
 
 namespace scenes::town
 {
@@ -50,7 +49,7 @@ private:
         return terrain_.height(p.x, p.z);
     }
 
-    // One of the four sides, the front is 0.
+    // One of the four sides; the front is 0.
     void wall(int side, const Site::Upright &w)
     {
         const double da = w.right_along - w.left_along, dout = w.right_out - w.left_out;

@@ -1,10 +1,11 @@
-// Where houses stand: side by side along the four sides of each block, fronts to the street, and farms in the fields.
+// Positions of houses: side by side along the four sides of each block with their fronts to the street, and farms in
+// the fields.
 #include "samples/scenes/town/houses.h"
-
-#include "samples/scenes/random.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/random.h"
 
 namespace scenes::town
 {
@@ -43,14 +44,14 @@ private:
 
     void fill(const Block &b)
     {
-        const double corner = 14;  // what the houses of the other sides are deep
+        const double corner = 14;  // the depth of the houses on the other sides
         row(b, Side::north, b.u0 + 1.2, b.u1 - 1.2, 0.86);
         row(b, Side::south, b.u0 + 1.2, b.u1 - 1.2, 0.86);
         row(b, Side::west, b.v0 + corner, b.v1 - corner, 0.78);
         row(b, Side::east, b.v0 + corner, b.v1 - corner, 0.78);
     }
 
-    // Beyond the outermost streets: few, in gardens.
+    // Beyond the outermost streets: a few houses in gardens.
     void edge(const Block &b)
     {
         const std::vector<double> &u = plan_.streets_u(), &v = plan_.streets_v();
@@ -81,7 +82,7 @@ private:
     {
         h.at = plan_.at(u, v);
         const Point way = side == Side::north || side == Side::south ? plan_.east(u, v) : plan_.south(u, v);
-        switch (side) {  // across the way the street goes there, towards it
+        switch (side) {  // across the direction of the street there, towards it
             case Side::north:
                 h.out = {way.z, -way.x};
                 break;
@@ -123,7 +124,7 @@ private:
     {
         struct Farm {
             bool on_high_street;
-            double along, beside;  // metres in the plan; beside the middle of the road, either sign
+            double along, beside;  // metres in the plan; beside the centre of the road, either sign
         };
         constexpr Farm sites[] = {{true, -330, 26},   {true, -560, -30}, {true, 420, 34},   {true, 560, -26},
                                   {false, -330, -26}, {false, 430, 30},  {false, -560, 28}, {false, 640, -28}};

@@ -1,4 +1,4 @@
-// The houses of the town: where they stand, and how they are built.
+// The houses of the town: their positions and their construction.
 #pragma once
 
 #include "samples/scenes/town/pieces.h"
@@ -11,7 +11,7 @@ namespace scenes::town
 struct House {
     enum class Roof : uint8_t { gable, gable_to_street, hip } roof;
     enum class Style : uint8_t { plaster, timber, shop, barn } style;
-    Point at, out;                   // its middle, and the way its front looks
+    Point at, out;                   // its centre, and the direction of its front
     double width_m, depth_m, pitch;  // pitch: rise of the roof over its run
     int storeys;
     uint64_t number;
@@ -24,7 +24,7 @@ struct House {
     double ridge_height() const;
 };
 
-// Along the streets of every block but the square and the park, and a few farms. The same for equal arguments.
+// Along the streets of every block except the square and the park, and a few farms. The same for equal arguments.
 std::vector<House> place_houses(const Plan &plan, uint64_t seed);
 
 // The floor: the ground at the highest corner.

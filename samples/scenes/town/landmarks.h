@@ -1,4 +1,5 @@
-// What the town has one of: a church and a town hall on the square, a fountain, market stalls, a bridge over the stream.
+// The unique buildings of the town: a church and a town hall on the square, a fountain, market stalls, a bridge over
+// the stream.
 #pragma once
 
 #include "samples/scenes/town/pieces.h"
@@ -9,7 +10,7 @@
 namespace scenes::town
 {
 
-// Where they stand on the square, in plan coordinates.
+// Their positions on the square, in plan coordinates.
 struct SquarePlan {
     double church_u, church_v, hall_u, hall_v, fountain_u, fountain_v;
 };
@@ -19,7 +20,7 @@ void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain,
 void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site, uint64_t seed,
                  uint64_t who);
 void build_bridge(Pieces &pieces, const Plan &plan, const Terrain &terrain);
-// All of them.
+// Builds all of them.
 void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed);
 
 }  // namespace scenes::town

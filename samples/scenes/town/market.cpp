@@ -1,11 +1,10 @@
 // The fountain, the market stalls, and the bridge of the high street over the stream.
-#include "samples/scenes/town/landmarks.h"
-
-#include "samples/scenes/random.h"
-#include "samples/scenes/town/wall_builder.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/random.h"
+#include "samples/scenes/town/landmarks.h"
+#include "samples/scenes/town/wall_builder.h"
 
 namespace scenes::town
 {

@@ -1,7 +1,8 @@
 #include "samples/scenes/town/omnibus.h"
-#include "samples/scenes/angles.h"
 
 #include <cmath>
+
+#include "samples/scenes/angles.h"
 
 namespace scenes::town
 {
@@ -42,7 +43,7 @@ std::array<float, 16> Omnibus::wheel_matrix(const VehiclePose &pose, double end,
 
 void Omnibus::draw(const Gl &gl, const Eye &eye, const VehiclePose &pose) const
 {
-    constexpr double detail_m = 70;  // beyond this nobody sees spokes
+    constexpr double detail_m = 70;  // beyond this spokes are not visible
     load(gl, eye, pose.matrix());
     body_.draw(gl);
     const double dx = pose.position[0] - eye.position[0], dy = pose.position[1] - eye.position[1];
@@ -70,7 +71,7 @@ void Omnibus::shade(Geometry &shadows, const VehiclePose &pose, Vec3 to_sun)
     const auto fan = [&](uint32_t first, uint32_t count) {
         for (uint32_t i = 2; i < count; ++i) shadows.triangle(first, first + i - 1, first + i);
     };
-    // What a box throws: its own ground plan, the same moved away from the sun, and what lies between.
+    // The shadow of a box: its own ground plan, the same moved away from the sun, and the area between.
     const auto along = [&](const std::array<double, 3> &axis) {
         return -high * (static_cast<double>(to_sun.x) * axis[0] + static_cast<double>(to_sun.z) * axis[2]) /
                static_cast<double>(to_sun.y);
@@ -82,7 +83,7 @@ void Omnibus::shade(Geometry &shadows, const VehiclePose &pose, Vec3 to_sun)
     const uint32_t first = static_cast<uint32_t>(shadows.vertices().size());
     for (const auto &p : outline) corner(p[0], middle + p[1], 0.75f, 0.5f, 0.46f);
     fan(first, 6);
-    // And the soft dark under it.
+    // Adds the soft dark under it.
     const double wide = half_width_m + 0.6;
     const uint32_t under = corner(-wide, front_m + 0.5, 0.51f, 0.99f, 0.75f);
     corner(wide, front_m + 0.5, 0.99f, 0.99f, 0.75f);

@@ -1,13 +1,13 @@
-// An open motor omnibus: rows of benches on a wooden body, spoked wheels that turn. Its own space: metres, y up, forward
-// +z, the origin on the ground between the axles.
+// An open motor omnibus: rows of benches on a wooden body, spoked wheels that turn. Its own space: metres, y up,
+// forward +z, the origin on the ground between the axles.
 #pragma once
+
+#include <array>
+#include <vector>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/town/pieces.h"
 #include "samples/scenes/town/route.h"
-
-#include <array>
-#include <vector>
 
 namespace scenes::town
 {
@@ -15,7 +15,7 @@ namespace scenes::town
 class Omnibus
 {
 public:
-    // Where the feet of somebody sitting are; all look forward. The first is the driver's.
+    // Position of a sitter's feet; all face forward. The first seat is the driver's.
     struct Seat {
         float x, y, z;
     };
@@ -28,12 +28,13 @@ public:
 
     const Geometry &body() const { return body_; }
     const Geometry &wheel() const { return wheel_; }  // round its axle, which is x
-    // Where a wheel is in the world, column-major. end: 1 the front axle, -1 the rear one; side: 1 towards +x, -1.
+    // The transform of a wheel in the world, column-major. end: 1 the front axle, -1 the rear one; side: 1 towards +x,
+    // -1.
     static std::array<float, 16> wheel_matrix(const VehiclePose &pose, double end, double side);
-    // Round the body, the wheels, and those who sit in it; in its own space.
+    // Bounds the body, the wheels and the people in it; in its own space.
     const Sphere &sphere() const { return sphere_; }
 
-    // Draws it where it is; the model-view matrix is the eye's view before, and after.
+    // Draws it at this pose; the model-view matrix is the eye's view before and after.
     void draw(const Gl &gl, const Eye &eye, const VehiclePose &pose) const;
     // Its shadow on the ground and the dark under it, for Shadows::draw.
     static void shade(Geometry &shadows, const VehiclePose &pose, Vec3 to_sun);

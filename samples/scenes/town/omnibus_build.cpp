@@ -1,9 +1,9 @@
-// What an omnibus is made of: benches, panels, an engine under a bonnet, spoked wheels.
-#include "samples/scenes/angles.h"
-#include "samples/scenes/town/omnibus.h"
-
+// The parts of an omnibus: benches, panels, an engine under a bonnet, spoked wheels.
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/angles.h"
+#include "samples/scenes/town/omnibus.h"
 
 namespace scenes::town
 {
@@ -14,7 +14,7 @@ constexpr Rgb cream = {0.95f, 0.90f, 0.76f}, leather = {0.48f, 0.27f, 0.18f}, wo
 constexpr Rgb boards = {0.50f, 0.40f, 0.30f}, omnibus_iron = {0.20f, 0.20f, 0.22f}, brass = {0.88f, 0.70f, 0.32f};
 constexpr Rgb canvas = {0.80f, 0.74f, 0.60f}, rubber = {0.22f, 0.22f, 0.23f}, glow = {0.99f, 0.97f, 0.88f};
 
-// Seats: the laws of figures that sit (their seat's top, and its front edge behind the feet).
+// Seats fit the seated characters (the height of the seat, and its front edge behind the feet).
 constexpr float seat_top_m = 0.43f, seat_edge_m = 0.14f, bench_deep_m = 0.46f, row_m = 0.97f, first_row_z = 1.05f;
 constexpr int rows = 5;
 
@@ -32,7 +32,7 @@ struct Profile {
     double radius, x;
 };
 
-// Turned about the x axis through (y, z), profile from the left to the right.
+// A surface of revolution about the x axis through (y, z), profile from the left to the right.
 void lathe(Geometry &g, double x, double y, double z, const std::vector<Profile> &profile, int sides, Rgb colour)
 {
     for (size_t k = 0; k + 1 < profile.size(); ++k) {
@@ -58,7 +58,7 @@ void lathe(Geometry &g, double x, double y, double z, const std::vector<Profile>
     }
 }
 
-// A bent sheet over a wheel, seen from both sides.
+// A bent sheet over a wheel, visible from both sides.
 void mudguard(Geometry &g, float x0, float x1, float z, Rgb colour)
 {
     constexpr int parts = 7;
@@ -96,7 +96,7 @@ void bench(Geometry &g, float feet_z, Rgb paint)
     g.quad({b0, f0, t0, u0}, wood);
 }
 
-// What closes a row to the side: a panel that rises to the bench's back.
+// The side of a row: a panel that rises to the bench's back.
 void end_panel(Geometry &g, float feet_z, Rgb paint)
 {
     const float top = floor_y + seat_top_m, z1 = feet_z - 0.02f, z0 = feet_z - seat_edge_m - bench_deep_m - 0.1f;
@@ -110,7 +110,7 @@ void end_panel(Geometry &g, float feet_z, Rgb paint)
         constexpr int corners = 5;
         const auto inner = [&](int i) { return Vec3{in, outline[i].y, outline[i].z}; };
         for (int i = 1; i + 1 < corners; ++i) {
-            // Two triangles of a fan as one outside and one inside face.
+            // Each triangle of a fan twice, as an outside and an inside face.
             for (const bool outside : {true, false}) {
                 const Vec3 a = outside ? outline[0] : inner(0), b = outside ? outline[i] : inner(i);
                 const Vec3 c = outside ? outline[i + 1] : inner(i + 1);
@@ -165,7 +165,7 @@ void nose(Geometry &g, Rgb paint)
     g.box({-1.05f, 0.44f, front_z + 0.02f}, {1.05f, 0.54f, front_z + 0.10f}, omnibus_iron);
 }
 
-// The wheel in the driver's hands, on its column, and a pane's frame before the first row.
+// The steering wheel on its column, and a pane's frame before the first row.
 void cockpit(Geometry &g)
 {
     const Omnibus::Seat driver = Omnibus::seats().front();

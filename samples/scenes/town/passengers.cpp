@@ -1,11 +1,11 @@
 #include "samples/scenes/town/passengers.h"
 
-#include "samples/scenes/occupancy_grid.h"
-#include "samples/scenes/random.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#include "samples/scenes/occupancy_grid.h"
+#include "samples/scenes/random.h"
 
 namespace scenes::town
 {
@@ -50,7 +50,7 @@ clq_play Passengers::play(clq_template *tmpl, const char *const *clips, size_t c
     clq_play play = {};
     play.clip = clq_template_find_clip(tmpl, clips[which]);
     play.speed = static_cast<float>(random_between(seed_, who, Purpose::speed, 0.9, 1.1));
-    clq_clip_info info = {};
+    clq_clip_info info = clq_clip_info_init();
     if (play.clip != CLQ_NONE && clq_template_get_clip(tmpl, play.clip, &info) == CLQ_OK)
         play.phase_s =
             static_cast<float>(random_unit(seed_, who, Purpose::phase) * static_cast<double>(info.duration_s));
@@ -70,10 +70,10 @@ void Passengers::board(uint32_t people)
         groups_.push_back(group);
     }
     for (uint32_t who = 0; who < people; ++who) {
-        const Omnibus::Seat &seat = seats[who / vehicles];  // one each, drivers first
+        const Omnibus::Seat &seat = seats[who / vehicles];  // one in each, drivers first
         const bool driver = who < vehicles;
         clq_template *tmpl = figures_[driver ? 2 : static_cast<size_t>(random_unit(seed_, who, Purpose::act) * 4)];
-        // Small people on small benches: their feet are on the floor whatever their size.
+        // Small people on small benches: their feet are on the floor at any size.
         const float size = static_cast<float>(random_between(seed_, who, Purpose::size, 0.96, 1.02));
         const double turned = driver ? 0 : random_between(seed_, who, Purpose::heading, -0.12, 0.12);
         const clq_transform place = stand(static_cast<double>(seat.x), static_cast<double>(seat.y),

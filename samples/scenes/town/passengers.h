@@ -11,19 +11,19 @@ namespace scenes::town
 class Passengers
 {
 public:
-    // Fills omnibuses first, 14 seats each and at most as many as there is room for on the way, then the square.
+    // Fills omnibuses first, with 14 seats each and no more than fit on the route, then the square.
     Passengers(Library &library, const CrowdOptions &crowd_options, const Town &town);
 
     clq_crowd *crowd() const { return scene_crowd_.crowd(); }
     std::vector<clq_template *> templates() const { return figures_; }
     const SceneCrowd &cast() const { return scene_crowd_; }
 
-    // Drives them to where they are at that time.
+    // Drives them to their positions at this time.
     void drive(double time_s);
     const std::vector<VehiclePose> &poses() const { return poses_; }
-    const std::vector<clq_group> &groups() const { return groups_; }  // one a stance
+    const std::vector<clq_group> &groups() const { return groups_; }  // one for each omnibus
     const VehiclePath &path() const { return path_; }
-    // Those who stand on the square, for their shadows.
+    // The people who stand on the square, for their shadows.
     const std::vector<clq_transform> &standing() const { return standing_; }
     size_t seated() const { return seated_; }
 
@@ -42,7 +42,7 @@ private:
     std::vector<VehiclePose> poses_;
     std::vector<clq_transform> standing_;
     size_t seated_ = 0;
-    double first_m_ = 0;  // along the way, at time 0: after 2 s the first omnibus passes the square
+    double first_m_ = 0;  // along the route, at time 0: after 2 s the first omnibus passes the square
 };
 
 }  // namespace scenes::town

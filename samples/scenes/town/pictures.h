@@ -1,4 +1,4 @@
-// Pictures of what a town is made of, drawn by code: light, to be multiplied with a colour, and all repeat except the
+// Pictures of the town's materials, drawn by code: brightness, to be multiplied with a colour. All repeat except the
 // facades.
 #pragma once
 
@@ -7,10 +7,10 @@
 namespace scenes::town
 {
 
-// What one repeat covers.
+// The size of one repeat.
 constexpr float land_metres = 11.0f, furrows_metres = 12.0f, cobbles_metres = 9.0f, water_metres = 24.0f;
 constexpr float tiles_metres = 3.2f, leaves_metres = 3.0f;
-constexpr double roadway_share = 0.66;  // of a street's width is between the kerbs
+constexpr double roadway_share = 0.66;  // share of a street's width between the kerbs
 
 Image land(uint64_t seed);     // grass
 Image furrows(uint64_t seed);  // rows of a crop, along u

@@ -1,17 +1,17 @@
-// Scenery in pieces: what stands apart has a bounding sphere and is drawn, or left out, by itself. All pieces of one
-// material lie in one pair of vertex and index arrays, so that a picture of the whole takes few calls.
+// Scenery in pieces: each separate object has a bounding sphere and is drawn, or left out, by itself. All pieces of
+// one material share one pair of vertex and index arrays, so that the whole picture takes few calls.
 #pragma once
-
-#include "samples/scenes/eye.h"
-#include "samples/scenes/geometry.h"
 
 #include <array>
 #include <cstddef>
 
+#include "samples/scenes/eye.h"
+#include "samples/scenes/geometry.h"
+
 namespace scenes::town
 {
 
-// In the order in which they are drawn: the ground first, what lies on it, what stands on it.
+// In drawing order: the ground first, then its coverings, then the objects on it.
 enum class SurfaceKind : uint8_t { land, furrows, paving, cobbles, water, shade, stone, facades, tiles, leaves };
 constexpr size_t surface_kind_count = 10;
 
@@ -20,11 +20,11 @@ struct Sphere {
     float radius;
 };
 
-// Six planes that look inwards.
+// Six planes that face inwards.
 class Frustum
 {
 public:
-    // Of the eye's picture; scale < 1: of the part in the middle of it, so much smaller either way.
+    // The frustum of the eye's picture; scale < 1: of a centred part of it, smaller by this factor each way.
     explicit Frustum(const Eye &eye, float scale = 1);
     bool meets(const Sphere &sphere) const;
 
@@ -32,7 +32,7 @@ private:
     std::array<std::array<float, 4>, 6> planes_;  // normal of length 1, and the distance of the origin
 };
 
-// Whether something shows from everywhere, or only from near or from far: fine things, and what stands in for them.
+// Distances at which a piece shows: always, or only near (fine detail), or only far (its replacement).
 enum class Visibility : uint8_t { always, near, far };
 constexpr float near_m = 115;  // to the surface of a piece's sphere
 
@@ -53,27 +53,27 @@ class Pieces
 public:
     explicit Pieces(const std::array<float, surface_kind_count> &texture_metres);
 
-    // Where to add what is being built; finish() makes one piece of all that came since the last.
+    // The geometry under construction; finish() makes one piece of everything added since the last one.
     Geometry &on(SurfaceKind layer) { return layers_[static_cast<size_t>(layer)]; }
     const Geometry &on(SurfaceKind layer) const { return layers_[static_cast<size_t>(layer)]; }
     void finish(Piece::Kind kind);
-    // Of what is added from now on, until the piece is finished.
+    // Applies to everything added from now on, until the piece is finished.
     void from_now(Visibility seen);
 
     const std::vector<Piece> &all() const { return pieces_; }
     size_t triangles() const;
-    // What is to be drawn: the indices of each layer.
+    // The selection to draw: the indices of each layer.
     using Choice = std::array<std::vector<uint32_t>, surface_kind_count>;
-    // Pieces that meet a frustum (null: all), as they are seen from a point. Returns how many triangles that is.
+    // Selects pieces that meet a frustum (null: all), as seen from a point. Returns the number of triangles.
     size_t choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const;
-    // One call of GL.
+    // One GL call.
     void draw(const Gl &gl, SurfaceKind layer, const Choice &choice) const;
 
 private:
     std::vector<Geometry> layers_;
     std::array<uint32_t, surface_kind_count> done_ = {};
     std::vector<Piece> pieces_;
-    std::vector<Span> open_;  // of the piece that is being built
+    std::vector<Span> open_;  // of the piece under construction
     Visibility visibility_ = Visibility::always;
 };
 

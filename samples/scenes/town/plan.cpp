@@ -1,10 +1,10 @@
 #include "samples/scenes/town/plan.h"
 
-#include "samples/scenes/angles.h"
-#include "samples/scenes/random.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/angles.h"
+#include "samples/scenes/random.h"
 
 namespace scenes::town
 {

@@ -1,6 +1,6 @@
-// The plan of a small town in the country: streets, blocks, fields and a stream as strips of a grid in coordinates of its
-// own (u to the east, v to the south), and the smooth map that bends this grid into the land. What lies on one strip
-// in the plan is a curved street, a winding stream or a row of fields in the land.
+// The plan of a small town in the country: streets, blocks, fields and a stream as strips of a grid in coordinates of
+// its own (u to the east, v to the south), and the smooth map that bends this grid into the land. A strip of the plan
+// becomes a curved street, a winding stream or a row of fields in the land.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Strip {
     double middle() const { return (first + last) / 2; }
 };
 
-// What a cell of the grid is covered with.
+// The cover of a cell of the grid.
 enum class Cover : uint8_t { street, crossing, square, garden, park, field, wood, road, bank, water, embankment };
 
 // In plan coordinates: its axis runs along u or along v.
@@ -42,7 +42,7 @@ public:
     explicit Plan(uint64_t seed);
 
     Point at(double u, double v) const;
-    // How the map turns the way to the east and to the south there: of unit length.
+    // The images of the east and south directions under the map: of unit length.
     Point east(double u, double v) const;
     Point south(double u, double v) const;
 
@@ -60,7 +60,8 @@ public:
     double from_stream(double u) const { return u - stream_u_; }
 
     static constexpr int streets_each_way = 4;
-    static constexpr int high_street = 1, south_street = 2;  // those that go on into the country, of v and of u
+    // the streets that continue into the country, of v and of u
+    static constexpr int high_street = 1, south_street = 2;
     static constexpr double reach_m = 2700, yard_m = 40, water_half_m = 4.5, bank_m = 5;
     const std::vector<double> &streets_u() const { return street_u_; }
     const std::vector<double> &streets_v() const { return street_v_; }

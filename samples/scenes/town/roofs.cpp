@@ -14,8 +14,8 @@ Vec3 point(double along, double y, double out)
 
 Vec3 raised(Vec3 p) { return {p.x, p.y + static_cast<float>(roof_thickness_m), p.z}; }
 
-// A slope between two corners of the eaves, as seen from outside, and the ends of its ridge (one point, where it is a
-// triangle): tiles above; or the shade below and the board at the eaves.
+// A slope between two corners of the eaves, seen from outside, and the ends of its ridge (one point for a triangle).
+// Either the tiles above, or the shade below with the board at the eaves.
 struct Slope {
     Vec3 left, right, ridge_right, ridge_left;
     bool pointed;

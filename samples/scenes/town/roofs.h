@@ -1,4 +1,4 @@
-// Roofs with eaves, a thickness, and a dark underside that shows from the street.
+// Roofs with eaves, a thickness, and a dark underside that is visible from the street.
 #pragma once
 
 #include "samples/scenes/town/site.h"
@@ -14,7 +14,7 @@ struct RoofShape {
 
 constexpr double roof_thickness_m = 0.16;
 
-// The tiles, which show from anywhere; or the undersides and boards, which show from near.
+// The tiles, which show from any distance; or the undersides and boards, which show only near.
 enum class RoofPart : uint8_t { tiles, edges };
 
 void gable_roof(Geometry &tiles, const Site &site, const RoofShape &shape, RoofPart part, Rgb colour);

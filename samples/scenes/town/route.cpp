@@ -10,7 +10,7 @@ namespace
 constexpr double pi = 3.141592653589793;
 constexpr double step_m = 0.25;
 
-// Corners of the circuit, in the plan: crossings of streets (of u, of v), gone round with the west on the right.
+// Corners of the circuit, in the plan: crossings of streets (of u, of v), traversed with the west on the right.
 constexpr size_t crossings[][2] = {{0, 0}, {0, 3}, {1, 3}, {1, 2}, {2, 2}, {2, 1}, {3, 1}, {3, 0}};
 constexpr size_t corners = sizeof crossings / sizeof *crossings;
 
@@ -22,12 +22,12 @@ Way operator-(Way a, Way b) { return {a.u - b.u, a.v - b.v}; }
 Way operator*(Way a, double k) { return {a.u * k, a.v * k}; }
 Way unit(Way a) { return a * (1 / std::sqrt(a.u * a.u + a.v * a.v)); }
 
-// Where the circuit goes in the plan: straight lines and quarter turns, in steps of `step_m` or less.
+// The line of the circuit in the plan: straight lines and quarter turns, in steps of at most `step_m`.
 std::vector<Way> drawn(const Plan &plan)
 {
     std::vector<Way> corner;
     for (const auto &c : crossings) corner.push_back({plan.streets_u()[c[0]], plan.streets_v()[c[1]]});
-    const auto right = [](Way w) { return Way{-w.v, w.u}; };  // of somebody who goes that way: u is east, v south
+    const auto right = [](Way w) { return Way{-w.v, w.u}; };  // of the direction of travel: u is east, v south
     std::vector<Way> line;
     for (size_t i = 0; i < corners; ++i) {
         const Way in = unit(corner[i] - corner[(i + corners - 1) % corners]);
@@ -39,7 +39,7 @@ std::vector<Way> drawn(const Plan &plan)
         const int steps = static_cast<int>(radius * pi / 2 / step_m) + 1;
         for (int k = 0; k <= steps; ++k) {
             const double turn = pi / 2 * k / steps;
-            // From the end of the way in to the beginning of the way out, round `middle`.
+            // From the end of the incoming line to the start of the outgoing line, round `middle`.
             const Way from = out * -radius, to = in * radius;
             line.push_back(middle + from * std::cos(turn) + to * std::sin(turn));
         }
@@ -75,7 +75,7 @@ VehiclePath::VehiclePath(const Plan &plan, const Terrain &terrain, double wheelb
 {
     std::vector<Point> bent;
     for (const Way &w : drawn(plan)) bent.push_back(plan.at(w.u, w.v));
-    std::vector<double> ends = {0};  // how far each is along the land
+    std::vector<double> ends = {0};  // distance of each along the land
     for (size_t i = 0; i < bent.size(); ++i)
         ends.push_back(ends.back() + distance(bent[i], bent[(i + 1) % bent.size()]));
     length_ = ends.back();
@@ -129,7 +129,7 @@ VehiclePose VehiclePath::at(double metres) const
     const Axis left = {fz * 2 * h, (fl + rl - fr - rr) / 2, -fx * 2 * h};
     s.up = unit(cross(s.forward, left));
     s.right_hand_x = cross(s.up, s.forward);
-    // Its front wheels stand as the way goes there.
+    // Its front wheels are steered along the route.
     const Point before = point(metres + wheelbase_ / 2 - 0.6), after = point(metres + wheelbase_ / 2 + 0.6);
     const double wx = after.x - before.x, wz = after.z - before.z, wide = std::sqrt(wx * wx + wz * wz);
     s.steer_sin = (wx * fz - wz * fx) / wide;
@@ -140,7 +140,7 @@ VehiclePose VehiclePath::at(double metres) const
 
 std::array<float, 4> VehiclePose::orientation_xyzw() const
 {
-    const Axis &a = right_hand_x, &b = up, &c = forward;  // columns of the turn
+    const Axis &a = right_hand_x, &b = up, &c = forward;  // columns of the rotation
     double q[4];
     const double trace = a[0] + b[1] + c[2];
     if (trace > 0) {

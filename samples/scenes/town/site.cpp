@@ -36,7 +36,7 @@ void Site::face(Geometry &g, std::initializer_list<Vec3> corners, Rgb colour, fl
     std::vector<Vec3> p;
     for (const Vec3 &c : corners) p.push_back(at(c.x, c.y, c.z));
     const Vec3 normal = unit(cross(minus(p[1], p[0]), minus(p.back(), p[0])));
-    // Up the face, as steep as it goes; over a level face along its first edge.
+    // Up the face, as steep as it goes; on a horizontal face along its first edge.
     const Vec3 level = std::abs(normal.y) > 0.999f ? unit(minus(p[1], p[0])) : unit(cross({0, 1, 0}, normal));
     const Vec3 up = cross(normal, level);
     uint32_t first = 0;

@@ -1,17 +1,17 @@
-// A building's own axes, and the few faces that buildings are made of. `along` runs to the right for somebody who looks
-// at the front, `out` from the front to that person; y is up.
+// A building's own axes, and the few kinds of faces that buildings consist of. `along` runs to the right of a viewer
+// before the front, `out` from the front to that viewer; y is up.
 #pragma once
+
+#include <initializer_list>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/town/pictures.h"
 #include "samples/scenes/town/plan.h"
 
-#include <initializer_list>
-
 namespace scenes::town
 {
 
-// The turn of a site: `out` is of unit length.
+// The rotation of a site: `out` is of unit length.
 class Site
 {
 public:
@@ -22,10 +22,10 @@ public:
     Point out() const { return out_; }
     Point along() const { return {out_.z, -out_.x}; }
 
-    // Three or four corners (along, y, out), counter-clockwise from outside. The picture lies upright on the face, its
-    // v = 0 at the first corner, `metres` a repeat.
+    // Three or four corners (along, y, out), counter-clockwise from outside. The picture is upright on the face, with
+    // v = 0 at the first corner and `metres` a repeat.
     void face(Geometry &g, std::initializer_list<Vec3> corners, Rgb colour, float metres) const;
-    // From `left` to `right`, points (along, out) as somebody outside sees them, between two heights at either end.
+    // From `left` to `right`, points (along, out) as seen from outside, between two heights at either end.
     struct Upright {
         double left_along, left_out, right_along, right_out;
     };
@@ -39,7 +39,7 @@ private:
     Point at_, out_;
 };
 
-// Where a bay is in the picture of facades.
+// The rectangle of a bay in the picture of facades.
 struct BayBox {
     float u0, v0, u1, v1;
 };

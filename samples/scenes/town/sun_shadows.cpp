@@ -26,7 +26,7 @@ double area(const Outline &p)
     return std::abs(twice) / 2;
 }
 
-// Of positive turn, by Andrew's monotone chain.
+// Counter-clockwise, by Andrew's monotone chain.
 Outline hull_of(Outline points)
 {
     std::sort(points.begin(), points.end(), [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.z < b.z; });

@@ -1,5 +1,5 @@
-// Shadows of what stands still: its outline thrown on the ground along the sunlight, cut to the ground's triangles so
-// that it lies in them, and never twice over one spot.
+// Shadows of static objects: their outlines projected on the ground along the sunlight and cut at the ground's
+// triangles, so that they lie in these, and no spot is darkened twice.
 #pragma once
 
 #include "samples/scenes/town/pieces.h"
@@ -13,7 +13,7 @@ class SunShadows
 public:
     SunShadows(Pieces &pieces, const Terrain &terrain, Vec3 to_sun);
 
-    // Of the hull of these points, as on level ground at this height.
+    // The shadow of the hull of these points, as on level ground at this height.
     void cast(const std::vector<Vec3> &points, double ground_y);
 
 private:

@@ -1,10 +1,10 @@
 #include "samples/scenes/town/terrain.h"
 
-#include "samples/scenes/odeon/noise.h"
-#include "samples/scenes/random.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "samples/scenes/odeon/noise.h"
+#include "samples/scenes/random.h"
 
 namespace scenes::town
 {

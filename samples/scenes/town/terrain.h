@@ -1,11 +1,11 @@
-// The ground of the town as triangles over the lines of its plan, and its height, which is that of the triangles: what
-// stands on it neither floats nor sinks.
+// The ground of the town as triangles over the lines of its plan, and its height. The height is that of the triangles,
+// so that objects on them neither float nor sink.
 #pragma once
+
+#include <array>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/town/plan.h"
-
-#include <array>
 
 namespace scenes::town
 {
@@ -15,7 +15,7 @@ class Terrain
 public:
     Terrain(const Plan &plan, uint64_t seed);
 
-    // Of the surface over a point; beyond its edge that of the edge's nearest part is not known: the lowest it has.
+    // The surface's height at a point; beyond its edge, where it is unknown, the lowest height.
     double height(double x, double z) const;
 
     size_t columns() const { return columns_; }  // of cells
@@ -24,14 +24,14 @@ public:
     const Vec3 &normal(size_t column, size_t row) const { return normals_[row * (columns_ + 1) + column]; }
 
     using Triangle = std::array<Vec3, 3>;  // counter-clockwise from above
-    // Two a cell.
+    // Two for each cell.
     Triangle triangle(size_t number) const;
     size_t triangles() const { return 2 * columns_ * rows_; }
-    // Numbers of those whose boxes meet a box of the ground plan, ascending.
+    // Numbers of the triangles whose boxes meet a box of the ground plan, ascending.
     void find(double x0, double z0, double x1, double z1, std::vector<uint32_t> &numbers) const;
 
 private:
-    // Which triangles may lie over a square of the ground plan.
+    // The triangles that may lie over each square of the ground plan.
     struct Squares {
         double half_m = 0, side_m = 1;
         int across = 0;

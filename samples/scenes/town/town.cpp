@@ -93,7 +93,7 @@ void Town::prepare(const Gl &gl)
         const SurfaceKind layer = static_cast<SurfaceKind>(i);
         if (layer == SurfaceKind::shade) continue;
         pictures_[i] = std::make_unique<Texture>(gl, picture(layer), layer != SurfaceKind::facades);
-        // Two levels a pixel cost half as much again on software GL, and show little on grass and tiles.
+        // Two mipmaps a pixel take 1.5 times as long on software GL, and show little on grass and tiles.
         gl.TexParameteri(gl::texture_2d, gl::min_filter, gl::linear_mipmap_nearest);
     }
     sky_.prepare(gl);

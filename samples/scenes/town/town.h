@@ -1,6 +1,9 @@
-// A small town in the country, for crowds that stand, drive and fly in and over it (S0 7: "Performer Town"; the design is
-// our own). A host would keep scenery like this in its scenegraph: it comes in pieces that can be culled one by one.
+// A small town in the country, for crowds that stand, drive and fly in and over it (S0 7: "Performer Town"; the design
+// is our own). A host would keep scenery like this in its scenegraph, so it comes in pieces that can be culled one by
+// one.
 #pragma once
+
+#include <memory>
 
 #include "samples/scenes/light.h"
 #include "samples/scenes/texture.h"
@@ -10,8 +13,6 @@
 #include "samples/scenes/town/pieces.h"
 #include "samples/scenes/town/terrain.h"
 #include "samples/scenes/town/trees.h"
-
-#include <memory>
 
 namespace scenes::town
 {
@@ -29,14 +30,14 @@ public:
     const std::vector<Tree> &trees() const { return trees_; }
     const Pieces &pieces() const { return pieces_; }
     const Clouds &sky() const { return sky_; }
-    // For who draws it otherwise: what a layer shows; of no size where it shows colours alone.
+    // For other renderers: the picture of a layer; its size is 0 for layers of colours alone.
     Image picture(SurfaceKind layer) const;
     static Daylight light();
 
-    // Brings textures to the current context, which must be current again when the town ends.
+    // Loads textures into the current context, which must be current again when the town is destroyed.
     void prepare(const Gl &gl);
-    // The sky, then the pieces that meet `cull` (null: all), in a cleared picture. Leaves the view, the lights and the
-    // haze on for who is drawn next. Returns how many triangles it sent.
+    // Draws the sky, then the pieces that meet `cull` (null: all), in a cleared picture. Leaves the view, the lights
+    // and the haze on for the objects drawn next. Returns the number of triangles sent.
     size_t draw(const Gl &gl, const Eye &eye, const Frustum *cull = nullptr) const;
 
 private:

@@ -1,5 +1,5 @@
 // The scene `town_sky`, S0's application (7.1, 7.2): thousands of flying actors of 13 articulations and 19 degrees of
-// freedom over a small town, their behaviour running, about a fifth of them in view.
+// freedom over a small town, with their behaviour running and about a fifth of them in view.
 #include <array>
 
 #include "samples/scenes/scene.h"
@@ -25,7 +25,7 @@ public:
     std::vector<clq_actor> actors() const override { return flyers_.cast().actors(); }
     std::vector<clq_template *> templates() const override { return flyers_.templates(); }
 
-    // overview: among them, high over the fields before the town. close: beside one of them on its way.
+    // overview: among them, high over the fields before the town. close: beside one of them on its path.
     clq_camera camera(Shot shot, double aspect, double time_s) const override
     {
         if (shot == Shot::close) {

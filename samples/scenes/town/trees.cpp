@@ -1,18 +1,18 @@
 #include "samples/scenes/town/trees.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "samples/scenes/angles.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/town/landmarks.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace scenes::town
 {
 namespace
 {
 
-constexpr double shaded_m = 620;  // farther trees throw no shadow that anybody sees
+constexpr double shaded_m = 620;  // shadows of farther trees are not visible
 constexpr Rgb bark = {0.42f, 0.34f, 0.27f};
 constexpr Rgb greens[] = {
     {0.42f, 0.60f, 0.26f}, {0.36f, 0.54f, 0.24f}, {0.48f, 0.62f, 0.28f}, {0.40f, 0.52f, 0.20f}, {0.54f, 0.60f, 0.26f}};
@@ -132,10 +132,10 @@ struct Ring {
 
 // One ball of leaves, or a cone: rings from the bottom up, bumpy.
 struct Ball {
-    Vec3 foot;  // the middle of its lower end
+    Vec3 foot;  // the centre of its lower end
     double height, radius;
     int sides;
-    Vec3 crown;  // the middle of the whole crown, from which light falls off
+    Vec3 crown;  // the centre of the whole crown, from which light falls off
     double crown_height;
 };
 
@@ -156,7 +156,7 @@ void ball(Geometry &g, const Ball &b, const std::vector<Ring> &rings, Rgb green,
             const double x = r * std::sin(angle), z = r * std::cos(angle);
             const Vec3 p = {b.foot.x + static_cast<float>(x), b.foot.y + static_cast<float>(y),
                             b.foot.z + static_cast<float>(z)};
-            // Half away from the ball's own middle, half from the crown's.
+            // Half away from the ball's own centre, half from the crown's.
             const double ny = (rings[k].share - 0.45) * b.radius * 2 + static_cast<double>(p.y - b.crown.y);
             const double nx = x + static_cast<double>(p.x - b.crown.x), nz = z + static_cast<double>(p.z - b.crown.z);
             const double length = std::sqrt(nx * nx + ny * ny + nz * nz) + 1e-9;

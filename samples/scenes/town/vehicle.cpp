@@ -1,11 +1,11 @@
-// The scene `vehicle`: omnibuses full of people drive through a small town; each with its passengers is one group, which
-// is moved and culled as one (S0 4.3).
+// The scene `vehicle`: omnibuses full of people drive through a small town. Each omnibus with its passengers is one
+// group, which is moved and culled as one (S0 4.3).
+#include <optional>
+
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/stone.h"
 #include "samples/scenes/town/passengers.h"
-
-#include <optional>
 
 namespace scenes
 {

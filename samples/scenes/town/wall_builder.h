@@ -1,12 +1,12 @@
-// Walls, boxes and spires in the axes of a site, on the ground as it is there.
+// Walls, boxes and spires in the axes of a site, following the ground.
 #pragma once
+
+#include <functional>
 
 #include "samples/scenes/town/pieces.h"
 #include "samples/scenes/town/site.h"
 #include "samples/scenes/town/sun_shadows.h"
 #include "samples/scenes/town/terrain.h"
-
-#include <functional>
 
 namespace scenes::town
 {
@@ -31,7 +31,8 @@ public:
     // The ground at its highest corner.
     double floor(const Room &room) const;
 
-    // Four walls from the ground up, a plinth, then storeys; which bay is where is asked by (side, storey, bay, of).
+    // Four walls from the ground up: a plinth, then storeys. The callback (side, storey, bay, of) selects each bay's
+    // picture.
     using Choice = std::function<Bay(int side, int storey, int bay, int bays)>;
     void walls(const Room &room, double floor_y, const std::vector<double> &storeys_m, Rgb colour,
                const Choice &choose);
@@ -45,7 +46,7 @@ private:
     Site site_;
 };
 
-// The shadow of a room's walls, and of a peak over its middle, where that is higher.
+// The shadow of a room's walls, and of a peak over its centre if that is higher.
 void throw_box(SunShadows &shadows, const Site &site, const WallBuilder::Room &room, double low, double high,
                double peak);
 

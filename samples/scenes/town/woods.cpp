@@ -1,10 +1,9 @@
-#include "samples/scenes/town/ground.h"
+#include <algorithm>
+#include <cmath>
 
 #include "samples/scenes/odeon/noise.h"
 #include "samples/scenes/random.h"
-
-#include <algorithm>
-#include <cmath>
+#include "samples/scenes/town/ground.h"
 
 namespace scenes::town
 {
@@ -12,7 +11,7 @@ namespace
 {
 
 constexpr Rgb deciduous = {0.38f, 0.54f, 0.25f}, spruce = {0.25f, 0.41f, 0.24f};
-constexpr float metres = 13;  // of a repeat of the leaves, which are crowns here
+constexpr float metres = 13;  // of a repeat of the leaves, which represent crowns here
 
 class Forester
 {
@@ -77,7 +76,7 @@ private:
         return {mix(a.x, b.x, c.x, d.x), mix(a.z, b.z, c.z, d.z)};
     }
 
-    // A point of the roof; on an open edge drawn in by lot, so that woods are not cut out with a ruler.
+    // A point of the roof; on an open edge moved inwards at random, so that woods have no straight outline.
     Point edged(size_t i, size_t k, int m, int n, int across, int down, const bool (&open)[4]) const
     {
         double s = m, t = n;
@@ -103,7 +102,7 @@ private:
               static_cast<float>(p.x) / metres, static_cast<float>(p.z) / metres, green * light);
     }
 
-    // The edge of the wood between two of its upper corners, left and right as one sees them from outside.
+    // The edge of the wood between two of its upper corners, left and right as seen from outside.
     void side(Geometry &g, uint32_t left, uint32_t right, Rgb green) const
     {
         const Vec3 l = g.vertices()[left].position, r = g.vertices()[right].position;

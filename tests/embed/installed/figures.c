@@ -7,7 +7,7 @@ int main(void)
 {
     clq_context *context = NULL;
     clq_template *citizen = NULL;
-    clq_template_info info;
+    clq_template_info info = clq_template_info_init();
     if (clq_context_create(NULL, &context) || clq_template_builtin(context, "citizen", &citizen) ||
         clq_template_get_info(citizen, &info)) {
         fprintf(stderr, "%s\n", clq_last_error());

@@ -9,7 +9,7 @@ namespace gltest
 namespace
 {
 
-// Which arguments are names of values.
+// Which arguments are enums.
 const std::map<std::string, std::vector<size_t>> &named_arguments()
 {
     static const std::map<std::string, std::vector<size_t>> made = {{"glEnable", {0}},
@@ -43,7 +43,7 @@ const std::map<std::string, std::vector<size_t>> &named_arguments()
     return made;
 }
 
-// Tables 6.25 and 6.26 of the specification: the least that an implementation may have.
+// Tables 6.25 and 6.26 of the specification: the minimum that an implementation must have.
 int least_depth(uint32_t matrix_mode) { return matrix_mode == gl::modelview ? 32 : 2; }
 constexpr int least_attribute_depth = 16;
 

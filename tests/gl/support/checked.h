@@ -1,4 +1,4 @@
-// Holds every call that passes a Spy against what the first version of GL 1.1 knew: names of values, stack depths that every
+// Checks every call that passes a Spy against the first version of GL 1.1: its enums, the stack depths that every
 // implementation has, textures of powers of two.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace gltest
 {
 
-// Values that have a name in GL 1.1, from the system's own header above its first line about 1.2; empty where it is missing.
+// The enums of GL 1.1, from the system's own header above its first line about 1.2; empty if the header is missing.
 const std::set<uint32_t> &values_of_gl_1_1();
 
 class Checked

@@ -1,4 +1,4 @@
-// Pixel by pixel: what differs, what is missing, and what may differ because depths tie.
+// Compares pictures pixel by pixel: wrong pixels, holes, and pixels that may differ because depths tie.
 #include "tests/gl/support/pictures.h"
 
 #include <cstring>

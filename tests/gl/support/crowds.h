@@ -1,4 +1,4 @@
-// Many of one far figure, each turned, placed and coloured otherwise.
+// Many individuals of one proxy level, each with its own rotation, position and colours.
 #pragma once
 
 #include "lib/figures/figure.h"
@@ -12,7 +12,7 @@ namespace gltest
 using claque::draw::DrawList;
 using claque::draw::Item;
 
-// The citizen in about so many triangles, each of one zone.
+// The citizen in about this many triangles, each of one zone.
 inline PosedModel proxy_posed(uint32_t triangles)
 {
     model::Model model = claque::figures::citizen();
@@ -43,7 +43,7 @@ protected:
                 colours_[who][i] = static_cast<uint8_t>(colours_[who][i] + 5 * who);
     }
 
-    // One call for each.
+    // One call per individual.
     static passes::RendererOptions apart()
     {
         passes::RendererOptions options;
@@ -57,7 +57,7 @@ protected:
         return options;
     }
 
-    // Rows of them.
+    // Individuals in rows.
     DrawList many() const
     {
         const Camera camera = camera_on(*posed_, 9, -0.3f, 0.2f, 4.0f / 3.0f);
@@ -131,7 +131,7 @@ protected:
     std::vector<std::vector<uint8_t>> colours_;
 };
 
-// Of citizens in about so many triangles.
+// Of citizens in about this many triangles.
 template <uint32_t triangles>
 class CrowdOf : public CrowdTest
 {

@@ -1,4 +1,4 @@
-// A context and a renderer for it, for tests that need one of each.
+// A context and a renderer, for tests that need one of each.
 #pragma once
 
 #include "tests/gl/support/pictures.h"
@@ -45,7 +45,7 @@ protected:
     std::unique_ptr<HostGl> host_;
 };
 
-// Small, of eight zones, clean and dirty triangles.
+// A small template of eight zones with clean and dirty triangles.
 inline PosedModel small_posed() { return make_posed(sheet(9, 0.2f), torture_map(128, 8, 3)); }
 
 inline Camera whole_view(const PosedModel &posed) { return camera_on(posed, 2.6f, -0.5f, 0.4f, 320.0f / 240.0f); }

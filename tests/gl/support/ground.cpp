@@ -25,7 +25,7 @@ bool meets(const GroundTriangle &t, const glm::dvec3 &from, const glm::dvec3 &wa
     return x >= 0 && y >= 0 && x + y <= 1 && at > 0 && at < most;
 }
 
-// Of one individual, and a sphere round it.
+// The triangles of one individual, and a sphere round it.
 struct Body {
     explicit Body(std::vector<GroundTriangle> of) : triangles(std::move(of)), middle(0)
     {

@@ -11,7 +11,7 @@ namespace gltest
 
 using claque::draw::DrawList;
 
-// A host's hooks as functions that a test can write down.
+// A host's hooks as functions that a test supplies.
 struct Callbacks {
     std::function<int32_t()> before;
     std::function<void()> after;
@@ -70,7 +70,7 @@ protected:
         list.items[1].hooks = &of_the_middle.hooks;
         return list;
     }
-    // Its neighbours are wholly outside.
+    // Its neighbours lie wholly outside.
     static bool is_middle(size_t byte) { return std::abs(int(byte / 3 % width) - width / 2) < 58; }
 
     static void expect_same_neighbours(const Picture &a, const Picture &b)

@@ -1,4 +1,4 @@
-// A host's own GL, for tests: the table that claque uses plus what only a host calls. Nothing is linked.
+// A host's own GL, for tests: the table that claque uses plus functions that only a host calls. Nothing is linked.
 #pragma once
 
 #include "passes/gl11.h"
@@ -38,7 +38,8 @@ struct HostGl : claque::passes::Gl11 {
         return reinterpret_cast<Function>(get_(user_, name));
     }
 
-    void clear(float r, float g, float b) const;  // colour and depth, whatever the masks, of a context in good order
+    // clears colour and depth whatever the masks, in a context without errors
+    void clear(float r, float g, float b) const;
 
 private:
     contexts::Offscreen::GetProcAddress get_;

@@ -14,7 +14,8 @@ HostileHost::HostileHost(const HostGl &host) : host_(host)
     set_pixels();
 }
 
-// Blending, a logic operation and an alpha test that would eat the picture, depth the wrong way round and not written.
+// Blending, a logic operation and an alpha test that would destroy the picture; the depth test is reversed and depth is
+// not written.
 void HostileHost::set_fragments() const
 {
     host_.Enable(gl::blend);
@@ -43,7 +44,7 @@ void HostileHost::set_rasterisation() const
     for (const gl::Enum what :
          {gl::point_smooth, gl::line_smooth, gl::polygon_smooth, gl::line_stipple, gl::polygon_stipple})
         host_.Enable(what);
-    // Tightly packed, whatever was said before: the pattern has no more bytes, and where pixels are skipped Mesa 22.3.6
+    // Tightly packed whatever was set before: the pattern has no more bytes, and where pixels are skipped Mesa 22.3.6
     // writes one past its own copy.
     host_.PixelStorei(gl::unpack_alignment, 4);
     for (const gl::Enum name : {gl::unpack_row_length, gl::unpack_skip_rows, gl::unpack_skip_pixels})
@@ -57,7 +58,7 @@ void HostileHost::set_rasterisation() const
     host_.Enable(gl::multisample);
 }
 
-// Colour material on other faces and another property, odd materials that must come back, lighting itself off.
+// Colour material on other faces and another property, odd materials that must be restored, lighting itself off.
 void HostileHost::set_lighting() const
 {
     const float odd[4] = {0.11f, 0.22f, 0.33f, 0.44f};
@@ -104,12 +105,12 @@ void HostileHost::set_matrices() const
     host_.GetIntegerv(0x0D38, &most);  // GL_MAX_PROJECTION_STACK_DEPTH
     host_.GetIntegerv(gl::projection_stack_depth, &depth);
     host_.MatrixMode(gl::projection);
-    for (; depth < most; ++depth) host_.PushMatrix();  // no slot left
+    for (; depth < most; ++depth) host_.PushMatrix();  // the stack is full
     host_.LoadMatrixf(odd);
     host_.MatrixMode(gl::modelview);
     host_.LoadMatrixf(odd);
     host_.MatrixMode(gl::texture);
-    host_.LoadMatrixf(odd);  // and the mode stays there
+    host_.LoadMatrixf(odd);  // the matrix mode stays the projection's
 }
 
 void HostileHost::set_arrays() const

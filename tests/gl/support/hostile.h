@@ -1,4 +1,4 @@
-// A host that leaves everything on that GL 1.1 has and that claque promises to cope with, and nothing at its default.
+// A host that enables everything in GL 1.1 that claque promises to cope with, and leaves nothing at its default.
 #pragma once
 
 #include "tests/gl/support/host_gl.h"
@@ -6,12 +6,12 @@
 namespace gltest
 {
 
-// What the hostile host keeps its arrays and textures in; must outlive its use.
+// The memory for the hostile host's arrays and textures; must outlive its use.
 class HostileHost
 {
 public:
     // Sets the state. Everything that claque inherits (viewport, lights, fog, clip planes, scissor, stencil, polygon
-    // mode, shade model) is set too, harmlessly, so that its being left alone is seen.
+    // mode, shade model) is set too, to values that change no picture, so that tests see that claque leaves it alone.
     explicit HostileHost(const HostGl &host);
 
 private:

@@ -15,7 +15,7 @@ namespace
 namespace base = claque::base;
 namespace math = claque::math;
 
-constexpr uint32_t cells = 3;  // a side's
+constexpr uint32_t cells = 3;  // per side
 
 // Six sides of cells x cells quads each.
 void add_box(Mesh &mesh, glm::vec3 half, uint32_t part)
@@ -65,7 +65,7 @@ glm::vec3 vertex(const model::Array<float> &numbers, size_t v)
     return glm::vec3(numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]);
 }
 
-// Source vertices by part, which follow one palette entry each.
+// Source vertices by part; each part follows one palette entry.
 void add_rig(model::Template &tmpl, const std::vector<Joint> &joints, const std::vector<uint32_t> &parts,
              const std::vector<uint32_t> &part_of_vertex, float bind_offset)
 {
@@ -107,7 +107,7 @@ void add_rig(model::Template &tmpl, const std::vector<Joint> &joints, const std:
     }
 }
 
-// As skinning does: palette matrices, then vertices.
+// Skins: palette matrices first, then vertices.
 void place(Jointed &out, const std::vector<uint32_t> &part_of_vertex)
 {
     const model::Template &tmpl = *out.posed.tmpl;

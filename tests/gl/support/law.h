@@ -1,4 +1,4 @@
-// The law of zones over four views of a figure (SPEC 2).
+// The law of zones over four views of a character (SPEC 2).
 #pragma once
 
 #include "tests/gl/support/pictures.h"
@@ -6,7 +6,7 @@
 namespace gltest
 {
 
-// One context that the law is held in.
+// A context in which the law is tested.
 struct Target {
     contexts::Kind kind;
     contexts::PixelFormat format;
@@ -20,7 +20,7 @@ constexpr Target all_targets[] = {
 };
 constexpr Target two_targets[] = {all_targets[0], all_targets[1]};
 
-// What the plain and id pictures of four views show, drawn once for a figure: near, whole, far, edge-on.
+// The plain and id pictures of four views, drawn once per character: near, whole, far, edge-on.
 class Law
 {
 public:
@@ -30,7 +30,7 @@ public:
     void hold(const passes::RendererOptions &options) const;
 
     uint64_t covered() const { return covered_; }  // pixels of all views
-    uint64_t ties() const { return ties_; }        // of them, left out because different triangles tie in depth
+    uint64_t ties() const { return ties_; }        // of them, excluded because different triangles tie in depth
 
 private:
     struct View {

@@ -1,4 +1,4 @@
-// The fixture of tests that hold the law of zones on one target each.
+// The fixture of tests of the law of zones on one target each.
 #pragma once
 
 #include "tests/gl/support/law.h"
@@ -18,7 +18,7 @@ protected:
         if (!context_) GTEST_SKIP() << why;
     }
 
-    // Of all pixels that a test covers, `most_ties_share_` may tie in depth.
+    // The largest fraction of covered pixels that may tie in depth is `most_ties_share_`.
     void TearDown() override
     {
         RecordProperty("ties", std::to_string(ties_) + " of " + std::to_string(covered_) + " pixels");

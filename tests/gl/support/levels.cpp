@@ -13,7 +13,7 @@ namespace gltest
 namespace
 {
 
-// Anywhere round the figure, from near enough to cut it off to so far that it is a few pixels.
+// Anywhere round the character, from so near that it is cut off to so far that it covers a few pixels.
 Camera drawn_by_lot(const PosedModel &posed, uint64_t seed, float aspect)
 {
     const auto random_unit = [seed](uint64_t what) { return claque::base::unit(claque::base::mix(8 * seed + what)); };
@@ -32,7 +32,7 @@ void LevelsTest::SetUp()
 
 uint32_t LevelsTest::hold(model::Model character, uint32_t texture_px, uint32_t cameras_a_level)
 {
-    // One clip is enough to be posed in; spheres of all clips take longer than all the pictures.
+    // One clip is enough for posing; spheres of all clips take longer than all the pictures.
     if (character.rig.clips.size() > 1) {
         character.rig.clips.resize(1, character.rig.clips[0]);
         character.rig.clip_names.resize(1, character.rig.clip_names[0]);

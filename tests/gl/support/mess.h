@@ -1,4 +1,4 @@
-// What a callback of a host may do to GL between two individuals, at its worst.
+// The worst that a host's callback may do to GL between two individuals.
 #pragma once
 
 #include "tests/gl/support/hostile.h"
@@ -14,11 +14,12 @@ class Mess
 public:
     explicit Mess(const HostGl &host) : host_(host) {}
 
-    // All that claque sets for its picture, otherwise: switches, functions, masks, matrices and their stacks, arrays,
-    // textures, unpacking. What claque inherits from its host is set to something that changes nothing.
+    // Changes all state that claque sets for its picture: switches, functions, masks, matrices and their stacks,
+    // arrays, textures, unpacking. State that claque inherits from its host gets values that change no picture.
     void with_what_claque_sets();
 
-    // That and all that claque inherits: lights, fog, clip planes, stencil, scissor, viewport, polygon mode ...
+    // The same, and all state that claque inherits: lights, fog, clip planes, stencil, scissor, viewport, polygon mode
+    // ...
     void with_everything();
 
 private:
@@ -26,7 +27,7 @@ private:
     void spoil_the_bound_texture() const;
 
     const HostGl &host_;
-    std::vector<std::unique_ptr<HostileHost>> kept_;  // the arrays that GL has been pointed to
+    std::vector<std::unique_ptr<HostileHost>> kept_;  // memory of the arrays that GL points to
 };
 
 }  // namespace gltest

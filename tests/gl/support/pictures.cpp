@@ -17,7 +17,7 @@ namespace
 using claque::draw::DrawList;
 using claque::draw::Item;
 
-// GL as a plain program would have it: nothing on but depth, matrices and arrays of the figure.
+// GL state of a plain program: only depth, matrices and the character's arrays.
 constexpr gl::Enum lighting = 0x0B50, dither = 0x0BD0;
 
 void plain_state(const HostGl &host, const float (&projection)[16])
@@ -74,7 +74,7 @@ void use_texture(const HostGl &host, const model::Level &level, const model::Tex
     host.AlphaFunc(gl::gequal, 0.5f);
 }
 
-// Uploads each texture in its zones' colours once; all are gone with it.
+// Uploads each texture in its zones' colours once; the destructor deletes them all.
 Picture begin(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb)
 {
     host.Viewport(0, 0, context.width(), context.height());
@@ -190,7 +190,7 @@ std::vector<Triangle> all_triangles(const std::vector<Individual> &individuals)
     return all;
 }
 
-// 16 bits as RGB565 keeps them; what is above fills bits that only RGBA8888 has.
+// The bits that RGB565 keeps; bits above them need RGBA8888.
 void colour_by(const HostGl &host, uint32_t id)
 {
     const uint32_t more = id >> 16;

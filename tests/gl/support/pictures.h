@@ -1,4 +1,4 @@
-// Pictures of a figure: by a renderer, and the plain and id pictures that it is held against (SPEC 2, "Zone coverage is
+// Pictures of a character: a renderer's, and the plain and id pictures for comparison (SPEC 2, "Zone coverage is
 // exact").
 #pragma once
 
@@ -18,12 +18,12 @@ struct Camera {
     float model_view[16];
 };
 
-// Distance in radii of the figure; angles turn the figure. `aspect` width / height.
+// Distance in radii of the character; angles rotate it. `aspect` is width / height.
 Camera camera_on(const PosedModel &posed, float distance_radii, float turn_rad, float tilt_rad, float aspect);
 
 using Picture = std::vector<uint8_t>;  // RGB, top row first
 
-// A template's skinned vertices in their place. Points to what others keep.
+// A template's skinned vertices in a pose. Points to memory of others.
 struct Individual {
     const model::Template *tmpl;
     const float *positions, *normals;
@@ -36,19 +36,19 @@ Individual individual_of(const PosedModel &posed, const Camera &camera, const ui
 claque::draw::DrawList list_of(const std::vector<Individual> &individuals, const float (&projection)[16]);
 claque::draw::DrawList list_of(const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb = nullptr);
 
-constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it as it is; no zone colour is near
+constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it exactly; no zone colour is near
 
-// Clears to `background` and draws. Adds a test failure where the renderer refuses.
+// Clears to `background` and draws. Adds a test failure if the renderer refuses.
 Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const claque::draw::DrawList &list);
 
-// Every triangle once, in one draw a surface, unlit, the texture's RGB being each texel's zone's colour.
+// Every triangle once, one draw per surface, unlit; the texture's RGB is the colour of each texel's zone.
 Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &individuals,
                    const float (&projection)[16]);
 Picture draw_plain(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera,
                    const uint8_t *zone_rgb);
 
-// Every triangle in a flat colour of its own, in list order or against it: where the two differ, depths tie.
-// Of more than 65 535 triangles RGB565 would not tell all apart.
+// Every triangle in a flat colour of its own, in list order or reversed: where the two differ, depths tie.
+// RGB565 could not distinguish more than 65 535 triangles.
 enum class Order { forwards, backwards };
 Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &individuals,
                  const float (&projection)[16], Order order);
@@ -56,13 +56,13 @@ Picture draw_ids(contexts::Offscreen &context, const PosedModel &posed, const Ca
 
 struct Comparison {
     uint32_t covered = 0;  // pixels of the plain picture that are not background
-    uint32_t ties = 0;     // of them, left out: different triangles at one depth
+    uint32_t ties = 0;     // of them, excluded: different triangles at one depth
     uint32_t wrong = 0;    // other pixels that differ from the plain picture
     uint32_t holes = 0;    // of all pixels: background where the plain picture has none
 };
 Comparison compare(const Picture &plain, const Picture &coloured, const Picture &forwards, const Picture &backwards);
 
-// All of the above for one figure and camera.
+// All counts for one character and camera.
 Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const PosedModel &posed,
                     const Camera &camera);
 

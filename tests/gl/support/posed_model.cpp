@@ -24,11 +24,11 @@ std::set<uint32_t> zones_of(const Mesh &mesh, const std::array<uint32_t, 3> &t, 
             const uint32_t wx = uint32_t(x + int(map.side)) % map.side, wy = uint32_t(y + int(map.side)) % map.side;
             if (map.zones[wy * map.side + wx] != hole) zones.insert(map.zones[wy * map.side + wx]);
         }
-    if (zones.empty()) zones.insert(0);  // nothing but holes: any one will do
+    if (zones.empty()) zones.insert(0);  // only holes: any zone serves
     return zones;
 }
 
-// Vertices by (source, slot): a source vertex serves its first slot, others are copies.
+// Vertices by (source, slot): a source vertex serves its first slot, copies serve the others.
 class Slots
 {
 public:
@@ -57,7 +57,7 @@ private:
     std::map<std::pair<uint32_t, uint16_t>, uint32_t> copies_;
 };
 
-// Triangles with the parts that they belong to.
+// Triangles with their parts.
 struct Pieces {
     std::vector<std::array<uint32_t, 3>> triangles;
     std::vector<uint32_t> parts;
@@ -68,7 +68,7 @@ struct Pieces {
     }
 };
 
-// Part by part, `pieces` one after the other within each.
+// Part by part, `pieces` in order within each.
 class Ranges
 {
 public:

@@ -1,4 +1,4 @@
-// A template with vertices to draw, for tests: made by hand here, so that drawing is tested apart from meshsplit.
+// A template with vertices to draw, for tests: made by hand, so that drawing is tested independently of meshsplit.
 #pragma once
 
 #include "lib/draw/draw_list.h"
@@ -16,14 +16,14 @@ struct Mesh {
     std::vector<glm::vec2> uvs;
     std::vector<std::array<uint32_t, 3>> triangles;
     std::vector<std::array<uint8_t, 4>> colours;  // or empty
-    // Of each triangle; empty: all 0. Surfaces differ in nothing here but that they are drawn apart.
+    // Of each triangle; empty: all 0. Surfaces here differ only in being drawn apart.
     std::vector<uint32_t> parts, surfaces;
     uint32_t part_count = 1, surface_count = 1;
 };
 
 constexpr uint16_t hole = 0xffff;
 
-// Which zone every texel names, or `hole`.
+// The zone of every texel, or `hole`.
 struct ZoneMap {
     uint32_t side = 0;
     uint32_t zone_count = 0;
@@ -35,33 +35,33 @@ struct PosedModel {
     std::vector<float> positions, normals;  // level 0, copies included
     glm::vec3 centre = glm::vec3(0);
     float radius = 1;
-    uint32_t texture_set = 0;  // that it shows
+    uint32_t texture_set = 0;  // the set that it shows
 };
 
-// One template of one level, whose parts and spheres, influences and rig are left to the caller.
-// Splits by the simplest conservative rule that there is: a triangle touches every zone in the box round its texels.
+// One template of one level; the caller adds parts, spheres, influences and rig.
+// Splits by the simplest conservative rule: a triangle touches every zone in the bounding box of its texels.
 PosedModel make_posed(const Mesh &mesh, const ZoneMap &map);
 
-// The template's own positions, copies added.
+// The template's own positions, with copies added.
 PosedModel take_posed(std::unique_ptr<model::Template> tmpl);
 
-// Fills in the centre and radius of the box round its positions.
+// Computes the centre and radius of the bounding box of the positions.
 void measure(PosedModel &posed);
 
 // A sheet of cells x cells quads in the xy plane from -1 to 1, with waves in z; uv from 0 to 1.
 Mesh sheet(uint32_t cells, float waves);
 
-// Left half: vertical bands, one a zone. Right half: squares of `square` texels, their zones mixed: finer than
+// Left half: vertical bands, one per zone. Right half: squares of `square` texels with mixed zones, finer than
 // triangles.
 ZoneMap torture_map(uint32_t side, uint32_t zone_count, uint32_t square);
 
-// Texture RGB white, so that a fragment shows its zone's colour and nothing else.
+// White texture RGB, so that a fragment shows its zone's colour alone.
 void whiten(model::Template &tmpl);
 
-// A texture that is light, varied and not grey.
+// A light texture with varied, non-grey texels.
 void paint(model::Template &tmpl);
 
-// Colours that differ in the five bits a channel that RGB565 keeps. 3 a zone.
+// Colours that differ in the five bits per channel that RGB565 keeps. 3 per zone.
 std::vector<uint8_t> zone_colours(uint32_t zone_count);
 
 }  // namespace gltest

@@ -1,4 +1,4 @@
-// People who stand in each other's shadows.
+// Individuals that stand in each other's shadows.
 #pragma once
 
 #include "lib/figures/figure.h"
@@ -59,7 +59,7 @@ protected:
         for (size_t i = 0; i < picture.size(); i += 3) count += picture[i] != lit && picture[i] != 0;
         return count;
     }
-    // Pixels that are neither as the ground was nor darkened once.
+    // Pixels that neither show the ground unchanged nor darkened once.
     static uint32_t wrong_shades(const Picture &picture)
     {
         uint32_t count = 0;

@@ -40,7 +40,7 @@ struct Between<member> {
     }
 };
 
-// These two can be made to answer otherwise.
+// These two can be made to give other answers.
 void get_integer(gl::Enum name, int32_t *out)
 {
     active->note("glGetIntegerv", {number(name), number(out)});

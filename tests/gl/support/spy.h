@@ -1,5 +1,5 @@
-// A GL between claque and the real one: counts every call by name, and can refuse a function, or answer a query, in its
-// place. One at a time.
+// A GL between claque and the real one: counts every call by name, and can refuse a function or answer a query in place
+// of GL. Only one at a time.
 #pragma once
 
 #include "samples/contexts/offscreen.h"
@@ -19,17 +19,17 @@ public:
     explicit Spy(const contexts::Offscreen &context);
     ~Spy();
 
-    // What a renderer is opened with.
+    // The table that a renderer is opened with.
     static claque::passes::GlFunction get_proc_address(void *user, const char *name);
     void *user() { return this; }
 
-    // Told of every call before it is made, with its arguments as numbers, pointers too.
+    // Called before every GL call with its arguments as numbers, pointers too.
     std::function<void(const std::string &name, const std::vector<double> &arguments)> watch;
-    std::string refuse;                       // this name is answered with null
-    std::map<gl::Enum, int32_t> answers;      // glGetIntegerv says this instead
-    std::map<gl::Enum, std::string> strings;  // glGetString likewise
+    std::string refuse;                       // this name resolves to null
+    std::map<gl::Enum, int32_t> answers;      // values that glGetIntegerv returns in place of GL's
+    std::map<gl::Enum, std::string> strings;  // likewise for glGetString
 
-    std::vector<std::string> asked;         // names in order
+    std::vector<std::string> asked;         // loaded names in order
     std::map<std::string, uint32_t> calls;  // since reset()
     uint32_t call_count() const;
     void reset() { calls.clear(); }

@@ -13,7 +13,7 @@ using GetFloats2 = void (*)(gl::Enum, gl::Enum, float *);
 
 std::vector<double> numbers(const float *values, int count) { return std::vector<double>(values, values + count); }
 
-// State asked by two names: a thing and what of it.
+// State that is queried by two names: an object and its property.
 void dump_pairs(State &state, const HostGl &host, const char *function, gl::Enum thing, const std::string &thing_name,
                 std::initializer_list<StateName> names)
 {
@@ -21,7 +21,7 @@ void dump_pairs(State &state, const HostGl &host, const char *function, gl::Enum
     for (const StateName &name : names) {
         float values[4] = {-99, -99, -99, -99};
         get(thing, name.name, values);
-        // Lights and materials share names: a light is asked by its own.
+        // Lights and materials share names: a light is queried by its own.
         const bool light = thing >= 0x4000 && thing < 0x4008;
         state[thing_name + " " + name.text] = {light ? thing : name.name, numbers(values, name.count)};
     }

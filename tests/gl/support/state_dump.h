@@ -1,4 +1,4 @@
-// All state of GL 1.1 that a program can ask for, as text by name, so that two dumps can be compared.
+// All state of GL 1.1 that a program can query, as text by name, so that two dumps can be compared.
 #pragma once
 
 #include "tests/gl/support/host_gl.h"
@@ -12,16 +12,16 @@ namespace gltest
 {
 
 struct StateValue {
-    gl::Enum name = 0;           // the GL name it is asked by; the light's own, for lights
+    gl::Enum name = 0;           // the GL name of the query; for lights the light's own
     std::vector<double> values;  // bits of pointers and patterns as numbers
 };
 
 using State = std::map<std::string, StateValue>;  // by a readable name, for example "GL_LIGHT0 GL_POSITION"
 
-// Of the current context. Texture parameters are those of what is bound.
+// State of the current context. Texture parameters are those of the bound textures.
 State dump_state(const HostGl &host, bool has_multisample = true);
 
-// Readable names of what differs.
+// Readable names of the differences.
 std::vector<std::string> differences(const State &before, const State &after);
 
 std::string text_of(const StateValue &value);

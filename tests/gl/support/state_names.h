@@ -1,4 +1,5 @@
-// What glGetDoublev knows in GL 1.1: name, value, how many numbers. Chapter 6.2 of the specification, in its order.
+// The state that glGetDoublev returns in GL 1.1: name, value, count of numbers; in the order of chapter 6.2 of the
+// specification.
 #pragma once
 
 #include "passes/gl11.h"

@@ -87,7 +87,7 @@ void TorturedHost::set_texturing()
     host_.TexEnvi(gl::texture_env, gl::texture_env_mode, int32_t(one_of({0x2100, 0x2101, 0x0BE2, 0x1E01})));
     const float colour[4] = {real(), real(), real(), real()};
     host_.ask<void (*)(gl::Enum, gl::Enum, const float *)>("glTexEnvfv")(gl::texture_env, 0x2201, colour);
-    for (gl::Enum c = 0; c < 4; ++c)  // sphere maps are of s and t alone
+    for (gl::Enum c = 0; c < 4; ++c)  // sphere maps exist for s and t only
         host_.TexGeni(0x2000 + c, 0x2500, int32_t(c < 2 ? one_of({0x2400, 0x2401, 0x2402}) : one_of({0x2400, 0x2401})));
 }
 
@@ -128,11 +128,11 @@ void TorturedHost::set_pixels()
     for (const gl::Enum name : {gl::unpack_swap_bytes, gl::unpack_lsb_first})
         host_.PixelStorei(name, int32_t(random_below(2)));
     for (gl::Enum name = gl::red_scale; name <= gl::alpha_bias; ++name)
-        if (name != 0x0D16 && name != 0x0D17) host_.PixelTransferf(name, real());  // zoom stands between them
+        if (name != 0x0D16 && name != 0x0D17) host_.PixelTransferf(name, real());  // the zoom factors lie between them
     host_.PixelTransferf(gl::map_colour, float(random_below(2)));
 }
 
-// As deep as it goes, but for what a draw needs of the attribute stacks.
+// As deep as possible, less the attribute stack that a draw needs.
 void TorturedHost::fill_stacks()
 {
     const auto fill = [&](gl::Enum depth, gl::Enum most, int32_t keep, auto push) {

@@ -1,5 +1,5 @@
-// Hosts whose state is drawn by lot: each piece of state that claque promises to cope with is at some value of all that GL 1.1
-// allows. What claque inherits is set too, to what changes no picture.
+// Hosts with random state: each piece of state that claque promises to cope with has any value that GL 1.1 allows.
+// State that claque inherits is set too, to values that change no picture.
 #pragma once
 
 #include "tests/gl/support/host_gl.h"
@@ -9,10 +9,10 @@
 namespace gltest
 {
 
-// Every switch of GL 1.1 that glEnable knows, and what one of them does to a picture at its default parameters.
+// Every switch of GL 1.1 that glEnable knows, and its effect on a picture with default parameters.
 struct Switch {
     gl::Enum name;
-    bool inherited_and_seen;  // the host's own fog and lighting are wanted
+    bool inherited_and_seen;  // the host's own fog and lighting stay visible
 };
 extern const Switch all_switches[];
 extern const size_t switch_count;
@@ -20,7 +20,7 @@ extern const size_t switch_count;
 class TorturedHost
 {
 public:
-    // The same state for the same number. The context's state has to be at its default.
+    // The same state for the same number. The context's state must be at its default.
     TorturedHost(const HostGl &host, uint32_t number);
 
 private:

@@ -9,7 +9,7 @@ namespace gltest
 namespace
 {
 
-// What a texture shows of one set.
+// The content of a texture in one set.
 struct Shown {
     uint32_t width, height;
     const model::Array<uint8_t> *rgba;
@@ -22,7 +22,7 @@ Shown shown_by(const model::Texture &texture, uint32_t set)
     return {other.width, other.height, &other.rgba};
 }
 
-// The texels with each one's own zone colour; alpha 0 in holes.
+// Each texel in its zone's colour; alpha 0 in holes.
 std::vector<uint8_t> coloured_texels(const model::Texture &texture, const Shown &shown, const uint8_t *zone_rgb)
 {
     std::vector<uint8_t> out(shown.rgba->begin(), shown.rgba->end());
@@ -41,7 +41,7 @@ std::vector<uint8_t> coloured_texels(const model::Texture &texture, const Shown 
     return out;
 }
 
-// Left bound; deleted by the caller.
+// Left bound; the caller deletes it.
 uint32_t upload(const HostGl &host, const model::Texture &texture, const Shown &shown, const std::vector<uint8_t> &rgba)
 {
     uint32_t name = 0;

@@ -1,4 +1,4 @@
-// Textures for plain pictures: every texel in its own zone's colour, as each texture set has them.
+// Textures for plain pictures: every texel in its zone's colour, for each texture set.
 #pragma once
 
 #include "lib/model/template.h"
@@ -12,7 +12,7 @@ namespace gltest
 
 namespace model = claque::model;
 
-// Uploads each once, and deletes them all at its end.
+// Uploads each once; the destructor deletes them all.
 class Uploads
 {
 public:
@@ -21,7 +21,7 @@ public:
     Uploads(const Uploads &) = delete;
     Uploads &operator=(const Uploads &) = delete;
 
-    // GL's name. Adds a test failure where a texel's alpha is no key.
+    // GL's name. Adds a test failure if a texel's alpha is no key.
     uint32_t of(const model::Texture &texture, uint32_t set, const uint8_t *zone_rgb);
 
 private:

@@ -35,7 +35,7 @@ public:
 
 private:
     float real(float first, float last) { return std::uniform_real_distribution<float>(first, last)(random_); }
-    // In braces, whose order is fixed: compilers differ in the order of a call's arguments.
+    // Braces fix the order of evaluation: compilers differ in that of a call's arguments.
     glm::vec3 vector(float size) { return glm::vec3{real(-size, size), real(-size, size), real(-size, size)}; }
     glm::quat turn()
     {
@@ -110,7 +110,7 @@ private:
         channel(0, model::ChannelTarget::translation, how, times);
         for (uint32_t i = 0; i + 1 < def_.nodes; ++i) channel(i, model::ChannelTarget::rotation, how, times);
         channel(1, model::ChannelTarget::scale, how, times);
-        // This one starts later and ends earlier than its clip.
+        // This channel starts later and ends earlier than its clip.
         if (times.size() > 3)
             channel(2, model::ChannelTarget::translation, how, std::vector<float>(times.begin() + 1, times.end() - 1));
         if (def_.morphs) channel(0, model::ChannelTarget::morph_weights, how, times);
@@ -166,7 +166,7 @@ private:
         level.morph_ranges.push_back(range);
     }
 
-    // Round every vertex of many poses, a little larger for those between.
+    // Bounds every vertex of many poses, with a margin for the poses between them.
     void sphere()
     {
         pose::Workspace workspace(out_.rig);

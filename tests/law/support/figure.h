@@ -1,5 +1,5 @@
-// A made-up character for tests: a tree of nodes, clips of every kind of key, two levels of vertices of one to six
-// influences, copies, morph targets, zones. Random, but the same for the same seed.
+// A generated character for tests: a tree of nodes, clips with every kind of key, two levels with vertices of one to
+// six influences, copies, morph targets, zones. Random, but the same for the same seed.
 #pragma once
 
 #include "lib/model/template.h"
@@ -9,7 +9,7 @@
 namespace claque::testing_support
 {
 
-enum class Shape { similar, sheared };  // sheared: scales that differ by axis, so normals need matrices of their own
+enum class Shape { similar, sheared };  // sheared: scales differ by axis, so normals need matrices of their own
 
 struct FigureDef {
     uint32_t seed = 1;

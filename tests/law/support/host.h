@@ -1,4 +1,4 @@
-// What a host lends, for tests: memory that counts and can refuse, and tasks on threads.
+// A host's services for tests: memory that counts and can refuse, and tasks on threads.
 #pragma once
 
 #include "lib/base/services.h"
@@ -10,7 +10,7 @@
 namespace claque::testing_support
 {
 
-// Counts what is held; refuses the n-th allocation from now on, once.
+// Counts the held memory; refuses the n-th allocation from now on, once.
 class CountingMemory : public std::pmr::memory_resource
 {
 public:
@@ -44,7 +44,7 @@ private:
     bool refused_ = false, refuse_all_ = false;
 };
 
-// Takes tasks from a common counter on `count` threads, in whatever order they come.
+// Runs tasks from a common counter on `count` threads, in any order.
 class Threads
 {
 public:
@@ -57,7 +57,7 @@ private:
         std::atomic<uint32_t> next{0};
         const auto work = [&] {
             for (uint32_t i = next++; i < count; i = next++)
-                job(data, count - 1 - i);  // not in the order of one thread
+                job(data, count - 1 - i);  // a different order from that on one thread
         };
         std::vector<std::thread> threads;
         for (uint32_t i = 1; i < static_cast<Threads *>(user)->count_; ++i) threads.emplace_back(work);

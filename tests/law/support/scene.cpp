@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
+#include "lib/crowd/edits.h"
 #include "lib/math/slerp.h"
 
 namespace claque::testing_support
@@ -11,7 +12,7 @@ namespace claque::testing_support
 namespace
 {
 
-// Placed by hash, so that a scene is the same whatever was made before it.
+// Positions are hashes, so that a scene does not depend on earlier calls.
 double random_unit(uint32_t actor, uint32_t what)
 {
     return base::unit(base::hash(7, actor, base::Purpose::position, what));
@@ -51,9 +52,9 @@ Scene::Scene(const SceneDef &def) : crowd(def.memory, 42), frame(def.memory, def
     templates[1] = make_figure(figure);
     const float rgb[9] = {1, 0, 0, 0, 1, 0, 0.2f, 0.4f, 0.6f};
     for (uint32_t i = 0; i < def.actors; ++i) {
-        const crowd::Id id = crowd.create(*templates[i % 3 == 1], transform_of(i, def.origin), play_of(i), i);
-        if (i % 3 == 0) crowd.randomise_colours(id, nullptr, 0);
-        if (i % 3 == 1) crowd.set_colours(id, rgb, 3);
+        const crowd::Id id = crowd::create(crowd, *templates[i % 3 == 1], transform_of(i, def.origin), play_of(i), i);
+        if (i % 3 == 0) crowd::randomise_colours(crowd, id, nullptr, 0);
+        if (i % 3 == 1) crowd::set_colours(crowd, id, rgb, 3);
         ids.push_back(id);
     }
     add_view(glm::dvec3(0, 1.7, 0), glm::dvec3(0, 1, -30));
@@ -62,7 +63,7 @@ Scene::Scene(const SceneDef &def) : crowd(def.memory, 42), frame(def.memory, def
 frame::View &Scene::add_view(const glm::dvec3 &eye, const glm::dvec3 &target)
 {
     views.push_back(std::make_unique<frame::View>(def_.memory));
-    views.back()->height_px = 0;  // levels by distance alone
+    views.back()->height_px = 0;  // levels depend on distance alone
     look(uint32_t(views.size() - 1), eye, target);
     return *views.back();
 }

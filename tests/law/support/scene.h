@@ -1,4 +1,4 @@
-// A crowd on a field and eyes that look at it, for tests of whole updates.
+// A crowd on a field with views of it, for tests of whole updates.
 #pragma once
 
 #include "figure.h"
@@ -13,18 +13,18 @@ namespace claque::testing_support
 struct SceneDef {
     uint32_t actors = 80;
     frame::Settings settings;
-    glm::dvec3 origin = glm::dvec3(0);  // where in the world it all stands
+    glm::dvec3 origin = glm::dvec3(0);  // of the scene in the world
     std::pmr::memory_resource *memory = std::pmr::get_default_resource();
 };
 
-// Two templates, every clip, speeds forwards and backwards, colours of all three kinds, a few mirrored; from 2 to 70 m
+// Two templates, every clip, speeds forwards and backwards, colours of all three kinds, some mirrored; from 2 to 70 m
 // in front of an eye at the origin.
 class Scene
 {
 public:
     explicit Scene(const SceneDef &def = {});
 
-    // An update must succeed; returns the hash of all views' lists.
+    // The update must succeed; returns the hash of all views' lists.
     uint64_t update(double time_s, const base::Jobs &jobs = base::Jobs());
     base::Status try_update(double time_s, const base::Jobs &jobs = base::Jobs());
     uint64_t hash() const;
@@ -34,7 +34,7 @@ public:
     std::unique_ptr<model::Template> templates[2];
     crowd::Crowd crowd;
     frame::Frame frame;
-    std::vector<std::unique_ptr<frame::View>> views;  // one to begin with
+    std::vector<std::unique_ptr<frame::View>> views;  // one at first
     std::vector<crowd::Id> ids;
 
 private:

@@ -22,7 +22,7 @@ TEST(BlockPool, GivesBlocksThatDoNotOverlapAndLieOnCacheLines)
             if (!block) block = pool.allocate_new_slab(bytes);
             ASSERT_TRUE(block);
             EXPECT_EQ(reinterpret_cast<uintptr_t>(block) % BlockPool::alignment, 0u);
-            std::memset(block, 0xff, bytes);  // under a sanitizer: all of it is ours
+            std::memset(block, 0xff, bytes);  // a sanitizer checks that all of it may be written
             taken.insert({reinterpret_cast<char *>(block), reinterpret_cast<char *>(block) + bytes});
         }
     }

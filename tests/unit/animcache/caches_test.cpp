@@ -4,7 +4,6 @@
 
 #include <cstring>
 
-#include "animcache/on_demand.h"
 #include "tests/law/support/figure.h"
 #include "tests/law/support/host.h"
 
@@ -63,7 +62,14 @@ protected:
         caches.skin(base::Jobs());
     }
 
-    bool holds(const Caches &caches, uint32_t row) const { return caches.vertices_of(row).positions != nullptr; }
+    static draw::Vertices vertices_of(const Caches &caches, uint32_t row)
+    {
+        for (const Request &request : caches.requests())
+            if (request.row == row) return caches.vertices_of(request);
+        return {};
+    }
+
+    bool holds(const Caches &caches, uint32_t row) const { return caches.keeps_vertices(row); }
 
     std::unique_ptr<model::Template> figure_, small_;
     const model::Template *templates_[2];
@@ -104,16 +110,16 @@ TEST_F(CachesTest, ARowThatChangesItsTemplateStartsAfresh)
     Caches caches(std::pmr::get_default_resource(), Settings());
     caches.reserve(1, both_);
     update(caches, {wants(0, 0.1)});
-    const uint64_t bytes = caches.counters().bytes;
+    const uint64_t bytes = caches.counters().cache_bytes;
     Request other = wants(0, 0.1);
     other.tmpl = small_.get();
     other.pose.version = 9;
     update(caches, {other});
     EXPECT_EQ(caches.counters().animated, 1u);
-    EXPECT_LT(caches.counters().bytes, bytes);
+    EXPECT_LT(caches.counters().cache_bytes, bytes);
 }
 
-// A fade has ended, and the update may renew nobody: what is drawn is still the fade's.
+// A fade has ended, and the update has no budget to renew poses: the pose of the fade is still drawn.
 TEST_F(CachesTest, AWaitingActorKeepsTheRangeThatItsVerticesWerePackedIn)
 {
     Settings settings;
@@ -123,12 +129,12 @@ TEST_F(CachesTest, AWaitingActorKeepsTheRangeThatItsVerticesWerePackedIn)
     Request blended = wants(0, 0.1);
     blended.blend_radius = 8 * figure_->sklsroot.radius;
     update(caches, {blended});
-    const draw::Vertices before = caches.vertices_of(0);
+    const draw::Vertices before = vertices_of(caches, 0);
     update(caches, {wants(0, 0.2)}, 0);
     EXPECT_EQ(caches.counters().deferred, 1u);
-    EXPECT_EQ(caches.vertices_of(0).step, before.step);
+    EXPECT_EQ(vertices_of(caches, 0).step, before.step);
     update(caches, {wants(0, 0.2)});
-    EXPECT_LT(caches.vertices_of(0).step, before.step / 2);
+    EXPECT_LT(vertices_of(caches, 0).step, before.step / 2);
 }
 
 TEST_F(CachesTest, TheModesKeepWhatTheirNamesSay)
@@ -140,6 +146,10 @@ TEST_F(CachesTest, TheModesKeepWhatTheirNamesSay)
         caches.reserve(1, both_);
         update(caches, {wants(0, 0.1)});
         update(caches, {wants(0, 0.1)});
+        EXPECT_TRUE(vertices_of(caches, 0).any());
+        EXPECT_EQ(caches.keeps_palette(0), mode != Mode::none);
+        EXPECT_EQ(caches.keeps_vertices(0), mode == Mode::full);
+        EXPECT_EQ(caches.counters().cache_bytes > 0, mode != Mode::none);
         EXPECT_EQ(caches.counters().animated, mode == Mode::none ? 1u : 0u);
         EXPECT_EQ(caches.counters().skinned, mode == Mode::full ? 0u : 1u);
     }
@@ -152,17 +162,17 @@ TEST_F(CachesTest, TheLongestInvisibleActorIsEvictedFirstAndTiesGoByRow)
     update(caches, {wants(0, 0), wants(1, 0), wants(2, 0), wants(3, 0)});
     update(caches, {wants(1, 0)});  // 0, 2 and 3 were last seen together, before 1
     update(caches, {wants(5, 0)});  // room for one
-    EXPECT_FALSE(caches.palette_of(0));
-    EXPECT_TRUE(caches.palette_of(2));
+    EXPECT_FALSE(caches.keeps_palette(0));
+    EXPECT_TRUE(caches.keeps_palette(2));
     update(caches, {wants(6, 0), wants(7, 0), wants(8, 0)});
-    EXPECT_FALSE(caches.palette_of(2));
-    EXPECT_FALSE(caches.palette_of(3));
-    EXPECT_FALSE(caches.palette_of(1));
-    EXPECT_TRUE(caches.palette_of(5));
+    EXPECT_FALSE(caches.keeps_palette(2));
+    EXPECT_FALSE(caches.keeps_palette(3));
+    EXPECT_FALSE(caches.keeps_palette(1));
+    EXPECT_TRUE(caches.keeps_palette(5));
     EXPECT_EQ(caches.counters().evicted, 8u);  // four individuals, two blocks each
 }
 
-TEST_F(CachesTest, VisibleActorsAreNeverEvictedAndThoseWithoutRoomAreServedOnDemandWithTheSameBits)
+TEST_F(CachesTest, WhoIsSeenIsNeverThrownOutAndWhoFindsNoRoomIsSkinnedForTheUpdateToTheSameBits)
 {
     Caches roomy(std::pmr::get_default_resource(), Settings()), tight(std::pmr::get_default_resource(), budget(3, 1));
     roomy.reserve(5, both_);
@@ -172,22 +182,17 @@ TEST_F(CachesTest, VisibleActorsAreNeverEvictedAndThoseWithoutRoomAreServedOnDem
     update(roomy, requests);
     update(tight, requests);
     EXPECT_GE(tight.counters().on_demand, 3u);
-    EXPECT_LE(tight.counters().bytes, tight.settings().budget_bytes);
-    OnDemand server(std::pmr::get_default_resource());
-    server.reserve(both_, Settings());
-    server.attach(tight);
-    uint32_t served = 0;
+    EXPECT_LE(tight.counters().cache_bytes, tight.settings().budget_bytes);
     for (uint32_t row = 0; row < 5; ++row) {
-        if (holds(tight, row)) continue;
-        ++served;
-        draw::Item item;
-        item.actor_index = row;
-        const draw::Vertices got = server.serve(item), expected = roomy.vertices_of(row);
+        const draw::Vertices got = vertices_of(tight, row), expected = vertices_of(roomy, row);
+        ASSERT_TRUE(got.any());
         const size_t bytes = 12 * figure_->levels[row % 2].vertex_count;
         EXPECT_EQ(std::memcmp(got.positions, expected.positions, bytes), 0);
         EXPECT_EQ(std::memcmp(got.normals, expected.normals, bytes), 0);
     }
-    EXPECT_EQ(served, tight.counters().on_demand);
+    EXPECT_EQ(tight.counters().left_out, 0u);
+    EXPECT_GT(tight.counters().arena_bytes, 0u);
+    EXPECT_EQ(roomy.counters().arena_bytes, 0u);
     update(tight, requests);
     EXPECT_EQ(tight.counters().evicted, 0u);
 }
@@ -203,7 +208,7 @@ TEST_F(CachesTest, AVictimOfAnotherTemplateMakesRoomToo)
     update(caches, {wants(0, 0)});
     EXPECT_TRUE(holds(caches, 0));
     EXPECT_FALSE(holds(caches, 1));
-    EXPECT_EQ(caches.counters().bytes, caches.settings().budget_bytes);
+    EXPECT_EQ(caches.counters().cache_bytes, caches.settings().budget_bytes);
 }
 
 TEST_F(CachesTest, EverySliceWorksInMemoryOfItsOwn)
@@ -212,7 +217,7 @@ TEST_F(CachesTest, EverySliceWorksInMemoryOfItsOwn)
     Sizes sizes = sizes_of(*figure_, VertexFormat::floats);
     pool.reserve(sizes_of(*small_, VertexFormat::floats));
     pool.reserve(sizes);
-    pool.reserve(sizes_of(*small_, VertexFormat::floats));  // a smaller wish shrinks nothing
+    pool.reserve(sizes_of(*small_, VertexFormat::floats));  // a smaller request shrinks nothing
     for (uint32_t i = 0; i + 1 < 5; ++i) {
         const Scratch a = pool.slice(i), b = pool.slice(i + 1);
         EXPECT_GE(b.locals - a.locals, std::ptrdiff_t(sizes.nodes));

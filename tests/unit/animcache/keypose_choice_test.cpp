@@ -1,4 +1,4 @@
-// The greedy choice against the best choice of all, found by trying every set (S3 4.2, Fig. 7).
+// Compares the greedy choice with the best choice, found by trying every set (S3 4.2, Fig. 7).
 #include "animcache/keypose_choice.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Crowd {
     std::vector<KeyPoseBin> bins;
 };
 
-// S3's case: everybody draws two of the key-poses with normal distribution.
+// S3's case: every individual needs two key-poses, sampled from a normal distribution.
 Crowd draw(uint32_t seed, uint32_t people, uint32_t poses)
 {
     std::mt19937 random(seed);
@@ -78,7 +78,8 @@ uint32_t best(const Crowd &crowd, uint32_t capacity)
 
 TEST(KeyPoseChoice, KeepsTheFullestBinsOfThePapersExample)
 {
-    // S3 Fig. 5: seven key-poses, room for four; 0 to 0.2 and 0.4 to 0.6 are the fullest, the bin between is served too.
+    // S3 Fig. 5: seven key-poses, room for four. 0 to 0.2 and 0.4 to 0.6 are the fullest bins; the bin between is
+    // served too.
     std::vector<KeyPoseBin> bins = {{0, 1, 4}, {1, 2, 3}, {2, 3, 4}, {3, 4, 2}, {4, 5, 1}};
     std::vector<uint8_t> chosen(7, 0);
     EXPECT_EQ(choose_key_poses(bins.data(), 5, 4, nullptr, chosen), 4u);
@@ -112,7 +113,7 @@ TEST(KeyPoseChoice, NeverTakesMoreThanThereIsRoomFor)
         }
 }
 
-// One key-pose for everybody (S3 3): the most wanted ones are the best choice.
+// Every individual needs one key-pose (S3 3): the most wanted ones are the best choice.
 TEST(KeyPoseChoice, KeepsTheMostWantedWhereOneIsAllThatAnybodyNeeds)
 {
     std::vector<KeyPoseBin> bins;
@@ -124,8 +125,8 @@ TEST(KeyPoseChoice, KeepsTheMostWantedWhereOneIsAllThatAnybodyNeeds)
     }
 }
 
-// Along a clip everybody stands between two neighbours; the best choice is then found by going along it (a table over
-// how many are kept so far and whether the last one is).
+// Along a clip every individual needs two neighbouring key-poses. Dynamic programming along the clip then finds the
+// best choice (a table by the number kept so far and whether the last one is kept).
 TEST(KeyPoseChoice, ServesNearlyAsManyAsTheBestAlongClips)
 {
     const struct {

@@ -1,5 +1,5 @@
-// What key-poses are wrong by, against skinning at the exact time (S3 3, 4, 6): in millimetres, and in pixels of a picture 768
-// lines high over 60 degrees at the distances from which claque/key_poses.h says to use them.
+// Errors of key-poses against skinning at the exact time (S3 3, 4, 6): in millimetres, and in pixels of a picture 768
+// lines high over 60 degrees at the distances that claque/key_poses.h recommends for them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +89,7 @@ double squares(const Positions &a, const Positions &b)
 }
 
 struct Error {
-    double most = 0, mean = 0;  // metres: of the worst vertex, and the root of the mean of squares
+    double most = 0, mean = 0;  // metres: the worst vertex, and the root mean square
 };
 
 const model::Template &person(size_t which)
@@ -104,7 +104,7 @@ const model::Template &person(size_t which)
     return *made[which];
 }
 
-// Moments that lie evenly over the intervals between key-poses, by the golden section.
+// Times spread evenly over the intervals between key-poses, by the golden section.
 Error error_of(KeyPoseMode mode, size_t which, float rate_hz, int moments)
 {
     const model::Template &tmpl = person(which);
@@ -129,12 +129,12 @@ double pixels(double metres, double distance_m) { return metres / distance_m * 3
 
 }  // namespace
 
-// What claque/key_poses.h states of the built-in people at 15 key-poses a second.
+// The figures in claque/key_poses.h for the built-in people at 15 key-poses a second.
 TEST(KeyPoseError, OfTheBuiltInPeopleIsWithinWhatTheHeaderStates)
 {
     const struct {
         KeyPoseMode mode;
-        double most_m, mean_m, from_m;  // from_m: where the worst vertex is off by a pixel
+        double most_m, mean_m, from_m;  // from_m: distance at which the worst vertex is off by a pixel
     } stated[] = {{KeyPoseMode::intermittent, 0.120, 0.009, 80}, {KeyPoseMode::interpolated, 0.030, 0.002, 20}};
     for (size_t which = 0; which < figures::people().size(); ++which)
         for (const auto &s : stated) {
@@ -150,7 +150,7 @@ TEST(KeyPoseError, OfTheBuiltInPeopleIsWithinWhatTheHeaderStates)
         }
 }
 
-// The nearest key-pose is half an interval away at most, and nothing moves farther in that time than it is fast.
+// The nearest key-pose is at most half an interval away, so a vertex is off by at most its top speed times that.
 TEST(KeyPoseError, OfTheNearestOneIsNoMoreThanTheFastestVertexMovesInHalfAnInterval)
 {
     const model::Template &tmpl = person(0);
@@ -186,7 +186,8 @@ TEST(KeyPoseError, HalvesForTheNearestAndQuartersForTwoBlendedWhereTheRateDouble
     EXPECT_NEAR(slow.most / fast.most, 4, 1.5);
 }
 
-// Two key-poses are packed, then blended, then rounded: half a step for each of the first, weighed, and half one more.
+// Two key-poses are packed, then blended, then rounded: half a step for each of the first two, weighted, and half a
+// step more.
 TEST(KeyPoseError, PackedKeyPosesAddAStepAlongEachAxisAtMost)
 {
     const model::Template &tmpl = person(0);

@@ -1,5 +1,5 @@
-// What packed geometry costs in exactness, against floats of the same poses: in millimetres, in degrees, and in pixels of a
-// picture 768 lines high over 60 degrees, where it is used.
+// Errors of packed vertices against floats of the same poses: in millimetres, in degrees, and in pixels of a picture
+// 768 lines high over 60 degrees, at the distances of use.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -102,7 +102,7 @@ double packed_pixels(double metres, double distance_m) { return metres / distanc
 
 TEST(Packed, EveryPoseOfTheBuiltInCharactersIsWithinHalfAStepAndHalfADegree)
 {
-    // A person and a winged one of rigid parts; all have their clips from one skeleton each.
+    // A person, and a winged character of rigid parts; each takes all clips from one skeleton.
     for (const figures::Builtin &builtin : {figures::builtins().front(), figures::builtins().back()}) {
         const char *name = builtin.name;
         model::Template tmpl(std::pmr::get_default_resource());
@@ -123,7 +123,7 @@ TEST(Packed, EveryPoseOfTheBuiltInCharactersIsWithinHalfAStepAndHalfADegree)
     }
 }
 
-// Arms that a clip throws up, thrown up once and a half more: farther than any clip goes.
+// Arms raised by a clip, with a layer that raises them one and a half times more: farther than any clip goes.
 TEST(Packed, BlendsThatLeaveTheSphereOfTheClipsAreWithinHalfAStepToo)
 {
     model::Template tmpl(std::pmr::get_default_resource());
@@ -167,8 +167,8 @@ TEST(Packed, APoseThatLeavesTheSphereIsHeldAtItsEdge)
     const auto tmpl = testing_support::make_figure();
     tmpl->sklsroot.radius *= 0.25f;
     const PackedError error = error_of(*tmpl);
-    EXPECT_GT(error.position, 0.1);                                // clamped, not wrapped round to the other side:
-    EXPECT_LT(error.position, 7 * double(tmpl->sklsroot.radius));  // no farther than it stands out
+    EXPECT_GT(error.position, 0.1);                                // clamped, not wrapped round
+    EXPECT_LT(error.position, 7 * double(tmpl->sklsroot.radius));  // at most as far as the pose exceeds the range
 }
 
 }  // namespace claque::animcache

@@ -35,7 +35,7 @@ TEST(Period, NothingMeansEveryFrameAndVeryLongMeansFourHertz)
 {
     EXPECT_EQ(rate_step_of({0, 0, 5, 50}, 100), 0u);
     EXPECT_EQ(rate_step_of({0, 0.25f, 5, 50}, 5), 0u);
-    EXPECT_EQ(rate_step_of({0.01f, 0.25f, 5, 50}, 0), 0u);  // faster than the ladder
+    EXPECT_EQ(rate_step_of({0.01f, 0.25f, 5, 50}, 0), 0u);  // faster than the first rate step
     EXPECT_EQ(rate_hz(rate_step_of({0.5f, 1, 5, 50}, 0)), 4);
     EXPECT_EQ(tick_s(0, 1.234, 99), 1.234);
 }
@@ -60,7 +60,7 @@ TEST(Tick, EveryRateStepTicksAtItsRateInALongRun)
     for (uint32_t rate_step = 1; rate_step < rate_step_count; ++rate_step)
         for (const double start : {0.0, 1e7}) {
             const uint64_t h = base::hash(5, rate_step, base::Purpose::cache_phase);
-            const double frame_s = 1 / 211.0;  // of no simple ratio to any rate
+            const double frame_s = 1 / 211.0;  // in no simple ratio to any rate
             uint32_t ticks = 0;
             double last = tick_s(rate_step, start, h);
             for (int f = 1; f <= 211 * 400; ++f) {
@@ -74,12 +74,12 @@ TEST(Tick, EveryRateStepTicksAtItsRateInALongRun)
 
 TEST(Tick, HasNotDriftedAfterTenMillionSeconds)
 {
-    // The grid of ticks is where it was at the beginning, but for what a double of that size cannot tell: 2^-29 s.
+    // The ticks are at the same multiples as at the start, within the resolution of a double of that size: 2^-29 s.
     for (uint32_t rate_step = 1; rate_step < rate_step_count; ++rate_step)
         for (uint64_t id = 0; id < 50; ++id) {
             const uint64_t h = base::hash(9, id, base::Purpose::cache_phase);
             const double early = tick_s(rate_step, 0.5, h);
-            for (const double later : {1e5, 1e6, 1e7}) {  // whole numbers of every period
+            for (const double later : {1e5, 1e6, 1e7}) {  // multiples of every period
                 EXPECT_NEAR(tick_s(rate_step, later + early + 0.5 * period_s(rate_step), h), later + early, 4e-9);
                 EXPECT_NEAR(tick_s(rate_step, -later + early + 0.5 * period_s(rate_step), h), -later + early, 4e-9);
             }

@@ -89,7 +89,8 @@ TEST(Bvh, RotationsActInTheOrderThatTheFileLists)
             listed += std::string(1, axes[k]) + "rotation ";
             wanted = wanted * turn(axes[k], degrees[k]);
         }
-        const model::Model model = load_bvh(head + listed + "\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0 -130 47 261\n");
+        const model::Model model =
+            load_bvh(head + listed + "\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0 -130 47 261\n");
         const glm::dmat3 made = glm::mat3_cast(glm::dquat(rotation_at(model.rig, 0, 0)));
         for (int c = 0; c < 3; ++c)
             for (int r = 0; r < 3; ++r) EXPECT_NEAR(made[c][r], wanted[c][r], 1e-6) << axes;
@@ -159,7 +160,7 @@ TEST(Bvh, WhatIsOddButUsableIsAWarning)
     EXPECT_EQ(empty.warnings.size(), 1u);
     EXPECT_TRUE(empty.rig.clips.empty());
     EXPECT_EQ(load_bvh("HIERARCHY ROOT a\n{OFFSET 0 0 0 CHANNELS 0 JOINT a\n{OFFSET 0 0 0 CHANNELS 0}}MOTION Frames: 1 "
-                   "Frame Time: 1")
+                       "Frame Time: 1")
                   .warnings.size(),
               1u);
 }

@@ -28,17 +28,10 @@ Json &clip_extras(Maker &maker, int animation) { return maker.json["animations"]
 
 Json marker(const char *name, double time_s) { return {{"name", name}, {"time_s", time_s}}; }
 
-struct Loaded {
-    model::Model model;
-    std::vector<asset::RootMotionRequest> root_motions;
-};
-
-Loaded load_all(const Maker &maker)
+model::Model load_all(const Maker &maker)
 {
-    Loaded out;
     const Bytes bytes = maker.glb();
-    out.model = asset::load_gltf(bytes.data(), bytes.size(), {}, &out.root_motions);
-    return out;
+    return asset::load_gltf(bytes.data(), bytes.size(), {});
 }
 
 TEST(ClipExtras, GiveMarkersInTheOrderOfClipsAndTimes)
@@ -47,7 +40,7 @@ TEST(ClipExtras, GiveMarkersInTheOrderOfClipsAndTimes)
     clip_extras(maker, 0)["markers"] = Json::array({marker("right", 2), marker("left", 0.5), marker("middle", 1)});
     clip_extras(maker, 1)["markers"] = Json::array({marker("left", 0.25)});
     clip_extras(maker, 1)["a hint for others"] = true;
-    const model::Rig rig = load_all(maker).model.rig;
+    const model::Rig rig = load_all(maker).rig;
     ASSERT_EQ(rig.markers.size(), 4u);
     const char *names[] = {"left", "middle", "right", "left"};
     const float times[] = {0.5f, 1, 2, 0.25f};
@@ -63,10 +56,10 @@ TEST(ClipExtras, NameTheNodeOfTheRootMotion)
     Maker maker = walker();
     EXPECT_TRUE(load_all(maker).root_motions.empty());
     clip_extras(maker, 1)["root_motion"] = "hips";
-    const Loaded loaded = load_all(maker);
+    const model::Model loaded = load_all(maker);
     ASSERT_EQ(loaded.root_motions.size(), 1u);
     EXPECT_EQ(loaded.root_motions[0].clip, 1u);
-    EXPECT_EQ(loaded.root_motions[0].node, loaded.model.rig.find_node("hips"));
+    EXPECT_EQ(loaded.root_motions[0].node, loaded.rig.find_node("hips"));
 }
 
 TEST(ClipExtras, OfOthersMayBeAnything)

@@ -1,4 +1,4 @@
-// Descriptions and commands at random: whatever they are, every value is a number within its range.
+// Random definitions and commands: every resulting value is a number within its range.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ public:
     {
         return low + (high - low) * base::unit(base::hash(seed_, ++count_, base::Purpose::pick));
     }
-    // Lengths of time of every size.
+    // Durations of every magnitude.
     float length() { return std::pow(10.0f, in(-4, 4)); }
     uint32_t dof() { return below(3) == 0 ? model::none : below(10); }
 

@@ -1,4 +1,4 @@
-// Several mechanisms on one actor: who has the last word, who is off, who is called (S0 5.3, 7.1).
+// Several mechanisms on one actor: which one writes last, which ones are disabled, which ones are called (S0 5.3, 7.1).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 
 #include "lib/base/hash.h"
 #include "lib/behave/writer.h"
+#include "lib/crowd/edits.h"
 #include "test_actors.h"
 
 namespace claque::behave
@@ -16,7 +17,7 @@ using namespace testing_support;
 namespace
 {
 
-// Writes one value to one degree of freedom, and keeps what it was told.
+// Writes one value to one degree of freedom and records its calls.
 struct Puppeteer {
     uint32_t dof = smile;
     float value = 0, weight = 1;
@@ -44,7 +45,7 @@ uint64_t bits_of(const std::vector<float> &dofs) { return base::fnv(base::fnv_st
 
 }  // namespace
 
-TEST(Chain, TheHigherPriorityHasTheLastWordAndEqualOnesTheLaterUse)
+TEST(Chain, TheHigherPriorityWritesLastAndOfEqualOnesTheLaterAttachment)
 {
     TestActors test_actors;
     Puppeteer a, b, c;
@@ -57,11 +58,11 @@ TEST(Chain, TheHigherPriorityHasTheLastWordAndEqualOnesTheLaterUse)
     EXPECT_EQ(test_actors.at(0, smile), 0.4f);
     test_actors.use(0, first, 7);
     EXPECT_EQ(test_actors.at(0, smile), 0.2f);
-    test_actors.crowd.detach_mechanism(test_actors.ids[0], first);
+    crowd::detach_mechanism(test_actors.crowd, test_actors.ids[0], first);
     EXPECT_EQ(test_actors.at(0, smile), 0.4f);
 }
 
-TEST(Chain, WeighsWhatIsWrittenOverWhatIsThere)
+TEST(Chain, BlendsAWriteWithTheValueBeforeItByWeight)
 {
     TestActors test_actors;
     Puppeteer a, b;
@@ -70,7 +71,7 @@ TEST(Chain, WeighsWhatIsWrittenOverWhatIsThere)
     EXPECT_FLOAT_EQ(test_actors.at(0, smile), 0.625f);
 }
 
-TEST(Chain, HoldsWritesToTheRangeAndIgnoresWhatIsNoNumber)
+TEST(Chain, ClampsWritesToTheRangeAndIgnoresNonFiniteNumbers)
 {
     TestActors test_actors;
     Puppeteer a;
@@ -90,7 +91,7 @@ TEST(Chain, HoldsWritesToTheRangeAndIgnoresWhatIsNoNumber)
     for (uint32_t i = 0; i < dof_count; ++i) EXPECT_EQ(dofs[i], test_actors.dof(i).rest);
 }
 
-TEST(Chain, WritesNothingToNodesThatAreLost)
+TEST(Chain, WritesNothingToDeactivatedNodes)
 {
     TestActors test_actors;
     const uint32_t g = test_actors.add(gaze());
@@ -98,11 +99,11 @@ TEST(Chain, WritesNothingToNodesThatAreLost)
     Puppeteer host;
     host.dof = open_mouth, host.value = 1;  // a morph target of the neck's node
     test_actors.add(host.mechanism());
-    crowd::CommandHistory &history = test_actors.crowd.command_history(test_actors.ids[0], g);
+    crowd::CommandHistory &history = crowd::command_history(test_actors.crowd, test_actors.ids[0], g);
     history.choice = 0, history.point = glm::vec3(3, 2, 3);
     const auto moved = [&](Skeleton skeleton) {
         std::vector<uint32_t> out;
-        // Some moment at which lids are not where they rest.
+        // A time at which the lids are not at rest.
         for (double t = 10; t < 20; t += 0.05) {
             const std::vector<float> &dofs = test_actors.at(t, 0, 0, skeleton);
             for (uint32_t i = 0; i < dof_count; ++i)
@@ -117,7 +118,7 @@ TEST(Chain, WritesNothingToNodesThatAreLost)
     EXPECT_EQ(moved(without_spine), 0u);
 }
 
-TEST(Chain, IsOffWhereAllThatItWritesIsLostAndFromItsDistanceOn)
+TEST(Chain, IsDisabledWhereItWritesNothingAndFromItsDistanceOn)
 {
     TestActors test_actors;
     Puppeteer host;
@@ -142,7 +143,7 @@ TEST(Chain, IsOffWhereAllThatItWritesIsLostAndFromItsDistanceOn)
     EXPECT_EQ(levels(30, whole), (L{0, 0, off, 0, 0}));
     EXPECT_EQ(levels(0, without_eyes), (L{0, off, 0, 0, 0})) << "the mouth hangs on the neck's node";
     EXPECT_EQ(levels(0, without_neck), (L{0, off, off, 0, 0}));
-    EXPECT_EQ(levels(0, without_spine), (L{off, off, off, off, 0})) << "clips are played for whatever is left";
+    EXPECT_EQ(levels(0, without_spine), (L{off, off, off, off, 0})) << "clips move the remaining nodes";
     test_actors.counts = Counts();
     test_actors.at(1, 0, 15, without_eyes);
     EXPECT_EQ(test_actors.counts.calls[0], 1u);
@@ -159,7 +160,7 @@ TEST(Chain, CountsCallsByKindAndWrites)
     EXPECT_EQ(test_actors.counts.calls[0], 1u);
     EXPECT_EQ(test_actors.counts.calls[2], 1u);
     EXPECT_EQ(test_actors.counts.calls[5], 1u);
-    EXPECT_GE(test_actors.counts.writes, 9u) << "eight of the gaze and one of the host, and lids where they blink";
+    EXPECT_GE(test_actors.counts.writes, 9u) << "eight by the gaze, one by the host, and the lids during blinks";
     EXPECT_LE(test_actors.counts.writes, 11u);
 }
 
@@ -176,7 +177,7 @@ TEST(Chain, PassesTheHostActorTimeDistanceAndLevel)
     EXPECT_EQ(call.level, 1u);
     EXPECT_EQ(call.seed, 102u);
     EXPECT_EQ(call.time_s, 12.5);
-    EXPECT_EQ(call.eye_distance, 15);
+    EXPECT_EQ(call.eye_distance_m, 15);
     EXPECT_EQ(call.visible, 1);
 }
 
@@ -185,7 +186,7 @@ TEST(Chain, RunsOnlyMechanismsWithMemoryForInvisibleActorsAndTheseAreNeverOff)
     TestActors test_actors;
     Puppeteer forgetful, elephant;
     test_actors.add(gaze()), test_actors.add(forgetful.mechanism());
-    EXPECT_TRUE(has_host(test_actors.crowd, 0));
+    EXPECT_TRUE(test_actors.crowd.behaviours().any_host());
     EXPECT_FALSE(has_memory(test_actors.crowd, 0));
     test_actors.add(elephant.mechanism(true));
     EXPECT_TRUE(has_memory(test_actors.crowd, 0));
@@ -249,7 +250,7 @@ TEST(Chain, IsDifferentForEveryActorAndTheSameForTwins)
     crowd::Gaze wanders = gaze();
     wanders.wander_s = 1;
     for (TestActors *s : {&test_actors, &other}) s->add(wanders), s->add(expression()), s->add(blink());
-    const crowd::Id twin = test_actors.crowd.clone(test_actors.ids[3], nullptr, 103);
+    const crowd::Id twin = crowd::clone(test_actors.crowd, test_actors.ids[3], nullptr, 103);
     test_actors.ids.push_back(twin);
     std::vector<std::vector<float>> all;
     for (uint32_t i = 0; i < 40; ++i) all.push_back(test_actors.at(50, i));
@@ -260,7 +261,7 @@ TEST(Chain, IsDifferentForEveryActorAndTheSameForTwins)
     EXPECT_EQ(test_actors.at(50, 40), all[3]);
 }
 
-TEST(Chain, GivesEveryUseAClockOfItsOwn)
+TEST(Chain, GivesEveryAttachmentAClockOfItsOwn)
 {
     TestActors test_actors(2);
     const uint32_t p = test_actors.add(phrase(0));

@@ -1,4 +1,4 @@
-// What hosts command, at its time and before it.
+// Commands of hosts, at their time and before it.
 #include "lib/behave/command.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/crowd/edits.h"
 #include "test_actors.h"
 
 namespace claque::behave
@@ -51,11 +52,11 @@ TEST(Command, LeavesTheTimesBeforeItAsTheyWere)
     EXPECT_EQ(film(test_actors, -5, 20), before);
     const auto first = film(test_actors, -5, 20.3);
     EXPECT_NE(film(test_actors, 20.1, 20.2), std::vector<std::vector<float>>(first.begin(), first.begin() + 10));
-    // In the middle of the turn, and of the words.
+    // In the middle of the turn and of the phrase.
     command_gaze(test_actors.crowd, id, g, &right, 20.3), command_expression(test_actors.crowd, id, e, 0, 20.3),
         command_phrase(test_actors.crowd, id, p, 20.3);
     EXPECT_EQ(film(test_actors, -5, 20.3), first);
-    // Two orders are remembered: what the first of three replaced has long been over by now.
+    // Two commands are remembered: the one that the first of three replaced has long ended.
     const auto second = film(test_actors, 21.5, 30);
     command_gaze(test_actors.crowd, id, g, nullptr, 30), command_expression(test_actors.crowd, id, e, model::none, 30),
         command_phrase(test_actors.crowd, id, p, 30);
@@ -73,15 +74,15 @@ TEST(Command, ShowsAPoseUntilRandomChoiceResumes)
     EXPECT_EQ(test_actors.at(40, frown), 1.0f);
     EXPECT_GT(test_actors.at(40.2, frown), 0.4f);
     EXPECT_GT(test_actors.at(40.2, smile), 0.3f);
-    EXPECT_NEAR(test_actors.at(40.2, left_lid), 0.15f, 1e-5) << "between what both shapes say";
-    EXPECT_NEAR(test_actors.at(40.2, right_lid), 0.2f, 1e-5) << "between what one says and where it rests";
+    EXPECT_NEAR(test_actors.at(40.2, left_lid), 0.15f, 1e-5) << "between both poses";
+    EXPECT_NEAR(test_actors.at(40.2, right_lid), 0.2f, 1e-5) << "between one pose and rest";
     EXPECT_EQ(test_actors.at(40.4, smile), 0.8f);
     command_expression(test_actors.crowd, test_actors.ids[0], e, model::none, 50);
     EXPECT_LE(steepest(test_actors, 5, 60), 1.5 * 1.0 / 0.4 * 2) << "two blends at once at most";
     EXPECT_EQ(film(test_actors, 100, 150), alone);
 }
 
-TEST(Command, SaysAPhraseOnceAlsoInTheMiddleOfIts)
+TEST(Command, SaysAPhraseOnceEvenDuringARandomOne)
 {
     TestActors test_actors;
     const uint32_t p = test_actors.add(phrase(-1));
@@ -91,7 +92,7 @@ TEST(Command, SaysAPhraseOnceAlsoInTheMiddleOfIts)
     EXPECT_EQ(test_actors.at(10.2, open_mouth), 1);
     EXPECT_EQ(test_actors.at(10.45, open_mouth), 0);
     command_phrase(test_actors.crowd, test_actors.ids[0], p, 10.6);
-    EXPECT_EQ(test_actors.at(10.2, open_mouth), 1) << "it had been said";
+    EXPECT_EQ(test_actors.at(10.2, open_mouth), 1) << "earlier times keep the first phrase";
     EXPECT_EQ(test_actors.at(10.8, open_mouth), 1);
     EXPECT_EQ(test_actors.at(11.05, open_mouth), 0) << "the first one would have its mouth open";
     EXPECT_EQ(test_actors.at(11.9, open_mouth), 0) << "once";
@@ -115,7 +116,7 @@ TEST(Command, ForAnEarlierTimeReplacesTheLater)
     EXPECT_EQ(test_actors.at(30.2, open_mouth), 0);
 }
 
-TEST(Command, KeepsWhatIsBlendingWhenTheNextOneComes)
+TEST(Command, KeepsTheCurrentBlendWhenTheNextOneComes)
 {
     TestActors test_actors;
     const uint32_t e = test_actors.add(expression());
@@ -143,18 +144,19 @@ TEST(Command, IsRefusedInOneSentence)
     const uint32_t g = test_actors.add(gaze()), e = test_actors.add(expression()), p = test_actors.add(phrase(-1));
     const crowd::Id id = test_actors.ids[0];
     const glm::dvec3 point(1, 2, 3), nowhere(NAN, 0, 0), far(1e300, 0, 0);
-    EXPECT_NE(refusal([&] { command_gaze(test_actors.crowd, id, e, &point, 0); }).find("mechanism 2 is no gaze"),
-              std::string::npos);
-    EXPECT_NE(refusal([&] { command_expression(test_actors.crowd, id, g, 0, 0); }).find("no expression"),
+    EXPECT_NE(
+        refusal([&] { command_gaze(test_actors.crowd, id, e, &point, 0); }).find("mechanism 2 is not of kind 'gaze'"),
+        std::string::npos);
+    EXPECT_NE(refusal([&] { command_expression(test_actors.crowd, id, g, 0, 0); }).find("not of kind 'expression'"),
               std::string::npos);
     EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, 9, 0); }).find("mechanism 10 of 3"),
               std::string::npos);
-    EXPECT_NE(refusal([&] { command_expression(test_actors.crowd, id, e, 3, 0); }).find("shape 3 of 3"),
+    EXPECT_NE(refusal([&] { command_expression(test_actors.crowd, id, e, 3, 0); }).find("pose 3 of 3"),
               std::string::npos);
     EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, p, NAN); }).find("nan"), std::string::npos);
     EXPECT_NE(refusal([&] { command_gaze(test_actors.crowd, id, g, &nowhere, 0); }).find("nan"), std::string::npos);
     EXPECT_NE(refusal([&] { command_gaze(test_actors.crowd, id, g, &far, 0); }).find("1e+300"), std::string::npos);
-    test_actors.crowd.detach_mechanism(id, p);
+    crowd::detach_mechanism(test_actors.crowd, id, p);
     EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, p, 0); }).find("does not use mechanism 3"),
               std::string::npos);
 }

@@ -54,7 +54,7 @@ TEST(Expression, BlendsSmoothly)
     TestActors test_actors;
     test_actors.add(expression());
     const float steep = steepest(test_actors, 0, 60);
-    EXPECT_LE(steep, 1.5 * 1.0 / 0.4 * 1.01) << "the whole range of a shape in blend_s";
+    EXPECT_LE(steep, 1.5 * 1.0 / 0.4 * 1.01) << "the whole range of a pose in blend_s";
     EXPECT_GT(steep, 1.0);
 }
 
@@ -121,7 +121,7 @@ TEST(Blink, BeginsAndEndsWhereTheLidsAre)
     TestActors test_actors;
     test_actors.add(expression(), 0);
     test_actors.add(blink(), 1);
-    // With a smile the lids are at 0.3 between two blinks, not at their rest of 0.1.
+    // With a smile the lids are at 0.3 between two blinks, not at their rest value of 0.1.
     int narrow = 0;
     for (double t = 0; t < 100; t += 0.01) narrow += test_actors.at(t)[right_lid] == 0.3f;
     EXPECT_GT(narrow, 1000);
@@ -132,14 +132,13 @@ TEST(Phrase, ShowsItsPosesInTime)
 {
     TestActors test_actors;
     test_actors.add(phrase(0));
-    // Rounds of length and blend, without a pause.
+    // Loops of length and blend, without a pause.
     const double round = 1.2f + 0.06f;
     for (int i = -3; i < 3; ++i) {
         const double begin = i * round;
         EXPECT_EQ(test_actors.at(begin + 0.2, open_mouth), 1.0f) << i;
         EXPECT_EQ(test_actors.at(begin + 0.45, open_mouth), 0.0f);
-        EXPECT_NEAR(test_actors.at(begin + 0.5299, open_mouth), 0.4f, 0.01f)
-            << "a shape of 30 ms is reached all the same";
+        EXPECT_NEAR(test_actors.at(begin + 0.5299, open_mouth), 0.4f, 0.01f) << "a pose of 30 ms is reached too";
         EXPECT_EQ(test_actors.at(begin + 0.8, open_mouth), 1.0f);
         EXPECT_FLOAT_EQ(test_actors.at(begin + 1.1, open_mouth), 0.4f);
         EXPECT_FLOAT_EQ(test_actors.at(begin + 1.1, smile), 0.2f);

@@ -1,9 +1,10 @@
-// Gaze: spine, neck and eyes share the turn to a point (S0 5.3).
+// Gaze: spine, neck and eyes share the turn towards a point (S0 5.3).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lib/behave/command.h"
+#include "lib/crowd/edits.h"
 #include "test_actors.h"
 
 namespace claque::behave
@@ -16,7 +17,7 @@ namespace
 
 constexpr double eyes_height = 1.6, eyes_ahead = 0.1;
 
-// A point `yaw` to the left and `pitch` up from between the eyes.
+// A point seen from between the eyes at `yaw` to the left and `pitch` upwards.
 glm::dvec3 towards(double yaw, double pitch, double distance = 5)
 {
     return glm::dvec3(0, eyes_height, static_cast<double>(0.1f)) +
@@ -43,7 +44,7 @@ TEST(Gaze, SharesTheTurnAsItsDescriptionSays)
     EXPECT_NEAR(dofs[spine_pitch] + dofs[neck_pitch] + dofs[left_pitch], -0.4, 1e-4) << "together they look at it";
 }
 
-TEST(Gaze, HandsDownWhatAPartCannotTakeAndNeverLeavesARange)
+TEST(Gaze, PassesOnTheExcessOfAPartAndNeverLeavesARange)
 {
     TestActors test_actors;
     crowd::Gaze all = gaze();
@@ -52,7 +53,7 @@ TEST(Gaze, HandsDownWhatAPartCannotTakeAndNeverLeavesARange)
     look_at(test_actors, g, towards(1.4, 0), 0);
     const std::vector<float> &dofs = test_actors.at(5);
     EXPECT_EQ(dofs[spine_yaw], 0.5f) << "its range ends there";
-    EXPECT_NEAR(dofs[neck_yaw], 0.6 * 0.9, 1e-4) << "its share of what is left";
+    EXPECT_NEAR(dofs[neck_yaw], 0.6 * 0.9, 1e-4) << "its share of the rest";
     EXPECT_NEAR(dofs[left_yaw], 0.4 * 0.9, 1e-4);
 }
 
@@ -65,17 +66,17 @@ TEST(Gaze, LooksOverTheLeftShoulderAtWhatIsExactlyBehindAndOverTheSameOneWhenItM
     EXPECT_EQ(test_actors.at(1)[spine_yaw], 0.5f);
     EXPECT_EQ(test_actors.at(1)[neck_yaw], 1.2f);
     EXPECT_EQ(test_actors.at(1)[left_yaw], 0.7f);
-    look_at(test_actors, g, towards(-3.0, 0), 2);  // a little to the right of its back
+    look_at(test_actors, g, towards(-3.0, 0), 2);  // behind, a little to the right
     for (double t = 2; t < 4; t += 0.01) ASSERT_GT(test_actors.at(t, neck_yaw), 1.0f) << "no flip at " << t;
     look_at(test_actors, g, towards(-0.7, 0), 4, 1);
     look_at(test_actors, g, towards(3.0, 0), 6, 1);
-    EXPECT_EQ(test_actors.at(9, 1)[neck_yaw], -1.2f) << "who looked right looks over the right shoulder";
+    EXPECT_EQ(test_actors.at(9, 1)[neck_yaw], -1.2f) << "after looking right it looks over the right shoulder";
     command_gaze(test_actors.crowd, test_actors.ids[1], g, nullptr, 10);
     look_at(test_actors, g, towards(3.0, 0), 10.2, 1);
     EXPECT_EQ(test_actors.at(12, 1)[neck_yaw], -1.2f) << "also on its way back to the front";
 }
 
-TEST(Gaze, IsNotANumberNowhereNotAtItsOwnEyesNorStraightUp)
+TEST(Gaze, NeverGivesNaNNotAtItsOwnEyesNorStraightUp)
 {
     TestActors test_actors;
     const uint32_t g = test_actors.add(gaze());
@@ -95,9 +96,9 @@ TEST(Gaze, TurnsSmoothlyFromWhereItLookedAlsoInTheMiddleOfATurn)
     const uint32_t g = test_actors.add(wanders);
     look_at(test_actors, g, towards(0.9, 0.2), 3);
     look_at(test_actors, g, towards(-0.9, -0.1), 3.2);
-    // A turn of at most 2 radians in 0.4 s, at its steepest 1.5 times as fast as on average.
+    // A turn of at most 2 radians in 0.4 s, with a peak speed of 1.5 times the average.
     EXPECT_LT(steepest(test_actors, 0, 5), 2 / 0.4 * 1.5);
-    EXPECT_GT(steepest(test_actors, 3.1, 3.6), 1) << "it does turn";
+    EXPECT_GT(steepest(test_actors, 3.1, 3.6), 1) << "it must turn";
     command_gaze(test_actors.crowd, test_actors.ids[0], g, nullptr, 5);
     EXPECT_LT(steepest(test_actors, 3.2, 8), 2 / 0.4 * 1.5);
 }
@@ -120,7 +121,7 @@ TEST(Gaze, FollowsAPointThatIsGivenAnewInEveryFrame)
     }
 }
 
-TEST(Gaze, KeepsAPointWhereItIsWhileThePathCarriesTheEyesPastIt)
+TEST(Gaze, FollowsAFixedPointWhileThePathCarriesTheEyesPastIt)
 {
     TestActors test_actors;
     const uint32_t g = test_actors.add(gaze());
@@ -129,7 +130,7 @@ TEST(Gaze, KeepsAPointWhereItIsWhileThePathCarriesTheEyesPastIt)
     ring.duration_s = 8;
     crowd::RootPathPlay motion;
     motion.path = test_actors.crowd.behaviours().add(std::move(ring));
-    test_actors.crowd.play_root_path(test_actors.ids[0], motion);
+    crowd::play_root_path(test_actors.crowd, test_actors.ids[0], motion);
     look_at(test_actors, g, glm::dvec3(9.5, 1.6, 0), 0);
     float least = 9, most = -9;
     for (int i = 0; i < 1600; ++i) {
@@ -137,9 +138,9 @@ TEST(Gaze, KeepsAPointWhereItIsWhileThePathCarriesTheEyesPastIt)
         most = std::max(most, test_actors.at(i * 0.01, neck_yaw));
     }
     EXPECT_GT(most - least, 1.0f) << "the neck follows";
-    // It passes the point at 0.5 m with 8 m/s: 16 rad/s; what is behind is let go of at up to five times that.
+    // It passes the point at 0.5 m with 8 m/s: 16 rad/s; a target behind is dropped at up to five times that.
     EXPECT_LT(steepest(test_actors, 1, 17), 80);
-    // In the open, where nothing is clamped, spine, neck and eyes together point at it.
+    // In the unclamped range spine, neck and eyes together point at the target.
     for (double t = 5.5; t < 6.5; t += 0.1) {
         const crowd::Transform root = root_transform_at(test_actors.crowd, 0, t);
         const std::vector<float> &dofs = test_actors.at(t);
@@ -153,7 +154,7 @@ TEST(Gaze, KeepsAPointWhereItIsWhileThePathCarriesTheEyesPastIt)
     }
 }
 
-TEST(Gaze, LetsGoOfWhatComesToLieBehindAndOfWhatItPassesUnder)
+TEST(Gaze, DropsTargetsThatFallBehindAndThoseItPassesUnder)
 {
     TestActors test_actors;
     const uint32_t g = test_actors.add(gaze());
@@ -162,11 +163,11 @@ TEST(Gaze, LetsGoOfWhatComesToLieBehindAndOfWhatItPassesUnder)
     ring.duration_s = 8;
     crowd::RootPathPlay motion;
     motion.path = test_actors.crowd.behaviours().add(std::move(ring));
-    test_actors.crowd.play_root_path(test_actors.ids[0], motion);
+    crowd::play_root_path(test_actors.crowd, test_actors.ids[0], motion);
     look_at(test_actors, g, glm::dvec3(100, 1.6, 0), 0);
-    // It turns with about 1 rad/s; what comes to lie behind is let go of within half a radian of the turn.
+    // It turns with about 1 rad/s; a target that falls behind is dropped within half a radian of the turn.
     EXPECT_LT(steepest(test_actors, 1, 17), 8);
-    // Right above the way, 4 m over the eyes, which pass under it with 8 m/s.
+    // Right above the path, 4 m over the eyes, which pass under it with 8 m/s.
     const crowd::Transform under = root_transform_at(test_actors.crowd, 0, 1.2345);
     const glm::dvec3 eyes = under.position + glm::dquat(under.orientation) * glm::dvec3(0, 1.6f, 0.1f);
     for (const double aside : {0.0, 0.02, -0.05}) {
@@ -227,7 +228,7 @@ TEST(Gaze, LevelsDropEyesThenNeckThenThePitchOfTheSpine)
     EXPECT_EQ(gone[spine_yaw], 0);
 }
 
-TEST(Gaze, LevelsCountThePartsThatThereAre)
+TEST(Gaze, LevelsCountTheRemainingParts)
 {
     TestActors test_actors;
     crowd::Mechanism mechanism;

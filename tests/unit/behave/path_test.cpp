@@ -1,9 +1,10 @@
-// Ways of the Skeleton Root round the Reference Point (S0 3, 4.1).
+// Root paths: the Skeleton Root moves round the Reference Point (S0 3, 4.1).
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lib/base/hash.h"
+#include "lib/crowd/edits.h"
 #include "test_actors.h"
 
 namespace claque::behave
@@ -95,7 +96,8 @@ TEST(Flight, LooksWhereItGoesOnWhereItTurnsRound)
     const crowd::RootPath path = flight({{0, 0, 0}, {3, 0, 4}});
     EXPECT_NEAR(glm::length(ahead(transform_on(path, 0)) - glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
     EXPECT_NEAR(glm::length(ahead(transform_on(path, 4)) + glm::dvec3(0.6, 0, 0.8)), 0, 1e-6);
-    for (double t = 0; t < 8; t += 0.01) EXPECT_GT(above(transform_on(path, t)).y, 0.9999) << "a turn back has no side";
+    for (double t = 0; t < 8; t += 0.01)
+        EXPECT_GT(above(transform_on(path, t)).y, 0.9999) << "a turn by 180 degrees has no side";
 }
 
 TEST(Flight, BanksToTheInsideOfItsTurnAndNotFurtherThanItMay)
@@ -117,7 +119,7 @@ TEST(Flight, BanksToTheInsideOfItsTurnAndNotFurtherThanItMay)
     path.max_bank = 0.1f;
     for (double t = 0; t < 8; t += 0.1) EXPECT_NEAR(lean(t), 0.1, 1e-3) << t;
     std::reverse(path.positions.begin(), path.positions.end());
-    for (double t = 0; t < 8; t += 0.1) EXPECT_NEAR(lean(t), 0.1, 1e-3) << "the other way round, too " << t;
+    for (double t = 0; t < 8; t += 0.1) EXPECT_NEAR(lean(t), 0.1, 1e-3) << "in the other direction too " << t;
 }
 
 TEST(Flight, TurnsSmoothlyAlsoWhereSegmentsMeet)
@@ -146,7 +148,7 @@ TEST(Flight, IsExactlyPeriodicAndRunsBothWays)
     crowd::RootPathPlay motion;
     motion.path = test_actors.crowd.behaviours().add(any_flight(5, 7));
     const crowd::Id id = test_actors.ids[0];
-    test_actors.crowd.play_root_path(id, motion);
+    crowd::play_root_path(test_actors.crowd, id, motion);
     const auto same = [](const crowd::Transform &a, const crowd::Transform &b) {
         return a.position == b.position && a.orientation == b.orientation;
     };
@@ -157,10 +159,10 @@ TEST(Flight, IsExactlyPeriodicAndRunsBothWays)
                 << t;
     const crowd::Transform at_three = root_transform_at(test_actors.crowd, 0, 3);
     motion.speed = -1, motion.phase_s = 10, motion.start_s = 100;
-    test_actors.crowd.play_root_path(id, motion);
+    crowd::play_root_path(test_actors.crowd, id, motion);
     EXPECT_TRUE(same(root_transform_at(test_actors.crowd, 0, 107), at_three));
     motion.path = model::none;
-    test_actors.crowd.play_root_path(id, motion);
+    crowd::play_root_path(test_actors.crowd, id, motion);
     EXPECT_TRUE(same(root_transform_at(test_actors.crowd, 0, 107), crowd::Transform()));
 }
 
@@ -182,10 +184,10 @@ TEST(Flight, IsNeverNotANumber)
     const std::initializer_list<glm::vec3> hard[] = {
         {{0, 0, 0}, {0, 0, 0}},                                   // stands still
         {{0, 0, 0}, {0, 5, 0}},                                   // up and down
-        {{0, 0, 0}, {3, 0, 4}},                                   // to and fro
+        {{0, 0, 0}, {3, 0, 4}},                                   // back and forth
         {{0, 0, 0}, {0, 5, 0}, {0, 9, 0}, {0, 5, 0}},             // up and down a pole
-        {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {5, 1, 1}, {1, 1, 1}},  // stays for a while
-        {{0, 0, 5}, {0, 5, 0}, {0, 0, -5}, {0, -5, 0}},           // a looping
+        {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {5, 1, 1}, {1, 1, 1}},  // waits for a while
+        {{0, 0, 5}, {0, 5, 0}, {0, 0, -5}, {0, -5, 0}},           // a loop
         {{1e9f, 1e9f, 1e9f}, {-1e9f, -1e9f, -1e9f}, {0, 0, 1e-9f}},
     };
     for (const auto &positions : hard) {

@@ -1,4 +1,5 @@
 #include "test_actors.h"
+#include "lib/crowd/edits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ std::unique_ptr<model::Template> make_template()
         rig.clip_names.emplace_back("");
     }
     model::check(rig);
-    const uint32_t left[] = {7, 3, 2, 1};  // nodes, in the order of their numbers
+    const uint32_t left[] = {7, 3, 2, 1};  // nodes, in ascending order of index
     for (const uint32_t count : left) {
         tmpl->levels.emplace_back(memory());
         if (count == 7) continue;
@@ -69,7 +70,7 @@ void add_written(const crowd::MechanismKind &kind, std::vector<uint32_t> &out)
 TestActors::TestActors(uint32_t actors, uint64_t crowd_seed) : tmpl(make_template()), crowd(memory(), crowd_seed)
 {
     for (uint32_t i = 0; i < actors; ++i)
-        ids.push_back(crowd.create(*tmpl, crowd::Transform(), crowd::Play(), 100 + i));
+        ids.push_back(crowd::create(crowd, *tmpl, crowd::Transform(), crowd::Play(), 100 + i));
     dofs_.resize(dof_count);
 }
 
@@ -95,7 +96,7 @@ void TestActors::use(uint32_t actor, uint32_t mechanism, float priority, float p
 {
     crowd::MechanismAttachment use;
     use.mechanism = mechanism, use.priority = priority, use.phase_s = phase_s, use.start_s = start_s;
-    crowd.attach_mechanism(ids[actor], use);
+    crowd::attach_mechanism(crowd, ids[actor], use);
 }
 
 const std::vector<float> &TestActors::at(double time_s, uint32_t actor, float distance_m, Skeleton skeleton)
@@ -104,7 +105,7 @@ const std::vector<float> &TestActors::at(double time_s, uint32_t actor, float di
     context.time_s = time_s;
     context.level = &tmpl->levels[skeleton];
     context.levels = mechanism_levels(crowd, crowd.row_of(ids[actor]), distance_m, *context.level);
-    context.distance = distance_m;
+    context.distance_m = distance_m;
     run(crowd, crowd.row_of(ids[actor]), context, base::Span<float>(dofs_), counts);
     return dofs_;
 }

@@ -26,7 +26,7 @@ enum Dof : uint32_t {
     dof_count
 };
 
-// What is left of the skeleton at the template's levels.
+// The active nodes of the template's levels.
 enum Skeleton : uint32_t { whole, without_eyes, without_neck, without_spine };
 
 class TestActors
@@ -34,12 +34,12 @@ class TestActors
 public:
     explicit TestActors(uint32_t actors = 1, uint64_t crowd_seed = 7);
 
-    // Every actor uses it.
+    // Attaches it to every actor.
     uint32_t add(crowd::MechanismKind kind, float priority = 0);
     uint32_t add(crowd::Mechanism mechanism, float priority = 0);
     void use(uint32_t actor, uint32_t mechanism, float priority = 0, float phase_s = 0, double start_s = 0);
 
-    // The degrees of freedom at a moment.
+    // The degrees of freedom at a time.
     const std::vector<float> &at(double time_s, uint32_t actor = 0, float distance_m = 0, Skeleton skeleton = whole);
     float at(double time_s, Dof dof) { return at(time_s)[dof]; }
     const model::Dof &dof(uint32_t i) const { return tmpl->rig.dofs[i]; }
@@ -53,7 +53,7 @@ private:
     std::vector<float> dofs_;
 };
 
-crowd::Gaze gaze();              // of all parts; turns in 0.4 s, does not wander
+crowd::Gaze gaze();              // of all parts; turns in 0.4 s, without wandering
 crowd::Expression expression();  // smile, frown, and a face at rest
 crowd::Blink blink();
 crowd::Phrase phrase(float pause_s);  // o, rest, half open; 1.2 s long

@@ -1,3 +1,4 @@
+// Axes of charts: round ends, ticks and labels.
 #include "samples/charts/axis_scale.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Marks as SVG text and as pixels.
+// Drawing primitives of charts as SVG text and as pixels.
 #include "samples/charts/drawing.h"
 #include "samples/charts/bars.h"
 #include "samples/charts/theme.h"
@@ -63,7 +63,7 @@ TEST(Drawing, UprightLettersRunUpwards)
         for (int x = 0; x < 60; ++x) inked = inked || pixel(p, x, y) != white;
         inked_rows += inked;
     }
-    EXPECT_GT(inked_rows, 18) << "four letters are longer than one is high";
+    EXPECT_GT(inked_rows, 18) << "four letters are wider than one is high";
 }
 
 TEST(Drawing, PatternsLeavePartOfTheGroundAndARim)

@@ -1,3 +1,4 @@
+// Line charts as JSON: round trip and refusals.
 #include "samples/charts/lines.h"
 #include "samples/scenes/check.h"
 
@@ -15,7 +16,7 @@ constexpr const char *whole = R"({"kind": "lines", "title": "Growth", "subtitle"
                {"name": "traditional", "points": [[100, 2]]}],
     "note": "fine"})";
 
-TEST(LinesJson, EveryMemberLandsInItsPlace)
+TEST(LinesJson, EveryMemberIsReadIntoItsField)
 {
     const LineChart chart = line_chart_of(whole, "f");
     EXPECT_EQ(chart.title, "Growth");
@@ -51,25 +52,25 @@ TEST(LinesJson, WhatIsWrongIsSaid)
         return text.replace(text.find(from), from.size(), to);
     };
     const std::vector<std::pair<std::string, std::string>> wrong = {
-        {"nothing", "it is no JSON"},
+        {"nothing", "it is not JSON"},
         {"[]", "'kind' is not 'lines'"},
         {with("\"lines\"", "\"pie\""), "'kind' is not 'lines'"},
-        {with("\"lines\"", "7"), "its 'kind' is no text"},
+        {with("\"lines\"", "7"), "its 'kind' is not a string"},
         {with("\"title\": \"Growth\"", "\"title\": \"\""), "it has no 'title'"},
         {with("\"log\"", "\"cubic\""), "its 'x': 'scale' is 'cubic', not linear or log"},
-        {with("\"from\": 100", "\"from\": 0"), "its 'x': 'from' is no number above 0"},
-        {with("[[100, 2]]", "[[0, 2]]"), "series 2: point 1: x is no number above 0, as a logarithmic axis takes"},
-        {with("[[100, 2]]", "[[100, 1e300]]"), "series 2: point 1: y is no number from -1e15 to 1e15"},
-        {with("[[100, 2]]", "[[100, null]]"), "series 2: point 1: y is no number"},
-        {with("[[100, 2]]", "[[100]]"), "series 2: point 1 is no pair [x, y]"},
-        {with("[[100, 2]]", "[]"), "series 2: 'points' is no list of 1 to"},
+        {with("\"from\": 100", "\"from\": 0"), "its 'x': 'from' is not a number above 0"},
+        {with("[[100, 2]]", "[[0, 2]]"), "series 2: point 1: x is not a number above 0, as a logarithmic axis needs"},
+        {with("[[100, 2]]", "[[100, 1e300]]"), "series 2: point 1: y is not a number from -1e15 to 1e15"},
+        {with("[[100, 2]]", "[[100, null]]"), "series 2: point 1: y is not a number"},
+        {with("[[100, 2]]", "[[100]]"), "series 2: point 1 is not a pair [x, y]"},
+        {with("[[100, 2]]", "[]"), "series 2: 'points' is not a list of 1 to"},
         {with("[1000, 1.9]", "[10, 1.9]"), "series 1: point 2 lies left of the one before it"},
-        {with("\"colour\": 3", "\"colour\": 8"), "series 1: 'colour' is no whole number from 0 to 7"},
+        {with("\"colour\": 3", "\"colour\": 8"), "series 1: 'colour' is not a whole number from 0 to 7"},
         {with("\"dotted\"", "\"wavy\""), "series 1: 'dash' is 'wavy', not solid, dashed or dotted"},
         {with("\"name\": \"actor\", ", ""), "series 1: it has no 'name'"},
-        {R"({"kind": "lines", "title": "t"})", "its 'series' is no list of 1 to 16"},
-        {R"({"kind": "lines", "title": "t", "series": [4]})", "series 1 is no object"},
-        {R"({"kind": "lines", "title": "t", "x": 4})", "its 'x' is no object"},
+        {R"({"kind": "lines", "title": "t"})", "its 'series' is not a list of 1 to 16"},
+        {R"({"kind": "lines", "title": "t", "series": [4]})", "series 1 is not an object"},
+        {R"({"kind": "lines", "title": "t", "x": 4})", "its 'x' is not an object"},
     };
     for (const auto &[text, said] : wrong) {
         try {
@@ -77,7 +78,7 @@ TEST(LinesJson, WhatIsWrongIsSaid)
             ADD_FAILURE() << "taken: " << text;
         } catch (const scenes::Failure &failure) {
             EXPECT_NE(std::string(failure.what()).find(said), std::string::npos) << failure.what() << "\n" << said;
-            EXPECT_EQ(std::string(failure.what()).rfind("growth.json holds no chart of lines: ", 0), 0u);
+            EXPECT_EQ(std::string(failure.what()).rfind("growth.json is not a line chart: ", 0), 0u);
         }
     }
 }

@@ -1,3 +1,4 @@
+// Line charts as drawn: curves, legend, marks and axes.
 #include "samples/charts/lines.h"
 
 #include "samples/charts/theme.h"

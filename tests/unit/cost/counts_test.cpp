@@ -1,4 +1,4 @@
-// S0's tables as it prints them, typed here from the paper, against what samples/cost computes.
+// S0's tables as printed, typed here from the paper, compared with the results of samples/cost.
 #include "samples/cost/operations.h"
 #include "samples/cost/readings.h"
 

@@ -95,7 +95,7 @@ TEST(Equation, MeasuredCountsTakeThePlaceOfTheActorSide)
     EXPECT_DOUBLE_EQ(r.actor.behaviour, 5 + 4 + 1);
     // 10 x (29/8 + 53/2 + 19/4 + 10) + 4 x (5.5 + 63) + 2 x (21.25 + 63) + 300 + 448 + 24
     EXPECT_NEAR(r.actor.management.at(measured.shares), 448.75 + 274 + 168.5 + 772, 1e-9);
-    EXPECT_DOUBLE_EQ(r.traditional.behaviour, 4200) << "counted for the scene where the run did not";
+    EXPECT_DOUBLE_EQ(r.traditional.behaviour, 4200) << "taken from the scene where the run has no count";
 
     measured.traditional = Counts{40, 4, 4, 20, 8, 44};
     EXPECT_DOUBLE_EQ(as_measured(measured, equation_scene).traditional.behaviour, 48);

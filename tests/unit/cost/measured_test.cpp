@@ -1,3 +1,4 @@
+// Measured counts of a run: reading, writing and refusals.
 #include "samples/cost/measured.h"
 #include "samples/scenes/check.h"
 
@@ -11,7 +12,7 @@ namespace
 constexpr const char *by_hand = R"({"note": "by hand", "NO_01": 1180.5, "NO_02": 100, "NO_03": 80, "NO_04a": 790,
     "NO_04b": 231, "NO_05": 60, "fTrack": 0.12, "fCoh": 0.97, "scene": "passed over"})";
 
-TEST(Measured, EveryCountLandsInItsPlace)
+TEST(Measured, EveryCountIsReadIntoItsField)
 {
     const Measured m = measured_of(by_hand, "counts.json");
     EXPECT_EQ(m.actor, (Counts{1180.5, 100, 80, 790, 231, 60}));
@@ -40,19 +41,19 @@ TEST(Measured, WhatIsWrongIsSaid)
         return text.replace(text.find(from), from.size(), to);
     };
     const std::vector<std::pair<std::string, std::string>> wrong = {
-        {"nothing", "it is no JSON"},
-        {"[1]", "it is no object"},
+        {"nothing", "it is not JSON"},
+        {"[1]", "it is not an object"},
         {with("\"NO_03\": 80,", ""), "it lacks 'NO_03'"},
-        {with(": 80", ": -1"), "'NO_03' is -1, no number from 0 to 1e12"},
-        {with(": 80", ": \"many\""), "'NO_03' is \"many\", no number"},
-        {with(": 80", ": 1e400"), "it is no JSON"},
-        {with("0.12", "1.5"), "'fTrack' is 1.5, no number from 0 to 1"},
+        {with(": 80", ": -1"), "'NO_03' is -1, not a number from 0 to 1e12"},
+        {with(": 80", ": \"many\""), "'NO_03' is \"many\", not a number"},
+        {with(": 80", ": 1e400"), "it is not JSON"},
+        {with("0.12", "1.5"), "'fTrack' is 1.5, not a number from 0 to 1"},
         {with("\"note\": \"by hand\",", ""), "it has no 'note'"},
-        {with("\"scene\": \"passed over\"", "\"traditional\": 4"), "'traditional' is no object"},
+        {with("\"scene\": \"passed over\"", "\"traditional\": 4"), "'traditional' is not an object"},
         {with("\"scene\": \"passed over\"", "\"traditional\": {}"),
-         "under 'traditional', holds no counts of a run: it "
+         "under 'traditional', is not a report of counts: it "
          "lacks 'NO_01'"},
-        {R"({"NO_01": 0, "NO_02": 0, "NO_03": 0, "NO_04a": 1, "NO_04b": 1, "NO_05": 1})", "nobody moved"},
+        {R"({"NO_01": 0, "NO_02": 0, "NO_03": 0, "NO_04a": 1, "NO_04b": 1, "NO_05": 1})", "no actor moved"},
     };
     for (const auto &[text, said] : wrong) {
         try {

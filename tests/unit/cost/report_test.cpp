@@ -1,3 +1,4 @@
+// The cost report: S0's tables, its inconsistencies, JSON and curves.
 #include "samples/cost/report.h"
 #include "samples/cost/curves.h"
 #include "samples/cost/measured.h"
@@ -35,7 +36,7 @@ TEST(Report, BothNumbersOfEveryInconsistencyAreSaid)
         EXPECT_NE(all.find(words), std::string::npos) << words << "\nnot in\n" << all;
 }
 
-TEST(Report, OnlyOneCountOfTable5PartsFromItsFormula)
+TEST(Report, OnlyOneCountOfTable5DiffersFromItsFormula)
 {
     const std::string all = all_remarks();
     size_t parting = 0;
@@ -43,7 +44,7 @@ TEST(Report, OnlyOneCountOfTable5PartsFromItsFormula)
     EXPECT_EQ(parting, 1u);
 }
 
-TEST(Report, EveryTableIsThereAndSquare)
+TEST(Report, EveryTableIsPresentAndRectangular)
 {
     Measured measured;
     measured.actor = {1, 1, 1, 1, 1, 1};
@@ -59,7 +60,7 @@ TEST(Report, EveryTableIsThereAndSquare)
     }
 }
 
-TEST(Report, WhatWasNotCountedHasNoColumn)
+TEST(Report, MissingCountsHaveNoColumn)
 {
     Measured measured;
     measured.actor = {1, 1, 1, 1, 1, 1};

@@ -1,3 +1,4 @@
+// Tables as text, Markdown and JSON.
 #include "samples/cost/table.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
-#include "lib/crowd/crowd.h"
+#include "lib/crowd/edits.h"
 #include "lib/math/slerp.h"
 #include "tests/law/support/figure.h"
 #include "tests/law/support/host.h"
@@ -36,7 +36,7 @@ void expect_same(const Transform &a, const Transform &b, double metres = 1e-6)
 class GroupTest : public testing::Test
 {
 protected:
-    Id add(const Transform &transform = Transform()) { return crowd_.create(*figure_, transform, Play(), 1); }
+    Id add(const Transform &transform = Transform()) { return crowd::create(crowd_, *figure_, transform, Play(), 1); }
     template <class Call>
     clq_status refused(const Call &call)
     {
@@ -73,14 +73,14 @@ TEST(Transforms, ComposeAsMatricesDoAndRelativeUndoesIt)
 
 TEST_F(GroupTest, JoiningAndLeavingWithoutATransformKeepsAnActorWhereItIs)
 {
-    const Id actor = add(somewhere(1)), group = crowd_.create_group(somewhere(-2));
-    crowd_.join(actor, group, nullptr);
+    const Id actor = add(somewhere(1)), group = crowd::create_group(crowd_, somewhere(-2));
+    crowd::join(crowd_, actor, group, nullptr);
     EXPECT_EQ(crowd_.group(0).members, 1u);
     expect_same(crowd_.world_transform_of(0), somewhere(1), 1e-6);
-    crowd_.set_group_transform(group, somewhere(4));
+    crowd::set_group_transform(crowd_, group, somewhere(4));
     const Transform moved = crowd_.world_transform_of(0);
     EXPECT_GT(std::fabs(moved.position.x - somewhere(1).position.x), 1);
-    crowd_.join(actor, Id(), nullptr);
+    crowd::join(crowd_, actor, Id(), nullptr);
     EXPECT_EQ(crowd_.group_of(0), model::none);
     EXPECT_EQ(crowd_.group(0).members, 0u);
     expect_same(crowd_.transform_of(0), moved);
@@ -88,30 +88,30 @@ TEST_F(GroupTest, JoiningAndLeavingWithoutATransformKeepsAnActorWhereItIs)
 
 TEST_F(GroupTest, EndingAGroupLeavesItsMembersWhereTheyAre)
 {
-    const Id group = crowd_.create_group(somewhere(2));
+    const Id group = crowd::create_group(crowd_, somewhere(2));
     std::vector<Transform> before;
     for (int i = 0; i < 5; ++i) {
         const Transform transform = somewhere(i);
-        crowd_.join(add(), group, &transform);
+        crowd::join(crowd_, add(), group, &transform);
         before.push_back(crowd_.world_transform_of(uint32_t(i)));
     }
-    crowd_.destroy_group(group);
+    crowd::destroy_group(crowd_, group);
     for (uint32_t i = 0; i < 5; ++i) {
         EXPECT_EQ(crowd_.group_of(i), model::none);
         expect_same(crowd_.transform_of(i), before[i], 0);
     }
-    EXPECT_EQ(refused([&] { crowd_.destroy_group(group); }), CLQ_STALE_ID);
-    const Id again = crowd_.create_group(Transform());
+    EXPECT_EQ(refused([&] { crowd::destroy_group(crowd_, group); }), CLQ_STALE_ID);
+    const Id again = crowd::create_group(crowd_, Transform());
     EXPECT_EQ(again.index1, group.index1);
-    EXPECT_EQ(refused([&] { crowd_.set_group_transform(group, Transform()); }), CLQ_STALE_ID)
+    EXPECT_EQ(refused([&] { crowd::set_group_transform(crowd_, group, Transform()); }), CLQ_STALE_ID)
         << "an old id stays stale";
 }
 
 TEST_F(GroupTest, AnActorThatIsDestroyedIsNoMemberAnyMore)
 {
-    const Id group = crowd_.create_group(Transform()), actor = add();
-    crowd_.join(actor, group, nullptr);
-    crowd_.destroy(actor);
+    const Id group = crowd::create_group(crowd_, Transform()), actor = add();
+    crowd::join(crowd_, actor, group, nullptr);
+    crowd::destroy(crowd_, actor);
     EXPECT_EQ(crowd_.group(0).members, 0u);
     add();
     EXPECT_EQ(crowd_.group_of(0), model::none) << "the row's next owner is in no group";
@@ -119,21 +119,21 @@ TEST_F(GroupTest, AnActorThatIsDestroyedIsNoMemberAnyMore)
 
 TEST_F(GroupTest, RefusesWhatIsWrongAndChangesNothing)
 {
-    const Id group = crowd_.create_group(Transform()), actor = add();
+    const Id group = crowd::create_group(crowd_, Transform()), actor = add();
     Transform bad;
     bad.scale = 0;
-    EXPECT_EQ(refused([&] { crowd_.set_group_transform(group, bad); }), CLQ_ARGUMENT);
-    EXPECT_EQ(refused([&] { crowd_.create_group(bad); }), CLQ_ARGUMENT);
-    EXPECT_EQ(refused([&] { crowd_.join(actor, group, &bad); }), CLQ_ARGUMENT);
-    EXPECT_EQ(refused([&] { crowd_.join(Id{9, 1}, group, nullptr); }), CLQ_STALE_ID);
-    EXPECT_EQ(refused([&] { crowd_.join(actor, Id{9, 1}, nullptr); }), CLQ_STALE_ID);
-    EXPECT_EQ(refused([&] { crowd_.enable_group(Id{1, 2}, false); }), CLQ_STALE_ID);
+    EXPECT_EQ(refused([&] { crowd::set_group_transform(crowd_, group, bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd::create_group(crowd_, bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd::join(crowd_, actor, group, &bad); }), CLQ_ARGUMENT);
+    EXPECT_EQ(refused([&] { crowd::join(crowd_, Id{9, 1}, group, nullptr); }), CLQ_STALE_ID);
+    EXPECT_EQ(refused([&] { crowd::join(crowd_, actor, Id{9, 1}, nullptr); }), CLQ_STALE_ID);
+    EXPECT_EQ(refused([&] { crowd::enable_group(crowd_, Id{1, 2}, false); }), CLQ_STALE_ID);
     memory_.refuse_all(true);
     bool thrown = false;
     for (int i = 0; i < 100 && !thrown; ++i) {
         const uint64_t before = crowd_.hash();
         try {
-            crowd_.create_group(Transform());
+            crowd::create_group(crowd_, Transform());
         } catch (const std::bad_alloc &) {
             thrown = true;
             EXPECT_EQ(crowd_.hash(), before);
@@ -144,7 +144,7 @@ TEST_F(GroupTest, RefusesWhatIsWrongAndChangesNothing)
 
 TEST_F(GroupTest, ChangesTheHash)
 {
-    const Id group = crowd_.create_group(Transform()), actor = add();
+    const Id group = crowd::create_group(crowd_, Transform()), actor = add();
     uint64_t last = crowd_.hash();
     const auto changes = [&](const auto &call) {
         call();
@@ -152,10 +152,10 @@ TEST_F(GroupTest, ChangesTheHash)
         last = crowd_.hash();
         return changed;
     };
-    EXPECT_TRUE(changes([&] { crowd_.join(actor, group, nullptr); }));
-    EXPECT_TRUE(changes([&] { crowd_.enable_group(group, false); }));
-    EXPECT_TRUE(changes([&] { crowd_.set_group_transform(group, somewhere(1)); }));
-    EXPECT_TRUE(changes([&] { crowd_.destroy_group(group); }));
+    EXPECT_TRUE(changes([&] { crowd::join(crowd_, actor, group, nullptr); }));
+    EXPECT_TRUE(changes([&] { crowd::enable_group(crowd_, group, false); }));
+    EXPECT_TRUE(changes([&] { crowd::set_group_transform(crowd_, group, somewhere(1)); }));
+    EXPECT_TRUE(changes([&] { crowd::destroy_group(crowd_, group); }));
 }
 
 }  // namespace claque::crowd

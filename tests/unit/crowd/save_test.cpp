@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "lib/base/error.h"
+#include "lib/crowd/edits.h"
 #include "tests/law/support/figure.h"
 
 namespace claque::crowd
@@ -22,7 +23,7 @@ public:
     std::vector<uint8_t> all;
 };
 
-// Lends one template, and takes descriptions as they are.
+// Resolves one template, and accepts descriptions as they are.
 class Trusting : public Resolver
 {
 public:
@@ -43,7 +44,7 @@ class SaveTest : public ::testing::Test
 {
 protected:
     SaveTest() : figure_(make_figure()), crowd_(std::pmr::get_default_resource(), 7) {}
-    Id add(uint64_t seed = 1) { return crowd_.create(*figure_, Transform(), Play(), seed); }
+    Id add(uint64_t seed = 1) { return crowd::create(crowd_, *figure_, Transform(), Play(), seed); }
     std::vector<uint8_t> saved() const
     {
         Bytes out;
@@ -55,7 +56,7 @@ protected:
         Trusting resolver(*figure_);
         Crowd restored(out.memory());
         restore(bytes.data(), bytes.size(), resolver, restored);
-        out.swap_state(restored);
+        crowd::swap_state(out, restored);
     }
 
     std::unique_ptr<model::Template> figure_;
@@ -68,13 +69,13 @@ TEST_F(SaveTest, FreeRowsAreUsedAgainInTheSameOrder)
 {
     std::vector<Id> ids;
     for (int i = 0; i < 20; ++i) ids.push_back(add());
-    for (const int i : {3, 17, 0, 8, 9}) crowd_.destroy(ids[static_cast<size_t>(i)]);
+    for (const int i : {3, 17, 0, 8, 9}) crowd::destroy(crowd_, ids[static_cast<size_t>(i)]);
     Crowd other(std::pmr::get_default_resource(), 1);
     restore_into(other, saved());
     EXPECT_EQ(other.seed(), 7u);
     EXPECT_EQ(other.actor_count(), 15u);
     for (int i = 0; i < 8; ++i) {
-        const Id here = add(), there = other.create(*figure_, Transform(), Play(), 1);
+        const Id here = add(), there = crowd::create(other, *figure_, Transform(), Play(), 1);
         EXPECT_EQ(there.index1, here.index1);
         EXPECT_EQ(there.generation, here.generation);
     }
@@ -84,17 +85,17 @@ TEST_F(SaveTest, EqualStatesHaveEqualBytesWhateverCameBefore)
 {
     const Id id = add();
     const std::vector<uint8_t> before = saved();
-    // Memory has been used and given back: nothing of that is state.
+    // Memory was allocated and freed: this is not part of the state.
     crowd_.behaviours().add(RootPath(std::pmr::get_default_resource()));
     const std::vector<uint8_t> with_path = saved();
     EXPECT_NE(with_path, before);
-    crowd_.play_root_path(id, RootPathPlay{0, 1, 0, 0});
+    crowd::play_root_path(crowd_, id, RootPathPlay{0, 1, 0, 0});
     EXPECT_NE(saved(), with_path);
-    crowd_.play_root_path(id, RootPathPlay());
-    crowd_.follow_ground(id, 1, 2);
+    crowd::play_root_path(crowd_, id, RootPathPlay());
+    crowd::follow_ground(crowd_, id, 1, 2);
     EXPECT_NE(saved(), with_path);
-    crowd_.follow_ground(id, 0, 0);
-    crowd_.play(id, Play());
+    crowd::follow_ground(crowd_, id, 0, 0);
+    crowd::play(crowd_, id, Play());
     EXPECT_EQ(saved(), with_path);
 }
 
@@ -105,25 +106,25 @@ TEST_F(SaveTest, HooksStayWithActorsWhoseIdIsInBothStatesAndTheGroundStays)
     int mark = 0;
     const auto ground = [](void *, const double *) { return 0.0; };
     const clq_actor_hooks hooks = {nullptr, [](void *, clq_actor) {}, &mark};
-    crowd_.set_ground(ground, &mark);
-    crowd_.set_hooks(kept, hooks);
-    crowd_.destroy(changed);
+    crowd::set_ground(crowd_, ground, &mark);
+    crowd::set_hooks(crowd_, kept, hooks);
+    crowd::destroy(crowd_, changed);
     const Id in_its_row = add();
     ASSERT_EQ(in_its_row.index1, changed.index1);
-    crowd_.set_hooks(in_its_row, hooks);
-    crowd_.destroy(late);
+    crowd::set_hooks(crowd_, in_its_row, hooks);
+    crowd::destroy(crowd_, late);
     restore_into(crowd_, bytes);
     ASSERT_NE(crowd_.extra_of(crowd_.row_of(kept)), nullptr);
     EXPECT_EQ(crowd_.extra_of(crowd_.row_of(kept))->hooks.user, &mark);
-    EXPECT_EQ(crowd_.extra_of(crowd_.row_of(changed)), nullptr) << "somebody else had its row";
+    EXPECT_EQ(crowd_.extra_of(crowd_.row_of(changed)), nullptr) << "another actor had its row";
     EXPECT_EQ(crowd_.extra_of(crowd_.row_of(late)), nullptr);
     EXPECT_EQ(crowd_.ground_user(), &mark);
 }
 
 TEST_F(SaveTest, NoVersionIsOneThatWasThereBefore)
 {
-    const Id a = add(), group = crowd_.create_group(Transform());
-    crowd_.join(a, group, nullptr);
+    const Id a = add(), group = crowd::create_group(crowd_, Transform());
+    crowd::join(crowd_, a, group, nullptr);
     const std::vector<uint8_t> bytes = saved();
     uint64_t play = crowd_.actor(0).play_version, sphere = crowd_.group(0).version;
     uint64_t structure = crowd_.structure_version();

@@ -1,3 +1,4 @@
+// Clips of the built-in characters: loops, smoothness, joint limits and feet on the ground.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ using puppet::Posed;
 namespace
 {
 
-// How far a limb is bent at the joint of `middle`, and on which side: the cosine of the bend, and the hinge.
+// The bend of a limb at the joint of `middle` and its side: the cosine of the bend, and the hinge axis.
 struct Bend {
     float degrees;
     glm::vec3 hinge;  // in the upper bone's axes
@@ -58,7 +59,7 @@ TEST_P(Clip, HasThirtyKeysASecondAndADecentLength)
 TEST_P(Clip, EndsAsItBeginsAndAsFast)
 {
     for (const char *way : puppet::ways)
-        if (std::string(way) == GetParam()) return;  // seat_test.cpp: they end somewhere else
+        if (std::string(way) == GetParam()) return;  // seat_test.cpp: such clips do not loop
     const uint32_t c = clip(GetParam());
     const int n = frames(c);
     const Posed first = pose(c, 0), last = pose(c, float(n) * frame_s);
@@ -69,7 +70,7 @@ TEST_P(Clip, EndsAsItBeginsAndAsFast)
         EXPECT_LT(glm::distance(first.vertices[v], last.vertices[v]), 1e-5f);
         const glm::vec3 in = first.vertices[v] - before.vertices[v], out = after.vertices[v] - first.vertices[v];
         const glm::vec3 next = second.vertices[v] - after.vertices[v], past = before.vertices[v] - earlier.vertices[v];
-        // Over the join the speed changes no more than it does beside it; a foot that runs comes down in one frame.
+        // At the loop's seam the speed changes no more than beside it; a running foot comes down in one frame.
         const float usual = std::max(glm::distance(past, in), glm::distance(out, next));
         EXPECT_LT(glm::distance(in, out), some + 1.5f * usual) << "vertex " << v;
     }
@@ -78,7 +79,7 @@ TEST_P(Clip, EndsAsItBeginsAndAsFast)
 TEST_P(Clip, MovesWithoutJerks)
 {
     const uint32_t c = clip(GetParam());
-    // Metres by which the way from one frame to the next may change; who runs throws the feet about.
+    // Metres by which the step from one frame to the next may change; runners move their feet fast.
     const float most = std::string(GetParam()) == "jog" ? 0.085f : 0.042f;
     Posed a = pose(c, 0), b = pose(c, frame_s);
     for (int k = 2; k <= frames(c); ++k) {
@@ -99,7 +100,7 @@ TEST_P(Clip, BendsElbowsAndKneesAsPeopleCan)
             const Bend knee = left ? bend(p, "thigh_l", "shin_l", "foot_l") : bend(p, "thigh_r", "shin_r", "foot_r");
             EXPECT_LT(knee.degrees, 140);
             if (knee.degrees > 6) {
-                EXPECT_GT(knee.hinge.x, 0.9f * glm::length(knee.hinge)) << "a knee bends backwards only";
+                EXPECT_GT(knee.hinge.x, 0.9f * glm::length(knee.hinge)) << "knees bend backwards only";
             }
             const Bend elbow =
                 left ? bend(p, "upper_arm_l", "forearm_l", "hand_l") : bend(p, "upper_arm_r", "forearm_r", "hand_r");
@@ -142,7 +143,7 @@ TEST_P(Clip, StandsOnTheGroundAllTheTime)
 INSTANTIATE_TEST_SUITE_P(Citizen, Clip, testing::ValuesIn(puppet::clip_names),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST(Clips, AreTheSameInEveryFigure)
+TEST(Clips, AreTheSameInEveryCharacter)
 {
     for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();
@@ -154,7 +155,7 @@ TEST(Clips, AreTheSameInEveryFigure)
     }
 }
 
-// In clips on the spot the balls of the feet stay where they are.
+// In clips on the spot the balls of the feet stay in place.
 TEST(Feet, DoNotSlideWhileStanding)
 {
     for (const char *name : puppet::standing_clips) {
@@ -170,12 +171,12 @@ TEST(Feet, DoNotSlideWhileStanding)
     }
 }
 
-// Under a walker on a treadmill the ground goes back at one speed: what touches it goes with it.
+// On a treadmill the ground moves back at one speed, and whatever touches it moves with it.
 TEST(Feet, GoBackWithTheGroundWhileWalking)
 {
     const uint32_t c = clip("walk");
     const int n = frames(c);
-    // The speed: a sole that lies flat in the middle of its time on the ground.
+    // The speed of a sole that lies flat, in the middle of its time on the ground.
     const auto z = [&](const char *bone, int k) { return pose(c, float(k % n) * frame_s).joints[node(bone)].z; };
     const float speed = (z("foot_l", 9) - z("foot_l", 6)) / 3;
     EXPECT_LT(speed * 30, -0.8f);

@@ -1,3 +1,4 @@
+// The decurion: mesh, toga, weights, texture and colours.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -37,7 +38,7 @@ uint8_t key_of(const std::string &zone)
     return 255;
 }
 
-// How far cloth of the trunk reaches ahead between two heights, of either figure: arms hang beside it.
+// How far the trunk's cloth reaches ahead between two heights, of either character: arms hang beside it.
 float ahead(const model::Part &of, float low, float high)
 {
     float farthest = 0;
@@ -68,7 +69,7 @@ void texels(const std::array<uint32_t, 3> &t, Visit visit)
 
 }  // namespace
 
-TEST(Decurion, IsAFigureThatCanBeAskedForByName)
+TEST(Decurion, IsABuiltInCharacterFoundByName)
 {
     bool found = false;
     for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "decurion";
@@ -90,7 +91,7 @@ TEST(Decurion, HasAbout1040Triangles33BonesAndAtMost4Influences)
     }
 }
 
-TEST(Decurion, HasTheClipsOfEveryFigure)
+TEST(Decurion, HasTheClipsOfEveryCharacter)
 {
     const model::Model man = figures::citizen();
     EXPECT_EQ(decurion().rig.clips.size(), man.rig.clips.size());
@@ -157,7 +158,7 @@ TEST(Decurion, HasNoDegenerateTriangleAndNormalsThatAgree)
     EXPECT_LE(against, 16u) << "a few corners of thin fingers and ears may look away";
 }
 
-// Open are arms and boots inside the cloth, the roots of thumbs and index fingers inside the palm, the ears' edges
+// Open edges: arms and boots inside the cloth, the roots of thumbs and index fingers inside the palm, the ears' edges
 // against the head, and roll and umbo where they lie in the dress.
 TEST(Decurion, IsClosedButForEdgesThatAreHidden)
 {
@@ -195,7 +196,8 @@ TEST(Decurion, KeepsWeightsEqualWhereverVerticesShareAPosition)
     }
 }
 
-// Raised arms lift the cloth below the armpits by a hand; what lies further down stays with the trunk in every pose.
+// Raised arms lift the cloth below the armpits by a hand's width; cloth further down stays with the trunk in every
+// pose.
 TEST(Decurion, TearsNoClothInAnyClip)
 {
     for (const char *name : puppet::clip_names) {

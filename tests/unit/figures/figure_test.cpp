@@ -1,3 +1,4 @@
+// The citizen: mesh, normals and weights.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -70,7 +71,7 @@ TEST(Citizen, HasUnitNormalsThatAgreeWithItsTriangles)
     EXPECT_LE(against, 12u) << "a few corners of thin fingers and ears may look away";
 }
 
-// Open are the arms' and legs' upper ends inside sleeve and skirt, the roots of thumbs and index fingers inside the
+// Open edges: the arms' and legs' upper ends inside sleeve and skirt, the roots of thumbs and index fingers inside the
 // palm, and the ears' edges against the head.
 TEST(Citizen, IsClosedButForEdgesThatAreHidden)
 {

@@ -1,5 +1,5 @@
-// Built-in figures that fly, in rigid parts: their Skeleton nodes and degrees of freedom, their levels of detail, what
-// they are painted with, and their clips (S0 3, 5.1, 5.2, 7.1).
+// Built-in characters that fly, in rigid parts: nodes and degrees of freedom, levels of detail, textures, and clips (S0
+// 3, 5.1, 5.2, 7.1).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const Model &flyer(const std::string &name)
     return made.at(name);
 }
 
-// Where a node is at rest.
+// Position of a node in the rest pose.
 vec3 joint(const Model &m, uint32_t node)
 {
     vec3 at(0);
@@ -128,7 +128,7 @@ TEST_P(Flyer, TurnsInTheDirectionOfItsDegreesOfFreedom)
     EXPECT_GT(turned(m, "head_roll", up).x, 0.1f);
     EXPECT_LT(turned(m, "lids", ahead).y, -0.5f);
     EXPECT_LT(turned(m, "jaw", ahead).y, -0.1f);
-    EXPECT_LT(turned(m, "wing_left_flap", left).z, -0.5f) << "up, where it lies on the air, is behind its back";
+    EXPECT_LT(turned(m, "wing_left_flap", left).z, -0.5f) << "it lies on the air, so up is behind its back";
     EXPECT_LT(turned(m, "wing_right_flap", -left).z, -0.5f);
     EXPECT_LT(turned(m, "wing_left_sweep", left).y, -0.3f);
     EXPECT_LT(turned(m, "wing_right_sweep", -left).y, -0.3f);
@@ -174,7 +174,7 @@ TEST_P(Flyer, HasPiecesWhoseLevelsAdjoinFrom0UntilTheirNodeStops)
         if (part.lod_max_m == stop_of(m, part.node)) ends.insert(part.lod_max_m);
     std::set<size_t> counts;
     for (const auto &[name, levels] : pieces) {
-        // What takes over begins where something has stopped.
+        // A replacing part begins where another part ends.
         EXPECT_TRUE(ends.count(levels.front()->lod_min_m) || levels.front()->lod_min_m == 160) << name;
         for (size_t i = 1; i < levels.size(); ++i) {
             EXPECT_EQ(levels[i]->lod_min_m, levels[i - 1]->lod_max_m) << name;
@@ -232,7 +232,7 @@ TEST_P(Flyer, HasTextureCoordinatesAndUnitNormals)
         }
 }
 
-// Vertex normals look to the same side as the faces that they belong to, but for folds of under a fiftieth.
+// Vertex normals look to the same side as the faces of the vertex, except for folds of under a fiftieth.
 TEST_P(Flyer, HasNormalsOnTheOutsideOfItsFaces)
 {
     for (const Part &part : m.parts) {
@@ -249,7 +249,7 @@ TEST_P(Flyer, HasNormalsOnTheOutsideOfItsFaces)
 
 TEST_P(Flyer, IsMadeOfPiecesThatAreVisibleFromOutside)
 {
-    // Wings far away are two faces without room between them.
+    // Wings at coarse levels are two faces without space between them.
     for (const char *name : {"head", "chest", "wing_left", "wing_right", "legs", "eye_left"})
         for (const Part &part : m.parts) {
             if (part.name != name) continue;
@@ -280,8 +280,8 @@ TEST_P(Flyer, HasClipsThatClose)
                 for (size_t key = 1; key < channel.key_count; ++key)
                     most = std::max(most, std::fabs(v[key * n + k] - v[(key - 1) * n + k]));
             }
-            EXPECT_LE(seam, most) << name << ": no jump over the end";
-            EXPECT_LT(most, 0.35f) << name << ": nor anywhere else";
+            EXPECT_LE(seam, most) << name << ": a jump at the loop's seam";
+            EXPECT_LT(most, 0.35f) << name << ": a jump within the clip";
         }
     }
 }

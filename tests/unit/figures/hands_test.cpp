@@ -1,4 +1,4 @@
-// What hands do, and what they must not do.
+// Hands in clips: their required poses, and no intersections.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool left_hand(size_t v) { return moved_by(v, {"hand_l", "fingers_l", "fingertip
 bool right_hand(size_t v) { return moved_by(v, {"hand_r", "fingers_r", "fingertips_r"}); }
 bool any_hand(size_t v) { return left_hand(v) || right_hand(v) || moved_by(v, {"thumb_l", "thumb_r"}); }
 
-// From one palm to the other along x, thumbs left out; negative: through each other.
+// From one palm to the other along x, without thumbs; negative: they intersect.
 float between_palms(const Posed &p)
 {
     float left = 1e9f, right = -1e9f;
@@ -52,7 +52,7 @@ float depth(const Capsule &c, vec3 p)
     return c.radius - glm::distance(p, c.from + line * t);
 }
 
-// Flesh well inside skin and cloth: whatever is in there is wrong.
+// Capsules well inside skin and cloth: anything inside them is an error.
 std::vector<Capsule> flesh(const Posed &p)
 {
     const auto on = [&p](const char *bone, vec3 offset) { return p.joints[node(bone)] + p.world[node(bone)] * offset; };
@@ -70,7 +70,7 @@ std::vector<Capsule> flesh(const Posed &p)
     return all;
 }
 
-// Height of a point over the cloth below it, or far away where there is none.
+// Height of a point over the cloth below it; a large number if there is none.
 float over_lap(const Posed &p, vec3 point)
 {
     const auto &part = citizen().parts[0];
@@ -153,7 +153,7 @@ TEST_P(Applause, HasPalmsMeetWithoutPassingThroughEachOther)
     EXPECT_LT(nearest, 0.03f);
     EXPECT_GT(nearest, -0.01f);
     EXPECT_GE(meetings, 6);
-    EXPECT_GT(widest, 0.12f) << "it is clapping, not praying";
+    EXPECT_GT(widest, 0.12f) << "the hands must part: clapping, not praying";
 }
 
 INSTANTIATE_TEST_SUITE_P(Citizen, Applause, testing::Values("applaud", "sit_applaud", "stand_applaud"),

@@ -1,3 +1,4 @@
+// The patrician: mesh, gown, weights, texture and colours.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -37,7 +38,7 @@ uint8_t key_of(const std::string &zone)
     return 255;
 }
 
-// Farthest to the left of cloth between two heights.
+// The leftmost cloth between two heights.
 float half_width(float low, float high)
 {
     float widest = 0;
@@ -72,7 +73,7 @@ void texels(const std::array<uint32_t, 3> &t, Visit visit)
 
 }  // namespace
 
-TEST(Patrician, IsAFigureThatCanBeAskedForByName)
+TEST(Patrician, IsABuiltInCharacterFoundByName)
 {
     bool found = false;
     for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "patrician";
@@ -94,7 +95,7 @@ TEST(Patrician, HasAbout1040Triangles33BonesAndAtMost4Influences)
     }
 }
 
-TEST(Patrician, HasTheClipsOfEveryFigure)
+TEST(Patrician, HasTheClipsOfEveryCharacter)
 {
     const model::Model man = figures::citizen();
     EXPECT_EQ(patrician().rig.clips.size(), man.rig.clips.size());
@@ -144,7 +145,7 @@ TEST(Patrician, HasNoDegenerateTriangleAndNormalsThatAgree)
     EXPECT_LE(against, 16u) << "a few corners of thin fingers and ears may look away";
 }
 
-// Open are arms and feet inside the cloth, the roots of thumbs and index fingers inside the palm, the ears' edges
+// Open edges: arms and feet inside the cloth, the roots of thumbs and index fingers inside the palm, the ears' edges
 // against the head, the bun's against the hair, and the band of the palla where it lies in the dress.
 TEST(Patrician, IsClosedButForEdgesThatAreHidden)
 {

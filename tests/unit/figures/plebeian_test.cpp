@@ -1,4 +1,4 @@
-// The plebeian: what every built-in figure has to be, and what makes him another man than the citizen.
+// The plebeian: requirements of every built-in character, and differences from the citizen.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -56,7 +56,7 @@ void texels(const std::array<uint32_t, 3> &t, Visit visit)
         }
 }
 
-// The colour key of the surface nearest to a point.
+// The zone key of the surface nearest to a point.
 uint8_t nearest_key(glm::vec3 at)
 {
     float least = 1e9f;
@@ -90,7 +90,7 @@ float lowest_of(const model::Model &model, const std::string &zone)
 
 }  // namespace
 
-TEST(Plebeian, IsAFigureThatCanBeAskedForByName)
+TEST(Plebeian, IsABuiltInCharacterFoundByName)
 {
     bool found = false;
     for (const figures::Builtin &builtin : figures::builtins()) found |= std::string(builtin.name) == "plebeian";
@@ -126,8 +126,8 @@ TEST(Plebeian, HasNoDegenerateTriangleAndNormalsThatAgree)
     EXPECT_LE(against, 16u) << "a few corners of thin fingers and ears may look away";
 }
 
-// Open are the legs inside the skirt, the left arm inside the sleeve, the roots of thumbs and index fingers inside the
-// palm, the ears' edges against the head, and the cloak's edges, which lie in the tunic.
+// Open edges: the legs inside the skirt, the left arm inside the sleeve, the roots of thumbs and index fingers inside
+// the palm, the ears' edges against the head, and the cloak's edges, which lie in the tunic.
 TEST(Plebeian, IsClosedButForEdgesThatAreHidden)
 {
     struct Edge {
@@ -251,7 +251,7 @@ TEST(Plebeian, IsMadeOfTheSameBytesEveryTime)
     EXPECT_TRUE(same(part().weights, again.parts[0].weights));
 }
 
-// No edge of the surface is stretched to much more than twice its length: nothing tears.
+// No edge of the surface is stretched to much more than twice its length.
 TEST(Plebeian, DoesNotTearInAnyClip)
 {
     for (uint32_t c = 0; c < plebeian().rig.clips.size(); ++c)
@@ -268,7 +268,7 @@ TEST(Plebeian, DoesNotTearInAnyClip)
         }
 }
 
-// Seats are 0.65 m wide: no part of a sitter reaches into his neighbour's.
+// Seats are 0.65 m wide: no part of a sitter reaches onto the next seat.
 TEST(Plebeian, KeepsToHisSeat)
 {
     for (const char *name : puppet::seated_clips) {

@@ -1,4 +1,4 @@
-// Built-in figures posed by a few lines that share nothing with the library's own evaluation but the data.
+// Built-in characters posed by a few lines that share only the data with the library's own evaluation.
 #pragma once
 
 #include <cmath>
@@ -78,7 +78,7 @@ inline Posed pose(const Model &figure, uint32_t clip_index, float time_s)
 
 inline Posed pose(uint32_t clip_index, float time_s) { return pose(citizen(), clip_index, time_s); }
 
-// The bone that moves a vertex most.
+// The joint with the largest weight of a vertex.
 inline uint32_t owner(const Model &figure, size_t vertex)
 {
     return figure.rig.palette[figure.parts[0].joints[4 * vertex]].node;
@@ -96,12 +96,12 @@ constexpr const char *clip_names[] = {"stand",       "walk",          "applaud",
                                       "sit_lean",    "sit_look",      "sit_talk",    "sit_applaud", "sit_cheer",
                                       "sit_laugh",   "sit_wave",      "rise",        "sit_down",    "stand_wave",
                                       "stand_laugh", "stand_applaud", "stand_cheer", "jog"};
-// On the feet, in place.
+// Standing, in place.
 constexpr const char *standing_clips[] = {"stand",       "applaud",       "cheer",      "stand_wave",
                                           "stand_laugh", "stand_applaud", "stand_cheer"};
 constexpr const char *seated_clips[] = {"sit",         "sit_lean",  "sit_look",  "sit_talk",
                                         "sit_applaud", "sit_cheer", "sit_laugh", "sit_wave"};
-// From the seat to the feet or back: the two that are no loops.
+// Sitting down or standing up: the two clips that do not loop.
 constexpr const char *ways[] = {"rise", "sit_down"};
 
 }  // namespace puppet

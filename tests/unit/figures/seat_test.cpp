@@ -1,4 +1,4 @@
-// Seated clips against the seat they are made for: its top at 0.43 m, its front edge 0.14 m behind the origin.
+// Seated clips on the seat that they are made for: its top at 0.43 m, its front edge 0.14 m behind the origin.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,10 +29,10 @@ float furthest(const Posed &a, const Posed &b)
 
 Posed at_end(const char *name) { return pose(clip(name), float(frames(clip(name))) * frame_s); }
 
-// How deep a point is inside the stone, by the shorter way out; negative outside.
+// Depth of a point inside the stone, by the shorter way out; negative outside.
 float depth_in_seat(vec3 p) { return std::min(seat_height_m - p.y, seat_edge_m - p.z); }
 
-// Lowest of what lies between belt and knee at rest and is over the seat now.
+// The lowest vertex between belt and knee (at rest) that is over the seat now.
 float lowest_over_seat(const Posed &p, const puppet::Model &figure = citizen())
 {
     const auto &rest = figure.parts[0].positions;
@@ -46,7 +46,7 @@ float lowest_over_seat(const Posed &p, const puppet::Model &figure = citizen())
 class Seated : public testing::TestWithParam<const char *>
 {
 protected:
-    // Keys and what lies between them.
+    // Times of keys and times between them.
     template <typename Check>
     void always(Check check) const
     {
@@ -95,7 +95,7 @@ TEST_P(Seated, KeepsToItsOwnSeat)
     always([](const Posed &p) {
         for (size_t v = 0; v < p.vertices.size(); ++v) EXPECT_LE(std::fabs(p.vertices[v].x), 0.31f) << "vertex " << v;
         for (const vec3 q : p.vertices)
-            EXPECT_TRUE(q.z > -0.58f || q.y > 0.60f) << "where the toes of those behind are";
+            EXPECT_TRUE(q.z > -0.58f || q.y > 0.60f) << "where the toes of sitters behind are";
     });
 }
 
@@ -113,7 +113,7 @@ TEST_P(Seated, KeepsTheKneesTogetherAsFarAsAGownNeeds)
 INSTANTIATE_TEST_SUITE_P(Citizen, Seated, testing::ValuesIn(puppet::seated_clips),
                          [](const auto &clip_info) { return std::string(clip_info.param); });
 
-TEST_P(Planted, GoesNowhereThroughTheStone)
+TEST_P(Planted, NeverPassesThroughTheStone)
 {
     always([](const Posed &p) {
         for (size_t v = 0; v < p.vertices.size(); ++v)
@@ -158,7 +158,8 @@ TEST(Rising, BringsTheWeightOverTheFeetBeforeTheHipsLeaveTheSeat)
             const Posed p = pose(c, float(k) * frame_s);
             const float lifted = p.joints[node("pelvis")].y - seated;
             if (lifted < 0.05f || lifted > 0.20f) continue;
-            EXPECT_GT(p.joints[node("neck")].z, -0.08f) << name << " at frame " << k << ": nobody can rise like that";
+            EXPECT_GT(p.joints[node("neck")].z, -0.08f)
+                << name << " at frame " << k << ": a body cannot rise like that";
         }
     }
 }
@@ -171,7 +172,7 @@ TEST(Standing, MayBeFollowedByAWaveALaughOrAnOvation)
     }
 }
 
-// Rows stand as close as they sit; raised arms may overlap a neighbour's a little, no more.
+// Rows stand as close as they sit; only raised arms may overlap a neighbour's a little.
 TEST(Standing, KeepsTheArmsWithinItsOwnSeat)
 {
     for (const char *name :
@@ -183,8 +184,8 @@ TEST(Standing, KeepsTheArmsWithinItsOwnSeat)
     }
 }
 
-// Togas and stolas are wider than a tunic, but a seat is 0.65 m wide for everybody.
-TEST(Sitters, SitsOnASeatOfHisOwn)
+// Togas and stolas are wider than a tunic, but all seats are 0.65 m wide.
+TEST(Sitters, FitOnTheirOwnSeats)
 {
     for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();
@@ -196,7 +197,7 @@ TEST(Sitters, SitsOnASeatOfHisOwn)
                 ASSERT_NEAR(lowest_over_seat(p, figure), seat_height_m, 0.025f);
                 for (const vec3 q : p.vertices) {
                     ASSERT_LE(std::fabs(q.x), 0.325f);
-                    ASSERT_TRUE(q.z > -0.59f || q.y > 0.60f) << "where the toes of those behind are";
+                    ASSERT_TRUE(q.z > -0.59f || q.y > 0.60f) << "where the toes of sitters behind are";
                 }
             }
         }

@@ -1,3 +1,4 @@
+// The citizen's texture: zone keys, texture sets and charts.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// 150 clips: what holds for a person's own clips holds for their variants.
+// 150 clips: the requirements of a character's own clips hold for their variants.
 #include "lib/figures/clips/variant.h"
 
 #include <gtest/gtest.h>
@@ -18,10 +18,10 @@ namespace
 constexpr uint32_t variants_a_clip = 8;
 
 struct Extremes {
-    float hands_apart = 1e9f;  // least, from wrist to wrist
+    float hands_apart = 1e9f;  // smallest distance from wrist to wrist
     float wrist_to_trunk = 1e9f;
     float foot_low = 1e9f, foot_high = -1e9f;
-    float jerk = 0;  // most that a joint's step changes from one key to the next
+    float jerk = 0;  // largest change of a joint's step from one key to the next
 };
 
 float to_trunk(const Pose &pose, Bone bone)
@@ -95,7 +95,7 @@ TEST_P(Variants, KeepTheLawsOfTheirClip)
         EXPECT_GT(e.foot_low, own.foot_low - 0.002f);
         EXPECT_LT(e.foot_high, own.foot_high + 0.002f);
         EXPECT_GT(e.wrist_to_trunk, own.wrist_to_trunk - 0.025f);
-        // What goes faster turns faster, by the square of it.
+        // A faster clip has larger accelerations, by the square of its speed.
         const float faster = static_cast<float>(maker.frames) / static_cast<float>(v.frames) * (1 + std::fabs(v.lead));
         EXPECT_LT(e.jerk, 2 * own.jerk * std::fmax(1.0f, faster * faster) + 0.015f);
         if (own.hands_apart < 0.10f) {
@@ -132,7 +132,7 @@ TEST_P(Variants, DifferFromTheirClipAndFromEachOther)
 INSTANTIATE_TEST_SUITE_P(Clips, Variants, testing::Range(0u, 19u),
                          [](const auto &test) { return std::string(figure_clips()[test.param].name); });
 
-TEST(Variants, Make150ClipsWithNamesOfTheirOwnAndTheSameTwice)
+TEST(VariantNames, Make150ClipsWithNamesOfTheirOwnAndTheSameTwice)
 {
     claque::model::Model model = claque::figures::citizen(), again = claque::figures::citizen();
     add_variants(model, 150);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lib/base/error.h"
+#include "lib/crowd/edits.h"
 #include "tests/law/support/scene.h"
 
 namespace claque::frame
@@ -68,7 +69,7 @@ TEST(Cull, KeepsEveryActorWithAVertexInside)
     SceneDef def;
     def.actors = 150;
     Scene all(def), some(def);
-    // Everybody's vertices, from eyes that together see all.
+    // Vertices of all individuals, from eyes that together see all of them.
     all.look(0, glm::dvec3(0, 0, 200), glm::dvec3(0, 0, 0));
     uint32_t left_out = 0;
     for (int turn = 0; turn < 24; ++turn) {
@@ -82,7 +83,7 @@ TEST(Cull, KeepsEveryActorWithAVertexInside)
         for (const draw::Item &item : some.views[0]->list.items) seen.insert(item.actor_index);
         left_out += 150 - uint32_t(seen.size());
         for (const draw::Item &item : some.views[0]->list.items) EXPECT_TRUE(item.vertices.positions);
-        // Every vertex of who was left out is outside one plane of the frustum together with all the others.
+        // All vertices of a culled individual are outside one common plane of the frustum.
         for (const draw::Item &item : all.views[0]->list.items) {
             if (seen.count(item.actor_index)) continue;
             const crowd::Transform &transform = all.crowd.transform_of(item.actor_index);
@@ -108,7 +109,7 @@ TEST(List, IsByTemplateThenFrontToBackInBandsThenByRow)
     crowd::Transform transform;
     transform.position = glm::dvec3(0, 1.7, -9);
     for (const uint32_t row : {10u, 13u, 16u})
-        scene.crowd.set_transforms(&scene.ids[row], &transform, 1);  // at one distance
+        crowd::set_transforms(scene.crowd, &scene.ids[row], &transform, 1);  // at one distance
     scene.update(1);
     const auto &items = scene.views[0]->list.items;
     ASSERT_GT(items.size(), 20u);
@@ -135,7 +136,7 @@ TEST(List, DistancesInItemsAreMetres)
     Scene scene(def);
     crowd::Transform transform;
     transform.position = glm::dvec3(0, 1.7, -9);
-    scene.crowd.set_transforms(&scene.ids[0], &transform, 1);
+    crowd::set_transforms(scene.crowd, &scene.ids[0], &transform, 1);
     scene.update(1);
     for (const draw::Item &item : scene.views[0]->list.items)
         EXPECT_TRUE(item.actor_index != 0 || std::fabs(item.eye_distance_m - 0.09f) < 1e-6f);
@@ -172,8 +173,8 @@ TEST(Seen, VisibilityBelongsToThePresentOwnerOfARow)
     scene.update(1);
     uint32_t row = 0;
     while (!scene.frame.visibility(scene.crowd, row).visible) ++row;
-    scene.crowd.destroy(scene.ids[row]);
-    const crowd::Id id = scene.crowd.create(*scene.templates[0], {}, {}, 1);
+    crowd::destroy(scene.crowd, scene.ids[row]);
+    const crowd::Id id = crowd::create(scene.crowd, *scene.templates[0], {}, {}, 1);
     ASSERT_EQ(id.index1, row + 1);
     EXPECT_FALSE(scene.frame.visibility(scene.crowd, row).visible);
     EXPECT_FALSE(scene.frame.visibility(scene.crowd, 100000).visible);
@@ -183,7 +184,7 @@ TEST(Seen, ActorsOutOfViewForAWhileDoNotFreeze)
 {
     Scene scene, steady;
     scene.update(1);
-    scene.look(0, glm::dvec3(0, 1.7, 60), glm::dvec3(0, 1, 90));  // away
+    scene.look(0, glm::dvec3(0, 1.7, 60), glm::dvec3(0, 1, 90));  // looks away
     for (int i = 0; i < 50; ++i) scene.update(1 + i * 0.1);
     EXPECT_EQ(scene.frame.stats().animated, 0u);
     scene.look(0, glm::dvec3(0, 1.7, 0), glm::dvec3(0, 1, -30));

@@ -1,9 +1,10 @@
-// Groups: what they change is what a frame costs, and where their members are; never what is shown of them.
+// Groups change the cost of a frame and the positions of members, but not how the members are shown.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/crowd/edits.h"
 #include "lib/math/slerp.h"
 #include "tests/law/support/scene.h"
 
@@ -24,18 +25,18 @@ crowd::Transform group_place(uint32_t g)
     return transform;
 }
 
-// Two thirds of everybody in five groups; the twin's actors stand by themselves where the members are.
+// Two thirds of all actors are in five groups; in the twin scene, ungrouped actors stand where these members are.
 struct Twins {
     Scene grouped, alone;
     std::vector<crowd::Id> groups;
 
     explicit Twins(const SceneDef &def = {}) : grouped(def), alone(def)
     {
-        for (uint32_t g = 0; g < 5; ++g) groups.push_back(grouped.crowd.create_group(group_place(g)));
+        for (uint32_t g = 0; g < 5; ++g) groups.push_back(crowd::create_group(grouped.crowd, group_place(g)));
         for (uint32_t i = 0; i < grouped.ids.size(); ++i) {
             if (i % 3 == 0) continue;
             const crowd::Transform transform = grouped.crowd.transform_of(i);
-            grouped.crowd.join(grouped.ids[i], groups[i % 5], &transform);
+            crowd::join(grouped.crowd, grouped.ids[i], groups[i % 5], &transform);
         }
         follow();
     }
@@ -43,7 +44,7 @@ struct Twins {
     {
         for (uint32_t i = 0; i < grouped.ids.size(); ++i) {
             const crowd::Transform transform = grouped.crowd.world_transform_of(i);
-            alone.crowd.set_transforms(&alone.ids[i], &transform, 1);
+            crowd::set_transforms(alone.crowd, &alone.ids[i], &transform, 1);
         }
     }
     void look(const glm::dvec3 &eye, const glm::dvec3 &target)
@@ -76,7 +77,7 @@ TEST(Group, MovesItsMembersWithIt)
         crowd::Transform transform = group_place(2);
         transform.position += glm::dvec3(0.4 * step, 0, -step);
         transform.orientation = math::unit_quat(1, 0, 0.2 * step, 0.02 * step);
-        twins.grouped.crowd.set_group_transform(twins.groups[2], transform);
+        crowd::set_group_transform(twins.grouped.crowd, twins.groups[2], transform);
         twins.follow();
         EXPECT_EQ(twins.grouped.update(1 + 0.04 * step), twins.alone.update(1 + 0.04 * step)) << step;
     }
@@ -89,8 +90,8 @@ TEST(Group, SphereFollowsMembersThatMoveInsideItOrLeave)
     for (uint32_t i = 1; i < twins.grouped.ids.size(); i += 3) {
         crowd::Transform transform = twins.grouped.crowd.transform_of(i);
         transform.position.x += 30;
-        twins.grouped.crowd.set_transforms(&twins.grouped.ids[i], &transform, 1);
-        if (i % 2) twins.grouped.crowd.join(twins.grouped.ids[i], crowd::Id(), nullptr);
+        crowd::set_transforms(twins.grouped.crowd, &twins.grouped.ids[i], &transform, 1);
+        if (i % 2) crowd::join(twins.grouped.crowd, twins.grouped.ids[i], crowd::Id(), nullptr);
     }
     twins.follow();
     for (int turn = 0; turn < 24; ++turn) {
@@ -106,7 +107,7 @@ TEST(Group, ThatIsDisabledShowsNoMembersCostsNoTestAndReturnsInTime)
     twins.grouped.update(1);
     const uint32_t tested = twins.grouped.frame.stats().tested;
     const auto members = [&](uint32_t g) { return twins.grouped.crowd.group(g).members; };
-    twins.grouped.crowd.enable_group(twins.groups[1], false);
+    crowd::enable_group(twins.grouped.crowd, twins.groups[1], false);
     twins.grouped.update(1.5);
     EXPECT_EQ(twins.grouped.frame.stats().tested, tested - members(1));
     EXPECT_FALSE(twins.grouped.frame.group_visible(twins.grouped.crowd, 1));
@@ -118,7 +119,7 @@ TEST(Group, ThatIsDisabledShowsNoMembersCostsNoTestAndReturnsInTime)
             EXPECT_FALSE(twins.grouped.frame.visibility(twins.grouped.crowd, row).visible);
         }
     }
-    twins.grouped.crowd.enable_group(twins.groups[1], true);
+    crowd::enable_group(twins.grouped.crowd, twins.groups[1], true);
     EXPECT_EQ(twins.grouped.update(2.25), twins.alone.update(2.25));
 }
 
@@ -127,7 +128,7 @@ TEST(Group, OutsideEveryViewCostsItsMembersNothing)
     Twins twins;
     crowd::Transform away;
     away.position = glm::dvec3(0, 0, 5000);
-    for (const crowd::Id group : twins.groups) twins.grouped.crowd.set_group_transform(group, away);
+    for (const crowd::Id group : twins.groups) crowd::set_group_transform(twins.grouped.crowd, group, away);
     twins.grouped.update(1);
     EXPECT_EQ(twins.grouped.frame.stats().tested, 27u) << "those without a group";
     EXPECT_EQ(twins.grouped.frame.stats().groups, 5u);
@@ -140,7 +141,7 @@ TEST(Group, IsVisibleInAnyOfSeveralViews)
     twins.grouped.add_view(glm::dvec3(0, 2, 40), glm::dvec3(0, 2, 80));
     crowd::Transform behind;
     behind.position = glm::dvec3(0, 0, 90);
-    twins.grouped.crowd.set_group_transform(twins.groups[4], behind);
+    crowd::set_group_transform(twins.grouped.crowd, twins.groups[4], behind);
     twins.grouped.update(1);
     EXPECT_TRUE(twins.grouped.frame.group_visible(twins.grouped.crowd, 4));
     EXPECT_FALSE(twins.grouped.views[1]->list.items.empty());
@@ -157,12 +158,12 @@ TEST(Group, FramesAskForNoMemoryWhileGroupsMove)
     const auto move = [&](int i) {
         crowd::Transform transform = group_place(i % 5);
         transform.position.x += i;
-        twins.grouped.crowd.set_group_transform(twins.groups[i % 5], transform);
-        twins.grouped.crowd.set_transforms(&twins.grouped.ids[1], &transform, 1);
-        twins.grouped.crowd.enable_group(twins.groups[2], i % 2);
+        crowd::set_group_transform(twins.grouped.crowd, twins.groups[i % 5], transform);
+        crowd::set_transforms(twins.grouped.crowd, &twins.grouped.ids[1], &transform, 1);
+        crowd::enable_group(twins.grouped.crowd, twins.groups[2], i % 2);
         twins.grouped.update(2 + 0.1 * i);
     };
-    for (int i = 0; i < 30; ++i) move(i);  // caches grow for who comes into view
+    for (int i = 0; i < 30; ++i) move(i);  // caches grow for actors that come into view
     const uint64_t before = memory.allocations();
     for (int i = 0; i < 30; ++i) move(i);
     EXPECT_EQ(memory.allocations(), before);

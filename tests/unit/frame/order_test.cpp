@@ -1,4 +1,4 @@
-// The order in which individuals are drawn, against comparing them one by one.
+// Compares the draw order with a comparison sort.
 #include "lib/frame/order.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ std::pmr::vector<uint32_t> ordered(std::pmr::vector<SortEntry> listed)
 
 uint32_t drawn(uint32_t i, uint32_t which) { return static_cast<uint32_t>(base::mix(uint64_t(i) * 8 + which)); }
 
-// Many at the same distance, of the same template; rows all over.
+// Many individuals of one template at the same distance, in any order of rows.
 std::pmr::vector<SortEntry> many(uint32_t count, uint32_t row_step)
 {
     std::pmr::vector<SortEntry> listed;

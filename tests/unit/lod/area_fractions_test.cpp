@@ -1,4 +1,4 @@
-// How much of the surface each zone has, and that levels of detail leave it so.
+// Zone area fractions of a surface, and that levels of detail keep them.
 #include "lib/lod/area_fractions.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ using namespace claque;
 namespace
 {
 
-// A square of two triangles under an image of which `columns` of 100 columns are the second zone's.
+// A square of two triangles under an image of which `columns` of 100 columns belong to the second zone.
 model::Model square(uint32_t columns)
 {
     model::Model model;
@@ -65,7 +65,7 @@ TEST(AreaFractions, AreThoseOfTexelsByArea)
         EXPECT_NEAR(area_fractions[0], 1 - columns / 100.0, 0.002);
         EXPECT_NEAR(area_fractions[1], columns / 100.0, 0.002);
         EXPECT_EQ(area_fractions[2], 0);
-        // A second square, three times as large, of no zone.
+        // A second square without zones, three times as large.
         model::Part bare = model.parts[0];
         bare.material = model::none;
         for (glm::vec3 &p : bare.positions) p.x *= 3;
@@ -77,7 +77,7 @@ TEST(AreaFractions, AreThoseOfTexelsByArea)
 }
 
 // SPEC: by area, per level, within 2 points of the surface, for every zone.
-TEST_P(ZoneAreasOf, EveryZoneStayWithinTwoPointsAtEveryLevel)
+TEST_P(ZoneAreasOf, StayWithinTwoPointsForEveryZoneAtEveryLevel)
 {
     model::Model model = figures::people()[GetParam()].make();
     lod::ChainOptions options;

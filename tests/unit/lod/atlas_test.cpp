@@ -1,4 +1,4 @@
-// Far levels in charts: triangles laid flat without lying on one another, and zones that stand where they do on the source.
+// Atlases of proxies: triangles laid flat without overlap, and zones in the same positions as on the source.
 #include "lib/lod/atlas.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ bool inside(const std::array<glm::dvec2, 3> &t, glm::dvec2 p)
     return true;
 }
 
-// Of the surface of a level: how much of it shows a zone that the source has nowhere within `metres`.
+// The fraction of a level's surface that shows a zone which the source does not have within `metres`.
 double part_further_than(double metres, model::Model &shown, const lod::ProxyLevels &proxies)
 {
     lod::add_to_model(proxies, shown);
@@ -105,7 +105,7 @@ TEST(Atlas, LaysEachTriangleInsideItsChartAndNoneOnAnother)
     EXPECT_LT(atlas.charts.size(), level.triangles().size() / 4);
 }
 
-TEST(Atlas, KeepsTheShapeOfWhatIsFlat)
+TEST(Atlas, KeepsTheShapeOfFlatCharts)
 {
     model::Part part;
     part.positions = {{0, 0, 0}, {3, 0, 0}, {3, 0, 1}, {0, 0, 1}};
@@ -124,7 +124,7 @@ TEST(Atlas, KeepsTheShapeOfWhatIsFlat)
         }
 }
 
-// What a triangle of one zone cannot do: a far level of 250 triangles, seen from where a pixel is 5 cm.
+// Beyond one zone per triangle: a proxy of 250 triangles, seen from where a pixel is 5 cm.
 TEST(ProxyLevels, ShowZonesWhereTheyAreOnTheSource)
 {
     for (const figures::Builtin &person : figures::people()) {

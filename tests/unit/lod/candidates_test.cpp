@@ -1,4 +1,4 @@
-// Which of the levels that were made a chain keeps.
+// The levels that a chain keeps of its candidates.
 #include "lib/lod/candidates.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Candidates, ThatHaveLargerErrorsThanProxiesOfFewerTrianglesAreReplaced)
     EXPECT_EQ(targets, (std::vector<size_t>{490, 250}));
 }
 
-TEST(Candidates, ThatWouldServeNowhereAreLeftOut)
+TEST(Candidates, WithoutAUsefulDistanceAreDropped)
 {
     const std::vector<lod::Candidate> made = {of(1000, 0, false), of(800, 0.03, false), of(600, 0.02, false),
                                               of(570, 0.03, false), of(300, 0.06, false)};

@@ -1,4 +1,4 @@
-// What a level of detail is off by, and the row of levels that is chosen by it.
+// The error of a level of detail, and the chain of levels that follows from it.
 #include "lib/lod/chain.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ double random_unit(uint64_t i) { return double(base::unit(base::mix(i))); }
 
 glm::dvec3 somewhere(uint64_t i) { return {random_unit(3 * i), random_unit(3 * i + 1), random_unit(3 * i + 2)}; }
 
-// A square of four triangles in the plane y = height, its middle raised.
+// A square of four triangles in the plane y = height with a raised centre.
 model::Model pyramid(float raised)
 {
     model::Model model;
@@ -69,7 +69,7 @@ TEST(NearestPoint, IsAsNearAsTheBestOfAllTriangles)
     }
 }
 
-// Against a search over a fine net of places on the triangle.
+// Compared with a search over a fine grid of points on the triangle.
 TEST(NearestPoint, OfOneTriangleIsNearerThanAnyPointOfAGrid)
 {
     for (uint64_t i = 0; i < 50; ++i) {
@@ -85,12 +85,12 @@ TEST(NearestPoint, OfOneTriangleIsNearerThanAnyPointOfAGrid)
     }
 }
 
-TEST(Deviation, IsNothingBetweenACharacterAndItself)
+TEST(Deviation, IsZeroBetweenACharacterAndItself)
 {
     const model::Model citizen = figures::citizen();
     const lod::Deviation same = lod::deviation(citizen, {&citizen.parts[0]}, {citizen.parts[0]}, {});
     EXPECT_LT(same.rest_max_m, 1e-9);
-    EXPECT_LT(same.posed_max_m, 0.03) << "where two layers touch at rest the nearest place may be on the other";
+    EXPECT_LT(same.posed_max_m, 0.03) << "where two layers touch at rest the nearest point may be on the other";
     EXPECT_LT(same.posed_rms_m, 1e-3);
     EXPECT_LT(same.wrong_zone, 0.005);
     EXPECT_EQ(same.open_edges, 0u);
@@ -108,8 +108,8 @@ TEST(Deviation, OfAFlattenedTopIsItsHeight)
     EXPECT_NEAR(lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {}, 0.01).rest_max_m, 0.0025, 1e-8);
 }
 
-// What stands for all parts, as far levels do, is held against all of them.
-TEST(Deviation, OfSeveralPartsFromOneThatShowsTheSameIsNothing)
+// A mesh that replaces all parts, as proxies do, is compared with all of them.
+TEST(Deviation, OfSeveralPartsFromAnEqualSinglePartIsZero)
 {
     model::Model model = pyramid(0.25f);
     model::Part other = model.parts[0], all = model.parts[0];
@@ -122,7 +122,7 @@ TEST(Deviation, OfSeveralPartsFromOneThatShowsTheSameIsNothing)
     EXPECT_LT(same.posed_max_m, 1e-6);
 }
 
-TEST(Deviation, CountsEdgesThatHaveComeOpen)
+TEST(Deviation, CountsOpenedEdges)
 {
     const model::Model model = pyramid(0.25f);
     model::Part torn = model.parts[0];

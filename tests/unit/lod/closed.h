@@ -1,4 +1,4 @@
-// Whether a surface has an inside.
+// Whether a surface is closed.
 #pragma once
 
 #include <limits>
@@ -10,8 +10,8 @@
 namespace claque::test
 {
 
-// Each directed edge has its opposite as often, and is there `most` times at most: with 1 two triangles meet at every edge, and
-// face the same way.
+// Each directed edge occurs as often as its opposite, and at most `most` times: with 1, two triangles of the same
+// orientation meet at every edge.
 inline bool is_closed(const lod::ClosedMesh &surface, int most = std::numeric_limits<int>::max())
 {
     std::map<std::pair<uint32_t, uint32_t>, int> edges;

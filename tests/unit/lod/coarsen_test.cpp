@@ -1,4 +1,4 @@
-// A closed surface in a few triangles, whatever its shape.
+// Closed surfaces of any shape reduced to a few triangles.
 #include "lib/lod/coarsen.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using namespace claque;
 namespace
 {
 
-// Rings in a row that cut into one another: more handles than rings.
+// A row of intersecting rings: more handles than rings.
 lod::ClosedMesh chain_of_rings(int rings)
 {
     std::vector<lod::Voxels::Triangle> triangles;
@@ -38,7 +38,7 @@ glm::dvec3 extent(const lod::ClosedMesh &boundary)
 
 }  // namespace
 
-TEST(Coarsened, GoesDownToWhatWasAskedForHoweverManyHandlesThereAre)
+TEST(Coarsened, ReachesItsTargetForAnyNumberOfHandles)
 {
     const lod::ClosedMesh rings = chain_of_rings(4);
     ASSERT_TRUE(test::is_closed(rings));
@@ -52,7 +52,7 @@ TEST(Coarsened, GoesDownToWhatWasAskedForHoweverManyHandlesThereAre)
         EXPECT_GE(level.surface.triangles.size() * 3, targets[k]);
         EXPECT_TRUE(test::is_closed(level.surface)) << targets[k];
         ASSERT_EQ(level.features.size(), level.surface.positions.size());
-        // It is as long as it was, whatever its holes have come to.
+        // Its length is kept, whatever happens to its holes.
         EXPECT_GT(extent(level.surface).x, (targets[k] > 12 ? 0.8 : 0.6) * extent(rings).x) << targets[k];
     }
 }

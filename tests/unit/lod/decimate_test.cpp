@@ -1,3 +1,4 @@
+// Decimation: targets, seams, parts, attributes and determinism.
 #include "lib/lod/decimate.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ model::Part ball(int columns, int rows)
 
 lod::Decimated to(const model::Part &part, size_t target) { return lod::decimate({{&part}}, {{target}})[0]; }
 
-// An upright tube that bends in the middle: two joints, weights that go over from one to the other.
+// An upright tube that bends in the middle: two joints with a gradual change of weights.
 model::Part tube(int columns, int rows)
 {
     model::Part part;
@@ -91,7 +92,7 @@ model::Part tube(int columns, int rows)
     return part;
 }
 
-// Which heights still have a ring of vertices: where the tube bends it needs them.
+// The heights that still have a ring of vertices: the tube needs rings where it bends.
 size_t vertices_between(const model::Part &part, float first, float last)
 {
     return size_t(std::count_if(part.positions.begin(), part.positions.end(),
@@ -124,7 +125,7 @@ TEST(Decimate, KeepsCloseToTheSurface)
     }
 }
 
-// On the wrong side of a seam a triangle would run across the whole texture.
+// On the wrong side of a seam a triangle would span the whole texture.
 TEST(Decimate, NeverLetsATriangleStraddleASeam)
 {
     const lod::Decimated less = to(ball(48, 24), 300);
@@ -136,7 +137,7 @@ TEST(Decimate, NeverLetsATriangleStraddleASeam)
     }
 }
 
-TEST(Decimate, KeepsOnlyVerticesOfTheSourceWithAllThatBelongsToThem)
+TEST(Decimate, KeepsSourceVerticesWithAllTheirAttributes)
 {
     const model::Model citizen = figures::citizen();
     const model::Part &source = citizen.parts[0];
@@ -185,11 +186,11 @@ TEST(Decimate, TurnsNoTriangleOverInItsTexture)
     for (const auto &t : model::triangles_of(less.parts[0])) {
         const glm::vec2 a = less.parts[0].uvs[t[0]], b = less.parts[0].uvs[t[1]], c = less.parts[0].uvs[t[2]];
         const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        EXPECT_GE(area, 0) << "u goes round, v down: all triangles of the source turn one way";
+        EXPECT_GE(area, 0) << "u runs round, v down: all triangles of the source have one orientation";
     }
 }
 
-// Two halves of a ball as parts of their own, like trousers and a shirt.
+// Two halves of a ball as separate parts, like trousers and a shirt.
 TEST(Decimate, OpensNoCrackBetweenPartsThatTouch)
 {
     const model::Part whole = ball(40, 20);
@@ -211,7 +212,7 @@ TEST(Decimate, OpensNoCrackBetweenPartsThatTouch)
     EXPECT_EQ(open_edges(joined), 0u);
 }
 
-TEST(Decimate, KeepsRingsWhereInfluencesChangeAndGivesUpThoseThatOnlyLieFlat)
+TEST(Decimate, KeepsRingsWhereInfluencesChangeAndRemovesFlatOnes)
 {
     const model::Part source = tube(16, 40);
     const lod::Decimated with = lod::decimate({{&source}}, {{160}, 60, 0.1, 0})[0];
@@ -220,7 +221,7 @@ TEST(Decimate, KeepsRingsWhereInfluencesChangeAndGivesUpThoseThatOnlyLieFlat)
     EXPECT_LT(vertices_between(without.parts[0], 0.7f, 1.3f), vertices_between(with.parts[0], 0.7f, 1.3f));
 }
 
-TEST(Decimate, TakesMorphTargetsAlong)
+TEST(Decimate, KeepsMorphTargets)
 {
     model::Part source = ball(16, 8);
     source.morphs.resize(1);
@@ -238,9 +239,9 @@ TEST(Decimate, RefusesWhatItCannotDo)
     EXPECT_THROW(lod::decimate({{&some}}, {}), base::Error);
 }
 
-// The quadric of a triangle's attribute against the integral, taken from samples, of the difference of two linear
-// functions: at a point p with value s it is area times the square of what is between s and the plane's value there.
-TEST(AttributeQuadric, IsTheSquaredDifferenceFromWhatWasLinear)
+// The quadric of a triangle's attribute, compared with the sampled integral of the difference of two linear functions:
+// at a point p with value s it is the area times the squared difference between s and the plane's value there.
+TEST(AttributeQuadric, IsTheSquaredDifferenceFromTheLinearFunction)
 {
     const glm::dvec3 p0(0, 0, 0), p1(2, 0, 0), p2(0, 1, 1);
     lod::AttributeQuadric quadric;
@@ -250,6 +251,6 @@ TEST(AttributeQuadric, IsTheSquaredDifferenceFromWhatWasLinear)
     EXPECT_NEAR(quadric.at(p1, {{0, 5.0}}), 0, 1e-12);
     EXPECT_NEAR(quadric.at((p0 + p1) * 0.5, {{0, 3.0}}), 0, 1e-12);
     EXPECT_NEAR(quadric.at(p1, {{0, 4.0}}), frame.area, 1e-9);
-    EXPECT_NEAR(quadric.at(p1, {{0, 5.0}, {9, 2.0}}), 4 * frame.area, 1e-9) << "one that nothing there has";
-    EXPECT_NEAR(quadric.at(p2, {{0, 2.0}}), frame.area, 1e-9) << "one that is missing here";
+    EXPECT_NEAR(quadric.at(p1, {{0, 5.0}, {9, 2.0}}), 4 * frame.area, 1e-9) << "an attribute that no vertex there has";
+    EXPECT_NEAR(quadric.at(p2, {{0, 2.0}}), frame.area, 1e-9) << "an attribute that is missing here";
 }

@@ -1,4 +1,4 @@
-// How far joints part when a character moves.
+// Joint displacement: how far joints move apart when a character moves.
 #include "lib/lod/joint_displacement.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@ using namespace claque;
 namespace
 {
 
-// Three nodes in a row, each with a strip of surface of its own; in the one clip the last stands half a unit aside, and the
-// middle one turns with all below it by half a turn about the way up.
+// Three nodes in a row, each with its own strip of surface. In the one clip the last node is half a unit aside, and the
+// middle one turns, with its descendants, by 180 degrees about the up axis.
 model::Model of_three()
 {
     model::Model model;
@@ -46,7 +46,7 @@ TEST(JointDisplacement, IsTheDistanceBetweenFollowingAJointAndFollowingItsParent
     ASSERT_EQ(displacements.size(), 3u);
     EXPECT_EQ(displacements[0], 0);
     EXPECT_NEAR(displacements[1], 2, 1e-6) << "half a turn, a unit from the axis";
-    EXPECT_NEAR(displacements[2], 0.5, 1e-6) << "however far it is taken with the one above";
+    EXPECT_NEAR(displacements[2], 0.5, 1e-6) << "independent of the parent's motion";
 }
 
 TEST(JointDisplacement, IsUnknownWhereThereAreNoClips)

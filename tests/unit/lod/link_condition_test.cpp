@@ -1,4 +1,5 @@
-// The link condition against OpenMesh's own answer, on surfaces that are collapsed at random until nothing may be.
+// The link condition, compared with OpenMesh's answer on surfaces that are collapsed at random until no collapse is
+// legal.
 #include "lib/lod/link_condition.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ Base requested(Base mesh)
     return mesh;
 }
 
-// A sheet of quads; rows and columns may close upon themselves. Some faces are missing.
+// A sheet of quads with some faces missing; rows and columns may close on themselves.
 Base sheet(int wide, int high, bool round, bool torus, uint64_t holes)
 {
     Base mesh = requested({});
@@ -38,7 +39,7 @@ Base sheet(int wide, int high, bool round, bool torus, uint64_t holes)
     return mesh;
 }
 
-// A fan round one vertex of many more neighbours than are looked through one by one.
+// A fan round one vertex with more neighbours than the linear search handles.
 Base fan(int blades)
 {
     Base mesh = requested({});
@@ -73,7 +74,7 @@ void collapse_at_random(Base mesh, uint64_t seed, Asked &asked)
     }
 }
 
-TEST(LinkCondition, IsWhatOpenMeshSays)
+TEST(LinkCondition, AgreesWithOpenMesh)
 {
     Asked asked;
     for (uint64_t seed = 1; seed <= 12; ++seed) {

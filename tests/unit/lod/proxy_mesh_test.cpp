@@ -1,4 +1,4 @@
-// The closed surface that far levels are made of.
+// The closed surface from which proxies are made.
 #include "lib/lod/proxy_mesh.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace
 
 using Triangles = std::vector<lod::Voxels::Triangle>;
 
-// A box without its lowest side.
+// A box without its bottom.
 Triangles open_box()
 {
     const auto corner = [](int k) { return glm::dvec3(k & 1, k >> 1 & 1, k >> 2 & 1); };
@@ -56,7 +56,7 @@ TEST(Voxels, FillABoxThatIsOpenBelowAndNothingOutside)
             for (const uint32_t z : {0u, size.z - 1}) EXPECT_FALSE(voxels.filled(x, y, z));
 }
 
-TEST(ClosedMesh, EnclosesWhatIsFilled)
+TEST(ClosedMesh, EnclosesTheFilledCells)
 {
     lod::Voxels voxels(open_box(), 20);
     voxels.fill();
@@ -69,10 +69,10 @@ TEST(ClosedMesh, EnclosesWhatIsFilled)
     EXPECT_TRUE(test::is_closed(boundary, 1));
     const double cell = std::pow(voxels.cell(), 3);
     EXPECT_NEAR(volume_of(boundary) / cell, filled, 0.1 * filled);
-    EXPECT_GT(volume_of(boundary), 0);  // seen from outside its triangles are counter-clockwise
+    EXPECT_GT(volume_of(boundary), 0);  // from outside, its triangles are counter-clockwise
 }
 
-// Cells that touch along edges and corners alone are where other ways to march tear.
+// Cells that touch only along edges and corners: other variants of marching tear there.
 TEST(ClosedMesh, IsClosedHoweverCellsTouch)
 {
     Triangles dust;
@@ -109,7 +109,7 @@ TEST(ProxyMesh, LevelsOfAPersonAreClosedAndLieNearIt)
         lod::ClosedMesh surface;
         for (size_t k = 0; k < shells[i].indices.size(); k += 3)
             surface.triangles.push_back({shells[i].indices[k], shells[i].indices[k + 1], shells[i].indices[k + 2]});
-        // Below 30 triangles an arm that touches the hip may leave an edge that four triangles share.
+        // Below 30 triangles an arm that touches the hip may leave an edge of four triangles.
         EXPECT_TRUE(options.targets[i] < 30 ? test::is_closed(surface) : test::is_closed(surface, 1));
         const std::vector<std::vector<glm::vec3>> rest = lod::rest_positions(citizen.rig, {&shells[i]});
         const auto by_height = [](const glm::vec3 &a, const glm::vec3 &b) { return a.y < b.y; };

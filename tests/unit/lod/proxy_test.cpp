@@ -1,4 +1,4 @@
-// Far levels of what hangs in rigid parts on several nodes, and the colours that they keep.
+// Proxies of rigid parts on several nodes, and the colours that they keep.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@ using namespace claque;
 namespace
 {
 
-// A ball of 1 on the first node, and one that stands 1.5 to the side and hangs on the second. One image, red for the first
-// and blue for the second, one zone or none. In the one clip the second goes away by a unit.
+// A ball of radius 1 on the first node, and one 1.5 to the side on the second. One image, red for the first and blue
+// for the second, with one zone or none. In the one clip the second ball moves away by a unit.
 model::Model two_balls()
 {
     model::Model model;
@@ -86,7 +86,7 @@ TEST(Proxy, KeepsTintsApartInsideOfAZone)
     const model::Part &last = model.parts.back();
     const model::Image &image = model.images[model.materials[last.material].image];
     for (const auto &t : model::triangles_of(last)) {
-        float x = 0;  // of its middle; each vertex follows a node that stands where its ball does
+        float x = 0;  // of its centre; each vertex follows the node at its ball
         for (const uint32_t v : t)
             for (size_t i = v * last.influence_count; i < (v + 1) * last.influence_count; ++i)
                 x += last.weights[i] / 3 * (last.positions[v].x + (last.joints[i] == 1 ? 1.5f : 0));

@@ -1,4 +1,4 @@
-// Which zone each triangle of a far level shows, against the best of all ways.
+// The zone of each triangle of a proxy, compared with the best of all assignments.
 #include "lib/lod/proxy_zones.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ constexpr uint32_t zones = 3, triangles = 8;
 
 double random_unit(uint64_t seed, uint64_t i) { return double(base::unit(base::mix(seed * 1000 + i))); }
 
-// Eight triangles round a middle, its six corners at chance distances; a zone for each of three materials.
+// Eight triangles round a centre with six corners at random distances; a zone for each of three materials.
 model::Model octahedron(uint64_t seed)
 {
     model::Model model;
@@ -49,7 +49,7 @@ model::Model octahedron(uint64_t seed)
 struct Case {
     model::Model model;
     lod::PosedParts level;
-    std::vector<double> areas;  // in shares
+    std::vector<double> areas;  // as fractions
     std::vector<lod::ZoneAreas> zone_areas;
     std::vector<double> wanted;
 
@@ -99,7 +99,7 @@ TEST(ProxyZones, CostAboutAsLittleAsTheBestOfAllAssignments)
         }
         const std::vector<uint32_t> chosen =
             lod::assign_zones(one.model, one.level, one.level, one.zone_areas, one.wanted);
-        if (least == 2) continue;  // no way keeps the shares
+        if (least == 2) continue;  // no assignment keeps the fractions
         ++kept;
         EXPECT_LE(one.most_off(chosen), 0.02) << seed;
         EXPECT_LE(one.wrong(chosen), least + 0.03) << seed;

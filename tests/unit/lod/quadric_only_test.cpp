@@ -1,4 +1,4 @@
-// Decimation by a quadric alone, what levels of detail are held against: it does what it says, and no more.
+// Decimation by a quadric alone, the baseline of levels of detail: it reaches its targets and does nothing else.
 #include "lib/lod/quadric_only.h"
 
 #include <gtest/gtest.h>

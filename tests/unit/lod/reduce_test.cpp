@@ -1,4 +1,4 @@
-// Coarse closed surfaces brought near to fine ones, and made coarser by what is seen to go.
+// Coarse closed surfaces: fitting them to fine ones, and reducing them by the visible error.
 #include "lib/lod/reduce.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ void add_box(glm::dvec3 low, glm::dvec3 high, std::vector<Corners> &out)
     }
 }
 
-// A trunk on two legs; one arm hangs, the other's hand is on the hip, which leaves a hole.
+// A trunk on two legs; one arm hangs, the other hand is on the hip, which makes a hole.
 lod::ClosedMesh figure()
 {
     std::vector<Corners> boxes;
@@ -46,7 +46,7 @@ lod::ClosedMesh figure()
     return lod::extract_closed_mesh(voxels);
 }
 
-// Of places all over `from`, to the nearest of `to`.
+// From points all over `from` to the nearest point of `to`.
 double mean_square(const lod::ClosedMesh &from, const lod::ClosedMesh &to)
 {
     const lod::NearestPoint nearest(lod::corners_of(to));
@@ -100,7 +100,7 @@ TEST(FitOfItself, LeavesASurfaceWhereItIs)
         EXPECT_LT(glm::length(same.surface.positions[v] - fine.positions[v]), 1e-6);
 }
 
-TEST_F(Fit, LetsVerticesStandForWhatIsNearestToThem)
+TEST_F(Fit, FitsVerticesToTheirNearestPoints)
 {
     std::vector<lod::Attributes> halves;
     for (const glm::dvec3 p : fine.positions) halves.push_back({{p.y < 0.8 ? 1u : 2u, 1.0}});
@@ -135,7 +135,7 @@ TEST_F(Reduce, ClosesHolesAndKeepsLimbsOn)
     }
 }
 
-// Planes have no end: what is thin costs them little to lose.
+// Planes are unbounded: losing a thin feature costs their quadric little.
 TEST_F(Reduce, IsNearerThanPlanesAre)
 {
     const std::vector<size_t> targets = {60, 30, 20};
@@ -155,7 +155,7 @@ TEST_F(Reduce, IsTheSameEachTime)
     EXPECT_EQ(a.surface.positions, b.surface.positions);
 }
 
-TEST(Joins, TakeWhatComesToLieBackToBack)
+TEST(Joins, MergeFacesThatLieBackToBack)
 {
     EXPECT_TRUE(lod::are_opposite({1, 2, 3}, {3, 2, 1}));
     EXPECT_TRUE(lod::are_opposite({1, 2, 3}, {2, 1, 3}));
@@ -165,6 +165,6 @@ TEST(Joins, TakeWhatComesToLieBackToBack)
     EXPECT_TRUE(lod::merge_vertices(0, 1, tetrahedron).empty());
     std::vector<lod::Triangle> two = tetrahedron;
     for (const lod::Triangle &t : tetrahedron) two.push_back({t[0] + 3, t[1] + 3, t[2] + 3});
-    EXPECT_EQ(lod::component_count(two), 2u);  // a vertex in common is no edge in common
+    EXPECT_EQ(lod::component_count(two), 2u);  // a common vertex is no common edge
     EXPECT_EQ(lod::merge_vertices(0, 6, two).size(), 8u);
 }

@@ -1,4 +1,4 @@
-// What of a surface can be seen, which is what levels of detail answer for.
+// Visible parts of a surface, which the errors of levels of detail are measured on.
 #include "lib/lod/visibility.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace claque;
 namespace
 {
 
-// Twelve triangles, seen from outside.
+// Twelve triangles that face outwards.
 void add_box(glm::dvec3 middle, double half, std::vector<lod::VisibilityQuery> &queries)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -35,7 +35,7 @@ glm::dvec3 random_point(uint64_t i)
     return {random_unit(0), random_unit(1), random_unit(2)};
 }
 
-// Moves the light along until it is past everything.
+// Advances the light ray until it is past all triangles.
 bool blocked(const std::vector<lod::Corners3> &triangles, glm::dvec3 from, glm::dvec3 dir, double after)
 {
     for (const auto &t : triangles) {
@@ -65,7 +65,7 @@ TEST(Occluders, AgreeWithATestOfEveryTriangle)
     size_t met = 0;
     for (uint64_t i = 0; i < 40; ++i) {
         lod::Occluders::Ray ray(glm::normalize(random_point(4000 + i) - glm::dvec3(0.5)));
-        for (uint64_t k = 0; k < 10; ++k) {  // what was in the way of one need not be in that of the next
+        for (uint64_t k = 0; k < 10; ++k) {  // the occluder of one ray need not occlude the next
             const glm::dvec3 from = 4.0 * random_point(3000 + 10 * i + k);
             const double after = k % 3 == 0 ? 1.5 : 0;
             const bool intersects = occluders.intersects(from, ray, after);
@@ -77,7 +77,7 @@ TEST(Occluders, AgreeWithATestOfEveryTriangle)
     EXPECT_LT(met, 360u);
 }
 
-TEST(Visibility, IsNothingOfABoxInABoxAndAllSidesOfOneBesideIt)
+TEST(Visibility, IsZeroForABoxInsideABoxAndNotForOneBesideIt)
 {
     std::vector<lod::VisibilityQuery> queries;
     add_box({0, 0, 0}, 2, queries);
@@ -94,7 +94,7 @@ TEST(Visibility, IsNothingOfABoxInABoxAndAllSidesOfOneBesideIt)
         }
 }
 
-TEST(Visibility, IsTheBackOfASheetOnlyWhereItHasTwoSides)
+TEST(Visibility, IncludesTheBackOfADoubleSidedSheetOnly)
 {
     lod::VisibilityQuery sheet{{glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}, false};
     const double one = lod::visibility_of({sheet})[0];

@@ -1,3 +1,4 @@
+// Transforms to eye space, exact far from the world's origin too.
 #include "lib/math/eye_transform.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace claque::math
 {
 
-TEST(EyeTransform, IsTheProductOfTheMatricesThatEveryoneWrites)
+TEST(EyeTransform, IsTheUsualProductOfMatrices)
 {
     const glm::quat turn = unit_quat(0.3, 0.5, -0.2, 0.7), look = unit_quat(0.9, 0.1, 0.3, -0.2);
     float m[16];

@@ -1,3 +1,4 @@
+// The view frustum, compared with GL's clipping.
 #include "lib/math/frustum.h"
 
 #include <gtest/gtest.h>

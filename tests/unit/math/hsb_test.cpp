@@ -1,3 +1,4 @@
+// Conversion of HSB to RGB.
 #include "lib/math/hsb.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace claque::math
 namespace
 {
 
-// The other usual way to write it: six sectors of the hue circle.
+// The other usual formulation: six sectors of the hue circle.
 void by_sectors(double h, double s, double b, double out[3])
 {
     const double x = h / 60, f = x - std::floor(x);

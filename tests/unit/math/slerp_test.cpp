@@ -1,3 +1,4 @@
+// Spherical interpolation, compared with the formula of glTF 2.0.
 #include "lib/math/slerp.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,8 @@ namespace claque::math
 namespace
 {
 
-// The formula of the glTF 2.0 specification, in double, with the C library's functions; the arc by atan2, which does
-// not lose short ones.
+// The formula of the glTF 2.0 specification, in double, with the C library's functions; the angle by atan2, which stays
+// exact for small ones.
 void reference(const glm::quat &a, const glm::quat &b, double t, double out[4])
 {
     double p[4] = {a.w, a.x, a.y, a.z}, q[4] = {b.w, b.x, b.y, b.z};
@@ -70,7 +71,7 @@ TEST(Slerp, AgreesWithSinesAndArcCosinesOnArcsOfAnyLength)
 TEST(Slerp, GoesTheShorterWayRound)
 {
     const glm::quat a(1, 0, 0, 0),
-        b(-std::cos(0.1f), -std::sin(0.1f), 0, 0);  // b is 0.2 rad away, written with its other sign
+        b(-std::cos(0.1f), -std::sin(0.1f), 0, 0);  // b is 0.2 rad away, with the opposite sign
     EXPECT_NEAR(slerp(a, b, 0.5).x, std::sin(0.05), 1e-7);
 }
 

@@ -1,3 +1,4 @@
+// Trigonometric functions, compared with the C library's.
 #include "lib/math/trig.h"
 
 #include <gtest/gtest.h>

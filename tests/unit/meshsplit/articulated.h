@@ -1,4 +1,4 @@
-// Characters of several nodes and parts for the tests of levels, parts and skeletons.
+// Characters of several nodes and parts, for the tests of levels, parts and skeletons.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline uint32_t add_entry(model::Model &m, uint32_t node, const math::Affine &in
     return static_cast<uint32_t>(m.rig.palette.size() - 1);
 }
 
-// root - spine - arm - hand - finger and root - leg, each 1 above the last, leg beside; nothing to draw yet.
+// root - spine - arm - hand - finger and root - leg, each 1 above the last, leg beside; without geometry.
 struct Puppet : model::Model {
     uint32_t root, spine, arm, hand, finger, leg;
     Puppet()
@@ -48,7 +48,7 @@ struct Puppet : model::Model {
         if (rig.deactivation_m.empty()) rig.deactivation_m.assign(rig.node_count(), for_ever);
         rig.deactivation_m[node] = distance_m;
     }
-    // A flat grid of n * n * 2 triangles, 1 by 1, that hangs rigidly on a node.
+    // A flat grid of n * n * 2 triangles, 1 by 1, rigid on a node.
     model::Part &hang(uint32_t node, const char *part_name, float first_m = 0, float last_m = for_ever, uint32_t n = 1)
     {
         model::Part part = sheet_part(n, n);
@@ -91,7 +91,7 @@ struct Puppet : model::Model {
         parts.push_back(part);
         return parts.back();
     }
-    // Turns nodes about z, to and fro.
+    // Swings nodes about z.
     void swing(const std::vector<uint32_t> &nodes)
     {
         rig.clips.push_back({static_cast<uint32_t>(rig.channels.size()), static_cast<uint32_t>(nodes.size()), 0, 2});

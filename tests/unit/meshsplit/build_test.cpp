@@ -97,13 +97,13 @@ TEST(Build, LargeAndOddImagesBecomePowersOfTwoWithinTheLimitWithoutMixingZones)
     std::set<uint8_t> keys;
     for (size_t i = 3; i < texture.rgba.size(); i += 4) keys.insert(texture.rgba[i]);
     EXPECT_EQ(keys.size(), 3u);
-    // Red says which zone a texel came from: 40 + key % 100, or 40 for all; green is the column, blue the row.
+    // Red is the zone that a texel came from: 40 + key % 100, or 40 for all; green is the column, blue the row.
     model::check(*tmpl);
 }
 
-TEST(Build, WhatNoTriangleCoversTakesTheNearestZone)
+TEST(Build, UncoveredTexelsTakeTheNearestZone)
 {
-    // Zone 5 is the chart, zone 9 the background that must not creep in when the image shrinks.
+    // Zone 5 is the chart; zone 9 is the background, which must not bleed in when the image shrinks.
     const auto image = key_image(64, 64, [](uint32_t x, uint32_t y) { return uint8_t(x < 33 && y < 33 ? 5 : 9); });
     model::Model m = keyed_sheet(1, 1, image, {5, 9});
     m.parts[0] = sheet_part(3, 3, {0.1f, 0.1f}, {0.5f, 0.5f});

@@ -1,4 +1,4 @@
-// Zone coverage against samplers and against a slow answer of another kind (SPEC 2, 'Zone coverage is exact').
+// Zone coverage, compared with samplers and with a slow independent answer (SPEC 2, 'Zone coverage is exact').
 #include "meshsplit/cover.h"
 
 #include "lib/base/hash.h"
@@ -35,7 +35,7 @@ Texels covered(const TexelGrid &grid, const UvTriangle &triangle)
     return out;
 }
 
-// GL 1.1's NEAREST of one coordinate.
+// GL 1.1's NEAREST, for one coordinate.
 uint32_t sampled(double coordinate, uint32_t size, Wrap wrap)
 {
     if (wrap == Wrap::clamp) return uint32_t(std::min(std::floor(std::clamp(coordinate, 0.0, 1.0) * size), size - 1.0));
@@ -69,7 +69,7 @@ struct P {
     long double x, y;
 };
 
-// What is left of a polygon where keep(p) >= 0; keep is linear.
+// The part of a polygon where keep(p) >= 0; keep is linear.
 template <class Keep>
 std::vector<P> clipped(const std::vector<P> &polygon, const Keep &keep)
 {

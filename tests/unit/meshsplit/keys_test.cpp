@@ -1,4 +1,4 @@
-// Renumbered zone keys and the tests that tell them apart (SPEC 2 'Keys', 3).
+// Renumbered zone keys and the alpha tests that distinguish them (SPEC 2 'Keys', 3).
 #include "lib/model/keys.h"
 
 #include "lib/base/error.h"
@@ -15,7 +15,7 @@ using model::Keys;
 namespace
 {
 
-// What a GL does: product rounded to the nearest of 2^bits - 1 steps, compared with the reference as it keeps it.
+// A GL's arithmetic: the product rounded to the nearest of 2^bits - 1 steps, compared with the stored reference.
 bool passes(uint8_t texel, double vertex_alpha, double reference, int bits, bool rounds_reference)
 {
     const double steps = std::ldexp(1.0, bits) - 1;
@@ -63,7 +63,7 @@ TEST(Keys, ARaisedCopyShowsExactlyItsZoneAndThoseAboveOn8Bits)
                         ASSERT_EQ(passes(keys[texel], alpha, double(table.reference), 8, rounds), texel >= zone)
                             << n << " zones, zone " << zone << ", texel " << texel;
         for (uint32_t zone = 0; zone < n; ++zone)
-            EXPECT_FALSE(passes(0, table.alpha[zone], double(table.reference), 8, true)) << "a hole shows";
+            EXPECT_FALSE(passes(0, table.alpha[zone], double(table.reference), 8, true)) << "a hole is visible";
     }
 }
 

@@ -1,4 +1,4 @@
-// Which vertices of later levels need not be looked at again: those alone that move as one before did.
+// Vertices of later levels that need no second visit: only those that move as an earlier one did.
 #include "meshsplit/known_vertices.h"
 
 #include <gtest/gtest.h>
@@ -22,14 +22,14 @@ model::Level level()
 
 using Flags = std::vector<uint8_t>;
 
-TEST(KnownVertices, AreAllOfALevelThatComesAgain)
+TEST(KnownVertices, AreAllOfARepeatedLevel)
 {
     meshsplit::KnownVertices known;
     EXPECT_EQ(known.among(level()), (Flags{0, 0, 0}));
     EXPECT_EQ(known.among(level()), (Flags{1, 1, 1}));
 }
 
-TEST(KnownVertices, AreNoneThatStandElsewhereOrMoveOtherwise)
+TEST(KnownVertices, AreNoneWithOtherPositionsOrInfluences)
 {
     meshsplit::KnownVertices known;
     known.among(level());

@@ -1,4 +1,4 @@
-// Levels of detail by distance, S0 5.1: each holds what is drawn from its distance on, and nothing else.
+// Levels of detail by distance (S0 5.1): each holds exactly the geometry that is drawn from its distance on.
 #include <gtest/gtest.h>
 
 #include "articulated.h"
@@ -14,7 +14,7 @@ namespace claque::test
 namespace
 {
 
-// Which triangles, by the bind positions of their corners from the lowest on.
+// The triangles, by the bind positions of their corners, lowest first.
 using Triangles = std::multiset<std::array<float, 9>>;
 
 void add(Triangles &to, std::array<glm::vec3, 3> t)
@@ -53,7 +53,7 @@ std::vector<float> distances_of(const model::Template &tmpl)
     return out;
 }
 
-// Three levels of a body, a hat that comes and goes by itself, a sign that is there from afar only.
+// Three levels of a body, a hat in distance bands of its own, and a sign that exists only at a distance.
 Puppet in_levels()
 {
     Puppet m;
@@ -105,7 +105,7 @@ TEST(Levels, HoldExactlyTheTrianglesOfThePartsWhoseRangeHoldsTheirDistance)
     EXPECT_EQ(tmpl->report.triangles, 32u) << "the report is of the first";
 }
 
-TEST(Levels, OfAHiddenPartThereAreNone)
+TEST(Levels, AreNotMadeForHiddenParts)
 {
     Puppet m = in_levels();
     m.parts.back().hidden = true;
@@ -135,9 +135,9 @@ TEST(Levels, ShareTexturesAndZones)
     model::check(*tmpl);
 }
 
-TEST(Levels, WhatShowsOnlyFromAfarKeepsItsTexelsWhenGuttersAreFilled)
+TEST(Levels, PartsOfCoarseLevelsKeepTheirTexelsWhenGuttersAreFilled)
 {
-    // The near part covers the left of the image, the far one the right: neither may be overwritten for the other.
+    // The near part covers the image's left half, the distant one its right half: neither may overwrite the other.
     const auto image = key_image(64, 64, [](uint32_t x, uint32_t) { return uint8_t(x < 32 ? 5 : 9); });
     model::Model m = keyed_sheet(1, 1, image, {5, 9});
     m.parts[0] = sheet_part(1, 1, {0.1f, 0.1f}, {0.4f, 0.9f});
@@ -178,7 +178,7 @@ TEST(Levels, NothingToDrawNearTheEyeIsRefused)
     EXPECT_TRUE(says(refused(m), {"puppet", "no triangle to draw near the eye"}));
 }
 
-TEST(Levels, MoreOfThemThanATemplateTakesAreRefusedWithTheirNumber)
+TEST(Levels, BeyondTheMaximumAreRefusedWithTheirNumber)
 {
     Puppet m;
     m.hang(m.root, "body");
@@ -203,7 +203,7 @@ TEST(Levels, ARigidPartOnANodeThatHasStoppedIsRefusedWithBothNames)
     EXPECT_EQ(refused(m), "");
 }
 
-TEST(Levels, ARigidPartThatEndsWithItsNodeNeedsOneThatTakesOverThere)
+TEST(Levels, ARigidPartThatEndsWithItsNodeNeedsAReplacementThere)
 {
     Puppet m;
     m.hang(m.root, "body");
@@ -217,7 +217,7 @@ TEST(Levels, ARigidPartThatEndsWithItsNodeNeedsOneThatTakesOverThere)
     EXPECT_EQ(refused(m), "");
 }
 
-TEST(Levels, WhatTakesOverMustHangOnANodeThatGoesOn)
+TEST(Levels, AReplacementMustHangOnARemainingNode)
 {
     Puppet m;
     m.hang(m.root, "body");
@@ -227,10 +227,10 @@ TEST(Levels, WhatTakesOverMustHangOnANodeThatGoesOn)
     EXPECT_NE(refused(m), "");
     m.parts.pop_back();
     m.skin({m.root, m.spine}, "coarse arm", 30, 40);
-    EXPECT_EQ(refused(m), "") << "a skinned part takes over as well";
+    EXPECT_EQ(refused(m), "") << "a skinned part may be the replacement too";
 }
 
-TEST(Levels, NothingTakesOverWhereNothingIsDrawnAnyMore)
+TEST(Levels, NoReplacementIsNeededWhereNothingIsDrawn)
 {
     Puppet m;
     m.hang(m.root, "body", 0, 30);

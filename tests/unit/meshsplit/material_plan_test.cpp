@@ -38,7 +38,7 @@ uint32_t add_zone(model::Model &m, const std::array<float, 3> &colour)
     return uint32_t(m.zones.size() - 1);
 }
 
-// The unlit colour of the middle of part `i`'s first square, in 0..1: texture x zone colour.
+// The unlit colour at the centre of part `i`'s first square, in 0..1: texture x zone colour.
 std::array<float, 3> seen(const model::Template &tmpl, size_t part)
 {
     const model::Level &level = tmpl.levels[0];
@@ -77,8 +77,8 @@ TEST(MaterialPlan, MaterialsWithoutImagesShareOnePaletteAndOneSurface)
     const auto tmpl = built(m);
     EXPECT_EQ(tmpl->textures.size(), 1u);
     EXPECT_EQ(tmpl->levels[0].surfaces.size(), 1u);
-    EXPECT_EQ(tmpl->zone_count(), 4u) << "one zone a base colour";
-    EXPECT_EQ(tmpl->report.dirty, 0u) << "cells are too big to see two of";
+    EXPECT_EQ(tmpl->zone_count(), 4u) << "one zone per base colour";
+    EXPECT_EQ(tmpl->report.dirty, 0u) << "a triangle never sees two cells";
     for (size_t i = 0; i < bases.size(); ++i) expect_near(seen(*tmpl, i), bases[i]);
 }
 
@@ -104,7 +104,7 @@ TEST(MaterialPlan, MaterialsOfOneZoneKeepTheirOwnBaseColours)
     expect_near(seen(*tmpl, 1), {0.4f, 0.4f, 0.05f});
 }
 
-TEST(MaterialPlan, AZoneWithAColourOfItsAuthorSIsMultipliedIn)
+TEST(MaterialPlan, AnAuthoredZoneColourIsMultipliedIn)
 {
     model::Model m = empty_model();
     const uint32_t white = add_zone(m, {1, 1, 1}), red = add_zone(m, {1, 0.1f, 0});

@@ -1,4 +1,4 @@
-// Merging parts into one vertex order: what is welded, dropped, turned round, sorted.
+// Merging parts into one vertex order: welding, dropping, reversing, sorting.
 #include "models.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST(Mesh, NoPositionOrUvIsLost)
 TEST(Mesh, TrianglesWithoutAreaInAnyPoseAreDroppedAndCounted)
 {
     model::Part part = soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {1, 0, 0}});
-    part.indices = {0, 1, 2, 0, 1, 3, 1, 4, 2};  // good, on a line, two corners in one place
+    part.indices = {0, 1, 2, 0, 1, 3, 1, 4, 2};  // valid, collinear, two corners at one point
     const auto tmpl = built(plain(part));
     EXPECT_EQ(tmpl->report.triangles, 1u);
     EXPECT_EQ(tmpl->report.degenerate, 2u);

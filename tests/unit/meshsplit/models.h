@@ -26,7 +26,7 @@ inline model::Image key_image(uint32_t width, uint32_t height, const KeyAt &key)
     return image;
 }
 
-// One node, one palette entry, nothing to draw yet.
+// One node, one palette entry, no geometry.
 inline model::Model empty_model()
 {
     model::Model m;
@@ -81,7 +81,7 @@ inline model::Model keyed_sheet(uint32_t columns, uint32_t rows, const model::Im
     return m;
 }
 
-// A checkerboard finer than its triangles: every triangle is dirty, with about as many zones as there are.
+// A checkerboard finer than its triangles: every triangle is dirty, with about as many zones as possible.
 inline model::Model torture(uint32_t zone_count, uint8_t first_key, uint32_t key_step)
 {
     std::vector<uint8_t> keys;

@@ -1,4 +1,4 @@
-// Parts that are drawn or left out by themselves, S0 4.1 and 4.2 phase 3: their places in the index ranges, their spheres.
+// Parts that are culled separately (S0 4.1, 4.2 phase 3): their index ranges and their spheres.
 #include <gtest/gtest.h>
 
 #include "posed.h"
@@ -50,7 +50,7 @@ float z_of(const model::Level &level, uint32_t index)
 
 }  // namespace
 
-TEST(Parts, StandOneAfterTheOtherInEveryRange)
+TEST(Parts, AreConsecutiveInEveryRange)
 {
     const auto tmpl = built(striped(9));
     const model::Level &level = tmpl->levels[0];
@@ -151,11 +151,11 @@ TEST(Parts, HangOnTheLowestNodeAboveAllThatMovesThem)
     EXPECT_EQ(tmpl->levels[0].parts[0].node, m.hand);
     EXPECT_EQ(tmpl->levels[0].parts[1].node, m.arm);
     EXPECT_EQ(tmpl->levels[0].parts[2].node, m.root);
-    EXPECT_EQ(tmpl->levels[0].parts[3].node, m.root) << "no node is above two trees: the first of them";
+    EXPECT_EQ(tmpl->levels[0].parts[3].node, m.root) << "two trees have no common ancestor: the first root";
     model::check(*tmpl);
 }
 
-TEST(Parts, HangOnWhatIsLeftWhereNodesHaveStopped)
+TEST(Parts, HangOnRemainingNodesWhereNodesStop)
 {
     Puppet m;
     m.skin({m.hand, m.finger}, "glove");
@@ -212,7 +212,7 @@ TEST(PartSpheres, HoldWhatMorphTargetsMoveWithDegreesOfFreedomAtTheirEnds)
             most = std::max(most, weights[0]);
             expect_held(*tmpl, level, palette.data, weights.data());
         }
-    EXPECT_GT(most, 4) << "the spline does swing";
+    EXPECT_GT(most, 4) << "the spline must swing";
     const auto limits = meshsplit::morph_limits(tmpl->rig);
     EXPECT_GE(limits[0].high, most);
     EXPECT_LT(limits[0].high, most * 1.2f);
@@ -244,7 +244,7 @@ TEST(PartSpheres, AreNearTheSmallest)
     const model::Sphere &sphere = tmpl->levels[0].part_spheres[0].bind;
     EXPECT_LT(sphere.radius, 0.5f * std::sqrt(2.0f) * 1.01f);
     EXPECT_LT(glm::distance(sphere.centre, glm::vec3(0.5f, 0.5f, 0)), 0.01f);
-    // The middle of its box is not the middle of an equilateral triangle.
+    // The centre of its box is not the centre of an equilateral triangle.
     const model::Sphere even = meshsplit::enclosing({{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{0.5, 0.8660254, 0}, 0}});
     EXPECT_LT(even.radius, 0.5773503f * 1.03f);
     const model::Sphere two = meshsplit::enclosing({{{0, 0, 0}, 1}, {{10, 0, 0}, 3}});

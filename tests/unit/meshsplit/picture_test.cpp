@@ -1,4 +1,4 @@
-// The picture of a split: zones in colours of their own, dirty triangles stand out (S1 Figs. 4 and 5).
+// The picture of a split: zones in colours of their own, dirty triangles marked (S1 Figs. 4 and 5).
 #include "meshsplit/picture.h"
 
 #include "models.h"

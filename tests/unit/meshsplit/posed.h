@@ -1,4 +1,4 @@
-// Templates in a pose: where their vertices are, and whether the spheres of their parts hold them.
+// Templates in a pose: positions of their vertices, and whether the spheres of their parts hold them.
 #pragma once
 
 #include "articulated.h"
@@ -10,7 +10,7 @@
 namespace claque::test
 {
 
-// Corners of all triangles in a pose in which degrees of freedom rest, with what is left of the skeleton at the level.
+// Corners of all triangles in a pose with degrees of freedom at rest and the level's active nodes.
 inline std::vector<glm::vec3> posed(const model::Template &tmpl, size_t level_index, uint32_t clip, double time_s)
 {
     const model::Level &level = tmpl.levels[level_index];
@@ -20,7 +20,7 @@ inline std::vector<glm::vec3> posed(const model::Template &tmpl, size_t level_in
     std::vector<math::Affine> palette(rig.palette.size() + 1);
     std::vector<float> weights(rig.rest_weights.size());
     for (math::Affine &a : palette)
-        for (float &c : a.c) c = std::numeric_limits<float>::quiet_NaN();  // what is not evaluated is not used
+        for (float &c : a.c) c = std::numeric_limits<float>::quiet_NaN();  // what is not evaluated must not be used
     pose::PoseJob job;
     job.rig = &rig;
     job.clip = clip, job.time_s = time_s;

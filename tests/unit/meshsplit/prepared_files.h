@@ -1,4 +1,5 @@
-// Prepared files for tests: what is in them, and everything that reads them, so that a sanitizer sees what a bad one does.
+// Prepared files for tests: their content, and every reader of it, so that a sanitizer detects the effects of a bad
+// file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,8 +17,8 @@ namespace claque::test
 
 using Bytes = std::pmr::vector<uint8_t>;
 
-// Five levels, the fourth of which shares poses with the third and the last of which is empty; several parts, two
-// surfaces, dirty triangles.
+// Five levels: the fourth shares poses with the third, and the last is empty; several parts, two surfaces, dirty
+// triangles.
 inline model::Model puppet_in_levels()
 {
     Puppet m;
@@ -43,7 +44,7 @@ inline Bytes saved(const model::Template &tmpl)
     return bytes;
 }
 
-// Reads what culling by parts and shrunken skeletons read.
+// Reads the data of part culling and of reduced skeletons.
 inline double use_parts(const model::Template &tmpl, const model::Level &level)
 {
     double sum = 0;
@@ -72,7 +73,7 @@ inline double use_parts(const model::Template &tmpl, const model::Level &level)
     return sum;
 }
 
-// Reads everything that posing, skinning and drawing read; a sanitizer or a crash says what was out of range.
+// Reads all data of posing, skinning and drawing; a sanitizer or a crash reports an index out of range.
 inline double use(const model::Template &tmpl)
 {
     double sum = 0;
@@ -103,7 +104,7 @@ inline double use(const model::Template &tmpl)
     return sum;
 }
 
-// CLQ_OK, or why it was refused.
+// CLQ_OK, or the reason of the refusal.
 inline clq_status outcome(const Bytes &bytes)
 {
     model::Template out(std::pmr::get_default_resource());

@@ -1,8 +1,9 @@
-// Levels of a split template as updates of a crowd show them: at every distance the vertices that its level has.
+// Levels of a split template in updates of a crowd: at every distance the vertices of its level are shown.
 #include <gtest/gtest.h>
 
 #include "posed.h"
 
+#include "lib/crowd/edits.h"
 #include "lib/frame/frame.h"
 
 namespace claque::test
@@ -11,7 +12,7 @@ namespace claque::test
 namespace
 {
 
-// A body that loses its fingers and its hand, a hat that is seen from 40 m on, nothing from 90 m to 120 m.
+// A body that loses its fingers and its hand, a hat that is visible from 40 m on, nothing from 90 m to 120 m.
 Puppet far_going()
 {
     Puppet m;
@@ -32,7 +33,7 @@ public:
     {
         crowd::Play play;
         play.clip = 0;
-        crowd_.create(tmpl, crowd::Transform(), play, 1);
+        crowd::create(crowd_, tmpl, crowd::Transform(), play, 1);
         view_.height_px = 0;  // levels by distance alone
     }
     const draw::DrawList &at(float distance, double time_s)
@@ -53,7 +54,7 @@ private:
 
 }  // namespace
 
-TEST(FromAfar, EveryLevelShowsTheVerticesThatItHasAndAnEmptyOneNone)
+TEST(FromAfar, EveryLevelShowsItsOwnVerticesAndAnEmptyOneNone)
 {
     const auto tmpl = built(far_going());
     ASSERT_EQ(tmpl->levels.size(), 5u);
@@ -70,8 +71,7 @@ TEST(FromAfar, EveryLevelShowsTheVerticesThatItHasAndAnEmptyOneNone)
             for (const draw::Item &item : list.items) {
                 EXPECT_EQ(item.level, level) << distance;
                 shown += item.tmpl->levels[item.level].vertex_count;
-                const draw::Vertices vertices =
-                    item.vertices.positions || !list.server ? item.vertices : list.server->serve(item);
+                const draw::Vertices &vertices = item.vertices;
                 for (uint32_t i = 0; i < 3 * tmpl->levels[item.level].vertex_count; ++i)
                     ASSERT_TRUE(std::isfinite(vertices.positions[i]) && std::isfinite(vertices.normals[i]));
             }

@@ -1,4 +1,4 @@
-// Changes of size never mix zones (S2 2.3-2.4, SPEC row C3).
+// Resizing never mixes zones (S2 2.3-2.4, SPEC row C3).
 #include "meshsplit/pyramid.h"
 
 #include "lib/base/hash.h"
@@ -121,7 +121,7 @@ TEST(Pyramid, GuttersCarryTheNearestCoveredTexel)
 {
     for (uint64_t seed = 0; seed < 12; ++seed) {
         ZoneMap map = noise(24, 17, 200, seed);
-        for (size_t i = 0; i < map.zones.size(); ++i) map.zones[i] = uint16_t(i);  // says where it comes from
+        for (size_t i = 0; i < map.zones.size(); ++i) map.zones[i] = uint16_t(i);  // each texel records its origin
         std::vector<uint8_t> covered(map.zones.size());
         for (size_t i = 0; i < covered.size(); ++i) covered[i] = base::mix(seed * 77 + i) % (3 + 9 * seed) == 0;
         covered[5] = 1;

@@ -172,8 +172,8 @@ double Reacher::distance(const glm::dvec3 &centre) const
 }
 
 // With everything else fixed a vertex is P + Q cos + R sin of one angle, so its squared distance is a trigonometric
-// polynomial of second degree (of first where nothing is blended or scaled unevenly): five samples fix it. The most of it
-// within the range is looked for in 64 steps, then by halving them.
+// polynomial of second degree (of first if nothing is blended or scaled unevenly): five samples determine it. Its
+// maximum within the range is found in 64 steps, then by bisection.
 double Reacher::best_turn(size_t d, const glm::dvec3 &centre)
 {
     const double first = double(tmpl_.rig.dofs[d].min), last = double(tmpl_.rig.dofs[d].max);
@@ -208,7 +208,7 @@ double Reacher::climb(const glm::dvec3 &centre)
         for (size_t d = 0; d < dofs.size(); ++d) {
             const model::Dof &dof = tmpl_.rig.dofs[d];
             const double was = dofs[d];
-            // Distance is convex along straight ways: the best is at an end.
+            // Distance is convex along straight lines: the maximum is at an end.
             dofs[d] = double(dof.min);
             const double at_first = distance(centre);
             dofs[d] = double(dof.max);

@@ -1,5 +1,5 @@
-// Where a character's vertices can get to, a second time: in double, climbing from many starts, with nothing of what
-// meshsplit makes of it. What it finds is reached; the Sklsroot Bsphere must hold it and be little larger.
+// The reach of a character's vertices, found independently: in double, by hill climbing from many starts, without any
+// data of meshsplit. Every result is reachable; the Sklsroot Bsphere must hold it and be little larger.
 #pragma once
 
 #include "lib/model/template.h"
@@ -25,13 +25,13 @@ public:
     explicit Reacher(const model::Template &tmpl);
 
     std::vector<double> dofs;       // one each
-    void pose(const ClipTime &at);  // the clip's own part; degrees of freedom stay as they are
-    void shuffle(uint64_t start);   // degrees of freedom anywhere in their ranges, some at their ends
+    void pose(const ClipTime &at);  // the clip's own part; degrees of freedom stay unchanged
+    void shuffle(uint64_t start);   // random degrees of freedom, some at the ends of their ranges
 
-    // The largest distance from `centre` of any vertex of any level; which one that is stays known for climb().
+    // The largest distance from `centre` of any vertex of any level; climb() continues with that vertex.
     double farthest(const glm::dvec3 &centre);
-    // One degree of freedom after the other to where the farthest vertex is farthest, until none gains; then again for
-    // the vertex that is farthest then.
+    // Moves one degree of freedom after the other to where the farthest vertex is farthest, until none gains; then
+    // repeats with the vertex that is farthest then.
     double climb(const glm::dvec3 &centre);
     glm::dvec3 node_origin(uint32_t node) const { return frame(node).move; }
 
@@ -40,7 +40,7 @@ private:
         glm::dmat3 turn = glm::dmat3(1);
         glm::dvec3 move = glm::dvec3(0);
     };
-    // Of any level: what moves it and what its shape may become.
+    // A vertex of any level: its influences and its morph targets.
     struct Vertex {
         glm::dvec3 bind = glm::dvec3(0);
         std::vector<std::pair<uint32_t, double>> influences;  // palette entry, weight
@@ -60,8 +60,8 @@ private:
     size_t farthest_ = 0;
 };
 
-// The largest distance found from 100 starts: from the poses of the clips that reach farthest with the degrees of
-// freedom at rest, and from any.
+// The largest distance found from 100 starts: from the clip poses that reach farthest with degrees of freedom at rest,
+// and from random poses.
 double found_reach(const model::Template &tmpl, const glm::dvec3 &centre);
 
 }  // namespace claque::test

@@ -1,4 +1,5 @@
-// The Sklsroot Bsphere of characters with degrees of freedom is at most 10 % larger than what climbing finds (S0 4.1).
+// The Sklsroot Bsphere of characters with degrees of freedom is at most 10 % larger than the reach that hill climbing
+// finds (S0 4.1).
 #include "reach_ascent.h"
 #include "reach_rigs.h"
 
@@ -17,7 +18,7 @@ TEST(ReachAscent, ASphereIsAtMostATenthLargerThanWhatClimbingReaches)
         RecordProperty(free.name, std::to_string(radius / found));
         EXPECT_GE(radius, found);
         EXPECT_LE(radius, 1.10 * found);
-        // This very law has to notice a sphere that is too small.
+        // This law must detect a sphere that is too small.
         EXPECT_LT(0.88 * radius, found);
     }
 }

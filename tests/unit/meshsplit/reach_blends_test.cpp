@@ -1,5 +1,5 @@
-// The spheres of who blends clips (S2 3.3), against blends of all kinds: they hold every vertex and node, and where a blend
-// stretches a character as no clip does, hardly more than that.
+// The spheres of actors that blend clips (S2 3.3), compared with blends of all kinds: they hold every vertex and node,
+// and where a blend stretches a character as no clip does, they are hardly larger than that.
 #include "reach_ascent.h"
 #include "reach_rigs.h"
 #include "reach_sampling.h"
@@ -32,7 +32,7 @@ void expect_held(const model::Template &tmpl, uint32_t count)
     }
 }
 
-// Three links of a metre, folded up at rest. One clip turns the whole round and round; each other one unfolds one joint,
+// Three links of a metre, folded at rest. One clip rotates the whole continuously; each other clip unfolds one joint,
 // so that only a blend is ever straight.
 model::Model folded()
 {
@@ -81,11 +81,11 @@ TEST(ReachBlends, OfBuiltInPeopleStayInTheirSpheres)
     EXPECT_LT(alone.vertex, double(tmpl->blend_radius.base));
 }
 
-TEST(ReachBlends, ThatUnfoldWhatClipsLeaveFoldedAreHeldAndHardlyMore)
+TEST(ReachBlends, ThatUnfoldFoldedClipsAreHeldTightly)
 {
     const auto tmpl = built(folded(), 64);
     expect_held(*tmpl, 3000);
-    // Round and round, each joint unfolded by its own clip.
+    // Rotating, with each joint unfolded by its own clip.
     const float first[3] = {0, 1, 0}, second[3] = {0, 0, 1};
     pose::Layer layers[3];
     for (uint32_t i = 0; i < 3; ++i) layers[i].clip = i, layers[i].time_s = 1;
@@ -96,8 +96,9 @@ TEST(ReachBlends, ThatUnfoldWhatClipsLeaveFoldedAreHeldAndHardlyMore)
         farthest = std::max(farthest, sample_layers(*tmpl, glm::dvec3(tmpl->sklsroot.centre), {layers, 3}).vertex);
     }
     EXPECT_LE(farthest, double(tmpl->blend_radius.base));
-    EXPECT_GT(farthest, 1.2 * double(tmpl->sklsroot.radius)) << "or no blend would leave the sphere of the clips";
-    EXPECT_GT(farthest, 0.88 * double(tmpl->blend_radius.base)) << "a sphere too small would not be noticed";
+    EXPECT_GT(farthest, 1.2 * double(tmpl->sklsroot.radius))
+        << "otherwise no blend would leave the sphere of the clips";
+    EXPECT_GT(farthest, 0.88 * double(tmpl->blend_radius.base)) << "the test would not notice too small a sphere";
 }
 
 }  // namespace claque::test

@@ -1,4 +1,5 @@
-// The built-in figures with their own degrees of freedom, or some in neck, head and spine, over all their clips (S0 4.1).
+// The built-in characters with their own degrees of freedom, or some in neck, head and spine, over all their clips (S0
+// 4.1).
 #include "reach_ascent.h"
 #include "reach_rigs.h"
 #include "reach_sampling.h"
@@ -39,7 +40,7 @@ void expect_held_and_snug(const figures::Builtin &builtin, Moves moves)
     ::testing::Test::RecordProperty(builtin.name, std::to_string(radius / found));
     EXPECT_GE(radius, found);
     EXPECT_LE(radius, 1.10 * found);
-    EXPECT_LT(0.88 * radius, found) << "a sphere too small would not be noticed";
+    EXPECT_LT(0.88 * radius, found) << "the test would not notice too small a sphere";
     const Sampled sampled = sample_reach(*tmpl, centre, 30000);
     EXPECT_LE(sampled.vertex, radius);
     for (size_t n = 0; n < sampled.node.size(); ++n)

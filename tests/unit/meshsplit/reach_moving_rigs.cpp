@@ -54,7 +54,7 @@ FreeModel morphing()
     return {"morphing", std::move(m)};
 }
 
-// A turntable that a clip whirls round within a frame; what stands on it leans by degrees of freedom.
+// A turntable that a clip rotates fully within a frame; objects on it lean by degrees of freedom.
 FreeModel whirl()
 {
     model::Model m = bare_moving("whirl");
@@ -73,7 +73,7 @@ FreeModel whirl()
     return {"whirl", std::move(m)};
 }
 
-// Cubic splines between keys as close as two frames, which leave them far behind.
+// Cubic splines with keys only two frames apart, which overshoot far.
 FreeModel overshoot()
 {
     model::Model m = bare_moving("overshoot");
@@ -91,8 +91,8 @@ FreeModel overshoot()
     return {"overshoot", std::move(m)};
 }
 
-// Two arms that a clip pushes in and turns outwards. Where their balls reach farthest they point to the middle; they are
-// farthest where the balls are smaller, and only if their degrees of freedom are at an end.
+// Two arms that a clip pushes in and turns outwards. Where their spheres reach farthest the arms point to the centre;
+// they are farthest where the spheres are smaller, and only with degrees of freedom at an end.
 FreeModel fold()
 {
     model::Model m = bare_moving("fold");
@@ -112,7 +112,7 @@ FreeModel fold()
     return {"fold", std::move(m)};
 }
 
-// Two tips that are farthest from the middle, and from each other, half way between two frames.
+// Two tips that are farthest from the centre, and from each other, half way between two frames.
 FreeModel pass()
 {
     model::Model m = bare_moving("pass");

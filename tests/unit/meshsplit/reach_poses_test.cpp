@@ -1,5 +1,5 @@
-// Between two poses that are looked at, what moves with a node strays no farther from a straight way, and goes no farther,
-// than is said.
+// Between two sampled poses, whatever moves with a node deviates from a straight line and moves by no more than the
+// stated bounds.
 #include "meshsplit/reach_poses.h"
 
 #include "reach_rigs.h"

@@ -29,7 +29,7 @@ model::Model bare(const char *name)
     return m;
 }
 
-// Links of a metre, each with a turn about an axis of its own.
+// Links of a metre, each with a rotation about an axis of its own.
 FreeModel chain(const char *name, float widest)
 {
     model::Model m = bare(name);
@@ -104,7 +104,7 @@ FreeModel worm()
     return {"worm", std::move(m)};
 }
 
-// A still burr whose longest spike is none of those that stand out along axes and diagonals, beside something that moves.
+// A static spiky shape whose longest spike is not among those along axes and diagonals, beside a moving part.
 FreeModel burr()
 {
     model::Model m = bare("burr");

@@ -54,7 +54,7 @@ public:
             const uint64_t first = 2100 + 100 * i;
             pose::Layer &layer = layers[i];
             any_moment(sample, first, layer.clip, layer.time_s);
-            // 0, 1 and what lies between, each often.
+            // 0, 1 and values between, each often.
             layer.weight = i == 0 ? 1 : std::clamp(2 * sampling_random(sample, first + 2) - 0.5f, 0.0f, 1.0f);
             if (i > 0 && sampling_random(sample, first + 3) < 0.6f && left > 0) {
                 layer.kind = pose::LayerKind::add;
@@ -87,7 +87,7 @@ public:
     Sampled out_;
 
 private:
-    // Often its beginning, its end, and the middle.
+    // Often its start, its end, and the middle.
     void any_moment(uint64_t sample, uint64_t first, uint32_t &clip, double &time_s) const
     {
         const model::Rig &rig = tmpl_.rig;

@@ -1,4 +1,4 @@
-// How far a character gets, by looking: the pose room's own poses, vertices moved in double.
+// A character's reach by sampling: poses of lib/pose, vertices transformed in double.
 #pragma once
 
 #include "lib/base/span.h"
@@ -16,11 +16,11 @@ struct Sampled {
     std::vector<double> stretch;  // per node: of its longest axis
 };
 
-// Over `count` poses: any clip, any of its times, degrees of freedom anywhere in their ranges, often at an end.
+// Over `count` poses: any clip, any of its times, random degrees of freedom, often at an end of their ranges.
 Sampled sample_reach(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count);
 
 // Likewise over blends of up to eight layers (S2 3.3): clips and rest pose at any times, over any part of the skeleton;
-// weights of differences that are added sum to `added` at most, and often to just that.
+// weights of additive layers sum to at most `added`, and often to exactly that.
 Sampled sample_blends(const model::Template &tmpl, const glm::dvec3 &centre, uint32_t count, float added);
 
 // Of these layers alone, degrees of freedom at rest.

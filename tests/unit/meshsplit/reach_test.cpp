@@ -1,5 +1,5 @@
-// Degrees of freedom and clips together never bring a vertex out of the Sklsroot Bsphere (S0 4.1), nor a node farther
-// than its template says.
+// Degrees of freedom and clips together never move a vertex out of the Sklsroot Bsphere (S0 4.1), nor a node farther
+// than its template states.
 #include "meshsplit/reach.h"
 
 #include "reach_rigs.h"
@@ -75,7 +75,7 @@ TEST(Reach, ASkeletonRootThatCannotMoveKeepsNearlyTheSphereOfItsClips)
         free.model.rig.dofs.clear();
         free.model.rig.dof_names.clear();
         const auto bare = built(free.model);
-        // What happens within one frame is hardly looked at where there is no degree of freedom.
+        // Without degrees of freedom, times within one frame are hardly examined.
         if (free.name != "whirl" && free.name != "overshoot") {
             EXPECT_NEAR(held->sklsroot.radius, bare->sklsroot.radius, 0.05f * bare->sklsroot.radius);
         }

@@ -1,4 +1,4 @@
-// Skeletal levels of detail, S0 5.2: nodes that stop, and vertices that move on to what is left.
+// Skeletal levels of detail (S0 5.2): deactivated nodes, and vertices that move to the remaining ones.
 #include <gtest/gtest.h>
 
 #include "posed.h"
@@ -71,7 +71,7 @@ TEST(SkeletalLevels, WhereStoppedNodesAreAtRestVerticesAreWhereTheyAreWithAllNod
     m.rig.rest[m.hand].scale = glm::vec3(2);
     m.rig.rest[m.finger].translation = {0.5f, 0.25f, 3};
     m.skin({m.root, m.spine, m.arm, m.hand, m.finger}, "body");
-    m.rig.rest[m.hand].rotation = glm::quat(0.6f, 0, 0.8f, 0);  // rests otherwise than it was bound
+    m.rig.rest[m.hand].rotation = glm::quat(0.6f, 0, 0.8f, 0);  // its rest pose differs from its bind pose
     m.rig.dofs.push_back({m.finger, model::DofKind::rotation, 0, glm::vec3(0, 0, 1), 0, 1, 0.5f});
     m.rig.dofs.push_back({m.hand, model::DofKind::translation, 0, glm::vec3(1, 0, 0), 0, 1, 0.25f});
     m.rig.dof_names.resize(2);

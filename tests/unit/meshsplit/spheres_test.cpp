@@ -1,4 +1,4 @@
-// The Sklsroot Bsphere holds every vertex of every pose and is little larger than it must be (S0 4.1).
+// The Sklsroot Bsphere holds every vertex of every pose and is little larger than necessary (S0 4.1).
 #include "meshsplit/spheres.h"
 
 #include "models.h"
@@ -17,7 +17,7 @@ namespace claque::test
 namespace
 {
 
-// An arm of two joints along x, the second turning from -90 to 90 degrees about z in a second, the first swinging out.
+// An arm of two joints along x; the second turns from -90 to 90 degrees about z in a second, the first swings out.
 model::Model arm(model::Interpolation how)
 {
     model::Model m = empty_model();
@@ -45,7 +45,7 @@ model::Model arm(model::Interpolation how)
     return m;
 }
 
-// Every vertex at many times, asked of the pose room directly.
+// Every vertex at many times, posed by lib/pose directly.
 template <class Body>
 void each_position(const model::Template &tmpl, const Body &body)
 {
@@ -129,7 +129,7 @@ TEST(Spheres, HoldWhatBulgesOutBetweenTwoPoses)
     m.parts.push_back(sheet_part(1, 1));
     m.parts[0].material = model::none;
     for (auto &p : m.parts[0].positions) p = p * 0.1f + glm::vec3(2, 0, 0);
-    // Something far off on the other side, so that the sphere's middle is behind the axis of the whirl.
+    // A distant object on the other side, so that the sphere's centre lies behind the axis of rotation.
     m.rig.parents.push_back(model::none);
     m.rig.rest.push_back(math::Trs());
     m.rig.node_names.emplace_back("still");

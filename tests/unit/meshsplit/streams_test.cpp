@@ -16,7 +16,7 @@ using model::Surface;
 namespace
 {
 
-// A triangle as the source vertices it stands for.
+// A triangle as its source vertices.
 std::array<uint32_t, 3> source_of(const Level &level, uint32_t first_index)
 {
     std::array<uint32_t, 3> out;
@@ -52,7 +52,7 @@ void expect_laws(const model::Template &tmpl)
         const Touched by_bins = zones_by_bins(level, surface);
         std::set<std::array<uint32_t, 3>> dirty_once;
         each_triangle(surface.dirty, [&](uint32_t i) {
-            EXPECT_TRUE(dirty_once.insert(source_of(level, i)).second) << "a dirty triangle stands twice";
+            EXPECT_TRUE(dirty_once.insert(source_of(level, i)).second) << "a dirty triangle occurs twice";
             EXPECT_GE(by_bins.at(source_of(level, i)).size(), 2u);
         });
         for (const model::Bin &bin : surface.clean)
@@ -84,7 +84,7 @@ void expect_laws(const model::Template &tmpl)
     EXPECT_EQ(clean + dirty, triangles);
 }
 
-// Copies are as few as slots of a source vertex less one, and all differ.
+// A source vertex has one copy less than slots, and all copies differ.
 void expect_fewest_copies(const Level &level)
 {
     std::set<std::pair<uint32_t, uint16_t>> pairs;

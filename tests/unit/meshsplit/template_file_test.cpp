@@ -1,4 +1,4 @@
-// Prepared files: what is loaded is what was saved, and nothing else is loaded.
+// Prepared files: a file loads as it was saved, and invalid files are refused.
 #include "prepared_files.h"
 
 #include <limits>
@@ -9,7 +9,7 @@ namespace claque::test
 namespace
 {
 
-// A bit of everything: zones, dirty triangles, copies, clips, morphs, colours.
+// A character with something of everything: zones, dirty triangles, copies, clips, morphs, colours.
 model::Model everything()
 {
     model::Model m = torture(3, 0, 40);

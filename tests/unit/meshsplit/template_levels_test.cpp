@@ -1,4 +1,4 @@
-// Levels, skeletons and parts of prepared files that drawing could not rely on are refused.
+// Prepared files are refused if their levels, skeletons or parts would make drawing unsafe.
 #include "prepared_files.h"
 
 #include <limits>
@@ -6,7 +6,7 @@
 namespace claque::test
 {
 
-TEST(TemplateLevels, ThatAreNotWhatDrawingReliesOnAreRefused)
+TEST(TemplateLevels, ThatWouldMakeDrawingUnsafeAreRefused)
 {
     using Levels = model::Array<model::Level>;
     const std::vector<void (*)(Levels &)> breaks = {
@@ -58,7 +58,7 @@ TEST(TemplateLevels, ThatAreNotWhatDrawingReliesOnAreRefused)
         [](Levels &l) { l[0].part_spheres[0].bind.radius = -1; },
         [](Levels &l) { l[0].part_spheres[0].bind.radius = std::numeric_limits<float>::quiet_NaN(); },
         [](Levels &l) { l[0].part_spheres[0].bind.centre.y = std::numeric_limits<float>::infinity(); },
-        // their places in the ranges
+        // their positions in the ranges
         [](Levels &l) { l[0].surfaces[0].part_offsets.clear(); },
         [](Levels &l) { l[0].surfaces[0].part_offsets.push_back(0); },
         [](Levels &l) { l[0].surfaces[0].part_offsets[0] = 3; },

@@ -1,5 +1,5 @@
-// Texture sets: other images on the same triangles (S1 1, S2 2.1). Indices and vertices are shared, so a triangle is clean
-// only where no set shows a second zone.
+// Texture sets: other images on the same triangles (S1 1, S2 2.1). Indices and vertices are shared, so a triangle is
+// clean only if no set shows a second zone on it.
 #include "models.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Deviations between arrays of positions and normals.
 #include "samples/parity/arrays.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ TEST(Arrays, SpansMayStandElsewhereInTheResult)
     EXPECT_EQ(d.max, 0);
 }
 
-TEST(Arrays, NumbersThatAreNoneAreCountedAndInNoOtherFigure)
+TEST(Arrays, NonFiniteNumbersAreCountedAndExcludedElsewhere)
 {
     std::vector<float> broken = three;
     broken[4] = std::numeric_limits<float>::quiet_NaN();

@@ -17,7 +17,7 @@ const char json[] = R"({"format": "claque-parity", "version": 1, "kind": "result
 "meshes": [{"template": 0, "level": 2, "vertices": 3, "triangles": 1}, {"template": 1, "level": 0, "vertices": 4, "triangles": 2}]}
 )";
 
-// Who is in this column.
+// The actor in this column.
 uint32_t actor_at(int x) { return x >= 2 && x <= 6 ? 2 : x >= 8 && x <= 13 ? 5 : 0; }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// Reading a result's folder: complete, partial and invalid ones.
 #include "samples/parity/capture.h"
 
 #include "tests/unit/parity/capture_files.h"
@@ -12,7 +13,7 @@ class CaptureFolder : public parity_test::CaptureFiles
 protected:
     CaptureFolder() { write_result("r"); }
 
-    // The sentence that the folder is refused with, its path as ".".
+    // The message of refusing the folder, its path as ".".
     std::string refusal(const std::string &name = "r") const
     {
         try {
@@ -54,7 +55,7 @@ TEST_F(CaptureFolder, MayLeaveOutAnyArray)
     }
 }
 
-TEST_F(CaptureFolder, ThatIsNoneIsRefused)
+TEST_F(CaptureFolder, IsRefusedIfItHoldsNoResult)
 {
     EXPECT_EQ(refusal("nowhere"), ". is not a folder");
     remove("r", "capture.json");
@@ -67,7 +68,7 @@ TEST_F(CaptureFolder, ThatIsNoneIsRefused)
     }
 }
 
-TEST_F(CaptureFolder, WithAFieldThatMakesNoSenseIsRefused)
+TEST_F(CaptureFolder, WithAnInvalidFieldIsRefused)
 {
     const std::vector<std::vector<std::string>> wrong = {
         {"\"claque-parity\"", "\"other\"", "./capture.json: its format is not claque-parity"},
@@ -79,7 +80,7 @@ TEST_F(CaptureFolder, WithAFieldThatMakesNoSenseIsRefused)
         {"\"template\": 1", "\"template\": 2", "./capture.json: a mesh names template 2 of 2"},
         {"\"level\": 2", "\"level\": 2.5", "./capture.json: 'level' has to be a whole number"},
         {"\"actor_columns\": [", "\"actor_columns\": [1, ",
-         "./capture.json: 'actor_columns' has to be a list of texts"},
+         "./capture.json: 'actor_columns' has to be a list of strings"},
         {"\"mesh\"", "\"mash\"", "./actors.npy has no column 'mesh'"},
         {", \"later\"", "", "./actors.npy has the shape (3, 5), and capture.json names 4 columns"},
         {"\"vertices\": 3", "\"vertices\": 4", "./actors.npy, row 0: 3 vertices of a mesh that has 4"},
@@ -92,7 +93,7 @@ TEST_F(CaptureFolder, WithAFieldThatMakesNoSenseIsRefused)
     }
 }
 
-TEST_F(CaptureFolder, WithArraysThatDoNotBelongTogetherIsRefused)
+TEST_F(CaptureFolder, WithInconsistentArraysIsRefused)
 {
     using parity_test::npy;
     using parity_test::numbers;
@@ -117,7 +118,7 @@ TEST_F(CaptureFolder, WithArraysThatDoNotBelongTogetherIsRefused)
             "./actors.npy, row 0: mesh 9 of 2");
     refuses("actors.npy", numbers({2, 0, 4000000000u, 3, 0, 5, 0, 3, 3, 0, 6, 1, 6, 4, 0}, 5),
             "./positions.npy has the shape (10, 3), and (4000000003, 3) follows from actors.npy");
-    refuses("colour.npy", "", "./colour.npy is no NumPy array: it does not begin as one");
+    refuses("colour.npy", "", "./colour.npy is not a NumPy array: it does not begin as one");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The comparison of two folders, and that it fails: each mutation, in each kind of array alone.
+// The comparison of two folders, and that it can fail: each mutation, in each kind of array alone.
 #include "samples/parity/compare.h"
 #include "samples/parity/verdict.h"
 
@@ -73,7 +73,7 @@ TEST_F(Comparing, EveryMeasureIsMade)
 TEST_F(Comparing, OtherScenesAreRefused)
 {
     b.time_s = 1.54;
-    EXPECT_EQ(refusal(), "b shows the moment 1.54 s, and " + a.folder + " 1.5 s");
+    EXPECT_EQ(refusal(), "b shows the time 1.54 s, and " + a.folder + " 1.5 s");
     b = a;
     b.width = 17;
     EXPECT_EQ(refusal(), a.folder + " has a picture of 17 x 12, and " + a.folder + " one of 16 x 12");
@@ -85,7 +85,7 @@ TEST_F(Comparing, OtherScenesAreRefused)
     EXPECT_EQ(refusal(), a.folder + " and b have no array in common: nothing to compare");
 }
 
-TEST_F(Comparing, WhatIsAbsentIsSaidAndNotCompared)
+TEST_F(Comparing, AbsentDataIsReportedAndNotCompared)
 {
     b.depth.reset();
     a.normals.reset();
@@ -97,7 +97,7 @@ TEST_F(Comparing, WhatIsAbsentIsSaidAndNotCompared)
     EXPECT_TRUE(verdict("exact").pass);
 }
 
-TEST_F(Comparing, WithoutATableTheOrderIsTheOtherS)
+TEST_F(Comparing, WithoutATableTheOrderOfTheOtherHolds)
 {
     b.actors.reset();
     EXPECT_EQ(value("positions.max_m"), 0);
@@ -113,7 +113,7 @@ TEST_F(Comparing, OneIndividualMissingIsFoundInTheTable)
 {
     b.actors->erase(b.actors->begin() + 1);
     fails("actors.missing is 1");
-    EXPECT_EQ(value("positions.max_m"), 0);  // of those who are in both
+    EXPECT_EQ(value("positions.max_m"), 0);  // of actors in both
     std::swap(a, b);
     fails("actors.added is 1");
 }
@@ -132,7 +132,7 @@ TEST_F(Comparing, OneIndividualMissingIsFoundInEachPicture)
     };
     erase(*b.actor, 0u);
     fails("actor_ids.");
-    EXPECT_EQ(value("actor_ids.outside"), 48);  // but for the columns next to nobody
+    EXPECT_EQ(value("actor_ids.outside"), 48);  // except the columns that border on the background
     b = a;
     erase(*b.depth, 1.0f);
     fails("depth.");
@@ -169,7 +169,7 @@ TEST_F(Comparing, ANormalThatTurnsIsFound)
     fails("normals.");
 }
 
-TEST_F(Comparing, NumbersThatAreNoneAreFound)
+TEST_F(Comparing, NonFiniteNumbersAreFound)
 {
     (*b.positions)[4] = std::nanf("");
     fails("positions.not_finite");

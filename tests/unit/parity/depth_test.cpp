@@ -1,3 +1,4 @@
+// Deviations between depth maps.
 #include "samples/parity/depth.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ TEST(Depth, IsComparedWhereSomethingIs)
 {
     Map<float> a(10, 10, 1), b = a;
     a.values[0] = b.values[0] = 0.5f;
-    a.values[1] = 0.25f;  // nothing there in the result
+    a.values[1] = 0.25f;  // background in the result
     const DepthDeviation d = depth_deviation(a, b);
     EXPECT_EQ(d.compared, 2u);
     EXPECT_DOUBLE_EQ(d.max, 0.75);
@@ -34,7 +35,7 @@ TEST(Depth, HasQuantiles)
     EXPECT_EQ(depth_deviation(a, Map<float>(100, 100, 0.625f)).median, 0.125);
 }
 
-TEST(Depth, NumbersThatAreNoneAreCounted)
+TEST(Depth, NonFiniteNumbersAreCounted)
 {
     Map<float> a(2, 1, 0.5f), b = a;
     b.values[1] = std::numeric_limits<float>::quiet_NaN();
@@ -43,7 +44,10 @@ TEST(Depth, NumbersThatAreNoneAreCounted)
     EXPECT_EQ(d.max, 0);
 }
 
-TEST(Depth, OfNothingIsNothing) { EXPECT_EQ(depth_deviation(Map<float>(3, 3, 1), Map<float>(3, 3, 1)).compared, 0u); }
+TEST(Depth, OfTheBackgroundIsNotCompared)
+{
+    EXPECT_EQ(depth_deviation(Map<float>(3, 3, 1), Map<float>(3, 3, 1)).compared, 0u);
+}
 
 }  // namespace
 }  // namespace parity

@@ -122,7 +122,7 @@ std::vector<Rgb> perceived(const std::vector<Rgb> &picture, int width, int heigh
     return out;
 }
 
-// Lengths of the gradients that a kernel and the same one turned by a quarter find.
+// Lengths of the gradients that a kernel and the same kernel rotated by 90 degrees give.
 Plane feature(const std::vector<Rgb> &picture, int width, int height, double ppd, bool point)
 {
     const double sd = 0.5 * 0.082 * ppd;

@@ -1,5 +1,5 @@
-// LDR-FLIP a second time, slowly: the paper's formulas as they stand, in double precision, with whole kernels in the plane and the
-// constants that its authors publish. It shares nothing with samples/parity.
+// LDR-FLIP a second time, slowly: the paper's formulas unchanged, in double precision, with whole kernels in the plane
+// and the constants that its authors publish. It shares nothing with samples/parity.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace parity_test
 
 using Rgb = std::array<double, 3>;
 
-// linear: [width * height]. One value a pixel.
+// linear: [width * height]. One value per pixel.
 std::vector<double> direct_flip(const std::vector<Rgb> &reference, const std::vector<Rgb> &result, int width,
                                 int height, double pixels_per_degree);
 

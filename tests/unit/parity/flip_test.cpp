@@ -1,7 +1,7 @@
-// LDR-FLIP against what is published of it and against a second evaluation (direct_flip.h). The pictures that its authors publish means
-// of are not at hand here; published of pictures that anybody can make are: 0.9514 for linear greys of 0.1 and 0.9 as halves
-// (OpenImageIO's test suite, whose FLIP its authors hold against NVIDIA's), 67.02 pixels a degree by default, the matrix from XYZ to RGB, and
-// that green and blue are furthest apart.
+// LDR-FLIP compared with published values and with a second evaluation (direct_flip.h). The pictures of the authors'
+// published means are not available here. Published values of reproducible pictures are: 0.9514 for linear greys of 0.1
+// and 0.9 as halves (OpenImageIO's test suite, whose FLIP its authors compare with NVIDIA's), 67.02 pixels per degree
+// by default, the matrix from XYZ to RGB, and that green and blue are farthest apart.
 #include "samples/parity/flip.h"
 
 #include "tests/unit/parity/direct_flip.h"
@@ -35,7 +35,7 @@ void expect_as_directly(const Picture &a, const Picture &b, double pixels_a_degr
         worst = std::max(worst, std::fabs(expected[i] - double(map.values[i])));
         sum += expected[i];
     }
-    // Where features are equal but for rounding, the square root of that is in the exponent: 1e-7 becomes 3e-4.
+    // Where features are equal but for rounding, the error's square root is in the exponent: 1e-7 becomes 3e-4.
     EXPECT_LT(worst, 1e-3);
     EXPECT_NEAR(mean_of(map), sum / static_cast<double>(expected.size()), 1e-5);
 }
@@ -107,7 +107,7 @@ TEST(Flip, AgreesWhereOneLineIsMissing)
         for (size_t c = 0; c < 3; ++c) line.rgb[3 * (static_cast<size_t>(y) * 50 + 25) + c] = 230;
     expect_as_directly(plain, line, ppd);
     const Map<float> map = flip_map(plain, line, ppd);
-    EXPECT_GT(map.at(25, 15), 0.6f);  // seen as an edge besides
+    EXPECT_GT(map.at(25, 15), 0.6f);  // seen as an edge too
     EXPECT_LT(map.at(2, 15), 0.01f);
 }
 

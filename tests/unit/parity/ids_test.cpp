@@ -1,3 +1,4 @@
+// Comparison of id maps, with a tolerance at borders.
 #include "samples/parity/ids.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ TEST(Ids, EqualMapsDifferNowhere)
     const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(5, 5, 8, 3), {});
     EXPECT_EQ(ids.compared, 400u);
     EXPECT_EQ(ids.different, 0u);
-    EXPECT_EQ(ids.borders, 28u + 36u);  // the square's rim and what lies round it
+    EXPECT_EQ(ids.borders, 28u + 36u);  // the square's rim and the pixels round it
 }
 
 TEST(Ids, ABorderMayLieAPixelFurtherOn)
@@ -39,7 +40,8 @@ TEST(Ids, ABorderTwoPixelsFurtherOnIsNone)
     const IdAgreement ids = compare_ids(square(5, 5, 8, 3), square(7, 5, 8, 3), {});
     EXPECT_EQ(ids.different, 32u);
     EXPECT_EQ(ids.outside,
-              6u + 8u);  // on the left not next to what lies round the square; on the right all of the further column
+              // at the left, those not adjacent to the pixels round the square; at the right, all of the added column
+              6u + 8u);
     EXPECT_EQ(ids.first_x, 14);
     EXPECT_EQ(ids.first_y, 5);
 }
@@ -71,7 +73,7 @@ TEST(Ids, PixelsThatDoNotCountAreNotCounted)
     EXPECT_EQ(ids.marks.values[0], Mark::ignored);
 }
 
-TEST(Ids, ANeighbourSZoneIsNotOneSOwn)
+TEST(Ids, ANeighboursZoneIsAnError)
 {
     Map<uint32_t> actor(4, 1, 1);
     actor.values[3] = 2;

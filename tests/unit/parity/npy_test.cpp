@@ -1,3 +1,4 @@
+// Reading NumPy arrays: valid, invalid and damaged files.
 #include "samples/parity/npy.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ Bytes file_of(std::string header, const Bytes &values, int version = 1)
 const char two_by_three[] = "{'descr': '<u2', 'fortran_order': False, 'shape': (2, 3), }      ";
 const Bytes six = {1, 0, 2, 0, 3, 0, 4, 0, 5, 0, 0, 1};
 
-// The sentence that it is refused with, or what it was read as.
+// The message of the refusal, or the array that was read.
 std::string refusal(const Bytes &file, const std::string &type = "<u2")
 {
     try {
@@ -54,7 +55,7 @@ TEST(Npy, SaysWhatIsWrongWithTheType)
     EXPECT_EQ(refused_header("{'descr': '<u2', 'fortran_order': True, 'shape': (2, 3), }"),
               "a.npy is in Fortran order: np.ascontiguousarray before saving");
     EXPECT_EQ(refused_header("{'descr': [('a', '<u2')], 'fortran_order': False, 'shape': (6,), }"),
-              "a.npy is no NumPy array: its header has no text in quotes at character 10");
+              "a.npy is not a NumPy array: its header has no quoted string at character 10");
 }
 
 TEST(Npy, SaysWhatIsWrongWithTheSize)
@@ -68,13 +69,13 @@ TEST(Npy, SaysWhatIsWrongWithTheSize)
         "a.npy is cut short: its header promises more than its 6 values");
     EXPECT_EQ(
         refused_header("{'descr': '<u2', 'fortran_order': False, 'shape': (99999999999999999999,), }").substr(0, 22),
-        "a.npy is no NumPy arra");
+        "a.npy is not a NumPy a");
 }
 
-TEST(Npy, RefusesWhatIsNone)
+TEST(Npy, RefusesOtherFiles)
 {
-    EXPECT_EQ(refusal({}), "a.npy is no NumPy array: it does not begin as one");
-    EXPECT_EQ(refusal(Bytes(100, 'x')), "a.npy is no NumPy array: it does not begin as one");
+    EXPECT_EQ(refusal({}), "a.npy is not a NumPy array: it does not begin as one");
+    EXPECT_EQ(refusal(Bytes(100, 'x')), "a.npy is not a NumPy array: it does not begin as one");
     Bytes later = file_of(two_by_three, six);
     later[6] = 9;
     EXPECT_EQ(refusal(later), "a.npy is in version 9 of NumPy's format; 1 to 3 can be read");
@@ -82,10 +83,10 @@ TEST(Npy, RefusesWhatIsNone)
                                "{'descr': '<u2', 'fortran_order': False, 'shape': (-6,)}",
                                "{'descr': '<u2', 'fortran_order': False, 'shape': (6,)} and more",
                                "{'descr': '<u2', 'fortran_order': False, 'shape': (6,), 'more': 1}"})
-        EXPECT_EQ(refused_header(header).substr(0, 22), "a.npy is no NumPy arra") << header;
+        EXPECT_EQ(refused_header(header).substr(0, 22), "a.npy is not a NumPy a") << header;
 }
 
-// Every cut and every single byte that is another one: a sentence or an array, never more than the file has.
+// Every truncation and every changed byte gives a message or an array, which never exceeds the file's data.
 TEST(Npy, SurvivesEveryCutAndEveryWrongByte)
 {
     for (int version : {1, 2}) {

@@ -1,4 +1,4 @@
-// Values of scikit-image 0.19.3's peak_signal_noise_ratio for the same pictures, and known ones.
+// Values of scikit-image 0.19.3's peak_signal_noise_ratio for the same pictures, and known values.
 #include "samples/parity/psnr.h"
 
 #include "tests/unit/parity/test_pictures.h"

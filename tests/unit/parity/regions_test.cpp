@@ -1,3 +1,4 @@
+// Comparison by regions: the inner pixels of one individual.
 #include "samples/parity/regions.h"
 
 #include "tests/unit/parity/test_pictures.h"
@@ -42,7 +43,7 @@ TEST(Regions, WhatLiesAtABorderBelongsToNone)
     EXPECT_EQ(worst_colour(halves(), plain, other).value, 0);
 }
 
-TEST(Regions, SmallOnesSayNothing)
+TEST(Regions, SmallOnesAreIgnored)
 {
     Map<uint64_t> ids(20, 10, 0);
     for (int y = 4; y < 8; ++y)

@@ -1,3 +1,4 @@
+// Reports of a comparison as JSON, HTML, text and pictures.
 #include "samples/parity/report.h"
 
 #include "samples/parity/base64.h"
@@ -60,7 +61,7 @@ TEST_F(Reports, ForMachinesHoldEveryMeasureAndLimit)
     EXPECT_EQ(json["result"]["folder"], b.folder);
     EXPECT_EQ(json["time_s"], 1.5);
     EXPECT_EQ(json["measures"].size(), comparison.measures.size());
-    EXPECT_EQ(json["measures"]["colour.max"]["value"], 44);  // from 46
+    EXPECT_EQ(json["measures"]["colour.max"]["value"], 44);  // 90 - 46
     const Json &over = json["measures"]["colour.over_2"];
     EXPECT_DOUBLE_EQ(over["value"].get<double>(), 1.0 / (11 * 12));
     EXPECT_EQ(over["at_most"], 0.001);

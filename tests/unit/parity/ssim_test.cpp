@@ -1,5 +1,5 @@
-// Values of scikit-image 0.19.3 (structural_similarity of luma, gaussian_weights, sigma 1.5, no sample covariance, which is what
-// its manual says agrees with Wang et al.) for the same pictures, and what follows from the formula.
+// Values of scikit-image 0.19.3 for the same pictures (structural_similarity of luma, gaussian_weights, sigma 1.5, no
+// sample covariance; its manual says that this agrees with Wang et al.), and consequences of the formula.
 #include "samples/parity/ssim.h"
 
 #include "tests/unit/parity/test_pictures.h"

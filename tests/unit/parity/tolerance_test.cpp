@@ -1,3 +1,4 @@
+// Tolerances and verdicts.
 #include "samples/parity/verdict.h"
 
 #include <gtest/gtest.h>
@@ -55,11 +56,11 @@ TEST(Tolerances, ThatMakeNoSenseAreRefusedWithTheLine)
     EXPECT_EQ(refusal("[at_least]\ncolour.max = 1\n"), "t.toml, line 2: colour.max belongs into [at_most]");
     EXPECT_EQ(refusal("[at_most]\ncolour.max = 'one'\n"), "t.toml, line 2: colour.max has to be a number");
     EXPECT_EQ(refusal("[at_most]\ncolour.max = nan\n"), "t.toml, line 2: colour.max has to be a number");
-    EXPECT_EQ(refusal("\nrequire = 'depth'\n"), "t.toml, line 2: 'require' has to be a list of texts");
+    EXPECT_EQ(refusal("\nrequire = 'depth'\n"), "t.toml, line 2: 'require' has to be a list of strings");
     EXPECT_EQ(refusal("require = ['deep']\n").substr(0, 56),
               "t.toml, line 1: 'require' may name actors, positions, no");
     EXPECT_EQ(refusal("base = 'best'\n"), "t.toml, line 1: 'base' may be exact, gpu or loose");
-    EXPECT_EQ(refusal("max = 1\n"), "t.toml, line 1: 'max' is none of base, require, [at_most] and [at_least]");
+    EXPECT_EQ(refusal("max = 1\n"), "t.toml, line 1: 'max' is not one of base, require, [at_most] and [at_least]");
     EXPECT_EQ(refusal("# nothing\n"), "t.toml sets no limit");
     EXPECT_EQ(refusal("[at_most\n").substr(0, 14), "t.toml, line 1");
     EXPECT_THROW(tolerance_of("/nowhere/at.toml"), Unreadable);
@@ -84,7 +85,7 @@ TEST(Verdicts, AValueThatIsNoNumberFails)
     EXPECT_FALSE(verdict_of(comparison({{"colour.ssim", nan, "", {}}}), tolerance_of("loose")).pass);
 }
 
-TEST(Verdicts, WhatIsAskedForHasToBeCompared)
+TEST(Verdicts, RequestedDataMustBeCompared)
 {
     const Comparison c = comparison({{"colour.max", 0, "", {}}});
     EXPECT_TRUE(verdict_of(c, tolerance_of("exact")).pass);

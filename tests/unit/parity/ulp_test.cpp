@@ -1,3 +1,4 @@
+// Distances between floats in units of the last place.
 #include "samples/parity/ulp.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(Ulp, GoesOnAcrossZero)
     EXPECT_EQ(ulp_distance(-1.0f, 1.0f), 2u * 0x3f800000u);
 }
 
-TEST(Ulp, OfWhatIsNoNumberIsTheMostThereIs)
+TEST(Ulp, OfNaNIsTheMaximum)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(ulp_distance(nan, nan), ulp_most);

@@ -1,3 +1,4 @@
+// Finding the keys of a channel at a time.
 #include "lib/pose/channel.h"
 
 #include <gtest/gtest.h>

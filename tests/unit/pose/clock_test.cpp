@@ -1,3 +1,4 @@
+// The time within a clip at a time of the crowd.
 #include "lib/pose/clock.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(ClipClock, DoesNotDriftInTenMillionSeconds)
 TEST(ClipClock, AClipOfNoLengthHasOnlyItsStart)
 {
     EXPECT_EQ(clip_time({3, 1, 0.5f}, clip(2, 0), 77), 2);
-    EXPECT_EQ(clip_time({0, 1e38f, 0}, clip(2, 1), 1e300), 2);  // beyond all numbers: still a time of the clip
+    EXPECT_EQ(clip_time({0, 1e38f, 0}, clip(2, 1), 1e300), 2);  // beyond all floats: still a time of the clip
 }
 
 TEST(ClipClock, StaysInsideTheClip)

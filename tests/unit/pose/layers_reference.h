@@ -1,4 +1,4 @@
-// Layers in double, on the second evaluation of clips: axis by axis with quaternions as four numbers, sharing no code with
+// Layers in double, on the second evaluation of clips: per axis, with quaternions as four numbers; shares no code with
 // lib/pose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// Layers: fades, masks, additive layers and invalid jobs.
 #include <gtest/gtest.h>
 
 #include "layers_reference.h"

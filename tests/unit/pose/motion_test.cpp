@@ -1,4 +1,4 @@
-// Clips as rows at uniform rates against their channels, in a second evaluation in double.
+// Clips as rows at uniform rates, compared with a second evaluation of their channels in double.
 #include "meshsplit/motion.h"
 
 #include <gtest/gtest.h>
@@ -80,13 +80,13 @@ TEST(Motion, FollowsTheChannelsWithinTheErrorItStates)
     }
 }
 
-TEST(Motion, TakesTheLowestRateThatDoes)
+TEST(Motion, TakesTheLowestSufficientRate)
 {
     Sampled coarse(0.01f), fine(0.0007f);
     coarse.make(), fine.make();
     EXPECT_LT(coarse.tmpl.motion.clips[clip_cubic].rate_hz, fine.tmpl.motion.clips[clip_cubic].rate_hz);
     EXPECT_LT(coarse.tmpl.motion.clips[clip_linear].rate_hz, 30.0f);
-    // Its own keys are followed but for rounding.
+    // Its own keys are reproduced up to rounding.
     EXPECT_NEAR(fine.tmpl.motion.clips[clip_linear].rate_hz, 30.0f, 0.01f);
     EXPECT_EQ(fine.tmpl.motion.clips[clip_linear].exact_count, 0u);
     EXPECT_EQ(fine.tmpl.motion.clips[clip_still].rate_hz, 0.0f);
@@ -108,8 +108,8 @@ TEST(Motion, KeepsTheChannelOfACutAlone)
 {
     Sampled test_rig;
     model::Rig &rig = test_rig.tmpl.rig;
-    // Key 15 of one joint is 1.5 radians from its neighbours, in a thirtieth of a second: a rate of 30 Hz does it; but two
-    // keys a millisecond apart are followed by no rate.
+    // Key 15 of one joint is 1.5 radians from its neighbours, a thirtieth of a second away: a rate of 30 Hz reproduces
+    // it. No rate reproduces two keys a millisecond apart.
     model::Channel &channel = rig.channels[rig.clips[clip_linear].first_channel];
     channel.first_time = uint32_t(rig.times.size());
     for (uint32_t k = 0; k < channel.key_count; ++k)
@@ -191,7 +191,7 @@ TEST(Motion, LocalTransformsSayTheSameAsThePalette)
     }
 }
 
-TEST(Motion, NothingToleratedMeansChannels)
+TEST(Motion, ZeroToleranceMeansChannels)
 {
     Sampled test_rig(0.0f);
     test_rig.make();
@@ -199,7 +199,7 @@ TEST(Motion, NothingToleratedMeansChannels)
     EXPECT_LE(test_rig.worst(clip_cubic, 0.6), 5e-6);
 }
 
-TEST(Motion, MakesTheSphereHoldWhatItMoves)
+TEST(Motion, MakesTheSphereHoldItsMotion)
 {
     Sampled test_rig(0.01f);
     test_rig.tmpl.sklsroot.radius = 1;
@@ -210,7 +210,7 @@ TEST(Motion, MakesTheSphereHoldWhatItMoves)
     EXPECT_LT(test_rig.tmpl.sklsroot.radius, 1.2f);
 }
 
-TEST(Motion, TakesLittleMemoryAndFoldsWhatStandsStill)
+TEST(Motion, TakesLittleMemoryAndFoldsStillNodes)
 {
     Sampled test_rig(0.01f);
     test_rig.make();

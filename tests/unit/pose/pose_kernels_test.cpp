@@ -1,3 +1,4 @@
+// The steps of posing give the same bits on every instruction set.
 #include "lib/pose/pose_kernels.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using model::motion_lanes;
 
 constexpr uint32_t blocks = 3;
 
-// Everything that goes into and comes out of the steps, on random numbers.
+// Inputs and outputs of all steps, on random numbers.
 struct Case {
     std::vector<int16_t> rows;
     std::vector<model::MotionBlock> places;
@@ -89,7 +90,7 @@ TEST(PoseSteps, GiveTheSameBitsOnEveryInstructionSet)
     }
 }
 
-TEST(PoseSteps, LeaveWhatLiesBehindThePaletteAlone)
+TEST(PoseSteps, WriteNothingBehindThePalette)
 {
     for (const math::SimdLevel simd_level :
          {math::SimdLevel::scalar, math::SimdLevel::simd128, math::SimdLevel::simd256}) {

@@ -1,3 +1,4 @@
+// Poses, compared with a second evaluation in double.
 #include "lib/pose/pose.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ TEST(Pose, ChannelsMayShareKeyTimesAndEndAtDifferentOnes)
     for (int i = -2; i < 60; ++i) expect_like_reference(rig, workspace, clip_walk, i * 0.0203);
 }
 
-TEST(Pose, IsTheSameWhateverWasAskedBefore)
+TEST(Pose, IsIndependentOfEarlierCalls)
 {
     const auto figure = make_figure();
     Workspace a(figure->rig), b(figure->rig);

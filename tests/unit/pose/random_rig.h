@@ -1,5 +1,5 @@
-// A rig of many nodes, scales and morph targets, whose clips are smooth but for one that steps: random, the same for the
-// same seed.
+// A random rig of many nodes, scales and morph targets, the same for the same seed. Its clips are smooth except for one
+// that steps.
 #pragma once
 
 #include "lib/math/slerp.h"
@@ -96,7 +96,7 @@ private:
     model::Rig rig_;
 };
 
-// Three layers of every kind over each other, with a mask.
+// Three layers of every kind on top of each other, with a mask.
 inline std::vector<float> upper_half(const model::Rig &rig)
 {
     std::vector<float> mask(rig.node_count());

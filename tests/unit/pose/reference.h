@@ -1,5 +1,5 @@
-// A second evaluation of a clip, in double with the C library's functions, straight from the text of glTF 2.0: 4 x 4
-// matrices, a linear search, no sharing of code with lib/pose.
+// A second evaluation of a clip, in double with the C library's functions, from the text of glTF 2.0: 4 x 4 matrices, a
+// linear search; shares no code with lib/pose.
 #pragma once
 
 #include "lib/model/rig.h"

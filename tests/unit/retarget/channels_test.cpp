@@ -1,4 +1,4 @@
-// Clips between skeletons that agree, and what is refused or said.
+// Retargeting by channels between compatible skeletons: results, refusals and messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ bool has_assets()
 
 }  // namespace
 
-TEST(Channels, OfASkeletonThatAgreesAreCopiedToTheBit)
+TEST(Channels, OfACompatibleSkeletonAreCopiedToTheBit)
 {
     model::Rig source = dancer();
     source.channels[3].interpolation = model::Interpolation::step;
@@ -73,7 +73,7 @@ TEST(Channels, OfASkeletonThatAgreesAreCopiedToTheBit)
     }
 }
 
-TEST(Channels, BringTheirMarkersAlong)
+TEST(Channels, KeepTheirMarkers)
 {
     model::Rig source = dancer();
     add_motion(source, "other", 9, 1);
@@ -93,7 +93,7 @@ TEST(Channels, BringTheirMarkersAlong)
     EXPECT_EQ(target.markers[3].clip, 2u);
     EXPECT_EQ(target.markers[3].time_s, 0.6f);
     EXPECT_STREQ(target.marker_names[3].c_str(), "right");
-    // What is cut away takes its markers with it; times count from where it begins.
+    // Cutting a range removes the markers outside it; times count from its start.
     model::Rig cut = rig_of(person(1, 0));
     options.clips = {"dance"}, options.mode = retarget::Mode::motion, options.start_s = 0.5;
     retarget::add_clips(cut, source, options);
@@ -119,7 +119,7 @@ TEST(Channels, UnderOtherAxesShowTheSame)
     for (Bone bone : person(1, 0)) {
         if (!*bone.parent) {
             bone.parent = "armature";
-            bone.offset = glm::vec3(0, 0, 0.5f);  // under the armature's turn and scale: (0, 1, 0)
+            bone.offset = glm::vec3(0, 0, 0.5f);  // under the armature's rotation and scale: (0, 1, 0)
         }
         bones.push_back(bone);
     }
@@ -129,7 +129,8 @@ TEST(Channels, UnderOtherAxesShowTheSame)
     target.rest[1].rotation = axis_turn({1, 0, 0}, 1.57079633f);
     for (size_t i = 2; i < target.rest.size(); ++i) target.rest[i].translation *= 0.5f;
     const model::Rig source = dancer();
-    ASSERT_EQ(retarget::add_clips(target, source, {}).mode, retarget::Mode::motion);  // half the offsets: no agreement
+    // half the offsets: not compatible
+    ASSERT_EQ(retarget::add_clips(target, source, {}).mode, retarget::Mode::motion);
     for (size_t i = 2; i < target.rest.size(); ++i) target.rest[i].translation *= 2.0f;
     target.rest[0].scale = glm::vec3(1);
     target.rest[1].translation *= 2.0f;
@@ -160,7 +161,7 @@ TEST(Channels, OfAFileOfClipsAloneMoveACharacterOfAnotherFile)
                 << name;
 }
 
-TEST(AddClips, SaysWhatIsNotBoundAndRefusesWhereNothingIs)
+TEST(AddClips, ReportsUnboundJointsAndRefusesIfNoneIsBound)
 {
     std::vector<Bone> bones = person(1, 0);
     bones.push_back({"tail", "hips", {0, 0, -0.1f}});
@@ -179,7 +180,7 @@ TEST(AddClips, SaysWhatIsNotBoundAndRefusesWhereNothingIs)
     map.joints = {{"hips", "a"}, {"spine", "b"}, {"nose", "b"}, {"head", "c"}};
     EXPECT_EQ(retarget::add_clips(stranger, source, map).warnings.size(), 2u);
     map.joints.push_back({"head", "b"});
-    EXPECT_NE(refusal(stranger, source, map).find("moves joint 'b' by 'spine' and by 'head'"), std::string::npos);
+    EXPECT_NE(refusal(stranger, source, map).find("binds joint 'b' to both 'spine' and 'head'"), std::string::npos);
 }
 
 TEST(AddClips, TakesClipsByNameAndNumbersNamesThatAreTaken)

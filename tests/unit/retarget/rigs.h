@@ -1,4 +1,4 @@
-// Small rigs with motion for tests of retargeting, and their poses by a few lines of their own in double precision.
+// Small rigs with motion for tests of retargeting, posed by independent code in double precision.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -16,7 +16,7 @@ struct Bone {
     glm::vec3 offset;
 };
 
-// A person of 13 joints, legs straight down; arms down by so many degrees from level.
+// A biped of 13 joints with straight legs; arms down by this many degrees from horizontal.
 inline std::vector<Bone> person(float size, float arms_down_deg)
 {
     const float a = arms_down_deg * 0.01745329f, c = std::cos(a), s = std::sin(a);
@@ -98,7 +98,7 @@ struct Posed {
     glm::dvec3 of(const model::Rig &rig, const char *name) const { return places[rig.find_node(name)]; }
 };
 
-// At a key of a clip whose channels all have the same keys; scales are not looked at.
+// At a key of a clip whose channels all have the same keys; ignores scales.
 inline Posed posed(const model::Rig &rig, uint32_t clip, uint32_t key)
 {
     std::vector<glm::dquat> locals;

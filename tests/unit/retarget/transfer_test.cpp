@@ -1,4 +1,4 @@
-// Motion between skeletons that differ, by what must hold whatever the way it is computed.
+// Retargeting of motion between different skeletons, by properties that hold for any algorithm.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ retarget::Options motion_at_keys()
     retarget::Options options;
     options.mode = retarget::Mode::motion;
     options.travel = retarget::RootTravel::keep;
-    options.rate_hz = 10;  // as the keys of the source are
+    options.rate_hz = 10;  // the rate of the source's keys
     return options;
 }
 
@@ -64,7 +64,7 @@ TEST(Transfer, AlignedLimbsPointWhereThoseOfTheSourcePoint)
     for (uint32_t k = 0; k < 12; ++k) {
         const Posed s = posed(source, 0, k), t = posed(target, 0, k);
         for (const auto &limb : limbs) {
-            if (std::string(limb[0]) == "hips") continue;  // has three bones: no direction of its own
+            if (std::string(limb[0]) == "hips") continue;  // three bones: no direction of its own
             const glm::dvec3 own = glm::normalize(t.of(target, limb[1]) - t.of(target, limb[0]));
             const glm::dvec3 other = glm::normalize(s.of(source, limb[1]) - s.of(source, limb[0]));
             EXPECT_LT(glm::distance(own, other), 1e-5) << limb[0] << " at key " << k;
@@ -84,10 +84,10 @@ TEST(Transfer, JointsThatKeepTheirRestTurnFromItAsTheSourceTurns)
     }
 }
 
-TEST(Transfer, ASourceWithAnotherAxisUpIsStoodUp)
+TEST(Transfer, ASourceWithAnotherUpAxisIsRotated)
 {
     const model::Rig source = source_of(1, 10);
-    // The same, told with Z up and looking along -Y, as other programs have it.
+    // The same rig with Z up and facing -Y, as other programs write it.
     std::vector<Bone> bones = person(1, 10);
     for (Bone &bone : bones) bone.offset = glm::vec3(bone.offset.x, -bone.offset.z, bone.offset.y);
     model::Rig lying = rig_of(bones);
@@ -110,7 +110,7 @@ TEST(Transfer, AxesAndScalesAboveTheTargetDoNotShow)
 {
     const model::Rig source = source_of(1, 0);
     model::Rig plain = rig_of(person(1, 0));
-    // Everything a hundred times smaller and lying, under a node that puts it right.
+    // Everything a hundred times smaller and lying, under a node that corrects it.
     std::vector<Bone> bones = {{"armature", "", {0, 0, 0}}};
     for (Bone bone : person(1, 0)) {
         bone.offset = glm::vec3(bone.offset.x, -bone.offset.z, bone.offset.y) * 0.01f;
@@ -196,7 +196,7 @@ TEST(Transfer, InPlaceEndsOverItsStartAndKeepTravelsTheScaledDistance)
     EXPECT_EQ(target.clip_names[1], "dance.2");
 }
 
-TEST(Transfer, AClipThatClosesEndsInItsFirstPoseAndBeginsAsBefore)
+TEST(Transfer, ALoopedClipEndsInItsFirstPoseAndBeginsUnchanged)
 {
     const model::Rig source = source_of(1, 0, 31);
     model::Rig open = rig_of(person(1, 20)), closed = rig_of(person(1, 20));
@@ -211,7 +211,7 @@ TEST(Transfer, AClipThatClosesEndsInItsFirstPoseAndBeginsAsBefore)
     }
 }
 
-TEST(Transfer, PartOfAClipIsTakenAtTheRateThatIsAskedFor)
+TEST(Transfer, PartOfAClipIsSampledAtTheRequestedRate)
 {
     const model::Rig source = source_of(1, 0, 31);
     model::Rig target = rig_of(person(1, 0));

@@ -1,4 +1,5 @@
-// The ways of 128-bit lanes that a processor does not take by itself, and memory that is no better aligned than asked for.
+// Kernels of 128-bit lanes that a processor does not choose by itself, and memory with no more than the requested
+// alignment.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -13,7 +14,7 @@ namespace claque::skin
 namespace
 {
 
-// A host's memory at its worst: every address is a multiple of the alignment asked for, and not of twice that.
+// The worst memory of a host: every address is a multiple of the requested alignment, and not of twice that.
 class BarelyAligned : public std::pmr::memory_resource
 {
     void *do_allocate(size_t bytes, size_t alignment) override

@@ -1,3 +1,4 @@
+// Packed vertices: rounding, ranges and equal bits on every kernel.
 #include "lib/skin/pack.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ TEST(Pack, PutsEveryPositionOnTheNearestStepAndEveryNormalNearItsDirection)
         const int16_t p[3] = {got.positions[v].x, got.positions[v].y, got.positions[v].z};
         for (size_t k = 0; k < 3; ++k) {
             const double exact = (double(positions[3 * v + k]) - range.offset[k]) / double(range.step);
-            ASSERT_NEAR(p[k], exact, 0.51) << v;  // what single precision adds to a half
+            ASSERT_NEAR(p[k], exact, 0.51) << v;  // single precision adds this to a half
         }
         ASSERT_EQ(got.positions[v].w, 1);
         const double n[3] = {normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]};
@@ -115,7 +116,7 @@ TEST(Pack, GivesTheSameBitsWithEveryKernelAndCount)
     }
 }
 
-TEST(Pack, KeepsWhatIsOutOfRangeOrNoNumberWithinTheRange)
+TEST(Pack, ClampsOutOfRangeNumbersAndNaN)
 {
     const float infinite = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> odd = {infinite, -infinite, nan, 1e30f, -1e30f, 0, 1e-40f, 0, -0.0f, nan, 0, 1};

@@ -1,4 +1,4 @@
-// Vertices that kernels pack as they skin, against floats that are packed afterwards.
+// Vertices that kernels pack while skinning, compared with floats that are packed afterwards.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace claque::skin
 {
 
-// The job has run, with floats; it runs again. Not a bit may differ, and nothing behind the last vertex be touched.
+// The job has run with floats; it runs again. All bits must be equal, and nothing behind the last vertex changes.
 inline void expect_packed_as_afterwards(SkinJob job)
 {
     const uint32_t count = job.level->vertex_count, room = count + 8;

@@ -1,4 +1,4 @@
-// How a level's vertices are grouped for skinning, and that no grouping changes a bit.
+// Grouping a level's vertices for skinning; no grouping changes a bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct PlanMade {
     std::vector<float> weights;
 };
 
-// One run; vertex after vertex the lists of joints and weights that `made` says.
+// One run; `made` gives the lists of joints and weights vertex by vertex.
 model::Level level_of(uint32_t influences, const std::vector<PlanMade> &made, uint32_t copies = 0)
 {
     std::mt19937 random(uint32_t(5 + made.size()));
@@ -40,7 +40,7 @@ model::Level level_of(uint32_t influences, const std::vector<PlanMade> &made, ui
     return level;
 }
 
-// `groups`: how many vertices follow each list of joints, one after another; the first two changed over now and then.
+// `groups`: how many vertices follow each list of joints, one after another; the first two are swapped now and then.
 std::vector<PlanMade> grouped(const std::vector<uint32_t> &groups, uint32_t influences, uint32_t weights_of_each)
 {
     std::mt19937 random(3);
@@ -83,7 +83,7 @@ PlanResult run(const model::Level &level, Normals normals, SimdLevel simd_level)
     job.out_normals = {out.normals.data(), uint32_t(floats)};
     EXPECT_TRUE(job.check().ok()) << job.check().text;
     job.run();
-    for (size_t i = floats; i < floats + 8; ++i) {  // nothing behind the last vertex is touched
+    for (size_t i = floats; i < floats + 8; ++i) {  // nothing behind the last vertex changes
         EXPECT_EQ(out.positions[i], -77.0f);
         EXPECT_EQ(out.normals[i], -77.0f);
     }
@@ -122,14 +122,14 @@ void expect_covered(const model::Level &level)
 
 }  // namespace
 
-TEST(SkinPlan, PutsNeighboursOnTheSameEntriesIntoBlocksAndFewOthersByThemselves)
+TEST(SkinPlan, PutsVerticesOfTheSameEntriesIntoBlocksAndFewSingly)
 {
     model::Level level = level_of(2, grouped({20, 3, 8, 5}, 2, 9));
     model::plan_skinning(level);
     expect_covered(level);
     const auto &segments = level.skinning.segments;
     ASSERT_EQ(segments.size(), 3u);
-    EXPECT_EQ(segments[0].method, SkinMethod::block);  // 16 of the 20; four are fewer than a block is worth
+    EXPECT_EQ(segments[0].method, SkinMethod::block);  // 16 of the 20; four are too few for a block
     EXPECT_EQ(segments[0].count, 16u);
     EXPECT_EQ(segments[1].method, SkinMethod::vertex);
     EXPECT_EQ(segments[1].count, 4u + 3u);
@@ -159,7 +159,7 @@ TEST(SkinPlan, BlendsOnceForVerticesThatShareJointsAndWeights)
     expect_no_bit_changed(level);
 }
 
-TEST(SkinPlan, TakesListsWhoseFirstTwoEntriesAreChangedOverAsTheSame)
+TEST(SkinPlan, TreatsListsWithSwappedFirstEntriesAsEqual)
 {
     const uint16_t a[4] = {1, 2, 3, 4}, b[4] = {2, 1, 3, 4}, c[4] = {1, 3, 2, 4};
     EXPECT_TRUE(model::same_entries(a, b, 2));
@@ -179,7 +179,8 @@ TEST(SkinPlan, ChangesNoBitWhateverTheGroups)
         }
 }
 
-// As clq_simd says of CLQ_SIMD_FMA: the other kernels' numbers but for a few units of the last place of the largest term.
+// The promise of clq_simd for CLQ_SIMD_FMA: the other kernels' numbers up to a few units in the last place of the
+// largest term.
 TEST(SkinPlan, WithFusedMultiplyAddDiffersByAFewUnitsOfTheLastPlace)
 {
     if (!can_run(SimdLevel::fma)) GTEST_SKIP() << "this processor has no fused multiply-add";
@@ -194,7 +195,7 @@ TEST(SkinPlan, WithFusedMultiplyAddDiffersByAFewUnitsOfTheLastPlace)
                 most = std::max(most, std::fabs(a.normals[i] - b.normals[i]));
             }
         }
-    EXPECT_GT(most, 0);      // else it is not what was asked for
+    EXPECT_GT(most, 0);      // otherwise it did not use FMA
     EXPECT_LT(most, 2e-6f);  // sums of up to 16 products of numbers below 1
 }
 

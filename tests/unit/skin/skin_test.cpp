@@ -1,3 +1,4 @@
+// Skinning, compared with the textbook's sum in double and between kernels.
 #include "lib/skin/skin.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ Result run(const model::Level &level, base::Span<const math::Affine> palette, ba
     job.out_normals = {out.normals.data(), 3 * level.vertex_count};
     EXPECT_TRUE(job.check().ok()) << job.check().text;
     job.run();
-    EXPECT_EQ(out.positions.back(), -77.0f);  // nothing behind the last vertex is touched
+    EXPECT_EQ(out.positions.back(), -77.0f);  // nothing behind the last vertex changes
     EXPECT_EQ(out.normals.back(), -77.0f);
     expect_packed_as_afterwards(job);
     return out;
@@ -104,7 +105,7 @@ TEST_P(Skin, AgreesWithTheTextbookSumInDouble)
 {
     for (const model::Level &level : figure_->levels) {
         const auto palette = workspace_->pose(clip_walk, 0.4);
-        ASSERT_NE(workspace_->weights()[0], 0);  // morph targets are at work
+        ASSERT_NE(workspace_->weights()[0], 0);  // morph targets are active
         const Result got = run(level, palette, workspace_->weights(), how_, SimdLevel::simd128);
         std::vector<double> positions, normals;
         reference(level, palette, workspace_->weights(), how_, positions, normals);
@@ -131,7 +132,7 @@ TEST_P(Skin, AllKernelsGiveTheSameBits)
     }
 }
 
-// Every length of a run, so that the last vertices of the wide kernel are met alone and in pairs.
+// Every length of a run, so that the last vertices of the wide kernel occur alone and in pairs.
 TEST(SkinRuns, OfAnyLengthAndNumberOfInfluencesAreTheSameInAllKernels)
 {
     std::vector<math::Affine> palette(9);

@@ -1,4 +1,5 @@
-// The herald from afar, in the rest pose: what is left when limbs have stopped, and at last one body with wings.
+// The coarse levels of the herald in the rest pose: what remains after limbs are deactivated, and finally one body with
+// wings.
 #include "lib/figures/flyer/herald/herald.h"
 
 namespace claque::figures::flyer::herald

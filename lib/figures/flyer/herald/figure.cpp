@@ -1,4 +1,4 @@
-// The herald's nodes, pieces with their distances, charts, zones and gait.
+// The herald's nodes, pieces with their distances, charts, zones and flight style.
 #include "lib/figures/figure.h"
 #include "lib/figures/flyer/herald/herald.h"
 
@@ -26,7 +26,7 @@ const Joints joints = {{{Node::body, {0, 0, 0}},
                         {Node::spine, {-0.166f, 0.395f, -0.012f}},
                         {Node::body, {0, -0.100f, 0}}}};
 
-// Each with distances of its own (S0 5.1).
+// Each piece has distances of its own (S0 5.1).
 std::vector<Piece> pieces()
 {
     return {

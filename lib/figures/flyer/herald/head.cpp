@@ -1,4 +1,4 @@
-// Head, with its wreath, and what moves in the face.
+// The head with its wreath, and the moving parts of the face.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -15,7 +15,7 @@ struct Meridian {
     std::vector<float> heights;
 };
 
-// The left half, from the middle of the face to the nape; the crown closes them.
+// The left half, from the middle of the face to the nape; the crown closes the meridians.
 const std::vector<Meridian> fine = {
     {0,
      {-0.142f, -0.077f, -0.0725f, -0.062f, -0.0525f, -0.044f, -0.031f, 0.000f, 0.038f, 0.060f, 0.084f, 0.112f, 0.129f}},
@@ -49,7 +49,7 @@ const std::vector<Meridian> coarsest = {
 
 constexpr float crown = 0.137f;
 
-// Swollen by as much as coarse meridians cut off.
+// Enlarged to make up for what coarse meridians cut off.
 void add_skull(MeshBuilder &to, Chart chart, Sculpt sculpt, const std::vector<Meridian> &half, float swell)
 {
     std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
@@ -69,7 +69,7 @@ void add_skull(MeshBuilder &to, Chart chart, Sculpt sculpt, const std::vector<Me
     to.sheet(chart, Winding::as_given, meridians);
 }
 
-// Leaves of a wreath over the temples: each a small roof whose underside is the hair.
+// Leaves of a wreath over the temples: each is a small roof with the hair as its underside.
 void add_wreath(MeshBuilder &to, int level)
 {
     const int leaves = level == 0 ? 4 : 3;
@@ -145,7 +145,7 @@ void add_jaw(Mesh &mesh, int level)
     std::vector<std::vector<MeshBuilder::SheetVertex>> skin, mouth;
     for (const float angle : angles) {
         std::vector<MeshBuilder::SheetVertex> stops;
-        const bool rim = angle == angles.front() || angle == angles.back();  // turned in, so that no slit opens
+        const bool rim = angle == angles.front() || angle == angles.back();  // turned in, so that no gap opens
         for (const float h : heights) {
             glm::vec3 p = on_head(angle, h, Sculpt::jaw);
             if (rim) p -= glm::vec3(0.4f * (p.x - head_centre.x), 0, 0.018f);
@@ -168,7 +168,7 @@ void add_brow(Mesh &mesh, int level)
 {
     MeshBuilder to(mesh);
     const int n = level == 0 ? 2 : 1;
-    const float lift = level == 0 ? 0 : 0.004f;  // over coarser foreheads
+    const float lift = level == 0 ? 0 : 0.004f;  // above coarser foreheads
     for (const Side side : {Side::left, Side::right}) {
         std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
         for (int i = 0; i <= n; ++i) {

@@ -1,5 +1,5 @@
 // The pieces of the herald: a winged youth in a pleated tunic with a trumpet and a scroll, 1.6 m from crown to toes,
-// his wings 3.5 m across. Each function adds one level of one piece.
+// with wings 3.5 m across. Each function adds one level of one piece.
 #pragma once
 
 #include "lib/figures/flyer/shapes.h"
@@ -19,9 +19,9 @@ constexpr Chart head_chart = own_chart(0), far_head_chart = own_chart(1), eye_ch
 const glm::vec3 head_centre(0, 0.675f, 0), eye_left(0.0385f, 0.6930f, 0.0575f), jaw_joint(0, 0.625f, 0.010f);
 constexpr float eye_radius = 0.0270f;
 
-// Where the hair begins: height over the head's centre, by the angle from straight ahead.
+// The height of the hairline over the head's centre, by the angle from straight ahead.
 float hairline(float angle);
-// What a chart's s, 0 ahead to 1 behind, means as an angle, and back.
+// Converts a chart's s, 0 in front to 1 behind, to an angle, and back.
 float angle_of(float s);
 float s_of(float angle);
 
@@ -41,7 +41,8 @@ void add_arm_left(Mesh &mesh, int level);
 void add_arm_right(Mesh &mesh, int level);
 void add_legs(Mesh &mesh, int level);
 void add_far_trumpet(Mesh &mesh);
-// With what has stopped: from where limbs stop, chest with head and arms, and hips with legs; at last everything.
+// Levels that include deactivated pieces: from the distance where limbs are deactivated, chest with head and arms, and
+// hips with legs; finally everything.
 void add_bust(Mesh &mesh, int level);
 void add_lower_half(Mesh &mesh, int level);
 void add_whole(Mesh &mesh, int level);
@@ -51,8 +52,8 @@ Paint paint(const Texel &texel);
 // The surface of the head at an angle and a height over its centre.
 enum class Sculpt : uint8_t {
     near,  // with sockets for the eyes and a hollow for the jaw
-    jaw,   // what fills that hollow
-    far    // smooth, for faces that are painted whole
+    jaw,   // fills that hollow
+    far    // smooth, for faces that are only painted
 };
 glm::vec3 on_head(float angle, float height, Sculpt sculpt);
 

@@ -1,4 +1,4 @@
-// Arms, one with a trumpet and one with a scroll, and legs with winged sandals. Sleeves and skirt hide the joints.
+// Arms, one with a trumpet and one with a scroll, and legs with winged sandals. Sleeves and skirt cover the joints.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/flyer/herald/herald.h"
@@ -9,10 +9,10 @@ namespace claque::figures::flyer::herald
 namespace
 {
 
-// Measured from the left shoulder; the right one is mirrored.
+// Relative to the left shoulder; the right arm is mirrored.
 struct ArmPose {
     glm::vec3 upper, fore;  // directions
-    glm::vec3 thumb;        // whither it points
+    glm::vec3 thumb;        // direction of the thumb
 };
 const glm::vec3 shoulder(0.166f, 0.395f, -0.012f);
 
@@ -74,7 +74,7 @@ void add_arm(MeshBuilder &to, int level, Side side)
     }
 }
 
-// A long straight one, held where its weight is; mouthpiece behind the fist, the bell ahead.
+// A long straight trumpet, held at its centre of weight; mouthpiece behind the fist, bell ahead.
 void add_trumpet(MeshBuilder &to, int level)
 {
     const glm::vec3 fist = mirrored(fist_of(Side::right), Side::right);
@@ -90,7 +90,7 @@ void add_trumpet(MeshBuilder &to, int level)
         {at(-0.305f), 0, 0, 0},
     };
     std::vector<Ring> rings = rings_along(beads, glm::vec3(0, 1, 0));
-    // The bell's mouth looks against the way of the string, so its frame is set by the tube's own direction.
+    // The bell opens against the direction of the path, so its frame comes from the tube's own direction.
     for (Ring &ring : rings) {
         ring.ez = glm::normalize(glm::vec3(0, 1, 0) - d * d.y);
         ring.ex = glm::cross(d, ring.ez);
@@ -142,7 +142,7 @@ void add_leg(MeshBuilder &to, int level, Side side)
     else if (level == 2) add_tube(to, {leg_chart, side, 3}, pick(rings, {0, 3, 6, 7}));
     else add_tube(to, {leg_chart, side, 3}, pick(rings, {0, 3, 7}));
     if (level > 0) return;
-    // The sandal's little wing, outside and behind the ankle: a thin wedge, seen from both sides.
+    // The small wing of the sandal, outside and behind the ankle: a thin wedge, visible from both sides.
     const glm::vec3 root = calf(0.245f) + glm::vec3(0.031f, 0, -0.012f), out(0.040f, 0.030f, -0.055f);
     const glm::vec3 tip = root + out * 2.0f, top = root + glm::vec3(0.006f, 0.052f, -0.004f);
     const glm::vec3 low = root + out * 0.9f + glm::vec3(0, -0.030f, -0.012f);

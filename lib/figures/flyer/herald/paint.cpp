@@ -53,7 +53,7 @@ Paint collar(const Texel &t)
 
 Paint sleeve(const Texel &t)
 {
-    // t.st.y is 0 at the shoulder's tip and falls along the arm; the hem follows at about -0.26.
+    // t.st.y is 0 at the top of the shoulder and decreases along the arm; the hem is at about -0.26.
     const float g = 220 + 16 * (value_noise(t.st.x * 18, t.st.y * 9, 13) - 0.5f);
     if (t.st.y < -0.270f) return {100, Zone::tunic};
     if (t.st.y < -0.222f) return {g - 14, Zone::border};
@@ -65,7 +65,7 @@ Paint arm(const Texel &t)
     float g = 224 - 10 * value_noise(t.st.x * 4, t.st.y * 12, 14);
     if (t.st.y < -0.315f && t.st.y > -0.345f) return {214 - 40 * spot(t.st.y + 0.330f, 0.006f), Zone::jewellery};
     if (t.st.y < -0.40f) {
-        // Fingers folded round what they hold.
+        // Fingers folded round the object that they hold.
         const float finger = t.st.x * 11, gap = std::fabs(finger - std::floor(finger) - 0.5f);
         g -= 46 * spot(gap - 0.5f, 0.16f);
     }
@@ -74,7 +74,7 @@ Paint arm(const Texel &t)
 
 Paint leg(const Texel &t)
 {
-    // From 0 at the hip; the ankle follows at about -0.60, the toes at -0.78.
+    // From 0 at the hip; the ankle is at about -0.60, the toes at -0.78.
     const float y = t.st.y, front = 1 - 2 * std::fabs(t.st.x - 0.5f);
     float g = 222 + 8 * front - 12 * spot(y + 0.37f, 0.03f) * front;
     if (y < -0.635f) {
@@ -148,7 +148,7 @@ Paint colour(const Texel &t)
 Paint paint(const Texel &t)
 {
     Paint p = colour(t);
-    // Cloth and wings bring their own shades: what moves about them leaves none that stay.
+    // Cloth and wings have painted shades; parts that move near them leave no permanent shadow.
     const bool shaded = t.chart == head_chart || t.chart == jaw_chart || t.chart == neck_chart ||
                         t.chart == collar_chart || t.chart == lining_chart || t.chart == leg_chart;
     if (shaded) p.luminance *= 0.70f + 0.30f * smoothstep(0.10f, 0.80f, t.ambient_visibility);

@@ -1,3 +1,4 @@
+// Paints the herald's head: face, jaw, eyes, lids and hair.
 #include <cmath>
 
 #include "lib/figures/brush.h"
@@ -63,7 +64,7 @@ Paint paint_whole_head(const Texel &t)
     if (over > 0) return hair(t.st, over);
     const glm::vec2 q(std::fabs(p.x), p.y);
     if (p.z < 0.01f || q.y < -0.11f) {
-        // The ear is painted where it would stand.
+        // The ear is painted at its place.
         const glm::vec2 e(p.z, p.y);
         const float ear = spot(e, {-0.012f, -0.012f}, {0.024f, 0.036f});
         return {222 - 50 * spot(e, {-0.008f, -0.008f}, {0.010f, 0.016f}) - 20 * ear - 24 * spot(over, 0.008f),
@@ -89,7 +90,7 @@ Paint paint_jaw(const Texel &t)
     return {g, Zone::skin};
 }
 
-// The whole face in one picture, larger than life, for heads whose features are no longer shapes.
+// The whole face in one picture, with enlarged features, for heads without sculpted features.
 Paint paint_far_head(const Texel &t)
 {
     const float angle = angle_of(std::fabs(t.st.x));

@@ -1,5 +1,5 @@
-// The head as one function of angle and height, which every level of detail samples: profiles in front, at the side
-// and behind, then nose, sockets, lips, cheeks and hair.
+// The head as one function of angle and height, which every level of detail samples: profiles in front, at the side and
+// behind, then nose, sockets, lips, cheeks and hair.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -25,7 +25,7 @@ constexpr glm::vec2 back[] = {{-0.150f, 0.030f}, {-0.100f, 0.058f}, {-0.060f, 0.
 constexpr glm::vec2 nose[] = {{-0.053f, 0.000f}, {-0.046f, 0.012f}, {-0.036f, 0.0265f}, {-0.028f, 0.0265f},
                               {0.010f, 0.010f},  {0.040f, 0.002f},  {0.060f, 0}};
 
-// How far the hair stands off, with tufts.
+// The thickness of the hair, with tufts.
 float hair(float angle, float height)
 {
     const float over = height - hairline(std::fabs(angle));

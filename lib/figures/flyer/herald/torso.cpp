@@ -1,5 +1,5 @@
-// Neck, chest with its torque, the pleated skirt, and where the wings are. What is above reaches into what is below, so that no turn opens
-// a gap: the neck stands in the torque, the chest blouses over the belt.
+// Neck, chest with its torque, the pleated skirt, and the wings. Each upper piece reaches into the lower one, so that
+// no rotation opens a gap: the neck stands in the torque, the chest blouses over the belt.
 #include "lib/figures/flyer/herald/herald.h"
 #include "lib/figures/flyer/wing.h"
 
@@ -78,7 +78,7 @@ void add_skirt(Mesh &mesh, int level)
              level == 0   ? skirt
              : level == 1 ? pick(skirt, {0, 2, 3, 4})
                           : pick(skirt, {0, 4}));
-    // Seen from below: rings that go the other way round.
+    // Seen from below: these rings run the other way round.
     add_tube(to, {lining_chart, Side::left, around, pleat}, lining);
 }
 

@@ -1,4 +1,4 @@
-// Ruff, chest, belly, feet with talons, tail and wings, and what is left of them from afar.
+// Ruff, chest, belly, feet with talons, tail and wings, and their coarse levels.
 #include <glm/geometric.hpp>
 
 #include "lib/figures/flyer/owl/owl.h"
@@ -9,7 +9,8 @@ namespace claque::figures::flyer::owl
 namespace
 {
 
-const std::vector<Ring> ruff = {{{0, 0.110f, 0.000f}, 0.165f, 0.150f, 0.140f, -0.5f},  // far down, for when it looks up
+// Extends far down, for when the owl looks up.
+const std::vector<Ring> ruff = {{{0, 0.110f, 0.000f}, 0.165f, 0.150f, 0.140f, -0.5f},
                                 {{0, 0.200f, 0.000f}, 0.185f, 0.165f, 0.170f, 0.0f},
                                 {{0, 0.255f, 0.000f}, 0.245f, 0.200f, 0.205f, 0.4f},
                                 {{0, 0.330f, 0.000f}, 0.225f, 0.180f, 0.195f, 0.8f},
@@ -62,7 +63,7 @@ void add_letter(Mesh &mesh, int level)
     add_tube(to, {letter_chart, Side::left, level == 0 ? 7 : 4}, level == 0 ? rings : pick(rings, {1, 2}));
 }
 
-// A fan of feathers, seen from both sides.
+// A fan of feathers, visible from both sides.
 void add_fan(Mesh &mesh, int level)
 {
     const int feathers = level == 0 ? 5 : level == 1 ? 3 : 1;

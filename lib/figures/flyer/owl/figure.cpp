@@ -1,4 +1,4 @@
-// The owl's nodes, pieces with their distances, charts, zones and gait.
+// The owl's nodes, pieces with their distances, charts, zones and flight style.
 #include "lib/figures/figure.h"
 #include "lib/figures/flyer/owl/owl.h"
 

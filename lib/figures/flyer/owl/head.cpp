@@ -1,4 +1,4 @@
-// A broad head with two dishes for the eyes, beak and tufts.
+// A broad head with two facial discs, beak and tufts.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -71,7 +71,7 @@ void add_skull(MeshBuilder &to, Chart chart, const std::vector<Meridian> &half, 
     to.sheet(chart, Winding::as_given, meridians);
 }
 
-// Tufts over the outer ends of the dishes.
+// Tufts over the outer ends of the discs.
 void add_tuft_pair(Mesh &mesh)
 {
     for (const Side side : {Side::left, Side::right}) {

@@ -1,5 +1,5 @@
-// The pieces of the owl that carries letters: 1.5 m from tufts to tail, wings 3.1 m across, on the same nodes as the
-// herald: its feet are what he has as arms, its tail what he has as legs.
+// The pieces of the owl that carries letters: 1.5 m from tufts to tail, wings 3.1 m across. It has the nodes of the
+// herald, with feet as its arms and a tail as its legs.
 #pragma once
 
 #include "lib/figures/flyer/wing.h"
@@ -23,7 +23,7 @@ void add_eye_left(Mesh &mesh, int level);
 void add_eye_right(Mesh &mesh, int level);
 void add_lids(Mesh &mesh, int level);
 void add_beak(Mesh &mesh, int level);   // the lower half
-void add_tufts(Mesh &mesh, int level);  // which are its brows
+void add_tufts(Mesh &mesh, int level);  // as brows
 void add_ruff(Mesh &mesh, int level);
 void add_chest(Mesh &mesh, int level);
 void add_belly(Mesh &mesh, int level);

@@ -1,3 +1,4 @@
+// Paints the owl: plumage, head, eyes and letter.
 #include <cmath>
 
 #include "lib/figures/brush.h"
@@ -9,7 +10,7 @@ namespace claque::figures::flyer::owl
 namespace
 {
 
-// Feathers like tiles: rounded ends that hang down over the next row, and a dark quill.
+// Feathers like tiles: rounded ends that overlap the next row, and a dark quill.
 float tiles(float across, float up)
 {
     const float row = std::floor(up), shifted = across + 0.5f * (row - 2 * std::floor(row / 2));

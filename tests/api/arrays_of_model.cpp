@@ -1,8 +1,8 @@
-#include "lib/api/assets/asset_handle.h"
+#include "tests/api/arrays_of_model.h"
 
 #include <cmath>
 
-namespace claque::api
+namespace claque::test
 {
 
 namespace
@@ -22,15 +22,14 @@ clq_channel_def channel_of(const model::Rig &rig, const model::Channel &channel)
 
 }  // namespace
 
-TemplateDef::TemplateDef(const clq_asset &asset) : def(clq_template_def_init())
+ArraysOfModel::ArraysOfModel(const model::Model &model) : def(clq_template_def_init())
 {
-    const model::Model &model = asset.model;
     add_rig(model);
-    add_materials(model);
+    add_looks(model);
     for (const model::Part &part : model.parts)
         if (!part.hidden) add_part(model, part);
     add_clips(model);
-    add_markers(asset);
+    add_notes(model);
     def.name = model.name.c_str();
     def.node_count = static_cast<uint32_t>(nodes_.size());
     def.nodes = nodes_.data();
@@ -58,7 +57,7 @@ TemplateDef::TemplateDef(const clq_asset &asset) : def(clq_template_def_init())
     def.texture_sets = texture_sets_.data();
 }
 
-void TemplateDef::add_rig(const model::Model &model)
+void ArraysOfModel::add_rig(const model::Model &model)
 {
     const model::Rig &rig = model.rig;
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
@@ -95,7 +94,7 @@ void TemplateDef::add_rig(const model::Model &model)
     }
 }
 
-void TemplateDef::add_materials(const model::Model &model)
+void ArraysOfModel::add_looks(const model::Model &model)
 {
     for (const model::Image &image : model.images)
         images_.push_back({image.name.c_str(), image.width, image.height, image.rgba.data(),
@@ -124,7 +123,7 @@ void TemplateDef::add_materials(const model::Model &model)
     }
 }
 
-void TemplateDef::add_part(const model::Model &model, const model::Part &part)
+void ArraysOfModel::add_part(const model::Model &model, const model::Part &part)
 {
     const std::vector<std::array<uint32_t, 3>> triangles = model::triangles_of(part);
     if (triangles.empty()) return;
@@ -162,7 +161,7 @@ void TemplateDef::add_part(const model::Model &model, const model::Part &part)
     parts_.push_back(out);
 }
 
-void TemplateDef::add_clips(const model::Model &model)
+void ArraysOfModel::add_clips(const model::Model &model)
 {
     const model::Rig &rig = model.rig;
     // A morph set whose parts were all left out is unknown to the template: so are the channels that animate it.
@@ -185,13 +184,13 @@ void TemplateDef::add_clips(const model::Model &model)
     }
 }
 
-void TemplateDef::add_markers(const clq_asset &asset)
+void ArraysOfModel::add_notes(const model::Model &model)
 {
-    const model::Rig &rig = asset.model.rig;
+    const model::Rig &rig = model.rig;
     for (size_t i = 0; i < rig.markers.size(); ++i)
         markers_.push_back({rig.markers[i].clip, rig.markers[i].time_s, rig.marker_names[i].c_str()});
-    for (const asset::RootMotionRequest &motion : asset.root_motions)
+    for (const model::RootMotionRequest &motion : model.root_motions)
         root_motions_.push_back({motion.clip, motion.node});
 }
 
-}  // namespace claque::api
+}  // namespace claque::test

@@ -1,0 +1,73 @@
+// One actor of a saved crowd, in the order of save_actors.cpp.
+#include "lib/crowd/edits.h"
+#include "lib/crowd/restore.h"
+#include "lib/crowd/rows.h"
+
+namespace claque::crowd
+{
+
+using base::fail;
+using model::none;
+
+namespace
+{
+
+void read_group(Reader &in, Crowd &out, uint32_t row)
+{
+    uint32_t group = none;
+    in.value(group);
+    if (group == none) return;
+    if (group >= out.group_count() || !out.tables.groups.all.in_use(group))
+        fail(CLQ_FORMAT, "a saved crowd's actor %u is in group %u, which there is not", row, group);
+    enter_group(out, row, group);
+}
+
+void read_columns(Reader &in, Crowd &out, Id id)
+{
+    Transform transform;
+    Play playing;
+    float priority = 0, up = 0, down = 0;
+    walk_transform(in, transform), walk_play(in, playing);
+    in.value(priority), in.value(up), in.value(down);
+    set_transforms(out, &id, &transform, 1);
+    play(out, id, playing);
+    set_priority(out, id, priority);
+    if (up != 0 || down != 0) follow_ground(out, id, up, down);
+}
+
+void read_colours(Reader &in, Tables &out, uint32_t row)
+{
+    bool own = false;
+    in.flag(own);
+    if (!own) return;
+    const uint32_t bytes = out.colours[out.actors.all[row].tmpl].stride();
+    if (bytes == 0) fail(CLQ_FORMAT, "a saved crowd's actor %u has colours of no zone", row);
+    uint8_t *rgb = make_colours(out, row);
+    for (uint32_t i = 0; i < bytes; ++i) in.value(rgb[i]);
+}
+
+void read_actor(Reader &in, Crowd &out, uint32_t row)
+{
+    ActorRow &actor = out.tables.actors.all[row];
+    const Id id = out.id_of(row);
+    uint32_t texture_set = 0;
+    in.value(actor.tmpl), in.value(actor.seed), in.value(texture_set);
+    template_at(out.tables, actor.tmpl);
+    if (texture_set == random_texture_set) fail(CLQ_FORMAT, "a saved crowd's actor %u has no texture set", row);
+    set_texture_set(out, id, texture_set);
+    read_group(in, out, row);
+    read_columns(in, out, id);
+    read_colours(in, out.tables, row);
+    read_uses(in, out, row);
+    read_layer_state(in, out, row);
+}
+
+}  // namespace
+
+void read_actors(Reader &in, Crowd &out)
+{
+    const auto append = [&](uint32_t generation) { append_row(out.tables, generation); };
+    read_rows(in, "actor", out.tables.actors.all, append, [&](uint32_t row) { read_actor(in, out, row); });
+}
+
+}  // namespace claque::crowd

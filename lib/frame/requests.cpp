@@ -1,0 +1,85 @@
+// Chooses what each visible candidate shows in this update: one clip, layers in memory of this update, or key-poses.
+#include <algorithm>
+
+#include "lib/behave/active_clips.h"
+#include "lib/frame/steps.h"
+#include "lib/pose/clock.h"
+
+namespace claque::frame
+{
+
+void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) const
+{
+    const crowd::Crowd &crowd = given.crowd;
+    const uint32_t row = request.row;
+    if (!crowd.behaviours().has_mechanisms(row) && !crowd.layers().of(row)) {
+        const crowd::Play &play = crowd.play_of(row);
+        request.pose.clip = play.clip;
+        if (play.clip != model::none)
+            request.pose.clip_time_s = pose::clip_time({play.start_s, play.speed, play.phase_s},
+                                                       request.tmpl->rig.clips[play.clip], request.shown_s);
+        return;
+    }
+    behave::ActiveClips shown;
+    behave::active_clips_at(crowd, row, request.shown_s, levels, shown);
+    request.pose.clip = shown.clip;
+    request.pose.clip_time_s = shown.clip_time_s;
+    if (shown.count == 0) return;
+    // The layers are a function of the tick.
+    request.pose.tick_s = request.shown_s;
+    request.pose.layers = shown.count;
+    const crowd::LayerState *layer_state = crowd.layers().of(row);
+    request.blend_radius = crowd::blended_reach_of(*request.tmpl, layer_state ? layer_state->max_additive_weight() : 0);
+    const size_t first = layers.size();
+    layers.insert(layers.end(), shown.layers, shown.layers + shown.count);
+    request.layers = {layers.data() + first, shown.count};
+}
+
+// S3 3, 4. Only actors that play a single clip can show key-poses; the others use caches of their own.
+void MakeRequests::share_key_poses(animcache::Request &request) const
+{
+    const animcache::KeyPoseMode mode = key_poses.mode_at(request.distance);
+    if (!animcache::shows_key_poses(mode) || request.pose.clip == model::none) return;
+    request.key_pose = key_poses.select(given.crowd.actor(request.row).tmpl, request.level, mode, request.pose.clip,
+                                        request.pose.clip_time_s);
+    request.rigid_mode = animcache::RigidMode::vertices;
+    request.pose.interpolated = mode == animcache::KeyPoseMode::interpolated;
+    if (!request.pose.interpolated) request.pose.clip_time_s = request.key_pose.time_s[0];
+}
+
+void MakeRequests::add(const Candidate &candidate) const
+{
+    const crowd::Crowd &crowd = given.crowd;
+    const uint32_t row = candidate.row;
+    const Row &found = rows[row];
+    const bool behaves = crowd.behaviours().has_mechanisms(row);
+    requests.emplace_back();
+    if (!found.visibility.visible) return;
+    animcache::Request &request = requests.back();
+    request.tmpl = &crowd.template_of(row);
+    request.row = row;
+    request.level = found.visibility.level;
+    request.shown_s = found.visibility.shown_s;
+    request.period_s = found.visibility.period_s;
+    request.distance = found.visibility.distance;
+    if (given.settings.rigid_mode == animcache::RigidMode::matrices && request.tmpl->has_rigid_parts_only())
+        request.rigid_mode = animcache::RigidMode::matrices;
+    request.pose.version = crowd.actor(row).play_version;
+    request.pose.skeletal_level = request.tmpl->levels[found.visibility.level].skeletal_level;
+    if (behaves) {
+        request.pose.tick_s = found.visibility.shown_s;
+        request.pose.behaviour_levels = candidate.levels;
+    }
+    choose_clips(request, candidate.levels);
+    if (!behaves && request.layers.count == 0) share_key_poses(request);
+    ++stats.passed_sklsroot;
+}
+
+void MakeRequests::run() const
+{
+    layers.clear();
+    stats.passed_sklsroot = 0;
+    for (const Candidate &candidate : candidates) add(candidate);
+}
+
+}  // namespace claque::frame

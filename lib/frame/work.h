@@ -1,0 +1,50 @@
+// State that updates of one crowd keep and reuse: results, caches, and scratch memory of the steps.
+#pragma once
+
+#include "lib/frame/blocks.h"
+#include "lib/frame/frame_data.h"
+#include "lib/frame/order.h"
+#include "lib/frame/stats.h"
+#include "lib/frame/view.h"
+
+namespace claque::frame
+{
+
+struct Work {
+    Work(std::pmr::memory_resource *memory, const Settings &settings);
+
+    // Reserves all memory that an update of these views needs, except for palettes and vertices. Throws std::bad_alloc;
+    // draw lists and results are unchanged then.
+    void reserve(const crowd::Crowd &crowd, base::Span<View *const> views);
+    uint64_t bytes() const;  // held besides the caches' contents
+
+    Settings settings;
+    animcache::Caches caches;
+    Stats stats;
+
+    // Kept from update to update.
+    double last_time_s = 0;
+    bool has_last_time = false;
+    uint64_t update = 0;      // number of the present or last one
+    uint64_t live_since = 0;  // ticks shown up to this update may be followed by earlier ones: time has run back
+    double pose_cost_s = 0;   // of posing and skinning one individual, measured in earlier updates; 0: unknown
+    std::pmr::vector<Row> rows;
+    std::pmr::vector<GroupRow> groups;
+    Blocks blocks;
+
+    // Of one update. Arrays have the maximum size; steps return how much of them they filled.
+    std::pmr::vector<CameraState> eyes;    // one per view
+    std::pmr::vector<uint8_t> block_seen;  // [view][block]
+    std::pmr::vector<uint32_t> tested;     // rows that are not culled with their group in every view
+    std::pmr::vector<uint8_t> passed;      // [view][tested]
+    std::pmr::vector<Candidate> candidates;
+    std::pmr::vector<ViewVisibility> sights;      // [view][candidate]
+    std::pmr::vector<uint32_t> visible;           // candidates drawn in some view
+    std::pmr::vector<pose::Layer> layers;         // of actors that show more than one clip
+    std::pmr::vector<float> dofs;                 // of actors that are due, written by control mechanisms
+    std::pmr::vector<uint32_t> behaving;          // candidates whose mechanisms run
+    uint32_t dofs_each = 0;                       // the maximum over all templates
+    std::pmr::vector<SortEntry> listed, ordered;  // of one view; scratch of the sort
+};
+
+}  // namespace claque::frame

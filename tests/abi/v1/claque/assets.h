@@ -1,0 +1,228 @@
+/* libclaque-assets: characters from files (glTF, GLB, BVH) and built-in figures, and the templates built from them.
+ *
+ * The library is separate from libclaque, which needs libc and libstdc++ only and loads templates that
+ * clq_template_save wrote. Working memory comes from the C++ heap; templates are in the context's memory. */
+#ifndef CLAQUE_ASSETS_H
+#define CLAQUE_ASSETS_H
+
+#include <claque/template_info.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A character as loaded, before it is split into a template. It may be changed by one thread at a time. */
+typedef struct clq_asset clq_asset;
+
+typedef struct clq_asset_options {
+    uint32_t struct_bytes; /* set by clq_asset_options_init */
+    /* The folder of external buffers and images. NULL: clq_asset_load refuses them, clq_asset_load_file uses the folder
+     * of the file. */
+    const char *base_folder;
+    const char *const *hidden_nodes; /* [hidden_node_count] names: templates leave out these nodes and all below them */
+    uint32_t hidden_node_count;
+    uint64_t memory_limit_bytes; /* 0: 1 GiB */
+    double bvh_metres_per_unit;  /* metres in a unit of a BVH file, which does not say; 0: 1 */
+} clq_asset_options;
+
+CLQ_DEFINE_ZERO_INIT(clq_asset_options)
+
+/* Loads a glTF 2.0, GLB or BVH file; the content decides which. The bytes may be anything. Warnings go to the context's
+ * log. A BVH file gives a skeleton without parts and one clip named after the file (clq_asset_load: "motion"): a source
+ * for clq_asset_add_clips.
+ *
+ * glTF files may extend the format by `extras`:
+ *   in an animation   "extras": {"claque": {"markers": [{"name": "left foot down", "time_s": 0.25}],
+ *                                           "root_motion": "hips"}}
+ *     markers: as clq_marker_def, in any order, at most 4096 per animation; time_s on the axis of its keys, from the
+ *     first to the last. root_motion: the name of the node of clq_root_motion_def; building the template fails if a
+ *     node above it is animated. Both go with the clip in clq_asset_add_clips.
+ *   in a node         "extras": {"claque": {"deactivation_m": 40, "lod_m": [0, 40], "dofs":
+ *                                           [{"name": "gaze yaw", "kind": "rotation", "axis": [0, 1, 0],
+ *                                             "min": -0.7, "max": 0.7, "rest": 0}]}}
+ *     as clq_node_def, clq_part_def and clq_dof_def; a kind is rotation, translation, or morph with "morph_target" in
+ *     place of the axis.
+ * Unknown members are ignored. Known members that break these rules fail with FORMAT and their place in the file.
+ *
+ *   options   NULL means clq_asset_options_init()
+ *   out       owned by the host until clq_asset_destroy
+ * Fail: STRUCT_SIZE, ARGUMENT, FORMAT, UNSUPPORTED (names the feature), LIMIT, IO, OUT_OF_MEMORY.
+ * Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_bytes,
+                                  const clq_asset_options *options, clq_asset **out);
+CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, const clq_asset_options *options,
+                                       clq_asset **out);
+
+/* Makes a built-in figure, which needs no file. Each has about 1040 triangles and a skeleton of 33 nodes:
+ *   "citizen"    a man in a girded tunic, 8 zones
+ *   "patrician"  a rich woman in stola and palla, 10 zones
+ *   "decurion"   an older man in a toga, 9 zones
+ *   "plebeian"   a young working man in an exomis, 9 zones
+ * Their clips:
+ *   stand, walk, applaud, cheer
+ *   sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave   loops of 4 to 9 s that begin and
+ *                                                                                    end in
+ *     one pose and so may follow each other; the top of the seat is 0.43 m above the feet, its front edge 0.14 m behind
+ *     the origin
+ *   rise, sit_down   2 s, once: from that pose to the beginning of stand, and back
+ *   stand_wave, stand_laugh, stand_applaud, stand_cheer   begin and end as stand
+ *   jog   in step with walk: in both the left foot comes down at the beginning, the right one in the middle
+ *   out   owned by the host until clq_asset_destroy
+ * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
+
+/* Makes one of the four people with more clips (S1 8: 150 clips): its own nineteen, and variants of each in turn, until
+ * there are clip_count. Variants differ in tempo, timing, amplitude, the leading hand and an added swaying. They are
+ * named "sit_talk.03" and the like. What holds for a clip (loops, seats, common beginnings and ends) holds for its
+ * variants. All calls give the same bytes.
+ *   clip_count   [19, 2000]
+ * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint32_t clip_count,
+                                            clq_asset **out);
+
+/* Destroys an asset; NULL is ignored. Templates built from it stay. Threads: any. GL: none. */
+CLQ_API void clq_asset_destroy(clq_asset *asset);
+
+typedef struct clq_asset_info {
+    uint32_t struct_bytes; /* set by clq_asset_info_init */
+    const char *name;
+    uint32_t part_count, node_count, joint_count, clip_count, zone_count, image_count, material_count;
+    uint32_t triangle_count, vertex_count, max_influences, morph_target_count;
+    uint32_t hidden_part_count;
+    uint32_t warning_count;
+    float box_min[3], box_max[3]; /* of the rest pose in model units, without hidden parts */
+} clq_asset_info;
+
+typedef struct clq_asset_part {
+    uint32_t struct_bytes; /* set by clq_asset_part_init */
+    const char *name;
+    const char *node_name;
+    const char *material_name;
+    uint32_t vertex_count, triangle_count, influence_count, morph_target_count;
+    bool skinned, hidden;
+    uint32_t topology; /* glTF's mode: 0 points ... 4 triangles ... 6 fan */
+} clq_asset_part;
+
+CLQ_DEFINE_ZERO_INIT(clq_asset_info)
+CLQ_DEFINE_ZERO_INIT(clq_asset_part)
+
+/* Facts of an asset. Strings live until the asset changes.
+ *   out   made by its _init function
+ * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large). Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out);
+CLQ_API clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_part *out);
+CLQ_API clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out);
+
+/* Returns a warning of loading as one sentence; "" beyond the last one. Threads: any. GL: none. */
+CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warning);
+
+/* Adds a texture set to an asset (clq_texture_set_def). KHR_materials_variants of a glTF file are texture sets already;
+ * each of the four built-in people has a second one.
+ *   name     for clq_template_find_texture_set
+ *   images   [image_count], copied; image_count is clq_asset_info.material_count. rgba NULL: the material's own image.
+ *            The material must have an image, and the meaning of both alphas must agree
+ * Fails: ARGUMENT, LIMIT (63 sets), OUT_OF_MEMORY; the asset then stays. Threads: one per asset. GL: none. */
+CLQ_API clq_status clq_asset_add_texture_set(clq_context *context, clq_asset *asset, const char *name,
+                                             const clq_image_def *images, uint32_t image_count);
+
+/* Computes the animated positions of all parts, in model space, in file order: nodes depth first, primitives in order.
+ *   clip              CLQ_NONE: the rest pose with default morph weights
+ *   time_s            on the clip's own key axis, clamped to it
+ *   out_xyz           [capacity_floats]
+ *   capacity_floats   3 * clq_asset_info.vertex_count or more
+ * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_get_positions(const clq_asset *asset, uint32_t clip, float time_s, float *out_xyz,
+                                           size_t capacity_floats);
+
+/* The orientation of a joint that corresponds to the rest pose of the clips' skeleton. */
+typedef enum clq_rest_alignment {
+    CLQ_REST_KEEP = 0, /* its own rest orientation */
+    /* Its rest orientation, turned so that the bone points where the other skeleton's bone points; for A-poses and
+     * T-poses. A joint with no or several bound joints below it turns like the bound joint above it. */
+    CLQ_REST_ALIGN = 1
+} clq_rest_alignment;
+
+typedef struct clq_joint_pair {
+    const char *source; /* a joint of the clips' skeleton */
+    const char *target; /* a joint of the character, once at most */
+    clq_rest_alignment rest;
+} clq_joint_pair;
+
+/* A joint without a source that follows a bound joint, as cloth follows a thigh. A joint with several leaders follows
+ * the one that turns it farthest. Of a leader that turns away from the side on which the joint lies only 0.3 of the
+ * share counts. */
+typedef struct clq_follower {
+    const char *joint, *leader; /* joints of the character */
+    float share;                /* [0, 1] of the leader's rotation from its rest, as seen by the joint's parent */
+} clq_follower;
+
+typedef enum clq_retarget_mode {
+    CLQ_RETARGET_AUTOMATIC = 0, /* CHANNELS if the skeletons agree and start_s, end_s and close_s are 0; else MOTION */
+    CLQ_RETARGET_CHANNELS = 1,  /* copies keys, steps and splines */
+    /* Joints turn from their rest orientation as the source's do, in model space. The topmost joint takes the source's
+     * root motion, scaled by the length of the legs and lowered so that the feet stand on y = 0. */
+    CLQ_RETARGET_MOTION = 2
+} clq_retarget_mode;
+
+typedef enum clq_root_travel {
+    CLQ_ROOT_TRAVEL_IN_PLACE = 0, /* removes the straight line from the clip's first position to its last */
+    CLQ_ROOT_TRAVEL_KEEP = 1
+} clq_root_travel;
+
+typedef struct clq_clips_def {
+    uint32_t struct_bytes;        /* set by clq_clips_def_init */
+    const clq_joint_pair *joints; /* [joint_count]; with joint_count 0 joints of equal names correspond */
+    uint32_t joint_count;
+    const char *const *clips; /* [clip_count] names in the source; with clip_count 0 all clips */
+    uint32_t clip_count;
+    const char *prefix; /* of the names of the added clips; may be NULL */
+    clq_retarget_mode mode;
+    /* The remaining members are for CLQ_RETARGET_MOTION. */
+    clq_root_travel travel;
+    float rate_hz;                 /* of keys, [1, 1000]; 0: 30 */
+    float start_s, end_s;          /* the part of each clip to take, from the clip's start on; end_s 0: to its end */
+    const clq_follower *followers; /* [follower_count] */
+    uint32_t follower_count;
+    /* The clip turns into its first pose over this time before its end, so that it loops. 0: it does not. */
+    float close_s;
+} clq_clips_def;
+
+CLQ_DEFINE_ZERO_INIT(clq_clips_def)
+
+typedef struct clq_clips_report {
+    uint32_t struct_bytes;  /* set by clq_clips_report_init */
+    clq_retarget_mode mode; /* CHANNELS or MOTION */
+    uint32_t clip_count;    /* clips that were added, the last ones of the asset */
+    uint32_t joint_count;   /* joints that are bound */
+} clq_clips_report;
+
+CLQ_DEFINE_ZERO_INIT(clq_clips_report)
+
+/* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. The context's log
+ * and the asset's warnings name the joints that are not bound. A clip whose name is taken gets a number.
+ *   source       any asset with clips: glTF with or without meshes, BVH, a built-in figure; not kept
+ *   def          NULL means clq_clips_def_init()
+ *   out_report   made by clq_clips_report_init; may be NULL
+ * Fails: STRUCT_SIZE, ARGUMENT (no joint is bound; a clip that is missing; a number out of range), LIMIT,
+ * OUT_OF_MEMORY; the asset then stays. Threads: one per asset. GL: none. */
+CLQ_API clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq_asset *source,
+                                       const clq_clips_def *def, clq_clips_report *out_report);
+
+/* Builds a template from an asset, as clq_template_build does.
+ *   max_texture_px   larger images are reduced; 0: 1024
+ *   out              owned by the host until clq_template_destroy
+ * Fails: as clq_template_build. Threads: any. GL: none. */
+CLQ_API clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_t max_texture_px,
+                                   clq_template **out);
+
+/* Load a glTF file, or make a built-in figure, and build its template in one call.
+ * Fail: as clq_asset_load or clq_asset_builtin, and clq_asset_build. Threads: any. GL: none. */
+CLQ_API clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
+                                          const clq_asset_options *options, clq_template **out);
+CLQ_API clq_status clq_template_builtin(clq_context *context, const char *name, clq_template **out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,95 @@
+/* Levels of detail for a loaded character (libclaque-assets): meshes with fewer triangles for greater distances, chosen
+ * by the size of their error in the picture (S1 6). Near levels are decimated: seams stay shut and zones keep their
+ * borders. The coarsest levels may be proxies. Errors are measured in poses of the character's own clips. */
+#ifndef CLAQUE_LEVELS_H
+#define CLAQUE_LEVELS_H
+
+#include <claque/assets.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct clq_levels_def {
+    uint32_t struct_bytes; /* set by clq_levels_def_init */
+    /* [target_count] triangles of all parts together, descending, each 4 or more. Targets that are not below the
+     * character's count are skipped. NULL: the counts halve down to 1040, eight levels lead to 490, then come 250, 120,
+     * 60, 42, 30, 20 and 14. */
+    const uint32_t *targets;
+    uint32_t target_count;
+    /* The size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
+     * clq_view_set_height). Default 1. */
+    float tolerance_px;
+    float metres_per_unit; /* metres in a model unit. Default 1 */
+    /* Levels of at most this many triangles are proxies: one mesh, no seams, a baked texture. Above 128 triangles a
+     * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. Proxies also
+     * replace every level from the first that misses its target by 5 %, changes a zone's share of the surface by 2
+     * points, or is worse than a coarser proxy. Only characters that are skinned or hang on several nodes get proxies;
+     * proxies are skinned, so CLQ_RIGID_MATRICES has no effect on the template. 0: no proxies. Default 250. */
+    uint32_t proxy_max_triangles;
+    /* True: a baseline for comparison, not for drawing. Decimates the welded mesh by OpenMesh's quadric alone, each
+     * corner taking the attributes of its vertex; makes no proxies and leaves no level out. */
+    bool quadric_only;
+} clq_levels_def;
+
+static inline clq_levels_def clq_levels_def_init(void)
+{
+    clq_levels_def def;
+    memset(&def, 0, sizeof def);
+    def.struct_bytes = (uint32_t)sizeof def;
+    def.tolerance_px = 1.0f;
+    def.metres_per_unit = 1.0f;
+    def.proxy_max_triangles = 250;
+    return def;
+}
+
+/* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. Levels
+ * that no distance would select are left out, and so are levels below 20 triangles that change the share of a zone by
+ * more than 2 points. The levels do not depend on the context's tasks, which share the work.
+ *   def         NULL means clq_levels_def_init()
+ *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
+ * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT, OUT_OF_MEMORY; the asset then stays.
+ * Threads: one per asset. GL: none. */
+CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
+                                         uint32_t *out_count);
+
+/* Measures of a level against the finest one. Distances are between corresponding points, nearest to each other at
+ * rest. The surface is the part that can be seen from some point at rest, without skin under clothes. */
+typedef struct clq_level_report {
+    uint32_t struct_bytes; /* set by clq_level_report_init */
+    float lod_min_m;       /* the effective distance from which the level is used */
+    uint32_t triangle_count, vertex_count;
+    float error_m;                  /* the error that selected the distance: root mean square in motion */
+    float rest_max_m, rest_rms_m;   /* distances at rest */
+    float posed_max_m, posed_rms_m; /* distances in eight poses of each of the first 32 clips */
+    float wrong_zone;               /* [0, 1] share of the finest level's area that shows another zone */
+    uint32_t open_edges;            /* open edges that the finest level does not have */
+    uint32_t flipped_uvs;           /* triangles that have turned over in their texture */
+    float zone_area_error;          /* [0, 1] largest change of any zone's share of the visible surface */
+} clq_level_report;
+
+CLQ_DEFINE_ZERO_INIT(clq_level_report)
+
+/* Gets the measures of a level that the last clq_asset_make_levels of this asset made.
+ *   level   0: the finest one
+ *   out     made by clq_level_report_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any, not while the asset is changed. GL: none. */
+CLQ_API clq_status clq_asset_get_level_report(const clq_asset *asset, uint32_t level, clq_level_report *out);
+
+/* Gets the share of each zone in the visible surface of an asset at rest, at an effective distance. Levels of detail
+ * should not change it.
+ *   out         [capacity] shares of area in [0, 1], by zone in the asset's order, then the area without a zone; NULL
+ *               with capacity 0
+ *   out_count   zones and one more, which may be more than capacity; may be NULL
+ * Fails: ARGUMENT, OUT_OF_MEMORY. Threads: any, not while the asset is changed. GL: none. */
+CLQ_API clq_status clq_asset_get_zone_areas(const clq_asset *asset, float distance_m, float *out, uint32_t capacity,
+                                            uint32_t *out_count);
+
+/* Returns the name of a zone; "" beyond the last one. Threads: any, not while the asset is changed. GL: none. */
+CLQ_API const char *clq_asset_get_zone_name(const clq_asset *asset, uint32_t zone);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,52 @@
+/* Templates that are prepared once and kept on disk (libclaque-assets), so that later starts take milliseconds. A
+ * prepared file is found by its sources, its options and the version of the library, so a stale one is never used. A
+ * file that is cut off or changed is made again. Files may be deleted at any time. */
+#ifndef CLAQUE_PREPARE_H
+#define CLAQUE_PREPARE_H
+
+#include <claque/levels.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct clq_prepare_def {
+    uint32_t struct_bytes; /* set by clq_prepare_def_init */
+    /* Exactly one of builtin and path is given. External files of a glTF file count as part of it. */
+    const char *builtin;              /* as in clq_asset_builtin */
+    const char *path;                 /* as in clq_asset_load_file */
+    uint32_t clip_count;              /* with builtin, as in clq_asset_builtin_varied; 0: the figure's own clips */
+    const clq_asset_options *options; /* with path; NULL: defaults */
+    const clq_levels_def *levels;     /* NULL: only the character's own levels of detail */
+    uint32_t max_texture_px;          /* as in clq_asset_build */
+    /* The folder of prepared files, which is made if it is missing. NULL: $XDG_CACHE_HOME/claque or ~/.cache/claque.
+     * "": no folder, so the template is made anew. */
+    const char *folder;
+} clq_prepare_def;
+
+CLQ_DEFINE_ZERO_INIT(clq_prepare_def)
+
+typedef struct clq_prepare_report {
+    uint32_t struct_bytes; /* set by clq_prepare_report_init */
+    bool from_disk;        /* the template was loaded from the folder */
+    bool stored;           /* the template was made and stored in the folder */
+    char text[256];        /* why it could not be stored (a folder that cannot be written is no failure); else "" */
+} clq_prepare_report;
+
+CLQ_DEFINE_ZERO_INIT(clq_prepare_report)
+
+/* Loads a prepared template, or makes the character, its levels and its template and stores it. Several programs may do
+ * so at once: a file appears whole or not at all. Warnings of the character's file are logged when it is read, not when
+ * the template comes from disk.
+ *   out          owned by the host until clq_template_destroy
+ *   out_report   made by clq_prepare_report_init; may be NULL
+ * Fails: STRUCT_SIZE, ARGUMENT, and as clq_asset_load_file, clq_asset_builtin_varied, clq_asset_make_levels and
+ * clq_asset_build. Threads: any. GL: none. */
+CLQ_API clq_status clq_template_prepare(clq_context *context, const clq_prepare_def *def, clq_template **out,
+                                        clq_prepare_report *out_report);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
