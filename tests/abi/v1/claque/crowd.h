@@ -86,7 +86,8 @@ typedef struct clq_crowd_def {
     uint32_t struct_bytes; /* set by clq_crowd_def_init */
     clq_cache_mode cache;
     uint64_t cache_budget_bytes; /* palettes and vertices together; 0: 1 GiB. Individuals beyond
-                                    the budget are posed and skinned anew in every update */
+                                    the budget are posed and skinned in every update, in
+                                    memory outside it: arena_bytes of clq_crowd_stats */
     /* The update period (S1 4): linear in the squared eyeDistance, rounded down to one of 1/50 ... 1/4 s. */
     float period_near_s;   /* [0, 1] up to distance_near_m; 0: every frame. Default 0.02 */
     float period_far_s;    /* [>= period_near_s] from distance_far_m on. Default 0.25 */
