@@ -102,7 +102,7 @@ TEST_F(SceneColours, ColoursStayWhenTheirFileBreaksWithOneWarning)
           {people("hue = [0, 5"), "line 5"},
           {people("colour = \"#fff\""), "line 5, column 20"},
           {red + "wings = { colour = \"#102030\" }\n", "'wings'"},
-          {"[[classes]]\nname = \"crows\"\n", "nobody"}}) {
+          {"[[classes]]\nname = \"crows\"\n", "no individual in the scene"}}) {
         write(broken);
         const std::string said = apply(file);
         EXPECT_NE(said.find(says), std::string::npos) << says << " in: " << said;
