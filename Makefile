@@ -3,11 +3,13 @@ PRESET ?= release
 BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
+PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci test-asan test-tsan test-scalar bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
+	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make ci         make test, then the readers, the C API and the fuzz corpora under sanitizers"
@@ -29,19 +31,21 @@ build: setup
 	@$(call CONFIGURE,-DCLAQUE_TESTS=ON -DCLAQUE_BENCHMARKS=ON)
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
-# The claque command alone: no test, no benchmark, no host.
-command:
-	@cmake/setup.sh run
-	@[ -e $(BUILD)/build.ninja ] || { $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); }
-	@cmake --build --preset $(PRESET) -j $(JOBS) --target claque_cli
+# The claque command alone: no test, no benchmark, no host. `make run` needs only its subcommands that draw pictures.
+BUILD_ONLY = cmake/setup.sh run; [ -e $(BUILD)/build.ninja ] || $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); \
+    cmake --build --preset $(PRESET) -j $(JOBS) --target
 
-run: command
+command:
+	@set -e; $(BUILD_ONLY) claque_cli
+
+run:
+	@set -e; $(BUILD_ONLY) claque_pictures
 	@mkdir -p out
-	$(CLAQUE) render --scene odeon --size 1024x768 --out out/odeon.png --json out/odeon.json
-	$(CLAQUE) render --scene odeon --size 1024x768 --camera close --out out/odeon-close.png
-	$(CLAQUE) sheet --scene odeon --size 640x480 --out out/odeon-sheet.png
-	$(CLAQUE) variety patrician --out out/odeon-variety.png
-	$(CLAQUE) render --scene town_sky --count 6000 --size 1024x768 --out out/town-sky.png
+	$(PICTURES) render --scene odeon --size 1024x768 --out out/odeon.png --json out/odeon.json
+	$(PICTURES) render --scene odeon --size 1024x768 --camera close --out out/odeon-close.png
+	$(PICTURES) sheet --scene odeon --size 640x480 --out out/odeon-sheet.png
+	$(PICTURES) variety patrician --out out/odeon-variety.png
+	$(PICTURES) render --scene town_sky --count 6000 --size 1024x768 --out out/town-sky.png
 	@ls -l out
 
 # Frames go straight into the encoder; the film is there once it is whole.

@@ -15,8 +15,14 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 add_library(claque_flags INTERFACE)
 target_compile_options(claque_flags INTERFACE
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wno-psabi
-    $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>  # a unity build sees the file-level names of neighbours
+    # A unity build sees the file-level names of neighbours, and includes the files with fixtures of tests.
+    $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
+    $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<COMPILE_LANGUAGE:CXX>>:-Wno-subobject-linkage>
     $<$<BOOL:${CLAQUE_WERROR}>:-Werror>)
+# For code around the library, where the time to compile matters more than the time to run.
+add_library(claque_quick_to_compile INTERFACE)
+target_compile_options(claque_quick_to_compile INTERFACE $<$<CONFIG:Release>:-O1>)
+
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86)$" OR (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64" AND CMAKE_SIZEOF_VOID_P EQUAL 4))
     # Old hosts call with stacks aligned to 4 bytes.
     target_compile_options(claque_flags INTERFACE -msse2 -mfpmath=sse -mstackrealign)
@@ -74,6 +80,7 @@ function(claque_test name)
     endif()
     add_executable(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE claque_flags ${ARG_LIBRARIES} GTest::gtest_main)
+    target_precompile_headers(${name} REUSE_FROM claque_test_headers)
     target_compile_definitions(${name} PRIVATE
         CLAQUE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAQUE_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets")
     set(properties TIMEOUT ${ARG_TIMEOUT} ${ARG_PROPERTIES}

@@ -17,7 +17,7 @@ struct Run {
     std::string picture;  // hash of the last frame; empty: not drawn
 };
 
-enum class Levels { by_distance, finest };
+enum class LevelChoice { by_distance, finest };
 
 cost::Counts counts_of(const clq_crowd_stats &s)
 {
@@ -29,13 +29,13 @@ cost::Counts counts_of(const clq_crowd_stats &s)
 
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, Levels levels)
+Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, LevelChoice levels)
 {
     SceneArguments arguments = a.setup;
     arguments.count = a.counts.front();
     scenes::SceneOptions options = scene_options(arguments, LoadedCharacter());
     options.crowd_options.cull = cull;
-    if (levels == Levels::finest) options.crowd_options.lod_scale = 0;
+    if (levels == LevelChoice::finest) options.crowd_options.lod_scale = 0;
     scenes::SceneRenderer scene_renderer(library, options);
     Run out;
     double needed = 0, built = 0, products = 0, tracked = 0;
@@ -53,7 +53,7 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
     }
     out.shares = {share(tracked, products), share(built, needed)};
     for (double &count : out.counts) count /= a.frames;
-    if (levels == Levels::finest) return out;
+    if (levels == LevelChoice::finest) return out;
     scene_renderer.draw_environment();
     scene_renderer.draw_crowd();
     out.picture = hex(scenes::hash_of(scene_renderer.read()));
@@ -65,15 +65,15 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
 void write_operations(const BenchArguments &a)
 {
     scenes::Library library(thread_count(a.setup));
-    const Run actor = run(library, a, CLQ_CULL_ACTOR, Levels::by_distance);
+    const Run actor = run(library, a, CLQ_CULL_ACTOR, LevelChoice::by_distance);
     std::string picture = actor.picture;
     const std::string who = std::to_string(a.counts.front()) + " actors";
-    expect_same_picture(picture, run(library, a, CLQ_CULL_TRADITIONAL, Levels::by_distance).picture,
+    expect_same_picture(picture, run(library, a, CLQ_CULL_TRADITIONAL, LevelChoice::by_distance).picture,
                         who + " culled in mode traditional");
     cost::Measured measured;
     measured.actor = actor.counts;
     measured.shares = actor.shares;
-    measured.traditional = run(library, a, CLQ_CULL_TRADITIONAL, Levels::finest).counts;
+    measured.traditional = run(library, a, CLQ_CULL_TRADITIONAL, LevelChoice::finest).counts;
     measured.note = "scene " + scene_of(a.setup) + ", " + who + ", means of " + std::to_string(a.frames) +
                     " frames at 25 a second, parts placed by " +
                     (a.setup.rigid_mode == "matrices" ? "OpenGL" : "claque") + "; traditional: all at its finest";

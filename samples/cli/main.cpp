@@ -1,76 +1,10 @@
-// claque: draws pictures of crowds and describes characters. Exit codes: 0 success; 1 failure, with one sentence on
-// stderr; 2 wrong usage.
-#include <iostream>
-#include <new>
-
-#include "samples/cli/command.h"
-#include "samples/cli/interrupt.h"
-#include "samples/scenes/check.h"
-
-namespace
-{
-
-int parse(CLI::App &app, int argc, char **argv)
-{
-    try {
-        app.parse(argc, argv);
-        return 0;
-    } catch (const CLI::Success &help) {
-        app.exit(help);
-        return -1;
-    } catch (const CLI::ParseError &error) {
-        app.exit(error, std::cerr, std::cerr);
-        return 2;
-    }
-}
-
-int fail(const std::string &sentence)
-{
-    std::cerr << "claque: " << sentence << (sentence.empty() || sentence.back() == '.' ? "\n" : ".\n");
-    return 1;
-}
-
-}  // namespace
+// claque: draws pictures of crowds, describes and prepares characters, measures and compares.
+#include "samples/cli/program.h"
 
 int main(int argc, char **argv)
 {
-    CLI::App app("Crowds of individuals on fixed-function OpenGL 1.1, drawn offscreen.", "claque");
-    const std::string version = "claque " + std::to_string(CLQ_VERSION_MAJOR) + "." +
-                                std::to_string(CLQ_VERSION_MINOR) + "." + std::to_string(CLQ_VERSION_PATCH);
-    app.set_version_flag("--version", version);
-    app.require_subcommand(1);
-    app.failure_message(CLI::FailureMessage::simple);
-    cli::Work chosen;
-    cli::add_render(app, chosen);
-    cli::add_sheet(app, chosen);
-    cli::add_inspect(app, chosen);
-    cli::add_dump(app, chosen);
-    cli::add_split(app, chosen);
-    cli::add_variety(app, chosen);
-    cli::add_colours(app, chosen);
-    cli::add_lods(app, chosen);
-    cli::add_blend(app, chosen);
-    cli::add_prepare(app, chosen);
-    cli::add_bench(app, chosen);
-    cli::add_plot(app, chosen);
-    cli::add_cost(app, chosen);
-    cli::add_parity(app, chosen);
-
-    const int parsed = parse(app, argc, argv);
-    if (parsed != 0) return parsed < 0 ? 0 : parsed;
-    cli::watch_signals();
-    try {
-        chosen();
-        std::cout.flush();
-        return std::cout ? 0 : fail("standard output could not be written");
-    } catch (const CLI::ParseError &misuse) {
-        app.exit(misuse, std::cerr, std::cerr);
-        return 2;
-    } catch (const scenes::Failure &failure) {
-        return fail(failure.what());
-    } catch (const std::bad_alloc &) {
-        return fail("out of memory");
-    } catch (const std::exception &unexpected) {
-        return fail(unexpected.what());
-    }
+    using namespace cli;
+    return run_program(argc, argv,
+                       {add_render, add_sheet, add_inspect, add_dump, add_split, add_variety, add_colours, add_lods,
+                        add_blend, add_prepare, add_bench, add_plot, add_cost, add_parity});
 }

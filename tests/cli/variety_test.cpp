@@ -13,7 +13,7 @@ using Variety = Drawing;
 using VarietyUsage = Command;
 
 // A raw picture as pixels.
-struct Picture {
+struct RawPicture {
     size_t width, height;
     std::string rgb;
 
@@ -26,7 +26,7 @@ struct Picture {
     }
 };
 
-Picture draw(std::vector<std::string> arguments, size_t width, size_t height)
+RawPicture draw(std::vector<std::string> arguments, size_t width, size_t height)
 {
     arguments.insert(arguments.begin(), "variety");
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -53,7 +53,7 @@ TEST_F(Variety, ThePictureIsAPngOfTheSizeThatWasAskedFor)
 // Above left the grey texture, below it the zone map in a few flat colours; the citizen has eight zones.
 TEST_F(Variety, LeftIsTheGreyTextureAndBelowItTheZoneMap)
 {
-    const Picture p = draw({"citizen"}, 640, 400);
+    const RawPicture p = draw({"citizen"}, 640, 400);
     std::set<std::string> colours;
     for (size_t y = 24; y < 120; ++y)
         for (size_t x = 24; x < 140; ++x) {
@@ -68,9 +68,9 @@ TEST_F(Variety, LeftIsTheGreyTextureAndBelowItTheZoneMap)
 
 TEST_F(Variety, TheSameSeedGivesTheSameIndividualsAndAnotherSeedOthers)
 {
-    const Picture one = draw({"plebeian", "--count", "6"}, 480, 300);
+    const RawPicture one = draw({"plebeian", "--count", "6"}, 480, 300);
     EXPECT_TRUE(draw({"plebeian", "--count", "6"}, 480, 300).rgb == one.rgb);
-    const Picture other = draw({"plebeian", "--count", "6", "--seed", "2"}, 480, 300);
+    const RawPicture other = draw({"plebeian", "--count", "6", "--seed", "2"}, 480, 300);
     EXPECT_FALSE(other.rgb == one.rgb);
     EXPECT_TRUE(other.block(0, 0, 120, 300) == one.block(0, 0, 120, 300)) << "texture and map have no seed";
 }
@@ -78,7 +78,7 @@ TEST_F(Variety, TheSameSeedGivesTheSameIndividualsAndAnotherSeedOthers)
 // Each tile has the same pixels of background and other colours on the same character.
 TEST_F(Variety, PeopleStandTheSameAndDifferInColours)
 {
-    const Picture p = draw({"patrician", "--count", "4"}, 900, 320);
+    const RawPicture p = draw({"patrician", "--count", "4"}, 900, 320);
     std::set<std::string> tiles;
     size_t moved = 0, width = 0;
     const size_t left = 16 * 2 + (320 - 64) * 2 / 5, room = 900 - 16 - left;

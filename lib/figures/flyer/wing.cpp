@@ -17,10 +17,10 @@ constexpr glm::vec2 tips_x[] = {{0, 0.03f},     {0.2f, 0.22f},  {0.45f, 0.58f}, 
 constexpr glm::vec2 tips_y[] = {{0, -0.30f},      {0.1f, -0.415f},  {0.45f, -0.480f}, {0.62f, -0.560f},
                                 {0.80f, -0.570f}, {0.92f, -0.420f}, {1, -0.215f}};
 
-enum class Face : uint8_t { back, front };
+enum class WingFace : uint8_t { back, front };
 
 // `c` runs from the leading edge, 0, to the tips, 1.
-glm::vec3 on_wing(const Wing &wing, float u, float c, Face face)
+glm::vec3 on_wing(const Wing &wing, float u, float c, WingFace face)
 {
     const glm::vec2 lead(profile(lead_x, u), profile(lead_y, u)), tip(profile(tips_x, u), profile(tips_y, u));
     const glm::vec2 q = lead + (tip - lead) * c;
@@ -28,7 +28,7 @@ glm::vec3 on_wing(const Wing &wing, float u, float c, Face face)
     const float thick = (0.030f - 0.022f * u) * (c < 0.3f ? 1 : (1 - c) / 0.7f) * (c == 0 ? 0 : 1);
     const float droop = 0.050f * c * c;  // feathers bend down at their ends
     return wing.root +
-           glm::vec3(q.x * wing.scale.x, q.y * wing.scale.y, arch + droop + (face == Face::front ? thick : -thick));
+           glm::vec3(q.x * wing.scale.x, q.y * wing.scale.y, arch + droop + (face == WingFace::front ? thick : -thick));
 }
 
 // The row of tips: a tip, then a notch; notches are deeper between the feathers of the hand.
@@ -71,11 +71,11 @@ std::vector<std::vector<std::pair<float, float>>> rows_of(int level)
 
 void add_wing(Mesh &mesh, const Wing &wing, Side side, int level)
 {
-    for (const Face face : {Face::back, Face::front}) {
+    for (const WingFace face : {WingFace::back, WingFace::front}) {
         MeshBuilder to(mesh);  // separate, because normals must not be shared round the edges of a thin wing
-        const Chart chart = face == Face::back ? wing.back : wing.front;
+        const Chart chart = face == WingFace::back ? wing.back : wing.front;
         // Seen from the front the span of the left wing runs to the right, seen from behind to the left.
-        const bool as_given = (face == Face::front) == (side == Side::left);
+        const bool as_given = (face == WingFace::front) == (side == Side::left);
         std::vector<std::vector<MeshBuilder::SheetVertex>> lines;
         for (const auto &line : rows_of(level)) {
             std::vector<MeshBuilder::SheetVertex> stops;

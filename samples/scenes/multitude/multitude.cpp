@@ -24,7 +24,7 @@ constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh"
 constexpr uint32_t cells = 28;  // of the ground, across
 
 // Coordinate of the line between cells, in metres from the centre.
-double line(uint32_t i)
+double line_m(uint32_t i)
 {
     const double t = 2.0 * i / cells - 1;
     return ground_m * (0.25 * t + 0.75 * t * t * t);
@@ -35,7 +35,7 @@ uint32_t first_worn(uint32_t side)
 {
     constexpr double shadow_m = 4;
     uint32_t i = cells / 2 - 1;
-    while (i > 0 && -line(i) < side * spacing_m / 2 + shadow_m) --i;
+    while (i > 0 && -line_m(i) < side * spacing_m / 2 + shadow_m) --i;
     return i;
 }
 
@@ -59,7 +59,7 @@ public:
           view_(view),
           scene_crowd_(library, crowd_options),
           sky_(crowd_options.seed, Sky::Land::hills),
-          painted_(static_cast<float>(line(first_worn(side_))), static_cast<float>(-line(first_worn(side_))))
+          painted_(static_cast<float>(line_m(first_worn(side_))), static_cast<float>(-line_m(first_worn(side_))))
     {
         for (uint32_t who = 0; who < crowd_options.count; ++who) enter(who);
         lay_ground();
@@ -138,7 +138,7 @@ private:
         const uint32_t first = first_worn(side_);
         for (uint32_t row = 0; row <= cells; ++row)
             for (uint32_t column = 0; column <= cells; ++column) {
-                const double x = line(column), z = line(row);
+                const double x = line_m(column), z = line_m(row);
                 const double out = std::max(std::abs(x), std::abs(z)) - worn;
                 const float grass = static_cast<float>(out < -4 ? 0.0 : out > 6 ? 1.0 : (out + 4) / 10);
                 const float tone =

@@ -20,7 +20,7 @@ struct Way {
 Way operator+(Way a, Way b) { return {a.u + b.u, a.v + b.v}; }
 Way operator-(Way a, Way b) { return {a.u - b.u, a.v - b.v}; }
 Way operator*(Way a, double k) { return {a.u * k, a.v * k}; }
-Way unit(Way a) { return a * (1 / std::sqrt(a.u * a.u + a.v * a.v)); }
+Way unit_axis(Way a) { return a * (1 / std::sqrt(a.u * a.u + a.v * a.v)); }
 
 // The line of the circuit in the plan: straight lines and quarter turns, in steps of at most `step_m`.
 std::vector<Way> drawn(const Plan &plan)
@@ -30,8 +30,8 @@ std::vector<Way> drawn(const Plan &plan)
     const auto right = [](Way w) { return Way{-w.v, w.u}; };  // of the direction of travel: u is east, v south
     std::vector<Way> line;
     for (size_t i = 0; i < corners; ++i) {
-        const Way in = unit(corner[i] - corner[(i + corners - 1) % corners]);
-        const Way out = unit(corner[(i + 1) % corners] - corner[i]);
+        const Way in = unit_axis(corner[i] - corner[(i + corners - 1) % corners]);
+        const Way out = unit_axis(corner[(i + 1) % corners] - corner[i]);
         const Way lane = corner[i] + (right(in) + right(out)) * VehiclePath::lane_m;
         const bool to_right = in.u * out.v - in.v * out.u > 0;
         const double radius = to_right ? 5.2 : 8.0;
@@ -44,7 +44,7 @@ std::vector<Way> drawn(const Plan &plan)
             line.push_back(middle + from * std::cos(turn) + to * std::sin(turn));
         }
         const Way next_in = out;
-        const Way after = unit(corner[(i + 2) % corners] - corner[(i + 1) % corners]);
+        const Way after = unit_axis(corner[(i + 2) % corners] - corner[(i + 1) % corners]);
         const Way next = corner[(i + 1) % corners] + (right(next_in) + right(after)) * VehiclePath::lane_m;
         const double next_radius = next_in.u * after.v - next_in.v * after.u > 0 ? 5.2 : 8.0;
         const Way last = line.back(), to = next - next_in * next_radius, way = to - last;
@@ -62,7 +62,7 @@ Axis cross(const Axis &a, const Axis &b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Axis unit(Axis a)
+Axis unit_axis(Axis a)
 {
     const double k = 1 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     return {a[0] * k, a[1] * k, a[2] * k};
@@ -125,9 +125,9 @@ VehiclePose VehiclePath::at(double metres) const
     s.position[0] = (front.x + rear.x) / 2;
     s.position[1] = (fl + fr + rl + rr) / 4;
     s.position[2] = (front.z + rear.z) / 2;
-    s.forward = unit({fx * 2 * w, (fl + fr - rl - rr) / 2, fz * 2 * w});
+    s.forward = unit_axis({fx * 2 * w, (fl + fr - rl - rr) / 2, fz * 2 * w});
     const Axis left = {fz * 2 * h, (fl + rl - fr - rr) / 2, -fx * 2 * h};
-    s.up = unit(cross(s.forward, left));
+    s.up = unit_axis(cross(s.forward, left));
     s.right_hand_x = cross(s.up, s.forward);
     // Its front wheels are steered along the route.
     const Point before = point(metres + wheelbase_ / 2 - 0.6), after = point(metres + wheelbase_ / 2 + 0.6);

@@ -1,0 +1,66 @@
+#include "samples/cli/program.h"
+
+#include <iostream>
+#include <new>
+
+#include "samples/cli/interrupt.h"
+#include "samples/scenes/check.h"
+
+namespace cli
+{
+namespace
+{
+
+int parse(CLI::App &app, int argc, char **argv)
+{
+    try {
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::Success &help) {
+        app.exit(help);
+        return -1;
+    } catch (const CLI::ParseError &error) {
+        app.exit(error, std::cerr, std::cerr);
+        return 2;
+    }
+}
+
+int fail(const std::string &sentence)
+{
+    std::cerr << "claque: " << sentence << (sentence.empty() || sentence.back() == '.' ? "\n" : ".\n");
+    return 1;
+}
+
+}  // namespace
+
+int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
+{
+    CLI::App app("Crowds of individuals on fixed-function OpenGL 1.1, drawn offscreen.", "claque");
+    const std::string version = "claque " + std::to_string(CLQ_VERSION_MAJOR) + "." +
+                                std::to_string(CLQ_VERSION_MINOR) + "." + std::to_string(CLQ_VERSION_PATCH);
+    app.set_version_flag("--version", version);
+    app.require_subcommand(1);
+    app.failure_message(CLI::FailureMessage::simple);
+    Work chosen;
+    for (const Add add : subcommands) add(app, chosen);
+
+    const int parsed = parse(app, argc, argv);
+    if (parsed != 0) return parsed < 0 ? 0 : parsed;
+    watch_signals();
+    try {
+        chosen();
+        std::cout.flush();
+        return std::cout ? 0 : fail("standard output could not be written");
+    } catch (const CLI::ParseError &misuse) {
+        app.exit(misuse, std::cerr, std::cerr);
+        return 2;
+    } catch (const scenes::Failure &failure) {
+        return fail(failure.what());
+    } catch (const std::bad_alloc &) {
+        return fail("out of memory");
+    } catch (const std::exception &unexpected) {
+        return fail(unexpected.what());
+    }
+}
+
+}  // namespace cli
