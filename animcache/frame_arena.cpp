@@ -31,6 +31,7 @@ void FrameArena::add_chunk(size_t bytes)
 
 float *FrameArena::take(size_t bytes) noexcept
 {
+    if (bytes > SIZE_MAX - alignment) return nullptr;
     const size_t rounded = (bytes + alignment - 1) / alignment * alignment;
     while (chunk_ < chunks_.size() && chunks_[chunk_].bytes - offset_ < rounded) ++chunk_, offset_ = 0;
     if (chunk_ == chunks_.size()) {

@@ -70,8 +70,9 @@ endfunction()
 
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is the build folder of the test.
 # BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci` runs it under sanitizers, too.
+# OPTIMISED: most of its time it runs code of its own.
 function(claque_test name)
-    cmake_parse_arguments(ARG "BYTES" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(ARG "BYTES;OPTIMISED" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
@@ -80,7 +81,10 @@ function(claque_test name)
     endif()
     add_executable(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE claque_flags ${ARG_LIBRARIES} GTest::gtest_main)
-    target_precompile_headers(${name} REUSE_FROM claque_test_headers)
+    if(NOT ARG_OPTIMISED)
+        target_link_libraries(${name} PRIVATE claque_quick_to_compile)
+        target_precompile_headers(${name} REUSE_FROM claque_test_headers)
+    endif()
     target_compile_definitions(${name} PRIVATE
         CLAQUE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAQUE_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets")
     set(properties TIMEOUT ${ARG_TIMEOUT} ${ARG_PROPERTIES}

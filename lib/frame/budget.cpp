@@ -19,6 +19,14 @@ uint32_t KeepToBudget::budget() const
     return poses;
 }
 
+base::Status KeepToBudget::check() const
+{
+    if (caches.requests().count != candidates.count || rows.count < given.crowd.row_count())
+        return base::Status::bad(CLQ_ARGUMENT, "no request of every candidate, or no room for every row");
+    if (!(elapsed_s >= 0)) return base::Status::bad(CLQ_ARGUMENT, "%g seconds since the last update", elapsed_s);
+    return base::Status::good();
+}
+
 void KeepToBudget::run() const
 {
     if (!given.settings.caches.can_defer) return;

@@ -19,6 +19,15 @@ void Frame::reset_bands()
     }
 }
 
+base::Status CountBands::check() const
+{
+    if (bands.empty()) return base::Status::bad(CLQ_ARGUMENT, "no distance band");
+    for (const animcache::Request &request : caches.requests())
+        if (request.drawn && request.row >= rows.count)
+            return base::Status::bad(CLQ_ARGUMENT, "row %u of %u is drawn", request.row, rows.count);
+    return base::Status::good();
+}
+
 void CountBands::run() const
 {
     // A rate needs elapsed time: the update of a jump and that in which an actor comes into view are not counted.

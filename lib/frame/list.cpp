@@ -87,6 +87,17 @@ void keep_hooks(const crowd::Crowd &crowd, View &view)
 
 }  // namespace
 
+base::Status ListView::check() const
+{
+    if (view_index >= given.eyes.count)
+        return base::Status::bad(CLQ_ARGUMENT, "view %u of %u", view_index, given.eyes.count);
+    if (caches.requests().count != candidates.count || sights.candidates != candidates.count)
+        return base::Status::bad(CLQ_ARGUMENT, "no request or no sight of every candidate");
+    if (std::min({listed.capacity(), ordered.capacity(), view.list.items.capacity()}) < visible.count)
+        return base::Status::bad(CLQ_ARGUMENT, "no room for %u visible individuals", visible.count);
+    return base::Status::good();
+}
+
 void ListView::run() const
 {
     const crowd::Crowd &crowd = given.crowd;

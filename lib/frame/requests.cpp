@@ -75,6 +75,14 @@ void MakeRequests::add(const Candidate &candidate) const
     ++stats.passed_sklsroot;
 }
 
+base::Status MakeRequests::check() const
+{
+    if (requests.capacity() < candidates.count || rows.count < given.crowd.row_count())
+        return base::Status::bad(CLQ_ARGUMENT,
+                                 "no room for a request of every candidate, or not a result for every row");
+    return base::Status::good();
+}
+
 void MakeRequests::run() const
 {
     layers.clear();

@@ -28,6 +28,15 @@ void put_on_ground(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &ro
 
 }  // namespace
 
+base::Status PlaceRoots::check() const
+{
+    for (const Candidate &candidate : candidates)
+        if (candidate.row >= given.crowd.row_count())
+            return base::Status::bad(CLQ_ARGUMENT, "a candidate in row %u of %u", candidate.row,
+                                     given.crowd.row_count());
+    return base::Status::good();
+}
+
 void PlaceRoots::run() const
 {
     const crowd::Crowd &crowd = given.crowd;

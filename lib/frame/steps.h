@@ -1,5 +1,6 @@
 // The steps of one update, in their order (S0 4.2); each has a short file of its own. A step reads its first members
-// and writes only through its last ones; none allocates. run() requires check().
+// and writes only through its last ones; none allocates. check() reports the first array that does not fit; run()
+// requires it, and builds with assertions hold every step of every update to it.
 #pragma once
 
 #include "lib/base/status.h"
@@ -49,6 +50,7 @@ struct PlaceRoots {
     base::Span<Candidate> candidates;
     Stats &stats;
 
+    base::Status check() const;
     void run() const;
 };
 
@@ -92,6 +94,7 @@ struct MakeRequests {
     std::pmr::vector<animcache::Request> &requests;  // within its capacity: one per candidate
     Stats &stats;
 
+    base::Status check() const;
     void run() const;
 
 private:
@@ -110,6 +113,7 @@ struct KeepToBudget {
     base::Span<Candidate> candidates;
     base::Span<Row> rows;
 
+    base::Status check() const;
     void run() const;
 
 private:
@@ -170,6 +174,7 @@ struct ListView {
     std::pmr::vector<SortEntry> &listed, &ordered;  // scratch, within their capacity
     View &view;
 
+    base::Status check() const;
     void run() const;
 
 private:
@@ -184,6 +189,7 @@ struct CountBands {
 
     base::Span<Band> bands;
 
+    base::Status check() const;
     void run() const;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -43,6 +44,13 @@ void learn_cost(Work &work, double spent_s)
     work.pose_cost_s = work.pose_cost_s > 0 ? (work.pose_cost_s + cost) / 2 : cost;
 }
 
+template <class Step>
+const Step &checked(const Step &step)
+{
+    assert(step.check().ok());
+    return step;
+}
+
 // The steps in their order (S0 4.2).
 void run(const Given &given, Work &work, base::Span<View *const> views)
 {
@@ -53,43 +61,40 @@ void run(const Given &given, Work &work, base::Span<View *const> views)
     if (elapsed_s < 0) work.live_since = given.update - 1;
 
     // S0 4.3: groups first. Steps 1 and 2: Reference Points, first cull phase.
-    const uint32_t tested_count = CullGroups{given,
-                                             work.blocks,
-                                             base::Span<uint8_t>(work.block_seen),
-                                             base::Span<GroupRow>(work.groups),
-                                             base::Span<uint32_t>(work.tested),
-                                             stats}
-                                      .run();
-    const base::Span<const uint32_t> tested(work.tested.data(), tested_count);
-    const uint32_t candidate_count =
-        CullRefpoints{given, tested, base::Span<uint8_t>(work.passed), base::Span<Candidate>(work.candidates), stats}
+    const uint32_t tested_count =
+        checked(CullGroups{given, work.blocks, base::Span<uint8_t>(work.block_seen), base::Span<GroupRow>(work.groups),
+                           base::Span<uint32_t>(work.tested), stats})
             .run();
+    const base::Span<const uint32_t> tested(work.tested.data(), tested_count);
+    const uint32_t candidate_count = checked(CullRefpoints{given, tested, base::Span<uint8_t>(work.passed),
+                                                           base::Span<Candidate>(work.candidates), stats})
+                                         .run();
     const base::Span<Candidate> candidates(work.candidates.data(), candidate_count);
     const base::Span<const Candidate> placed(work.candidates.data(), candidate_count);
     const Sights sights{base::Span<ViewVisibility>(work.sights), candidate_count};
 
-    PlaceRoots{given, candidates, stats}.run();     // step 3: Skeleton Roots of the candidates
-    CullRoots{given, placed, sights, stats}.run();  // step 4: second cull phase
-    ChooseLevels{given, sights, work.live_since, candidates, rows}.run();
+    checked(PlaceRoots{given, candidates, stats}).run();     // step 3: Skeleton Roots of the candidates
+    checked(CullRoots{given, placed, sights, stats}).run();  // step 4: second cull phase
+    checked(ChooseLevels{given, sights, work.live_since, candidates, rows}).run();
     const base::Span<const Row> found(work.rows.data(), rows.count);
-    MakeRequests{given, placed, found, caches.key_poses(), work.layers, caches.begin(), stats}.run();
+    checked(MakeRequests{given, placed, found, caches.key_poses(), work.layers, caches.begin(), stats}).run();
 
     // S1 4: poses that already show their tick are not evaluated again.
     caches.allocate_poses();
     caches.find_due_poses();
-    KeepToBudget{given, std::max(0.0, elapsed_s), work.pose_cost_s, caches, candidates, rows}.run();
+    checked(KeepToBudget{given, std::max(0.0, elapsed_s), work.pose_cost_s, caches, candidates, rows}).run();
 
     // Step 5: mechanisms write degrees of freedom, from which matrices follow.
     const double begun = now(given.settings);
-    Behave{given,  placed, found, work.dofs_each, base::Span<uint32_t>(work.behaving), base::Span<float>(work.dofs),
-           caches, stats}
+    checked(Behave{given, placed, found, work.dofs_each, base::Span<uint32_t>(work.behaving),
+                   base::Span<float>(work.dofs), caches, stats})
         .run();
     caches.animate(given.jobs);
     const double posed = now(given.settings);
 
     // Step 6: third cull phase, by Internal Bspheres.
     const uint32_t visible_count =
-        CullParts{given, placed, caches, sights, rows, base::Span<uint32_t>(work.visible), stats}.run();
+        checked(CullParts{given, placed, caches, sights, rows, base::Span<uint32_t>(work.visible), stats}).run();
     const base::Span<const uint32_t> visible(work.visible.data(), visible_count);
     const double culled = now(given.settings);
     caches.allocate_vertices();
@@ -99,12 +104,12 @@ void run(const Given &given, Work &work, base::Span<View *const> views)
 
     // Step 7: lists the visible individuals.
     for (uint32_t v = 0; v < views.count; ++v)
-        ListView{given, v, placed, visible, sights, caches, work.listed, work.ordered, *views[v]}.run();
+        checked(ListView{given, v, placed, visible, sights, caches, work.listed, work.ordered, *views[v]}).run();
 
     static_cast<animcache::Counters &>(stats) = caches.counters();
     stats.visible = visible_count;
     stats.frame_bytes = work.bytes();
-    CountBands{caches, found, elapsed_s, {stats.bands, band_count}}.run();
+    checked(CountBands{caches, found, elapsed_s, {stats.bands, band_count}}).run();
 }
 
 }  // namespace

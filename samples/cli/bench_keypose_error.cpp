@@ -83,7 +83,7 @@ private:
     {
         std::vector<float> positions(floats_);
         scenes::check(clq_asset_get_positions(asset_.get(), clip, static_cast<float>(double(info.start_s) + within_s),
-                                          positions.data(), positions.size()));
+                                              positions.data(), positions.size()));
         return positions;
     }
 

@@ -1,4 +1,4 @@
-// What every program made of subcommands does: it parses, runs the chosen one and turns failures into exit codes: 0 success;
+// What every program of subcommands does: it parses, runs the chosen one and turns failures into exit codes: 0 success;
 // 1 failure, with one sentence on stderr; 2 wrong usage.
 #pragma once
 

@@ -112,14 +112,17 @@ TEST(TextureSets, SetsThatBreakARuleAreRefusedByName)
 {
     model::Model m = sheet_with({key_image(16, 16, right_left)});
     m.texture_sets[0].images[0] = 7;
-    EXPECT_NE(refusal_of_sets(m).find("texture set 'set 1' has image 7 of 2 for material 0"), std::string::npos) << refusal_of_sets(m);
+    EXPECT_NE(refusal_of_sets(m).find("texture set 'set 1' has image 7 of 2 for material 0"), std::string::npos)
+        << refusal_of_sets(m);
     m.texture_sets[0].images.push_back(0);
-    EXPECT_NE(refusal_of_sets(m).find("texture set 'set 1' names 2 images for 1 materials"), std::string::npos) << refusal_of_sets(m);
+    EXPECT_NE(refusal_of_sets(m).find("texture set 'set 1' names 2 images for 1 materials"), std::string::npos)
+        << refusal_of_sets(m);
     m = sheet_with({key_image(16, 16, right_left)});
     m.images[1].alpha = model::AlphaMeaning::opacity;
     EXPECT_NE(refusal_of_sets(m).find("mean different things by alpha"), std::string::npos) << refusal_of_sets(m);
     m = sheet_with({key_image(16, 16, [](uint32_t, uint32_t) { return uint8_t(50); })});
-    EXPECT_NE(refusal_of_sets(m).find("has key 50 in 256 texels, and no zone declares it"), std::string::npos) << refusal_of_sets(m);
+    EXPECT_NE(refusal_of_sets(m).find("has key 50 in 256 texels, and no zone declares it"), std::string::npos)
+        << refusal_of_sets(m);
     m = sheet_with(std::vector<model::Image>(64, key_image(2, 2, left_right)));
     EXPECT_NE(refusal_of_sets(m).find("has 65 texture sets: 64 are the most"), std::string::npos) << refusal_of_sets(m);
 }
