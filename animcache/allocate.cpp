@@ -48,7 +48,8 @@ void Caches::move_to_end(uint32_t row)
 // last `updates`.
 bool Caches::evict_one(uint64_t updates)
 {
-    while (first_ != model::none && entries_[first_].last_seen + updates <= frame_number_) {
+    while (first_ != model::none && entries_[first_].last_seen + updates <= frame_number_ &&
+           !is_listed(entries_[first_])) {
         Entry &victim = entries_[first_];
         first_ = victim.after;
         if (first_ != model::none) entries_[first_].before = model::none;
@@ -76,9 +77,13 @@ float *Caches::take(const Entry &wanted, Block kind)
     }
 }
 
-std::pmr::vector<Request> &Caches::begin()
+std::pmr::vector<Request> &Caches::begin(bool can_undo)
 {
     ++frame_number_;
+    listed_from_ = can_undo ? last_listed_ : ~uint64_t(0);
+    if (can_undo) requests_.swap(requests_before_);
+    replaced_.clear();
+    key_poses_.begin(can_undo);
     Counters next;
     next.evicted = counters_.evicted;
     counters_ = next;
@@ -87,15 +92,26 @@ std::pmr::vector<Request> &Caches::begin()
     return requests_;
 }
 
+void Caches::undo()
+{
+    requests_.swap(requests_before_);
+    replaced_.clear();
+    key_poses_.undo();
+}
+
 void Caches::allocate_poses()
 {
-    for (const Request &request : requests_) {
+    for (uint32_t i = 0; i < requests_.size(); ++i) {
+        const Request &request = requests_[i];
         if (!request.tmpl) continue;
         Entry &entry = entries_[request.row];
         if (entry.tmpl != request.tmpl) {
-            release(entry, &Entry::palette);
-            release(entry, &Entry::vertices);
-            entry.tmpl = request.tmpl;
+            if (entry.tmpl && is_listed(entry)) replaced_.push_back(i);
+            else {
+                release(entry, &Entry::palette);
+                release(entry, &Entry::vertices);
+                entry.tmpl = request.tmpl;
+            }
         }
         entry.last_seen = frame_number_;
         move_to_end(request.row);
@@ -107,8 +123,9 @@ void Caches::allocate_poses()
         request.palette = nullptr;
         if (!request.tmpl || !request.needs_palette()) continue;
         Entry &entry = entries_[request.row];
-        if (!entry.palette && settings_.mode != Mode::none) entry.palette = take(entry, &Entry::palette);
-        request.palette = entry.palette;
+        const bool replaced = entry.tmpl != request.tmpl;
+        if (!entry.palette && !replaced && settings_.mode != Mode::none) entry.palette = take(entry, &Entry::palette);
+        request.palette = replaced ? nullptr : entry.palette;
         if (request.palette) continue;
         request.palette = arena_.take(block_bytes(*request.tmpl, &Entry::palette));
         ++without_room_;

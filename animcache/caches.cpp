@@ -28,6 +28,8 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
       blocks_(memory, settings.budget_bytes),
       arena_(memory),
       requests_(memory),
+      requests_before_(memory),
+      replaced_(memory),
       entries_(memory),
       animate_(memory),
       skin_(memory),
@@ -40,11 +42,12 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
 
 Caches::~Caches() = default;
 
-void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
+void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo)
 {
     scratch_.reserve(sizes_of(templates, settings_));
     key_poses_.reserve(row_count, templates);
-    requests_.reserve(row_count);
+    if (can_undo) requests_before_.reserve(row_count), replaced_.reserve(row_count);
+    else requests_.reserve(row_count);
     animate_.reserve(row_count);
     skin_.reserve(row_count);
     if (settings_.can_defer) waiting_.reserve(row_count);
@@ -54,8 +57,8 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
 
 uint64_t Caches::book_bytes() const
 {
-    return base::held_bytes(requests_, entries_, animate_, skin_, waiting_, built_) + blocks_.book_bytes() +
-           arena_.book_bytes() + scratch_.bytes() + key_poses_.book_bytes();
+    return base::held_bytes(requests_, requests_before_, replaced_, entries_, animate_, skin_, waiting_, built_) +
+           blocks_.book_bytes() + arena_.book_bytes() + scratch_.bytes() + key_poses_.book_bytes();
 }
 
 bool Caches::is_due(const Request &request) const
@@ -71,12 +74,12 @@ void Caches::find_due_poses()
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         if (!requests_[i].tmpl || !requests_[i].needs_palette()) continue;
         if (!is_due(requests_[i])) {
-            entries_[requests_[i].row].shown_s = requests_[i].shown_s;
             ++counters_.palette_served;
             continue;
         }
         ++counters_.due;
-        if (entries_[requests_[i].row].palette) animate_.push_back(i);
+        const float *kept = entries_[requests_[i].row].palette;
+        if (kept && requests_[i].palette == kept) animate_.push_back(i);
     }
 }
 
@@ -118,8 +121,27 @@ void Caches::keep_pose(Entry &entry, const Request &request)
     entry.renewed_s = pose_budget_.time_s;
 }
 
+// From here on the update cannot be undone.
+void Caches::commit()
+{
+    for (const Request &request : requests_)
+        if (request.tmpl && request.needs_palette() && !is_due(request))
+            entries_[request.row].shown_s = request.shown_s;
+    for (const uint32_t i : replaced_) {
+        Entry &entry = entries_[requests_[i].row];
+        release(entry, &Entry::palette);
+        release(entry, &Entry::vertices);
+        entry.tmpl = requests_[i].tmpl;
+    }
+    replaced_.clear();
+    key_poses_.commit();
+    listed_from_ = ~uint64_t(0);
+    last_listed_ = frame_number_;
+}
+
 void Caches::animate(const base::Jobs &jobs)
 {
+    commit();
     // Poses without a cache are made in every update, whatever the budget.
     for (uint32_t i = 0; without_room_ > 0 && i < requests_.size(); ++i)
         if (requests_[i].palette && !entries_[requests_[i].row].palette) animate_.push_back(i);

@@ -44,11 +44,16 @@ public:
 
     // Makes room for the book-keeping of `row_count` rows and for the scratch of these templates. The only call that
     // may fail (std::bad_alloc); cached results stay.
-    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
+    //   can_undo   whether updates may call undo()
+    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo = false);
 
-    // An update calls these in this order.
-    std::pmr::vector<Request> &begin();  // to be filled with one request per candidate, within its capacity
-    void allocate_poses();               // finds memory, evicting the individuals unseen for longest
+    // An update calls these in this order. begin() returns an array to be filled with one request per candidate, within
+    // its capacity.
+    std::pmr::vector<Request> &begin(bool can_undo = false);
+    // Before animate(): puts back the requests of the last update. Until animate() begins, an update that can be undone
+    // overwrites and frees nothing that the last one listed.
+    void undo();
+    void allocate_poses();  // finds memory, evicting the individuals unseen for longest
     void find_due_poses();
     // Defers all but `moment.budget` of the due poses whose earlier pose can still be shown (budget.cpp). The deferred
     // requests then name the cached pose.
@@ -113,6 +118,8 @@ private:
 
     bool can_wait(const Request &request, double time_s) const;
     bool needs_vertices(const Request &request) const;
+    void commit();
+    bool is_listed(const Entry &entry) const { return entry.last_seen >= listed_from_; }
     void keep_pose(Entry &entry, const Request &request);
     void skin(const Request &request, const Scratch &scratch);
     float *take(const Entry &wanted, Block kind);  // null: no room
@@ -126,10 +133,14 @@ private:
     FrameArena arena_;
     Counters counters_;
     uint64_t frame_number_ = 0;
-    std::pmr::vector<Request> requests_;  // of the last update
-    std::pmr::vector<Entry> entries_;     // by row
-    uint32_t without_room_ = 0;           // requests of the last update whose matrices no cache keeps
-    std::pmr::vector<uint32_t> animate_;  // indices of requests
+    std::pmr::vector<Request> requests_;         // of the last update
+    std::pmr::vector<Request> requests_before_;  // of the one before, while that can be undone
+    std::pmr::vector<uint32_t> replaced_;        // requests of rows that were listed with another template
+    uint64_t last_listed_ = 0;                   // number of the last update that was not undone
+    uint64_t listed_from_ = ~uint64_t(0);  // individuals seen since then may still be drawn; none may: the maximum
+    std::pmr::vector<Entry> entries_;      // by row
+    uint32_t without_room_ = 0;            // requests of the last update whose matrices no cache keeps
+    std::pmr::vector<uint32_t> animate_;   // indices of requests
     std::pmr::vector<uint32_t> skin_;
     std::pmr::vector<Waiting> waiting_;
     PoseBudget pose_budget_;                             // of the last update

@@ -122,11 +122,21 @@ void KeyPoseStore::choose(uint32_t max_kept, KeyPoseMemory &memory)
     }
 }
 
+void KeyPoseStore::drop_fresh()
+{
+    for (const Fresh &fresh : fresh_) {
+        slots_[slot_of_[fresh.pose]].pose = model::none;
+        slot_of_[fresh.pose] = model::none;
+        held_[fresh.pose] = 0;
+    }
+    fresh_.clear();
+}
+
 const float *KeyPoseStore::find(uint32_t pose)
 {
     if (slot_of_[pose] == model::none) return nullptr;
     Slot &slot = slots_[slot_of_[pose]];
-    slot.used = frame_number_;
+    slot.used = last_used_ = frame_number_;
     return slot.vertices;
 }
 

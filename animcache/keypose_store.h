@@ -41,6 +41,9 @@ public:
         float *vertices = nullptr;
     };
     base::Span<const Fresh> fresh() const { return base::Span<const Fresh>(fresh_); }
+    void keep_fresh() { fresh_.clear(); }
+    void drop_fresh();  // as if they had not been chosen
+    bool was_used_since(uint64_t frame_number) const { return !slots_.empty() && last_used_ >= frame_number; }
     uint32_t wanted() const { return wanted_; }  // distinct key-poses, in this update
     uint32_t held() const;
     uint64_t bytes() const { return slots_.size() * sizeof(float) * floats_each_; }
@@ -62,7 +65,7 @@ private:
     std::pmr::memory_resource *memory_;
     size_t floats_each_;
     uint32_t pose_count_;
-    uint64_t frame_number_ = 0;
+    uint64_t frame_number_ = 0, last_used_ = 0;
     uint32_t wanted_ = 0;
     model::Array<Slot> slots_;
     model::Array<uint32_t> slot_of_;  // by pose, or none

@@ -13,6 +13,7 @@ KeyPoses::KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &set
       vertex_format_(vertex_format),
       owners_(memory),
       stores_(memory),
+      retired_(memory),
       work_(memory),
       requested_(memory)
 {
@@ -27,7 +28,8 @@ void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *con
     while (same < owners_.size() && same < templates.count && owners_[same].tmpl == templates[same]) ++same;
     if (same < owners_.size()) {  // another state of the crowd: its templates may have another order
         owners_.clear();
-        stores_.clear();
+        if (retired_.empty()) retired_.swap(stores_);
+        else stores_.clear();
         shared_.bytes = 0;
         same = 0;
     }
@@ -49,7 +51,7 @@ void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *con
 
 uint64_t KeyPoses::book_bytes() const
 {
-    uint64_t sum = base::held_bytes(owners_, stores_, work_, requested_);
+    uint64_t sum = base::held_bytes(owners_, stores_, retired_, work_, requested_);
     for (const Owner &owner : owners_) sum += owner.table.bytes();
     for (const KeyPoseStore &store : stores_) sum += store.book_bytes();
     return sum;
@@ -71,7 +73,22 @@ void KeyPoses::make_room()
         short_of_room = short_of_room || store.is_short_of_room(settings_.max_kept, shared_);
     if (!short_of_room) return;
     for (KeyPoseStore &store : stores_)
-        if (store.is_idle()) store.release(shared_);
+        if (store.is_idle() && !store.was_used_since(listed_from_)) store.release(shared_);
+}
+
+// Key-poses that were to be skinned are not.
+void KeyPoses::undo()
+{
+    for (KeyPoseStore &store : stores_) store.drop_fresh();
+    work_.clear();
+}
+
+void KeyPoses::commit()
+{
+    for (KeyPoseStore &store : stores_) store.keep_fresh();
+    retired_.clear();
+    listed_from_ = ~uint64_t(0);
+    last_listed_ = frame_number_;
 }
 
 void KeyPoses::choose(std::pmr::vector<Request> &requests)

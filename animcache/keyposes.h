@@ -33,6 +33,10 @@ public:
     // What an individual of templates[tmpl] shows; requires reserve().
     KeyPoseSelection select(uint32_t tmpl, uint32_t level, KeyPoseMode mode, uint32_t clip, double time_s) const;
 
+    // As in Caches: an update that can be undone frees nothing that was listed until commit().
+    void begin(bool can_undo) { listed_from_ = can_undo ? last_listed_ : ~uint64_t(0); }
+    void undo();
+    void commit();
     // Per update: fills `kept` of every request that shows key-poses, then skins the new ones.
     void choose(std::pmr::vector<Request> &requests);
     void make(const base::Jobs &jobs, ScratchPool &scratch);
@@ -60,9 +64,10 @@ private:
     VertexFormat vertex_format_;
     KeyPoseMemory shared_;
     KeyPoseCounters counters_;
-    uint64_t frame_number_ = 0;
+    uint64_t frame_number_ = 0, last_listed_ = 0, listed_from_ = ~uint64_t(0);
     model::Array<Owner> owners_;  // by template
     model::Array<KeyPoseStore> stores_;
+    model::Array<KeyPoseStore> retired_;  // of templates that the crowd has no more; lists point at them until commit()
     model::Array<Work> work_;
     model::Array<uint32_t> requested_;  // scratch: indices of requests
 };

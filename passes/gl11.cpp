@@ -1,5 +1,7 @@
 #include "passes/gl11.h"
 
+#include "lib/base/host_call.h"
+
 namespace claque::passes
 {
 namespace
@@ -14,15 +16,19 @@ public:
     template <class Function>
     void operator()(Function &slot, const char *name)
     {
-        slot = missing_ ? nullptr : reinterpret_cast<Function>(get_(user_, name));
-        if (!slot && !missing_) missing_ = name;
+        slot = nullptr;
+        if (missing_) return;
+        thrown_ = base::call_host("get_proc_address", [&] { slot = reinterpret_cast<Function>(get_(user_, name)); });
+        if (!slot) missing_ = name;
     }
     const char *missing() const { return missing_; }
+    const base::Status &thrown() const { return thrown_; }
 
 private:
     GetProcAddress get_;
     void *user_;
     const char *missing_ = nullptr;
+    base::Status thrown_;
 };
 
 void load_queries_and_stacks(Loader &want, Gl11 &t)
@@ -105,6 +111,7 @@ base::Status load(Gl11 &table, GetProcAddress get_proc_address, void *user)
     load_state(want, table);
     load_textures(want, table);
     load_vertices(want, table);
+    if (!want.thrown().ok()) return want.thrown();
     if (want.missing())
         return base::Status::bad(CLQ_GL_MISSING, "the host's get_proc_address has no %s, a function of OpenGL 1.1",
                                  want.missing());

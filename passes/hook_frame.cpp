@@ -1,5 +1,6 @@
 #include "passes/hook_frame.h"
 
+#include "lib/base/host_call.h"
 #include "passes/guard.h"
 
 namespace claque::passes
@@ -37,12 +38,21 @@ base::Status HookFrame::named(const base::Status &status, const char *which) con
     return base::Status::bad(status.code, "actor %u: after its hook '%s', %s", item_.actor_index, which, status.text);
 }
 
+template <class Call>
+void HookFrame::call(const char *name, const Call &hook)
+{
+    base::HostCalls calls;  // the second hook is called even if the first threw
+    calls.run(name, item_.actor_index + 1, hook);
+    if (thrown_.ok()) thrown_ = calls.status();
+}
+
 base::Status HookFrame::before()
 {
     const draw::Hooks &hooks = *item_.hooks;
     if (!hooks.before) return base::Status::good();
     offer();
-    has_texture_ = hooks.before(hooks.user, item_.actor_index + 1, item_.generation) != 0;
+    call("the hook 'before'",
+         [&] { has_texture_ = hooks.before(hooks.user, item_.actor_index + 1, item_.generation) != 0; });
     end_modes();
     if (has_texture_) texture_ = static_cast<uint32_t>(integer(gl_, gl::texture_binding_2d));
     const base::Status status = preflight_.check_target(gl_);
@@ -55,7 +65,7 @@ base::Status HookFrame::after()
     const draw::Hooks &hooks = *item_.hooks;
     if (hooks.after) {
         offer();
-        hooks.after(hooks.user, item_.actor_index + 1, item_.generation);
+        call("the hook 'after'", [&] { hooks.after(hooks.user, item_.actor_index + 1, item_.generation); });
         end_modes();
     }
     level_attributes();

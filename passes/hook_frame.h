@@ -33,6 +33,9 @@ public:
     // CLQ_GL_STATE if the hook left state that GL 1.1 cannot undo: nothing more can be drawn.
     base::Status after();
 
+    // The first exception of a hook: CLQ_CALLBACK.
+    const base::Status &thrown() const { return thrown_; }
+
 private:
     struct Depths {
         int32_t attributes, client, modelview, projection, texture;
@@ -42,6 +45,8 @@ private:
     void end_modes() const;  // ends an open display list, selection or feedback
     void level_attributes() const;
     void level_matrices() const;
+    template <class Call>
+    void call(const char *name, const Call &hook);
     base::Status named(const base::Status &status, const char *which) const;
 
     const Gl11 &gl_;
@@ -52,6 +57,7 @@ private:
     Depths found_;
     uint32_t texture_ = 0;
     bool has_texture_ = false;
+    base::Status thrown_;
 };
 
 }  // namespace claque::passes

@@ -129,7 +129,7 @@ ListDrawer::Next ListDrawer::draw_between_hooks(Individual &individual, base::St
     HookFrame frame(gl_, preflight_, state_, list_, *individual.item);
     const uint32_t room = room_;
     base::Status status = frame.before();
-    if (status.ok()) {
+    if (status.ok() && frame.thrown().ok()) {
         individual.own = frame.texture();
         if (individual.item->locals && individual.item->hooks->before) room_ = matrix_room(gl_);
         draw_individual(individual);
@@ -137,6 +137,7 @@ ListDrawer::Next ListDrawer::draw_between_hooks(Individual &individual, base::St
     room_ = room;
     if (first.ok()) first = status;
     status = frame.after();
+    if (first.ok()) first = frame.thrown();
     if (first.ok()) first = status;
     return status.ok() ? Next::go_on : Next::stop;
 }

@@ -94,7 +94,7 @@ base::Status ShadowDrawer::draw()
                                       item.actor_index);
     }
     batch_.flush();
-    return first;
+    return first.ok() ? plane_finder_.status() : first;
 }
 
 // False if the item has no vertices.

@@ -37,14 +37,19 @@ ShadowPlaneFinder::ShadowPlaneFinder(const ShadowOptions &options, const draw::D
     if (parallel) light_ = light_ / std::sqrt(glm::dot(light_, light_));
 }
 
-double ShadowPlaneFinder::height_of(const draw::Item &item) const
+double ShadowPlaneFinder::height_of(const draw::Item &item)
 {
     if (options_.ground == ShadowGround::plane) return options_.plane_height;
-    if (options_.ground == ShadowGround::host) return options_.height(options_.user, item.ground);
+    if (options_.ground == ShadowGround::host) {
+        double height = std::nan("");
+        host_calls_.run("clq_shadow_def.height", item.actor_index + 1,
+                        [&] { height = options_.height(options_.user, item.ground); });
+        return height;
+    }
     return glm::dot(vec(options_.up), vec(item.ground));
 }
 
-bool ShadowPlaneFinder::find(const draw::Item &item, ShadowPlane &plane) const
+bool ShadowPlaneFinder::find(const draw::Item &item, ShadowPlane &plane)
 {
     plane.normal = up_;
     plane.offset = height_of(item) + options_.lift - eye_height_;

@@ -2,6 +2,7 @@
 // each point moves along its ray to the plane.
 #pragma once
 
+#include "lib/base/host_call.h"
 #include "lib/draw/draw_list.h"
 #include "passes/shadow.h"
 
@@ -29,14 +30,18 @@ public:
 
     // False if there is no shadow: the eye is below the ground, the light is not above it or is a positioned light
     // within the height of the individual's sphere, or the host says that there is no ground.
-    bool find(const draw::Item &item, ShadowPlane &plane) const;
+    bool find(const draw::Item &item, ShadowPlane &plane);
+
+    // The first exception of the host's height function, after which no individual has a shadow.
+    const base::Status &status() const { return host_calls_.status(); }
 
 private:
-    double height_of(const draw::Item &item) const;
+    double height_of(const draw::Item &item);
 
     const ShadowOptions &options_;
     glm::dvec3 up_, light_;  // in eye space
     double eye_height_;
+    base::HostCalls host_calls_;
 };
 
 // Projects vertices of one individual to their shadow in eye space.

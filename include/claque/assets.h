@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* A character as loaded, before it is split into a template. It may be changed by one thread at a time. */
+/* A character as loaded, before it is split into a template. It may be changed by one thread at a time, and not while
+ * another call uses it; tasks of such a call must not use it either. */
 typedef struct clq_asset clq_asset;
 
 typedef struct clq_asset_options {

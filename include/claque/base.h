@@ -20,6 +20,11 @@
  * Structs that the library passes to callbacks may grow at their end and have no struct_bytes.
  * All other structs (ids, small values, elements of arrays) never change. A _def among them has an _init function too.
  *
+ * Callbacks. A callback may throw a C++ exception. No exception passes through claque: the call fails with CALLBACK and
+ * leaves everything as it was; a view keeps its list. Calls that the callback had taken before are not taken back, nor
+ * is what GL has drawn. Where a comment of the callback says so, the call goes on instead. A callback must not leave by
+ * longjmp, and its thread must not be cancelled in it.
+ *
  * Units. A suffix names the unit: _s seconds, _ms milliseconds, _hz per second, _rad radians, _deg degrees, _px pixels,
  * _m metres, _bytes bytes, _count a number of things.
  * A length has one of three units:
@@ -105,7 +110,8 @@ typedef enum clq_status {
     CLQ_GL_STATE = 10,      /* the host's GL state would spoil the picture; the text names it */
     CLQ_BUSY = 11,          /* another call works on the same crowd or view */
     CLQ_IN_USE = 12,        /* something that still exists needs the object */
-    CLQ_IO = 13             /* a file could not be read or written */
+    CLQ_IO = 13,            /* a file could not be read or written */
+    CLQ_CALLBACK = 14       /* a callback of the host threw an exception; the text repeats it */
 } clq_status;
 
 /* Returns CLQ_VERSION of the library, which may differ from that of the headers. Threads: any. */
@@ -127,9 +133,10 @@ CLQ_API clq_status clq_report(clq_status status, const char *text);
 /* Memory from the host. The thread that calls claque and the tasks call both functions. */
 typedef struct clq_allocator {
     void *user;
-    /* Returns at least size_bytes, aligned to alignment_bytes (a power of two), or NULL to refuse. */
+    /* Returns at least size_bytes, aligned to alignment_bytes (a power of two), or NULL to refuse. An exception counts
+     * as a refusal. */
     void *(*allocate)(void *user, size_t size_bytes, size_t alignment_bytes);
-    /* Gets the sizes that were given to allocate. */
+    /* Gets the sizes that were given to allocate. An exception is ignored, and the memory counts as released. */
     void (*release)(void *user, void *memory, size_t size_bytes, size_t alignment_bytes);
 } clq_allocator;
 
@@ -138,7 +145,7 @@ typedef enum clq_log_level { CLQ_LOG_INFO = 0, CLQ_LOG_WARNING = 1 } clq_log_lev
 /* Receives notes and warnings. claque itself prints nothing. */
 typedef struct clq_log {
     void *user;
-    /* `text` is one sentence and valid during the call. */
+    /* `text` is one sentence and valid during the call. An exception is ignored. */
     void (*write)(void *user, clq_log_level level, const char *text);
 } clq_log;
 
@@ -146,7 +153,8 @@ typedef struct clq_log {
 typedef struct clq_tasks {
     void *user;
     /* Calls job(job_data, i) once for each i in [0, count), in any order and on any threads, and returns when all calls
-     * have returned. */
+     * have returned. If it throws, no call of job may still be at work; claque then makes the calls that are missing on
+     * the calling thread and logs a warning, and the result is the same. */
     void (*run)(void *user, uint32_t count, void (*job)(void *job_data, uint32_t index), void *job_data);
 } clq_tasks;
 

@@ -1,9 +1,13 @@
 /* clq_crowd and clq_actor: individuals, where they are, what they play and their colours; and the update that animates
  * the visible ones.
  *
- * A crowd has one writer: calls that change it come from one thread at a time. Positions are doubles and are drawn
- * relative to the eye, so they do not jitter at 10^6 m from the origin. An actor is an {index, generation} id by value.
- * {0, 0} is no actor. The id of a destroyed actor is STALE_ID for ever. */
+ * A crowd has one writer: calls that change it come from one thread at a time. Calls that get something of it or of its
+ * views, or draw them, may come from any thread. claque never waits: a call that meets a change, or a change that meets
+ * a call, fails with BUSY and does nothing. So does every call that a callback makes for the crowd, view or renderer
+ * that is at work. Only a call that destroys an object must not meet another one for it.
+ *
+ * Positions are doubles and are drawn relative to the eye, so they do not jitter at 10^6 m from the origin. An actor is
+ * an {index, generation} id by value. {0, 0} is no actor. The id of a destroyed actor is STALE_ID for ever. */
 #ifndef CLAQUE_CROWD_H
 #define CLAQUE_CROWD_H
 
@@ -35,7 +39,9 @@ typedef struct clq_attachment {
 } clq_attachment;
 
 /* Callbacks around the drawing of one individual (S0 7.1). clq_renderer_draw calls them on its thread with its GL
- * context current. Either may be NULL. They must not call claque. claque/renderer.h says what they may do in GL. */
+ * context current. Either may be NULL. They must not call claque. claque/renderer.h says what they may do in GL.
+ * An individual whose hook `before` throws an exception is not drawn; the others are, and the draw then fails with
+ * CALLBACK. */
 typedef struct clq_actor_hooks {
     /* Returns true if it has bound a two-dimensional texture of the host, with the template's zone keys in its alpha,
      * to be used in place of the template's. Lights, fog and materials that it sets act on this individual alone. */
@@ -113,7 +119,9 @@ typedef struct clq_crowd_def {
     /* [>= 0] the same limit in milliseconds of posing and skinning, estimated from the cost of earlier updates; 0: no
      * limit. The lower of both limits holds. The picture then depends on the speed of the machine. Needs now_s. */
     float update_budget_ms;
-    double (*now_s)(void *user); /* a clock in seconds that never goes back; clq_crowd_update calls it on its thread */
+    /* A clock in seconds that never goes back; clq_crowd_update calls it on its thread. If it throws, the update goes
+     * on without measuring, and claque logs a warning. */
+    double (*now_s)(void *user);
     void *now_user;
     clq_key_poses key_poses; /* shared key-poses (S3). Default: none */
 } clq_crowd_def;
@@ -139,8 +147,9 @@ static inline clq_crowd_def clq_crowd_def_init(void)
  * Fails: STRUCT_SIZE, ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_crowd **out);
 
-/* Destroys a crowd with its actors and views; NULL is ignored. Renderers live on. Threads: the crowd's writer. */
-CLQ_API void clq_crowd_destroy(clq_crowd *crowd);
+/* Destroys a crowd with its actors and views; NULL is ignored. Renderers live on.
+ * Fails: BUSY; the crowd then stays. Threads: the crowd's writer. GL: none. */
+CLQ_API clq_status clq_crowd_destroy(clq_crowd *crowd);
 
 /* A rigid transform with a scale. As an actor's, it places its Reference Point (S0 3). */
 typedef struct clq_transform {
@@ -306,14 +315,14 @@ CLQ_DEFINE_ZERO_INIT(clq_actor_info)
 
 /* Gets the state of an actor.
  *   out   made by clq_actor_info_init
- * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. Threads: any, not while the crowd is changed. GL: none. */
+ * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT, BUSY. Threads: any. GL: none. */
 CLQ_API clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor_info *out);
 
-/* Returns the number of actors; 0 for NULL. Threads: any, not while the crowd is changed. GL: none. */
+/* Returns the number of actors; 0 for NULL and where clq_actor_get_info would be BUSY. Threads: any. GL: none. */
 CLQ_API uint32_t clq_crowd_get_actor_count(const clq_crowd *crowd);
 
-/* Returns a hash of everything that the host has set in the crowd; 0 for NULL. Crowds made by the same calls have equal
- * hashes. Threads: any, not while the crowd is changed. GL: none. */
+/* Returns a hash of everything that the host has set in the crowd; 0 for NULL and where clq_actor_get_info would be
+ * BUSY. Crowds made by the same calls have equal hashes. Threads: any. GL: none. */
 CLQ_API uint64_t clq_crowd_get_hash(const clq_crowd *crowd);
 
 /* Computes one frame: places Skeleton Roots, culls, finds the actors whose pose is due, animates and skins them, and
@@ -321,7 +330,8 @@ CLQ_API uint64_t clq_crowd_get_hash(const clq_crowd *crowd);
  *   time_s   the host's clock; it may jump and go back. With CLQ_CLOCK_REFERENCE the picture is a function of time_s
  *            and the distances
  *   views    [view_count] of this crowd, each once; the draw lists of its other views become empty
- * Fails: ARGUMENT, LIMIT, BUSY, OUT_OF_MEMORY; the crowd and all draw lists then stay as they were. If the
+ * Fails: ARGUMENT, LIMIT, BUSY, OUT_OF_MEMORY, CALLBACK (the ground or a host mechanism threw an exception; what
+ * callbacks did before it stays done). The crowd, its statistics and all draw lists then stay as they were. If the
  * allocator refuses memory for the palette or the vertices of single individuals, the update does not fail:
  * clq_crowd_stats counts them in left_out, and draws leave them out and return OUT_OF_MEMORY.
  * Threads: the crowd's writer. GL: none. */

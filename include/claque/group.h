@@ -49,7 +49,7 @@ CLQ_DEFINE_ZERO_INIT(clq_group_info)
 
 /* Gets the state of a group.
  *   out   made by clq_group_info_init
- * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. Threads: any, not while the crowd is changed. GL: none. */
+ * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT, BUSY. Threads: any. GL: none. */
 CLQ_API clq_status clq_group_get_info(const clq_crowd *crowd, clq_group group, clq_group_info *out);
 
 #ifdef __cplusplus

@@ -293,7 +293,7 @@ CLQ_API clq_status clq_template_build(clq_context *context, const clq_template_d
 CLQ_API void clq_template_destroy(clq_template *tmpl);
 
 /* Writes a prepared template: loading it needs neither glTF nor splitting.
- * Fails: ARGUMENT, IO, OUT_OF_MEMORY. Threads: any. GL: none. */
+ * Fails: ARGUMENT, IO, OUT_OF_MEMORY, CALLBACK. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_save(const clq_template *tmpl, clq_write_function write, void *user);
 
 /* Loads a prepared template. The bytes may be anything: a file that is cut off, changed or of another version fails

@@ -48,8 +48,8 @@ CLQ_API clq_status clq_camera_look_at(const clq_look_at_def *def, clq_camera *ou
  * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_view_create(clq_crowd *crowd, clq_view **out);
 
-/* Destroys a view; NULL is ignored. Threads: the crowd's writer. GL: none. */
-CLQ_API void clq_view_destroy(clq_view *view);
+/* Destroys a view; NULL is ignored. Fails: BUSY; the view then stays. Threads: the crowd's writer. GL: none. */
+CLQ_API clq_status clq_view_destroy(clq_view *view);
 
 /* Sets the camera for the next clq_crowd_update. Copied.
  * Fails: ARGUMENT (a number that is not finite, a rotation that is not of length 1), BUSY.

@@ -132,6 +132,7 @@ clq_status clq_actor_get_info(const clq_crowd *crowd, clq_actor actor, clq_actor
     return api::boundary("clq_actor_get_info", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         api::require_size(*out, "clq_actor_info_init");
+        const api::Reading reading(crowd);
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const crowd::Play &play = crowd->crowd.play_of(row);
         const frame::ActorVisibility visibility = crowd->frame.visibility(crowd->crowd, row);

@@ -9,6 +9,7 @@
 
 #include "lib/api/struct_size.h"
 #include "lib/base/error.h"
+#include "lib/base/host_call.h"
 #include "lib/base/status.h"
 
 namespace claque::api
@@ -48,6 +49,14 @@ inline void require(bool rule, const char *what)
 inline void require(const base::Status &status)
 {
     if (!status.ok()) base::fail(status.code, "%s", status.text);
+}
+
+// Gives bytes to a host's writer. False: it refused them. Allocates nothing.
+inline bool host_takes(clq_write_function write, void *user, const void *bytes, size_t size_bytes)
+{
+    int refused = 0;
+    require(base::call_host("the write function", [&] { refused = write(user, bytes, size_bytes); }));
+    return refused == 0;
 }
 
 inline void require_array(const void *array, uint32_t count, const char *what)

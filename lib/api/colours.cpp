@@ -108,6 +108,7 @@ clq_status clq_actor_get_colours(const clq_crowd *crowd, clq_actor actor, float 
 {
     return api::boundary("clq_actor_get_colours", [&] {
         api::require(crowd && (out_rgb || zone_count == 0), "crowd or out_rgb is NULL");
+        const api::Reading reading(crowd);
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Template &tmpl = crowd->crowd.template_of(row);
         require_zones(zone_count, tmpl);

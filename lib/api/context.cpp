@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <mutex>
 #ifdef _WIN32
 #include <malloc.h>
 #endif
 
 #include "lib/api/boundary.h"
 #include "lib/api/handles.h"
+#include "lib/base/host_call.h"
 
 using namespace claque;
 
@@ -33,6 +35,28 @@ void default_release(void *, void *memory, size_t, [[maybe_unused]] size_t align
     std::free(memory);
 }
 
+// The failed job of the lowest index, so that the report does not depend on threads.
+class FirstFailure
+{
+public:
+    void note(uint32_t index, const base::Status &status)
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (index >= index_) return;
+        index_ = index;
+        status_ = status;
+    }
+    void report() const
+    {
+        if (!status_.ok()) base::fail(status_.code, "at index %u %s", index_, status_.text);
+    }
+
+private:
+    std::mutex mutex_;
+    uint32_t index_ = CLQ_NONE;
+    base::Status status_;
+};
+
 }  // namespace
 
 extern "C" {
@@ -46,8 +70,7 @@ clq_status clq_context_create(const clq_context_def *def, clq_context **out)
         api::require((allocator.allocate == nullptr) == (allocator.release == nullptr),
                      "the allocator has only one of allocate and release");
         if (!allocator.allocate) allocator = {nullptr, default_allocate, default_release};
-        void *memory = allocator.allocate(allocator.user, sizeof(clq_context), alignof(clq_context));
-        if (!memory) throw std::bad_alloc();
+        void *memory = base::allocate_from(allocator, sizeof(clq_context), alignof(clq_context));
         *out = new (memory) clq_context(allocator, wanted.log, wanted.tasks);
     });
 }
@@ -60,19 +83,28 @@ clq_status clq_context_destroy(clq_context *context)
         if (children) base::fail(CLQ_IN_USE, "%u templates, crowds or renderers made from it still exist", children);
         const clq_allocator allocator = context->allocator;
         context->~clq_context();
-        allocator.release(allocator.user, context, sizeof(clq_context), alignof(clq_context));
+        base::release_to(allocator, context, sizeof(clq_context), alignof(clq_context));
     });
 }
 
 void clq_context_log(clq_context *context, clq_log_level level, const char *text)
 {
-    if (context && text && context->log.host.write) context->log.host.write(context->log.host.user, level, text);
+    if (context && text) context->log.write(level, text);
 }
 
-void clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index), void *job_data)
+clq_status clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index),
+                           void *job_data)
 {
-    const base::Jobs jobs = context ? context->jobs : base::Jobs();
-    if (job) jobs.for_each(count, [&](uint32_t i) { job(job_data, i); });
+    return api::boundary("clq_context_run", [&] {
+        if (!job) return;
+        const base::Jobs jobs = context ? context->jobs : base::Jobs();
+        FirstFailure failure;
+        jobs.for_each(count, [&](uint32_t i) {
+            const base::Status status = base::call_host("the job", [&] { job(job_data, i); });
+            if (!status.ok()) failure.note(i, status);
+        });
+        failure.report();
+    });
 }
 
 }  // extern "C"

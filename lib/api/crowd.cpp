@@ -26,7 +26,7 @@ void require_budget(const clq_crowd_def &def)
             "an update budget needs poses that are kept: CLQ_CACHE_NONE and CLQ_CULL_TRADITIONAL keep none");
 }
 
-frame::Settings settings_of(const clq_crowd_def &def)
+frame::Settings settings_of(const clq_context &context, const clq_crowd_def &def)
 {
     using api::require;
     require(api::number_of(def.cache) <= CLQ_CACHE_NONE,
@@ -60,7 +60,7 @@ frame::Settings settings_of(const clq_crowd_def &def)
     settings.caches.can_defer = def.update_budget > 0 || def.update_budget_ms > 0;
     settings.update_budget = def.update_budget;
     settings.update_budget_ms = def.update_budget_ms;
-    settings.now = {def.now_s, def.now_user};
+    settings.now = {def.now_s, def.now_user, context.log};
     settings.clock = static_cast<frame::Clock>(def.clock);
     settings.caches.mode = static_cast<animcache::Mode>(def.cache);
     settings.caches.key_poses = api::settings_of(def.key_poses, def.metres_per_unit);
@@ -92,17 +92,20 @@ clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_
     return api::boundary("clq_crowd_create", [&] {
         api::require(context && out, "context or out is NULL");
         const clq_crowd_def wanted = api::read_def(def, clq_crowd_def_init, "clq_crowd_def_init");
-        *out = api::make<clq_crowd>(context, context, settings_of(wanted), wanted.seed);
+        *out = api::make<clq_crowd>(context, context, settings_of(*context, wanted), wanted.seed);
     });
 }
 
-void clq_crowd_destroy(clq_crowd *crowd)
+clq_status clq_crowd_destroy(clq_crowd *crowd)
 {
-    if (!crowd) return;
-    // Templates are released last: the crowd's columns point at them.
-    std::pmr::vector<clq_template *> held(std::move(crowd->held));
-    api::unmake(crowd->context, crowd);
-    for (clq_template *tmpl : held) api::release(tmpl);
+    return api::boundary("clq_crowd_destroy", [&] {
+        if (!crowd) return;
+        api::lock(crowd);
+        // Templates are released last: the crowd's columns point at them.
+        std::pmr::vector<clq_template *> held(std::move(crowd->held));
+        api::unmake(crowd->context, crowd);
+        for (clq_template *tmpl : held) api::release(tmpl);
+    });
 }
 
 clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, const clq_transform *transforms,
@@ -123,7 +126,16 @@ clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, c
     });
 }
 
-uint32_t clq_crowd_get_actor_count(const clq_crowd *crowd) { return crowd ? crowd->crowd.actor_count() : 0; }
+uint32_t clq_crowd_get_actor_count(const clq_crowd *crowd)
+{
+    uint32_t count = 0;
+    if (!crowd) return count;
+    api::boundary("clq_crowd_get_actor_count", [&] {
+        const api::Reading reading(crowd);
+        count = crowd->crowd.actor_count();
+    });
+    return count;
+}
 
 clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *views, uint32_t view_count)
 {
@@ -154,6 +166,7 @@ clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out)
     return api::boundary("clq_crowd_get_stats", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         api::require_size(*out, "clq_crowd_stats_init");
+        const api::Reading reading(crowd);
         const frame::Stats &stats = crowd->frame.stats();
         clq_crowd_stats result = clq_crowd_stats_init();
         result.actor_count = crowd->crowd.actor_count();
@@ -211,6 +224,15 @@ clq_status clq_crowd_reset_bands(clq_crowd *crowd)
     });
 }
 
-uint64_t clq_crowd_get_hash(const clq_crowd *crowd) { return crowd ? crowd->crowd.hash() : 0; }
+uint64_t clq_crowd_get_hash(const clq_crowd *crowd)
+{
+    uint64_t hash = 0;
+    if (!crowd) return hash;
+    api::boundary("clq_crowd_get_hash", [&] {
+        const api::Reading reading(crowd);
+        hash = crowd->crowd.hash();
+    });
+    return hash;
+}
 
 }  // extern "C"

@@ -35,7 +35,7 @@ struct clq_crowd {
     std::pmr::vector<claque::crowd::Id> placed_ids;
     std::pmr::vector<claque::crowd::Transform> placed;
     std::pmr::vector<claque::behave::Event> events;  // result of the last query for events
-    mutable std::atomic<int32_t> users{0};  // number of calls that draw its views (readers); -1: a call that changes it
+    mutable std::atomic<int32_t> users{0};  // number of calls that read it or draw its views; -1: one that changes it
 };
 
 struct clq_view {
@@ -48,20 +48,43 @@ struct clq_view {
 namespace claque::api
 {
 
-// Locks a crowd for the length of a call; a second caller, including a task of an update, gets CLQ_BUSY.
+// Locks a crowd until `users` is 0 again.
+inline void lock(const clq_crowd *crowd)
+{
+    int32_t users = 0;
+    if (!crowd->users.compare_exchange_strong(users, -1))
+        base::fail(CLQ_BUSY, users < 0 ? "another call is at work on this crowd: calls come one at a time"
+                                       : "this crowd is being read, or a view of it drawn: it must not change now");
+}
+
+// Locks a crowd for the length of a call; a second caller, including a callback of an update, gets CLQ_BUSY.
 class Busy
 {
 public:
-    explicit Busy(const clq_crowd *crowd) : crowd_(crowd)
-    {
-        int32_t nobody = 0;
-        if (!crowd->users.compare_exchange_strong(nobody, -1))
-            base::fail(CLQ_BUSY, nobody < 0 ? "another call is at work on this crowd: calls come one at a time"
-                                            : "a view of this crowd is being drawn, and what it shows must not change");
-    }
+    explicit Busy(const clq_crowd *crowd) : crowd_(crowd) { lock(crowd); }
     ~Busy() { crowd_->users = 0; }
     Busy(const Busy &) = delete;
     Busy &operator=(const Busy &) = delete;
+
+private:
+    const clq_crowd *crowd_;
+};
+
+// Keeps a crowd as it is for the length of a call that reads it. Any number of readers and draws run at once.
+class Reading
+{
+public:
+    explicit Reading(const clq_crowd *crowd) : crowd_(crowd)
+    {
+        int32_t before = crowd->users;
+        do
+            if (before < 0)
+                base::fail(CLQ_BUSY, "the crowd is being changed, by an update for example: ask before or after it");
+        while (!crowd->users.compare_exchange_weak(before, before + 1));
+    }
+    ~Reading() { --crowd_->users; }
+    Reading(const Reading &) = delete;
+    Reading &operator=(const Reading &) = delete;
 
 private:
     const clq_crowd *crowd_;
@@ -72,27 +95,16 @@ private:
 class Drawing
 {
 public:
-    explicit Drawing(const clq_view *view) : view_(view)
+    explicit Drawing(const clq_view *view) : reading_(view->crowd), view_(view)
     {
-        std::atomic<int32_t> &users = view->crowd->users;
-        int32_t before = users;
-        do
-            if (before < 0)
-                base::fail(CLQ_BUSY, "the crowd is being changed, by an update for example: draw before or after it");
-        while (!users.compare_exchange_weak(before, before + 1));
-        if (!view->drawn.exchange(true)) return;
-        --users;
-        base::fail(CLQ_BUSY, "another thread draws this view");
+        if (view->drawn.exchange(true)) base::fail(CLQ_BUSY, "another call draws or reads this view");
     }
-    ~Drawing()
-    {
-        view_->drawn = false;
-        --view_->crowd->users;
-    }
+    ~Drawing() { view_->drawn = false; }
     Drawing(const Drawing &) = delete;
     Drawing &operator=(const Drawing &) = delete;
 
 private:
+    Reading reading_;
     const clq_view *view_;
 };
 

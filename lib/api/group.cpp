@@ -69,6 +69,7 @@ clq_status clq_group_get_info(const clq_crowd *crowd, clq_group group, clq_group
     return api::boundary("clq_group_get_info", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         api::require_size(*out, "clq_group_info_init");
+        const api::Reading reading(crowd);
         const uint32_t row = crowd->crowd.group_row_of(api::id_of(group));
         const crowd::Group &found = crowd->crowd.group(row);
         clq_group_info info = clq_group_info_init();

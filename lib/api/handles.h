@@ -12,7 +12,7 @@
 
 struct clq_context {
     clq_context(const clq_allocator &host, const clq_log &host_log, const clq_tasks &tasks)
-        : allocator(host), memory(host), jobs(tasks), log{host_log}
+        : allocator(host), memory(host), jobs(tasks, {host_log}), log{host_log}
     {
     }
     clq_allocator allocator;

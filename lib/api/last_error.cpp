@@ -20,7 +20,7 @@ const char *clq_status_name(clq_status status)
     static const char *const names[] = {
         "CLQ_OK",     "CLQ_ARGUMENT",    "CLQ_STRUCT_SIZE",    "CLQ_STALE_ID",   "CLQ_OUT_OF_MEMORY", "CLQ_LIMIT",
         "CLQ_FORMAT", "CLQ_UNSUPPORTED", "CLQ_KEY_RESOLUTION", "CLQ_GL_MISSING", "CLQ_GL_STATE",      "CLQ_BUSY",
-        "CLQ_IN_USE", "CLQ_IO"};
+        "CLQ_IN_USE", "CLQ_IO",          "CLQ_CALLBACK"};
     const unsigned number = static_cast<unsigned>(status);
     return number < sizeof names / sizeof names[0] ? names[number] : "CLQ_?";
 }

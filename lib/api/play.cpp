@@ -129,6 +129,7 @@ clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const 
     return api::boundary("clq_actor_sample_play", [&] {
         api::require(crowd && def && out, "crowd, def or out is NULL");
         const clq_random_play_def wanted = api::read_def(def, clq_random_play_def_init, "clq_random_play_def_init");
+        const api::Reading reading(crowd);
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Template &tmpl = crowd->crowd.template_of(row);
         api::require(wanted.clip_count > 0 && wanted.clips, "a draw from no clip");
@@ -156,6 +157,7 @@ clq_status clq_actor_get_active_clips(const clq_crowd *crowd, clq_actor actor, d
     return api::boundary("clq_actor_get_active_clips", [&] {
         api::require(crowd && out && out_count, "crowd, out or out_count is NULL");
         if (!std::isfinite(time_s)) base::fail(CLQ_ARGUMENT, "time_s is not finite");
+        const api::Reading reading(crowd);
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Level &level = crowd->crowd.template_of(row).levels[0];
         behave::ActiveClips shown;

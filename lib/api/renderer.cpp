@@ -75,6 +75,7 @@ clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl)
     return api::boundary("clq_renderer_prepare", [&] {
         api::require(renderer && tmpl, "renderer or tmpl is NULL");
         api::require(tmpl->context == renderer->context, "the template was made from another context");
+        const api::Rendering rendering(renderer);
         const bool known = std::find(renderer->held.begin(), renderer->held.end(), tmpl) != renderer->held.end();
         if (!known) renderer->held.reserve(renderer->held.size() + 1);
         api::require(renderer->renderer.prepare(*tmpl));
@@ -90,6 +91,7 @@ clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_tem
     return api::boundary("clq_renderer_get_prepared", [&] {
         api::require(renderer && tmpl && out, "renderer, tmpl or out is NULL");
         api::require_size(*out, "clq_prepared_info_init");
+        const api::Rendering rendering(renderer);
         if (std::find(renderer->held.begin(), renderer->held.end(), tmpl) == renderer->held.end())
             base::fail(CLQ_ARGUMENT, "the template '%s' has not been prepared for this renderer", tmpl->name.c_str());
         const passes::LuminanceStep step = renderer->renderer.step_of(*tmpl);
@@ -108,6 +110,7 @@ clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_st
         api::require(renderer && view, "renderer or view is NULL");
         if (out_stats) api::require_size(*out_stats, "clq_draw_stats_init");
         api::require(view->crowd->context == renderer->context, "the view belongs to another context");
+        const api::Rendering rendering(renderer);
         const api::Drawing drawing(view);
         passes::DrawStats stats;
         api::require(renderer->renderer.draw(view->view.list, &stats));
@@ -120,18 +123,26 @@ clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_st
     });
 }
 
-void clq_renderer_destroy(clq_renderer *renderer)
+clq_status clq_renderer_destroy(clq_renderer *renderer)
 {
-    if (!renderer) return;
-    renderer->renderer.destroy();
-    end(renderer);
+    return api::boundary("clq_renderer_destroy", [&] {
+        if (!renderer) return;
+        api::Rendering rendering(renderer);
+        renderer->renderer.destroy();
+        rendering.end();
+        end(renderer);
+    });
 }
 
-void clq_renderer_abandon(clq_renderer *renderer)
+clq_status clq_renderer_abandon(clq_renderer *renderer)
 {
-    if (!renderer) return;
-    renderer->renderer.abandon();
-    end(renderer);
+    return api::boundary("clq_renderer_abandon", [&] {
+        if (!renderer) return;
+        api::Rendering rendering(renderer);
+        renderer->renderer.abandon();
+        rendering.end();
+        end(renderer);
+    });
 }
 
 }  // extern "C"

@@ -19,7 +19,7 @@ public:
     HostSink(clq_write_function write, void *user) : write_(write), user_(user) {}
     void take(const uint8_t *bytes, size_t count) override
     {
-        if (write_(user_, bytes, count) != 0)
+        if (!api::host_takes(write_, user_, bytes, count))
             base::fail(CLQ_IO, "the writer refused %zu bytes of a saved crowd, after %zu that it took", count, taken_);
         taken_ += count;
     }

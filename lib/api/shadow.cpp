@@ -82,6 +82,7 @@ clq_status clq_renderer_draw_shadows(clq_renderer *renderer, clq_view *view, con
         set_light(wanted, options);
         set_ground(wanted, options);
         set_look(wanted, options);
+        const api::Rendering rendering(renderer);
         const api::Drawing drawing(view);
         passes::ShadowStats stats;
         require(renderer->renderer.draw_shadows(view->view.list, options, &stats));

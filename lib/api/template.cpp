@@ -53,9 +53,11 @@ clq_status clq_template_save(const clq_template *tmpl, clq_write_function write,
     return api::boundary("clq_template_save", [&] {
         api::require(tmpl && write, "tmpl or write is NULL");
         std::pmr::vector<uint8_t> bytes(&tmpl->context->memory);
+        // The writer may release the template.
+        const std::string name = tmpl->name.c_str();
         model::save(*tmpl, bytes);
-        if (write(user, bytes.data(), bytes.size()) != 0)
-            base::fail(CLQ_IO, "the writer refused %zu bytes of template '%s'", bytes.size(), tmpl->name.c_str());
+        if (!api::host_takes(write, user, bytes.data(), bytes.size()))
+            base::fail(CLQ_IO, "the writer refused %zu bytes of template '%s'", bytes.size(), name.c_str());
     });
 }
 

@@ -43,13 +43,16 @@ clq_status clq_view_create(clq_crowd *crowd, clq_view **out)
     });
 }
 
-void clq_view_destroy(clq_view *view)
+clq_status clq_view_destroy(clq_view *view)
 {
-    if (!view) return;
-    clq_crowd *crowd = view->crowd;
-    crowd->views.erase(std::remove(crowd->views.begin(), crowd->views.end(), view), crowd->views.end());
-    view->~clq_view();
-    crowd->context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
+    return api::boundary("clq_view_destroy", [&] {
+        if (!view) return;
+        clq_crowd *crowd = view->crowd;
+        const api::Busy busy(crowd);
+        crowd->views.erase(std::remove(crowd->views.begin(), crowd->views.end(), view), crowd->views.end());
+        view->~clq_view();
+        crowd->context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
+    });
 }
 
 clq_status clq_view_set_camera(clq_view *view, const clq_camera *camera)

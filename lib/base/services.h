@@ -1,8 +1,11 @@
-// The host's services: memory, log, tasks. One per clq_context, used by all its objects.
+// The host's services: memory, log, tasks. One per clq_context, used by all its objects. An exception of their
+// callbacks ends here.
 #pragma once
 
 #include <claque/base.h>
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
 #include <memory_resource>
 #include <vector>
@@ -10,7 +13,7 @@
 namespace claque::base
 {
 
-// The host's allocator as a std::pmr resource; a refusal throws std::bad_alloc.
+// The host's allocator as a std::pmr resource; a refusal throws std::bad_alloc, and an exception counts as a refusal.
 class HostMemory : public std::pmr::memory_resource
 {
 public:
@@ -18,18 +21,46 @@ public:
 
 private:
     void *do_allocate(std::size_t bytes, std::size_t alignment) override;
-    void do_deallocate(void *memory, std::size_t bytes, std::size_t alignment) override;
+    void do_deallocate(void *memory, std::size_t bytes, std::size_t alignment) noexcept override;
     bool do_is_equal(const std::pmr::memory_resource &other) const noexcept override { return this == &other; }
 
     clq_allocator allocator_;
 };
 
-// Runs a loop as the host's tasks, or on this thread. The order of indices is unspecified.
+// The same two calls without a resource.
+void *allocate_from(const clq_allocator &allocator, std::size_t bytes, std::size_t alignment);
+void release_to(const clq_allocator &allocator, void *memory, std::size_t bytes, std::size_t alignment) noexcept;
+
+// Exceptions of the host's log are dropped: there is no better place to report them.
+struct Log {
+    clq_log host{};
+    void warn(const char *text) const noexcept { write(CLQ_LOG_WARNING, text); }
+    void info(const char *text) const noexcept { write(CLQ_LOG_INFO, text); }
+    void write(clq_log_level level, const char *text) const noexcept;
+};
+
+// Which tasks of a loop have begun, so that each runs once.
+class TaskClaims
+{
+public:
+    static constexpr uint32_t max_tasks = 4096;
+    bool claim(uint32_t task) noexcept
+    {
+        const uint32_t bit = uint32_t(1) << (task % 32);
+        return !(begun_[task / 32].fetch_or(bit, std::memory_order_relaxed) & bit);
+    }
+
+private:
+    std::atomic<uint32_t> begun_[max_tasks / 32]{};
+};
+
+// Runs a loop as the host's tasks, or on this thread. The order of indices is unspecified. Calls that the host's tasks
+// leave out, because they threw, are made on this thread.
 class Jobs
 {
 public:
     Jobs() = default;
-    explicit Jobs(const clq_tasks &tasks) : tasks_(tasks) {}
+    explicit Jobs(const clq_tasks &tasks, const Log &log = {}) : tasks_(tasks), log_(log) {}
 
     // The body must not throw.
     template <class Body>
@@ -39,9 +70,9 @@ public:
             for (uint32_t i = 0; i < count; ++i) body(i);
             return;
         }
-        tasks_.run(
-            tasks_.user, count, [](void *data, uint32_t i) { (*static_cast<const Body *>(data))(i); },
-            const_cast<Body *>(&body));
+        Batch<Body> batch{body, count, std::min(count, TaskClaims::max_tasks), {}};
+        run_host_tasks(batch.tasks, Batch<Body>::run, &batch);
+        for (uint32_t task = 0; task < batch.tasks; ++task) Batch<Body>::run(&batch, task);
     }
 
     // For start-up code, whose body may throw: rethrows the exception of the lowest index, so that it does not depend
@@ -66,19 +97,28 @@ public:
     }
 
 private:
-    clq_tasks tasks_{};
-};
+    // A loop cut into tasks of neighbouring indices; up to max_tasks they are one index each.
+    template <class Body>
+    struct Batch {
+        const Body &body;
+        uint32_t count, tasks;
+        TaskClaims claims;
 
-struct Log {
-    clq_log host{};
-    void warn(const char *text) const
-    {
-        if (host.write) host.write(host.user, CLQ_LOG_WARNING, text);
-    }
-    void info(const char *text) const
-    {
-        if (host.write) host.write(host.user, CLQ_LOG_INFO, text);
-    }
+        static void run(void *data, uint32_t task)
+        {
+            Batch &batch = *static_cast<Batch *>(data);
+            if (task >= batch.tasks || !batch.claims.claim(task)) return;
+            const uint32_t last = static_cast<uint32_t>(uint64_t(batch.count) * (task + 1) / batch.tasks);
+            for (uint32_t i = static_cast<uint32_t>(uint64_t(batch.count) * task / batch.tasks); i < last; ++i)
+                batch.body(i);
+        }
+    };
+
+    // Warns of an exception.
+    void run_host_tasks(uint32_t count, void (*job)(void *, uint32_t), void *job_data) const noexcept;
+
+    clq_tasks tasks_{};
+    Log log_;
 };
 
 }  // namespace claque::base

@@ -4,6 +4,7 @@
 // thread.
 #pragma once
 
+#include "lib/base/host_call.h"
 #include "lib/crowd/crowd.h"
 
 namespace claque::behave
@@ -43,6 +44,7 @@ struct EvaluationContext {
     float distance_m = 0;                 // to the eye; passed to the host
     bool visible = true;                  // passed to the host
     bool wanted = true;  // false: the degrees of freedom are not needed, only mechanisms with memory run
+    base::HostCalls *host_calls = nullptr;  // of the update: keeps the first exception of host mechanisms
 };
 
 // Runs an actor's mechanisms in ascending order of priority. Sets `dofs` [rig.dofs.size()] to rest first; every value

@@ -14,7 +14,9 @@ void run(const crowd::HostMechanism &host, const Call &call, Writer &writer) noe
     told.time_s = call.context.time_s;
     told.eye_distance_m = call.context.distance_m;
     told.visible = call.context.visible;
-    host.run(host.user, &told, &writer);
+    base::HostCalls alone;
+    base::HostCalls &calls = call.context.host_calls ? *call.context.host_calls : alone;
+    calls.run("the run of a host mechanism", id.index1, [&] { host.run(host.user, &told, &writer); });
 }
 
 }  // namespace claque::behave

@@ -26,6 +26,7 @@ void Behave::run_memories() const
             if (v == 0 || distance < nearest) nearest = distance;
         }
         behave::EvaluationContext context;
+        context.host_calls = &given.host_calls;
         context.time_s = given.time_s;
         context.distance_m = static_cast<float>(nearest) * given.settings.caches.metres_per_unit;
         context.level = &crowd.template_of(row).levels[0];
@@ -52,6 +53,7 @@ void Behave::run_one(uint32_t i, behave::Counts &counts) const
     const animcache::Request &request = caches.pending()[i];
     const Row &found = rows[request.row];
     behave::EvaluationContext context;
+    context.host_calls = &given.host_calls;
     context.time_s = found.visibility.shown_s;
     context.levels = candidates[i].levels;
     context.level = &request.tmpl->levels[request.level];

@@ -47,8 +47,9 @@ private:
 // One update. time_s: the host's clock; it may jump, also back. What is shown is a function of time and distances.
 //   views   each with its camera; their draw lists are written. Lists of other views may point at freed memory: clear
 //           them
-// Fails with CLQ_ARGUMENT (a time or camera that is not finite) or CLQ_OUT_OF_MEMORY; lists and results are unchanged
-// then. Never throws. Allocates only when something has grown since the last update.
+// Fails with CLQ_ARGUMENT (a time or camera that is not finite), CLQ_OUT_OF_MEMORY or CLQ_CALLBACK (the ground or a
+// host mechanism threw); lists and results are unchanged then. Never throws. Allocates only when something has grown
+// since the last update.
 base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *const> views, double time_s,
                     const base::Jobs &jobs) noexcept;
 

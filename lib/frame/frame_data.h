@@ -19,6 +19,7 @@ struct Given {
     double time_s;                       // the host's clock
     uint64_t update;                     // number of this update
     const base::Jobs &jobs;
+    base::HostCalls &host_calls;  // the ground and host mechanisms
 
     bool traditional() const { return settings.cull == Cull::traditional; }
 

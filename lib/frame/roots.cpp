@@ -1,6 +1,7 @@
 // S0 4.2 step 3: places the Skeleton Roots of actors that passed phase 1 in the world, from Reference Point, root path
 // and ground.
 #include <algorithm>
+#include <cmath>
 
 #include "lib/frame/steps.h"
 
@@ -17,11 +18,15 @@ namespace
 {
 
 // Host code: runs on the caller's thread, one call after the other.
-void put_on_ground(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &root)
+void put_on_ground(const Given &given, uint32_t row, crowd::Transform &root)
 {
+    const crowd::Crowd &crowd = given.crowd;
     const crowd::Extra *extra = crowd.extra_of(row);
     const double at[3] = {root.position.x, root.position.y, root.position.z};
-    const double step = crowd.ground()(crowd.ground_user(), at) - root.position.y;
+    double height = std::nan("");
+    given.host_calls.run("the ground's height function", row + 1,
+                         [&] { height = crowd.ground()(crowd.ground_user(), at); });
+    const double step = height - root.position.y;
     // NaN: there is no ground here.
     if (step == step) root.position.y += std::clamp(step, -double(extra->max_down), double(extra->max_up));
 }
@@ -49,7 +54,7 @@ void PlaceRoots::run() const
     });
     if (crowd.ground())
         for (Candidate &candidate : candidates)
-            if (follows_ground(crowd, candidate.row)) put_on_ground(crowd, candidate.row, candidate.root);
+            if (follows_ground(crowd, candidate.row)) put_on_ground(given, candidate.row, candidate.root);
     stats.roots_placed = candidates.count;
 }
 

@@ -3,6 +3,7 @@
 
 #include "animcache/evaluate.h"
 #include "animcache/settings.h"
+#include "lib/base/services.h"
 
 namespace claque::frame
 {
@@ -17,6 +18,7 @@ enum class Clock : uint8_t { reference = 0, live = 1 };
 struct HostClock {
     double (*now_s)(void *user) = nullptr;
     void *user = nullptr;
+    base::Log log;  // is told if the clock throws
 };
 
 struct Settings {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <new>
 #include <stdexcept>
 
@@ -30,10 +31,30 @@ base::Status check(base::Span<View *const> views, double time_s)
     return Status::good();
 }
 
-double now(const Settings &settings)
+// The host's clock during one update. A clock that throws is not read again in it, and its times are not numbers.
+class HostTimer
 {
-    return settings.update_budget_ms > 0 ? settings.now.now_s(settings.now.user) : 0;
-}
+public:
+    explicit HostTimer(const Settings &settings) : settings_(settings) {}
+    double now()
+    {
+        if (!(settings_.update_budget_ms > 0)) return 0;
+        double time_s = std::nan("");
+        if (!running_) return time_s;
+        const base::Status status =
+            base::call_host("clq_crowd_def.now_s", [&] { time_s = settings_.now.now_s(settings_.now.user); });
+        running_ = status.ok();
+        if (running_) return time_s;
+        char text[360];
+        std::snprintf(text, sizeof text, "%s; the update learned nothing of what a pose costs", status.text);
+        settings_.now.log.warn(text);
+        return std::nan("");
+    }
+
+private:
+    const Settings &settings_;
+    bool running_ = true;
+};
 
 // Averages with the last update: a machine's load changes, but one slow update may be an exception.
 void learn_cost(Work &work, double spent_s)
@@ -51,65 +72,104 @@ const Step &checked(const Step &step)
     return step;
 }
 
-// The steps in their order (S0 4.2).
-void run(const Given &given, Work &work, base::Span<View *const> views)
+// The steps in their order (S0 4.2). Host callbacks that may make an update fail run in choose(), which the update can
+// undo: until show() no pose, vertex or list of the last update is overwritten or freed.
+class UpdateRun
 {
-    Stats &stats = work.stats;
-    animcache::Caches &caches = work.caches;
-    const base::Span<Row> rows(work.rows);
-    const double elapsed_s = work.has_last_time ? given.time_s - work.last_time_s : 0;
-    if (elapsed_s < 0) work.live_since = given.update - 1;
+public:
+    UpdateRun(const Given &given, Work &work, base::Span<View *const> views)
+        : given_(given),
+          work_(work),
+          views_{views.data, views.count},
+          elapsed_s_(work.has_last_time ? given.time_s - work.last_time_s : 0),
+          timer_(given.settings)
+    {
+    }
 
-    // S0 4.3: groups first. Steps 1 and 2: Reference Points, first cull phase.
+    void choose();
+    void show();
+
+private:
+    void cull();
+    base::Span<Candidate> candidates() const { return {work_.candidates.data(), candidate_count_}; }
+    base::Span<const Candidate> placed() const { return {work_.candidates.data(), candidate_count_}; }
+    Sights sights() const { return {base::Span<ViewVisibility>(work_.sights), candidate_count_}; }
+    base::Span<const Row> found() const { return {work_.rows.data(), static_cast<uint32_t>(work_.rows.size())}; }
+
+    const Given &given_;
+    Work &work_;
+    base::Span<View *const> views_;
+    double elapsed_s_;
+    HostTimer timer_;
+    uint32_t candidate_count_ = 0;
+    double begun_s_ = 0;
+};
+
+// S0 4.3: groups first. Then steps 1 to 4: Reference Points, first cull phase, Skeleton Roots, second cull phase.
+void UpdateRun::cull()
+{
     const uint32_t tested_count =
-        checked(CullGroups{given, work.blocks, base::Span<uint8_t>(work.block_seen), base::Span<GroupRow>(work.groups),
-                           base::Span<uint32_t>(work.tested), stats})
+        checked(CullGroups{given_, work_.blocks, base::Span<uint8_t>(work_.block_seen),
+                           base::Span<GroupRow>(work_.groups), base::Span<uint32_t>(work_.tested), work_.stats})
             .run();
-    const base::Span<const uint32_t> tested(work.tested.data(), tested_count);
-    const uint32_t candidate_count = checked(CullRefpoints{given, tested, base::Span<uint8_t>(work.passed),
-                                                           base::Span<Candidate>(work.candidates), stats})
-                                         .run();
-    const base::Span<Candidate> candidates(work.candidates.data(), candidate_count);
-    const base::Span<const Candidate> placed(work.candidates.data(), candidate_count);
-    const Sights sights{base::Span<ViewVisibility>(work.sights), candidate_count};
+    const base::Span<const uint32_t> tested(work_.tested.data(), tested_count);
+    candidate_count_ = checked(CullRefpoints{given_, tested, base::Span<uint8_t>(work_.passed),
+                                             base::Span<Candidate>(work_.candidates), work_.stats})
+                           .run();
+    checked(PlaceRoots{given_, candidates(), work_.stats}).run();
+    checked(CullRoots{given_, placed(), sights(), work_.stats}).run();
+}
 
-    checked(PlaceRoots{given, candidates, stats}).run();     // step 3: Skeleton Roots of the candidates
-    checked(CullRoots{given, placed, sights, stats}).run();  // step 4: second cull phase
-    checked(ChooseLevels{given, sights, work.live_since, candidates, rows}).run();
-    const base::Span<const Row> found(work.rows.data(), rows.count);
-    checked(MakeRequests{given, placed, found, caches.key_poses(), work.layers, caches.begin(), stats}).run();
+void UpdateRun::choose()
+{
+    animcache::Caches &caches = work_.caches;
+    const base::Span<Row> rows(work_.rows);
+    if (elapsed_s_ < 0) work_.live_since = given_.update - 1;
+    cull();
+    if (!given_.host_calls.ok()) return;
+    checked(ChooseLevels{given_, sights(), work_.live_since, candidates(), rows}).run();
+    checked(MakeRequests{given_, placed(), found(), caches.key_poses(), work_.layers, caches.pending(), work_.stats})
+        .run();
 
     // S1 4: poses that already show their tick are not evaluated again.
     caches.allocate_poses();
     caches.find_due_poses();
-    checked(KeepToBudget{given, std::max(0.0, elapsed_s), work.pose_cost_s, caches, candidates, rows}).run();
+    checked(KeepToBudget{given_, std::max(0.0, elapsed_s_), work_.pose_cost_s, caches, candidates(), rows}).run();
 
     // Step 5: mechanisms write degrees of freedom, from which matrices follow.
-    const double begun = now(given.settings);
-    checked(Behave{given, placed, found, work.dofs_each, base::Span<uint32_t>(work.behaving),
-                   base::Span<float>(work.dofs), caches, stats})
+    begun_s_ = timer_.now();
+    checked(Behave{given_, placed(), found(), work_.dofs_each, base::Span<uint32_t>(work_.behaving),
+                   base::Span<float>(work_.dofs), caches, work_.stats})
         .run();
-    caches.animate(given.jobs);
-    const double posed = now(given.settings);
+}
+
+void UpdateRun::show()
+{
+    animcache::Caches &caches = work_.caches;
+    Stats &stats = work_.stats;
+    caches.animate(given_.jobs);
+    const double posed_s = timer_.now();
 
     // Step 6: third cull phase, by Internal Bspheres.
-    const uint32_t visible_count =
-        checked(CullParts{given, placed, caches, sights, rows, base::Span<uint32_t>(work.visible), stats}).run();
-    const base::Span<const uint32_t> visible(work.visible.data(), visible_count);
-    const double culled = now(given.settings);
+    const uint32_t visible_count = checked(CullParts{given_, placed(), caches, sights(), base::Span<Row>(work_.rows),
+                                                     base::Span<uint32_t>(work_.visible), stats})
+                                       .run();
+    const base::Span<const uint32_t> visible(work_.visible.data(), visible_count);
+    const double culled_s = timer_.now();
     caches.allocate_vertices();
     caches.find_due_vertices();
-    caches.skin(given.jobs);
-    learn_cost(work, posed - begun + now(given.settings) - culled);
+    caches.skin(given_.jobs);
+    learn_cost(work_, posed_s - begun_s_ + timer_.now() - culled_s);
 
     // Step 7: lists the visible individuals.
-    for (uint32_t v = 0; v < views.count; ++v)
-        checked(ListView{given, v, placed, visible, sights, caches, work.listed, work.ordered, *views[v]}).run();
+    for (uint32_t v = 0; v < views_.count; ++v)
+        checked(ListView{given_, v, placed(), visible, sights(), caches, work_.listed, work_.ordered, *views_[v]})
+            .run();
 
     static_cast<animcache::Counters &>(stats) = caches.counters();
     stats.visible = visible_count;
-    stats.frame_bytes = work.bytes();
-    checked(CountBands{caches, found, elapsed_s, {stats.bands, band_count}}).run();
+    stats.frame_bytes = work_.bytes();
+    checked(CountBands{caches, found(), elapsed_s_, {stats.bands, band_count}}).run();
 }
 
 }  // namespace
@@ -127,8 +187,17 @@ base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *co
         return base::Status::bad(CLQ_LIMIT, "an update of %u actors is more than can be addressed",
                                  crowd.actor_count());
     }
-    const Given given{crowd, work.settings, base::Span<const CameraState>(work.eyes), time_s, ++work.update, jobs};
-    run(given, work, views);
+    work.begin(crowd);
+    base::HostCalls host_calls;
+    const Given given{crowd, work.settings, base::Span<const CameraState>(work.eyes), time_s, work.update,
+                      jobs,  host_calls};
+    UpdateRun run(given, work, views);
+    run.choose();
+    if (!host_calls.ok()) {
+        work.undo();
+        return host_calls.status();
+    }
+    run.show();
     work.last_time_s = time_s;
     work.has_last_time = true;
     return base::Status::good();

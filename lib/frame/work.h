@@ -16,6 +16,9 @@ struct Work {
     // Reserves all memory that an update of these views needs, except for palettes and vertices. Throws std::bad_alloc;
     // draw lists and results are unchanged then.
     void reserve(const crowd::Crowd &crowd, base::Span<View *const> views);
+    // Begins an update. Until its poses are evaluated, undo() puts back what the last one left.
+    void begin(const crowd::Crowd &crowd);
+    void undo();
     uint64_t bytes() const;  // held besides the caches' contents
 
     Settings settings;
@@ -45,6 +48,23 @@ struct Work {
     std::pmr::vector<uint32_t> behaving;          // candidates whose mechanisms run
     uint32_t dofs_each = 0;                       // the maximum over all templates
     std::pmr::vector<SortEntry> listed, ordered;  // of one view; scratch of the sort
+
+    // Of the last update, while the present one runs. Requests point at layers and dofs. The others are kept only where
+    // a callback of the host may make an update fail.
+    struct Last {
+        explicit Last(std::pmr::memory_resource *memory)
+            : rows(memory), groups(memory), candidates(memory), layers(memory), dofs(memory)
+        {
+        }
+        std::pmr::vector<Row> rows;
+        std::pmr::vector<GroupRow> groups;
+        std::pmr::vector<Candidate> candidates;
+        std::pmr::vector<pose::Layer> layers;
+        std::pmr::vector<float> dofs;
+        Stats stats;
+        uint64_t live_since = 0;
+    } last;
+    bool can_undo = false;  // the present update
 };
 
 }  // namespace claque::frame

@@ -48,7 +48,7 @@ clq_status clq_colour_map_save(const clq_colour_map *map, clq_write_function wri
         clq_colour_map_def def = clq_colour_map_def_init();
         api::pass_on(clq_colour_map_get_def(map, &def));
         const std::string text = asset::colours_text(def);
-        if (write(user, text.data(), text.size()) != 0)
+        if (!api::host_takes(write, user, text.data(), text.size()))
             base::fail(CLQ_IO, "the writer refused the %zu bytes of a colour map", text.size());
     });
 }

@@ -59,8 +59,9 @@ protected:
     Scene scene_;
     ReservedWork work_{scene_};
     base::Jobs jobs_;
+    base::HostCalls host_calls_;
     const base::Span<const CameraState> eyes_{work_.eyes.data(), 1};
-    const Given given_{scene_.crowd, work_.settings, eyes_, 1, 1, jobs_};
+    const Given given_{scene_.crowd, work_.settings, eyes_, 1, 1, jobs_, host_calls_};
     uint32_t rows_ = scene_.crowd.row_count();
 };
 

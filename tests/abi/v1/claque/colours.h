@@ -87,7 +87,8 @@ CLQ_DEFINE_ZERO_INIT(clq_colour_map_def)
  * S2 5.2. */
 CLQ_API clq_status clq_colour_map_create(clq_context *context, const clq_colour_map_def *def, clq_colour_map **out);
 
-/* Destroys a map; NULL is ignored. Colours that were sampled from it stay. Threads: any. GL: none. */
+/* Destroys a map; NULL is ignored. Colours that were sampled from it stay. Threads: any, not while
+ * another call uses the map. GL: none. */
 CLQ_API void clq_colour_map_destroy(clq_colour_map *map);
 
 /* Gets the classes of a map. Strings and arrays live as long as the map.
@@ -127,7 +128,7 @@ CLQ_API clq_status clq_colour_map_sample(const clq_colour_map *map, const clq_co
 /* Gets the colours of an individual: its own, which are multiples of 1 / 255, or its template's.
  *   out_rgb      [3 * zone_count]
  *   zone_count   that of its template
- * Fails: STALE_ID, ARGUMENT. Threads: any, not while the crowd is changed. GL: none. */
+ * Fails: STALE_ID, ARGUMENT, BUSY. Threads: any. GL: none. */
 CLQ_API clq_status clq_actor_get_colours(const clq_crowd *crowd, clq_actor actor, float *out_rgb, uint32_t zone_count);
 
 #ifdef __cplusplus

@@ -43,10 +43,11 @@ CLQ_API clq_status clq_context_destroy(clq_context *context);
 CLQ_API void clq_context_log(clq_context *context, clq_log_level level, const char *text);
 
 /* For libraries and bindings on top of claque: calls job(job_data, i) once for each i in [0, count), in any order, on
- * the context's tasks or, without tasks, on this thread. Returns when all calls have returned. A job must neither throw
- * nor call this function. Threads: any. */
-CLQ_API void clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index),
-                             void *job_data);
+ * the context's tasks or, without tasks, on this thread. Returns when all calls have returned. A job must not call this
+ * function.
+ * Fails: CALLBACK (a job threw an exception: the text names the lowest such index; all others ran). Threads: any. */
+CLQ_API clq_status clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index),
+                                   void *job_data);
 
 #ifdef __cplusplus
 }

@@ -61,7 +61,7 @@ CLQ_DEFINE_ZERO_INIT(clq_crowd_stats)
 
 /* Gets the statistics of a crowd.
  *   out   made by clq_crowd_stats_init
- * Fails: STRUCT_SIZE, ARGUMENT. Threads: any, not during an update. GL: none. */
+ * Fails: STRUCT_SIZE, ARGUMENT, BUSY. Threads: any. GL: none. */
 CLQ_API clq_status clq_crowd_get_stats(const clq_crowd *crowd, clq_crowd_stats *out);
 
 /* Sets the sums of all distance bands to 0. Fails: ARGUMENT, BUSY. Threads: the crowd's writer. GL: none. */

@@ -167,7 +167,7 @@ typedef struct clq_random_play_def {
 CLQ_DEFINE_ZERO_INIT(clq_random_play_def)
 
 /* Samples a play from the seeds of crowd and actor, for clq_actor_play or a fade. Changes nothing.
- * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. Threads: any, not while the crowd is changed. */
+ * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT, BUSY. Threads: any. */
 CLQ_API clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const clq_random_play_def *def,
                                          clq_play *out);
 
@@ -183,7 +183,7 @@ typedef struct clq_active_clip {
 
 /* Gets the clips that an actor shows at a time, in the order of blending, at the finest level.
  *   out   [CLQ_ACTIVE_CLIP_MAX], of which *out_count are written
- * Fails: STALE_ID, ARGUMENT. Threads: any, not while the crowd is changed. */
+ * Fails: STALE_ID, ARGUMENT, BUSY. Threads: any. */
 CLQ_API clq_status clq_actor_get_active_clips(const clq_crowd *crowd, clq_actor actor, double time_s,
                                               clq_active_clip out[CLQ_ACTIVE_CLIP_MAX], uint32_t *out_count);
 

@@ -96,14 +96,15 @@ static inline clq_renderer_def clq_renderer_def_init(void)
 
 /* Creates a renderer for the current GL context.
  *   out   owned by the host until clq_renderer_destroy or clq_renderer_abandon
- * Fails: STRUCT_SIZE, ARGUMENT, GL_MISSING (no current context; the first missing function, by name), OUT_OF_MEMORY.
+ * Fails: STRUCT_SIZE, ARGUMENT, GL_MISSING (no current context; the first missing function, by name), OUT_OF_MEMORY,
+ * CALLBACK (get_proc_address threw an exception).
  * Threads: that of the current context, here and below. GL: queries only. */
 CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_def *def, clq_renderer **out);
 
 /* Loads a template's textures into GL, before the first draw that shows it. Repeated calls do nothing. The renderer
  * holds the template until it is destroyed.
  * Fails: ARGUMENT (a template of another context), LIMIT (a texture too large for this GL), KEY_RESOLUTION (names the
- * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY. GL: textures. */
+ * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY, BUSY. GL: textures. */
 CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
 
 /* The result of preparing a template. */
@@ -120,7 +121,7 @@ CLQ_DEFINE_ZERO_INIT(clq_prepared_info)
 
 /* Gets the result of preparing a template.
  *   out   made by clq_prepared_info_init
- * Fails: STRUCT_SIZE, ARGUMENT (also a template that is not prepared). GL: none. */
+ * Fails: STRUCT_SIZE, ARGUMENT (also a template that is not prepared), BUSY. GL: none. */
 CLQ_API clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_template *tmpl,
                                              clq_prepared_info *out);
 
@@ -142,15 +143,17 @@ CLQ_DEFINE_ZERO_INIT(clq_draw_stats)
  *   out_stats   made by clq_draw_stats_init; may be NULL
  * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (a template that is not prepared, by name), GL_STATE (names what
  * would spoil the picture), GL_MISSING, BUSY. Fails after drawing the rest: OUT_OF_MEMORY (the update left
- * individuals out, see left_out of clq_crowd_stats), GL_STATE (what hooks leave, see above). GL: see above. */
+ * individuals out, see left_out of clq_crowd_stats), GL_STATE (what hooks leave, see above), CALLBACK (a hook
+ * threw an exception). GL: see above. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
-/* Destroys a renderer while its GL context is current; NULL is ignored. GL: deletes its textures. */
-CLQ_API void clq_renderer_destroy(clq_renderer *renderer);
+/* Destroys a renderer while its GL context is current; NULL is ignored. Fails: BUSY (it is drawing, and a hook calls
+ * this); the renderer then stays. GL: deletes its textures. */
+CLQ_API clq_status clq_renderer_destroy(clq_renderer *renderer);
 
 /* Destroys a renderer whose GL context is lost, without GL calls; NULL is ignored. Another renderer may draw the same
- * crowd at once. GL: none. */
-CLQ_API void clq_renderer_abandon(clq_renderer *renderer);
+ * crowd at once. Fails: BUSY, as clq_renderer_destroy. GL: none. */
+CLQ_API clq_status clq_renderer_abandon(clq_renderer *renderer);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,7 @@ extern "C" {
 
 /* Writes the state of a crowd. Equal states give equal bytes on every machine. The call allocates no memory.
  *   write   gets the pieces of the file; must not call claque for this crowd
- * Fails: ARGUMENT (NULL), IO, BUSY. Threads: the crowd's writer. GL: none. */
+ * Fails: ARGUMENT (NULL), IO, BUSY, CALLBACK. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_crowd_save(const clq_crowd *crowd, clq_write_function write, void *user);
 
 /* Replaces the whole state of a crowd by one that clq_crowd_save wrote, from this crowd or from another one. The bytes

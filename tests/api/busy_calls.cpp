@@ -1,0 +1,316 @@
+#include "tests/api/busy_calls.h"
+
+#include "tests/api/calls.h"
+#include "tests/api/stub_gl.h"
+
+namespace busy
+{
+namespace
+{
+
+clq_status status_of(uint64_t number) { return number == 0 ? CLQ_BUSY : CLQ_OK; }
+
+int take(void *, const void *, size_t) { return 0; }
+
+void add_actors(std::vector<Call> &all)
+{
+    using O = const Objects &;
+    const auto change = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::changes_crowd, std::move(run)});
+    };
+    change("clq_actor_create", [](O o) {
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = o.world->templates[0];
+        clq_actor made;
+        return clq_actor_create(o.crowd, &def, &made);
+    });
+    change("clq_actor_destroy", [](O o) { return clq_actor_destroy(o.crowd, o.actor); });
+    change("clq_actor_play", [](O o) {
+        const clq_play play = clq_play_init();
+        return clq_actor_play(o.crowd, o.actor, &play);
+    });
+    change("clq_crowd_set_transforms", [](O o) {
+        const clq_transform transform = clq_transform_init();
+        return clq_crowd_set_transforms(o.crowd, &o.actor, &transform, 1);
+    });
+    change("clq_actor_set_colours", [](O o) {
+        const float rgb[6] = {};
+        return clq_actor_set_colours(o.crowd, o.actor, rgb, 2);
+    });
+    change("clq_actor_randomise_colours",
+           [](O o) { return clq_actor_randomise_colours(o.crowd, o.actor, nullptr, 0); });
+    change("clq_actor_set_texture_set", [](O o) { return clq_actor_set_texture_set(o.crowd, o.actor, 0); });
+    change("clq_actor_clone", [](O o) {
+        clq_actor made;
+        return clq_actor_clone(o.crowd, o.actor, nullptr, 1, &made);
+    });
+    change("clq_actor_set_priority", [](O o) { return clq_actor_set_priority(o.crowd, o.actor, 0.5f); });
+    change("clq_actor_attach", [](O o) {
+        const clq_attachment_def def = clq_attachment_def_init();
+        return clq_actor_attach(o.crowd, o.actor, &def, nullptr);
+    });
+    change("clq_actor_detach", [](O o) { return clq_actor_detach(o.crowd, o.attachment); });
+    change("clq_actor_get_node", [](O o) {
+        double matrix[16];
+        return clq_actor_get_node(o.crowd, o.actor, 0, 1, matrix);
+    });
+    change("clq_actor_set_hooks", [](O o) { return clq_actor_set_hooks(o.crowd, o.actor, nullptr); });
+    change("clq_actor_join", [](O o) { return clq_actor_join(o.crowd, o.actor, o.group, nullptr); });
+    change("clq_actor_follow_ground", [](O o) { return clq_actor_follow_ground(o.crowd, o.actor, 0, 0); });
+}
+
+void add_plays(std::vector<Call> &all)
+{
+    using O = const Objects &;
+    const auto change = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::changes_crowd, std::move(run)});
+    };
+    change("clq_crowd_add_gait", [](O o) {
+        clq_gait_def def = clq_gait_def_init();
+        def.tmpl = o.world->templates[0];
+        clq_gait made;
+        return clq_crowd_add_gait(o.crowd, &def, &made);
+    });
+    change("clq_crowd_add_mask", [](O o) {
+        clq_mask_def def = clq_mask_def_init();
+        const char *tip = "tip";
+        def.tmpl = o.world->templates[0], def.node_count = 1, def.nodes = &tip;
+        clq_mask made;
+        return clq_crowd_add_mask(o.crowd, &def, &made);
+    });
+    change("clq_actor_fade_to",
+           [](O o) { return api_test::fade_to(o.crowd, o.actor, clq_fade_def_init(), 1, 1, CLQ_CURVE_SMOOTH); });
+    change("clq_actor_set_gait_share", [](O o) { return clq_actor_set_gait_share(o.crowd, o.actor, 0.5f, 1, 1); });
+    change("clq_actor_add_layer", [](O o) {
+        clq_layer_def def = clq_layer_def_init();
+        def.play.clip = 0;
+        return clq_actor_add_layer(o.crowd, o.actor, &def, nullptr);
+    });
+    change("clq_actor_end_layer", [](O o) { return clq_actor_end_layer(o.crowd, o.actor, {1}, 1, 0); });
+    change("clq_actor_set_watched", [](O o) { return clq_actor_set_watched(o.crowd, o.actor, true); });
+    change("clq_crowd_get_events", [](O o) {
+        size_t count;
+        return api_test::get_events(o.crowd, 0, 1, nullptr, 0, &count);
+    });
+    change("clq_crowd_add_mechanism", [](O o) {
+        const clq_mechanism_def def = o.world->mechanism(TestWorld::blink);
+        clq_mechanism made;
+        return clq_crowd_add_mechanism(o.crowd, &def, &made);
+    });
+    change("clq_actor_attach_mechanism", [](O o) {
+        const clq_mechanism_attachment attachment = {{1}, 0, 0, 0};
+        return clq_actor_attach_mechanism(o.crowd, o.actor, &attachment);
+    });
+    change("clq_actor_detach_mechanism", [](O o) { return clq_actor_detach_mechanism(o.crowd, o.actor, {1}); });
+    change("clq_actor_gaze", [](O o) { return clq_actor_gaze(o.crowd, o.actor, {1}, nullptr, 1); });
+    change("clq_actor_express", [](O o) { return clq_actor_express(o.crowd, o.actor, {2}, 0, 1); });
+    change("clq_actor_say", [](O o) { return clq_actor_say(o.crowd, o.actor, {4}, 1); });
+    change("clq_crowd_add_root_path", [](O o) {
+        const clq_root_path_def def = o.world->path(true);
+        clq_root_path made;
+        return clq_crowd_add_root_path(o.crowd, &def, &made);
+    });
+    change("clq_actor_play_root_path", [](O o) {
+        const clq_root_path_play play = {{1}, 1, 0, 0};
+        return clq_actor_play_root_path(o.crowd, o.actor, &play);
+    });
+}
+
+void add_crowds(std::vector<Call> &all)
+{
+    using O = const Objects &;
+    const auto change = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::changes_crowd, std::move(run)});
+    };
+    change("clq_crowd_destroy", [](O o) { return clq_crowd_destroy(o.crowd); });
+    change("clq_crowd_update", [](O o) { return clq_crowd_update(o.crowd, 9, &o.view, 1); });
+    change("clq_crowd_reset_bands", [](O o) { return clq_crowd_reset_bands(o.crowd); });
+    change("clq_crowd_set_ground", [](O o) { return clq_crowd_set_ground(o.crowd, nullptr, nullptr); });
+    change("clq_crowd_save", [](O o) { return clq_crowd_save(o.crowd, take, nullptr); });
+    change("clq_crowd_restore", [](O o) { return clq_crowd_restore(o.crowd, "", 0, o.world->templates, 2); });
+    change("clq_crowd_randomise_colours",
+           [](O o) { return clq_crowd_randomise_colours(o.crowd, o.map, 0, &o.actor, 1); });
+    change("clq_group_create", [](O o) {
+        clq_group made;
+        return clq_group_create(o.crowd, nullptr, &made);
+    });
+    change("clq_group_destroy", [](O o) { return clq_group_destroy(o.crowd, o.group); });
+    change("clq_group_set_transform", [](O o) {
+        const clq_transform transform = clq_transform_init();
+        return clq_group_set_transform(o.crowd, o.group, &transform);
+    });
+    change("clq_group_set_enabled", [](O o) { return clq_group_set_enabled(o.crowd, o.group, true); });
+    change("clq_view_create", [](O o) {
+        clq_view *made;
+        return clq_view_create(o.crowd, &made);
+    });
+    change("clq_view_destroy", [](O o) { return clq_view_destroy(o.view); });
+    change("clq_view_set_camera", [](O o) {
+        clq_camera camera;
+        const double eye[3] = {0, 2, 4}, target[3] = {0, 1, -10};
+        const float up[3] = {0, 1, 0};
+        api_test::look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 200);
+        return clq_view_set_camera(o.view, &camera);
+    });
+    change("clq_view_set_height", [](O o) { return clq_view_set_height(o.view, 600); });
+    change("clq_view_set_cull_scale", [](O o) { return clq_view_set_cull_scale(o.view, 1); });
+    change("clq_view_set_shadow", [](O o) {
+        const float fall[3] = {};
+        return clq_view_set_shadow(o.view, fall);
+    });
+}
+
+void add_readers(std::vector<Call> &all)
+{
+    using O = const Objects &;
+    const auto read = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::reads_crowd, std::move(run)});
+    };
+    read("clq_actor_get_info", [](O o) {
+        clq_actor_info info = clq_actor_info_init();
+        return clq_actor_get_info(o.crowd, o.actor, &info);
+    });
+    read("clq_crowd_get_actor_count", [](O o) { return status_of(clq_crowd_get_actor_count(o.crowd)); });
+    read("clq_crowd_get_hash", [](O o) { return status_of(clq_crowd_get_hash(o.crowd)); });
+    read("clq_crowd_get_stats", [](O o) {
+        clq_crowd_stats stats = clq_crowd_stats_init();
+        return clq_crowd_get_stats(o.crowd, &stats);
+    });
+    read("clq_group_get_info", [](O o) {
+        clq_group_info info = clq_group_info_init();
+        return clq_group_get_info(o.crowd, o.group, &info);
+    });
+    read("clq_actor_sample_play", [](O o) {
+        clq_random_play_def def = clq_random_play_def_init();
+        const uint32_t clip = 0;
+        def.clip_count = 1, def.clips = &clip;
+        clq_play play;
+        return clq_actor_sample_play(o.crowd, o.actor, &def, &play);
+    });
+    read("clq_actor_get_active_clips", [](O o) {
+        clq_active_clip clips[CLQ_ACTIVE_CLIP_MAX];
+        uint32_t count;
+        return clq_actor_get_active_clips(o.crowd, o.actor, 1, clips, &count);
+    });
+    read("clq_actor_get_colours", [](O o) {
+        float rgb[6];
+        return clq_actor_get_colours(o.crowd, o.actor, rgb, 2);
+    });
+}
+
+void add_views(std::vector<Call> &all)
+{
+    using O = const Objects &;
+    const auto view = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::reads_view, std::move(run)});
+    };
+    view("clq_view_get_stats", [](O o) {
+        clq_view_stats stats = clq_view_stats_init();
+        return clq_view_get_stats(o.view, &stats);
+    });
+    view("clq_view_get_hash", [](O o) { return status_of(clq_view_get_hash(o.view)); });
+    view("clq_view_get_drawn_actor", [](O o) {
+        clq_drawn_actor drawn = clq_drawn_actor_init();
+        return clq_view_get_drawn_actor(o.view, 0, &drawn);
+    });
+    view("clq_view_get_colours", [](O o) {
+        uint8_t rgb[6];
+        return clq_view_get_colours(o.view, 0, rgb, 2);
+    });
+    view("clq_view_get_vertices", [](O o) {
+        float positions[3 * 64];
+        return clq_view_get_vertices(o.view, 0, positions, nullptr, 64);
+    });
+    view("clq_view_get_palette", [](O o) {
+        float palette[12 * 8];
+        return clq_view_get_palette(o.view, 0, palette, 8);
+    });
+    view("clq_view_get_morph_weights", [](O o) { return clq_view_get_morph_weights(o.view, 0, nullptr, 0); });
+
+    const auto render = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::renders, std::move(run)});
+    };
+    render("clq_renderer_prepare", [](O o) { return clq_renderer_prepare(o.renderer, o.world->templates[0]); });
+    render("clq_renderer_get_prepared", [](O o) {
+        clq_prepared_info info = clq_prepared_info_init();
+        return clq_renderer_get_prepared(o.renderer, o.world->templates[0], &info);
+    });
+    render("clq_renderer_draw", [](O o) { return clq_renderer_draw(o.renderer, o.view, nullptr); });
+    render("clq_renderer_draw_shadows", [](O o) {
+        const clq_shadow_def def = clq_shadow_def_init();
+        return clq_renderer_draw_shadows(o.renderer, o.view, &def, nullptr);
+    });
+    render("clq_renderer_destroy", [](O o) { return clq_renderer_destroy(o.renderer); });
+    render("clq_renderer_abandon", [](O o) { return clq_renderer_abandon(o.renderer); });
+}
+
+std::vector<Call> all_calls()
+{
+    std::vector<Call> all;
+    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_views(all);
+    return all;
+}
+
+clq_colour_map *new_map(clq_context *context)
+{
+    const clq_palette_entry entry = clq_palette_entry_init();
+    clq_zone_colours zones[2] = {};
+    zones[0].zone = "cloth", zones[1].zone = "skin";
+    for (clq_zone_colours &zone : zones) zone.palette_count = 1, zone.palette = &entry;
+    clq_colour_class one = {};
+    one.name = "one", one.zone_count = 2, one.zones = zones;
+    clq_colour_map_def def = clq_colour_map_def_init();
+    def.class_count = 1, def.classes = &one;
+    clq_colour_map *map = nullptr;
+    EXPECT_EQ(clq_colour_map_create(context, &def, &map), CLQ_OK) << clq_last_error();
+    return map;
+}
+
+}  // namespace
+
+const std::vector<Call> &calls()
+{
+    static const std::vector<Call> all = all_calls();
+    return all;
+}
+
+void Busy::SetUp()
+{
+    objects_.world = &world_;
+    objects_.crowd = world_.new_crowd();
+    world_.set_up(objects_.crowd);
+    actors_ = world_.fill(objects_.crowd, 40, 5);
+    objects_.actor = add_actor();
+    ASSERT_EQ(clq_group_create(objects_.crowd, nullptr, &objects_.group), CLQ_OK);
+    const float centre[3] = {0, 0, 0};
+    ASSERT_EQ(api_test::attach(objects_.crowd, objects_.actor, 0, centre, 1, &objects_.attachment), CLQ_OK);
+    objects_.view = world_.new_view(objects_.crowd, 0);
+    objects_.map = new_map(world_.context);
+    objects_.renderer = stub_gl::new_renderer(world_);
+    ASSERT_EQ(clq_crowd_update(objects_.crowd, 1, &objects_.view, 1), CLQ_OK) << clq_last_error();
+}
+
+void Busy::TearDown()
+{
+    EXPECT_EQ(clq_renderer_destroy(objects_.renderer), CLQ_OK) << clq_last_error();
+    clq_colour_map_destroy(objects_.map);
+}
+
+// In the middle of the picture, with the mechanisms that the calls name.
+clq_actor Busy::add_actor()
+{
+    clq_actor_def def = clq_actor_def_init();
+    def.tmpl = world_.templates[0];
+    def.transform.position[2] = -2;
+    def.play.clip = 0;
+    clq_actor made = {0, 0};
+    EXPECT_EQ(clq_actor_create(objects_.crowd, &def, &made), CLQ_OK) << clq_last_error();
+    for (uint32_t kind = 1; kind <= 4; ++kind) {
+        const clq_mechanism_attachment attachment = {{kind}, 0, 0, 0};
+        EXPECT_EQ(clq_actor_attach_mechanism(objects_.crowd, made, &attachment), CLQ_OK) << clq_last_error();
+    }
+    EXPECT_EQ(clq_actor_follow_ground(objects_.crowd, made, 1, 1), CLQ_OK);
+    return made;
+}
+
+}  // namespace busy

@@ -1,0 +1,14 @@
+// An OpenGL 1.1 that draws nothing but reads the arrays as GL would, so that a sanitizer sees every access.
+#pragma once
+
+#include "tests/api/test_world.h"
+
+namespace stub_gl
+{
+
+clq_gl_function find(void *, const char *name);  // for clq_renderer_def.get_proc_address
+
+// Prepared for both templates.
+clq_renderer *new_renderer(TestWorld &test_world);
+
+}  // namespace stub_gl
