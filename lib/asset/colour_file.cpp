@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "lib/asset/toml_keys.h"
 #include "lib/base/error.h"
 #include "lib/math/hsb.h"
 #include "lib/model/colour_rules.h"
@@ -240,6 +241,8 @@ void read_colours(std::string_view text, const std::string &name, ColourFile &ou
 {
     if (text.size() > max_file_bytes)
         fail(CLQ_LIMIT, "%s has %zu bytes: a colour map has %zu at most", name.c_str(), text.size(), max_file_bytes);
+    if (const uint32_t line = line_of_deep_key(text))
+        fail(CLQ_LIMIT, "%s, line %u: a key has more than %u parts", name.c_str(), line, max_key_parts);
     const toml::parse_result parsed = toml::parse(text);
     Reader reader(name, out);
     if (!parsed) reader.refuse(parsed.error().source(), "not TOML: " + std::string(parsed.error().description()));

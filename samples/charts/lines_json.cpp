@@ -4,6 +4,7 @@
 
 #include "samples/charts/lines.h"
 #include "samples/scenes/check.h"
+#include "samples/io/json.h"
 
 namespace charts
 {
@@ -109,11 +110,12 @@ Json json_of(const Axis &axis)
 
 }  // namespace
 
-LineChart line_chart_of(const std::string &text, const std::string &name)
+LineChart line_chart_of(const std::string &file, const std::string &name)
 {
     const Reader reader(name);
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) reader.refuse("it is not JSON");
+    std::string problem;
+    const Json json = io::parse_json<Json>(file, problem);
+    if (!problem.empty()) reader.refuse("it " + problem);
     if (!json.is_object() || reader.text(json, "kind", "its ") != "lines") reader.refuse("its 'kind' is not 'lines'");
     LineChart chart;
     chart.title = reader.text(json, "title", "its ");

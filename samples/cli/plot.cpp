@@ -9,6 +9,7 @@
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
+#include "samples/io/json.h"
 
 namespace cli
 {
@@ -28,18 +29,19 @@ std::string extension_of(const std::string &path)
     return dot == std::string::npos || (slash != std::string::npos && dot < slash) ? "" : path.substr(dot);
 }
 
-bool is_lines(const std::string &text)
+bool is_lines(const std::string &chart)
 {
-    const auto json = nlohmann::json::parse(text, nullptr, false);
+    std::string problem;
+    const auto json = io::parse_json<nlohmann::json>(chart, problem);
     return json.is_object() && json.contains("kind");
 }
 
 void plot(const PlotArguments &a)
 {
     expect_writable(a.out);
-    const std::string text = text_of(a.file);
-    write_chart(a.out, is_lines(text) ? drawing_of(charts::line_chart_of(text, a.file))
-                                      : drawing_of(path_chart_of(text, a.file)));
+    const std::string chart = text_of(a.file);
+    write_chart(a.out, is_lines(chart) ? drawing_of(charts::line_chart_of(chart, a.file))
+                                       : drawing_of(path_chart_of(chart, a.file)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "samples/cli/cache_choice.h"
 #include "samples/cli/plot.h"
 #include "samples/scenes/check.h"
+#include "samples/io/json.h"
 
 namespace cli
 {
@@ -22,9 +23,11 @@ using charts::Panel;
 class Report
 {
 public:
-    Report(const std::string &text, const std::string &name) : name_(name), json_(Json::parse(text, nullptr, false))
+    Report(const std::string &report, const std::string &name) : name_(name)
     {
-        if (json_.is_discarded()) refuse("it is not JSON");
+        std::string problem;
+        json_ = io::parse_json<Json>(report, problem);
+        if (!problem.empty()) refuse("it " + problem);
     }
 
     const Json &root() const { return json_; }

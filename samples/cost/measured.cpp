@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/scenes/check.h"
+#include "samples/io/json.h"
 
 namespace cost
 {
@@ -44,10 +45,11 @@ Json counts_json(const Counts &counts)
 
 }  // namespace
 
-Measured measured_of(const std::string &text, const std::string &name)
+Measured measured_of(const std::string &file, const std::string &name)
 {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) refuse(name, "it is not JSON");
+    std::string problem;
+    const Json json = io::parse_json<Json>(file, problem);
+    if (!problem.empty()) refuse(name, "it " + problem);
     if (!json.is_object()) refuse(name, "it is not an object");
     Measured measured;
     measured.actor = counts_of(json, name);

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "samples/io/json.h"
+
 namespace parity
 {
 namespace
@@ -103,10 +105,11 @@ void read_meshes(const Json &json, const std::string &path, CaptureInfo &out)
 
 }  // namespace
 
-CaptureInfo capture_info(const std::string &text, const std::string &path)
+CaptureInfo capture_info(const std::string &capture, const std::string &path)
 {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw Unreadable(path + " is not JSON");
+    std::string problem;
+    const Json json = io::parse_json<Json>(capture, problem);
+    if (!problem.empty()) throw Unreadable(path + " " + problem);
     const Fields fields(json, path);
     if (fields.text("format") != "claque-parity") throw Unreadable(path + ": its format is not claque-parity");
     const size_t version = fields.whole("version", UINT32_MAX);

@@ -21,6 +21,6 @@ struct CaptureInfo {
 };
 
 // path: for error messages. Throws Unreadable.
-CaptureInfo capture_info(const std::string &text, const std::string &path);
+CaptureInfo capture_info(const std::string &capture, const std::string &path);
 
 }  // namespace parity

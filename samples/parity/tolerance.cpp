@@ -11,6 +11,7 @@
 #include <toml++/toml.h>
 
 #include "samples/parity/measures.h"
+#include "samples/io/toml_keys.h"
 
 namespace parity
 {
@@ -77,9 +78,12 @@ const Tolerance *find_named(const std::string &name)
 
 }  // namespace
 
-Tolerance tolerance_from(const std::string &text, const std::string &path)
+Tolerance tolerance_from(const std::string &tolerance, const std::string &path)
 {
-    const toml::parse_result parsed = toml::parse(text, path);
+    if (const uint32_t line = io::line_of_deep_key(tolerance))
+        throw Unreadable(path + ", line " + std::to_string(line) + ": a key has more than " +
+                         std::to_string(io::max_key_parts) + " parts");
+    const toml::parse_result parsed = toml::parse(tolerance, path);
     if (!parsed)
         throw Unreadable(path + ", line " + std::to_string(parsed.error().source().begin.line) + ": " +
                          std::string(parsed.error().description()));

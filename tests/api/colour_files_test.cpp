@@ -150,9 +150,7 @@ TEST_F(ColourFiles, ErrorsNameLineColumnAndRule)
          "line 4, column 36",
          {"wrong way round"}},
         {head + "one = { hue = [0, 9], saturation = [0, 1] }\n", "line 4, column 7", {"lacks 'brightness'"}},
-        {head + "one = { hue = [0], saturation = [0, 1], brightness = [0, 1] }\n",
-         "line 4, column 15",
-         {"[min, max]"}},
+        {head + "one = { hue = [0], saturation = [0, 1], brightness = [0, 1] }\n", "line 4, column 15", {"[min, max]"}},
         {head + "one = { hue = [0, \"9\"], saturation = [0, 1], brightness = [0, 1] }\n",
          "line 4, column 19",
          {"not a number"}},
@@ -220,6 +218,10 @@ TEST_F(ColourFiles, FailuresToReadOrWriteAreReported)
     EXPECT_TRUE(mentions("/no/such/file.toml"));
     const std::string large((size_t(4) << 20) + 1, ' ');
     EXPECT_EQ(clq_colour_map_load(context_, large.data(), large.size(), nullptr, &map), CLQ_LIMIT);
+    std::string deep = "\n\"a\"";
+    for (int i = 0; i < 300000; ++i) deep += " . 'a'";
+    EXPECT_EQ(clq_colour_map_load(context_, (deep + " = 1\n").data(), deep.size() + 5, nullptr, &map), CLQ_LIMIT);
+    EXPECT_TRUE(mentions("line 2: a key has more than 16 parts")) << clq_last_error();
     EXPECT_EQ(clq_colour_map_load(nullptr, "", 0, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(clq_colour_map_load(context_, nullptr, 5, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(map, nullptr);
@@ -228,6 +230,9 @@ TEST_F(ColourFiles, FailuresToReadOrWriteAreReported)
     EXPECT_EQ(clq_colour_map_save(
                   map_, [](void *, const void *, size_t) { return 1; }, nullptr),
               CLQ_IO);
+    EXPECT_EQ(clq_colour_map_save(
+                  map_, [](void *, const void *, size_t) -> int { throw 3; }, nullptr),
+              CLQ_CALLBACK);
     ASSERT_EQ(try_map({zone("one", entry)}, "no \xff utf"), CLQ_OK);
     EXPECT_EQ(clq_colour_map_save(
                   map_, [](void *, const void *, size_t) { return 0; }, nullptr),

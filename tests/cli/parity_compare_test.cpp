@@ -84,6 +84,9 @@ TEST_F(ParityCompare, FoldersThatCannotBeComparedAreRefusedInOneLine)
     refused({}, "yours/depth.npy is not a NumPy array: it does not begin as one.");
     std::ofstream(path("yours/capture.json")) << "{";
     refused({}, "yours/capture.json is not JSON.");
+    std::ofstream(path("yours/capture.json"))
+        << "{\"scene\": " << std::string(300000, '[') << std::string(300000, ']') << "}";
+    refused({}, "yours/capture.json is nested more than 64 deep.");
     std::filesystem::remove_all(path("yours"));
     refused({}, "yours is not a folder.");
 }

@@ -35,6 +35,13 @@ TEST_F(Plot, LinesBecomeSvg)
     EXPECT_EQ(file_text(path("a.svg")), done.out);
 }
 
+TEST_F(Plot, WhatIsNestedTooDeepIsRefused)
+{
+    const Outcome done = plot("{\"kind\": " + std::string(300000, '[') + std::string(300000, ']') + "}", "-");
+    EXPECT_EQ(done.code, 1);
+    EXPECT_NE(done.err.find("nested more than 64 deep"), std::string::npos) << done.err;
+}
+
 TEST_F(Plot, LinesBecomePngWithTheirColoursAndTheSameBytesTwice)
 {
     EXPECT_EQ(plot(growth, "a.png").err, "");

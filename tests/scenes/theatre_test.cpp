@@ -61,6 +61,10 @@ TEST(Theatre, InvalidTomlIsRefusedWithItsLine)
 {
     expect_refused("name = \"x\"\nthis is no key\n", {"mine.toml:2:", "not TOML"});
     expect_refused(std::string("name = \"\x01\""), {"not TOML"});
+    expect_refused("name = " + std::string(300000, '['), {"not TOML"});
+    std::string deep = "name = \"a.dot.in.a.string.does.not.count.a.b.c.d.e.f.g.h.i.j\"\na";
+    for (int i = 0; i < 300000; ++i) deep += ".a";
+    expect_refused(deep + " = 1\n", {"mine.toml:2:", "a key has more than 16 parts"});
 }
 
 TEST(Theatre, MissingKeysAreNamed)

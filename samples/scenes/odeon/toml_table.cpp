@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "samples/scenes/check.h"
+#include "samples/io/toml_keys.h"
 
 namespace scenes
 {
@@ -44,9 +45,12 @@ std::string show(double value)
     return text;
 }
 
-toml::table parse_toml(const std::string &text, const std::string &where)
+toml::table parse_toml(const std::string &toml, const std::string &where)
 {
-    toml::parse_result result = toml::parse(text);
+    if (const uint32_t line = io::line_of_deep_key(toml))
+        throw Failure(where + ":" + std::to_string(line) + ": a key has more than " +
+                      std::to_string(io::max_key_parts) + " parts");
+    toml::parse_result result = toml::parse(toml);
     if (!result)
         throw Failure(at_line(where, result.error().source()) +
                       ": not TOML: " + std::string(result.error().description()));

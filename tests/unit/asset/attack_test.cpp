@@ -58,6 +58,25 @@ TEST(Attack, JsonNestedAMillionDeepIsRefusedWithoutDescending)
     EXPECT_EQ(outcome_of(bytes_of(deep)).status, CLQ_LIMIT);
 }
 
+// A skeleton may be a chain: nothing that reads it descends by recursion.
+TEST(Attack, ChainsOfNodesAndJointsAreReadOrRefusedHoweverLong)
+{
+    Maker maker;
+    maker.triangle();
+    constexpr int count = 50000;
+    maker.json["nodes"] = Json::array();
+    for (int i = 0; i + 1 < count; ++i) maker.json["nodes"].push_back({{"children", {i + 1}}});
+    maker.json["nodes"].push_back({{"mesh", 0}});
+    const Outcome chain = outcome_of(maker.text());
+    EXPECT_TRUE(chain.status == 0 || chain.status == CLQ_LIMIT) << chain.text;
+
+    std::string bvh = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 0\n";
+    for (int i = 0; i < count; ++i) bvh += "JOINT b\n{\nOFFSET 0 0 0\nCHANNELS 0\n";
+    const Outcome skeleton = outcome_of(bytes_of(bvh));
+    EXPECT_NE(skeleton.status, 0);
+    EXPECT_FALSE(skeleton.text.empty());
+}
+
 TEST(Attack, JsonOfManySmallValuesTakesASmallMultipleOfItsSize)
 {
     for (const char *value : {"0,", "[],", "{},", "{\"a\":{}},", "\"\",", "[[0]],"}) {

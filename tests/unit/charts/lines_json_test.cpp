@@ -53,6 +53,7 @@ TEST(LinesJson, WhatIsWrongIsSaid)
     };
     const std::vector<std::pair<std::string, std::string>> wrong = {
         {"nothing", "it is not JSON"},
+        {std::string(300000, '['), "it is nested more than 64 deep"},
         {"[]", "'kind' is not 'lines'"},
         {with("\"lines\"", "\"pie\""), "'kind' is not 'lines'"},
         {with("\"lines\"", "7"), "its 'kind' is not a string"},

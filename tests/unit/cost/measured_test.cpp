@@ -42,6 +42,7 @@ TEST(Measured, WhatIsWrongIsSaid)
     };
     const std::vector<std::pair<std::string, std::string>> wrong = {
         {"nothing", "it is not JSON"},
+        {std::string(300000, '[') + std::string(300000, ']'), "it is nested more than 64 deep"},
         {"[1]", "it is not an object"},
         {with("\"NO_03\": 80,", ""), "it lacks 'NO_03'"},
         {with(": 80", ": -1"), "'NO_03' is -1, not a number from 0 to 1e12"},

@@ -62,6 +62,9 @@ TEST_F(CaptureFolder, IsRefusedIfItHoldsNoResult)
     EXPECT_EQ(refusal(), "./capture.json is not a file");
     write("r", "capture.json", "{");
     EXPECT_EQ(refusal(), "./capture.json is not JSON");
+    write("r", "capture.json",
+          "{\"scene\": " + std::string(300000, '[') + std::string(300000, ']') + ", \"format\": \"claque-parity\"}");
+    EXPECT_EQ(refusal(), "./capture.json is nested more than 64 deep");
     for (const char *text : {"[]", "3", "{}", "null"}) {
         write("r", "capture.json", text);
         EXPECT_EQ(refusal(), "./capture.json has no 'format'; docs/parity.md lists what it needs");

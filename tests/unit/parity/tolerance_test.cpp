@@ -62,6 +62,9 @@ TEST(Tolerances, ThatMakeNoSenseAreRefusedWithTheLine)
     EXPECT_EQ(refusal("base = 'best'\n"), "t.toml, line 1: 'base' may be exact, gpu or loose");
     EXPECT_EQ(refusal("max = 1\n"), "t.toml, line 1: 'max' is not one of base, require, [at_most] and [at_least]");
     EXPECT_EQ(refusal("# nothing\n"), "t.toml sets no limit");
+    std::string deep = "# a key of many parts\n[a";
+    for (int i = 0; i < 300000; ++i) deep += ".a";
+    EXPECT_EQ(refusal(deep + "]\n"), "t.toml, line 2: a key has more than 16 parts");
     EXPECT_EQ(refusal("[at_most\n").substr(0, 14), "t.toml, line 1");
     EXPECT_THROW(tolerance_of("/nowhere/at.toml"), Unreadable);
     EXPECT_THROW(tolerance_of("/"), Unreadable);

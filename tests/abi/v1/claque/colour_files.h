@@ -24,7 +24,7 @@ extern "C" {
  * broken file leaves the old map and its colours as they were.
  *   name   of the file, for messages; NULL: "the colour map"
  *   out    owned by the host until clq_colour_map_destroy
- * Fail: ARGUMENT, FORMAT (line, column and the broken rule), LIMIT (more than 4 MiB), IO, OUT_OF_MEMORY.
+ * Fail: ARGUMENT, FORMAT (line, column and the broken rule), LIMIT (4 MiB, 16 parts of a key), IO, OUT_OF_MEMORY.
  * Threads: any. GL: none. */
 CLQ_API clq_status clq_colour_map_load(clq_context *context, const void *bytes, size_t size_bytes, const char *name,
                                        clq_colour_map **out);
@@ -32,7 +32,8 @@ CLQ_API clq_status clq_colour_map_load_file(clq_context *context, const char *pa
 
 /* Writes a map as TOML. Equal maps give equal bytes, also after loading and saving. Comments of a loaded file are not
  * part of its map.
- * Fails: ARGUMENT (NULL; a name that is not UTF-8), IO, OUT_OF_MEMORY. Threads: any. GL: none. */
+ * Fails: ARGUMENT (NULL; a name that is not UTF-8), IO, CALLBACK, OUT_OF_MEMORY. Threads: any. GL:
+ * none. */
 CLQ_API clq_status clq_colour_map_save(const clq_colour_map *map, clq_write_function write, void *user);
 
 #ifdef __cplusplus
