@@ -1,15 +1,9 @@
 #include "lib/asset/file_cache.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <atomic>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
 
+#include "lib/asset/cache_folder.h"
 #include "lib/asset/file.h"
 #include "lib/asset/glb.h"
 #include "lib/asset/json_view.h"
@@ -22,48 +16,6 @@ namespace claque::asset
 
 namespace
 {
-
-constexpr uint64_t largest_entry = uint64_t(1) << 32;
-
-class Output
-{
-public:
-    explicit Output(const std::string &path)
-        : path_(path), number_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644))
-    {
-    }
-    ~Output()
-    {
-        if (number_ < 0) return;
-        close(number_);
-        unlink(path_.c_str());
-    }
-    Output(const Output &) = delete;
-    Output &operator=(const Output &) = delete;
-
-    bool write_all(const std::vector<uint8_t> &bytes) const
-    {
-        if (number_ < 0) return false;
-        for (size_t done = 0; done < bytes.size();) {
-            const ssize_t n = write(number_, bytes.data() + done, bytes.size() - done);
-            if (n < 0 && errno == EINTR) continue;
-            if (n <= 0) return false;
-            done += static_cast<size_t>(n);
-        }
-        return fsync(number_) == 0;
-    }
-    bool becomes(const std::string &name)
-    {
-        if (rename(path_.c_str(), name.c_str()) != 0) return false;
-        close(number_);
-        number_ = -1;
-        return true;
-    }
-
-private:
-    std::string path_;
-    int number_;
-};
 
 // The URIs of buffers and images of a glTF file, as far as it can be parsed.
 std::vector<std::string> uris_of(const std::vector<uint8_t> &bytes, uint64_t memory_bytes)
@@ -127,7 +79,7 @@ std::string user_cache_folder()
 std::vector<uint8_t> read_cached(const std::string &folder, const std::string &name)
 {
     try {
-        return read_file(folder + "/" + name, largest_entry);
+        return CacheFolder(folder).read(name);
     } catch (const base::Error &) {
         return {};
     }
@@ -135,13 +87,12 @@ std::vector<uint8_t> read_cached(const std::string &folder, const std::string &n
 
 std::string write_cached(const std::string &folder, const std::string &name, const std::vector<uint8_t> &bytes)
 {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return "'" + folder + "' cannot be made: " + error.message();
-    static std::atomic<uint32_t> count{0};  // different threads may write the same template at once
-    Output part(folder + "/" + name + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part");
-    if (part.write_all(bytes) && part.becomes(folder + "/" + name)) return "";
-    return "'" + folder + "/" + name + "' cannot be written: " + std::strerror(errno);
+    try {
+        CacheFolder(folder).write(name, bytes);
+        return "";
+    } catch (const base::Error &error) {
+        return error.what();
+    }
 }
 
 }  // namespace claque::asset

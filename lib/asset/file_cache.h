@@ -30,7 +30,7 @@ void add_file(const std::string &path, const std::string &folder, uint64_t limit
 // $XDG_CACHE_HOME/claque or ~/.cache/claque; empty if neither variable is set.
 std::string user_cache_folder();
 
-// Empty if the file is missing or cannot be read.
+// Empty if the file is missing, cannot be read or may have been written by another user.
 std::vector<uint8_t> read_cached(const std::string &folder, const std::string &name);
 
 // Writes the whole file or nothing. Returns "" or the reason of the failure.

@@ -19,8 +19,9 @@ typedef struct clq_prepare_def {
     const clq_asset_options *options; /* with path; NULL: defaults */
     const clq_levels_def *levels;     /* NULL: only the character's own levels of detail */
     uint32_t max_texture_px;          /* as in clq_asset_build */
-    /* The folder of prepared files, which is made if it is missing. NULL: $XDG_CACHE_HOME/claque or ~/.cache/claque.
-     * "": no folder, so the template is made anew. */
+    /* The folder of prepared files, which is made with mode 0700 if it is missing. It must belong to the user that runs
+     * the program, and no other may write it; files in it that are links or that others own or may write are not read.
+     * NULL: $XDG_CACHE_HOME/claque or ~/.cache/claque. "": no folder, so the template is made anew. */
     const char *folder;
 } clq_prepare_def;
 
@@ -30,7 +31,7 @@ typedef struct clq_prepare_report {
     uint32_t struct_bytes; /* set by clq_prepare_report_init */
     bool from_disk;        /* the template was loaded from the folder */
     bool stored;           /* the template was made and stored in the folder */
-    char text[256];        /* why it could not be stored (a folder that cannot be written is no failure); else "" */
+    char text[256];        /* why it could not be stored (a folder that cannot be used is no failure); else "" */
 } clq_prepare_report;
 
 CLQ_DEFINE_ZERO_INIT(clq_prepare_report)
