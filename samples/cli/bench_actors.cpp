@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 
@@ -51,7 +50,6 @@ void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
 {
     for (int frame = 0; frame <= a.frames; ++frame)
         for (ActorsRival &rival : rivals) {
-            stop_if_asked();
             rival.scene_renderer->make_current();
             const Stopwatch updating;
             rival.scene_renderer->update(2 + frame / 25.0);

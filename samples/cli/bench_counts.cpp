@@ -5,7 +5,6 @@
 #include <map>
 
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 
@@ -26,7 +25,6 @@ Json draw_parts(scenes::SceneRenderer &scene_renderer, int frames)
         times.ms.push_back(watch.ms());
     };
     for (int frame = 0; frame < frames; ++frame) {
-        stop_if_asked();
         timed(library, Part::claque), timed(vertices, Part::and_vertices), timed(all, Part::all);
     }
     const auto of = [](double minimum, double median) -> Json { return {{"minimum", minimum}, {"median", median}}; };
@@ -43,7 +41,6 @@ Json run(scenes::SceneRenderer &scene_renderer, const BenchArguments &a)
     clq_draw_stats drawn = clq_draw_stats_init();
     scenes::check(clq_crowd_reset_bands(scene_renderer.scene().crowd()));
     for (int frame = 0; frame <= a.frames; ++frame) {
-        stop_if_asked();
         const Stopwatch updating;
         scene_renderer.update(frame / 25.0);
         const double update_ms = updating.ms();
@@ -60,7 +57,6 @@ Json run(scenes::SceneRenderer &scene_renderer, const BenchArguments &a)
     const std::string picture = hex(scenes::hash_of(scene_renderer.read()));
     Times whole;
     for (int frame = 1; frame <= a.frames; ++frame) {
-        stop_if_asked();
         const Stopwatch watch;
         scene_renderer.frame((a.frames + frame) / 25.0);
         whole.ms.push_back(watch.ms());

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/scenes/random.h"
@@ -73,7 +72,6 @@ Measured measure(scenes::Library &library, uint32_t count, View view, Rest rest,
     GrowthField field(library, count, view, rest);
     Measured out;
     for (int frame = -2; frame < frames; ++frame) {
-        stop_if_asked();
         const Stopwatch updating;
         field.update(2 + frame / 25.0);
         if (frame >= 0) out.update.ms.push_back(updating.ms());

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "samples/cli/bench_keypose.h"
-#include "samples/cli/interrupt.h"
 
 namespace cli
 {
@@ -55,7 +54,6 @@ public:
     {
         Errors errors;
         for (const std::string &name : multitude_clips()) {
-            stop_if_asked();
             const uint32_t clip = clq_template_find_clip(tmpl_, name.c_str());
             clq_clip_info info = clq_clip_info_init();
             scenes::check(clq_template_get_clip(tmpl_, clip, &info));

@@ -1,7 +1,6 @@
 // S3 Figs. 11 and 12: the share of the multitude that is served from the key-pose stores, and the number of key-poses
 // that are skinned for it. No picture is drawn, and individuals that are not served are not skinned.
 #include "samples/cli/bench_keypose.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/scenes/random.h"
 
@@ -44,7 +43,6 @@ struct ServedField {
     }
     clq_key_pose_stats update(const clq_camera &camera, double time_s)
     {
-        stop_if_asked();
         clq_view *views[] = {view.get()};
         scenes::check(clq_view_set_camera(view.get(), &camera));
         scenes::check(clq_crowd_update(scene->crowd(), time_s, views, 1));

@@ -3,7 +3,6 @@
 // behaviour nor levels of detail. At equal levels both must draw the same picture.
 #include "samples/cli/bench.h"
 #include "samples/cli/files.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cost/measured.h"
 
 namespace cli
@@ -40,7 +39,6 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
     Run out;
     double needed = 0, built = 0, products = 0, tracked = 0;
     for (int frame = 0; frame <= a.frames; ++frame) {
-        stop_if_asked();
         scene_renderer.update(2 + frame / 25.0);
         if (frame == 0) continue;  // frame 0 rebuilds everything
         const clq_crowd_stats stats = scene_renderer.crowd_stats();

@@ -8,7 +8,6 @@
 
 #include "samples/cli/agreement.h"
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/machine.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
@@ -120,7 +119,6 @@ public:
             rival.scene_renderer->update(times_s.front() - frame_s);
         }
         for (const double time_s : times_s) {
-            stop_if_asked();
             for (const PathRival &rival : rivals_)
                 agreements_[rival.picture].begin("section '" + section_ + "' at " + std::to_string(time_s) + " s");
             for (size_t i = 0; i < rivals_.size(); ++i) frame(rivals_[(i + turn_) % rivals_.size()], time_s);

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 
@@ -103,7 +102,6 @@ Json bench_shadows(const BenchArguments &a)
             rivals[k].scene_renderer = std::make_unique<scenes::SceneRenderer>(library, options);
         }
         for (int f = 0; f <= a.frames; ++f) {
-            stop_if_asked();
             for (size_t k = 0; k < rivals.size(); ++k)
                 frame(rivals[(k + static_cast<size_t>(f)) % rivals.size()], f / 25.0, f > 0);
             progress.step(static_cast<size_t>(f), static_cast<size_t>(a.frames));

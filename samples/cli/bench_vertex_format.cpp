@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/stopwatch.h"
 
@@ -72,7 +71,6 @@ Json run(const BenchArguments &a, scenes::Library &library, const Shown &what)
     }
     Difference difference;
     for (int f = 0; f < a.frames; ++f) {
-        stop_if_asked();
         for (int g = 0; g < 2; ++g) frame(rivals[(g + f) % 2], 1.5 + f / 25.0);
         difference.add(rivals[0].picture, rivals[1].picture);
     }

@@ -9,7 +9,6 @@
 #include "samples/cli/blend_rows.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
@@ -78,7 +77,6 @@ void draw_rows(Board &board, Portraits &portraits, const std::vector<BlendRow> &
         if (row.from_the_side) portraits.turn(0.98, 0.2);
         else portraits.turn(0.34, 0.94);
         for (int k = 0; k < columns; ++k) {
-            stop_if_asked();
             board.paste(margin_px + k * (wide + row_gap_px), y + letter_height + 4, wide, tall,
                         portraits.picture(0, row.command, row.times_s[static_cast<size_t>(k)]));
         }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "samples/cli/interrupt.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/portraits.h"
 #include "samples/scenes/random.h"
@@ -90,7 +89,6 @@ ColourPicture classes_picture(scenes::Library &library, const clq_colour_map *ma
         rows.resize(portraits);
         rows.label(static_cast<int>(c), def.classes[c].name);
         for (uint32_t who = 0; who < each; ++who) {
-            stop_if_asked();
             const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
                 scenes::check(clq_crowd_randomise_colours(crowd, map, c, &actor, 1));
             };
@@ -114,7 +112,6 @@ ColourPicture comparison_picture(scenes::Library &library, const clq_colour_map 
         Portraits portraits(library, worn, seed);
         rows.resize(portraits);
         for (uint32_t who = 0; who < each; ++who) {
-            stop_if_asked();
             const int column = static_cast<int>(c * each + who);
             const auto at_random = [&](clq_crowd *crowd, clq_actor actor) {
                 colour_at_random(crowd, actor, seed, c * each + who);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
 
 namespace cli
@@ -29,9 +30,11 @@ std::string folder_of(const std::string &path)
 class Draft
 {
 public:
-    explicit Draft(const std::string &path) : path_(path), draft_(path + ".part" + std::to_string(getpid()))
+    explicit Draft(const std::string &path)
+        : path_(path), draft_(path + ".part" + std::to_string(getpid())), unfinished_(draft_)
     {
-        file_ = open(draft_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        unlink(draft_.c_str());  // of a process that was killed
+        file_ = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file_ < 0) fail(path_, "written");
     }
     ~Draft()
@@ -63,6 +66,7 @@ public:
 
 private:
     std::string path_, draft_;
+    io::Unfinished unfinished_;
     int file_ = -1;
     bool kept_ = false;
 };
@@ -126,7 +130,10 @@ void expect_writable(const std::string &path)
         errno = EISDIR;
         fail(path, "written");
     }
-    if (access(folder_of(path).c_str(), W_OK | X_OK) != 0) fail(path, "written");
+    const std::string folder = folder_of(path);
+    if (stat(folder.c_str(), &there) == 0 && !S_ISDIR(there.st_mode))
+        throw scenes::Failure(path + " could not be written: " + folder + " is not a folder");
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(path, "written");
 }
 
 }  // namespace cli

@@ -8,7 +8,6 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
 #include "samples/cli/levels_table.h"
 #include "samples/cli/picture_style.h"
@@ -67,7 +66,6 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
     if (wide < 24) throw scenes::Failure(std::to_string(columns) + " levels do not fit into a picture of this size");
     Portraits portraits(library, loaded, 1);
     for (int i = 0; i < columns; ++i) {
-        stop_if_asked();
         const clq_level_report &level = levels[static_cast<size_t>(i)];
         const int x = margin_px + i * (wide + column_gap_px);
         portraits.show_level(static_cast<uint32_t>(i));

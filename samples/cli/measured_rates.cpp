@@ -1,6 +1,5 @@
 #include "samples/cli/measured_rates.h"
 
-#include "samples/cli/interrupt.h"
 #include "samples/cli/stopwatch.h"
 
 namespace cli
@@ -13,7 +12,6 @@ Json measured_rates(scenes::SceneRenderer &scene_renderer, double from_s)
     scenes::check(clq_crowd_reset_bands(scene_renderer.scene().crowd()));
     Times update, draw;
     for (int k = 1; k <= updates; ++k) {
-        stop_if_asked();
         const Stopwatch updating;
         scene_renderer.update(from_s + k / static_cast<double>(updates));
         update.ms.push_back(updating.ms());

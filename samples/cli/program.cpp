@@ -3,7 +3,7 @@
 #include <iostream>
 #include <new>
 
-#include "samples/cli/interrupt.h"
+#include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
 
 namespace cli
@@ -46,7 +46,7 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
 
     const int parsed = parse(app, argc, argv);
     if (parsed != 0) return parsed < 0 ? 0 : parsed;
-    watch_signals();
+    io::watch_signals();
     try {
         chosen();
         std::cout.flush();

@@ -7,7 +7,6 @@
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/filtering.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/measured_rates.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
@@ -152,7 +151,6 @@ void render(const RenderArguments &a)
     std::optional<scenes::SceneRenderer> scene_renderer;
     report["frames"] = Json::array();
     for (size_t i = 0; i < frames.size(); ++i) {
-        stop_if_asked();
         if (!scene_renderer) {
             progress.phase("preparing");
             if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);

@@ -5,7 +5,6 @@
 #include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/scene_arguments.h"
@@ -86,7 +85,6 @@ void draw_sheet(const SheetArguments &a)
                    {"context", scene_renderer.context_name()}};
     report["tiles"] = Json::array();
     for (size_t i = 0; i < sections.size(); ++i) {
-        stop_if_asked();
         wardrobe.apply_to(scene_renderer);
         const double time_s = (sections[i].start_s + sections[i].end_s) / 2;
         const std::vector<uint8_t> &picture = scene_renderer.picture(time_s);

@@ -6,7 +6,6 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/letters.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/png.h"
@@ -180,7 +179,6 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
         if (worn.map) scenes::check(clq_crowd_randomise_colours(crowd, worn.map.get(), worn.colour_class, &actor, 1));
     };
     for (uint32_t who = 0; who < count; ++who) {
-        stop_if_asked();
         const int column = static_cast<int>(who) % grid.columns, row = static_cast<int>(who) / grid.columns;
         board.paste(box.x + column * (grid.width + person_gap_px), box.y + row * (grid.height + person_gap_px),
                     grid.width, grid.height, portraits.picture(who, dress, 0));

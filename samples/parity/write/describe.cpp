@@ -44,7 +44,7 @@ Json described(const char *kind, const scenes::SceneRenderer &scene_renderer, co
     return out;
 }
 
-void write_individuals(const Folder &folder, const DrawnActors &drawn_actors, const Skinned &skinned)
+void write_individuals(Folder &folder, const DrawnActors &drawn_actors, const Skinned &skinned)
 {
     drawn_actors.write_actors(folder);
     folder.array("sizes.npy", skinned.sizes, {skinned.sizes.size()});
@@ -56,7 +56,7 @@ void write_individuals(const Folder &folder, const DrawnActors &drawn_actors, co
     folder.array("model_view.npy", places, {drawn_actors.individuals().size(), 4, 4});
 }
 
-void write_json(const Folder &folder, const Json &json)
+void write_json(Folder &folder, const Json &json)
 {
     const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     folder.write("capture.json", text.data(), text.size());

@@ -14,7 +14,7 @@ Json described(const char *kind, const scenes::SceneRenderer &scene_renderer, co
                const DrawnActors &drawn_actors);
 
 // actors.npy, sizes.npy and model_view.npy.
-void write_individuals(const Folder &folder, const DrawnActors &drawn_actors, const Skinned &skinned);
-void write_json(const Folder &folder, const Json &json);
+void write_individuals(Folder &folder, const DrawnActors &drawn_actors, const Skinned &skinned);
+void write_json(Folder &folder, const Json &json);
 
 }  // namespace parity

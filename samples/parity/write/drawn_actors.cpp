@@ -71,7 +71,7 @@ uint32_t DrawnActors::mesh_of(const clq_drawn_actor &drawn_actors)
     return first_mesh_[known] + drawn_actors.texture_set * info.level_count + drawn_actors.level;
 }
 
-void DrawnActors::write_actors(const Folder &folder) const
+void DrawnActors::write_actors(Folder &folder) const
 {
     std::vector<uint32_t> table;
     for (const Individual &who : individuals_)

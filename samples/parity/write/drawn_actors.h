@@ -48,7 +48,7 @@ public:
     size_t morph_weights() const { return morph_weights_; }
 
     // actors.npy, and capture.json's entries for individuals, templates and meshes.
-    void write_actors(const Folder &folder) const;
+    void write_actors(Folder &folder) const;
     void describe(Json &out) const;
 
 private:

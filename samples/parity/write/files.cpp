@@ -46,10 +46,25 @@ std::string npy(const char *type, const std::vector<Value> &values, const Shape 
 
 Folder::Folder(const std::string &path) : path_(path)
 {
-    if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
-        throw scenes::Failure(path + " could not be made: " + std::strerror(errno));
+    auto unfinished = std::make_unique<io::Unfinished>(path);
+    made_ = mkdir(path.c_str(), 0777) == 0;
+    if (made_) unfinished_.push_back(std::move(unfinished));
+    else if (errno != EEXIST) throw scenes::Failure(path + " could not be made: " + std::strerror(errno));
     struct stat what = {};
     if (stat(path.c_str(), &what) != 0 || !S_ISDIR(what.st_mode)) throw scenes::Failure(path + " is not a folder");
+}
+
+Folder::~Folder()
+{
+    if (unfinished_.empty()) return;
+    for (const std::string &file : written_) unlink(file.c_str());
+    if (made_) rmdir(path_.c_str());
+}
+
+void Folder::complete()
+{
+    unfinished_.clear();
+    written_.clear();
 }
 
 void Folder::clear() const
@@ -57,34 +72,36 @@ void Folder::clear() const
     for (const char *name : all_names) unlink((path_ + "/" + name).c_str());
 }
 
-void Folder::write(const std::string &name, const void *bytes, size_t size_bytes) const
+void Folder::write(const std::string &name, const void *bytes, size_t size_bytes)
 {
     const std::string path = path_ + "/" + name;
+    unfinished_.push_back(std::make_unique<io::Unfinished>(path));
+    written_.push_back(path);
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
     file.write(static_cast<const char *>(bytes), static_cast<std::streamsize>(size_bytes));
     file.close();
     if (!file) throw scenes::Failure(path + " could not be written: " + std::strerror(errno));
 }
 
-void Folder::array(const std::string &name, const std::vector<float> &values, const Shape &shape) const
+void Folder::array(const std::string &name, const std::vector<float> &values, const Shape &shape)
 {
     const std::string file = npy("<f4", values, shape);
     write(name, file.data(), file.size());
 }
 
-void Folder::array(const std::string &name, const std::vector<uint32_t> &values, const Shape &shape) const
+void Folder::array(const std::string &name, const std::vector<uint32_t> &values, const Shape &shape)
 {
     const std::string file = npy("<u4", values, shape);
     write(name, file.data(), file.size());
 }
 
-void Folder::array(const std::string &name, const std::vector<uint16_t> &values, const Shape &shape) const
+void Folder::array(const std::string &name, const std::vector<uint16_t> &values, const Shape &shape)
 {
     const std::string file = npy("<u2", values, shape);
     write(name, file.data(), file.size());
 }
 
-void Folder::array(const std::string &name, const std::vector<uint8_t> &values, const Shape &shape) const
+void Folder::array(const std::string &name, const std::vector<uint8_t> &values, const Shape &shape)
 {
     const std::string file = npy("|u1", values, shape);
     write(name, file.data(), file.size());

@@ -16,7 +16,7 @@ clq_draw_stats draw_alone(scenes::SceneRenderer &scene_renderer)
 size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time,
                     const std::string &folder_path)
 {
-    const Folder folder(folder_path);
+    Folder folder(folder_path);
     folder.clear();
     scene_renderer.update(capture_time.time_s);
     const clq_draw_stats drawn = draw_alone(scene_renderer);
@@ -42,6 +42,7 @@ size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &ca
                      {"triangles", drawn.triangles},
                      {"vertices", drawn.vertices}};
     write_json(folder, json);
+    folder.complete();
     return drawn_actors.individuals().size();
 }
 

@@ -34,7 +34,7 @@ struct Poses {
 };
 
 // S2 2.2: a row for each individual, a column for each key.
-void write_atlas(const Folder &folder, const DrawnActors &drawn_actors)
+void write_atlas(Folder &folder, const DrawnActors &drawn_actors)
 {
     const size_t count = drawn_actors.individuals().size(), plates = (count + atlas_rows - 1) / atlas_rows;
     std::vector<uint8_t> atlas(plates * atlas_rows * atlas_columns * 3), rgb;
@@ -54,7 +54,7 @@ void write_atlas(const Folder &folder, const DrawnActors &drawn_actors)
 size_t write_scene(scenes::SceneRenderer &scene_renderer, const CaptureTime &capture_time,
                    const std::string &folder_path)
 {
-    const Folder folder(folder_path);
+    Folder folder(folder_path);
     folder.clear();
     scene_renderer.update(capture_time.time_s);
     scene_renderer.draw_environment();
@@ -75,6 +75,7 @@ size_t write_scene(scenes::SceneRenderer &scene_renderer, const CaptureTime &cap
     json["lighting"] = lighting_of(scene_renderer.offscreen());
     json["fog"] = fog_of(scene_renderer.offscreen());
     write_json(folder, json);
+    folder.complete();
     return drawn_actors.individuals().size();
 }
 

@@ -1,0 +1,27 @@
+// Signals that end the command: SIGINT, SIGTERM, SIGHUP and SIGPIPE end it at once, wherever it is, by their default
+// action, so that a shell sees which signal it was. What is not complete is removed first.
+#pragma once
+
+#include <string>
+
+namespace io
+{
+
+// To be called by the main thread, which is the one that writes files. Signals that are ignored stay ignored.
+void watch_signals();
+
+// A file, or a folder that is then empty, that a signal removes while this object exists. At most 64 at a time; those
+// beyond are not removed.
+class Unfinished
+{
+public:
+    explicit Unfinished(const std::string &path);  // to be made before the file
+    ~Unfinished();
+    Unfinished(const Unfinished &) = delete;
+    Unfinished &operator=(const Unfinished &) = delete;
+
+private:
+    int slot_;
+};
+
+}  // namespace io
