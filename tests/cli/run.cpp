@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "tests/gl/support/absent.h"
 
 extern char **environ;
 
@@ -86,11 +87,8 @@ std::vector<std::string> Command::left() const
 
 std::string why_no_context(const std::string &kind)
 {
-    static std::map<std::string, std::string> known;
-    const auto found = known.find(kind);
-    if (found != known.end()) return found->second;
-    const Outcome tried = claque({"render", "--count", "1", "--size", "8x8", "--context", kind, "--out", "/dev/null"});
-    return known[kind] = tried.err.find("no OpenGL context") == std::string::npos ? "" : tried.err;
+    if (kind == "osmesa") return gltest::absent_gl(contexts::Kind::osmesa);
+    return gltest::absent_gl(kind == "egl" ? contexts::Kind::egl : contexts::Kind::any);
 }
 
 void Drawing::SetUp()

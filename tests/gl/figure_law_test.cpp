@@ -19,13 +19,13 @@ TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
     for (const claque::figures::Builtin &posed : claque::figures::people()) {
         SCOPED_TRACE(posed.name);
         const model::Model made = posed.make();
-        hold(split_posed(made));
+        hold(split_posed(made), made);
         for (const char *clip : clips) {
             SCOPED_TRACE(clip);
             uint32_t at = 0;
             while (at < made.rig.clips.size() && made.rig.clip_names[at] != clip) ++at;
             ASSERT_LT(at, made.rig.clips.size());
-            hold(split_posed(made, at, 0.4));
+            hold(split_posed(made, at, 0.4), made);
         }
     }
 }

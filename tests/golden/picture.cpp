@@ -23,7 +23,7 @@ Picture read_picture(const std::string &path)
     return out;
 }
 
-Difference compare(const Picture &a, const Picture &b)
+Difference compare(const Picture &a, const Picture &b, int allowed_steps)
 {
     Difference out;
     if (a.width != b.width || a.height != b.height || a.rgb.empty()) {
@@ -34,7 +34,7 @@ Difference compare(const Picture &a, const Picture &b)
     for (size_t i = 0; i < a.rgb.size(); i += 3) {
         int most = 0;
         for (size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a.rgb[i + k] - b.rgb[i + k]));
-        out.pixels += most != 0;
+        out.pixels += most > allowed_steps;
         out.most = std::max(out.most, most);
     }
     return out;

@@ -14,12 +14,12 @@ struct Picture {
 Picture read_picture(const std::string &path);
 
 struct Difference {
-    uint64_t pixels = 0;  // pixels that differ at all
+    uint64_t pixels = 0;  // that differ by more than the allowed steps in a channel
     int most = 0;         // largest difference of one channel
 };
 
 // Pictures of different sizes differ in every pixel.
-Difference compare(const Picture &a, const Picture &b);
+Difference compare(const Picture &a, const Picture &b, int allowed_steps = 0);
 
 // The differing pixels as a PGM: white differs, black does not.
 void write_difference(const std::string &path, const Picture &a, const Picture &b);

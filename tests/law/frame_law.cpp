@@ -234,6 +234,41 @@ TEST(FrameLaw, TenMillionSecondsLaterNothingHasDrifted)
     }
 }
 
+// The same with ticks, at every distance: what is shown then is the clip at the tick, which is no more than one period
+// old.
+TEST(FrameLaw, TenMillionSecondsLaterTheTicksAreInStep)
+{
+    SceneDef def, every_frame;
+    def.actors = every_frame.actors = 1;
+    every_frame.settings.caches.period = {0, 0, 1, 2};
+    Scene early(every_frame), late(def);
+    crowd::Play play;
+    play.clip = clip_walk;
+    const double later = early.templates[0]->rig.clips[clip_walk].duration_s * 9e6;
+    std::set<float> periods;
+    for (int i = 0; i < 60; ++i) {
+        crowd::Transform place;
+        place.position = glm::dvec3(0, 0, -5 - 0.9 * i);
+        for (Scene *scene : {&early, &late}) {
+            crowd::set_transforms(scene->crowd, &scene->ids[0], &place, 1);
+            crowd::play(scene->crowd, scene->ids[0], play);
+        }
+        const double now_s = later + 1 + i * 0.037;
+        late.update(now_s);
+        const frame::ActorVisibility seen = late.frame.visibility(late.crowd, 0);
+        ASSERT_TRUE(seen.visible);
+        periods.insert(seen.period_s);
+        ASSERT_LE(seen.shown_s, now_s);
+        ASSERT_GT(seen.shown_s, now_s - double(seen.period_s) - 1e-8);
+        early.update(seen.shown_s - later);
+        const draw::Item &a = early.views[0]->list.items[0], &b = late.views[0]->list.items[0];
+        ASSERT_EQ(a.level, b.level);
+        const uint32_t numbers = 3 * early.templates[0]->levels[a.level].vertex_count;
+        for (uint32_t k = 0; k < numbers; ++k) ASSERT_NEAR(a.vertices.positions[k], b.vertices.positions[k], 2e-6) << i;
+    }
+    EXPECT_GT(periods.size(), 8u) << "too few rates are tried";
+}
+
 TEST(FrameLaw, FarFromTheOriginTheSameSceneIsVisible)
 {
     SceneDef far;

@@ -2,6 +2,7 @@
 // the pixels that show somebody.
 #include "samples/parity/verdict.h"
 #include "samples/parity/write/write.h"
+#include "tests/gl/support/absent.h"
 #include "tests/parity/result_out.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ protected:
     {
         std::string why_not;
         if (!contexts::make_offscreen(contexts::Kind::any, 16, 16, contexts::PixelFormat::rgba8888, why_not))
-            GTEST_SKIP() << "no OpenGL here: " << why_not;
+            END_WITHOUT_CONTEXT(contexts::Kind::any, why_not);
         folder_ = fs::temp_directory_path() / ("claque-parity-" + std::to_string(getpid()));
         fs::create_directories(folder_);
     }

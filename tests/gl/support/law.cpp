@@ -1,11 +1,13 @@
 #include "tests/gl/support/law.h"
 
+#include "tests/gl/support/source_picture.h"
+
 #include <gtest/gtest.h>
 
 namespace gltest
 {
 
-Law::Law(contexts::Offscreen &context, const PosedModel &posed)
+Law::Law(contexts::Offscreen &context, const PosedModel &posed, const model::Model *source)
     : context_(context), posed_(posed), colours_(zone_colours(posed.tmpl->zone_count()))
 {
     struct Place {
@@ -19,7 +21,8 @@ Law::Law(contexts::Offscreen &context, const PosedModel &posed)
         View view;
         view.name = place.name;
         view.camera = camera_on(posed, place.distance_radii, place.turn_rad, place.tilt_rad, aspect);
-        view.plain = draw_plain(context, posed, view.camera, colours_.data());
+        view.plain = source ? draw_source(context, *source, posed, view.camera, colours_.data())
+                            : draw_plain(context, posed, view.camera, colours_.data());
         view.forwards = draw_ids(context, posed, view.camera, Order::forwards);
         view.backwards = draw_ids(context, posed, view.camera, Order::backwards);
         const Comparison itself = compare(view.plain, view.plain, view.forwards, view.backwards);

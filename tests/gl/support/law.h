@@ -20,11 +20,12 @@ constexpr Target all_targets[] = {
 };
 constexpr Target two_targets[] = {all_targets[0], all_targets[1]};
 
-// The plain and id pictures of four views, drawn once per character: near, whole, far, edge-on.
+// The plain and id pictures of four views, drawn once per character: near, whole, far, edge-on. With a source the plain
+// picture is drawn from that (source_picture.h), else from the template, which a splitter may have got wrong.
 class Law
 {
 public:
-    Law(contexts::Offscreen &context, const PosedModel &posed);
+    Law(contexts::Offscreen &context, const PosedModel &posed, const model::Model *source = nullptr);
 
     // Adds test failures where a renderer's pictures differ or have holes.
     void hold(const passes::RendererOptions &options) const;

@@ -1,6 +1,7 @@
 // The fixture of tests of the law of zones on one target each.
 #pragma once
 
+#include "tests/gl/support/absent.h"
 #include "tests/gl/support/law.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ protected:
     {
         std::string why;
         context_ = contexts::make_offscreen(GetParam().kind, 240, 180, GetParam().format, why);
-        if (!context_) GTEST_SKIP() << why;
+        if (!context_) END_WITHOUT_CONTEXT(GetParam().kind, why);
     }
 
     // The largest fraction of covered pixels that may tie in depth is `most_ties_share_`.
@@ -26,11 +27,18 @@ protected:
             << ties_ << " of " << covered_ << " pixels tie in depth";
     }
 
+    // All strategies and formats of colours, against the source.
+    void hold(const PosedModel &posed, const model::Model &source)
+    {
+        hold(posed, {passes::ColourFormat::ubyte, passes::ColourFormat::real}, &source);
+    }
+
     // All strategies.
     void hold(const PosedModel &posed,
-              std::initializer_list<passes::ColourFormat> formats = {passes::ColourFormat::ubyte})
+              std::initializer_list<passes::ColourFormat> formats = {passes::ColourFormat::ubyte},
+              const model::Model *source = nullptr)
     {
-        const Law law(*context_, posed);
+        const Law law(*context_, posed, source);
         for (const passes::Strategy strategy :
              {passes::Strategy::fused, passes::Strategy::binned, passes::Strategy::per_zone})
             for (const passes::ColourFormat format : formats) {

@@ -17,31 +17,10 @@ namespace
 using claque::draw::DrawList;
 using claque::draw::Item;
 
-// GL state of a plain program: only depth, matrices and the character's arrays.
-constexpr gl::Enum lighting = 0x0B50, dither = 0x0BD0;
-
-void plain_state(const HostGl &host, const float (&projection)[16])
-{
-    for (const gl::Enum what : {gl::blend, gl::alpha_test, gl::texture_2d, lighting, dither}) host.Disable(what);
-    host.Enable(gl::depth_test);
-    host.DepthFunc(gl::lequal);
-    host.MatrixMode(gl::projection);
-    host.LoadMatrixf(projection);
-    host.MatrixMode(gl::modelview);
-    host.EnableClientState(gl::vertex_array);
-}
-
 void place(const HostGl &host, const Individual &individual)
 {
     host.LoadMatrixf(individual.model_view);
     host.VertexPointer(3, gl::real, 0, individual.positions);
-}
-
-void end_plain_state(const HostGl &host)
-{
-    host.DisableClientState(gl::vertex_array);
-    host.DisableClientState(gl::texture_coord_array);
-    for (const gl::Enum what : {gl::alpha_test, gl::texture_2d, gl::cull_face, gl::depth_test}) host.Disable(what);
 }
 
 void set_culling(const HostGl &host, const model::Surface &surface)
@@ -74,15 +53,34 @@ void use_texture(const HostGl &host, const model::Level &level, const model::Tex
     host.AlphaFunc(gl::gequal, 0.5f);
 }
 
-// Uploads each texture in its zones' colours once; the destructor deletes them all.
-Picture begin(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb)
+}  // namespace
+
+Picture begin_picture(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb)
 {
     host.Viewport(0, 0, context.width(), context.height());
     host.clear(rgb[0] / 255.0f, rgb[1] / 255.0f, rgb[2] / 255.0f);
     return Picture();
 }
 
-}  // namespace
+constexpr gl::Enum lighting = 0x0B50, dither = 0x0BD0;
+
+void plain_state(const HostGl &host, const float (&projection)[16])
+{
+    for (const gl::Enum what : {gl::blend, gl::alpha_test, gl::texture_2d, lighting, dither}) host.Disable(what);
+    host.Enable(gl::depth_test);
+    host.DepthFunc(gl::lequal);
+    host.MatrixMode(gl::projection);
+    host.LoadMatrixf(projection);
+    host.MatrixMode(gl::modelview);
+    host.EnableClientState(gl::vertex_array);
+}
+
+void end_plain_state(const HostGl &host)
+{
+    host.DisableClientState(gl::vertex_array);
+    host.DisableClientState(gl::texture_coord_array);
+    for (const gl::Enum what : {gl::alpha_test, gl::texture_2d, gl::cull_face, gl::depth_test}) host.Disable(what);
+}
 
 Camera camera_on(const PosedModel &posed, float distance_radii, float turn_rad, float tilt_rad, float aspect)
 {
@@ -131,7 +129,7 @@ DrawList list_of(const PosedModel &posed, const Camera &camera, const uint8_t *z
 Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const DrawList &list)
 {
     const HostGl host(context);
-    Picture picture = begin(context, host, background);
+    Picture picture = begin_picture(context, host, background);
     const claque::base::Status status = renderer.draw(list, nullptr);
     EXPECT_TRUE(status.ok()) << status.text;
     context.read_rgb(picture);
@@ -142,7 +140,7 @@ Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &
                    const float (&projection)[16])
 {
     const HostGl host(context);
-    Picture picture = begin(context, host, background);
+    Picture picture = begin_picture(context, host, background);
     plain_state(host, projection);
     Uploads uploads(host);
     for (const Individual &individual : individuals) {
@@ -205,7 +203,7 @@ Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &in
 {
     const HostGl host(context);
     constexpr uint8_t black[3] = {0, 0, 0};
-    Picture picture = begin(context, host, black);
+    Picture picture = begin_picture(context, host, black);
     plain_state(host, projection);
     const std::vector<Triangle> all = all_triangles(individuals);
     Uploads uploads(host);

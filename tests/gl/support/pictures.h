@@ -41,6 +41,11 @@ constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it exactly; no zo
 // Clears to `background` and draws. Adds a test failure if the renderer refuses.
 Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const claque::draw::DrawList &list);
 
+// GL as a plain program has it: viewport and background, then only depth, matrices and the character's arrays.
+Picture begin_picture(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb);
+void plain_state(const HostGl &host, const float (&projection)[16]);
+void end_plain_state(const HostGl &host);
+
 // Every triangle once, one draw per surface, unlit; the texture's RGB is the colour of each texel's zone.
 Picture draw_plain(contexts::Offscreen &context, const std::vector<Individual> &individuals,
                    const float (&projection)[16]);

@@ -2,6 +2,8 @@
 
 #include "tests/gl/support/state_names.h"
 
+#include <gtest/gtest.h>
+
 #include <sstream>
 
 namespace gltest
@@ -104,6 +106,28 @@ void dump_tables(State &state, const HostGl &host)
     }
 }
 
+// Order, domain and control points of every evaluator.
+void dump_maps(State &state, const HostGl &host)
+{
+    const auto get = host.ask<void (*)(gl::Enum, gl::Enum, double *)>("glGetMapdv");
+    constexpr gl::Enum coefficients = 0x0A00, order = 0x0A01, domain = 0x0A02;
+    for (uint32_t parameters = 1; parameters <= 2; ++parameters)
+        for (uint32_t k = 0; k < 9; ++k) {
+            const gl::Enum map = first_map[parameters - 1] + k;
+            const std::string name = "map " + std::to_string(parameters) + "." + std::to_string(k);
+            double orders[2] = {1, 1}, domains[4] = {0};
+            get(map, order, orders);
+            get(map, domain, domains);
+            const size_t points = static_cast<size_t>(orders[0] * orders[1]) * size_t(map_components[k]);
+            ASSERT_LT(points, 100000u) << name;
+            std::vector<double> values(points);
+            get(map, coefficients, values.data());
+            state[name + " order"] = {map, {orders[0], orders[1]}};
+            state[name + " domain"] = {map, std::vector<double>(domains, domains + 2 * parameters)};
+            state[name + " coefficients"] = {map, values};
+        }
+}
+
 }  // namespace
 
 State dump_state(const HostGl &host, bool has_multisample)
@@ -118,6 +142,7 @@ State dump_state(const HostGl &host, bool has_multisample)
     dump_lights(state, host);
     dump_texturing(state, host);
     dump_tables(state, host);
+    dump_maps(state, host);
     return state;
 }
 

@@ -186,11 +186,23 @@ constexpr StateName simple_state[] = {
     {0x0DD2, 4, "GL_MAP2_GRID_DOMAIN"},
     {0x0DD3, 2, "GL_MAP2_GRID_SEGMENTS"},
     {0x0D90, 1, "GL_MAP1_COLOR_4"},
+    {0x0D91, 1, "GL_MAP1_INDEX"},
     {0x0D92, 1, "GL_MAP1_NORMAL"},
+    {0x0D93, 1, "GL_MAP1_TEXTURE_COORD_1"},
     {0x0D94, 1, "GL_MAP1_TEXTURE_COORD_2"},
+    {0x0D95, 1, "GL_MAP1_TEXTURE_COORD_3"},
+    {0x0D96, 1, "GL_MAP1_TEXTURE_COORD_4"},
     {0x0D97, 1, "GL_MAP1_VERTEX_3"},
+    {0x0D98, 1, "GL_MAP1_VERTEX_4"},
     {0x0DB0, 1, "GL_MAP2_COLOR_4"},
+    {0x0DB1, 1, "GL_MAP2_INDEX"},
+    {0x0DB2, 1, "GL_MAP2_NORMAL"},
+    {0x0DB3, 1, "GL_MAP2_TEXTURE_COORD_1"},
+    {0x0DB4, 1, "GL_MAP2_TEXTURE_COORD_2"},
+    {0x0DB5, 1, "GL_MAP2_TEXTURE_COORD_3"},
+    {0x0DB6, 1, "GL_MAP2_TEXTURE_COORD_4"},
     {0x0DB7, 1, "GL_MAP2_VERTEX_3"},
+    {0x0DB8, 1, "GL_MAP2_VERTEX_4"},
     // hints and the rest
     {0x0C50, 1, "GL_PERSPECTIVE_CORRECTION_HINT"},
     {0x0C51, 1, "GL_POINT_SMOOTH_HINT"},
@@ -208,5 +220,9 @@ constexpr StateName simple_state[] = {
     {0x0DF1, 1, "GL_FEEDBACK_BUFFER_SIZE"},
     {0x0DF2, 1, "GL_FEEDBACK_BUFFER_TYPE"},
 };
+
+// Evaluators, of one and of two parameters: the enum of the first and the numbers of a control point of each.
+constexpr claque::passes::gl::Enum first_map[] = {0x0D90, 0x0DB0};
+constexpr int map_components[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};
 
 }  // namespace gltest

@@ -78,6 +78,18 @@ protected:
 
 }  // namespace
 
+TEST(PoseKey, DiffersWhereAnyOfItsMembersDoes)
+{
+    PoseKey keys[8];
+    keys[0].version = 9, keys[1].clip_time_s = 0.5, keys[2].tick_s = 0.5, keys[3].behaviour_levels = 2;
+    keys[4].clip = 3, keys[5].skeletal_level = 1, keys[6].layers = 1, keys[7].interpolated = true;
+    for (const PoseKey &key : keys) {
+        EXPECT_FALSE(key == PoseKey()) << &key - keys;
+        for (const PoseKey &other : keys)
+            EXPECT_EQ(key == other, &key == &other) << &key - keys << ' ' << &other - keys;
+    }
+}
+
 TEST_F(CachesTest, WhatIsStillGoodIsServedAndWhatIsOldIsMadeAnew)
 {
     Caches caches(std::pmr::get_default_resource(), Settings());

@@ -1,0 +1,335 @@
+#!/usr/bin/env python3
+"""Breaks the code on purpose and demands that a test sees it.
+
+run.py [--some N] [--jobs N] [PATTERN...]: puts each mutant whose name LAW/NAME matches a pattern into a copy of the tree in
+build/mutants, builds the tests that it names, and runs them. A mutant that no longer applies, that does not compile, or that no
+test sees is a failure. With --some, N mutants chosen by the commit. README.md beside this file describes the files.
+
+Mutants whose places do not overlap share one build: each place becomes `claque_mutant(id) ? mutant : code`, and the environment
+variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
+"""
+import argparse
+import fnmatch
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+import zlib
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+ROOT = SOURCE / "build" / "mutants"
+TREE = ROOT / "tree"
+BUILD = TREE / "build" / "mutants"
+LOG = ROOT / "log"
+
+
+class Mutant:
+    def __init__(self, name, where):
+        self.name, self.where = name, where
+        self.edits = []  # (file, lines to find, lines to put)
+        self.tests = []  # (target, filter, environment)
+        self.alone = False
+        self.id = zlib.crc32(name.encode()) & 0x7FFFFFFF
+
+
+def fail(text):
+    sys.exit(f"tests/mutants: {text}")
+
+
+def read_mutants(path):
+    """One law: [name], then `file PATH`, `test TARGET FILTER [VARIABLE=VALUE...]`, and lines `-` (find) and `+` (put)."""
+    mutants, file = [], None
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        where = f"{path.name}:{number}"
+        word, _, rest = line.partition(" ")
+        if not line.strip() or line.startswith("#"):
+            continue
+        if line.startswith("["):
+            mutants.append(Mutant(f"{path.stem}/{line.strip('[] ')}", where))
+            file = None
+        elif not mutants:
+            fail(f"{where}: a line before the first [name]")
+        elif word == "file":
+            file = rest.strip()
+        elif word == "alone":
+            mutants[-1].alone = True
+        elif word == "test":
+            target, pattern, *environment = rest.split()
+            mutants[-1].tests.append((target, pattern, tuple(environment)))
+        elif word in "-+" and file:
+            edits = mutants[-1].edits
+            if word == "-" and (not edits or edits[-1][2] or edits[-1][0] != file):
+                edits.append((file, [], []))
+            if not edits:
+                fail(f"{where}: a line to put without one to find")
+            edits[-1][1 if word == "-" else 2].append(rest)
+        else:
+            fail(f"{where}: neither file, test, alone, nor - or + after a file: {line}")
+    for mutant in mutants:
+        if not mutant.tests or not mutant.edits or not all(put for _, _, put in mutant.edits):
+            fail(f"{mutant.where}: {mutant.name} lacks a test, a line to find or a line to put")
+    return mutants
+
+
+def place_edits(mutant):
+    """[(file, start, end, text)] of a mutant, or a sentence why it does not apply. All white space is equal."""
+    places = []
+    for file, find, put in mutant.edits:
+        if not (SOURCE / file).is_file():
+            return None, f"there is no {file}"
+        words = " ".join(find).split()
+        found = list(re.finditer(r"\s+".join(map(re.escape, words)), (SOURCE / file).read_text()))
+        if len(found) != 1:
+            return None, f"{file} has its lines {len(found)} times"
+        if words == " ".join(put).split():
+            return None, "it changes nothing"
+        places.append((file, found[0].start(), found[0].end(), "\n".join(put)))
+    return places, ""
+
+
+def share_build(places, others):
+    """Whether no place of one overlaps a place of the other in part."""
+    return all(a[0] != b[0] or a[2] <= b[1] or b[2] <= a[1] or a[1:3] == b[1:3] for a in places for b in others)
+
+
+def grouped(placed):
+    """Lists of mutants with their places that can share a build; `alone` ones by themselves."""
+    groups, single = [], []
+    for mutant, places in placed:
+        if mutant.alone:
+            single.append([(mutant, places)])
+            continue
+        group = next((g for g in groups if all(share_build(places, others) for _, others in g)), None)
+        if group is None:
+            groups.append(group := [])
+        group.append((mutant, places))
+    return groups + single
+
+
+def switched(old, choices):
+    """Code that is `old` unless one of the (id, text) is chosen: an expression, or statements without declarations."""
+    if old.rstrip()[-1] in ";}":
+        return "{ " + " else ".join(f"if (::claque_mutant({key})) {{ {text} }}" for key, text in choices) + f" else {{ {old} }} }}"
+    return "(" + "".join(f"::claque_mutant({key}) ? ({text}) : " for key, text in choices) + f"({old}))"
+
+
+def texts_of(group):
+    """The files that a build of these mutants changes."""
+    places = {}
+    for mutant, edits in group:
+        for file, start, end, text in edits:
+            places.setdefault(file, {}).setdefault((start, end), []).append((mutant.id, text))
+    texts = {}
+    for file, spans in places.items():
+        text = (SOURCE / file).read_text()
+        for (start, end), choices in sorted(spans.items(), reverse=True):
+            new = choices[0][1] if group[0][0].alone else switched(text[start:end], choices)
+            text = text[:start] + new + text[end:]
+        texts[file] = text if group[0][0].alone else f'#include "tests/mutants/switch.h"\n{text}'
+    return texts
+
+
+def tree_files():
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=SOURCE, capture_output=True, text=True)
+    if listed.returncode == 0:
+        return [name for name in listed.stdout.splitlines() if (SOURCE / name).is_file()]
+    found = []
+    for folder, folders, names in os.walk(SOURCE):
+        folders[:] = [f for f in folders if f not in ("build", "out", ".git")]
+        found += [os.path.relpath(os.path.join(folder, name), SOURCE) for name in names]
+    return found
+
+
+def write_tree(names, texts):
+    """Makes the copy the tree with these texts; a file of equal bytes keeps its time, so that it is not built again."""
+    for name in names:
+        source, copy = SOURCE / name, TREE / name
+        content = texts[name].encode() if name in texts else source.read_bytes()
+        if not copy.is_file() or copy.read_bytes() != content:
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(content)
+            copy.chmod(source.stat().st_mode)
+    for folder, folders, files in os.walk(TREE):
+        folders[:] = [f for f in folders if f != "build"]
+        for name in files:
+            if os.path.relpath(os.path.join(folder, name), TREE) not in names:
+                os.remove(os.path.join(folder, name))
+    shared = ROOT / "shared"
+    if (SOURCE.parent / "shared").is_dir() and not shared.exists():
+        shared.symlink_to((SOURCE.parent / "shared").resolve())
+
+
+def run_logged(command, environment=None, limit_s=None):
+    """The exit status; None if it did not end in time."""
+    with open(LOG, "w") as log:
+        try:
+            return subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, cwd=BUILD, timeout=limit_s,
+                                  env={**os.environ, **(environment or {})}).returncode
+        except subprocess.TimeoutExpired:
+            return None
+
+
+def log_tail(lines=15):
+    return "\n".join(LOG.read_text(errors="replace").splitlines()[-lines:])
+
+
+COMPILE = {"CCACHE_BASEDIR": str(TREE), "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
+
+
+def configure():
+    BUILD.mkdir(parents=True, exist_ok=True)
+    if (BUILD / "build.ninja").exists():
+        return
+    flags = "-O1 -DNDEBUG"
+    command = ["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+               f"-DCMAKE_CXX_FLAGS={flags}", f"-DCMAKE_C_FLAGS={flags}", "-DCMAKE_UNITY_BUILD=ON",
+               "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DCLAQUE_TESTS=ON", "-DCLAQUE_BENCHMARKS=OFF"]
+    if shutil.which("ccache"):
+        command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache", "-DCMAKE_C_COMPILER_LAUNCHER=ccache"]
+    if run_logged(command, COMPILE) != 0:
+        fail(f"the copy cannot be configured\n{log_tail()}")
+
+
+def build(targets, jobs):
+    return run_logged(["cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *sorted(targets)], COMPILE) == 0
+
+
+def executable_of(target):
+    found = [path for path in (BUILD / "tests").rglob(target) if path.is_file() and os.access(path, os.X_OK)]
+    if len(found) != 1:
+        fail(f"{target} is no program of the tests")
+    return found[0]
+
+
+def cases_of(report):
+    return [case for suite in report.get("testsuites", []) for case in suite.get("testsuite", [])]
+
+
+def run_test(test, limit_s, mutant_id=0):
+    """What happened, in a word, with the name of the first test that saw the mutant; and the seconds."""
+    target, pattern, variables = test
+    report = ROOT / "report.json"
+    report.unlink(missing_ok=True)
+    program = executable_of(target)
+    environment = dict(variable.split("=", 1) for variable in variables)
+    environment["CLAQUE_MUTANT"] = str(mutant_id)
+    environment["XDG_CACHE_HOME"] = str(ROOT / "cache")
+    begun = time.monotonic()
+    status = run_logged([str(program), f"--gtest_filter={pattern}", f"--gtest_output=json:{report}"], environment, limit_s)
+    seconds = time.monotonic() - begun
+    if status is None:
+        return "endless", f"{target} after {limit_s:.0f} s", seconds
+    cases = cases_of(json.loads(report.read_text())) if report.exists() else []
+    failed = [f"{case['classname']}.{case['name']}" for case in cases if case.get("failures")]
+    if failed:
+        return "failed", failed[0], seconds
+    if status != 0:
+        return "crashed", f"{target} with status {status}", seconds
+    ran = [case for case in cases if case.get("status") == "RUN"]
+    skipped = [f"{case['classname']}.{case['name']}" for case in ran if case.get("result") == "SKIPPED"]
+    if not ran or skipped:
+        return "skipped", skipped[0] if skipped else f"no test of {target} is named {pattern}", seconds
+    return "passed", "", seconds
+
+
+def check_baseline(mutants):
+    """Every named test passes when no mutant is chosen; returns the seconds of each."""
+    seconds = {}
+    for test in sorted({test for mutant in mutants for test in mutant.tests}):
+        happened, what, seconds[test] = run_test(test, 1800)
+        if happened != "passed":
+            fail(f"without a mutant, {' '.join(test[:2])} {happened}: {what}\n{log_tail()}")
+    return seconds
+
+
+def try_mutant(mutant, seconds):
+    """Result and remark."""
+    for test in mutant.tests:
+        happened, what, _ = run_test(test, 60 + 20 * seconds[test], mutant.id)
+        if happened in ("failed", "crashed", "endless"):
+            return happened, what
+    return "SURVIVES", ", ".join(" ".join(test[:2]) for test in mutant.tests)
+
+
+def targets_of(mutants):
+    return {test[0] for mutant in mutants for test in mutant.tests}
+
+
+def try_groups(placed, names, jobs, report):
+    groups = grouped(placed)
+    if groups and groups[0][0][0].alone:
+        groups.insert(0, [])
+    everything = [mutant for mutant, _ in placed]
+    seconds = None
+    while groups:
+        group = groups.pop(0)
+        mutants = [mutant for mutant, _ in group]
+        write_tree(names, texts_of(group))
+        configure()
+        if not build(targets_of(mutants if seconds is not None else everything), jobs):
+            errors = [line for line in LOG.read_text(errors="replace").splitlines() if "error:" in line]
+            what = errors[0][-200:] if errors else "it does not link"
+            if len(group) == 1:
+                report(mutants[0], "BROKEN", what)
+            elif not group:
+                fail(f"the copy does not build\n{log_tail(30)}")
+            else:  # finds the one that does not compile
+                groups = [group[: len(group) // 2], group[len(group) // 2:]] + groups
+            continue
+        if seconds is None:
+            seconds = check_baseline(everything)
+        for mutant in mutants:
+            report(mutant, *try_mutant(mutant, seconds))
+
+
+def chosen(mutants, count):
+    """Others for each commit; the same for one commit."""
+    commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=SOURCE, capture_output=True, text=True).stdout
+    return sorted(mutants, key=lambda mutant: hashlib.sha256((commit + mutant.name).encode()).digest())[:count]
+
+
+def selected(options):
+    mutants = [mutant for path in sorted(HERE.glob("*.mutants")) for mutant in read_mutants(path)]
+    if len({mutant.id for mutant in mutants}) != len(mutants):
+        fail("two mutants have one name")
+    patterns = options.patterns or ["*"]
+    mutants = [mutant for mutant in mutants if any(fnmatch.fnmatch(mutant.name, pattern) for pattern in patterns)]
+    return mutants if options.some is None else chosen(mutants, options.some)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("patterns", nargs="*", help="names of mutants, with * and ?; all without")
+    parser.add_argument("--some", type=int, help="this many, chosen by the commit")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    options = parser.parse_args()
+    mutants = selected(options)
+    if not mutants:
+        fail("no mutant has such a name")
+    ROOT.mkdir(parents=True, exist_ok=True)
+    wide = max(len(mutant.name) for mutant in mutants)
+    results = []
+
+    def report(mutant, result, remark):
+        results.append(result)
+        print(f"{mutant.name:{wide}}  {result:8}  {remark}", flush=True)
+
+    placed = []
+    for mutant in mutants:
+        places, why = place_edits(mutant)
+        placed.append((mutant, places)) if places else report(mutant, "STALE", why)
+    if placed:
+        try_groups(placed, set(tree_files()), options.jobs, report)
+    bad = sum(result.isupper() for result in results)
+    print(f"{len(results)} mutants: {len(results) - bad} seen, {bad} not")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
