@@ -5,7 +5,7 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
+.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -13,6 +13,7 @@ help:
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make ci         make test, then the readers, the C API and the fuzz corpora under sanitizers"
+	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers"
@@ -70,6 +71,10 @@ ci: build
 test-asan test-tsan test-scalar: test-%:
 	@$(MAKE) --no-print-directory build PRESET=$*
 	ctest --preset $* -j $(JOBS)
+
+# tests/mutants/README.md
+test-mutants: setup
+	@tests/mutants/run.py --jobs $(JOBS) $(MUTANTS)
 
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true

@@ -65,7 +65,7 @@ void read_required(const toml::node &node, const std::string &path, Tolerance &t
             for (const std::string &g : groups) known += (known.empty() ? "" : ", ") + g;
             throw Unreadable(at(entry, path) + "'require' may name " + known);
         }
-        t.required.push_back(group);
+        if (std::find(t.required.begin(), t.required.end(), group) == t.required.end()) t.required.push_back(group);
     }
 }
 

@@ -65,10 +65,12 @@ protected:
         EXPECT_EQ(fm::host_bytes(), 0);
     }
 
-    void make_crowd(int people)
+    void make_crowd(int people, clq_cache_mode cache = CLQ_CACHE_FULL)
     {
         ASSERT_EQ(clq_template_build(context_, &small_.def, &tmpl_), CLQ_OK) << clq_last_error();
-        ASSERT_EQ(clq_crowd_create(context_, nullptr, &crowd_), CLQ_OK);
+        clq_crowd_def def = clq_crowd_def_init();
+        def.cache = cache;
+        ASSERT_EQ(clq_crowd_create(context_, &def, &crowd_), CLQ_OK);
         for (int i = 0; i < people; ++i) add_actor(i);
         ASSERT_EQ(clq_view_create(crowd_, &view_), CLQ_OK);
         clq_camera camera;
@@ -76,6 +78,13 @@ protected:
         const float up[3] = {0, 1, 0};
         ASSERT_EQ(api_test::look_at(&camera, eye, target, up, 0.8f, 1.0f, 0.1f, 100.0f), CLQ_OK);
         ASSERT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
+    }
+
+    void draw_without_memory(clq_renderer *renderer) const
+    {
+        fm::arm(1, fm::Reach::host_only, true);
+        EXPECT_EQ(clq_renderer_draw(renderer, view_, nullptr), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(fm::disarm(), 0u);
     }
 
     clq_status add_actor(int i)
@@ -92,6 +101,23 @@ protected:
         return status != CLQ_OK ? status : clq_actor_randomise_colours(crowd_, actor, nullptr, 0);
     }
 
+    // What the host can tell of its crowd without changing it.
+    struct Seen {
+        uint64_t crowd, list;
+        uint32_t actors, zones;
+        bool operator==(const Seen &o) const
+        {
+            return crowd == o.crowd && list == o.list && actors == o.actors && zones == o.zones;
+        }
+    };
+    Seen seen() const
+    {
+        clq_template_info info = clq_template_info_init();
+        EXPECT_EQ(clq_template_get_info(tmpl_, &info), CLQ_OK);
+        return {clq_crowd_get_hash(crowd_), clq_view_get_hash(view_), clq_crowd_get_actor_count(crowd_),
+                info.zone_count};
+    }
+
     SmallTemplate small_;
     clq_context *context_ = nullptr;
     clq_template *tmpl_ = nullptr;
@@ -99,6 +125,12 @@ protected:
     clq_view *view_ = nullptr;
     clq_actor first_ = {0, 0};
 };
+
+template <class Function>
+Function screen_function(const contexts::Offscreen &screen, const char *name)
+{
+    return reinterpret_cast<Function>(screen.get_proc_address()(screen.user(), name));
+}
 
 std::vector<char> bytes_of(const std::string &path)
 {
@@ -112,28 +144,36 @@ TEST(ContextAllocation, AContextThatFindsNoMemoryIsNotMade)
 {
     clq_context_def def = clq_context_def_init();
     def.allocator = fm::allocator;
+    clq_context *out = nullptr;
     fail_each(
         "clq_context_create", fm::Reach::everything, 1,
         [&] {
-            clq_context *context = nullptr;
-            const clq_status status = clq_context_create(&def, &context);
-            if (status == CLQ_OK) clq_context_destroy(context);
+            out = nullptr;
+            const clq_status status = clq_context_create(&def, &out);
+            if (status == CLQ_OK) clq_context_destroy(out);
             return status;
         },
-        [] {});
+        [&] { ASSERT_EQ(out, nullptr) << "out is written only on success"; });
 }
 
 TEST_F(Allocation, BuildingATemplateFailsCleanlyAtEveryAllocation)
 {
+    make_crowd(20);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
+    const Seen before = seen();
+    clq_template *out = nullptr;
     fail_each(
         "clq_template_build", fm::Reach::everything, 1,
         [&] {
-            clq_template *tmpl = nullptr;
-            const clq_status status = clq_template_build(context_, &small_.def, &tmpl);
-            clq_template_destroy(tmpl);
+            out = nullptr;
+            const clq_status status = clq_template_build(context_, &small_.def, &out);
+            if (status == CLQ_OK) clq_template_destroy(out);
             return status;
         },
-        [] {});
+        [&] {
+            ASSERT_EQ(out, nullptr) << "out is written only on success";
+            ASSERT_TRUE(seen() == before) << "another template's crowd has changed";
+        });
 }
 
 TEST_F(Allocation, CreatingActorsFailsCleanlyAtEveryAllocation)
@@ -207,6 +247,9 @@ TEST_F(Allocation, FramesThatSetTransformsAndUpdateAllocateNothing)
 
 TEST_F(Allocation, LoadingTheSmallestAssetFailsCleanlyAtEveryAllocationAndALargerOneAtAStride)
 {
+    make_crowd(20);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
+    const Seen before = seen();
     const std::string folder = CLAQUE_ASSETS_DIR;
     const struct {
         const char *path;
@@ -222,15 +265,19 @@ TEST_F(Allocation, LoadingTheSmallestAssetFailsCleanlyAtEveryAllocationAndALarge
         const std::string base = path.substr(0, path.find_last_of('/'));
         clq_asset_options options = clq_asset_options_init();
         options.base_folder = base.c_str();
+        clq_template *out = nullptr;
         fail_each(
             file.path, fm::Reach::everything, file.stride,
             [&] {
-                clq_template *tmpl = nullptr;
-                const clq_status status = clq_template_load_gltf(context_, bytes.data(), bytes.size(), &options, &tmpl);
-                clq_template_destroy(tmpl);
+                out = nullptr;
+                const clq_status status = clq_template_load_gltf(context_, bytes.data(), bytes.size(), &options, &out);
+                if (status == CLQ_OK) clq_template_destroy(out);
                 return status;
             },
-            [] {});
+            [&] {
+                ASSERT_EQ(out, nullptr) << "out is written only on success";
+                ASSERT_TRUE(seen() == before) << "another template's crowd has changed";
+            });
     }
 }
 
@@ -245,30 +292,57 @@ TEST_F(Allocation, ARendererFailsCleanlyAndDrawingAllocatesNothing)
     clq_renderer_def def = clq_renderer_def_init();
     def.get_proc_address = screen->get_proc_address();
     def.user = screen->user();
-    // Only the host's allocator may fail here: what GL itself allocates is not ours to test.
-    fail_each(
-        "clq_renderer_create and prepare", fm::Reach::host_only, 1,
-        [&] {
-            clq_renderer *renderer = nullptr;
-            clq_status status = clq_renderer_create(context_, &def, &renderer);
-            if (status == CLQ_OK) status = clq_renderer_prepare(renderer, tmpl_);
-            clq_renderer_destroy(renderer);
-            return status;
-        },
-        [] {});
     clq_renderer *renderer = nullptr;
     ASSERT_EQ(clq_renderer_create(context_, &def, &renderer), CLQ_OK);
     ASSERT_EQ(clq_renderer_prepare(renderer, tmpl_), CLQ_OK);
-    fm::arm(1, fm::Reach::host_only, true);
-    EXPECT_EQ(clq_renderer_draw(renderer, view_, nullptr), CLQ_OK) << clq_last_error();
-    EXPECT_EQ(fm::disarm(), 0u);
+    const auto clear_colour = screen_function<void (*)(float, float, float, float)>(*screen, "glClearColor");
+    const auto clear = screen_function<void (*)(unsigned)>(*screen, "glClear");
+    std::vector<uint8_t> empty, drawn, now;
+    clear_colour(0.1f, 0.6f, 0.2f, 1);
+    clear(0x4100);
+    screen->read_rgb(empty);
+    ASSERT_EQ(clq_renderer_draw(renderer, view_, nullptr), CLQ_OK) << clq_last_error();
+    screen->read_rgb(drawn);
+    ASSERT_NE(drawn, empty);
+    // Only the host's allocator may fail here: what GL itself allocates is not ours to test.
+    clq_renderer *out = nullptr;
+    fail_each(
+        "clq_renderer_create and prepare", fm::Reach::host_only, 1,
+        [&] {
+            out = nullptr;
+            clq_status status = clq_renderer_create(context_, &def, &out);
+            if (status == CLQ_OK) status = clq_renderer_prepare(out, tmpl_);
+            clq_renderer_destroy(out);
+            return status;
+        },
+        [&] {
+            clear(0x4100);
+            ASSERT_EQ(clq_renderer_draw(renderer, view_, nullptr), CLQ_OK) << clq_last_error();
+            screen->read_rgb(now);
+            ASSERT_EQ(now, drawn) << "another renderer draws another picture";
+        });
+    draw_without_memory(renderer);
     // The mask of the viewport is made at the first shadows, and kept.
     const clq_shadow_def shadows = clq_shadow_def_init();
+    clear(0x4100);
     fail_each(
         "clq_renderer_draw_shadows", fm::Reach::host_only, 1,
-        [&] { return clq_renderer_draw_shadows(renderer, view_, &shadows, nullptr); }, [] {}, Memory::may_be_kept);
+        [&] { return clq_renderer_draw_shadows(renderer, view_, &shadows, nullptr); },
+        [&] {
+            screen->read_rgb(now);
+            ASSERT_EQ(now, empty) << "a call that failed has drawn";
+        },
+        Memory::may_be_kept);
     fm::arm(1, fm::Reach::host_only, true);
     EXPECT_EQ(clq_renderer_draw_shadows(renderer, view_, &shadows, nullptr), CLQ_OK) << clq_last_error();
     EXPECT_EQ(fm::disarm(), 0u);
+    // Of a crowd without caches.
+    clq_crowd_destroy(crowd_);
+    clq_template_destroy(tmpl_);
+    crowd_ = nullptr;
+    make_crowd(50, CLQ_CACHE_NONE);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
+    ASSERT_EQ(clq_renderer_prepare(renderer, tmpl_), CLQ_OK);
+    draw_without_memory(renderer);
     clq_renderer_destroy(renderer);
 }

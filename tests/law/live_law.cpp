@@ -41,7 +41,7 @@ double even_frames(int) { return 1 / 60.0; }
 double uneven_frames(int frame) { return frame % 97 == 0 ? 0.4 : 0.002 + 0.03 * random_of(frame, 3); }
 
 const Journey journeys[] = {
-    {"forward and back", [](int, double t) { return glm::dvec3(0, 1.7, 20 - 20 * std::cos(t * 0.6)); }, even_frames},
+    {"forward and back", [](int, double t) { return glm::dvec3(0, 1.7, 20 - 20 * std::cos(t * 1.8)); }, even_frames},
     {"forward and back in uneven frames", [](int, double t) { return glm::dvec3(0, 1.7, 20 - 20 * std::cos(t * 1.7)); },
      uneven_frames},
     {"jumps", [](int frame, double) { return glm::dvec3(0, 1.7, 60 * random_of(frame / 7, 1)); }, even_frames},
@@ -65,7 +65,7 @@ uint32_t count_steps_back(frame::Clock clock, const Journey &journey)
     std::vector<double> shown(400, -1);
     std::vector<bool> stepped(400, false);
     double t = 50;
-    for (int f = 0; f < 1200; ++f, t += journey.frame_s(f)) {
+    for (int f = 0; f < 400; ++f, t += journey.frame_s(f)) {
         scene.look(0, journey.eye(f, t - 50), glm::dvec3(0, 1, -500));
         EXPECT_TRUE(scene.try_update(t).ok());
         for (uint32_t i = 0; i < 400; ++i) {
@@ -133,7 +133,7 @@ TEST(LiveLaw, ActorsStepBackInReferenceModeAndNoneInLiveMode)
     for (const Journey &journey : journeys) {
         const uint32_t reference = count_steps_back(frame::Clock::reference, journey);
         std::printf("%s: of 400 actors, %u step back in reference mode\n", journey.name, reference);
-        EXPECT_GT(reference, 300u) << journey.name;
+        EXPECT_GT(reference, 200u) << journey.name;
         EXPECT_EQ(count_steps_back(frame::Clock::live, journey), 0u) << journey.name;
     }
 }

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Breaks the code on purpose and demands that a test sees it.
 
-run.py [--some N] [--jobs N] [PATTERN...]: puts each mutant whose name LAW/NAME matches a pattern into a copy of the tree in
-build/mutants, builds the tests that it names, and runs them. A mutant that no longer applies, that does not compile, or that no
-test sees is a failure. With --some, N mutants chosen by the commit. README.md beside this file describes the files.
+run.py [--some N] [--jobs N] [PATTERN...]: puts each mutant whose name LAW/NAME matches a pattern into a copy of the
+tree in build/mutants, builds the tests that it names, and runs them. A mutant that no longer applies, that does not
+compile, or that no test sees is a failure. With --some, N mutants chosen by the commit. README.md beside this file
+describes the files.
 
-Mutants whose places do not overlap share one build: each place becomes `claque_mutant(id) ? mutant : code`, and the environment
-variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
+Mutants whose places do not overlap share one build: each place becomes `claque_mutant(id) ? mutant : code`, and the
+environment variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
 """
 import argparse
 import fnmatch
@@ -14,12 +15,13 @@ import hashlib
 import json
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
 import time
-import zlib
+
+sys.dont_write_bytecode = True
+from mutants import fail, grouped, place_edits, read_mutants, texts_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
@@ -29,114 +31,14 @@ BUILD = TREE / "build" / "mutants"
 LOG = ROOT / "log"
 
 
-class Mutant:
-    def __init__(self, name, where):
-        self.name, self.where = name, where
-        self.edits = []  # (file, lines to find, lines to put)
-        self.tests = []  # (target, filter, environment)
-        self.alone = False
-        self.id = zlib.crc32(name.encode()) & 0x7FFFFFFF
-
-
-def fail(text):
-    sys.exit(f"tests/mutants: {text}")
-
-
-def read_mutants(path):
-    """One law: [name], then `file PATH`, `test TARGET FILTER [VARIABLE=VALUE...]`, and lines `-` (find) and `+` (put)."""
-    mutants, file = [], None
-    for number, line in enumerate(path.read_text().splitlines(), 1):
-        where = f"{path.name}:{number}"
-        word, _, rest = line.partition(" ")
-        if not line.strip() or line.startswith("#"):
-            continue
-        if line.startswith("["):
-            mutants.append(Mutant(f"{path.stem}/{line.strip('[] ')}", where))
-            file = None
-        elif not mutants:
-            fail(f"{where}: a line before the first [name]")
-        elif word == "file":
-            file = rest.strip()
-        elif word == "alone":
-            mutants[-1].alone = True
-        elif word == "test":
-            target, pattern, *environment = rest.split()
-            mutants[-1].tests.append((target, pattern, tuple(environment)))
-        elif word in "-+" and file:
-            edits = mutants[-1].edits
-            if word == "-" and (not edits or edits[-1][2] or edits[-1][0] != file):
-                edits.append((file, [], []))
-            if not edits:
-                fail(f"{where}: a line to put without one to find")
-            edits[-1][1 if word == "-" else 2].append(rest)
-        else:
-            fail(f"{where}: neither file, test, alone, nor - or + after a file: {line}")
-    for mutant in mutants:
-        if not mutant.tests or not mutant.edits or not all(put for _, _, put in mutant.edits):
-            fail(f"{mutant.where}: {mutant.name} lacks a test, a line to find or a line to put")
-    return mutants
-
-
-def place_edits(mutant):
-    """[(file, start, end, text)] of a mutant, or a sentence why it does not apply. All white space is equal."""
-    places = []
-    for file, find, put in mutant.edits:
-        if not (SOURCE / file).is_file():
-            return None, f"there is no {file}"
-        words = " ".join(find).split()
-        found = list(re.finditer(r"\s+".join(map(re.escape, words)), (SOURCE / file).read_text()))
-        if len(found) != 1:
-            return None, f"{file} has its lines {len(found)} times"
-        if words == " ".join(put).split():
-            return None, "it changes nothing"
-        places.append((file, found[0].start(), found[0].end(), "\n".join(put)))
-    return places, ""
-
-
-def share_build(places, others):
-    """Whether no place of one overlaps a place of the other in part."""
-    return all(a[0] != b[0] or a[2] <= b[1] or b[2] <= a[1] or a[1:3] == b[1:3] for a in places for b in others)
-
-
-def grouped(placed):
-    """Lists of mutants with their places that can share a build; `alone` ones by themselves."""
-    groups, single = [], []
-    for mutant, places in placed:
-        if mutant.alone:
-            single.append([(mutant, places)])
-            continue
-        group = next((g for g in groups if all(share_build(places, others) for _, others in g)), None)
-        if group is None:
-            groups.append(group := [])
-        group.append((mutant, places))
-    return groups + single
-
-
-def switched(old, choices):
-    """Code that is `old` unless one of the (id, text) is chosen: an expression, or statements without declarations."""
-    if old.rstrip()[-1] in ";}":
-        return "{ " + " else ".join(f"if (::claque_mutant({key})) {{ {text} }}" for key, text in choices) + f" else {{ {old} }} }}"
-    return "(" + "".join(f"::claque_mutant({key}) ? ({text}) : " for key, text in choices) + f"({old}))"
-
-
-def texts_of(group):
-    """The files that a build of these mutants changes."""
-    places = {}
-    for mutant, edits in group:
-        for file, start, end, text in edits:
-            places.setdefault(file, {}).setdefault((start, end), []).append((mutant.id, text))
-    texts = {}
-    for file, spans in places.items():
-        text = (SOURCE / file).read_text()
-        for (start, end), choices in sorted(spans.items(), reverse=True):
-            new = choices[0][1] if group[0][0].alone else switched(text[start:end], choices)
-            text = text[:start] + new + text[end:]
-        texts[file] = text if group[0][0].alone else f'#include "tests/mutants/switch.h"\n{text}'
-    return texts
+def read_tree():
+    """The files of the tree, which may change while this runs: {name: bytes}."""
+    return {name: (SOURCE / name).read_bytes() for name in tree_files()}
 
 
 def tree_files():
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=SOURCE, capture_output=True, text=True)
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=SOURCE, capture_output=True,
+                            text=True)
     if listed.returncode == 0:
         return [name for name in listed.stdout.splitlines() if (SOURCE / name).is_file()]
     found = []
@@ -146,19 +48,19 @@ def tree_files():
     return found
 
 
-def write_tree(names, texts):
+def write_tree(source, texts):
     """Makes the copy the tree with these texts; a file of equal bytes keeps its time, so that it is not built again."""
-    for name in names:
-        source, copy = SOURCE / name, TREE / name
-        content = texts[name].encode() if name in texts else source.read_bytes()
+    for name, original in source.items():
+        copy = TREE / name
+        content = texts[name].encode() if name in texts else original
         if not copy.is_file() or copy.read_bytes() != content:
             copy.parent.mkdir(parents=True, exist_ok=True)
             copy.write_bytes(content)
-            copy.chmod(source.stat().st_mode)
+            copy.chmod((SOURCE / name).stat().st_mode)
     for folder, folders, files in os.walk(TREE):
         folders[:] = [f for f in folders if f != "build"]
         for name in files:
-            if os.path.relpath(os.path.join(folder, name), TREE) not in names:
+            if os.path.relpath(os.path.join(folder, name), TREE) not in source:
                 os.remove(os.path.join(folder, name))
     shared = ROOT / "shared"
     if (SOURCE.parent / "shared").is_dir() and not shared.exists():
@@ -221,7 +123,8 @@ def run_test(test, limit_s, mutant_id=0):
     environment["CLAQUE_MUTANT"] = str(mutant_id)
     environment["XDG_CACHE_HOME"] = str(ROOT / "cache")
     begun = time.monotonic()
-    status = run_logged([str(program), f"--gtest_filter={pattern}", f"--gtest_output=json:{report}"], environment, limit_s)
+    command = [str(program), f"--gtest_filter={pattern}", f"--gtest_output=json:{report}"]
+    status = run_logged(command, environment, limit_s)
     seconds = time.monotonic() - begun
     if status is None:
         return "endless", f"{target} after {limit_s:.0f} s", seconds
@@ -261,7 +164,7 @@ def targets_of(mutants):
     return {test[0] for mutant in mutants for test in mutant.tests}
 
 
-def try_groups(placed, names, jobs, report):
+def try_groups(placed, source, jobs, report):
     groups = grouped(placed)
     if groups and groups[0][0][0].alone:
         groups.insert(0, [])
@@ -270,7 +173,7 @@ def try_groups(placed, names, jobs, report):
     while groups:
         group = groups.pop(0)
         mutants = [mutant for mutant, _ in group]
-        write_tree(names, texts_of(group))
+        write_tree(source, texts_of(group, source))
         configure()
         if not build(targets_of(mutants if seconds is not None else everything), jobs):
             errors = [line for line in LOG.read_text(errors="replace").splitlines() if "error:" in line]
@@ -320,12 +223,13 @@ def main():
         results.append(result)
         print(f"{mutant.name:{wide}}  {result:8}  {remark}", flush=True)
 
+    source = read_tree()
     placed = []
     for mutant in mutants:
-        places, why = place_edits(mutant)
+        places, why = place_edits(mutant, source)
         placed.append((mutant, places)) if places else report(mutant, "STALE", why)
     if placed:
-        try_groups(placed, set(tree_files()), options.jobs, report)
+        try_groups(placed, source, options.jobs, report)
     bad = sum(result.isupper() for result in results)
     print(f"{len(results)} mutants: {len(results) - bad} seen, {bad} not")
     return 1 if bad else 0

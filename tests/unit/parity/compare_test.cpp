@@ -94,7 +94,24 @@ TEST_F(Comparing, AbsentDataIsReportedAndNotCompared)
     ASSERT_EQ(c.not_compared.size(), 2u);
     EXPECT_EQ(c.not_compared[0].group + ": " + c.not_compared[0].why, "normals: neither has normals.npy");
     EXPECT_EQ(c.not_compared[1].group + ": " + c.not_compared[1].why, "depth: the result has no depth.npy");
-    EXPECT_TRUE(verdict("exact").pass);
+    EXPECT_EQ(
+        reasons(verdict("exact"), 9),
+        "normals was not compared (neither has normals.npy), depth was not compared (the result has no depth.npy)");
+    EXPECT_TRUE(verdict("loose").pass);
+}
+
+TEST_F(Comparing, APictureOfColoursAloneIsNotEnough)
+{
+    for (Capture *c : {&a, &b}) {
+        c->actors.reset(), c->positions.reset(), c->normals.reset();
+        c->depth.reset(), c->actor.reset(), c->zone.reset();
+    }
+    for (const char *tolerance : {"exact", "gpu"}) {
+        const Verdict v = verdict(tolerance);
+        EXPECT_FALSE(v.pass) << tolerance;
+        EXPECT_EQ(v.lacking.size(), 6u) << tolerance << ": " << reasons(v, 9);
+    }
+    EXPECT_TRUE(verdict("loose").pass);
 }
 
 TEST_F(Comparing, WithoutATableTheOrderOfTheOtherHolds)

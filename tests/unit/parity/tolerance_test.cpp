@@ -1,4 +1,5 @@
 // Tolerances and verdicts.
+#include "samples/parity/measures.h"
 #include "samples/parity/verdict.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,9 @@ TEST(Tolerances, MayComeFromAFileAndBeginWithANamedOne)
         "[at_most]\npositions.max_relative = 1e-5\n'colour.max' = 4\n"
         "[at_least]\ncolour.psnr_db = 40\n",
         "t.toml");
-    EXPECT_EQ(t.required, (std::vector<std::string>{"positions", "depth"}));
+    EXPECT_EQ(t.required, tolerance_of("gpu").required) << "these are among what gpu requires";
+    EXPECT_EQ(tolerance_from("base = 'loose'\nrequire = ['positions', 'depth']\n", "t.toml").required,
+              (std::vector<std::string>{"positions", "depth"}));
     EXPECT_EQ(t.limits.size(), tolerance_of("gpu").limits.size() + 2);
     for (const Limit &limit : t.limits)
         if (limit.measure == "positions.max_relative") {
@@ -91,10 +94,20 @@ TEST(Verdicts, AValueThatIsNoNumberFails)
 TEST(Verdicts, RequestedDataMustBeCompared)
 {
     const Comparison c = comparison({{"colour.max", 0, "", {}}});
-    EXPECT_TRUE(verdict_of(c, tolerance_of("exact")).pass);
-    const Verdict v = verdict_of(c, tolerance_from("base = 'exact'\nrequire = ['depth', 'colour']\n", "t.toml"));
+    EXPECT_TRUE(verdict_of(c, tolerance_of("loose")).pass);
+    const Verdict v = verdict_of(c, tolerance_from("base = 'loose'\nrequire = ['depth', 'colour']\n", "t.toml"));
     EXPECT_FALSE(v.pass);
     EXPECT_EQ(reasons(v, 3), "depth was not compared (the result has no depth.npy)");
+}
+
+TEST(Verdicts, ExactAndGpuRequireEveryGroup)
+{
+    for (const char *name : {"exact", "gpu"})
+        for (const std::string &group : measure_groups()) {
+            Comparison c;
+            c.not_compared = {{group, "neither has it"}};
+            EXPECT_EQ(reasons(verdict_of(c, tolerance_of(name)), 3), group + " was not compared (neither has it)");
+        }
 }
 
 }  // namespace
