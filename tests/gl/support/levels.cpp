@@ -77,6 +77,7 @@ void LevelsTest::hold_level(const PosedModel &posed, uint32_t level, uint32_t ca
         const auto prepared = renderers.back()->prepare(*posed.tmpl);
         ASSERT_TRUE(prepared.ok()) << prepared.text;
     }
+    const uint64_t covered_before = covered_;
     for (uint32_t i = 0; i < cameras; ++i) {
         const Camera camera = drawn_by_lot(posed, 1000 * level + i, aspect);
         const Picture plain = draw_plain(*context_, posed, camera, colours.data());
@@ -92,6 +93,7 @@ void LevelsTest::hold_level(const PosedModel &posed, uint32_t level, uint32_t ca
         }
     }
     for (const auto &renderer : renderers) renderer->destroy();
+    EXPECT_GT(covered_ - covered_before, 20 * uint64_t(cameras)) << "the cameras see too little of the character";
 }
 
 }  // namespace gltest
