@@ -162,6 +162,24 @@ TEST(FrameLaw, ACameraJumpRefreshesAtOnce)
     }
 }
 
+TEST(FrameLaw, NoActorShowsATimeBeforeItsClipBegan)
+{
+    Scene scene;
+    crowd::Play play;
+    play.clip = clip_walk;
+    play.start_s = 10;
+    for (const crowd::Id id : scene.ids) crowd::play(scene.crowd, id, play);
+    scene.update(10.01);
+    uint32_t begun = 0;
+    for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
+        const frame::ActorVisibility seen = scene.frame.visibility(scene.crowd, row);
+        if (!seen.visible) continue;
+        EXPECT_GE(seen.shown_s, 10) << row;
+        begun += seen.shown_s == 10;
+    }
+    EXPECT_GT(begun, 20u) << "too few ticks lie before the start";
+}
+
 TEST(FrameLaw, AStillClockAndEyeCostNothing)
 {
     Scene scene;

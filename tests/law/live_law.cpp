@@ -148,6 +148,31 @@ TEST(LiveLaw, TimeThatRunsBackForgetsWhatWasShown)
     EXPECT_EQ(live.update(-3), Scene(people(80, frame::Clock::live)).update(-3));
 }
 
+TEST(LiveLaw, AnActorIsNotBoundByTheOneThatHadItsRowBefore)
+{
+    SceneDef def = people(40, frame::Clock::live), free_def = people(40, frame::Clock::reference);
+    Scene live(def), reference(free_def);
+    uint32_t earlier = 0;
+    for (Scene *scene : {&live, &reference}) {
+        scene->update(20);
+        for (uint32_t row = 0; row < 40; ++row) {
+            const crowd::Transform place = scene->crowd.transform_of(row);
+            crowd::destroy(scene->crowd, scene->ids[row]);
+            scene->ids[row] = crowd::create(scene->crowd, *scene->templates[0], place, crowd::Play(), row);
+        }
+        scene->update(20.001);
+    }
+    for (uint32_t row = 0; row < 40; ++row) {
+        const frame::ActorVisibility a = live.frame.visibility(live.crowd, row);
+        const frame::ActorVisibility b = reference.frame.visibility(reference.crowd, row);
+        ASSERT_EQ(a.visible, b.visible);
+        if (!a.visible) continue;
+        EXPECT_EQ(a.shown_s, b.shown_s) << row;
+        earlier += b.shown_s < 19.95;
+    }
+    EXPECT_GT(earlier, 5u) << "too few ticks lie before that of the actor before";
+}
+
 TEST(LiveLaw, ACameraThatComesNearerIsAnsweredAtOnceAsInReferenceMode)
 {
     Scene live(people(80, frame::Clock::live)), reference;
