@@ -11,7 +11,7 @@ inline double along(const glm::dvec3 &a, const glm::dvec3 &b) { return a.x * b.x
 // Unit, the k-th of a random series.
 glm::dvec3 random_direction(uint32_t k);
 
-// The k-th camera, one of whose frustum's planes is square to `out` and `inside` beyond `corner`: it sees the point, and
+// The k-th camera, one of whose planes is square to `out` and `inside` beyond `corner`: it sees the point, and
 // nothing that is farther than that behind it. The six planes take turns.
 claque::frame::Camera aimed(uint32_t k, const glm::dvec3 &corner, const glm::dvec3 &out, double inside);
 

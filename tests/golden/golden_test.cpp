@@ -78,9 +78,8 @@ void hold(const Golden &golden, const char *driver)
     if (difference.pixels)
         write_difference(std::string(OUTPUT_DIR) + "/" + golden.name + "-difference.pgm", expected, actual);
     const double allowed = same ? 0 : share_of_another_rasteriser * double(expected.rgb.size() / 3);
-    EXPECT_LE(double(difference.pixels), allowed)
-        << "largest difference " << difference.most << "; see " << actual_path
-        << ". If the change is meant: make golden-accept";
+    EXPECT_LE(double(difference.pixels), allowed) << "largest difference " << difference.most << "; see " << actual_path
+                                                  << ". If the change is meant: make golden-accept";
     testing::Test::RecordProperty("pixels", std::to_string(difference.pixels));
 }
 

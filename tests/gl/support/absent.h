@@ -1,5 +1,5 @@
-// When a test may skip for want of OpenGL: only where the loader does not find the libraries, which are named. A context
-// that cannot be made although they are there is a failure.
+// When a test may skip for want of OpenGL: only where the loader does not find the libraries, which are named. A
+// context that cannot be made although they are there is a failure.
 #pragma once
 
 #include <dlfcn.h>

@@ -1,8 +1,8 @@
 // A context and a renderer, for tests that need one of each.
 #pragma once
 
-#include "tests/gl/support/pictures.h"
 #include "tests/gl/support/absent.h"
+#include "tests/gl/support/pictures.h"
 
 #include <gtest/gtest.h>
 

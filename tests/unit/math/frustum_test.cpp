@@ -51,6 +51,8 @@ TEST(Frustum, ASphereIsVisibleAsSoonAsItReachesIn)
     EXPECT_EQ(test(frustum, outside, 3.53), Containment::outside);
     EXPECT_EQ(test(frustum, outside, 3.54), Containment::intersects);
     EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -50), 5), Containment::inside);
+    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -50), 35.35), Containment::inside) << "35.355 from four planes";
+    EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -50), 35.36), Containment::intersects);
     EXPECT_EQ(test(frustum, glm::dvec3(0, 0, 5), 5.9), Containment::outside);
     EXPECT_EQ(test(frustum, glm::dvec3(0, 0, -104), 5), Containment::intersects);
 }
