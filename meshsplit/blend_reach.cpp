@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/math/affine.h"
+#include "meshsplit/enclosing.h"
 #include "meshsplit/largest.h"
 #include "meshsplit/reach_poses.h"
 
@@ -85,9 +86,7 @@ double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls
     return most;
 }
 
-}  // namespace
-
-std::vector<NodeExtent> node_extents(const model::Rig &rig)
+std::vector<NodeExtent> rest_extents(const model::Rig &rig)
 {
     std::vector<NodeExtent> out(rig.node_count());
     const std::vector<double> shifts = max_shifts(rig);
@@ -98,7 +97,15 @@ std::vector<NodeExtent> node_extents(const model::Rig &rig)
     }
     for (const model::Dof &dof : rig.dofs)
         if (dof.kind == model::DofKind::rotation) out[dof.node].turns = true;
-    walk_poses(rig, [&](const PoseAt &, const Locals &locals, const PoseSegment *since) {
+    return out;
+}
+
+}  // namespace
+
+std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t most)
+{
+    std::vector<NodeExtent> out = rest_extents(rig);
+    const auto visit = [&](const PoseAt &, const Locals &locals, const PoseSegment *since) {
         for (uint32_t n = 0; n < rig.node_count(); ++n) {
             const math::Trs &now = locals.nodes[n], &rest = rig.rest[n];
             const NodeMotionBound motion_bound = since ? since->nodes[n] : NodeMotionBound(now, now);
@@ -112,7 +119,15 @@ std::vector<NodeExtent> node_extents(const model::Rig &rig)
                 std::max(extent.scale_range, largest(now.scale - rest.scale) + motion_bound.scale_acceleration / 8);
             extent.turns = extent.turns || now.rotation != rest.rotation;
         }
-    });
+    };
+    if (!walk_poses(rig, visit, most)) out.clear();
+    return out;
+}
+
+std::vector<NodeExtent> key_extents(const model::Rig &rig)
+{
+    std::vector<NodeExtent> out = rest_extents(rig);
+    for (uint32_t c = 0; c < rig.clips.size(); ++c) add_clip(rig, c, out);
     return out;
 }
 
@@ -136,6 +151,25 @@ void find_blend_reach(const std::vector<NodeExtent> &extents, model::Template &t
             {chord(glm::distance(a.centre, middle) + a.radius, glm::distance(b.centre, middle) + b.radius),
              chord(a.stretch, b.stretch)});
     }
+}
+
+void bound_by_lengths(const std::vector<NodeExtent> &extents, model::Template &tmpl)
+{
+    const std::vector<NodeBall> balls = balls_of(tmpl.rig, extents, 0);
+    std::vector<Ball> at_rest;
+    for (const model::Level &level : tmpl.levels)
+        for (const model::PartSphere &sphere : level.part_spheres) {
+            const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
+            const glm::vec3 centre = math::transform_point(entry.inverse_bind, sphere.bind.centre);
+            at_rest.push_back({glm::dvec3(math::transform_point(balls[entry.node].frame, centre)), 0});
+        }
+    if (!at_rest.empty()) tmpl.sklsroot.centre = enclosing(at_rest).centre;
+    tmpl.sklsroot.radius = static_cast<float>(margin * radius_of(tmpl, balls, 0));
+    const glm::dvec3 middle(tmpl.sklsroot.centre);
+    tmpl.node_reach.clear();
+    for (const NodeBall &ball : balls)
+        tmpl.node_reach.push_back({static_cast<float>(margin * (glm::distance(ball.centre, middle) + ball.radius)),
+                                   static_cast<float>(margin * ball.stretch)});
 }
 
 }  // namespace claque::meshsplit

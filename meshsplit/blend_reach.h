@@ -17,7 +17,15 @@ struct NodeExtent {
     double shift = 0;                   // by degrees of freedom
     bool turns = false;
 };
-std::vector<NodeExtent> node_extents(const model::Rig &rig);
+// Nothing if the clips have more poses than `most`.
+std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t most = ~0ull);
+// The same from the keys of all channels, read once: never less, and more where a spline could overshoot.
+std::vector<NodeExtent> key_extents(const model::Rig &rig);
+// Widens the extents by the keys of one clip.
+void add_clip(const model::Rig &rig, uint32_t clip, std::vector<NodeExtent> &extents);
+
+// Fills sklsroot and node_reach from lengths alone: larger than what a search of the poses finds.
+void bound_by_lengths(const std::vector<NodeExtent> &extents, model::Template &tmpl);
 
 // Fills Template::blend_reach and blend_radius; requires the levels and the Sklsroot Bsphere. `extents`: of the
 // template's rig.

@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
+#include "meshsplit/allowance.h"
 #include "meshsplit/blend_reach.h"
+#include "meshsplit/charges.h"
 #include "meshsplit/level_builder.h"
 #include "meshsplit/level_plan.h"
 #include "meshsplit/reach.h"
@@ -73,13 +75,14 @@ uint32_t texture_limit(uint32_t wanted)
 class Builder
 {
 public:
-    Builder(const model::Model &model, const BuildOptions &options, model::Template &out)
+    Builder(const model::Model &model, const BuildOptions &options, Allowance &allowance, model::Template &out)
         : model_(model),
           materials_(plan_materials(model)),
           plans_(plan_levels(model)),
           drawn_(drawn_parts(model)),
-          first_weights_(fill_rig(model, out.rig)),
-          whole_(merge(model, materials_, whole())),
+          allowance_(allowance),
+          first_weights_(fill_rig(model, allowance, out.rig)),
+          whole_(charged_whole()),
           options_(options),
           memory_(out.levels.get_allocator().resource()),
           out_(out)
@@ -94,6 +97,7 @@ public:
 
     void run()
     {
+        charge_textures(model_, materials_, texture_limit(options_.max_texture_px), allowance_);
         const auto make = [this] {
             texture_of_ =
                 make_textures(model_, materials_, texture_limit(options_.max_texture_px), whole_, out_.textures);
@@ -108,8 +112,7 @@ public:
             out_.levels.emplace_back(memory_);
             if (plans_.size() > 1) out_.levels.back().switch_distance_m = plan.distance_m;
         }
-        options_.jobs.try_each(static_cast<uint32_t>(meshes.size()),
-                               [&](uint32_t k) { fill(meshes[k], out_.levels[k]); });
+        fill_levels(meshes);
         std::vector<const std::vector<uint8_t> *> active;
         for (const LevelPlan &plan : plans_) active.push_back(&plan.active);
         set_skeletons(active, out_.rig.palette.size(), out_.levels);
@@ -123,6 +126,12 @@ private:
         for (uint32_t p = 0; p < model.parts.size(); ++p)
             if (model::is_drawn(model.parts[p])) out.push_back(p);
         return out;
+    }
+
+    Mesh charged_whole()
+    {
+        charge_meshes(model_, plans_, allowance_);
+        return merge(model_, materials_, whole());
     }
 
     // What is shown at any distance: textures are made for all of it.
@@ -165,10 +174,19 @@ private:
         return merge(model_, materials_, selection);
     }
 
-    void fill(Mesh &mesh, model::Level &level)
+    void fill_levels(std::vector<Mesh> &meshes)
+    {
+        const ZoneImages zone_images(out_.textures);
+        const ZoneLimits limits = {allowance_.bytes() / 2 / meshes.size(), allowance_.texels()};
+        allowance_.take(allowance_.bytes() / 2, "zones of triangles");
+        options_.jobs.try_each(static_cast<uint32_t>(meshes.size()),
+                               [&](uint32_t k) { fill(meshes[k], zone_images, limits, out_.levels[k]); });
+    }
+
+    void fill(Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits, model::Level &level)
     {
         for (MeshSurface &surface : mesh.surfaces) surface.texture = texture_of_[surface.texture];
-        const TriangleZones zones = zones_of_triangles(mesh, out_.textures);
+        const TriangleZones zones = zones_of_triangles(mesh, zone_images, limits);
         build_level(mesh, zones, out_.rig, level);
         if (&level == &out_.levels[0]) report(mesh, zones, out_);
     }
@@ -176,9 +194,10 @@ private:
     const model::Model &model_;
     const MaterialPlan materials_;
     const std::vector<LevelPlan> plans_;
-    const std::vector<uint32_t> drawn_;          // parts
+    const std::vector<uint32_t> drawn_;  // parts
+    Allowance &allowance_;
     const std::vector<uint32_t> first_weights_;  // of each of the model's morph sets in `out_`
-    Mesh whole_;  // everything visible at some distance; textures are made for all of it
+    Mesh whole_;                                 // everything visible at some distance; textures are made for all of it
     const BuildOptions &options_;
     std::pmr::memory_resource *memory_;
     model::Template &out_;
@@ -186,25 +205,39 @@ private:
     float extent_ = 0;
 };
 
+// Fills sklsroot and node_reach. Returns false if there are more poses than the limit.
+bool search(const SearchLimits &limits, model::Template &out)
+{
+    const std::optional<model::Sphere> sphere = enclosing_sphere(out, limits);
+    if (!sphere) return false;
+    out.sklsroot = *sphere;
+    const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre, limits.poses);
+    out.node_reach.assign(reach.begin(), reach.end());
+    return !reach.empty();
+}
+
 }  // namespace
 
 void build(const model::Model &model, const BuildOptions &options, model::Template &out)
 {
     model::check(model);
     check_limits(model);
-    Builder(model, options, out).run();
+    Allowance allowance(model);
+    Builder(model, options, allowance, out).run();
+    const SearchLimits limits = search_limits(out, allowance);
     std::vector<NodeExtent> extents;
     float more = 0;
+    bool found = false;
     options.jobs.try_each(2, [&](uint32_t job) {
         if (job == 0) {
-            out.sklsroot = enclosing_sphere(out);
-            const std::vector<model::NodeReach> reach = find_node_reach(out.rig, out.sklsroot.centre);
-            out.node_reach.assign(reach.begin(), reach.end());
+            found = limits.search && search(limits, out);
         } else {
-            extents = node_extents(out.rig);
-            more = make_motion(options.motion, out);
+            if (limits.search) extents = node_extents(out.rig, limits.poses);
+            if (extents.empty()) extents = key_extents(out.rig);
+            more = make_motion(options.motion, out, {allowance.bytes() / 4, allowance.transforms()});
         }
     });
+    if (!found) bound_by_lengths(key_extents(out.rig), out);
     find_blend_reach(extents, out);
     inflate(more, out);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/model/model.h"
+#include "lib/model/template.h"
 
 namespace claque::meshsplit
 {
@@ -13,7 +14,7 @@ struct LevelPlan {
     std::vector<uint32_t> parts;  // drawn parts of the model, ascending
 };
 
-constexpr size_t max_levels = 64;
+using model::max_levels;
 
 // Returns plans in ascending order, the first at 0. Throws base::Error (ARGUMENT) if a part would be drawn on a stopped
 // node, or if geometry ends with a node and nothing replaces it; (LIMIT) if there are more than max_levels.

@@ -42,9 +42,11 @@ struct Lengths {
 class ClipFitter
 {
 public:
-    ClipFitter(model::Template &tmpl, MotionMeter &meter, uint32_t clip, const MotionError &most)
+    ClipFitter(model::Template &tmpl, MotionMeter &meter, const MotionLimits &limits, uint32_t clip,
+               const MotionError &most)
         : tmpl_(tmpl),
           meter_(meter),
+          limits_(limits),
           index_(clip),
           clip_(tmpl.rig.clips[clip]),
           most_(most),
@@ -65,19 +67,44 @@ public:
         // errors.
         MotionError outliers = most_;
         for (int attempt = 0; attempt < 4 && !counts.empty(); ++attempt) {
-            for (const uint32_t count : counts)
+            for (const uint32_t count : counts) {
+                if (!can_afford(count)) return keep_all();
                 if (fits(count)) return;
+            }
             keep_outliers(counts.back(), outliers);
             outliers.metres /= 4, outliers.radians /= 4;
         }
-        std::fill(kept_.begin(), kept_.end(), uint8_t(1));
-        put(0);
-        meter_.begin();
-        error_of_clip() = meter_.measure(index_, times_, most());
-        meter_.accept();
+        keep_all();
     }
 
 private:
+    // Kept channels are exact, and nodes without channels rest, so a few times show what rounding does.
+    void keep_all()
+    {
+        std::fill(kept_.begin(), kept_.end(), uint8_t(1));
+        put(0);
+        meter_.begin();
+        const bool all = can_evaluate(times_.size());
+        const std::vector<double> few = {times_.front(), times_[times_.size() / 2], times_.back()};
+        error_of_clip() = meter_.measure(index_, all ? times_ : few, most());
+        meter_.accept();
+        if (!all) meter_.accept_reach_of(index_);
+    }
+
+    bool can_evaluate(uint64_t poses) const
+    {
+        return meter_.evaluated() + poses * meter_.pose_transforms(index_) <= limits_.transforms;
+    }
+
+    // Whether this many rows may be made and measured.
+    bool can_afford(uint64_t count) const
+    {
+        const model::Motion &motion = tmpl_.motion;
+        const uint64_t held = 3 * (2ull * before_.rotations + 2ull * before_.numbers);
+        return held + clip_bytes(tmpl_.rig, static_cast<uint32_t>(count), motion) <= limits_.bytes &&
+               can_evaluate(3 * count + times_.size());
+    }
+
     static MotionError most()
     {
         return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -131,6 +158,7 @@ private:
     {
         before_.cut(tmpl_.motion);
         append_clip(tmpl_.rig, index_, intervals, kept_, tmpl_.motion);
+        meter_.count((intervals + 1ull) * meter_.pose_transforms(index_) / 2);
     }
 
     void keep_outliers(uint32_t intervals, const MotionError &outliers)
@@ -166,6 +194,7 @@ private:
 
     model::Template &tmpl_;
     MotionMeter &meter_;
+    const MotionLimits &limits_;
     const uint32_t index_;
     const model::Clip &clip_;
     const MotionError most_;
@@ -174,17 +203,29 @@ private:
     std::vector<double> times_;
 };
 
+// Whether every clip can have its places, and be measured a few times.
+bool can_have_motion(const model::Template &tmpl, const MotionLimits &limits)
+{
+    const uint64_t clips = tmpl.rig.clips.size();
+    return place_bytes(tmpl.motion) <= limits.bytes / 4 / clips &&
+           8ull * tmpl.rig.node_count() <= limits.transforms / clips;
+}
+
 }  // namespace
 
-float make_motion(const MotionTolerance &tolerance, model::Template &out)
+float make_motion(const MotionTolerance &tolerance, model::Template &out, const MotionLimits &limits)
 {
     if (out.rig.clips.empty() || tolerance.metres == 0) return 0;
     plan_joints(out.rig, out.motion);
+    if (!can_have_motion(out, limits)) {
+        out.motion.nodes.clear(), out.motion.groups.clear();
+        return 0;
+    }
     model::derive(out.rig, out.motion);
     MotionMeter meter(out);
     const double metres = tolerance.metres > 0 ? double(tolerance.metres) : meter.rest_size() / 2000;
     for (uint32_t c = 0; c < out.rig.clips.size(); ++c)
-        ClipFitter(out, meter, c, {metres, double(tolerance.radians)}).run();
+        ClipFitter(out, meter, limits, c, {metres, double(tolerance.radians)}).run();
     return static_cast<float>(meter.bound() * 1.25);
 }
 

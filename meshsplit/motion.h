@@ -16,8 +16,14 @@ struct MotionTolerance {
     static constexpr float automatic = -1;
 };
 
+// What resampling may hold in bytes and evaluate in local transforms. Clips that need more keep their channels; if even
+// that is more, the template has no motion, and all clips are sampled from their channels.
+struct MotionLimits {
+    uint64_t bytes = ~0ull, transforms = ~0ull;
+};
+
 // Requires rig and levels of `out`. Returns a bound of how much further resampled clips can reach than their channels.
-float make_motion(const MotionTolerance &tolerance, model::Template &out);
+float make_motion(const MotionTolerance &tolerance, model::Template &out, const MotionLimits &limits = {});
 // Enlarges the bounding spheres of `out` by `more`, so that they also hold for resampled clips.
 void inflate(float more, model::Template &out);
 

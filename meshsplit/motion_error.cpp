@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "meshsplit/blend_reach.h"
 #include "meshsplit/largest.h"
 #include "meshsplit/reach_poses.h"
 
@@ -104,8 +105,25 @@ double MotionMeter::rest_size() const
     return least.x <= most.x ? glm::length(most - least) / 2 : 0;
 }
 
+uint64_t MotionMeter::pose_transforms(uint32_t clip) const
+{
+    return 2ull * (tmpl_.rig.node_count() + tmpl_.rig.clips[clip].channel_count);
+}
+
+void MotionMeter::accept_reach_of(uint32_t clip)
+{
+    std::vector<NodeExtent> extents(accepted_.nodes.size());
+    for (size_t n = 0; n < extents.size(); ++n) extents[n].scale = accepted_.nodes[n].scale;
+    add_clip(tmpl_.rig, clip, extents);
+    for (size_t n = 0; n < extents.size(); ++n) {
+        accepted_.nodes[n].offset = std::max(accepted_.nodes[n].offset, extents[n].offset);
+        accepted_.nodes[n].scale = std::max(accepted_.nodes[n].scale, extents[n].scale);
+    }
+}
+
 MotionError MotionMeter::at(uint32_t clip, double time_s)
 {
+    count(pose_transforms(clip));
     for (pose::Workspace *w : {&exact_, &sampled_}) {
         pose::PoseJob job = w->job();
         job.clip = clip;

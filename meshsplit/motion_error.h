@@ -37,6 +37,13 @@ public:
     // degrees of freedom: each joint's own error times the extent of what it moves.
     double bound() const;
 
+    // Local transforms that were evaluated so far, and those of one pose of a clip.
+    uint64_t evaluated() const { return evaluated_; }
+    uint64_t pose_transforms(uint32_t clip) const;
+    void count(uint64_t transforms) { evaluated_ += transforms; }
+    // What accept() knows of the clip's nodes also holds at times that were not measured.
+    void accept_reach_of(uint32_t clip);
+
 private:
     struct Local {
         double shift = 0, turn = 0, growth = 0;  // errors
@@ -65,6 +72,7 @@ private:
     Worst now_, measured_, accepted_;
     const std::vector<float> dofs_;  // all zero
     double morphs_ = 0;              // error of morph weights at the last time, in metres
+    uint64_t evaluated_ = 0;
 };
 
 }  // namespace claque::meshsplit

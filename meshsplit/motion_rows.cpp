@@ -260,6 +260,20 @@ private:
 
 }  // namespace
 
+uint64_t place_bytes(const model::Motion &out)
+{
+    return sizeof(model::MotionClip) + sizeof(model::MotionBlock) * out.block_count() +
+           sizeof(model::MotionCurve) * out.groups.size();
+}
+
+// Each row has the poses it is made of, its blocks before and after they are interleaved, and room that arrays grow by.
+uint64_t clip_bytes(const model::Rig &rig, uint32_t intervals, const model::Motion &out)
+{
+    const uint64_t row = sizeof(math::Trs) * rig.node_count() + sizeof(float) * rig.rest_weights.size() +
+                         (3 + 4) * sizeof(Block) * out.block_count() + 4 * 8 * out.groups.size();
+    return row * (uint64_t(intervals) + 1) + 2 * place_bytes(out);
+}
+
 void append_clip(const model::Rig &rig, uint32_t clip, uint32_t intervals, const std::vector<uint8_t> &kept,
                  model::Motion &out)
 {

@@ -113,13 +113,6 @@ bool average_four(const ZoneMap &map, uint32_t x, uint32_t y, ZoneMap &out)
     return true;
 }
 
-uint32_t fitting_side(uint32_t side, uint32_t max_px)
-{
-    uint32_t p = 1;
-    while (p < side && p * 2 <= max_px) p *= 2;
-    return p;
-}
-
 bool power_of_two(uint32_t v) { return (v & (v - 1)) == 0; }
 
 // For each texel the nearest covered row of its column; `none` if the column has none.
@@ -178,6 +171,13 @@ private:
 };
 
 }  // namespace
+
+uint32_t fitted_side(uint32_t side, uint32_t max_px)
+{
+    uint32_t p = 1;
+    while (p < side && p * 2 <= max_px) p *= 2;
+    return p;
+}
 
 ZoneMap resample(const ZoneMap &map, uint32_t width, uint32_t height)
 {
@@ -239,12 +239,12 @@ ZoneMap unfold(const ZoneMap &map, bool mirror_s, bool mirror_t)
 
 bool fits(const ZoneMap &map, uint32_t max_px)
 {
-    return map.width == fitting_side(map.width, max_px) && map.height == fitting_side(map.height, max_px);
+    return map.width == fitted_side(map.width, max_px) && map.height == fitted_side(map.height, max_px);
 }
 
 ZoneMap fit(const ZoneMap &map, uint32_t max_px)
 {
-    const uint32_t width = fitting_side(map.width, max_px), height = fitting_side(map.height, max_px);
+    const uint32_t width = fitted_side(map.width, max_px), height = fitted_side(map.height, max_px);
     ZoneMap out = map;
     if (!power_of_two(out.width) || !power_of_two(out.height))
         out =

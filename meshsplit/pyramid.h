@@ -26,6 +26,7 @@ ZoneMap unfold(const ZoneMap &map, bool mirror_s, bool mirror_t);
 // Resizes to powers of two of at most max_px: other sides are resampled to the next power above (or to max_px), and
 // sides that are too large are halved step by step.
 ZoneMap fit(const ZoneMap &map, uint32_t max_px);
+uint32_t fitted_side(uint32_t side, uint32_t max_px);
 bool fits(const ZoneMap &map, uint32_t max_px);  // whether fit() would change nothing
 
 }  // namespace claque::meshsplit

@@ -33,19 +33,19 @@ struct PoseCandidate {
 
 }  // namespace
 
-FreeReach::FreeReach(const model::Template &tmpl)
+FreeReach::FreeReach(const model::Template &tmpl, uint64_t most)
     : tmpl_(tmpl), free_(tmpl), poser_(tmpl.rig), solver_(tmpl.rig), coarse_(2, tmpl.rig), fine_(3, tmpl.rig)
 {
-    find_poses();
+    if (!find_poses(most)) poses_.clear();
 }
 
-void FreeReach::find_poses()
+bool FreeReach::find_poses(uint64_t most)
 {
     const model::Rig &rig = tmpl_.rig;
     const std::vector<double> shifts = max_shifts(rig);
     std::vector<MotionBound> motion_bounds(rig.node_count());
     std::vector<float> weights;
-    walk_poses(rig, [&](const PoseAt &at, const Locals &locals, const PoseSegment *since) {
+    const auto visit = [&](const PoseAt &at, const Locals &locals, const PoseSegment *since) {
         double bulge = 0, distance = std::numeric_limits<double>::infinity();
         if (since) {
             distance = 0;
@@ -67,7 +67,8 @@ void FreeReach::find_poses()
         poses_.push_back(at);
         bulges_.push_back(bulge);
         distances_.push_back(distance);
-    });
+    };
+    return walk_poses(rig, visit, most);
 }
 
 void FreeReach::look_at(uint32_t pose)

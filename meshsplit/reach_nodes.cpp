@@ -20,7 +20,7 @@ constexpr int max_evaluations = 24;
 struct NodeCandidate {
     // bulge: towards neighbouring poses; not included in `bound` while poses are collected
     double bound = 0, bulge = 0;
-    PoseAt at;
+    uint32_t pose = 0;
     bool evaluated = false;
 
     bool operator<(const NodeCandidate &other) const { return bound < other.bound; }
@@ -34,21 +34,24 @@ public:
           centre_(centre),
           solver_(rig),
           shifts_(max_shifts(rig)),
-          poses_(rig.node_count()),
+          candidates_(rig.node_count()),
+          settled_(rig.node_count()),
           stretches_(rig.node_count()),
           max_stretches_(rig.node_count())
     {
     }
 
-    std::vector<model::NodeReach> run()
+    std::vector<model::NodeReach> run(uint64_t most)
     {
-        walk_poses(rig_, [this](const PoseAt &at, const Locals &locals, const PoseSegment *since) {
+        const auto visit = [this](const PoseAt &at, const Locals &locals, const PoseSegment *since) {
             solver_.set_pose(locals);
+            poses_.push_back(at);
             for (uint32_t n = 0; n < rig_.node_count(); ++n) {
-                collect(n, at, since);
+                collect(n, since);
                 stretch(n, locals, since);
             }
-        });
+        };
+        if (!walk_poses(rig_, visit, most)) return {};
         LocalPoser poser(rig_);
         const Resolution resolution(2, rig_);
         std::vector<model::NodeReach> out;
@@ -60,15 +63,23 @@ public:
     }
 
 private:
-    void collect(uint32_t n, const PoseAt &at, const PoseSegment *since)
+    void collect(uint32_t n, const PoseSegment *since)
     {
         MotionBound motion_bound;
         if (since)
             for (uint32_t k = n; k != none; k = rig_.parents[k])
                 motion_bound = since->nodes[k].of(motion_bound, shifts_[k]);
         const double bulge = motion_bound.chord_deviation();
-        if (since) poses_[n].back().bulge = std::max(poses_[n].back().bulge, bulge);
-        poses_[n].push_back({solver_.origin_ball(n, centre_), bulge, at, !solver_.is_free(n)});
+        std::vector<NodeCandidate> &candidates = candidates_[n];
+        if (since) candidates.back().bulge = std::max(candidates.back().bulge, bulge);
+        const bool is_free = solver_.is_free(n);
+        // Other nodes are where the ball says: only the largest counts.
+        if (!is_free && !candidates.empty()) {
+            settled_[n] = std::max(settled_[n], candidates.back().bound + candidates.back().bulge);
+            candidates.clear();
+        }
+        const uint32_t pose = static_cast<uint32_t>(poses_.size() - 1);
+        candidates.push_back({solver_.origin_ball(n, centre_), bulge, pose, !is_free});
     }
 
     void stretch(uint32_t n, const Locals &locals, const PoseSegment *since)
@@ -81,27 +92,29 @@ private:
     // Best-first search: all candidates that are not evaluated are below the result.
     double settle(uint32_t n, LocalPoser &poser, const Resolution &resolution)
     {
-        std::vector<NodeCandidate> &heap = poses_[n];
+        std::vector<NodeCandidate> &heap = candidates_[n];
         for (NodeCandidate &c : heap) c.bound += c.bulge;
         std::make_heap(heap.begin(), heap.end());
         for (int evaluations = 0; evaluations < max_evaluations && !heap.front().evaluated; ++evaluations) {
             std::pop_heap(heap.begin(), heap.end());
             NodeCandidate &best = heap.back();
-            poser.pose(best.at, locals_);
+            poser.pose(poses_[best.pose], locals_);
             solver_.set_pose(locals_);
             solver_.origin_support(resolution, n, support_);
             best.bound = std::min(best.bound, farthest(resolution.directions, support_, centre_) + best.bulge);
             best.evaluated = true;
             std::push_heap(heap.begin(), heap.end());
         }
-        return heap.front().bound;
+        return std::max(settled_[n], heap.front().bound);
     }
 
     const model::Rig &rig_;
     const glm::dvec3 centre_;
     ReachSolver solver_;
     const std::vector<double> shifts_;
-    std::vector<std::vector<NodeCandidate>> poses_;  // per node
+    std::vector<PoseAt> poses_;
+    std::vector<std::vector<NodeCandidate>> candidates_;  // per node
+    std::vector<double> settled_;                         // per node: a bound in poses that are no candidates any more
     std::vector<double> stretches_, max_stretches_;
     Locals locals_;
     Support support_;
@@ -109,9 +122,9 @@ private:
 
 }  // namespace
 
-std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre)
+std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre, uint64_t most)
 {
-    return NodeSearch(rig, glm::dvec3(centre)).run();
+    return NodeSearch(rig, glm::dvec3(centre)).run(most);
 }
 
 }  // namespace claque::meshsplit

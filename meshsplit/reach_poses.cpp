@@ -129,29 +129,32 @@ constexpr int max_halvings = 6;
 class Walk
 {
 public:
-    Walk(const model::Rig &rig, const Visit &visit) : rig_(rig), visit_(visit), poser_(rig)
+    Walk(const model::Rig &rig, const Visit &visit, uint64_t most) : rig_(rig), visit_(visit), left_(most), poser_(rig)
     {
         segment_.nodes.resize(rig.node_count());
         segment_.weights.resize(rig.rest_weights.size());
         segment_.weight_accelerations.resize(rig.rest_weights.size());
     }
 
-    void run()
+    bool run()
     {
         const std::vector<PoseAt> poses = poses_of(rig_);
         Locals to;
         for (size_t i = 0; i < poses.size(); ++i) {
+            if (left_ == 0) return false;
             poser_.pose(poses[i], to);
             if (i > 0 && is_continuous(poses, i - 1)) go(poses[i - 1].time_s, poses[i], to, 0);
-            else visit_(poses[i], to, nullptr);
+            else visit(poses[i], to, nullptr);
             std::swap(from_, to);
         }
+        return true;
     }
 
 private:
     // From from_, a pose of the same clip at `start`.
     void go(double start, const PoseAt &end, const Locals &to, int halvings)
     {
+        if (left_ == 0) return;
         find_segment(start, end, to);
         if (halvings < max_halvings && max_turn() > max_segment_turn) {
             const PoseAt middle = {end.clip, 0.5 * (start + end.time_s)};
@@ -162,7 +165,14 @@ private:
             go(middle.time_s, end, to, halvings + 1);
             return;
         }
-        visit_(end, to, &segment_);
+        visit(end, to, &segment_);
+    }
+
+    void visit(const PoseAt &at, const Locals &locals, const PoseSegment *since)
+    {
+        if (left_ == 0) return;
+        --left_;
+        visit_(at, locals, since);
     }
 
     void find_segment(double start, const PoseAt &end, const Locals &to)
@@ -205,6 +215,7 @@ private:
 
     const model::Rig &rig_;
     const Visit &visit_;
+    uint64_t left_;  // poses that may still be visited
     LocalPoser poser_;
     Locals from_, thirds_[2];
     PoseSegment segment_;
@@ -212,7 +223,7 @@ private:
 
 }  // namespace
 
-void walk_poses(const model::Rig &rig, const Visit &visit) { Walk(rig, visit).run(); }
+bool walk_poses(const model::Rig &rig, const Visit &visit, uint64_t most) { return Walk(rig, visit, most).run(); }
 
 std::vector<double> max_shifts(const model::Rig &rig)
 {

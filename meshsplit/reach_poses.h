@@ -81,6 +81,7 @@ std::vector<double> max_shifts(const model::Rig &rig);
 // Visits every pose of poses_of(), and poses between where the motion is large. `since` is the motion from the pose
 // before, null if the actor jumps to this pose.
 using Visit = std::function<void(const PoseAt &, const Locals &, const PoseSegment *since)>;
-void walk_poses(const model::Rig &rig, const Visit &visit);
+// Returns false, and stops, if that would be more than `most` poses.
+bool walk_poses(const model::Rig &rig, const Visit &visit, uint64_t most = ~0ull);
 
 }  // namespace claque::meshsplit

@@ -22,6 +22,15 @@ glm::dvec3 rotated_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angl
     return u * c - glm::cross(axis, u) * s + axis * (glm::dot(axis, u) * (1 - c));
 }
 
+double turned_by(const model::Dof &dof) { return std::min(double(dof.max) - double(dof.min), 2 * math::pi); }
+
+// About half of the spacing of the directions, which falls with the square root of their number.
+size_t steps_of(const model::Dof &dof, size_t directions)
+{
+    const double widest = 1.5 / std::sqrt(double(directions));
+    return static_cast<size_t>(std::ceil(turned_by(dof) / widest));
+}
+
 }  // namespace
 
 AffineMap after(const AffineMap &a, const AffineMap &b) { return {a.turn * b.turn, a.turn * b.move + a.move}; }
@@ -42,6 +51,12 @@ double farthest(const Directions &directions, const Support &set, const glm::dve
     return most * directions.max_weight();
 }
 
+uint64_t DofSweep::bytes(const model::Dof &dof, size_t directions)
+{
+    if (dof.kind != model::DofKind::rotation) return 2 * sizeof(double) * directions;
+    return directions * ((steps_of(dof, directions) + 1) * sizeof(DirectionBlend) + sizeof(double));
+}
+
 DofSweep::DofSweep(const Directions &directions, const model::Dof &dof)
 {
     if (dof.kind == model::DofKind::rotation) {
@@ -58,12 +73,11 @@ DofSweep::DofSweep(const Directions &directions, const model::Dof &dof)
 // the axis. Between two angles 2 w apart this exceeds both ends by at most rho * (1 - cos w).
 void DofSweep::plan_turns(const Directions &directions, const model::Dof &dof)
 {
-    // About half of the spacing of the directions, which falls with the square root of their number.
-    const double widest = 1.5 / std::sqrt(double(directions.count()));
-    const double range = std::min(double(dof.max) - double(dof.min), 2 * math::pi);
+    const double range = turned_by(dof);
     const glm::dvec3 axis = glm::normalize(glm::dvec3(dof.axis));
-    const int steps = static_cast<int>(std::ceil(range / widest));
+    const int steps = static_cast<int>(steps_of(dof, directions.count()));
     angles_ = size_t(steps) + 1;
+    turned_.reserve(directions.count() * angles_), between_.reserve(directions.count());
     // A nearly unit axis gives a nearly unit quaternion: its matrix is off by this fraction.
     const double slack = 2.5 * std::fabs(glm::dot(glm::dvec3(dof.axis), glm::dvec3(dof.axis)) - 1);
     const double bulge = slack + (steps > 0 ? 1 - std::cos(0.5 * range / steps) : 0);

@@ -29,6 +29,9 @@ class DofSweep
 {
 public:
     DofSweep(const Directions &directions, const model::Dof &dof);
+    // What a sweep over so many directions holds.
+    static uint64_t bytes(const model::Dof &dof, size_t directions);
+
     // `reach`: a bound of the distance of the set's points from the node's origin.
     void sweep(double reach, Support &set, Support &scratch) const;
 

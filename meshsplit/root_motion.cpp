@@ -148,8 +148,9 @@ private:
         track.sample_count = static_cast<uint32_t>(steps_.size());
         for (const GroundTransform &step : steps_)
             for (const double x : {step.x, step.z, step.yaw}) rig_.root_samples.push_back(static_cast<float>(x));
-        const auto later = [&](const model::RootCurve &other) { return other.clip > clip_; };
-        rig_.root_curves.insert(std::find_if(rig_.root_curves.begin(), rig_.root_curves.end(), later), track);
+        const auto later = [](uint32_t clip, const model::RootCurve &other) { return other.clip > clip; };
+        rig_.root_curves.insert(std::upper_bound(rig_.root_curves.begin(), rig_.root_curves.end(), clip_, later),
+                                track);
     }
 
     model::Rig &rig_;
@@ -164,24 +165,54 @@ private:
 
 }  // namespace
 
+namespace
+{
+
+// Each sample is a step, two fresh keys and a sample of the curve; the last three in arrays that grow by doubling.
+constexpr uint64_t bytes_per_sample = sizeof(GroundTransform) + 3 * (4 + 12 + 4 + 16 + 12);
+
+void charge(const model::Model &model, Allowance &allowance, const model::Rig &rig)
+{
+    double samples = 0, transforms = 0;
+    for (const model::RootMotionRequest &request : model.root_motions) {
+        if (request.clip >= rig.clips.size()) continue;
+        const model::Clip &clip = rig.clips[request.clip];
+        double steps = std::ceil(double(clip.duration_s) * rate_hz) + 2;
+        for (uint32_t c = clip.first_channel; c < clip.first_channel + clip.channel_count; ++c)
+            if (rig.channels[c].node == request.node) steps += rig.channels[c].key_count;
+        samples += steps;
+        transforms += 3 * steps * (double(rig.node_count()) + clip.channel_count);
+    }
+    const auto whole = [](double x) { return static_cast<uint64_t>(std::min(x, 1e18)); };
+    allowance.take(whole(samples * bytes_per_sample), "root motion at 60 Hz");
+    allowance.take_transforms(whole(transforms), "root motion at 60 Hz");
+}
+
+}  // namespace
+
 void extract_root_motion(model::Rig &rig, uint32_t clip, uint32_t node)
 {
     if (clip >= rig.clips.size()) fail(CLQ_ARGUMENT, "root motion of clip %u of %zu", clip, rig.clips.size());
     if (node >= rig.node_count()) fail(CLQ_ARGUMENT, "root motion of node %u of %u", node, rig.node_count());
-    for (const model::RootCurve &track : rig.root_curves)
-        if (track.clip == clip) fail(CLQ_ARGUMENT, "clip '%s' has root motion twice", rig.clip_names[clip].c_str());
+    const auto before = [](const model::RootCurve &curve, uint32_t of) { return curve.clip < of; };
+    const auto curve = std::lower_bound(rig.root_curves.begin(), rig.root_curves.end(), clip, before);
+    if (curve != rig.root_curves.end() && curve->clip == clip)
+        fail(CLQ_ARGUMENT, "clip '%s' has root motion twice", rig.clip_names[clip].c_str());
     const model::Clip &of = rig.clips[clip];
+    std::vector<bool> moves(rig.node_count());
+    for (uint32_t i = of.first_channel; i < of.first_channel + of.channel_count; ++i)
+        if (rig.channels[i].target != model::ChannelTarget::morph_weights) moves[rig.channels[i].node] = true;
     for (uint32_t n = rig.parents[node]; n != none; n = rig.parents[n])
-        for (uint32_t i = of.first_channel; i < of.first_channel + of.channel_count; ++i)
-            if (rig.channels[i].target != model::ChannelTarget::morph_weights && rig.channels[i].node == n)
-                fail(CLQ_ARGUMENT, "root motion of node '%s': clip '%s' animates node '%s' above it",
-                     rig.node_names[node].c_str(), rig.clip_names[clip].c_str(), rig.node_names[n].c_str());
+        if (moves[n])
+            fail(CLQ_ARGUMENT, "root motion of node '%s': clip '%s' animates node '%s' above it",
+                 rig.node_names[node].c_str(), rig.clip_names[clip].c_str(), rig.node_names[n].c_str());
     RootMotionExtractor(rig, clip, node).run();
 }
 
-void extract_root_motions(const model::Model &model, model::Rig &rig)
+void extract_root_motions(const model::Model &model, Allowance &allowance, model::Rig &rig)
 {
     if (model.root_motions.empty()) return;
+    charge(model, allowance, rig);
     for (const model::RootMotionRequest &request : model.root_motions)
         extract_root_motion(rig, request.clip, request.node);
     model::check(rig);

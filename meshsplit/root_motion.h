@@ -1,7 +1,7 @@
 // Extracts root motion: takes the horizontal motion out of a clip, so that a host can move the Reference Point by it.
 #pragma once
 
-#include "lib/model/model.h"
+#include "meshsplit/allowance.h"
 
 namespace claque::meshsplit
 {
@@ -12,7 +12,8 @@ namespace claque::meshsplit
 // has root motion already.
 void extract_root_motion(model::Rig &rig, uint32_t clip, uint32_t node);
 
-// All that `model` asks for, out of a rig made from its own; what comes of very large numbers is checked again.
-void extract_root_motions(const model::Model &model, model::Rig &rig);
+// All that `model` asks for, out of a rig made from its own; what comes of very large numbers is checked again. Throws
+// base::Error (LIMIT) if the samples would take more than `allowance` has.
+void extract_root_motions(const model::Model &model, Allowance &allowance, model::Rig &rig);
 
 }  // namespace claque::meshsplit

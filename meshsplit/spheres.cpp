@@ -81,9 +81,10 @@ public:
         }
     }
 
-    // Finds the sphere round a given centre, with at least this radius.
-    model::Sphere run(const glm::vec3 &centre, double radius)
+    // Finds the sphere round a given centre, with at least this radius. Skins at most `vertices`.
+    model::Sphere run(const glm::vec3 &centre, double radius, uint64_t vertices)
     {
+        vertices_left_ = vertices;
         sphere_.centre = centre;
         radius_ = radius;
         for (size_t i = 0; i < poses_.size(); ++i) {
@@ -151,9 +152,18 @@ private:
     void grow(const VertexCloud &cloud, const Pose &pose)
     {
         const double morphing = cloud.max_morph_offset(pose.here->weights.data());
-        for (uint32_t j = 0; j < pose.here->palette.size(); ++j)
-            if (cloud.has(j) && reach_of_entry(cloud, pose, j, morphing) > radius_)
-                for (const uint32_t v : cloud.vertices(j)) radius_ = std::max(radius_, reach_of_vertex(cloud, pose, v));
+        for (uint32_t j = 0; j < pose.here->palette.size(); ++j) {
+            if (!cloud.has(j)) continue;
+            const double reach = reach_of_entry(cloud, pose, j, morphing);
+            if (reach <= radius_) continue;
+            const auto vertices = cloud.vertices(j);
+            if (vertices.count > vertices_left_) {
+                radius_ = reach;
+                continue;
+            }
+            vertices_left_ -= vertices.count;
+            for (const uint32_t v : vertices) radius_ = std::max(radius_, reach_of_vertex(cloud, pose, v));
+        }
     }
 
     // Bounds the distance of every vertex of a palette entry as if the entry moved it alone. Blended vertices lie
@@ -206,6 +216,7 @@ private:
     PoseSample pose_samples_[3];  // pose i is at i % 3
     model::Sphere sphere_;
     double radius_ = 0;
+    uint64_t vertices_left_ = 0;  // that may still be skinned
 };
 
 // Adds the key times of one channel within the clip, and times just before the keys of a STEP channel.
@@ -218,21 +229,39 @@ void add_keys(const model::Rig &rig, const model::Channel &channel, std::vector<
     }
 }
 
+std::vector<double> keys_of(const model::Rig &rig, const model::Clip &clip)
+{
+    std::vector<double> keys = {double(clip.start_s), double(clip.start_s) + double(clip.duration_s)};
+    for (uint32_t c = 0; c < clip.channel_count; ++c) add_keys(rig, rig.channels[clip.first_channel + c], keys);
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+// Samples from one key to the next, without the first.
+int pieces_of(double gap) { return static_cast<int>(std::min(1e6, std::ceil(gap * samples_per_s - 0.01))); }
+
 }  // namespace
+
+uint64_t sample_count(const model::Rig &rig, uint32_t clip_index)
+{
+    const std::vector<double> keys = keys_of(rig, rig.clips[clip_index]);
+    uint64_t count = 1;
+    for (size_t i = 1; i < keys.size(); ++i)
+        if (keys[i] > keys[i - 1]) count += static_cast<uint64_t>(std::max(1, pieces_of(keys[i] - keys[i - 1])));
+    return count;
+}
 
 std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
 {
     const model::Clip &clip = rig.clips[clip_index];
     const double start = double(clip.start_s), end = start + double(clip.duration_s);
-    std::vector<double> keys = {start, end};
-    for (uint32_t c = 0; c < clip.channel_count; ++c) add_keys(rig, rig.channels[clip.first_channel + c], keys);
-    std::sort(keys.begin(), keys.end());
+    const std::vector<double> keys = keys_of(rig, clip);
     std::vector<double> out;
     for (const double key : keys) {
         if (key < start || key > end || (!out.empty() && key - out.back() < 1e-7)) continue;
         if (!out.empty()) {
             const double from = out.back(), gap = key - from;
-            const int pieces = static_cast<int>(std::min(1e6, std::ceil(gap * samples_per_s - 0.01)));
+            const int pieces = pieces_of(gap);
             for (int i = 1; i < pieces; ++i) out.push_back(from + gap * i / pieces);
         }
         out.push_back(key);
@@ -240,7 +269,7 @@ std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
     return out;
 }
 
-model::Sphere enclosing_sphere(const model::Template &tmpl)
+std::optional<model::Sphere> enclosing_sphere(const model::Template &tmpl, const SearchLimits &limits)
 {
     SphereFinder all(tmpl, poses_of(tmpl.rig));
     const std::vector<glm::dvec3> extremes = all.extremes();
@@ -251,12 +280,14 @@ model::Sphere enclosing_sphere(const model::Template &tmpl)
     };
     if (tmpl.rig.dofs.empty()) {
         const glm::vec3 centre(centre_of(extremes));
-        return all.run(centre, reached_from(centre));
+        return all.run(centre, reached_from(centre), limits.vertices);
     }
-    FreeReach free(tmpl);
+    FreeReach free(tmpl, limits.poses);
+    if (free.poses().empty()) return {};
     const glm::vec3 centre(free.centre(extremes));
     const double reached = reached_from(centre);
-    return SphereFinder(tmpl, free.poses(), free.moved()).run(centre, free.radius(glm::dvec3(centre), reached));
+    return SphereFinder(tmpl, free.poses(), free.moved())
+        .run(centre, free.radius(glm::dvec3(centre), reached), limits.vertices);
 }
 
 }  // namespace claque::meshsplit

@@ -3,7 +3,7 @@
 #include <unordered_map>
 
 #include "lib/base/error.h"
-#include "meshsplit/cover.h"
+#include "meshsplit/interner.h"
 
 namespace claque::meshsplit
 {
@@ -15,12 +15,9 @@ namespace
 
 constexpr uint16_t no_zone = 0xffff;
 constexpr uint16_t no_slot = 0xffff;
-
-// The content of one texture set: per texel the index of its zone in the texture's keys.
-struct ZoneImage {
-    TexelGrid grid;
-    std::vector<uint16_t> zones;
-};
+// What one more zone of a triangle adds at most: three indices in two streams, three copies of vertices with what finds
+// them, and its places in the lists, in arrays that grow by doubling.
+constexpr uint64_t bytes_per_zone = 512;
 
 template <class Image>
 ZoneImage zone_image_of(const model::Texture &texture, const Image &image)
@@ -38,24 +35,33 @@ ZoneImage zone_image_of(const model::Texture &texture, const Image &image)
 class ZoneCollector
 {
 public:
-    explicit ZoneCollector(const model::Texture &texture) : seen_(texture.keys.size())
+    ZoneCollector(const std::vector<ZoneImage> &zone_images, size_t zone_count)
+        : zone_images_(zone_images), seen_(zone_count)
     {
-        if (seen_.size() == 1) return;
-        zone_images_.push_back(zone_image_of(texture, texture));
-        for (const model::TextureImage &other : texture.set_images)
-            zone_images_.push_back(zone_image_of(texture, other));
     }
 
     void append(const UvTriangle &triangle, std::vector<uint16_t> &out)
     {
         if (seen_.size() == 1) return out.push_back(0);
+        // Triangles with equal coordinates show the same zones.
+        known_.begin();
+        for (const glm::vec2 &corner : triangle.corners) known_.add(corner.x), known_.add(corner.y);
+        const auto [number, is_new] = known_.number();
+        if (!is_new) {
+            for (uint32_t i = known_first_[number]; i < known_first_[number + 1]; ++i) out.push_back(known_zones_[i]);
+            return;
+        }
         std::fill(seen_.begin(), seen_.end(), uint8_t(0));
+        left_ = seen_.size();
         for (const ZoneImage &zone_image : zone_images_) collect(zone_image, triangle);
-        const size_t before = out.size();
         for (size_t z = 0; z < seen_.size(); ++z)
-            if (seen_[z]) out.push_back(static_cast<uint16_t>(z));
-        if (out.size() == before) out.push_back(0);
+            if (seen_[z]) known_zones_.push_back(static_cast<uint16_t>(z));
+        if (left_ == seen_.size()) known_zones_.push_back(0);
+        out.insert(out.end(), known_zones_.begin() + known_first_.back(), known_zones_.end());
+        known_first_.push_back(static_cast<uint32_t>(known_zones_.size()));
     }
+
+    uint64_t texels() const { return texels_; }
 
 private:
     void collect(const ZoneImage &zone_image, const UvTriangle &triangle)
@@ -63,15 +69,22 @@ private:
         spans_.clear();
         cover(zone_image.grid, triangle, spans_);
         for (const TexelSpan &span : spans_) {
+            if (left_ == 0) return;  // no further texel can add a zone
             const uint16_t *texel = zone_image.zones.data() + size_t(span.row) * zone_image.grid.width + span.first;
+            texels_ += span.count;
             for (uint32_t i = 0; i < span.count; ++i)
-                if (texel[i] != no_zone) seen_[texel[i]] = 1;
+                if (texel[i] != no_zone && !seen_[texel[i]]) seen_[texel[i]] = 1, --left_;
         }
     }
 
-    std::vector<ZoneImage> zone_images_;
+    const std::vector<ZoneImage> &zone_images_;
     std::vector<uint8_t> seen_;
+    size_t left_ = 0;  // zones that were not seen
     std::vector<TexelSpan> spans_;
+    Interner known_;  // coordinates, and the zones that were found for them
+    std::vector<uint32_t> known_first_ = {0};
+    std::vector<uint16_t> known_zones_;
+    uint64_t texels_ = 0;  // that were looked at
 };
 
 class StreamMaker
@@ -196,17 +209,40 @@ private:
 
 }  // namespace
 
-TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Texture> &textures)
+ZoneImages::ZoneImages(const model::Array<model::Texture> &textures)
+{
+    for (const model::Texture &texture : textures) {
+        zone_counts.push_back(texture.keys.size());
+        std::vector<ZoneImage> &sets = images.emplace_back();
+        if (texture.keys.size() == 1) continue;
+        sets.push_back(zone_image_of(texture, texture));
+        for (const model::TextureImage &other : texture.set_images) sets.push_back(zone_image_of(texture, other));
+    }
+}
+
+TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits)
 {
     std::vector<ZoneCollector> collectors;
-    for (const model::Texture &texture : textures) collectors.emplace_back(texture);
+    for (size_t i = 0; i < zone_images.images.size(); ++i)
+        collectors.emplace_back(zone_images.images[i], zone_images.zone_counts[i]);
+    const uint64_t most = limits.bytes / bytes_per_zone;
     TriangleZones out;
     out.first.push_back(0);
     for (const MeshTriangle &triangle : mesh.triangles) {
         UvTriangle uv;
         for (int k = 0; k < 3; ++k) uv.corners[k] = mesh.vertices[triangle.corners[static_cast<size_t>(k)]].uv;
-        collectors[mesh.surfaces[triangle.surface].texture].append(uv, out.zones);
+        const uint32_t texture = mesh.surfaces[triangle.surface].texture;
+        collectors[texture].append(uv, out.zones);
         out.first.push_back(static_cast<uint32_t>(out.zones.size()));
+        if (collectors[texture].texels() > limits.texels)
+            base::fail(CLQ_LIMIT, "%zu of %zu triangles cover more than the %llu texels that the bytes read allow",
+                       out.first.size() - 1, mesh.triangles.size(), base::big(limits.texels));
+        const size_t more = out.zones.size() - (out.first.size() - 1);
+        if (more > most)
+            base::fail(CLQ_LIMIT,
+                       "%zu of %zu triangles show %zu zones besides their first: %llu are the most for the "
+                       "bytes read",
+                       out.first.size() - 1, mesh.triangles.size(), more, base::big(most));
     }
     return out;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/model/template.h"
+#include "meshsplit/cover.h"
 #include "meshsplit/mesh.h"
 
 namespace claque::meshsplit
@@ -17,8 +18,27 @@ struct TriangleZones {
     const uint16_t *of(size_t triangle) const { return zones.data() + first[triangle]; }
 };
 
-// A triangle that shows only holes counts as one of the lowest zone; holes never make a triangle dirty.
-TriangleZones zones_of_triangles(const Mesh &mesh, const model::Array<model::Texture> &textures);
+// The content of one texture set: per texel the index of its zone in the texture's keys.
+struct ZoneImage {
+    TexelGrid grid;
+    std::vector<uint16_t> zones;
+};
+
+// The zones of all textures, in all texture sets; none for textures with one zone.
+struct ZoneImages {
+    explicit ZoneImages(const model::Array<model::Texture> &textures);
+    std::vector<std::vector<ZoneImage>> images;  // [textures]
+    std::vector<size_t> zone_counts;             // [textures]
+};
+
+// What several zones of a triangle may take in streams, and how many texels of one texture may be looked at.
+struct ZoneLimits {
+    uint64_t bytes = ~0ull, texels = ~0ull;
+};
+
+// A triangle that shows only holes counts as one of the lowest zone; holes never make a triangle dirty. Throws
+// base::Error (LIMIT).
+TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits = {});
 
 // Fills vertex_count, copies, slots, indices and surfaces of a level whose source_count is set. Triangles of the mesh
 // are sorted by part, and the parts are numbered from 0.

@@ -119,12 +119,24 @@ private:
     std::vector<uint32_t> sets_, first_weights_;  // by morph set of the model, none: left out
 };
 
+// Keys that channels share are repeated; the arrays grow by doubling.
+uint64_t own_key_bytes(const model::Rig &rig)
+{
+    uint64_t sum = 0;
+    for (const model::Channel &channel : rig.channels) {
+        const uint64_t groups = channel.interpolation == model::Interpolation::cubic_spline ? 3 : 1;
+        sum += sizeof channel + channel.key_count * (1 + groups * channel.component_count) * sizeof(float);
+    }
+    return 3 * sum;
+}
+
 }  // namespace
 
-std::vector<uint32_t> fill_rig(const model::Model &model, model::Rig &out)
+std::vector<uint32_t> fill_rig(const model::Model &model, Allowance &allowance, model::Rig &out)
 {
+    allowance.take(own_key_bytes(model.rig), "channels with keys of their own");
     std::vector<uint32_t> first_weights = RigFiller(model, out).run();
-    extract_root_motions(model, out);
+    extract_root_motions(model, allowance, out);
     return first_weights;
 }
 

@@ -1,7 +1,7 @@
 // The rig of a Template from that of a Model: without what only hidden parts need, in the order in which poses read it.
 #pragma once
 
-#include "lib/model/model.h"
+#include "meshsplit/allowance.h"
 
 namespace claque::meshsplit
 {
@@ -10,6 +10,7 @@ namespace claque::meshsplit
 // channels); morph sets that no part in sight uses are left out with the channels that animate them; root motions are
 // taken out of their clips. `model` has passed model::check. Returns for each of its morph sets the first weight in
 // `out`, none where the set is left out. Throws base::Error (CLQ_ARGUMENT).
-std::vector<uint32_t> fill_rig(const model::Model &model, model::Rig &out);
+// `allowance` pays for what becomes longer.
+std::vector<uint32_t> fill_rig(const model::Model &model, Allowance &allowance, model::Rig &out);
 
 }  // namespace claque::meshsplit

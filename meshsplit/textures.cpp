@@ -111,14 +111,24 @@ Wrap gl_wrap(Wrap wrap) { return wrap == Wrap::clamp ? Wrap::clamp : Wrap::repea
 void fill_gutters(const TexturePlan &plan, const Charts &charts, ZoneMap &map)
 {
     const TexelGrid grid{map.width, map.height, gl_wrap(plan.wrap_s), gl_wrap(plan.wrap_t)};
-    std::vector<uint8_t> covered(map.zones.size());
+    // Spans are marked at their ends, so that a triangle costs its rows and not its texels.
+    std::vector<int32_t> ends((size_t(map.width) + 1) * map.height);
     std::vector<TexelSpan> spans;
     for (const UvTriangle &triangle : charts.triangles) {
         spans.clear();
         cover(grid, triangle, spans);
-        for (const TexelSpan &span : spans)
-            std::fill_n(covered.begin() + (ptrdiff_t(span.row) * map.width + span.first), span.count, uint8_t(1));
+        for (const TexelSpan &span : spans) {
+            int32_t *row = ends.data() + size_t(span.row) * (size_t(map.width) + 1);
+            ++row[span.first], --row[span.first + span.count];
+        }
     }
+    std::vector<uint8_t> covered;
+    covered.reserve(map.zones.size());
+    for (uint32_t y = 0; y < map.height; ++y)
+        for (int64_t x = 0, open = 0; x < int64_t(map.width); ++x) {
+            open += ends[size_t(y) * (size_t(map.width) + 1) + size_t(x)];
+            covered.push_back(open > 0);
+        }
     dilate(map, covered);
 }
 

@@ -20,7 +20,13 @@ public:
     explicit Budget(uint64_t limit_bytes) : limit_(limit_bytes) {}
 
     // Adds bytes of input: the file itself or an external buffer.
-    void add_input(uint64_t bytes) { allowed_ += multiple * bytes; }
+    void add_input(uint64_t bytes) { allowed_ += multiple * bytes, source_ += bytes, read_ += bytes; }
+    // Adds the pixels of a decoded image.
+    void add_pixels(uint64_t bytes) { source_ += bytes; }
+    // Whether so many bytes of images can all have been read.
+    bool take_encoded(uint64_t bytes) { return (encoded_ += bytes) <= read_; }
+    // What was read, with decoded pixels: Model::source_bytes.
+    uint64_t source_bytes() const { return source_; }
 
     // Throws base::Error (CLQ_LIMIT) that names `what`.
     void charge(uint64_t bytes, const char *what)
@@ -45,6 +51,7 @@ public:
 private:
     uint64_t limit_ = 0, all_ = 0;
     uint64_t allowed_ = always_allowed, taken_ = 0;
+    uint64_t source_ = 0, read_ = 0, encoded_ = 0;
 };
 
 }  // namespace claque::asset

@@ -57,7 +57,7 @@ public:
             if (!rig_.channels.empty() && text_.at_end())
                 text_.refuse(base::text_of("the file ends after %u of %u frames", f, frames));
             rig_.times.push_back(static_cast<float>(f * frame_s));
-            for (uint32_t j = 0; j < joints_.size(); ++j) read_joint(j, f);
+            for (const uint32_t j : moving_) read_joint(j, f);
         }
         if (!text_.at_end())
             model_.warnings.push_back(base::text_of("there is more after the %u frames: left out", frames));
@@ -86,6 +86,7 @@ private:
                 places.translation = add_channel(j, model::ChannelTarget::translation, 3, frames);
             if (joints_[j].has_rotation()) places.rotation = add_channel(j, model::ChannelTarget::rotation, 4, frames);
             places_.push_back(places);
+            if (!joints_[j].channels.empty()) moving_.push_back(j);
         }
     }
 
@@ -131,6 +132,7 @@ private:
     model::Model &model_;
     model::Rig &rig_;
     std::vector<Places> places_;
+    std::vector<uint32_t> moving_;  // joints with channels: the others take no time in any frame
 };
 
 void add_nodes(const std::vector<BvhJoint> &joints, double unit_m, model::Model &model)
@@ -167,6 +169,7 @@ model::Model load_bvh(const uint8_t *bytes, size_t size, const LoadOptions &opti
     const std::vector<BvhJoint> joints = read_hierarchy(text, budget);
     add_nodes(joints, options.motion_unit_m, model);
     MotionReader(text, budget, joints, options.motion_unit_m, model).read();
+    model.source_bytes = budget.source_bytes();
     try {
         model::check(model);
     } catch (const base::Error &error) {

@@ -37,6 +37,7 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     build_model(file, model);
     model.root_motions = std::move(file.root_motions);
     model.warnings = std::move(file.warnings);
+    model.source_bytes = budget.source_bytes();
     check_as_format(model);
     return model;
 }

@@ -23,6 +23,9 @@ model::Image decode(File &file, const JsonView &view, const uint8_t *bytes, uint
     limits.max_bytes = file.budget.remaining();
     model::Image image = decode_image(bytes, size, name_of(view), limits);
     file.budget.charge_image(image.rgba.size(), view.path().c_str());
+    // Images may share bytes: those beyond all that was read bring nothing new, and count like geometry.
+    if (file.budget.take_encoded(size)) file.budget.add_pixels(image.rgba.size());
+    else file.budget.charge(image.rgba.size(), view.path().c_str());
     return image;
 }
 

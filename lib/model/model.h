@@ -124,6 +124,10 @@ struct Model {
     std::vector<Part> parts;               // file order: nodes depth first, primitives in order
     std::vector<RootMotionRequest> root_motions;
     std::vector<std::string> warnings;
+
+    // Bytes read, bytes after decompression and 4 bytes a decoded pixel; 0 without a file. The split may take a small
+    // multiple of it (meshsplit/allowance.h).
+    uint64_t source_bytes = 0;
 };
 
 // Throws base::Error (CLQ_ARGUMENT) for the first broken rule: indices in range, arrays of equal length, finite

@@ -112,6 +112,7 @@ struct LevelPart {
 
 // A set of parts fits one 64-bit number; a model with more parts has some drawn together.
 constexpr uint32_t max_level_parts = 64;
+constexpr size_t max_levels = 64;
 
 struct Level {
     explicit Level(std::pmr::memory_resource *memory)

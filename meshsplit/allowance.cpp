@@ -1,0 +1,89 @@
+#include "meshsplit/allowance.h"
+
+#include <algorithm>
+
+#include "lib/base/error.h"
+#include "lib/model/model_size.h"
+#include "meshsplit/reach_point_sets.h"
+#include "meshsplit/spheres.h"
+
+namespace claque::meshsplit
+{
+
+using base::big;
+using base::fail;
+
+namespace
+{
+
+// Bytes of the support functions of one point set and of the sweeps of one degree of freedom, in both resolutions.
+constexpr uint64_t bytes_per_point_set = 8ull * (162 + 642) + 512;
+constexpr uint64_t bytes_per_candidate = 3 * 24;  // a growing array
+// Precise evaluations of a free node (reach_nodes.cpp) are of the whole skeleton.
+constexpr uint64_t evaluations_per_node = 24;
+constexpr uint64_t vertices_per_transform = 16;
+
+// The sum of the nodes' depths: what a walk from every node to its root costs.
+uint64_t depth_sum(const model::Rig &rig)
+{
+    std::vector<uint32_t> depth(rig.node_count(), 1);
+    uint64_t sum = 0;
+    for (uint32_t n = 0; n < rig.node_count(); ++n) {
+        if (rig.parents[n] != model::none) depth[n] = depth[rig.parents[n]] + 1;
+        sum += depth[n];
+    }
+    return sum;
+}
+
+}  // namespace
+
+Allowance::Allowance(const model::Model &model)
+    : source_(model::source_bytes(model)),
+      bytes_(multiple * source_ + always_bytes),
+      transforms_(transforms_per_byte * source_ + always_transforms)
+{
+    take(model::held_bytes(model), "the model itself");
+}
+
+void Allowance::take(uint64_t bytes, const char *what)
+{
+    if (bytes > bytes_ - taken_)
+        fail(CLQ_LIMIT, "%s would take %llu bytes, and %llu of %llu are left: %llu for each of the %llu bytes read",
+             what, big(bytes), big(bytes_ - taken_), big(bytes_), big(multiple), big(source_));
+    taken_ += bytes;
+}
+
+void Allowance::take_transforms(uint64_t count, const char *what)
+{
+    if (count > transforms_)
+        fail(CLQ_LIMIT, "%s would take %llu transforms: for the %llu bytes read %llu are the most", what, big(count),
+             big(source_), big(transforms_));
+}
+
+SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowance)
+{
+    const model::Rig &rig = tmpl.rig;
+    SearchLimits out;
+    uint64_t free = 0;
+    if (!rig.dofs.empty())
+        for (const uint8_t is_free : free_nodes(rig)) free += is_free;
+    // What one pose costs; every node is followed to its root.
+    uint64_t pose = depth_sum(rig), fixed = 0;
+    for (const model::Level &level : tmpl.levels) pose += level.part_spheres.size();
+    pose += rig.palette.size() * tmpl.levels.size();
+    uint64_t transforms = evaluations_per_node * free * rig.node_count();
+    for (uint32_t c = 0; c < rig.clips.size(); ++c)
+        transforms += sample_count(rig, c) * (pose + rig.clips[c].channel_count);
+    if (!rig.dofs.empty()) fixed = bytes_per_point_set * rig.palette.size();
+    for (const model::Dof &dof : rig.dofs) fixed += DofSweep::bytes(dof, 162) + DofSweep::bytes(dof, 642);
+    const uint64_t bytes = allowance.bytes() / 2;
+    out.search = transforms <= allowance.transforms() && fixed <= bytes;
+    if (!out.search) return out;
+    // A walk also visits poses between those that were counted.
+    const uint64_t per_visit = bytes_per_candidate * (free + 2);
+    out.poses = std::min(4 * allowance.transforms() / std::max<uint64_t>(pose, 1), (bytes - fixed) / per_visit);
+    out.vertices = vertices_per_transform * allowance.transforms();
+    return out;
+}
+
+}  // namespace claque::meshsplit
