@@ -44,13 +44,12 @@ std::vector<uint8_t> Buffers::fetch(const std::string &uri, const std::string &w
 void Buffers::load_from_uri(const JsonView &buffer, Buffer &out, Budget &budget)
 {
     const std::string &uri = buffer["uri"].text();
-    for (size_t i = 0; i < stored_.size() && !uri.empty() && !out.bytes.data; ++i)
-        if (stored_[i].first == uri) out.bytes = {stored_[i].second.data(), stored_[i].second.size()};
-    if (!out.bytes.data) {
-        // The name of a data URI is as long as its data, so it is not kept a second time.
-        stored_.emplace_back(is_data_uri(uri) ? std::string() : uri, fetch(uri, buffer.path(), budget));
-        out.bytes = {stored_.back().second.data(), stored_.back().second.size()};
-    }
+    // The name of a data URI is as long as its data, so it is not kept a second time.
+    const auto [place, is_new] =
+        is_data_uri(uri) ? std::make_pair(files_.end(), true) : files_.emplace(uri, stored_.size());
+    if (is_new) stored_.push_back(fetch(uri, buffer.path(), budget));
+    const std::vector<uint8_t> &bytes = is_new ? stored_.back() : stored_[place->second];
+    out.bytes = {bytes.data(), bytes.size()};
     if (out.bytes.size < out.length)
         fail(CLQ_FORMAT, "%s says %llu bytes, its data has %llu", buffer.path().c_str(), big(out.length),
              big(out.bytes.size));

@@ -1,6 +1,8 @@
 // A file's buffers and the views into them: where bytes come from, and which bytes may be read.
 #pragma once
 
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "lib/asset/budget.h"
@@ -53,7 +55,8 @@ private:
 
     const LoadOptions &options_;
     std::vector<Buffer> buffers_;
-    std::vector<std::pair<std::string, std::vector<uint8_t>>> stored_;  // by URI, so that each is read once
+    std::vector<std::vector<uint8_t>> stored_;       // never moved: buffers refer to the bytes
+    std::unordered_map<std::string, size_t> files_;  // by URI, so that each is read once
     std::vector<BufferView> views_;
     std::vector<std::string> warnings_;
 

@@ -44,13 +44,16 @@ void read_markers(const JsonView &list, Budget &budget, model::Rig &rig)
     }
 }
 
-uint32_t read_root(const JsonView &view, const model::Rig &rig)
+uint32_t read_root(const JsonView &view, const model::Rig &rig, File &file)
 {
     const std::string &name = view.text();
-    const uint32_t node = rig.find_node(name);
-    if (node == model::none)
+    // As Rig::find_node: the first of equal names. All nodes are known before the first clip.
+    if (file.node_of_name.empty())
+        for (uint32_t n = 0; n < rig.node_count(); ++n) file.node_of_name.emplace(rig.node_names[n], n);
+    const auto found = file.node_of_name.find(name);
+    if (found == file.node_of_name.end())
         fail(CLQ_FORMAT, "%s is '%.60s': no node of the character is called that", view.path().c_str(), name.c_str());
-    return node;
+    return found->second;
 }
 
 }  // namespace
@@ -64,7 +67,8 @@ void read_clip_extras(const JsonView &extras, File &file, model::Rig &rig)
     ours.object();
     if (ours["markers"].exists()) read_markers(ours["markers"], file.budget, rig);
     const JsonView root = ours["root_motion"];
-    if (root.exists()) file.root_motions.push_back({static_cast<uint32_t>(rig.clips.size()) - 1, read_root(root, rig)});
+    if (root.exists())
+        file.root_motions.push_back({static_cast<uint32_t>(rig.clips.size()) - 1, read_root(root, rig, file)});
 }
 
 }  // namespace claque::asset

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <unordered_set>
 
 #include "lib/asset/cache_folder.h"
 #include "lib/asset/file.h"
@@ -58,9 +59,12 @@ void add_file(const std::string &path, const std::string &folder, uint64_t limit
 {
     const std::vector<uint8_t> bytes = read_file(path, limit_bytes);
     content_hash.add(bytes.data(), bytes.size());
+    std::unordered_set<std::string> read;  // each file once, however often and however it is named
     for (const std::string &uri : uris_of(bytes, limit_bytes)) {
         try {
-            const std::vector<uint8_t> there = read_file(folder + "/" + decode_relative_path(uri), limit_bytes);
+            const std::string name = std::filesystem::path(decode_relative_path(uri)).lexically_normal().string();
+            if (!read.insert(name).second) continue;
+            const std::vector<uint8_t> there = read_file(folder + "/" + name, limit_bytes);
             content_hash.add(there.data(), there.size());
         } catch (const base::Error &) {
             content_hash.add(uint64_t(0));

@@ -1,6 +1,7 @@
 #include "lib/asset/gltf_build.h"
 
 #include <algorithm>
+#include <map>
 
 #include "lib/asset/gltf_clip.h"
 #include "lib/asset/gltf_dofs.h"
@@ -87,9 +88,12 @@ private:
     // Joints may lie outside the scene; their transforms in the world count all the same.
     void add_joint_trees()
     {
+        std::vector<bool> done(skins_.size());
         for (const uint32_t node : shown_) {
-            if (tree_.nodes[node].skin == none) continue;
-            for (const uint32_t joint : skins_[tree_.nodes[node].skin].joints)
+            const uint32_t skin = tree_.nodes[node].skin;
+            if (skin == none || done[skin]) continue;
+            done[skin] = true;
+            for (const uint32_t joint : skins_[skin].joints)
                 if (places_.node[joint] == none) add_nodes(tree_.below({tree_.root_of(joint)}));
         }
     }
@@ -131,8 +135,8 @@ private:
         const FileNode &from = tree_.nodes[node];
         const Mesh &mesh = meshes_[from.mesh];
         const uint32_t morph_set = mesh.target_count ? add_morph_set(node) : none;
-        std::vector<uint32_t> entries;
-        if (from.skin != none) entries = entries_of(skins_[from.skin]);
+        static const std::vector<uint32_t> no_entries;
+        const std::vector<uint32_t> &entries = from.skin != none ? entries_of(from.skin) : no_entries;
         for (const Primitive &primitive : mesh.primitives) {
             file_.budget.charge(bytes_of(primitive.part) + 8 * primitive.part.positions.size(), "a mesh on its nodes");
             model::Part part = primitive.part;
@@ -152,10 +156,14 @@ private:
         }
     }
 
-    std::vector<uint32_t> entries_of(const Skin &skin)
+    // Many nodes may share a skin.
+    const std::vector<uint32_t> &entries_of(uint32_t index)
     {
+        const Skin &skin = skins_[index];
+        const auto [place, is_new] = skin_entries_.emplace(index, std::vector<uint32_t>());
+        std::vector<uint32_t> &out = place->second;
+        if (!is_new) return out;
         file_.budget.charge(skin.joints.size() * 3 * sizeof(model::PaletteEntry), "the matrix palette");
-        std::vector<uint32_t> out;
         out.reserve(skin.joints.size());
         for (size_t i = 0; i < skin.joints.size(); ++i)
             out.push_back(palette_.entry(places_.node[skin.joints[i]], skin.inverse_binds[i]));
@@ -191,6 +199,7 @@ private:
     Palette palette_;
     RigMapping places_;
     std::vector<bool> hidden_;
+    std::map<uint32_t, std::vector<uint32_t>> skin_entries_;  // by skin
 };
 
 }  // namespace

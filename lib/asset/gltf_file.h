@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "lib/asset/accessor.h"
@@ -39,6 +41,7 @@ struct File {
     Accessors accessors;
     std::vector<std::string> warnings;
     std::vector<model::RootMotionRequest> root_motions;
+    std::unordered_map<std::string_view, uint32_t> node_of_name;  // of the rig, for the extras of clips
 };
 
 }  // namespace claque::asset

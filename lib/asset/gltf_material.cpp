@@ -166,10 +166,26 @@ uint32_t Materials::without_texture(uint32_t material)
     return place->second;
 }
 
+namespace
+{
+
+std::string image_key(const JsonView &view)
+{
+    if (view["bufferView"].exists()) return std::to_string(view["bufferView"].integer(0, 0xffffffffu));
+    return "uri " + view["uri"].text();
+}
+
+}  // namespace
+
 uint32_t Materials::decoded(uint32_t source, model::Model &model)
 {
-    const auto [place, is_new] = decoded_.emplace(source, static_cast<uint32_t>(model.images.size()));
-    if (is_new) {
+    const uint32_t next = static_cast<uint32_t>(model.images.size());
+    const auto [place, is_new] = decoded_.emplace(source, next);
+    if (!is_new) return place->second;
+    // Images that read the same bytes are one, unless extras could tell them apart.
+    const JsonView view = file_.root["images"].at(source);
+    if (!view["extras"].exists()) place->second = images_.emplace(image_key(view), next).first->second;
+    if (place->second == next) {
         model.images.push_back(read_image(file_, source));
         sources_.push_back(source);
     }

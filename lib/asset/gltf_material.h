@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <unordered_map>
 
 #include "lib/asset/gltf_file.h"
 #include "lib/asset/gltf_variants.h"
@@ -66,9 +68,10 @@ private:
     std::map<uint32_t, uint32_t> untextured_;  // copies without a texture
     uint32_t default_ = none;
     Variants variants_;
-    std::vector<uint32_t> sources_;         // by image of the model: the image of the file
-    std::vector<uint32_t> file_images_;     // by material: the image of the file, used or not
-    std::map<uint32_t, uint32_t> decoded_;  // by image of the file: that of the model
+    std::vector<uint32_t> sources_;                     // by image of the model: the image of the file
+    std::vector<uint32_t> file_images_;                 // by material: the image of the file, used or not
+    std::map<uint32_t, uint32_t> decoded_;              // by image of the file: that of the model
+    std::unordered_map<std::string, uint32_t> images_;  // by where the bytes are: the image of the model
 };
 
 }  // namespace claque::asset

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/asset/zone_coverage.h"
 #include "lib/asset/zone_map.h"
 #include "lib/base/error.h"
 #include "lib/math/oklab.h"
@@ -39,45 +40,6 @@ struct Bin {
 };
 
 size_t bin_of(const uint8_t *rgb) { return (size_t(rgb[0] / 8) * bins + rgb[1] / 8) * bins + rgb[2] / 8; }
-
-// Marks the texels whose centres lie in a triangle, and those that contain one of its corners.
-void cover(const model::Image &image, const glm::vec2 (&uv)[3], std::vector<uint8_t> &covered)
-{
-    const double w = image.width, h = image.height;
-    double x[3], y[3];
-    for (int k = 0; k < 3; ++k) x[k] = double(uv[k].x) * w, y[k] = double(uv[k].y) * h;
-    const auto mark = [&](double px, double py) {
-        px -= w * std::floor(px / w), py -= h * std::floor(py / h);
-        covered[std::min(size_t(py), size_t(h) - 1) * size_t(w) + std::min(size_t(px), size_t(w) - 1)] = 1;
-    };
-    for (int k = 0; k < 3; ++k) mark(x[k], y[k]);
-    const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    const auto [left, right] = std::minmax({x[0], x[1], x[2]});
-    const auto [top, bottom] = std::minmax({y[0], y[1], y[2]});
-    if (area == 0 || right - left > 4 * w || bottom - top > 4 * h) return;
-    for (double py = std::floor(top) + 0.5; py < bottom; ++py)
-        for (double px = std::floor(left) + 0.5; px < right; ++px) {
-            const double a = ((x[1] - px) * (y[2] - py) - (x[2] - px) * (y[1] - py)) / area;
-            const double b = ((x[2] - px) * (y[0] - py) - (x[0] - px) * (y[2] - py)) / area;
-            if (a >= 0 && b >= 0 && a + b <= 1) mark(px, py);
-        }
-}
-
-std::vector<uint8_t> covered_texels(const model::Model &model, uint32_t image)
-{
-    std::vector<uint8_t> covered(size_t(model.images[image].width) * model.images[image].height);
-    for (const model::Part &part : model.parts) {
-        if (part.hidden || part.material == model::none || part.uvs.empty()) continue;
-        bool shows = model.materials[part.material].image == image;
-        for (const model::TextureSet &set : model.texture_sets) shows = shows || set.images[part.material] == image;
-        if (!shows) continue;
-        for (const auto &t : model::triangles_of(part)) {
-            const glm::vec2 uv[3] = {part.uvs[t[0]], part.uvs[t[1]], part.uvs[t[2]]};
-            cover(model.images[image], uv, covered);
-        }
-    }
-    return covered;
-}
 
 std::vector<Bin> bins_of(const model::Image &image, const std::vector<uint8_t> &covered, std::vector<size_t> &place)
 {
