@@ -95,6 +95,21 @@ void check_surface(const Template &tmpl, const Level &level, const Surface &surf
                  level.slots[level.indices[i]], zones);
 }
 
+// Every range of a surface has indices of its own, so checking them all reads each index once.
+void check_surfaces(const Template &tmpl, const Level &level)
+{
+    uint64_t taken = 0;
+    for (const Surface &surface : level.surfaces) {
+        taken += uint64_t(surface.dirty.count) + surface.fused.count;
+        for (const Bin &bin : surface.clean) taken += bin.range.count;
+        for (const Bin &bin : surface.dirty_by_zone) taken += bin.range.count;
+    }
+    if (taken > level.indices.size())
+        fail(CLQ_ARGUMENT, "%zu surfaces take %llu indices of %zu: ranges overlap", level.surfaces.size(),
+             static_cast<unsigned long long>(taken), level.indices.size());
+    for (const Surface &surface : level.surfaces) check_surface(tmpl, level, surface);
+}
+
 // A level without vertices must be empty in everything else.
 void check_empty(const Level &level, size_t index)
 {
@@ -119,6 +134,8 @@ void check_distance(const Template &tmpl, size_t index)
 void check_levels(const Template &tmpl)
 {
     if (tmpl.levels.empty()) fail(CLQ_ARGUMENT, "a template without a level");
+    if (tmpl.levels.size() > max_levels)
+        fail(CLQ_ARGUMENT, "a template of %zu levels: %zu are the most", tmpl.levels.size(), max_levels);
     for (size_t i = 0; i < tmpl.levels.size(); ++i) {
         const Level &level = tmpl.levels[i];
         check_distance(tmpl, i);
@@ -126,7 +143,7 @@ void check_levels(const Template &tmpl)
         check_empty(level, i);
         check_runs(level, tmpl.rig.palette.size());
         check_morphs(level, tmpl.rig.rest_weights.size());
-        for (const Surface &surface : level.surfaces) check_surface(tmpl, level, surface);
+        check_surfaces(tmpl, level);
         check_parts(tmpl, level);
         check_part_firsts(level);
         check_skeleton(tmpl, i);

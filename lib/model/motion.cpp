@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "lib/base/error.h"
 
@@ -39,11 +40,15 @@ void fill_rotations(const Rig &rig, Motion &m)
     }
 }
 
-uint32_t node_of_weight(const Rig &rig, uint32_t weight)
+// The node of the first morph set that has a weight, for all weights; 0 where there is none.
+std::vector<uint32_t> nodes_of_weights(const Rig &rig)
 {
-    for (const MorphSet &set : rig.morph_sets)
-        if (weight - set.first_weight < set.target_count) return set.node;
-    return 0;
+    std::vector<uint32_t> out(rig.rest_weights.size());
+    for (size_t s = rig.morph_sets.size(); s-- > 0;) {
+        const MorphSet &set = rig.morph_sets[s];
+        std::fill_n(out.begin() + set.first_weight, set.target_count, set.node);
+    }
+    return out;
 }
 
 void fill_groups(const Rig &rig, Motion &m)
@@ -52,11 +57,12 @@ void fill_groups(const Rig &rig, Motion &m)
     m.group_of.assign(2 * m.nodes.size(), none);
     m.group_nodes.clear();
     m.scales_move = false;
+    const std::vector<uint32_t> weight_nodes = nodes_of_weights(rig);
     for (uint32_t g = 0; g < m.groups.size(); ++g) {
         const MotionGroup &group = m.groups[g];
         const bool scales = group.target == ChannelTarget::scale, morphs = group.target == ChannelTarget::morph_weights;
         if (!morphs) m.group_of[2 * group.index + (scales ? 1 : 0)] = g;
-        m.group_nodes.push_back(morphs ? node_of_weight(rig, group.index) : m.nodes[group.index]);
+        m.group_nodes.push_back(morphs ? weight_nodes[group.index] : m.nodes[group.index]);
         m.scales_move |= scales;
         for (uint32_t k = 0; k < group.count; ++k) {
             float &to = m.rest_groups[4 * size_t(g) + k];
@@ -101,17 +107,19 @@ void check_rows(uint64_t first, uint64_t stride, uint64_t intervals, uint64_t nu
 }
 
 // A node that a degree of freedom shifts needs a group to add the shift to.
-void check_shift(const Motion &m, const Dof &dof)
+void check_shifts(const Motion &m, const Rig &rig)
 {
-    const auto shifts = [&](const MotionGroup &group) {
-        return group.target == ChannelTarget::translation && m.nodes[group.index] == dof.node;
-    };
-    if (dof.kind == DofKind::translation && std::none_of(m.groups.begin(), m.groups.end(), shifts))
-        fail(CLQ_ARGUMENT, "motion has no group for the translation of node %u", dof.node);
+    std::vector<bool> shifts(rig.node_count());
+    for (const MotionGroup &group : m.groups)
+        if (group.target == ChannelTarget::translation) shifts[m.nodes[group.index]] = true;
+    for (const Dof &dof : rig.dofs)
+        if (dof.kind == DofKind::translation && !shifts[dof.node])
+            fail(CLQ_ARGUMENT, "motion has no group for the translation of node %u", dof.node);
 }
 
-// An exact channel belongs to this clip and its index matches its target.
-void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const MotionExactChannel &exact)
+// An exact channel belongs to this clip and its index matches its target. `numbers`: of the groups before each.
+void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const MotionExactChannel &exact,
+                 const std::vector<uint64_t> &numbers)
 {
     if (exact.channel < clip.first_channel || exact.channel - clip.first_channel >= clip.channel_count)
         fail(CLQ_ARGUMENT, "channel %u is kept by motion of another clip", exact.channel);
@@ -120,15 +128,15 @@ void check_exact(const Motion &m, const Rig &rig, const Clip &clip, const Motion
         if (exact.index >= m.nodes.size()) fail(CLQ_ARGUMENT, "motion keeps channel %u for no joint", exact.channel);
         return;
     }
-    const uint64_t groups = (uint64_t(channel.component_count) + 3) / 4;
-    uint32_t numbers = 0;
-    for (uint64_t g = exact.index; g < exact.index + groups && g < m.groups.size(); ++g) numbers += m.groups[g].count;
-    if (numbers != channel.component_count)
-        fail(CLQ_ARGUMENT, "motion keeps %u numbers of channel %u, which has %u", numbers, exact.channel,
+    const uint64_t groups = (uint64_t(channel.component_count) + 3) / 4, count = m.groups.size();
+    const uint64_t first = std::min<uint64_t>(exact.index, count), last = std::min(exact.index + groups, count);
+    const uint64_t kept = numbers[last] - numbers[first];
+    if (kept != channel.component_count)
+        fail(CLQ_ARGUMENT, "motion keeps %llu numbers of channel %u, which has %u", base::big(kept), exact.channel,
              channel.component_count);
 }
 
-void check_clip(const Motion &m, const Rig &rig, uint32_t c)
+void check_clip(const Motion &m, const Rig &rig, uint32_t c, const std::vector<uint64_t> &numbers)
 {
     const MotionClip &clip = m.clips[c];
     const bool sound = std::isfinite(clip.rate_hz) && clip.rate_hz >= 0 && clip.error_m >= 0 && clip.error_rad >= 0;
@@ -146,9 +154,12 @@ void check_clip(const Motion &m, const Rig &rig, uint32_t c)
             if (!std::isfinite(curve.min[k]) || !std::isfinite(curve.step[k]))
                 fail(CLQ_ARGUMENT, "motion of clip %u has a range that is not finite", c);
     }
-    if (uint64_t(clip.first_exact) + clip.exact_count > m.exact.size())
+    // Those of one clip follow those of the clip before, so each is looked at once.
+    const uint64_t before = c == 0 ? 0 : uint64_t(m.clips[c - 1].first_exact) + m.clips[c - 1].exact_count;
+    if (clip.first_exact != before || before + clip.exact_count > m.exact.size())
         fail(CLQ_ARGUMENT, "motion of clip %u keeps channels out of range", c);
-    for (uint32_t i = 0; i < clip.exact_count; ++i) check_exact(m, rig, rig.clips[c], m.exact[clip.first_exact + i]);
+    for (uint32_t i = 0; i < clip.exact_count; ++i)
+        check_exact(m, rig, rig.clips[c], m.exact[clip.first_exact + i], numbers);
 }
 
 }  // namespace
@@ -168,8 +179,10 @@ void check(const Motion &m, const Rig &rig)
         taken[node] = 1;
     }
     for (const MotionGroup &group : m.groups) check_group(m, rig, group);
-    for (const Dof &dof : rig.dofs) check_shift(m, dof);
-    for (uint32_t c = 0; c < m.clips.size(); ++c) check_clip(m, rig, c);
+    check_shifts(m, rig);
+    std::vector<uint64_t> numbers = {0};
+    for (const MotionGroup &group : m.groups) numbers.push_back(numbers.back() + group.count);
+    for (uint32_t c = 0; c < m.clips.size(); ++c) check_clip(m, rig, c, numbers);
 }
 
 void derive(const Rig &rig, Motion &m)

@@ -1,7 +1,9 @@
 #include "lib/model/rig.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "lib/base/error.h"
 
@@ -68,7 +70,16 @@ void check_nodes(const Rig &rig)
     }
 }
 
-void check_channel(const Rig &rig, const Channel &channel, size_t index)
+// Where key times do not ascend, in order. Channels may share their times, so these are looked at once for all.
+std::vector<uint32_t> descents_of(const Rig &rig)
+{
+    std::vector<uint32_t> out;
+    for (uint32_t i = 1; i < rig.times.size(); ++i)
+        if (!(rig.times[i] > rig.times[i - 1])) out.push_back(i);
+    return out;
+}
+
+void check_channel(const Rig &rig, const Channel &channel, size_t index, const std::vector<uint32_t> &descents)
 {
     const bool morphs = channel.target == ChannelTarget::morph_weights;
     const size_t targets = morphs ? rig.morph_sets.size() : rig.parents.size();
@@ -86,9 +97,9 @@ void check_channel(const Rig &rig, const Channel &channel, size_t index)
         fail(CLQ_ARGUMENT, "channel %zu needs %llu key times of %zu and %llu values of %zu", index,
              static_cast<unsigned long long>(time_end), rig.times.size(), static_cast<unsigned long long>(value_end),
              rig.values.size());
-    for (uint32_t k = 1; k < channel.key_count; ++k)
-        if (!(rig.times[channel.first_time + k] > rig.times[channel.first_time + k - 1]))
-            fail(CLQ_ARGUMENT, "key times of channel %zu do not ascend at key %u", index, k);
+    const auto descent = std::upper_bound(descents.begin(), descents.end(), channel.first_time);
+    if (descent != descents.end() && *descent < time_end)
+        fail(CLQ_ARGUMENT, "key times of channel %zu do not ascend at key %u", index, *descent - channel.first_time);
 }
 
 void check_deactivations(const Rig &rig)
@@ -175,11 +186,16 @@ void set_span(const Rig &rig, Clip &clip)
 void check(const Rig &rig)
 {
     check_nodes(rig);
+    uint64_t weights = 0;
     for (size_t i = 0; i < rig.morph_sets.size(); ++i) {
         const MorphSet &set = rig.morph_sets[i];
+        weights += set.target_count;
         if (set.node >= rig.node_count() || uint64_t(set.first_weight) + set.target_count > rig.rest_weights.size())
             fail(CLQ_ARGUMENT, "morph set %zu is out of range", i);
     }
+    if (weights > rig.rest_weights.size())
+        fail(CLQ_ARGUMENT, "%zu morph sets have %llu weights of %zu: they overlap", rig.morph_sets.size(),
+             static_cast<unsigned long long>(weights), rig.rest_weights.size());
     if (rig.clips.size() != rig.clip_names.size())
         fail(CLQ_ARGUMENT, "%zu clips have %zu names", rig.clips.size(), rig.clip_names.size());
     if (!finite(rig.times.data(), rig.times.size()) || !finite(rig.values.data(), rig.values.size()) ||
@@ -192,7 +208,8 @@ void check(const Rig &rig)
         if (!std::isfinite(clip.start_s) || !(clip.duration_s >= 0) || !std::isfinite(clip.duration_s))
             fail(CLQ_ARGUMENT, "clip %zu '%s' has an invalid length", i, rig.clip_names[i].c_str());
     }
-    for (size_t i = 0; i < rig.channels.size(); ++i) check_channel(rig, rig.channels[i], i);
+    const std::vector<uint32_t> descents = descents_of(rig);
+    for (size_t i = 0; i < rig.channels.size(); ++i) check_channel(rig, rig.channels[i], i, descents);
     check_deactivations(rig);
     if (rig.dofs.size() != rig.dof_names.size())
         fail(CLQ_ARGUMENT, "%zu degrees of freedom have %zu names", rig.dofs.size(), rig.dof_names.size());
