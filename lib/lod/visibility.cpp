@@ -8,6 +8,7 @@
 
 #include "lib/lod/nearest.h"
 #include "lib/lod/occluders.h"
+#include "lib/lod/stacking.h"
 
 namespace claque::lod
 {
@@ -40,8 +41,12 @@ bool is_two_sided(const model::Model &model, const model::Part &part)
 std::vector<double> visibility_of(const model::Model &model, const PosedParts &parts, const base::Jobs &jobs)
 {
     std::vector<VisibilityQuery> queries;
-    for (const PosedParts::Triangle &t : parts.triangles())
-        queries.push_back({parts.corners(t), is_two_sided(model, parts.part(t.part))});
+    std::vector<Corners3> triangles;
+    for (const PosedParts::Triangle &t : parts.triangles()) {
+        triangles.push_back(parts.corners(t));
+        queries.push_back({triangles.back(), is_two_sided(model, parts.part(t.part))});
+    }
+    check_stacking(triangles, model.name);
     return visibility_of(queries, VisibilityQuality::full, jobs);
 }
 
