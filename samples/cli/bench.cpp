@@ -32,7 +32,10 @@ bool of_actors(const BenchArguments &a)
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 bool is_vertex_format(const BenchArguments &a) { return a.subject == "vertex_format"; }
 bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
-bool has_no_scene(const BenchArguments &a) { return is_growth(a) || is_vertex_format(a) || is_of_key_poses(a); }
+bool has_no_scene(const BenchArguments &a)
+{
+    return is_growth(a) || is_vertex_format(a) || is_of_key_poses(a) || is_of_readers(a);
+}
 
 void bench(const BenchArguments &a)
 {
@@ -42,6 +45,7 @@ void bench(const BenchArguments &a)
     const Json report = is_growth(a)          ? bench_growth(a)
                         : is_vertex_format(a) ? bench_vertex_format(a)
                         : is_of_key_poses(a)  ? bench_key_poses(a)
+                        : is_of_readers(a)    ? bench_readers(a)
                         : is_of_shadows(a)    ? bench_shadows(a)
                         : along_path          ? bench_along_path(a)
                         : of_actors(a)        ? bench_actors(a)
@@ -53,6 +57,7 @@ void bench(const BenchArguments &a)
     else if (is_growth(a)) print_growth(report);
     else if (is_vertex_format(a)) print_vertex_format(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
+    else if (is_of_readers(a)) print_readers(report);
     else if (is_of_shadows(a)) print_shadows(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
@@ -92,11 +97,13 @@ void add_bench(CLI::App &app, Work &chosen)
     auto a = std::make_shared<BenchArguments>();
     CLI::App *c = app.add_subcommand(
         "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
-    c->add_option("SCENE", a->subject,
-                  "The name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to --flush "
-                  "16384), or a character's file, or growth: updates of 1000 to 100 000 actors; or vertex_format: "
-                  "packed vertices against floats; or a test of shared key-poses (S3): keypose-choice, keypose-path, "
-                  "keypose-script, keypose-error")
+    c->add_option(
+         "SCENE", a->subject,
+         "The name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to --flush "
+         "16384), or a character's file, or growth: updates of 1000 to 100 000 actors; or vertex_format: "
+         "packed vertices against floats; or readers: how "
+         "reading grows with what a file counts; or a test of shared key-poses (S3): keypose-choice, keypose-path, "
+         "keypose-script, keypose-error")
         ->required();
     CLI::Option *count =
         c->add_option("--count", a->counts, "Numbers of people, separated by commas; along a path at most one")

@@ -56,6 +56,11 @@ void print_shadows(const Json &report);
 Json bench_vertex_format(const BenchArguments &arguments);
 void print_vertex_format(const Json &report);
 
+// Reading and splitting files at a tenth of and at the limit of each element that they count: a table in "runs".
+bool is_of_readers(const BenchArguments &arguments);
+Json bench_readers(const BenchArguments &arguments);
+void print_readers(const Json &report);
+
 // Throws scenes::Failure unless `now` is the picture of the variants before it; `what` names the frame.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);
 

@@ -1,0 +1,116 @@
+// claque bench readers: how reading and splitting a file grow with each of the elements that it counts. Processor time
+// at a tenth of the limit and at the limit; ten times the elements may take at most 16 times as long.
+#include <cstdio>
+#include <ctime>
+
+#include <claque/assets.h>
+
+#include "samples/cli/bench.h"
+#include "samples/cli/interrupt.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/reader_files.h"
+
+namespace cli
+{
+namespace readers
+{
+namespace
+{
+
+constexpr double most_ratio = 16;
+// Shorter times are of the clock's resolution and of caches that are still cold.
+constexpr double least_ms = 20;
+constexpr int tries = 3;
+
+struct Reading {
+    double load_ms = 0, build_ms = 0;
+    std::string loaded = "ok", built = "-";  // or why not
+};
+
+double processor_ms() { return 1000.0 * double(std::clock()) / CLOCKS_PER_SEC; }
+
+std::string outcome(clq_status status) { return status == CLQ_OK ? "ok" : clq_status_name(status); }
+
+Reading read_once(scenes::Library &library, const std::string &bytes)
+{
+    Reading out;
+    clq_asset *asset = nullptr;
+    clq_template *made = nullptr;
+    const double begin = processor_ms();
+    out.loaded = outcome(clq_asset_load(library.context(), bytes.data(), bytes.size(), nullptr, &asset));
+    const double middle = processor_ms();
+    if (asset) out.built = outcome(clq_asset_build(library.context(), asset, 0, &made));
+    out.load_ms = middle - begin, out.build_ms = processor_ms() - middle;
+    clq_template_destroy(made);
+    clq_asset_destroy(asset);
+    return out;
+}
+
+Reading read(scenes::Library &library, const std::string &bytes)
+{
+    Reading best = read_once(library, bytes);
+    for (int i = 1; i < tries && best.load_ms + best.build_ms < 1000; ++i) {
+        stop_if_asked();
+        const Reading next = read_once(library, bytes);
+        best.load_ms = std::min(best.load_ms, next.load_ms), best.build_ms = std::min(best.build_ms, next.build_ms);
+    }
+    return best;
+}
+
+double ratio(double few_ms, double many_ms) { return many_ms < least_ms ? 0 : many_ms / std::max(few_ms, 1.0); }
+
+Json row(scenes::Library &library, const ReaderElement &e)
+{
+    const std::string few_bytes = e.make(e.limit / 10), many_bytes = e.make(e.limit);
+    const Reading few = read(library, few_bytes), many = read(library, many_bytes);
+    const double load = ratio(few.load_ms, many.load_ms), build = ratio(few.build_ms, many.build_ms);
+    return {{"format", e.format},
+            {"element", e.element},
+            {"count", e.limit},
+            {"bytes", many_bytes.size()},
+            {"load_ms", many.load_ms},
+            {"load_ratio", load},
+            {"loaded", many.loaded},
+            {"build_ms", many.build_ms},
+            {"build_ratio", build},
+            {"built", many.built},
+            {"lawful", load <= most_ratio && build <= most_ratio}};
+}
+
+}  // namespace
+
+static Json rows()
+{
+    Progress progress("claque bench");
+    scenes::Library library(1);
+    Json out = Json::array();
+    for (const ReaderElement &element : reader_elements()) {
+        out.push_back(row(library, element));
+        progress.step(out.size(), reader_elements().size());
+    }
+    return out;
+}
+
+}  // namespace readers
+
+bool is_of_readers(const BenchArguments &a) { return a.subject == "readers"; }
+
+Json bench_readers(const BenchArguments &)
+{
+    return {{"claque", version()}, {"most_ratio", readers::most_ratio}, {"runs", readers::rows()}};
+}
+
+void print_readers(const Json &report)
+{
+    std::printf("%-6s %-36s %8s %10s  %9s %6s %-14s %9s %6s %s\n", "format", "element", "count", "bytes", "load ms",
+                "ratio", "loaded", "build ms", "ratio", "built");
+    for (const Json &r : report["runs"])
+        std::printf("%-6s %-36s %8u %10llu  %9.1f %6.1f %-14s %9.1f %6.1f %s%s\n",
+                    r["format"].get<std::string>().c_str(), r["element"].get<std::string>().c_str(),
+                    r["count"].get<unsigned>(), r["bytes"].get<unsigned long long>(), r["load_ms"].get<double>(),
+                    r["load_ratio"].get<double>(), r["loaded"].get<std::string>().c_str(), r["build_ms"].get<double>(),
+                    r["build_ratio"].get<double>(), r["built"].get<std::string>().c_str(),
+                    r["lawful"].get<bool>() ? "" : "  <- more than 16");
+}
+
+}  // namespace cli

@@ -1,0 +1,289 @@
+#include "samples/cli/reader_files.h"
+
+#include "samples/cli/gltf_writer.h"
+
+namespace cli
+{
+namespace readers
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+constexpr uint32_t most = 100000;
+
+Json channel(size_t node) { return {{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}; }
+Json extras(const char *what, Json value) { return {{"claque", {{what, std::move(value)}}}}; }
+
+std::string nodes(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i) file.node({{"name", "n" + std::to_string(i)}});
+    return file.glb();
+}
+
+// Each the child of the one before.
+std::string node_depth(uint32_t count)
+{
+    GltfFile file;
+    size_t last = file.node({{"name", "top"}});
+    for (uint32_t i = 0; i < count; ++i) {
+        const size_t next = file.add("nodes", {{"name", "n" + std::to_string(i)}});
+        file.json()["nodes"][last]["children"] = {next};
+        last = next;
+    }
+    return file.glb();
+}
+
+std::string nodes_with_mesh(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i) file.node({{"mesh", 0}});
+    return file.glb();
+}
+
+std::string meshes(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i) file.node({{"mesh", file.add("meshes", file.json()["meshes"][0])}});
+    return file.glb();
+}
+
+std::string primitives(uint32_t count)
+{
+    GltfFile file;
+    const Json one = file.primitive();
+    for (uint32_t i = 0; i < count; ++i) file.json()["meshes"][0]["primitives"].push_back(one);
+    return file.glb();
+}
+
+std::string vertices(uint32_t count)
+{
+    GltfFile file;
+    std::vector<float> positions;
+    for (uint32_t i = 0; i < 3 * count; ++i) positions.push_back(float(i % 977) * 0.01f + float(i % 3));
+    file.primitive()["attributes"]["POSITION"] = file.floats("VEC3", positions);
+    return file.glb();
+}
+
+std::string indices(uint32_t count)
+{
+    GltfFile file;
+    std::vector<uint32_t> list;
+    for (uint32_t i = 0; i < 3 * count; ++i) list.push_back(i % 3);
+    file.primitive()["indices"] = file.accessor(gltf_uint, "SCALAR", list.size(), list.data(), 4 * list.size());
+    return file.glb();
+}
+
+std::string accessors(uint32_t count)
+{
+    GltfFile file;
+    const Json one = file.json()["accessors"][0];
+    for (uint32_t i = 0; i < count; ++i) file.add("accessors", one);
+    return file.glb();
+}
+
+std::string buffer_views(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i) file.add("bufferViews", {{"buffer", 0}, {"byteLength", 4}});
+    return file.glb();
+}
+
+std::string buffers(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i)
+        file.add("buffers", {{"uri", "data:application/octet-stream;base64,AAAA"}, {"byteLength", 3}});
+    return file.glb();
+}
+
+std::string materials(uint32_t count)
+{
+    GltfFile file;
+    const Json one = file.primitive();
+    for (uint32_t i = 0; i < count; ++i) {
+        Json with = one;
+        with["material"] = file.add(
+            "materials", {{"pbrMetallicRoughness", {{"baseColorFactor", {i % 251 / 250.0, i % 7 / 6.0, 0.5, 1}}}}});
+        file.json()["meshes"][0]["primitives"].push_back(with);
+    }
+    return file.glb();
+}
+
+std::string textures(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i) file.add("textures", {{"source", file.add("images", {{"uri", "none.png"}})}});
+    return file.glb();
+}
+
+std::string skins(uint32_t count)
+{
+    GltfFile file;
+    const size_t joint = file.node({{"name", "joint"}});
+    for (uint32_t i = 0; i < count; ++i) file.add("skins", {{"joints", {joint}}});
+    return file.glb();
+}
+
+void skin_primitive(GltfFile &file)
+{
+    const std::vector<uint8_t> joints(12);
+    std::vector<float> weights(12);
+    for (size_t v = 0; v < 3; ++v) weights[4 * v] = 1;
+    file.primitive()["attributes"]["JOINTS_0"] = file.accessor(gltf_byte, "VEC4", 3, joints.data(), joints.size());
+    file.primitive()["attributes"]["WEIGHTS_0"] = file.floats("VEC4", weights);
+}
+
+std::string joints(uint32_t count)
+{
+    GltfFile file;
+    skin_primitive(file);
+    Json list = Json::array();
+    for (uint32_t i = 0; i < count; ++i) list.push_back(file.node({{"name", "j" + std::to_string(i)}}));
+    file.add("skins", {{"joints", list}});
+    file.json()["nodes"][0]["skin"] = 0;
+    return file.glb();
+}
+
+std::string nodes_on_one_skin(uint32_t count)
+{
+    GltfFile file;
+    skin_primitive(file);
+    Json list = Json::array();
+    for (uint32_t i = 0; i < count; ++i) list.push_back(file.node({{"mesh", 0}, {"skin", 0}}));
+    file.add("skins", {{"joints", list}});
+    return file.glb();
+}
+
+std::string animations(uint32_t count)
+{
+    GltfFile file;
+    const size_t node = file.node({{"name", "moved"}});
+    for (uint32_t i = 0; i < count; ++i) file.add("animations", file.clip(Json::array({channel(node)})));
+    return file.glb();
+}
+
+std::string root_motions(uint32_t count)
+{
+    GltfFile file;
+    const size_t node = file.node({{"name", "moved"}});
+    for (uint32_t i = 0; i < count; ++i) {
+        Json clip = file.clip(Json::array({channel(node)}));
+        clip["extras"] = extras("root_motion", "moved");
+        file.add("animations", clip);
+    }
+    return file.glb();
+}
+
+std::string channels(uint32_t count)
+{
+    GltfFile file;
+    Json list = Json::array();
+    for (uint32_t i = 0; i < count; ++i) list.push_back(channel(file.node({{"name", "n" + std::to_string(i)}})));
+    file.add("animations", file.clip(list));
+    return file.glb();
+}
+
+std::string keys(uint32_t count)
+{
+    GltfFile file;
+    const size_t node = file.node({{"name", "moved"}});
+    std::vector<float> times, places;
+    for (uint32_t i = 0; i < count; ++i) {
+        times.push_back(float(i) / 32);
+        places.insert(places.end(), {float(i % 5), 0, float(i % 3)});
+    }
+    Json clip = file.clip(Json::array({channel(node)}));
+    clip["samplers"][0] = {{"input", file.floats("SCALAR", times)}, {"output", file.floats("VEC3", places)}};
+    file.add("animations", clip);
+    return file.glb();
+}
+
+std::string morph_targets(uint32_t count)
+{
+    GltfFile file;
+    const size_t deltas = file.floats("VEC3", GltfFile::triangle);
+    Json &targets = file.primitive()["targets"] = Json::array();
+    for (uint32_t i = 0; i < count; ++i) targets.push_back({{"POSITION", deltas}});
+    return file.glb();
+}
+
+std::string markers(uint32_t count)
+{
+    GltfFile file;
+    Json list = Json::array();
+    for (uint32_t i = 0; i < count; ++i) list.push_back({{"time_s", 0.5}, {"name", "m" + std::to_string(i)}});
+    Json clip = file.clip(Json::array({channel(file.node({{"name", "moved"}}))}));
+    clip["extras"] = extras("markers", list);
+    file.add("animations", clip);
+    return file.glb();
+}
+
+Json dof(uint32_t i)
+{
+    return {{"kind", "rotation"}, {"axis", {0, 1, 0}}, {"min", -1}, {"max", 1}, {"name", "d" + std::to_string(i)}};
+}
+
+std::string degrees_of_freedom(uint32_t count)
+{
+    GltfFile file;
+    for (uint32_t i = 0; i < count; ++i) file.node({{"extras", extras("dofs", Json::array({dof(i)}))}});
+    return file.glb();
+}
+
+std::string bvh(uint32_t joints, uint32_t frames, const char *channels)
+{
+    std::string text = "HIERARCHY\nROOT root\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n";
+    for (uint32_t i = 0; i < joints; ++i)
+        text += "JOINT j" + std::to_string(i) + "\n{\nOFFSET 0 1 0\nCHANNELS " + channels +
+                "\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n";
+    text += "}\nMOTION\nFrames: " + std::to_string(frames) + "\nFrame Time: 0.03125\n";
+    for (uint32_t f = 0; f < frames; ++f) text += "0 " + std::to_string(f % 7) + " 0\n";
+    return text;
+}
+
+std::string bvh_joints(uint32_t count) { return bvh(count, 2, "0"); }
+std::string bvh_frames(uint32_t count) { return bvh(1, count, "0"); }
+std::string bvh_both(uint32_t count) { return bvh(count, count, "0"); }
+
+}  // namespace
+
+static const std::vector<ReaderElement> &elements()
+{
+    static const std::vector<ReaderElement> all = {
+        {"glTF", "nodes", most, nodes},
+        {"glTF", "nodes below one another", most, node_depth},
+        {"glTF", "nodes with one mesh", most, nodes_with_mesh},
+        {"glTF", "meshes", most, meshes},
+        {"glTF", "primitives", most, primitives},
+        {"glTF", "triangles", most, vertices},
+        {"glTF", "triangles on one another", most, indices},
+        {"glTF", "accessors", most, accessors},
+        {"glTF", "buffer views", most, buffer_views},
+        {"glTF", "buffers", most, buffers},
+        {"glTF", "materials", most, materials},
+        {"glTF", "textures and images", most, textures},
+        {"glTF", "skins", most, skins},
+        {"glTF", "joints", 65536, joints},
+        {"glTF", "nodes and joints of one skin", 65536, nodes_on_one_skin},
+        {"glTF", "animations", most, animations},
+        {"glTF", "animations with root motion", most, root_motions},
+        {"glTF", "channels", most, channels},
+        {"glTF", "keys", most, keys},
+        {"glTF", "morph targets", most, morph_targets},
+        {"glTF", "markers", 4096, markers},
+        {"glTF", "degrees of freedom", most, degrees_of_freedom},
+        {"BVH", "joints", 10000, bvh_joints},
+        {"BVH", "frames", most, bvh_frames},
+        {"BVH", "joints without channels, and frames", 10000, bvh_both},
+    };
+    return all;
+}
+
+}  // namespace readers
+
+const std::vector<ReaderElement> &reader_elements() { return readers::elements(); }
+
+}  // namespace cli
