@@ -21,7 +21,7 @@ constexpr uint64_t bytes_per_point_set = 8ull * (162 + 642) + 512;
 constexpr uint64_t bytes_per_candidate = 3 * 24;  // a growing array
 // Precise evaluations of a free node (reach_nodes.cpp) are of the whole skeleton.
 constexpr uint64_t evaluations_per_node = 24;
-constexpr uint64_t vertices_per_transform = 16;
+constexpr uint64_t parts_of_transform = 8, vertices_per_transform = 16, bytes_per_search = 2048;
 
 // The sum of the nodes' depths: what a walk from every node to its root costs.
 uint64_t depth_sum(const model::Rig &rig)
@@ -67,22 +67,23 @@ SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowan
     uint64_t free = 0;
     if (!rig.dofs.empty())
         for (const uint8_t is_free : free_nodes(rig)) free += is_free;
-    // What one pose costs; every node is followed to its root.
-    uint64_t pose = depth_sum(rig), fixed = 0;
-    for (const model::Level &level : tmpl.levels) pose += level.part_spheres.size();
-    pose += rig.palette.size() * tmpl.levels.size();
-    uint64_t transforms = evaluations_per_node * free * rig.node_count();
+    // What one pose costs: a step of a walk from a node to its root, or a bounded sphere, is a part of a transform.
+    uint64_t pose = parts_of_transform * rig.node_count() + depth_sum(rig), fixed = 0;
+    for (const model::Level &level : tmpl.levels) pose += level.part_spheres.size() + rig.palette.size();
+    uint64_t steps = parts_of_transform * evaluations_per_node * free * rig.node_count();
     for (uint32_t c = 0; c < rig.clips.size(); ++c)
-        transforms += sample_count(rig, c) * (pose + rig.clips[c].channel_count);
+        steps += sample_count(rig, c) * (pose + parts_of_transform * rig.clips[c].channel_count);
+    const uint64_t most = 4 * allowance.transforms();
     if (!rig.dofs.empty()) fixed = bytes_per_point_set * rig.palette.size();
     for (const model::Dof &dof : rig.dofs) fixed += DofSweep::bytes(dof, 162) + DofSweep::bytes(dof, 642);
     const uint64_t bytes = allowance.bytes() / 2;
-    out.search = transforms <= allowance.transforms() && fixed <= bytes;
+    out.search = steps <= most && fixed <= bytes;
     if (!out.search) return out;
     // A walk also visits poses between those that were counted.
     const uint64_t per_visit = bytes_per_candidate * (free + 2);
-    out.poses = std::min(4 * allowance.transforms() / std::max<uint64_t>(pose, 1), (bytes - fixed) / per_visit);
+    out.poses = std::min(8 * most / std::max<uint64_t>(pose, 1), (bytes - fixed) / per_visit);
     out.vertices = vertices_per_transform * allowance.transforms();
+    out.precise = std::max<uint64_t>(64, bytes_per_search * allowance.transforms() / std::max<uint64_t>(fixed, 1));
     return out;
 }
 

@@ -15,7 +15,7 @@ public:
     // Loading and splitting together may hold so many bytes for each byte that was read, and this much for any model.
     static constexpr uint64_t multiple = 64, always_bytes = 16ull << 20;
     // Local transforms that may be evaluated: for any model, and for each byte that was read.
-    static constexpr uint64_t always_transforms = 1ull << 25, transforms_per_byte = 4;
+    static constexpr uint64_t always_transforms = 1ull << 26, transforms_per_byte = 16;
 
     // The model itself is taken from the allowance.
     explicit Allowance(const model::Model &model);
@@ -28,7 +28,7 @@ public:
     uint64_t bytes() const { return bytes_ - taken_; }
     uint64_t transforms() const { return transforms_; }
     // Texels of a texture that may be looked at for the zones of all triangles.
-    uint64_t texels() const { return 64 * transforms_; }
+    uint64_t texels() const { return 16 * transforms_; }
 
 private:
     uint64_t source_ = 0, bytes_ = 0, taken_ = 0, transforms_ = 0;
@@ -40,6 +40,7 @@ struct SearchLimits {
     bool search = true;
     uint64_t poses = ~0ull;     // that a walk may visit
     uint64_t vertices = ~0ull;  // that may be skinned
+    uint64_t precise = ~0ull;   // poses that may be bounded by support functions
 };
 SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowance);
 

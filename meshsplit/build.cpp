@@ -178,17 +178,20 @@ private:
     {
         const ZoneImages zone_images(out_.textures);
         const ZoneLimits limits = {allowance_.bytes() / 2 / meshes.size(), allowance_.texels()};
-        allowance_.take(allowance_.bytes() / 2, "zones of triangles");
+        std::vector<uint64_t> taken(meshes.size());
         options_.jobs.try_each(static_cast<uint32_t>(meshes.size()),
-                               [&](uint32_t k) { fill(meshes[k], zone_images, limits, out_.levels[k]); });
+                               [&](uint32_t k) { taken[k] = fill(meshes[k], zone_images, limits, out_.levels[k]); });
+        for (const uint64_t bytes : taken) allowance_.take(bytes, "zones of triangles");
     }
 
-    void fill(Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits, model::Level &level)
+    // Returns what several zones of triangles took.
+    uint64_t fill(Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits, model::Level &level)
     {
         for (MeshSurface &surface : mesh.surfaces) surface.texture = texture_of_[surface.texture];
         const TriangleZones zones = zones_of_triangles(mesh, zone_images, limits);
         build_level(mesh, zones, out_.rig, level);
         if (&level == &out_.levels[0]) report(mesh, zones, out_);
+        return zones.stream_bytes();
     }
 
     const model::Model &model_;

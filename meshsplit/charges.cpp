@@ -13,11 +13,11 @@ namespace
 using model::none;
 using model::Wrap;
 
-// Bytes per vertex, besides its influences and morph targets: sources, welding, the mesh before and after it is sorted,
-// and the level's arrays.
-constexpr uint64_t vertex_bytes = 420, influence_bytes = 56, morph_bytes = 3 * 28 + 2 * 32 + 28;
-// Per triangle: the part's list, the mesh's triangle, its coincidence, its zones and its indices in two streams.
-constexpr uint64_t triangle_bytes = 200;
+// Bytes that a level keeps, and that making its mesh takes for a while (sources, welding, sorting), in arrays that grow.
+struct Cost {
+    uint64_t vertex, influence, morph, triangle;
+};
+constexpr Cost kept = {180, 24, 120, 130}, passing = {260, 40, 90, 120};
 // Per texel of a source while gutters are filled, of a texture in each texture set, and of a finished texture.
 constexpr uint64_t source_texel_bytes = 26, set_texel_bytes = 10, final_texel_bytes = 4 + 2;
 
@@ -29,26 +29,25 @@ uint64_t triangle_count(const model::Part &part)
 }
 
 // Flat normals make vertices of corners.
-uint64_t part_bytes(const model::Part &part)
+uint64_t part_bytes(const model::Part &part, const Cost &cost)
 {
-    const uint64_t triangles = triangle_count(part);
-    const uint64_t vertices =
-        part.normals.empty() ? 3 * triangles : std::min<uint64_t>(part.positions.size(), 3 * triangles);
-    return triangles * triangle_bytes +
-           vertices * (vertex_bytes + influence_bytes * part.influence_count + morph_bytes * part.morphs.size());
+    const uint64_t triangles = triangle_count(part), corners = 3 * triangles;
+    const uint64_t vertices = part.normals.empty() ? corners : std::min<uint64_t>(part.positions.size(), corners);
+    return triangles * cost.triangle +
+           vertices * (cost.vertex + cost.influence * part.influence_count + cost.morph * part.morphs.size());
 }
 
 }  // namespace
 
 void charge_meshes(const model::Model &model, const std::vector<LevelPlan> &plans, Allowance &allowance)
 {
-    uint64_t sum = 0;
+    uint64_t sum = 0, once = 0;
     for (const model::Part &part : model.parts)
-        if (!part.hidden) sum += part_bytes(part);
+        if (!part.hidden) sum += part_bytes(part, kept), once += part_bytes(part, passing);
     if (plans.size() > 1)
         for (const LevelPlan &plan : plans)
-            for (const uint32_t part : plan.parts) sum += part_bytes(model.parts[part]);
-    allowance.take(sum, "the meshes of all levels");
+            for (const uint32_t part : plan.parts) sum += part_bytes(model.parts[part], kept);
+    allowance.take(sum + once, "the meshes of all levels");
 }
 
 void charge_textures(const model::Model &model, const MaterialPlan &materials, uint32_t max_px, Allowance &allowance)

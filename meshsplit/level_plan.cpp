@@ -18,11 +18,13 @@ namespace
 class Planner
 {
 public:
-    explicit Planner(const model::Model &model) : model_(model), stops_(model.rig.node_count())
+    explicit Planner(const model::Model &model)
+        : model_(model), stops_(model.rig.node_count()), roots_(model.rig.node_count())
     {
         const model::Rig &rig = model.rig;
         for (uint32_t i = 0; i < rig.node_count(); ++i) {
             stops_[i] = rig.deactivation_of(i);
+            roots_[i] = rig.parents[i] == none ? i : roots_[rig.parents[i]];
             if (rig.parents[i] != none) stops_[i] = std::min(stops_[i], stops_[rig.parents[i]]);
         }
         for (uint32_t p = 0; p < model.parts.size(); ++p)
@@ -105,8 +107,7 @@ private:
     {
         for (size_t k = 0; k < part.joints.size(); ++k) {
             if (part.weights[k] == 0) continue;
-            uint32_t root = model_.rig.palette[part.joints[k]].node;
-            while (model_.rig.parents[root] != none) root = model_.rig.parents[root];
+            const uint32_t root = roots_[model_.rig.palette[part.joints[k]].node];
             if (part.lod_max_m > stops_[root])
                 fail(CLQ_ARGUMENT,
                      "model '%s': part '%s' is drawn to %g m and follows node '%s' or nodes below it, which is a root "
@@ -140,6 +141,7 @@ private:
 
     const model::Model &model_;
     std::vector<float> stops_;           // per node, including its ancestors
+    std::vector<uint32_t> roots_;        // per node: the root above it
     std::vector<uint32_t> drawn_;        // parts that are visible at some distance
     std::vector<uint32_t> rigid_nodes_;  // per drawn part; none: skinned
 };

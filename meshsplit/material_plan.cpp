@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "lib/base/error.h"
 #include "meshsplit/zone_map.h"
@@ -27,13 +27,6 @@ struct UvRange {
         used = true;
     }
 };
-
-bool close(const Rgb &a, const Rgb &b)
-{
-    for (size_t k = 0; k < 3; ++k)
-        if (std::fabs(a[k] - b[k]) > 1.0f / 512.0f) return false;
-    return true;
-}
 
 Rgb base_of(const Material &material)
 {
@@ -99,14 +92,14 @@ private:
     // Materials without a zone get one zone per base colour.
     void name_zones()
     {
-        const size_t given = out_.zones.size();
+        std::map<Rgb, uint32_t> made;
         for (size_t i = 0; i < materials_.size(); ++i) {
             Material &material = materials_[i];
             if (!uses_[i].used || has_keys(material) || material.zone != none) continue;
             const Rgb colour = base_of(material);
-            for (size_t z = given; z < out_.zones.size() && material.zone == none; ++z)
-                if (out_.zones[z].colour == colour) material.zone = static_cast<uint32_t>(z);
-            if (material.zone == none) material.zone = add_zone(material.name, colour);
+            const auto [place, is_new] = made.emplace(colour, 0u);
+            if (is_new) place->second = add_zone(material.name, colour);
+            material.zone = place->second;
         }
         if (out_.zones.size() >= hole)
             base::fail(CLQ_LIMIT, "%zu zones: a template can have at most %u", out_.zones.size(), hole - 1u);
@@ -126,16 +119,14 @@ private:
     {
         rgb_.resize(materials_.size());
         for (size_t i = 0; i < materials_.size(); ++i) rgb_[i] = base_of(materials_[i]);
-        for (size_t z = 0; z < out_.zones.size(); ++z) {
-            std::vector<size_t> members;
-            bool holds_base = false;
-            for (size_t i = 0; i < materials_.size(); ++i)
-                if (uses_[i].used && !has_keys(materials_[i]) && materials_[i].zone == z) {
-                    members.push_back(i);
-                    holds_base = holds_base || close(rgb_[i], out_.zones[z].colour);
-                }
-            if (holds_base) share_colour(members, out_.zones[z].colour);
-        }
+        std::vector<std::vector<size_t>> members(out_.zones.size());
+        for (size_t i = 0; i < materials_.size(); ++i)
+            if (uses_[i].used && !has_keys(materials_[i]) && materials_[i].zone != none)
+                members[materials_[i].zone].push_back(i);
+        for (size_t z = 0; z < members.size(); ++z)
+            if (std::any_of(members[z].begin(), members[z].end(),
+                            [&](size_t i) { return close(rgb_[i], out_.zones[z].colour); }))
+                share_colour(members[z], out_.zones[z].colour);
     }
 
     void share_colour(const std::vector<size_t> &members, Rgb &colour)
@@ -185,10 +176,10 @@ private:
 
     uint32_t place(const TexturePlan &plan)
     {
-        for (size_t t = 0; t < out_.textures.size(); ++t)
-            if (out_.textures[t].same_texture(plan)) return static_cast<uint32_t>(t);
-        out_.textures.push_back(plan);
-        return static_cast<uint32_t>(out_.textures.size() - 1);
+        const uint32_t next = static_cast<uint32_t>(out_.textures.size());
+        const uint32_t texture = near_textures_.number(plan.family(), plan.rgb, next);
+        if (texture == next) out_.textures.push_back(plan);
+        return texture;
     }
 
     void plan_cell(size_t i)
@@ -198,28 +189,25 @@ private:
         cell.is_hole = material.alpha_mode == model::AlphaMode::mask && material.base_colour[3] < material.alpha_cutoff;
         const uint32_t texture = palette_for(cell.zone);
         std::vector<Cell> &cells = out_.textures[texture].cells;
-        size_t at = 0;
-        while (at < cells.size() &&
-               !(cells[at].zone == cell.zone && close(cells[at].rgb, cell.rgb) && cells[at].is_hole == cell.is_hole))
-            ++at;
+        const std::string family = base::text_of("%u %u %d", texture, cell.zone, int(cell.is_hole));
+        const uint32_t at = near_cells_.number(family, cell.rgb, static_cast<uint32_t>(cells.size()));
         if (at == cells.size()) cells.push_back(cell);
         out_.mappings[i].texture = texture;
-        palette_mappings_.push_back({i, static_cast<uint32_t>(at)});
+        palette_mappings_.push_back({i, at});
     }
 
-    // Returns the first palette that has the zone or room for it; a new one if there is none.
+    // Returns the palette that has the zone, the last one if it has room, or else a new one.
     uint32_t palette_for(uint32_t zone)
     {
-        for (size_t t = 0; t < out_.textures.size(); ++t) {
-            if (out_.textures[t].image != none) continue;
-            std::set<uint32_t> zones = {zone};
-            for (const Cell &cell : out_.textures[t].cells) zones.insert(cell.zone);
-            if (zones.size() <= max_palette_zones) return static_cast<uint32_t>(t);
+        const auto [place, is_new] = palettes_.emplace(zone, last_palette_);
+        if (!is_new) return place->second;
+        if (last_palette_ == none || ++zones_of_last_ > max_palette_zones) {
+            TexturePlan plan;
+            plan.wrap_s = plan.wrap_t = Wrap::clamp;
+            last_palette_ = static_cast<uint32_t>(out_.textures.size()), zones_of_last_ = 1;
+            out_.textures.push_back(plan);
         }
-        TexturePlan plan;
-        plan.wrap_s = plan.wrap_t = Wrap::clamp;
-        out_.textures.push_back(plan);
-        return static_cast<uint32_t>(out_.textures.size() - 1);
+        return place->second = last_palette_;
     }
 
     void place_cells()
@@ -243,16 +231,21 @@ private:
     std::vector<UvRange> uses_;
     std::vector<Rgb> rgb_;  // per material: the factor of its base colour that the texture contains
     std::vector<PaletteMapping> palette_mappings_;
+    NearColours near_textures_, near_cells_;
+    std::unordered_map<uint32_t, uint32_t> palettes_;  // by zone
+    uint32_t last_palette_ = none;                     // the only one with room
+    uint32_t zones_of_last_ = 0;
     MaterialPlan out_;
 };
 
 }  // namespace
 
-bool TexturePlan::same_texture(const TexturePlan &other) const
+std::string TexturePlan::family() const
 {
-    return image != none && image == other.image && others == other.others && wrap_s == other.wrap_s &&
-           wrap_t == other.wrap_t && zone == other.zone && close(rgb, other.rgb) && masked == other.masked &&
-           cutoff == other.cutoff;
+    std::string out = base::text_of("%u %u %u %u %d %a", image, unsigned(wrap_s), unsigned(wrap_t), zone, int(masked),
+                                    double(cutoff));
+    for (const uint32_t other : others) out += ',' + std::to_string(other);
+    return out;
 }
 
 uint32_t palette_side(uint32_t cell_count)

@@ -9,12 +9,10 @@
 
 #include <glm/vec2.hpp>
 
-#include "lib/model/model.h"
+#include "meshsplit/near_colours.h"
 
 namespace claque::meshsplit
 {
-
-using Rgb = std::array<float, 3>;
 
 // One cell of a palette texture.
 struct Cell {
@@ -33,7 +31,8 @@ struct TexturePlan {
     float cutoff = 0;  // for the image's alpha, in [0, 1]; texels below it are holes
     std::vector<Cell> cells;
 
-    bool same_texture(const TexturePlan &other) const;
+    // Equal for planned textures of images that differ in nothing but `rgb`.
+    std::string family() const;
 };
 
 struct MaterialMapping {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 #include <glm/geometric.hpp>
 
@@ -67,11 +68,10 @@ private:
 
     uint32_t surface_of(const MaterialMapping &mapping)
     {
-        for (size_t s = 0; s < mesh_.surfaces.size(); ++s)
-            if (mesh_.surfaces[s].texture == mapping.texture && mesh_.surfaces[s].double_sided == mapping.double_sided)
-                return static_cast<uint32_t>(s);
-        mesh_.surfaces.push_back({mapping.texture, mapping.double_sided});
-        return static_cast<uint32_t>(mesh_.surfaces.size() - 1);
+        const uint32_t next = static_cast<uint32_t>(mesh_.surfaces.size());
+        const auto [place, is_new] = surfaces_.emplace(std::make_pair(mapping.texture, mapping.double_sided), next);
+        if (is_new) mesh_.surfaces.push_back({mapping.texture, mapping.double_sided});
+        return place->second;
     }
 
     Source source_of(const Part &part, uint32_t v)
@@ -271,6 +271,7 @@ private:
     const std::vector<math::Affine> rest_;
     Mesh mesh_;
     Interner influence_numbers_, point_numbers_, vertex_numbers_, face_numbers_;
+    std::map<std::pair<uint32_t, bool>, uint32_t> surfaces_;  // by texture and sidedness
     std::vector<uint32_t> influence_starts_;
     std::vector<uint8_t> faces_seen_;
     std::vector<Source> sources_;   // of the current part

@@ -172,11 +172,7 @@ private:
         if (joint != none) out_.blocks[first_place + joint / motion_lanes].moved |= 1u << (joint % motion_lanes);
     }
 
-    uint32_t joint_of(uint32_t node) const
-    {
-        const auto found = std::find(out_.nodes.begin(), out_.nodes.end(), node);
-        return found == out_.nodes.end() ? none : static_cast<uint32_t>(found - out_.nodes.begin());
-    }
+    uint32_t joint_of(uint32_t node) const { return out_.joint_of[node]; }
 
     // Returns the numbers of a group in a row.
     const float *numbers(uint32_t g, uint32_t row) const

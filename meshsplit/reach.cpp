@@ -137,7 +137,7 @@ void FreeReach::propagate(uint32_t pose, double bound, std::vector<double> &boun
     for (size_t i = pose + 1; i < poses_.size() && lower(i, distance += distances_[i]);) ++i;
 }
 
-double FreeReach::radius(const glm::dvec3 &centre, double reached)
+double FreeReach::radius(const glm::dvec3 &centre, double reached, uint64_t precise)
 {
     double found = reached;
     if (free_.point_sets.empty()) return reached;
@@ -151,7 +151,7 @@ double FreeReach::radius(const glm::dvec3 &centre, double reached)
     while (queue.top().bound > found * (1 + sphere_tolerance)) {
         PoseCandidate best = queue.top();
         if (best.bound <= bounds[best.pose]) {
-            if (best.kind == BoundKind::fine) break;
+            if (best.kind == BoundKind::fine || precise-- == 0) break;
             look_at(best.pose);
             const bool was_ball = best.kind == BoundKind::ball;
             const ReachSolver::Cutoff near = {centre, found - bulges_[best.pose]};

@@ -23,8 +23,8 @@ public:
     // Returns about the centre of the smallest sphere that holds these vertices and some further points.
     glm::dvec3 centre(const std::vector<glm::dvec3> &points);
     // Returns a bound of the distance of these vertices from `centre`. `reached`: a distance that some vertex is known
-    // to reach.
-    double radius(const glm::dvec3 &centre, double reached);
+    // to reach. After `precise` precise evaluations the bound found so far is returned.
+    double radius(const glm::dvec3 &centre, double reached, uint64_t precise = ~0ull);
 
 private:
     void look_at(uint32_t pose);

@@ -33,12 +33,23 @@ bool equal(const math::Affine &a, const math::Affine &b, float extent)
     return true;
 }
 
-uint32_t entry_of(model::Rig &rig, uint32_t node, const math::Affine &inverse_bind, float extent)
+using EntriesOfNodes = std::vector<std::vector<uint32_t>>;
+
+EntriesOfNodes entries_of_nodes(const model::Rig &rig)
 {
-    for (uint32_t e = 0; e < rig.palette.size(); ++e)
-        if (rig.palette[e].node == node && equal(rig.palette[e].inverse_bind, inverse_bind, extent)) return e;
+    EntriesOfNodes out(rig.node_count());
+    for (uint32_t e = 0; e < rig.palette.size(); ++e) out[rig.palette[e].node].push_back(e);
+    return out;
+}
+
+uint32_t entry_of(model::Rig &rig, EntriesOfNodes &entries, uint32_t node, const math::Affine &inverse_bind,
+                  float extent)
+{
+    for (const uint32_t e : entries[node])
+        if (equal(rig.palette[e].inverse_bind, inverse_bind, extent)) return e;
     rig.palette.push_back({node, inverse_bind});
-    return static_cast<uint32_t>(rig.palette.size() - 1);
+    entries[node].push_back(static_cast<uint32_t>(rig.palette.size() - 1));
+    return entries[node].back();
 }
 
 }  // namespace
@@ -47,6 +58,7 @@ std::vector<uint32_t> surviving_entries(model::Rig &rig, const std::vector<uint8
                                         const std::vector<uint8_t> &used, float extent)
 {
     const std::vector<math::Affine> locals = rest_locals(rig);
+    EntriesOfNodes entries = entries_of_nodes(rig);
     std::vector<uint32_t> out;
     for (uint32_t e = 0; e < used.size(); ++e) {
         uint32_t node = rig.palette[e].node;
@@ -59,7 +71,7 @@ std::vector<uint32_t> surviving_entries(model::Rig &rig, const std::vector<uint8
             place = glm::dmat4(math::mat4_of(locals[node])) * place;
             node = rig.parents[node];
         }
-        out.push_back(entry_of(rig, node, math::affine_of(glm::mat4(place)), extent));
+        out.push_back(entry_of(rig, entries, node, math::affine_of(glm::mat4(place)), extent));
     }
     return out;
 }

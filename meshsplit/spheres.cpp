@@ -287,7 +287,7 @@ std::optional<model::Sphere> enclosing_sphere(const model::Template &tmpl, const
     const glm::vec3 centre(free.centre(extremes));
     const double reached = reached_from(centre);
     return SphereFinder(tmpl, free.poses(), free.moved())
-        .run(centre, free.radius(glm::dvec3(centre), reached), limits.vertices);
+        .run(centre, free.radius(glm::dvec3(centre), reached, limits.precise), limits.vertices);
 }
 
 }  // namespace claque::meshsplit

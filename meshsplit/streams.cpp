@@ -15,9 +15,6 @@ namespace
 
 constexpr uint16_t no_zone = 0xffff;
 constexpr uint16_t no_slot = 0xffff;
-// What one more zone of a triangle adds at most: three indices in two streams, three copies of vertices with what finds
-// them, and its places in the lists, in arrays that grow by doubling.
-constexpr uint64_t bytes_per_zone = 512;
 
 template <class Image>
 ZoneImage zone_image_of(const model::Texture &texture, const Image &image)
@@ -98,17 +95,18 @@ public:
 
     void run()
     {
-        for (uint32_t s = 0; s < mesh_.surfaces.size(); ++s) add_surface(s);
+        std::vector<std::vector<size_t>> triangles(mesh_.surfaces.size());
+        for (size_t t = 0; t < mesh_.triangles.size(); ++t) triangles[mesh_.triangles[t].surface].push_back(t);
+        for (uint32_t s = 0; s < mesh_.surfaces.size(); ++s) add_surface(s, triangles[s]);
         level_.vertex_count = level_.source_count + static_cast<uint32_t>(level_.copies.size());
     }
 
 private:
-    void add_surface(uint32_t s)
+    void add_surface(uint32_t s, const std::vector<size_t> &triangles)
     {
         std::vector<std::vector<size_t>> clean, touching;
         std::vector<size_t> dirty;
-        for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            if (mesh_.triangles[t].surface != s) continue;
+        for (const size_t t : triangles) {
             const uint32_t count = zones_.count(t);
             auto &lists = count == 1 ? clean : touching;
             for (uint32_t i = 0; i < count; ++i) {
@@ -225,7 +223,7 @@ TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images
     std::vector<ZoneCollector> collectors;
     for (size_t i = 0; i < zone_images.images.size(); ++i)
         collectors.emplace_back(zone_images.images[i], zone_images.zone_counts[i]);
-    const uint64_t most = limits.bytes / bytes_per_zone;
+    const uint64_t most = limits.bytes / TriangleZones::bytes_per_zone;
     TriangleZones out;
     out.first.push_back(0);
     for (const MeshTriangle &triangle : mesh.triangles) {

@@ -16,6 +16,12 @@ struct TriangleZones {
 
     uint32_t count(size_t triangle) const { return first[triangle + 1] - first[triangle]; }
     const uint16_t *of(size_t triangle) const { return zones.data() + first[triangle]; }
+    // What the zones of triangles besides their first take in streams, at most.
+    uint64_t stream_bytes() const { return bytes_per_zone * (zones.size() - (first.size() - 1)); }
+
+    // Three indices in two streams, three copies of vertices with what finds them, and places in lists, in arrays that
+    // grow by doubling.
+    static constexpr uint64_t bytes_per_zone = 512;
 };
 
 // The content of one texture set: per texel the index of its zone in the texture's keys.

@@ -94,14 +94,14 @@ struct Charts {
     std::vector<UvTriangle> triangles;
 };
 
-Charts charts_of(const Mesh &mesh, uint32_t plan)
+// By planned texture.
+std::vector<Charts> charts_of(const Mesh &mesh, size_t plans)
 {
-    Charts charts;
+    std::vector<Charts> charts(plans);
     for (const MeshTriangle &triangle : mesh.triangles) {
-        if (mesh.surfaces[triangle.surface].texture != plan) continue;
         UvTriangle uv;
         for (int k = 0; k < 3; ++k) uv.corners[k] = mesh.vertices[triangle.corners[static_cast<size_t>(k)]].uv;
-        charts.triangles.push_back(uv);
+        charts[mesh.surfaces[triangle.surface].texture].triangles.push_back(uv);
     }
     return charts;
 }
@@ -132,17 +132,16 @@ void fill_gutters(const TexturePlan &plan, const Charts &charts, ZoneMap &map)
     dilate(map, covered);
 }
 
-ZoneMap final_map(const model::Model &model, const MaterialPlan &materials, const Mesh &mesh, uint32_t plan_index,
-                  uint32_t image, uint32_t max_px)
+ZoneMap final_map(const model::Model &model, const TexturePlan &plan, const Charts &charts, uint32_t image,
+                  uint32_t max_px)
 {
-    const TexturePlan &plan = materials.textures[plan_index];
     ZoneMap map = source_map(model, plan, image);
     if (image == none) return map;
     if (plan.wrap_s == Wrap::mirror || plan.wrap_t == Wrap::mirror)
         map = unfold(map, plan.wrap_s == Wrap::mirror, plan.wrap_t == Wrap::mirror);
     // Gutters matter for resizing and if there is more than one zone.
     const bool plain = plan.zone != none && !plan.masked && fits(map, max_px);
-    if (!plain) fill_gutters(plan, charts_of(mesh, plan_index), map);
+    if (!plain) fill_gutters(plan, charts, map);
     return fit(map, max_px);
 }
 
@@ -179,15 +178,13 @@ bool encode(const ZoneMap &map, const model::Array<model::ZoneKey> &keys, model:
 }
 
 // Returns the maps of all texture sets, the first one first; a single map if all are equal.
-std::vector<ZoneMap> maps_of(const model::Model &model, const MaterialPlan &materials, const Mesh &mesh,
-                             uint32_t plan_index, uint32_t max_px)
+std::vector<ZoneMap> maps_of(const model::Model &model, const TexturePlan &plan, const Charts &charts, uint32_t max_px)
 {
-    const TexturePlan &plan = materials.textures[plan_index];
-    std::vector<ZoneMap> maps = {final_map(model, materials, mesh, plan_index, plan.image, max_px)};
+    std::vector<ZoneMap> maps = {final_map(model, plan, charts, plan.image, max_px)};
     const auto differs = [](uint32_t image) { return image != none; };
     if (std::none_of(plan.others.begin(), plan.others.end(), differs)) return maps;
     for (const uint32_t image : plan.others)
-        maps.push_back(image == none ? maps[0] : final_map(model, materials, mesh, plan_index, image, max_px));
+        maps.push_back(image == none ? maps[0] : final_map(model, plan, charts, image, max_px));
     return maps;
 }
 
@@ -227,13 +224,15 @@ std::vector<uint32_t> make_textures(const model::Model &model, const MaterialPla
                                     const Mesh &mesh, model::Array<model::Texture> &out)
 {
     std::vector<uint32_t> made(materials.textures.size(), none);
+    const std::vector<Charts> charts = charts_of(mesh, materials.textures.size());
     for (const MeshSurface &surface : mesh.surfaces) {
         uint32_t &texture = made[surface.texture];
         if (texture != none) continue;
-        const std::vector<ZoneMap> maps = maps_of(model, materials, mesh, surface.texture, max_texture_px);
+        const TexturePlan &plan = materials.textures[surface.texture];
+        const std::vector<ZoneMap> maps = maps_of(model, plan, charts[surface.texture], max_texture_px);
         texture = static_cast<uint32_t>(out.size());
         out.emplace_back(out.get_allocator().resource());
-        make_texture(maps, materials, materials.textures[surface.texture], out.back());
+        make_texture(maps, materials, plan, out.back());
     }
     return made;
 }

@@ -3,6 +3,7 @@
 
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/boundary.h"
+#include "lib/model/model_size.h"
 #include "lib/retarget/retarget.h"
 
 using namespace claque;
@@ -89,6 +90,8 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
         try {
             retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
             add_root_motions(*source, made, wanted.travel, *asset, made.warnings);
+            // What was read for the clips was read for the asset.
+            if (asset->model.source_bytes) asset->model.source_bytes += model::source_bytes(source->model);
             if (out_report) {
                 clq_clips_report report = clq_clips_report_init();
                 report.mode = static_cast<clq_retarget_mode>(made.mode);

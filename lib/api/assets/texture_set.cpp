@@ -31,6 +31,8 @@ extern "C" clq_status clq_asset_add_texture_set(clq_context *context, clq_asset 
                 model.texture_sets.pop_back();
                 throw;
             }
+            for (size_t i = images_before; i < model.images.size() && model.source_bytes; ++i)
+                model.source_bytes += model.images[i].rgba.size();
         } catch (...) {
             model.images.resize(images_before);
             throw;
