@@ -48,7 +48,8 @@ static inline clq_levels_def clq_levels_def_init(void)
  * more than 2 points. The levels do not depend on the context's tasks, which share the work.
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
- * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT, OUT_OF_MEMORY; the asset then stays.
+ * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT (on average more than 512 triangles lie where the
+ * centre of one is), OUT_OF_MEMORY; the asset then stays.
  * Threads: one per asset. GL: none. */
 CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
                                          uint32_t *out_count);

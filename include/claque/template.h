@@ -285,7 +285,10 @@ CLQ_DEFINE_ZERO_INIT(clq_template_def)
 /* Builds a template from the host's own arrays. It copies what it needs and keeps nothing of `def`. The template does
  * not depend on the context's tasks, which share the work.
  *   out   owned by the host until clq_template_destroy
- * Fails: STRUCT_SIZE, ARGUMENT (names the first broken rule), LIMIT, OUT_OF_MEMORY. Threads: any. GL: none. S1 3. */
+ * Takes at most 64 bytes for each byte that was read or passed (bytes after decompression and 4 a pixel count as read),
+ * and 16 MB. Clips whose rows would take more keep their channels, and show the same poses.
+ * Fails: STRUCT_SIZE, ARGUMENT (names the first broken rule), LIMIT (what would take more than that, with both
+ * numbers), OUT_OF_MEMORY. Threads: any. GL: none. S1 3. */
 CLQ_API clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out);
 
 /* Gives up the host's hold on a template; NULL is ignored. Crowds and renderers that use the template keep it alive.

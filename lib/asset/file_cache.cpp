@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <unordered_set>
 
 #include "lib/asset/cache_folder.h"
