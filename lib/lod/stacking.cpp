@@ -1,6 +1,6 @@
 #include "lib/lod/stacking.h"
 
-#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "lib/base/error.h"
@@ -11,9 +11,10 @@ namespace claque::lod
 namespace
 {
 
-bool holds(const AabbTree::Box &box, const glm::dvec3 &p)
+// Whether the box, grown by `skin`, holds the point.
+bool holds(const AabbTree::Box &box, double skin, const glm::dvec3 &p)
 {
-    return glm::all(glm::lessThanEqual(box.min, p)) && glm::all(glm::lessThanEqual(p, box.max));
+    return glm::all(glm::lessThanEqual(box.min - skin, p)) && glm::all(glm::lessThanEqual(p, box.max + skin));
 }
 
 }  // namespace
@@ -23,6 +24,8 @@ void check_stacking(const std::vector<Corners3> &triangles, const std::string &m
     if (triangles.size() <= max_stacking) return;
     const AabbTree tree(triangles);
     const uint64_t most = max_stacking * triangles.size();
+    // Rays pass through what is nearer than this (visibility.cpp); what is farther stops them.
+    const double skin = 1e-5 * glm::length(tree.boxes[0].max - tree.boxes[0].min);
     uint64_t met = 0;
     std::vector<uint32_t> open;
     for (const Corners3 &t : triangles) {
@@ -31,7 +34,7 @@ void check_stacking(const std::vector<Corners3> &triangles, const std::string &m
         while (!open.empty() && met <= most) {
             const AabbTree::Box &box = tree.boxes[open.back()];
             open.pop_back();
-            if (!holds(box, centre)) continue;
+            if (!holds(box, skin, centre)) continue;
             if (box.left) open.push_back(box.left), open.push_back(box.left + 1);
             else met += box.end - box.begin;
         }
