@@ -24,12 +24,16 @@ typedef struct clq_asset_options {
     uint32_t hidden_node_count;
     uint64_t memory_limit_bytes; /* 0: 1 GiB */
     double bvh_metres_per_unit;  /* metres in a unit of a BVH file, which does not say; 0: 1 */
+    /* A picture whose file is missing fails with IO. false: it gives a warning, and its materials show their base
+     * colour. */
+    bool strict;
 } clq_asset_options;
 
 CLQ_DEFINE_ZERO_INIT(clq_asset_options)
 
 /* Loads a glTF 2.0, GLB or BVH file; the content decides which. The bytes may be anything. Warnings go to the context's
- * log. A BVH file gives a skeleton without parts and one clip named after the file (clq_asset_load: "motion"): a source
+ * log. KHR_draco_mesh_compression, EXT_meshopt_compression and EXT_texture_webp are read if the library was built with
+ * their decoders; UNSUPPORTED says which it has. A BVH file gives a skeleton without parts and one clip named after the file (clq_asset_load: "motion"): a source
  * for clq_asset_add_clips.
  *
  * glTF files may extend the format by `extras`:

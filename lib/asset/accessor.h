@@ -2,6 +2,7 @@
 // file is opened. Reading then checks values only.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "lib/asset/buffers.h"
@@ -41,6 +42,11 @@ public:
     // True if all bytes that this accessor reads came with the file. A buffer may be a placeholder without bytes.
     bool has_data(uint32_t index) const;
 
+    // Until the next call, accessors are read from these bytes instead of the file: packed elements, by index. Their
+    // sizes have been checked.
+    using Supplied = std::map<uint32_t, std::vector<uint8_t>>;
+    void supply(Supplied bytes) { supplied_ = std::move(bytes); }
+
     // The index of an accessor in the file. Throws if it is out of range.
     uint32_t reference(const JsonView &view) const { return view.index(accessors_.size(), "accessor"); }
 
@@ -67,6 +73,7 @@ private:
     const Buffers &buffers_;
     Budget &budget_;
     std::vector<Accessor> accessors_;
+    Supplied supplied_;
 };
 
 uint32_t bytes_of(Component component);  // 0 for unknown

@@ -63,6 +63,11 @@ std::vector<Out> Accessors::decode(const Accessor &a, const std::string &who, co
     const auto copy = [&](const uint8_t *from, size_t to) {
         for (uint32_t k = 0; k < a.width; ++k) out[to * a.width + k] = read(from + k * size);
     };
+    const auto supplied = supplied_.find(static_cast<uint32_t>(&a - accessors_.data()));
+    if (supplied != supplied_.end()) {
+        for (uint32_t i = 0; i < a.count; ++i) copy(supplied->second.data() + i * element, i);
+        return out;
+    }
     if (a.view != 0xffffffffu) {
         const uint8_t *first = buffers_.bytes(a.view, who).data + a.offset;
         const uint64_t stride = buffers_.view(a.view).stride ? buffers_.view(a.view).stride : element;

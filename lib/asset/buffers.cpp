@@ -1,6 +1,8 @@
 #include "lib/asset/buffers.h"
 
+#include "lib/asset/decoders.h"
 #include "lib/asset/file.h"
+#include "lib/asset/meshopt.h"
 #include "lib/asset/uri.h"
 
 namespace claque::asset
@@ -23,7 +25,7 @@ Buffers::Buffers(const JsonView &document, const Container &container, const Loa
     stored_.reserve(buffers.count());
     for (size_t i = 0; i < buffers.count(); ++i) load(buffers.at(i), i, container, budget);
     views_.reserve(views.count());
-    for (size_t i = 0; i < views.count(); ++i) check_view(views.at(i));
+    for (size_t i = 0; i < views.count(); ++i) check_view(views.at(i), budget);
 }
 
 std::vector<uint8_t> Buffers::fetch(const std::string &uri, const std::string &who, Budget &budget) const
@@ -77,7 +79,7 @@ void Buffers::load(const JsonView &buffer, size_t index, const Container &contai
     buffers_.push_back(out);
 }
 
-void Buffers::check_view(const JsonView &view)
+void Buffers::check_view(const JsonView &view, Budget &budget)
 {
     BufferView out;
     out.buffer = view["buffer"].index(buffers_.size(), "buffer");
@@ -91,15 +93,35 @@ void Buffers::check_view(const JsonView &view)
              big(out.offset + out.length), out.buffer, big(buffers_[out.buffer].length));
     const JsonView extensions = view["extensions"];
     out.meshopt = extensions["EXT_meshopt_compression"].exists() || extensions["KHR_meshopt_compression"].exists();
+    if (has_decoder(Decoder::meshopt) && extensions["EXT_meshopt_compression"].exists())
+        unpack(extensions["EXT_meshopt_compression"], out, budget);
     views_.push_back(out);
+}
+
+// The bytes count as input once they are unpacked, because what is read from them is measured by the file's size.
+void Buffers::unpack(const JsonView &extension, BufferView &view, Budget &budget)
+{
+    const MeshoptView packed = read_meshopt_view(extension, buffers_.size(), view.length);
+    const Buffer &from = buffers_[packed.buffer];
+    if (packed.offset + packed.length > from.length)
+        fail(CLQ_FORMAT, "%s ends at byte %llu of buffer %u, which has %llu", packed.path.c_str(),
+             big(packed.offset + packed.length), packed.buffer, big(from.length));
+    if (!from.bytes.data)
+        fail(CLQ_UNSUPPORTED, "%s needs buffer %u, whose data the file leaves to the application: not supported",
+             packed.path.c_str(), packed.buffer);
+    budget.charge(view.length, packed.path.c_str());
+    view.offset = 0;
+    view.unpacked = static_cast<uint32_t>(unpacked_.size());
+    unpacked_.push_back(decode_meshopt(packed, from.bytes.data + packed.offset));
+    budget.add_input(view.length);
 }
 
 Bytes Buffers::bytes(uint32_t index, const std::string &who) const
 {
     const BufferView &view = views_[index];
+    if (view.unpacked != 0xffffffffu) return {unpacked_[view.unpacked].data(), view.length};
     const Buffer &buffer = buffers_[view.buffer];
-    if (!buffer.bytes.data && view.meshopt)
-        fail(CLQ_UNSUPPORTED, "%s is compressed with EXT_meshopt_compression", who.c_str());
+    if (!buffer.bytes.data && view.meshopt) refuse_without(Decoder::meshopt, who);
     if (!buffer.bytes.data)
         fail(CLQ_UNSUPPORTED, "%s needs buffer %u, whose data the file leaves to the application: not supported",
              who.c_str(), view.buffer);

@@ -24,7 +24,8 @@ struct LoadOptions {
     // (image.h).
     uint64_t memory_limit_bytes = 1ull << 30;
     uint32_t max_image_px = 16384;  // width and height
-    double motion_unit_m = 1;       // metres (model units) per unit of a BVH file, which has none of its own
+    bool strict = false;       // a picture whose file is missing fails; else the base colour is shown, with a warning
+    double motion_unit_m = 1;  // metres (model units) per unit of a BVH file, which has none of its own
 };
 
 // The first bytes decide between GLB and JSON. Throws base::Error:

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "lib/asset/decoders.h"
+
 namespace claque::asset
 {
 
@@ -60,7 +62,10 @@ void check_header(const JsonView &document)
     for (size_t i = 0; i < used.count(); ++i) used.at(i).text();
     for (size_t i = 0; i < required.count(); ++i) {
         const std::string &name = required.at(i).text();
-        if (!is_followed(name)) fail(CLQ_UNSUPPORTED, "the file requires the extension %.100s", name.c_str());
+        Decoder decoder = Decoder::draco;
+        if (is_followed(name)) continue;
+        if (!decoder_of(name, decoder)) fail(CLQ_UNSUPPORTED, "the file requires the extension %.100s", name.c_str());
+        if (!has_decoder(decoder)) refuse_without(decoder, "the file");
     }
 }
 

@@ -1,6 +1,7 @@
 #include "lib/asset/gltf_image.h"
 
 #include "lib/asset/image.h"
+#include "lib/asset/uri.h"
 
 namespace claque::asset
 {
@@ -29,9 +30,15 @@ model::Image decode(File &file, const JsonView &view, const uint8_t *bytes, uint
     return image;
 }
 
+// Without a folder to look in, it is the host that has to act.
+bool may_be_missing(const File &file, const std::string &uri)
+{
+    return !file.options.strict && !file.options.base_folder.empty() && !is_data_uri(uri);
+}
+
 }  // namespace
 
-model::Image read_image(File &file, uint32_t index)
+std::optional<model::Image> read_image(File &file, uint32_t index)
 {
     const JsonView view = file.root["images"].at(index);
     if (view["bufferView"].exists()) {
@@ -40,7 +47,15 @@ model::Image read_image(File &file, uint32_t index)
         return decode(file, view, bytes.data, bytes.size);
     }
     const std::string &uri = view["uri"].text();
-    const std::vector<uint8_t> bytes = file.buffers.fetch(uri, view.path(), file.budget);
+    std::vector<uint8_t> bytes;
+    try {
+        bytes = file.buffers.fetch(uri, view.path(), file.budget);
+    } catch (const base::Error &error) {
+        if (error.status() != CLQ_IO || !may_be_missing(file, uri)) throw;
+        file.warn(base::text_of("the picture %s is missing, its materials show their base colour: %s",
+                                view.path().c_str(), error.what()));
+        return std::nullopt;
+    }
     return decode(file, view, bytes.data(), bytes.size());
 }
 

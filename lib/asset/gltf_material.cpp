@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/asset/decoders.h"
 #include "lib/asset/gltf_image.h"
 #include "lib/asset/material_zones.h"
 #include "lib/asset/srgb.h"
@@ -123,7 +124,10 @@ uint32_t Materials::image_source(const JsonView &texture)
     const uint32_t source = texture["source"].index_or_none(file_.root["images"].count(), "image");
     if (source != none) return source;
     const JsonView extensions = texture["extensions"];
-    for (const char *name : {"EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds", "EXT_texture_avif"})
+    const JsonView webp = extensions["EXT_texture_webp"];
+    if (webp.exists() && !has_decoder(Decoder::webp)) refuse_without(Decoder::webp, texture.path());
+    if (webp.exists()) return webp["source"].index(file_.root["images"].count(), "image");
+    for (const char *name : {"KHR_texture_basisu", "MSFT_texture_dds", "EXT_texture_avif"})
         if (extensions[name].exists())
             fail(CLQ_UNSUPPORTED, "%s has an image by %s only, and no PNG or JPEG beside it", texture.path().c_str(),
                  name);
@@ -179,16 +183,21 @@ std::string image_key(const JsonView &view)
 
 uint32_t Materials::decoded(uint32_t source, model::Model &model)
 {
-    const uint32_t next = static_cast<uint32_t>(model.images.size());
-    const auto [place, is_new] = decoded_.emplace(source, next);
+    const auto [place, is_new] = decoded_.emplace(source, none);
     if (!is_new) return place->second;
     // Images that read the same bytes are one, unless extras could tell them apart.
     const JsonView view = file_.root["images"].at(source);
-    if (!view["extras"].exists()) place->second = images_.emplace(image_key(view), next).first->second;
-    if (place->second == next) {
-        model.images.push_back(read_image(file_, source));
+    const bool may_share = !view["extras"].exists();
+    const std::string key = may_share ? image_key(view) : std::string();
+    if (may_share)
+        if (const auto known = images_.find(key); known != images_.end()) return place->second = known->second;
+    std::optional<model::Image> image = read_image(file_, source);
+    if (image) {
+        place->second = static_cast<uint32_t>(model.images.size());
+        model.images.push_back(std::move(*image));
         sources_.push_back(source);
     }
+    if (may_share) images_.emplace(key, place->second);
     return place->second;
 }
 
@@ -233,6 +242,7 @@ uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const st
         return refuse("whose texture has another mapping");
     const size_t known = sources_.size();
     const uint32_t image = decoded(file_images_[other], model);
+    if (image == none) return refuse("whose picture is missing");
     if (sources_.size() != known)
         add_keys(model.images[image], file_.root["images"].at(sources_[image])["extras"], model);
     if (model.images[image].alpha != model.images[own.image].alpha)

@@ -55,7 +55,7 @@ private:
     void read_alpha(const JsonView &view, model::Material &out);
     uint32_t image_source(const JsonView &texture);
     void decode_images(const std::vector<bool> &used, model::Model &model);
-    uint32_t decoded(uint32_t source, model::Model &model);
+    uint32_t decoded(uint32_t source, model::Model &model);  // none if its file is missing
     void add_texture_sets(const std::vector<bool> &used, model::Model &model);
     uint32_t image_of_variant(uint32_t material, uint32_t other, const std::string &variant, model::Model &model);
     void add_keys(model::Image &image, const JsonView &extras, model::Model &model);

@@ -1,5 +1,6 @@
 #include "lib/asset/gltf_mesh.h"
 
+#include "lib/asset/gltf_draco.h"
 #include "lib/asset/gltf_influences.h"
 #include "lib/asset/srgb.h"
 
@@ -44,6 +45,7 @@ public:
             return true;
         };
         bool good = all_there(attributes_) && there(indices);
+        if (DracoPrimitive::is_packed(file_, view_)) good = good && packed_is_there();
         for (size_t i = 0; i < view_["targets"].count(); ++i) good = all_there(view_["targets"].at(i)) && good;
         return good;
     }
@@ -59,7 +61,7 @@ public:
             file_.warn(base::text_of("%s has no positions: left out", view_.path().c_str()));
             return false;
         }
-        refuse_compression();
+        const DracoPrimitive unpacked(file_, view_);
         part.positions = vec3s(attribute("POSITION", 3));
         if (attributes_["NORMAL"].exists()) part.normals = vec3s(attribute("NORMAL", 3));
         read_uvs(part);
@@ -71,12 +73,10 @@ public:
     }
 
 private:
-    void refuse_compression() const
+    bool packed_is_there() const
     {
-        const JsonView draco = view_["extensions"]["KHR_draco_mesh_compression"];
-        const uint32_t positions = file_.accessors.reference(attributes_["POSITION"]);
-        if (draco.exists() && file_.accessors.at(positions).view == none)
-            fail(CLQ_UNSUPPORTED, "%s is compressed with KHR_draco_mesh_compression", view_.path().c_str());
+        const JsonView view = view_["extensions"]["KHR_draco_mesh_compression"]["bufferView"];
+        return file_.buffers.has_data(view.index(file_.buffers.view_count(), "buffer view"));
     }
 
     std::vector<float> attribute(const char *name, uint32_t width) const

@@ -2,7 +2,9 @@
 
 #include <cstring>
 
+#include "lib/asset/decoders.h"
 #include "lib/asset/stb_decode.h"
+#include "lib/asset/webp_decode.h"
 #include "lib/base/error.h"
 
 namespace claque::asset
@@ -55,7 +57,8 @@ void check_format(const uint8_t *bytes, size_t size, const char *name)
         case ImageFormat::jpeg:
             return check_jpeg(bytes, size, name);
         case ImageFormat::webp:
-            fail(CLQ_UNSUPPORTED, "image '%s' is WebP: PNG and JPEG are read", name);
+            if (!has_decoder(Decoder::webp)) refuse_without(Decoder::webp, base::text_of("image '%s'", name));
+            return;
         case ImageFormat::ktx:
             fail(CLQ_UNSUPPORTED, "image '%s' is KTX: PNG and JPEG are read", name);
         case ImageFormat::dds:
@@ -63,7 +66,7 @@ void check_format(const uint8_t *bytes, size_t size, const char *name)
         case ImageFormat::unknown:
             break;
     }
-    fail(CLQ_FORMAT, "image '%s' of %zu bytes is neither PNG nor JPEG", name, size);
+    fail(CLQ_FORMAT, "image '%s' of %zu bytes is neither PNG, JPEG nor WebP", name, size);
 }
 
 void check_size(const stb::Size &found, size_t size, const char *name, const ImageLimits &limits)
@@ -97,7 +100,8 @@ model::Image decode_image(const uint8_t *bytes, size_t size, const std::string &
 {
     if (size > 0x7fffffff) fail(CLQ_LIMIT, "image '%s' has %zu bytes: too many", name.c_str(), size);
     check_format(bytes, size, name.c_str());
-    const stb::Size found = stb::size_of(bytes, size);
+    const bool is_webp = image_format(bytes, size) == ImageFormat::webp;
+    const stb::Size found = is_webp ? webp::size_of(bytes, size) : stb::size_of(bytes, size);
     if (found.width == 0 || found.height == 0) fail(CLQ_FORMAT, "image '%s': its header is broken", name.c_str());
     check_size(found, size, name.c_str(), limits);
     model::Image image;
@@ -107,8 +111,9 @@ model::Image decode_image(const uint8_t *bytes, size_t size, const std::string &
     image.rgba.resize(size_t(4) * found.width * found.height);
     // 24 bytes per pixel cover 16-bit samples, filtered and unfiltered, and the doubling of a growing buffer.
     const uint64_t cap = size + 24 * uint64_t(found.width) * found.height + (1 << 20);
-    if (const char *reason = stb::decode(bytes, size, cap, found, image.rgba.data()))
-        fail(CLQ_FORMAT, "image '%s' cannot be decoded: %s", name.c_str(), reason);
+    const char *reason = is_webp ? webp::decode(bytes, size, found, image.rgba.data())
+                                 : stb::decode(bytes, size, cap, found, image.rgba.data());
+    if (reason) fail(CLQ_FORMAT, "image '%s' cannot be decoded: %s", name.c_str(), reason);
     return image;
 }
 

@@ -29,7 +29,8 @@ std::set<std::string> interface_of(const std::string &library)
     return lines_of(said);
 }
 
-// What a compiler leaves to be imported is its own affair, and so is what sanitizers bring.
+// What a compiler leaves to be imported is its own affair, and so is what sanitizers bring. A build without a decoder
+// needs less.
 bool held_here(const std::string &line)
 {
     return CLAQUE_ABI_COMPILER || line.rfind("exports ", 0) == 0 || line.rfind("soname ", 0) == 0;

@@ -27,6 +27,15 @@ TEST(Package, IsFourThatUnpackedTogetherRun)
     says(runtime, "libstdc++6");
     says(assets, runtime + exactly);
     says(assets, "libopenmesh");
+#ifdef CLAQUE_HAS_DRACO
+    says(assets, "libdraco");
+#endif
+#ifdef CLAQUE_HAS_MESHOPT
+    says(assets, "libmeshoptimizer");
+#endif
+#ifdef CLAQUE_HAS_WEBP
+    says(assets, "libwebp");
+#endif
     says("claque", assets + exactly);
     says("libclaque-dev", runtime + exactly);
     const std::string control = text_of_file(home.path() + "/debs/" + runtime + ".txt");

@@ -24,7 +24,7 @@ std::string case_name(const std::string &file);
 // What claque does not read, and says so; asset_files.cpp gives the reasons.
 struct Refusal {
     const char *file;
-    clq_status status;
+    clq_status status;  // CLQ_OK: this build reads it
     const char *named;  // what the message has to name
 };
 

@@ -27,6 +27,7 @@ asset::LoadOptions options_of(const clq_asset_options &options)
         out.hidden_nodes.push_back(options.hidden_nodes[i]);
     }
     if (options.bvh_metres_per_unit != 0) out.motion_unit_m = options.bvh_metres_per_unit;
+    out.strict = options.strict;
     if (options.memory_limit_bytes) out.memory_limit_bytes = options.memory_limit_bytes;
     return out;
 }

@@ -1,14 +1,22 @@
 // Helpers of the calls of libclaque-assets.
 #pragma once
 
-#include <claque/base.h>
+#include <claque/assets.h>
 
+#include <cstddef>
 #include <string>
 
+#include "lib/api/struct_size.h"
 #include "lib/base/error.h"
 
 namespace claque::api
 {
+
+// Before `strict`.
+template <>
+struct EarlierSizes<clq_asset_options> {
+    static constexpr uint32_t sizes[] = {offsetof(clq_asset_options, strict)};
+};
 
 // Fails with the status and the message of another public call.
 inline void pass_on(clq_status status)

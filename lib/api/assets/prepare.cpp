@@ -39,6 +39,7 @@ void add_options(const clq_asset_options &options, asset::ContentHash &all)
     for (uint32_t i = 0; options.hidden_nodes && i < options.hidden_node_count; ++i)
         all.add(std::string(api::name_of(options.hidden_nodes[i])));
     all.add(options.bvh_metres_per_unit);
+    all.add(uint64_t(options.strict));
 }
 
 void add_levels(const clq_levels_def &levels, asset::ContentHash &all)

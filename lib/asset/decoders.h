@@ -1,0 +1,20 @@
+// The decoders of compressed data. A build may lack any of them (cmake/decoders.cmake).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace claque::asset
+{
+
+enum class Decoder { draco, meshopt, webp };
+
+bool has_decoder(Decoder decoder);
+
+// The decoder that an extension of glTF needs; false if it needs none.
+bool decoder_of(std::string_view extension, Decoder &out);
+
+// Throws base::Error (CLQ_UNSUPPORTED): `what` needs the decoder, and the build has others. Names all of them.
+[[noreturn]] void refuse_without(Decoder decoder, const std::string &what);
+
+}  // namespace claque::asset
