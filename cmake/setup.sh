@@ -12,6 +12,7 @@ libosmesa6 libegl1 libgl1-mesa-dri
 '
 [ "${1:-all}" = run ] || packages="$packages
 clang-format libgtest-dev libbenchmark-dev
+libdraco-dev libmeshoptimizer-dev libwebp-dev libassimp-dev
 xvfb libglut-dev libopenscenegraph-dev
 python3-numpy python3-pytest
 "

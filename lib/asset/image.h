@@ -1,6 +1,6 @@
-// Decodes PNG and JPEG to RGBA with stb_image, compiled here with a memory limit, and WebP with libwebp, which a build may
-// lack. Values that the decoder would trust (sizes, chunk lengths, the number of scans) are checked before it sees the
-// bytes.
+// Decodes PNG and JPEG to RGBA with stb_image, compiled here with a memory limit, and WebP with libwebp, which a build
+// may lack. Values that the decoder would trust (sizes, chunk lengths, the number of scans) are checked before it sees
+// the bytes.
 #pragma once
 
 #include <cstddef>

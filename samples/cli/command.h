@@ -21,6 +21,7 @@ void add_colours(CLI::App &app, Work &chosen);
 void add_lods(CLI::App &app, Work &chosen);
 void add_blend(CLI::App &app, Work &chosen);
 void add_prepare(CLI::App &app, Work &chosen);
+void add_convert(CLI::App &app, Work &chosen);
 void add_bench(CLI::App &app, Work &chosen);
 void add_plot(CLI::App &app, Work &chosen);
 void add_cost(CLI::App &app, Work &chosen);

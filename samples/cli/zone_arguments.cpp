@@ -29,7 +29,7 @@ struct Zones {
     std::vector<std::string> names;
 };
 
-std::string text_of(const Rgb &rgb)
+std::string hex_of(const Rgb &rgb)
 {
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
@@ -69,7 +69,7 @@ Zones read_painted(scenes::Library &library, const std::string &path)
         if (numbers.size() == 256)
             throw scenes::Failure(path + " is painted in more than 256 colours; each colour has to be a zone");
         numbers.emplace(rgb, static_cast<uint16_t>(numbers.size()));
-        out.keys.push_back(text_of(rgb));
+        out.keys.push_back(hex_of(rgb));
         out.inks.push_back(rgb);
     }
     if (numbers.empty()) throw scenes::Failure(path + " has no colour that covers a two-thousandth of it");
@@ -98,7 +98,7 @@ Zones propose(const clq_asset *asset, const ZoneArguments &a)
     for (size_t i = 0; i < proposal.zone_count; ++i) {
         out.keys.push_back(std::to_string(i + 1));
         out.names.push_back("zone " + out.keys.back() + " " +
-                            text_of({means[3 * i], means[3 * i + 1], means[3 * i + 2]}));
+                            hex_of({means[3 * i], means[3 * i + 1], means[3 * i + 2]}));
         out.inks.push_back(ink_of(i));
     }
     return out;

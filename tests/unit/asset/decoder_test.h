@@ -11,8 +11,8 @@ namespace claque::testing
 #define CLAQUE_NEEDS_DECODER(decoder, library) \
     if (!asset::has_decoder(decoder)) GTEST_SKIP() << "this build has no " << library
 
-// Every outcome of damaged copies of bytes[first, first + size) must be a model or a sentence: truncations, which zero the
-// rest, and changed bytes.
+// Every outcome of damaged copies of bytes[first, first + size) must be a model or a sentence: truncations, which zero
+// the rest, and changed bytes.
 inline void expect_sentences(const Bytes &bytes, size_t first, size_t size, uint64_t runs, uint64_t seed,
                              const asset::LoadOptions &options = {})
 {

@@ -33,8 +33,8 @@ CLQ_DEFINE_ZERO_INIT(clq_asset_options)
 
 /* Loads a glTF 2.0, GLB or BVH file; the content decides which. The bytes may be anything. Warnings go to the context's
  * log. KHR_draco_mesh_compression, EXT_meshopt_compression and EXT_texture_webp are read if the library was built with
- * their decoders; UNSUPPORTED says which it has. A BVH file gives a skeleton without parts and one clip named after the file (clq_asset_load: "motion"): a source
- * for clq_asset_add_clips.
+ * their decoders; the text of UNSUPPORTED says which it has. A BVH file gives a skeleton without parts and one clip
+ * named after the file (clq_asset_load: "motion"): a source for clq_asset_add_clips.
  *
  * glTF files may extend the format by `extras`:
  *   in an animation   "extras": {"claque": {"markers": [{"name": "left foot down", "time_s": 0.25}],

@@ -1,0 +1,52 @@
+#include "samples/convert/convert.h"
+
+#include <nlohmann/json.hpp>
+
+#include "samples/convert/import.h"
+#include "samples/scenes/check.h"
+
+namespace convert
+{
+
+#ifdef CLAQUE_HAS_ASSIMP
+
+namespace
+{
+
+// What the child sends: the warnings as a line of JSON, then the GLB.
+std::string packed(const Converted &converted)
+{
+    using Json = nlohmann::json;
+    return Json(converted.warnings).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" + converted.glb;
+}
+
+Converted unpacked(std::string bytes)
+{
+    const size_t line = bytes.find('\n');
+    Converted out;
+    out.warnings = nlohmann::json::parse(bytes.substr(0, line)).get<std::vector<std::string>>();
+    bytes.erase(0, line + 1);
+    out.glb = std::move(bytes);
+    return out;
+}
+
+}  // namespace
+
+Converted convert_file(const std::string &path, const Options &options, const Limits &limits)
+{
+    return unpacked(
+        run_in_child("Assimp, reading " + path + ",", limits, [&] { return packed(import_file(path, options)); }));
+}
+
+#else
+
+Converted convert_file(const std::string &path, const Options &, const Limits &)
+{
+    throw scenes::Failure(path +
+                          " cannot be converted: this claque was built without Assimp; install libassimp-dev "
+                          "and build again");
+}
+
+#endif
+
+}  // namespace convert

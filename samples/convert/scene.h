@@ -1,0 +1,57 @@
+// A scene of Assimp on its way to GLB: what the steps share.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "samples/convert/convert.h"
+#include "samples/convert/glb_writer.h"
+
+namespace convert
+{
+
+struct Scene {
+    const aiScene &from;
+    const Options &options;
+    std::string path;  // of the file
+    GlbWriter glb = {};
+    std::map<const aiNode *, size_t> nodes = {};       // their index in the GLB
+    std::map<std::string, const aiNode *> named = {};  // the first node of each name, parents first
+    std::vector<std::string> warnings = {};
+
+    void warn(std::string text)
+    {
+        if (warnings.size() < 64) warnings.push_back(std::move(text));
+    }
+};
+
+// Where the joints of one mesh on one node stand, and which vertices follow them.
+struct Skin {
+    std::vector<const aiNode *> joints;
+    std::vector<aiMatrix4x4> inverse_binds;
+    struct Influence {
+        uint16_t joint;
+        float weight;
+    };
+    std::vector<std::vector<Influence>> of_vertex;
+};
+
+// Nodes keep the order of Assimp's scene: a node's own meshes first, each as a node below it, then its children.
+void add_nodes(Scene &scene);
+void add_meshes(Scene &scene);
+void add_clips(Scene &scene);
+void add_materials(Scene &scene);
+
+// A vertex without weights, and a bone whose node is missing, move with the mesh's node.
+Skin skin_of(const Scene &scene, const aiNode &node, const aiMesh &mesh);
+// A skin of the GLB, and the attributes of its vertices.
+size_t add_skin(Scene &scene, const Skin &skin);
+void add_influences(Scene &scene, const Skin &skin, Json &attributes);
+
+bool has_triangles(const aiMesh &mesh);
+aiMatrix4x4 global_of(const aiNode &node);
+
+}  // namespace convert

@@ -1,0 +1,75 @@
+// claque convert, as a user sees it where things go wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/cli/run.h"
+
+namespace convert_test
+{
+namespace
+{
+
+using cli_test::claque;
+using cli_test::Outcome;
+
+struct ConvertCommand : cli_test::Command {
+    // One sentence on stderr, code 1, and nothing written: what was there stays.
+    void expect_refused(const std::string &file, const std::vector<std::string> &words,
+                        std::vector<std::string> options = {})
+    {
+        const std::string out = path("new.glb");
+        std::ofstream(out) << "old";
+        std::vector<std::string> arguments = {"convert", file, "--out", out};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome done = claque(arguments);
+        EXPECT_EQ(done.code, 1) << done.err;
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+        for (const std::string &word : words) EXPECT_NE(done.err.find(word), std::string::npos) << done.err;
+        EXPECT_EQ(cli_test::file_text(out), "old");
+        for (const std::string &name : left()) EXPECT_EQ(name.find(".part"), std::string::npos) << name;
+    }
+    std::string file_of(const std::string &name, const std::string &text)
+    {
+        std::ofstream(path(name)) << text;
+        return path(name);
+    }
+};
+
+#ifdef CLAQUE_HAS_ASSIMP
+
+TEST_F(ConvertCommand, ACrashOfAssimpIsOneSentence)
+{
+    // Its JSON reader calls itself for every bracket.
+    const std::string deep = "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + std::string(4000000, '[');
+    expect_refused(file_of("deep.gltf", deep), {"deep.gltf", "Assimp", "crashed", "SEGV"});
+}
+
+TEST_F(ConvertCommand, WhatIsNoModelIsRefusedByName)
+{
+    expect_refused(file_of("notes.txt", "nothing"), {"notes.txt", "Assimp"});
+    expect_refused(file_of("empty.obj", ""), {"empty.obj"});
+    expect_refused(path("missing.fbx"), {"missing.fbx"});
+}
+
+TEST_F(ConvertCommand, MoreMemoryThanAllowedIsOneSentence)
+{
+    std::string large;
+    for (int i = 0; i < 400000; ++i) large += "v 0 0 " + std::to_string(i) + "\n";
+    for (int i = 1; i < 399999; ++i)
+        large += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+    expect_refused(file_of("large.obj", large), {"large.obj"}, {"--memory", "64"});
+}
+
+#else
+
+TEST_F(ConvertCommand, NamesThePackageThatIsMissing)
+{
+    expect_refused(file_of("bar.obj", "v 0 0 0\n"), {"bar.obj", "libassimp-dev"});
+}
+
+#endif
+
+}  // namespace
+}  // namespace convert_test
