@@ -130,7 +130,7 @@ TEST_F(OwnFile, IsConvertedByTheCommandAsAWhole)
     const std::string file = write(clip), out = path("bar.glb");
     const cli_test::Outcome done = cli_test::claque({"convert", file, "--out", out, "--height", "2"});
     EXPECT_EQ(done.code, 0) << done.err;
-    const cli_test::Outcome seen = cli_test::claque({"inspect", out});
+    const cli_test::Outcome seen = cli_test::claque({"inspect", "--json", out});
     EXPECT_EQ(seen.code, 0) << seen.err;
     EXPECT_NE(seen.out.find("\"triangles\": 4"), std::string::npos) << seen.out;
 }
