@@ -13,7 +13,8 @@ namespace
 using model::none;
 using model::Wrap;
 
-// Bytes that a level keeps, and that making its mesh takes for a while (sources, welding, sorting), in arrays that grow.
+// Bytes that a level keeps, and that making its mesh takes for a while (sources, welding, sorting), in arrays that
+// grow.
 struct Cost {
     uint64_t vertex, influence, morph, triangle;
 };

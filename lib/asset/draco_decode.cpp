@@ -171,7 +171,7 @@ void take_indices(const draco::Mesh &from, DracoMesh &mesh)
              mesh.path.c_str(), from.num_faces(), from.num_points(), big(mesh.index_count / 3), big(mesh.vertex_count));
     mesh.indices.reserve(mesh.index_count);
     for (draco::FaceIndex f(0); f < from.num_faces(); ++f)
-        for (const draco::PointIndex corner : from.face(f)) {
+        for (const draco::PointIndex &corner : from.face(f)) {
             if (corner.value() >= mesh.vertex_count)
                 fail(CLQ_FORMAT, "%s: triangle %u of the Draco stream names vertex %u of %llu", mesh.path.c_str(),
                      f.value(), corner.value(), big(mesh.vertex_count));

@@ -6,7 +6,6 @@
 #include <claque/assets.h>
 
 #include "samples/cli/bench.h"
-#include "samples/cli/interrupt.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/reader_files.h"
 
@@ -50,7 +49,6 @@ Reading read(scenes::Library &library, const std::string &bytes)
 {
     Reading best = read_once(library, bytes);
     for (int i = 1; i < tries && best.load_ms + best.build_ms < 1000; ++i) {
-        stop_if_asked();
         const Reading next = read_once(library, bytes);
         best.load_ms = std::min(best.load_ms, next.load_ms), best.build_ms = std::min(best.build_ms, next.build_ms);
     }

@@ -87,6 +87,8 @@ void *operator new(size_t bytes, const std::nothrow_t &) noexcept
     return refuse(false) ? nullptr : plain(bytes ? bytes : 1);
 }
 void *operator new[](size_t bytes, const std::nothrow_t &tag) noexcept { return operator new(bytes, tag); }
+// GCC does not see that operator new above takes its memory from malloc.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void operator delete(void *memory) noexcept { std::free(memory); }
 void operator delete[](void *memory) noexcept { std::free(memory); }
 void operator delete(void *memory, size_t) noexcept { std::free(memory); }

@@ -17,7 +17,10 @@ void World::new_view()
 
 void World::end_view()
 {
-    if (views_.empty()) return clq_view_destroy(nullptr);
+    if (views_.empty()) {
+        EXPECT_EQ(clq_view_destroy(nullptr), CLQ_OK);
+        return;
+    }
     const uint32_t which = random_.below(static_cast<uint32_t>(views_.size()));
     clq_view_destroy(views_[which]);
     views_.erase(views_.begin() + which);

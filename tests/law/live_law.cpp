@@ -281,7 +281,7 @@ TEST(BudgetLaw, ABudgetInMillisecondsBecomesOneOfPosesByWhatTheyCost)
     SceneDef def = people(300, frame::Clock::live);
     def.settings.caches.can_defer = true;
     def.settings.update_budget_ms = 1;
-    def.settings.now = {[](void *user) { return *static_cast<double *>(user) += 1e-3; }, &now};
+    def.settings.now = {[](void *user) { return *static_cast<double *>(user) += 1e-3; }, &now, {}};
     Scene scene(def);
     scene.update(3);  // all 300, in 2 ms: a pose costs 2/300 ms, so a budget of 1 ms allows half of them
     const uint32_t all = scene.frame.stats().animated;

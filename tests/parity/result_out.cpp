@@ -7,7 +7,7 @@ namespace parity_test
 namespace
 {
 
-void write_pictures(const contexts::Offscreen &context, Peer &peer, const SceneIn &scene, const parity::Folder &folder)
+void write_pictures(const contexts::Offscreen &context, Peer &peer, const SceneIn &scene, parity::Folder &folder)
 {
     const size_t height = static_cast<size_t>(scene.height), width = static_cast<size_t>(scene.width);
     std::vector<uint8_t> rgb;
@@ -35,7 +35,7 @@ void write_pictures(const contexts::Offscreen &context, Peer &peer, const SceneI
 void write_result(const contexts::Offscreen &context, Peer &peer, const SceneIn &scene, const std::string &scene_folder,
                   const std::string &folder_path)
 {
-    const parity::Folder folder(folder_path);
+    parity::Folder folder(folder_path);
     folder.clear();
     write_pictures(context, peer, scene, folder);
     std::vector<float> positions, normals;
@@ -53,6 +53,7 @@ void write_result(const contexts::Offscreen &context, Peer &peer, const SceneIn 
     for (const char *scenes_own : {"palette_rows", "morph_weights", "lighting", "fog"}) json.erase(scenes_own);
     const std::string text = json.dump(2) + "\n";
     folder.write("capture.json", text.data(), text.size());
+    folder.complete();
 }
 
 }  // namespace parity_test
