@@ -76,7 +76,7 @@ SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowan
     const uint64_t most = 4 * allowance.transforms();
     if (!rig.dofs.empty()) fixed = bytes_per_point_set * rig.palette.size();
     for (const model::Dof &dof : rig.dofs) fixed += DofSweep::bytes(dof, 162) + DofSweep::bytes(dof, 642);
-    const uint64_t bytes = allowance.bytes() / 2;
+    const uint64_t bytes = allowance.bytes() / 8 * 5;  // motion is made at the same time, of a quarter
     out.search = steps <= most && fixed <= bytes;
     if (!out.search) return out;
     // A walk also visits poses between those that were counted.

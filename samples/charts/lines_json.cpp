@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/charts/lines.h"
-#include "samples/scenes/check.h"
 #include "samples/io/json.h"
+#include "samples/scenes/check.h"
 
 namespace charts
 {

@@ -6,8 +6,8 @@
 
 #include "samples/cli/cache_choice.h"
 #include "samples/cli/plot.h"
-#include "samples/scenes/check.h"
 #include "samples/io/json.h"
+#include "samples/scenes/check.h"
 
 namespace cli
 {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/scenes/check.h"
 #include "samples/io/json.h"
+#include "samples/scenes/check.h"
 
 namespace cost
 {

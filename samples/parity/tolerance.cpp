@@ -10,8 +10,8 @@
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
-#include "samples/parity/measures.h"
 #include "samples/io/toml_keys.h"
+#include "samples/parity/measures.h"
 
 namespace parity
 {

@@ -36,7 +36,7 @@ void World::look()
     const float up[3] = {0, random_.oddf(1, 1), 0};
     if (call("clq_camera_look_at", [&] {
             return api_test::look_at(&camera, eye, target, up, random_.oddf(0.3, 2), random_.oddf(0.5, 2),
-                                      random_.oddf(0.1, 1), random_.oddf(20, 200));
+                                     random_.oddf(0.1, 1), random_.oddf(20, 200));
         })) {
         if (random_.one_in(20)) camera.projection[random_.below(16)] = random_.oddf(-1, 1, 2);
         if (random_.one_in(20)) camera.rotation_xyzw[random_.below(4)] = random_.oddf(-1, 1, 2);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "samples/scenes/check.h"
 #include "samples/io/toml_keys.h"
+#include "samples/scenes/check.h"
 
 namespace scenes
 {

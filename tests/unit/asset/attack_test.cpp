@@ -67,7 +67,7 @@ TEST(Attack, ChainsOfNodesAndJointsAreReadOrRefusedHoweverLong)
     maker.json["nodes"] = Json::array();
     for (int i = 0; i + 1 < count; ++i) maker.json["nodes"].push_back({{"children", {i + 1}}});
     maker.json["nodes"].push_back({{"mesh", 0}});
-    const Outcome chain = outcome_of(maker.text());
+    const Outcome chain = outcome_of(maker.glb());
     EXPECT_TRUE(chain.status == 0 || chain.status == CLQ_LIMIT) << chain.text;
 
     std::string bvh = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 0\n";
