@@ -1,4 +1,4 @@
-// A crowd in a context whose allocator fails on demand, and calls that are tried with each of their allocations failing.
+// A crowd in a context whose allocator fails on demand, and calls that are tried with each allocation failing.
 #pragma once
 
 #include <claque/claque.h>
