@@ -98,6 +98,29 @@ clq_status clq_view_get_drawn_actor(const clq_view *view, uint32_t index, clq_dr
     });
 }
 
+clq_status clq_view_get_arrays(const clq_view *view, uint32_t index, clq_drawn_arrays *out)
+{
+    return api::boundary("clq_view_get_arrays", [&] {
+        api::require(view && out, "view or out is NULL");
+        api::require_size(*out, "clq_drawn_arrays_init");
+        const api::Drawing drawing(view);
+        const draw::Item &item = item_of(view, index);
+        clq_drawn_arrays held = clq_drawn_arrays_init();
+        held.positions = item.vertices.positions;
+        held.normals = item.vertices.normals;
+        held.packed_positions = item.vertices.short_positions;
+        held.packed_normals = item.vertices.byte_normals;
+        std::copy(std::begin(item.vertices.offset), std::end(item.vertices.offset), held.packed_offset);
+        held.packed_step = item.vertices.step;
+        // Where nodes are deactivated, the entries that the level does not use are not set.
+        const bool is_whole = item.tmpl->levels[item.level].active.empty();
+        held.palette = item.pose.palette && is_whole ? item.pose.palette->c : nullptr;
+        held.morph_weights = item.tmpl->rig.rest_weights.empty() ? nullptr : item.pose.weights;
+        held.colours = item.zone_rgb;
+        api::write_out(out, held);
+    });
+}
+
 clq_status clq_view_get_colours(const clq_view *view, uint32_t index, uint8_t *out_rgb, uint32_t capacity_zones)
 {
     return api::boundary("clq_view_get_colours", [&] {

@@ -1,6 +1,8 @@
 """A crowd from Python: what it shows, what it refuses, whose memory is whose."""
 
+import ctypes
 import gc
+import weakref
 
 import numpy
 import pytest
@@ -28,10 +30,87 @@ def test_views_of_a_templates_memory_cannot_be_written_and_keep_it_alive(context
     assert positions.ctypes.data == again.ctypes.data, "no copies"
     with pytest.raises(ValueError):
         positions[0] = 0
+    with pytest.raises(ValueError):
+        positions.flags.writeable = True
     before = positions.copy()
     del template, again
     gc.collect()
     numpy.testing.assert_array_equal(positions, before)
+
+
+def held_arrays(view, index):
+    """The arrays of one individual, with the addresses at which the library has them."""
+    held = view.arrays(index)
+    positions, normals = view.vertices(index)
+    return [(positions, held.positions), (normals, held.normals), (view.palette(index), held.palette),
+            (view.colours(index), held.colours)]
+
+
+def test_vertices_palettes_and_colours_are_views_of_the_librarys_memory(crowd):
+    crowd.update(1.5)
+    view = crowd.the_view
+    for index in range(0, len(view), 9):
+        copies = [*view.vertices(index, copy=True), view.palette(index, copy=True), view.colours(index, copy=True)]
+        for (array, pointer), copy in zip(held_arrays(view, index), copies):
+            assert array.__array_interface__["data"] == (ctypes.addressof(pointer.contents), True)
+            numpy.testing.assert_array_equal(array, copy)
+            assert not numpy.shares_memory(array, copy)
+            copy[0] = 0  # a copy is the caller's
+        assert numpy.shares_memory(view.vertices(index)[0], view.vertices(index)[0])
+        assert not numpy.shares_memory(view.vertices(index)[0], view.vertices(index)[1])
+
+
+def test_views_of_a_draw_list_cannot_be_made_writeable(crowd):
+    crowd.update(1.5)
+    for array, _ in held_arrays(crowd.the_view, 0):
+        with pytest.raises(ValueError):
+            array[0] = 0
+        for one in (array, array[1:], numpy.asarray(array)):
+            with pytest.raises(ValueError):
+                one.flags.writeable = True
+
+
+def test_a_view_of_a_draw_list_keeps_its_crowd_alive(context, citizen):
+    crowd = claque.Crowd(context)
+    crowd.add(citizen, clip="walk")
+    view = crowd.view()
+    view.look_at((0, 1, 5), (0, 1, 0))
+    crowd.update(0.5)
+    arrays = [array for array, _ in held_arrays(view, 0)]
+    expected = [array.copy() for array in arrays]
+    parts = [array[1:] for array in arrays]
+    alive = weakref.ref(crowd)
+    assert all(array.base is not None for array in arrays)
+    del crowd, view, arrays
+    gc.collect()
+    assert alive() is not None
+    for part, whole in zip(parts, expected):
+        numpy.testing.assert_array_equal(part, whole[1:])
+    del parts, part
+    gc.collect()
+    assert alive() is None
+
+
+def test_copies_stay_when_an_update_gives_the_views_other_numbers(crowd):
+    crowd.update(1.5)
+    before = crowd.the_view.vertices(0, copy=True)[0]
+    at_once = before.copy()
+    crowd.update(2.0)
+    numpy.testing.assert_array_equal(before, at_once)
+    assert numpy.abs(crowd.the_view.vertices(0)[0] - before).max() > 1e-3
+
+
+def test_colours_of_the_template_are_read_only_copies(context, citizen):
+    with claque.Crowd(context) as crowd:
+        crowd.add(citizen, colours=False)
+        view = crowd.view()
+        view.look_at((0, 1, 5), (0, 1, 0))
+        crowd.update(0)
+        assert not view.arrays(0).colours
+        colours = view.colours(0)
+        numpy.testing.assert_array_equal(colours, view.colours(0, copy=True))
+        with pytest.raises(ValueError):
+            colours[0] = 0
 
 
 def test_the_palette_skins_the_mesh_to_the_shown_vertices(crowd, citizen):

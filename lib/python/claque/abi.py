@@ -8,7 +8,7 @@ import ctypes.util
 import enum
 import os
 import pathlib
-from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_int, c_size_t, c_uint8, c_uint16, c_uint32,
+from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_int, c_int8, c_int16, c_size_t, c_uint8, c_uint16, c_uint32,
                     c_uint64, c_void_p)
 
 NONE = 0xFFFFFFFF
@@ -148,6 +148,13 @@ class DrawnActor(Sized):
                 ("morph_weight_count", c_uint32), ("zone_count", c_uint32)]
 
 
+class DrawnArrays(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("positions", POINTER(c_float)), ("normals", POINTER(c_float)),
+                ("packed_positions", POINTER(c_int16)), ("packed_normals", POINTER(c_int8)),
+                ("packed_offset", c_float * 3), ("packed_step", c_float), ("palette", POINTER(c_float)),
+                ("morph_weights", POINTER(c_float)), ("colours", POINTER(c_uint8))]
+
+
 class ViewStats(Sized):
     _fields_ = [(name, c_uint32) for name in (
         "struct_bytes", "visible", "triangles", "shadow_only", "parts", "parts_left_out")] + [("bytes", c_uint64)]
@@ -185,7 +192,7 @@ STRUCTS = {
     "clq_actor_def": ActorDef, "clq_camera": Camera, "clq_look_at_def": LookAtDef, "clq_texels": Texels,
     "clq_influences": Influences, "clq_hsb_range": HsbRange, "clq_clip_info": ClipInfo,
     "clq_zone_info": ZoneInfo, "clq_template_info": TemplateInfo, "clq_mesh": Mesh, "clq_triangles": Triangles,
-    "clq_drawn_actor": DrawnActor, "clq_view_stats": ViewStats, "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
+    "clq_drawn_actor": DrawnActor, "clq_drawn_arrays": DrawnArrays, "clq_view_stats": ViewStats, "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
     "clq_levels_def": LevelsDef, "clq_prepare_def": PrepareDef,
 }
 

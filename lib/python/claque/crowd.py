@@ -5,6 +5,7 @@ from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint6
 import numpy
 
 from . import abi
+from .memory import borrowed, read_only
 from .owner import Owned, made
 
 
@@ -138,25 +139,45 @@ class View(Owned):
         """The model-view matrix, (4, 4), to be multiplied as m @ column."""
         return numpy.array(self.drawn_actor(index).model_view, numpy.float32).reshape(4, 4).T
 
-    def vertices(self, index):
-        """Skinned positions and normals, (n, 3) each, in the actor's own space, in the order of Template.mesh."""
+    def arrays(self, index):
+        """The clq_drawn_arrays of one individual of the draw list."""
+        out = abi.DrawnArrays()
+        abi.call("clq_view_get_arrays", self.handle, index, byref(out))
+        return out
+
+    def vertices(self, index, copy=False):
+        """Skinned positions and normals, (n, 3) each, in the actor's own space, in the order of Template.mesh.
+
+        Read-only views of the draw list's memory, valid until the next update of the crowd; `copy`: arrays of their
+        own. Where the list holds no floats (packed vertices), read-only copies."""
         n = self.drawn_actor(index).vertex_count
+        held = self.arrays(index)
+        if held.positions and not copy:
+            return borrowed(held.positions, (n, 3), self), borrowed(held.normals, (n, 3), self)
         positions, normals = numpy.empty((n, 3), numpy.float32), numpy.empty((n, 3), numpy.float32)
         abi.call("clq_view_get_vertices", self.handle, index, positions.ctypes.data_as(POINTER(c_float)),
                  normals.ctypes.data_as(POINTER(c_float)), c_uint32(n))
-        return positions, normals
+        return (positions, normals) if copy else (read_only(positions), read_only(normals))
 
-    def palette(self, index):
-        """The matrix palette, (joints, 3, 4), to be multiplied as m @ column (S1 4)."""
-        drawn = self.drawn_actor(index)
-        columns = numpy.empty((drawn.joint_count, 4, 3), numpy.float32)
-        abi.call("clq_view_get_palette", self.handle, index, columns.ctypes.data_as(POINTER(c_float)),
-                 c_uint32(drawn.joint_count))
+    def palette(self, index, copy=False):
+        """The matrix palette, (joints, 3, 4), to be multiplied as m @ column (S1 4): a view or a copy as in vertices.
+        Key-poses and levels with deactivated nodes have copies."""
+        joints = self.drawn_actor(index).joint_count
+        columns = None if copy else borrowed(self.arrays(index).palette, (joints, 4, 3), self)
+        if columns is None:
+            columns = numpy.empty((joints, 4, 3), numpy.float32)
+            abi.call("clq_view_get_palette", self.handle, index, columns.ctypes.data_as(POINTER(c_float)),
+                     c_uint32(joints))
+            columns = columns if copy else read_only(columns)
         return columns.transpose(0, 2, 1)
 
-    def colours(self, index):
-        """The colours of its zones, (zones, 3), 8 bits, as for GL."""
+    def colours(self, index, copy=False):
+        """The colours of its zones, (zones, 3), 8 bits, as for GL: a view or a copy as in vertices. An individual with
+        its template's colours has a copy."""
         zones = self.drawn_actor(index).zone_count
+        rgb = None if copy else borrowed(self.arrays(index).colours, (zones, 3), self)
+        if rgb is not None:
+            return rgb
         rgb = numpy.empty((zones, 3), numpy.uint8)
         abi.call("clq_view_get_colours", self.handle, index, rgb.ctypes.data_as(POINTER(c_uint8)), c_uint32(zones))
-        return rgb
+        return rgb if copy else read_only(rgb)

@@ -5,25 +5,8 @@ from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, 
 import numpy
 
 from . import abi
+from .memory import borrowed
 from .owner import Owned, made
-
-
-def _view(pointer, shape, holder):
-    """A read-only array over the library's memory; it keeps the owner alive."""
-    count = int(numpy.prod(shape))
-    if not pointer or count == 0:
-        return None if not pointer else numpy.zeros(shape)
-    array = numpy.ctypeslib.as_array(pointer, shape=(count,)).view(_Held)
-    array.holder = holder
-    array.flags.writeable = False
-    return array.reshape(shape)
-
-
-class _Held(numpy.ndarray):
-    """An array over memory that another object owns."""
-
-    def __array_finalize__(self, other):
-        self.holder = getattr(other, "holder", None)
 
 
 class Template(Owned):
@@ -110,15 +93,15 @@ class Template(Owned):
         arrays = abi.Influences(per_vertex=influences, joints=joints.ctypes.data_as(POINTER(c_uint16)),
                                 weights=weights.ctypes.data_as(POINTER(c_float)), capacity=joints.size)
         abi.call("clq_template_get_influences", self.handle, level, byref(arrays))
-        return {"positions": _view(out.positions, (n, 3), self), "normals": _view(out.normals, (n, 3), self),
-                "uvs": _view(out.uvs, (n, 2), self), "joints": joints, "weights": weights,
+        return {"positions": borrowed(out.positions, (n, 3), self), "normals": borrowed(out.normals, (n, 3), self),
+                "uvs": borrowed(out.uvs, (n, 2), self), "joints": joints, "weights": weights,
                 "bins": [self._bin(level, i) for i in range(out.bin_count)]}
 
     def _bin(self, level, index):
         out = abi.Triangles()
         abi.call("clq_template_get_triangles", self.handle, level, index, byref(out))
         return {"texture": out.texture, "zone": None if out.zone == abi.NONE else out.zone,
-                "indices": _view(out.indices, (out.index_count // 3, 3), self)}
+                "indices": borrowed(out.indices, (out.index_count // 3, 3), self)}
 
     def texture(self, texture=0, texture_set=0):
         """The texels of a texture: rgb (height, width, 3), and zones (height, width), -1 in holes."""

@@ -29,11 +29,36 @@ typedef struct clq_drawn_actor {
 
 CLQ_DEFINE_ZERO_INIT(clq_drawn_actor)
 
+/* Arrays of an individual in the library's own memory, in the layouts of the calls below that copy. NULL: the draw list
+ * holds no such array, and the call that copies computes it. */
+typedef struct clq_drawn_arrays {
+    uint32_t struct_bytes;            /* set by clq_drawn_arrays_init */
+    const float *positions, *normals; /* [3 * vertex_count]; NULL: packed, or placed by GL's matrix stack */
+    /* [4 * vertex_count] of a crowd of CLQ_VERTEX_PACKED: the first three of four are n and mean
+     * packed_offset + packed_step * n, and n / 127 for a normal */
+    const int16_t *packed_positions;
+    const int8_t *packed_normals;
+    float packed_offset[3], packed_step;
+    const float *palette;       /* [12 * joint_count]; NULL also where the level has deactivated nodes */
+    const float *morph_weights; /* [morph_weight_count] */
+    const uint8_t *colours;     /* [3 * zone_count]; NULL: the template's own colours */
+} clq_drawn_arrays;
+
+CLQ_DEFINE_ZERO_INIT(clq_drawn_arrays)
+
 /* Gets an individual.
  *   index   [0, clq_view_stats.visible)
  *   out     made by clq_drawn_actor_init
  * Fails also: STRUCT_SIZE. */
 CLQ_API clq_status clq_view_get_drawn_actor(const clq_view *view, uint32_t index, clq_drawn_actor *out);
+
+/* Gets the arrays of an individual without copying them.
+ *   index   [0, clq_view_stats.visible)
+ *   out     made by clq_drawn_arrays_init. The arrays belong to the crowd. They are valid and unchanged until the next
+ *           clq_crowd_update or clq_crowd_restore of the crowd, whichever its views, or the end of the view or of the
+ *           crowd; reading them later is undefined. Other calls leave them as they are
+ * Fails also: STRUCT_SIZE. Threads: the arrays may be read by any number of threads. */
+CLQ_API clq_status clq_view_get_arrays(const clq_view *view, uint32_t index, clq_drawn_arrays *out);
 
 /* Gets the colours of an individual as the renderer passes them to GL.
  *   out_rgb          [3 * capacity_zones], one RGB per zone of the template
