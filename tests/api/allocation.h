@@ -1,9 +1,11 @@
 // A crowd in a context whose allocator fails on demand, and calls that are tried with each allocation failing.
 #pragma once
 
+#include <claque/assets.h>
 #include <claque/claque.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 #include <vector>
 
@@ -45,9 +47,38 @@ inline void fail_each(const char *what, fm::Reach reach, uint64_t stride, const 
     EXPECT_GT(failures, 0u) << what << " never allocated: this test saw nothing";
 }
 
+inline std::vector<char> bytes_of(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return std::vector<char>(std::istreambuf_iterator<char>(file), {});
+}
+
 class Allocation : public testing::Test
 {
 protected:
+    // A template from the file, which may need others beside it.
+    void fail_each_load(const std::string &path, uint64_t stride)
+    {
+        const std::vector<char> bytes = bytes_of(path);
+        const std::string base = path.substr(0, path.find_last_of('/'));
+        clq_asset_options options = clq_asset_options_init();
+        options.base_folder = base.c_str();
+        clq_template *out = nullptr;
+        const Seen before = seen();
+        fail_each(
+            path.c_str(), fm::Reach::everything, stride,
+            [&] {
+                out = nullptr;
+                const clq_status status = clq_template_load_gltf(context_, bytes.data(), bytes.size(), &options, &out);
+                if (status == CLQ_OK) clq_template_destroy(out);
+                return status;
+            },
+            [&] {
+                ASSERT_EQ(out, nullptr) << "out is written only on success";
+                ASSERT_TRUE(seen() == before) << "another template's crowd has changed";
+            });
+    }
+
     void SetUp() override
     {
         clq_context_def def = clq_context_def_init();

@@ -1,21 +1,17 @@
 // An allocation that fails gives a status and leaves everything as it was: every n for small calls, a stride for large
 // ones.
-#include <claque/assets.h>
-
-#include <fstream>
-
 #include "tests/api/allocation.h"
+#include "tests/support/written_characters.h"
 
 using namespace allocation;
 
 namespace
 {
 
-std::vector<char> bytes_of(const std::string &path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return std::vector<char>(std::istreambuf_iterator<char>(file), {});
-}
+struct LoadedFile {
+    const char *name;
+    uint64_t stride;
+};
 
 }  // namespace
 
@@ -128,34 +124,23 @@ TEST_F(Allocation, LoadingTheSmallestAssetFailsCleanlyAtEveryAllocationAndALarge
 {
     make_crowd(20);
     ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
-    const Seen before = seen();
-    const std::string folder = CLAQUE_ASSETS_DIR;
-    const struct {
-        const char *path;
-        uint64_t stride;
-    } files[] = {{"/conformance/khronos/SimpleMorph-Embedded/SimpleMorph.gltf", 1},
-                 {"/conformance/khronos/SimpleSkin-external/SimpleSkin.gltf", 7},
-                 {"/humanoids/khronos/RiggedFigure.glb", 1009},
-                 {"/humanoids/quaternius-ultimate/Casual_Male.gltf", 30011}};
-    for (const auto &file : files) {
-        const std::string path = folder + file.path;
-        const std::vector<char> bytes = bytes_of(path);
-        if (bytes.empty()) GTEST_SKIP() << "real characters are not beside this checkout: " << path;
-        const std::string base = path.substr(0, path.find_last_of('/'));
-        clq_asset_options options = clq_asset_options_init();
-        options.base_folder = base.c_str();
-        clq_template *out = nullptr;
-        fail_each(
-            file.path, fm::Reach::everything, file.stride,
-            [&] {
-                out = nullptr;
-                const clq_status status = clq_template_load_gltf(context_, bytes.data(), bytes.size(), &options, &out);
-                if (status == CLQ_OK) clq_template_destroy(out);
-                return status;
-            },
-            [&] {
-                ASSERT_EQ(out, nullptr) << "out is written only on success";
-                ASSERT_TRUE(seen() == before) << "another template's crowd has changed";
-            });
+    for (const LoadedFile &file : {LoadedFile{"conformance/khronos/SimpleMorph-Embedded/SimpleMorph.gltf", 1},
+                                   {"conformance/khronos/SimpleSkin-external/SimpleSkin.gltf", 7},
+                                   {"humanoids/khronos/RiggedFigure.glb", 1009},
+                                   {"humanoids/quaternius-ultimate/Casual_Male.gltf", 30011}}) {
+        const std::string path = written::path_of(file.name, CLAQUE_ASSETS_DIR);
+        if (bytes_of(path).empty()) GTEST_SKIP() << "real characters are not beside this checkout: " << path;
+        fail_each_load(path, file.stride);
     }
+}
+
+TEST_F(Allocation, LoadingWrittenCharactersFailsCleanlyAtAStride)
+{
+    make_crowd(20);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.5, &view_, 1), CLQ_OK);
+    for (const LoadedFile &file : {LoadedFile{"WrittenMorph.gltf", 61},
+                                   {"WrittenOdd.gltf", 67},
+                                   {"WrittenSparse.gltf", 401},
+                                   {"WrittenQuantised.glb", 397}})
+        fail_each_load(written::path_of(file.name, ""), file.stride);
 }

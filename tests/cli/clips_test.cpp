@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -214,11 +215,11 @@ TEST_F(Clips, AHundredAndFiftyTakeASmallPartOfTheMeshesThatTheyMove)
     EXPECT_GT(motion["times_less_25_hz"].get<double>(), 50);
 }
 
-// The motion capture files that may lie beside this project.
+// Motion capture that may lie beside this project, and a file of the same form that tests write.
 class Mocap : public Clips, public testing::WithParamInterface<const char *>
 {
 protected:
-    std::string file() const { return std::string(CLAQUE_ASSETS_DIR) + "/mocap/" + GetParam(); }
+    std::string file() const { return written::path_of(GetParam(), CLAQUE_ASSETS_DIR "/mocap"); }
     std::string map() const { return std::string(CLAQUE_SOURCE_DIR) + "/samples/maps/cmu-people.toml"; }
     void SetUp() override
     {
@@ -237,7 +238,8 @@ TEST_P(Mocap, MovesABuiltInPerson)
     EXPECT_LT(with["split"]["sklsroot_radius"].get<double>(), 1.4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Mocap, testing::Values("01_01.bvh", "02_01.bvh", "cmu_12_01_walk.bvh"),
+INSTANTIATE_TEST_SUITE_P(Files, Mocap,
+                         testing::Values("01_01.bvh", "02_01.bvh", "cmu_12_01_walk.bvh", "WrittenWalk.bvh"),
                          [](const auto &test) {
                              const std::string name = test.param;
                              return name.substr(0, name.find('.'));

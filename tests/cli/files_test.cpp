@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -129,18 +130,38 @@ TEST_F(Files, APreparedFileThatIsCutIsRefused)
     EXPECT_EQ(claque({"inspect", cut}).code, 1);
 }
 
-TEST_F(Files, ARealCharacterIsInspectedDumpedSplitAndPrepared)
+struct CharacterFile {
+    const char *name, *clip;
+    size_t clips;
+    int triangles;
+};
+
+class FilesOf : public Files, public testing::WithParamInterface<CharacterFile>
 {
-    const std::string fox = std::string(CLAQUE_ASSETS_DIR) + "/animals/khronos/Fox.glb";
-    if (!std::filesystem::exists(fox)) GTEST_SKIP() << fox << " is not there";
-    const Json json = inspected(fox);
-    EXPECT_EQ(json["loaded"]["clips"].size(), 3u);
-    EXPECT_EQ(json["loaded"]["triangles"].get<int>(), 576);
-    EXPECT_EQ(claque({"dump", fox, "--clip", "Run", "--time", "0.3", "--out", path("fox.npy")}).code, 0);
-    EXPECT_EQ(read_npy(path("fox.npy")).shape, "(" + json["loaded"]["vertices"].dump() + ", 3)");
-    EXPECT_EQ(claque({"split", fox, "--picture", path("fox.png")}).code, 0);
-    EXPECT_EQ(claque({"prepare", fox, "--out", path("fox.clq")}).code, 0);
+};
+
+TEST_P(FilesOf, CharactersAreInspectedDumpedSplitAndPrepared)
+{
+    const CharacterFile &listed = GetParam();
+    const std::string file = written::path_of(listed.name, CLAQUE_ASSETS_DIR);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+    const Json json = inspected(file);
+    EXPECT_EQ(json["loaded"]["clips"].size(), listed.clips);
+    EXPECT_EQ(json["loaded"]["triangles"].get<int>(), listed.triangles);
+    EXPECT_EQ(claque({"dump", file, "--clip", listed.clip, "--time", "0.3", "--out", path("a.npy")}).code, 0);
+    EXPECT_EQ(read_npy(path("a.npy")).shape, "(" + json["loaded"]["vertices"].dump() + ", 3)");
+    EXPECT_EQ(claque({"split", file, "--picture", path("a.png")}).code, 0);
+    EXPECT_EQ(claque({"prepare", file, "--out", path("a.clq")}).code, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Collected, FilesOf, testing::Values(CharacterFile{"animals/khronos/Fox.glb", "Run", 3, 576}),
+                         [](const auto &) { return std::string("Fox"); });
+INSTANTIATE_TEST_SUITE_P(Written, FilesOf,
+                         testing::Values(CharacterFile{"WrittenPerson.glb", "walk", 3, 580},
+                                         CharacterFile{"WrittenRigid.glb", "jolt", 2, 220},
+                                         CharacterFile{"WrittenMorph.gltf", "talk", 2, 200},
+                                         CharacterFile{"WrittenSparse.gltf", "nod", 4, 500}),
+                         [](const auto &file) { return written::case_name(file.param.name); });
 
 }  // namespace
 }  // namespace cli_test

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -169,13 +170,22 @@ TEST_F(Render, BothCamerasAndBothFormatsShowSomethingElse)
     EXPECT_NE(picture_hash({"--format", "rgb565"}), overview);
 }
 
-TEST_F(Render, ACharacterOfAFileIsDrawnAsItsPreparedSelf)
+class RenderOf : public Render, public testing::WithParamInterface<const char *>
 {
-    const std::string fox = std::string(CLAQUE_ASSETS_DIR) + "/animals/khronos/Fox.glb";
-    if (!std::filesystem::exists(fox)) GTEST_SKIP() << fox << " is not there";
-    render({fox, "--out", path("fox.png")});
-    EXPECT_GT(std::filesystem::file_size(path("fox.png")), 500u);
+};
+
+TEST_P(RenderOf, ACharacterOfAFileIsDrawn)
+{
+    const std::string file = written::path_of(GetParam(), CLAQUE_ASSETS_DIR);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+    render({file, "--out", path("a.png")});
+    EXPECT_GT(std::filesystem::file_size(path("a.png")), 500u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Collected, RenderOf, testing::Values("animals/khronos/Fox.glb"),
+                         [](const auto &) { return std::string("Fox"); });
+INSTANTIATE_TEST_SUITE_P(Written, RenderOf, testing::Values("WrittenPerson.glb", "WrittenRigid.glb", "WrittenOdd.gltf"),
+                         [](const auto &file) { return written::case_name(file.param); });
 
 TEST_F(Render, BenchHasARunForEachOfItsMatrixAndOneHash)
 {

@@ -1,7 +1,8 @@
-// The law of zones on real characters, posed within a clip.
+// The law of zones on collected and written characters, posed within a clip.
 #include "lib/asset/gltf.h"
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
+#include "tests/support/written_characters.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -102,6 +103,33 @@ TEST_P(CharactersLaw, HoldsOnRealCharactersWithZonesAcrossTheirTriangles)
     }
 }
 
+class WrittenCharactersLaw : public LawTest
+{
+};
+
+TEST_P(WrittenCharactersLaw, Holds)
+{
+    most_ties_share_ = 1e-5;
+    for (const std::string &name : written::characters()) {
+        SCOPED_TRACE(name);
+        hold(posed_of(load(written::folder() + name)));
+    }
+}
+
+TEST_P(WrittenCharactersLaw, HoldsWithZonesAcrossTheirTriangles)
+{
+    most_ties_share_ = 1e-5;
+    for (const std::string &name : written::people()) {
+        SCOPED_TRACE(name);
+        model::Model character = load(written::folder() + name);
+        rezone(character, 10);
+        const PosedModel posed = posed_of(character);
+        EXPECT_GT(posed.tmpl->report.dirty, 50u);
+        hold(posed);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(two_targets), name_of_target);
 INSTANTIATE_TEST_SUITE_P(On, AllCharactersLaw, testing::Values(all_targets[0]), name_of_target);
 INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(two_targets), name_of_target);
 

@@ -1,6 +1,7 @@
-// The law of zones at every level of detail of real characters, where they are.
+// The law of zones at every level of detail of collected characters, where they are, and of written people.
 #include "lib/asset/gltf.h"
 #include "tests/gl/support/levels.h"
+#include "tests/support/written_characters.h"
 
 #include <fstream>
 
@@ -11,7 +12,7 @@ namespace
 
 const std::string levels_folder = CLAQUE_ASSETS_DIR "/";
 
-class LevelsOfCharacters : public LevelsTest, public testing::WithParamInterface<const char *>
+class LevelsOfCharacters : public LevelsTest, public testing::WithParamInterface<std::string>
 {
 };
 
@@ -24,10 +25,21 @@ model::Model load_character(const std::string &path)
     return claque::asset::load_gltf(reinterpret_cast<const uint8_t *>(bytes.data()), bytes.size(), options);
 }
 
+std::string name_of_character(const testing::TestParamInfo<std::string> &one)
+{
+    std::string name = one.param;
+    for (char &c : name)
+        if (!isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+}
+
 TEST_P(LevelsOfCharacters, HoldTheLawOfZones)
 {
-    if (!std::ifstream(levels_folder + "inventory.json")) GTEST_SKIP() << "no assets in " << levels_folder;
-    EXPECT_GE(hold(load_character(levels_folder + GetParam()), 256, 4), 20u);
+    const bool is_written = written::is_written(GetParam());
+    if (!is_written && !std::ifstream(levels_folder + "inventory.json"))
+        GTEST_SKIP() << "no assets in " << levels_folder;
+    const std::string path = written::path_of(GetParam(), levels_folder);
+    EXPECT_GE(hold(load_character(path), 256, 4), is_written ? 12u : 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Are, LevelsOfCharacters,
@@ -35,12 +47,8 @@ INSTANTIATE_TEST_SUITE_P(Are, LevelsOfCharacters,
                                          "humanoids/quaternius-fbx/PlatformerCharacter.glb",
                                          "humanoids/khronos/CesiumMan.glb", "animals/quaternius/Horse.glb",
                                          "animals/khronos/Fox.glb"),
-                         [](const auto &one) {
-                             std::string name = one.param;
-                             for (char &c : name)
-                                 if (!isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+                         name_of_character);
+INSTANTIATE_TEST_SUITE_P(Written, LevelsOfCharacters, testing::ValuesIn(written::people()), name_of_character);
 
 }  // namespace
 }  // namespace gltest

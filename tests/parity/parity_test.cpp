@@ -4,6 +4,7 @@
 #include "samples/parity/write/write.h"
 #include "tests/gl/support/absent.h"
 #include "tests/parity/result_out.h"
+#include "tests/support/written_characters.h"
 
 #include <gtest/gtest.h>
 
@@ -163,7 +164,7 @@ std::vector<std::string> humanoids()
 TEST_P(HumanoidParity, Holds)
 {
     if (GetParam().empty()) GTEST_SKIP() << "no characters in " CLAQUE_ASSETS_DIR;
-    const std::string file = CLAQUE_ASSETS_DIR "/" + GetParam();
+    const std::string file = written::path_of(GetParam(), CLAQUE_ASSETS_DIR);
     clq_asset *asset = nullptr;
     ASSERT_EQ(clq_asset_load_file(library_.context(), file.c_str(), nullptr, &asset), CLQ_OK) << clq_last_error();
     const scenes::Own<clq_asset> held_asset(asset);
@@ -185,6 +186,7 @@ std::string name_of(const testing::TestParamInfo<std::string> &info)
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, HumanoidParity, testing::ValuesIn(humanoids()), name_of);
+INSTANTIATE_TEST_SUITE_P(Written, HumanoidParity, testing::ValuesIn(written::characters()), name_of);
 
 }  // namespace
 }  // namespace parity_test

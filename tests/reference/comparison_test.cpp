@@ -1,5 +1,5 @@
-// The comparison is worth something only if it fails: real characters are damaged in the ways that loaders and
-// skinning go wrong, and each time it has to notice.
+// The comparison is worth something only if it fails: a collected and a written character are damaged in the ways that
+// loaders and skinning go wrong, and each time it has to notice.
 #include "tests/reference/comparison.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/reference/asset_files.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::reference
 {
@@ -21,15 +22,22 @@ std::vector<float> floats(const std::vector<Vec3> &positions)
     return result;
 }
 
-class ComparisonOnARealCharacter : public testing::Test
+struct WalkingCharacter {
+    const char *file, *clip;
+    double time_s;
+};
+
+class ComparisonOnACharacter : public testing::TestWithParam<WalkingCharacter>
 {
 protected:
     void SetUp() override
     {
-        if (assets_folder().empty()) GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR;
-        character_ = load_character(assets_folder() + "humanoids/kaykit/Barbarian.glb");
+        const std::string file = GetParam().file;
+        if (!written::is_written(file) && assets_folder().empty()) GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR;
+        character_ = load_character(written::path_of(file, assets_folder()));
+        time_s_ = GetParam().time_s;
         for (size_t i = 0; i < character_.clips.size(); ++i)
-            if (character_.clips[i].name == "Walking_A") walk_ = i;
+            if (character_.clips[i].name == GetParam().clip) walk_ = i;
         ASSERT_NE(rest, walk_);
         expected_ = evaluate(character_, walk_, time_s_).positions;
         size_ = size_of(character_);
@@ -42,18 +50,18 @@ protected:
 
     Character character_;
     size_t walk_ = rest;
-    double time_s_ = 0.4;
+    double time_s_ = 0;
     std::vector<Vec3> expected_;
     double size_ = 0;
 };
 
-TEST_F(ComparisonOnARealCharacter, TheSameIsTheSame)
+TEST_P(ComparisonOnACharacter, TheSameIsTheSame)
 {
     EXPECT_TRUE(against(character_).same) << against(character_).text;
     EXPECT_LT(against(character_).worst, 1e-6);
 }
 
-TEST_F(ComparisonOnARealCharacter, ADroppedWeightIsNoticed)
+TEST_P(ComparisonOnACharacter, ADroppedWeightIsNoticed)
 {
     // The first vertex with two real influences loses one, and the rest is not made up for.
     Character damaged = character_;
@@ -67,7 +75,7 @@ TEST_F(ComparisonOnARealCharacter, ADroppedWeightIsNoticed)
     FAIL() << "no vertex has two influences";
 }
 
-TEST_F(ComparisonOnARealCharacter, ANearlyRightWeightOfOneVertexIsNoticed)
+TEST_P(ComparisonOnACharacter, ANearlyRightWeightOfOneVertexIsNoticed)
 {
     Character damaged = character_;
     for (Part &part : damaged.parts)
@@ -79,7 +87,7 @@ TEST_F(ComparisonOnARealCharacter, ANearlyRightWeightOfOneVertexIsNoticed)
     EXPECT_FALSE(against(damaged).same);
 }
 
-TEST_F(ComparisonOnARealCharacter, APoseOneKeyLateIsNoticed)
+TEST_P(ComparisonOnACharacter, APoseOneKeyLateIsNoticed)
 {
     Character damaged = character_;
     for (Channel &channel : damaged.clips[walk_].channels) {
@@ -89,7 +97,7 @@ TEST_F(ComparisonOnARealCharacter, APoseOneKeyLateIsNoticed)
     EXPECT_FALSE(against(damaged).same);
 }
 
-TEST_F(ComparisonOnARealCharacter, AMissingNodeTransformIsNoticed)
+TEST_P(ComparisonOnACharacter, AMissingNodeTransformIsNoticed)
 {
     size_t missed = 0, tried = 0;
     for (const Part &part : character_.parts) {
@@ -105,7 +113,7 @@ TEST_F(ComparisonOnARealCharacter, AMissingNodeTransformIsNoticed)
     EXPECT_EQ(0u, missed);
 }
 
-TEST_F(ComparisonOnARealCharacter, TheLongerArcIsNoticed)
+TEST_P(ComparisonOnACharacter, TheLongerArcIsNoticed)
 {
     // Interpolating numbers without turning the second key round, where keys cross the double cover.
     Channel *crossing = nullptr;
@@ -133,6 +141,13 @@ TEST_F(ComparisonOnARealCharacter, TheLongerArcIsNoticed)
     for (size_t i = 0; i < 4; ++i) crossing->values[4 * key + i] = wrong[i];
     EXPECT_FALSE(against(damaged).same);
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, ComparisonOnACharacter,
+                         testing::Values(WalkingCharacter{"humanoids/kaykit/Barbarian.glb", "Walking_A", 0.4},
+                                         WalkingCharacter{"WrittenPerson.glb", "walk", 0.6}),
+                         [](const auto &shown) {
+                             return written::is_written(shown.param.file) ? "WrittenPerson" : "Barbarian";
+                         });
 
 TEST(Comparison, OneVertexAtTheEdgeOfTheToleranceDecides)
 {

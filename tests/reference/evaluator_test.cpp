@@ -3,9 +3,12 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::reference
 {
@@ -159,6 +162,105 @@ TEST(ReferenceOnFiles, RestPosesHaveTheSizesThatTheInventoryGives)
         ++held;
     }
     EXPECT_GT(held, 70u);
+}
+
+// Answers below are worked out from what tests/support writes.
+
+Character written_file(const char *file) { return load_character(written::folder() + file); }
+
+// Vertices of the parts on these nodes, in the order of the file.
+std::vector<Vec3> positions_on(const Character &character, const std::set<std::string> &nodes, size_t clip,
+                               double time_s)
+{
+    const std::vector<Vec3> all = evaluate(character, clip, time_s).positions;
+    std::vector<Vec3> out;
+    auto first = all.begin();
+    for (const Part &part : character.parts) {
+        const auto end = first + static_cast<std::ptrdiff_t>(part.positions.size());
+        if (nodes.count(character.nodes[part.node].name) != 0) out.insert(out.end(), first, end);
+        first = end;
+    }
+    return out;
+}
+
+const Channel &channel_of(const Character &character, const char *clip, const char *node)
+{
+    for (const Clip &one : character.clips)
+        for (const Channel &channel : one.channels)
+            if (one.name == clip && character.nodes[channel.node].name == node) return channel;
+    throw std::runtime_error(std::string("no channel of ") + clip + " on " + node);
+}
+
+TEST(ReferenceOnWrittenFiles, AFrameTurnsAboutASlantingAxisAfterItsScale)
+{
+    const Character lines = written_file("WrittenLines.gltf");
+    ASSERT_EQ(12u, lines.vertex_count());
+    expect_at({0, 2, 0.5}, evaluate(lines, rest, 0).positions[3]);
+    expect_at({1, 2, 0.5}, extent_of(evaluate(lines, rest, 0).positions));
+    // (1, 0, 0) about (0, 1, 1): cos, sin / sqrt 2, -sin / sqrt 2.
+    const double s = std::sqrt(0.5);
+    expect_at({s, 0.5, -0.5}, evaluate(lines, 0, 0.5).positions[1]);
+    expect_at({0, s, -s}, evaluate(lines, 0, 1).positions[1]);
+}
+
+TEST(ReferenceOnWrittenFiles, AFlattenedFlagBelowAMirroringMatrixLiesWhereItsMatricesPutIt)
+{
+    const Character odd = written_file("WrittenOdd.gltf");
+    expect_at({1.4, 0.1, -1.2}, positions_on(odd, {"mirror"}, rest, 0)[0]);
+    expect_at({1.85, -0.8, 0.15}, positions_on(odd, {"flat"}, rest, 0)[0]);
+}
+
+TEST(ReferenceOnWrittenFiles, HeadsMoveByWeightsOfMeshNodeAndClip)
+{
+    const Character morph = written_file("WrittenMorph.gltf");
+    const auto right = [&](size_t clip, double time_s) { return positions_on(morph, {"right head"}, clip, time_s); };
+    // The tips: the first moves by (., -0.12, 0.024) for the first weight, the last by (., 0.1, -0.02) for the second.
+    const size_t last = right(rest, 0).size() - 1;
+    EXPECT_NEAR(-0.2 * -0.12 * 1.2, right(rest, 0)[0].y, 1e-6);
+    EXPECT_NEAR(-0.2 * 0.024 + 0.1, right(rest, 0)[0].z, 1e-6);
+    EXPECT_NEAR((0.6 + 0.8 * 0.1) * 1.2, right(rest, 0)[last].y, 1e-6);
+    EXPECT_NEAR(0.8 * -0.02 + 0.1, right(rest, 0)[last].z, 1e-6);
+    ASSERT_EQ("gasp", morph.clips.at(1).name);
+    EXPECT_NEAR(0.5 * -0.12 * 1.2, right(1, 1)[0].y, 1e-6);
+    EXPECT_NEAR(0.7 * -0.12 * 1.2, right(0, 0.6)[0].y, 1e-6);  // a key of the spline
+}
+
+TEST(ReferenceOnWrittenFiles, ANeckBendsRoundItsUpperJoint)
+{
+    const Character morph = written_file("WrittenMorph.gltf");
+    const std::vector<Vec3> neck = positions_on(morph, {"neck"}, rest, 0);
+    expect_at({0, -0.6, 0}, neck[0]);
+    const double c = std::cos(8 * pi / 180), s = std::sin(8 * pi / 180);
+    expect_at({-0.3 * s, -0.35 + 0.3 * c, 0}, neck.back());
+    // (0.1, -0.2, 0) with 0.2 of the lower joint, which stands as it was bound, and 0.8 of the upper one.
+    expect_at({0.2 * 0.1 + 0.8 * (0.1 * c - 0.15 * s), 0.2 * -0.2 + 0.8 * (0.1 * s + 0.15 * c - 0.35), 0}, neck[24]);
+}
+
+TEST(ReferenceOnWrittenFiles, APersonsClipsShowEveryKindOfInterpolation)
+{
+    const Character person = written_file("WrittenPerson.glb");
+    const double ten_degrees = pi / 18;
+    EXPECT_NEAR(std::sin(ten_degrees / 2), sample(channel_of(person, "walk", "leg.l"), 0.3125)[0], 1e-6);
+    EXPECT_NEAR(0.01, sample(channel_of(person, "walk", "hips"), 0.375)[0], 1e-6);
+    EXPECT_NEAR(0.96, sample(channel_of(person, "walk", "hips"), 0.375)[1], 1e-6);
+    const Channel &nod = channel_of(person, "wave", "head");
+    EXPECT_NEAR(std::sin(ten_degrees), sample(nod, 0.599)[1], 1e-6);
+    EXPECT_NEAR(-std::sin(ten_degrees), sample(nod, 0.601)[1], 1e-6);
+    // Half way from 0.95 to 0.9 in 0.7 s: leaving with 1.5 * 0.5 times their difference, arriving with none.
+    EXPECT_NEAR(0.925 + 0.7 * (0.75 * -0.05) / 8, sample(channel_of(person, "wave", "hips"), 0.35)[1], 1e-6);
+}
+
+TEST(ReferenceOnWrittenFiles, APersonStoredInOtherWaysIsThePersonAtRest)
+{
+    const Character person = written_file("WrittenPerson.glb");
+    const std::vector<Vec3> expected = positions_on(person, {"body"}, rest, 0);
+    ASSERT_EQ(387u, expected.size());
+    for (const char *file : {"WrittenSkins.glb", "WrittenQuantised.glb"}) {
+        SCOPED_TRACE(file);
+        const std::vector<Vec3> actual = positions_on(written_file(file), {"body", "above", "below"}, rest, 0);
+        ASSERT_EQ(expected.size(), actual.size());
+        for (size_t v = 0; v < actual.size(); ++v) expect_at(expected[v], actual[v], 1e-4);
+    }
 }
 
 }  // namespace

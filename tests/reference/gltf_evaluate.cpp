@@ -137,6 +137,7 @@ Shape evaluate(const Character &character, size_t clip, double time_s)
             const Mat4 matrix = vertex_matrix(character, part, v, worlds);
             shape.positions.push_back(transform_point(matrix, positions[v]));
             shape.stretches.push_back(condition_number(matrix));
+            shape.mirrored.push_back(dot(matrix.column(0), cross(matrix.column(1), matrix.column(2))) < 0);
             shape.normals.push_back(transform_normal(matrix, normals[v]));
         }
     }

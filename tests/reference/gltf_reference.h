@@ -91,6 +91,7 @@ std::vector<double> sample(const Channel &channel, double time_s);
 struct Shape {
     std::vector<Vec3> positions;
     std::vector<double> stretches;  // condition number of the matrix that each vertex follows, 1 if nothing is bent
+    std::vector<bool> mirrored;     // whether that matrix mirrors
     std::vector<Vec3> normals;      // unit, or zero where the file has none or the transform is singular
 };
 

@@ -1,4 +1,4 @@
-// Every real character in every clip: the library's positions against the reference's.
+// Every collected and every written character in every clip: the library's positions against the reference's.
 #include <claque/assets.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::reference
 {
@@ -22,13 +23,13 @@ struct Destroy {
     void operator()(clq_asset *asset) const { clq_asset_destroy(asset); }
 };
 
-class PositionsOfRealFiles : public testing::TestWithParam<std::string>
+class PositionsOfFiles : public testing::TestWithParam<std::string>
 {
 protected:
     void SetUp() override
     {
         if (GetParam().empty())
-            GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR << ": real characters are not compared";
+            GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR << ": collected characters are not compared";
         clq_context *context = nullptr;
         ASSERT_EQ(CLQ_OK, clq_context_create(nullptr, &context)) << clq_last_error();
         context_.reset(context);
@@ -42,7 +43,7 @@ protected:
         return status;
     }
 
-    std::string path() const { return assets_folder() + GetParam(); }
+    std::string path() const { return written::path_of(GetParam(), assets_folder()); }
 
     void expect_same(const Character &character, size_t clip, double time_s, double size) const
     {
@@ -74,7 +75,7 @@ std::array<double, 7> times_of(const Clip &clip)
             clip.last_s + 1.7};
 }
 
-TEST_P(PositionsOfRealFiles, AreThoseOfTheReferenceInEveryPose)
+TEST_P(PositionsOfFiles, AreThoseOfTheReferenceInEveryPose)
 {
     ASSERT_EQ(CLQ_OK, load()) << clq_last_error();
     const Character character = load_character(path());
@@ -94,7 +95,7 @@ TEST_P(PositionsOfRealFiles, AreThoseOfTheReferenceInEveryPose)
     }
 }
 
-TEST_P(PositionsOfRealFiles, ClipsStartAndEndWhereTheReferenceSays)
+TEST_P(PositionsOfFiles, ClipsStartAndEndWhereTheReferenceSays)
 {
     ASSERT_EQ(CLQ_OK, load()) << clq_last_error();
     const Character character = load_character(path());
@@ -110,9 +111,9 @@ TEST_P(PositionsOfRealFiles, ClipsStartAndEndWhereTheReferenceSays)
     }
 }
 
-using RefusedRealFiles = PositionsOfRealFiles;
+using RefusedFiles = PositionsOfFiles;
 
-TEST_P(RefusedRealFiles, AreRefusedForTheReasonThatHoldsForThem)
+TEST_P(RefusedFiles, AreRefusedForTheReasonThatHoldsForThem)
 {
     const Refusal *refusal = refusal_of(GetParam());
     EXPECT_EQ(refusal->status, load()) << clq_last_error();
@@ -120,10 +121,16 @@ TEST_P(RefusedRealFiles, AreRefusedForTheReasonThatHoldsForThem)
     EXPECT_NE(std::string::npos, std::string(clq_last_error()).find(refusal->named)) << clq_last_error();
 }
 
-INSTANTIATE_TEST_SUITE_P(Assets, PositionsOfRealFiles, testing::ValuesIn(loadable_files()),
+INSTANTIATE_TEST_SUITE_P(Assets, PositionsOfFiles, testing::ValuesIn(loadable_files()),
                          [](const auto &parameter) { return case_name(parameter.param); });
 
-INSTANTIATE_TEST_SUITE_P(Assets, RefusedRealFiles, testing::ValuesIn(refused_files()),
+INSTANTIATE_TEST_SUITE_P(Written, PositionsOfFiles, testing::ValuesIn(written::files()),
+                         [](const auto &parameter) { return case_name(parameter.param); });
+
+INSTANTIATE_TEST_SUITE_P(Written, RefusedFiles, testing::ValuesIn(written::refused()),
+                         [](const auto &parameter) { return case_name(parameter.param); });
+
+INSTANTIATE_TEST_SUITE_P(Assets, RefusedFiles, testing::ValuesIn(refused_files()),
                          [](const auto &parameter) { return case_name(parameter.param); });
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Every real character after splitting: what a crowd of one hands to the drawing, against the reference. The C API
-// shows no vertices, so this looks behind its handles; all that leads up to them goes through the public calls.
+// Every collected and every written character after splitting: what a crowd of one hands to the drawing, against the
+// reference. The C API shows no vertices, so this looks behind its handles; all that leads up to them goes through the
+// public calls.
 #include <claque/assets.h>
 #include <claque/view.h>
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@
 #include "tests/reference/comparison.h"
 #include "tests/reference/trajectories.h"
 #include "tests/reference/triangles.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::reference
 {
@@ -36,14 +38,14 @@ struct DestroyTemplate {
 template <class Handle>
 using Owned = std::unique_ptr<Handle, DestroyTemplate>;
 
-class SplitFormOfRealFiles : public testing::TestWithParam<std::string>
+class SplitFormOfFiles : public testing::TestWithParam<std::string>
 {
 protected:
     void SetUp() override
     {
         if (GetParam().empty())
-            GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR << ": real characters are not compared";
-        const std::string path = assets_folder() + GetParam();
+            GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR << ": collected characters are not compared";
+        const std::string path = written::path_of(GetParam(), assets_folder());
         character_ = load_character(path);
         size_ = size_of(character_);
         triangles_ = triangles_of(character_, size_);
@@ -124,7 +126,7 @@ protected:
     clq_view *view_ = nullptr;
 };
 
-TEST_P(SplitFormOfRealFiles, GoesWhereTheFilesVerticesGo)
+TEST_P(SplitFormOfFiles, GoesWhereTheFilesVerticesGo)
 {
     if (!is_drawable()) return;
     std::vector<Pose> poses;
@@ -158,7 +160,7 @@ std::vector<Facet> facets_of(const model::Level &level, const std::vector<Vec3> 
     return facets;
 }
 
-TEST_P(SplitFormOfRealFiles, HasTheFilesTrianglesAndTheirFronts)
+TEST_P(SplitFormOfFiles, HasTheFilesTrianglesAndTheirFronts)
 {
     if (!is_drawable()) return;
     std::vector<Pose> poses;
@@ -173,7 +175,10 @@ TEST_P(SplitFormOfRealFiles, HasTheFilesTrianglesAndTheirFronts)
     EXPECT_TRUE(matching.same) << GetParam() << ": " << matching.text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Assets, SplitFormOfRealFiles, testing::ValuesIn(loadable_files()),
+INSTANTIATE_TEST_SUITE_P(Written, SplitFormOfFiles, testing::ValuesIn(written::files()),
+                         [](const auto &parameter) { return case_name(parameter.param); });
+
+INSTANTIATE_TEST_SUITE_P(Assets, SplitFormOfFiles, testing::ValuesIn(loadable_files()),
                          [](const auto &parameter) { return case_name(parameter.param); });
 
 }  // namespace

@@ -8,19 +8,21 @@
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"
 #include "tests/reference/triangles.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::reference
 {
 namespace
 {
 
-class MatchingOfARealCharacter : public testing::Test
+class MatchingOfACharacter : public testing::TestWithParam<const char *>
 {
 protected:
     void SetUp() override
     {
-        if (assets_folder().empty()) GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR;
-        character_ = load_character(assets_folder() + "humanoids/khronos/CesiumMan.glb");
+        if (!written::is_written(GetParam()) && assets_folder().empty())
+            GTEST_SKIP() << "no folder " << CLAQUE_ASSETS_DIR;
+        character_ = load_character(written::path_of(GetParam(), assets_folder()));
         size_ = size_of(character_);
         triangles_ = triangles_of(character_, size_);
         used_ = vertices_of(triangles_, character_.vertex_count());
@@ -34,6 +36,12 @@ protected:
         poses_.push_back({evaluate(character_, 0, time_s), {shape.positions, shape.normals}});
     }
 
+    // A vertex of the file by its share of all of them.
+    size_t vertex(double share) const
+    {
+        return static_cast<size_t>(share * static_cast<double>(character_.vertex_count()));
+    }
+
     Matching matching() const { return match(poses_, used_, tolerance * size_); }
 
     Character character_;
@@ -43,31 +51,33 @@ protected:
     std::vector<Pose> poses_;
 };
 
-TEST_F(MatchingOfARealCharacter, TheSameMatches) { EXPECT_TRUE(matching().same) << matching().text; }
+TEST_P(MatchingOfACharacter, TheSameMatches) { EXPECT_TRUE(matching().same) << matching().text; }
 
-TEST_F(MatchingOfARealCharacter, OrderAndCopiesDoNotMatter)
+TEST_P(MatchingOfACharacter, OrderAndCopiesDoNotMatter)
 {
     for (Pose &pose : poses_) {
         Vertices &actual = pose.actual;
-        std::swap(actual.positions[3], actual.positions[1000]);
-        std::swap(actual.normals[3], actual.normals[1000]);
+        std::swap(actual.positions[3], actual.positions[vertex(0.3)]);
+        std::swap(actual.normals[3], actual.normals[vertex(0.3)]);
         actual.positions.push_back(actual.positions[17]);
         actual.normals.push_back(actual.normals[17]);
     }
     EXPECT_TRUE(matching().same) << matching().text;
 }
 
-TEST_F(MatchingOfARealCharacter, AVertexThatFollowsAnotherInOnePoseIsAStray)
+TEST_P(MatchingOfACharacter, AVertexThatFollowsAnotherInOnePoseIsAStray)
 {
     // Where it is then, there is a vertex of the file; only its way gives it away.
-    poses_[2].actual.positions[40] = poses_[2].expected.positions[2000];
+    poses_[2].actual.positions[40] = poses_[2].expected.positions[vertex(0.6)];
     EXPECT_EQ(1u, matching().strays) << matching().text;
 }
 
-TEST_F(MatchingOfARealCharacter, AVertexWithAnotherJointIsAStray)
+TEST_P(MatchingOfACharacter, AVertexWithAnotherJointIsAStray)
 {
     Character damaged = character_;
-    Part &part = damaged.parts.at(0);
+    size_t skinned = 0;
+    while (damaged.parts.at(skinned).skin < 0) ++skinned;
+    Part &part = damaged.parts[skinned];
     size_t influence = 0;
     while (part.weights.at(influence) < 0.9) ++influence;
     part.joints[influence] = (part.joints[influence] + 9) % character_.skins.at(0).joints.size();
@@ -76,7 +86,7 @@ TEST_F(MatchingOfARealCharacter, AVertexWithAnotherJointIsAStray)
     EXPECT_EQ(1u, matching().strays) << matching().text;
 }
 
-TEST_F(MatchingOfARealCharacter, AVertexThatIsNotThereIsMissing)
+TEST_P(MatchingOfACharacter, AVertexThatIsNotThereIsMissing)
 {
     const Vec3 lonely = poses_[0].expected.positions.at(100);
     for (size_t v = poses_[0].actual.positions.size(); v-- > 0;) {
@@ -89,7 +99,7 @@ TEST_F(MatchingOfARealCharacter, AVertexThatIsNotThereIsMissing)
     EXPECT_GE(matching().missing, 1u) << matching().text;
 }
 
-TEST_F(MatchingOfARealCharacter, ANormalThatLiesWrongIsNoticed)
+TEST_P(MatchingOfACharacter, ANormalThatLiesWrongIsNoticed)
 {
     for (Pose &pose : poses_) {
         Vec3 &n = pose.actual.normals[123];
@@ -98,7 +108,7 @@ TEST_F(MatchingOfARealCharacter, ANormalThatLiesWrongIsNoticed)
     EXPECT_EQ(1u, matching().bad_normals) << matching().text;
 }
 
-TEST_F(MatchingOfARealCharacter, ATurnedAMissingAndAStretchedTriangleAreNoticed)
+TEST_P(MatchingOfACharacter, ATurnedAMissingAndAStretchedTriangleAreNoticed)
 {
     const std::vector<Vec3> &at = poses_[0].expected.positions;
     std::vector<Facet> facets;
@@ -126,6 +136,12 @@ TEST_F(MatchingOfARealCharacter, ATurnedAMissingAndAStretchedTriangleAreNoticed)
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(chosen));
     EXPECT_EQ(1u, match(facets, triangles_.has_area, fewer, distance).missing);
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, MatchingOfACharacter,
+                         testing::Values("humanoids/khronos/CesiumMan.glb", "WrittenPerson.glb"),
+                         [](const auto &shown) {
+                             return written::is_written(shown.param) ? "WrittenPerson" : "CesiumMan";
+                         });
 
 TEST(TrianglesOfAPart, FollowTheSpecificationForStripsFansAndMirroredNodes)
 {

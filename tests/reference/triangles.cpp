@@ -24,17 +24,6 @@ std::vector<std::array<uint32_t, 3>> corners_of(const Part &part)
     return corners;
 }
 
-bool is_mirrored(const Character &character, const Part &part)
-{
-    if (part.skin >= 0) return false;
-    Mat4 world;
-    for (int at = static_cast<int>(part.node); at >= 0; at = character.nodes[static_cast<size_t>(at)].parent) {
-        const Node &node = character.nodes[static_cast<size_t>(at)];
-        world = (node.has_matrix ? node.matrix : compose(node.translation, node.rotation, node.scale)) * world;
-    }
-    return dot(world.column(0), cross(world.column(1), world.column(2))) < 0;
-}
-
 bool alike(const Facet &a, const Facet &b, double distance)
 {
     // Moving the corners by d changes the area by no more than half of d times the circumference, about; small
@@ -48,14 +37,15 @@ bool alike(const Facet &a, const Facet &b, double distance)
 
 Triangles triangles_of(const Character &character, double size)
 {
-    const std::vector<Vec3> positions = evaluate(character, rest, 0).positions;
+    const Shape shape = evaluate(character, rest, 0);
+    const std::vector<Vec3> &positions = shape.positions;
     Triangles triangles;
     size_t first = 0;
     for (const Part &part : character.parts) {
-        const bool mirrored = is_mirrored(character, part);
         for (const auto &corner : corners_of(part)) {
             Triangle triangle{first + corner[0], first + corner[1], first + corner[2]};
-            if (mirrored) std::swap(triangle[1], triangle[2]);
+            const auto is_mirrored = [&](size_t vertex) { return shape.mirrored[vertex]; };
+            if (std::count_if(triangle.begin(), triangle.end(), is_mirrored) >= 2) std::swap(triangle[1], triangle[2]);
             const Facet f = facet(positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]);
             triangles.all.push_back(triangle);
             triangles.has_area.push_back(length(f.area) > 1e-10 * size * size);

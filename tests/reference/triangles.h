@@ -18,6 +18,7 @@ struct Triangles {
 };
 
 // Lists, strips and fans of all parts. Where a rigid part's node mirrors, its front is the other side, as glTF has it.
+// glTF says nothing of joints that mirror: the outside stays the outside there, too.
 Triangles triangles_of(const Character &character, double size);
 
 // For each vertex, whether a triangle with an area has it.

@@ -1,4 +1,5 @@
-// Every character and prop of the collection that is not meant to be refused, held against its inventory.
+// Every character and prop of the collection that is not meant to be refused, and every written character, held against
+// the inventory beside it.
 #include <map>
 #include <set>
 
@@ -40,7 +41,7 @@ const std::set<std::string> instanced = {"environment/godot-town/town_model.gltf
                                          "conformance/magnum/mesh-skin-attributes.gltf",
                                          "conformance/magnum/mesh-unsigned-int-vertex-formats.gltf"};
 
-Json inventory() { return Json::parse(std::ifstream(assets_folder() + "/inventory.json")); }
+Json inventory(const std::string &folder) { return Json::parse(std::ifstream(folder + "/inventory.json")); }
 
 void expect_as_listed(const std::string &file, const Json &row, const model::Model &model)
 {
@@ -86,7 +87,7 @@ TEST(Inventory, EveryFileLoadsAsListedOrIsRefusedForItsReason)
     CLAQUE_NEEDS_ASSETS();
     size_t loaded = 0, refusals = 0;
     const auto refused = refused_here();
-    for (const Json &row : inventory()) {
+    for (const Json &row : inventory(assets_folder())) {
         const std::string file = row["file"];
         const std::string suffix = std::filesystem::path(file).extension().string();
         if (suffix != ".glb" && suffix != ".gltf") continue;
@@ -105,6 +106,36 @@ TEST(Inventory, EveryFileLoadsAsListedOrIsRefusedForItsReason)
     }
     EXPECT_EQ(refusals, refused.size());
     EXPECT_GE(loaded, 87u);
+}
+
+TEST(Inventory, EveryWrittenCharacterLoadsAsListed)
+{
+    size_t loaded = 0;
+    for (const Json &row : inventory(written::folder())) {
+        const std::string file = row["file"];
+        expect_as_listed(file, row, load(read_asset(file), options_for(file)));
+        ++loaded;
+    }
+    EXPECT_EQ(loaded, written::files().size());
+}
+
+TEST(Inventory, AWrittenPropHiddenByNameKeepsItsPlace)
+{
+    const std::string file = "WrittenPerson.glb";
+    const auto hidden_by = [&](const std::vector<std::string> &nodes) {
+        asset::LoadOptions options = options_for(file);
+        options.hidden_nodes = nodes;
+        const model::Model model = load(read_asset(file), options);
+        EXPECT_EQ(model.parts.size(), 7u);
+        EXPECT_EQ(model.warnings.size(), 1u);
+        EXPECT_NE(model.warnings.at(0).find("no such node"), std::string::npos);
+        std::set<std::string> hidden;
+        for (const model::Part &part : model.parts)
+            if (part.hidden) hidden.insert(model.rig.node_names[part.node].c_str());
+        return hidden;
+    };
+    EXPECT_EQ(hidden_by({"hat", "no such node"}), (std::set<std::string>{"hat"}));
+    EXPECT_EQ(hidden_by({"head", "no such node"}), (std::set<std::string>{"hat", "ear-ring.l", "ear-ring.r"}));
 }
 
 TEST(Inventory, APropHiddenByNameKeepsItsPlaceAndLosesItsMaterialsZone)

@@ -1,4 +1,5 @@
-// Small conformance files, damaged a few bytes at a time: whatever comes of it, only base::Error may.
+// Small conformance files and written characters, damaged a few bytes at a time: whatever comes of it, only base::Error
+// may.
 #include "assets.h"
 #include "lib/base/hash.h"
 
@@ -7,17 +8,18 @@ namespace claque::testing
 namespace
 {
 
-const char *const files[] = {"conformance/khronos/SimpleMorph-Embedded/SimpleMorph.gltf",
-                             "conformance/khronos/AnimatedMorphCube.glb",
-                             "conformance/khronos/RiggedSimple.glb",
-                             "conformance/khronos/InterpolationTest.glb",
-                             "conformance/khronos/VertexColorTest.glb",
-                             "conformance/khronos/SimpleSkin-external/SimpleSkin.gltf",
-                             "conformance/khronos/SimpleSparseAccessor-external/SimpleSparseAccessor.gltf",
-                             "conformance/magnum/mesh-skin-attributes.gltf",
-                             "compressed/AnimatedMorphCube-Quantized/AnimatedMorphCube.gltf",
-                             "hostile/gltf/box_sparse.glb",
-                             "hostile/validator/glb/two_images.glb"};
+const std::vector<std::string> conformance_files = {
+    "conformance/khronos/SimpleMorph-Embedded/SimpleMorph.gltf",
+    "conformance/khronos/AnimatedMorphCube.glb",
+    "conformance/khronos/RiggedSimple.glb",
+    "conformance/khronos/InterpolationTest.glb",
+    "conformance/khronos/VertexColorTest.glb",
+    "conformance/khronos/SimpleSkin-external/SimpleSkin.gltf",
+    "conformance/khronos/SimpleSparseAccessor-external/SimpleSparseAccessor.gltf",
+    "conformance/magnum/mesh-skin-attributes.gltf",
+    "compressed/AnimatedMorphCube-Quantized/AnimatedMorphCube.gltf",
+    "hostile/gltf/box_sparse.glb",
+    "hostile/validator/glb/two_images.glb"};
 constexpr uint64_t runs_per_file = 400;
 
 // Numbers in a row for one damage, the same on every machine.
@@ -57,11 +59,10 @@ void damage(Bytes &bytes, Dice &dice)
     }
 }
 
-TEST(Mutation, DamagedFilesLoadOrAreRefusedAndNothingElse)
+void expect_loaded_or_refused(const std::vector<std::string> &files)
 {
-    CLAQUE_NEEDS_ASSETS();
     uint64_t loaded = 0, refused = 0;
-    for (size_t f = 0; f < sizeof files / sizeof *files; ++f) {
+    for (size_t f = 0; f < files.size(); ++f) {
         const Bytes whole = read_asset(files[f]);
         const asset::LoadOptions options = options_for(files[f]);
         for (uint64_t run = 0; run < runs_per_file; ++run) {
@@ -76,6 +77,14 @@ TEST(Mutation, DamagedFilesLoadOrAreRefusedAndNothingElse)
     EXPECT_GT(loaded, 100u);
     EXPECT_GT(refused, 100u);
 }
+
+TEST(Mutation, DamagedFilesLoadOrAreRefusedAndNothingElse)
+{
+    CLAQUE_NEEDS_ASSETS();
+    expect_loaded_or_refused(conformance_files);
+}
+
+TEST(Mutation, DamagedWrittenCharactersLoadOrAreRefusedAndNothingElse) { expect_loaded_or_refused(written::files()); }
 
 }  // namespace
 }  // namespace claque::testing

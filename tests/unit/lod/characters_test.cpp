@@ -1,4 +1,5 @@
-// Levels of detail of the collected characters, where they are: a few of them, or all with CLAQUE_ALL_CHARACTERS set.
+// Levels of detail of the written people, and of the collected characters, where they are: a few of them, or all with
+// CLAQUE_ALL_CHARACTERS set.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "lib/asset/gltf.h"
 #include "lib/lod/area_fractions.h"
 #include "lib/lod/chain.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::test
 {
@@ -39,7 +41,7 @@ std::vector<std::string> characters()
 
 model::Model loaded(const std::string &name)
 {
-    const std::string path = CLAQUE_ASSETS_DIR "/" + name;
+    const std::string path = written::path_of(name, CLAQUE_ASSETS_DIR);
     asset::LoadOptions options;
     options.base_folder = fs::path(path).parent_path().string();
     const std::vector<uint8_t> bytes = asset::read_file(path, 1u << 30);
@@ -62,7 +64,8 @@ class LevelsOfCharacters : public testing::TestWithParam<std::string>
 
 TEST_P(LevelsOfCharacters, GoDownToAFewDozenTrianglesWithoutGapsAndKeepTheirZones)
 {
-    if (!fs::exists(CLAQUE_ASSETS_DIR "/inventory.json")) GTEST_SKIP() << "no characters in " CLAQUE_ASSETS_DIR;
+    if (!written::is_written(GetParam()) && !fs::exists(CLAQUE_ASSETS_DIR "/inventory.json"))
+        GTEST_SKIP() << "no characters in " CLAQUE_ASSETS_DIR;
     model::Model model = loaded(GetParam());
     lod::ChainOptions options;
     options.sampling.max_clips = 0;
@@ -85,5 +88,6 @@ TEST_P(LevelsOfCharacters, GoDownToAFewDozenTrianglesWithoutGapsAndKeepTheirZone
 }
 
 INSTANTIATE_TEST_SUITE_P(Collected, LevelsOfCharacters, testing::ValuesIn(characters()), name_of);
+INSTANTIATE_TEST_SUITE_P(Written, LevelsOfCharacters, testing::ValuesIn(written::people()), name_of);
 
 }  // namespace claque::test

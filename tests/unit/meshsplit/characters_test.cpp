@@ -1,4 +1,4 @@
-// Skeletal levels and spheres of parts of the collected characters, where they are.
+// Skeletal levels and spheres of parts of the collected characters, where they are, and of the written ones.
 #include <gtest/gtest.h>
 
 #include "posed.h"
@@ -7,6 +7,7 @@
 #include "lib/asset/gltf.h"
 #include "lib/model/template_check.h"
 #include "meshsplit/level_plan.h"
+#include "tests/support/written_characters.h"
 
 #include <filesystem>
 
@@ -16,23 +17,23 @@ namespace claque::test
 namespace
 {
 
-const char *const characters[] = {"humanoids/kaykit/Barbarian.glb",
-                                  "humanoids/quaternius-ultimate/Suit_Female.gltf",
-                                  "humanoids/quaternius-modular/Man_Suit.glb",
-                                  "humanoids/quaternius-fbx/PlatformerCharacter.glb",
-                                  "humanoids/gdquest/gdbot.glb",
-                                  "humanoids/kenney/character.glb",
-                                  "humanoids/khronos/CesiumMan.glb",
-                                  "machines/khronos/CesiumMilkTruck.glb",
-                                  "machines/quaternius/Tank2.glb",
-                                  "animals/quaternius/Spider.glb",
-                                  "animals/khronos/Fox.glb"};
+const std::vector<std::string> collected = {"humanoids/kaykit/Barbarian.glb",
+                                            "humanoids/quaternius-ultimate/Suit_Female.gltf",
+                                            "humanoids/quaternius-modular/Man_Suit.glb",
+                                            "humanoids/quaternius-fbx/PlatformerCharacter.glb",
+                                            "humanoids/gdquest/gdbot.glb",
+                                            "humanoids/kenney/character.glb",
+                                            "humanoids/khronos/CesiumMan.glb",
+                                            "machines/khronos/CesiumMilkTruck.glb",
+                                            "machines/quaternius/Tank2.glb",
+                                            "animals/quaternius/Spider.glb",
+                                            "animals/khronos/Fox.glb"};
 
 bool are_there() { return std::filesystem::exists(std::string(CLAQUE_ASSETS_DIR) + "/inventory.json"); }
 
 model::Model loaded(const std::string &name)
 {
-    const std::string path = std::string(CLAQUE_ASSETS_DIR) + "/" + name;
+    const std::string path = written::path_of(name, CLAQUE_ASSETS_DIR);
     asset::LoadOptions options;
     options.base_folder = std::filesystem::path(path).parent_path().string();
     const std::vector<uint8_t> bytes = asset::read_file(path, 1u << 30);
@@ -64,32 +65,30 @@ bool stop_half(model::Model &m)
     return any;
 }
 
-}  // namespace
-
-TEST(Characters, WithHalfOfTheirNodesStoppedStandAtRestAsTheyDid)
+// Returns how many had skinned surfaces to compare.
+size_t expect_the_same_at_rest(const std::vector<std::string> &names)
 {
-    if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
-    size_t seen = 0;
-    for (const char *name : characters) {
+    size_t compared = 0;
+    for (const std::string &name : names) {
         model::Model m = loaded(name);
         if (!stop_half(m)) continue;
         const auto tmpl = built(m);
-        ASSERT_EQ(tmpl->levels.size(), 2u);
+        EXPECT_EQ(tmpl->levels.size(), 2u) << name;
+        if (tmpl->levels.size() != 2) continue;
         model::check(*tmpl);
         const std::vector<glm::vec3> near = posed(*tmpl, 0, model::none, 0), far = posed(*tmpl, 1, model::none, 0);
         if (near.size() != far.size()) continue;  // triangles between stopped nodes have lost their area
-        ++seen;
+        ++compared;
         EXPECT_LT(largest_difference(near, far), 2e-5f * tmpl->sklsroot.radius) << name;
         EXPECT_LT(tmpl->levels[1].nodes.size(), tmpl->rig.node_count()) << name;
         EXPECT_LT(tmpl->levels[1].entries.size(), tmpl->levels[0].entries.size() + 1) << name;
     }
-    EXPECT_GE(seen, 5u);
+    return compared;
 }
 
-TEST(Characters, StayInsideTheSpheresOfTheirPartsInEveryClip)
+void expect_inside_spheres(const std::vector<std::string> &names)
 {
-    if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
-    for (const char *name : characters) {
+    for (const std::string &name : names) {
         SCOPED_TRACE(name);
         const auto tmpl = built(loaded(name));
         pose::Workspace workspace(tmpl->rig);
@@ -102,5 +101,26 @@ TEST(Characters, StayInsideTheSpheresOfTheirPartsInEveryClip)
             }
     }
 }
+
+}  // namespace
+
+TEST(Characters, WithHalfOfTheirNodesStoppedStandAtRestAsTheyDid)
+{
+    if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
+    EXPECT_GE(expect_the_same_at_rest(collected), 5u);
+}
+
+TEST(Characters, StayInsideTheSpheresOfTheirPartsInEveryClip)
+{
+    if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
+    expect_inside_spheres(collected);
+}
+
+TEST(WrittenCharacters, WithHalfOfTheirNodesStoppedStandAtRestAsTheyDid)
+{
+    EXPECT_GE(expect_the_same_at_rest(written::characters()), 5u);
+}
+
+TEST(WrittenCharacters, StayInsideTheSpheresOfTheirPartsInEveryClip) { expect_inside_spheres(written::characters()); }
 
 }  // namespace claque::test

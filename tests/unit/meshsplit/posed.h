@@ -78,10 +78,11 @@ inline void expect_held(const model::Template &tmpl, const model::Level &level, 
             for (uint32_t s = 0; s < level.parts[p].sphere_count; ++s) {
                 const model::PartSphere &sphere = level.part_spheres[level.parts[p].first_sphere + s];
                 const math::Affine &m = palette[sphere.entry];
-                float stretch = 0;
-                for (int k = 0; k < 3; ++k) stretch = std::max(stretch, glm::length(m.column(k)));
-                spheres = std::max(spheres, glm::dot(unit, math::transform_point(m, sphere.bind.centre)) +
-                                                stretch * sphere.bind.radius);
+                // How far the matrix takes a ball of radius 1 along `unit`: exact for shears, too.
+                const float reach = glm::length(
+                    glm::vec3(glm::dot(unit, m.column(0)), glm::dot(unit, m.column(1)), glm::dot(unit, m.column(2))));
+                spheres = std::max(
+                    spheres, glm::dot(unit, math::transform_point(m, sphere.bind.centre)) + reach * sphere.bind.radius);
             }
             ASSERT_LE(vertices, spheres) << "part " << p;
         }

@@ -9,6 +9,7 @@
 #include "lib/base/error.h"
 #include "lib/retarget/retarget.h"
 #include "rigs.h"
+#include "tests/support/written_characters.h"
 
 namespace claque::testing
 {
@@ -34,7 +35,7 @@ model::Rig dancer()
 
 model::Model real(const std::string &name)
 {
-    const std::string path = std::string(CLAQUE_ASSETS_DIR) + "/" + name;
+    const std::string path = written::path_of(name, CLAQUE_ASSETS_DIR);
     const std::vector<uint8_t> bytes = asset::read_file(path, 1u << 30);
     asset::LoadOptions options;
     options.base_folder = path.substr(0, path.rfind('/'));
@@ -140,25 +141,46 @@ TEST(Channels, UnderOtherAxesShowTheSame)
             EXPECT_LT(glm::distance(posed(source, 0, k).of(source, name), posed(target, 1, k).of(target, name)), 1e-5);
 }
 
-TEST(Channels, OfAFileOfClipsAloneMoveACharacterOfAnotherFile)
+namespace
 {
-    if (!has_assets()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
-    const model::Model clips = real("clips-only/kaykit/Med_Simulation.glb");
-    model::Model character = real("humanoids/kaykit/Barbarian.glb");
+
+// All clips of one file are copied to a character of another; `shown` looks the same there, within `distance`.
+void expect_moved(const char *clips_file, const char *character_file, const char *shown, uint32_t fewest_joints,
+                  const std::vector<const char *> &joints, const std::vector<uint32_t> &keys, double distance)
+{
+    const model::Model clips = real(clips_file);
+    model::Model character = real(character_file);
     const uint32_t before = static_cast<uint32_t>(character.rig.clips.size());
     const retarget::Report report = retarget::add_clips(character.rig, clips.rig, {});
     EXPECT_EQ(report.mode, retarget::Mode::channels);
     EXPECT_EQ(report.clip_count, clips.rig.clips.size());
-    EXPECT_GE(report.joint_count, 23u);
+    EXPECT_GE(report.joint_count, fewest_joints);
     model::check(character.rig);
-    const uint32_t waving = clips.rig.find_clip("Rig_Medium|Waving");
+    const uint32_t clip = clips.rig.find_clip(shown);
     const model::Rig &source = clips.rig, &target = character.rig;
-    for (const uint32_t key : {0u, 7u, 20u})
-        for (const char *name : {"hips", "head", "hand.l", "hand.r", "foot.l", "toes.r"})
-            EXPECT_LT(glm::distance(posed(source, waving, key).of(source, name),
-                                    posed(target, before + waving, key).of(target, name)),
-                      0.004)
+    ASSERT_LT(clip, clips.rig.clips.size());
+    for (const uint32_t key : keys)
+        for (const char *name : joints)
+            EXPECT_LT(glm::distance(posed(source, clip, key).of(source, name),
+                                    posed(target, before + clip, key).of(target, name)),
+                      distance)
                 << name;
+}
+
+}  // namespace
+
+TEST(Channels, OfAFileOfClipsAloneMoveACharacterOfAnotherFile)
+{
+    if (!has_assets()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
+    expect_moved("clips-only/kaykit/Med_Simulation.glb", "humanoids/kaykit/Barbarian.glb", "Rig_Medium|Waving", 23,
+                 {"hips", "head", "hand.l", "hand.r", "foot.l", "toes.r"}, {0, 7, 20}, 0.004);
+}
+
+TEST(Channels, OfAWrittenFileOfClipsAloneMoveWrittenCharacters)
+{
+    for (const char *character : {"WrittenPerson.glb", "WrittenSkins.glb", "WrittenQuantised.glb"})
+        expect_moved("WrittenClips.glb", character, "bow", 16, {"hips", "head", "hand.l", "hand.r", "foot.l", "shin.r"},
+                     {0, 1, 2, 3}, 1e-5);
 }
 
 TEST(AddClips, ReportsUnboundJointsAndRefusesIfNoneIsBound)
