@@ -62,13 +62,13 @@ scenes::ColourMap map_of_theatre(scenes::Library &library, const std::string &fi
                                                  : scenes::read_theatre(text_of(file), file);
     Making making;
     for (const scenes::SocialClass &one : theatre.classes) {
-        const clq_template *tmpl = library.builtin(one.figure);
+        const clq_template *tmpl = library.builtin(one.character);
         std::vector<clq_zone_colours> &zones = making.add(one.name.c_str(), tmpl);
         for (const scenes::SocialClass::Dye &dye : one.palette) {
             const uint32_t zone = clq_template_find_zone(tmpl, dye.zone.c_str());
             if (zone == CLQ_NONE)
                 throw scenes::Failure("the " + one.name + " have a palette for '" + dye.zone +
-                                      "', and the built-in character '" + one.figure + "' has no such zone");
+                                      "', and the built-in character '" + one.character + "' has no such zone");
             making.dyes.push_back({dye.range, 1});
             zones[zone].palette = &making.dyes.back();
         }

@@ -113,7 +113,7 @@ nlohmann::ordered_json json_of(const LevelsComparison &comparison)
     return {{"claque", json_of(comparison.ours)},
             {"quadric_only", json_of(comparison.quadric_only)},
             {"claque_s", comparison.ours_s},
-            {"plain_s", comparison.quadric_only_s}};
+            {"quadric_only_s", comparison.quadric_only_s}};
 }
 
 }  // namespace cli

@@ -134,7 +134,7 @@ Crush crush(const Theatre &theatre, size_t stride, const std::vector<double> &ti
     const std::vector<Seat> seats = seats_of(theatre);
     const std::vector<Sitter> people = seat_people(theatre, seats, 0, 1);
     std::vector<Member> members = members_of(theatre, seats, people, 1);
-    const auto figure = [&](size_t i) { return theatre.classes[people[i].social_class].figure; };
+    const auto figure = [&](size_t i) { return theatre.classes[people[i].social_class].character; };
     for (size_t i = 0; i < people.size(); ++i)
         for (size_t act = 0; act < act_count; ++act)
             members[i].duration_s[act] =

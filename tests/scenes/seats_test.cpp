@@ -93,7 +93,7 @@ TEST(Seating, EveryClassFillsItsOwnRowsAndNoSeatTwice)
     EXPECT_EQ(people.size(), 1020u);
     for (const Sitter &sitter : people) {
         EXPECT_TRUE(taken.insert(sitter.seat).second);
-        EXPECT_EQ(odeon().rows[seats()[sitter.seat].row].who, odeon().classes[sitter.social_class].name);
+        EXPECT_EQ(odeon().rows[seats()[sitter.seat].row].social_class, odeon().classes[sitter.social_class].name);
     }
 }
 
@@ -118,7 +118,7 @@ TEST(Seating, MorePeopleThanSeatsAreRefusedWithTheNumbers)
 TEST(Seating, SizesAreThoseOfWomenAndMen)
 {
     for (const Sitter &sitter : seat_people(odeon(), seats(), 1020, 1)) {
-        const bool woman = odeon().classes[sitter.social_class].figure == "patrician";
+        const bool woman = odeon().classes[sitter.social_class].character == "patrician";
         EXPECT_GE(sitter.scale, woman ? 0.93f : 0.97f);
         EXPECT_LE(sitter.scale, woman ? 0.98f : 1.03f);
     }

@@ -48,11 +48,11 @@ TEST(Theatre, TheDescriptionThatComesWithClaqueIsRead)
     EXPECT_DOUBLE_EQ(theatre.rows[1].radius_m, 7.68);
     EXPECT_NEAR(theatre.rows[8].seat_y_m, 4.30, 1e-9);
     EXPECT_NEAR(theatre.rows[8].step_y_m, 3.87, 1e-9);
-    EXPECT_EQ(theatre.rows[17].who, "plebeians");
+    EXPECT_EQ(theatre.rows[17].social_class, "plebeians");
     ASSERT_EQ(theatre.gangways.size(), 10u);
     EXPECT_EQ(theatre.gangways[9].first_row, 9u);
     ASSERT_EQ(theatre.classes.size(), 3u);
-    EXPECT_EQ(theatre.classes[1].figure, "patrician");
+    EXPECT_EQ(theatre.classes[1].character, "patrician");
     ASSERT_EQ(theatre.classes[2].palette.size(), 2u);
     for (const SocialClass &one : theatre.classes) EXPECT_EQ(one.count, 340u);
 }
@@ -72,7 +72,14 @@ TEST(Theatre, MissingKeysAreNamed)
     expect_refused("", {"'name'"});
     expect_refused(changed("[orchestra]", "radius_m = 6.2", ""), {"[orchestra]", "lacks 'radius_m'"});
     expect_refused(changed(middle, "depth_m = 0.78", ""), {"[[rows]] 2", "lacks 'depth_m'"});
-    expect_refused(changed(palette, "figure = \"decurion\"", ""), {"[[audience.classes]] 1", "lacks 'figure'"});
+    expect_refused(changed(palette, "character = \"decurion\"", ""), {"[[audience.classes]] 1", "lacks 'character'"});
+}
+
+TEST(Theatre, FormerKeysAreRefusedWithTheirNewNames)
+{
+    expect_refused(changed(palette, "character = \"decurion\"", "figure = \"decurion\""),
+                   {"[[audience.classes]] 1", "'figure'", "'character'"});
+    expect_refused(changed(lower, "class = \"decurions\"", "who = \"decurions\""), {"[[rows]] 1", "'who'", "'class'"});
 }
 
 TEST(Theatre, WithoutADescriptionOfItsAudienceIsRefused)
@@ -100,7 +107,7 @@ TEST(Theatre, WrongTypesAreNamed)
 {
     expect_refused(changed(lower, "radius_m = 6.9", "radius_m = \"wide\""), {"'radius_m'", "a string", "number"});
     expect_refused(changed(lower, "count = 9", "count = 9.5"), {"'count'", "whole"});
-    expect_refused(changed(lower, "who = \"decurions\"", "who = 3"), {"'who'", "a whole number", "string"});
+    expect_refused(changed(lower, "class = \"decurions\"", "class = 3"), {"'class'", "a whole number", "string"});
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 0.0, 97.0]"), {"'sweep_deg'", "[first, last]"});
     expect_refused("audience = 1\n" + odeon_description().substr(0, odeon_description().find("[audience]")),
                    {"'audience'", "table"});
@@ -168,8 +175,8 @@ TEST(Theatre, ARowOnTheStageIsRefused)
 
 TEST(Theatre, UnknownClassesAndCharactersAreRefusedWithTheirRow)
 {
-    expect_refused(changed(upper, "who = \"plebeians\"", "who = \"slaves\""), {"row 15", "'slaves'"});
-    expect_refused(changed(palette, "figure = \"decurion\"", "figure = \"emperor\""), {"'emperor'", "patrician"});
+    expect_refused(changed(upper, "class = \"plebeians\"", "class = \"slaves\""), {"row 15", "'slaves'"});
+    expect_refused(changed(palette, "character = \"decurion\"", "character = \"emperor\""), {"'emperor'", "patrician"});
     expect_refused(changed("women of", "name = \"patricians\"", "name = \"decurions\""), {"second class 'decurions'"});
 }
 
@@ -177,5 +184,5 @@ TEST(Theatre, MorePeopleThanSeatsAreRefusedWithBothNumbers)
 {
     expect_refused(changed(palette, "count = 340", "count = 391"), {"391 decurions", "390 seats", "rows 1, 2"});
     EXPECT_EQ(refusal(changed(palette, "count = 340", "count = 390")), "read");
-    expect_refused(changed(lower, "who = \"decurions\"", ""), {"340 decurions", "no row is theirs"});
+    expect_refused(changed(lower, "class = \"decurions\"", ""), {"340 decurions", "no row is theirs"});
 }

@@ -47,7 +47,7 @@ std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &
         member.x = seats[sitter.seat].x;
         member.z = seats[sitter.seat].z;
         member.aside_m = aside_of(seats, taken, sitter.seat);
-        member.temperament = manners_of(theatre.classes[sitter.social_class].figure);
+        member.temperament = manners_of(theatre.classes[sitter.social_class].character);
         members.push_back(member);
     }
     return members;
@@ -61,7 +61,7 @@ Audience::Audience(Library &library, const Theatre &theatre, const CrowdOptions 
 {
     std::vector<std::vector<clq_hsb_range>> palette;
     for (const SocialClass &one : theatre.classes) {
-        figure_of_.push_back(figure(library, one.figure, crowd_options.lod));
+        figure_of_.push_back(figure(library, one.character, crowd_options.lod));
         palette.push_back(palette_of(one, figures_[figure_of_.back()]));
     }
     for (size_t i = 0; i < sitters_.size(); ++i) {

@@ -11,6 +11,11 @@ namespace
 constexpr Limits radius_m = {1, 200}, height_limits_m = {-50, 100}, turn_deg = {-180, 180}, fraction = {0, 1};
 constexpr Limits row_number = {1, 100}, people = {0, 100000};
 
+void refuse_old_key(TomlTable &table, const char *old_key, const char *key)
+{
+    if (table.has(old_key)) table.refuse("has '" + std::string(old_key) + "', which is now '" + key + "'", old_key);
+}
+
 void read_rows(TomlTable rows, Theatre &theatre)
 {
     const uint32_t count = rows.whole("count", row_number);
@@ -25,7 +30,8 @@ void read_rows(TomlTable rows, Theatre &theatre)
                     "sweep_deg");
     row.first_deg = first;
     row.last_deg = last;
-    if (rows.has("who")) row.who = rows.text("who");
+    refuse_old_key(rows, "who", "class");
+    if (rows.has("class")) row.social_class = rows.text("class");
     rows.done();
     if (theatre.rows.size() + count > row_number.last)
         rows.refuse("would make row " + show(double(theatre.rows.size() + count)) + "; the limit is " +
@@ -71,7 +77,8 @@ void read_class(TomlTable described_class, Theatre &theatre)
 {
     SocialClass made;
     made.name = described_class.text("name");
-    made.figure = described_class.text("figure");
+    refuse_old_key(described_class, "figure", "character");
+    made.character = described_class.text("character");
     made.count = described_class.whole("count", people);
     if (described_class.has("palette"))
         for (auto &[zone, dye] : described_class.table("palette", "class '" + made.name + "'")
@@ -80,15 +87,15 @@ void read_class(TomlTable described_class, Theatre &theatre)
     described_class.done();
     for (const SocialClass &other : theatre.classes)
         if (other.name == made.name) described_class.refuse("is a second class '" + made.name + "'", "name");
-    const char *const figures[] = {"citizen", "patrician", "decurion", "plebeian"};
-    for (const char *figure : figures)
-        if (made.figure == figure) {
+    const char *const characters[] = {"citizen", "patrician", "decurion", "plebeian"};
+    for (const char *character : characters)
+        if (made.character == character) {
             theatre.classes.push_back(std::move(made));
             return;
         }
-    described_class.refuse("wears '" + made.figure +
-                               "', which is no built-in character; there are: citizen, patrician, decurion, plebeian",
-                           "figure");
+    described_class.refuse("has the character '" + made.character +
+                               "', which is not built in; there are: citizen, patrician, decurion, plebeian",
+                           "character");
 }
 
 void read_stage(TomlTable stage, Theatre &theatre)

@@ -44,7 +44,7 @@ std::vector<uint32_t> shares(const Theatre &theatre, uint32_t count)
 
 float scale_of(const SocialClass &one, uint64_t seed, size_t seat)
 {
-    const bool woman = one.figure == "patrician";
+    const bool woman = one.character == "patrician";
     return static_cast<float>(woman ? random_between(seed, seat, Purpose::size, 0.93, 0.98)
                                     : random_between(seed, seat, Purpose::size, 0.97, 1.03));
 }
@@ -74,7 +74,7 @@ std::vector<Sitter> seat_people(const Theatre &theatre, const std::vector<Seat> 
         const SocialClass &one = theatre.classes[c];
         std::vector<std::pair<uint64_t, size_t>> theirs;
         for (size_t seat = 0; seat < seats.size(); ++seat)
-            if (theatre.rows[seats[seat].row].who == one.name)
+            if (theatre.rows[seats[seat].row].social_class == one.name)
                 theirs.push_back({random_bits(seed, seat, Purpose::seat), seat});
         if (wanted[c] > theirs.size())
             throw Failure("an audience of " + std::to_string(count) + " has " + std::to_string(wanted[c]) + " " +

@@ -16,7 +16,7 @@ namespace scenes
 // A class of the audience: its template, its number of people, and the palettes of its colours.
 struct SocialClass {
     std::string name;
-    std::string figure;  // of clq_template_builtin
+    std::string character;  // built-in
     uint32_t count = 0;
     struct Dye {
         std::string zone;
@@ -31,7 +31,7 @@ struct SeatRow {
     double seat_y_m = 0;                 // height of its seats
     double step_y_m = 0;                 // height under the sitters' feet: seat_y_m less the rise
     double first_deg = 0, last_deg = 0;  // its sweep
-    std::string who;                     // name of a class; empty: the row stays empty
+    std::string social_class;            // its name; empty: the row stays empty
 };
 
 // Stairs that cut through rows [first_row, last_row].

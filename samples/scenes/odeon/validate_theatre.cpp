@@ -133,7 +133,7 @@ private:
             uint32_t room = 0;
             std::string rows;
             for (size_t i = 0; i < of_row.size(); ++i) {
-                if (theatre_.rows[i].who != one.name) continue;
+                if (theatre_.rows[i].social_class != one.name) continue;
                 room += of_row[i];
                 rows += (rows.empty() ? "" : ", ") + std::to_string(i + 1);
             }
@@ -146,10 +146,10 @@ private:
     void classes() const
     {
         for (size_t i = 0; i < theatre_.rows.size(); ++i) {
-            const std::string &who = theatre_.rows[i].who;
-            const auto named = [&](const SocialClass &one) { return one.name == who; };
-            if (!who.empty() && std::none_of(theatre_.classes.begin(), theatre_.classes.end(), named))
-                refuse(name(i) + " is for '" + who + "', which is no class of its audience");
+            const std::string &wanted = theatre_.rows[i].social_class;
+            const auto named = [&](const SocialClass &one) { return one.name == wanted; };
+            if (!wanted.empty() && std::none_of(theatre_.classes.begin(), theatre_.classes.end(), named))
+                refuse(name(i) + " is for '" + wanted + "', which is no class of its audience");
         }
     }
 
