@@ -133,12 +133,12 @@ bool Accessors::has_data(uint32_t index) const
            (a.sparse.count == 0 || (there(a.sparse.index_view) && there(a.sparse.value_view)));
 }
 
-const Accessor &Accessors::wanted(uint32_t index, uint32_t width, const std::string &who) const
+const Accessor &Accessors::wanted(uint32_t index, uint32_t width, const std::string &needed_by) const
 {
     const Accessor &a = accessors_[index];
     if (a.width != width || (a.columns > 1) != (width == 16) || a.component == Component::unknown)
-        fail(CLQ_FORMAT, "%s needs elements of %u components: %s has others, or an unknown type", who.c_str(), width,
-             a.path.c_str());
+        fail(CLQ_FORMAT, "%s needs elements of %u components: %s has others, or an unknown type", needed_by.c_str(),
+             width, a.path.c_str());
     return a;
 }
 

@@ -51,11 +51,11 @@ public:
     uint32_t reference(const JsonView &view) const { return view.index(accessors_.size(), "accessor"); }
 
     // All components in a row as finite floats; normalised integers are mapped to [0, 1] or [-1, 1]. Throws unless
-    // elements have `width` components. `who` names the reader in messages.
-    std::vector<float> floats(uint32_t index, uint32_t width, const std::string &who) const;
+    // elements have `width` components. `needed_by` names the reader in messages.
+    std::vector<float> floats(uint32_t index, uint32_t width, const std::string &needed_by) const;
 
     // Unsigned integers, not normalised.
-    std::vector<uint32_t> integers(uint32_t index, uint32_t width, const std::string &who) const;
+    std::vector<uint32_t> integers(uint32_t index, uint32_t width, const std::string &needed_by) const;
 
 private:
     void parse(const JsonView &accessor);
@@ -66,9 +66,9 @@ private:
     };
     static Row row_of(const Accessor &accessor, uint64_t count);
     void check_range(const Accessor &accessor, uint32_t view, uint64_t offset, const Row &row, const char *what) const;
-    const Accessor &wanted(uint32_t index, uint32_t width, const std::string &who) const;
+    const Accessor &wanted(uint32_t index, uint32_t width, const std::string &needed_by) const;
     template <class Out, class Read>
-    std::vector<Out> decode(const Accessor &accessor, const std::string &who, const Read &read) const;
+    std::vector<Out> decode(const Accessor &accessor, const std::string &needed_by, const Read &read) const;
 
     const Buffers &buffers_;
     Budget &budget_;

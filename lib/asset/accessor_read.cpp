@@ -54,9 +54,9 @@ float float_at(const Accessor &a, const uint8_t *p)
 }  // namespace
 
 template <class Out, class Read>
-std::vector<Out> Accessors::decode(const Accessor &a, const std::string &who, const Read &read) const
+std::vector<Out> Accessors::decode(const Accessor &a, const std::string &needed_by, const Read &read) const
 {
-    budget_.charge(uint64_t(a.count) * a.width * sizeof(Out), who.c_str());
+    budget_.charge(uint64_t(a.count) * a.width * sizeof(Out), needed_by.c_str());
     std::vector<Out> out(size_t(a.count) * a.width);
     const uint64_t size = bytes_of(a.component);
     const uint64_t element = size * a.width;  // only 4 x 4 matrices are read; their columns have no padding
@@ -69,13 +69,13 @@ std::vector<Out> Accessors::decode(const Accessor &a, const std::string &who, co
         return out;
     }
     if (a.view != 0xffffffffu) {
-        const uint8_t *first = buffers_.bytes(a.view, who).data + a.offset;
+        const uint8_t *first = buffers_.bytes(a.view, needed_by).data + a.offset;
         const uint64_t stride = buffers_.view(a.view).stride ? buffers_.view(a.view).stride : element;
         for (uint32_t i = 0; i < a.count; ++i) copy(first + i * stride, i);
     }
     if (a.sparse.count) {
-        const uint8_t *indices = buffers_.bytes(a.sparse.index_view, who).data + a.sparse.index_offset;
-        const uint8_t *values = buffers_.bytes(a.sparse.value_view, who).data + a.sparse.value_offset;
+        const uint8_t *indices = buffers_.bytes(a.sparse.index_view, needed_by).data + a.sparse.index_offset;
+        const uint8_t *values = buffers_.bytes(a.sparse.value_view, needed_by).data + a.sparse.value_offset;
         uint64_t next = 0;
         for (uint32_t i = 0; i < a.sparse.count; ++i) {
             const uint32_t at = unsigned_at(a.sparse.index_type, indices + i * bytes_of(a.sparse.index_type));
@@ -89,23 +89,23 @@ std::vector<Out> Accessors::decode(const Accessor &a, const std::string &who, co
     return out;
 }
 
-std::vector<float> Accessors::floats(uint32_t index, uint32_t width, const std::string &who) const
+std::vector<float> Accessors::floats(uint32_t index, uint32_t width, const std::string &needed_by) const
 {
-    const Accessor &a = wanted(index, width, who);
-    std::vector<float> out = decode<float>(a, who, [&](const uint8_t *p) { return float_at(a, p); });
+    const Accessor &a = wanted(index, width, needed_by);
+    std::vector<float> out = decode<float>(a, needed_by, [&](const uint8_t *p) { return float_at(a, p); });
     for (size_t i = 0; i < out.size(); ++i)
         if (!std::isfinite(out[i]))
-            fail(CLQ_FORMAT, "%s: element %zu of %s is not finite", who.c_str(), i / width, a.path.c_str());
+            fail(CLQ_FORMAT, "%s: element %zu of %s is not finite", needed_by.c_str(), i / width, a.path.c_str());
     return out;
 }
 
-std::vector<uint32_t> Accessors::integers(uint32_t index, uint32_t width, const std::string &who) const
+std::vector<uint32_t> Accessors::integers(uint32_t index, uint32_t width, const std::string &needed_by) const
 {
-    const Accessor &a = wanted(index, width, who);
+    const Accessor &a = wanted(index, width, needed_by);
     if ((a.component != Component::u8 && a.component != Component::u16 && a.component != Component::u32) ||
         a.normalized)
-        fail(CLQ_FORMAT, "%s needs unsigned integers: %s has others", who.c_str(), a.path.c_str());
-    return decode<uint32_t>(a, who, [&](const uint8_t *p) { return unsigned_at(a.component, p); });
+        fail(CLQ_FORMAT, "%s needs unsigned integers: %s has others", needed_by.c_str(), a.path.c_str());
+    return decode<uint32_t>(a, needed_by, [&](const uint8_t *p) { return unsigned_at(a.component, p); });
 }
 
 }  // namespace claque::asset

@@ -28,18 +28,18 @@ Buffers::Buffers(const JsonView &document, const Container &container, const Loa
     for (size_t i = 0; i < views.count(); ++i) check_view(views.at(i), budget);
 }
 
-std::vector<uint8_t> Buffers::fetch(const std::string &uri, const std::string &who, Budget &budget) const
+std::vector<uint8_t> Buffers::fetch(const std::string &uri, const std::string &needed_by, Budget &budget) const
 {
     if (is_data_uri(uri)) {
-        budget.charge(data_uri_bound(uri), who.c_str());
+        budget.charge(data_uri_bound(uri), needed_by.c_str());
         return decode_data_uri(uri);
     }
     const std::string path = decode_relative_path(uri);
     if (options_.base_folder.empty())
-        fail(CLQ_IO, "%s needs the file '%s', and no folder was given to look in", who.c_str(), path.c_str());
+        fail(CLQ_IO, "%s needs the file '%s', and no folder was given to look in", needed_by.c_str(), path.c_str());
     const std::vector<uint8_t> bytes = read_file(options_.base_folder + "/" + path, budget.remaining());
     budget.add_input(bytes.size());
-    budget.charge(bytes.size(), who.c_str());
+    budget.charge(bytes.size(), needed_by.c_str());
     return bytes;
 }
 
@@ -116,15 +116,15 @@ void Buffers::unpack(const JsonView &extension, BufferView &view, Budget &budget
     budget.add_input(view.length);
 }
 
-Bytes Buffers::bytes(uint32_t index, const std::string &who) const
+Bytes Buffers::bytes(uint32_t index, const std::string &needed_by) const
 {
     const BufferView &view = views_[index];
     if (view.unpacked != 0xffffffffu) return {unpacked_[view.unpacked].data(), view.length};
     const Buffer &buffer = buffers_[view.buffer];
-    if (!buffer.bytes.data && view.meshopt) refuse_without(Decoder::meshopt, who);
+    if (!buffer.bytes.data && view.meshopt) refuse_without(Decoder::meshopt, needed_by);
     if (!buffer.bytes.data)
         fail(CLQ_UNSUPPORTED, "%s needs buffer %u, whose data the file leaves to the application: not supported",
-             who.c_str(), view.buffer);
+             needed_by.c_str(), view.buffer);
     return {buffer.bytes.data + view.offset, view.length};
 }
 

@@ -41,11 +41,11 @@ public:
         return views_[view].unpacked != 0xffffffffu || buffers_[views_[view].buffer].bytes.data != nullptr;
     }
 
-    // The bytes of a view. Throws if its buffer has no data. `who` names the reader in messages.
-    Bytes bytes(uint32_t view, const std::string &who) const;
+    // The bytes of a view. Throws if its buffer has no data. `needed_by` names the reader in messages.
+    Bytes bytes(uint32_t view, const std::string &needed_by) const;
 
     // Reads the bytes of a URI; they are charged to `budget`.
-    std::vector<uint8_t> fetch(const std::string &uri, const std::string &who, Budget &budget) const;
+    std::vector<uint8_t> fetch(const std::string &uri, const std::string &needed_by, Budget &budget) const;
 
 private:
     struct Buffer {

@@ -136,15 +136,15 @@ private:
     {
         const auto [place, is_new] = times_.emplace(sampler.input, Times());
         if (!is_new) return place->second;
-        const std::string who = sampler.view["input"].path();
+        const std::string path = sampler.view["input"].path();
         if (file_.accessors.at(sampler.input).component != Component::f32)
-            fail(CLQ_FORMAT, "%s: key times are not floats", who.c_str());
-        const std::vector<float> listed = file_.accessors.floats(sampler.input, 1, who);
+            fail(CLQ_FORMAT, "%s: key times are not floats", path.c_str());
+        const std::vector<float> listed = file_.accessors.floats(sampler.input, 1, path);
         std::vector<float> times;
         std::vector<uint32_t> kept;
         for (size_t i = 0; i < listed.size(); ++i) {
             if (listed[i] < 0 || (i > 0 && listed[i] < listed[i - 1]))
-                fail(CLQ_FORMAT, "%s: key time number %zu is %g: times start at 0 or later and ascend", who.c_str(), i,
+                fail(CLQ_FORMAT, "%s: key time number %zu is %g: times start at 0 or later and ascend", path.c_str(), i,
                      static_cast<double>(listed[i]));
             if (i > 0 && listed[i] == listed[i - 1]) continue;
             times.push_back(listed[i]);
@@ -152,32 +152,32 @@ private:
         }
         place->second.first = static_cast<uint32_t>(rig_.times.size());
         if (kept.size() < listed.size()) {
-            file_.warn(base::text_of("%s: %zu keys have the time of the one before: left out", who.c_str(),
+            file_.warn(base::text_of("%s: %zu keys have the time of the one before: left out", path.c_str(),
                                      listed.size() - kept.size()));
             place->second.kept = std::move(kept);
         }
-        grow(rig_.times, times, who);
+        grow(rig_.times, times, path);
         return place->second;
     }
 
     uint32_t values_of(const Sampler &sampler, const Channel &channel, uint32_t listed,
                        const std::vector<uint32_t> &kept)
     {
-        const std::string who = sampler.view["output"].path();
+        const std::string path = sampler.view["output"].path();
         const uint64_t groups = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
         const bool morphs = channel.target == ChannelTarget::morph_weights;
         const uint64_t wanted = groups * listed * (morphs ? channel.component_count : 1);
         if (file_.accessors.at(sampler.output).count != wanted)
-            fail(CLQ_FORMAT, "%s has %u elements instead of %llu for %u keys", who.c_str(),
+            fail(CLQ_FORMAT, "%s has %u elements instead of %llu for %u keys", path.c_str(),
                  file_.accessors.at(sampler.output).count, static_cast<unsigned long long>(wanted), listed);
         const auto key = std::make_tuple(sampler.output, kept.empty() ? none : sampler.input, channel.target,
                                          channel.interpolation, channel.component_count);
         const auto [place, is_new] = values_.emplace(key, static_cast<uint32_t>(rig_.values.size()));
         if (!is_new) return place->second;
-        std::vector<float> values = file_.accessors.floats(sampler.output, morphs ? 1 : channel.component_count, who);
-        if (channel.target == ChannelTarget::rotation) make_unit(values, groups == 3, who);
+        std::vector<float> values = file_.accessors.floats(sampler.output, morphs ? 1 : channel.component_count, path);
+        if (channel.target == ChannelTarget::rotation) make_unit(values, groups == 3, path);
         if (!kept.empty()) values = picked(values, kept, groups * channel.component_count);
-        grow(rig_.values, values, who);
+        grow(rig_.values, values, path);
         return place->second;
     }
 
@@ -191,7 +191,7 @@ private:
     }
 
     // Normalises rotations. Tangents of splines are not rotations and stay as they are.
-    static void make_unit(std::vector<float> &values, bool cubic, const std::string &who)
+    static void make_unit(std::vector<float> &values, bool cubic, const std::string &path)
     {
         for (size_t i = cubic ? 4 : 0; i < values.size(); i += cubic ? 12 : 4) {
             double sum = 0;
@@ -199,16 +199,16 @@ private:
                 sum += static_cast<double>(values[i + k]) * static_cast<double>(values[i + k]);
             const double length = std::sqrt(sum);
             if (!(std::fabs(length - 1) < 0.1))
-                fail(CLQ_FORMAT, "%s: rotation number %zu has length %g instead of 1", who.c_str(), i / 4, length);
+                fail(CLQ_FORMAT, "%s: rotation number %zu has length %g instead of 1", path.c_str(), i / 4, length);
             for (size_t k = 0; k < 4; ++k)
                 values[i + k] = static_cast<float>(static_cast<double>(values[i + k]) / length);
         }
     }
 
-    void grow(model::Array<float> &to, const std::vector<float> &from, const std::string &who)
+    void grow(model::Array<float> &to, const std::vector<float> &from, const std::string &path)
     {
-        if (to.size() + from.size() > 0xffffffffull) fail(CLQ_LIMIT, "%s: too many keys", who.c_str());
-        file_.budget.charge(2 * sizeof(float) * from.size(), who.c_str());
+        if (to.size() + from.size() > 0xffffffffull) fail(CLQ_LIMIT, "%s: too many keys", path.c_str());
+        file_.budget.charge(2 * sizeof(float) * from.size(), path.c_str());
         to.insert(to.end(), from.begin(), from.end());
     }
 

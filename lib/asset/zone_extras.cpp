@@ -60,14 +60,14 @@ std::vector<Zone> read_zone_extras(const JsonView &extras)
     return out;
 }
 
-void add_keyed_zones(std::vector<Zone> &to, const std::vector<Zone> &zones, const std::string &who)
+void add_keyed_zones(std::vector<Zone> &to, const std::vector<Zone> &zones, const std::string &path)
 {
     for (const Zone &zone : zones) {
         bool known = false;
         for (const Zone &other : to)
             if (other.key == zone.key) {
                 if (other.name != zone.name)
-                    fail(CLQ_FORMAT, "%s: key %u means '%.60s' and '%.60s'", who.c_str(), zone.key, other.name.c_str(),
+                    fail(CLQ_FORMAT, "%s: key %u means '%.60s' and '%.60s'", path.c_str(), zone.key, other.name.c_str(),
                          zone.name.c_str());
                 known = true;
             }

@@ -24,6 +24,6 @@ namespace claque::asset
 std::vector<model::Zone> read_zone_extras(const JsonView &extras);
 
 // Adds zones to a list in which each key belongs to one name. Throws base::Error (CLQ_FORMAT) for a key with two names.
-void add_keyed_zones(std::vector<model::Zone> &to, const std::vector<model::Zone> &zones, const std::string &who);
+void add_keyed_zones(std::vector<model::Zone> &to, const std::vector<model::Zone> &zones, const std::string &path);
 
 }  // namespace claque::asset

@@ -64,7 +64,8 @@ uint32_t CullRefpoints::run() const
 
 base::Status CullRoots::check() const
 {
-    if (sights.candidates != candidates.count || sights.all.count < size_t(given.eyes.count) * candidates.count)
+    if (visibilities.candidates != candidates.count ||
+        visibilities.all.count < size_t(given.eyes.count) * candidates.count)
         return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate in every view");
     return base::Status::good();
 }
@@ -80,7 +81,7 @@ void CullRoots::run() const
             const glm::dvec3 centre(given.crowd.template_of(row).sklsroot.centre);
             const glm::dvec3 turned = math::rotation_of(root.orientation) * (centre * double(root.scale));
             const double radius = std::fabs(double(root.scale)) * double(given.crowd.extent_of(row).sklsroot);
-            ViewVisibility &out = sights.at(v, i);
+            ViewVisibility &out = visibilities.at(v, i);
             out.distance = static_cast<float>(length(away));
             out.inside = test(eye.frustum, away + turned, radius);
             out.shadow_only = false;

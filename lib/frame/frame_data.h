@@ -75,7 +75,7 @@ struct ViewVisibility {
     uint64_t parts;            // bit k: part k of its level
 };
 
-struct Sights {
+struct Visibilities {
     base::Span<ViewVisibility> all;  // [view][candidate]
     uint32_t candidates = 0;         // per view
     ViewVisibility &at(uint32_t view, uint32_t candidate) const { return all[view * candidates + candidate]; }

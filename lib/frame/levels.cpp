@@ -49,9 +49,10 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
     float nearest = -1, effective = -1;
     const double wish = (1 - double(crowd.extent_of(row).priority)) * double(given.settings.lod_scale);
     bool any = false;
-    for (uint32_t v = 0; v < given.eyes.count; ++v) any = any || sights.at(v, i).inside != math::Containment::outside;
+    for (uint32_t v = 0; v < given.eyes.count; ++v)
+        any = any || visibilities.at(v, i).inside != math::Containment::outside;
     for (uint32_t v = 0; v < given.eyes.count; ++v) {
-        const ViewVisibility &visibility = sights.at(v, i);
+        const ViewVisibility &visibility = visibilities.at(v, i);
         // Traditional mode also evaluates actors that no view sees, and poses visible ones as actor mode does.
         if (visibility.inside == math::Containment::outside && (any || !given.traditional())) continue;
         const CameraState &eye = given.eyes[v];
@@ -87,8 +88,8 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
 
 base::Status ChooseLevels::check() const
 {
-    if (sights.candidates != candidates.count || rows.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT, "no sight of every candidate, or no room for every row");
+    if (visibilities.candidates != candidates.count || rows.count < given.crowd.row_count())
+        return base::Status::bad(CLQ_ARGUMENT, "no visibility of every candidate, or no room for every row");
     return base::Status::good();
 }
 

@@ -14,7 +14,7 @@ draw::Item ListView::item_of(const SortEntry &listed) const
     const CameraState &eye = given.eyes[view_index];
     const animcache::Request &request = caches.requests()[listed.candidate];
     const crowd::Transform &transform = candidates[listed.candidate].root;
-    const ViewVisibility &visibility = sights.at(view_index, listed.candidate);
+    const ViewVisibility &visibility = visibilities.at(view_index, listed.candidate);
     draw::Item item;
     item.tmpl = &crowd.template_of(listed.row);
     item.level = request.level;
@@ -91,8 +91,8 @@ base::Status ListView::check() const
 {
     if (view_index >= given.eyes.count)
         return base::Status::bad(CLQ_ARGUMENT, "view %u of %u", view_index, given.eyes.count);
-    if (caches.requests().count != candidates.count || sights.candidates != candidates.count)
-        return base::Status::bad(CLQ_ARGUMENT, "no request or no sight of every candidate");
+    if (caches.requests().count != candidates.count || visibilities.candidates != candidates.count)
+        return base::Status::bad(CLQ_ARGUMENT, "no request or no visibility of every candidate");
     if (std::min({listed.capacity(), ordered.capacity(), view.list.items.capacity()}) < visible.count)
         return base::Status::bad(CLQ_ARGUMENT, "no room for %u visible individuals", visible.count);
     return base::Status::good();
@@ -104,7 +104,7 @@ void ListView::run() const
     listed.clear();
     for (const uint32_t i : visible) {
         const uint32_t row = candidates[i].row;
-        const ViewVisibility &visibility = sights.at(view_index, i);
+        const ViewVisibility &visibility = visibilities.at(view_index, i);
         if (visibility.inside != math::Containment::outside)
             listed.push_back({crowd.actor(row).tmpl, crowd.actor(row).texture_set, visibility.distance, row, i});
     }

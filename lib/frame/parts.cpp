@@ -37,7 +37,7 @@ struct CullParts::Tested {
 void CullParts::test_parts(uint32_t view, uint32_t i, Tested &tested) const
 {
     const animcache::Request &request = caches.requests()[i];
-    ViewVisibility &visibility = sights.at(view, i);
+    ViewVisibility &visibility = visibilities.at(view, i);
     const model::Level &level = request.tmpl->levels[request.level];
     // Blended key-poses can leave the hulls of single parts. Culling must not depend on which key-poses are kept, so
     // all actors with key-poses skip it.
@@ -68,7 +68,7 @@ void CullParts::test(uint32_t i, Tested &tested) const
     bool crosses = false;
     const uint64_t tracked_before = tested.products_tracked;
     for (uint32_t v = 0; v < given.eyes.count; ++v) {
-        const ViewVisibility &visibility = sights.at(v, i);
+        const ViewVisibility &visibility = visibilities.at(v, i);
         if (visibility.inside == Containment::outside && !given.traditional()) continue;
         crosses = crosses || visibility.inside == Containment::intersects;
         if ((visibility.inside == Containment::intersects && !visibility.shadow_only) || given.traditional())
@@ -81,8 +81,8 @@ void CullParts::test(uint32_t i, Tested &tested) const
 
 base::Status CullParts::check() const
 {
-    if (caches.requests().count != candidates.count || sights.candidates != candidates.count)
-        return base::Status::bad(CLQ_ARGUMENT, "no request or no sight of every candidate");
+    if (caches.requests().count != candidates.count || visibilities.candidates != candidates.count)
+        return base::Status::bad(CLQ_ARGUMENT, "no request or no visibility of every candidate");
     if (visible.count < candidates.count || rows.count < given.crowd.row_count())
         return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate and row");
     return base::Status::good();

@@ -59,7 +59,7 @@ struct CullRoots {
     const Given &given;
     base::Span<const Candidate> candidates;
 
-    Sights sights;
+    Visibilities visibilities;
     Stats &stats;
 
     base::Status check() const;
@@ -69,7 +69,7 @@ struct CullRoots {
 // S1 4, S0 5: selects level, rate and tick of the candidates.
 struct ChooseLevels {
     const Given &given;
-    Sights sights;
+    Visibilities visibilities;
     uint64_t live_since;  // ticks shown up to this update may be followed by earlier ones
 
     base::Span<Candidate> candidates;
@@ -148,7 +148,7 @@ struct CullParts {
     base::Span<const Candidate> candidates;
 
     animcache::Caches &caches;  // sets `drawn` of its requests
-    Sights sights;
+    Visibilities visibilities;
     base::Span<Row> rows;
     base::Span<uint32_t> visible;  // [candidates]
     Stats &stats;
@@ -168,7 +168,7 @@ struct ListView {
     uint32_t view_index;
     base::Span<const Candidate> candidates;
     base::Span<const uint32_t> visible;
-    Sights sights;
+    Visibilities visibilities;
     const animcache::Caches &caches;
 
     std::pmr::vector<SortEntry> &listed, &ordered;  // scratch, within their capacity

@@ -93,7 +93,7 @@ private:
     void cull();
     base::Span<Candidate> candidates() const { return {work_.candidates.data(), candidate_count_}; }
     base::Span<const Candidate> placed() const { return {work_.candidates.data(), candidate_count_}; }
-    Sights sights() const { return {base::Span<ViewVisibility>(work_.sights), candidate_count_}; }
+    Visibilities visibilities() const { return {base::Span<ViewVisibility>(work_.visibilities), candidate_count_}; }
     base::Span<const Row> found() const { return {work_.rows.data(), static_cast<uint32_t>(work_.rows.size())}; }
 
     const Given &given_;
@@ -117,7 +117,7 @@ void UpdateRun::cull()
                                              base::Span<Candidate>(work_.candidates), work_.stats})
                            .run();
     checked(PlaceRoots{given_, candidates(), work_.stats}).run();
-    checked(CullRoots{given_, placed(), sights(), work_.stats}).run();
+    checked(CullRoots{given_, placed(), visibilities(), work_.stats}).run();
 }
 
 void UpdateRun::choose()
@@ -127,7 +127,7 @@ void UpdateRun::choose()
     if (elapsed_s_ < 0) work_.live_since = given_.update - 1;
     cull();
     if (!given_.host_calls.ok()) return;
-    checked(ChooseLevels{given_, sights(), work_.live_since, candidates(), rows}).run();
+    checked(ChooseLevels{given_, visibilities(), work_.live_since, candidates(), rows}).run();
     checked(MakeRequests{given_, placed(), found(), caches.key_poses(), work_.layers, caches.pending(), work_.stats})
         .run();
 
@@ -151,9 +151,10 @@ void UpdateRun::show()
     const double posed_s = timer_.now();
 
     // Step 6: third cull phase, by Internal Bspheres.
-    const uint32_t visible_count = checked(CullParts{given_, placed(), caches, sights(), base::Span<Row>(work_.rows),
-                                                     base::Span<uint32_t>(work_.visible), stats})
-                                       .run();
+    const uint32_t visible_count =
+        checked(CullParts{given_, placed(), caches, visibilities(), base::Span<Row>(work_.rows),
+                          base::Span<uint32_t>(work_.visible), stats})
+            .run();
     const base::Span<const uint32_t> visible(work_.visible.data(), visible_count);
     const double culled_s = timer_.now();
     caches.allocate_vertices();
@@ -163,7 +164,7 @@ void UpdateRun::show()
 
     // Step 7: lists the visible individuals.
     for (uint32_t v = 0; v < views_.count; ++v)
-        checked(ListView{given_, v, placed(), visible, sights(), caches, work_.listed, work_.ordered, *views_[v]})
+        checked(ListView{given_, v, placed(), visible, visibilities(), caches, work_.listed, work_.ordered, *views_[v]})
             .run();
 
     static_cast<animcache::Counters &>(stats) = caches.counters();

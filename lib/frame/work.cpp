@@ -61,7 +61,7 @@ Work::Work(std::pmr::memory_resource *memory, const Settings &wanted)
       tested(memory),
       passed(memory),
       candidates(memory),
-      sights(memory),
+      visibilities(memory),
       visible(memory),
       layers(memory),
       dofs(memory),
@@ -80,7 +80,7 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
     for (const View *view : views) eyes.emplace_back(*view);
     for (View *view : views) reserve_view(*view, crowd);
     grow(passed, size_t(views.count) * count);
-    grow(sights, size_t(views.count) * count);
+    grow(visibilities, size_t(views.count) * count);
     grow(tested, count);
     if (may_throw(crowd)) grow(last.candidates, count);
     else grow(candidates, count);
@@ -140,8 +140,8 @@ void Work::undo()
 
 uint64_t Work::bytes() const
 {
-    return base::held_bytes(rows, groups, eyes, block_seen, tested, passed, candidates, sights, visible, layers, dofs,
-                            behaving, listed, ordered, last.rows, last.groups, last.candidates, last.layers,
+    return base::held_bytes(rows, groups, eyes, block_seen, tested, passed, candidates, visibilities, visible, layers,
+                            dofs, behaving, listed, ordered, last.rows, last.groups, last.candidates, last.layers,
                             last.dofs) +
            blocks.bytes() + caches.book_bytes() + caches.counters().arena_bytes;
 }

@@ -41,13 +41,13 @@ struct Work {
     std::pmr::vector<uint32_t> tested;     // rows that are not culled with their group in every view
     std::pmr::vector<uint8_t> passed;      // [view][tested]
     std::pmr::vector<Candidate> candidates;
-    std::pmr::vector<ViewVisibility> sights;      // [view][candidate]
-    std::pmr::vector<uint32_t> visible;           // candidates drawn in some view
-    std::pmr::vector<pose::Layer> layers;         // of actors that show more than one clip
-    std::pmr::vector<float> dofs;                 // of actors that are due, written by control mechanisms
-    std::pmr::vector<uint32_t> behaving;          // candidates whose mechanisms run
-    uint32_t dofs_each = 0;                       // the maximum over all templates
-    std::pmr::vector<SortEntry> listed, ordered;  // of one view; scratch of the sort
+    std::pmr::vector<ViewVisibility> visibilities;  // [view][candidate]
+    std::pmr::vector<uint32_t> visible;             // candidates drawn in some view
+    std::pmr::vector<pose::Layer> layers;           // of actors that show more than one clip
+    std::pmr::vector<float> dofs;                   // of actors that are due, written by control mechanisms
+    std::pmr::vector<uint32_t> behaving;            // candidates whose mechanisms run
+    uint32_t dofs_each = 0;                         // the maximum over all templates
+    std::pmr::vector<SortEntry> listed, ordered;    // of one view; scratch of the sort
 
     // Of the last update, while the present one runs. Requests point at layers and dofs. The others are kept only where
     // a callback of the host may make an update fail.

@@ -133,13 +133,13 @@ CLAQUE_POSE_INLINE void place_lanes(const float *rotations, const float *scales,
 template <class L>
 CLAQUE_POSE_KERNEL void local_matrices(const float *rotations, const JointTransforms &places, math::Columns *out)
 {
-    math::Columns nobody;
+    math::Columns ignored;
     const uint32_t *nodes = places.nodes;
     const float *offsets = places.offsets, *scales = places.scales;
     for (uint32_t b = 0; b < places.block_count; ++b) {
         math::Columns *to[lanes];
         for (uint32_t i = 0; i < lanes; ++i) {
-            to[i] = nodes[i] == model::none ? &nobody : out + nodes[i];
+            to[i] = nodes[i] == model::none ? &ignored : out + nodes[i];
             std::memcpy(&to[i]->c[3], offsets + 4 * i, 4 * sizeof(float));
         }
         for (uint32_t i = 0; i < lanes; i += L::width) place_lanes<L>(rotations + i, scales + i, to + i);

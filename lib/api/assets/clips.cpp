@@ -85,7 +85,7 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
         if (out_report) api::require_size(*out_report, "clq_clips_report_init");
         const clq_clips_def wanted = api::read_def(def, clq_clips_def_init, "clq_clips_def_init");
         const retarget::Options options = options_of(wanted);
-        const std::string who = "clips of '" + source->model.name + "' for '" + asset->model.name + "': ";
+        const std::string prefix = "clips of '" + source->model.name + "' for '" + asset->model.name + "': ";
         std::vector<std::string> &warnings = asset->model.warnings;
         try {
             retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
@@ -99,11 +99,11 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
                 api::write_out(out_report, report);
             }
             for (const std::string &warning : made.warnings) {
-                warnings.push_back(who + warning);
+                warnings.push_back(prefix + warning);
                 clq_context_log(context, CLQ_LOG_WARNING, warnings.back().c_str());
             }
         } catch (const base::Error &error) {
-            base::fail(error.status(), "%s%s", who.c_str(), error.what());
+            base::fail(error.status(), "%s%s", prefix.c_str(), error.what());
         }
     });
 }

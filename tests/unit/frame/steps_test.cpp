@@ -27,7 +27,10 @@ protected:
     base::Span<const Candidate> placed() { return {work_.candidates.data(), rows_}; }
     base::Span<Row> rows(uint32_t missing = 0) { return {work_.rows.data(), rows_ - missing}; }
     base::Span<const Row> found(uint32_t missing = 0) { return {work_.rows.data(), rows_ - missing}; }
-    Sights sights(uint32_t missing = 0) { return {{work_.sights.data(), rows_ - missing}, rows_ - missing}; }
+    Visibilities visibilities(uint32_t missing = 0)
+    {
+        return {{work_.visibilities.data(), rows_ - missing}, rows_ - missing};
+    }
     template <class T>
     static base::Span<T> cut(std::pmr::vector<T> &array, size_t count)
     {
@@ -103,18 +106,18 @@ TEST_F(StepsTest, PlaceRootsNeedsRowsThatExist)
 
 TEST_F(StepsTest, CullRootsNeedsRoomForEveryCandidateInEveryView)
 {
-    fits(CullRoots{given_, placed(), sights(), work_.stats});
-    is_refused(CullRoots{given_, placed(), sights(1), work_.stats}, "no room for every candidate in every view");
-    const Sights narrow{{work_.sights.data(), rows_ - 1}, rows_};
+    fits(CullRoots{given_, placed(), visibilities(), work_.stats});
+    is_refused(CullRoots{given_, placed(), visibilities(1), work_.stats}, "no room for every candidate in every view");
+    const Visibilities narrow{{work_.visibilities.data(), rows_ - 1}, rows_};
     is_refused(CullRoots{given_, placed(), narrow, work_.stats}, "no room for every candidate in every view");
 }
 
-TEST_F(StepsTest, ChooseLevelsNeedsSightsOfEveryCandidateAndRoomForEveryRow)
+TEST_F(StepsTest, ChooseLevelsNeedsVisibilitiesOfEveryCandidateAndRoomForEveryRow)
 {
-    const char *const text = "no sight of every candidate, or no room for every row";
-    fits(ChooseLevels{given_, sights(), 0, candidates(), rows()});
-    is_refused(ChooseLevels{given_, sights(1), 0, candidates(), rows()}, text);
-    is_refused(ChooseLevels{given_, sights(), 0, candidates(), rows(1)}, text);
+    const char *const text = "no visibility of every candidate, or no room for every row";
+    fits(ChooseLevels{given_, visibilities(), 0, candidates(), rows()});
+    is_refused(ChooseLevels{given_, visibilities(1), 0, candidates(), rows()}, text);
+    is_refused(ChooseLevels{given_, visibilities(), 0, candidates(), rows(1)}, text);
 }
 
 TEST_F(StepsTest, MakeRequestsNeedsRoomForARequestOfEveryCandidate)
@@ -160,16 +163,17 @@ TEST_F(StepsTest, BehaveNeedsRoomForCandidatesAndTheirDegreesOfFreedom)
 TEST_F(StepsTest, CullPartsNeedsARequestAndASightOfEveryCandidate)
 {
     const auto step = [&](uint32_t unseen, uint32_t missing, size_t visible) {
-        return CullParts{given_,     placed(), work_.caches, sights(unseen), rows(missing), cut(work_.visible, visible),
-                         work_.stats};
+        return CullParts{
+            given_,     placed(), work_.caches, visibilities(unseen), rows(missing), cut(work_.visible, visible),
+            work_.stats};
     };
     request_all();
     fits(step(0, 0, rows_));
-    is_refused(step(1, 0, rows_), "no request or no sight of every candidate");
+    is_refused(step(1, 0, rows_), "no request or no visibility of every candidate");
     is_refused(step(0, 1, rows_), "no room for every candidate and row");
     is_refused(step(0, 0, rows_ - 1), "no room for every candidate and row");
     request_all(1);
-    is_refused(step(0, 0, rows_), "no request or no sight of every candidate");
+    is_refused(step(0, 0, rows_), "no request or no visibility of every candidate");
 }
 
 TEST_F(StepsTest, ListViewNeedsAViewThatExistsAndRoomForTheVisible)
@@ -177,13 +181,13 @@ TEST_F(StepsTest, ListViewNeedsAViewThatExistsAndRoomForTheVisible)
     const base::Span<const uint32_t> visible(work_.visible.data(), rows_);
     std::pmr::vector<SortEntry> none;
     const auto step = [&](uint32_t view, uint32_t unseen, std::pmr::vector<SortEntry> &listed) {
-        return ListView{given_,       view,   placed(),      visible,         sights(unseen),
+        return ListView{given_,       view,   placed(),      visible,         visibilities(unseen),
                         work_.caches, listed, work_.ordered, *scene_.views[0]};
     };
     request_all();
     fits(step(0, 0, work_.listed));
     is_refused(step(1, 0, work_.listed), "view 1 of 1");
-    is_refused(step(0, 1, work_.listed), "no request or no sight of every candidate");
+    is_refused(step(0, 1, work_.listed), "no request or no visibility of every candidate");
     is_refused(step(0, 0, none), "no room for 80 visible individuals");
 }
 
