@@ -10,7 +10,7 @@ namespace
 {
 
 using passes::Guard;
-using MessHooks = HooksTest;
+using DisruptiveHooks = HooksTest;
 
 std::set<gl::Enum> documented(Guard guard)
 {
@@ -21,7 +21,7 @@ std::set<gl::Enum> documented(Guard guard)
     return names;
 }
 
-TEST_F(MessHooks, ThatMessWithWhatClaqueSetsLeaveNoTraceInThePicture)
+TEST_F(DisruptiveHooks, ThatChangeWhatClaqueSetsLeaveNoTraceInThePicture)
 {
     for (const passes::Strategy strategy : all_strategies)
         for (const Guard guard : {Guard::full, Guard::minimal, Guard::none}) {
@@ -46,7 +46,7 @@ TEST_F(MessHooks, ThatMessWithWhatClaqueSetsLeaveNoTraceInThePicture)
         }
 }
 
-TEST_F(MessHooks, ThatMessWithEverythingDoNotReachTheNeighbours)
+TEST_F(DisruptiveHooks, ThatChangeEverythingDoNotReachTheNeighbours)
 {
     for (const passes::Strategy strategy : all_strategies) {
         const Picture expected = calm(options_of(strategy));
@@ -63,7 +63,7 @@ TEST_F(MessHooks, ThatMessWithEverythingDoNotReachTheNeighbours)
     }
 }
 
-TEST_F(MessHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
+TEST_F(DisruptiveHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
 {
     for (const passes::Strategy strategy : all_strategies) {
         const auto renderer = make_renderer_of(posed_, options_of(strategy));
@@ -81,7 +81,7 @@ TEST_F(MessHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
     }
 }
 
-TEST_F(MessHooks, LeaveNothingThatIsNotDocumentedInTheOtherGuardModes)
+TEST_F(DisruptiveHooks, LeaveNothingThatIsNotDocumentedInTheOtherGuardModes)
 {
     for (const Guard guard : {Guard::minimal, Guard::none}) {
         const auto renderer = make_renderer_of(posed_, options_of(passes::Strategy::fused, guard));
@@ -103,7 +103,7 @@ TEST_F(MessHooks, LeaveNothingThatIsNotDocumentedInTheOtherGuardModes)
 }
 
 // Modes that GL 1.1 alone can end are ended.
-TEST_F(MessHooks, ThatLeaveADisplayListOrSelectionOpenAreClosed)
+TEST_F(DisruptiveHooks, ThatLeaveADisplayListOrSelectionOpenAreClosed)
 {
     const Picture expected = calm();
     uint32_t names[8];
@@ -117,7 +117,7 @@ TEST_F(MessHooks, ThatLeaveADisplayListOrSelectionOpenAreClosed)
 }
 
 // A program in use is newer than what claque can undo.
-TEST_F(MessHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
+TEST_F(DisruptiveHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
 {
     using One = void (*)(uint32_t);
     const uint32_t shader = host_->ask<uint32_t (*)(gl::Enum)>("glCreateShader")(0x8B31);
@@ -153,7 +153,7 @@ TEST_F(MessHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
 }
 
 // The host must not pop below what it has pushed; if it does, it loses only its own state.
-TEST_F(MessHooks, ThatPopTooMuchLeaveTheStacksBalanced)
+TEST_F(DisruptiveHooks, ThatPopTooMuchLeaveTheStacksBalanced)
 {
     const Callbacks pops([&] { return host_->PopAttrib(), host_->PopAttrib(), 0; }, [&] { host_->PopClientAttrib(); });
     const auto renderer = make_renderer_of(posed_);

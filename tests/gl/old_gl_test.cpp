@@ -10,7 +10,7 @@ namespace gltest
 namespace
 {
 
-class OldGl : public HooksTest
+class OpenGl11 : public HooksTest
 {
 protected:
     void SetUp() override
@@ -46,7 +46,7 @@ protected:
     std::unique_ptr<Checked> checked_;
 };
 
-TEST_F(OldGl, IsAskedForNothingThatItDoesNotKnow)
+TEST_F(OpenGl11, IsAskedForNothingThatItDoesNotKnow)
 {
     const Callbacks nothing([] { return 0; }, [] {});
     for (const passes::Strategy strategy : all_strategies)
@@ -59,7 +59,7 @@ TEST_F(OldGl, IsAskedForNothingThatItDoesNotKnow)
     expect_no_offence();
 }
 
-TEST_F(OldGl, HasStacksDeepEnoughForAnyTree)
+TEST_F(OpenGl11, HasStacksDeepEnoughForAnyTree)
 {
     const Jointed jointed = make_jointed(rope(48), torture_map(128, 2, 64));
     for (const passes::Guard guard : {passes::Guard::full, passes::Guard::none})
@@ -69,7 +69,7 @@ TEST_F(OldGl, HasStacksDeepEnoughForAnyTree)
 }
 
 // The tests above can fail.
-TEST_F(OldGl, DetectsCallsThatItDoesNotKnow)
+TEST_F(OpenGl11, DetectsCallsThatItDoesNotKnow)
 {
     call<void (*)(gl::Enum)>("glEnable")(0x806F);                                            // GL_TEXTURE_3D
     call<void (*)(gl::Enum, gl::Enum, int32_t)>("glTexParameteri")(0x0DE1, 0x2802, 0x812F);  // GL_CLAMP_TO_EDGE
@@ -86,7 +86,7 @@ TEST_F(OldGl, DetectsCallsThatItDoesNotKnow)
 }
 
 // If the environment asks for such a GL, as it does for some tests of this folder.
-TEST_F(OldGl, IsReportedByMesaOnRequest)
+TEST_F(OpenGl11, IsReportedByMesaOnRequest)
 {
     const char *asked = std::getenv("MESA_GL_VERSION_OVERRIDE");
     if (!asked) GTEST_SKIP() << "MESA_GL_VERSION_OVERRIDE is not set";

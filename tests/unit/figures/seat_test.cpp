@@ -185,7 +185,7 @@ TEST(Standing, KeepsTheArmsWithinItsOwnSeat)
 }
 
 // Togas and stolas are wider than a tunic, but all seats are 0.65 m wide.
-TEST(Sitters, FitOnTheirOwnSeats)
+TEST(SeatedPeople, FitOnTheirOwnSeats)
 {
     for (const auto &builtin : claque::figures::people()) {
         const auto figure = builtin.make();

@@ -155,7 +155,7 @@ TEST_F(Reduce, IsTheSameEachTime)
     EXPECT_EQ(a.surface.positions, b.surface.positions);
 }
 
-TEST(Joins, MergeFacesThatLieBackToBack)
+TEST(OppositeFaces, AreMergedWhereTheyLieBackToBack)
 {
     EXPECT_TRUE(lod::are_opposite({1, 2, 3}, {3, 2, 1}));
     EXPECT_TRUE(lod::are_opposite({1, 2, 3}, {2, 1, 3}));

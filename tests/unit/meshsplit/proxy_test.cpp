@@ -54,7 +54,7 @@ private:
 
 }  // namespace
 
-TEST(FromAfar, EveryLevelShowsItsOwnVerticesAndAnEmptyOneNone)
+TEST(Proxies, EveryLevelShowsItsOwnVerticesAndAnEmptyOneNone)
 {
     const auto tmpl = built(far_going());
     ASSERT_EQ(tmpl->levels.size(), 5u);
