@@ -73,15 +73,15 @@ SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowan
     uint64_t steps = parts_of_transform * evaluations_per_node * free * rig.node_count();
     for (uint32_t c = 0; c < rig.clips.size(); ++c)
         steps += sample_count(rig, c) * (pose + parts_of_transform * rig.clips[c].channel_count);
-    const uint64_t most = 4 * allowance.transforms();
+    const uint64_t maximum = 4 * allowance.transforms();
     if (!rig.dofs.empty()) fixed = bytes_per_point_set * rig.palette.size();
     for (const model::Dof &dof : rig.dofs) fixed += DofSweep::bytes(dof, 162) + DofSweep::bytes(dof, 642);
     const uint64_t bytes = allowance.bytes() / 8 * 5;  // motion is made at the same time, of a quarter
-    out.search = steps <= most && fixed <= bytes;
+    out.search = steps <= maximum && fixed <= bytes;
     if (!out.search) return out;
     // A walk also visits poses between those that were counted.
     const uint64_t per_visit = bytes_per_candidate * (free + 2);
-    out.poses = std::min(8 * most / std::max<uint64_t>(pose, 1), (bytes - fixed) / per_visit);
+    out.poses = std::min(8 * maximum / std::max<uint64_t>(pose, 1), (bytes - fixed) / per_visit);
     out.vertices = vertices_per_transform * allowance.transforms();
     out.precise = std::max<uint64_t>(64, bytes_per_search * allowance.transforms() / std::max<uint64_t>(fixed, 1));
     return out;

@@ -68,7 +68,7 @@ double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls
     const glm::dvec3 middle(tmpl.sklsroot.centre);
     // Additive weights of morph targets may move vertices outside of their spheres.
     const double morphs = tmpl.rig.rest_weights.empty() ? 1 : 1 + 4 * added;
-    double most = 0;
+    double maximum = 0;
     for (const model::Level &level : tmpl.levels)
         for (const model::PartSphere &sphere : level.part_spheres) {
             const model::PaletteEntry &entry = tmpl.rig.palette[sphere.entry];
@@ -77,13 +77,13 @@ double radius_of(const model::Template &tmpl, const std::vector<NodeBall> &balls
             const double radius = double(sphere.bind.radius) * stretch_of(entry.inverse_bind) * morphs;
             if (ball.fixed) {
                 const glm::dvec3 at(math::transform_point(ball.frame, centre));
-                most = std::max(most, glm::distance(at, middle) + ball.radius + ball.stretch * radius);
+                maximum = std::max(maximum, glm::distance(at, middle) + ball.radius + ball.stretch * radius);
             } else {
                 const double own = glm::length(glm::dvec3(centre)) + radius;
-                most = std::max(most, glm::distance(ball.centre, middle) + ball.radius + ball.stretch * own);
+                maximum = std::max(maximum, glm::distance(ball.centre, middle) + ball.radius + ball.stretch * own);
             }
         }
-    return most;
+    return maximum;
 }
 
 std::vector<NodeExtent> rest_extents(const model::Rig &rig)
@@ -102,7 +102,7 @@ std::vector<NodeExtent> rest_extents(const model::Rig &rig)
 
 }  // namespace
 
-std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t most)
+std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t maximum)
 {
     std::vector<NodeExtent> out = rest_extents(rig);
     const auto visit = [&](const PoseAt &, const Locals &locals, const PoseSegment *since) {
@@ -120,7 +120,7 @@ std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t most)
             extent.turns = extent.turns || now.rotation != rest.rotation;
         }
     };
-    if (!walk_poses(rig, visit, most)) out.clear();
+    if (!walk_poses(rig, visit, maximum)) out.clear();
     return out;
 }
 

@@ -18,7 +18,7 @@ struct NodeExtent {
     bool turns = false;
 };
 // Nothing if the clips have more poses than `most`.
-std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t most = ~0ull);
+std::vector<NodeExtent> node_extents(const model::Rig &rig, uint64_t maximum = ~0ull);
 // The same from the keys of all channels, read once: never less, and more where a spline could overshoot.
 std::vector<NodeExtent> key_extents(const model::Rig &rig);
 // Widens the extents by the keys of one clip.

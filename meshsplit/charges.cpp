@@ -53,7 +53,7 @@ void charge_meshes(const model::Model &model, const std::vector<LevelPlan> &plan
 
 void charge_textures(const model::Model &model, const MaterialPlan &materials, uint32_t max_px, Allowance &allowance)
 {
-    uint64_t made = 0, most = 0;
+    uint64_t made = 0, maximum = 0;
     for (const TexturePlan &plan : materials.textures) {
         if (plan.image == none) {
             const uint64_t side = uint64_t(cell_px) * palette_side(static_cast<uint32_t>(plan.cells.size()));
@@ -72,9 +72,9 @@ void charge_textures(const model::Model &model, const MaterialPlan &materials, u
             sets += fitted * set_texel_bytes;
             source = std::max(source, uint64_t(width) * height * source_texel_bytes);
         }
-        most = std::max(most, sets + source);
+        maximum = std::max(maximum, sets + source);
     }
-    allowance.take(made + most, "the textures");
+    allowance.take(made + maximum, "the textures");
 }
 
 }  // namespace claque::meshsplit

@@ -20,13 +20,13 @@ double square(const glm::dvec3 &v) { return glm::dot(v, v); }
 const Ball &farthest(const glm::dvec3 &centre, const std::vector<Ball> &balls)
 {
     const Ball *far = &balls[0];
-    double most = reach(centre, *far), most_square = square(centre - far->centre);
+    double maximum = reach(centre, *far), most_square = square(centre - far->centre);
     for (const Ball &ball : balls) {
         // A ball of equal radius that is nearer reaches no further; this saves the square root.
         const double here = square(centre - ball.centre);
         if (ball.radius == far->radius && here <= most_square) continue;
         const double r = std::sqrt(here) + ball.radius;
-        if (r > most) most = r, most_square = here, far = &ball;
+        if (r > maximum) maximum = r, most_square = here, far = &ball;
     }
     return *far;
 }

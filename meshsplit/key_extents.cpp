@@ -29,13 +29,13 @@ double overshoot(const model::Rig &rig, const model::Channel &channel, uint32_t 
     const auto tangent = [&](uint32_t key, uint32_t which) {
         return glm::length(glm::dvec3(vector_at(keys + (size_t(3) * key + which) * 3)));
     };
-    double most = 0;
+    double maximum = 0;
     for (const uint32_t left : {k > 0 ? k - 1 : k, k}) {
         if (left + 1 >= channel.key_count) continue;
         const double gap = double(times[left + 1]) - double(times[left]);
-        most = std::max(most, tangent_share * gap * (tangent(left, 2) + tangent(left + 1, 0)));
+        maximum = std::max(maximum, tangent_share * gap * (tangent(left, 2) + tangent(left + 1, 0)));
     }
-    return most;
+    return maximum;
 }
 
 // A key's own value lies between its tangents.

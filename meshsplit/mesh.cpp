@@ -175,12 +175,13 @@ private:
     bool is_mirrored(const std::array<uint32_t, 3> &t) const
     {
         uint32_t best = none;
-        float most = 0;
+        float maximum = 0;
         for (const uint32_t v : t)
             for (uint32_t i = 0; i < sources_[v].influence_count; ++i) {
                 const uint32_t joint = mesh_.influences[sources_[v].first_influence + i].joint;
                 const float weight = weight_in(t, joint);
-                if (best == none || weight > most || (weight == most && joint < best)) best = joint, most = weight;
+                if (best == none || weight > maximum || (weight == maximum && joint < best))
+                    best = joint, maximum = weight;
             }
         return best != none && math::determinant(rest_[best]) < 0;
     }

@@ -43,13 +43,13 @@ class ClipFitter
 {
 public:
     ClipFitter(model::Template &tmpl, MotionMeter &meter, const MotionLimits &limits, uint32_t clip,
-               const MotionError &most)
+               const MotionError &maximum)
         : tmpl_(tmpl),
           meter_(meter),
           limits_(limits),
           index_(clip),
           clip_(tmpl.rig.clips[clip]),
-          most_(most),
+          maximum_(maximum),
           before_(tmpl.motion),
           kept_(clip_.channel_count)
     {
@@ -65,7 +65,7 @@ public:
         const std::vector<uint32_t> counts = interval_counts();
         // If no rate fits, channels with a large error at the highest rate are kept, then also those with smaller
         // errors.
-        MotionError outliers = most_;
+        MotionError outliers = maximum_;
         for (int attempt = 0; attempt < 4 && !counts.empty(); ++attempt) {
             for (const uint32_t count : counts) {
                 if (!can_afford(count)) return keep_all();
@@ -86,7 +86,7 @@ private:
         meter_.begin();
         const bool all = can_evaluate(times_.size());
         const std::vector<double> few = {times_.front(), times_[times_.size() / 2], times_.back()};
-        error_of_clip() = meter_.measure(index_, all ? times_ : few, most());
+        error_of_clip() = meter_.measure(index_, all ? times_ : few, maximum());
         meter_.accept();
         if (!all) meter_.accept_reach_of(index_);
     }
@@ -105,7 +105,7 @@ private:
                can_evaluate(3 * count + times_.size());
     }
 
-    static MotionError most()
+    static MotionError maximum()
     {
         return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
@@ -173,10 +173,10 @@ private:
         put(intervals);
         if (tmpl_.motion.rotations.size() > max_numbers || tmpl_.motion.numbers.size() > max_numbers) return false;
         meter_.begin();
-        MotionError worst = meter_.measure(index_, times_, most_);
-        if (!worst.within(most_)) return false;
-        worst.merge(meter_.measure(index_, between_rows(intervals), most_));
-        if (!worst.within(most_)) return false;
+        MotionError worst = meter_.measure(index_, times_, maximum_);
+        if (!worst.within(maximum_)) return false;
+        worst.merge(meter_.measure(index_, between_rows(intervals), maximum_));
+        if (!worst.within(maximum_)) return false;
         error_of_clip() = worst;
         meter_.accept();
         return true;
@@ -197,7 +197,7 @@ private:
     const MotionLimits &limits_;
     const uint32_t index_;
     const model::Clip &clip_;
-    const MotionError most_;
+    const MotionError maximum_;
     const Lengths before_;
     std::vector<uint8_t> kept_;
     std::vector<double> times_;

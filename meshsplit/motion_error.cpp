@@ -94,15 +94,15 @@ double MotionMeter::rest_size() const
 {
     std::vector<Affine> globals(tmpl_.rig.node_count());
     globals_of(tmpl_.rig, base::Span<const math::Trs>(tmpl_.rig.rest), globals);
-    glm::dvec3 least(1e300), most(-1e300);
+    glm::dvec3 minimum(1e300), maximum(-1e300);
     for (const Ball &ball : balls_) {
         if (!(ball.radius > 0)) continue;
         const glm::dvec3 centre(math::transform_point(globals[ball.node], glm::vec3(ball.centre)));
         const double radius = ball.radius * std::sqrt(square_sum(globals[ball.node]) / 3);
-        least = glm::min(least, centre - radius);
-        most = glm::max(most, centre + radius);
+        minimum = glm::min(minimum, centre - radius);
+        maximum = glm::max(maximum, centre + radius);
     }
-    return least.x <= most.x ? glm::length(most - least) / 2 : 0;
+    return minimum.x <= maximum.x ? glm::length(maximum - minimum) / 2 : 0;
 }
 
 uint64_t MotionMeter::pose_transforms(uint32_t clip) const
@@ -172,11 +172,11 @@ void MotionMeter::Worst::merge(const Worst &other)
 {
     morphs = std::max(morphs, other.morphs);
     for (size_t n = 0; n < nodes.size(); ++n) {
-        Local &most = nodes[n];
+        Local &maximum = nodes[n];
         const Local &here = other.nodes[n];
-        most.shift = std::max(most.shift, here.shift), most.turn = std::max(most.turn, here.turn);
-        most.growth = std::max(most.growth, here.growth);
-        most.offset = std::max(most.offset, here.offset), most.scale = std::max(most.scale, here.scale);
+        maximum.shift = std::max(maximum.shift, here.shift), maximum.turn = std::max(maximum.turn, here.turn);
+        maximum.growth = std::max(maximum.growth, here.growth);
+        maximum.offset = std::max(maximum.offset, here.offset), maximum.scale = std::max(maximum.scale, here.scale);
     }
 }
 
@@ -192,18 +192,18 @@ void MotionMeter::begin() { measured_.nodes.assign(accepted_.nodes.size(), Local
 
 void MotionMeter::accept() { accepted_.merge(measured_); }
 
-MotionError MotionMeter::measure(uint32_t clip, const std::vector<double> &times, const MotionError &most)
+MotionError MotionMeter::measure(uint32_t clip, const std::vector<double> &times, const MotionError &maximum)
 {
     MotionError worst;
     for (const uint32_t i : coarse_first(times.size())) {
         worst.merge(at(clip, times[i]));
-        if (!worst.within(most)) return worst;
+        if (!worst.within(maximum)) return worst;
         take_locals();
     }
     return worst;
 }
 
-std::vector<uint8_t> MotionMeter::outliers(uint32_t clip, const std::vector<double> &times, const MotionError &most)
+std::vector<uint8_t> MotionMeter::outliers(uint32_t clip, const std::vector<double> &times, const MotionError &maximum)
 {
     const model::Rig &rig = tmpl_.rig;
     const model::Clip &of = rig.clips[clip];
@@ -215,17 +215,17 @@ std::vector<uint8_t> MotionMeter::outliers(uint32_t clip, const std::vector<doub
             if (channel.target == model::ChannelTarget::morph_weights) {
                 const model::MorphSet &set = rig.morph_sets[channel.node];
                 for (uint32_t w = set.first_weight; w < set.first_weight + set.target_count; ++w)
-                    if (std::fabs(exact_.weights()[w] - sampled_.weights()[w]) * morph_metres_[w] > most.metres)
+                    if (std::fabs(exact_.weights()[w] - sampled_.weights()[w]) * morph_metres_[w] > maximum.metres)
                         out[i] = 1;
                 continue;
             }
             const Local off = difference(exact_.locals()[channel.node], sampled_.locals()[channel.node]);
             const double stretch = std::sqrt(
                 std::max(square_sum(exact_globals_[channel.node]), square_sum(sampled_globals_[channel.node])));
-            const bool outliers = channel.target == model::ChannelTarget::rotation ? off.turn > most.radians
+            const bool outliers = channel.target == model::ChannelTarget::rotation ? off.turn > maximum.radians
                                   : channel.target == model::ChannelTarget::translation
-                                      ? off.shift * stretch > most.metres
-                                      : off.growth > most.radians;
+                                      ? off.shift * stretch > maximum.metres
+                                      : off.growth > maximum.radians;
             if (outliers) out[i] = 1;
         }
     }
@@ -239,13 +239,13 @@ double MotionMeter::bound() const
     std::vector<double> reach(rig.node_count()), error(rig.node_count());  // in each node's own frame
     for (const Ball &ball : balls_)
         reach[ball.node] = std::max(reach[ball.node], glm::length(ball.centre) + ball.radius);
-    double most = 0;
+    double maximum = 0;
     for (uint32_t n = rig.node_count(); n-- > 0;) {
         const Local &own = accepted_.nodes[n];
         const double under = own.scale * reach[n] + shifts[n];
         const double off = own.shift + own.turn * under + own.growth * reach[n] + own.scale * error[n];
         if (rig.parents[n] == none) {
-            most = std::max(most, off);
+            maximum = std::max(maximum, off);
             continue;
         }
         reach[rig.parents[n]] = std::max(reach[rig.parents[n]], own.offset + under);
@@ -258,7 +258,7 @@ double MotionMeter::bound() const
             all *= accepted_.nodes[k].scale > 0 ? accepted_.nodes[k].scale : 1;
         stretch = std::max(stretch, all);
     }
-    return most + accepted_.morphs * stretch;
+    return maximum + accepted_.morphs * stretch;
 }
 
 }  // namespace claque::meshsplit

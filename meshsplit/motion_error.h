@@ -12,7 +12,7 @@ namespace claque::meshsplit
 struct MotionError {
     double metres = 0, radians = 0;
 
-    bool within(const MotionError &most) const { return metres <= most.metres && radians <= most.radians; }
+    bool within(const MotionError &maximum) const { return metres <= maximum.metres && radians <= maximum.radians; }
     void merge(const MotionError &other);
 };
 
@@ -26,9 +26,9 @@ public:
     double rest_size() const;
 
     // Returns the largest error of a clip at some times. It stops at the first time whose error is not within `most`.
-    MotionError measure(uint32_t clip, const std::vector<double> &times, const MotionError &most);
+    MotionError measure(uint32_t clip, const std::vector<double> &times, const MotionError &maximum);
     // Returns [channel_count], 1 for channels whose own error, in their node's frame, is larger than `most`.
-    std::vector<uint8_t> outliers(uint32_t clip, const std::vector<double> &times, const MotionError &most);
+    std::vector<uint8_t> outliers(uint32_t clip, const std::vector<double> &times, const MotionError &maximum);
 
     // Measurements after begin() count for bound() once they are accepted.
     void begin();

@@ -188,13 +188,13 @@ private:
     {
         model::MotionCurve curve;
         for (uint32_t k = 0; k < out_.groups[g].count; ++k) {
-            float least = numbers(g, 0)[k], most = least;
+            float minimum = numbers(g, 0)[k], maximum = minimum;
             for (uint32_t r = 1; r < row_count(); ++r) {
-                least = std::min(least, numbers(g, r)[k]);
-                most = std::max(most, numbers(g, r)[k]);
+                minimum = std::min(minimum, numbers(g, r)[k]);
+                maximum = std::max(maximum, numbers(g, r)[k]);
             }
-            curve.min[k] = least;
-            curve.step[k] = (most - least) / 65535.0f;
+            curve.min[k] = minimum;
+            curve.step[k] = (maximum - minimum) / 65535.0f;
             if (curve.step[k] > 0) curve.stride = 1;
         }
         return curve;

@@ -45,12 +45,13 @@ public:
     {
         gather(x_.box(x), y_.box(y), zone_areas_);
         if (zone_areas_.size() == 1) return zone_areas_[0];
-        uint64_t most = 0;
-        for (const ZoneArea &zone_area : zone_areas_) most = std::max(most, zone_area.area);
+        uint64_t maximum = 0;
+        for (const ZoneArea &zone_area : zone_areas_) maximum = std::max(maximum, zone_area.area);
         size_t tied = 0;
-        for (const ZoneArea &zone_area : zone_areas_) tied += zone_area.area == most;
-        if (tied > 1) return break_tie(x, y, most);
-        return *std::find_if(zone_areas_.begin(), zone_areas_.end(), [&](const ZoneArea &s) { return s.area == most; });
+        for (const ZoneArea &zone_area : zone_areas_) tied += zone_area.area == maximum;
+        if (tied > 1) return break_tie(x, y, maximum);
+        return *std::find_if(zone_areas_.begin(), zone_areas_.end(),
+                             [&](const ZoneArea &s) { return s.area == maximum; });
     }
 
 private:
@@ -79,13 +80,13 @@ private:
         return zone_areas.back();
     }
 
-    const ZoneArea &break_tie(uint32_t x, uint32_t y, uint64_t most)
+    const ZoneArea &break_tie(uint32_t x, uint32_t y, uint64_t maximum)
     {
         gather(x_.grown(x), y_.grown(y), around_);
         const ZoneArea *best = nullptr;
         uint64_t best_around = 0;
         for (const ZoneArea &zone_area : zone_areas_) {
-            if (zone_area.area != most) continue;
+            if (zone_area.area != maximum) continue;
             const uint64_t around = zone_area_of(zone_area.zone, around_).area;
             if (!best || around > best_around || (around == best_around && zone_area.zone < best->zone))
                 best = &zone_area, best_around = around;

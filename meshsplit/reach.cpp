@@ -33,13 +33,13 @@ struct PoseCandidate {
 
 }  // namespace
 
-FreeReach::FreeReach(const model::Template &tmpl, uint64_t most)
+FreeReach::FreeReach(const model::Template &tmpl, uint64_t maximum)
     : tmpl_(tmpl), free_(tmpl), poser_(tmpl.rig), solver_(tmpl.rig), coarse_(2, tmpl.rig), fine_(3, tmpl.rig)
 {
-    if (!find_poses(most)) poses_.clear();
+    if (!find_poses(maximum)) poses_.clear();
 }
 
-bool FreeReach::find_poses(uint64_t most)
+bool FreeReach::find_poses(uint64_t maximum)
 {
     const model::Rig &rig = tmpl_.rig;
     const std::vector<double> shifts = max_shifts(rig);
@@ -68,7 +68,7 @@ bool FreeReach::find_poses(uint64_t most)
         bulges_.push_back(bulge);
         distances_.push_back(distance);
     };
-    return walk_poses(rig, visit, most);
+    return walk_poses(rig, visit, maximum);
 }
 
 void FreeReach::look_at(uint32_t pose)
@@ -98,23 +98,23 @@ double FreeReach::bound_by(const Resolution &resolution, std::vector<Support> &o
 glm::dvec3 FreeReach::centre(const std::vector<glm::dvec3> &points)
 {
     const Directions &directions = coarse_.directions;
-    Support most(directions.count(), -std::numeric_limits<double>::infinity());
+    Support maximum(directions.count(), -std::numeric_limits<double>::infinity());
     const size_t count = std::min(poses_.size(), centre_poses);
     for (size_t k = 0; k < count && !free_.point_sets.empty(); ++k) {
         look_at(static_cast<uint32_t>(k * poses_.size() / count));
         bound_by(coarse_, own_coarse_, {glm::dvec3(0), 0});
-        for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], all_[i]);
+        for (size_t i = 0; i < maximum.size(); ++i) maximum[i] = std::max(maximum[i], all_[i]);
     }
     for (const glm::dvec3 &p : points)
-        for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], glm::dot(directions[i], p));
+        for (size_t i = 0; i < maximum.size(); ++i) maximum[i] = std::max(maximum[i], glm::dot(directions[i], p));
     // Moves the centre towards the direction of the largest distance in ever smaller steps.
     glm::dvec3 out(0);
-    for (size_t i = 0; i < most.size(); ++i) out += directions[i] * (3 * most[i] / double(most.size()));
+    for (size_t i = 0; i < maximum.size(); ++i) out += directions[i] * (3 * maximum[i] / double(maximum.size()));
     for (int step = 1; step <= 2000; ++step) {
         size_t far = 0;
         double distance = -std::numeric_limits<double>::infinity();
-        for (size_t i = 0; i < most.size(); ++i) {
-            const double d = most[i] - glm::dot(directions[i], out);
+        for (size_t i = 0; i < maximum.size(); ++i) {
+            const double d = maximum[i] - glm::dot(directions[i], out);
             if (d > distance) distance = d, far = i;
         }
         out += directions[far] * (distance / double(step + 1));

@@ -15,7 +15,7 @@ class FreeReach
 {
 public:
     // There are no poses afterwards if there would be more than `most`.
-    explicit FreeReach(const model::Template &tmpl, uint64_t most = ~0ull);
+    explicit FreeReach(const model::Template &tmpl, uint64_t maximum = ~0ull);
 
     // Per level and source vertex: whether any degree of freedom moves it. The functions below consider only these.
     const std::vector<std::vector<uint8_t>> &moved() const { return free_.moved; }
@@ -30,7 +30,7 @@ private:
     void look_at(uint32_t pose);
     double bound_by(const Resolution &resolution, std::vector<Support> &own, const ReachSolver::Cutoff &cutoff);
     void own_supports(const Resolution &resolution, std::vector<Support> &own) const;
-    bool find_poses(uint64_t most);
+    bool find_poses(uint64_t maximum);
     void propagate(uint32_t pose, double bound, std::vector<double> &bounds) const;
 
     const model::Template &tmpl_;
@@ -48,6 +48,6 @@ private:
 
 // Returns Template::node_reach: for each node, bounds of its origin's distance from `centre` and of its frame's
 // stretch, in all poses that the Sklsroot Bsphere holds; nothing if these are more than `most`.
-std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre, uint64_t most = ~0ull);
+std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre, uint64_t maximum = ~0ull);
 
 }  // namespace claque::meshsplit

@@ -41,7 +41,7 @@ public:
     {
     }
 
-    std::vector<model::NodeReach> run(uint64_t most)
+    std::vector<model::NodeReach> run(uint64_t maximum)
     {
         const auto visit = [this](const PoseAt &at, const Locals &locals, const PoseSegment *since) {
             solver_.set_pose(locals);
@@ -51,7 +51,7 @@ public:
                 stretch(n, locals, since);
             }
         };
-        if (!walk_poses(rig_, visit, most)) return {};
+        if (!walk_poses(rig_, visit, maximum)) return {};
         LocalPoser poser(rig_);
         const Resolution resolution(2, rig_);
         std::vector<model::NodeReach> out;
@@ -122,9 +122,9 @@ private:
 
 }  // namespace
 
-std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre, uint64_t most)
+std::vector<model::NodeReach> find_node_reach(const model::Rig &rig, const glm::vec3 &centre, uint64_t maximum)
 {
-    return NodeSearch(rig, glm::dvec3(centre)).run(most);
+    return NodeSearch(rig, glm::dvec3(centre)).run(maximum);
 }
 
 }  // namespace claque::meshsplit

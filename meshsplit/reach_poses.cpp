@@ -129,7 +129,8 @@ constexpr int max_halvings = 6;
 class Walk
 {
 public:
-    Walk(const model::Rig &rig, const Visit &visit, uint64_t most) : rig_(rig), visit_(visit), left_(most), poser_(rig)
+    Walk(const model::Rig &rig, const Visit &visit, uint64_t maximum)
+        : rig_(rig), visit_(visit), left_(maximum), poser_(rig)
     {
         segment_.nodes.resize(rig.node_count());
         segment_.weights.resize(rig.rest_weights.size());
@@ -194,15 +195,15 @@ private:
 
     double max_turn() const
     {
-        double most = 0;
+        double maximum = 0;
         std::vector<double> sums(rig_.node_count());
         for (uint32_t n = 0; n < rig_.node_count(); ++n) {
             const NodeMotionBound &motion_bound = segment_.nodes[n];
             sums[n] = motion_bound.turn + motion_bound.growth / std::max(motion_bound.scale, 1e-30);
             if (rig_.parents[n] != model::none) sums[n] += sums[rig_.parents[n]];
-            most = std::max(most, sums[n]);
+            maximum = std::max(maximum, sums[n]);
         }
-        return most;
+        return maximum;
     }
 
     bool is_cubic(uint32_t clip) const
@@ -223,7 +224,7 @@ private:
 
 }  // namespace
 
-bool walk_poses(const model::Rig &rig, const Visit &visit, uint64_t most) { return Walk(rig, visit, most).run(); }
+bool walk_poses(const model::Rig &rig, const Visit &visit, uint64_t maximum) { return Walk(rig, visit, maximum).run(); }
 
 std::vector<double> max_shifts(const model::Rig &rig)
 {

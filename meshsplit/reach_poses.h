@@ -82,6 +82,6 @@ std::vector<double> max_shifts(const model::Rig &rig);
 // before, null if the actor jumps to this pose.
 using Visit = std::function<void(const PoseAt &, const Locals &, const PoseSegment *since)>;
 // Returns false, and stops, if that would be more than `most` poses.
-bool walk_poses(const model::Rig &rig, const Visit &visit, uint64_t most = ~0ull);
+bool walk_poses(const model::Rig &rig, const Visit &visit, uint64_t maximum = ~0ull);
 
 }  // namespace claque::meshsplit

@@ -81,13 +81,13 @@ void ReachSolver::set_pose(const Locals &locals)
 
 double ReachSolver::ball(const std::vector<PointSet> &point_sets, const float *weights, const glm::dvec3 &centre)
 {
-    double most = 0;
+    double maximum = 0;
     std::fill(reach_.begin(), reach_.end(), nothing);
     for (const PointSet &point_set : point_sets) {
         const uint32_t n = point_set.node(), s = joint_of_[n];
         const glm::dvec3 at = moved(to_joint_[n], point_set.centre());
         const double radius = stretch_[n] * point_set.radius(weights);
-        if (s == none) most = std::max(most, glm::distance(at, centre) + radius);
+        if (s == none) maximum = std::max(maximum, glm::distance(at, centre) + radius);
         else reach_[s] = std::max(reach_[s], glm::length(at) + radius);
     }
     for (size_t s = joints_.size(); s-- > 0;) {
@@ -95,10 +95,10 @@ double ReachSolver::ball(const std::vector<PointSet> &point_sets, const float *w
         if (reach_[s] == nothing) continue;
         reach_[s] += joint.shift;
         const double radius = joint.lift_stretch * reach_[s];
-        if (joint.above == none) most = std::max(most, glm::distance(joint.lift.move, centre) + radius);
+        if (joint.above == none) maximum = std::max(maximum, glm::distance(joint.lift.move, centre) + radius);
         else reach_[joint.above] = std::max(reach_[joint.above], glm::length(joint.lift.move) + radius);
     }
-    return most;
+    return maximum;
 }
 
 // Sweeps the set of a joint over its degrees of freedom, in the frame of its own position and rotation.

@@ -46,9 +46,9 @@ void merge(const Directions &directions, const Support &set, const AffineMap &ma
 
 double farthest(const Directions &directions, const Support &set, const glm::dvec3 &centre)
 {
-    double most = 0;
-    for (size_t i = 0; i < set.size(); ++i) most = std::max(most, set[i] - glm::dot(directions[i], centre));
-    return most * directions.max_weight();
+    double maximum = 0;
+    for (size_t i = 0; i < set.size(); ++i) maximum = std::max(maximum, set[i] - glm::dot(directions[i], centre));
+    return maximum * directions.max_weight();
 }
 
 uint64_t DofSweep::bytes(const model::Dof &dof, size_t directions)
@@ -100,9 +100,9 @@ void DofSweep::sweep(double reach, Support &set, Support &scratch) const
     scratch = set;
     const DirectionBlend *blend = turned_.data();
     for (size_t i = 0; i < set.size(); ++i) {
-        double most = blend->of(scratch.data());
-        for (size_t k = 1; k < angles_; ++k) most = std::max(most, blend[k].of(scratch.data()));
-        set[i] = most + between_[i] * reach;
+        double maximum = blend->of(scratch.data());
+        for (size_t k = 1; k < angles_; ++k) maximum = std::max(maximum, blend[k].of(scratch.data()));
+        set[i] = maximum + between_[i] * reach;
         blend += angles_;
     }
 }

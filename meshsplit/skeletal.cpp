@@ -19,9 +19,9 @@ constexpr float equal_part = 1e-5f;
 
 float largest_of(const float *values, size_t count)
 {
-    float most = 0;
-    for (size_t i = 0; i < count; ++i) most = std::max(most, std::fabs(values[i]));
-    return most;
+    float maximum = 0;
+    for (size_t i = 0; i < count; ++i) maximum = std::max(maximum, std::fabs(values[i]));
+    return maximum;
 }
 
 bool equal(const math::Affine &a, const math::Affine &b, float extent)

@@ -101,7 +101,7 @@ public:
     std::vector<glm::dvec3> extremes()
     {
         const std::vector<glm::vec3> axes = directions();
-        std::vector<float> most(axes.size(), -std::numeric_limits<float>::infinity());
+        std::vector<float> maximum(axes.size(), -std::numeric_limits<float>::infinity());
         std::vector<glm::dvec3> points(axes.size());
         for (size_t i = 0; i < poses_.size(); ++i) {
             const bool amid = i > 0 && is_continuous(poses_, i - 1) && is_continuous(poses_, i);
@@ -111,7 +111,8 @@ public:
                 for (const uint32_t v : cloud.outer()) {
                     const glm::vec3 p = cloud.skinned(v, palette.data, workspace_.weights().data);
                     for (size_t k = 0; k < axes.size(); ++k)
-                        if (glm::dot(p, axes[k]) > most[k]) most[k] = glm::dot(p, axes[k]), points[k] = glm::dvec3(p);
+                        if (glm::dot(p, axes[k]) > maximum[k])
+                            maximum[k] = glm::dot(p, axes[k]), points[k] = glm::dvec3(p);
                 }
         }
         return points;

@@ -223,7 +223,7 @@ TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images
     std::vector<ZoneCollector> collectors;
     for (size_t i = 0; i < zone_images.images.size(); ++i)
         collectors.emplace_back(zone_images.images[i], zone_images.zone_counts[i]);
-    const uint64_t most = limits.bytes / TriangleZones::bytes_per_zone;
+    const uint64_t maximum = limits.bytes / TriangleZones::bytes_per_zone;
     TriangleZones out;
     out.first.push_back(0);
     for (const MeshTriangle &triangle : mesh.triangles) {
@@ -236,11 +236,11 @@ TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images
             base::fail(CLQ_LIMIT, "%zu of %zu triangles cover more than the %llu texels that the bytes read allow",
                        out.first.size() - 1, mesh.triangles.size(), base::big(limits.texels));
         const size_t more = out.zones.size() - (out.first.size() - 1);
-        if (more > most)
+        if (more > maximum)
             base::fail(CLQ_LIMIT,
                        "%zu of %zu triangles show %zu zones besides their first: %llu are the most for the "
                        "bytes read",
-                       out.first.size() - 1, mesh.triangles.size(), more, base::big(most));
+                       out.first.size() - 1, mesh.triangles.size(), more, base::big(maximum));
     }
     return out;
 }

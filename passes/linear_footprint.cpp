@@ -70,9 +70,9 @@ bool LinearFootprint::one_zone(const Shown &shown, const glm::vec2 (&uv)[3], int
         x[k] = double(uv[k].x) * shown.width, y[k] = double(uv[k].y) * shown.height;
         if (!(std::fabs(x[k]) < max_texels_across && std::fabs(y[k]) < max_texels_across)) return false;
     }
-    const auto [least, most] = std::minmax({y[0], y[1], y[2]});
-    for (int64_t row = static_cast<int64_t>(std::floor(least - reach));
-         row <= static_cast<int64_t>(std::floor(most + reach)); ++row) {
+    const auto [minimum, maximum] = std::minmax({y[0], y[1], y[2]});
+    for (int64_t row = static_cast<int64_t>(std::floor(minimum - reach));
+         row <= static_cast<int64_t>(std::floor(maximum + reach)); ++row) {
         double low = 1e30, high = -1e30;
         widen(x, y, double(row) - reach, double(row + 1) + reach, low, high);
         if (low <= high && !row_has_one_zone(shown, row, low, high, key)) return false;

@@ -10,11 +10,11 @@ namespace claque::passes
 
 uint32_t matrix_room(const Gl11 &gl)
 {
-    constexpr int32_t most = 30;
+    constexpr int32_t maximum = 30;
     int32_t taken = 1, all = 32;
     gl.GetIntegerv(gl::modelview_stack_depth, &taken);
     gl.GetIntegerv(gl::max_modelview_stack_depth, &all);
-    return static_cast<uint32_t>(std::clamp(all - taken, 0, most));
+    return static_cast<uint32_t>(std::clamp(all - taken, 0, maximum));
 }
 
 // The last entry is kept for matrices that are multiplied here and replace each other.

@@ -63,11 +63,11 @@ bool contains_word(const char *words, const char *word)
     return false;
 }
 
-base::Status check_stack(const Gl11 &gl, int32_t entries, gl::Enum depth, gl::Enum most, const char *name)
+base::Status check_stack(const Gl11 &gl, int32_t entries, gl::Enum depth, gl::Enum maximum, const char *name)
 {
-    if (entries == 0 || integer(gl, depth) + entries <= integer(gl, most)) return base::Status::good();
+    if (entries == 0 || integer(gl, depth) + entries <= integer(gl, maximum)) return base::Status::good();
     return base::Status::bad(CLQ_GL_STATE, "the host has taken %d of %d places of the %s stack, claque needs %d",
-                             integer(gl, depth), integer(gl, most), name, entries);
+                             integer(gl, depth), integer(gl, maximum), name, entries);
 }
 
 base::Status check_stacks(const Gl11 &gl, StackEntries entries)

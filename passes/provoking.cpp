@@ -56,15 +56,15 @@ private:
     // The largest set of candidates that face about as one of them does.
     std::vector<uint32_t> most_alike(const std::vector<uint32_t> &candidates) const
     {
-        std::vector<uint32_t> most;
+        std::vector<uint32_t> largest;
         for (const uint32_t one : candidates) {
             std::vector<uint32_t> alike;
             for (const uint32_t other : candidates)
                 if (other == one || glm::dot(triangles_[one].normal, triangles_[other].normal) >= min_cosine)
                     alike.push_back(other);
-            if (alike.size() > most.size()) most = std::move(alike);
+            if (alike.size() > largest.size()) largest = std::move(alike);
         }
-        return most;
+        return largest;
     }
 
     const std::vector<FlatTriangle> &triangles_;

@@ -15,33 +15,33 @@ namespace
 
 uint32_t max_slots(const model::Template &tmpl)
 {
-    size_t most = 0;
-    for (const model::Texture &texture : tmpl.textures) most = std::max(most, 2 * texture.keys.size());
+    size_t maximum = 0;
+    for (const model::Texture &texture : tmpl.textures) maximum = std::max(maximum, 2 * texture.keys.size());
     for (const model::Level &level : tmpl.levels)
-        for (const uint16_t slot : level.slots) most = std::max<size_t>(most, slot + 1u);
-    return static_cast<uint32_t>(most);
+        for (const uint16_t slot : level.slots) maximum = std::max<size_t>(maximum, slot + 1u);
+    return static_cast<uint32_t>(maximum);
 }
 
 uint32_t max_colour_entries(const PreparedTemplate &prepared)
 {
-    size_t most = 0;
-    for (const PreparedLevel &level : prepared.levels) most = std::max(most, level.flat.zones.size());
-    return static_cast<uint32_t>(most);
+    size_t maximum = 0;
+    for (const PreparedLevel &level : prepared.levels) maximum = std::max(maximum, level.flat.zones.size());
+    return static_cast<uint32_t>(maximum);
 }
 
 uint32_t max_vertices(const model::Template &tmpl)
 {
-    uint32_t most = 0;
-    for (const model::Level &level : tmpl.levels) most = std::max(most, level.vertex_count);
-    return most;
+    uint32_t maximum = 0;
+    for (const model::Level &level : tmpl.levels) maximum = std::max(maximum, level.vertex_count);
+    return maximum;
 }
 
 uint32_t max_depth(const PreparedTemplate &prepared)
 {
-    uint32_t most = 0;
+    uint32_t maximum = 0;
     for (const PreparedLevel &level : prepared.levels)
-        for (const MatrixStep &step : level.steps) most = std::max(most, step.depth);
-    return most;
+        for (const MatrixStep &step : level.steps) maximum = std::max(maximum, step.depth);
+    return maximum;
 }
 
 base::Status not_open()

@@ -25,11 +25,11 @@ void upload(const Gl11 &gl, const model::Texture &texture, const Image &image, u
                   static_cast<int32_t>(image.height), 0, gl::rgba, gl::unsigned_byte, image.rgba.data());
 }
 
-base::Status probe(const Gl11 &gl, const char *tmpl, int32_t width, int32_t height, int32_t most, int &alpha_bits)
+base::Status probe(const Gl11 &gl, const char *tmpl, int32_t width, int32_t height, int32_t maximum, int &alpha_bits)
 {
-    if (std::max(width, height) > most)
+    if (std::max(width, height) > maximum)
         return base::Status::bad(CLQ_LIMIT, "template '%s': a texture of %d x %d pixels, this GL takes %d at most",
-                                 tmpl, width, height, most);
+                                 tmpl, width, height, maximum);
     gl.TexImage2D(gl::proxy_texture_2d, 0, static_cast<int32_t>(gl::rgba8), width, height, 0, gl::rgba,
                   gl::unsigned_byte, nullptr);
     int32_t taken = 0, bits = 0;
@@ -46,13 +46,13 @@ base::Status probe(const Gl11 &gl, const char *tmpl, int32_t width, int32_t heig
 
 base::Status probe_textures(const Gl11 &gl, const model::Template &source, int &alpha_bits)
 {
-    int32_t most = 0;
-    gl.GetIntegerv(gl::max_texture_size, &most);
+    int32_t maximum = 0;
+    gl.GetIntegerv(gl::max_texture_size, &maximum);
     alpha_bits = 8;
     base::Status status = base::Status::good();
     const auto probe_image = [&](uint32_t width, uint32_t height) {
         if (status.ok())
-            status = probe(gl, source.name.c_str(), static_cast<int32_t>(width), static_cast<int32_t>(height), most,
+            status = probe(gl, source.name.c_str(), static_cast<int32_t>(width), static_cast<int32_t>(height), maximum,
                            alpha_bits);
     };
     for (const model::Texture &texture : source.textures) {

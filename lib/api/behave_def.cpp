@@ -198,13 +198,13 @@ crowd::Idle Reader::idle(const clq_idle_def &def)
     require_in("phase_spread", def.phase_spread, 0, 1);
     out.fade_s = def.fade_s, out.speed_spread = def.speed_spread, out.phase_spread = def.phase_spread;
     if (!def.weights) return out;
-    float most = 0;
+    float maximum = 0;
     for (uint32_t i = 0; i < def.clip_count; ++i) {
         require_in("a clip's weight", def.weights[i], 0, std::numeric_limits<float>::max());
-        most = std::max(most, def.weights[i]);
+        maximum = std::max(maximum, def.weights[i]);
         out.weights.push_back(def.weights[i]);
     }
-    if (!(most > 0)) fail(CLQ_ARGUMENT, "the weights of all %u clips are 0", def.clip_count);
+    if (!(maximum > 0)) fail(CLQ_ARGUMENT, "the weights of all %u clips are 0", def.clip_count);
     return out;
 }
 

@@ -37,13 +37,13 @@ void report_fallback(const clq_renderer &renderer, const clq_template &tmpl) noe
 {
     if (renderer.requested != passes::Strategy::fused || renderer.renderer.strategy_of(tmpl) == renderer.requested)
         return;
-    size_t most = 0;
-    for (const model::Texture &texture : tmpl.textures) most = std::max(most, texture.keys.size());
+    size_t maximum = 0;
+    for (const model::Texture &texture : tmpl.textures) maximum = std::max(maximum, texture.keys.size());
     char text[512];
     std::snprintf(text, sizeof text,
                   "template '%.300s' is drawn binned instead of fused: its %zu zones are more than one draw can tell "
                   "apart on this target",
-                  tmpl.name.c_str(), most);
+                  tmpl.name.c_str(), maximum);
     renderer.context->log.warn(text);
 }
 

@@ -34,9 +34,9 @@ uint64_t bytes_of(const model::Template &t)
 
 uint32_t max_influences(const model::Level &level)
 {
-    uint32_t most = 0;
-    for (const model::InfluenceRun &run : level.runs) most = run.influences > most ? run.influences : most;
-    return most;
+    uint32_t maximum = 0;
+    for (const model::InfluenceRun &run : level.runs) maximum = run.influences > maximum ? run.influences : maximum;
+    return maximum;
 }
 
 }  // namespace

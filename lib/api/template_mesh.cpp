@@ -32,9 +32,9 @@ uint32_t bins_of(const model::Surface &surface)
 
 uint32_t most_influences(const model::Level &level)
 {
-    uint32_t most = 0;
-    for (const model::InfluenceRun &run : level.runs) most = std::max(most, run.influences);
-    return most;
+    uint32_t maximum = 0;
+    for (const model::InfluenceRun &run : level.runs) maximum = std::max(maximum, run.influences);
+    return maximum;
 }
 
 }  // namespace

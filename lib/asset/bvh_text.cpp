@@ -116,11 +116,11 @@ double BvhText::number(const char *what)
     return value;
 }
 
-uint32_t BvhText::count(const char *what, uint32_t most)
+uint32_t BvhText::count(const char *what, uint32_t maximum)
 {
     const double value = number(what);
-    if (!(value >= 0) || value > most || value != std::floor(value))
-        refuse(base::text_of("%s is %g: a whole number from 0 to %u is wanted", what, value, most));
+    if (!(value >= 0) || value > maximum || value != std::floor(value))
+        refuse(base::text_of("%s is %g: a whole number from 0 to %u is wanted", what, value, maximum));
     return static_cast<uint32_t>(value);
 }
 

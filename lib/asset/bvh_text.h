@@ -30,7 +30,7 @@ public:
     // The rest of the line up to a brace, without the blanks around it. Names may contain blanks.
     std::string name();
     double number(const char *what);  // finite
-    uint32_t count(const char *what, uint32_t most);
+    uint32_t count(const char *what, uint32_t maximum);
 
 private:
     void skip_blanks();

@@ -41,14 +41,14 @@ std::vector<Set> read_sets(File &file, const JsonView &attributes, size_t vertic
 
 uint32_t busiest(const std::vector<Set> &sets, size_t vertices)
 {
-    uint32_t most = 1;
+    uint32_t maximum = 1;
     for (size_t v = 0; v < vertices; ++v) {
         uint32_t count = 0;
         for (const Set &set : sets)
             for (size_t k = 0; k < 4; ++k) count += set.weights[4 * v + k] > 0;
-        most = std::max(most, count);
+        maximum = std::max(maximum, count);
     }
-    return most;
+    return maximum;
 }
 
 // True if the vertex has any weight.

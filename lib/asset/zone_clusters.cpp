@@ -67,9 +67,9 @@ std::vector<Bin> bins_of(const model::Image &image, const std::vector<uint8_t> &
 // small area of a distinct colour counts, single texels do not.
 std::vector<Point> first_middles(const std::vector<Bin> &all, uint32_t count)
 {
-    const auto most =
+    const auto most_frequent =
         std::max_element(all.begin(), all.end(), [](const Bin &a, const Bin &b) { return a.texels < b.texels; });
-    std::vector<Point> middles = {most->at};
+    std::vector<Point> middles = {most_frequent->at};
     std::vector<double> away(all.size(), 1e30);
     while (middles.size() < count) {
         size_t best = 0;
@@ -131,8 +131,8 @@ void calm(ZoneProposal &out)
                         const uint16_t zone = before[size_t(ny) * size_t(w) + size_t(nx)];
                         if (zone != unknown_zone) ++counts[zone], ++known;
                     }
-                const auto most = std::max_element(counts.begin(), counts.end());
-                if (2 * *most > known) out.zones[at] = static_cast<uint16_t>(most - counts.begin());
+                const auto most_frequent = std::max_element(counts.begin(), counts.end());
+                if (2 * *most_frequent > known) out.zones[at] = static_cast<uint16_t>(most_frequent - counts.begin());
             }
     }
 }

@@ -133,14 +133,14 @@ std::vector<uint8_t> covered_texels(const model::Model &model, uint32_t image)
 {
     const model::Image &of = model.images[image];
     const std::vector<UvCorners> triangles = triangles_showing(model, image);
-    const uint64_t most = most_rows + rows_per_item * (triangles.size() + uint64_t(of.width) * of.height);
+    const uint64_t maximum = most_rows + rows_per_item * (triangles.size() + uint64_t(of.width) * of.height);
     Coverage coverage(of);
     for (const UvCorners &triangle : triangles) {
         coverage.add(triangle);
-        if (coverage.rows() > most)
+        if (coverage.rows() > maximum)
             base::fail(
                 CLQ_LIMIT, "%zu triangles of '%s' cover more than %llu rows of image %u '%s', which has %u x %u texels",
-                triangles.size(), model.name.c_str(), base::big(most), image, of.name.c_str(), of.width, of.height);
+                triangles.size(), model.name.c_str(), base::big(maximum), image, of.name.c_str(), of.width, of.height);
     }
     return coverage.texels();
 }

@@ -129,8 +129,8 @@ crowd::Transform flight_transform(const crowd::RootPath &path, double round_s) n
     double roll = 0;
     if (path.bank != 0) {
         const double rate = turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5)) / each_s;
-        const double most = static_cast<double>(path.max_bank);
-        roll = std::fmin(std::fmax(static_cast<double>(path.bank) * rate, -most), most);
+        const double maximum = static_cast<double>(path.max_bank);
+        roll = std::fmin(std::fmax(static_cast<double>(path.bank) * rate, -maximum), maximum);
     }
     crowd::Transform transform;
     transform.position = point(piece, w.u);

@@ -86,10 +86,10 @@ void check_layer(const Crowd &crowd, uint32_t row, const Layer &layer)
     if (!(layer.end_s >= layer.start_s))
         fail(CLQ_ARGUMENT, "a layer from %g s ends at %g s", layer.start_s, layer.end_s);
     if (layer.curve > Curve::inertial) fail(CLQ_ARGUMENT, "a layer of no curve");
-    const float most = layer.additive ? max_layer_weight : 1;
-    if (!(layer.weight <= most && layer.weight >= (layer.additive ? -max_layer_weight : 0)))
+    const float maximum = layer.additive ? max_layer_weight : 1;
+    if (!(layer.weight <= maximum && layer.weight >= (layer.additive ? -max_layer_weight : 0)))
         fail(CLQ_ARGUMENT, "a layer's weight is %g: %g to %g is wanted", static_cast<double>(layer.weight),
-             layer.additive ? -static_cast<double>(max_layer_weight) : 0.0, static_cast<double>(most));
+             layer.additive ? -static_cast<double>(max_layer_weight) : 0.0, static_cast<double>(maximum));
     if (layer.curve == Curve::inertial) fail(CLQ_ARGUMENT, "a layer does not come in by inertia");
     if (layer.mask == none) return;
     if (layer.mask >= crowd.layers().mask_count())

@@ -35,14 +35,14 @@ Ball united(const Ball &a, const Ball &b)
 // norm.
 double max_scale_of(const math::Affine &m, bool similar)
 {
-    double most = 0, sum = 0;
+    double maximum = 0, sum = 0;
     for (int k = 0; k < 3; ++k) {
         const glm::dvec3 c(m.column(k));
         const double square = c.x * c.x + c.y * c.y + c.z * c.z;
         sum += square;
-        if (square > most) most = square;
+        if (square > maximum) maximum = square;
     }
-    return std::sqrt(similar ? most * (1 + 1e-3) : sum);
+    return std::sqrt(similar ? maximum * (1 + 1e-3) : sum);
 }
 
 // A margin of a few bits more than float skinning may round away.

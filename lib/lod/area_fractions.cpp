@@ -31,9 +31,9 @@ std::vector<double> zone_area_fractions(const model::Model &model, const PosedPa
 
 double zone_area_error(const std::vector<double> &a, const std::vector<double> &b)
 {
-    double most = 0;
-    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
+    double maximum = 0;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) maximum = std::max(maximum, std::abs(a[i] - b[i]));
+    return maximum;
 }
 
 }  // namespace claque::lod

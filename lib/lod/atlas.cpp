@@ -73,8 +73,8 @@ private:
     void grow(uint32_t seed, uint32_t chart, std::vector<uint32_t> &members, std::vector<Flat> &texel_coords)
     {
         const glm::dvec3 normal = unit_or(normals_[seed], glm::dvec3(0, 0, 1));
-        const glm::dvec3 most = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-        const glm::dvec3 u = glm::normalize(glm::cross(normal, most)), v = glm::cross(normal, u);
+        const glm::dvec3 helper = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        const glm::dvec3 u = glm::normalize(glm::cross(normal, helper)), v = glm::cross(normal, u);
         const auto flat = [&](uint32_t t) {
             const auto c = level_.corners(level_.triangles()[t]);
             return Flat{glm::dvec2(glm::dot(c[0], u), glm::dot(c[0], v)),

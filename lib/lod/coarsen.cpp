@@ -213,9 +213,9 @@ ClosedMesh large_pieces_of(const ClosedMesh &surface)
     }
     ClosedMesh out;
     out.positions = surface.positions;
-    const double most = *std::max_element(areas.begin(), areas.end());
+    const double maximum = *std::max_element(areas.begin(), areas.end());
     for (const auto &t : surface.triangles)
-        if (areas[root(t[0])] >= std::min(most, all / 50)) out.triangles.push_back(t);
+        if (areas[root(t[0])] >= std::min(maximum, all / 50)) out.triangles.push_back(t);
     return out;
 }
 

@@ -26,7 +26,7 @@ FineSurface::FineSurface(const ClosedMesh &surface, const std::vector<Attributes
         area_ += area;
     }
     // Takes every nth vertex. Marching tetrahedra order vertices row by row in space, so each region gets its share.
-    const size_t most = std::max<size_t>(max_samples, 1), step = (areas.size() + most - 1) / most;
+    const size_t maximum = std::max<size_t>(max_samples, 1), step = (areas.size() + maximum - 1) / maximum;
     double since = 0;
     for (size_t v = 0; v < areas.size(); ++v) {
         since += areas[v];

@@ -62,8 +62,8 @@ NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : tree_(trian
         slots_[t] = static_cast<uint32_t>(triangles_.size());
         triangles_.emplace_back(triangles[t]);
     }
-    const glm::dvec3 most = glm::max(glm::abs(tree_.boxes[0].min), glm::abs(tree_.boxes[0].max));
-    slack_ = 1e-18 * glm::dot(most, most);
+    const glm::dvec3 maximum = glm::max(glm::abs(tree_.boxes[0].min), glm::abs(tree_.boxes[0].max));
+    slack_ = 1e-18 * glm::dot(maximum, maximum);
 }
 
 // Boxes beyond `enough` are skipped. The result is the first of the nearest triangles in tree order, whatever the

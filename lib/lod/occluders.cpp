@@ -56,8 +56,8 @@ Occluders::Occluders(const std::vector<Corners3> &triangles)
         const Corners3 &c = triangles[t];
         triangles_.push_back({c[0], c[1] - c[0], c[2] - c[0]});
     }
-    const glm::dvec3 most = glm::max(glm::abs(tree.boxes[0].min), glm::abs(tree.boxes[0].max));
-    size_ = std::max({most.x, most.y, most.z});
+    const glm::dvec3 maximum = glm::max(glm::abs(tree.boxes[0].min), glm::abs(tree.boxes[0].max));
+    size_ = std::max({maximum.x, maximum.y, maximum.z});
     root_ = add(tree, 0);
 }
 

@@ -123,14 +123,14 @@ ProxyTexel proxy_texel(const ProxySource &source, const model::TextureSet *set, 
     std::array<uint32_t, samples> zones;
     for (size_t i = 0; i < samples; ++i) zones[i] = zone_at(source.model, source.fine, texel.points[i], set);
     ProxyTexel shown;
-    ptrdiff_t most = 0;
+    ptrdiff_t maximum = 0;
     for (const uint32_t zone : zones) {
         const ptrdiff_t count = std::count(zones.begin(), zones.end(), zone);
-        if (count > most) most = count, shown.zone = zone;
+        if (count > maximum) maximum = count, shown.zone = zone;
     }
     for (size_t i = 0; i < samples; ++i)
         if (zones[i] == shown.zone)
-            shown.rgb += texel_at(source.model, source.fine, texel.points[i], set) / double(most);
+            shown.rgb += texel_at(source.model, source.fine, texel.points[i], set) / double(maximum);
     shown.at = texel.middle, shown.used = texel.used;
     return shown;
 }

@@ -126,7 +126,7 @@ public:
         std::vector<PartialAssignment> partials(1), next;
         partials[0].zones.assign(areas_.size(), source_fractions_.size()),
             partials[0].area_fractions.assign(source_fractions_.size(), 0);
-        const size_t most = beam_width / std::max<size_t>(areas_.size(), 1) + 1;
+        const size_t maximum = beam_width / std::max<size_t>(areas_.size(), 1) + 1;
         for (const size_t t : order) {
             next.clear();
             for (const PartialAssignment &partial : partials)
@@ -141,7 +141,7 @@ public:
                 }
             const auto cheaper = [](const PartialAssignment &a, const PartialAssignment &b) { return a.cost < b.cost; };
             std::stable_sort(next.begin(), next.end(), cheaper);
-            if (next.size() > most) next.resize(most);
+            if (next.size() > maximum) next.resize(maximum);
             partials.swap(next);
         }
         const auto short_of = [&](const PartialAssignment &partial) {

@@ -187,17 +187,17 @@ private:
         }
         return false;
     }
-    double cost_of(Edge edge, glm::dvec3 position, const Star &star, double most) const
+    double cost_of(Edge edge, glm::dvec3 position, const Star &star, double maximum) const
     {
         if (flips(edge, position, star)) return illegal_cost;
         const std::vector<PrecomputedTriangle> next = after(star, edge, position);
         double sum = 0;
         for (const uint32_t s : star.samples) {
             sum += fine_.samples()[s].area * nearest_of(next, fine_.samples()[s].at).distance_squared;
-            if (sum >= most) return illegal_cost;
+            if (sum >= maximum) return illegal_cost;
         }
         for (const PrecomputedTriangle &t : next) {
-            if (sum >= most) return illegal_cost;
+            if (sum >= maximum) return illegal_cost;
             sum += distance_cost(t.corners, star.guess);
         }
         return sum;

@@ -22,8 +22,8 @@ void hsb_to_rgb(double hue_deg, double saturation, double brightness, double out
 void rgb_to_hsb(const double rgb[3], double out_hsb[3])
 {
     const double high = std::max({rgb[0], rgb[1], rgb[2]}), span = high - std::min({rgb[0], rgb[1], rgb[2]});
-    const int most = rgb[0] == high ? 0 : rgb[1] == high ? 1 : 2;
-    const double sixths = span > 0 ? 2 * most + (rgb[(most + 1) % 3] - rgb[(most + 2) % 3]) / span : 0;
+    const int largest = rgb[0] == high ? 0 : rgb[1] == high ? 1 : 2;
+    const double sixths = span > 0 ? 2 * largest + (rgb[(largest + 1) % 3] - rgb[(largest + 2) % 3]) / span : 0;
     out_hsb[0] = 60 * (sixths < 0 ? sixths + 6 : sixths);
     out_hsb[1] = high > 0 ? span / high : 0;
     out_hsb[2] = high;

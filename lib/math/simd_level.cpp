@@ -45,8 +45,8 @@ std::atomic<SimdLevel> &simd_level_in_use()
 
 bool can_run(SimdLevel simd_level)
 {
-    static const SimdLevel most = widest();
-    return simd_level <= most;
+    static const SimdLevel maximum = widest();
+    return simd_level <= maximum;
 }
 
 SimdLevel default_simd_level() { return simd_level_in_use().load(std::memory_order_relaxed); }

@@ -53,10 +53,10 @@ private:
         return false;
     }
 
-    bool count(const char *what, uint32_t n, uint32_t most, const void *array, uint32_t least = 0)
+    bool count(const char *what, uint32_t n, uint32_t maximum, const void *array, uint32_t minimum = 0)
     {
-        if (n < least || n > most)
-            return refuse(Field::whole, text_of("%u %s: %u to %u are wanted", n, what, least, most));
+        if (n < minimum || n > maximum)
+            return refuse(Field::whole, text_of("%u %s: %u to %u are wanted", n, what, minimum, maximum));
         if (n > 0 && !array) return refuse(Field::whole, text_of("%s is NULL with a count of %u", what, n));
         return true;
     }
@@ -132,11 +132,11 @@ private:
         return true;
     }
 
-    bool within(Field field, const char *name, float first, float last, float most)
+    bool within(Field field, const char *name, float first, float last, float maximum)
     {
-        if (!(first >= 0 && first <= most && last >= 0 && last <= most))
-            return refuse(
-                field, text_of("%s is %g to %g: 0 to %g is wanted", name, double(first), double(last), double(most)));
+        if (!(first >= 0 && first <= maximum && last >= 0 && last <= maximum))
+            return refuse(field, text_of("%s is %g to %g: 0 to %g is wanted", name, double(first), double(last),
+                                         double(maximum)));
         if (field != Field::hue && first > last)
             return refuse(field, text_of("%s is %g to %g, the wrong way round; only hues wrap", name, double(first),
                                          double(last)));

@@ -33,15 +33,15 @@ glm::dquat common_axes(const std::vector<JointMatch> &matches, const GlobalPose 
     for (const JointMatch &m : matches) middle_t += target.positions[m.target], middle_s += source.positions[m.source];
     middle_t /= static_cast<double>(matches.size());
     middle_s /= static_cast<double>(matches.size());
-    double most = 0;
+    double maximum = 0;
     glm::dquat best(1, 0, 0, 0);
     for (const glm::dquat &rotation : axis_rotations()) {
         double alike = 0;
         for (const JointMatch &m : matches)
             alike +=
                 glm::dot(rotation * (source.positions[m.source] - middle_s), target.positions[m.target] - middle_t);
-        if (alike <= most * (1 + 1e-6)) continue;
-        most = alike;
+        if (alike <= maximum * (1 + 1e-6)) continue;
+        maximum = alike;
         best = rotation;
     }
     return best;

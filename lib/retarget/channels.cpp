@@ -84,10 +84,11 @@ public:
     // The largest distance of a bound joint from the topmost one.
     float size() const
     {
-        double most = 0;
+        double maximum = 0;
         const glm::dvec3 top = rest_t_.positions[matches_[0].target];
-        for (const JointMatch &m : matches_) most = std::max(most, glm::length(rest_t_.positions[m.target] - top));
-        return static_cast<float>(most);
+        for (const JointMatch &m : matches_)
+            maximum = std::max(maximum, glm::length(rest_t_.positions[m.target] - top));
+        return static_cast<float>(maximum);
     }
 
 private:

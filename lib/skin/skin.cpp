@@ -147,14 +147,14 @@ private:
     // Packs through a buffer that stays in the L1 cache.
     void run_packed(Run run, uint32_t first, SimdLevel simd_level) const
     {
-        constexpr uint32_t most = 64;
-        float positions[3 * most], normals[3 * most];
+        constexpr uint32_t maximum = 64;
+        float positions[3 * maximum], normals[3 * maximum];
         run.out_positions = positions, run.out_normals = normals;
         PackJob pack;
         pack.range = packed_.range;
         pack.simd_level = simd_level;
         for (uint32_t left = run.count; left > 0; left -= run.count) {
-            run.count = std::min(left, most);
+            run.count = std::min(left, maximum);
             run_floats(run, simd_level);
             pack.positions = {positions, 3 * run.count}, pack.normals = {normals, 3 * run.count};
             pack.out_positions = {packed_.positions + first, run.count};

@@ -232,8 +232,8 @@ Variant variant_of(uint32_t clip, uint32_t number)
     v.lead = (is_anchored(maker) ? 0.35f : 0.12f) * (2 * draw(v.seed, 1000) - 1);
     v.trunk = 0.70f + 0.55f * spread(number, draw(clip, 2));
     // Hands that meet may open wider than in the clip; other hands must not come nearer to the body.
-    const float most = centre_of(maker).meets ? 1.25f : 1.0f;
-    v.reach = 0.80f + (most - 0.80f) * spread(number, draw(clip, 3));
+    const float maximum = centre_of(maker).meets ? 1.25f : 1.0f;
+    v.reach = 0.80f + (maximum - 0.80f) * spread(number, draw(clip, 3));
     v.handedness = number % 2 == 1 ? Handedness::other : Handedness::own;
     return v;
 }
