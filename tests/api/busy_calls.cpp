@@ -213,6 +213,10 @@ void add_views(std::vector<Call> &all)
         clq_drawn_actor drawn = clq_drawn_actor_init();
         return clq_view_get_drawn_actor(o.view, 0, &drawn);
     });
+    view("clq_view_get_arrays", [](O o) {
+        clq_drawn_arrays arrays = clq_drawn_arrays_init();
+        return clq_view_get_arrays(o.view, 0, &arrays);
+    });
     view("clq_view_get_colours", [](O o) {
         uint8_t rgb[6];
         return clq_view_get_colours(o.view, 0, rgb, 2);
