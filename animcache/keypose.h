@@ -3,10 +3,10 @@
 // picture.
 #pragma once
 
+#include <vector>
+
 #include "lib/base/held_bytes.h"
 #include "lib/model/template.h"
-
-#include <vector>
 
 namespace claque::animcache
 {

@@ -1,9 +1,9 @@
 #include "meshsplit/template_rig.h"
 
+#include <limits>
+
 #include "lib/base/error.h"
 #include "meshsplit/root_motion.h"
-
-#include <limits>
 
 namespace claque::meshsplit
 {

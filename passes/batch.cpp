@@ -1,9 +1,9 @@
 #include "passes/batch.h"
 
-#include "lib/math/simd.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "lib/math/simd.h"
 
 namespace claque::passes
 {

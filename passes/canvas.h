@@ -2,13 +2,13 @@
 // ranges. Drawing allocates nothing; memory for colours is reserved when a template is prepared.
 #pragma once
 
+#include <array>
+
 #include "lib/draw/draw_list.h"
 #include "passes/gl_state.h"
 #include "passes/parts.h"
 #include "passes/prepared.h"
 #include "passes/shadow_batch.h"
-
-#include <array>
 
 namespace claque::passes
 {

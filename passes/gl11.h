@@ -2,9 +2,9 @@
 // GL system header is included and no GL library linked; claque calls nothing outside this table.
 #pragma once
 
-#include "lib/base/status.h"
-
 #include <cstdint>
+
+#include "lib/base/status.h"
 
 #if defined(_WIN32)
 #define CLAQUE_GL_CALL __stdcall

@@ -1,9 +1,9 @@
 // Tests if a triangle can be sampled GL_LINEAR without mixing zones.
 #pragma once
 
-#include <glm/vec2.hpp>
-
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "lib/model/template.h"
 

@@ -1,11 +1,11 @@
 #include "passes/list_drawer.h"
 
+#include <algorithm>
+
 #include "passes/guard.h"
 #include "passes/hook_frame.h"
 #include "passes/matrix_walk.h"
 #include "passes/strategies.h"
-
-#include <algorithm>
 
 namespace claque::passes
 {

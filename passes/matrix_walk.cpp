@@ -1,9 +1,10 @@
 #include "passes/matrix_walk.h"
 
-#include "passes/strategies.h"
-
 #include <algorithm>
+
 #include <glm/gtc/type_ptr.hpp>
+
+#include "passes/strategies.h"
 
 namespace claque::passes
 {

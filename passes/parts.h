@@ -1,9 +1,9 @@
 // The parts of a level that are drawn (S0 4.2, phase 3), and their offsets in each range of a surface's triangles.
 #pragma once
 
-#include "lib/model/template.h"
-
 #include <bitset>
+
+#include "lib/model/template.h"
 
 namespace claque::passes
 {

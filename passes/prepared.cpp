@@ -1,12 +1,12 @@
 #include "passes/prepared.h"
 
+#include <algorithm>
+
 #include "lib/model/keys.h"
 #include "passes/batch.h"
 #include "passes/flat.h"
 #include "passes/linear_clean.h"
 #include "passes/parts.h"
-
-#include <algorithm>
 
 namespace claque::passes
 {

@@ -1,9 +1,9 @@
 // Prepares one level: short indices, the vertex ranges of its surfaces and parts, and, if all its parts are rigid, its
 // vertices in the spaces of their nodes and the walk to these (S0 6.2.2).
+#include <algorithm>
+
 #include "passes/parts.h"
 #include "passes/prepared.h"
-
-#include <algorithm>
 
 namespace claque::passes
 {

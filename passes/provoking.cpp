@@ -1,10 +1,10 @@
 #include "passes/provoking.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include <glm/geometric.hpp>
 
 namespace claque::passes
 {

@@ -2,10 +2,10 @@
 // of the triangle.
 #pragma once
 
-#include <glm/vec3.hpp>
-
 #include <array>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace claque::passes
 {

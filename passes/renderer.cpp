@@ -1,12 +1,12 @@
 #include "passes/renderer.h"
 
+#include <algorithm>
+#include <new>
+
 #include "lib/base/error.h"
 #include "passes/guard.h"
 #include "passes/hook_frame.h"
 #include "passes/list_drawer.h"
-
-#include <algorithm>
-#include <new>
 
 namespace claque::passes
 {

@@ -1,9 +1,9 @@
 // Shadows of Renderer: everything that can fail is checked before anything is drawn.
-#include "passes/guard.h"
-#include "passes/renderer.h"
-
 #include <algorithm>
 #include <new>
+
+#include "passes/guard.h"
+#include "passes/renderer.h"
 
 namespace claque::passes
 {

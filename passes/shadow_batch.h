@@ -1,11 +1,11 @@
 // Draws shadows of several individuals in one call: flattened triangles in eye space, one individual after the other.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include "passes/gl11.h"
 #include "passes/shadow.h"
 #include "passes/span_mask.h"
-
-#include <glm/vec3.hpp>
 
 namespace claque::passes
 {

@@ -1,9 +1,9 @@
 #include "passes/shadow_drawer.h"
 
+#include <algorithm>
+
 #include "passes/guard.h"
 #include "passes/shadow_blob.h"
-
-#include <algorithm>
 
 namespace claque::passes
 {

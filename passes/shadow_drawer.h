@@ -2,11 +2,11 @@
 // every pixel at most once. That is ensured by a stencil bit if the host lends one, otherwise by a mask (ShadowMask).
 #pragma once
 
+#include <optional>
+
 #include "passes/canvas.h"
 #include "passes/preflight.h"
 #include "passes/shadow_mask.h"
-
-#include <optional>
 
 namespace claque::passes
 {

@@ -1,6 +1,7 @@
 #include "passes/shadow_mask.h"
 
 #include <cmath>
+
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>

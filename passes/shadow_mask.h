@@ -3,10 +3,10 @@
 // so that GL fills exactly these pixels once, however it rounds.
 #pragma once
 
+#include <glm/mat4x4.hpp>
+
 #include "passes/shadow_batch.h"
 #include "passes/shadow_plane.h"
-
-#include <glm/mat4x4.hpp>
 
 namespace claque::passes
 {

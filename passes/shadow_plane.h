@@ -2,11 +2,11 @@
 // each point moves along its ray to the plane.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include "lib/base/host_call.h"
 #include "lib/draw/draw_list.h"
 #include "passes/shadow.h"
-
-#include <glm/vec3.hpp>
 
 namespace claque::passes
 {

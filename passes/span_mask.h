@@ -2,11 +2,11 @@
 // no stencil bit. A depth test cannot: fragments of triangles in one plane differ in their last bits.
 #pragma once
 
-#include "lib/model/model.h"
+#include <algorithm>
 
 #include <glm/vec2.hpp>
 
-#include <algorithm>
+#include "lib/model/model.h"
 
 namespace claque::passes
 {

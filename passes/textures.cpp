@@ -1,9 +1,9 @@
 // Textures with zone keys have one mip level, sampled GL_NEAREST: GL 1.1 cannot limit a mip chain, and mixed keys would
 // be other keys (S2 2.4). Triangles that may be filtered use a second texture.
+#include <algorithm>
+
 #include "passes/guard.h"
 #include "passes/prepared.h"
-
-#include <algorithm>
 
 namespace claque::passes
 {

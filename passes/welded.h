@@ -2,9 +2,9 @@
 // they are lit.
 #pragma once
 
-#include "lib/model/template.h"
-
 #include <vector>
+
+#include "lib/model/template.h"
 
 namespace claque::passes
 {

@@ -1,11 +1,11 @@
 /* A crowd in sixty lines: a hundred citizens applaud in a GL 1.1 context made with OSMesa; the picture is
  * hello.ppm. Your own program has a context already: copy only the part between the two rulers. */
+#include <claque/assets.h>
+#include <claque/claque.h>
+
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include <claque/assets.h>
-#include <claque/claque.h>
 
 enum { WIDTH = 640, HEIGHT = 480, GL_RGBA = 0x1908, GL_UNSIGNED_BYTE = 0x1401, DEPTH_AND_COLOUR = 0x4100 };
 

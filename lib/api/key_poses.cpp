@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "animcache/keypose_choice.h"
-
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 

@@ -1,3 +1,5 @@
+#include "lib/crowd/save.h"
+
 #include <claque/save.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/saved_def.h"
-#include "lib/crowd/save.h"
 
 using namespace claque;
 

@@ -2,9 +2,9 @@
 
 // As in samples/scenes: a program may contain only one of the two forms of toml++.
 #define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
 #include <algorithm>
+
+#include <toml++/toml.h>
 
 #include "lib/asset/toml_keys.h"
 #include "lib/base/error.h"

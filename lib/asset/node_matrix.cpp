@@ -1,6 +1,7 @@
 #include "lib/asset/node_matrix.h"
 
 #include <cmath>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 

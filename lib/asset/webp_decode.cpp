@@ -2,9 +2,9 @@
 
 #ifdef CLAQUE_HAS_WEBP
 
-#include <webp/decode.h>
-
 #include <new>
+
+#include <webp/decode.h>
 
 namespace claque::asset::webp
 {

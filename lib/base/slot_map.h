@@ -4,13 +4,13 @@
 // Only `reserve` and `append` allocate. After a `reserve`, `take` and `free` cannot fail.
 #pragma once
 
-#include "lib/base/reserve.h"
-
 #include <cstdint>
 #include <memory_resource>
 #include <new>
 #include <type_traits>
 #include <vector>
+
+#include "lib/base/reserve.h"
 
 namespace claque::base
 {

@@ -3,12 +3,12 @@
 // keeps its rows in step.
 #pragma once
 
+#include <memory>
+
 #include "lib/base/slot_map.h"
 #include "lib/base/span.h"
 #include "lib/crowd/play.h"
 #include "lib/model/template.h"
-
-#include <memory>
 
 namespace claque::crowd
 {

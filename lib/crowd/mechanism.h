@@ -7,10 +7,10 @@
 
 #include <claque/behave.h>
 
-#include "lib/model/template.h"
-
 #include <limits>
 #include <variant>
+
+#include "lib/model/template.h"
 
 namespace claque::crowd
 {

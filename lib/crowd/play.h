@@ -1,9 +1,9 @@
 // A clip with its clock.
 #pragma once
 
-#include "lib/model/rig.h"
-
 #include <limits>
+
+#include "lib/model/rig.h"
 
 namespace claque::crowd
 {

@@ -7,9 +7,9 @@
 // equal bytes.
 #pragma once
 
-#include "lib/crowd/crowd.h"
-
 #include <string_view>
+
+#include "lib/crowd/crowd.h"
 
 namespace claque::crowd
 {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <array>
-#include <glm/vec3.hpp>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "lib/figures/mesh.h"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <glm/vec2.hpp>
 
 #include "lib/base/hash.h"

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <vector>
 
 #include "lib/figures/charts.h"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+
 #include <glm/vec3.hpp>
 
 #include "lib/figures/charts.h"

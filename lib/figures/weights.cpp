@@ -1,10 +1,11 @@
 #include "lib/figures/weights.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
 

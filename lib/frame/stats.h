@@ -1,10 +1,10 @@
 // Statistics of an update for hosts and tests. The library never reads them.
 #pragma once
 
+#include <cstdint>
+
 #include "animcache/caches.h"
 #include "lib/behave/behave.h"
-
-#include <cstdint>
 
 namespace claque::frame
 {

@@ -1,9 +1,9 @@
 #include "lib/model/keys.h"
 
-#include "lib/base/error.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "lib/base/error.h"
 
 namespace claque::model
 {

@@ -6,11 +6,11 @@
 // the index of a zone's key in the ascending list of the texture. A hole has texel alpha 0 and passes no test below.
 #pragma once
 
-#include "lib/base/span.h"
-#include "lib/model/template.h"
-
 #include <cstdint>
 #include <vector>
+
+#include "lib/base/span.h"
+#include "lib/model/template.h"
 
 namespace claque::model
 {

@@ -1,10 +1,10 @@
 // The rules of the levels in template.h; part of template_check.h.
 #pragma once
 
+#include <cmath>
+
 #include "lib/base/error.h"
 #include "lib/model/template.h"
-
-#include <cmath>
 
 namespace claque::model
 {

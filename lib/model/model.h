@@ -2,13 +2,13 @@
 // produce it, and meshsplit turns it into a Template. It is used at start-up only, so it has plain std containers.
 #pragma once
 
-#include "lib/model/rig.h"
-
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include "lib/model/rig.h"
 
 namespace claque::model
 {

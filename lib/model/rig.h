@@ -3,14 +3,14 @@
 // reads memory in order.
 #pragma once
 
-#include "lib/math/affine.h"
-#include "lib/model/clip_annotations.h"
-
 #include <cstdint>
 #include <memory_resource>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lib/math/affine.h"
+#include "lib/model/clip_annotations.h"
 
 namespace claque::model
 {

@@ -1,12 +1,12 @@
 #include "lib/model/template_file.h"
 
+#include <cstring>
+#include <type_traits>
+
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
 #include "lib/model/template_check.h"
 #include "lib/model/template_fields.h"
-
-#include <cstring>
-#include <type_traits>
 
 namespace claque::model
 {

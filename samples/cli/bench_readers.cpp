@@ -1,9 +1,9 @@
 // claque bench readers: how reading and splitting a file grow with each of the elements that it counts. Processor time
 // at a tenth of the limit and at the limit; ten times the elements may take at most 16 times as long.
+#include <claque/assets.h>
+
 #include <cstdio>
 #include <ctime>
-
-#include <claque/assets.h>
 
 #include "samples/cli/bench.h"
 #include "samples/cli/progress.h"

@@ -1,12 +1,12 @@
 // The values of --cache: kinds of caches; key-pose caches may name a size.
 #pragma once
 
+#include <claque/crowd.h>
+
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-
-#include <claque/crowd.h>
 
 namespace cli
 {

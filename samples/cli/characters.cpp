@@ -1,7 +1,7 @@
 #include "samples/cli/characters.h"
 
-#include <unistd.h>
 #include <algorithm>
+#include <unistd.h>
 
 #include "samples/cli/files.h"
 

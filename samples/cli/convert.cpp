@@ -1,11 +1,12 @@
 // claque convert: an old character format to GLB.
+#include "samples/convert/convert.h"
+
 #include <iostream>
 #include <memory>
 
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/convert/convert.h"
 
 namespace cli
 {

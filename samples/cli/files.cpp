@@ -1,11 +1,11 @@
 #include "samples/cli/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace cli
 {

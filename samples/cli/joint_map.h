@@ -1,10 +1,10 @@
 // Joint maps: a TOML file, written by hand, that binds joints and says how the clips of a source are read.
 #pragma once
 
+#include <claque/assets.h>
+
 #include <string>
 #include <vector>
-
-#include <claque/assets.h>
 
 namespace cli
 {

@@ -1,11 +1,11 @@
 // Levels of detail in numbers.
 #pragma once
 
+#include <claque/levels.h>
+
 #include <vector>
 
 #include <nlohmann/json.hpp>
-
-#include <claque/levels.h>
 
 namespace cli
 {

@@ -1,7 +1,7 @@
 #include "samples/cli/progress.h"
 
-#include <unistd.h>
 #include <cstdio>
+#include <unistd.h>
 
 namespace cli
 {

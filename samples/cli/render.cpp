@@ -1,7 +1,7 @@
 // claque render: one picture of a scene, or a sequence.
-#include <unistd.h>
 #include <cmath>
 #include <optional>
+#include <unistd.h>
 
 #include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"

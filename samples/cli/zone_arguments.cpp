@@ -1,12 +1,12 @@
 #include "samples/cli/zone_arguments.h"
 
+#include <claque/zones.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
-
-#include <claque/zones.h>
 
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"

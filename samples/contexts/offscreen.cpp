@@ -1,7 +1,7 @@
 #include "samples/contexts/offscreen.h"
 
-#include <dlfcn.h>
 #include <algorithm>
+#include <dlfcn.h>
 
 #include "samples/contexts/backends.h"
 

@@ -1,16 +1,16 @@
 #include "samples/convert/child.h"
 
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
 #include <fcntl.h>
+#include <new>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <cstring>
-#include <new>
 
 #include "samples/scenes/check.h"
 

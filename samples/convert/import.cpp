@@ -1,11 +1,12 @@
 #include "samples/convert/import.h"
 
+#include <cmath>
+#include <stdexcept>
+
+#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/version.h>
-#include <assimp/Importer.hpp>
-#include <cmath>
-#include <stdexcept>
 
 #include "samples/convert/scene.h"
 

@@ -1,6 +1,6 @@
-#include <assimp/material.h>
-
 #include <cmath>
+
+#include <assimp/material.h>
 
 #include "samples/convert/pictures.h"
 

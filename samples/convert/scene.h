@@ -1,11 +1,11 @@
 // A scene of Assimp on its way to GLB: what the steps share.
 #pragma once
 
-#include <assimp/scene.h>
-
 #include <map>
 #include <string>
 #include <vector>
+
+#include <assimp/scene.h>
 
 #include "samples/convert/convert.h"
 #include "samples/convert/glb_writer.h"

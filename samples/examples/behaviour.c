@@ -1,6 +1,7 @@
 /* Control mechanisms: a winged herald looks at a point, smiles, blinks, says a phrase, and its wing is moved by the
  * host. Each effect is read off the matrix of a node. At the end the mechanisms are detached again. */
 #include <claque/assets.h>
+
 #include <math.h>
 
 #include "samples/examples/check.h"

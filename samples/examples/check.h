@@ -3,6 +3,7 @@
 #define CLAQUE_EXAMPLES_CHECK_H
 
 #include <claque/claque.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 

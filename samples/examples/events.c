@@ -1,6 +1,7 @@
 /* Clips and time: markers, events of a watched actor, a fade, a layer that is ended early, a gait, a random choice of a
  * clip, and root motion. The character is a triangle with two clips, built from arrays. */
 #include <claque/claque.h>
+
 #include <math.h>
 
 #include "samples/examples/check.h"

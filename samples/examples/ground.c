@@ -1,6 +1,7 @@
 /* Ground and root paths: a herald flies round its Reference Point on a closed curve, another one walks over a hill, and
  * both carry an object of the host. */
 #include <claque/assets.h>
+
 #include <math.h>
 
 #include "samples/examples/check.h"

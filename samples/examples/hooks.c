@@ -1,8 +1,9 @@
 /* Drawing in GL: callbacks around the drawing of one actor, the result of preparing a template, and how a host goes on
  * after its GL context is lost. Exits with 77 without OSMesa. */
-#include <string.h>
 #include <claque/assets.h>
+
 #include <dlfcn.h>
+#include <string.h>
 
 #include "samples/examples/check.h"
 

@@ -1,6 +1,7 @@
 /* Saving and restoring: a crowd with a group, a clone and colours is saved, changed, and restored from the bytes.
  * Another crowd restored from the same bytes shows the same. */
 #include <claque/assets.h>
+
 #include <math.h>
 
 #include "samples/examples/check.h"

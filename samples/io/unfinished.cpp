@@ -1,12 +1,12 @@
 #include "samples/io/unfinished.h"
 
-#include <pthread.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <unistd.h>
+
+#include <pthread.h>
 
 namespace io
 {

@@ -2,11 +2,11 @@
 // each of them showing an average specific number of characters"). The camera's position depends on the time alone.
 #pragma once
 
+#include <claque/view.h>
+
 #include <array>
 #include <string>
 #include <vector>
-
-#include <claque/view.h>
 
 namespace scenes
 {

@@ -1,12 +1,12 @@
 // claque's statuses as C++ exceptions, and its owners as smart pointers, for samples and tests.
 #pragma once
 
+#include <claque/assets.h>
+#include <claque/claque.h>
+
 #include <memory>
 #include <stdexcept>
 #include <string>
-
-#include <claque/assets.h>
-#include <claque/claque.h>
 
 namespace scenes
 {

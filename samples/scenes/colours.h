@@ -1,10 +1,10 @@
 // The colours of a scene's people from a file (S2 5.2), applied again when the file changes.
 #pragma once
 
+#include <claque/colour_files.h>
+
 #include <memory>
 #include <string>
-
-#include <claque/colour_files.h>
 
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene.h"

@@ -1,7 +1,5 @@
 #include "samples/scenes/eye.h"
 
-#include "samples/scenes/check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -2,10 +2,10 @@
 // name, as claque does it: nothing is linked, and no GL header is needed.
 #pragma once
 
+#include <claque/renderer.h>
+
 #include <cstddef>
 #include <string>
-
-#include <claque/renderer.h>
 
 namespace scenes
 {

@@ -3,11 +3,11 @@
 // options and the time: any frame can be drawn by itself.
 #pragma once
 
+#include <claque/shadow.h>
+
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <claque/shadow.h>
 
 #include "samples/scenes/eye.h"
 #include "samples/scenes/gl.h"

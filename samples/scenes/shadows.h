@@ -2,9 +2,9 @@
 // shadow, not a projected one; movements of the arms do not show in it.
 #pragma once
 
-#include <optional>
-
 #include <claque/crowd.h>
+
+#include <optional>
 
 #include "samples/scenes/geometry.h"
 #include "samples/scenes/light.h"

@@ -1,9 +1,9 @@
 // claque's task hook on oneTBB, with a stated number of threads, which may exceed the number of cores.
 #pragma once
 
-#include <memory>
-
 #include <claque/base.h>
+
+#include <memory>
 
 namespace scenes
 {

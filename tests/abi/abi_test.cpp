@@ -1,12 +1,12 @@
 // The binary interface of the shared libraries, as tests/abi/*.abi lists it: soname, exports, what is needed and
 // imported.
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,11 +1,11 @@
 // Holds every #include of the library and the samples against layers.txt.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 namespace fs = std::filesystem;
 

@@ -1,10 +1,10 @@
 // What the shared libraries export and import: only clq_* out; no GL, no printing, no exit of ours in.
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <regex>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,6 +1,7 @@
 /* A C99 host, compiled against the first released headers (tests/abi/v1), runs with the present library. It fills many
  * defs and out structs of that time and prints one hash of all that the library tells it. */
 #include <claque/claque.h>
+
 #include <stdio.h>
 
 #if CLQ_VERSION != 200

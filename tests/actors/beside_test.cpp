@@ -1,7 +1,7 @@
 // What actors have besides clips: attached objects, ground, shadows and copies (S0 4.3, 7.1).
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/crowd/edits.h"

@@ -1,9 +1,9 @@
 // No phase of culling loses what a camera sees (S0 4.2). Cameras are aimed so that the outermost vertex of an actor, a
 // group or a part is just inside one plane of the frustum, and all else of it outside. The reference is a crowd in
 // traditional mode, seen whole by another camera, whose vertices are tested one by one.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/crowd/edits.h"
 #include "lib/math/eye_transform.h"

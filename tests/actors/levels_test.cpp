@@ -1,8 +1,8 @@
 // Levels of geometry, skeleton and behaviour follow one effective distance per actor (S0 5).
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/crowd/edits.h"
 #include "meshsplit/build.h"

@@ -1,7 +1,7 @@
 // Part culling (S0 4.2 phase 3): culled parts are outside the frustum, and visible parts are never culled.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "tests/actors/robot.h"
 

@@ -1,7 +1,7 @@
 // The three cull phases with behaviour between them, compared with the traditional order of work (S0 4.2).
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/crowd/edits.h"
 #include "tests/actors/robot.h"

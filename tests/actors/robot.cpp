@@ -1,8 +1,8 @@
 #include "tests/actors/robot.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/crowd/edits.h"

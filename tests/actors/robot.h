@@ -2,10 +2,10 @@
 // and head are merged into the body (S0 3, 5).
 #pragma once
 
+#include <memory>
+
 #include "lib/frame/frame.h"
 #include "lib/model/model.h"
-
-#include <memory>
 
 namespace actors
 {

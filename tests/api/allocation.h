@@ -3,11 +3,12 @@
 
 #include <claque/assets.h>
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <functional>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/failing_memory.h"

@@ -1,6 +1,7 @@
 // An allocation that fails gives a status and leaves everything as it was: every n for small calls, a stride for large
 // ones.
 #include "tests/api/allocation.h"
+
 #include "tests/support/written_characters.h"
 
 using namespace allocation;

@@ -1,10 +1,11 @@
 // Wrong arguments give a status and a sentence with names and numbers, and change nothing.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

@@ -1,8 +1,9 @@
 #include "tests/api/arm.h"
-#include "tests/api/calls.h"
 
 #include <cmath>
 #include <cstring>
+
+#include "tests/api/calls.h"
 
 double Arm::angle_in(uint32_t clip, uint32_t joint, double t)
 {

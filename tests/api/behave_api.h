@@ -2,11 +2,12 @@
 #pragma once
 
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

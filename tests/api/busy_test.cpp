@@ -1,7 +1,5 @@
 // Calls that meet another one for the same object get CLQ_BUSY and do nothing, wherever they come from: each callback,
 // and another thread during an update.
-#include "tests/api/busy_calls.h"
-
 #include <algorithm>
 #include <condition_variable>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/api/busy_calls.h"
 #include "tests/api/stub_gl.h"
 
 namespace

@@ -1,10 +1,9 @@
 // The threads that each call documents, side by side: each call succeeds or is BUSY, and no memory is read while it is
 // written. To be run under a thread sanitizer as well.
-#include "tests/api/busy_calls.h"
-
 #include <atomic>
 #include <thread>
 
+#include "tests/api/busy_calls.h"
 #include "tests/api/stub_gl.h"
 
 namespace

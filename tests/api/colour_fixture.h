@@ -3,13 +3,14 @@
 
 #include <claque/claque.h>
 #include <claque/colour_files.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

@@ -1,10 +1,11 @@
 // The crowd through the C API: what is shown depends on calls, time and views, and not on threads or caches.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

@@ -1,9 +1,9 @@
 // Drawing on one thread while another updates: each call succeeds or returns CLQ_BUSY, and no memory is read while it
 // is written.
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/stub_gl.h"
 

@@ -5,10 +5,11 @@
 #include <claque/claque.h>
 #include <claque/drawn_actor.h>
 #include <claque/mesh.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

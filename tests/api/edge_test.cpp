@@ -1,11 +1,12 @@
 // Edge cases of the C API: reused rows, lists that are drawn late, tasks that call back, values just outside their
 // limits.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <cstring>
 #include <limits>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

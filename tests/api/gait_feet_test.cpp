@@ -6,10 +6,10 @@
 #include <cstring>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"
-
-#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,8 +1,9 @@
 // Groups through the C API: a platform that carries its passengers and can be disabled.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

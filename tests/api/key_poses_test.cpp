@@ -1,11 +1,12 @@
 // Shared key-poses through the C API: refusals, with names and numbers, and counters.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

@@ -1,10 +1,11 @@
 // A character of a file and a host's own arrays become the same Template, byte for byte; libraries of two builds share
 // none.
 #include <claque/assets.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <functional>
+
+#include <gtest/gtest.h>
 
 #include "lib/api/model_entry.h"
 #include "lib/asset/file.h"

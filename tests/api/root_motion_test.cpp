@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "tests/api/small_template.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/api/small_template.h"
 
 namespace
 {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace saved
 {

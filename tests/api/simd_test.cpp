@@ -1,9 +1,10 @@
 // A host selects an instruction set, reads it back, and is refused one that the processor lacks.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <cstring>
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,12 +1,12 @@
 // Everything computed before the first frame has the same bits for every number of threads of the host.
 #include <claque/levels.h>
 
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <cstring>
 #include <thread>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,13 +1,13 @@
 // A picture whose file is missing, through the C API: as a warning, as an error, and for hosts of earlier headers.
 #include <claque/prepare.h>
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,12 +1,13 @@
 // Templates from a host's own arrays: errors are named; valid templates survive saving and loading.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/small_template.h"

@@ -1,7 +1,8 @@
-#include "tests/api/calls.h"
 #include "tests/api/test_world.h"
 
 #include <cmath>
+
+#include "tests/api/calls.h"
 
 TestWorld::TestWorld(const clq_context_def *context_def)
 {

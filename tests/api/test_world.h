@@ -3,9 +3,10 @@
 #pragma once
 
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/small_template.h"
 

@@ -1,9 +1,10 @@
 // Texture sets through the C API: which actor shows which set, chosen or at random, and refusals.
 #include <claque/claque.h>
-#include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/saved_bytes.h"

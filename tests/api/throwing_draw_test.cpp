@@ -1,8 +1,8 @@
 // Callbacks of drawing that throw.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/stub_gl.h"
 

@@ -1,10 +1,10 @@
 // Callbacks that throw outside updates: while a context, a template or a crowd is made, written or ended, and jobs.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/test_world.h"
 #include "tests/api/throwing_host.h"

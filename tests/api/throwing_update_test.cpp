@@ -1,9 +1,9 @@
 // Callbacks of an update that throw: no exception leaves claque, and what the last update left is there as it was.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <memory>
+
+#include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
 #include "tests/api/test_world.h"

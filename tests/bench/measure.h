@@ -2,10 +2,10 @@
 // longer the textbook's way takes for the same work in the same run. Both are of the shortest iteration.
 #pragma once
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <ctime>
+
+#include <benchmark/benchmark.h>
 
 #include "lib/math/simd_level.h"
 

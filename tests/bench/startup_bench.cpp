@@ -4,14 +4,14 @@
 #include <claque/claque.h>
 #include <claque/levels.h>
 
-#include <benchmark/benchmark.h>
-
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <benchmark/benchmark.h>
 
 namespace
 {

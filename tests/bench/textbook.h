@@ -2,8 +2,9 @@
 // sin, 4 x 4 matrices, a loop over influences.
 #pragma once
 
-#include <glm/gtc/quaternion.hpp>
 #include <vector>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include "lib/model/template.h"
 

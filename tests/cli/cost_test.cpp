@@ -1,5 +1,6 @@
 // claque cost: its tables, its JSON, measured counts and the plot.
 #include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/picture.h"

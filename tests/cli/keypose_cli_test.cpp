@@ -1,5 +1,6 @@
 // Shared key-poses on the command line: S3's experiments with small numbers, their tables and charts.
 #include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"

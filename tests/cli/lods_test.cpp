@@ -1,7 +1,7 @@
 // lods: levels of detail in numbers and in a picture.
-#include <nlohmann/json.hpp>
-
 #include <map>
+
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
 

@@ -1,8 +1,9 @@
 // The odeon on the command line: frames along the camera path, the sheet, the bench by sections and its chart.
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
+
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
 

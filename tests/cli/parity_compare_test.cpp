@@ -1,5 +1,6 @@
 // claque parity compare as a script runs it: exit codes, one clear line each, its files.
 #include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"

@@ -1,5 +1,6 @@
 // parity export and capture: folders that another renderer reads, with the same bytes from the same command.
 #include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"

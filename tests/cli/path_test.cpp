@@ -1,7 +1,7 @@
 // Camera paths: refusals, and a camera that passes the key frames without a jump.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/check.h"

@@ -1,5 +1,6 @@
 // render and bench: pictures are the same however they are made, and files are complete or absent.
 #include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"

@@ -1,11 +1,11 @@
 // Runs the claque command as a user or a script would, without a shell, and keeps its output.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace cli_test
 {

@@ -1,7 +1,7 @@
 // The plaza's plan: all individuals have room, walkers keep their lanes, and nothing depends on earlier frames.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/plaza_layout.h"
 

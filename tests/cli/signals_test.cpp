@@ -1,17 +1,16 @@
 // Signals and outputs that cannot be written: the command ends at once by the signal, as a shell expects, and leaves no
 // file that was not there.
+#include <chrono>
+#include <cstdlib>
 #include <fcntl.h>
+#include <fstream>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdlib>
-#include <fstream>
 #include <thread>
+#include <unistd.h>
 
 #include "tests/cli/run.h"
 

@@ -2,12 +2,12 @@
 // converter and from the library.
 #pragma once
 
-#include <assimp/scene.h>
-
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <assimp/scene.h>
 
 namespace convert_test
 {

@@ -1,5 +1,5 @@
 // Work in a process of its own: what it returns, and every way in which it may end.
-#include <gtest/gtest.h>
+#include "samples/convert/child.h"
 
 #include <csignal>
 #include <cstdlib>
@@ -7,7 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "samples/convert/child.h"
+#include <gtest/gtest.h>
+
 #include "samples/scenes/check.h"
 
 namespace convert_test

@@ -1,8 +1,8 @@
 // claque convert, as a user sees it where things go wrong.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
+
+#include <gtest/gtest.h>
 
 #include "tests/cli/run.h"
 

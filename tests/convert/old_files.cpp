@@ -1,9 +1,9 @@
 #include "tests/convert/old_files.h"
 
+#include <cmath>
+
 #include <assimp/config.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "samples/convert/import.h"
 

@@ -3,9 +3,10 @@
 
 #include <claque/assets.h>
 
-#include <assimp/Importer.hpp>
 #include <memory>
 #include <string>
+
+#include <assimp/Importer.hpp>
 
 #include "samples/convert/convert.h"
 #include "samples/scenes/check.h"

@@ -1,11 +1,11 @@
 // The collection of old files: what Assimp reads is converted and moves as Assimp's scene does.
-#include <gtest/gtest.h>
+#include "tests/convert/old_files.h"
 
 #include <cmath>
 #include <filesystem>
 #include <set>
 
-#include "tests/convert/old_files.h"
+#include <gtest/gtest.h>
 
 namespace convert_test
 {

@@ -1,8 +1,8 @@
 // A character written here, so that the law runs without the collection of old files.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
+
+#include <gtest/gtest.h>
 
 #include "tests/cli/run.h"
 #include "tests/convert/old_files.h"

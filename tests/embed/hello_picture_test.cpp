@@ -1,9 +1,9 @@
 // What samples/hello.c left: a picture with people in it.
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <set>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 TEST(Hello, ThePictureShowsAColouredCrowd)
 {

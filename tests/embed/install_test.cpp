@@ -1,8 +1,8 @@
 // What `make install` puts where: every public header, both libraries by soname and statically, packages that other
 // build systems find, the command and its manual; and C99 hosts of all four libraries against it, beside DESTDIR.
-#include <gtest/gtest.h>
-
 #include <filesystem>
+
+#include <gtest/gtest.h>
 
 #include "tests/embed/scratch.h"
 

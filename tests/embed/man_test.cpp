@@ -1,8 +1,8 @@
 // The manual page of the command names everything that the command itself says it can do, and is set without a warning.
-#include <gtest/gtest.h>
-
 #include <regex>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "tests/embed/scratch.h"
 

@@ -2,9 +2,10 @@
 // written and their commands run, each way in a home of its own. Two things replace what would take minutes: `make`
 // installs the existing build instead of building again (`-o build`), and the project that has claque as a folder takes
 // objects from that build where it compiles the same source in the same way (reuse.sh).
+#include "tests/embed/readme.h"
+
 #include <gtest/gtest.h>
 
-#include "tests/embed/readme.h"
 #include "tests/embed/scratch.h"
 
 namespace

@@ -1,12 +1,12 @@
 #include "tests/embed/scratch.h"
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
 
 namespace fs = std::filesystem;
 

@@ -2,6 +2,7 @@
  * them are posed, skinned and listed for a view over two seconds. The host prints the hash of every list, with all
  * matrices, colours and vertices, which is the same on every machine. */
 #include <claque/claque.h>
+
 #include <stdio.h>
 #include <string.h>
 

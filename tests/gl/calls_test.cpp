@@ -1,10 +1,10 @@
 // The GL functions that claque loads and calls: those of GL 1.1 only, no redundant calls, none after a lost context.
-#include "tests/gl/support/fixture.h"
-#include "tests/gl/support/spy.h"
-
 #include <fstream>
 #include <regex>
 #include <set>
+
+#include "tests/gl/support/fixture.h"
+#include "tests/gl/support/spy.h"
 
 namespace gltest
 {

@@ -1,12 +1,12 @@
 // The law of zones on collected and written characters, posed within a clip.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
 #include "lib/asset/gltf.h"
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
 #include "tests/support/written_characters.h"
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 namespace gltest
 {

@@ -1,13 +1,14 @@
 // Levels with one colour per triangle: unlit and lit pictures, sent data, and no effect on other individuals.
 #include "passes/flat.h"
-#include "passes/welded.h"
-#include "tests/gl/support/crowds.h"
-#include "tests/gl/support/hooked.h"
+
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include <set>
+#include "passes/welded.h"
+#include "tests/gl/support/crowds.h"
+#include "tests/gl/support/hooked.h"
 
 namespace gltest
 {

@@ -1,9 +1,9 @@
 // The law of zones at every level of detail of collected characters, where they are, and of written people.
+#include <fstream>
+
 #include "lib/asset/gltf.h"
 #include "tests/gl/support/levels.h"
 #include "tests/support/written_characters.h"
-
-#include <fstream>
 
 namespace gltest
 {

@@ -1,15 +1,14 @@
 // Bilinear filtering of clean triangles: zones stay exact to the pixel; shades within them are filtered.
 #include "passes/linear_clean.h"
 
-#include "lib/figures/figure.h"
-#include "passes/linear_footprint.h"
-#include "tests/gl/support/fixture.h"
-#include "tests/gl/support/split.h"
-
 #include <cmath>
 #include <set>
 
+#include "lib/figures/figure.h"
 #include "meshsplit/build.h"
+#include "passes/linear_footprint.h"
+#include "tests/gl/support/fixture.h"
+#include "tests/gl/support/split.h"
 
 namespace gltest
 {

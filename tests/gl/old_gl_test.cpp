@@ -1,9 +1,9 @@
 // claque on a GL that knows version 1.1 and nothing else: the calls it makes.
+#include <cstdlib>
+
 #include "tests/gl/support/checked.h"
 #include "tests/gl/support/hooked.h"
 #include "tests/gl/support/jointed.h"
-
-#include <cstdlib>
 
 namespace gltest
 {

@@ -1,11 +1,11 @@
 // The smallest number of provoking vertices, compared with exhaustive search.
 #include "passes/provoking.h"
 
-#include <gtest/gtest.h>
-#include <glm/geometric.hpp>
-
 #include <map>
 #include <set>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 

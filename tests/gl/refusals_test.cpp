@@ -1,10 +1,10 @@
 // A renderer refuses state that would spoil its picture, by name and without changing anything (SPEC 4).
+#include <functional>
+#include <thread>
+
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/spy.h"
 #include "tests/gl/support/state_dump.h"
-
-#include <functional>
-#include <thread>
 
 namespace gltest
 {

@@ -1,10 +1,10 @@
 // The mask that keeps shadows from darkening twice, compared with the plainest test of a pixel against a triangle.
 #include "passes/span_mask.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,9 +1,9 @@
 // Rigid parts on GL's matrix stack give the same picture as moved vertices (S0 6.2.2, fTrack).
+#include <cstdlib>
+
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/jointed.h"
 #include "tests/gl/support/spy.h"
-
-#include <cstdlib>
 
 namespace gltest
 {

@@ -1,9 +1,9 @@
 // All strategies, colour formats and context kinds give the same RGB and depth (SPEC 3), lit and unlit, for every kind
 // of template.
+#include <cmath>
+
 #include "tests/gl/support/absent.h"
 #include "tests/gl/support/fixture.h"
-
-#include <cmath>
 
 namespace gltest
 {

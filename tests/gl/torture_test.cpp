@@ -1,5 +1,6 @@
 // Hosts with random state get the same picture as one with default state, and their state back (SPEC 4).
 #include "tests/gl/support/torture.h"
+
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/state_dump.h"
 

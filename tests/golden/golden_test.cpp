@@ -1,14 +1,13 @@
 // Compares the scenes with accepted pictures, pixel for pixel. With softpipe of the Mesa named in mesa.txt no pixel may
 // differ: its bits and claque's do not depend on the processor. Another Mesa may round the edges of triangles
 // differently, as llvmpipe does, so that a small share of the pixels may differ there.
-#include <gtest/gtest.h>
-
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
 
 #include "tests/gl/support/absent.h"
 #include "tests/golden/picture.h"

@@ -1,12 +1,12 @@
 // The GLUT program of samples/hosts in a window: individuals appear in its picture and change nothing else in it.
-#include "tests/cli/picture.h"
-#include "tests/hosts/x_server.h"
+#include <cstdlib>
+#include <filesystem>
+#include <sys/wait.h>
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-#include <cstdlib>
-#include <filesystem>
+#include "tests/cli/picture.h"
+#include "tests/hosts/x_server.h"
 
 namespace
 {

@@ -1,11 +1,11 @@
 // Three channels with frusta of their own show the same as one wide picture (samples/hosts/multichannel).
-#include "samples/hosts/multichannel/room.h"
-#include "tests/gl/support/absent.h"
+#include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <set>
+#include "samples/hosts/multichannel/room.h"
+#include "tests/gl/support/absent.h"
 
 namespace
 {

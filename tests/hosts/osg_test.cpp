@@ -1,9 +1,9 @@
 // Actors inside OpenSceneGraph's cull and draw traversals (samples/hosts/osg): each culls for the other (S0 4.3), and
 // osg::State stays consistent with GL.
+#include <gtest/gtest.h>
+
 #include "samples/hosts/osg/application.h"
 #include "tests/gl/support/absent.h"
-
-#include <gtest/gtest.h>
 
 namespace
 {

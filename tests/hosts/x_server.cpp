@@ -1,12 +1,12 @@
 #include "tests/hosts/x_server.h"
 
+#include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <cstdlib>
 
 namespace hosts_test
 {

@@ -1,8 +1,8 @@
 // An X server without a screen, for tests of programs that need one.
 #pragma once
 
-#include <sys/types.h>
 #include <string>
+#include <sys/types.h>
 
 namespace hosts_test
 {

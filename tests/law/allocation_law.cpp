@@ -1,7 +1,7 @@
 // A failed allocation gives a status and leaves everything unchanged (SPEC 4).
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/crowd/edits.h"

@@ -1,8 +1,8 @@
 // What is shown depends on time and present distance alone; how it is computed (caches, threads, SIMD) does not change
 // it (SPEC: update period, E6; S1 4).
-#include <gtest/gtest.h>
-
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/crowd/edits.h"

@@ -1,9 +1,9 @@
 // Key-poses (S3): keeping them changes the cost of a frame, never what it shows; no actor is skinned twice.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/pose/clock.h"

@@ -1,8 +1,8 @@
 // The live clock: no actor steps back (SPEC 2), and a budget of poses is kept while no actor waits longer than twice
 // its period. Loads are simulated: the test's own clock times the updates.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/crowd/edits.h"

@@ -2,19 +2,18 @@
 // side in one run and on the same OpenGL.
 //   fig11 [--counts 100,300,1000] [--frames N] [--size WxH] [--save chart.json]
 // prints a table; the chart is for claque plot.
-#include "samples/charts/lines.h"
-#include "samples/cli/stopwatch.h"
-#include "samples/parity/write/write.h"
-#include "tests/parity/live_peer.h"
-
-#include <CLI/CLI.hpp>
-
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <thread>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "samples/charts/lines.h"
+#include "samples/cli/stopwatch.h"
+#include "samples/parity/write/write.h"
+#include "tests/parity/live_peer.h"
 
 namespace
 {

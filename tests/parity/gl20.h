@@ -1,12 +1,12 @@
 // The functions of OpenGL 2.0 and of transform feedback that the GPU peer loads by name. The library never uses them.
 #pragma once
 
-#include "samples/contexts/offscreen.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+
+#include "samples/contexts/offscreen.h"
 
 namespace parity_test
 {

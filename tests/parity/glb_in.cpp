@@ -1,10 +1,10 @@
 // scene.glb: the part of glTF 2.0 that docs/parity.md promises.
-#include "tests/parity/gl20.h"
-#include "tests/parity/scene_in.h"
+#include <cstring>
 
 #include <png.h>
 
-#include <cstring>
+#include "tests/parity/gl20.h"
+#include "tests/parity/scene_in.h"
 
 namespace parity_test
 {

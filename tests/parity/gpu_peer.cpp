@@ -1,8 +1,8 @@
 // gpu_peer SCENE RESULT: draws the output of claque parity export with shaders and writes the result. Exit codes: 0
 // done; 1 failed, with one sentence; 2 wrong usage; 77 this machine has no OpenGL to draw with.
-#include "tests/parity/result_out.h"
-
 #include <iostream>
+
+#include "tests/parity/result_out.h"
 
 int main(int argc, char **argv)
 {

@@ -1,8 +1,6 @@
 // The GPU peer on a running crowd: meshes, textures and colours as exported once, palettes from each update.
 #pragma once
 
-#include "tests/parity/peer.h"
-
 #include <claque/claque.h>
 #include <claque/drawn_actor.h>
 #include <claque/mesh.h>
@@ -10,6 +8,8 @@
 #include <map>
 #include <optional>
 #include <tuple>
+
+#include "tests/parity/peer.h"
 
 namespace parity_test
 {

@@ -1,18 +1,17 @@
 // The comparison must be able to fail: the library's output for a crowd is compared with that for the same crowd with
 // one error. Vertices alone must show the error, and pictures alone, because another renderer may have only one of
 // them.
+#include <algorithm>
+#include <filesystem>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
 #include "samples/parity/compare.h"
 #include "samples/parity/verdict.h"
 #include "samples/parity/write/write.h"
 #include "tests/api/small_template.h"
 #include "tests/gl/support/absent.h"
-
-#include <gtest/gtest.h>
-
-#include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
 
 namespace parity
 {

@@ -1,19 +1,18 @@
 // The GPU peer against the CPU path: vertices within 1e-4 of a character's size, colours within 2 of 255 on 99.9 % of
 // the pixels that show somebody.
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
 #include "samples/parity/verdict.h"
 #include "samples/parity/write/write.h"
 #include "tests/gl/support/absent.h"
 #include "tests/parity/result_out.h"
 #include "tests/support/written_characters.h"
-
-#include <gtest/gtest.h>
-
-#include <unistd.h>
-
-#include <algorithm>
-#include <cctype>
-#include <cstdlib>
-#include <filesystem>
 
 namespace parity_test
 {

@@ -1,8 +1,8 @@
 #include "tests/parity/peer.h"
 
-#include "tests/parity/normal_matrix.h"
-
 #include <algorithm>
+
+#include "tests/parity/normal_matrix.h"
 
 namespace parity_test
 {

@@ -2,11 +2,11 @@
 // fragment, one draw per individual and material. It reads a scene's folder and uses nothing of claque.
 #pragma once
 
+#include <map>
+
 #include "tests/parity/gl20.h"
 #include "tests/parity/scene_in.h"
 #include "tests/parity/shaders.h"
-
-#include <map>
 
 namespace parity_test
 {

@@ -1,9 +1,10 @@
 // Runs the commands of docs/parity.md, section "As a reference renderer", word for word; the gpu_peer of this build is
 // the other renderer.
+#include "tests/embed/readme.h"
+
 #include <gtest/gtest.h>
 
 #include "samples/contexts/offscreen.h"
-#include "tests/embed/readme.h"
 #include "tests/embed/scratch.h"
 #include "tests/gl/support/absent.h"
 

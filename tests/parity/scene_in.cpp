@@ -1,10 +1,10 @@
 #include "tests/parity/scene_in.h"
 
-#include "tests/parity/gl20.h"
-
 #include <cstring>
 #include <fstream>
 #include <iterator>
+
+#include "tests/parity/gl20.h"
 
 namespace parity_test
 {

@@ -2,9 +2,9 @@
 // the colour atlas.
 #pragma once
 
-#include "tests/parity/scene_in.h"
-
 #include <string>
+
+#include "tests/parity/scene_in.h"
 
 namespace parity_test
 {

@@ -2,9 +2,9 @@
 // loaders and skinning go wrong, and each time it has to notice.
 #include "tests/reference/comparison.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "tests/reference/asset_files.h"
 #include "tests/support/written_characters.h"

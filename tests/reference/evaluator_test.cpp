@@ -1,10 +1,10 @@
 // The reference itself, against answers worked out by hand.
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"

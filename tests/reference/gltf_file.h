@@ -2,9 +2,10 @@
 // standard library or nlohmann-json throws. Part of the reference; see gltf_reference.h.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace claque::reference
 {

@@ -1,11 +1,12 @@
 // Every collected and every written character in every clip: the library's positions against the reference's.
 #include <claque/assets.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+
+#include <gtest/gtest.h>
 
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"

@@ -3,11 +3,12 @@
 // public calls.
 #include <claque/assets.h>
 #include <claque/view.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <memory>
+
+#include <gtest/gtest.h>
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"

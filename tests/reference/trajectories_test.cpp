@@ -1,9 +1,9 @@
 // The matching of split vertices has to fail as well, on each kind of damage that splitting can do.
 #include "tests/reference/trajectories.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "tests/reference/asset_files.h"
 #include "tests/reference/comparison.h"

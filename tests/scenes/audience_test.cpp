@@ -1,10 +1,11 @@
 // The audience as a crowd: a frame does not depend on earlier frames, and neighbours do not move alike.
-#include <gtest/gtest.h>
+#include "samples/scenes/odeon/audience.h"
 
 #include <cmath>
 
+#include <gtest/gtest.h>
+
 #include "samples/scenes/eye.h"
-#include "samples/scenes/odeon/audience.h"
 
 namespace
 {

@@ -1,8 +1,8 @@
 // Individuals sit on their seats with their feet on the stone, and no body intersects another.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/validate_theatre.h"

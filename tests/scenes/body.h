@@ -1,9 +1,10 @@
 // A built-in character as a body in the world: its vertices, and capsules in its limbs.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "lib/figures/figure.h"
 #include "lib/pose/pose.h"

@@ -1,10 +1,10 @@
 // The theatre's stone: seats and steps at their described positions, faces that look outwards, within a triangle
 // budget.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <functional>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/odeon/cavea.h"
 #include "samples/scenes/odeon/frons.h"

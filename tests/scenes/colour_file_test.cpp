@@ -1,11 +1,10 @@
 // A colour file that changes while a scene uses it: a valid one is applied, an invalid one changes nothing and is
 // reported once.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
-
 #include <unistd.h>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/colours.h"
 

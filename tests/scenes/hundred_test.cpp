@@ -1,8 +1,8 @@
 // S0's Tables 2 and 3 hold in `hundred_actors` at any time, by the library's counters; both ways of culling show the
 // same.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "samples/cost/scene.h"
 #include "samples/scenes/scene.h"

@@ -1,7 +1,7 @@
 // Omnibuses keep to their lane, stand on the ground, hold their passengers, and move as groups.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/scene_renderer.h"
 #include "samples/scenes/town/passengers.h"

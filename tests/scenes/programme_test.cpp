@@ -1,10 +1,10 @@
 // Programmes depend on seed, individual and time; they are whole clips in sequence, most of them quiet.
-#include <gtest/gtest.h>
+#include "samples/scenes/odeon/programme.h"
 
 #include <cmath>
 #include <map>
 
-#include "samples/scenes/odeon/programme.h"
+#include <gtest/gtest.h>
 
 namespace
 {

@@ -1,9 +1,9 @@
 // Seats lie on their rows, do not overlap and leave gangways free; classes sit apart; heads turn smoothly.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "samples/scenes/check.h"
 #include "samples/scenes/odeon/seating.h"

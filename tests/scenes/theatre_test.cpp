@@ -1,8 +1,9 @@
 // Invalid descriptions of theatres are refused by one sentence with file, line or row, and the numbers.
+#include "samples/scenes/odeon/theatre.h"
+
 #include <gtest/gtest.h>
 
 #include "samples/scenes/check.h"
-#include "samples/scenes/odeon/theatre.h"
 
 namespace
 {

@@ -1,12 +1,13 @@
 // The town: ground height matches its triangles, houses stand on the ground, and pieces lie inside their spheres.
-#include <gtest/gtest.h>
+#include "samples/scenes/town/town.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include <gtest/gtest.h>
+
 #include "samples/scenes/scene_renderer.h"
-#include "samples/scenes/town/town.h"
 
 namespace
 {

@@ -1,6 +1,7 @@
 #include "lib/figures/clips/clips.h"
 
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 namespace claque::figures

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+
 #include <glm/geometric.hpp>
 
 #include "lib/base/hash.h"

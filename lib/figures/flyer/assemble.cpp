@@ -1,8 +1,9 @@
 // Makes a flyer's pieces parts of a Model. All levels of all pieces share one texture: charts are unwrapped over all
 // levels, and each texel is painted at its position on the finest level that covers it.
-#include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
+
+#include <glm/geometric.hpp>
 
 #include "lib/figures/ambient_occlusion.h"
 #include "lib/figures/flyer/flyer.h"

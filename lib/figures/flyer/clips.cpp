@@ -1,8 +1,9 @@
 // The clips of flyers: `fly` lying forward with beating wings, `glide`, and `hover` upright. They are functions of the
 // phase with whole periods only, so that they close.
+#include "lib/figures/clips/clips.h"
+
 #include <cmath>
 
-#include "lib/figures/clips/clips.h"
 #include "lib/figures/flyer/axes.h"
 #include "lib/figures/flyer/flyer.h"
 

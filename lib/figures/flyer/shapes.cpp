@@ -1,6 +1,7 @@
 #include "lib/figures/flyer/shapes.h"
 
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 namespace claque::figures::flyer

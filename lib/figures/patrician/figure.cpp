@@ -1,5 +1,6 @@
 // The patrician's zones, layout and definition.
 #include "lib/figures/figure.h"
+
 #include "lib/figures/assemble.h"
 #include "lib/figures/patrician/paint.h"
 #include "lib/figures/patrician/patrician.h"

@@ -1,10 +1,10 @@
 #include "samples/hosts/glut/visitors.h"
 
+#include <claque/assets.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include <claque/assets.h>
 
 #include "samples/hosts/glut/paint.h"
 

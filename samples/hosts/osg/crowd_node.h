@@ -9,14 +9,14 @@
 // must not compute near and far planes of its own, or people and scenery would disagree about depth.
 #pragma once
 
+#include <claque/claque.h>
+
 #include <string>
 #include <vector>
 
 #include <osg/Group>
 #include <osg/MatrixTransform>
 #include <osgUtil/CullVisitor>
-
-#include <claque/claque.h>
 
 namespace osg_host
 {

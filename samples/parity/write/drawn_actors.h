@@ -1,13 +1,13 @@
 // The individuals drawn in a view and their meshes: the tables that both kinds of parity folders share.
 #pragma once
 
-#include <vector>
-
-#include <nlohmann/json.hpp>
-
 #include <claque/claque.h>
 #include <claque/drawn_actor.h>
 #include <claque/mesh.h>
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "samples/parity/write/files.h"
 

@@ -1,10 +1,10 @@
 #include "samples/parity/write/files.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "samples/scenes/check.h"
 

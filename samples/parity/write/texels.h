@@ -1,12 +1,12 @@
 // A texture of a template in one of its texture sets, row 0 at v = 0.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include <claque/claque.h>
 #include <claque/drawn_actor.h>
 #include <claque/mesh.h>
+
+#include <cstdint>
+#include <vector>
 
 namespace parity
 {

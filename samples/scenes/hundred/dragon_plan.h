@@ -2,9 +2,9 @@
 // nodes remain from one distance on and 10 from another (S0 5.2).
 #pragma once
 
-#include <array>
-
 #include <claque/template.h>
+
+#include <array>
 
 namespace scenes::hundred
 {

@@ -1,9 +1,9 @@
 // The camera of `hundred_actors` and its frustum: the distances of spheres from the planes that bound it.
 #pragma once
 
-#include <array>
-
 #include <claque/view.h>
+
+#include <array>
 
 #include "samples/scenes/hundred/piece_mesh.h"
 

@@ -2,9 +2,9 @@
 // zone key.
 #pragma once
 
-#include <vector>
-
 #include <claque/template.h>
+
+#include <vector>
 
 #include "samples/scenes/hundred/piece_mesh.h"
 

@@ -3,9 +3,9 @@
 // dragon's path.
 #pragma once
 
-#include <vector>
-
 #include <claque/crowd.h>
+
+#include <vector>
 
 #include "samples/scenes/hundred/frustum.h"
 

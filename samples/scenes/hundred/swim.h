@@ -2,9 +2,9 @@
 // without a seam.
 #pragma once
 
-#include <vector>
-
 #include <claque/template.h>
+
+#include <vector>
 
 namespace scenes::hundred
 {

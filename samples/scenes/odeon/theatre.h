@@ -4,11 +4,11 @@
 // positive towards +x. Metres and degrees.
 #pragma once
 
+#include <claque/template.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include <claque/template.h>
 
 namespace scenes
 {

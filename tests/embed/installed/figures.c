@@ -1,6 +1,7 @@
 /* Asks both libraries for something: a built-in figure from claque-assets, what it is made of from claque. */
 #include <claque/assets.h>
 #include <claque/claque.h>
+
 #include <stdio.h>
 
 int main(void)

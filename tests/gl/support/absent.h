@@ -3,9 +3,9 @@
 #pragma once
 
 #include <dlfcn.h>
-#include <gtest/gtest.h>
-
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "samples/contexts/offscreen.h"
 

@@ -2,9 +2,9 @@
 // implementation has, textures of powers of two.
 #pragma once
 
-#include "tests/gl/support/spy.h"
-
 #include <set>
+
+#include "tests/gl/support/spy.h"
 
 namespace gltest
 {

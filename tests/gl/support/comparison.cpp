@@ -1,7 +1,7 @@
 // Compares pictures pixel by pixel: wrong pixels, holes, and pixels that may differ because depths tie.
-#include "tests/gl/support/pictures.h"
-
 #include <cstring>
+
+#include "tests/gl/support/pictures.h"
 
 namespace gltest
 {

@@ -1,10 +1,10 @@
 // A context and a renderer, for tests that need one of each.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "tests/gl/support/absent.h"
 #include "tests/gl/support/pictures.h"
-
-#include <gtest/gtest.h>
 
 namespace gltest
 {

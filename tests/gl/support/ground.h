@@ -1,9 +1,9 @@
 // A white ground, individuals on it and an eye above, for shadows; shadows are found independently, by rays.
 #pragma once
 
-#include "tests/gl/support/fixture.h"
-
 #include <functional>
+
+#include "tests/gl/support/fixture.h"
 
 namespace gltest
 {

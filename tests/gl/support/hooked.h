@@ -1,10 +1,10 @@
 // Three individuals side by side, the middle one between callbacks of a host (S0 7.1).
 #pragma once
 
-#include "tests/gl/support/fixture.h"
-
 #include <cstdlib>
 #include <functional>
+
+#include "tests/gl/support/fixture.h"
 
 namespace gltest
 {

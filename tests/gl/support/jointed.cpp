@@ -1,11 +1,12 @@
 #include "tests/gl/support/jointed.h"
 
-#include "lib/base/hash.h"
-#include "lib/math/frustum.h"
-
 #include <algorithm>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+
+#include "lib/base/hash.h"
+#include "lib/math/frustum.h"
 
 namespace gltest
 {

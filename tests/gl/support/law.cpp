@@ -1,8 +1,8 @@
 #include "tests/gl/support/law.h"
 
-#include "tests/gl/support/source_picture.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/gl/support/source_picture.h"
 
 namespace gltest
 {

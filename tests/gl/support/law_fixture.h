@@ -1,10 +1,10 @@
 // The fixture of tests of the law of zones on one target each.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "tests/gl/support/absent.h"
 #include "tests/gl/support/law.h"
-
-#include <gtest/gtest.h>
 
 namespace gltest
 {

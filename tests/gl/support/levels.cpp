@@ -1,12 +1,12 @@
 #include "tests/gl/support/levels.h"
 
+#include <cmath>
+
 #include "lib/base/hash.h"
 #include "lib/lod/chain.h"
 #include "meshsplit/build.h"
 #include "tests/gl/support/absent.h"
 #include "tests/gl/support/split.h"
-
-#include <cmath>
 
 namespace gltest
 {

@@ -1,9 +1,9 @@
 // The fixture of tests of the law of zones at every level of detail.
 #pragma once
 
-#include "tests/gl/support/pictures.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/gl/support/pictures.h"
 
 namespace gltest
 {

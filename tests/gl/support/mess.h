@@ -1,10 +1,10 @@
 // The worst that a host's callback may do to GL between two individuals.
 #pragma once
 
-#include "tests/gl/support/hostile.h"
-
 #include <memory>
 #include <vector>
+
+#include "tests/gl/support/hostile.h"
 
 namespace gltest
 {

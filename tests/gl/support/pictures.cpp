@@ -1,13 +1,14 @@
 #include "tests/gl/support/pictures.h"
 
-#include "tests/gl/support/uploads.h"
-
-#include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
 #include <cstring>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/gl/support/uploads.h"
 
 namespace gltest
 {

@@ -2,11 +2,11 @@
 // exact").
 #pragma once
 
+#include <vector>
+
 #include "passes/renderer.h"
 #include "tests/gl/support/host_gl.h"
 #include "tests/gl/support/posed_model.h"
-
-#include <vector>
 
 namespace gltest
 {

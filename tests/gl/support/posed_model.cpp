@@ -1,12 +1,12 @@
 #include "tests/gl/support/posed_model.h"
 
-#include "lib/base/hash.h"
-#include "lib/model/keys.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+
+#include "lib/base/hash.h"
+#include "lib/model/keys.h"
 
 namespace gltest
 {

@@ -1,10 +1,10 @@
 // A template with vertices to draw, for tests: made by hand, so that drawing is tested independently of meshsplit.
 #pragma once
 
-#include "lib/draw/draw_list.h"
-
 #include <memory>
 #include <vector>
+
+#include "lib/draw/draw_list.h"
 
 namespace gltest
 {

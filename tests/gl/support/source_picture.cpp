@@ -1,10 +1,10 @@
 #include "tests/gl/support/source_picture.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstring>
 #include <map>
+
+#include <gtest/gtest.h>
 
 namespace gltest
 {

@@ -1,10 +1,10 @@
 #include "tests/gl/support/split.h"
 
+#include <stdexcept>
+
 #include "lib/pose/pose.h"
 #include "lib/skin/skin.h"
 #include "meshsplit/build.h"
-
-#include <stdexcept>
 
 namespace gltest
 {

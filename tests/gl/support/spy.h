@@ -2,13 +2,13 @@
 // of GL. Only one at a time.
 #pragma once
 
-#include "samples/contexts/offscreen.h"
-#include "tests/gl/support/host_gl.h"
-
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "samples/contexts/offscreen.h"
+#include "tests/gl/support/host_gl.h"
 
 namespace gltest
 {

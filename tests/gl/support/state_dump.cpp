@@ -1,10 +1,10 @@
 #include "tests/gl/support/state_dump.h"
 
-#include "tests/gl/support/state_names.h"
+#include <sstream>
 
 #include <gtest/gtest.h>
 
-#include <sstream>
+#include "tests/gl/support/state_names.h"
 
 namespace gltest
 {

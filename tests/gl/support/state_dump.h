@@ -1,12 +1,12 @@
 // All state of GL 1.1 that a program can query, as text by name, so that two dumps can be compared.
 #pragma once
 
-#include "tests/gl/support/host_gl.h"
-
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "tests/gl/support/host_gl.h"
 
 namespace gltest
 {

@@ -2,9 +2,9 @@
 // State that claque inherits is set too, to values that change no picture.
 #pragma once
 
-#include "tests/gl/support/host_gl.h"
-
 #include <cstdint>
+
+#include "tests/gl/support/host_gl.h"
 
 namespace gltest
 {

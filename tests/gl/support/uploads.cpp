@@ -1,8 +1,8 @@
 #include "tests/gl/support/uploads.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 namespace gltest
 {

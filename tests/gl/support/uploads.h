@@ -1,11 +1,11 @@
 // Textures for plain pictures: every texel in its zone's colour, for each texture set.
 #pragma once
 
-#include "lib/model/template.h"
-#include "tests/gl/support/host_gl.h"
-
 #include <map>
 #include <tuple>
+
+#include "lib/model/template.h"
+#include "tests/gl/support/host_gl.h"
 
 namespace gltest
 {

@@ -2,9 +2,9 @@
 // six influences, copies, morph targets, zones. Random, but the same for the same seed.
 #pragma once
 
-#include "lib/model/template.h"
-
 #include <memory>
+
+#include "lib/model/template.h"
 
 namespace claque::testing_support
 {

@@ -1,11 +1,11 @@
 // A host's services for tests: memory that counts and can refuse, and tasks on threads.
 #pragma once
 
-#include "lib/base/services.h"
-
 #include <atomic>
 #include <thread>
 #include <vector>
+
+#include "lib/base/services.h"
 
 namespace claque::testing_support
 {

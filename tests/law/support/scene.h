@@ -1,11 +1,11 @@
 // A crowd on a field with views of it, for tests of whole updates.
 #pragma once
 
+#include <memory>
+
 #include "figure.h"
 #include "host.h"
 #include "lib/frame/frame.h"
-
-#include <memory>
 
 namespace claque::testing_support
 {

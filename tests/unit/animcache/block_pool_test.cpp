@@ -1,9 +1,9 @@
 #include "animcache/block_pool.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "tests/law/support/host.h"
 

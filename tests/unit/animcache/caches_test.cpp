@@ -1,8 +1,8 @@
 #include "animcache/caches.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
+
+#include <gtest/gtest.h>
 
 #include "tests/law/support/figure.h"
 #include "tests/law/support/host.h"

@@ -1,10 +1,10 @@
 #include "animcache/frame_arena.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstring>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "tests/law/support/host.h"
 

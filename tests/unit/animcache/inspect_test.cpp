@@ -1,9 +1,9 @@
 // Poses and vertices that a host asks for are those that drawing would use.
 #include "animcache/inspect.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
+
+#include <gtest/gtest.h>
 
 #include "animcache/caches.h"
 #include "tests/law/support/figure.h"

@@ -1,10 +1,10 @@
 // Compares the greedy choice with the best choice, found by trying every set (S3 4.2, Fig. 7).
 #include "animcache/keypose_choice.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace claque::animcache
 {

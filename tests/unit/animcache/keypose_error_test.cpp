@@ -1,9 +1,9 @@
 // Errors of key-poses against skinning at the exact time (S3 3, 4, 6): in millimetres, and in pixels of a picture 768
 // lines high over 60 degrees at the distances that claque/key_poses.h recommends for them.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdio>
+
+#include <gtest/gtest.h>
 
 #include "animcache/evaluate.h"
 #include "animcache/keypose_vertices.h"

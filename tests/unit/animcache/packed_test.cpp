@@ -1,8 +1,8 @@
 // Errors of packed vertices against floats of the same poses: in millimetres, in degrees, and in pixels of a picture
 // 768 lines high over 60 degrees, at the distances of use.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "animcache/evaluate.h"
 #include "animcache/scratch.h"

@@ -1,8 +1,8 @@
 #include "animcache/period.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 

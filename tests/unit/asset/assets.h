@@ -1,11 +1,11 @@
 // The folder of collected characters, which not every checkout has, and the one of written characters, which all have.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "lib/asset/file.h"
 #include "maker.h"

@@ -2,6 +2,7 @@
 #include "lib/asset/bvh.h"
 
 #include <cmath>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "assets.h"

@@ -1,8 +1,7 @@
 // Written characters with one thing broken in each place where it stands: lengths, counts, references.
-#include <unistd.h>
-
 #include <regex>
 #include <set>
+#include <unistd.h>
 
 #include "heap_meter.h"
 #include "lib/base/hash.h"

@@ -1,7 +1,7 @@
 // Materials, their images, and the zones that come from them.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "assets.h"
 #include "lib/asset/decoders.h"

@@ -1,7 +1,7 @@
 // What a primitive may bring, in files of one triangle: each value is known beforehand.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "maker.h"
 

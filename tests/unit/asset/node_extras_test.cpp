@@ -1,7 +1,7 @@
 // Degrees of freedom and distances that come with a file's nodes.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "maker.h"
 

@@ -1,8 +1,8 @@
 // Nodes: matrices taken apart, scenes chosen, order kept.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/asset/node_matrix.h"
 #include "maker.h"

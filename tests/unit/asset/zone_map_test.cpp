@@ -1,9 +1,9 @@
 // Zones for images that come without: maps that somebody painted, and maps that are proposed.
 #include "lib/asset/zone_map.h"
 
-#include <gtest/gtest.h>
-
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "assets.h"
 #include "lib/asset/zone_clusters.h"

@@ -1,9 +1,9 @@
 #include "lib/base/slot_map.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "tests/law/support/host.h"
 

@@ -1,7 +1,7 @@
 // Random definitions and commands: every resulting value is a number within its range.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/behave/command.h"

@@ -1,8 +1,8 @@
 // Several mechanisms on one actor: which one writes last, which ones are disabled, which ones are called (S0 5.3, 7.1).
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/behave/writer.h"

@@ -1,9 +1,9 @@
 // Commands of hosts, at their time and before it.
 #include "lib/behave/command.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/crowd/edits.h"

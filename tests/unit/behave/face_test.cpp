@@ -1,8 +1,8 @@
 // Expressions, lids and mouths (S0 7.1).
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "test_actors.h"
 

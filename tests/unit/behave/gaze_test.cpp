@@ -1,7 +1,7 @@
 // Gaze: spine, neck and eyes share the turn towards a point (S0 5.3).
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/behave/command.h"
 #include "lib/crowd/edits.h"

@@ -1,7 +1,7 @@
 // Root paths: the Skeleton Root moves round the Reference Point (S0 3, 4.1).
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/crowd/edits.h"

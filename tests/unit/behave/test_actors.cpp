@@ -1,8 +1,9 @@
 #include "test_actors.h"
-#include "lib/crowd/edits.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "lib/crowd/edits.h"
 
 namespace claque::behave::testing_support
 {

@@ -1,10 +1,10 @@
 // Actors with a spine, a neck, eyes, lids and a mouth, and mechanisms for them.
 #pragma once
 
-#include "lib/behave/behave.h"
-
 #include <memory>
 #include <vector>
+
+#include "lib/behave/behave.h"
 
 namespace claque::behave::testing_support
 {

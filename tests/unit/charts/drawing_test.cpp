@@ -1,11 +1,12 @@
 // Drawing primitives of charts as SVG text and as pixels.
 #include "samples/charts/drawing.h"
-#include "samples/charts/bars.h"
-#include "samples/charts/theme.h"
+
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include "samples/charts/bars.h"
+#include "samples/charts/theme.h"
 
 namespace charts
 {

@@ -1,8 +1,8 @@
 // Line charts as JSON: round trip and refusals.
+#include <gtest/gtest.h>
+
 #include "samples/charts/lines.h"
 #include "samples/scenes/check.h"
-
-#include <gtest/gtest.h>
 
 namespace charts
 {

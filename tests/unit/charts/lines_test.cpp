@@ -1,9 +1,9 @@
 // Line charts as drawn: curves, legend, marks and axes.
 #include "samples/charts/lines.h"
 
-#include "samples/charts/theme.h"
-
 #include <gtest/gtest.h>
+
+#include "samples/charts/theme.h"
 
 namespace charts
 {

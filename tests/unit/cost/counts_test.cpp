@@ -1,8 +1,8 @@
 // S0's tables as printed, typed here from the paper, compared with the results of samples/cost.
+#include <gtest/gtest.h>
+
 #include "samples/cost/operations.h"
 #include "samples/cost/readings.h"
-
-#include <gtest/gtest.h>
 
 namespace cost
 {

@@ -1,8 +1,8 @@
 // S0's Table 6 and equations (1) to (3): costs typed from the paper, improvements worked out by hand.
+#include <gtest/gtest.h>
+
 #include "samples/cost/measured.h"
 #include "samples/cost/readings.h"
-
-#include <gtest/gtest.h>
 
 namespace cost
 {

@@ -1,8 +1,9 @@
 // Measured counts of a run: reading, writing and refusals.
 #include "samples/cost/measured.h"
-#include "samples/scenes/check.h"
 
 #include <gtest/gtest.h>
+
+#include "samples/scenes/check.h"
 
 namespace cost
 {

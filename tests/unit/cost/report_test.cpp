@@ -1,10 +1,11 @@
 // The cost report: S0's tables, its inconsistencies, JSON and curves.
 #include "samples/cost/report.h"
-#include "samples/cost/curves.h"
-#include "samples/cost/measured.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "samples/cost/curves.h"
+#include "samples/cost/measured.h"
 
 namespace cost
 {

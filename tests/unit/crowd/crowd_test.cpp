@@ -1,11 +1,10 @@
-#include "lib/crowd/edits.h"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 
+#include <gtest/gtest.h>
+
 #include "lib/base/error.h"
+#include "lib/crowd/edits.h"
 #include "tests/law/support/figure.h"
 #include "tests/law/support/host.h"
 

@@ -1,8 +1,8 @@
 #include "lib/crowd/save.h"
 
-#include <gtest/gtest.h>
-
 #include <functional>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/crowd/edits.h"

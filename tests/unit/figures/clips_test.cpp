@@ -1,7 +1,7 @@
 // Clips of the built-in characters: loops, smoothness, joint limits and feet on the ground.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "puppet.h"
 

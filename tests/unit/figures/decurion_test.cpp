@@ -1,10 +1,10 @@
 // The decurion: mesh, toga, weights, texture and colours.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "puppet.h"
 

@@ -1,10 +1,10 @@
 // The citizen: mesh, normals and weights.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "puppet.h"
 

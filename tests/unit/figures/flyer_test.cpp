@@ -1,12 +1,12 @@
 // Built-in characters that fly, in rigid parts: nodes and degrees of freedom, levels of detail, textures, and clips (S0
 // 3, 5.1, 5.2, 7.1).
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <set>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/figures/figure.h"
 

@@ -1,8 +1,8 @@
 // Hands in clips: their required poses, and no intersections.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
+
+#include <gtest/gtest.h>
 
 #include "puppet.h"
 

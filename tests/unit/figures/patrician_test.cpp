@@ -1,10 +1,10 @@
 // The patrician: mesh, gown, weights, texture and colours.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "lib/figures/figure.h"
 

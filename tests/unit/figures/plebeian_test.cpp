@@ -1,10 +1,10 @@
 // The plebeian: requirements of every built-in character, and differences from the citizen.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "puppet.h"
 

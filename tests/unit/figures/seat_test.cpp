@@ -1,7 +1,7 @@
 // Seated clips on the seat that they are made for: its top at 0.43 m, its front edge 0.14 m behind the origin.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "lib/figures/clips/clips.h"
 #include "puppet.h"

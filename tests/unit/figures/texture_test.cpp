@@ -1,8 +1,8 @@
 // The citizen's texture: zone keys, texture sets and charts.
-#include <gtest/gtest.h>
-
 #include <map>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "puppet.h"
 

@@ -1,12 +1,12 @@
 // 150 clips: the requirements of a character's own clips hold for their variants.
 #include "lib/figures/clips/variant.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 #include <set>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/figures/figure.h"
 

@@ -1,10 +1,10 @@
 #include "lib/frame/frame.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/crowd/edits.h"

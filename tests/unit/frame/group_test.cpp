@@ -1,7 +1,7 @@
 // Groups change the cost of a frame and the positions of members, but not how the members are shown.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/crowd/edits.h"

@@ -1,13 +1,13 @@
 // Compares the draw order with a comparison sort.
 #include "lib/frame/order.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 

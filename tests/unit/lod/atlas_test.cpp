@@ -1,9 +1,8 @@
 // Atlases of proxies: triangles laid flat without overlap, and zones in the same positions as on the source.
 #include "lib/lod/atlas.h"
 
-#include <gtest/gtest.h>
-
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/figures/figure.h"
 #include "lib/lod/nearest.h"

@@ -1,10 +1,10 @@
 // The error of a level of detail, and the chain of levels that follows from it.
 #include "lib/lod/chain.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/base/hash.h"

@@ -1,12 +1,12 @@
 // Levels of detail of the written people, and of the collected characters, where they are: a few of them, or all with
 // CLAQUE_ALL_CHARACTERS set.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+
+#include <gtest/gtest.h>
 
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"

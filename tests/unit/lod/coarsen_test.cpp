@@ -1,9 +1,9 @@
 // Closed surfaces of any shape reduced to a few triangles.
 #include "lib/lod/coarsen.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "tests/unit/lod/closed.h"
 

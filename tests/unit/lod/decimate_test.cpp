@@ -1,13 +1,13 @@
 // Decimation: targets, seams, parts, attributes and determinism.
 #include "lib/lod/decimate.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/figures/figure.h"

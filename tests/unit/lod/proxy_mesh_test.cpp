@@ -1,11 +1,11 @@
 // The closed surface from which proxies are made.
 #include "lib/lod/proxy_mesh.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/figures/figure.h"

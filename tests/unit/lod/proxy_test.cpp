@@ -1,8 +1,8 @@
 // Proxies of rigid parts on several nodes, and the colours that they keep.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/lod/chain.h"
 

@@ -1,9 +1,9 @@
 // The zone of each triangle of a proxy, compared with the best of all assignments.
 #include "lib/lod/proxy_zones.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 

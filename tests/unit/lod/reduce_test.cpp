@@ -1,10 +1,10 @@
 // Coarse closed surfaces: fitting them to fine ones, and reducing them by the visible error.
 #include "lib/lod/reduce.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/lod/fit.h"
 #include "lib/lod/vertex_merge.h"

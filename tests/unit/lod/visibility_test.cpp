@@ -1,10 +1,10 @@
 // Visible parts of a surface, which the errors of levels of detail are measured on.
 #include "lib/lod/visibility.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
 #include "lib/figures/figure.h"

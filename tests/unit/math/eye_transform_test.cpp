@@ -1,9 +1,9 @@
 // Transforms to eye space, exact far from the world's origin too.
 #include "lib/math/eye_transform.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "lib/math/affine.h"
 #include "lib/math/slerp.h"

@@ -1,11 +1,11 @@
 // The view frustum, compared with GL's clipping.
 #include "lib/math/frustum.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <random>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 
 namespace claque::math
 {

@@ -1,9 +1,9 @@
 // Conversion of HSB to RGB.
 #include "lib/math/hsb.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace claque::math
 {

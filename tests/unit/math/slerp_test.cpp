@@ -1,10 +1,10 @@
 // Spherical interpolation, compared with the formula of glTF 2.0.
 #include "lib/math/slerp.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
+
+#include <gtest/gtest.h>
 
 namespace claque::math
 {

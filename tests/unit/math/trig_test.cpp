@@ -1,9 +1,9 @@
 // Trigonometric functions, compared with the C library's.
 #include "lib/math/trig.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace claque::math
 {

@@ -1,15 +1,14 @@
 // Characters of several nodes and parts, for the tests of levels, parts and skeletons.
 #pragma once
 
-#include <gtest/gtest.h>
+#include <algorithm>
+#include <string>
 
-#include "models.h"
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/pose/pose.h"
-
-#include <algorithm>
-#include <string>
+#include "models.h"
 
 namespace claque::test
 {

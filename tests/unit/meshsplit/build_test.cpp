@@ -1,13 +1,12 @@
 // The whole split: textures, refusals, determinism.
-#include "models.h"
+#include <set>
+
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/model/template_check.h"
 #include "lib/model/template_file.h"
-
-#include <gtest/gtest.h>
-
-#include <set>
+#include "models.h"
 
 namespace claque::test
 {

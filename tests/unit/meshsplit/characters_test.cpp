@@ -1,15 +1,14 @@
 // Skeletal levels and spheres of parts of the collected characters, where they are, and of the written ones.
-#include <gtest/gtest.h>
+#include <filesystem>
 
-#include "posed.h"
+#include <gtest/gtest.h>
 
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"
 #include "lib/model/template_check.h"
 #include "meshsplit/level_plan.h"
+#include "posed.h"
 #include "tests/support/written_characters.h"
-
-#include <filesystem>
 
 namespace claque::test
 {

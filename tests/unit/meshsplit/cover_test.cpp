@@ -1,13 +1,13 @@
 // Zone coverage, compared with samplers and with a slow independent answer (SPEC 2, 'Zone coverage is exact').
 #include "meshsplit/cover.h"
 
-#include "lib/base/hash.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include <gtest/gtest.h>
+
+#include "lib/base/hash.h"
 
 namespace claque::test
 {

@@ -1,11 +1,11 @@
 // Renumbered zone keys and the alpha tests that distinguish them (SPEC 2 'Keys', 3).
 #include "lib/model/keys.h"
 
-#include "lib/base/error.h"
+#include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "lib/base/error.h"
 
 namespace claque::test
 {

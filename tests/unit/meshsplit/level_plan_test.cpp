@@ -1,12 +1,11 @@
 // Levels of detail by distance (S0 5.1): each holds exactly the geometry that is drawn from its distance on.
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "articulated.h"
-
 #include "lib/model/template_check.h"
 #include "lib/model/template_file.h"
-
-#include <map>
 
 namespace claque::test
 {

@@ -1,11 +1,11 @@
 // Materials to zones, textures and palette cells: an individual without colours of its own looks like the file.
 #include "meshsplit/material_plan.h"
 
-#include "models.h"
+#include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "models.h"
 
 namespace claque::test
 {

@@ -1,12 +1,11 @@
 // Merging parts into one vertex order: welding, dropping, reversing, sorting.
-#include "models.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <set>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "models.h"
 
 namespace claque::test
 {

@@ -1,11 +1,11 @@
 // Characters made by code for the splitter's tests.
 #pragma once
 
-#include "lib/model/model.h"
-#include "meshsplit/build.h"
-
 #include <functional>
 #include <memory>
+
+#include "lib/model/model.h"
+#include "meshsplit/build.h"
 
 namespace claque::test
 {

@@ -1,13 +1,12 @@
 // Parts that are culled separately (S0 4.1, 4.2 phase 3): their index ranges and their spheres.
-#include <gtest/gtest.h>
+#include <set>
 
-#include "posed.h"
+#include <gtest/gtest.h>
 
 #include "lib/model/template_check.h"
 #include "meshsplit/enclosing.h"
 #include "meshsplit/morph_limits.h"
-
-#include <set>
+#include "posed.h"
 
 namespace claque::test
 {

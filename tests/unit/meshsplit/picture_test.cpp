@@ -1,12 +1,12 @@
 // The picture of a split: zones in colours of their own, dirty triangles marked (S1 Figs. 4 and 5).
 #include "meshsplit/picture.h"
 
-#include "models.h"
+#include <array>
+#include <set>
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <set>
+#include "models.h"
 
 namespace claque::test
 {

@@ -1,11 +1,10 @@
 // Templates in a pose: positions of their vertices, and whether the spheres of their parts hold them.
 #pragma once
 
-#include "articulated.h"
-
-#include "meshsplit/vertex_cloud.h"
-
 #include <glm/geometric.hpp>
+
+#include "articulated.h"
+#include "meshsplit/vertex_cloud.h"
 
 namespace claque::test
 {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "articulated.h"
-
 #include "lib/base/hash.h"
 #include "lib/model/template_check.h"
 #include "lib/model/template_file.h"

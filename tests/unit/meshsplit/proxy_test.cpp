@@ -1,10 +1,9 @@
 // Levels of a split template in updates of a crowd: at every distance the vertices of its level are shown.
 #include <gtest/gtest.h>
 
-#include "posed.h"
-
 #include "lib/crowd/edits.h"
 #include "lib/frame/frame.h"
+#include "posed.h"
 
 namespace claque::test
 {

@@ -1,12 +1,12 @@
 // Resizing never mixes zones (S2 2.3-2.4, SPEC row C3).
 #include "meshsplit/pyramid.h"
 
-#include "lib/base/hash.h"
+#include <algorithm>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
+#include "lib/base/hash.h"
 
 namespace claque::test
 {

@@ -1,13 +1,13 @@
 #include "reach_ascent.h"
 
-#include "lib/base/hash.h"
-#include "lib/math/trig.h"
-#include "lib/pose/pose.h"
+#include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "lib/base/hash.h"
+#include "lib/math/trig.h"
+#include "lib/pose/pose.h"
 
 namespace claque::test
 {

@@ -2,11 +2,11 @@
 // data of meshsplit. Every result is reachable; the Sklsroot Bsphere must hold it and be little larger.
 #pragma once
 
-#include "lib/model/template.h"
+#include <vector>
 
 #include <glm/mat3x3.hpp>
 
-#include <vector>
+#include "lib/model/template.h"
 
 namespace claque::test
 {

@@ -1,9 +1,10 @@
 // The Sklsroot Bsphere of characters with degrees of freedom is at most 10 % larger than the reach that hill climbing
 // finds (S0 4.1).
 #include "reach_ascent.h"
-#include "reach_rigs.h"
 
 #include <gtest/gtest.h>
+
+#include "reach_rigs.h"
 
 namespace claque::test
 {

@@ -1,15 +1,14 @@
 // The spheres of actors that blend clips (S2 3.3), compared with blends of all kinds: they hold every vertex and node,
 // and where a blend stretches a character as no clip does, they are hardly larger than that.
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "lib/figures/figure.h"
 #include "reach_ascent.h"
 #include "reach_rigs.h"
 #include "reach_sampling.h"
-
-#include "lib/figures/figure.h"
-
-#include <gtest/gtest.h>
-#include <glm/geometric.hpp>
-
-#include <cmath>
 
 namespace claque::test
 {

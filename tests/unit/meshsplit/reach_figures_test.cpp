@@ -1,12 +1,11 @@
 // The built-in characters with their own degrees of freedom, or some in neck, head and spine, over all their clips (S0
 // 4.1).
+#include <gtest/gtest.h>
+
+#include "lib/figures/figure.h"
 #include "reach_ascent.h"
 #include "reach_rigs.h"
 #include "reach_sampling.h"
-
-#include "lib/figures/figure.h"
-
-#include <gtest/gtest.h>
 
 namespace claque::test
 {

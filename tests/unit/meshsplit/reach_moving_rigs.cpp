@@ -1,8 +1,8 @@
-#include "reach_rigs.h"
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
+#include "reach_rigs.h"
 
 namespace claque::test
 {

@@ -2,11 +2,10 @@
 // stated bounds.
 #include "meshsplit/reach_poses.h"
 
-#include "reach_rigs.h"
-
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
+#include "reach_rigs.h"
 
 namespace claque::test
 {

@@ -1,10 +1,10 @@
 #include "reach_rigs.h"
 
-#include "lib/base/hash.h"
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
+#include "lib/base/hash.h"
 
 namespace claque::test
 {

@@ -1,10 +1,10 @@
 // Characters with degrees of freedom (S0 3), for the tests of their reach.
 #pragma once
 
-#include "models.h"
-
 #include <string>
 #include <vector>
+
+#include "models.h"
 
 namespace claque::test
 {

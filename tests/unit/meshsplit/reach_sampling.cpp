@@ -1,11 +1,11 @@
 #include "reach_sampling.h"
 
-#include "lib/base/hash.h"
-#include "lib/pose/pose.h"
+#include <algorithm>
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
+#include "lib/base/hash.h"
+#include "lib/pose/pose.h"
 
 namespace claque::test
 {

@@ -1,11 +1,11 @@
 // A character's reach by sampling: poses of lib/pose, vertices transformed in double.
 #pragma once
 
+#include <vector>
+
 #include "lib/base/span.h"
 #include "lib/model/template.h"
 #include "lib/pose/layer.h"
-
-#include <vector>
 
 namespace claque::test
 {

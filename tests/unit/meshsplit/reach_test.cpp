@@ -2,16 +2,14 @@
 // than its template states.
 #include "meshsplit/reach.h"
 
-#include "reach_rigs.h"
-#include "reach_sampling.h"
-
-#include "lib/base/hash.h"
-
-#include <gtest/gtest.h>
+#include <cmath>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
-#include <cmath>
+#include "lib/base/hash.h"
+#include "reach_rigs.h"
+#include "reach_sampling.h"
 
 namespace claque::test
 {

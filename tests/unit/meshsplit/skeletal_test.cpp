@@ -1,9 +1,8 @@
 // Skeletal levels of detail (S0 5.2): deactivated nodes, and vertices that move to the remaining ones.
 #include <gtest/gtest.h>
 
-#include "posed.h"
-
 #include "lib/model/template_check.h"
+#include "posed.h"
 
 namespace claque::test
 {

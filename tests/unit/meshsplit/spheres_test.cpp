@@ -1,15 +1,13 @@
 // The Sklsroot Bsphere holds every vertex of every pose and is little larger than necessary (S0 4.1).
 #include "meshsplit/spheres.h"
 
-#include "models.h"
-
-#include "lib/pose/pose.h"
-
-#include <gtest/gtest.h>
+#include <cmath>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
-#include <cmath>
+#include "lib/pose/pose.h"
+#include "models.h"
 
 namespace claque::test
 {

@@ -1,11 +1,11 @@
 // Clean bins, dirty ranges and the fused stream of one template, as laws (S1 3, SPEC 3).
-#include "models.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include <gtest/gtest.h>
+
+#include "models.h"
 
 namespace claque::test
 {

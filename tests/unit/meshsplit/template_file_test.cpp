@@ -1,7 +1,7 @@
 // Prepared files: a file loads as it was saved, and invalid files are refused.
-#include "prepared_files.h"
-
 #include <limits>
+
+#include "prepared_files.h"
 
 namespace claque::test
 {

@@ -1,7 +1,7 @@
 // Prepared files are refused if their levels, skeletons or parts would make drawing unsafe.
-#include "prepared_files.h"
-
 #include <limits>
+
+#include "prepared_files.h"
 
 namespace claque::test
 {

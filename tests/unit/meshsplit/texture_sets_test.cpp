@@ -1,12 +1,11 @@
 // Texture sets: other images on the same triangles (S1 1, S2 2.1). Indices and vertices are shared, so a triangle is
 // clean only if no set shows a second zone on it.
-#include "models.h"
+#include <string>
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "lib/base/error.h"
+#include "models.h"
 
 namespace claque::test
 {

@@ -1,10 +1,10 @@
 // Deviations between arrays of positions and normals.
 #include "samples/parity/arrays.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 namespace parity
 {

@@ -1,13 +1,13 @@
 // A small result as docs/parity.md describes it, in a folder that is deleted afterwards.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace parity_test
 {

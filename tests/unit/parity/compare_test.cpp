@@ -1,11 +1,11 @@
 // The comparison of two folders, and that it can fail: each mutation, in each kind of array alone.
 #include "samples/parity/compare.h"
-#include "samples/parity/verdict.h"
-
-#include "tests/unit/parity/capture_files.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "samples/parity/verdict.h"
+#include "tests/unit/parity/capture_files.h"
 
 namespace parity
 {

@@ -1,10 +1,10 @@
 // Deviations between depth maps.
 #include "samples/parity/depth.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 namespace parity
 {

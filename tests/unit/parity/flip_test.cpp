@@ -4,13 +4,13 @@
 // by default, the matrix from XYZ to RGB, and that green and blue are farthest apart.
 #include "samples/parity/flip.h"
 
-#include "tests/unit/parity/direct_flip.h"
-#include "tests/unit/parity/test_pictures.h"
+#include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
+#include "tests/unit/parity/direct_flip.h"
+#include "tests/unit/parity/test_pictures.h"
 
 namespace parity
 {

@@ -1,12 +1,12 @@
 // Values of scikit-image 0.19.3's peak_signal_noise_ratio for the same pictures, and known values.
 #include "samples/parity/psnr.h"
 
-#include "tests/unit/parity/test_pictures.h"
+#include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
+#include "tests/unit/parity/test_pictures.h"
 
 namespace parity
 {

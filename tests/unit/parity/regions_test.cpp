@@ -1,9 +1,9 @@
 // Comparison by regions: the inner pixels of one individual.
 #include "samples/parity/regions.h"
 
-#include "tests/unit/parity/test_pictures.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/unit/parity/test_pictures.h"
 
 namespace parity
 {

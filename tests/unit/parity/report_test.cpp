@@ -1,13 +1,13 @@
 // Reports of a comparison as JSON, HTML, text and pictures.
 #include "samples/parity/report.h"
 
-#include "samples/parity/base64.h"
-#include "samples/parity/pictures.h"
-#include "tests/unit/parity/capture_files.h"
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include "samples/parity/base64.h"
+#include "samples/parity/pictures.h"
+#include "tests/unit/parity/capture_files.h"
 
 namespace parity
 {

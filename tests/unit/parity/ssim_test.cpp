@@ -2,9 +2,9 @@
 // sample covariance; its manual says that this agrees with Wang et al.), and consequences of the formula.
 #include "samples/parity/ssim.h"
 
-#include "tests/unit/parity/test_pictures.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/unit/parity/test_pictures.h"
 
 namespace parity
 {

@@ -1,10 +1,10 @@
 // Tolerances and verdicts.
-#include "samples/parity/measures.h"
-#include "samples/parity/verdict.h"
+#include <limits>
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "samples/parity/measures.h"
+#include "samples/parity/verdict.h"
 
 namespace parity
 {

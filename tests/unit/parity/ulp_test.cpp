@@ -1,10 +1,10 @@
 // Distances between floats in units of the last place.
 #include "samples/parity/ulp.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 namespace parity
 {

@@ -1,10 +1,10 @@
 // Finding the keys of a channel at a time.
 #include "lib/pose/channel.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace claque::pose
 {

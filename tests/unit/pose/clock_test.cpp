@@ -1,9 +1,9 @@
 // The time within a clip at a time of the crowd.
 #include "lib/pose/clock.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace claque::pose
 {

@@ -1,9 +1,9 @@
 // Clips as rows at uniform rates, compared with a second evaluation of their channels in double.
 #include "meshsplit/motion.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
+
+#include <gtest/gtest.h>
 
 #include "layers_reference.h"
 #include "lib/model/template_file.h"

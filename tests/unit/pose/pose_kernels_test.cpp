@@ -1,11 +1,11 @@
 // The steps of posing give the same bits on every instruction set.
 #include "lib/pose/pose_kernels.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <random>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace claque::pose
 {

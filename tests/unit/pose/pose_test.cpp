@@ -1,9 +1,9 @@
 // Poses, compared with a second evaluation in double.
 #include "lib/pose/pose.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "reference.h"
 #include "tests/law/support/figure.h"

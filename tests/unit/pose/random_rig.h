@@ -2,11 +2,11 @@
 // that steps.
 #pragma once
 
-#include "lib/math/slerp.h"
-#include "lib/model/rig.h"
-
 #include <cmath>
 #include <random>
+
+#include "lib/math/slerp.h"
+#include "lib/model/rig.h"
 
 namespace claque::test
 {

@@ -2,9 +2,9 @@
 // linear search; shares no code with lib/pose.
 #pragma once
 
-#include "lib/model/rig.h"
-
 #include <vector>
+
+#include "lib/model/rig.h"
 
 namespace claque::reference
 {

@@ -1,8 +1,8 @@
 // Retargeting by channels between compatible skeletons: results, refusals and messages.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"

@@ -1,9 +1,10 @@
 // Small rigs with motion for tests of retargeting, posed by independent code in double precision.
 #pragma once
 
-#include <glm/gtc/quaternion.hpp>
 #include <string>
 #include <vector>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include "lib/model/rig.h"
 

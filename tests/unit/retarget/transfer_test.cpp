@@ -1,8 +1,8 @@
 // Retargeting of motion between different skeletons, by properties that hold for any algorithm.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "lib/base/error.h"
 #include "lib/retarget/retarget.h"

@@ -1,9 +1,9 @@
 // Kernels of 128-bit lanes that a processor does not choose by itself, and memory with no more than the requested
 // alignment.
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "lib/model/template.h"
 #include "lib/skin/kernel.h"

@@ -1,12 +1,12 @@
 // Packed vertices: rounding, ranges and equal bits on every kernel.
 #include "lib/skin/pack.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "lib/skin/pack_kernel.h"
 

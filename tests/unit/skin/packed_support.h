@@ -1,9 +1,9 @@
 // Vertices that kernels pack while skinning, compared with floats that are packed afterwards.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstring>
+
+#include <gtest/gtest.h>
 
 #include "lib/skin/skin.h"
 

@@ -1,10 +1,10 @@
 // Grouping a level's vertices for skinning; no grouping changes a bit.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "lib/skin/skin.h"
 #include "tests/unit/skin/packed_support.h"

@@ -1,10 +1,10 @@
 // Skinning, compared with the textbook's sum in double and between kernels.
 #include "lib/skin/skin.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
+
+#include <gtest/gtest.h>
 
 #include "lib/pose/pose.h"
 #include "tests/law/support/figure.h"

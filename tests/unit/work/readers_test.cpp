@@ -1,9 +1,9 @@
 // Reading takes time in proportion to the file, whatever it holds: work is counted, never timed.
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include <gtest/gtest.h>
 
 #include "attacks.h"
 #include "lib/asset/bvh.h"

@@ -1,5 +1,6 @@
 // The herald's nodes, pieces with their distances, charts, zones and flight style.
 #include "lib/figures/figure.h"
+
 #include "lib/figures/flyer/herald/herald.h"
 
 namespace claque::figures

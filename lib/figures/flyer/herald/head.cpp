@@ -1,5 +1,6 @@
 // The head with its wreath, and the moving parts of the face.
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "lib/figures/flyer/herald/herald.h"

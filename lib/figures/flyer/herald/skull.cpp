@@ -1,6 +1,7 @@
 // The head as one function of angle and height, which every level of detail samples: profiles in front, at the side and
 // behind, then nose, sockets, lips, cheeks and hair.
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "lib/figures/brush.h"

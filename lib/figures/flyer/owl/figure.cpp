@@ -1,5 +1,6 @@
 // The owl's nodes, pieces with their distances, charts, zones and flight style.
 #include "lib/figures/figure.h"
+
 #include "lib/figures/flyer/owl/owl.h"
 
 namespace claque::figures

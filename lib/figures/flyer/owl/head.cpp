@@ -1,5 +1,6 @@
 // A broad head with two facial discs, beak and tufts.
 #include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "lib/figures/brush.h"
