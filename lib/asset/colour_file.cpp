@@ -1,11 +1,8 @@
 #include "lib/asset/colour_file.h"
 
-// As in samples/scenes: a program may contain only one of the two forms of toml++.
-#define TOML_EXCEPTIONS 0
 #include <algorithm>
 
-#include <toml++/toml.h>
-
+#include "lib/asset/toml.h"
 #include "lib/asset/toml_keys.h"
 #include "lib/base/error.h"
 #include "lib/math/hsb.h"

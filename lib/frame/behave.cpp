@@ -66,7 +66,8 @@ base::Status Behave::check() const
 {
     if (behaving.count < candidates.count || rows.count < given.crowd.row_count())
         return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate and row");
-    if (dofs.count > 0 && dofs.count < (size_t(candidates.count) + 1) * dofs_each)
+    // A crowd whose mechanisms went with a restore may hold the array of a smaller one: nothing writes it then.
+    if (given.crowd.behaviours().mechanism_count() > 0 && dofs.count < (size_t(candidates.count) + 1) * dofs_each)
         return base::Status::bad(CLQ_ARGUMENT, "no room for the degrees of freedom of every candidate");
     return base::Status::good();
 }

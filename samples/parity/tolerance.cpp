@@ -6,10 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-// The same setting as in samples/scenes: one program can hold only one of toml++'s two forms.
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
+#include "samples/io/toml.h"
 #include "samples/io/toml_keys.h"
 #include "samples/parity/measures.h"
 

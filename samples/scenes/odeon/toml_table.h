@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
+#include "samples/io/toml.h"
 
 namespace scenes
 {

@@ -56,7 +56,7 @@ double worst_error(const model::Template &tmpl, uint32_t clip, double time_s)
     return most;
 }
 
-TEST(SplitLaw, HoursOfMotionOfManyNodesKeepTheirChannels)
+TEST(BuildWork, HoursOfMotionOfManyNodesKeepTheirChannels)
 {
     const Bytes bytes = long_clips(300, 1, 4000);
     const Built built = build(bytes);
@@ -66,7 +66,7 @@ TEST(SplitLaw, HoursOfMotionOfManyNodesKeepTheirChannels)
         EXPECT_LE(worst_error(*built.made, 0, time), 1e-5) << time;
 }
 
-TEST(SplitLaw, FiveHundredClipsKeepTheirChannels)
+TEST(BuildWork, FiveHundredClipsKeepTheirChannels)
 {
     const Bytes bytes = long_clips(3, 500, 4000);
     const Built built = build(bytes);
@@ -76,7 +76,7 @@ TEST(SplitLaw, FiveHundredClipsKeepTheirChannels)
         for (const double time : {0.0005, 0.7, 1999.5}) EXPECT_LE(worst_error(*built.made, clip, time), 2e-3) << time;
 }
 
-TEST(SplitLaw, SpheresThatFollowFromLengthsHoldEveryPose)
+TEST(BuildWork, SpheresThatFollowFromLengthsHoldEveryPose)
 {
     const Bytes bytes = long_clips(300, 1, 4000);
     const Built built = build(bytes);
@@ -96,7 +96,7 @@ TEST(SplitLaw, SpheresThatFollowFromLengthsHoldEveryPose)
     }
 }
 
-TEST(SplitLaw, ChannelsThatShareKeysAreRefusedWithNumbers)
+TEST(BuildWork, ChannelsThatShareKeysAreRefusedWithNumbers)
 {
     const Bytes bytes = shared_keys(3000);
     const Built built = build(bytes);
@@ -105,7 +105,7 @@ TEST(SplitLaw, ChannelsThatShareKeysAreRefusedWithNumbers)
     EXPECT_NE(built.outcome.text.find("keys of their own would take"), std::string::npos) << built.outcome.text;
 }
 
-TEST(SplitLaw, ImagesInManyColoursAreRefusedWithNumbers)
+TEST(BuildWork, ImagesInManyColoursAreRefusedWithNumbers)
 {
     const Bytes bytes = tinted_images(2000, 256);
     const Built built = build(bytes);
@@ -114,7 +114,7 @@ TEST(SplitLaw, ImagesInManyColoursAreRefusedWithNumbers)
     EXPECT_NE(built.outcome.text.find("the textures would take"), std::string::npos) << built.outcome.text;
 }
 
-TEST(SplitLaw, RootMotionOfDaysIsRefusedWithNumbers)
+TEST(BuildWork, RootMotionOfDaysIsRefusedWithNumbers)
 {
     const Bytes bytes = long_root_motion(1e6f);
     const Built built = build(bytes);
