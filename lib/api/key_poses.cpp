@@ -49,6 +49,7 @@ extern "C" clq_status clq_crowd_get_key_pose_stats(const clq_crowd *crowd, clq_k
     return api::boundary("clq_crowd_get_key_pose_stats", [&] {
         api::require(crowd && out, "crowd or out is NULL");
         api::require_size(*out, "clq_key_pose_stats_init");
+        const api::Reading reading(crowd);
         const animcache::KeyPoseCounters &counters = crowd->frame.stats().key_poses;
         clq_key_pose_stats stats = clq_key_pose_stats_init();
         stats.requested = counters.requested, stats.served = counters.served;

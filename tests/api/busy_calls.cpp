@@ -172,6 +172,10 @@ void add_readers(std::vector<Call> &all)
     });
     read("clq_crowd_get_actor_count", [](O o) { return status_of(clq_crowd_get_actor_count(o.crowd)); });
     read("clq_crowd_get_hash", [](O o) { return status_of(clq_crowd_get_hash(o.crowd)); });
+    read("clq_crowd_get_key_pose_stats", [](O o) {
+        clq_key_pose_stats stats = clq_key_pose_stats_init();
+        return clq_crowd_get_key_pose_stats(o.crowd, &stats);
+    });
     read("clq_crowd_get_stats", [](O o) {
         clq_crowd_stats stats = clq_crowd_stats_init();
         return clq_crowd_get_stats(o.crowd, &stats);

@@ -43,7 +43,7 @@ using BusyCalls = busy::Busy;
 TEST(BusyTable, HoldsEveryCallForACrowdAViewOrARenderer)
 {
     std::set<std::string> declared, listed;
-    const std::regex call(R"((clq_\w+)\((?:const )?clq_(?:crowd|view|renderer) \*)");
+    const std::regex call(R"((clq_\w+)\((?:const )?(?:struct )?clq_(?:crowd|view|renderer) \*)");
     for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
         std::stringstream text;
         text << std::ifstream(header.path()).rdbuf();

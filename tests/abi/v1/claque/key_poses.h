@@ -73,7 +73,7 @@ CLQ_DEFINE_ZERO_INIT(clq_key_pose_stats)
 
 /* Gets the counts of the last update.
  *   out   made by clq_key_pose_stats_init
- * Fails: STRUCT_SIZE, ARGUMENT. Threads: any, not during an update. GL: none. */
+ * Fails: STRUCT_SIZE, ARGUMENT, BUSY. Threads: any. GL: none. */
 CLQ_API clq_status clq_crowd_get_key_pose_stats(const struct clq_crowd *crowd, clq_key_pose_stats *out);
 
 /* A temporal bin: individuals that need the same key-poses (S3 4.2). */
