@@ -15,7 +15,7 @@ enum class Mode : uint8_t {
     none = 2        // nothing; poses are still those of the last tick
 };
 
-// How skinned vertices are stored and passed to GL (SPEC 2; comparable libraries keep floats).
+// How skinned vertices are stored and passed to GL (comparable libraries keep floats).
 enum class VertexFormat : uint8_t {
     floats = 0,  // 24 bytes a vertex: floats
     packed = 1   // 12 bytes a vertex: 16-bit positions with one step a template, 8-bit normals (lib/skin/pack.h)

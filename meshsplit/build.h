@@ -1,5 +1,5 @@
 // Builds a Template from a Model, once, at start-up: zones become renumbered textures, triangles become clean bins and
-// dirty ranges, and the fused stream, its vertex copies and the Sklsroot Bsphere are added. S1 3, S2 2.1, SPEC 3.
+// dirty ranges, and the fused stream, its vertex copies and the Sklsroot Bsphere are added. S1 3, S2 2.1.
 #pragma once
 
 #include "lib/base/services.h"

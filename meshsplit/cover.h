@@ -1,5 +1,5 @@
 // Finds the texels that a triangle can show: every texel that any point of the closed triangle can sample with
-// GL_NEAREST at exactly this texture size, at any distance and sub-pixel offset. SPEC 2, 'Zone coverage is exact'.
+// GL_NEAREST at exactly this texture size, at any distance and sub-pixel offset.
 #pragma once
 
 #include <glm/vec2.hpp>

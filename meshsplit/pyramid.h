@@ -1,4 +1,4 @@
-// Resizes textures without mixing zones. S2 2.3-2.4 and its open wish (SPEC row C3): a smaller texel takes its zone
+// Resizes textures without mixing zones. S2 2.3-2.4, which leaves it open: a smaller texel takes its zone
 // from the texels that it covers, and its RGB is the box-filtered RGB of the texels of that zone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// Selects all parts of a model that are not hidden, with all its joints and morph weights.
 #include <numeric>
 
 #include "meshsplit/mesh.h"

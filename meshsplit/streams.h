@@ -1,5 +1,5 @@
 // Finds the zones that each triangle can show, and makes the index lists: clean bins, dirty ranges, and the fused
-// stream with its vertex copies. S1 3 (bins, dirty triangles), SPEC 3 (binned, fused).
+// stream with its vertex copies. S1 3 (bins, dirty triangles).
 #pragma once
 
 #include "lib/model/template.h"

@@ -1,4 +1,4 @@
-// Makes the GL textures of planned textures: powers of two, filled gutters, renumbered alpha. S2 2.3, SPEC 2 'Keys'.
+// Makes the GL textures of planned textures: powers of two, filled gutters, renumbered alpha. S2 2.3.
 #pragma once
 
 #include "lib/model/template.h"

@@ -1,5 +1,5 @@
 // GL state as a value that is compared and applied, as in Quake III's renderer: no strategy calls glEnable. S1 3 names
-// the state that zone colours depend on; SPEC 3 lists what was measured to break it.
+// the state that zone colours depend on; preflight.h and tests/gl/host_state_test.cpp have what else breaks them.
 #pragma once
 
 #include "passes/gl11.h"

@@ -1,4 +1,4 @@
-// How much of the host's GL state a draw restores (SPEC 4, "leave no trace").
+// How much of the host's GL state a draw restores.
 //
 //   full     everything is as before.
 //   minimal  the matrices, the matrix mode and all client state are as before; left_by_minimal below lists the state

@@ -103,7 +103,7 @@ bool has_dirty(const model::Template &source, uint32_t texture)
     return false;
 }
 
-// Fused if it distinguishes the zones of all textures, else binned, else an error: SPEC 2, "Keys".
+// Fused if it distinguishes the zones of all textures, else binned, else an error.
 base::Status choose_strategy(PreparedTemplate &out, Strategy wanted, uint32_t alpha_bits)
 {
     const model::Template &source = *out.source;
@@ -135,7 +135,7 @@ void prepare_texture(PreparedTexture &out, const model::Texture &texture, const 
     for (uint32_t i = 0; i < texture.keys.size(); ++i) {
         ZoneTest test;
         test.zone = texture.keys[i].zone;
-        // Not key / 255, which differs by one ulp from GL's value of the texel (SPEC 3).
+        // Not key / 255, which differs by one ulp from GL's value of the texel.
         test.reference = options.key_test == KeyTest::equal ? static_cast<float>(bytes[i]) * (1.0f / 255.0f)
                                                             : model::pass_reference(keys, i);
         test.threshold_ubyte = fused.alpha_8bit[i];

@@ -1,4 +1,4 @@
-// Draws draw lists with GL 1.1; one renderer per GL context. S1 3, SPEC 3 and 4.
+// Draws draw lists with GL 1.1; one renderer per GL context (S1 3).
 //
 // Threads: every call but abandon() belongs to the thread of the current context. Nothing throws; draw() allocates
 // nothing and makes no GL object.
@@ -40,7 +40,7 @@ public:
     // Fails: CLQ_ARGUMENT (a template that is not prepared, by name), CLQ_GL_STATE, CLQ_GL_MISSING; nothing is drawn or
     // changed then. CLQ_OUT_OF_MEMORY: an individual was left out of the list's update; all others are drawn.
     // CLQ_GL_STATE also: hooks left what GL 1.1 cannot undo, a program in use for example: their individual is not
-    // drawn, nor is anybody after it if it is still there after the second hook.
+    // drawn, nor are later ones if the object is still there after the second hook.
     base::Status draw(const draw::DrawList &list, DrawStats *out_stats);
 
     // Darkens the ground by the shadows of all items, including shadow casters that are not drawn. GL's state is

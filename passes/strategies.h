@@ -1,4 +1,4 @@
-// The draw strategies (S1 3, S2 2.1, SPEC 3). All three give the same RGB and depth.
+// The draw strategies (S1 3, S2 2.1). All three give the same RGB and depth.
 #pragma once
 
 #include "passes/canvas.h"

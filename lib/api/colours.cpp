@@ -1,3 +1,4 @@
+// Colour maps, and the colours that individuals get from them.
 #include <claque/colours.h>
 
 #include <cstring>

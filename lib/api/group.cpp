@@ -1,3 +1,4 @@
+// Groups, and the actors that join and leave them.
 #include <claque/group.h>
 
 #include "lib/api/boundary.h"

@@ -1,3 +1,4 @@
+// clq_renderer_...: preparing templates and drawing views.
 #include <claque/renderer.h>
 
 #include <algorithm>

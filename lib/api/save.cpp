@@ -1,3 +1,4 @@
+// Saves and restores crowds; supplies what a saved crowd does not contain: templates and callbacks.
 #include "lib/crowd/save.h"
 
 #include <claque/save.h>

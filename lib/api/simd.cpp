@@ -1,3 +1,4 @@
+// The instruction set of poses and skinning.
 #include <claque/simd.h>
 
 #include "lib/api/boundary.h"

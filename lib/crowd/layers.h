@@ -91,7 +91,7 @@ struct LayerState {
     float max_additive_weight() const;  // sum of the weights of additive layers, upper bound
 };
 
-// Additive layers of inertial fades: one for the offset, one for its velocity (behave/layers.cpp).
+// Additive layers of inertial fades: one for the offset, one for its velocity (lib/behave/active_clips.cpp).
 constexpr float inertial_weight = 3.5f;
 
 class Layers

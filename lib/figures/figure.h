@@ -20,7 +20,7 @@ namespace claque::figures
 // where the stand_* clips begin and end too, and sit_down goes back.
 
 // A Roman citizen in a girded tunic: 1.75 m tall (in metres, Y up, facing +Z, standing on y = 0, the origin between the
-// feet), about 1040 triangles, 33 nodes, and the clips above. One 512 x 512 image whose alpha holds the keys of eight
+// feet), 1092 triangles, 33 nodes, and the clips above. One 512 x 512 image whose alpha holds the keys of eight
 // zones (skin, hair, eyes, lips, tunic, belt, border, sandals). Throws base::Error if the model breaks a rule of
 // model::check.
 model::Model citizen();
@@ -39,7 +39,7 @@ model::Model plebeian_man();
 
 // A winged youth with trumpet and scroll who flies over towns: rigid parts on 13 Skeleton nodes with 19 degrees of
 // freedom, five levels of detail (S0 7.1). 1.6 m from crown to toes, wings 3.5 m across, the origin in the middle of
-// the body. About 1200 triangles at the finest level, 30 from 400 m on. Ten zones. Clips: fly 2 s, glide 4, hover 2.
+// the body. 1354 triangles at the finest level, 30 from 400 m on. Ten zones. Clips: fly 2 s, glide 4, hover 2.
 model::Model winged_herald();
 
 // A broad brown owl that carries a letter, with the same nodes, degrees of freedom and clips; its feet are arm_left and

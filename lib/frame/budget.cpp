@@ -1,4 +1,4 @@
-// How many poses an update may renew (SPEC 2: live clock only). A deferred actor shows its last pose, with the tick and
+// How many poses an update may renew (live clock only). A deferred actor shows its last pose, with the tick and
 // the mechanism levels of that pose.
 #include <algorithm>
 

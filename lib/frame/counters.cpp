@@ -1,3 +1,4 @@
+// The statistics of distance bands: how often actors at each range of distances were animated.
 #include <algorithm>
 
 #include "lib/frame/frame.h"

@@ -11,7 +11,7 @@ namespace claque::frame
 // The order of work (S0 4). The picture is the same.
 enum class Cull : uint8_t { actor = 0, traditional = 1 };
 
-// Which tick may be shown (SPEC 2). With the live clock no individual shows an earlier tick than before.
+// Which tick may be shown. With the live clock no individual shows an earlier tick than before.
 enum class Clock : uint8_t { reference = 0, live = 1 };
 
 // A host's clock; only budgets in milliseconds need it.

@@ -35,7 +35,7 @@ struct CullRefpoints {
     const Given &given;
     base::Span<const uint32_t> tested;
 
-    base::Span<uint8_t> passed;        // scratch [view][tested]: math::Inside
+    base::Span<uint8_t> passed;        // scratch [view][tested]: math::Containment
     base::Span<Candidate> candidates;  // [tested]
     Stats &stats;
 

@@ -1,3 +1,4 @@
+// The update: the steps in their order, and what happens when one of them fails (S0 4.2, S1 4).
 #include <algorithm>
 #include <cassert>
 #include <cmath>

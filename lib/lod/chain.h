@@ -39,8 +39,8 @@ struct LevelReport {
     double zone_area_error = 0;  // against the finest level (area_fractions.h)
 };
 
-// Returns the levels of the papers' characters: eight levels from 1040 to 490, then about half each time: 250, 120, 60,
-// 42, 30, 20, 14. Above 1040 each level halves the character's count.
+// Returns a half, a quarter and so on of the character's count, while above 1300; then those of the following that are
+// at most 95 % of it: eight levels from 1040 to 490 (S1 6), 250, 120, 60, 42, 30, 20, 14.
 std::vector<size_t> default_targets(size_t triangles);
 
 // Returns the distance in metres from which an error of `error_m` covers at most `pixels`, at 768 lines over 60
@@ -49,7 +49,7 @@ double switch_distance(double error_m, double pixels);
 
 // Replaces the parts of `model` by a chain of levels, and reports on each level, finest first. Parts that are hidden,
 // have no triangles or have distances of their own stay as they are. A level is left out if it has less than a tenth
-// fewer triangles than the one before it, if it begins where the next begins, or if it has fewer than 20 triangles and
+// more triangles than the next one, if it begins where the next begins, or if it has fewer than 20 triangles and
 // cannot keep the zones' area fractions. Throws base::Error (CLQ_ARGUMENT) if nothing can be decimated or targets do
 // not descend; the model is then unchanged. Deterministic.
 std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options);

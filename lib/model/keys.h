@@ -1,4 +1,4 @@
-// Zone keys for GL (S1 3, SPEC 3): the alpha of texels, and the references and vertex alphas that distinguish zones
+// Zone keys for GL (S1 3): the alpha of texels, and the references and vertex alphas that distinguish zones
 // under glAlphaFunc(GL_GEQUAL, reference). Used by meshsplit, which renumbers keys, and by passes, which draw.
 //
 // The alpha of a fragment is texel key / 255 times vertex alpha (GL_MODULATE). The pass strategies keep the vertex

@@ -1,5 +1,5 @@
 // Packed vertices: 12 bytes instead of 24, in formats that GL 1.1 accepts. Positions are GL_SHORT with one uniform step
-// and one offset, which the host's matrix applies; normals are GL_BYTE. SPEC 2, rows D.
+// and one offset, which the host's matrix applies; normals are GL_BYTE.
 #pragma once
 
 #include "lib/base/span.h"

@@ -28,7 +28,7 @@ void print_counts(const Json &report);
 // and strategy.
 Json bench_along_path(const BenchArguments &arguments);
 void print_sections(const Json &report);
-// The report as a paragraph and a table for a README.
+// The report as a paragraph and a table in Markdown.
 std::string markdown_of(const Json &report);
 
 // Scenes of actors: update and draw in each cull mode, with the number of tests in each phase (S0 7.2).

@@ -1,4 +1,4 @@
-// The report of a bench along a path as tables: one for a terminal, one for a README.
+// The report of a bench along a path as tables: one for a terminal, one in Markdown.
 #include <algorithm>
 #include <cstdio>
 

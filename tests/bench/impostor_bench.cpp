@@ -1,5 +1,5 @@
 // Compares the drawing cost of a distant level as a mesh with that of an impostor of the same colour variety: one
-// textured quad that faces the eye, drawn once per visible zone with an alpha threshold (SPEC 3, fused), batched in the
+// textured quad that faces the eye, drawn once per visible zone with an alpha threshold (fused), batched in the
 // same way. The unit is nanoseconds of processor time of all threads, of the shortest of many frames; one run measures
 // both.
 #include <cmath>

@@ -1,4 +1,4 @@
-// The cost of a template before the first frame (SPEC 5: 0.5 s for about 1040 triangles, eight levels of detail, split,
+// The cost of a template before the first frame (goal: 0.5 s for about 1040 triangles, eight levels of detail, split,
 // spheres of all clips): the steps of a first start on one thread and on two, and a second start, from a prepared file
 // in memory.
 #include <claque/claque.h>

@@ -1,4 +1,4 @@
-// "Leave no trace" (SPEC 4): all GL 1.1 state before and after a draw, for a host with no state at its default.
+// A draw leaves no trace: all GL 1.1 state before and after a draw, for a host with no state at its default.
 #include "passes/guard.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/hostile.h"

@@ -1,4 +1,4 @@
-// A renderer refuses state that would spoil its picture, by name and without changing anything (SPEC 4).
+// A renderer refuses state that would spoil its picture, by name and without changing anything.
 #include <functional>
 #include <thread>
 

@@ -1,4 +1,4 @@
-// All strategies, colour formats and context kinds give the same RGB and depth (SPEC 3), lit and unlit, for every kind
+// All strategies, colour formats and context kinds give the same RGB and depth, lit and unlit, for every kind
 // of template.
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Hosts with random state get the same picture as one with default state, and their state back (SPEC 4).
+// Hosts with random state get the same picture as one with default state, and their state back.
 #include "tests/gl/support/torture.h"
 
 #include "tests/gl/support/fixture.h"

@@ -1,4 +1,4 @@
-// The law of zones: every pixel shows exactly the zone that its texel names (SPEC 2), for every strategy, colour
+// The law of zones: every pixel shows exactly the zone that its texel names, for every strategy, colour
 // format, number of zones, camera and target. The comparison is a plain, unlit picture, drawn in one pass from a
 // texture whose RGB is each zone's colour. Templates are made by hand, independently of meshsplit.
 #include "tests/gl/support/law_fixture.h"

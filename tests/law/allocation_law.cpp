@@ -1,4 +1,4 @@
-// A failed allocation gives a status and leaves everything unchanged (SPEC 4).
+// A failed allocation gives a status and leaves everything unchanged.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What is shown depends on time and present distance alone; how it is computed (caches, threads, SIMD) does not change
-// it (SPEC: update period, E6; S1 4).
+// it (S1 4).
 #include <set>
 
 #include <gtest/gtest.h>

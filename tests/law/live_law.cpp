@@ -1,4 +1,4 @@
-// The live clock: no actor steps back (SPEC 2), and a budget of poses is kept while no actor waits longer than twice
+// The live clock: no actor steps back, and a budget of poses is kept while no actor waits longer than twice
 // its period. Loads are simulated: the test's own clock times the updates.
 #include <cmath>
 

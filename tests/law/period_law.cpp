@@ -1,5 +1,5 @@
 // Tests T(d^2) = clamp(T_near + (T_far - T_near)(d^2 - d_near^2) / (d_far^2 - d_near^2)), rounded to rate steps; the
-// rates that are reached, and how evenly updates are spread over frames (S1 4, SPEC 2).
+// rates that are reached, and how evenly updates are spread over frames (S1 4).
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Colour maps as TOML files.
 #include <claque/colour_files.h>
 
 #include "lib/api/assets/assets_helpers.h"

@@ -1,3 +1,4 @@
+// Adds a texture set to an asset.
 #include <claque/assets.h>
 
 #include "lib/api/assets/asset_handle.h"

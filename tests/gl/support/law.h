@@ -1,4 +1,4 @@
-// The law of zones over four views of a character (SPEC 2).
+// The law of zones over four views of a character.
 #pragma once
 
 #include "tests/gl/support/pictures.h"

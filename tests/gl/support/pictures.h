@@ -1,5 +1,4 @@
-// Pictures of a character: a renderer's, and the plain and id pictures for comparison (SPEC 2, "Zone coverage is
-// exact").
+// Pictures of a character: a renderer's, and the plain and id pictures for comparison.
 #pragma once
 
 #include <vector>

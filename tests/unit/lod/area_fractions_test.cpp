@@ -76,7 +76,7 @@ TEST(AreaFractions, AreThoseOfTexelsByArea)
     }
 }
 
-// SPEC: by area, per level, within 2 points of the surface, for every zone.
+// By area, per level, within 2 points of the surface, for every zone.
 TEST_P(ZoneAreasOf, StayWithinTwoPointsForEveryZoneAtEveryLevel)
 {
     model::Model model = figures::people()[GetParam()].make();

@@ -1,4 +1,4 @@
-// Zone coverage, compared with samplers and with a slow independent answer (SPEC 2, 'Zone coverage is exact').
+// Zone coverage, compared with samplers and with a slow independent answer.
 #include "meshsplit/cover.h"
 
 #include <algorithm>

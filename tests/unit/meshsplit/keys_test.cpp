@@ -1,4 +1,4 @@
-// Renumbered zone keys and the alpha tests that distinguish them (SPEC 2 'Keys', 3).
+// Renumbered zone keys and the alpha tests that distinguish them.
 #include "lib/model/keys.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Resizing never mixes zones (S2 2.3-2.4, SPEC row C3).
+// Resizing never mixes zones (S2 2.3-2.4).
 #include "meshsplit/pyramid.h"
 
 #include <algorithm>

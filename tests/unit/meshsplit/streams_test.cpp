@@ -1,4 +1,4 @@
-// Clean bins, dirty ranges and the fused stream of one template, as laws (S1 3, SPEC 3).
+// Clean bins, dirty ranges and the fused stream of one template, as laws (S1 3).
 #include <algorithm>
 #include <map>
 #include <set>
