@@ -192,8 +192,10 @@ void charge(const model::Model &model, Allowance &allowance, const model::Rig &r
 
 void extract_root_motion(model::Rig &rig, uint32_t clip, uint32_t node)
 {
-    if (clip >= rig.clips.size()) fail(CLQ_ARGUMENT, "root motion of clip %u of %zu", clip, rig.clips.size());
-    if (node >= rig.node_count()) fail(CLQ_ARGUMENT, "root motion of node %u of %u", node, rig.node_count());
+    if (clip >= rig.clips.size())
+        fail(CLQ_ARGUMENT, "root motion names clip %u, which does not exist: there are %zu", clip, rig.clips.size());
+    if (node >= rig.node_count())
+        fail(CLQ_ARGUMENT, "root motion names node %u, which does not exist: there are %u", node, rig.node_count());
     const auto before = [](const model::RootCurve &curve, uint32_t of) { return curve.clip < of; };
     const auto curve = std::lower_bound(rig.root_curves.begin(), rig.root_curves.end(), clip, before);
     if (curve != rig.root_curves.end() && curve->clip == clip)

@@ -1,3 +1,4 @@
+// clq_actor_...: actors, what they play, their colours, and what they show.
 #include <claque/crowd.h>
 
 #include "lib/api/boundary.h"
@@ -75,7 +76,7 @@ clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_acto
         api::require(wanted.tmpl != nullptr, "tmpl is NULL");
         api::require(wanted.tmpl->context == crowd->context, "the template was made from another context");
         if (wanted.texture_set != CLQ_RANDOM && wanted.texture_set >= wanted.tmpl->texture_set_count())
-            base::fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", wanted.texture_set,
+            base::fail(CLQ_ARGUMENT, "texture set %u does not exist: template '%s' has %u", wanted.texture_set,
                        wanted.tmpl->name.c_str(), wanted.tmpl->texture_set_count());
         const api::Busy busy(crowd);
         NewTemplate held(crowd, wanted.tmpl);

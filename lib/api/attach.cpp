@@ -71,7 +71,8 @@ clq_status clq_actor_get_node(clq_crowd *crowd, clq_actor actor, uint32_t node, 
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Template &tmpl = crowd->crowd.template_of(row);
         if (node >= tmpl.rig.node_count())
-            base::fail(CLQ_ARGUMENT, "node %u of %u of template '%s'", node, tmpl.rig.node_count(), tmpl.name.c_str());
+            base::fail(CLQ_ARGUMENT, "node %u does not exist: there are %u in template '%s'", node,
+                       tmpl.rig.node_count(), tmpl.name.c_str());
         if (std::isinf(time_s)) base::fail(CLQ_ARGUMENT, "time_s is infinite");
         frame::node_world_matrix(crowd->crowd, crowd->frame, row, node, time_s, out_matrix);
     });

@@ -1,3 +1,4 @@
+// Control mechanisms, their commands, root paths and the ground.
 #include <claque/behave.h>
 
 #include "lib/api/behave_def.h"
@@ -52,7 +53,7 @@ clq_status clq_actor_detach_mechanism(clq_crowd *crowd, clq_actor actor, clq_mec
         const api::Busy busy(crowd);
         crowd->crowd.row_of(api::id_of(actor));
         if (mechanism.index1 - 1 >= crowd->crowd.behaviours().mechanism_count())
-            base::fail(CLQ_ARGUMENT, "mechanism %u of %u", mechanism.index1,
+            base::fail(CLQ_ARGUMENT, "mechanism %u does not exist: the crowd has %u", mechanism.index1,
                        crowd->crowd.behaviours().mechanism_count());
         crowd::detach_mechanism(crowd->crowd, api::id_of(actor), mechanism.index1 - 1);
     });

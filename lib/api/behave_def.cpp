@@ -46,9 +46,9 @@ public:
 
 private:
     uint32_t turn(const char *name, uint32_t dof);
-    void shape(const clq_dof_pose &shape, uint32_t index, model::Array<crowd::DofValue> &values);
-    void shapes(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
-                model::Array<crowd::DofValue> &values);
+    void read_pose(const clq_dof_pose &pose, uint32_t index, model::Array<crowd::DofValue> &values);
+    void read_poses(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
+                    model::Array<crowd::DofValue> &values);
     void writes(uint32_t dof)
     {
         if (std::find(written_.begin(), written_.end(), dof) == written_.end()) written_.push_back(dof);
@@ -73,41 +73,41 @@ uint32_t Reader::turn(const char *name, uint32_t dof)
     return dof;
 }
 
-void Reader::shape(const clq_dof_pose &shape, uint32_t index, model::Array<crowd::DofValue> &values)
+void Reader::read_pose(const clq_dof_pose &pose, uint32_t index, model::Array<crowd::DofValue> &values)
 {
     const model::Rig &rig = tmpl_.rig;
-    if (shape.count && !shape.values)
-        fail(CLQ_ARGUMENT, "the values of shape %u are NULL with a count of %u", index, shape.count);
+    if (pose.count && !pose.values)
+        fail(CLQ_ARGUMENT, "the values of pose %u are NULL with a count of %u", index, pose.count);
     const size_t first = values.size();
-    for (uint32_t i = 0; i < shape.count; ++i) {
-        const clq_dof_value &value = shape.values[i];
+    for (uint32_t i = 0; i < pose.count; ++i) {
+        const clq_dof_value &value = pose.values[i];
         if (value.dof >= rig.dofs.size())
-            fail(CLQ_ARGUMENT, "shape %u names degree of freedom %u of %zu of template '%s'", index, value.dof,
+            fail(CLQ_ARGUMENT, "pose %u names degree of freedom %u of %zu of template '%s'", index, value.dof,
                  rig.dofs.size(), tmpl_.name.c_str());
         const model::Dof &dof = rig.dofs[value.dof];
         const char *name = rig.dof_names[value.dof].c_str();
         if (!(value.value >= dof.min && value.value <= dof.max))
-            fail(CLQ_ARGUMENT, "shape %u puts degree of freedom %u '%s' at %g: its range is %g to %g", index, value.dof,
+            fail(CLQ_ARGUMENT, "pose %u puts degree of freedom %u '%s' at %g: its range is %g to %g", index, value.dof,
                  name, double(value.value), double(dof.min), double(dof.max));
         for (size_t k = first; k < values.size(); ++k)
             if (values[k].dof == value.dof)
-                fail(CLQ_ARGUMENT, "shape %u names degree of freedom %u '%s' twice", index, value.dof, name);
+                fail(CLQ_ARGUMENT, "pose %u names degree of freedom %u '%s' twice", index, value.dof, name);
         values.push_back({value.dof, value.value});
         writes(value.dof);
     }
 }
 
-void Reader::shapes(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
-                    model::Array<crowd::DofValue> &values)
+void Reader::read_poses(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
+                        model::Array<crowd::DofValue> &values)
 {
     if (count == 0) fail(CLQ_ARGUMENT, "pose_count is 0: at least 1 is wanted");
     require_array(from, count, "poses");
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t first = static_cast<uint32_t>(values.size());
-        shape(from[i], i, values);
+        read_pose(from[i], i, values);
         to.push_back({first, from[i].count});
     }
-    if (values.empty()) fail(CLQ_ARGUMENT, "none of %u shapes names a degree of freedom", count);
+    if (values.empty()) fail(CLQ_ARGUMENT, "none of %u poses names a degree of freedom", count);
 }
 
 crowd::Gaze Reader::gaze(const clq_gaze_def &def)
@@ -139,7 +139,7 @@ crowd::Gaze Reader::gaze(const clq_gaze_def &def)
 crowd::Expression Reader::expression(const clq_expression_def &def)
 {
     crowd::Expression out(memory_);
-    shapes(def.pose_count, def.poses, out.poses, out.values);
+    read_poses(def.pose_count, def.poses, out.poses, out.values);
     require_more("hold_s", def.hold_s, 0);
     require_in("blend_s", def.blend_s, 0, def.hold_s / 2);
     out.hold_s = def.hold_s, out.blend_s = def.blend_s;
@@ -149,8 +149,8 @@ crowd::Expression Reader::expression(const clq_expression_def &def)
 crowd::Blink Reader::blink(const clq_blink_def &def)
 {
     crowd::Blink out(memory_);
-    if (def.closed.count == 0) fail(CLQ_ARGUMENT, "the shape of closed lids names no degree of freedom");
-    shape(def.closed, 0, out.closed);
+    if (def.closed.count == 0) fail(CLQ_ARGUMENT, "the pose of closed lids names no degree of freedom");
+    read_pose(def.closed, 0, out.closed);
     require_more("close_s", def.close_s, 0);
     require_more("period_s", def.period_s, def.close_s);
     out.period_s = def.period_s, out.close_s = def.close_s;
@@ -160,7 +160,7 @@ crowd::Blink Reader::blink(const clq_blink_def &def)
 crowd::Phrase Reader::phrase(const clq_phrase_def &def)
 {
     crowd::Phrase out(memory_);
-    shapes(def.pose_count, def.poses, out.poses, out.values);
+    read_poses(def.pose_count, def.poses, out.poses, out.values);
     if (def.key_count == 0) fail(CLQ_ARGUMENT, "key_count is 0: at least 1 is wanted");
     require_array(def.keys, def.key_count, "keys");
     for (uint32_t i = 0; i < def.key_count; ++i) {
@@ -169,7 +169,7 @@ crowd::Phrase Reader::phrase(const clq_phrase_def &def)
         if (!ascends || !std::isfinite(key.time_s))
             fail(CLQ_ARGUMENT, "key %u of the phrase is at %g s: they ascend from 0", i, double(key.time_s));
         if (key.pose != CLQ_NONE && key.pose >= def.pose_count)
-            fail(CLQ_ARGUMENT, "key %u of the phrase names shape %u of %u", i, key.pose, def.pose_count);
+            fail(CLQ_ARGUMENT, "key %u of the phrase names pose %u of %u", i, key.pose, def.pose_count);
         out.keys.push_back({key.time_s, key.pose == CLQ_NONE ? model::none : key.pose});
     }
     require_more("length_s", def.length_s, 0);
@@ -187,8 +187,8 @@ crowd::Idle Reader::idle(const clq_idle_def &def)
     require_array(def.clips, def.clip_count, "clips");
     for (uint32_t i = 0; i < def.clip_count; ++i) {
         if (def.clips[i] >= tmpl_.rig.clips.size())
-            fail(CLQ_ARGUMENT, "clip %u of %zu of template '%s'", def.clips[i], tmpl_.rig.clips.size(),
-                 tmpl_.name.c_str());
+            fail(CLQ_ARGUMENT, "clip %u does not exist: there are %zu in template '%s'", def.clips[i],
+                 tmpl_.rig.clips.size(), tmpl_.name.c_str());
         out.clips.push_back(def.clips[i]);
     }
     require_more("slot_s", def.slot_s, 0);

@@ -1,3 +1,4 @@
+// The services of the host: allocator, log and tasks.
 #include <claque/context.h>
 
 #include <cstddef>
@@ -80,7 +81,8 @@ clq_status clq_context_destroy(clq_context *context)
     return api::boundary("clq_context_destroy", [&] {
         if (!context) return;
         const uint32_t children = context->children;
-        if (children) base::fail(CLQ_IN_USE, "%u templates, crowds or renderers made from it still exist", children);
+        if (children)
+            base::fail(CLQ_IN_USE, "%u templates, crowds, colour maps or renderers made from it still exist", children);
         const clq_allocator allocator = context->allocator;
         context->~clq_context();
         base::release_to(allocator, context, sizeof(clq_context), alignof(clq_context));

@@ -1,3 +1,4 @@
+// clq_crowd_...: settings, updates and statistics.
 #include <claque/crowd_stats.h>
 
 #include <cmath>
@@ -21,7 +22,7 @@ void require_budget(const clq_crowd_def &def)
     require(def.update_budget_ms == 0 || def.now_s, "update_budget_ms needs now_s, which is NULL");
     if (def.update_budget == 0 && def.update_budget_ms == 0) return;
     require(def.clock == CLQ_CLOCK_LIVE,
-            "an update budget lets people wait, which CLQ_CLOCK_REFERENCE rules out: CLQ_CLOCK_LIVE is wanted");
+            "an update budget lets actors wait, which CLQ_CLOCK_REFERENCE rules out: CLQ_CLOCK_LIVE is wanted");
     require(def.cache != CLQ_CACHE_NONE && def.cull != CLQ_CULL_TRADITIONAL,
             "an update budget needs poses that are kept: CLQ_CACHE_NONE and CLQ_CULL_TRADITIONAL keep none");
 }
@@ -112,7 +113,7 @@ clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, c
                                     uint32_t count)
 {
     return api::boundary("clq_crowd_set_transforms", [&] {
-        api::require(crowd && ((actors && transforms) || count == 0), "crowd, actors or places is NULL");
+        api::require(crowd && ((actors && transforms) || count == 0), "crowd, actors or transforms is NULL");
         const api::Busy busy(crowd);
         crowd->placed_ids.clear();
         crowd->placed.clear();

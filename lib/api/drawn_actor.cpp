@@ -17,7 +17,7 @@ const draw::Item &item_of(const clq_view *view, uint32_t index)
 {
     const draw::DrawList &list = view->view.list;
     if (index >= list.items.size())
-        base::fail(CLQ_ARGUMENT, "individual %u of a view that shows %zu", index, list.items.size());
+        base::fail(CLQ_ARGUMENT, "individual %u does not exist: the draw list has %zu", index, list.items.size());
     return list.items[index];
 }
 

@@ -17,7 +17,7 @@ inline model::Image image_of(const clq_image_def &def, const std::string &what)
     if (!model::is_image_size(def.width_px, def.height_px))
         base::fail(CLQ_ARGUMENT, "%s is %u x %u pixels: 1 to %u are wanted", what.c_str(), def.width_px, def.height_px,
                    model::max_image_px);
-    if (number_of(def.alpha) > 1) base::fail(CLQ_ARGUMENT, "%s has an alpha meaning that is none", what.c_str());
+    if (number_of(def.alpha) > 1) base::fail(CLQ_ARGUMENT, "%s has an unknown meaning of alpha", what.c_str());
     model::Image image;
     image.name = name_of(def.name);
     image.width = def.width_px, image.height = def.height_px;

@@ -23,12 +23,12 @@ const model::Template &known(const clq_crowd *crowd, const clq_template *tmpl)
     return *tmpl;
 }
 
-double lot(const crowd::Crowd &crowd, uint32_t row, base::Purpose purpose, uint32_t sample_index)
+double unit_sample(const crowd::Crowd &crowd, uint32_t row, base::Purpose purpose, uint32_t sample_index)
 {
     return static_cast<double>(base::unit(base::hash(crowd.seed(), crowd.actor(row).seed, purpose, sample_index)));
 }
 
-uint32_t clip_by_lot(const clq_random_play_def &def, double unit)
+uint32_t sampled_clip(const clq_random_play_def &def, double unit)
 {
     if (!def.weights) return static_cast<uint32_t>(unit * def.clip_count);
     double sum = 0;
@@ -132,18 +132,21 @@ clq_status clq_actor_sample_play(const clq_crowd *crowd, clq_actor actor, const 
         const api::Reading reading(crowd);
         const uint32_t row = crowd->crowd.row_of(api::id_of(actor));
         const model::Template &tmpl = crowd->crowd.template_of(row);
-        api::require(wanted.clip_count > 0 && wanted.clips, "a draw from no clip");
+        api::require(wanted.clip_count > 0 && wanted.clips,
+                     "clips is NULL, or clip_count is 0: at least 1 clip is wanted");
         check_spread("speed_spread", wanted.speed_spread, false);
         check_spread("phase_spread", wanted.phase_spread, true);
         crowd::Play play;
-        play.clip = wanted.clips[clip_by_lot(wanted, lot(crowd->crowd, row, base::Purpose::clip, wanted.sample_index))];
+        play.clip =
+            wanted
+                .clips[sampled_clip(wanted, unit_sample(crowd->crowd, row, base::Purpose::clip, wanted.sample_index))];
         play.start_s = wanted.start_s;
-        const double speed = 2 * lot(crowd->crowd, row, base::Purpose::speed, wanted.sample_index) - 1;
+        const double speed = 2 * unit_sample(crowd->crowd, row, base::Purpose::speed, wanted.sample_index) - 1;
         play.speed = static_cast<float>(1 + speed * double(wanted.speed_spread));
         crowd::check_play(play, tmpl);
         if (play.clip != model::none)
             play.phase_s =
-                static_cast<float>(lot(crowd->crowd, row, base::Purpose::phase, wanted.sample_index) *
+                static_cast<float>(unit_sample(crowd->crowd, row, base::Purpose::phase, wanted.sample_index) *
                                    double(wanted.phase_spread) * double(tmpl.rig.clips[play.clip].duration_s));
         *out = {play.clip, play.start_s, play.speed, play.phase_s};
     });
@@ -183,7 +186,7 @@ clq_status clq_template_get_root_motion(const clq_template *tmpl, uint32_t clip,
     return api::boundary("clq_template_get_root_motion", [&] {
         api::require(tmpl && out, "tmpl or out is NULL");
         if (clip >= tmpl->rig.clips.size())
-            base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "clip %u does not exist: '%s' has %zu", clip, tmpl->name.c_str(),
                        tmpl->rig.clips.size());
         if (!std::isfinite(from_s) || !std::isfinite(to_s))
             base::fail(CLQ_ARGUMENT, "root motion from %g to %g s: finite times are wanted", from_s, to_s);

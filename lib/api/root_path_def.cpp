@@ -1,3 +1,4 @@
+// Checks and copies the description of a root path.
 #include <cmath>
 
 #include "lib/api/behave_def.h"
@@ -40,7 +41,7 @@ void add_table(const clq_root_path_def &def, crowd::RootPath &path)
     const double cosine =
         double(p.w) * double(q.w) + double(p.x) * double(q.x) + double(p.y) * double(q.y) + double(p.z) * double(q.z);
     if (path.positions.front() != path.positions.back() || !(std::fabs(cosine) > 0.999))
-        fail(CLQ_ARGUMENT, "key %u of the path ends the round at %g s, and is not where key 0 is", def.count - 1,
+        fail(CLQ_ARGUMENT, "key %u of the path ends the lap at %g s, and is not where key 0 is", def.count - 1,
              double(def.duration_s));
     path.rotations.back() = path.rotations.front();
 }

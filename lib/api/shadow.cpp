@@ -1,3 +1,4 @@
+// Checks the description of shadows and draws them.
 #include <claque/shadow.h>
 
 #include <cmath>
@@ -30,7 +31,7 @@ void set_light(const clq_shadow_def &def, passes::ShadowOptions &options)
     }
     options.light[3] = def.light[3];
     if (def.light[3] != 0 && def.light[3] != 1)
-        base::fail(CLQ_ARGUMENT, "light[3] is %g: 0 (a direction) or 1 (a place) is wanted", def.light[3]);
+        base::fail(CLQ_ARGUMENT, "light[3] is %g: 0 (a direction) or 1 (a position) is wanted", def.light[3]);
     if (def.light[3] != 0) return;
     const double far = length(def.light);
     require(far > 0 && std::isfinite(far), "light is a direction without a length");

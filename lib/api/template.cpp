@@ -1,3 +1,4 @@
+// What a template holds, and templates as prepared files.
 #include <claque/template_info.h>
 
 #include <algorithm>
@@ -114,7 +115,7 @@ clq_status clq_template_get_clip(const clq_template *tmpl, uint32_t clip, clq_cl
         api::require(tmpl && out, "tmpl or out is NULL");
         api::require_size(*out, "clq_clip_info_init");
         if (clip >= tmpl->rig.clips.size())
-            base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "clip %u does not exist: '%s' has %zu", clip, tmpl->name.c_str(),
                        tmpl->rig.clips.size());
         const model::Clip &found = tmpl->rig.clips[clip];
         clq_clip_info info = clq_clip_info_init();
@@ -139,7 +140,7 @@ clq_status clq_template_get_marker(const clq_template *tmpl, uint32_t marker, cl
         api::require_size(*out, "clq_marker_info_init");
         const model::Rig &rig = tmpl->rig;
         if (marker >= rig.markers.size())
-            base::fail(CLQ_ARGUMENT, "marker %u of '%s', which has %zu", marker, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "marker %u does not exist: '%s' has %zu", marker, tmpl->name.c_str(),
                        rig.markers.size());
         clq_marker_info info = clq_marker_info_init();
         info.name = rig.marker_names[marker].c_str();
@@ -154,7 +155,8 @@ clq_status clq_template_get_zone(const clq_template *tmpl, uint32_t zone, clq_zo
         api::require(tmpl && out, "tmpl or out is NULL");
         api::require_size(*out, "clq_zone_info_init");
         if (zone >= tmpl->zone_count())
-            base::fail(CLQ_ARGUMENT, "zone %u of '%s', which has %u", zone, tmpl->name.c_str(), tmpl->zone_count());
+            base::fail(CLQ_ARGUMENT, "zone %u does not exist: '%s' has %u", zone, tmpl->name.c_str(),
+                       tmpl->zone_count());
         clq_zone_info info = clq_zone_info_init();
         info.name = tmpl->zone_names[zone].c_str();
         for (size_t k = 0; k < 3; ++k) info.colour[k] = tmpl->zone_colours[zone][k];
@@ -171,8 +173,8 @@ clq_status clq_template_get_dof(const clq_template *tmpl, uint32_t dof, clq_dof_
         api::require_size(*out, "clq_dof_info_init");
         const model::Rig &rig = tmpl->rig;
         if (dof >= rig.dofs.size())
-            base::fail(CLQ_ARGUMENT, "degree of freedom %u of %zu of template '%s'", dof, rig.dofs.size(),
-                       tmpl->name.c_str());
+            base::fail(CLQ_ARGUMENT, "degree of freedom %u does not exist: there are %zu in template '%s'", dof,
+                       rig.dofs.size(), tmpl->name.c_str());
         const model::Dof &d = rig.dofs[dof];
         const uint32_t node = d.kind == model::DofKind::morph ? rig.morph_sets[d.node].node : d.node;
         clq_dof_info info = clq_dof_info_init();
@@ -190,8 +192,8 @@ clq_status clq_template_get_level(const clq_template *tmpl, uint32_t level, clq_
         api::require(tmpl && out, "tmpl or out is NULL");
         api::require_size(*out, "clq_level_info_init");
         if (level >= tmpl->levels.size())
-            base::fail(CLQ_ARGUMENT, "level %u of %zu of template '%s'", level, tmpl->levels.size(),
-                       tmpl->name.c_str());
+            base::fail(CLQ_ARGUMENT, "level %u does not exist: there are %zu in template '%s'", level,
+                       tmpl->levels.size(), tmpl->name.c_str());
         const model::Level &l = tmpl->levels[level];
         clq_level_info info = clq_level_info_init();
         info.lod_min_m = l.switch_distance_m;
@@ -236,7 +238,7 @@ clq_status clq_template_get_split_picture(const clq_template *tmpl, uint32_t tex
         clq_picture picture = api::read_def(out, clq_picture_init, "clq_picture_init");
         api::require(scale >= 1 && scale <= 16, "scale is not 1 to 16");
         if (texture >= tmpl->textures.size())
-            base::fail(CLQ_ARGUMENT, "texture %u of '%s', which has %zu", texture, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "texture %u does not exist: '%s' has %zu", texture, tmpl->name.c_str(),
                        tmpl->textures.size());
         const uint32_t width = tmpl->textures[texture].width * scale, height = tmpl->textures[texture].height * scale;
         if (picture.pixels) {

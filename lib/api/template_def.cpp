@@ -40,7 +40,7 @@ void add_looks(const clq_template_def &def, model::Model &model)
     for (uint32_t i = 0; i < def.material_count; ++i) {
         const clq_material_def &material = def.materials[i];
         if (number_of(material.wrap_s) > 2 || number_of(material.wrap_t) > 2 || number_of(material.alpha_mode) > 1)
-            fail(CLQ_ARGUMENT, "material %u '%s' has a wrap or alpha mode that is none", i, name_of(material.name));
+            fail(CLQ_ARGUMENT, "material %u '%s' has an unknown wrap or alpha mode", i, name_of(material.name));
         model::Material made;
         made.name = name_of(material.name);
         const float *c = material.base_colour;
@@ -73,7 +73,7 @@ void add_channel(const clq_channel_def &channel, model::Model &model, uint32_t c
     if (channel.key_count == 0 || !channel.times_s || !channel.values)
         fail(CLQ_ARGUMENT, "channel %u of clip %u has no keys", index, clip);
     if (number_of(channel.target) > 3 || number_of(channel.interpolation) > 2)
-        fail(CLQ_ARGUMENT, "channel %u of clip %u has a path or interpolation that is none", index, clip);
+        fail(CLQ_ARGUMENT, "channel %u of clip %u has an unknown target or interpolation", index, clip);
     model::Channel made;
     made.target = static_cast<model::ChannelTarget>(channel.target);
     made.interpolation = static_cast<model::Interpolation>(channel.interpolation);

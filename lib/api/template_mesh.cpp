@@ -21,7 +21,8 @@ const model::Level &level_of(const clq_template *tmpl, uint32_t level)
 {
     api::require(tmpl != nullptr, "tmpl is NULL");
     if (level >= tmpl->levels.size())
-        base::fail(CLQ_ARGUMENT, "level %u of '%s', which has %zu", level, tmpl->name.c_str(), tmpl->levels.size());
+        base::fail(CLQ_ARGUMENT, "level %u does not exist: '%s' has %zu", level, tmpl->name.c_str(),
+                   tmpl->levels.size());
     return tmpl->levels[level];
 }
 
@@ -86,7 +87,7 @@ clq_status clq_template_get_triangles(const clq_template *tmpl, uint32_t level, 
             api::write_out(out, triangles);
             return;
         }
-        base::fail(CLQ_ARGUMENT, "bin %u of level %u of '%s', which has %u", bin, level, tmpl->name.c_str(),
+        base::fail(CLQ_ARGUMENT, "bin %u of level %u does not exist: there '%s' has %u", bin, level, tmpl->name.c_str(),
                    bin - left);
     });
 }
@@ -99,7 +100,7 @@ clq_status clq_template_get_morph_target(const clq_template *tmpl, uint32_t leve
         api::require(out != nullptr, "out is NULL");
         api::require_size(*out, "clq_morph_target_init");
         if (target >= from.morph_ranges.size())
-            base::fail(CLQ_ARGUMENT, "morph target %u of level %u of '%s', which has %zu", target, level,
+            base::fail(CLQ_ARGUMENT, "morph target %u of level %u does not exist: there '%s' has %zu", target, level,
                        tmpl->name.c_str(), from.morph_ranges.size());
         const model::MorphRange &range = from.morph_ranges[target];
         clq_morph_target found = clq_morph_target_init();
@@ -141,7 +142,7 @@ clq_status clq_template_get_wrap(const clq_template *tmpl, uint32_t texture, clq
     return api::boundary("clq_template_get_wrap", [&] {
         api::require(tmpl && out_s && out_t, "tmpl, out_s or out_t is NULL");
         if (texture >= tmpl->textures.size())
-            base::fail(CLQ_ARGUMENT, "texture %u of '%s', which has %zu", texture, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "texture %u does not exist: '%s' has %zu", texture, tmpl->name.c_str(),
                        tmpl->textures.size());
         const auto wrap = [](model::Wrap from) {
             return from == model::Wrap::clamp ? CLQ_WRAP_CLAMP : CLQ_WRAP_REPEAT;

@@ -65,7 +65,7 @@ void add_dofs(const clq_template_def &def, model::Model &model)
     for (uint32_t i = 0; i < def.dof_count; ++i) {
         const clq_dof_def &dof = def.dofs[i];
         if (number_of(dof.kind) > 2)
-            fail(CLQ_ARGUMENT, "degree of freedom %u '%s' has a kind that is none", i, name_of(dof.name));
+            fail(CLQ_ARGUMENT, "degree of freedom %u '%s' has an unknown kind", i, name_of(dof.name));
         model::Dof made;
         made.kind = static_cast<model::DofKind>(dof.kind);
         made.node = dof.kind == CLQ_DOF_MORPH ? morph_set_of(model.rig, dof.node, i) : dof.node;

@@ -40,10 +40,10 @@ clq_status clq_template_get_texture(const clq_template *tmpl, uint32_t set, uint
         api::require(tmpl && out, "tmpl or out is NULL");
         clq_texels texels = api::read_def(out, clq_texels_init, "clq_texels_init");
         if (texture >= tmpl->textures.size())
-            base::fail(CLQ_ARGUMENT, "texture %u of '%s', which has %zu", texture, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "texture %u does not exist: '%s' has %zu", texture, tmpl->name.c_str(),
                        tmpl->textures.size());
         if (set >= tmpl->texture_set_count())
-            base::fail(CLQ_ARGUMENT, "texture set %u of '%s', which has %u", set, tmpl->name.c_str(),
+            base::fail(CLQ_ARGUMENT, "texture set %u does not exist: '%s' has %u", set, tmpl->name.c_str(),
                        tmpl->texture_set_count());
         const model::Texture &from = tmpl->textures[texture];
         const auto give = [&](const auto &image) {

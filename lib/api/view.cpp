@@ -1,3 +1,4 @@
+// Cameras and views.
 #include <claque/view.h>
 
 #include <algorithm>
@@ -106,7 +107,7 @@ clq_status clq_view_set_shadow(clq_view *view, const float fall[3])
     return api::boundary("clq_view_set_shadow", [&] {
         api::require(view && fall, "view or fall is NULL");
         api::require(std::isfinite(fall[0]) && std::isfinite(fall[1]) && std::isfinite(fall[2]),
-                     "the way that shadows fall is not finite");
+                     "the vector by which shadows fall is not finite");
         const api::Busy busy(view->crowd);
         view->view.shadow = glm::vec3(fall[0], fall[1], fall[2]);
     });

@@ -174,7 +174,7 @@ void order(const model::Image &image, ZoneProposal &out)
 ZoneProposal propose_zones(const model::Model &model, uint32_t image, uint32_t count)
 {
     if (image >= model.images.size())
-        fail(CLQ_ARGUMENT, "image %u of '%s', which has %zu", image, model.name.c_str(), model.images.size());
+        fail(CLQ_ARGUMENT, "image %u does not exist: '%s' has %zu", image, model.name.c_str(), model.images.size());
     if (count == 0 || count > max_proposed)
         fail(CLQ_ARGUMENT, "%u zones to propose: 1 to %u are wanted", count, max_proposed);
     const model::Image &texels = model.images[image];

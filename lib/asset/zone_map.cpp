@@ -34,7 +34,7 @@ std::vector<uint32_t> users_of(const model::Model &model, uint32_t image)
 void check(const model::Model &model, uint32_t image, const ZoneMap &map, size_t zone_count)
 {
     if (image >= model.images.size())
-        fail(CLQ_ARGUMENT, "image %u of '%s', which has %zu", image, model.name.c_str(), model.images.size());
+        fail(CLQ_ARGUMENT, "image %u does not exist: '%s' has %zu", image, model.name.c_str(), model.images.size());
     if (zone_count > 256) fail(CLQ_LIMIT, "%zu zones for one image: 256 are the most", zone_count);
     if (map.width == 0 || map.height == 0 || !map.zones)
         fail(CLQ_ARGUMENT, "a zone map of %u x %u texels", map.width, map.height);

@@ -23,7 +23,8 @@ const Kind &kind_of(const crowd::Crowd &crowd, uint32_t mechanism, const char *n
 {
     const crowd::Behaviours &behaviours = crowd.behaviours();
     if (mechanism >= behaviours.mechanism_count())
-        fail(CLQ_ARGUMENT, "mechanism %u of %u", mechanism + 1, behaviours.mechanism_count());
+        fail(CLQ_ARGUMENT, "mechanism %u does not exist: the crowd has %u", mechanism + 1,
+             behaviours.mechanism_count());
     const Kind *kind = std::get_if<Kind>(&behaviours.mechanism(mechanism).kind);
     if (!kind) fail(CLQ_ARGUMENT, "mechanism %u is not of kind '%s'", mechanism + 1, name);
     return *kind;
@@ -91,7 +92,7 @@ void command_expression(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, u
     const crowd::Expression &expression = kind_of<crowd::Expression>(crowd, mechanism, "expression");
     check_time(at_s);
     if (pose != model::none && pose >= expression.poses.size())
-        fail(CLQ_ARGUMENT, "pose %u of %zu of an expression", pose, expression.poses.size());
+        fail(CLQ_ARGUMENT, "pose %u does not exist: the expression has %zu", pose, expression.poses.size());
     crowd::CommandHistory &history = crowd::command_history(crowd, id, mechanism);
     crowd::Command command;
     command.at_s = at_s;

@@ -74,7 +74,7 @@ void set_texture_set(Crowd &crowd, Id id, uint32_t set)
     if (set == random_texture_set)
         set = static_cast<uint32_t>(base::hash(crowd.seed(), actor.seed, base::Purpose::texture_set) % count);
     if (set >= count)
-        fail(CLQ_ARGUMENT, "texture set %u of template '%s', which has %u", set, tmpl.name.c_str(), count);
+        fail(CLQ_ARGUMENT, "texture set %u does not exist: template '%s' has %u", set, tmpl.name.c_str(), count);
     actor.texture_set = set;
 }
 

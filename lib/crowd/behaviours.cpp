@@ -94,7 +94,7 @@ uint32_t Behaviours::find_attachment(uint32_t row, uint32_t mechanism) const
 const MechanismAttachment &Behaviours::attachment_of(uint32_t row, uint32_t mechanism) const
 {
     const uint32_t index = find_attachment(row, mechanism);
-    if (index == none) fail(CLQ_ARGUMENT, "the actor does not use mechanism %u", mechanism + 1);
+    if (index == none) fail(CLQ_ARGUMENT, "mechanism %u is not attached to the actor", mechanism + 1);
     return attachments_[index];
 }
 
@@ -128,7 +128,7 @@ void Behaviours::attach_mechanism(uint32_t row, const MechanismAttachment &attac
     }
     uint32_t count = 0;
     for (uint32_t i = first_attachment_[row]; i != none; i = attachments_[i].next) ++count;
-    if (count == max_mechanisms) fail(CLQ_LIMIT, "an actor uses at most %u mechanisms", max_mechanisms);
+    if (count == max_mechanisms) fail(CLQ_LIMIT, "an actor has at most %u mechanisms", max_mechanisms);
     attachments_.reserve();
     const uint32_t index = attachments_.take();
     attachments_[index] = attachment;

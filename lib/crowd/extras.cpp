@@ -16,7 +16,8 @@ using model::none;
 void check_attached(const model::Template &tmpl, const Attachment &attached)
 {
     if (attached.node >= tmpl.rig.node_count())
-        fail(CLQ_ARGUMENT, "node %u of %u of template '%s'", attached.node, tmpl.rig.node_count(), tmpl.name.c_str());
+        fail(CLQ_ARGUMENT, "node %u does not exist: there are %u in template '%s'", attached.node,
+             tmpl.rig.node_count(), tmpl.name.c_str());
     const glm::vec3 &centre = attached.sphere.centre;
     const float radius = attached.sphere.radius;
     const bool finite = std::isfinite(centre.x) && std::isfinite(centre.y) && std::isfinite(centre.z);

@@ -45,7 +45,7 @@ void check_gait(const Gait &gait)
         if (!(clip_of(gait, clip).duration_s > 0)) fail(CLQ_ARGUMENT, "a gait of clip %u, which has no length", clip);
     }
     if (gait.sync_a.size() != gait.sync_b.size())
-        fail(CLQ_ARGUMENT, "a gait with %zu and %zu moments that belong together", gait.sync_a.size(),
+        fail(CLQ_ARGUMENT, "a gait with %zu and %zu times that belong together", gait.sync_a.size(),
              gait.sync_b.size());
     for (const Array<double> *sync : {&gait.sync_a, &gait.sync_b})
         for (size_t k = 0; k < sync->size(); ++k) {

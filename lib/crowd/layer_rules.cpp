@@ -15,7 +15,8 @@ using model::none;
 void check_play(const Play &play, const model::Template &tmpl)
 {
     if (play.clip != none && play.clip >= tmpl.rig.clips.size())
-        fail(CLQ_ARGUMENT, "clip %u of %zu of template '%s'", play.clip, tmpl.rig.clips.size(), tmpl.name.c_str());
+        fail(CLQ_ARGUMENT, "clip %u does not exist: there are %zu in template '%s'", play.clip, tmpl.rig.clips.size(),
+             tmpl.name.c_str());
     if (!std::isfinite(play.start_s) || !std::isfinite(play.speed) || !std::isfinite(play.phase_s))
         fail(CLQ_ARGUMENT, "start, speed and phase of a clip are %g, %g and %g: they must be finite", play.start_s,
              double(play.speed), double(play.phase_s));
@@ -45,7 +46,7 @@ Source source(const Crowd &crowd, uint32_t row, const Play &play, uint32_t gait,
     const model::Template &tmpl = crowd.template_of(row);
     if (gait != none) {
         if (gait >= crowd.layers().gait_count())
-            fail(CLQ_ARGUMENT, "gait %u of %u", gait + 1, crowd.layers().gait_count());
+            fail(CLQ_ARGUMENT, "gait %u does not exist: the crowd has %u", gait + 1, crowd.layers().gait_count());
         const Gait &of = crowd.layers().gait(gait);
         if (of.tmpl != &tmpl)
             fail(CLQ_ARGUMENT, "gait %u is of template '%s', the actor of '%s'", gait + 1, of.tmpl->name.c_str(),
@@ -93,7 +94,7 @@ void check_layer(const Crowd &crowd, uint32_t row, const Layer &layer)
     if (layer.curve == Curve::inertial) fail(CLQ_ARGUMENT, "a layer does not come in by inertia");
     if (layer.mask == none) return;
     if (layer.mask >= crowd.layers().mask_count())
-        fail(CLQ_ARGUMENT, "mask %u of %u", layer.mask + 1, crowd.layers().mask_count());
+        fail(CLQ_ARGUMENT, "mask %u does not exist: the crowd has %u", layer.mask + 1, crowd.layers().mask_count());
     if (crowd.layers().mask(layer.mask).tmpl != &tmpl)
         fail(CLQ_ARGUMENT, "mask %u is of template '%s', the actor of '%s'", layer.mask + 1,
              crowd.layers().mask(layer.mask).tmpl->name.c_str(), tmpl.name.c_str());

@@ -46,8 +46,10 @@ Camera look_at(const glm::dvec3 &eye, const glm::dvec3 &target, const glm::vec3 
 {
     if (!(fov_y_rad > 0 && fov_y_rad < float(math::pi)) || !(aspect > 0) || !(z_near > 0) || !(z_far > z_near) ||
         !std::isfinite(aspect) || !std::isfinite(z_far))
-        base::fail(CLQ_ARGUMENT, "a perspective of %g rad, aspect %g, from %g to %g", double(fov_y_rad), double(aspect),
-                   double(z_near), double(z_far));
+        base::fail(
+            CLQ_ARGUMENT,
+            "a perspective of %g rad, aspect %g, from %g to %g: 0 to pi, above 0 and 0 < z_near < z_far are wanted",
+            double(fov_y_rad), double(aspect), double(z_near), double(z_far));
     const glm::dvec3 direction = target - eye;
     if (!(square(direction) > 0) || !std::isfinite(square(direction)))
         base::fail(CLQ_ARGUMENT, "the eye and what it looks at are the same point, or not finite");

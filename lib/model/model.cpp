@@ -74,8 +74,8 @@ void check_part(const Model &model, const Part &part, size_t index)
     if (part.material != none && part.material >= model.materials.size())
         fail(CLQ_ARGUMENT, "part %zu '%s' has material %u of %zu", index, name, part.material, model.materials.size());
     if (!(part.lod_min_m >= 0) || !std::isfinite(part.lod_min_m) || !(part.lod_max_m > part.lod_min_m))
-        fail(CLQ_ARGUMENT, "part %zu '%s' is drawn from %g m to %g m", index, name, static_cast<double>(part.lod_min_m),
-             static_cast<double>(part.lod_max_m));
+        fail(CLQ_ARGUMENT, "part %zu '%s' is drawn from %g m to %g m: 0 <= lod_min_m < lod_max_m is wanted", index,
+             name, static_cast<double>(part.lod_min_m), static_cast<double>(part.lod_max_m));
     if (!part.morphs.empty()) {
         if (part.morph_set >= model.rig.morph_sets.size())
             fail(CLQ_ARGUMENT, "part %zu '%s' has morph targets without a morph set", index, name);

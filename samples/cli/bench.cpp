@@ -99,18 +99,17 @@ void add_bench(CLI::App &app, Work &chosen)
         "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
     c->add_option(
          "SCENE", a->subject,
-         "The name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to --flush "
-         "16384), or a character's file, or growth: updates of 1000 to 100 000 actors; or vertex_format: "
-         "packed vertices against floats; or readers: how "
-         "reading grows with what a file counts; or a test of shared key-poses (S3): keypose-choice, keypose-path, "
-         "keypose-script, keypose-error")
+         "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
+         "--flush 16384); a character's file; growth: updates of 1000 to 100 000 actors; vertex_format: packed "
+         "vertices against floats; readers: how the time of reading grows with the counts in a file; or shared "
+         "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
         ->required();
     CLI::Option *count =
         c->add_option("--count", a->counts, "Numbers of people, separated by commas; along a path at most one")
             ->delimiter(',')
             ->check(CLI::Range(1, 1000000))
             ->capture_default_str();
-    c->add_option("--strategy", a->strategies, "Caches to compare, separated by commas")
+    c->add_option("--strategy", a->strategies, "Draw strategies to compare, separated by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(strategy_names()))
         ->capture_default_str();
@@ -145,7 +144,7 @@ void add_bench(CLI::App &app, Work &chosen)
         ->type_name("FILE");
     add_scene_options(*c, a->setup);
     CLI::Option *json = c->add_flag("--json", a->json, "Print JSON instead of a table (claque plot draws it)");
-    c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a table for a README")
+    c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a Markdown table")
         ->excludes(json);
     c->add_option("--save", a->save, "Also write the JSON to this file")->excludes(json);
     c->callback([a, c, count, cull, &chosen] {

@@ -64,10 +64,10 @@ void add_convert(CLI::App &app, Work &chosen)
         ->excludes(unit);
     c->add_option("--picture", a->options.picture, "The picture of materials that name none, or one that is missing")
         ->check(CLI::ExistingFile);
-    c->add_option("--memory", a->memory_mib, "Most MiB that Assimp may take")
+    c->add_option("--memory", a->memory_mib, "Memory limit of Assimp in MiB")
         ->capture_default_str()
         ->check(CLI::Range(64, 65536));
-    c->add_option("--seconds", a->limits.seconds, "Most seconds that Assimp may take")
+    c->add_option("--seconds", a->limits.seconds, "Time limit of Assimp in seconds")
         ->capture_default_str()
         ->check(CLI::Range(1, 3600));
     c->callback([a, &chosen] { chosen = [a] { convert_old(*a); }; });

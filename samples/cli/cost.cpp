@@ -49,7 +49,7 @@ void add_cost(CLI::App &app, Work &chosen)
     c->add_option("--plot", a->plot,
                   "Draw equation (3) over AverageCost, as PNG or SVG by the file name; - is SVG on standard output")
         ->check(chart_file);
-    c->add_flag("--markdown", a->markdown, "Print tables for a README");
+    c->add_flag("--markdown", a->markdown, "Print Markdown tables");
     c->callback([a, &chosen] {
         if (a->json == "-" && a->plot == "-")
             throw CLI::ValidationError("--json and --plot", "only one of them can write to standard output");

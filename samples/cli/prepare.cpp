@@ -52,8 +52,9 @@ void add_prepare(CLI::App &app, Work &chosen)
         ->take_all();
     add_clip_options(*c, a->clips);
     add_zone_options(*c, a->zones);
-    c->add_option("--texture-size", a->texture_px,
-                  "Most texels along a side; larger images are reduced without mixing zones (0: 1024)")
+    c->add_option(
+         "--texture-size", a->texture_px,
+         "Largest width and height of an image in texels; larger images are reduced without mixing zones (0: 1024)")
         ->capture_default_str()
         ->check(CLI::Range(0, 16384));
     c->add_option("--out,-o", a->out, "The prepared file (.clq); - is standard output")->required();

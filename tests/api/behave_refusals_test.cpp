@@ -52,7 +52,7 @@ TEST_F(BehaveApi, RefusesInvalidFaces)
         refused(CLQ_MECHANISM_PHRASE, sentences[i], [&](Def &d) { d.phrase.poses = &shapes[i]; });
     }
     const clq_dof_pose empty = {0, nullptr};
-    refused(CLQ_MECHANISM_EXPRESSION, "none of 1 shapes", [&](Def &d) { d.expression.poses = &empty; });
+    refused(CLQ_MECHANISM_EXPRESSION, "none of 1 poses", [&](Def &d) { d.expression.poses = &empty; });
     refused(CLQ_MECHANISM_EXPRESSION, "pose_count is 0", [](Def &d) { d.expression.pose_count = 0; });
     refused(CLQ_MECHANISM_EXPRESSION, "poses is NULL", [](Def &d) { d.expression.poses = nullptr; });
     refused(CLQ_MECHANISM_EXPRESSION, "hold_s is 0", [](Def &d) { d.expression.hold_s = 0; });
@@ -71,7 +71,7 @@ TEST_F(BehaveApi, RefusesInvalidPhrasesClipsAndHosts)
     refused(CLQ_MECHANISM_PHRASE, "key 0 of the phrase is at 1 s", [&](Def &d) { d.phrase.keys = late; });
     refused(CLQ_MECHANISM_PHRASE, "key 1 of the phrase is at 0 s",
             [&](Def &d) { d.phrase.keys = back, d.phrase.key_count = 2; });
-    refused(CLQ_MECHANISM_PHRASE, "key 0 of the phrase names shape 1 of 1", [&](Def &d) { d.phrase.keys = unknown; });
+    refused(CLQ_MECHANISM_PHRASE, "key 0 of the phrase names pose 1 of 1", [&](Def &d) { d.phrase.keys = unknown; });
     const clq_phrase_key two[2] = {{0, 0}, {1.5f, CLQ_NONE}};
     refused(CLQ_MECHANISM_PHRASE, "length_s is 1: a finite number of at least 1.5",
             [&](Def &d) { d.phrase.keys = two, d.phrase.key_count = 2; });
@@ -81,7 +81,7 @@ TEST_F(BehaveApi, RefusesInvalidPhrasesClipsAndHosts)
     const uint32_t clip = 1;
     refused(CLQ_MECHANISM_IDLE, "clip_count is 0", [](Def &d) { d.idle.clip_count = 0; });
     refused(CLQ_MECHANISM_IDLE, "clips is NULL", [](Def &d) { d.idle.clips = nullptr; });
-    refused(CLQ_MECHANISM_IDLE, "clip 1 of 1", [&](Def &d) { d.idle.clips = &clip; });
+    refused(CLQ_MECHANISM_IDLE, "clip 1 does not exist: there are 1", [&](Def &d) { d.idle.clips = &clip; });
     refused(CLQ_MECHANISM_IDLE, "slot_s is 0", [](Def &d) { d.idle.slot_s = 0; });
     refused(CLQ_MECHANISM_HOST, "run of the host's mechanism is NULL", [](Def &d) { d.host.run = nullptr; });
     refused(CLQ_MECHANISM_HOST, "never off", [](Def &d) { d.host.has_memory = 1, d.off_m = 10; });
@@ -107,7 +107,7 @@ TEST_F(BehaveApi, RefusesInvalidPaths)
     times_[2] = 5;
     refused("key 2 of the path is at 5 s: they ascend from 0 to at most duration_s, 4", table);
     times_[2] = 4;
-    refused("key 2 of the path ends the round at 4 s, and is not where key 0 is", table);
+    refused("key 2 of the path ends the lap at 4 s, and is not where key 0 is", table);
 }
 
 TEST_F(BehaveApi, RefusesAttachmentsAndCommandsOfMissingMechanisms)
@@ -125,20 +125,22 @@ TEST_F(BehaveApi, RefusesAttachmentsAndCommandsOfMissingMechanisms)
     EXPECT_EQ(clq_actor_say(crowd_, nobody, phrase, 0), CLQ_STALE_ID);
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, &unknown), CLQ_ARGUMENT);
-    EXPECT_NE(std::string(clq_last_error()).find("mechanism 9 of 4"), std::string::npos) << clq_last_error();
+    EXPECT_NE(std::string(clq_last_error()).find("mechanism 9 does not exist: the crowd has 4"), std::string::npos)
+        << clq_last_error();
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, &none), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, &bad), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_detach_mechanism(crowd_, actor_, blink), CLQ_OK)
         << "detaching a mechanism that is not attached is ignored";
     EXPECT_EQ(clq_actor_detach_mechanism(crowd_, actor_, {9}), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_gaze(crowd_, actor_, gaze, point, 0), CLQ_ARGUMENT);
-    EXPECT_NE(std::string(clq_last_error()).find("does not use mechanism 2"), std::string::npos) << clq_last_error();
+    EXPECT_NE(std::string(clq_last_error()).find("mechanism 2 is not attached"), std::string::npos) << clq_last_error();
     ASSERT_EQ(attach_mechanism(gaze), CLQ_OK);
     ASSERT_EQ(attach_mechanism(expression), CLQ_OK);
     EXPECT_EQ(clq_actor_say(crowd_, actor_, gaze, 0), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_gaze(crowd_, actor_, gaze, point, NAN), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_express(crowd_, actor_, expression, 1, 0), CLQ_ARGUMENT);
-    EXPECT_NE(std::string(clq_last_error()).find("pose 1 of 1"), std::string::npos) << clq_last_error();
+    EXPECT_NE(std::string(clq_last_error()).find("pose 1 does not exist: the expression has 1"), std::string::npos)
+        << clq_last_error();
     EXPECT_EQ(clq_actor_express(crowd_, actor_, expression, CLQ_NONE, 0), CLQ_OK);
     const clq_root_path_play motion = {{1}, 1, 0, 0}, still = {{0}, 1, 0, 0}, infinite = {{0}, INFINITY, 0, 0};
     EXPECT_EQ(clq_actor_play_root_path(crowd_, actor_, &motion), CLQ_ARGUMENT);

@@ -97,7 +97,7 @@ TEST_F(TextureSet, TheTexelsOfEachSetCanBeRead)
     EXPECT_EQ(width, 8u);
     EXPECT_EQ(zones[7], 1u);
     EXPECT_EQ(api_test::get_texture(tmpl_, 3, 0, nullptr, nullptr, 0, &width, &height), CLQ_ARGUMENT);
-    EXPECT_NE(std::string(clq_last_error()).find("texture set 3 of 'strip', which has 3"), std::string::npos);
+    EXPECT_NE(std::string(clq_last_error()).find("texture set 3 does not exist: 'strip' has 3"), std::string::npos);
 }
 
 TEST_F(TextureSet, AnIndividualShowsItsSetAndKeepsItWhenAnotherIsRefused)
@@ -108,7 +108,8 @@ TEST_F(TextureSet, AnIndividualShowsItsSetAndKeepsItWhenAnotherIsRefused)
     ASSERT_EQ(clq_actor_set_texture_set(crowd_, actor, 2), CLQ_OK);
     EXPECT_EQ(set_of(actor), 2u);
     EXPECT_EQ(clq_actor_set_texture_set(crowd_, actor, 3), CLQ_ARGUMENT);
-    EXPECT_NE(std::string(clq_last_error()).find("texture set 3 of template 'strip', which has 3"), std::string::npos);
+    EXPECT_NE(std::string(clq_last_error()).find("texture set 3 does not exist: template 'strip' has 3"),
+              std::string::npos);
     EXPECT_EQ(set_of(actor), 2u);
     clq_actor twin = {};
     ASSERT_EQ(clq_actor_clone(crowd_, actor, nullptr, 9, &twin), CLQ_OK);

@@ -43,7 +43,7 @@ TEST_F(Prepare, NamesWhatIsWrongWithItsOptions)
     refused({"--propose", "3", "--zone", "skin"}, "is not KEY=NAME");
     refused({"--propose", "3", "--reduce", "hat"}, "--reduce hat: no zone has that name");
     refused({"--zones", path("nothing.png")}, "nothing.png");
-    refused({"--image", "9", "--propose", "3"}, "image 9 of 'citizen', which has 2");
+    refused({"--image", "9", "--propose", "3"}, "image 9 does not exist: 'citizen' has 2");
     EXPECT_TRUE(left().empty()) << "nothing is written after an error";
 }
 

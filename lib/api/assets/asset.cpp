@@ -1,3 +1,4 @@
+// clq_asset_...: characters from files and built-in ones, and the templates built from them.
 #include <claque/assets.h>
 
 #include <memory>
@@ -101,7 +102,7 @@ clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset *
 {
     return api::boundary("clq_asset_builtin", [&] {
         api::require(context && name && out, "context, name or out is NULL");
-        *out = finish(context, made_of(figures::builtins(), "built-in figure", name));
+        *out = finish(context, made_of(figures::builtins(), "built-in character", name));
     });
 }
 

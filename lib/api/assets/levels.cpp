@@ -1,3 +1,4 @@
+// Levels of detail of an asset, and their measures.
 #include <claque/levels.h>
 
 #include <algorithm>
@@ -76,8 +77,8 @@ extern "C" clq_status clq_asset_get_level_report(const clq_asset *asset, uint32_
         api::require(asset && out, "asset or out is NULL");
         api::require_size(*out, "clq_level_report_init");
         if (level >= asset->levels.size())
-            base::fail(CLQ_ARGUMENT, "level %u of '%s', for which %zu were made", level, asset->model.name.c_str(),
-                       asset->levels.size());
+            base::fail(CLQ_ARGUMENT, "level %u does not exist: for '%s' %zu were made", level,
+                       asset->model.name.c_str(), asset->levels.size());
         api::write_out(out, made(asset->levels[level]));
     });
 }

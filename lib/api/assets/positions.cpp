@@ -146,7 +146,7 @@ clq_status clq_asset_get_positions(const clq_asset *asset, uint32_t clip, float 
         api::require(asset && out_xyz, "asset or out_xyz is NULL");
         const model::Model &model = asset->model;
         if (clip != CLQ_NONE && clip >= model.rig.clips.size())
-            base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, model.name.c_str(),
+            base::fail(CLQ_ARGUMENT, "clip %u does not exist: '%s' has %zu", clip, model.name.c_str(),
                        model.rig.clips.size());
         if (capacity_floats < 3 * vertex_count(model))
             base::fail(CLQ_ARGUMENT, "%zu floats for %llu vertices", capacity_floats,
@@ -202,7 +202,8 @@ clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_p
         api::require_size(*out, "clq_asset_part_init");
         const model::Model &model = asset->model;
         if (part >= model.parts.size())
-            base::fail(CLQ_ARGUMENT, "part %u of '%s', which has %zu", part, model.name.c_str(), model.parts.size());
+            base::fail(CLQ_ARGUMENT, "part %u does not exist: '%s' has %zu", part, model.name.c_str(),
+                       model.parts.size());
         const model::Part &p = model.parts[part];
         clq_asset_part info = clq_asset_part_init();
         info.name = p.name.c_str();
@@ -226,7 +227,7 @@ clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_in
         api::require_size(*out, "clq_clip_info_init");
         const model::Rig &rig = asset->model.rig;
         if (clip >= rig.clips.size())
-            base::fail(CLQ_ARGUMENT, "clip %u of '%s', which has %zu", clip, asset->model.name.c_str(),
+            base::fail(CLQ_ARGUMENT, "clip %u does not exist: '%s' has %zu", clip, asset->model.name.c_str(),
                        rig.clips.size());
         clq_clip_info info = clq_clip_info_init();
         info.name = rig.clip_names[clip].c_str();

@@ -1,3 +1,4 @@
+// Prepared templates: found on disk by a hash of what they were made from, or made and stored.
 #include <claque/prepare.h>
 
 #include <cstdio>
@@ -132,7 +133,9 @@ extern "C" clq_status clq_template_prepare(clq_context *context, const clq_prepa
         found.from_disk = made != nullptr;
         if (!made) {
             made = made_anew(context, wanted);
-            const std::string why = folder.empty() ? "no folder was given" : keep(*made, folder, name);
+            const char *const no_folder =
+                wanted.folder ? "no folder was given" : "neither XDG_CACHE_HOME nor HOME is an absolute path";
+            const std::string why = folder.empty() ? no_folder : keep(*made, folder, name);
             found.stored = why.empty();
             std::snprintf(found.text, sizeof found.text, "%s", why.c_str());
         }

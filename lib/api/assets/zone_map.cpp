@@ -1,3 +1,4 @@
+// Zones for the images of an asset: given as a map, or proposed.
 #include "lib/asset/zone_map.h"
 
 #include <claque/zones.h>
@@ -33,7 +34,7 @@ model::HsbRange range_of(const clq_hsb_range &r)
 const model::Image &image_of(const clq_asset *asset, uint32_t image)
 {
     if (image >= asset->model.images.size())
-        base::fail(CLQ_ARGUMENT, "image %u of '%s', which has %zu", image, asset->model.name.c_str(),
+        base::fail(CLQ_ARGUMENT, "image %u does not exist: '%s' has %zu", image, asset->model.name.c_str(),
                    asset->model.images.size());
     return asset->model.images[image];
 }

@@ -166,7 +166,8 @@ TEST(ZoneMap, ThatBreaksARuleIsRefusedAndChangesNothing)
 {
     model::Model model = cloth_and_leather();
     const auto zones = zones_of({"cloth", "leather"}, true);
-    EXPECT_NE(refusal(model, 3, upper_and_lower, zones).find("image 3 of 'sheet', which has 1"), std::string::npos);
+    EXPECT_NE(refusal(model, 3, upper_and_lower, zones).find("image 3 does not exist: 'sheet' has 1"),
+              std::string::npos);
     const std::vector<uint16_t> wrong = {0, 2}, nothing = {unknown_zone};
     EXPECT_NE(refusal(model, 0, {1, 2, wrong.data()}, zones).find("texel (0, 1) of the zone map names zone 2 of 2"),
               std::string::npos);

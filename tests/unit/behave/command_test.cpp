@@ -149,15 +149,19 @@ TEST(Command, IsRefusedInOneSentence)
         std::string::npos);
     EXPECT_NE(refusal([&] { command_expression(test_actors.crowd, id, g, 0, 0); }).find("not of kind 'expression'"),
               std::string::npos);
-    EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, 9, 0); }).find("mechanism 10 of 3"),
+    EXPECT_NE(refusal([&] {
+                  command_phrase(test_actors.crowd, id, 9, 0);
+              }).find("mechanism 10 does not exist: the crowd has 3"),
               std::string::npos);
-    EXPECT_NE(refusal([&] { command_expression(test_actors.crowd, id, e, 3, 0); }).find("pose 3 of 3"),
+    EXPECT_NE(refusal([&] {
+                  command_expression(test_actors.crowd, id, e, 3, 0);
+              }).find("pose 3 does not exist: the expression has 3"),
               std::string::npos);
     EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, p, NAN); }).find("nan"), std::string::npos);
     EXPECT_NE(refusal([&] { command_gaze(test_actors.crowd, id, g, &nowhere, 0); }).find("nan"), std::string::npos);
     EXPECT_NE(refusal([&] { command_gaze(test_actors.crowd, id, g, &far, 0); }).find("1e+300"), std::string::npos);
     crowd::detach_mechanism(test_actors.crowd, id, p);
-    EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, p, 0); }).find("does not use mechanism 3"),
+    EXPECT_NE(refusal([&] { command_phrase(test_actors.crowd, id, p, 0); }).find("mechanism 3 is not attached"),
               std::string::npos);
 }
 
