@@ -1,4 +1,4 @@
-/* libclaque-assets: characters from files (glTF, GLB, BVH) and built-in figures, and the templates built from them.
+/* libclaque-assets: characters from files (glTF, GLB, BVH) and built-in characters, and the templates built from them.
  *
  * The library is separate from libclaque, which needs libc and libstdc++ only and loads templates that
  * clq_template_save wrote. Working memory comes from the C++ heap; templates are in the context's memory. */
@@ -58,20 +58,28 @@ CLQ_API clq_status clq_asset_load(clq_context *context, const void *bytes, size_
 CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, const clq_asset_options *options,
                                        clq_asset **out);
 
-/* Makes a built-in figure, which needs no file. Each has about 1040 triangles and a skeleton of 33 nodes:
+/* Makes a built-in character, which needs no file. Four are people of 1078 to 1092 triangles and 33 nodes, 1.75 to
+ * 1.8 units tall:
  *   "citizen"    a man in a girded tunic, 8 zones
  *   "patrician"  a rich woman in stola and palla, 10 zones
  *   "decurion"   an older man in a toga, 9 zones
  *   "plebeian"   a young working man in an exomis, 9 zones
- * Their clips:
+ * Clips of the people:
  *   stand, walk, applaud, cheer
- *   sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave   loops of 4 to 9 s that begin and
- *                                                                                    end in
- *     one pose and so may follow each other; the top of the seat is 0.43 m above the feet, its front edge 0.14 m behind
- *     the origin
- *   rise, sit_down   2 s, once: from that pose to the beginning of stand, and back
- *   stand_wave, stand_laugh, stand_applaud, stand_cheer   begin and end as stand
- *   jog   in step with walk: in both the left foot comes down at the beginning, the right one in the middle
+ *   sit, sit_lean, sit_look, sit_talk, sit_applaud, sit_cheer, sit_laugh, sit_wave
+ *     Loops of 4 to 9 s that begin and end in one pose and so may follow each other. The top of the seat is 0.43 m
+ *     above the feet, its front edge 0.14 m behind the origin.
+ *   rise, sit_down
+ *     About 2 s, once: from that pose to the beginning of stand, and back.
+ *   stand_wave, stand_laugh, stand_applaud, stand_cheer
+ *     They begin and end as stand.
+ *   jog
+ *     In step with walk: in both the left foot comes down at the beginning, the right one in the middle.
+ * Two are flying actors of rigid parts on 14 nodes with 19 degrees of freedom, levels of detail (S0 7.1), and the clips
+ * fly, glide and hover:
+ *   "herald"     a winged youth with trumpet and scroll, 10 zones
+ *   "owl"        an owl that carries a letter, 8 zones
+ *
  *   out   owned by the host until clq_asset_destroy
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
@@ -111,7 +119,7 @@ typedef struct clq_asset_part {
 CLQ_DEFINE_ZERO_INIT(clq_asset_info)
 CLQ_DEFINE_ZERO_INIT(clq_asset_part)
 
-/* Facts of an asset. Strings live until the asset changes.
+/* Get what an asset holds. Strings live until the asset changes.
  *   out   made by its _init function
  * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large). Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out);
@@ -205,7 +213,7 @@ CLQ_DEFINE_ZERO_INIT(clq_clips_report)
 
 /* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. The context's log
  * and the asset's warnings name the joints that are not bound. A clip whose name is taken gets a number.
- *   source       any asset with clips: glTF with or without meshes, BVH, a built-in figure; not kept
+ *   source       any asset with clips: glTF with or without meshes, BVH, a built-in character; not kept
  *   def          NULL means clq_clips_def_init()
  *   out_report   made by clq_clips_report_init; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (no joint is bound; a clip that is missing; a number out of range), LIMIT,
@@ -220,7 +228,7 @@ CLQ_API clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, c
 CLQ_API clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_t max_texture_px,
                                    clq_template **out);
 
-/* Load a glTF file, or make a built-in figure, and build its template in one call.
+/* Load a glTF file, or make a built-in character, and build its template in one call.
  * Fail: as clq_asset_load or clq_asset_builtin, and clq_asset_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
                                           const clq_asset_options *options, clq_template **out);

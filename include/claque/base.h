@@ -4,9 +4,10 @@
  * levels.h, zones.h, prepare.h and colour_files.h.
  *
  * Calls. A call that can fail returns a clq_status. A failed call leaves everything as it was, except where its comment
- * says otherwise; clq_last_error() then holds one sentence that names the broken rule, with names and numbers. Out
- * parameters come last and are written on CLQ_OK only. An out array is followed by its capacity. Getters are named
- * clq_<class>_get_...
+ * says otherwise; clq_last_error() then holds one sentence that names the broken rule, with names and numbers. A
+ * comment lists the statuses that its call may return besides OK. Every call that returns a status also fails with
+ * ARGUMENT where a pointer is NULL and the comment does not give NULL a meaning. Out parameters come last and are
+ * written on CLQ_OK only. An out array is followed by its capacity. Getters are named clq_<class>_get_...
  *
  * Structs that begin with struct_bytes may grow in later versions.
  *   Make one with its _init function, which sets struct_bytes and every default, then set the members that differ:
@@ -72,7 +73,7 @@
 /* No index. */
 #define CLQ_NONE 0xffffffffu
 
-/* Defines clq_x_init() for a struct whose defaults are all zero. */
+/* Defines the _init function of a struct whose defaults are all zero. */
 #define CLQ_DEFINE_ZERO_INIT(type)                   \
     static inline type type##_init(void)             \
     {                                                \
@@ -108,7 +109,7 @@ typedef enum clq_status {
     CLQ_KEY_RESOLUTION = 8, /* the strategy cannot tell that many zones apart on this target */
     CLQ_GL_MISSING = 9,     /* no GL context is current, or a GL 1.1 function is missing */
     CLQ_GL_STATE = 10,      /* the host's GL state would spoil the picture; the text names it */
-    CLQ_BUSY = 11,          /* another call works on the same crowd or view */
+    CLQ_BUSY = 11,          /* another call works on the same crowd, view or renderer */
     CLQ_IN_USE = 12,        /* something that still exists needs the object */
     CLQ_IO = 13,            /* a file could not be read or written */
     CLQ_CALLBACK = 14       /* a callback of the host threw an exception; the text repeats it */
@@ -162,8 +163,9 @@ typedef struct clq_tasks {
  * must not call claque for the object that is written. */
 typedef int (*clq_write_function)(void *user, const void *bytes, size_t size_bytes);
 
-/* Returns the height of the ground, in world units, below or above a point of the world; y is up. NaN means that there
- * is no ground. The result depends on the point alone. It must not call claque. */
+/* Returns the height of the ground, in world units, below or above a point of the world: its y, or for shadows its
+ * distance along clq_shadow_def.up from the world's origin. NaN means that there is no ground. The result depends on
+ * the point alone. It must not call claque. */
 typedef double (*clq_height_function)(void *user, const double point[3]);
 
 #ifdef __cplusplus

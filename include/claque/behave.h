@@ -50,11 +50,12 @@ typedef struct clq_dof_pose {
     const clq_dof_value *values; /* [count] */
 } clq_dof_pose;
 
-/* Looks at a point. The degrees of freedom are rotations; CLQ_NONE leaves one out. Yaw is positive to the actor's left,
- * pitch is positive upwards. The spine takes spine_share of the turn, the neck neck_share of the rest, and the eyes the
- * remainder, each within its range; what a part cannot turn is not given to the others. A target behind is viewed over
- * the last shoulder used, first the left; actors on a root path drop it instead. Each coarser level leaves out the
- * finest part that remains: eyes first, then neck. A level beyond the number of parts leaves out the pitch. */
+/* Looks at a point. The degrees of freedom are rotations; CLQ_NONE leaves one out, but not all of them. Yaw is positive
+ * to the actor's left, pitch is positive upwards. The spine takes spine_share of the turn, the neck neck_share of the
+ * rest, and the eyes the remainder, each within its range; what a part cannot turn is not given to the others. A target
+ * behind is viewed over the last shoulder used, first the left; actors on a root path drop it instead. Each coarser
+ * level leaves out the finest part that remains: eyes first, then neck. A level beyond the number of parts leaves out
+ * the pitch. */
 typedef struct clq_gaze_def {
     uint32_t eye_yaw[2], eye_pitch[2], neck_yaw, neck_pitch, spine_yaw, spine_pitch;
     float neck_share, spine_share; /* [0, 1] default 0.6 and 0.2 */
@@ -68,13 +69,13 @@ typedef struct clq_gaze_def {
  * for blinks and phrases. */
 typedef struct clq_expression_def {
     uint32_t pose_count;       /* 1 or more */
-    const clq_dof_pose *poses; /* [pose_count]; a pose without values is the face at rest */
+    const clq_dof_pose *poses; /* [pose_count] one of them at least has values; one without is the face at rest */
     float hold_s;              /* (> 0) each pose stays for a random 0.5 to 1.5 times this. Default 4 */
     float blend_s;             /* [0, hold_s / 2] time from one pose to the next. Default 0.4 */
 } clq_expression_def;
 
 typedef struct clq_blink_def {
-    clq_dof_pose closed; /* the lids shut */
+    clq_dof_pose closed; /* the lids shut; one value or more */
     float period_s;      /* (> close_s) one blink in each period, at a random time. Default 4 */
     float close_s;       /* (> 0) from open to open again. Default 0.15 */
 } clq_blink_def;
@@ -85,9 +86,9 @@ typedef struct clq_phrase_key {
 } clq_phrase_key;
 
 typedef struct clq_phrase_def {
-    uint32_t pose_count;
-    const clq_dof_pose *poses; /* [pose_count] */
-    uint32_t key_count;
+    uint32_t pose_count;        /* 1 or more */
+    const clq_dof_pose *poses;  /* [pose_count] one of them at least has values */
+    uint32_t key_count;         /* 1 or more */
     const clq_phrase_key *keys; /* [key_count] */
     float length_s;             /* (> 0) at least the last key's time; then the mouth goes to rest */
     float pause_s; /* a random 0.5 to 1.5 times this passes before the next repetition; negative: only on command */
@@ -97,7 +98,7 @@ typedef struct clq_phrase_def {
 /* Plays clips in random order; actors change at different times. Clips that begin and end in one pose and whose lengths
  * divide slot_s follow each other without a seam. Other clips need fade_s. */
 typedef struct clq_idle_def {
-    uint32_t clip_count;
+    uint32_t clip_count;   /* 1 or more */
     const uint32_t *clips; /* [clip_count] */
     float slot_s;          /* (> 0) the time that each clip plays from its beginning. Default 6 */
     const float *weights;  /* [clip_count], each >= 0 and not all 0: relative frequencies; NULL: equal ones */
@@ -225,7 +226,7 @@ CLQ_API clq_status clq_actor_say(clq_crowd *crowd, clq_actor actor, clq_mechanis
 typedef struct clq_root_path_def {
     uint32_t struct_bytes;  /* set by clq_root_path_def_init */
     uint32_t count;         /* 2 or more */
-    const float *positions; /* [3 * count] */
+    const float *positions; /* [3 * count] each coordinate within +-1e9 */
     /* Both given: a key-framing table. The rotations have length 1 within 0.001; the times ascend from 0. At duration_s
      * the path is back at the first key; a key at that time must equal the first one.
      * Both NULL: a flight. It passes the positions at equal intervals on a smooth closed curve, looks along it (+z

@@ -87,8 +87,8 @@ CLQ_DEFINE_ZERO_INIT(clq_colour_map_def)
  * S2 5.2. */
 CLQ_API clq_status clq_colour_map_create(clq_context *context, const clq_colour_map_def *def, clq_colour_map **out);
 
-/* Destroys a map; NULL is ignored. Colours that were sampled from it stay. Threads: any, not while
- * another call uses the map. GL: none. */
+/* Destroys a map; NULL is ignored. Colours that were sampled from it stay. Threads: any, not while another call uses
+ * the map. GL: none. */
 CLQ_API void clq_colour_map_destroy(clq_colour_map *map);
 
 /* Gets the classes of a map. Strings and arrays live as long as the map.

@@ -2,7 +2,8 @@
  * renderers against claque (docs/parity.md). It is that of the last update in which the view took part.
  *
  * All calls here fail with ARGUMENT (NULL; an index beyond the list; a capacity that is too small, with the numbers)
- * and BUSY (an update runs, or another thread draws the view). Threads: any, one at a time for a view. GL: none. */
+ * and BUSY (an update runs, or another thread draws or reads the view). Threads: any, one at a time for a view. GL:
+ * none. */
 #ifndef CLAQUE_DRAWN_ACTOR_H
 #define CLAQUE_DRAWN_ACTOR_H
 
@@ -33,7 +34,7 @@ CLQ_DEFINE_ZERO_INIT(clq_drawn_actor)
  * holds no such array, and the call that copies computes it. */
 typedef struct clq_drawn_arrays {
     uint32_t struct_bytes;            /* set by clq_drawn_arrays_init */
-    const float *positions, *normals; /* [3 * vertex_count]; NULL: packed, or placed by GL's matrix stack */
+    const float *positions, *normals; /* [3 * vertex_count]; NULL: packed, placed by GL's matrix stack, or left out */
     /* [4 * vertex_count] of a crowd of CLQ_VERTEX_PACKED: the first three of four are n and mean
      * packed_offset + packed_step * n, and n / 127 for a normal */
     const int16_t *packed_positions;
@@ -67,8 +68,8 @@ CLQ_API clq_status clq_view_get_colours(const clq_view *view, uint32_t index, ui
                                         uint32_t capacity_zones);
 
 /* Gets the skinned vertices of an individual as the renderer draws them, in model space, in the order of clq_mesh.
- * Packed vertices are unpacked. Normals have the length that skinning gives them. Parts that
- * GL's matrix stack places are skinned for the call.
+ * Packed vertices are unpacked. Normals have the length that skinning gives them. Parts that GL's matrix stack places
+ * are skinned for the call.
  *   out_positions, out_normals   [3 * capacity_vertices]; either may be NULL
  *   capacity_vertices            vertex_count or more
  * Fails also: OUT_OF_MEMORY, also for an individual that the update left out. */

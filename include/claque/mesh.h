@@ -63,7 +63,7 @@ CLQ_DEFINE_ZERO_INIT(clq_triangles)
 CLQ_DEFINE_ZERO_INIT(clq_morph_target)
 CLQ_DEFINE_ZERO_INIT(clq_influences)
 
-/* A level's mesh, one of its bins, one of its morph targets.
+/* Get a level's mesh, one of its bins, or one of its morph targets.
  *   out   made by its _init function
  * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large). Threads: any. GL: none. S2 2.5. */
 CLQ_API clq_status clq_template_get_mesh(const clq_template *tmpl, uint32_t level, clq_mesh *out);
@@ -77,8 +77,8 @@ CLQ_API clq_status clq_template_get_morph_target(const clq_template *tmpl, uint3
  * Fails: STRUCT_SIZE, ARGUMENT (also per_vertex or a capacity that is too small). Threads: any. GL: none. */
 CLQ_API clq_status clq_template_get_influences(const clq_template *tmpl, uint32_t level, const clq_influences *out);
 
-/* How a texture continues beyond its sides: CLQ_WRAP_REPEAT or CLQ_WRAP_CLAMP. Mirrored textures contain their mirror
- * images, so CLQ_WRAP_MIRROR does not occur.
+/* Gets how a texture continues beyond its sides: CLQ_WRAP_REPEAT or CLQ_WRAP_CLAMP. Mirrored textures contain their
+ * mirror images, so CLQ_WRAP_MIRROR does not occur.
  * Fails: ARGUMENT. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_get_wrap(const clq_template *tmpl, uint32_t texture, clq_wrap *out_s, clq_wrap *out_t);
 

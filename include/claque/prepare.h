@@ -1,6 +1,7 @@
 /* Templates that are prepared once and kept on disk (libclaque-assets), so that later starts take milliseconds. A
- * prepared file is found by its sources, its options and the version of the library, so a stale one is never used. A
- * file that is cut off or changed is made again. Files may be deleted at any time. */
+ * prepared file is found by a hash of what it was made from: the character's files, the options, and the sources of the
+ * library itself. So a stale file is never used. A file that is cut off or changed is made again. Files may be deleted
+ * at any time. */
 #ifndef CLAQUE_PREPARE_H
 #define CLAQUE_PREPARE_H
 
@@ -21,7 +22,8 @@ typedef struct clq_prepare_def {
     uint32_t max_texture_px;          /* as in clq_asset_build */
     /* The folder of prepared files, which is made with mode 0700 if it is missing. It must belong to the user that runs
      * the program, and no other may write it; files in it that are links or that others own or may write are not read.
-     * NULL: $XDG_CACHE_HOME/claque or ~/.cache/claque. "": no folder, so the template is made anew. */
+     * NULL: $XDG_CACHE_HOME/claque, else $HOME/.cache/claque, else none. "": no folder. Without a folder the template
+     * is made anew. */
     const char *folder;
 } clq_prepare_def;
 
@@ -31,7 +33,7 @@ typedef struct clq_prepare_report {
     uint32_t struct_bytes; /* set by clq_prepare_report_init */
     bool from_disk;        /* the template was loaded from the folder */
     bool stored;           /* the template was made and stored in the folder */
-    char text[256];        /* why it could not be stored (a folder that cannot be used is no failure); else "" */
+    char text[256];        /* why it was made and not stored, which is no failure; else "" */
 } clq_prepare_report;
 
 CLQ_DEFINE_ZERO_INIT(clq_prepare_report)

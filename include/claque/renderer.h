@@ -63,10 +63,10 @@ typedef struct clq_renderer_def {
     clq_guard guard;
     clq_colour_format colours;
     clq_key_test key_test;
-    /* Batches: individuals at levels of at most this many triangles, with one surface and no dirty triangles, are drawn
-     * several with one call. claque then moves their vertices to eye space, which pays where a call costs more than its
-     * triangles. Positions may differ in the last bit, and so may pixels on edges. At most 2730; 0: no batches. Default
-     * 128. */
+    /* Batches: individuals at levels of at most this many triangles, with one part and one surface and without dirty
+     * triangles, holes and vertex colours, are drawn several with one call. claque then moves their vertices to eye
+     * space, which pays where a call costs more than its triangles. Positions may differ in the last bit, and so may
+     * pixels on edges. More than 2730 act as 2730; 0: no batches. Default 128. */
     uint32_t batch_triangles;
     /* True: clean triangles are filtered GL_LINEAR where no sample mixes zones; all others stay GL_NEAREST. It costs
      * two draws per surface instead of one, a second texture, and a step in luminance between filtered and other
@@ -141,10 +141,10 @@ CLQ_DEFINE_ZERO_INIT(clq_draw_stats)
  * once, each by a renderer and a thread of its own. An update fails with BUSY during a draw, and a draw during an
  * update.
  *   out_stats   made by clq_draw_stats_init; may be NULL
- * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (a template that is not prepared, by name), GL_STATE (names what
- * would spoil the picture), GL_MISSING, BUSY. Fails after drawing the rest: OUT_OF_MEMORY (the update left
- * individuals out, see left_out of clq_crowd_stats), GL_STATE (what hooks leave, see above), CALLBACK (a hook
- * threw an exception). GL: see above. */
+ * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (a template that is not prepared, by name; a view of another
+ * context), GL_STATE (names what would spoil the picture), GL_MISSING, BUSY. Fails after drawing the rest:
+ * OUT_OF_MEMORY (the update left individuals out, see clq_crowd_stats.left_out), GL_STATE (what hooks leave, see
+ * above), CALLBACK (a hook threw an exception). GL: see above. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
 /* Destroys a renderer while its GL context is current; NULL is ignored. Fails: BUSY (it is drawing, and a hook calls

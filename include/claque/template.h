@@ -1,6 +1,6 @@
 /* clq_template: an immutable character that many individuals share: nodes, clips, zones, textures, and meshes that are
  * split into clean and dirty triangles (S1 3). Any number of threads may read a template. It is built here from the
- * host's own arrays or loaded from a prepared file; claque/assets.h builds it from glTF files and built-in figures.
+ * host's own arrays or loaded from a prepared file; claque/assets.h builds it from glTF files and built-in characters.
  *
  * Model space is the actor's own space. Its origin is the Reference Point. y is up where claque needs an up direction:
  * root motion, ground, flights. */
@@ -206,8 +206,8 @@ typedef struct clq_channel_def {
     clq_interpolation interpolation; /* default LINEAR */
     uint32_t key_count;              /* 1 or more */
     const float *times_s;            /* [key_count], strictly ascending */
-    /* [key_count * components]; cubic splines have in-tangent, value and out-tangent for each key, so three times that.
-     * */
+    /* [key_count * components]. Components: 3 of translation and scale, 4 of rotation (x, y, z, w), or one weight for
+     * each morph target. Cubic splines have three of these for each key: in-tangent, value, out-tangent. */
     const float *values;
 } clq_channel_def;
 
@@ -285,18 +285,21 @@ CLQ_DEFINE_ZERO_INIT(clq_template_def)
 /* Builds a template from the host's own arrays. It copies what it needs and keeps nothing of `def`. The template does
  * not depend on the context's tasks, which share the work.
  *   out   owned by the host until clq_template_destroy
- * Takes at most 64 bytes for each byte that was read or passed (bytes after decompression and 4 a pixel count as read),
- * and 16 MB. Clips whose rows would take more keep their channels, and show the same poses.
- * Fails: STRUCT_SIZE, ARGUMENT (names the first broken rule), LIMIT (what would take more than that, with both
- * numbers), OUT_OF_MEMORY. Threads: any. GL: none. S1 3. */
+ * The call takes at most 16 MiB and 64 bytes for each byte that was read or passed; bytes after decompression and 4 for
+ * each pixel count as read. The number of poses that it evaluates is limited likewise. Clips whose rows would take more
+ * keep their channels, and show the same poses. Bounding spheres that would take more are larger. A template has at
+ * most 64 levels of detail. Of a level with more than 64 parts, neighbouring parts are culled as one.
+ * Fails: STRUCT_SIZE, ARGUMENT (names the first broken rule), LIMIT (what else would take more, with both numbers),
+ * OUT_OF_MEMORY. Threads: any. GL: none. S1 3. */
 CLQ_API clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out);
 
-/* Gives up the host's hold on a template; NULL is ignored. Crowds and renderers that use the template keep it alive.
+/* Ends the host's ownership of a template; NULL is ignored. Crowds and renderers that use the template keep it alive.
  * Threads: any. GL: none. */
 CLQ_API void clq_template_destroy(clq_template *tmpl);
 
 /* Writes a prepared template: loading it needs neither glTF nor splitting.
- * Fails: ARGUMENT, IO, OUT_OF_MEMORY, CALLBACK. Threads: any. GL: none. */
+ *   write   gets the whole file in one piece
+ * Fails: ARGUMENT, IO (write refused), OUT_OF_MEMORY, CALLBACK. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_save(const clq_template *tmpl, clq_write_function write, void *user);
 
 /* Loads a prepared template. The bytes may be anything: a file that is cut off, changed or of another version fails

@@ -1,5 +1,5 @@
-/* clq_view: a camera on a crowd, with the draw list that the last update made for it. A crowd has any number of views.
- * */
+/* clq_view: a camera on a crowd, with the draw list that the last update made for it. A crowd may have any number of
+ * views. */
 #ifndef CLAQUE_VIEW_H
 #define CLAQUE_VIEW_H
 
@@ -10,19 +10,20 @@ extern "C" {
 #endif
 
 typedef struct clq_camera {
-    double eye[3];          /* in the world */
-    float rotation_xyzw[4]; /* from the world to eye space, in which the eye looks along -z with y up, as in GL */
-    float projection[16];   /* as glLoadMatrixf takes it; perspective or parallel */
+    double eye[3]; /* in the world */
+    /* From the world to eye space, in which the eye looks along -z with y up, as in GL. Of length 1 within 0.001. */
+    float rotation_xyzw[4];
+    float projection[16]; /* as glLoadMatrixf takes it; perspective or parallel */
 } clq_camera;
 
 /* A camera described by an eye, the point that it looks at, and a symmetric perspective. */
 typedef struct clq_look_at_def {
-    uint32_t struct_bytes; /* set by clq_look_at_def_init */
-    double eye[3], target[3];
-    float up[3];         /* not along the line of sight. Default 0, 1, 0 */
-    float fov_y_rad;     /* (0, pi) vertical field of view. Default 60 degrees */
-    float aspect;        /* (> 0) width / height of the picture. Default 4 / 3 */
-    float z_near, z_far; /* 0 < z_near < z_far, in world units. Default 0.1 and 1000 */
+    uint32_t struct_bytes;    /* set by clq_look_at_def_init */
+    double eye[3], target[3]; /* in the world; different points */
+    float up[3];              /* not along the line of sight. Default 0, 1, 0 */
+    float fov_y_rad;          /* (0, pi) vertical field of view. Default 60 degrees */
+    float aspect;             /* (> 0) width / height of the picture. Default 4 / 3 */
+    float z_near, z_far;      /* 0 < z_near < z_far, in world units. Default 0.1 and 1000 */
 } clq_look_at_def;
 
 /* Returns a camera at the origin that looks along -z. */
@@ -40,7 +41,8 @@ static inline clq_look_at_def clq_look_at_def_init(void)
     return def;
 }
 
-/* Computes a camera. Fails: STRUCT_SIZE, ARGUMENT. Threads: any. GL: none. */
+/* Computes a camera.
+ * Fails: STRUCT_SIZE, ARGUMENT (a number out of its range). Threads: any. GL: none. */
 CLQ_API clq_status clq_camera_look_at(const clq_look_at_def *def, clq_camera *out);
 
 /* Creates a view of a crowd.
@@ -85,7 +87,8 @@ CLQ_DEFINE_ZERO_INIT(clq_view_stats)
 
 /* Gets the counts of a view's draw list.
  *   out   made by clq_view_stats_init
- * Fails: STRUCT_SIZE, ARGUMENT, BUSY (an update runs, or another thread draws the view). Threads: any. GL: none. */
+ * Fails: STRUCT_SIZE, ARGUMENT, BUSY (an update runs, or another thread draws or reads the view). Threads: any. GL:
+ * none. */
 CLQ_API clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out);
 
 /* Returns a hash of the draw list with all its matrices, colours and vertices: equal lists draw equal pictures. 0 for

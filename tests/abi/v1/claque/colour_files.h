@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* Loads a colour map (S2 5.2: HSB maps are loaded, modified and saved). The file has the members and limits of
+/* Load a colour map (S2 5.2: HSB maps are loaded, modified and saved). The file has the members and limits of
  * clq_colour_class, clq_zone_colours and clq_palette_entry:
  *   [[classes]]
  *   name = "decurions"
@@ -32,8 +32,7 @@ CLQ_API clq_status clq_colour_map_load_file(clq_context *context, const char *pa
 
 /* Writes a map as TOML. Equal maps give equal bytes, also after loading and saving. Comments of a loaded file are not
  * part of its map.
- * Fails: ARGUMENT (NULL; a name that is not UTF-8), IO, CALLBACK, OUT_OF_MEMORY. Threads: any. GL:
- * none. */
+ * Fails: ARGUMENT (NULL; a name that is not UTF-8), IO, CALLBACK, OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_colour_map_save(const clq_colour_map *map, clq_write_function write, void *user);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /* clq_context: the services that a host lends to claque. Templates, crowds, colour maps and renderers are made from a
- * context and must be destroyed before it.
+ * context and must be destroyed before it. Assets (claque/assets.h) use a context during calls only.
  *
  * libclaque reads one variable of the environment, CLAQUE_SIMD (claque/simd.h). libclaque-assets also reads
  * XDG_CACHE_HOME and HOME where clq_prepare_def.folder is NULL. */
@@ -38,14 +38,18 @@ CLQ_API clq_status clq_context_create(const clq_context_def *def, clq_context **
  * call may use the context at the same time. GL: none. */
 CLQ_API clq_status clq_context_destroy(clq_context *context);
 
-/* For libraries and bindings on top of claque: writes one sentence to the context's log, if it has one. Threads: any.
- * */
+/* For libraries and bindings on top of claque: writes a sentence to the context's log; without a log, does nothing.
+ *   context, text   NULL: the call does nothing
+ * Threads: any. GL: none. */
 CLQ_API void clq_context_log(clq_context *context, clq_log_level level, const char *text);
 
 /* For libraries and bindings on top of claque: calls job(job_data, i) once for each i in [0, count), in any order, on
  * the context's tasks or, without tasks, on this thread. Returns when all calls have returned. A job must not call this
  * function.
- * Fails: CALLBACK (a job threw an exception: the text names the lowest such index; all others ran). Threads: any. */
+ *   context   NULL: without tasks
+ *   job       NULL: the call does nothing
+ * Fails: CALLBACK (a job threw an exception: the text names the lowest such index; all others ran). Threads: any. GL:
+ * none. */
 CLQ_API clq_status clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index),
                                    void *job_data);
 

@@ -3,8 +3,8 @@
  *
  * A crowd has one writer: calls that change it come from one thread at a time. Calls that get something of it or of its
  * views, or draw them, may come from any thread. claque never waits: a call that meets a change, or a change that meets
- * a call, fails with BUSY and does nothing. So does every call that a callback makes for the crowd, view or renderer
- * that is at work. Only a call that destroys an object must not meet another one for it.
+ * a call, fails with BUSY and does nothing. This also holds for calls that a callback makes. Only a call that destroys
+ * an object must not meet another one for it.
  *
  * Positions are doubles and are drawn relative to the eye, so they do not jitter at 10^6 m from the origin. An actor is
  * an {index, generation} id by value. {0, 0} is no actor. The id of a destroyed actor is STALE_ID for ever. */
@@ -58,7 +58,7 @@ typedef enum clq_cull_mode {
     CLQ_CULL_TRADITIONAL = 1
 } clq_cull_mode;
 
-/* Who applies the matrices of rigid parts (S0 6.2.2, fTrack). Both modes give the same picture up to GL's rounding. */
+/* How the matrices of rigid parts are applied (S0 6.2.2, fTrack). The pictures agree up to GL's rounding. */
 typedef enum clq_rigid_mode {
     CLQ_RIGID_VERTICES = 0, /* claque transforms the vertices */
     CLQ_RIGID_MATRICES = 1  /* GL's matrix stack does, for templates that have only rigid parts */
@@ -91,9 +91,9 @@ typedef enum clq_clock {
 typedef struct clq_crowd_def {
     uint32_t struct_bytes; /* set by clq_crowd_def_init */
     clq_cache_mode cache;
-    uint64_t cache_budget_bytes; /* palettes and vertices together; 0: 1 GiB. Individuals beyond
-                                    the budget are posed and skinned in every update, in
-                                    memory outside it: arena_bytes of clq_crowd_stats */
+    /* Memory of palettes and vertices together; 0: 1 GiB. Individuals beyond the budget are posed and skinned in every
+     * update, in memory outside it: clq_crowd_stats.arena_bytes. */
+    uint64_t cache_budget_bytes;
     /* The update period (S1 4): linear in the squared eyeDistance, rounded down to one of 1/50 ... 1/4 s. */
     float period_near_s;   /* [0, 1] up to distance_near_m; 0: every frame. Default 0.02 */
     float period_far_s;    /* [>= period_near_s] from distance_far_m on. Default 0.25 */
@@ -153,7 +153,7 @@ CLQ_API clq_status clq_crowd_destroy(clq_crowd *crowd);
 
 /* A rigid transform with a scale. As an actor's, it places its Reference Point (S0 3). */
 typedef struct clq_transform {
-    double position[3];        /* world units, or those of the actor's group */
+    double position[3];        /* in world units; of a group's member in the units of the group's space */
     float orientation_xyzw[4]; /* of length 1 within 0.001; all zero means no rotation */
     float scale;               /* world units per model unit, finite; negative mirrors; 0 means 1 */
 } clq_transform;
@@ -207,6 +207,8 @@ static inline clq_actor_def clq_actor_def_init(void)
 }
 
 /* Creates an actor. It shows its template's zone colours until it gets its own. It costs only its own state (S0 7.1).
+ *   def   copied; the template must be of the crowd's context
+ *   out   the actor, which ends with clq_actor_destroy or with the crowd
  * Fails: STRUCT_SIZE, ARGUMENT, LIMIT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_actor *out);
 
@@ -241,9 +243,9 @@ CLQ_API clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor
  * Fails: STALE_ID, ARGUMENT, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t set);
 
-/* Creates an actor like another one: with its template, clip, colours, texture set, mechanisms with their commands,
- * root path, group, priority, hooks and ground, but without its attachments (S0 7.1). Nothing of the template is
- * copied.
+/* Creates an actor like another one: with its template, clips, fades and layers, colours, texture set, mechanisms with
+ * their commands, root path, group, priority, hooks and ground, but without its attachments (S0 7.1). Nothing of the
+ * template is copied.
  *   transform   in the other's group, if it has one; NULL: the other's own
  *   seed        of its later random choices; it keeps the other's colours until they are set or sampled
  * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
@@ -260,8 +262,8 @@ CLQ_API clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, flo
 typedef struct clq_attachment_def {
     uint32_t struct_bytes; /* set by clq_attachment_def_init */
     uint32_t node;         /* of the actor's template */
-    float centre[3];       /* of the object's bounding sphere, in the node's frame */
-    float radius;          /* [>= 0] */
+    float centre[3];       /* of the object's bounding sphere, in the node's frame, in model units */
+    float radius;          /* [>= 0] in model units */
 } clq_attachment_def;
 
 CLQ_DEFINE_ZERO_INIT(clq_attachment_def)

@@ -13,14 +13,14 @@ extern "C" {
 typedef struct clq_levels_def {
     uint32_t struct_bytes; /* set by clq_levels_def_init */
     /* [target_count] triangles of all parts together, descending, each 4 or more. Targets that are not below the
-     * character's count are skipped. NULL: the counts halve down to 1040, eight levels lead to 490, then come 250, 120,
-     * 60, 42, 30, 20 and 14. */
+     * character's count are skipped. With target_count 0: a half, a quarter and so on of the character's count, while
+     * above 1300; then 1040, 934, 839, 753, 676, 607, 545, 490, 250, 120, 60, 42, 30, 20 and 14. */
     const uint32_t *targets;
     uint32_t target_count;
-    /* The size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
+    /* (> 0) the size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
      * clq_view_set_height). Default 1. */
     float tolerance_px;
-    float metres_per_unit; /* metres in a model unit. Default 1 */
+    float metres_per_unit; /* (> 0) metres in a model unit. Default 1 */
     /* Levels of at most this many triangles are proxies: one mesh, no seams, a baked texture. Above 128 triangles a
      * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. Proxies also
      * replace every level from the first that misses its target by 5 %, changes a zone's share of the surface by 2
@@ -43,13 +43,15 @@ static inline clq_levels_def clq_levels_def_init(void)
     return def;
 }
 
-/* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. Levels
- * that no distance would select are left out, and so are levels below 20 triangles that change the share of a zone by
- * more than 2 points. The levels do not depend on the context's tasks, which share the work.
+/* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. A level
+ * is left out if no distance would select it, if it has less than a tenth more triangles than the next one, or if it
+ * has fewer than 20 triangles and changes the share of a zone by more than 2 points. A zone with a smaller share may
+ * vanish from coarse levels. The levels do not depend on the context's tasks, which share the work.
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
- * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate, targets), LIMIT (on average more than 512 triangles lie where the
- * centre of one is), OUT_OF_MEMORY; the asset then stays.
+ * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate; targets that do not descend; a number out of its range), LIMIT
+ * (the centre of a triangle lies in the boxes of more than 512 others, on average), OUT_OF_MEMORY; the asset then
+ * stays.
  * Threads: one per asset. GL: none. */
 CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
                                          uint32_t *out_count);

@@ -40,7 +40,7 @@ typedef enum clq_curve {
 typedef struct clq_gait_def {
     uint32_t struct_bytes;    /* set by clq_gait_def_init */
     const clq_template *tmpl; /* at least one actor of the crowd must have used it already */
-    uint32_t clip_a, clip_b;
+    uint32_t clip_a, clip_b;  /* each with a length above 0 */
     /* Times that belong together, such as foot contacts, each on its clip's own axis: ascending, from the beginning of
      * the cycle to its end. 0: equal fractions of the cycles belong together, or sync_marker says. */
     uint32_t sync_count;

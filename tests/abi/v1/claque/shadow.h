@@ -24,13 +24,16 @@ typedef struct clq_shadow_def {
      * length. light[3] is 1: the position of the light; an individual whose bounding sphere is not wholly below it has
      * no shadow. Default: straight above. */
     double light[4];
-    double up[3]; /* the ground's up direction, of any length; the light is above the ground. Default 0, 1, 0 */
+    /* The ground's up direction, of any length. A direction to the light rises above the ground by a sine of 0.02 or
+     * more. Default 0, 1, 0. */
+    double up[3];
     clq_shadow_ground ground;
-    double plane_height;
+    double plane_height; /* in world units, of CLQ_SHADOW_GROUND_PLANE */
     /* clq_renderer_draw_shadows calls it on its thread for each individual with a shadow; NaN: no shadow. */
     clq_height_function height;
     void *user;
-    float lift;            /* [>= 0] the height of shadows above the ground, to separate their depths. Default 0.01 */
+    /* [>= 0] the height of shadows above the ground, in world units, to separate their depths. Default 0.01. */
+    float lift;
     float rgb[3];          /* [0, 1] the colour that a shadow darkens to. Default black */
     float darkness;        /* [0, 1] how far. Default 0.5 */
     int32_t stencil_bit;   /* [0, 31] a bit of the stencil buffer lent to the call; -1 (default): none */

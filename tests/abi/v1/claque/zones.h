@@ -35,8 +35,8 @@ typedef struct clq_zone_map_zone {
      * own colour becomes the one that restores the image best. False: its texels keep their colours; the zone's own
      * colour is white. */
     bool reduced;
-    /* The range that clq_actor_randomise_colours samples. NULL: by the name (skin, hair, leather, ...) and the colour.
-     * */
+    /* The range that clq_actor_randomise_colours samples. NULL: a range that follows from the name (skin, hair,
+     * leather, ...) and the colour. */
     const clq_hsb_range *range;
 } clq_zone_map_zone;
 
@@ -80,7 +80,8 @@ CLQ_DEFINE_ZERO_INIT(clq_zone_proposal)
  * Fails: STRUCT_SIZE, ARGUMENT, OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_propose_zones(const clq_asset *asset, uint32_t image, clq_zone_proposal *out);
 
-/* Reads a PNG or JPEG file, such as a painted zone map, as RGBA: 4 bytes a pixel, the file's top row first.
+/* Reads a PNG or JPEG file of at most 1 GiB, such as a painted zone map, as RGBA: 4 bytes a pixel, the file's top row
+ * first.
  *   out   made by clq_picture_init; the host then sets pixels and capacity_bytes
  * Fails: STRUCT_SIZE, ARGUMENT (also a capacity that is too small), IO, FORMAT, UNSUPPORTED, LIMIT, OUT_OF_MEMORY.
  * Threads: any. GL: none. */
