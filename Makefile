@@ -16,7 +16,7 @@ help:
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
-	@echo "make check      formatting, warnings as errors, layers"
+	@echo "make check      formatting, warnings as errors, layers, names in the docs"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
 	@echo "make test-bare  make run and make test in a clone on a bare Debian 12, held to 3 and 15 minutes (needs root)"
@@ -141,7 +141,7 @@ test-nehalem: build
 check: setup
 	@clang-format --dry-run -Werror $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')
 	@$(MAKE) --no-print-directory build PRESET=dev
-	ctest --preset dev -R '^(Layers|Style)'
+	ctest --preset dev -R '^(Layers|Style|Docs)'
 
 format:
 	clang-format -i $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')
