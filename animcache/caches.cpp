@@ -12,7 +12,7 @@ namespace
 
 constexpr uint32_t slices = Caches::slice_count;
 
-// A strand's share of n, in order.
+// The part of n that belongs to a slice, in order.
 template <class Body>
 void for_slice(uint32_t n, uint32_t slice, const Body &body)
 {

@@ -55,8 +55,8 @@ public:
     void undo();
     void allocate_poses();  // finds memory, evicting the individuals unseen for longest
     void find_due_poses();
-    // Defers all but `moment.budget` of the due poses whose earlier pose can still be shown (budget.cpp). The deferred
-    // requests then name the cached pose.
+    // Defers all but `pose_budget.budget` of the due poses whose earlier pose can still be shown (budget.cpp). The
+    // deferred requests then name the cached pose.
     struct PoseBudget {
         double time_s = 0;
         double elapsed_s = 0;  // since the update before; 0: unknown
@@ -77,8 +77,8 @@ public:
     // What these are skinned from; a null palette: key-poses, or parts placed by GL's matrix stack.
     static draw::Pose pose_of(const Request &request);
     // The palette of a request's pose, or null if there was no memory for it. When only the nodes' own matrices are
-    // kept, the palette is made in the strand's scratch and the products that takes are counted. `strand` below
-    // strand_count.
+    // kept, the palette is made in the scratch of the slice, and the products for it are counted. `slice` is below
+    // slice_count.
     const math::Affine *palette_for_spheres(const Request &request, uint32_t slice, uint64_t &products) const;
     // Of an individual whose parts are placed by GL's matrix stack; null otherwise.
     static const math::Affine *locals_of(const Request &request);
@@ -145,7 +145,7 @@ private:
     std::pmr::vector<Waiting> waiting_;
     PoseBudget pose_budget_;                             // of the last update
     uint32_t first_ = model::none, last_ = model::none;  // rows by when they were last seen
-    std::pmr::vector<uint32_t> built_;                   // by strand: matrices built
+    std::pmr::vector<uint32_t> built_;                   // by slice: matrices built
     mutable ScratchPool scratch_;
     KeyPoses key_poses_;
 };

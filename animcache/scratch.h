@@ -1,5 +1,5 @@
 // Working memory for a fixed number of tasks, grown before a frame begins so that no task allocates. The number of
-// strands does not depend on the number of threads, so that a task uses the same memory on every machine.
+// tasks does not depend on the number of threads, so that a task uses the same memory on every machine.
 #pragma once
 
 #include "animcache/evaluate.h"

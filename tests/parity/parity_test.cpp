@@ -1,5 +1,5 @@
 // The GPU peer against the CPU path: vertices within 1e-4 of a character's size, colours within 2 of 255 on 99.9 % of
-// the pixels that show somebody.
+// the pixels that show a person.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -66,7 +66,7 @@ protected:
         return parity::verdict_of(parity::compare(reference, result, pixels_per_degree), parity::tolerance_of("gpu"));
     }
 
-    // Of the pixels that show somebody in either picture, how many are further apart than 2: the whole picture's share
+    // Of the pixels that show a person in either picture, how many are further apart than 2: the whole picture's share
     // would be kept by a crowd that covers little of it.
     double share_over_2()
     {

@@ -50,7 +50,7 @@ protected:
         }
         return all;
     }
-    // The message of applying it, or empty; `taken_up`: whether there was anything new.
+    // The message of applying it, or empty; `taken_up_`: whether there was anything new.
     std::string apply(ColourFile &file)
     {
         try {

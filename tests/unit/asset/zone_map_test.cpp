@@ -1,4 +1,4 @@
-// Zones for images that come without: maps that somebody painted, and maps that are proposed.
+// Zones for images that come without: painted maps, and maps that are proposed.
 #include "lib/asset/zone_map.h"
 
 #include <set>
