@@ -172,9 +172,10 @@ def comment_faults(tree, path, text):
     if path.startswith("include/claque/"):
         yield from name_faults(tree, comments)
     if not hashed:
-        for name in re.findall(r"\b\w+::(\w+)|(?<![\w.>-])([a-z]\w+)\(\)", comments):
-            if (name[0] or name[1]) not in tree.words:
-                yield f"no code has the name {name[0] or name[1]}"
+        names = re.findall(r"\b\w+::(\w+)|(?<![\w.>-])([a-z]\w+)\(\)|`(?:\w+\.)?([A-Za-z_]\w*)`", comments)
+        for name in ("".join(found) for found in names):
+            if name not in tree.words and name not in tree.stems:
+                yield f"no code has the name {name}"
     folder = path.rsplit("/", 1)[0]
     for name in re.findall(r"(?<![\w./-])((?:[\w-]+/)*[\w-]+\.(?:h|cpp|py|md))\b", comments):
         if name.startswith("claque/"):
@@ -200,7 +201,7 @@ def prove(tree):
             yield f"docs.py does not see what is wrong with {text!r}: {found}"
     if not list(page_faults(tree, page, "A page.\n")):
         yield "docs.py does not see that a first line is wrong"
-    for text in ("// see nothing.cpp\n", "// see base::qwertzuiop\n", "/* qwertzuiop() */"):
+    for text in ("// see nothing.cpp\n", "// see base::qwertzuiop\n", "/* qwertzuiop() */", "// `qwertzuiop`\n"):
         if not list(comment_faults(tree, "lib/base/error.h", text)):
             yield f"docs.py does not see that the comment {text!r} names nothing"
     if list(page_faults(tree, page, "This page is one.\n`lib/frame`, `claque/crowd.h`, `make run`, clq_crowd_def.seed\n")):
