@@ -30,6 +30,9 @@ target_compile_options(claque_flags INTERFACE
 # For code around the library, where the time to compile matters more than the time to run.
 add_library(claque_quick_to_compile INTERFACE)
 target_compile_options(claque_quick_to_compile INTERFACE $<$<CONFIG:Release>:-O1>)
+# For tests, most of which spend their time in libraries.
+add_library(claque_not_optimised INTERFACE)
+target_compile_options(claque_not_optimised INTERFACE $<$<CONFIG:Release>:-O0>)
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86)$" OR (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64" AND CMAKE_SIZEOF_VOID_P EQUAL 4))
     # Old hosts call with stacks aligned to 4 bytes.
@@ -76,6 +79,12 @@ function(claque_sources_hash function out)
     set(${out} ${made} PARENT_SCOPE)
 endfunction()
 
+# For sources of tests that compute much themselves.
+function(claque_optimise)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>
+        SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is the build folder of the test.
 # BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci` runs it under sanitizers, too.
 # OPTIMISED: most of its time it runs code of its own.
@@ -90,7 +99,7 @@ function(claque_test name)
     add_executable(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE claque_flags ${ARG_LIBRARIES} GTest::gtest_main)
     if(NOT ARG_OPTIMISED)
-        target_link_libraries(${name} PRIVATE claque_quick_to_compile)
+        target_link_libraries(${name} PRIVATE claque_not_optimised)
         target_precompile_headers(${name} REUSE_FROM claque_test_headers)
     endif()
     target_compile_definitions(${name} PRIVATE

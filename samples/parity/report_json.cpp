@@ -9,22 +9,22 @@ namespace parity
 namespace
 {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // JSON has no infinity, which is the PSNR of equal pictures.
-Json number(double value)
+OrderedJson number(double value)
 {
     if (std::isfinite(value)) return value;
     return std::isnan(value) ? "not a number" : value > 0 ? "infinite" : "-infinite";
 }
 
-Json side(const Capture &c) { return {{"folder", c.folder}, {"renderer", c.renderer}, {"scene", c.scene}}; }
+OrderedJson side(const Capture &c) { return {{"folder", c.folder}, {"renderer", c.renderer}, {"scene", c.scene}}; }
 
-Json measures(const Report &report)
+OrderedJson measures(const Report &report)
 {
-    Json out = Json::object();
+    OrderedJson out = OrderedJson::object();
     for (const Measure &m : report.comparison.measures) {
-        Json entry = {{"value", number(m.value)}};
+        OrderedJson entry = {{"value", number(m.value)}};
         if (!m.unit.empty()) entry["unit"] = m.unit;
         if (!m.where.empty()) entry["where"] = m.where;
         if (const Check *check = report.verdict.find(m.name)) {
@@ -36,9 +36,9 @@ Json measures(const Report &report)
     return out;
 }
 
-Json groups(const std::vector<NotCompared> &list)
+OrderedJson groups(const std::vector<NotCompared> &list)
 {
-    Json out = Json::array();
+    OrderedJson out = OrderedJson::array();
     for (const NotCompared &n : list) out.push_back({{"group", n.group}, {"why", n.why}});
     return out;
 }
@@ -47,19 +47,19 @@ Json groups(const std::vector<NotCompared> &list)
 
 std::string report_json(const Report &report)
 {
-    const Json json = {{"format", "claque-parity-report"},
-                       {"version", 1},
-                       {"verdict", report.verdict.pass ? "pass" : "fail"},
-                       {"tolerance", report.verdict.tolerance},
-                       {"reference", side(report.reference)},
-                       {"result", side(report.result)},
-                       {"width", report.reference.width},
-                       {"height", report.reference.height},
-                       {"time_s", report.reference.time_s},
-                       {"measures", measures(report)},
-                       {"not_compared", groups(report.comparison.not_compared)},
-                       {"lacking", groups(report.verdict.lacking)}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const OrderedJson json = {{"format", "claque-parity-report"},
+                              {"version", 1},
+                              {"verdict", report.verdict.pass ? "pass" : "fail"},
+                              {"tolerance", report.verdict.tolerance},
+                              {"reference", side(report.reference)},
+                              {"result", side(report.result)},
+                              {"width", report.reference.width},
+                              {"height", report.reference.height},
+                              {"time_s", report.reference.time_s},
+                              {"measures", measures(report)},
+                              {"not_compared", groups(report.comparison.not_compared)},
+                              {"lacking", groups(report.verdict.lacking)}};
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace parity

@@ -1,4 +1,5 @@
 // Culling parts changes no pixel (S0 4.2, phases 3 and 7).
+#include "tests/gl/support/driver.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/jointed.h"
 #include "tests/gl/support/spy.h"
@@ -32,7 +33,8 @@ TEST_F(Parts, OutOfViewAreCulledWithoutAChangeInThePicture)
         const auto renderer = make_renderer_of(puppet_on.posed, options_of(strategy));
         const Picture empty = draw(*context_, *renderer, DrawList(std::pmr::get_default_resource()));
         uint32_t partial = 0, drawn = 0;
-        for (uint32_t i = 0; i < 200; ++i) {
+        const uint32_t cameras = on_softpipe() ? 40 : 200;
+        for (uint32_t i = 0; i < cameras; ++i) {
             const Camera camera = hashed_camera(puppet_on.posed, i, aspect);
             const DrawList list = list_of(puppet_on.posed, camera);
             const uint64_t in = parts_in(puppet_on, camera);
@@ -41,8 +43,9 @@ TEST_F(Parts, OutOfViewAreCulledWithoutAChangeInThePicture)
             partial += in != 0 && in != all;
             drawn += whole != empty;
         }
-        EXPECT_GT(partial, 100u) << "too few cameras cull any part";
-        EXPECT_GT(drawn, 190u) << "too many cameras look past it; 197 did not when this was written";
+        EXPECT_GT(partial, cameras / 2) << "too few cameras cull any part";
+        EXPECT_GT(drawn, cameras * 19 / 20)
+            << "too many cameras look past it; 197 of 200 did not when this was written";
     }
 }
 

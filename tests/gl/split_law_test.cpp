@@ -1,4 +1,5 @@
 // The law of zones on sheets that meshsplit splits: awkward keys, wrap modes and image sizes.
+#include "tests/gl/support/driver.h"
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
 
@@ -19,7 +20,8 @@ std::vector<uint8_t> awkward_keys(uint32_t count, int first, int step)
 
 TEST_P(SplitLaw, HoldsForKeysFromNoughtWithGapsOfOne)
 {
-    for (const uint32_t zones : {2u, 8u, 10u, 16u, 48u})
+    const std::vector<uint32_t> all = {2, 8, 10, 16, 48}, few = {10};
+    for (const uint32_t zones : on_softpipe() ? few : all)
         for (const std::vector<uint8_t> &keys :
              {awkward_keys(zones, 0, 1), awkward_keys(zones, 256 - int(zones), 1), awkward_keys(zones, 255, -5)}) {
             SCOPED_TRACE(testing::Message() << zones << " zones from key " << int(keys[0]));

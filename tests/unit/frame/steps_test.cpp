@@ -154,9 +154,12 @@ TEST_F(StepsTest, BehaveNeedsRoomForCandidatesAndTheirDegreesOfFreedom)
         return Behave{given_,       placed(),   found(missing), 3, cut(work_.behaving, behaving), cut(dofs, numbers),
                       work_.caches, work_.stats};
     };
+    fits(step(rows_, 0, 0));  // without a mechanism nothing is written
+    scene_.crowd.behaviours().add(crowd::Mechanism(), {});
     fits(step(rows_, 0, dofs.size()));
     is_refused(step(rows_ - 1, 0, dofs.size()), "no room for every candidate and row");
     is_refused(step(rows_, 1, dofs.size()), "no room for every candidate and row");
+    is_refused(step(rows_, 0, 0), "no room for the degrees of freedom of every candidate");
     is_refused(step(rows_, 0, dofs.size() - 1), "no room for the degrees of freedom of every candidate");
 }
 
