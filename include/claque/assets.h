@@ -121,7 +121,7 @@ CLQ_DEFINE_ZERO_INIT(clq_asset_part)
 
 /* Get what an asset holds. Strings live until the asset changes.
  *   out   made by its _init function
- * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large). Threads: any. GL: none. */
+ * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out);
 CLQ_API clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_part *out);
 CLQ_API clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out);

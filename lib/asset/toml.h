@@ -3,6 +3,7 @@
 #pragma once
 
 #define TOML_EXCEPTIONS 0
+#define TOML_FLOAT_CHARCONV 1  // streams take an allocation that fails for a number that cannot be read
 #define TOML_ASSERT(expr) static_assert(true)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG

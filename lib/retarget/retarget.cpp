@@ -116,7 +116,7 @@ void merge(model::Rig &target, NewClips &&added)
 
 }  // namespace
 
-Report add_clips(model::Rig &target, const model::Rig &source, const Options &options)
+Report add_clips(model::Rig &target, const model::Rig &source, const Options &options, const Before &before)
 {
     check(options);
     Report report;
@@ -139,9 +139,10 @@ Report add_clips(model::Rig &target, const model::Rig &source, const Options &op
         const std::string name = options.prefix + source.clip_names[clip].c_str();
         added.names.push_back(unique_name(target, added, name, report));
     }
-    merge(target, std::move(added));
     report.clips = clips;
     for (const JointMatch &match : matches) report.joints.emplace_back(match.source, match.target);
+    if (before) before(report);
+    merge(target, std::move(added));
     return report;
 }
 

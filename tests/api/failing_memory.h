@@ -3,6 +3,8 @@
 
 #include <claque/base.h>
 
+#include <vector>
+
 namespace failing_memory
 {
 
@@ -12,6 +14,26 @@ enum class Reach { host_only, everything };
 void arm(uint64_t n, Reach reach, bool persistent = false);
 uint64_t disarm();     // number of allocations since arm()
 int64_t host_bytes();  // held now through the host's allocator
+int64_t blocks();      // held now in all, the host's and the heap's; 0 where a sanitizer owns malloc
+
+// Allocations meanwhile are the test's own: not counted, never failed.
+class Unarmed
+{
+public:
+    Unarmed();
+    ~Unarmed();
+    Unarmed(const Unarmed &) = delete;
+    Unarmed &operator=(const Unarmed &) = delete;
+
+private:
+    bool was_armed_;
+};
+
+// A place that allocates: a hash of the return addresses above it, up to the function that called arm(); the same in a
+// child of fork().
+using Place = uint64_t;
+void note_places(std::vector<Place> *out, uint32_t frames);  // of all allocations while armed; null: of none
+Place failed_place();                                        // of the last allocation that was failed; 0: none yet
 
 extern const clq_allocator allocator;
 

@@ -49,11 +49,12 @@ retarget::Options options_of(const clq_clips_def &def)
     return out;
 }
 
-// Copies the root motion requests of the source's clips, if their joints are bound.
-void add_root_motions(const clq_asset &source, const retarget::Report &made, clq_root_travel travel, clq_asset &target,
-                      std::vector<std::string> &warnings)
+// The root motion requests of the source's clips, if their joints are bound.
+std::vector<model::RootMotionRequest> root_motions_of(const clq_asset &source, const retarget::Report &made,
+                                                      clq_root_travel travel, uint32_t first_clip,
+                                                      std::vector<std::string> &warnings)
 {
-    const uint32_t first = static_cast<uint32_t>(target.model.rig.clips.size() - made.clips.size());
+    std::vector<model::RootMotionRequest> out;
     for (uint32_t i = 0; i < made.clips.size(); ++i)
         for (const model::RootMotionRequest &motion : source.model.root_motions) {
             if (motion.clip != made.clips[i]) continue;
@@ -65,11 +66,34 @@ void add_root_motions(const clq_asset &source, const retarget::Report &made, clq
             uint32_t node = model::none;
             for (const auto &[from, to] : made.joints)
                 if (from == motion.node) node = to;
-            if (node != model::none) target.model.root_motions.push_back({first + i, node});
+            if (node != model::none) out.push_back({first_clip + i, node});
             else
                 warnings.push_back(base::text_of("clip '%s' has no root motion: '%s' is not bound", clip,
                                                  source.model.rig.node_names[motion.node].c_str()));
         }
+    return out;
+}
+
+// Adds the clips and what belongs to them. Everything that may fail comes before the first change.
+retarget::Report add(clq_asset &asset, const clq_asset &source, const retarget::Options &options,
+                     clq_root_travel travel, const std::string &prefix)
+{
+    model::Model &model = asset.model;
+    std::vector<model::RootMotionRequest> motions;
+    const auto prepare = [&](retarget::Report &report) {
+        motions =
+            root_motions_of(source, report, travel, static_cast<uint32_t>(model.rig.clips.size()), report.warnings);
+        for (std::string &warning : report.warnings) warning.insert(0, prefix);
+        model.root_motions.reserve(model.root_motions.size() + motions.size());
+        model.warnings.reserve(model.warnings.size() + report.warnings.size());
+    };
+    // What was read for the clips was read for the asset.
+    const uint64_t bytes = model.source_bytes ? model::source_bytes(source.model) : 0;
+    retarget::Report made = retarget::add_clips(model.rig, source.model.rig, options, prepare);
+    model.root_motions.insert(model.root_motions.end(), motions.begin(), motions.end());
+    for (std::string &warning : made.warnings) model.warnings.push_back(std::move(warning));
+    model.source_bytes += bytes;
+    return made;
 }
 
 }  // namespace
@@ -86,22 +110,17 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
         const clq_clips_def wanted = api::read_def(def, clq_clips_def_init, "clq_clips_def_init");
         const retarget::Options options = options_of(wanted);
         const std::string prefix = "clips of '" + source->model.name + "' for '" + asset->model.name + "': ";
-        std::vector<std::string> &warnings = asset->model.warnings;
         try {
-            retarget::Report made = retarget::add_clips(asset->model.rig, source->model.rig, options);
-            add_root_motions(*source, made, wanted.travel, *asset, made.warnings);
-            // What was read for the clips was read for the asset.
-            if (asset->model.source_bytes) asset->model.source_bytes += model::source_bytes(source->model);
+            const size_t warnings = asset->model.warnings.size();
+            const retarget::Report made = add(*asset, *source, options, wanted.travel, prefix);
             if (out_report) {
                 clq_clips_report report = clq_clips_report_init();
                 report.mode = static_cast<clq_retarget_mode>(made.mode);
                 report.clip_count = made.clip_count, report.joint_count = made.joint_count;
                 api::write_out(out_report, report);
             }
-            for (const std::string &warning : made.warnings) {
-                warnings.push_back(prefix + warning);
-                clq_context_log(context, CLQ_LOG_WARNING, warnings.back().c_str());
-            }
+            for (size_t i = warnings; i < asset->model.warnings.size(); ++i)
+                clq_context_log(context, CLQ_LOG_WARNING, asset->model.warnings[i].c_str());
         } catch (const base::Error &error) {
             base::fail(error.status(), "%s%s", prefix.c_str(), error.what());
         }

@@ -1,0 +1,85 @@
+// Each allocation of each call of the C API fails once: the call says so, nothing has changed, and the next call gives
+// what it would have given. CLAQUE_FAULTS=thorough fails allocations 1 to 200 and then every tenth part further, and each
+// place that allocates; without it, fewer.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <regex>
+#include <sstream>
+
+#include "tests/faults/campaign.h"
+
+namespace faults
+{
+namespace
+{
+
+bool is_thorough()
+{
+    const char *effort = std::getenv("CLAQUE_FAULTS");
+    return effort && std::string(effort) == "thorough";
+}
+
+std::set<std::string> declared()
+{
+    std::set<std::string> names;
+    const std::regex call(R"(CLQ_API [^;(]*?(clq_\w+)\()");
+    for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
+        std::stringstream text;
+        text << std::ifstream(header.path()).rdbuf();
+        const std::string all = text.str();
+        for (auto found = std::sregex_iterator(all.begin(), all.end(), call); found != std::sregex_iterator(); ++found)
+            names.insert((*found)[1]);
+    }
+    return names;
+}
+
+TEST(FaultTable, HoldsEveryDeclaredCall)
+{
+    std::set<std::string> listed;
+    for (const Call &call : calls()) listed.insert(call.name);
+    EXPECT_EQ(declared(), listed);
+}
+
+// One world for all: each call is tried in a child process.
+World &world()
+{
+    static const std::unique_ptr<World> one = std::make_unique<World>();
+    return *one;
+}
+
+class EachCall : public testing::TestWithParam<size_t>
+{
+};
+
+TEST_P(EachCall, SurvivesEachAllocationThatFails)
+{
+    const Call &call = calls()[GetParam()];
+    const Outcome outcome = try_call(world(), call, is_thorough() ? thorough : brief);
+    EXPECT_EQ(outcome.problem, "");
+    if (call.traits & quiet) {
+        EXPECT_EQ(outcome.allocations, 0u) << "it is listed as one that allocates nothing";
+    } else {
+        EXPECT_GT(outcome.faults, 0u) << "it never allocated: this test saw nothing";
+    }
+    EXPECT_EQ(outcome.failed_places, outcome.places) << "places that allocate and were never failed";
+    RecordProperty("faults", static_cast<int>(outcome.faults));
+    std::printf("faults: %s %s: %llu allocations, %llu failed, %llu of them done without, %llu of %llu places\n",
+                call.name.c_str(), call.variant.c_str(), static_cast<unsigned long long>(outcome.allocations),
+                static_cast<unsigned long long>(outcome.faults), static_cast<unsigned long long>(outcome.did_without),
+                static_cast<unsigned long long>(outcome.failed_places),
+                static_cast<unsigned long long>(outcome.places));
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, EachCall, testing::Range(size_t(0), calls().size()), [](const auto &info) {
+    std::string name = calls()[info.param].name;
+    if (!calls()[info.param].variant.empty()) name += "_" + calls()[info.param].variant;
+    for (char &c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+});
+
+}  // namespace
+}  // namespace faults
