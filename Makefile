@@ -5,7 +5,7 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants faults bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
+.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants faults soak bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -15,6 +15,7 @@ help:
 	@echo "make ci         make test, then the readers, the C API and the fuzz corpora under sanitizers"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
+	@echo "make soak       a million updates of people who come and go; memory and pictures must stay as they are (some minutes)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
@@ -80,6 +81,9 @@ test-mutants: setup
 # What ctest tries in brief (tests/faults).
 faults: build
 	CLAQUE_FAULTS=thorough $(BUILD)/tests/faults/memory_faults_test
+
+soak: build
+	$(BUILD)/tests/soak/soak --updates 1000000 --seconds 1700
 
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
