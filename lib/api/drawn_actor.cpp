@@ -29,7 +29,7 @@ void require_room(uint32_t capacity, size_t wanted, const char *what)
 // The request of the last update.
 const animcache::Request &request_of(const clq_view *view, const draw::Item &item)
 {
-    return view->crowd->frame.request_of(item.actor_index);
+    return view->crowd->frame.request_of(item);
 }
 
 animcache::Inspection &inspect(std::optional<animcache::Inspection> &made, const clq_view *view, const draw::Item &item)

@@ -55,6 +55,7 @@ struct Item {
     Pose pose;                     // of `vertices`; null for kept key-poses
     const Hooks *hooks = nullptr;  // or null
     uint32_t generation = 0;       // of the actor, with actor_index
+    uint32_t request = 0;          // its number in the update, from which the pose can be found again
     bool shadow_only = false;      // only its shadow is visible: updated, not drawn
     // In the world: its Reference Point, or its Skeleton Root if that follows the ground. Shadows fall on the ground
     // there.

@@ -29,11 +29,8 @@ public:
     {
         return work_.candidates[work_.rows[row].candidate].levels;
     }
-    // What a row showed in the last update, which must have seen it.
-    const animcache::Request &request_of(uint32_t row) const
-    {
-        return work_.caches.requests()[work_.rows[row].candidate];
-    }
+    // What an item of a list of the last update shows. Rows may have other individuals by now.
+    const animcache::Request &request_of(const draw::Item &item) const { return work_.caches.requests()[item.request]; }
     // Whether any view of the last update met the group's sphere; false for a disabled or empty group.
     bool group_visible(const crowd::Crowd &crowd, uint32_t group) const;
 

@@ -21,6 +21,7 @@ draw::Item ListView::item_of(const SortEntry &listed) const
     item.actor_index = listed.row;
     item.texture_set = listed.texture_set;
     item.generation = crowd.actor(listed.row).generation;
+    item.request = listed.candidate;
     item.parts = visibility.parts;
     item.shadow_only = visibility.shadow_only;
     item.locals = caches.locals_of(request);

@@ -1,5 +1,6 @@
 // What a view shows, as numbers, and its meshes.
 #include "tests/api/drawn_actor_fixture.h"
+#include "tests/api/saved_bytes.h"
 
 namespace
 {
@@ -36,6 +37,26 @@ TEST_F(DrawnActor, HasThePaletteOfTheKeyPoseThatIsShared)
     for (double time_s : {0.21, 0.22, 0.9}) {
         ASSERT_EQ(clq_crowd_update(crowd_, time_s, &view_, 1), CLQ_OK);
         for (uint32_t i = 0; i < 3; ++i) EXPECT_LT(apart(i), 1e-6);
+    }
+}
+
+// The list holds no palette of key-poses that are kept: it is found again, and not by the row, which restoring empties.
+TEST_F(DrawnActor, StaysWhenAnotherStateIsRestored)
+{
+    clq_crowd_def def = clq_crowd_def_init();
+    def.key_poses.bands[0].distance_min_m = 0, def.key_poses.bands[0].mode = CLQ_KEY_POSE_INTERMITTENT;
+    def.key_poses.band_count = 1, def.key_poses.max_kept = 64;
+    fill(def);
+    ASSERT_EQ(clq_crowd_update(crowd_, 0.9, &view_, 1), CLQ_OK);
+    const std::vector<uint8_t> saved = saved::save(crowd_);
+    float before[3][24], after[24];
+    for (uint32_t i = 0; i < 3; ++i)
+        ASSERT_EQ(clq_view_get_palette(view_, i, before[i], 2), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(clq_crowd_restore(crowd_, saved.data(), saved.size(), &tmpl_, 1), CLQ_OK) << clq_last_error();
+    for (uint32_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(clq_view_get_palette(view_, i, after, 2), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(std::vector<float>(after, after + 24), std::vector<float>(before[i], before[i] + 24)) << i;
+        EXPECT_LT(apart(i), 1e-6);
     }
 }
 
