@@ -21,7 +21,7 @@ uint32_t Random::index(uint32_t n, uint32_t rare)
 }
 
 World::World(uint64_t seed, const Options &options)
-    : options_(options), random_(seed), test_world_(options.context), seed_(seed)
+    : options_(options), random_(seed, options.choices), test_world_(options.context), seed_(seed)
 {
     // One template with parts in distance bands and a tip that is deactivated; one of rigid parts for GL's matrix
     // stack.
@@ -50,10 +50,13 @@ World::World(uint64_t seed, const Options &options)
     stranger_ = test_world_.new_crowd();
     test_world_.set_up(stranger_);
     strange_view_ = test_world_.new_view(stranger_, 0);
+    new_renderer();
 }
 
 World::~World()
 {
+    EXPECT_EQ(clq_renderer_destroy(renderer_), CLQ_OK) << clq_last_error();
+    stub_gl::expect_balance();
     clq_template_destroy(templates_[2]);
     clq_template_destroy(templates_[3]);
 }
@@ -88,6 +91,9 @@ void World::run()
                  {1, &World::end_view},
                  {3, &World::look},
                  {10, &World::update},
+                 {6, &World::draw},
+                 {2, &World::draw_shadows},
+                 {3, &World::ask_list},
                  {4, &World::ask},
                  {2, &World::save},
                  {2, &World::restore},
@@ -97,7 +103,9 @@ void World::run()
                  {3, &World::watch}};
     uint32_t all = 0;
     for (const auto &each : steps) all += each.share;
+    const bool chosen_by_bytes = options_.choices.size > 0;
     for (step_ = 0; step_ < options_.steps && !testing::Test::HasFailure(); ++step_) {
+        if (chosen_by_bytes && random_.choices_left() == 0) break;
         uint32_t choice = random_.below(all);
         const auto *chosen = steps;
         while (choice >= chosen->share) choice -= chosen++->share;

@@ -1,20 +1,32 @@
 // A crowd that receives random calls, and the state that a host knows of it: which ids are alive, which are stale, and
-// which actors are in which group. Every number follows from a seed.
+// which actors are in which group. Every number follows from a seed, or from bytes that a fuzzer chooses.
 #pragma once
 
 #include "tests/api/saved_bytes.h"
+#include "tests/api/stub_gl.h"
 #include "tests/api/test_world.h"
 
 namespace fuzz
 {
 
-// A series of random numbers.
+// Bytes to be taken one after another, in place of random numbers.
+struct Choices {
+    const uint8_t *bytes = nullptr;
+    size_t size = 0;
+};
+
+// A series of random numbers: the choices as long as there are any, then what follows from the seed.
 class Random
 {
 public:
-    explicit Random(uint64_t seed) : seed_(seed) {}
-    uint64_t number() { return mixed(seed_, ++drawn_); }
-    uint32_t below(uint32_t n) { return static_cast<uint32_t>(number() >> 20) % n; }
+    explicit Random(uint64_t seed, const Choices &choices = {}) : seed_(seed), choices_(choices) {}
+    uint64_t number() { return choices_.size ? taken(2) : mixed(seed_, ++drawn_); }
+    uint32_t below(uint32_t n)
+    {
+        if (choices_.size) return taken(n <= 0x100 ? 1 : n <= 0x10000 ? 2 : 3) % n;
+        return static_cast<uint32_t>(number() >> 20) % n;
+    }
+    size_t choices_left() const { return choices_.size; }
     bool one_in(uint32_t n) { return below(n) == 0; }
     double in(double low, double high) { return low + (high - low) * below(100001) / 100000; }
     // Mostly a value in between; once in `rare` one that no sensible host passes.
@@ -23,11 +35,19 @@ public:
     uint32_t index(uint32_t n, uint32_t rare = 20);  // below n; once in `rare` n or far beyond
 
 private:
+    uint32_t taken(size_t bytes)
+    {
+        uint32_t out = 0;
+        for (; bytes > 0 && choices_.size > 0; --bytes, --choices_.size) out = out << 8 | *choices_.bytes++;
+        return out;
+    }
     uint64_t seed_, drawn_ = 0;
+    Choices choices_;
 };
 
 struct Options {
     uint32_t steps = 2000;
+    Choices choices;  // if there are any, the run ends with them
     const clq_context_def *context = nullptr;
     // Called round every call, to make memory fail. A call that fails then must leave the crowd unchanged, like any
     // other.
@@ -60,6 +80,7 @@ public:
     void run();
     uint32_t good() const { return good_; }
     uint32_t bad() const { return bad_; }
+    uint32_t drawn() const { return drawn_; }  // individuals
 
 private:
     using Step = void (World::*)();
@@ -118,11 +139,17 @@ private:
     void restore();
     void nonsense();
 
+    // fuzz_drawing.cpp
+    void draw();
+    void draw_shadows();
+    void ask_list();
+
     clq_actor who();  // mostly a live actor
     clq_group any_group();
     clq_mechanism any_mechanism() { return {random_.one_in(20) ? 0 : 1 + random_.index(known_.mechanisms + 1)}; }
     clq_transform any_place();
     clq_dof_pose any_shape();
+    void new_renderer();
     void leave(clq_group group);
 
     uint32_t gaits_ = 0, masks_ = 0;
@@ -134,13 +161,14 @@ private:
     clq_template *templates_[4] = {nullptr, nullptr, nullptr, nullptr};
     clq_crowd *crowd_ = nullptr, *stranger_ = nullptr;
     clq_view *strange_view_ = nullptr;
+    clq_renderer *renderer_ = nullptr;
     std::vector<clq_view *> views_;
     Known known_, known_then_;
     saved::Bytes bytes_;  // of the state of known_then_
     clq_dof_value values_[64];
     uint32_t used_values_ = 0;
     double time_s_ = 0;
-    uint32_t good_ = 0, bad_ = 0, step_ = 0;
+    uint32_t good_ = 0, bad_ = 0, drawn_ = 0, step_ = 0;
     uint64_t seed_;
 };
 

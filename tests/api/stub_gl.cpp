@@ -1,5 +1,6 @@
 #include "tests/api/stub_gl.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <string>
@@ -11,13 +12,25 @@ namespace
 
 using namespace claque::passes;
 
+struct Array {
+    const void *data = nullptr;
+    uint32_t type = gl::real;
+    int32_t stride = 0, numbers = 0;
+    bool on = false;
+};
+enum : size_t { positions, normals, uvs, colours, array_count };
+
+// What this thread's context holds.
 struct Bound {
-    const void *positions = nullptr;
-    uint32_t type = 0;
-    int32_t stride = 0, width = 0;
+    Array arrays[array_count];
+    std::vector<std::vector<Array>> pushed_arrays;
+    int32_t pushed_groups = 0, pushed_matrices = 0, width = 0;
+    uint32_t names = 0;
     uint64_t sum = 0;  // of all bytes read
 };
 thread_local Bound bound;
+
+constexpr int32_t max_stack = 16, max_side = 2048;
 
 template <class Function>
 struct Idle;
@@ -36,8 +49,9 @@ void get_integer(uint32_t name, int32_t *out)
     }
     *out = name == gl::rgba_mode                                                             ? 1
            : name == gl::render_mode                                                         ? int32_t(gl::render)
-           : name == gl::max_attrib_stack_depth || name == gl::max_client_attrib_stack_depth ? 16
-           : name == gl::max_texture_size                                                    ? 2048
+           : name == gl::max_attrib_stack_depth || name == gl::max_client_attrib_stack_depth ? max_stack
+           : name == gl::max_texture_size                                                    ? max_side
+           : name == gl::stencil_bits                                                        ? 8
                                                                                              : 0;
 }
 
@@ -48,28 +62,109 @@ void get_level(uint32_t, int32_t, uint32_t name, int32_t *out)
     *out = name == gl::texture_alpha_size ? 8 : bound.width;
 }
 
-void offer_texture(uint32_t, int32_t, int32_t, int32_t width, int32_t, int32_t, uint32_t, uint32_t, const void *)
+void read(const void *from, size_t size)
+{
+    for (size_t i = 0; i < size; ++i) bound.sum += static_cast<const unsigned char *>(from)[i];
+}
+
+void make_names(int32_t count, uint32_t *names)
+{
+    for (int32_t i = 0; i < count; ++i) names[i] = ++bound.names;
+}
+
+void offer_texture(uint32_t target, int32_t level, int32_t, int32_t width, int32_t height, int32_t border,
+                   uint32_t format, uint32_t type, const void *pixels)
 {
     bound.width = width;
+    EXPECT_TRUE(width > 0 && height > 0 && width <= max_side && height <= max_side) << width << " x " << height;
+    EXPECT_TRUE(level == 0 && border == 0 && format == gl::rgba && type == gl::unsigned_byte) << level << " " << format;
+    if (target == gl::texture_2d && pixels) read(pixels, 4 * size_t(width) * size_t(height));
 }
 
-void point_at(int32_t, uint32_t type, int32_t stride, const void *data)
+size_t size_of(uint32_t type)
 {
-    bound.positions = data;
-    bound.type = type;
-    bound.stride = stride;
+    return type == gl::signed_byte || type == gl::unsigned_byte ? 1
+           : type == gl::real || type == gl::unsigned_int       ? 4
+                                                                : 2;
 }
 
-void read_elements(uint32_t, int32_t count, uint32_t, const void *indices)
+void point(size_t which, int32_t numbers, uint32_t type, int32_t stride, const void *data)
 {
-    const size_t size = bound.type == gl::real ? 12 : 6, stride = bound.stride ? size_t(bound.stride) : size;
+    EXPECT_GE(stride, 0);
+    Array &array = bound.arrays[which];
+    array.numbers = numbers, array.type = type, array.stride = stride, array.data = data;
+}
+void point_at_positions(int32_t numbers, uint32_t type, int32_t stride, const void *data)
+{
+    EXPECT_TRUE(numbers >= 2 && numbers <= 4 && (type == gl::real || type == gl::signed_short))
+        << numbers << " " << type;
+    point(positions, numbers, type, stride, data);
+}
+void point_at_normals(uint32_t type, int32_t stride, const void *data)
+{
+    EXPECT_TRUE(type == gl::real || type == gl::signed_short || type == gl::signed_byte) << type;
+    point(normals, 3, type, stride, data);
+}
+void point_at_uvs(int32_t numbers, uint32_t type, int32_t stride, const void *data)
+{
+    EXPECT_TRUE(numbers >= 1 && numbers <= 4 && (type == gl::real || type == gl::signed_short))
+        << numbers << " " << type;
+    point(uvs, numbers, type, stride, data);
+}
+void point_at_colours(int32_t numbers, uint32_t type, int32_t stride, const void *data)
+{
+    EXPECT_TRUE((numbers == 3 || numbers == 4) && (type == gl::real || type == gl::unsigned_byte)) << numbers;
+    point(colours, numbers, type, stride, data);
+}
+
+void turn(uint32_t name, bool on)
+{
+    const uint32_t names[array_count] = {gl::vertex_array, gl::normal_array, gl::texture_coord_array, gl::colour_array};
+    for (size_t i = 0; i < array_count; ++i)
+        if (names[i] == name) bound.arrays[i].on = on;
+}
+
+void enable_array(uint32_t name) { turn(name, true); }
+void disable_array(uint32_t name) { turn(name, false); }
+
+void read_elements(uint32_t mode, int32_t count, uint32_t type, const void *indices)
+{
+    EXPECT_EQ(mode, gl::triangles);
+    EXPECT_TRUE(count >= 0 && count % 3 == 0) << count;
+    EXPECT_TRUE(type == gl::unsigned_byte || type == gl::unsigned_short || type == gl::unsigned_int) << type;
+    EXPECT_TRUE(bound.arrays[positions].on);
+    const size_t index_size = size_of(type);
     for (int32_t i = 0; i < count; ++i) {
-        uint16_t index;  // these templates are small
-        std::memcpy(&index, static_cast<const char *>(indices) + 2 * i, 2);
-        unsigned char bytes[12];
-        std::memcpy(bytes, static_cast<const char *>(bound.positions) + stride * index, size);
-        bound.sum += bytes[0];
+        uint32_t index = 0;
+        std::memcpy(&index, static_cast<const char *>(indices) + index_size * size_t(i), index_size);
+        for (const Array &array : bound.arrays) {
+            if (!array.on) continue;
+            const size_t size = size_t(array.numbers) * size_of(array.type);
+            read(static_cast<const char *>(array.data) + (array.stride ? size_t(array.stride) : size) * index, size);
+        }
     }
+}
+
+void push_groups(uint32_t) { EXPECT_LE(++bound.pushed_groups, max_stack); }
+void pop_groups() { EXPECT_GE(--bound.pushed_groups, 0); }
+void push_arrays(uint32_t)
+{
+    bound.pushed_arrays.emplace_back(std::begin(bound.arrays), std::end(bound.arrays));
+    EXPECT_LE(bound.pushed_arrays.size(), size_t(max_stack));
+}
+void pop_arrays()
+{
+    ASSERT_FALSE(bound.pushed_arrays.empty());
+    std::copy(bound.pushed_arrays.back().begin(), bound.pushed_arrays.back().end(), bound.arrays);
+    bound.pushed_arrays.pop_back();
+}
+void push_matrix() { ++bound.pushed_matrices; }
+void pop_matrix() { EXPECT_GE(--bound.pushed_matrices, 0); }
+
+template <class Number>
+void take_matrix(const Number *columns)
+{
+    read(columns, 16 * sizeof *columns);
 }
 
 #define NAMED(name, function)                              \
@@ -90,7 +185,22 @@ clq_gl_function find(void *, const char *name)
                                                                 NAMED(GetDoublev, get_doubles),
                                                                 NAMED(GetTexLevelParameteriv, get_level),
                                                                 NAMED(TexImage2D, offer_texture),
-                                                                NAMED(VertexPointer, point_at),
+                                                                NAMED(VertexPointer, point_at_positions),
+                                                                NAMED(NormalPointer, point_at_normals),
+                                                                NAMED(TexCoordPointer, point_at_uvs),
+                                                                NAMED(ColorPointer, point_at_colours),
+                                                                NAMED(EnableClientState, enable_array),
+                                                                NAMED(DisableClientState, disable_array),
+                                                                NAMED(PushAttrib, push_groups),
+                                                                NAMED(PopAttrib, pop_groups),
+                                                                NAMED(PushClientAttrib, push_arrays),
+                                                                NAMED(PopClientAttrib, pop_arrays),
+                                                                NAMED(LoadMatrixf, take_matrix<float>),
+                                                                NAMED(LoadMatrixd, take_matrix<double>),
+                                                                NAMED(MultMatrixf, take_matrix<float>),
+                                                                NAMED(PushMatrix, push_matrix),
+                                                                NAMED(PopMatrix, pop_matrix),
+                                                                NAMED(GenTextures, make_names),
                                                                 NAMED(DrawElements, read_elements),
                                                                 IDLE(IsEnabled),
                                                                 IDLE(RenderMode),
@@ -115,31 +225,24 @@ clq_gl_function find(void *, const char *name)
                                                                 IDLE(ShadeModel),
                                                                 IDLE(ColorMaterial),
                                                                 IDLE(TexEnvi),
-                                                                IDLE(PushAttrib),
-                                                                IDLE(PopAttrib),
-                                                                IDLE(PushClientAttrib),
-                                                                IDLE(PopClientAttrib),
                                                                 IDLE(MatrixMode),
                                                                 IDLE(LoadIdentity),
-                                                                IDLE(LoadMatrixf),
-                                                                IDLE(LoadMatrixd),
-                                                                IDLE(MultMatrixf),
-                                                                IDLE(PushMatrix),
-                                                                IDLE(PopMatrix),
-                                                                IDLE(GenTextures),
                                                                 IDLE(DeleteTextures),
                                                                 IDLE(BindTexture),
                                                                 IDLE(TexParameteri),
                                                                 IDLE(PixelStorei),
                                                                 IDLE(PixelTransferf),
-                                                                IDLE(EnableClientState),
-                                                                IDLE(DisableClientState),
-                                                                IDLE(NormalPointer),
-                                                                IDLE(TexCoordPointer),
-                                                                IDLE(ColorPointer),
                                                                 IDLE(Color4f)};
     const auto found = functions.find(name);
     return found == functions.end() ? nullptr : found->second;
+}
+
+void expect_balance()
+{
+    EXPECT_EQ(bound.pushed_groups, 0);
+    EXPECT_EQ(bound.pushed_matrices, 0);
+    EXPECT_TRUE(bound.pushed_arrays.empty());
+    bound = {};
 }
 
 clq_renderer *new_renderer(TestWorld &test_world)
