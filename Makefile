@@ -5,7 +5,7 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants faults soak bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
+.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants fuzz faults soak bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -14,6 +14,7 @@ help:
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make ci         make test, then the readers, the C API and the fuzz corpora under sanitizers"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
+	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
 	@echo "make soak       a million updates of people who come and go; memory and pictures must stay as they are (some minutes)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
@@ -84,6 +85,12 @@ faults: build
 
 soak: build
 	$(BUILD)/tests/soak/soak --updates 1000000 --seconds 1700
+
+# tests/fuzz/README.md
+SECONDS ?= 20
+fuzz:
+	@cmake/setup.sh fuzz || true
+	@JOBS=$(JOBS) tests/fuzz/run.py $(SECONDS) $(FUZZERS)
 
 bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true

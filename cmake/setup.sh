@@ -1,5 +1,6 @@
 #!/bin/sh
-# setup.sh [run]: installs the Debian packages that are missing: all, or with `run` those that the claque command needs alone.
+# setup.sh [run|fuzz]: installs the Debian packages that are missing: all, with `run` those that the claque command needs alone, with
+# `fuzz` also those that the fuzzers need (tests/fuzz).
 # Without root it prints the command to run as root.
 set -eu
 
@@ -16,6 +17,7 @@ libdraco-dev libmeshoptimizer-dev libwebp-dev libassimp-dev
 xvfb libglut-dev libopenscenegraph-dev
 python3-numpy python3-pytest
 "
+[ "${1:-all}" != fuzz ] || packages="$packages clang libclang-rt-14-dev"
 
 missing=''
 for package in $packages; do

@@ -1,0 +1,72 @@
+// Every reader of TOML files reads every input: colour maps, camera paths, theatres, tolerances, joint maps.
+#include <cmath>
+
+#include "lib/asset/colour_file.h"
+#include "lib/base/error.h"
+#include "samples/cli/joint_map.h"
+#include "samples/parity/tolerance.h"
+#include "samples/scenes/camera_path.h"
+#include "samples/scenes/check.h"
+#include "samples/scenes/odeon/theatre.h"
+#include "tests/fuzz/fuzzer.h"
+
+namespace
+{
+
+// Written again, a map gives the same text.
+void read_colours(const std::string &text)
+{
+    using namespace claque;
+    try {
+        asset::ColourFile file, again;
+        asset::read_colours(text, "map.toml", file);
+        const std::string written = asset::colours_text(file.def);
+        asset::read_colours(written, "written.toml", again);
+        EXPECT_EQ(asset::colours_text(again.def), written);
+    } catch (const base::Error &error) {
+        EXPECT_TRUE(error.status() == CLQ_FORMAT || error.status() == CLQ_LIMIT) << error.what();
+        EXPECT_STRNE(error.what(), "");
+    }
+}
+
+template <class Reader>
+void read(const Reader &reader)
+{
+    try {
+        reader();
+    } catch (const scenes::Failure &error) {
+        EXPECT_STRNE(error.what(), "");
+    } catch (const parity::Unreadable &error) {
+        EXPECT_STRNE(error.what(), "");
+    }
+}
+
+void fly(const scenes::CameraPath &path)
+{
+    for (const double part : {-0.1, 0.0, 0.3, 0.99, 1.0, 2.0}) {
+        const clq_camera camera = path.camera(path.start_s() + part * (path.end_s() - path.start_s()), 1.5);
+        for (const double x : camera.eye) EXPECT_TRUE(std::isfinite(x));
+    }
+}
+
+void sit(const scenes::Theatre &theatre)
+{
+    double seats = 0;
+    for (size_t row = 0; row < theatre.rows.size(); ++row)
+        for (const scenes::Wedge &wedge : scenes::wedges_of(theatre, row)) seats += wedge.last_deg - wedge.first_deg;
+    EXPECT_TRUE(std::isfinite(seats));
+    for (const scenes::Seat &seat : scenes::seats_of(theatre)) EXPECT_TRUE(std::isfinite(seat.x + seat.y + seat.z));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    const std::string text(reinterpret_cast<const char *>(bytes), size);
+    read_colours(text);
+    read([&] { fly(scenes::CameraPath(text, "path.toml")); });
+    read([&] { sit(scenes::read_theatre(text, "theatre.toml")); });
+    read([&] { parity::tolerance_from(text, "tolerance.toml"); });
+    read([&] { cli::read_joint_map(text, "map.toml"); });
+    return 0;
+}
