@@ -49,7 +49,7 @@ model::Model assemble(const Figure &figure)
     model::Model model;
     model.name = figure.name;
     add_skeleton(model.rig);
-    for (const ClipMaker &clip : figure.clips) add_clip(model.rig, clip);
+    for (const ClipMaker &clip : figure.clips) add_clip(model.rig, clip, figure.fit);
     model.zones = zones_of(figure.zones);
     std::vector<Painter> painters = {figure.painter};
     for (const Figure::TextureSet &look : figure.texture_sets) painters.push_back(look.painter);

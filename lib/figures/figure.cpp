@@ -2,6 +2,7 @@
 
 #include "lib/figures/assemble.h"
 #include "lib/figures/clips/variant.h"
+#include "lib/figures/decurion/decurion.h"
 #include "lib/figures/parts.h"
 #include "lib/figures/texture_variants.h"
 
@@ -80,7 +81,10 @@ model::Model citizen()
     return assemble(figure);
 }
 
-void add_variants(model::Model &person, uint32_t clip_count) { add_variants(person.rig, clip_count); }
+void add_variants(model::Model &person, uint32_t clip_count)
+{
+    add_variants(person.rig, clip_count, person.name == "decurion" ? decurion::keep_clear : nullptr);
+}
 
 const std::vector<Builtin> &people()
 {

@@ -82,7 +82,7 @@ const std::vector<ClipMaker> &figure_clips()
 
 float wave(float phase, int cycles, float at) { return std::sin(2 * pi * (static_cast<float>(cycles) * phase + at)); }
 
-void add_clip(model::Rig &rig, const ClipMaker &maker)
+void add_clip(model::Rig &rig, const ClipMaker &maker, Fit fit)
 {
     std::vector<Pose> poses;
     for (int k = 0; k < maker.frames; ++k)
@@ -90,11 +90,13 @@ void add_clip(model::Rig &rig, const ClipMaker &maker)
     // The last key of a loop equals the first to the bit.
     poses.push_back(maker.ending == Ending::closed ? poses.front() : maker.pose_at(1));
 
-    add_clip(rig, maker.name, poses);
+    add_clip(rig, maker.name, std::move(poses), fit);
 }
 
-void add_clip(model::Rig &rig, const char *name, const std::vector<Pose> &poses)
+void add_clip(model::Rig &rig, const char *name, std::vector<Pose> poses, Fit fit)
 {
+    if (fit)
+        for (Pose &pose : poses) fit(pose);
     const int frames = static_cast<int>(poses.size()) - 1;
     model::Clip clip;
     clip.first_channel = static_cast<uint32_t>(rig.channels.size());

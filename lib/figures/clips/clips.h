@@ -14,7 +14,7 @@ constexpr int keys_per_second = 30;
 // The seat that seated clips expect: the height of its top, and its front edge behind the feet, which stand on the
 // ground.
 constexpr float seat_height_m = 0.43f;
-constexpr float seat_edge_m = -0.14f;
+constexpr float seat_edge_m = -0.17f;
 
 enum class Ending : uint8_t {
     closed,  // a loop: the last key equals the first
@@ -56,10 +56,14 @@ Pose stand_laugh_at(float phase);
 Pose stand_applaud_at(float phase);
 Pose stand_cheer_at(float phase);
 
-// Adds a clip: translations of the pelvis and of every node that moves, rotations of every node that turns.
-void add_clip(model::Rig &rig, const ClipMaker &maker);
+// Changes a pose so that it suits a figure of another build: a function of the pose alone, so that clips still join.
+using Fit = void (*)(Pose &);
+
+// Adds a clip: translations of the pelvis and of every node that moves, rotations of every node that turns. `fit` may
+// be null.
+void add_clip(model::Rig &rig, const ClipMaker &maker, Fit fit = nullptr);
 // Adds a clip with one key per pose.
-void add_clip(model::Rig &rig, const char *name, const std::vector<Pose> &poses);
+void add_clip(model::Rig &rig, const char *name, std::vector<Pose> poses, Fit fit = nullptr);
 
 // A sine of the phase with `cycles` whole periods per clip, starting at the fraction `at` of a period; so it closes.
 float wave(float phase, int cycles, float at = 0);

@@ -87,6 +87,21 @@ void blend_to_grip(Pose &pose, Side side, const Grip &to, float share, glm::vec3
     blend_arm(pose, before, side, 1 - ease(0, 0.3f, share));
 }
 
+void move_wrist(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole)
+{
+    const Bone upper = on(side, Bone::upper_arm), forearm = on(side, Bone::forearm), hand = on(side, Bone::hand);
+    const glm::quat held = pose.world(hand);
+    const glm::vec3 shoulder = pose.joint(upper), elbow = pose.joint(forearm), now = pose.joint(hand);
+    // The twist of a bone about itself is what a plain reach leaves.
+    const Pose before = pose;
+    Pose plain = pose;
+    reach_hand(plain, side, mirrored(now, side), mirrored(elbow - (shoulder + now) * 0.5f, side));
+    reach_hand(pose, side, mirrored(wrist, side), mirrored(pole, side));
+    for (const Bone bone : {upper, forearm})
+        pose.set(bone, glm::normalize(pose.local(bone) * glm::conjugate(plain.local(bone)) * before.local(bone)));
+    pose.set_world(hand, held);
+}
+
 void blend_arm(Pose &pose, const Pose &as, Side side, float share)
 {
     for (const Bone left : {Bone::upper_arm, Bone::forearm, Bone::hand, Bone::fingers, Bone::fingertips, Bone::thumb}) {

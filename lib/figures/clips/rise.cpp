@@ -31,6 +31,9 @@ Grip carried(const Pose &sat, const Pose &pose, Side side, float slide)
     const auto along_with = [side, turned](glm::vec3 left) { return mirrored(turned * mirrored(left, side), side); };
     Grip grip = in_lap(side);
     grip.wrist.z -= slide;
+    // Over the cloth that gathers before the hips.
+    grip.wrist.y += 0.6f * slide;
+    grip.along.y += 2.2f * slide;
     const glm::vec3 joint = mirrored(sat.joint(thigh), side);
     grip.wrist = mirrored(pose.joint(thigh), side) + along_with(grip.wrist - joint);
     grip.along = along_with(grip.along);
@@ -64,7 +67,7 @@ Pose on_the_way(const Progress &at)
         const Bone shoulder = on(side, Bone::upper_arm);
         Grip hanging = grip_of(stood, side);
         hanging.wrist += mirrored(pose.joint(shoulder) - stood.joint(shoulder), side);
-        apply_grip(pose, side, mix(carried(sat, pose, side, 0.10f * at.up), hanging, at.arms, {0.05f, 0.02f, 0}));
+        apply_grip(pose, side, mix(carried(sat, pose, side, 0.10f * at.up), hanging, at.arms, {0.10f, 0.09f, 0.05f}));
         blend_arm(pose, stood, side, ease(0.5f, 1, at.arms));
     }
     return pose;

@@ -26,9 +26,10 @@ Pose sit_laugh_at(float phase)
     // When bent over, the elbows would stick out into the neighbours.
     left.pole.x -= 0.22f * over;
     right.pole.x -= 0.15f * over;
-    right.wrist += glm::vec3(0.004f, 0.125f, -0.045f) * slap;
-    right.pole += glm::vec3(-0.15f, 0, 0) * slap;
+    right.wrist += glm::vec3(0.004f, 0.125f, -0.010f) * slap;
+    right.pole += glm::vec3(-0.03f, 0, 0) * slap;
     right.along += glm::vec3(0, 0.40f, 0) * slap;
+    right.wrist.y += 0.006f * over;
     return seated(body, left, right);
 }
 

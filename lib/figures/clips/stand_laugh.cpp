@@ -23,7 +23,9 @@ Pose stand_laugh_at(float phase)
         const Bone clavicle = on(side, Bone::clavicle), arm = on(side, Bone::upper_arm);
         const float raised = side == Side::left ? shrug : -shrug;
         pose.set(clavicle, pose.local(clavicle) * roll(raised));
-        pose.set(arm, roll(-raised) * pose.local(arm));  // shoulders go up, arms hang on
+        // Shoulders go up, arms hang on, and keep clear of the cloth when the body bends.
+        const float clear = side == Side::left ? 6 * over : -6 * over;
+        pose.set(arm, roll(clear - raised) * pose.local(arm));
     }
     const float belly = hold(phase, 0.10f, 0.36f, 0.78f, 0.97f);
     const Grip on_belly = {

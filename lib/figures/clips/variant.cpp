@@ -186,15 +186,8 @@ private:
 
         const glm::quat chest_turn = pose.world(Bone::chest) * glm::conjugate(own.world(Bone::chest));
         const glm::quat with_chest = chest_turn * own.world(hand);
-        // The twist of a bone about itself is what a plain reach leaves.
-        const Pose before = pose;
         const glm::vec3 shoulder = pose.joint(upper), elbow = pose.joint(forearm), now = pose.joint(hand);
-        const glm::vec3 pole = mirrored(elbow - (shoulder + now) * 0.5f, side);
-        Pose plain = pose;
-        reach_hand(plain, side, mirrored(now, side), pole);
-        reach_hand(pose, side, mirrored(wrist, side), pole);
-        for (const Bone bone : {upper, forearm})
-            pose.set(bone, glm::normalize(pose.local(bone) * glm::conjugate(plain.local(bone)) * before.local(bone)));
+        move_wrist(pose, side, wrist, elbow - (shoulder + now) * 0.5f);
         pose.set_world(hand, nlerp(with_chest, own.world(hand), lies));
     }
 
@@ -254,12 +247,12 @@ std::vector<Pose> poses_of(const Variant &v)
     return poses;
 }
 
-void add_variants(model::Rig &rig, uint32_t clip_count)
+void add_variants(model::Rig &rig, uint32_t clip_count, Fit fit)
 {
     const uint32_t own = static_cast<uint32_t>(figure_clips().size());
     for (uint32_t i = 0; rig.clips.size() < clip_count; ++i) {
         const Variant v = variant_of(i % own, 1 + i / own);
-        add_clip(rig, name_of(v).c_str(), poses_of(v));
+        add_clip(rig, name_of(v).c_str(), poses_of(v), fit);
     }
 }
 

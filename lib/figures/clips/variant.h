@@ -33,7 +33,7 @@ std::string name_of(const Variant &variant);  // "sit_talk.03"
 std::vector<Pose> poses_of(const Variant &variant);
 
 // Adds variants of all clips in turn until the rig has `clip_count` clips. The rig must have exactly the built-in
-// clips.
-void add_variants(model::Rig &rig, uint32_t clip_count);
+// clips. `fit`: that of the figure.
+void add_variants(model::Rig &rig, uint32_t clip_count, Fit fit = nullptr);
 
 }  // namespace claque::figures

@@ -56,7 +56,7 @@ Pose walk_at(float phase)
     for (const Side side : {Side::left, Side::right}) {
         const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
         const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is in front
-        hang_arm(pose, side, 1 + 20 * swing, 9, 19 + 9 * swing, 10);
+        hang_arm(pose, side, 1 + 20 * swing, 10.5f, 19 + 9 * swing, 10);
         curl_hand(pose, side, 0.22f);
         stand_on(pose, side, footing(own));
     }

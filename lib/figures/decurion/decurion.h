@@ -2,6 +2,7 @@
 // fold hangs in front of the thighs, and its roll runs from the right side to the left shoulder.
 #pragma once
 
+#include "lib/figures/clips/pose.h"
 #include "lib/figures/parts.h"
 
 namespace claque::figures::decurion
@@ -41,5 +42,7 @@ void add_aged_head(Mesh &mesh);  // the shared head, aged
 void add_toga(Mesh &mesh);       // the cloth from the shins to the shoulders, the visible tunic, and sleeves
 void add_balteus(Mesh &mesh);    // with the umbo
 void add_limbs(Mesh &mesh);      // arms, and feet without the legs, which are hidden
+
+void keep_clear(Pose &pose);  // moves the arms of a clip's pose out of the stout body and the toga
 
 }  // namespace claque::figures::decurion

@@ -30,8 +30,17 @@ BoneWeights weigh(const Point &point)
     BoneWeights w{};
     glm::vec3 p = point.position;
     if (point.region == skirts) {
+        const glm::vec3 place = p;
         p.x *= 1 + 0.9f * smoothstep(0.45f, 0.25f, p.y);  // each half follows its own shin, except for a narrow strip
-        weigh_gown(w, p, 1);
+        // In front the hem rests on the toes when the shins lean; behind, a sitter's thighs draw the cloth up to them.
+        const float toes = 0.45f * smoothstep(0.25f, 0.115f, place.y) * smoothstep(0.06f, 0.16f, place.z);
+        const float drawn = 0.13f * smoothstep(-0.02f, -0.12f, place.z);
+        const float left = smoothstep(-0.13f, 0.13f, p.x);
+        weigh_gown(w, p, 1 - toes - drawn);
+        add_weight(w, Bone::toes, toes * left);
+        add_weight(w, Bone::toes_r, toes * (1 - left));
+        add_weight(w, Bone::skirt_back, drawn * left);
+        add_weight(w, Bone::skirt_back_r, drawn * (1 - left));
         return w;
     }
     constexpr float body = 0.195f;  // where cloth covers it, the body counts as no wider
@@ -99,6 +108,7 @@ model::Model decurion_man()
     figure.zones = decurion_zones();
     figure.clips = figure_clips();
     figure.weigher = weigh;
+    figure.fit = decurion::keep_clear;
     return assemble(figure);
 }
 

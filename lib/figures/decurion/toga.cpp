@@ -24,7 +24,7 @@ struct Girths {
     float y, side, front, back, fold;
 };
 const std::array<Girths, 11> girths = {{
-    {0.115f, 0.222f, 0.190f, 0.194f, 0.042f},
+    {0.115f, 0.222f, 0.190f, 0.184f, 0.042f},
     {0.250f, 0.207f, 0.170f, 0.178f, 0.034f},
     {0.390f, 0.196f, 0.152f, 0.166f, 0.024f},
     {0.490f, 0.194f, 0.150f, 0.166f, 0.016f},

@@ -18,8 +18,12 @@ BoneWeights weigh_heavy_cloth(const Point &point)
     add_weight(w, Bone::skirt_front_r, above * (1 - left) * front);
     add_weight(w, Bone::skirt_back, above * left * (1 - front));
     add_weight(w, Bone::skirt_back_r, above * (1 - left) * (1 - front));
-    add_weight(w, Bone::shin, hang * below * left);
-    add_weight(w, Bone::shin_r, hang * below * (1 - left));
+    // In front the hem rests on the toes when the shins lean.
+    const float toes = 0.72f * smoothstep(0.24f, 0.04f, p.y) * smoothstep(0.04f, 0.12f, p.z);
+    add_weight(w, Bone::shin, hang * (below - toes) * left);
+    add_weight(w, Bone::shin_r, hang * (below - toes) * (1 - left));
+    add_weight(w, Bone::toes, hang * toes * left);
+    add_weight(w, Bone::toes_r, hang * toes * (1 - left));
     return w;
 }
 
