@@ -17,7 +17,7 @@ namespace
 constexpr double noise_cell_m = 4.0;     // about six seats
 constexpr double feet_to_hips_m = 0.40;  // horizontal, of a sitter of scale 1
 // the feet's share of the misfit between a tall or short sitter and the seat; the hips take the rest
-constexpr double share_of_feet = 1.0 / 3.0;
+constexpr double share_of_feet = 0.45;
 
 // Shares in the proportions of the description; the largest remainders are rounded up.
 std::vector<uint32_t> shares(const Theatre &theatre, uint32_t count)

@@ -8,7 +8,7 @@ namespace scenes
 
 // The seated pose of the built-in characters, in metres at scale 1: the seat's height above the feet, the distance of
 // the feet before the seat's edge, and that of the end of the stone under the toes.
-constexpr double sitting_height_m = 0.43, seat_edge_to_feet_m = 0.14, seat_edge_to_toes_m = 0.40;
+constexpr double sitting_height_m = 0.43, seat_edge_to_feet_m = 0.17, seat_edge_to_toes_m = 0.43;
 
 // Throws Failure with the first contradiction; rows count from 1.
 void validate(const Theatre &theatre, const std::string &where);
