@@ -1,14 +1,10 @@
 // Skeletal levels and spheres of parts of the collected characters, where they are, and of the written ones.
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
-#include "lib/asset/file.h"
-#include "lib/asset/gltf.h"
+#include "collected.h"
 #include "lib/model/template_check.h"
 #include "meshsplit/level_plan.h"
 #include "posed.h"
-#include "tests/support/written_characters.h"
 
 namespace claque::test
 {
@@ -27,17 +23,6 @@ const std::vector<std::string> collected = {"humanoids/kaykit/Barbarian.glb",
                                             "machines/quaternius/Tank2.glb",
                                             "animals/quaternius/Spider.glb",
                                             "animals/khronos/Fox.glb"};
-
-bool are_there() { return std::filesystem::exists(std::string(CLAQUE_ASSETS_DIR) + "/inventory.json"); }
-
-model::Model loaded(const std::string &name)
-{
-    const std::string path = written::path_of(name, CLAQUE_ASSETS_DIR);
-    asset::LoadOptions options;
-    options.base_folder = std::filesystem::path(path).parent_path().string();
-    const std::vector<uint8_t> bytes = asset::read_file(path, 1u << 30);
-    return asset::load_gltf(bytes.data(), bytes.size(), options);
-}
 
 uint32_t depth_of(const model::Rig &rig, uint32_t node)
 {
@@ -105,13 +90,13 @@ void expect_inside_spheres(const std::vector<std::string> &names)
 
 TEST(Characters, WithHalfOfTheirNodesStoppedStandAtRestAsTheyDid)
 {
-    if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
+    if (!collected_are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
     EXPECT_GE(expect_the_same_at_rest(collected), 5u);
 }
 
 TEST(Characters, StayInsideTheSpheresOfTheirPartsInEveryClip)
 {
-    if (!are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
+    if (!collected_are_there()) GTEST_SKIP() << "no characters in " << CLAQUE_ASSETS_DIR;
     expect_inside_spheres(collected);
 }
 

@@ -31,6 +31,7 @@ public:
     {
         out_.node.resize(tmpl.rig.node_count());
         out_.stretch.resize(tmpl.rig.node_count());
+        for (const model::Level &level : tmpl.levels) balls_.push_back(balls_of(level, palette_.size()));
     }
 
     void take(uint64_t sample)
@@ -122,8 +123,72 @@ private:
         look_at_nodes();
     }
 
+    // Round the vertices in each octant of those that an entry of the palette moves, without morph targets.
+    struct Ball {
+        glm::dvec3 centre = glm::dvec3(0);
+        double radius = -1;
+    };
+    struct Balls {
+        std::vector<Ball> balls;          // eight an entry
+        std::vector<uint32_t> influence;  // the ball of each
+    };
+    static Balls balls_of(const model::Level &level, size_t entries)
+    {
+        Balls out;
+        out.balls.resize(8 * entries);
+        out.influence.resize(level.joints.size());
+        const auto each = [&level](const auto &visit) {
+            for (const model::InfluenceRun &run : level.runs)
+                for (uint32_t i = 0; i < run.count * run.influences; ++i) {
+                    const float *p = &level.positions[3 * size_t(run.first + i / run.influences)];
+                    visit(run.first_influence + i, glm::dvec3(p[0], p[1], p[2]));
+                }
+        };
+        std::vector<glm::dvec3> sums(8 * entries);
+        std::vector<double> counts(8 * entries);
+        const auto average = [&](size_t k) { return sums[k] / std::max(counts[k], 1.0); };
+        each([&](uint32_t i, glm::dvec3 p) { sums[level.joints[i]] += p, ++counts[level.joints[i]]; });
+        std::vector<glm::dvec3> middles;
+        for (size_t j = 0; j < entries; ++j) middles.push_back(average(j));
+        std::fill(sums.begin(), sums.end(), glm::dvec3(0)), std::fill(counts.begin(), counts.end(), 0);
+        each([&](uint32_t i, glm::dvec3 p) {
+            const glm::dvec3 d = p - middles[level.joints[i]];
+            const uint32_t k = 8u * level.joints[i] + (d.x > 0) + 2u * (d.y > 0) + 4u * (d.z > 0);
+            out.influence[i] = k;
+            sums[k] += p, ++counts[k];
+        });
+        for (size_t k = 0; k < 8 * entries; ++k) out.balls[k].centre = average(k);
+        each([&](uint32_t i, glm::dvec3 p) {
+            Ball &ball = out.balls[out.influence[i]];
+            ball.radius = std::max(ball.radius, glm::distance(p, ball.centre));
+        });
+        return out;
+    }
+
+    // Per ball: whether its entry may take a vertex farther than any was. Blended vertices lie between where their
+    // entries take them.
+    bool may_be_farther(const std::vector<Ball> &balls)
+    {
+        far_.assign(balls.size(), 0);
+        bool any = false;
+        for (size_t k = 0; k < balls.size(); ++k) {
+            if (balls[k].radius < 0) continue;
+            const math::Affine &m = palette_[k / 8];
+            double stretch = 0;
+            for (int c = 0; c < 3; ++c) stretch += double(glm::dot(m.column(c), m.column(c)));
+            const glm::dvec3 at(math::transform_point(m, glm::vec3(balls[k].centre)));
+            const double reach = glm::distance(at, centre_) + std::sqrt(stretch) * balls[k].radius;
+            far_[k] = reach * (1 + 1e-5) > out_.vertex;
+            any = any || far_[k];
+        }
+        return any;
+    }
+
     void look_at(const model::Level &level)
     {
+        const size_t index = size_t(&level - tmpl_.levels.data());
+        const bool morphs = !level.morph_ranges.empty();
+        if (!morphs && !may_be_farther(balls_[index].balls)) return;
         bind_.assign(level.positions.begin(), level.positions.end());
         for (const model::MorphRange &range : level.morph_ranges)
             for (uint32_t i = range.first; i < range.first + range.count; ++i)
@@ -132,6 +197,9 @@ private:
                         weights_[range.weight] * level.morph_deltas[i].position[k];
         for (const model::InfluenceRun &run : level.runs)
             for (uint32_t v = 0; v < run.count; ++v) {
+                const uint32_t *ball = &balls_[index].influence[run.first_influence + v * run.influences];
+                if (!morphs && std::none_of(ball, ball + run.influences, [this](uint32_t k) { return far_[k]; }))
+                    continue;
                 const float *p = &bind_[3 * (run.first + v)];
                 glm::dvec3 at(0);
                 for (uint32_t i = 0; i < run.influences; ++i) {
@@ -162,6 +230,8 @@ private:
     std::vector<math::Affine> palette_;
     std::vector<float> weights_, scratch_;
     std::vector<std::vector<float>> masks_;
+    std::vector<Balls> balls_;  // per level
+    std::vector<uint8_t> far_;
 };
 
 }  // namespace
