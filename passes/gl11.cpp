@@ -124,4 +124,10 @@ base::Status check_current(const Gl11 &gl)
     return base::Status::bad(CLQ_GL_MISSING, "no GL context is current on this thread (glGetString returns null)");
 }
 
+base::Status still_current(const Gl11 &gl, const base::Status &drawn)
+{
+    if (gl.GetString(gl::version)) return drawn;
+    return base::Status::bad(CLQ_GL_MISSING, "the GL context was lost during the call (glGetString returns null)");
+}
+
 }  // namespace claque::passes

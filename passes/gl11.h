@@ -155,4 +155,7 @@ base::Status load(Gl11 &table, GetProcAddress get_proc_address, void *user);
 // CLQ_GL_MISSING if no context is current on this thread: GL calls then do nothing and report no error.
 base::Status check_current(const Gl11 &gl);
 
+// The result of drawing, or CLQ_GL_MISSING if the context was lost meanwhile.
+base::Status still_current(const Gl11 &gl, const base::Status &drawn);
+
 }  // namespace claque::passes

@@ -139,8 +139,8 @@ const PreparedTemplate *find(const Array<PreparedTemplate> &templates, const mod
 // Fails with CLQ_LIMIT, naming the texture's size and GL's. Changes nothing.
 base::Status probe_textures(const Gl11 &gl, const model::Template &source, int &alpha_bits);
 
-// Uploads the textures. It cannot fail: everything that could was checked before.
-void upload_textures(const Gl11 &gl, PreparedTemplate &prepared);
+// Uploads the textures, or none of them: CLQ_OUT_OF_MEMORY where GL took no image. All else was checked before.
+base::Status upload_textures(const Gl11 &gl, PreparedTemplate &prepared);
 void delete_textures(const Gl11 &gl, PreparedTemplate &prepared);
 
 }  // namespace claque::passes

@@ -78,7 +78,7 @@ base::Status Renderer::prepare(const model::Template &tmpl)
     if (!open_) return not_open();
     if (find(templates_, &tmpl)) return base::Status::good();
     base::Status status = preflight_.check_upload(gl_);
-    if (!status.ok()) return status;
+    if (!status.ok()) return still_current(gl_, status);
     const size_t before = templates_.size();
     try {
         status = add(tmpl);
@@ -87,6 +87,7 @@ base::Status Renderer::prepare(const model::Template &tmpl)
     } catch (const base::Error &error) {
         status = base::Status::bad(error.status(), "template '%s': %s", tmpl.name.c_str(), error.what());
     }
+    status = still_current(gl_, status);
     if (!status.ok())
         while (templates_.size() > before) templates_.pop_back();
     return status;
@@ -106,8 +107,7 @@ base::Status Renderer::add(const model::Template &tmpl)
     scratch_.shadow.reserve(max_vertices(tmpl));
     const auto batched = [](const PreparedLevel &level) { return level.batched; };
     if (std::any_of(prepared.levels.begin(), prepared.levels.end(), batched)) scratch_.reserve_batch(options_.colours);
-    upload_textures(gl_, prepared);
-    return status;
+    return upload_textures(gl_, prepared);
 }
 
 base::Status Renderer::check_item(const draw::Item &item, const PreparedTemplate &prepared) const
@@ -153,11 +153,16 @@ base::Status Renderer::draw(const draw::DrawList &list, DrawStats *out_stats)
 {
     DrawStats stats;
     base::Status status = open_ ? check_items(list) : not_open();
-    if (status.ok()) status = preflight_.check_draw(gl_, stack_entries_for(list));
-    if (status.ok() && std::any_of(list.items.begin(), list.items.end(), shows))
-        status = ListDrawer(gl_, preflight_, options_, templates_, scratch_, list, stats).draw();
+    if (status.ok()) status = still_current(gl_, draw_checked(list, stats));
     if (out_stats) *out_stats = stats;
     return status;
+}
+
+base::Status Renderer::draw_checked(const draw::DrawList &list, DrawStats &stats)
+{
+    base::Status status = preflight_.check_draw(gl_, stack_entries_for(list));
+    if (!status.ok() || !std::any_of(list.items.begin(), list.items.end(), shows)) return status;
+    return ListDrawer(gl_, preflight_, options_, templates_, scratch_, list, stats).draw();
 }
 
 void Renderer::destroy()

@@ -60,6 +60,7 @@ private:
     StackEntries stack_entries_for(const draw::DrawList &list) const;
     base::Status check_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowTarget &target);
     base::Status add(const model::Template &tmpl);
+    base::Status draw_checked(const draw::DrawList &list, DrawStats &stats);
 
     RendererOptions options_;
     std::pmr::memory_resource *memory_;

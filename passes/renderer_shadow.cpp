@@ -58,6 +58,7 @@ base::Status Renderer::draw_shadows(const draw::DrawList &list, const ShadowOpti
                      std::any_of(list.items.begin(), list.items.end(), casts);
     if (status.ok() && any)
         status = ShadowDrawer(gl_, preflight_, templates_, scratch_, list, options, target, stats).draw();
+    if (open_) status = still_current(gl_, status);
     if (out_stats) *out_stats = stats;
     return status;
 }

@@ -13,8 +13,9 @@ namespace
 int32_t wrap_of(model::Wrap wrap) { return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat); }
 
 // `image` is the texture itself, or its image in another set.
+// False: GL did not take it.
 template <class Image>
-void upload(const Gl11 &gl, const model::Texture &texture, const Image &image, uint32_t name, uint32_t filter)
+bool upload(const Gl11 &gl, const model::Texture &texture, const Image &image, uint32_t name, uint32_t filter)
 {
     gl.BindTexture(gl::texture_2d, name);
     gl.TexParameteri(gl::texture_2d, gl::texture_min_filter, static_cast<int32_t>(filter));
@@ -23,6 +24,9 @@ void upload(const Gl11 &gl, const model::Texture &texture, const Image &image, u
     gl.TexParameteri(gl::texture_2d, gl::wrap_t, wrap_of(texture.wrap_t));
     gl.TexImage2D(gl::texture_2d, 0, static_cast<int32_t>(gl::rgba8), static_cast<int32_t>(image.width),
                   static_cast<int32_t>(image.height), 0, gl::rgba, gl::unsigned_byte, image.rgba.data());
+    int32_t taken = 0;  // without memory GL keeps the texture as it was: without an image
+    gl.GetTexLevelParameteriv(gl::texture_2d, 0, gl::texture_width, &taken);
+    return taken == static_cast<int32_t>(image.width);
 }
 
 base::Status probe(const Gl11 &gl, const char *tmpl, int32_t width, int32_t height, int32_t maximum, int &alpha_bits)
@@ -62,20 +66,26 @@ base::Status probe_textures(const Gl11 &gl, const model::Template &source, int &
     return status;
 }
 
-void upload_textures(const Gl11 &gl, PreparedTemplate &prepared)
+base::Status upload_textures(const Gl11 &gl, PreparedTemplate &prepared)
 {
     const UploadGuard guard(gl);
+    bool taken = true;
     for (size_t i = 0; i < prepared.textures.size(); ++i) {
         const model::Texture &texture = prepared.source->textures[i];
         const auto bring = [&](Array<uint32_t> &names, uint32_t filter) {
             if (names.empty()) return;
             gl.GenTextures(static_cast<int32_t>(names.size()), names.data());
-            upload(gl, texture, texture, names[0], filter);
-            for (size_t k = 1; k < names.size(); ++k) upload(gl, texture, texture.set_images[k - 1], names[k], filter);
+            taken = upload(gl, texture, texture, names[0], filter) && taken;
+            for (size_t k = 1; k < names.size(); ++k)
+                taken = upload(gl, texture, texture.set_images[k - 1], names[k], filter) && taken;
         };
         bring(prepared.textures[i].names, gl::nearest);
         bring(prepared.textures[i].linear_names, gl::linear);
     }
+    if (taken) return base::Status::good();
+    delete_textures(gl, prepared);
+    return base::Status::bad(CLQ_OUT_OF_MEMORY, "template '%s': GL has no memory for its textures",
+                             prepared.source->name.c_str());
 }
 
 void delete_textures(const Gl11 &gl, PreparedTemplate &prepared)

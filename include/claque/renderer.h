@@ -104,7 +104,7 @@ CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_
 /* Loads a template's textures into GL, before the first draw that shows it. Repeated calls do nothing. The renderer
  * holds the template until it is destroyed.
  * Fails: ARGUMENT (a template of another context), LIMIT (a texture too large for this GL), KEY_RESOLUTION (names the
- * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY, BUSY. GL: textures. */
+ * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY (GL's own, too), BUSY. GL: textures. */
 CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
 
 /* The result of preparing a template. */
@@ -144,7 +144,8 @@ CLQ_DEFINE_ZERO_INIT(clq_draw_stats)
  * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (a template that is not prepared, by name; a view of another
  * context), GL_STATE (names what would spoil the picture), GL_MISSING, BUSY. Fails after drawing the rest:
  * OUT_OF_MEMORY (the update left individuals out, see clq_crowd_stats.left_out), GL_STATE (what hooks leave, see
- * above), CALLBACK (a hook threw an exception). GL: see above. */
+ * above), CALLBACK (a hook threw an exception). Fails after drawing a part: GL_MISSING (the context was lost meanwhile,
+ * see clq_renderer_abandon). GL: see above. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
 /* Destroys a renderer while its GL context is current; NULL is ignored. Fails: BUSY (it is drawing, and a hook calls

@@ -245,6 +245,8 @@ void expect_balance()
     bound = {};
 }
 
+void new_context() { bound = Bound(); }
+
 clq_renderer *new_renderer(TestWorld &test_world)
 {
     clq_renderer_def def = clq_renderer_def_init();

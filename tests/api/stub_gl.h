@@ -12,6 +12,8 @@ clq_gl_function find(void *, const char *name);  // for clq_renderer_def.get_pro
 // Every stack of this thread's context must be as deep as at first. Forgets the context.
 void expect_balance();
 
+void new_context();  // of this thread: nothing is pushed or bound in it
+
 // Prepared for both templates.
 clq_renderer *new_renderer(TestWorld &test_world);
 

@@ -15,8 +15,8 @@ clq_gl_function find(void *, const char *name);  // for clq_renderer_def.get_pro
 
 enum class Loss {
     none,
-    context,  // from the n-th call on no call has an effect, and glGetString returns NULL
-    memory    // the n-th call has no effect: GL_OUT_OF_MEMORY
+    context,      // from the n-th call on no call has an effect, and glGetString returns NULL
+    image_memory  // the n-th call, if it is glTexImage2D, has no effect: GL_OUT_OF_MEMORY
 };
 
 void lose(Loss kind, uint64_t n);  // counted from now on

@@ -1,0 +1,29 @@
+// File operations that fail on request: calls of this program for files below one folder share one countdown.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace failing_files
+{
+
+enum class Operation { open, read, write, sync, rename, close };
+enum class How {
+    error,      // the n-th operation fails with `error`
+    for_good,   // and all later ones of its kind
+    shortened,  // the n-th read or write does half of what was asked
+    none
+};
+
+struct Fault {
+    Operation operation = Operation::open;
+    uint64_t n = 0;
+    How how = How::none;
+    int error = 0;
+    bool without_nameless = false;  // the file system has no O_TMPFILE
+};
+
+void arm(const std::string &folder, const Fault &fault);
+bool disarm();  // true: the fault was reached
+
+}  // namespace failing_files
