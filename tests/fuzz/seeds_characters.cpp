@@ -233,9 +233,8 @@ void add_character_seeds(std::vector<Seed> &out)
     add_template(out, "strip", tmpl);
     for (const auto &[name, maker] : {std::pair{"limb", moving}, {"variants", in_variants()}, {"triangle", triangle}}) {
         const Bytes bytes = maker.glb();
-        EXPECT_EQ(clq_template_load_gltf(context, bytes.data(), bytes.size(), nullptr, &tmpl), CLQ_OK)
-            << name << clq_last_error();
-        add_template(out, name, tmpl);
+        if (done(clq_template_load_gltf(context, bytes.data(), bytes.size(), nullptr, &tmpl), {}))
+            add_template(out, name, tmpl);
     }
     end(context);
 }
