@@ -70,9 +70,9 @@ struct Report {
     std::vector<std::string> warnings;                  // what was not bound, by name and count
 };
 
-// Adds clips to the target. If it throws the target is unchanged; base::Error with CLQ_ARGUMENT (nothing matches, a clip
-// name is unknown, a number is out of range), CLQ_LIMIT. `before` is called last before the target changes: what it
-// throws ends the call.
+// Adds clips to the target. If it throws the target is unchanged; base::Error with CLQ_ARGUMENT (nothing matches, a
+// clip name is unknown, a number is out of range), CLQ_LIMIT. `before` is called last before the target changes: what
+// it throws ends the call.
 using Before = std::function<void(Report &)>;
 Report add_clips(model::Rig &target, const model::Rig &source, const Options &options, const Before &before = {});
 

@@ -1,4 +1,5 @@
-// The stub GL with a memory: what was drawn, with which state, which objects exist. Its context can be lost at any call.
+// The stub GL with a memory: what was drawn, with which state, which objects exist. Its context can be lost at any
+// call.
 #pragma once
 
 #include <claque/renderer.h>

@@ -100,8 +100,8 @@ const Scene &scene()
     return made;
 }
 
-// In each row of a character: the people who are the largest, the smallest, and turned the farthest from the orchestra's
-// centre to either side.
+// In each row of a character: the people who are the largest, the smallest, and turned the farthest from the
+// orchestra's centre to either side.
 std::vector<Sitter> extreme_people(const std::string &character)
 {
     std::map<size_t, std::array<std::pair<double, const Sitter *>, 6>> rows;

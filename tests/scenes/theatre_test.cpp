@@ -149,7 +149,7 @@ TEST(Theatre, ARowWithoutAStepForItsFeetIsRefused)
     expect_refused(changed(upper, "seat_y_m = 7.74", "seat_y_m = 8.0"), {"row 15", "step", "7.57", "7.31"});
     expect_refused(changed(upper, "radius_m = 19.6", "radius_m = 20.2"),
                    {"row 14", "row 15", "19.6", "20.2", "walkway"});
-    expect_refused(changed(middle, "radius_m = 15.7", "radius_m = 15.1"), {"row 10", "0.4 m of stone", "15"});
+    expect_refused(changed(middle, "radius_m = 15.7", "radius_m = 15.1"), {"row 10", "0.43 m of stone", "15"});
     expect_refused(changed(lower, "radius_m = 6.9", "radius_m = 6.3"), {"row 1", "6.3", "6.2"});
     expect_refused(changed(walkway, "y_m = 4.30", "y_m = 5.30"), {"row 10", "5.16", "5.3"});
 }

@@ -1,5 +1,5 @@
-// soak --updates N [--seconds S] [--seed K]: N updates of people who come and go, drawn every hundredth update. Fails if
-// memory grows, or if what is shown differs from what a fresh run shows at the same time.
+// soak --updates N [--seconds S] [--seed K]: N updates of people who come and go, drawn every hundredth update. Fails
+// if memory grows, or if what is shown differs from what a fresh run shows at the same time.
 #include <chrono>
 #include <cstdio>
 #include <cstring>

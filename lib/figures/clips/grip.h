@@ -28,8 +28,8 @@ Grip grip_of(const Pose &pose, Side side);
 // Moves an arm from its pose towards a grip; `share` 0 leaves it unchanged to the bit.
 void blend_to_grip(Pose &pose, Side side, const Grip &to, float share, glm::vec3 arc, float tuck);
 
-// Moves a wrist to a point, both it and the direction of the elbow as they are on that side. Bones keep their twist about
-// themselves, and the hand keeps its direction.
+// Moves a wrist to a point, both it and the direction of the elbow as they are on that side. Bones keep their twist
+// about themselves, and the hand keeps its direction.
 void move_wrist(Pose &pose, Side side, glm::vec3 wrist, glm::vec3 pole);
 
 // Rotates the bones of an arm towards those of another pose, fully with `share` 1.
