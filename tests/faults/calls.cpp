@@ -94,12 +94,6 @@ void add_crowds(std::vector<Call> &all)
     all.push_back(update("without caches", &World::bare, &World::bare_view));
     all.push_back(update("with key-poses", &World::key_posed, &World::key_view));
     all.push_back(update("the first", &World::young, &World::young_view));
-    all.push_back({"clq_crowd_get_key_pose_stats",
-                   [](W w) {
-                       clq_key_pose_stats stats = clq_key_pose_stats_init();
-                       return clq_crowd_get_key_pose_stats(w.key_posed, &stats);
-                   },
-                   quiet});
     all.push_back({"clq_key_poses_choose", [](W) {
                        const clq_key_pose_bin bins[3] = {{0, 1, 5}, {1, 2, 3}, {3, 3, 9}};
                        bool chosen[4];

@@ -1,6 +1,6 @@
 // Each allocation of each call of the C API fails once: the call says so, nothing has changed, and the next call gives
-// what it would have given. CLAQUE_FAULTS=thorough fails allocations 1 to 200, then ever 10 % further, and each place
-// that allocates; without it, fewer.
+// what it would have given. CLAQUE_FAULTS=thorough fails allocations 1 to 200 and then every tenth part further, and
+// each place that allocates; without it, fewer.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

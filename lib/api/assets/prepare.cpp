@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -103,15 +104,24 @@ Template from_disk(clq_context *context, const std::string &folder, const std::s
 
 std::string keep(const clq_template &made, const std::string &folder, const std::string &name)
 {
-    std::vector<uint8_t> bytes;
+    struct Saved {
+        std::vector<uint8_t> bytes;
+        bool without_memory = false;  // which would be reported as an exception of the host's
+    } saved;
     const auto append = [](void *user, const void *more, size_t size) {
-        auto *all = static_cast<std::vector<uint8_t> *>(user);
+        Saved &all = *static_cast<Saved *>(user);
         const auto *first = static_cast<const uint8_t *>(more);
-        all->insert(all->end(), first, first + size);
-        return 0;
+        try {
+            all.bytes.insert(all.bytes.end(), first, first + size);
+        } catch (const std::bad_alloc &) {
+            all.without_memory = true;
+        }
+        return int(all.without_memory);
     };
-    api::pass_on(clq_template_save(&made, append, &bytes));
-    return asset::write_cached(folder, name, bytes);
+    const clq_status status = clq_template_save(&made, append, &saved);
+    if (saved.without_memory) throw std::bad_alloc();
+    api::pass_on(status);
+    return asset::write_cached(folder, name, saved.bytes);
 }
 
 }  // namespace

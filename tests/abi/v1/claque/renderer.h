@@ -104,8 +104,7 @@ CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_
 /* Loads a template's textures into GL, before the first draw that shows it. Repeated calls do nothing. The renderer
  * holds the template until it is destroyed.
  * Fails: ARGUMENT (a template of another context), LIMIT (a texture too large for this GL), KEY_RESOLUTION (names the
- * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY (GL's own, too), BUSY. GL: textures.
- */
+ * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY (of GL too), BUSY. GL: textures. */
 CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
 
 /* The result of preparing a template. */
