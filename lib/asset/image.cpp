@@ -1,5 +1,6 @@
 #include "lib/asset/image.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "lib/asset/decoders.h"
@@ -41,11 +42,37 @@ void check_png(const uint8_t *bytes, size_t size, const char *name)
     fail(CLQ_FORMAT, "image '%s': the PNG has no end", name);
 }
 
+// The tables of a segment, to which `at` points, behind its length. The decoder has room for 256 codes in each and reads
+// on until the segment's length is used up, also beyond the segment.
+void check_tables(const uint8_t *bytes, size_t size, size_t at, uint32_t length, const char *name)
+{
+    for (int64_t left = int64_t(length) - 2; left > 0;) {
+        uint32_t codes = 0;
+        for (size_t i = at + 1; i < at + 17 && i < size; ++i) codes += bytes[i];
+        if (codes > 256)
+            fail(CLQ_FORMAT, "image '%s': a Huffman table of the JPEG has %u codes: 256 are the most", name, codes);
+        at += 17 + codes;
+        left -= 17 + int64_t(codes);
+    }
+}
+
+// Walks from marker to marker as the decoder does. Compressed data has no marker but restarts.
 void check_jpeg(const uint8_t *bytes, size_t size, const char *name)
 {
     uint32_t scans = 0;
-    for (size_t i = 0; i + 1 < size; ++i)
-        if (bytes[i] == 0xff && bytes[i + 1] == 0xda) ++scans;
+    for (size_t i = 0; i + 1 < size;) {
+        const uint8_t marker = bytes[i + 1];
+        const bool alone = marker == 0 || marker == 0xff || (marker >= 0xd0 && marker <= 0xd8);
+        if (bytes[i] != 0xff || alone) {
+            ++i;
+            continue;
+        }
+        if (marker == 0xd9) break;
+        if (marker == 0xda) ++scans;
+        const uint32_t length = i + 3 < size ? uint32_t(bytes[i + 2]) << 8 | bytes[i + 3] : 0;
+        if (marker == 0xc4) check_tables(bytes, size, i + 4, length, name);
+        i += 2 + std::max(length, 2u);
+    }
     if (scans > max_scans) fail(CLQ_LIMIT, "image '%s': the JPEG has %u scans, %u are read", name, scans, max_scans);
 }
 

@@ -1,0 +1,67 @@
+// JPEG pictures whose tables say more than the decoder has room for.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "lib/asset/image.h"
+#include "maker.h"
+
+namespace claque::testing
+{
+namespace
+{
+
+// A table segment with this many codes of each length from 1 to 16, and its values.
+Bytes tables(const std::vector<Bytes> &counts)
+{
+    Bytes body;
+    for (const Bytes &each : counts) {
+        size_t codes = 0;
+        for (const uint8_t count : each) codes += count;
+        body.push_back(0x13);
+        body.insert(body.end(), each.begin(), each.end());
+        body.insert(body.end(), codes, uint8_t(7));
+    }
+    const size_t length = body.size() + 2;
+    Bytes out = {0xff, 0xc4, static_cast<uint8_t>(length >> 8), static_cast<uint8_t>(length)};
+    out.insert(out.end(), body.begin(), body.end());
+    return out;
+}
+
+// Bytes between the beginning of a picture and a header that cannot be read.
+std::string refusal_of(const Bytes &middle)
+{
+    Bytes file = {0xff, 0xd8};
+    file.insert(file.end(), middle.begin(), middle.end());
+    file.insert(file.end(), {0xff, 0xc0, 0, 3, 8, 0, 0, 0});
+    return outcome_of([&] { asset::decode_image(file.data(), file.size(), "face", asset::ImageLimits()); }).text;
+}
+
+Bytes counts(uint8_t last, uint8_t before_last)
+{
+    Bytes out(16, 0);
+    out[15] = last, out[14] = before_last;
+    return out;
+}
+
+TEST(Jpeg, ATableWithMoreCodesThanItsDecoderHoldsIsRefused)
+{
+    const auto has_many = [](const std::string &text) { return text.find("257 codes") != std::string::npos; };
+    EXPECT_FALSE(has_many(refusal_of(tables({counts(255, 1)})))) << "256 are legal";
+    EXPECT_TRUE(has_many(refusal_of(tables({counts(255, 2)}))));
+    EXPECT_TRUE(has_many(refusal_of(tables({counts(9, 0), counts(255, 2)})))) << "the second table of a segment";
+    Bytes beyond = tables({counts(255, 2)});
+    beyond[2] = 0, beyond[3] = 3;
+    EXPECT_TRUE(has_many(refusal_of(beyond))) << "a table that leaves its segment";
+    Bytes padded = {0xff, 0xfe, 0, 2, 0x11, 0xff, 0xff};
+    const Bytes table = tables({counts(255, 2)});
+    padded.insert(padded.end(), table.begin() + 1, table.end());
+    EXPECT_TRUE(has_many(refusal_of(padded))) << "behind padding";
+    Bytes comment = {0xff, 0xfe, 2, 0};
+    comment.insert(comment.end(), table.begin(), table.end());
+    comment.resize(4 + 0x200 - 2);
+    EXPECT_FALSE(has_many(refusal_of(comment))) << "a comment may hold anything";
+}
+
+}  // namespace
+}  // namespace claque::testing
