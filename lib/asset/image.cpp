@@ -42,8 +42,8 @@ void check_png(const uint8_t *bytes, size_t size, const char *name)
     fail(CLQ_FORMAT, "image '%s': the PNG has no end", name);
 }
 
-// The tables of a segment, to which `at` points, behind its length. The decoder has room for 256 codes in each and reads
-// on until the segment's length is used up, also beyond the segment.
+// The tables of a segment, to which `at` points, behind its length. The decoder has room for 256 codes in each and
+// reads on until the segment's length is used up, also beyond the segment.
 void check_tables(const uint8_t *bytes, size_t size, size_t at, uint32_t length, const char *name)
 {
     for (int64_t left = int64_t(length) - 2; left > 0;) {
