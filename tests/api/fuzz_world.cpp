@@ -34,8 +34,8 @@ World::World(uint64_t seed, const Options &options)
     rigid_def_.parts[0].influence_count = 0, rigid_def_.parts[0].node = 1;
     rigid_def_.def.joint_count = 0;
     templates_[0] = test_world_.templates[0], templates_[1] = test_world_.templates[1];
-    EXPECT_EQ(clq_template_build(test_world_.context, &far_def_.def, &templates_[2]), CLQ_OK) << clq_last_error();
-    EXPECT_EQ(clq_template_build(test_world_.context, &rigid_def_.def, &templates_[3]), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(test_world_.make(far_def_.def, &templates_[2]), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(test_world_.make(rigid_def_.def, &templates_[3]), CLQ_OK) << clq_last_error();
 
     clq_crowd_def def = clq_crowd_def_init();
     def.cache = static_cast<clq_cache_mode>(random_.below(3));

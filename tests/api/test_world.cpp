@@ -1,6 +1,8 @@
 #include "tests/api/test_world.h"
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "tests/api/calls.h"
 
@@ -12,8 +14,8 @@ TestWorld::TestWorld(const clq_context_def *context_def)
     with_dofs.def.dof_count = 3, with_dofs.def.dofs = dofs;
     with_dofs.def.name = "figure", plain.def.name = "plain";
     EXPECT_EQ(clq_context_create(context_def, &context), CLQ_OK);
-    EXPECT_EQ(clq_template_build(context, &with_dofs.def, &templates[0]), CLQ_OK) << clq_last_error();
-    EXPECT_EQ(clq_template_build(context, &plain.def, &templates[1]), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(make(with_dofs.def, &templates[0]), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(make(plain.def, &templates[1]), CLQ_OK) << clq_last_error();
 }
 
 TestWorld::~TestWorld()
@@ -21,6 +23,27 @@ TestWorld::~TestWorld()
     for (clq_crowd *crowd : crowds) clq_crowd_destroy(crowd);
     for (clq_template *tmpl : templates) clq_template_destroy(tmpl);
     EXPECT_EQ(clq_context_destroy(context), CLQ_OK) << clq_last_error();
+}
+
+bool TestWorld::keeps_templates = false;
+
+clq_status TestWorld::make(const clq_template_def &def, clq_template **out)
+{
+    static std::map<std::string, std::vector<uint8_t>> kept;
+    if (!keeps_templates) return clq_template_build(context, &def, out);
+    std::vector<uint8_t> &bytes = kept[def.name];
+    if (!bytes.empty()) return clq_template_load(context, bytes.data(), bytes.size(), out);
+    const clq_status status = clq_template_build(context, &def, out);
+    const auto keep = [](void *user, const void *from, size_t size) {
+        const uint8_t *first = static_cast<const uint8_t *>(from);
+        std::vector<uint8_t> &to = *static_cast<std::vector<uint8_t> *>(user);
+        to.insert(to.end(), first, first + size);
+        return 0;
+    };
+    if (status == CLQ_OK) {
+        EXPECT_EQ(clq_template_save(*out, keep, &bytes), CLQ_OK);
+    }
+    return status;
 }
 
 clq_crowd *TestWorld::new_crowd(const clq_crowd_def *def)

@@ -19,6 +19,11 @@ struct TestWorld {
     TestWorld(const TestWorld &) = delete;
     TestWorld &operator=(const TestWorld &) = delete;
 
+    // Builds a template. With keeps_templates the second one of a name is loaded from what the first one saved, which
+    // takes much less time; one name must then always mean one definition.
+    clq_status make(const clq_template_def &def, clq_template **out);
+    static bool keeps_templates;
+
     clq_crowd *new_crowd(const clq_crowd_def *def = nullptr);  // empty; destroyed with this world
     clq_mechanism_def mechanism(uint32_t kind);                // valid as it is
     clq_root_path_def path(bool flight);

@@ -6,6 +6,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     if (size == 0) return 0;
+    TestWorld::keeps_templates = true;
     fuzz::Options options;
     options.steps = 500;
     options.choices = {bytes, size};

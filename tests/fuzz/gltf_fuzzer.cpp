@@ -121,6 +121,7 @@ void prepare(clq_context *context, const uint8_t *bytes, size_t size)
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
+    if (size == 0) return 0;
     clq_context *context = new_context();
     const clq_asset_options allowed = options();
     clq_asset *asset = nullptr;

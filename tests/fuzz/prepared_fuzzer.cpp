@@ -24,6 +24,7 @@ void load(const Bytes &bytes)
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
+    if (size == 0) return 0;
     Bytes file(bytes, bytes + size);
     load(file);
     if (size < saved::header_bytes) return 0;

@@ -36,6 +36,7 @@ void restore(TestWorld &world, const Bytes &bytes)
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
+    if (size == 0) return 0;
     static TestWorld &world = *new TestWorld;  // lives as long as the process
     Bytes file(bytes, bytes + size);
     const auto try_it = [&] {
