@@ -20,6 +20,10 @@ endfunction()
 claque_decoder(DRACO draco/compression/decode.h draco)
 claque_decoder(MESHOPT meshoptimizer.h meshoptimizer)
 claque_decoder(WEBP webp/decode.h webp)
+# Of the readers of trajectories.
+claque_decoder(EXPAT expat.h expat)
+claque_decoder(SQLITE3 sqlite3.h sqlite3)
+claque_decoder(Z zlib.h z)
 
 # Gives `target` the definitions.
 function(claque_decoder_definitions target)

@@ -1,0 +1,107 @@
+// Reads trajectories from texts and files, and says how that ended.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "lib/asset/file.h"
+#include "lib/asset/trajectories/trajectories.h"
+#include "lib/base/error.h"
+
+namespace claque::testing
+{
+
+using Bytes = std::vector<uint8_t>;
+
+inline std::string tracks_folder() { return CLAQUE_ASSETS_DIR "/tracks/"; }
+
+#define CLAQUE_NEEDS_TRACKS()                                    \
+    if (!std::filesystem::exists(tracks_folder() + "README.md")) \
+    GTEST_SKIP() << "no files of trajectories in " << tracks_folder()
+
+inline Bytes bytes_of_text(const std::string &text) { return Bytes(text.begin(), text.end()); }
+
+inline asset::Trajectories read_bytes(const Bytes &bytes, const asset::TrajectoryOptions &options = {},
+                                      const std::string &name = "")
+{
+    asset::TrajectoryInput input;
+    input.bytes = bytes.data(), input.size = bytes.size();
+    input.name = name;
+    return asset::read_trajectories(input, options);
+}
+
+inline asset::Trajectories read_text(const std::string &text, const asset::TrajectoryOptions &options = {})
+{
+    return read_bytes(bytes_of_text(text), options);
+}
+
+inline asset::Trajectories read_track_file(const std::string &name, const asset::TrajectoryOptions &options = {})
+{
+    const std::string path = tracks_folder() + name;
+    const Bytes bytes = asset::read_file(path, 1u << 30);
+    asset::TrajectoryInput input;
+    input.bytes = bytes.data(), input.size = bytes.size();
+    input.name = path;
+    const std::string matrix = path.substr(0, path.find_last_of('/')) + "/H.txt";
+    if (std::filesystem::exists(matrix)) {
+        const Bytes text = asset::read_file(matrix, 4096);
+        input.beside = std::string(text.begin(), text.end());
+    }
+    return asset::read_trajectories(input, options);
+}
+
+struct Refusal {
+    int status = 0;
+    std::string text = "read";
+};
+inline Refusal refusal_of(const Bytes &bytes, const asset::TrajectoryOptions &options = {},
+                          const std::string &name = "")
+{
+    try {
+        read_bytes(bytes, options, name);
+        return {};
+    } catch (const base::Error &error) {
+        return {error.status(), error.what()};
+    }
+}
+
+// The refusal of a text has this status and holds this sentence.
+inline void expect_refused(const std::string &text, int status, const std::string &sentence,
+                           const asset::TrajectoryOptions &options = {})
+{
+    const Refusal refusal = refusal_of(bytes_of_text(text), options);
+    EXPECT_EQ(refusal.status, status) << refusal.text;
+    EXPECT_NE(refusal.text.find(sentence), std::string::npos) << "'" << refusal.text << "' lacks '" << sentence << "'";
+}
+
+inline asset::TrajectoryOptions of_table(const std::string &columns, double rate_hz = 0, double unit_m = 1)
+{
+    asset::TrajectoryOptions options;
+    options.columns = columns;
+    options.rate_hz = rate_hz, options.metres_per_unit = unit_m;
+    return options;
+}
+
+// Whether one warning holds all of these.
+inline bool warns(const asset::Trajectories &read, const std::vector<std::string> &parts)
+{
+    for (const std::string &warning : read.warnings) {
+        bool all = true;
+        for (const std::string &part : parts) all = all && warning.find(part) != std::string::npos;
+        if (all) return true;
+    }
+    return false;
+}
+
+inline std::string all_warnings(const asset::Trajectories &read)
+{
+    std::string out;
+    for (const std::string &warning : read.warnings) out += warning + "\n";
+    return out;
+}
+
+}  // namespace claque::testing
