@@ -32,10 +32,11 @@ bool is_sqlite(const uint8_t *bytes, size_t size)
 namespace
 {
 
-// Tables are read column by column; no function, pragma, recursion or write is needed.
-int may(void *, int action, const char *, const char *, const char *, const char *)
+// Tables are read column by column; no function, recursion or write is needed.
+int may(void *, int action, const char *name, const char *, const char *, const char *)
 {
-    return action == SQLITE_SELECT || action == SQLITE_READ ? SQLITE_OK : SQLITE_DENY;
+    const bool describes = action == SQLITE_PRAGMA && name && std::strcmp(name, "table_xinfo") == 0;
+    return action == SQLITE_SELECT || action == SQLITE_READ || describes ? SQLITE_OK : SQLITE_DENY;
 }
 
 // Called every `steps_between` steps: damaged pages that refer to each other would be walked for ever.
@@ -85,11 +86,16 @@ void Database::refuse(int code)
 
 bool Database::has_table(const char *table)
 {
-    Query query(*this, "SELECT type FROM sqlite_master WHERE name = ?1");
+    Query query(*this, "SELECT type, rootpage FROM sqlite_master WHERE name = ?1");
     query.bind(1, table);
     if (!query.next()) return false;
-    if (query.text(0) != "table")
-        fail(CLQ_FORMAT, "'%s' is a %.20s and no table", table, std::string(query.text(0)).c_str());
+    const std::string type(query.text(0));
+    if (type != "table") fail(CLQ_FORMAT, "'%s' is a %.20s and no table", table, type.c_str());
+    if (query.whole(1) == 0) fail(CLQ_FORMAT, "'%s' is a virtual table", table);
+    // Column 6 of its description is 2 or 3 for columns that are computed.
+    Query columns(*this, std::string("PRAGMA table_xinfo(") + table + ")");
+    while (columns.next())
+        if (columns.whole(6) != 0) fail(CLQ_FORMAT, "'%s' has columns that are computed", table);
     return true;
 }
 

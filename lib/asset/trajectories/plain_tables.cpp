@@ -17,12 +17,16 @@ namespace
 // A step of ETH's and UCY's files, whatever number of frames of the film it has.
 constexpr double obsmat_step_s = 0.4;
 
+// What a comment line says stands in its first bytes.
+constexpr size_t longest_comment = 4096;
+
 // Looks for rate and unit in the comment lines at the file's beginning.
 void read_header(Lines &lines, Reading &reading)
 {
     for (std::string_view line; lines.next(line);) {
-        const std::string text = lower_case(trimmed(line));
-        if (!text.empty() && text[0] != '#') return lines.back();
+        line = trimmed(line);
+        if (!line.empty() && line[0] != '#') return lines.back();
+        const std::string text = lower_case(line.substr(0, longest_comment));
         if (contains(text, "x/cm") || contains(text, "in cm")) reading.unit_m = 0.01;
         else if (contains(text, "x/m") || contains(text, "in m")) reading.unit_m = 1;
         const size_t word = text.find("framerate");

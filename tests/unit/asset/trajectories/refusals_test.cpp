@@ -152,10 +152,17 @@ TEST(TrajectoryRefusals, DatabasesThatComputeAreNotRead)
     EXPECT_NE(view.text.find("'trajectory_data' is a view and no table"), std::string::npos) << view.text;
     statements[2] =
         "CREATE TABLE trajectory_data(frame INTEGER, id INTEGER, pos_y REAL, pos_x REAL GENERATED ALWAYS AS "
-        "(length(hex(zeroblob(400000000)))) VIRTUAL)";
+        "(length(hex(zeroblob(4000)))) VIRTUAL)";
     statements.push_back("INSERT INTO trajectory_data(frame, id, pos_y) VALUES(1, 1, 2.0)");
     const Refusal generated = refusal_of(database_of(statements));
-    EXPECT_EQ(generated.status, CLQ_FORMAT) << generated.text;
+    EXPECT_EQ(generated.status, CLQ_FORMAT);
+    EXPECT_NE(generated.text.find("'trajectory_data' has columns that are computed"), std::string::npos)
+        << generated.text;
+    statements.resize(2);
+    statements.push_back("CREATE VIRTUAL TABLE trajectory_data USING fts5(frame, id, pos_x, pos_y)");
+    const Refusal fts = refusal_of(database_of(statements));
+    EXPECT_EQ(fts.status, CLQ_FORMAT);
+    EXPECT_NE(fts.text.find("'trajectory_data' is a virtual table"), std::string::npos) << fts.text;
 }
 
 TEST(TrajectoryRefusals, ABuildWithoutALibraryNamesIt)
