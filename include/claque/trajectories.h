@@ -91,9 +91,9 @@ typedef struct clq_trajectory_sample {
 /* Load a file of trajectories. Coordinates, times and headings are what the file has, only converted: nothing is
  * smoothed or filled in. The samples of a person are put in order of time; of several rows of a person at one time the
  * first is kept; rows with a missing, infinite or impossible number are left out. A person who is absent for longer
- * than max_gap_s or moves faster than max_speed_m_s becomes a further person, whose id ends in #2, #3 and so on. Each of
- * these gives a warning. A rate, unit or axis that is missing is refused with the member's name and the option of the
- * claque command.
+ * than max_gap_s or moves faster than max_speed_m_s becomes a further person, whose id ends in #2, #3 and so on. Each
+ * of these gives a warning. A rate, unit or axis that is missing is refused with the member's name and the option of
+ * the claque command.
  *   path    a regular file; H.txt may stand beside it
  *   name    of bytes in memory: messages use it and AUTO reads its ending; may be NULL
  *   def     NULL means clq_trajectories_def_init()

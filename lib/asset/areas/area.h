@@ -36,8 +36,9 @@ class AreaBuilder
 public:
     static constexpr size_t most_points = 10000;  // of a polygon, as filling it takes their square in time
 
-    // Rings in any direction, with or without their first point repeated at the end. Rings that enclose nothing are left
-    // out with a warning. Throws base::Error: CLQ_FORMAT if rings cross or a hole is not in the polygon, CLQ_LIMIT.
+    // Rings in any direction, with or without their first point repeated at the end. Rings that enclose nothing are
+    // left out with a warning. Throws base::Error: CLQ_FORMAT if rings cross or a hole is not in the polygon,
+    // CLQ_LIMIT.
     void add_polygon(const std::vector<Ring> &rings, const Plane &plane = {}, bool walled = true);
     // A piece of wall. Its points may be those of polygons.
     void add_wall(uint32_t from, uint32_t to);

@@ -1,5 +1,5 @@
-// UCY's .vsp: for each person a number of control points in pixels from the middle of the film's picture, x right, y up.
-// Between them people walk straight.
+// UCY's .vsp: for each person a number of control points in pixels from the middle of the film's picture, x right,
+// y up. Between them people walk straight.
 #include <cmath>
 
 #include "lib/asset/trajectories/readers.h"

@@ -11,5 +11,7 @@ from .crowd import Actor, Crowd, View
 from .offscreen import Offscreen
 from .renderer import Renderer
 from .template import Template
+from .trajectories import Area, Trajectories
 
-__all__ = ["Actor", "Context", "Crowd", "Error", "Offscreen", "Renderer", "Status", "Template", "View", "library_paths"]
+__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Offscreen", "Renderer", "Status", "Template", "Trajectories",
+           "View", "library_paths"]

@@ -6,6 +6,7 @@
 #define CLAQUE_ASSETS_H
 
 #include <claque/template_info.h>
+#include <claque/trajectories.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -17,7 +17,7 @@ struct AreaFile {
     double width_m, depth_m;
 };
 
-// shared/assets/tracks/README.md.
+// As the README of the tracks prints it.
 const AreaFile area_files[] = {
     {"jupedsim/bottleneck.wkt", 210.0, 0.05, 1, 0, 30, 10},
     {"jupedsim/t_shaped_room.wkt", 104.0, 0.05, 1, 0, 20, 10},

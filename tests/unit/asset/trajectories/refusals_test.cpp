@@ -165,16 +165,16 @@ TEST(TrajectoryRefusals, DatabasesThatComputeAreNotRead)
     EXPECT_NE(fts.text.find("'trajectory_data' is a virtual table"), std::string::npos) << fts.text;
 }
 
-TEST(TrajectoryRefusals, ABuildWithoutALibraryNamesIt)
+TEST(TrajectoryRefusals, PackedDataThatAreDamagedAreNamed)
 {
 #ifdef CLAQUE_HAS_Z
-    const Bytes damaged{0x1f, 0x8b, 8, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
-    EXPECT_EQ(refusal_of(damaged).status, CLQ_FORMAT);
-    GTEST_SKIP() << "this build has zlib; the texts of the others are in their own tests";
+    const Refusal refusal = refusal_of({0x1f, 0x8b, 8, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+    EXPECT_EQ(refusal.status, CLQ_FORMAT);
+    EXPECT_NE(refusal.text.find("the gzip data are damaged"), std::string::npos) << refusal.text;
 #else
     const Refusal refusal = refusal_of({0x1f, 0x8b, 8, 0});
     EXPECT_EQ(refusal.status, CLQ_UNSUPPORTED);
-    EXPECT_NE(refusal.text.find("gzip is read by zlib"), std::string::npos);
+    EXPECT_NE(refusal.text.find("gzip is read by zlib"), std::string::npos) << refusal.text;
 #endif
 }
 

@@ -1,10 +1,11 @@
 // Files that others made, against figures that were computed from them by another program
-// (shared/assets/tracks/README.md), within the rounding of its table.
+// (the README of the tracks), within the rounding of its table.
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
-#include "fixture.h"
+#include "sample_walks.h"
 
 namespace claque::testing
 {
@@ -12,7 +13,7 @@ namespace
 {
 
 struct SampleFile {
-    const char *name;
+    std::string name;
     clq_trajectory_format format;
     double rate_hz, unit_m;  // 0: of the file
     uint64_t rows, people, peak;
@@ -26,304 +27,64 @@ struct SampleFile {
 
 constexpr double no = -1;  // not in the table
 
-const SampleFile sample_files[] = {
-    {"pedpy/040_c_56_h-.txt",
-     CLQ_TRAJECTORY_PETRACK,
-     0,
-     0,
-     63110,
-     75,
-     75,
-     66.24,
-     {-2.60, 2.26, -1.87, 5.98},
-     {0.13, 1.11, 1.61},
-     38.3,
-     0},
-    {"pedpy/uo-050-180-180.txt",
-     CLQ_TRAJECTORY_PETRACK,
-     16,
-     0.01,
-     9712,
-     61,
-     16,
-     60.88,
-     {0.00, 2.10, -6.17, 7.97},
-     {1.37, 1.99, 2.19},
-     0,
-     0},
-    {"pedpy/ref-bottleneck/traj.txt",
-     CLQ_TRAJECTORY_JPSREPORT,
-     0,
-     0,
-     128783,
-     348,
-     224,
-     59.88,
-     {-2.20, 3.95, -8.00, 6.21},
-     {0.33, 1.52, 2.14},
-     4.9,
-     0},
-    {"pedpy/ref-corner/traj.txt",
-     CLQ_TRAJECTORY_JPSREPORT,
-     0,
-     0,
-     18704,
-     137,
-     35,
-     52.00,
-     {-2.80, 3.93, -2.79, 4.17},
-     {1.13, 1.73, 1.92},
-     0,
-     0},
-    {"opentraj/zara01/obsmat.txt",
-     CLQ_TRAJECTORY_OBSMAT,
-     0,
-     0,
-     5024,
-     148,
-     20,
-     360.4,
-     {-7.35, 6.36, 4.98, 20.73},
-     {1.19, 1.87, 2.58},
-     2.8,
-     0},
-    {"opentraj/zara01/annotation.vsp",
-     CLQ_TRAJECTORY_VSP,
-     0,
-     0,
-     1520,
-     148,
-     20,
-     360.56,
-     {-7.35, 6.36, 4.98, 20.73},
-     {1.19, 1.87, 2.58},
-     2.8,
-     0.4},
-    {"opentraj/seq_hotel/obsmat.txt",
-     CLQ_TRAJECTORY_OBSMAT,
-     0,
-     0,
-     6544,
-     390,
-     18,
-     722.4,
-     {-3.29, 4.38, -10.25, 4.32},
-     {1.28, 2.16, 2.44},
-     22.0,
-     0},
-    {"trajnet/biwi_hotel.ndjson",
-     CLQ_TRAJECTORY_TRAJNET,
-     0,
-     0,
-     4621,
-     263,
-     18,
-     698.8,
-     {-2.63, 4.38, -10.25, 4.32},
-     {1.21, 2.10, 2.45},
-     22.8,
-     0},
-    {"trajnet/lcas.ndjson",
-     CLQ_TRAJECTORY_TRAJNET,
-     0,
-     0,
-     9610,
-     304,
-     18,
-     362.4,
-     {-21.28, 26.93, -10.62, 7.46},
-     {0.06, 2.07, 5.69},
-     58.0,
-     0},
-    {"pedpy/jupedsim_v2.sqlite",
-     CLQ_TRAJECTORY_JUPEDSIM,
-     0,
-     0,
-     65482,
-     75,
-     75,
-     68.52,
-     {-2.56, 2.44, -1.72, 5.96},
-     {0.11, 1.20, 1.20},
-     47.3,
-     0},
-    {"pedpy/trajectories.sqlite",
-     CLQ_TRAJECTORY_JUPEDSIM,
-     0,
-     0,
-     8083,
-     30,
-     30,
-     19.60,
-     {-7.38, 7.61, 1.79, 8.93},
-     {0.79, 1.20, 1.20},
-     0.1,
-     0},
-    {"derived/jupedsim_v3.sqlite",
-     CLQ_TRAJECTORY_JUPEDSIM,
-     0,
-     0,
-     8083,
-     30,
-     30,
-     19.60,
-     {-7.38, 7.61, 1.79, 8.93},
-     {0.79, 1.20, 1.20},
-     0.1,
-     0},
-    {"pedpy/pathfinder.csv",
-     CLQ_TRAJECTORY_PATHFINDER_CSV,
-     0,
-     0,
-     12120,
-     150,
-     150,
-     138.78,
-     {-11.10, 13.67, -4.77, 4.77},
-     {0.11, 1.19, 1.20},
-     48.0,
-     0},
-    {"pedpy/vadere_postvis.traj",
-     CLQ_TRAJECTORY_VADERE,
-     0,
-     0,
-     470,
-     20,
-     20,
-     24.33,
-     {1.16, 6.79, 0.98, 8.80},
-     {0.55, 1.65, 1.88},
-     21.4,
-     0.1},
-    {"pedpy/crowdit.csv.gz",
-     CLQ_TRAJECTORY_CROWDIT,
-     0,
-     0,
-     791,
-     20,
-     20,
-     34.0,
-     {29.80, 58.06, 10.09, 40.77},
-     {1.02, 1.57, 1.68},
-     0,
-     0},
-    {"pedpy/viswalk_excerpt.pp",
-     CLQ_TRAJECTORY_VISWALK,
-     0,
-     0,
-     42,
-     13,
-     12,
-     217.85,
-     {no, no, no, no},
-     {no, no, no},
-     no,
-     0},
-    {"derived/viswalk_from_trajectories_sqlite.pp",
-     CLQ_TRAJECTORY_VISWALK,
-     0,
-     0,
-     8083,
-     30,
-     30,
-     19.60,
-     {-7.38, 7.61, 1.79, 8.93},
-     {0.79, 1.20, 1.20},
-     0.1,
-     0},
-    {"sumo/crossing_1s.fcd.xml",
-     CLQ_TRAJECTORY_SUMO,
-     0,
-     0,
-     8224,
-     101,
-     65,
-     199,
-     {7.7, 112.3, 7.7, 112.3},
-     {1.15, 1.57, 14.8},
-     15.6,
-     0,
-     599,
-     20},
-    {"sumo/crossing_0.1s.fcd.xml",
-     CLQ_TRAJECTORY_SUMO,
-     0,
-     0,
-     6815,
-     52,
-     47,
-     14.9,
-     {no, no, no, no},
-     {1.22, 1.67, 2.37},
-     11.5,
-     0,
-     469,
-     4},
-    {"sumo/beaming.fcd.xml", CLQ_TRAJECTORY_SUMO, 0, 0, 4, 1, 1, 3, {no, no, no, no}, {397, 1386, 1406}, 0, 0},
-    {"sumo/identical_start_pos_excerpt.fcd.xml",
-     CLQ_TRAJECTORY_SUMO,
-     0,
-     0,
-     28,
-     4,
-     4,
-     6,
-     {no, no, no, no},
-     {1.18, 1.39, 1.39},
-     21.4,
-     0},
-    {"trajnet/collision_test.ndjson",
-     CLQ_TRAJECTORY_TRAJNET,
-     0,
-     0,
-     18,
-     2,
-     2,
-     3.2,
-     {0, 0, -6.2, 6.2},
-     {1.00, 1.00, 1.00},
-     0,
-     0},
-};
+// name, format; rate and unit that are told; rows, people, most at once, seconds; extent in x and y; speed: median,
+// 99th percentile, largest; slow per cent; time between places of files of events; rows of vehicles, vehicles. -: not
+// in the table.
+constexpr char printed[] = R"(
+pedpy/040_c_56_h-.txt 2 0 0 63110 75 75 66.24 -2.60 2.26 -1.87 5.98 0.13 1.11 1.61 38.3 0 0 0
+pedpy/uo-050-180-180.txt 2 16 0.01 9712 61 16 60.88 0.00 2.10 -6.17 7.97 1.37 1.99 2.19 0 0 0 0
+pedpy/ref-bottleneck/traj.txt 3 0 0 128783 348 224 59.88 -2.20 3.95 -8.00 6.21 0.33 1.52 2.14 4.9 0 0 0
+pedpy/ref-corner/traj.txt 3 0 0 18704 137 35 52.00 -2.80 3.93 -2.79 4.17 1.13 1.73 1.92 0 0 0 0
+opentraj/zara01/obsmat.txt 10 0 0 5024 148 20 360.4 -7.35 6.36 4.98 20.73 1.19 1.87 2.58 2.8 0 0 0
+opentraj/zara01/annotation.vsp 11 0 0 1520 148 20 360.56 -7.35 6.36 4.98 20.73 1.19 1.87 2.58 2.8 0.4 0 0
+opentraj/seq_hotel/obsmat.txt 10 0 0 6544 390 18 722.4 -3.29 4.38 -10.25 4.32 1.28 2.16 2.44 22.0 0 0 0
+trajnet/biwi_hotel.ndjson 12 0 0 4621 263 18 698.8 -2.63 4.38 -10.25 4.32 1.21 2.10 2.45 22.8 0 0 0
+trajnet/lcas.ndjson 12 0 0 9610 304 18 362.4 -21.28 26.93 -10.62 7.46 0.06 2.07 5.69 58.0 0 0 0
+pedpy/jupedsim_v2.sqlite 1 0 0 65482 75 75 68.52 -2.56 2.44 -1.72 5.96 0.11 1.20 1.20 47.3 0 0 0
+pedpy/trajectories.sqlite 1 0 0 8083 30 30 19.60 -7.38 7.61 1.79 8.93 0.79 1.20 1.20 0.1 0 0 0
+derived/jupedsim_v3.sqlite 1 0 0 8083 30 30 19.60 -7.38 7.61 1.79 8.93 0.79 1.20 1.20 0.1 0 0 0
+pedpy/pathfinder.csv 6 0 0 12120 150 150 138.78 -11.10 13.67 -4.77 4.77 0.11 1.19 1.20 48.0 0 0 0
+pedpy/vadere_postvis.traj 5 0 0 470 20 20 24.33 1.16 6.79 0.98 8.80 0.55 1.65 1.88 21.4 0.1 0 0
+pedpy/crowdit.csv.gz 8 0 0 791 20 20 34.0 29.80 58.06 10.09 40.77 1.02 1.57 1.68 0 0 0 0
+pedpy/viswalk_excerpt.pp 9 0 0 42 13 12 217.85 - - - - - - - - 0 0 0
+derived/viswalk_from_trajectories_sqlite.pp 9 0 0 8083 30 30 19.60 -7.38 7.61 1.79 8.93 0.79 1.20 1.20 0.1 0 0 0
+sumo/crossing_1s.fcd.xml 4 0 0 8224 101 65 199 7.7 112.3 7.7 112.3 1.15 1.57 14.8 15.6 0 599 20
+sumo/crossing_0.1s.fcd.xml 4 0 0 6815 52 47 14.9 - - - - 1.22 1.67 2.37 11.5 0 469 4
+sumo/beaming.fcd.xml 4 0 0 4 1 1 3 - - - - 397 1386 1406 0 0 0 0
+sumo/identical_start_pos_excerpt.fcd.xml 4 0 0 28 4 4 6 - - - - 1.18 1.39 1.39 21.4 0 0 0
+trajnet/collision_test.ndjson 12 0 0 18 2 2 3.2 0 0 -6.2 6.2 1.00 1.00 1.00 0 0 0 0
+)";
+
+std::vector<SampleFile> read_table()
+{
+    const auto number = [](std::istream &from) {
+        std::string word;
+        from >> word;
+        return word == "-" ? no : std::stod(word);
+    };
+    std::vector<SampleFile> out;
+    std::istringstream lines(printed);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty()) continue;
+        std::istringstream from(line);
+        SampleFile file;
+        from >> file.name;
+        file.format = static_cast<clq_trajectory_format>(int(number(from)));
+        file.rate_hz = number(from), file.unit_m = number(from);
+        for (uint64_t *count : {&file.rows, &file.people, &file.peak}) *count = uint64_t(number(from));
+        file.seconds = number(from);
+        for (double &edge : file.box) edge = number(from);
+        for (double &speed : file.speed) speed = number(from);
+        file.slow_percent = number(from), file.every_s = number(from);
+        for (uint64_t *count : {&file.vehicle_rows, &file.vehicles}) *count = uint64_t(number(from));
+        out.push_back(file);
+    }
+    return out;
+}
+
+const std::vector<SampleFile> sample_files = read_table();
 
 void PrintTo(const SampleFile &file, std::ostream *out) { *out << file.name; }
-
-using Samples = std::vector<clq_trajectory_sample>;
-
-// The samples of each id, without vehicles: the table knows nothing of people who become several.
-std::vector<Samples> by_id(const asset::Trajectories &read)
-{
-    std::vector<Samples> out;
-    std::string before;
-    for (const asset::Person &person : read.people) {
-        const auto begin = read.samples.begin() + static_cast<std::ptrdiff_t>(person.first);
-        if (begin->flags & CLQ_TRAJECTORY_VEHICLE) continue;
-        const std::string id = std::string(person.id).substr(0, std::string(person.id).find('#'));
-        if (id != before) out.emplace_back();
-        before = id;
-        out.back().insert(out.back().end(), begin, begin + static_cast<std::ptrdiff_t>(person.count));
-    }
-    return out;
-}
-
-// Where a person is at multiples of a time.
-Samples sampled(const Samples &all, double every_s)
-{
-    Samples out;
-    size_t i = 0;
-    for (double k = std::ceil(all[0].time_s / every_s - 1e-9); k * every_s <= all.back().time_s + 1e-9; ++k) {
-        const double t = std::clamp(k * every_s, all[0].time_s, all.back().time_s);
-        while (i + 2 < all.size() && all[i + 1].time_s < t) ++i;
-        clq_trajectory_sample at = all[i];
-        if (all.size() > 1) {
-            const double part = (t - all[i].time_s) / (all[i + 1].time_s - all[i].time_s);
-            at.x += part * (all[i + 1].x - at.x), at.y += part * (all[i + 1].y - at.y);
-        }
-        at.time_s = t;
-        out.push_back(at);
-    }
-    return out;
-}
 
 // As the table's: between the samples 0.25 s before and after, or the neighbours where these are further apart.
 void add_speeds(const Samples &all, std::vector<double> &speeds)
@@ -434,57 +195,6 @@ TEST(SampleFilesOfSumo, PeopleInAVehicleAreLeftOut)
         add_speeds(Samples(begin, begin + static_cast<std::ptrdiff_t>(person.count)), speeds);
     }
     expect_printed(*std::max_element(speeds.begin(), speeds.end()), 2.22, 0.01);
-}
-
-// 30 people of one run, in three formats.
-TEST(SampleFilesOfOneRun, GiveEqualPeople)
-{
-    CLAQUE_NEEDS_TRACKS();
-    const asset::Trajectories second = read_track_file("pedpy/trajectories.sqlite");
-    const asset::Trajectories third = read_track_file("derived/jupedsim_v3.sqlite");
-    const asset::Trajectories viswalk = read_track_file("derived/viswalk_from_trajectories_sqlite.pp");
-    ASSERT_EQ(second.samples.size(), 8083u);
-    ASSERT_EQ(third.samples.size(), second.samples.size());
-    ASSERT_EQ(viswalk.samples.size(), second.samples.size());
-    EXPECT_EQ(viswalk.facts.most_at_once, second.facts.most_at_once);
-    for (size_t i = 0; i < second.people.size(); ++i) {
-        EXPECT_STREQ(third.people[i].id, second.people[i].id);
-        EXPECT_STREQ(viswalk.people[i].id, second.people[i].id);
-        EXPECT_EQ(viswalk.people[i].first, second.people[i].first);
-        EXPECT_EQ(third.people[i].count, second.people[i].count);
-    }
-    for (size_t i = 0; i < second.samples.size(); ++i) {
-        const clq_trajectory_sample &a = second.samples[i], &b = third.samples[i], &c = viswalk.samples[i];
-        EXPECT_EQ(a.time_s, b.time_s);
-        EXPECT_EQ(a.x, b.x);
-        EXPECT_EQ(a.y, b.y);
-        EXPECT_NEAR(a.time_s + 0.04, c.time_s, 1e-9);
-        EXPECT_NEAR(a.x, c.x, 5.1e-4);
-        EXPECT_NEAR(a.y, c.y, 5.1e-4);
-    }
-    EXPECT_TRUE(second.facts.has_headings);
-    EXPECT_FALSE(third.facts.has_headings);
-}
-
-// obsmat is the vsp file, read linearly.
-TEST(SampleFilesOfOneRun, ControlPointsMeetTheRowsThatWereMadeFromThem)
-{
-    CLAQUE_NEEDS_TRACKS();
-    const asset::Trajectories rows = read_track_file("opentraj/zara01/obsmat.txt");
-    const asset::Trajectories points = read_track_file("opentraj/zara01/annotation.vsp");
-    const std::vector<Samples> people = by_id(points), wanted = by_id(rows);
-    ASSERT_EQ(people.size(), wanted.size());
-    size_t met = 0;
-    for (size_t i = 0; i < people.size(); ++i)
-        for (const clq_trajectory_sample &sample : sampled(people[i], 0.4))
-            for (const clq_trajectory_sample &row : wanted[i]) {
-                // Its frame numbers begin at 1.
-                if (std::fabs(row.time_s - 0.04 - sample.time_s) > 1e-6) continue;
-                EXPECT_NEAR(row.x, sample.x, 5e-6);
-                EXPECT_NEAR(row.y, sample.y, 5e-6);
-                ++met;
-            }
-    EXPECT_EQ(met, 5024u);
 }
 
 // No sample has duplicates, rows at odds or rows out of order.
