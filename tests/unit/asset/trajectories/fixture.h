@@ -9,13 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "lib/asset/file.h"
-#include "lib/asset/trajectories/trajectories.h"
 #include "lib/base/error.h"
+#include "writers.h"
 
 namespace claque::testing
 {
-
-using Bytes = std::vector<uint8_t>;
 
 inline std::string tracks_folder() { return CLAQUE_ASSETS_DIR "/tracks/"; }
 

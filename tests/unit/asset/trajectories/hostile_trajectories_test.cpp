@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "../heap_meter.h"
+#include "fixture.h"
 #include "lib/base/hash.h"
-#include "writers.h"
 
 namespace claque::testing
 {

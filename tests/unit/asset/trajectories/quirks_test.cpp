@@ -1,5 +1,5 @@
 // What files have that they should not: order, repeats, gaps, jumps, reused ids, numbers that are none.
-#include "writers.h"
+#include "fixture.h"
 
 namespace claque::testing
 {

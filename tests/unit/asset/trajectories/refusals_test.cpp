@@ -1,5 +1,5 @@
 // What is refused, and that the sentence says what to do.
-#include "writers.h"
+#include "fixture.h"
 
 namespace claque::testing
 {

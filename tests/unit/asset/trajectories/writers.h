@@ -2,13 +2,18 @@
 // along y from (2, 3), both with 5 frames a second and 11 frames from frame 10.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "fixture.h"
+#include <gtest/gtest.h>
+
+#include "lib/asset/trajectories/trajectories.h"
 
 namespace claque::testing
 {
+
+using Bytes = std::vector<uint8_t>;
 
 struct Written {
     const char *name;  // of a file

@@ -1,7 +1,7 @@
 // Files that the tests write, one of each format at least: all give the same two people.
 #include <clocale>
 
-#include "writers.h"
+#include "fixture.h"
 
 namespace claque::testing
 {
