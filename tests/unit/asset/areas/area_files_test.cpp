@@ -49,6 +49,7 @@ TEST_P(AreaFiles, HaveTheSizeOfTheTableAndAreFilled)
 {
     CLAQUE_NEEDS_TRACKS();
     const AreaFile &file = GetParam();
+    CLAQUE_NEEDS_LIBRARY_OF(file.name);
     const Bytes bytes = asset::read_file(tracks_folder() + file.name, 1u << 30);
     const asset::Area area = asset::read_area(bytes.data(), bytes.size());
     EXPECT_EQ(area.polygons, file.polygons);

@@ -23,6 +23,26 @@ inline std::string tracks_folder() { return CLAQUE_ASSETS_DIR "/tracks/"; }
 
 inline Bytes bytes_of_text(const std::string &text) { return Bytes(text.begin(), text.end()); }
 
+// The library that a file needs and this build lacks; "": none.
+inline std::string missing_library(const std::string &name)
+{
+    const std::string ending = name.substr(name.find_last_of('.') + 1);
+#ifndef CLAQUE_HAS_SQLITE3
+    if (ending == "sqlite") return "libsqlite3";
+#endif
+#ifndef CLAQUE_HAS_EXPAT
+    if (ending == "xml") return "libexpat";
+#endif
+#ifndef CLAQUE_HAS_Z
+    if (ending == "gz") return "zlib";
+#endif
+    return "";
+}
+
+#define CLAQUE_NEEDS_LIBRARY_OF(name)                    \
+    if (!claque::testing::missing_library(name).empty()) \
+    GTEST_SKIP() << (name) << " needs " << claque::testing::missing_library(name) << ", which this build lacks"
+
 inline asset::Trajectories read_bytes(const Bytes &bytes, const asset::TrajectoryOptions &options = {},
                                       const std::string &name = "")
 {

@@ -10,6 +10,7 @@ namespace
 TEST(SampleFilesOfOneRun, GiveEqualPeople)
 {
     CLAQUE_NEEDS_TRACKS();
+    CLAQUE_NEEDS_LIBRARY_OF("pedpy/trajectories.sqlite");
     const asset::Trajectories second = read_track_file("pedpy/trajectories.sqlite");
     const asset::Trajectories third = read_track_file("derived/jupedsim_v3.sqlite");
     const asset::Trajectories viswalk = read_track_file("derived/viswalk_from_trajectories_sqlite.pp");

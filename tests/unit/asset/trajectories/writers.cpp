@@ -57,6 +57,7 @@ std::string obsmat_text()
     });
 }
 
+#ifdef CLAQUE_HAS_EXPAT
 std::string fcd_text(bool riders_inside)
 {
     std::string out =
@@ -73,6 +74,7 @@ std::string fcd_text(bool riders_inside)
     }
     return out + "<timestep time=\"99.00\"/>\n</fcd-export>\n";
 }
+#endif
 
 std::string vadere_text()
 {
