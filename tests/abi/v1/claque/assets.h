@@ -6,7 +6,6 @@
 #define CLAQUE_ASSETS_H
 
 #include <claque/template_info.h>
-#include <claque/trajectories.h>
 
 #ifdef __cplusplus
 extern "C" {
