@@ -30,7 +30,7 @@ target_compile_options(claque_flags INTERFACE
 # For code around the library, where the time to compile matters more than the time to run.
 add_library(claque_quick_to_compile INTERFACE)
 target_compile_options(claque_quick_to_compile INTERFACE $<$<CONFIG:Release>:-O1>)
-# For tests, most of which spend their time in libraries.
+# For tests and commands, most of which spend their time in libraries.
 add_library(claque_not_optimised INTERFACE)
 target_compile_options(claque_not_optimised INTERFACE $<$<CONFIG:Release>:-O0>)
 
@@ -64,6 +64,11 @@ function(claque_room name)
     foreach(room ${ARG_ROOMS})
         target_link_libraries(claque_${name} PUBLIC claque_${room})
     endforeach()
+endfunction()
+
+# A room that works at start-up only: what -O3 adds to -O2 takes longer to compile than it ever saves.
+function(claque_start_up name)
+    target_compile_options(claque_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
 endfunction()
 
 # Sets OUT to a source file, made by the build, with claque::api::FUNCTION(): a hash of the sources that decide what a template is.

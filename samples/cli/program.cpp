@@ -1,5 +1,7 @@
 #include "samples/cli/program.h"
 
+#include <CLI/CLI.hpp>
+
 #include <iostream>
 #include <new>
 

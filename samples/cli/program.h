@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-#include "samples/cli/command.h"
+#include "samples/cli/subcommands.h"
 
 namespace cli
 {
