@@ -24,6 +24,7 @@
 #include <claque/simd.h>
 #include <claque/template.h>
 #include <claque/template_info.h>
+#include <claque/track.h>
 #include <claque/view.h>
 
 #endif

@@ -124,6 +124,9 @@ typedef struct clq_crowd_def {
     double (*now_s)(void *user);
     void *now_user;
     clq_key_poses key_poses; /* shared key-poses (S3). Default: none */
+    /* [>= 0] An actor on a track (claque/track.h) is renewed so often that it moves by at most so many pixels between
+     * two poses, in a picture of 768 lines over 60 degrees; so its feet do not slide. 0: no such limit. Default 1 */
+    float motion_tolerance_px;
 } clq_crowd_def;
 
 static inline clq_crowd_def clq_crowd_def_init(void)
@@ -138,6 +141,7 @@ static inline clq_crowd_def clq_crowd_def_init(void)
     def.metres_per_unit = 1.0f;
     def.lod_scale = 1.0f;
     def.key_poses = clq_key_poses_init();
+    def.motion_tolerance_px = 1.0f;
     return def;
 }
 

@@ -34,8 +34,8 @@ CLQ_API clq_status clq_crowd_save(const clq_crowd *crowd, clq_write_function wri
  * of host mechanisms of the same number. Where the saved crowd has a host mechanism, this crowd must already have one
  * of the same number; so add a new crowd's mechanisms as in the saved crowd before restoring. Views stay, with the draw
  * lists of the last update.
- * Fails: ARGUMENT (NULL; a missing template, by name; a missing host mechanism, by number), FORMAT, OUT_OF_MEMORY,
- * BUSY. Threads: the crowd's writer. GL: none. */
+ * Fails: ARGUMENT (NULL; a missing template, by name; a missing track, by hash; a missing host mechanism, by number),
+ * FORMAT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_crowd_restore(clq_crowd *crowd, const void *bytes, size_t size_bytes,
                                      clq_template *const *templates, uint32_t template_count);
 

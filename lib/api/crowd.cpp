@@ -6,6 +6,7 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/key_poses.h"
+#include "lib/api/track_handle.h"
 
 using namespace claque;
 
@@ -53,6 +54,9 @@ frame::Settings settings_of(const clq_context &context, const clq_crowd_def &def
     if (!(def.lod_hysteresis >= 0 && def.lod_hysteresis < 1))
         base::fail(CLQ_ARGUMENT, "lod_hysteresis is %g: 0 to less than 1 is wanted",
                    static_cast<double>(def.lod_hysteresis));
+    if (!(def.motion_tolerance_px >= 0) || !std::isfinite(def.motion_tolerance_px))
+        base::fail(CLQ_ARGUMENT, "motion_tolerance_px is %g: 0 or more is wanted",
+                   static_cast<double>(def.motion_tolerance_px));
     require(api::number_of(def.vertex_format) <= CLQ_VERTEX_PACKED,
             "vertex_format is neither CLQ_VERTEX_FLOAT nor CLQ_VERTEX_PACKED");
     require_budget(def);
@@ -71,6 +75,7 @@ frame::Settings settings_of(const clq_context &context, const clq_crowd_def &def
     settings.caches.metres_per_unit = def.metres_per_unit;
     settings.cull = static_cast<frame::Cull>(def.cull);
     settings.rigid_mode = static_cast<animcache::RigidMode>(def.rigid_mode);
+    settings.motion_tolerance_px = def.motion_tolerance_px;
     settings.lod_scale = def.lod_scale;
     settings.lod_hysteresis = def.lod_hysteresis;
     return settings;
@@ -104,7 +109,9 @@ clq_status clq_crowd_destroy(clq_crowd *crowd)
         api::lock(crowd);
         // Templates are released last: the crowd's columns point at them.
         std::pmr::vector<clq_template *> held(std::move(crowd->held));
+        const std::pmr::unordered_set<clq_track *> tracks(std::move(crowd->tracks));
         api::unmake(crowd->context, crowd);
+        for (clq_track *track : tracks) api::release(track);
         for (clq_template *tmpl : held) api::release(tmpl);
     });
 }

@@ -1,7 +1,10 @@
 // The structs behind clq_crowd and clq_view.
 #pragma once
 
+#include <claque/track.h>
 #include <claque/view.h>
+
+#include <unordered_set>
 
 #include "lib/api/handles.h"
 #include "lib/base/error.h"
@@ -16,6 +19,7 @@ struct clq_crowd {
           crowd(&owner->memory, seed),
           frame(&owner->memory, settings),
           held(&owner->memory),
+          tracks(&owner->memory),
           views(&owner->memory),
           views_of_update(&owner->memory),
           placed_ids(&owner->memory),
@@ -28,7 +32,8 @@ struct clq_crowd {
     clq_context *context;
     claque::crowd::Crowd crowd;
     claque::frame::Frame frame;
-    std::pmr::vector<clq_template *> held;  // every template it has used
+    std::pmr::vector<clq_template *> held;        // every template it has used
+    std::pmr::unordered_set<clq_track *> tracks;  // every track that its actors may follow
     std::pmr::vector<clq_view *> views;
     std::pmr::vector<claque::frame::View *> views_of_update;  // of the present update
     // Scratch of set_transforms: hosts call it every frame, and it allocates only when it grows.

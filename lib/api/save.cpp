@@ -9,6 +9,7 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/saved_def.h"
+#include "lib/api/track_handle.h"
 
 using namespace claque;
 
@@ -150,6 +151,7 @@ clq_status clq_crowd_restore(clq_crowd *crowd, const void *bytes, size_t size_by
         check_templates(*crowd, templates, template_count);
         HostResolver resolver(*crowd, templates, template_count);
         crowd::Crowd restored(&crowd->context->memory);
+        for (const clq_track *track : crowd->tracks) restored.tables.follows.add(*track);
         crowd::restore(static_cast<const uint8_t *>(bytes), size_bytes, resolver, restored);
 
         // Templates used before stay held: caches and draw lists may still point at them.

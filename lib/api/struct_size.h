@@ -1,8 +1,9 @@
 // Structs that may grow: hosts compiled with earlier headers pass shorter ones (claque/base.h).
 #pragma once
 
-#include <claque/base.h>
+#include <claque/crowd.h>
 
+#include <cstddef>
 #include <cstring>
 
 #include "lib/base/error.h"
@@ -15,6 +16,12 @@ namespace claque::api
 template <class Struct>
 struct EarlierSizes {
     static constexpr uint32_t sizes[] = {0};
+};
+
+// From 0.2 on it has motion_tolerance_px.
+template <>
+struct EarlierSizes<clq_crowd_def> {
+    static constexpr uint32_t sizes[] = {offsetof(clq_crowd_def, motion_tolerance_px)};
 };
 
 template <class Struct>

@@ -38,6 +38,11 @@ public:
     // Replaces what is below by a source, with `weight`.
     void replace(const Source &source, double weight)
     {
+        for (uint32_t f = 0; f < out_.foot_count; ++f) out_.feet[f].weight *= static_cast<float>(1 - weight);
+        if (source.gait == crowd::track_gait) {
+            replace_by_track(*crowd_.follows().of(row_), weight);
+            return;
+        }
         if (source.gait == model::none) {
             push(source.play.clip, clip_time(crowd_, row_, source.play, time_s_), weight);
             return;
@@ -78,6 +83,30 @@ public:
         if (!actor_layer.additive) return;
         layer.kind = LayerKind::add;
         layer.reference_clip = actor_layer.reference_clip, layer.reference_time_s = actor_layer.reference_time_s;
+    }
+
+    // The clips of the track's gait at its time, and its feet.
+    void replace_by_track(const crowd::Follow &follow, double weight)
+    {
+        const track::Track &track = *follow.track;
+        const double at_s = crowd::track_time(follow, time_s_);
+        const track::State state = track::state_at(track, at_s);
+        pose::Layer layers[3];
+        const uint32_t count = track::layers_of(*track.locomotion, state.gait, state.phase, state.idle,
+                                                at_s + static_cast<double>(follow.offset_s), layers);
+        double above = 1;  // of the layers that come later
+        for (uint32_t k = count; k-- > 1;) above *= 1 - static_cast<double>(layers[k].weight);
+        for (uint32_t k = 0; k < count; ++k) {
+            // Steps that together leave 1 - weight of what is below.
+            const double own = weight * static_cast<double>(layers[k].weight);
+            if (k > 0) push(layers[k].clip, layers[k].time_s, own);
+            else if (above > 0) push(layers[k].clip, layers[k].time_s, 1 - (1 - weight) / (1 - weight * (1 - above)));
+        }
+        out_.foot_count = 2;
+        for (int f = 0; f < 2; ++f) {
+            out_.feet[f] = track::foot_at(track, state, f, at_s);
+            out_.feet[f].weight = static_cast<float>(weight);
+        }
     }
 
 private:
@@ -164,10 +193,12 @@ void active_clips_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Mec
 {
     const crowd::LayerState *layer_state = crowd.layers().of(row);
     const Plays plays = plays_at(crowd, row, time_s, levels);
-    out.count = 0;
+    const crowd::Follow *follow = crowd.follows().of(row);
+    const bool walks = follow && follow->walks && !plays.idle;
+    out.count = out.foot_count = 0;
     out.clip = plays.now.clip;
     out.clip_time_s = clip_time(crowd, row, plays.now, time_s);
-    if (!layer_state && !(plays.weight < 1)) return;
+    if (!layer_state && !walks && !(plays.weight < 1)) return;
 
     Stack stack(crowd, row, time_s, out);
     Source idle_source;
@@ -178,8 +209,10 @@ void active_clips_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Mec
     if (plays.idle) {
         idle_source.play = plays.now;
         stack.replace(idle_source, plays.weight);
-    } else {
+    } else if (layer_state) {
         play(*layer_state, time_s, stack);
+    } else {
+        stack.replace_by_track(*follow, 1);
     }
     for (uint32_t k = 0; layer_state && k < layer_state->layer_count; ++k) stack.actor_layer(layer_state->layers[k]);
     if (out.count != 1) return;

@@ -14,6 +14,9 @@ struct ActiveClips {
     double clip_time_s = 0;
     uint32_t count = 0;
     pose::Layer layers[pose::max_layers];
+    // On a track: where its feet are, unless it shows other clips alone.
+    pose::FootTarget feet[2];
+    uint32_t foot_count = 0;
 };
 
 // `levels`: of its mechanisms, as in plays_at().

@@ -65,7 +65,8 @@ void command_gaze(crowd::Crowd &crowd, crowd::Id id, uint32_t mechanism, const g
     command.at_s = at_s;
     if (point) {
         command.choice = 0;
-        command.point = point_of(crowd.transform_of(row), *point);
+        command.point =
+            point_of(crowd.follows().of(row) ? crowd::reference_of(crowd, row, at_s) : crowd.transform_of(row), *point);
     }
     const double clock = clock_of(crowd.behaviours().attachment_of(row, mechanism), at_s);
     const RandomSlots random_slots = random_slots_of(crowd, row, mechanism, base::Purpose::gaze);

@@ -150,7 +150,7 @@ private:
     {
         const Window played = window.within(source.play.start_s, window.last_s);
         if (source.gait == model::none) clip(source.play, played, layer);
-        else gait(source, played);
+        else if (source.gait != crowd::track_gait) gait(source, played);
     }
 
     void base(const crowd::LayerState &layer_state, Window window)

@@ -28,6 +28,7 @@ void reserve_copy(Tables &tables, uint32_t row)
 {
     tables.behaviours.reserve_copy(row);
     tables.layers.reserve_copy(row);
+    tables.follows.reserve_copy(row);
     if (tables.extras.of[row] != none) tables.extras.all.reserve();
     const ActorRow &actor = tables.actors.all[row];
     if (actor.colours != none) tables.colours[actor.tmpl].reserve();
@@ -98,6 +99,7 @@ Id clone(Crowd &crowd, Id id, const Transform *transform, uint64_t seed)
     const uint32_t row = made.index1 - 1;
     tables.behaviours.copy_row(from, row);
     tables.layers.copy_row(from, row);
+    tables.follows.copy_row(from, row);
     copy_extra(tables.extras, from, row);
     copy_looks(tables, from, row);
     tables.actors.extents[row].priority = tables.actors.extents[from].priority;

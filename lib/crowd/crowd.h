@@ -79,6 +79,7 @@ struct Crowd {
     const Behaviours &behaviours() const { return tables.behaviours; }
     Layers &layers() { return tables.layers; }
     const Layers &layers() const { return tables.layers; }
+    const Follows &follows() const { return tables.follows; }
 
     Tables tables;
     uint64_t next_version = 1;
@@ -86,5 +87,15 @@ struct Crowd {
     double (*ground_height)(void *user, const double point[3]) = nullptr;  // the host's; null: none
     void *ground_data = nullptr;
 };
+
+// The Reference Point in the world at a time: where the host, the group or the track puts it. And its position alone.
+Transform reference_of(const Crowd &crowd, uint32_t row, double time_s);
+glm::dvec3 reference_position_of(const Crowd &crowd, uint32_t row, double time_s);
+// Actors appear and disappear with their track.
+inline bool is_present(const Crowd &crowd, uint32_t row, double time_s)
+{
+    const Follow *follow = crowd.follows().of(row);
+    return !follow || track::is_present(*follow->track, track_time(*follow, time_s));
+}
 
 }  // namespace claque::crowd

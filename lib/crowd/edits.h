@@ -48,6 +48,12 @@ void detach_mechanism(Crowd &crowd, Id id, uint32_t mechanism);
 CommandHistory &command_history(Crowd &crowd, Id id, uint32_t mechanism);
 void play_root_path(Crowd &crowd, Id id, const RootPathPlay &root_play);
 
+// Tracks (follows.h). An actor that begins to follow one plays its gait; fades and layers end. When it leaves, it stays
+// where it is at that time.
+void follow_track(Crowd &crowd, Id id, const track::Track &track, double start_s);
+void leave_track(Crowd &crowd, Id id, double at_s);
+void fade_to_track(Crowd &crowd, Id id, double at_s, float length_s, Curve curve);  // from clips of its own
+
 // Clips, fades, gaits and layers (layers.h). Throws base::Error (CLQ_ARGUMENT) unless the clip is one of the template's
 // and the numbers are finite.
 void check_play(const Play &play, const model::Template &tmpl);

@@ -52,9 +52,11 @@ void measure(Crowd &crowd, uint32_t row) noexcept
     const Behaviours &behaviours = crowd.behaviours();
     Extent &extent = crowd.tables.actors.extents[row];
     const LayerState *layer_state = crowd.layers().of(row);
-    const bool blends = layer_state || behaviours.blends(row);
+    const Follow *follow = crowd.follows().of(row);
+    const bool blends = layer_state || follow || behaviours.blends(row);
     const float added = layer_state ? layer_state->max_additive_weight() : 0;
     extent.sklsroot = blends ? blended_reach_of(tmpl, added) : tmpl.sklsroot.radius;
+    if (follow) extent.sklsroot = up(double(extent.sklsroot) + double(follow->track->locomotion->legs[0].max_shift));
     extent.slack = 0;
     if (const Extra *extra = crowd.extra_of(row)) {
         const base::SlotMap<Attachment> &all = crowd.tables.extras.attached;

@@ -34,6 +34,8 @@ LayerState layer_state_of(const Crowd &crowd, uint32_t row)
     LayerState out;
     if (const LayerState *there = crowd.layers().of(row)) out = *there;
     out.now.play = crowd.play_of(row);
+    const Follow *follow = crowd.follows().of(row);
+    if (follow && follow->walks) out.now.gait = track_gait;
     return out;
 }
 
@@ -43,6 +45,7 @@ void change(Crowd &crowd, uint32_t row, const LayerState &wanted)
     layers.make(row) = wanted;
     crowd.tables.actors.plays[row] = wanted.now.play;
     layers.release_if_plain(row);
+    if (Follow *follow = crowd.tables.follows.of(row)) follow->walks = wanted.now.gait == track_gait;
     new_version(crowd, row);
     measure(crowd, row);
 }
@@ -53,7 +56,7 @@ void play(Crowd &crowd, Id id, const Play &play)
 {
     const uint32_t row = crowd.row_of(id);
     const Source playing = source(crowd, row, play, none, 0);
-    if (crowd.layers().of(row)) return claque::crowd::play(crowd, id, playing);
+    if (crowd.layers().of(row) || crowd.follows().of(row)) return claque::crowd::play(crowd, id, playing);
     crowd.tables.actors.plays[row] = play;
     new_version(crowd, row);
 }
@@ -96,7 +99,7 @@ void change_share(Crowd &crowd, Id id, float share, double at_s, float length_s)
     check_share(share);
     LayerState wanted = layer_state_of(crowd, row);
     Source &now = wanted.now;
-    if (now.gait == none) fail(CLQ_ARGUMENT, "the actor plays no gait");
+    if (now.gait >= track_gait) fail(CLQ_ARGUMENT, "the actor plays no gait of the crowd");
     const double rounds = rounds_at(crowd.tables.layers.gait(now.gait), now, at_s);
     if (!std::isfinite(rounds)) fail(CLQ_ARGUMENT, "at %g s the gait has no phase", at_s);
     now.share_from = share_at(now, at_s);

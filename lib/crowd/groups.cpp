@@ -95,6 +95,7 @@ void join(Crowd &crowd, Id id, Id group_id, const Transform *transform)
     const uint32_t row = crowd.row_of(id);
     const bool leaves = group_id.index1 == 0 && group_id.generation == 0;
     const uint32_t group = leaves ? none : crowd.group_row_of(group_id);
+    if (crowd.follows().of(row)) fail(CLQ_ARGUMENT, "an actor that follows a track cannot join a group");
     const Transform world = crowd.world_transform_of(row);
     const Transform placed = checked(transform ? *transform
                                      : leaves  ? world

@@ -44,7 +44,10 @@ Source source(const Crowd &crowd, uint32_t row, const Play &play, uint32_t gait,
     Source out;
     out.play = play;
     const model::Template &tmpl = crowd.template_of(row);
-    if (gait != none) {
+    if (gait == track_gait) {
+        if (!crowd.follows().of(row)) fail(CLQ_ARGUMENT, "an actor that follows no track plays the gait of one");
+        out.gait = gait;
+    } else if (gait != none) {
         if (gait >= crowd.layers().gait_count())
             fail(CLQ_ARGUMENT, "gait %u does not exist: the crowd has %u", gait + 1, crowd.layers().gait_count());
         const Gait &of = crowd.layers().gait(gait);
@@ -66,7 +69,7 @@ Source source(const Crowd &crowd, uint32_t row, const Play &play, uint32_t gait,
 void check_source(const Crowd &crowd, uint32_t row, const Source &read)
 {
     const Source made = source(crowd, row, read.play, read.gait, read.share);
-    const bool gait = made.gait == none || made.play.clip == read.play.clip;
+    const bool gait = made.gait >= track_gait || made.play.clip == read.play.clip;
     if (!gait || !(read.share_from >= 0 && read.share_from <= 1) || !std::isfinite(read.change_s) ||
         !std::isfinite(read.change_rounds))
         fail(CLQ_ARGUMENT, "a gait that no command leads to");

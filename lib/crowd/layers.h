@@ -15,6 +15,9 @@ namespace claque::crowd
 
 using model::Array;
 
+// In place of a gait of the crowd: that of the track which the actor follows (follows.h).
+constexpr uint32_t track_gait = model::none - 1;
+
 // The curve of a fade from 0 to 1.
 enum class Curve : uint8_t {
     linear = 0,
@@ -86,7 +89,8 @@ struct LayerState {
     Layer layers[max_layers];
     uint32_t fade_count = 0, layer_count = 0;
 
-    bool is_plain() const { return now.gait == model::none && fade_count == 0 && layer_count == 0; }
+    // Also for the gait of a track, which its row of Follows remembers.
+    bool is_plain() const { return now.gait >= track_gait && fade_count == 0 && layer_count == 0; }
     uint32_t max_clip_count() const;    // upper bound, at any time
     float max_additive_weight() const;  // sum of the weights of additive layers, upper bound
 };

@@ -74,6 +74,8 @@ void restore(const uint8_t *bytes, size_t size, Resolver &resolver, Crowd &out)
         read_groups(in, out.tables.groups.all);
         read_actors(in, out);
         read_attached(in, out);
+    } catch (const Missing &) {
+        throw;
     } catch (const base::Error &error) {
         if (error.status() == CLQ_FORMAT) throw;
         fail(CLQ_FORMAT, "the saved crowd is invalid: %s", error.what());  // a rule of the public calls

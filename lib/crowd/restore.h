@@ -7,6 +7,13 @@
 namespace claque::crowd
 {
 
+// Something that the host has to supply and did not: no fault of the bytes.
+class Missing : public base::Error
+{
+public:
+    using base::Error::Error;
+};
+
 const model::Template *template_at(const Tables &tables, uint32_t index);  // throws if there is none
 
 void read_behaviours(Reader &in, Resolver &resolver, Tables &out);  // mechanisms and paths

@@ -1,4 +1,6 @@
 // One actor of a saved crowd, in the order of save_actors.cpp.
+#include <cmath>
+
 #include "lib/crowd/edits.h"
 #include "lib/crowd/restore.h"
 #include "lib/crowd/rows.h"
@@ -46,6 +48,27 @@ void read_colours(Reader &in, Tables &out, uint32_t row)
     for (uint32_t i = 0; i < bytes; ++i) in.value(rgb[i]);
 }
 
+void read_follow(Reader &in, Crowd &out, uint32_t row)
+{
+    bool follows = false;
+    in.flag(follows);
+    if (!follows) return;
+    uint64_t hash = 0;
+    Follow read;
+    in.value(hash), walk_follow(in, read);
+    const track::Track *track = out.follows().find(hash, out.template_of(row));
+    if (!track)
+        throw Missing(
+            CLQ_ARGUMENT,
+            base::text_of("actor %u of the saved crowd follows a track of hash %016llx and template '%s', which "
+                          "this crowd does not know: add it with clq_crowd_add_track",
+                          row + 1, base::big(hash), out.template_of(row).name.c_str()));
+    follow_track(out, out.id_of(row), *track, read.start_s);
+    if (!std::isfinite(read.offset_s)) fail(CLQ_FORMAT, "a saved crowd's actor %u has a clock that is not finite", row);
+    Follow &follow = *out.tables.follows.of(row);
+    follow.walks = read.walks, follow.offset_s = read.offset_s;
+}
+
 void read_actor(Reader &in, Crowd &out, uint32_t row)
 {
     ActorRow &actor = out.tables.actors.all[row];
@@ -59,6 +82,7 @@ void read_actor(Reader &in, Crowd &out, uint32_t row)
     read_columns(in, out, id);
     read_colours(in, out.tables, row);
     read_uses(in, out, row);
+    read_follow(in, out, row);
     read_layer_state(in, out, row);
 }
 

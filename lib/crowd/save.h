@@ -15,7 +15,7 @@ namespace claque::crowd
 {
 
 constexpr uint8_t save_magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'C', 0x1a};
-constexpr uint32_t save_version = 3;
+constexpr uint32_t save_version = 4;
 
 class Sink
 {

@@ -59,6 +59,9 @@ void write_actor(Writer &out, const Crowd &crowd, uint32_t row)
     out.value(extra ? extra->max_up : 0.0f), out.value(extra ? extra->max_down : 0.0f);
     write_colours(out, crowd, row);
     write_behaviour(out, crowd.behaviours(), row);
+    const Follow *follow = crowd.follows().of(row);
+    out.flag(follow != nullptr);
+    if (follow) out.value(follow->track->hash), walk_follow(out, *follow);
     const base::Span<const uint32_t> watched = crowd.watched();
     out.flag(std::binary_search(watched.begin(), watched.end(), row));
     write_layering(out, crowd.layers().of(row));

@@ -70,6 +70,13 @@ void walk_command(Archive &a, O &command)
     a.value(command.from_yaw), a.value(command.from_pitch), a.value(command.side);
 }
 
+// The track is saved as its hash.
+template <class Archive, class F>
+void walk_follow(Archive &a, F &follow)
+{
+    a.value(follow.start_s), a.flag(follow.walks), a.value(follow.offset_s);
+}
+
 template <class Archive, class M>
 void walk_root_path_play(Archive &a, M &root_play)
 {

@@ -20,6 +20,7 @@ void push_columns(Tables &tables) noexcept
     tables.extras.of.push_back(none);
     tables.behaviours.push_row();
     tables.layers.push_row();
+    tables.follows.push_row();
 }
 
 void free_extra(Extras &extras, uint32_t row) noexcept
@@ -50,7 +51,8 @@ Tables::Tables(std::pmr::memory_resource *memory, uint64_t crowd_seed)
       groups(memory),
       extras(memory),
       behaviours(memory),
-      layers(memory)
+      layers(memory),
+      follows(memory)
 {
 }
 
@@ -65,6 +67,7 @@ void reserve_row(Tables &tables)
     reserve_more(tables.extras.of);
     tables.behaviours.reserve_row();
     tables.layers.reserve_row();
+    tables.follows.reserve_row();
 }
 
 uint32_t take_row(Tables &tables) noexcept
@@ -87,6 +90,7 @@ void free_row(Tables &tables, uint32_t row) noexcept
 {
     tables.behaviours.clear_row(row);
     tables.layers.clear_row(row);
+    tables.follows.clear_row(row);
     free_extra(tables.extras, row);
     Actors &actors = tables.actors;
     set_watched(actors, row, false);
@@ -134,7 +138,8 @@ uint64_t bytes_of(const Tables &tables)
                    bytes_of_column(actors.transforms) + bytes_of_column(actors.plays) +
                    bytes_of_column(actors.extents) + bytes_of_column(actors.watched) + tables.groups.all.bytes() +
                    bytes_of_column(tables.groups.of) + tables.extras.all.bytes() + tables.extras.attached.bytes() +
-                   bytes_of_column(tables.extras.of) + tables.behaviours.bytes() + tables.layers.bytes();
+                   bytes_of_column(tables.extras.of) + tables.behaviours.bytes() + tables.layers.bytes() +
+                   tables.follows.bytes();
     for (const ColourTable &table : tables.colours) sum += table.bytes();
     return sum;
 }

@@ -6,6 +6,7 @@
 #include "lib/crowd/behaviours.h"
 #include "lib/crowd/colours.h"
 #include "lib/crowd/extras.h"
+#include "lib/crowd/follows.h"
 #include "lib/crowd/groups.h"
 #include "lib/crowd/layers.h"
 
@@ -23,6 +24,7 @@ struct Tables {
     Extras extras;
     Behaviours behaviours;
     Layers layers;
+    Follows follows;
 };
 
 // A row in every table. Reserve first; then the other calls cannot fail.

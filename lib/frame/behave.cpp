@@ -21,7 +21,7 @@ void Behave::run_memories() const
         if (group != model::none && !crowd.group(group).enabled) continue;
         double nearest = 0;
         for (uint32_t v = 0; v < given.eyes.count; ++v) {
-            const glm::dvec3 away = position_of(crowd, row) - given.eyes[v].eye;
+            const glm::dvec3 away = crowd::reference_position_of(crowd, row, given.time_s) - given.eyes[v].eye;
             const double distance = std::sqrt(away.x * away.x + away.y * away.y + away.z * away.z);
             if (v == 0 || distance < nearest) nearest = distance;
         }

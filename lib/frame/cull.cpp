@@ -17,13 +17,6 @@ double length(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.
 
 }  // namespace
 
-glm::dvec3 position_of(const crowd::Crowd &crowd, uint32_t row)
-{
-    const crowd::Transform &inner = crowd.transform_of(row);
-    const uint32_t group = crowd.group_of(row);
-    return group == model::none ? inner.position : composed_position(crowd.group(group).transform, inner.position);
-}
-
 base::Status CullRefpoints::check() const
 {
     if (passed.count < size_t(given.eyes.count) * tested.count || candidates.count < tested.count)
@@ -40,19 +33,23 @@ uint32_t CullRefpoints::run() const
         uint8_t *out = passed.data + size_t(v) * tested.count;
         given.for_slices(tested.count, [&](uint32_t i) {
             const uint32_t row = tested[i];
+            if (!crowd::is_present(crowd, row, given.time_s)) {
+                out[i] = static_cast<uint8_t>(Containment::outside);
+                return;
+            }
             const crowd::Extent &extent = crowd.extent_of(row);
             const uint32_t group = crowd.group_of(row);
             const float outer = group == model::none ? 1 : crowd.group(group).transform.scale;
             const double scale = std::fabs(double(crowd.transform_of(row).scale * outer));
             const double radius = scale * double(extent.refpoint) + double(extent.slack);
-            const glm::dvec3 away = position_of(crowd, row) - eye.eye;
+            const glm::dvec3 away = crowd::reference_position_of(crowd, row, given.time_s) - eye.eye;
             out[i] = static_cast<uint8_t>(eye.casts() ? test_swept(eye.frustum, away, radius, eye.shadow)
                                                       : test(eye.frustum, away, radius));
         });
     }
     uint32_t count = 0;
     for (uint32_t i = 0; i < tested.count; ++i) {
-        bool any = given.traditional() && views > 0;
+        bool any = given.traditional() && views > 0 && crowd::is_present(crowd, tested[i], given.time_s);
         for (uint32_t v = 0; v < views; ++v) any = any || passed[v * tested.count + i] != 0;
         if (any) candidates[count++].row = tested[i];
     }

@@ -31,6 +31,13 @@ uint32_t ChooseLevels::level_of(const Row &row, uint32_t crowd_row, float effect
     return std::min(row.visibility.level, level_at(tmpl, effective_distance_m / (1 - hysteresis)));
 }
 
+// World units a second.
+double ChooseLevels::speed_of(uint32_t crowd_row) const
+{
+    const crowd::Follow *follow = given.crowd.follows().of(crowd_row);
+    return follow ? track::speed_at(*follow->track, crowd::track_time(*follow, given.time_s)) : 0;
+}
+
 void ChooseLevels::evaluate_candidate(uint32_t i) const
 {
     const crowd::Crowd &crowd = given.crowd;
@@ -72,7 +79,11 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
     const animcache::Settings &caches = given.settings.caches;
     const bool each_frame =
         behave::has_memory(crowd, row) || caches.key_poses.mode_at(nearest) == animcache::KeyPoseMode::skinned;
-    const uint32_t rate_step = each_frame ? 0 : animcache::rate_step_of(caches.period, nearest);
+    const uint32_t rate_step =
+        each_frame
+            ? 0
+            : std::min(animcache::rate_step_of(caches.period, nearest),
+                       animcache::rate_step_of_motion(speed_of(row), nearest, given.settings.motion_tolerance_px));
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
     const double before_s = out.visibility.shown_s;
     out.visibility.period_s = static_cast<float>(animcache::period_s(rate_step));

@@ -75,11 +75,12 @@ void node_world_matrix(const crowd::Crowd &crowd, const Frame &frame, uint32_t r
     job.globals = base::Span<math::Columns>(memory.globals);
     job.palette = base::Span<math::Affine>(memory.palette);
     job.weights = base::Span<float>(memory.weights);
+    job.feet = {clips.feet, clips.foot_count};
     job.run();
 
     crowd::Transform root;
     if (!shown || !frame.root_of(crowd, row, root)) {
-        root = crowd.world_transform_of(row);
+        root = crowd::reference_of(crowd, row, shown ? frame.last_time_s() : time_s);
         if (crowd.behaviours().has_root_path_play(row))
             root = composed(root, behave::root_transform_at(crowd, row, shown ? frame.last_time_s() : time_s));
     }

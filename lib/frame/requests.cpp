@@ -12,7 +12,8 @@ void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) co
 {
     const crowd::Crowd &crowd = given.crowd;
     const uint32_t row = request.row;
-    if (!crowd.behaviours().has_mechanisms(row) && !crowd.layers().of(row)) {
+    const crowd::Follow *follow = crowd.follows().of(row);
+    if (!crowd.behaviours().has_mechanisms(row) && !crowd.layers().of(row) && !follow) {
         const crowd::Play &play = crowd.play_of(row);
         request.pose.clip = play.clip;
         if (play.clip != model::none)
@@ -24,12 +25,16 @@ void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) co
     behave::active_clips_at(crowd, row, request.shown_s, levels, shown);
     request.pose.clip = shown.clip;
     request.pose.clip_time_s = shown.clip_time_s;
-    if (shown.count == 0) return;
+    if (shown.count == 0 && shown.foot_count == 0) return;
     // The layers are a function of the tick.
     request.pose.tick_s = request.shown_s;
     request.pose.layers = shown.count;
+    request.foot_count = shown.foot_count;
+    std::copy(shown.feet, shown.feet + shown.foot_count, request.feet);
+    if (follow) request.rigid_mode = animcache::RigidMode::vertices;
     const crowd::LayerState *layer_state = crowd.layers().of(row);
     request.blend_radius = crowd::blended_reach_of(*request.tmpl, layer_state ? layer_state->max_additive_weight() : 0);
+    if (follow) request.blend_radius += follow->track->locomotion->legs[0].max_shift;
     const size_t first = layers.size();
     layers.insert(layers.end(), shown.layers, shown.layers + shown.count);
     request.layers = {layers.data() + first, shown.count};
@@ -71,7 +76,7 @@ void MakeRequests::add(const Candidate &candidate) const
         request.pose.behaviour_levels = candidate.levels;
     }
     choose_clips(request, candidate.levels);
-    if (!behaves && request.layers.count == 0) share_key_poses(request);
+    if (!behaves && request.layers.count == 0 && request.foot_count == 0) share_key_poses(request);
     ++stats.passed_sklsroot;
 }
 

@@ -48,7 +48,7 @@ void PlaceRoots::run() const
     given.for_slices(candidates.count, [&](uint32_t i) {
         const uint32_t row = candidates[i].row;
         crowd::Transform &root = candidates[i].root;
-        root = crowd.world_transform_of(row);
+        root = crowd::reference_of(crowd, row, given.time_s);
         if (crowd.behaviours().has_root_path_play(row))
             root = composed(root, behave::root_transform_at(crowd, row, given.time_s));
     });

@@ -29,8 +29,9 @@ struct Settings {
     uint32_t update_budget = 0;  // the most poses renewed in an update; 0: all that are due. Needs caches.can_defer
     float update_budget_ms = 0;  // of posing and skinning; 0: no limit. Needs `now`
     HostClock now;
-    float lod_scale = 1;       // factor of every effective distance
-    float lod_hysteresis = 0;  // [0, 1): with 0, levels are a function of time and distance
+    float motion_tolerance_px = 1;  // by which the Reference Point may move between two poses; 0: no limit
+    float lod_scale = 1;            // factor of every effective distance
+    float lod_hysteresis = 0;       // [0, 1): with 0, levels are a function of time and distance
 };
 
 }  // namespace claque::frame

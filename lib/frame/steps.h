@@ -81,6 +81,7 @@ struct ChooseLevels {
 private:
     void evaluate_candidate(uint32_t i) const;
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_distance_m) const;
+    double speed_of(uint32_t crowd_row) const;
 };
 
 // Chooses what each visible candidate shows: one clip, layers, or key-poses.
@@ -193,8 +194,7 @@ struct CountBands {
     void run() const;
 };
 
-// The transform of a row's Reference Point in the world, and whether the Skeleton Root follows the ground.
-glm::dvec3 position_of(const crowd::Crowd &crowd, uint32_t row);
+// Whether the Skeleton Root follows the ground.
 bool follows_ground(const crowd::Crowd &crowd, uint32_t row);
 
 }  // namespace claque::frame

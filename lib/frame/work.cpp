@@ -91,6 +91,7 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
         dofs_each = std::max(dofs_each, static_cast<uint32_t>(tmpl->rig.dofs.size()));
     if (crowd.behaviours().mechanism_count() > 0) grow(last.dofs, (size_t(count) + 1) * dofs_each);
     const size_t max_layers = size_t(crowd.layers().slot_count()) * pose::max_layers +
+                              3 * size_t(crowd.follows().slot_count()) +
                               (crowd.behaviours().any_blend() ? 2 * size_t(count) : 0);
     if (last.layers.capacity() < max_layers) {
         last.layers.clear();

@@ -159,6 +159,8 @@ void PoseJob::run() const
         }
     }
     kernels.local_to_model(rig->parents.data(), nodes, node_count, globals.data);
+    for (const FootTarget &foot : feet)
+        if (!some || level->active[foot.leg->foot]) move_foot(foot, globals.data);
     kernels.fill_palette(rig->palette.data(), some ? level->entries.data() : nullptr,
                          some ? count32(level->entries) : count32(rig->palette), globals.data, palette.data);
 }

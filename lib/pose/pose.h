@@ -9,6 +9,7 @@
 #include "lib/math/simd_level.h"
 #include "lib/model/template.h"
 #include "lib/pose/layer.h"
+#include "lib/pose/leg.h"
 
 namespace claque::pose
 {
@@ -25,6 +26,7 @@ struct PoseJob {
     double time_s = 0;                    // on the clip's own axis, from start_s on; clamped to each channel's own keys
     base::Span<const Layer> layers;       // replaces clip and time_s unless empty
     const float *dofs = nullptr;          // [rig.dofs.size()], on top of the clip; null: all at rest
+    base::Span<const FootTarget> feet;    // of legs that are moved afterwards; run() alone does it
     const model::Level *level = nullptr;  // limits the skeleton to the level's active nodes (S0 5.2); null: all nodes
 
     math::SimdLevel simd_level = math::default_simd_level();

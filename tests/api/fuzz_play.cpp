@@ -52,6 +52,32 @@ void World::blend()
         call("clq_actor_end_layer", [&] { return clq_actor_end_layer(crowd_, id, layer, at_s, length_s); });
 }
 
+// Tracks: followed, left and returned to, with templates and groups for which they are not.
+void World::follow()
+{
+    const clq_actor id = who();
+    clq_track *track = random_.one_in(30) ? nullptr : test_world_.tracks[random_.below(2)];
+    const double at_s = random_.odd(-5, 30);
+    switch (random_.below(5)) {
+        case 0:
+            call("clq_actor_leave_track", [&] { return clq_actor_leave_track(crowd_, id, at_s); });
+            break;
+        case 1: {
+            const float length_s = random_.oddf(0, 3);
+            call("clq_actor_fade_to_track", [&] { return clq_actor_fade_to_track(crowd_, id, at_s, length_s); });
+            break;
+        }
+        case 2:
+            call("clq_crowd_add_track", [&] { return clq_crowd_add_track(crowd_, track); });
+            break;
+        default:
+            call("clq_actor_follow_track", [&] { return clq_actor_follow_track(crowd_, id, track, at_s); });
+    }
+    clq_track_state state;
+    const double when = random_.odd(-5, 30);
+    call("clq_track_evaluate", [&] { return clq_track_evaluate(track, when, &state); });
+}
+
 void World::watch()
 {
     const clq_actor id = who();

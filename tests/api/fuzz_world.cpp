@@ -100,7 +100,8 @@ void World::run()
                  {2, &World::nonsense},
                  {2, &World::describe_play},
                  {8, &World::blend},
-                 {3, &World::watch}};
+                 {3, &World::watch},
+                 {5, &World::follow}};
     uint32_t all = 0;
     for (const auto &each : steps) all += each.share;
     const bool chosen_by_bytes = options_.choices.size > 0;

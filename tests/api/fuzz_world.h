@@ -128,6 +128,7 @@ private:
     void describe_play();
     void blend();
     void watch();
+    void follow();
 
     // fuzz_seeing.cpp: views, updates, queries, states
     void new_view();

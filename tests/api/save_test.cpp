@@ -165,6 +165,9 @@ TEST_F(Save, TemplatesAreFoundByNameAndStructure)
     EXPECT_EQ(clq_crowd_get_hash(crowd_), before);
     // A template that was rebuilt is accepted in any order, and the crowd keeps it alive.
     ASSERT_EQ(clq_template_build(test_world_.context, &test_world_.with_dofs.def, &same), CLQ_OK);
+    EXPECT_EQ(with({changed, test_world_.templates[1], same}), CLQ_ARGUMENT);
+    EXPECT_STREQ(says("follows a track of hash"), "");
+    test_world_.add_tracks_for(crowd_, same);
     EXPECT_EQ(with({changed, test_world_.templates[1], same}), CLQ_OK) << clq_last_error();
     for (clq_template *tmpl : {changed, foreign, same}) clq_template_destroy(tmpl);
     EXPECT_EQ(saved::save(crowd_), bytes);

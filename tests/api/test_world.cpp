@@ -16,11 +16,16 @@ TestWorld::TestWorld(const clq_context_def *context_def)
     EXPECT_EQ(clq_context_create(context_def, &context), CLQ_OK);
     EXPECT_EQ(make(with_dofs.def, &templates[0]), CLQ_OK) << clq_last_error();
     EXPECT_EQ(make(plain.def, &templates[1]), CLQ_OK) << clq_last_error();
+    const clq_locomotion_def walk = Walker::locomotion(templates[0], &clip_);
+    EXPECT_EQ(clq_locomotion_create(context, &walk, &locomotion), CLQ_OK) << clq_last_error();
+    for (uint32_t i = 0; i < 2; ++i) EXPECT_EQ(Walker::track(locomotion, i, &tracks[i]), CLQ_OK) << clq_last_error();
 }
 
 TestWorld::~TestWorld()
 {
     for (clq_crowd *crowd : crowds) clq_crowd_destroy(crowd);
+    for (clq_track *track : tracks) clq_track_destroy(track);
+    clq_locomotion_destroy(locomotion);
     for (clq_template *tmpl : templates) clq_template_destroy(tmpl);
     EXPECT_EQ(clq_context_destroy(context), CLQ_OK) << clq_last_error();
 }
@@ -50,6 +55,8 @@ clq_crowd *TestWorld::new_crowd(const clq_crowd_def *def)
 {
     clq_crowd *crowd = nullptr;
     EXPECT_EQ(clq_crowd_create(context, def, &crowd), CLQ_OK) << clq_last_error();
+    // A saved crowd names the tracks that its actors follow.
+    for (clq_track *track : tracks) EXPECT_EQ(clq_crowd_add_track(crowd, track), CLQ_OK) << clq_last_error();
     crowds.push_back(crowd);
     return crowd;
 }
@@ -126,6 +133,20 @@ std::vector<clq_actor> TestWorld::fill(clq_crowd *crowd, uint32_t count, uint64_
     return actors;
 }
 
+void TestWorld::add_tracks_for(clq_crowd *crowd, clq_template *tmpl)
+{
+    const clq_locomotion_def walk = Walker::locomotion(tmpl, &clip_);
+    clq_locomotion *own = nullptr;
+    ASSERT_EQ(clq_locomotion_create(context, &walk, &own), CLQ_OK) << clq_last_error();
+    for (uint32_t i = 0; i < 2; ++i) {
+        clq_track *track = nullptr;
+        ASSERT_EQ(Walker::track(own, i, &track), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(clq_crowd_add_track(crowd, track), CLQ_OK) << clq_last_error();
+        clq_track_destroy(track);
+    }
+    clq_locomotion_destroy(own);
+}
+
 clq_view *TestWorld::new_view(clq_crowd *crowd, double x)
 {
     clq_view *view = nullptr;
@@ -155,6 +176,18 @@ void TestWorld::blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_pl
     clq_actor_set_watched(crowd, who, play.phase_s > 0.2f);
 }
 
+// Members of groups, and actors of the other template, are refused.
+void TestWorld::follow(clq_crowd *crowd, clq_actor who, bool figure, double at_s, uint32_t step)
+{
+    if (step % 3 == 0) {
+        clq_actor_leave_track(crowd, who, at_s);
+    } else {
+        const clq_status status = clq_actor_follow_track(crowd, who, tracks[step % 2], at_s);
+        EXPECT_TRUE(status == CLQ_OK ? figure : status == CLQ_ARGUMENT) << clq_last_error();
+    }
+    if (step % 5 == 0) clq_actor_fade_to_track(crowd, who, at_s + 1, 0.5f);
+}
+
 void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step)
 {
     const uint64_t bits = mixed(seed ^ 0x57a6e, step);
@@ -175,7 +208,7 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
     clq_attachment attached;
     clq_group group = {1, 1};
     clq_status status = CLQ_OK;
-    switch (bits % 14) {
+    switch (bits % 15) {
         case 0:
             status = clq_crowd_set_transforms(crowd, &who, &place, 1);
             break;
@@ -222,6 +255,9 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
             who = twin;
             break;
         }
+        case 13:
+            follow(crowd, who, figure, x, step);
+            break;
         default:
             clq_actor_detach_mechanism(crowd, who, {kind + 1});
             clq_actor_detach(crowd, {static_cast<uint32_t>((bits >> 50) % 8) + 1, 1});

@@ -1,5 +1,5 @@
 // A crowd with everything that a crowd can hold, for tests of its whole state: two templates, mechanisms of all kinds
-// with commands, root paths, groups, attached objects, colours, stale ids and free rows.
+// with commands, root paths, groups, attached objects, colours, tracks, stale ids and free rows.
 #pragma once
 
 #include <claque/claque.h>
@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/api/small_template.h"
+#include "tests/api/walker.h"
 
 struct TestWorld {
     enum : uint32_t { nod, turn, shift };
@@ -30,17 +31,23 @@ struct TestWorld {
     // `seed` changes which actors stand where and what they play.
     void set_up(clq_crowd *crowd);  // mechanisms 1 to 6 in the order above, paths 1 and 2, one actor
     std::vector<clq_actor> fill(clq_crowd *crowd, uint32_t count, uint64_t seed);
+    // Makes the tracks known to a crowd for another template of the same structure as the first.
+    void add_tracks_for(clq_crowd *crowd, clq_template *tmpl);
     clq_view *new_view(clq_crowd *crowd, double x);
 
     // Changes something of one actor: number `step` of a scripted run that is the same for equal seeds.
     void happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step);
 
+    void follow(clq_crowd *crowd, clq_actor who, bool figure, double at_s, uint32_t step);
     void blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play);
 
     SmallTemplate with_dofs, plain;
+    Walker legs{with_dofs};
     clq_dof_def dofs[3];
     clq_context *context = nullptr;
     clq_template *templates[2] = {nullptr, nullptr};
+    clq_locomotion *locomotion = nullptr;  // of the first template
+    clq_track *tracks[2] = {nullptr, nullptr};
     std::vector<clq_crowd *> crowds;
 
 private:

@@ -14,33 +14,20 @@ namespace
 using W = World &;
 
 // Calls of tests/api/busy_calls.h that allocate; the others never do.
-const std::set<std::string> allocate = {"clq_actor_create",
-                                        "clq_actor_set_colours",
-                                        "clq_actor_randomise_colours",
-                                        "clq_actor_clone",
-                                        "clq_actor_attach",
-                                        "clq_actor_get_node",
-                                        "clq_actor_follow_ground",
-                                        "clq_crowd_add_gait",
-                                        "clq_crowd_add_mask",
-                                        "clq_actor_fade_to",
-                                        "clq_actor_add_layer",
-                                        "clq_actor_set_watched",
-                                        "clq_crowd_get_events",
-                                        "clq_crowd_add_mechanism",
-                                        "clq_actor_gaze",
-                                        "clq_actor_express",
-                                        "clq_actor_say",
-                                        "clq_crowd_add_root_path",
-                                        "clq_actor_play_root_path",
-                                        "clq_crowd_randomise_colours",
-                                        "clq_group_create",
-                                        "clq_view_create"};
+const std::set<std::string> allocate = {
+    "clq_actor_create",         "clq_actor_set_colours",   "clq_actor_randomise_colours",
+    "clq_actor_clone",          "clq_actor_attach",        "clq_actor_get_node",
+    "clq_actor_follow_ground",  "clq_crowd_add_gait",      "clq_crowd_add_mask",
+    "clq_actor_fade_to",        "clq_actor_add_layer",     "clq_actor_set_watched",
+    "clq_crowd_get_events",     "clq_crowd_add_mechanism", "clq_actor_gaze",
+    "clq_actor_express",        "clq_actor_say",           "clq_crowd_add_root_path",
+    "clq_actor_play_root_path", "clq_actor_follow_track",  "clq_crowd_randomise_colours",
+    "clq_group_create",         "clq_view_create"};
 // Made below, with arguments that reach more.
 const std::set<std::string> here = {
-    "clq_crowd_restore",          "clq_actor_end_layer",      "clq_actor_set_gait_share", "clq_renderer_prepare",
-    "clq_actor_set_hooks",        "clq_actor_detach",         "clq_crowd_update",         "clq_crowd_set_transforms",
-    "clq_actor_attach_mechanism", "clq_renderer_draw_shadows"};
+    "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share", "clq_renderer_prepare",
+    "clq_actor_set_hooks",        "clq_actor_detach",          "clq_crowd_update",         "clq_crowd_set_transforms",
+    "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_actor_fade_to_track",  "clq_actor_leave_track"};
 
 void add_busy(std::vector<Call> &all)
 {
@@ -219,7 +206,7 @@ const std::vector<Call> &calls()
 {
     static const std::vector<Call> all = [] {
         std::vector<Call> made;
-        add_template_calls(made), add_asset_calls(made), add_other_calls(made);
+        add_template_calls(made), add_asset_calls(made), add_walking_calls(made), add_other_calls(made);
         return made;
     }();
     return all;

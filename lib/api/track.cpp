@@ -1,0 +1,190 @@
+// clq_track, and actors that follow one.
+#include <cmath>
+
+#include "lib/api/boundary.h"
+#include "lib/api/crowd_handle.h"
+#include "lib/api/track_handle.h"
+#include "lib/track/build.h"
+#include "lib/track/track_file.h"
+
+using namespace claque;
+
+clq_track::~clq_track() { api::release(held); }
+
+namespace claque::api
+{
+
+void release(clq_track *track)
+{
+    if (--track->holders == 0) unmake(track->context, track);
+}
+
+}  // namespace claque::api
+
+namespace
+{
+
+// Holds a track for a crowd, unless it has it already; gives it back unless `keep` is called.
+class NewTrack
+{
+public:
+    NewTrack(clq_crowd *crowd, clq_track *track) : crowd_(crowd)
+    {
+        api::require(track->context == crowd->context, "the track is of another context");
+        if (!crowd->tracks.insert(track).second) return;
+        api::hold(track);
+        held_ = track;
+    }
+    NewTrack(const NewTrack &) = delete;
+    NewTrack &operator=(const NewTrack &) = delete;
+    ~NewTrack()
+    {
+        if (!held_) return;
+        crowd_->tracks.erase(held_);
+        api::release(held_);
+    }
+    void keep() { held_ = nullptr; }
+
+private:
+    clq_crowd *crowd_;
+    clq_track *held_ = nullptr;
+};
+
+double gait_phase(double phase)
+{
+    const double part = phase - std::floor(phase);
+    return part < 1 ? part : 0;
+}
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_def *def, clq_track **out)
+{
+    return api::boundary("clq_track_create", [&] {
+        api::require(locomotion && def && out, "locomotion, def or out is NULL");
+        const clq_track_def wanted = api::read_def(def, clq_track_def_init, "clq_track_def_init");
+        api::require_array(wanted.points, wanted.point_count, "points");
+        model::Array<track::Point> points(&locomotion->context->memory);
+        points.reserve(wanted.point_count);
+        for (uint32_t i = 0; i < wanted.point_count; ++i) {
+            const clq_track_point &p = wanted.points[i];
+            points.push_back(
+                {p.time_s, glm::dvec3(p.position[0], p.position[1], p.position[2]), double(p.heading_rad)});
+        }
+        track::BuildSettings settings;
+        settings.smooth_s = double(wanted.smooth_s);
+        settings.metres_per_unit = double(wanted.metres_per_unit);
+        settings.scale = double(wanted.scale);
+        settings.seed = wanted.seed;
+        api::Making<clq_track> made(locomotion->context, locomotion);
+        track::build(*locomotion, base::Span<const track::Point>(points), settings, *made);
+        *out = made.release();
+    });
+}
+
+void clq_track_destroy(clq_track *track)
+{
+    if (track) api::release(track);
+}
+
+clq_status clq_track_get_info(const clq_track *track, clq_track_info *out)
+{
+    return api::boundary("clq_track_get_info", [&] {
+        api::require(track && out, "track or out is NULL");
+        api::require_size(*out, "clq_track_info_init");
+        clq_track_info info = clq_track_info_init();
+        info.sample_count = static_cast<uint32_t>(track->samples.size());
+        info.start_s = track->start_s, info.end_s = track->start_s + track->length_s;
+        info.rate_hz = track->rate_hz;
+        info.distance_m = track->distance_m, info.standing_s = track->standing_s;
+        info.mean_shift_m = track->mean_shift_m, info.max_shift_m = track->max_shift_m;
+        info.plant_count = static_cast<uint32_t>(track->plants[0].size() + track->plants[1].size());
+        info.bytes = track->bytes();
+        info.hash = track->hash;
+        api::write_out(out, info);
+    });
+}
+
+clq_status clq_track_evaluate(const clq_track *track, double time_s, clq_track_state *out)
+{
+    return api::boundary("clq_track_evaluate", [&] {
+        api::require(track && out, "track or out is NULL");
+        if (!std::isfinite(time_s)) base::fail(CLQ_ARGUMENT, "time_s is not finite");
+        const track::State state = track::state_at(*track, time_s);
+        clq_track_state found{};
+        found.present = track::is_present(*track, time_s);
+        found.stands = state.stands;
+        for (int k = 0; k < 3; ++k) found.position[k] = state.position[k];
+        found.heading_rad = state.heading_rad;
+        found.phase = gait_phase(state.phase);
+        found.gait = state.gait;
+        found.speed_m_s = static_cast<float>(track::speed_at(*track, time_s) * track->metres_per_unit);
+        *out = found;
+    });
+}
+
+clq_status clq_track_save(const clq_track *track, clq_write_function write, void *user)
+{
+    return api::boundary("clq_track_save", [&] {
+        api::require(track && write, "track or write is NULL");
+        model::Array<uint8_t> bytes(&track->context->memory);
+        track::save(*track, bytes);
+        if (!api::host_takes(write, user, bytes.data(), bytes.size()))
+            base::fail(CLQ_IO, "the writer refused %zu bytes of a track", bytes.size());
+    });
+}
+
+clq_status clq_track_load(const clq_locomotion *locomotion, const void *bytes, size_t size_bytes, clq_track **out)
+{
+    return api::boundary("clq_track_load", [&] {
+        api::require(locomotion && bytes && out, "locomotion, bytes or out is NULL");
+        api::Making<clq_track> made(locomotion->context, locomotion);
+        track::load(static_cast<const uint8_t *>(bytes), size_bytes, *locomotion, *made);
+        *out = made.release();
+    });
+}
+
+clq_status clq_actor_follow_track(clq_crowd *crowd, clq_actor actor, clq_track *track, double start_s)
+{
+    return api::boundary("clq_actor_follow_track", [&] {
+        api::require(crowd && track, "crowd or track is NULL");
+        const api::Busy busy(crowd);
+        crowd->crowd.row_of(api::id_of(actor));
+        NewTrack held(crowd, track);
+        crowd::follow_track(crowd->crowd, api::id_of(actor), *track, start_s);
+        held.keep();
+    });
+}
+
+clq_status clq_actor_fade_to_track(clq_crowd *crowd, clq_actor actor, double at_s, float length_s)
+{
+    return api::boundary("clq_actor_fade_to_track", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd::fade_to_track(crowd->crowd, api::id_of(actor), at_s, length_s, crowd::Curve::smooth);
+    });
+}
+
+clq_status clq_actor_leave_track(clq_crowd *crowd, clq_actor actor, double at_s)
+{
+    return api::boundary("clq_actor_leave_track", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        crowd::leave_track(crowd->crowd, api::id_of(actor), at_s);
+    });
+}
+
+clq_status clq_crowd_add_track(clq_crowd *crowd, clq_track *track)
+{
+    return api::boundary("clq_crowd_add_track", [&] {
+        api::require(crowd && track, "crowd or track is NULL");
+        const api::Busy busy(crowd);
+        NewTrack held(crowd, track);
+        crowd->crowd.tables.follows.add(*track);
+        held.keep();
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,161 @@
+#include "lib/pose/leg.h"
+
+#include <cmath>
+
+namespace claque::pose
+{
+
+using math::Columns;
+using math::F4;
+using math::splat;
+
+namespace
+{
+
+float dot(const glm::vec3 &a, const glm::vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+glm::vec3 cross(const glm::vec3 &a, const glm::vec3 &b)
+{
+    return glm::vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+float length(const glm::vec3 &v) { return std::sqrt(dot(v, v)); }
+
+// A rotation by its three columns.
+struct Turn {
+    glm::vec3 x = glm::vec3(1, 0, 0), y = glm::vec3(0, 1, 0), z = glm::vec3(0, 0, 1);
+
+    glm::vec3 operator*(const glm::vec3 &v) const { return x * v.x + y * v.y + z * v.z; }
+    Turn operator*(const Turn &other) const { return {*this * other.x, *this * other.y, *this * other.z}; }
+};
+
+Turn turn_of(float w, const glm::vec3 &v)
+{
+    Turn out;
+    out.x = glm::vec3(1 - 2 * (v.y * v.y + v.z * v.z), 2 * (v.x * v.y + w * v.z), 2 * (v.x * v.z - w * v.y));
+    out.y = glm::vec3(2 * (v.x * v.y - w * v.z), 1 - 2 * (v.x * v.x + v.z * v.z), 2 * (v.y * v.z + w * v.x));
+    out.z = glm::vec3(2 * (v.x * v.z + w * v.y), 2 * (v.y * v.z - w * v.x), 1 - 2 * (v.x * v.x + v.y * v.y));
+    return out;
+}
+
+// The shortest rotation from one direction to another. No trigonometry, so its bits are the same everywhere.
+// Opposite directions have no shortest one; no leg gets there.
+Turn between(const glm::vec3 &from, const glm::vec3 &to)
+{
+    const float scale = length(from) * length(to);
+    if (!(scale > 0)) return Turn();
+    const float w = 1 + dot(from, to) / scale;
+    if (!(w > 1e-4f)) return Turn();
+    const glm::vec3 v = cross(from, to) / scale;
+    const float norm = std::sqrt(w * w + dot(v, v));
+    return turn_of(w / norm, v / norm);
+}
+
+Turn about_y(float angle_rad)
+{
+    const float half = angle_rad * 0.5f;
+    return turn_of(std::cos(half), glm::vec3(0, std::sin(half), 0));
+}
+
+glm::vec3 vec_of(const F4 &v) { return glm::vec3(v[0], v[1], v[2]); }
+
+// Moves nodes rigidly: `turn` about `from`, which then lies at `to`.
+struct Move {
+    F4 x, y, z;
+    glm::vec3 from, to;
+
+    Move(const Turn &turn, const glm::vec3 &pivot, const glm::vec3 &there)
+        : x{turn.x.x, turn.x.y, turn.x.z, 0},
+          y{turn.y.x, turn.y.y, turn.y.z, 0},
+          z{turn.z.x, turn.z.y, turn.z.z, 0},
+          from(pivot),
+          to(there)
+    {
+    }
+    F4 turned(const F4 &v) const { return x * splat(v[0]) + y * splat(v[1]) + z * splat(v[2]); }
+    void apply(const model::Array<uint32_t> &nodes, Columns *globals) const
+    {
+        for (const uint32_t node : nodes) {
+            Columns &c = globals[node];
+            for (int k = 0; k < 3; ++k) c.c[k] = turned(c.c[k]);
+            c.c[3] = turned(c.c[3] - F4{from.x, from.y, from.z, 0}) + F4{to.x, to.y, to.z, 0};
+        }
+    }
+};
+
+// The knee that a leg with these joints bends to, for the ankle at `ankle`.
+glm::vec3 knee_for(const glm::vec3 &hip, const glm::vec3 &ankle, const glm::vec3 &bent, float thigh, float shin)
+{
+    const glm::vec3 to_ankle = ankle - hip;
+    const float distance = length(to_ankle);
+    const glm::vec3 along = to_ankle / distance;
+    const float forward = (thigh * thigh - shin * shin + distance * distance) / (2 * distance);
+    const float square = thigh * thigh - forward * forward;
+    const float out = square > 0 ? std::sqrt(square) : 0;
+    glm::vec3 side = bent - along * dot(bent, along);
+    // A straight leg bends to the front.
+    if (!(length(side) > 1e-3f * thigh)) side = glm::vec3(0, 0, 1) - along * along.z;
+    return hip + along * forward + side * (out / length(side));
+}
+
+}  // namespace
+
+model::Array<uint32_t> nodes_below(const model::Rig &rig, uint32_t node, uint32_t end,
+                                   std::pmr::memory_resource *memory)
+{
+    model::Array<uint32_t> out(memory);
+    model::Array<uint8_t> inside(rig.node_count(), uint8_t(0), memory);
+    inside[node] = 1;
+    out.push_back(node);
+    for (uint32_t i = node + 1; i < rig.node_count(); ++i) {
+        const uint32_t parent = rig.parents[i];
+        if (parent == model::none || !inside[parent] || i == end) continue;
+        inside[i] = 1;
+        out.push_back(i);
+    }
+    return out;
+}
+
+glm::vec3 point_of(const Columns &node, const glm::vec3 &point) noexcept
+{
+    return vec_of(node.c[0] * splat(point.x) + node.c[1] * splat(point.y) + node.c[2] * splat(point.z) + node.c[3]);
+}
+
+void move_foot(const FootTarget &target, Columns *globals) noexcept
+{
+    const Leg &leg = *target.leg;
+    const glm::vec3 hip = vec_of(globals[leg.thigh].c[3]), knee = vec_of(globals[leg.shin].c[3]);
+    const glm::vec3 ankle = point_of(globals[leg.shin], leg.ankle), foot = vec_of(globals[leg.foot].c[3]);
+    const Turn turn = about_y(target.turn_rad * target.weight);
+    const glm::vec3 ball = foot + turn * (point_of(globals[leg.foot], leg.ball) - foot);
+    const glm::vec3 heel = foot + turn * (point_of(globals[leg.foot], leg.heel) - foot);
+
+    glm::vec3 shift(target.x, 0, target.z);
+    if (target.planted) shift.x -= ball.x, shift.z -= ball.z;
+    shift = shift * target.weight;
+    const float reach = length(shift);
+    if (reach > leg.max_shift) shift = shift * (leg.max_shift / reach);
+    const float low = ball.y < heel.y ? ball.y : heel.y;
+    shift.y = -target.ground * target.weight *
+              (low < -leg.max_shift  ? -leg.max_shift
+               : low > leg.max_shift ? leg.max_shift
+                                     : low);
+
+    const float thigh = length(knee - hip), shin = length(ankle - knee);
+    glm::vec3 wanted = foot + shift;
+    const float distance = length(wanted - hip), farthest = (thigh + shin) * 0.9995f;
+    const float nearest = std::fabs(thigh - shin) * 1.0005f;
+    if (!(thigh > 0) || !(shin > 0) || !(distance > nearest)) return;
+    if (distance > farthest) wanted = hip + (wanted - hip) * (farthest / distance);
+
+    // First the leg as a whole, then the knee.
+    const Turn whole = between(ankle - hip, wanted - hip);
+    const glm::vec3 new_knee = knee_for(hip, wanted, whole * (knee - hip), thigh, shin);
+    const Turn upper = between(whole * (knee - hip), new_knee - hip) * whole;
+    const Turn lower = between(whole * (ankle - knee), wanted - new_knee) * whole;
+    Move(upper, hip, hip).apply(leg.thigh_nodes, globals);
+    Move(lower, knee, new_knee).apply(leg.shin_nodes, globals);
+    Move(turn, foot, wanted).apply(leg.foot_nodes, globals);
+}
+
+}  // namespace claque::pose

@@ -1,0 +1,202 @@
+// A track at a time: positions on a cubic curve through the samples, angles along the shorter way. While both
+// neighbours stand, nothing moves.
+#include <cmath>
+
+#include "lib/math/trig.h"
+#include "lib/track/track.h"
+
+namespace claque::track
+{
+
+namespace
+{
+
+constexpr double turn_rad = 2 * math::pi;
+
+// The sample before a time, and how far it is to the next.
+struct Place {
+    uint32_t first = 0;
+    double part = 0;
+};
+
+Place place_of(const Track &track, double time_s)
+{
+    double at = (time_s - track.start_s) * track.rate_hz;
+    const double last = track.length_s * track.rate_hz;
+    if (!(at > 0)) at = 0;
+    if (at > last) at = last;
+    Place place;
+    place.first = static_cast<uint32_t>(at);
+    const uint32_t end = static_cast<uint32_t>(track.samples.size());
+    if (place.first + 2 > end) place.first = end - 2;
+    place.part = at - place.first;
+    return place;
+}
+
+bool stands(const Sample &sample) { return sample.flags & stands_flag; }
+
+struct Metres {
+    double x, y, z;
+};
+
+Metres point_of(const Track &track, const Sample &sample)
+{
+    return {double(sample.x) * place_step_m, double(sample.height) * track.height_step_m,
+            double(sample.z) * place_step_m};
+}
+
+double cubic(double a, double b, double slope_a, double slope_b, double t)
+{
+    const double rise = b - a;
+    return a + t * (slope_a + t * (3 * rise - 2 * slope_a - slope_b + t * (slope_a + slope_b - 2 * rise)));
+}
+
+// The slope at a sample, for one step of the grid.
+Metres slope_at(const Track &track, uint32_t i)
+{
+    if (stands(track.samples[i])) return {0, 0, 0};
+    const uint32_t last = static_cast<uint32_t>(track.samples.size()) - 1;
+    const uint32_t before = i > 0 ? i - 1 : 0, after = i < last ? i + 1 : last;
+    const Metres a = point_of(track, track.samples[before]), b = point_of(track, track.samples[after]);
+    const double steps = after - before;
+    return {(b.x - a.x) / steps, (b.y - a.y) / steps, (b.z - a.z) / steps};
+}
+
+Metres point_at(const Track &track, const Place &place)
+{
+    const Sample &from = track.samples[place.first], &to = track.samples[place.first + 1];
+    const Metres a = point_of(track, from);
+    if (place.part == 0 || (stands(from) && stands(to))) return a;
+    const Metres b = point_of(track, to), m = slope_at(track, place.first), n = slope_at(track, place.first + 1);
+    return {cubic(a.x, b.x, m.x, n.x, place.part), cubic(a.y, b.y, m.y, n.y, place.part),
+            cubic(a.z, b.z, m.z, n.z, place.part)};
+}
+
+// Along the shorter way round, in turns.
+double angle_at(uint16_t from, uint16_t to, double part)
+{
+    const int16_t step = static_cast<int16_t>(static_cast<uint16_t>(to - from));
+    return (double(from) + double(step) * part) / 65536;
+}
+
+glm::dvec3 world_of(const Track &track, const Metres &p)
+{
+    return (track.origin_m + glm::dvec3(p.x, p.y + track.min_height_m, p.z)) / track.metres_per_unit;
+}
+
+double shorter(double angle_rad) { return angle_rad - turn_rad * std::floor(angle_rad / turn_rad + 0.5); }
+
+// The correction of a foot in the air goes from that at the end of one plant to that at the beginning of the next.
+struct Correction {
+    double x = 0, z = 0, turn_rad = 0;
+};
+
+Correction at_begin(const Plant &plant, double heading_rad)
+{
+    return {double(plant.begin_x), double(plant.begin_z), shorter(double(plant.heading_rad) - heading_rad)};
+}
+
+Correction at_end(const Plant &plant, double heading_rad)
+{
+    return {double(plant.end_x), double(plant.end_z), shorter(double(plant.heading_rad) - heading_rad)};
+}
+
+// The first plant that has not ended at a time.
+uint32_t plant_at(const Track &track, int foot, double gone_s)
+{
+    const Array<Plant> &plants = track.plants[foot];
+    const Array<uint32_t> &index = track.first_plants[foot];
+    const size_t second = gone_s > 0 ? static_cast<size_t>(gone_s) : 0;
+    uint32_t i = second < index.size() ? index[second] : static_cast<uint32_t>(plants.size());
+    while (i < plants.size() && double(plants[i].end_s) < gone_s) ++i;
+    return i;
+}
+
+constexpr double landing_s = 0.08;  // in which the ground takes hold of a foot and lets it go
+
+}  // namespace
+
+uint64_t Track::bytes() const
+{
+    uint64_t sum = sizeof(Track) + samples.capacity() * sizeof(Sample);
+    for (int f = 0; f < 2; ++f)
+        sum += plants[f].capacity() * sizeof(Plant) + first_plants[f].capacity() * sizeof(uint32_t);
+    return sum;
+}
+
+bool is_present(const Track &track, double time_s) noexcept
+{
+    return time_s >= track.start_s && time_s <= track.start_s + track.length_s;
+}
+
+glm::dvec3 position_at(const Track &track, double time_s) noexcept
+{
+    return world_of(track, point_at(track, place_of(track, time_s)));
+}
+
+double speed_at(const Track &track, double time_s) noexcept
+{
+    const Metres a = point_at(track, place_of(track, time_s - 0.05)),
+                 b = point_at(track, place_of(track, time_s + 0.05));
+    const double x = b.x - a.x, z = b.z - a.z;
+    return std::sqrt(x * x + z * z) / 0.1 / track.metres_per_unit;
+}
+
+State state_at(const Track &track, double time_s) noexcept
+{
+    const Place place = place_of(track, time_s);
+    const Sample &from = track.samples[place.first], &to = track.samples[place.first + 1];
+    State state;
+    state.position = world_of(track, point_at(track, place));
+    state.heading_rad = turn_rad * angle_at(from.heading, to.heading, place.part);
+    state.phase = angle_at(from.phase, to.phase, place.part);
+    state.gait =
+        static_cast<float>((double(from.gait) + (double(to.gait) - double(from.gait)) * place.part) / gait_unit);
+    state.stands = stands(from) && stands(to);
+    state.idle = from.flags >> idle_shift;
+    return state;
+}
+
+pose::FootTarget foot_at(const Track &track, const State &state, int foot, double time_s) noexcept
+{
+    const Array<Plant> &plants = track.plants[foot];
+    const double gone_s = time_s - track.start_s;
+    const uint32_t i = plant_at(track, foot, gone_s);
+    pose::FootTarget target;
+    target.leg = &track.locomotion->legs[foot];
+    const double c = std::cos(state.heading_rad), s = std::sin(state.heading_rad);
+    // From the world, relative to the body, to model space.
+    const auto set = [&](double x, double z) {
+        target.x = static_cast<float>((x * c - z * s) / track.scale);
+        target.z = static_cast<float>((x * s + z * c) / track.scale);
+    };
+    Correction correction;
+    if (i < plants.size() && double(plants[i].begin_s) <= gone_s) {
+        const Plant &plant = plants[i];
+        const glm::dvec3 body = state.position * track.metres_per_unit - track.origin_m;
+        target.planted = true;
+        set(double(plant.x) - body.x, double(plant.z) - body.z);
+        correction.turn_rad = shorter(double(plant.heading_rad) - state.heading_rad);
+        const double edge = std::fmin(gone_s - double(plant.begin_s), double(plant.end_s) - gone_s);
+        target.ground = static_cast<float>(eased(edge / landing_s));
+    } else {
+        const bool before = i > 0, after = i < plants.size();
+        if (before && after) {
+            const double begin = double(plants[i - 1].end_s), end = double(plants[i].begin_s);
+            const double part = eased((gone_s - begin) / (end - begin));
+            const Correction a = at_end(plants[i - 1], state.heading_rad), b = at_begin(plants[i], state.heading_rad);
+            correction = {a.x + (b.x - a.x) * part, a.z + (b.z - a.z) * part,
+                          a.turn_rad + (b.turn_rad - a.turn_rad) * part};
+        } else if (before) {
+            correction = at_end(plants[i - 1], state.heading_rad);
+        } else if (after) {
+            correction = at_begin(plants[i], state.heading_rad);
+        }
+        set(correction.x, correction.z);
+    }
+    const double turn = std::fmax(-max_foot_turn_rad, std::fmin(max_foot_turn_rad, correction.turn_rad));
+    target.turn_rad = static_cast<float>(turn);
+    return target;
+}
+
+}  // namespace claque::track

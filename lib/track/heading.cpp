@@ -1,0 +1,150 @@
+// Where a person looks: what the file says, or along the way. It is held below walking pace, frozen while the person
+// stands, and turns by at most half a turn a second.
+#include <algorithm>
+#include <cmath>
+
+#include "lib/math/trig.h"
+#include "lib/track/build.h"
+
+namespace claque::track
+{
+
+namespace
+{
+
+constexpr double held_below_m_s = 0.25;
+constexpr double turn_in_place_rad_s = 2.1;  // two thirds of a quarter turn in half a second
+constexpr double min_turn_in_place_rad = 0.35;
+
+double nearest_turn(double angle, double to)
+{
+    const double turn = 2 * math::pi;
+    return angle - turn * std::floor((angle - to) / turn + 0.5);
+}
+
+// The directions that are known, on the fine grid; false: none is.
+bool given_headings(base::Span<const Point> points, FinePath &path, Array<uint8_t> &known)
+{
+    bool any = false;
+    uint32_t at = 0;
+    for (uint32_t i = 0; i < path.count(); ++i) {
+        const double time_s = path.start_s + i / path.hz;
+        while (at + 1 < points.count && points[at + 1].time_s <= time_s) ++at;
+        const double a = points[at].heading_rad;
+        known[i] = std::isfinite(a);
+        if (!known[i]) continue;
+        path.heading[i] = a;
+        any = true;
+        if (at + 1 == points.count || !std::isfinite(points[at + 1].heading_rad)) continue;
+        const double b = nearest_turn(points[at + 1].heading_rad, a);
+        const double part = (time_s - points[at].time_s) / (points[at + 1].time_s - points[at].time_s);
+        path.heading[i] = a + (b - a) * std::min(1.0, part);
+    }
+    return any;
+}
+
+bool headings_of_motion(FinePath &path, Array<uint8_t> &known)
+{
+    bool any = false;
+    for (uint32_t i = 0; i < path.count(); ++i) {
+        const uint32_t before = i > 6 ? i - 6 : 0, after = std::min(i + 6, path.count() - 1);
+        const double x = path.x[after] - path.x[before], z = path.z[after] - path.z[before];
+        const double seconds = (after - before) / path.hz;
+        known[i] = !path.stands[i] && x * x + z * z > held_below_m_s * held_below_m_s * seconds * seconds;
+        if (known[i]) path.heading[i] = math::atan2(x, z), any = true;
+    }
+    if (any || path.count() == 0) return any;
+    // Nobody gets anywhere: the way from one end to the other, if there is any.
+    const double x = path.x.back() - path.x.front(), z = path.z.back() - path.z.front();
+    known[0] = 1;
+    path.heading[0] = x != 0 || z != 0 ? math::atan2(x, z) : 0;
+    return true;
+}
+
+// Holds the last known direction, and the first one before it was known; no jumps by whole turns.
+void hold(Array<double> &heading, const Array<uint8_t> &known)
+{
+    const size_t first = static_cast<size_t>(std::find(known.begin(), known.end(), 1) - known.begin());
+    std::fill(heading.begin(), heading.begin() + static_cast<ptrdiff_t>(first), heading[first]);
+    for (size_t i = first + 1; i < heading.size(); ++i)
+        heading[i] = known[i] ? nearest_turn(heading[i], heading[i - 1]) : heading[i - 1];
+}
+
+// Turns of a person that stands: the end of the stand gives the time for it, and its feet step on the spot.
+void turn_in_place(FinePath &path)
+{
+    const uint32_t count = path.count();
+    for (uint32_t first = 0; first < count; ++first) {
+        if (!path.stands[first]) continue;
+        uint32_t last = first;
+        while (last + 1 < count && path.stands[last + 1]) ++last;
+        const double held = path.heading[first];
+        std::fill(path.heading.begin() + first, path.heading.begin() + last + 1, held);
+        if (last + 1 < count) {
+            const double next = path.heading[std::min(last + 12, count - 1)], turn = next - held;
+            const uint32_t wanted = static_cast<uint32_t>(std::fabs(turn) / turn_in_place_rad_s * path.hz);
+            const uint32_t spare = last - first > min_stand ? last - first - min_stand : 0;
+            const uint32_t steps = std::min(wanted, spare);
+            if (std::fabs(turn) > min_turn_in_place_rad)
+                for (uint32_t k = 0; k < steps; ++k) {
+                    const double t = double(k + 1) / steps;
+                    path.heading[last - steps + 1 + k] = held + turn * t * t * (3 - 2 * t) * double(steps) / wanted;
+                }
+        }
+        first = last;
+    }
+}
+
+// The middle of the lowest upper and the highest lower bound that turn no faster: it leaves alone what turns slowly
+// enough, and spreads what does not over both sides.
+void limit_rate(Array<double> &heading, double rad_s, double hz)
+{
+    const double step = rad_s / hz;
+    const size_t count = heading.size();
+    Array<double> upper(heading, heading.get_allocator().resource()),
+        lower(heading, heading.get_allocator().resource());
+    for (size_t i = 1; i < count; ++i) {
+        upper[i] = std::min(upper[i], upper[i - 1] + step);
+        lower[i] = std::max(lower[i], lower[i - 1] - step);
+    }
+    for (size_t i = count - 1; i-- > 0;) {
+        upper[i] = std::min(upper[i], upper[i + 1] + step);
+        lower[i] = std::max(lower[i], lower[i + 1] - step);
+    }
+    for (size_t i = 0; i < count; ++i) heading[i] = 0.5 * (upper[i] + lower[i]);
+}
+
+// Rounds the corners that the limit leaves, between the stands.
+void smooth_turns(FinePath &path)
+{
+    for (uint32_t first = 0; first < path.count(); ++first) {
+        if (path.stands[first]) continue;
+        uint32_t last = first;
+        while (last + 1 < path.count() && !path.stands[last + 1]) ++last;
+        smooth(path.heading, first, last, 6, Beyond::mirrored);
+        first = last;
+    }
+}
+
+}  // namespace
+
+void make_heading(base::Span<const Point> points, const BuildSettings &settings, FinePath &path)
+{
+    const uint32_t count = path.count();
+    path.heading.assign(count, 0.0);
+    Array<uint8_t> known(count, uint8_t(0), path.x.get_allocator().resource());
+    if (!given_headings(points, path, known)) headings_of_motion(path, known);
+    hold(path.heading, known);
+    for (const FinePath::Piece &piece : path.pieces)
+        smooth(path.heading, piece.first, piece.last, 12, Beyond::mirrored);
+    turn_in_place(path);
+    limit_rate(path.heading, settings.max_turn_rad_s, path.hz);
+    smooth_turns(path);
+    path.turn.assign(count, 0.0);
+    for (uint32_t i = 1; i < count; ++i) {
+        path.turn[i] = std::fabs(path.heading[i] - path.heading[i - 1]) * path.hz;
+        if (path.turn[i] > 1e-9) path.stands[i] = path.stands[i - 1] = 0;
+    }
+}
+
+}  // namespace claque::track

@@ -1,0 +1,241 @@
+// Measures the gaits of a template: poses it at every step of the gait axis and phase, and watches its feet.
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/error.h"
+#include "lib/pose/pose.h"
+#include "lib/track/locomotion.h"
+#include "lib/track/sole.h"
+
+namespace claque::track
+{
+
+namespace
+{
+
+using base::fail;
+using model::none;
+
+const char *name_of(const model::Rig &rig, uint32_t clip)
+{
+    return clip < rig.clip_names.size() ? rig.clip_names[clip].c_str() : "";
+}
+
+void check_clips(const model::Template &tmpl, const LocomotionClips &clips)
+{
+    const model::Rig &rig = tmpl.rig;
+    const size_t count = rig.clips.size();
+    const auto check = [&](const char *what, uint32_t clip, bool must_move) {
+        if (clip >= count)
+            fail(CLQ_ARGUMENT, "the %s is clip %u of %zu of template '%s'", what, clip, count, tmpl.name.c_str());
+        if (must_move && !(rig.clips[clip].duration_s > 0))
+            fail(CLQ_ARGUMENT, "the %s is clip %u ('%s'), which has no length", what, clip, name_of(rig, clip));
+    };
+    check("walk", clips.walk, true);
+    if (clips.run != none) check("run", clips.run, true);
+    if (clips.idle_count > max_idles)
+        fail(CLQ_ARGUMENT, "%u clips to stand with: at most %u are possible", clips.idle_count, max_idles);
+    for (uint32_t i = 0; i < clips.idle_count; ++i) check("standing clip", clips.idles[i], false);
+}
+
+void check_legs(const model::Template &tmpl, const LocomotionClips &clips)
+{
+    const model::Rig &rig = tmpl.rig;
+    for (const auto &leg : clips.legs)
+        for (int part = 0; part < 4; ++part) {
+            const uint32_t node = leg[part];
+            if (part == 3 && node == none) continue;
+            if (node >= rig.node_count())
+                fail(CLQ_ARGUMENT, "a leg of template '%s' has node %u of %u", tmpl.name.c_str(), node,
+                     rig.node_count());
+            if (part != 1 && part != 3) continue;
+            uint32_t above = rig.parents[node];
+            while (above != none && above != leg[part - 1]) above = rig.parents[above];
+            if (above == none)
+                fail(CLQ_ARGUMENT, "node %u ('%s') of a leg of template '%s' is not below node %u ('%s')", node,
+                     rig.node_names[node].c_str(), tmpl.name.c_str(), leg[part - 1],
+                     rig.node_names[leg[part - 1]].c_str());
+        }
+}
+
+glm::vec3 place_of(const pose::Workspace &work, uint32_t node) { return work.global(node).column(3); }
+
+double distance(const glm::vec3 &a, const glm::vec3 &b)
+{
+    const glm::dvec3 d = glm::dvec3(a) - glm::dvec3(b);
+    return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+}
+
+void set_legs(const model::Template &tmpl, Locomotion &out)
+{
+    std::pmr::memory_resource *memory = out.cells.get_allocator().resource();
+    pose::Workspace work(tmpl.rig, &tmpl.motion);
+    const uint32_t idle = out.clips.idle_count > 0 ? out.clips.idles[0] : none;
+    work.pose(idle, idle == none ? 0 : double(tmpl.rig.clips[idle].start_s));
+    double length = 0;
+    for (int f = 0; f < 2; ++f) {
+        const uint32_t *nodes = out.clips.legs[f];
+        const glm::vec3 hip = place_of(work, nodes[0]), knee = place_of(work, nodes[1]),
+                        ankle = place_of(work, nodes[2]);
+        length += 0.5 * (distance(hip, knee) + distance(knee, ankle));
+    }
+    out.leg_length = static_cast<float>(length);
+    if (!(out.leg_length > 0)) fail(CLQ_ARGUMENT, "the legs of template '%s' have no length", tmpl.name.c_str());
+    for (int f = 0; f < 2; ++f) {
+        const uint32_t *nodes = out.clips.legs[f];
+        pose::Leg &leg = out.legs[f];
+        leg.thigh = nodes[0], leg.shin = nodes[1], leg.foot = nodes[2];
+        leg.thigh_nodes = pose::nodes_below(tmpl.rig, nodes[0], nodes[1], memory);
+        leg.shin_nodes = pose::nodes_below(tmpl.rig, nodes[1], nodes[2], memory);
+        leg.foot_nodes = pose::nodes_below(tmpl.rig, nodes[2], none, memory);
+        leg.max_shift = 0.3f * out.leg_length;
+        leg.ankle = math::transform_point(math::inverse(work.global(nodes[1])), place_of(work, nodes[2]));
+        set_sole(tmpl, work, nodes[3], leg);
+    }
+}
+
+// The feet over one cycle of one gait.
+struct FootPath {
+    double low[2][phase_count];  // height of the lower of ball and heel
+    double x[2][phase_count], z[2][phase_count];
+};
+
+FootPath watch(const Locomotion &locomotion, float gait, pose::Workspace &work)
+{
+    FootPath path{};
+    pose::PoseJob job = work.job();
+    for (uint32_t p = 0; p < phase_count; ++p) {
+        pose::Layer layers[3];
+        const uint32_t count = layers_of(locomotion, gait, double(p) / phase_count, 0, 0, layers);
+        job.layers = {layers, count};
+        job.run();
+        for (int f = 0; f < 2; ++f) {
+            const pose::Leg &leg = locomotion.legs[f];
+            const glm::vec3 ball = pose::point_of(job.globals[leg.foot], leg.ball);
+            const glm::vec3 heel = pose::point_of(job.globals[leg.foot], leg.heel);
+            path.low[f][p] = double(std::min(ball.y, heel.y));
+            path.x[f][p] = double(ball.x), path.z[f][p] = double(ball.z);
+        }
+    }
+    return path;
+}
+
+// How fast a foot moves back, per cycle.
+double backwards(const FootPath &path, int f, uint32_t p)
+{
+    const uint32_t next = (p + 1) % phase_count, before = (p + phase_count - 1) % phase_count;
+    return (path.z[f][before] - path.z[f][next]) * phase_count / 2;
+}
+
+// A foot carries weight in the longest run of phases in which it is low and moves back.
+void find_support(const FootPath &path, int f, float leg_length, bool out[phase_count])
+{
+    const double ground = *std::min_element(path.low[f], path.low[f] + phase_count);
+    const double low = ground + 0.035 * double(leg_length);
+    uint32_t best = 0, best_length = 0, run = 0;
+    for (uint32_t i = 0; i < 2 * phase_count; ++i) {
+        const uint32_t p = i % phase_count;
+        run = path.low[f][p] <= low && backwards(path, f, p) > 0 ? std::min(run + 1, phase_count) : 0;
+        if (run > best_length) best_length = run, best = i + 1 - run;
+    }
+    std::fill(out, out + phase_count, false);
+    for (uint32_t i = 0; i < best_length; ++i) out[(best + i) % phase_count] = true;
+}
+
+// Where neither foot carries weight the body keeps the pace that it had on both sides.
+void fill_flight(double advance[phase_count], const bool known[phase_count])
+{
+    for (uint32_t p = 0; p < phase_count; ++p) {
+        if (known[p]) continue;
+        uint32_t before = 1, after = 1;
+        while (before < phase_count && !known[(p + phase_count - before) % phase_count]) ++before;
+        while (after < phase_count && !known[(p + after) % phase_count]) ++after;
+        const double a = advance[(p + phase_count - before) % phase_count], b = advance[(p + after) % phase_count];
+        advance[p] = (a * after + b * before) / (before + after);
+    }
+}
+
+void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
+{
+    const FootPath path = watch(out, gait_steps[step], work);
+    bool supports[2][phase_count], known[phase_count] = {};
+    for (int f = 0; f < 2; ++f) {
+        if (step == 0) std::fill(supports[f], supports[f] + phase_count, true);
+        else find_support(path, f, out.leg_length, supports[f]);
+    }
+    // Walking people have a foot on the ground at any time: the lower one, where neither was found.
+    if (step <= walk_step)
+        for (uint32_t p = 0; p < phase_count; ++p)
+            if (!supports[0][p] && !supports[1][p]) supports[path.low[0][p] <= path.low[1][p] ? 0 : 1][p] = true;
+    double advance[phase_count] = {}, sum = 0;
+    for (uint32_t p = 0; p < phase_count; ++p) {
+        const int feet = supports[0][p] + supports[1][p];
+        known[p] = feet > 0;
+        for (int f = 0; f < 2; ++f)
+            if (supports[f][p]) advance[p] += std::max(0.0, backwards(path, f, p)) / feet;
+    }
+    if (step > 0 && !(*std::max_element(advance, advance + phase_count) > 0))
+        fail(CLQ_ARGUMENT,
+             "no foot of template '%s' moves back over the ground at gait %g: clip %u ('%s') does not walk",
+             out.tmpl->name.c_str(), double(gait_steps[step]), out.clips.walk, name_of(out.tmpl->rig, out.clips.walk));
+    if (step > 0) fill_flight(advance, known);
+    for (const double a : advance) sum += a / phase_count;
+    out.stride[step] = static_cast<float>(sum);
+    for (uint32_t p = 0; p < phase_count; ++p) {
+        GaitCell &cell = out.cells[step * phase_count + p];
+        // A foot that pauses must not stop the body: the phase would never get on.
+        cell.advance = static_cast<float>(std::max(advance[p], 0.35 * sum));
+        for (int f = 0; f < 2; ++f) {
+            cell.x[f] = static_cast<float>(path.x[f][p]), cell.z[f] = static_cast<float>(path.z[f][p]);
+            cell.supports[f] = supports[f][p];
+        }
+    }
+}
+
+// The phase at which the left foot begins to carry weight.
+double strike_of(const Locomotion &locomotion, uint32_t step)
+{
+    for (uint32_t p = 0; p < phase_count; ++p)
+        if (locomotion.cell(step, p).supports[0] > 0 &&
+            !(locomotion.cell(step, (p + phase_count - 1) % phase_count).supports[0] > 0))
+            return double(p) / phase_count;
+    return 0;
+}
+
+}  // namespace
+
+void measure(const model::Template &tmpl, const LocomotionClips &clips, Locomotion &out)
+{
+    out.tmpl = &tmpl;
+    out.clips = clips;
+    check_clips(tmpl, clips);
+    find_legs(tmpl.rig, out.clips);
+    check_legs(tmpl, out.clips);
+    set_legs(tmpl, out);
+    out.cells.resize(size_t(gait_step_count) * phase_count);
+
+    const model::Rig &rig = tmpl.rig;
+    const double walk_s = double(rig.clips[clips.walk].duration_s);
+    const double run_s = clips.run == none ? walk_s : double(rig.clips[clips.run].duration_s);
+    for (uint32_t step = 0; step < gait_step_count; ++step) {
+        const double running = std::max(0.0, double(gait_steps[step]) - 1);
+        out.cycle_s[step] = static_cast<float>(walk_s + (run_s - walk_s) * running);
+    }
+    pose::Workspace work(rig, &tmpl.motion);
+    measure_step(out, walk_step, work);
+    if (clips.run != none) {
+        measure_step(out, gait_step_count - 1, work);
+        out.run_phase = static_cast<float>(strike_of(out, gait_step_count - 1) - strike_of(out, walk_step));
+    }
+    for (uint32_t step = 0; step < gait_step_count; ++step) measure_step(out, step, work);
+    const double speed = out.walking_speed();
+    if (!(out.stride[walk_step] > 0.1f * out.leg_length))
+        fail(CLQ_ARGUMENT,
+             "clip %u ('%s') of template '%s' carries the body %g of a leg's length a cycle: a walk in place is wanted",
+             clips.walk, name_of(rig, clips.walk), tmpl.name.c_str(), double(out.stride[walk_step] / out.leg_length));
+    if (clips.run != none && !(out.running_speed() > speed))
+        fail(CLQ_ARGUMENT, "clip %u ('%s') runs at %g units a second, and clip %u ('%s') walks at %g", clips.run,
+             name_of(rig, clips.run), out.running_speed(), clips.walk, name_of(rig, clips.walk), speed);
+}
+
+}  // namespace claque::track

@@ -1,0 +1,173 @@
+#include "lib/track/track_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "lib/base/error.h"
+#include "lib/base/hash.h"
+
+namespace claque::track
+{
+
+namespace
+{
+
+using base::fail;
+
+constexpr uint8_t magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'W', 0x1a};
+constexpr size_t header_bytes = 32;
+
+template <class T>
+using Bits = std::conditional_t<
+    sizeof(T) == 1, uint8_t,
+    std::conditional_t<sizeof(T) == 2, uint16_t, std::conditional_t<sizeof(T) == 4, uint32_t, uint64_t>>>;
+
+struct ByteWriter {
+    Array<uint8_t> &out;
+
+    template <class T>
+    void value(const T &v)
+    {
+        Bits<T> bits;
+        std::memcpy(&bits, &v, sizeof bits);
+        for (size_t i = 0; i < sizeof bits; ++i) out.push_back(static_cast<uint8_t>(uint64_t(bits) >> (8 * i)));
+    }
+    template <class A, class Element>
+    void array(const A &values, uint32_t, const Element &element)
+    {
+        value(static_cast<uint32_t>(values.size()));
+        for (const auto &v : values) element(v);
+    }
+};
+
+struct ByteReader {
+    const uint8_t *at;
+    size_t left;
+
+    template <class T>
+    void value(T &v)
+    {
+        if (left < sizeof v) fail(CLQ_FORMAT, "a saved track ends %zu bytes too early", sizeof v - left);
+        uint64_t bits = 0;
+        for (size_t i = 0; i < sizeof v; ++i) bits |= uint64_t(at[i]) << (8 * i);
+        const Bits<T> narrow = static_cast<Bits<T>>(bits);
+        std::memcpy(&v, &narrow, sizeof v);
+        at += sizeof v, left -= sizeof v;
+    }
+    template <class A, class Element>
+    void array(A &values, uint32_t smallest, const Element &element)
+    {
+        uint32_t count = 0;
+        value(count);
+        if (count > left / smallest) fail(CLQ_FORMAT, "a saved track announces %u elements in %zu bytes", count, left);
+        values.resize(count);
+        for (auto &v : values) element(v);
+    }
+};
+
+// One list of fields for writing and reading.
+template <class Archive, class T>
+void walk(Archive &a, T &track)
+{
+    for (int k = 0; k < 3; ++k) a.value(track.origin_m[k]);
+    a.value(track.start_s), a.value(track.length_s), a.value(track.rate_hz), a.value(track.min_height_m);
+    a.value(track.height_step_m), a.value(track.metres_per_unit), a.value(track.scale);
+    a.value(track.mean_shift_m), a.value(track.max_shift_m), a.value(track.distance_m), a.value(track.standing_s);
+    a.array(track.samples, 16, [&](auto &s) {
+        a.value(s.x), a.value(s.z), a.value(s.height), a.value(s.heading), a.value(s.phase), a.value(s.gait);
+        a.value(s.flags);
+    });
+    for (auto &plants : track.plants)
+        a.array(plants, 36, [&](auto &p) {
+            a.value(p.begin_s), a.value(p.end_s), a.value(p.x), a.value(p.z), a.value(p.heading_rad);
+            a.value(p.begin_x), a.value(p.begin_z), a.value(p.end_x), a.value(p.end_z);
+        });
+}
+
+void check_plants(const Array<Plant> &plants)
+{
+    for (size_t i = 0; i < plants.size(); ++i) {
+        const Plant &p = plants[i];
+        bool good = p.begin_s >= 0 && p.end_s >= p.begin_s && (i == 0 || p.begin_s > plants[i - 1].end_s);
+        for (const float x : {p.end_s, p.x, p.z, p.heading_rad, p.begin_x, p.begin_z, p.end_x, p.end_z})
+            good = good && std::isfinite(x);
+        if (!good) fail(CLQ_FORMAT, "step %zu of a saved track is impossible", i);
+    }
+}
+
+void check(const Track &track, const Locomotion &locomotion)
+{
+    bool good = true;
+    for (const double x : {track.origin_m.x, track.origin_m.y, track.origin_m.z, track.start_s, track.length_s,
+                           track.rate_hz, track.min_height_m, track.height_step_m, track.metres_per_unit, track.scale})
+        good = good && std::isfinite(x);
+    good = good && track.length_s >= 0 && track.length_s <= 1e6 && track.height_step_m >= 0;
+    good = good && track.rate_hz >= 1 && track.rate_hz <= 100 && track.metres_per_unit > 0 && track.scale > 0;
+    if (!good) fail(CLQ_FORMAT, "a saved track has a length, rate or scale that no track has");
+    if (double(track.samples.size()) < std::max(2.0, track.length_s * track.rate_hz + 0.5))
+        fail(CLQ_FORMAT, "a saved track of %g s at %g Hz has %zu samples", track.length_s, track.rate_hz,
+             track.samples.size());
+    for (const Sample &sample : track.samples)
+        if (double(sample.gait) > double(locomotion.max_gait()) * gait_unit ||
+            sample.flags >> idle_shift >= std::max(1u, locomotion.clips.idle_count))
+            fail(CLQ_FORMAT, "a saved track plays a gait or clip that its locomotion lacks");
+    for (const Array<Plant> &plants : track.plants) check_plants(plants);
+}
+
+}  // namespace
+
+uint64_t hash_of(const Locomotion &locomotion)
+{
+    uint64_t h = base::fnv_start;
+    const auto add = [&h](const auto &value) { h = base::fnv(h, &value, sizeof value); };
+    add(locomotion.clips.walk), add(locomotion.clips.run), add(locomotion.clips.idle_count);
+    for (const uint32_t idle : locomotion.clips.idles) add(idle);
+    for (const float stride : locomotion.stride) add(stride);
+    for (const GaitCell &cell : locomotion.cells) {
+        add(cell.advance);
+        for (int f = 0; f < 2; ++f) add(cell.x[f]), add(cell.z[f]), add(cell.supports[f]);
+    }
+    return h;
+}
+
+void save(const Track &track, Array<uint8_t> &out)
+{
+    Array<uint8_t> contents(out.get_allocator());
+    contents.reserve(track.bytes() + 256);
+    ByteWriter writer{contents};
+    writer.value(hash_of(*track.locomotion));
+    walk(writer, track);
+    ByteWriter header{out};
+    out.reserve(out.size() + header_bytes + contents.size());
+    for (const uint8_t byte : magic) header.value(byte);
+    header.value(track_file_version), header.value(uint32_t(0)), header.value(uint64_t(contents.size()));
+    header.value(base::fnv(base::fnv_start, contents.data(), contents.size()));
+    out.insert(out.end(), contents.begin(), contents.end());
+}
+
+void load(const uint8_t *bytes, size_t size, const Locomotion &locomotion, Track &out)
+{
+    if (size < header_bytes || !std::equal(magic, magic + 8, bytes)) fail(CLQ_FORMAT, "these bytes are no saved track");
+    ByteReader in{bytes + 8, size - 8};
+    uint32_t version = 0, zero = 0;
+    uint64_t length = 0, hash = 0, made_for = 0;
+    in.value(version), in.value(zero), in.value(length), in.value(hash);
+    if (version != track_file_version)
+        fail(CLQ_FORMAT, "a saved track of version %u; this library reads version %u", version, track_file_version);
+    if (zero != 0 || length != in.left)
+        fail(CLQ_FORMAT, "a saved track of %llu bytes has %zu", base::big(length), in.left);
+    if (base::fnv(base::fnv_start, in.at, in.left) != hash) fail(CLQ_FORMAT, "a saved track was changed");
+    in.value(made_for);
+    if (made_for != hash_of(locomotion))
+        fail(CLQ_ARGUMENT, "the saved track was made for another locomotion: its template or its clips differ");
+    out.locomotion = &locomotion;
+    walk(in, out);
+    if (in.left != 0) fail(CLQ_FORMAT, "a saved track has %zu bytes too many", in.left);
+    check(out, locomotion);
+    index_plants(out);
+    out.hash = hash_of(out);
+}
+
+}  // namespace claque::track
