@@ -8,6 +8,7 @@
 #include "lib/draw/draw_list.h"
 #include "lib/math/simd.h"
 #include "lib/pose/layer.h"
+#include "lib/pose/leg.h"
 
 namespace claque::animcache
 {
@@ -50,6 +51,8 @@ struct Request {
     bool drawn = true;                     // false: posed because others depend on it, but no view sees it
     const float *dofs = nullptr;           // [rig.dofs.size()], output of control mechanisms if due; null: at rest
     base::Span<const pose::Layer> layers;  // replace the clip of `pose`, unless empty
+    pose::FootTarget feet[2];              // of an actor on a track
+    uint32_t foot_count = 0;
     // with layers: radius of a sphere round sklsroot.centre that holds every blend of this version
     float blend_radius = 0;
     KeyPoseSelection key_pose;  // if it shows key-poses

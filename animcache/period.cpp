@@ -36,6 +36,16 @@ uint32_t rate_step_of(const PeriodLaw &law, double distance)
     return 0;
 }
 
+uint32_t rate_step_of_motion(double speed, double distance, double tolerance_px)
+{
+    constexpr double lines_per_tangent = 384 * 1.7320508075688772;  // half of 768 lines, over the tangent of 30 degrees
+    const double pixels = speed * lines_per_tangent / distance;
+    if (!(tolerance_px > 0) || !(pixels > 0)) return rate_step_count - 1;
+    for (uint32_t rate_step = rate_step_count - 1; rate_step > 0; --rate_step)
+        if (tolerance_px * rates[rate_step] >= pixels) return rate_step;
+    return 0;
+}
+
 double tick_s(uint32_t rate_step, double time_s, uint64_t id_hash)
 {
     if (rate_step == 0) return time_s;

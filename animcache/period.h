@@ -24,6 +24,10 @@ double period_s(const PeriodLaw &law, double distance);  // T(d^2), before round
 // T rounded down to a rate step; slower than 4 Hz becomes 4 Hz
 uint32_t rate_step_of(const PeriodLaw &law, double distance);
 
+// The slowest rate step at which something that moves at `speed` (world units a second) moves by at most
+// `tolerance_px` between two ticks, in a picture of 768 lines over 60 degrees; 0 where even 50 Hz is too slow.
+uint32_t rate_step_of_motion(double speed, double distance, double tolerance_px);
+
 // The last tick at or before time_s at a rate step: floor((t + phase) f) / f - phase, its phase in [0, 1/f) from the
 // hash of an individual's id. At rate step 0 it is time_s itself.
 double tick_s(uint32_t rate_step, double time_s, uint64_t id_hash);

@@ -4,7 +4,8 @@
 int main(int argc, char **argv)
 {
     using namespace cli;
-    return run_program(argc, argv,
-                       {add_render, add_sheet, add_inspect, add_dump, add_split, add_variety, add_colours, add_lods,
-                        add_blend, add_prepare, add_convert, add_bench, add_plot, add_cost, add_parity});
+    return run_program(
+        argc, argv,
+        {add_render, add_sheet, add_inspect, add_dump, add_split, add_variety, add_colours, add_lods, add_blend,
+         add_prepare, add_convert, add_bench, add_plot, add_cost, add_parity, add_tracks, add_play});
 }

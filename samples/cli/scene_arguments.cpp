@@ -123,6 +123,7 @@ int core_count()
 
 std::string scene_of(const SceneArguments &a)
 {
+    if (a.make) return "tracks";
     return !a.file.empty() ? "parade" : !a.scene.empty() ? a.scene : !a.theatre.empty() ? "odeon" : "plaza";
 }
 
@@ -142,6 +143,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
 {
     scenes::SceneOptions options;
     options.scene = scene_of(a);
+    options.make = a.make;
     options.character = loaded.tmpl ? loaded.character() : scenes::Character();
     options.crowd_options.count = a.count;
     // A theatre's description has its own number of people.

@@ -1,6 +1,8 @@
 // The options that `render` and `bench` share, and their form in text and JSON.
 #pragma once
 
+#include <functional>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -17,7 +19,9 @@ struct SceneArguments {
     std::string file, scene;  // one or neither
     std::vector<std::string> hidden;
     std::string path, theatre;  // files
-    std::string camera;         // empty: not given
+    // People on tracks in place of the scenes above (track_arguments.h).
+    std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)> make;
+    std::string camera;  // empty: not given
     std::string context = "any", format = "rgba8888";
     std::string strategy = "fused", cache = "full", filter = "nearest";
     uint32_t count = 0;  // 0: not given

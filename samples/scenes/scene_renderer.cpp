@@ -14,7 +14,8 @@ SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : li
     if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
     if (!load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
         throw Failure("this OpenGL context lacks " + why_not);
-    scene_ = make_scene(options.scene, library, options.crowd_options, options.character);
+    scene_ = options.make ? options.make(library, options.crowd_options)
+                          : make_scene(options.scene, library, options.crowd_options, options.character);
     scene_->prepare(gl_);
     clq_view *view = nullptr;
     check(clq_view_create(scene_->crowd(), &view));

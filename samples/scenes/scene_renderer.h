@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "samples/contexts/offscreen.h"
@@ -24,6 +25,8 @@ struct ShadowChoice {
 
 struct SceneOptions {
     std::string scene = "plaza";
+    // Makes the scene in place of the list of scenes; `scene` is then its name in messages.
+    std::function<std::unique_ptr<Scene>(Library &, const CrowdOptions &)> make;
     CrowdOptions crowd_options;
     Character character;
     Shot shot = Shot::overview;

@@ -1,0 +1,115 @@
+// claque render: its options, and those that it shares with other commands that draw.
+#include <cmath>
+#include <unistd.h>
+
+#include "samples/cli/command.h"
+#include "samples/cli/render_work.h"
+
+namespace cli
+{
+
+void check_picture_usage(RenderArguments &a)
+{
+    if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
+        throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
+    check_scene_usage(a.setup);
+    if (!a.frames.empty()) {
+        if (a.setup.camera.empty() && has_path(a.setup)) a.setup.camera = "path";
+        a.whole_path = a.frames == "all";
+        if (a.whole_path && a.setup.camera != "path")
+            throw CLI::ValidationError("--frames", "all needs a camera that follows a path");
+        const std::string wrong = a.whole_path ? "" : read_range(a.frames, a.range);
+        if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
+        if (a.out != "-" && !is_frame_pattern(a.out))
+            throw CLI::ValidationError("--out",
+                                       "a sequence needs one place for the frame number, as in frame-%05d.png");
+    } else if (a.out != "-" && a.out.find('%') != std::string::npos)
+        throw CLI::ValidationError("--out", "a place for the frame number needs --frames");
+    if (!std::isfinite(a.time_s)) throw CLI::ValidationError("--time", "must be finite");
+    if (!(a.fps > 0 && a.fps <= 1e6)) throw CLI::ValidationError("--fps", "must be above 0");
+    if (a.out == "-" && a.json == "-")
+        throw CLI::ValidationError("--json", "standard output is used by the pictures already");
+    if (a.out == "-" && isatty(STDOUT_FILENO) == 1)
+        throw CLI::ValidationError("--out", "raw pixels cannot go to a terminal; send them to a file or an encoder");
+}
+
+void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
+{
+    add_scene_options(c, a->setup);
+    add_colour_options(c, a->colours);
+    c.add_option("--strategy", a->setup.strategy,
+                 "Draw strategy: how individuals get their colours; all give the same picture")
+        ->check(CLI::IsMember(strategy_names()))
+        ->capture_default_str();
+    c.add_option("--cache", a->setup.cache,
+                 "What is cached between frames, which never changes the picture; keypose-*: all individuals show "
+                 "key-poses (S3)")
+        ->check(cache_choice)
+        ->capture_default_str();
+    c.add_option("--filter", a->setup.filter,
+                 "How textures are sampled; linear filters clean triangles where that mixes no zones")
+        ->check(CLI::IsMember({"nearest", "linear"}))
+        ->capture_default_str();
+    c.add_option("--lod", a->setup.lod,
+                 "On the plaza and in the odeon: people with levels of detail (on), without (off), or only the first "
+                 "level (finest)")
+        ->check(CLI::IsMember({"off", "on", "finest"}))
+        ->capture_default_str();
+    c.add_option(
+         "--cull", a->setup.cull,
+         "Cull between the steps of behaviour (actor), or compute everything for all and cull last (traditional; S0 4)")
+        ->check(CLI::IsMember({"actor", "traditional"}))
+        ->capture_default_str();
+    c.add_option("--cull-scale", a->setup.cull_scale,
+                 "Cull by a frustum of this fraction of the picture's and show its edge (S0 Fig. 10)")
+        ->check(CLI::Range(0.01, 1.0));
+    c.add_option("--show", a->setup.show,
+                 "Overlay spheres: the actors' bounding spheres (S0 Fig. 2); or levels: a colour for each level of "
+                 "detail (S0 Fig. 9)")
+        ->check(CLI::IsMember({"nothing", "spheres", "levels"}));
+    c.add_option("--shadows", a->setup.shadows,
+                 "Shadows of people on the ground: as painted, or claque's ellipses (blob) or meshes; -stencil: with "
+                 "a stencil bit")
+        ->check(CLI::IsMember(shadow_names()));
+    CLI::Option *time = c.add_option("--time", a->time_s, "Time of the picture in seconds")->capture_default_str();
+    c.add_option("--frames", a->frames,
+                 "A sequence, first to last, or all of a camera path; frame k shows k / fps seconds")
+        ->type_name("A:B|all")
+        ->excludes(time);
+    c.add_option("--stride", a->range.stride, "Draw only every N-th frame")->check(CLI::Range(1, 1000000));
+    c.add_option("--fps", a->fps, "Frames a second of a sequence")->capture_default_str();
+    c.add_option("--samples", a->samples,
+                 "Anti-aliasing: the mean of this many pictures of the same poses, each moved by a fraction of a pixel")
+        ->check(CLI::Range(1, 1024));
+    c.add_flag("--again", a->again, "Draw finished frames again");
+    c.add_option("--out,-o", a->out,
+                 "PNG file; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
+        ->required();
+    c.add_option("--json", a->json, "Write counts, rates and times as JSON; - is standard output");
+}
+
+void add_render(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<RenderArguments>();
+    CLI::App *c = app.add_subcommand("render", "Draw a scene, one picture or a sequence");
+    std::string abouts;
+    for (const scenes::SceneEntry &entry : scenes::scene_entries())
+        abouts += std::string(abouts.empty() ? "" : "; ") + entry.name + ": " + entry.about;
+    CLI::Option *file = c->add_option("FILE", a->setup.file,
+                                      "Stand this character on a ground: glTF, GLB, prepared .clq, or the name of a "
+                                      "built-in character (citizen, patrician ...)");
+    c->add_option("--scene", a->setup.scene, "A scene of built-in characters (default plaza). " + abouts)
+        ->check(scene_names())
+        ->excludes(file);
+    c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
+        ->check(CLI::Range(1, 1000000));
+    add_picture_options(*c, a);
+    for (const char *of_sequences : {"--stride", "--fps", "--again"}) c->get_option(of_sequences)->needs("--frames");
+    add_clip_options(*c, a->clips);
+    c->callback([a, &chosen] {
+        check_picture_usage(*a);
+        chosen = [a] { render(*a); };
+    });
+}
+
+}  // namespace cli

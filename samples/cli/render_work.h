@@ -1,0 +1,32 @@
+// Pictures of a scene, one or a sequence: what `render` and `play` have in common.
+#pragma once
+
+#include <memory>
+
+#include "samples/cli/clip_arguments.h"
+#include "samples/cli/colour_arguments.h"
+#include "samples/cli/scene_arguments.h"
+#include "samples/cli/sequence.h"
+
+namespace cli
+{
+
+struct RenderArguments {
+    SceneArguments setup;
+    ColourArguments colours;
+    ClipArguments clips;  // for the scene's FILE
+    double time_s = 2.0, fps = 25.0;
+    std::string frames, out, json;
+    FrameRange range;
+    bool whole_path = false;  // frames up to the path's last key frame
+    bool again = false;
+    uint32_t samples = 1;  // pictures that are averaged into one
+};
+
+// Options of the pictures, besides those that choose the scene.
+void add_picture_options(CLI::App &command, const std::shared_ptr<RenderArguments> &arguments);
+// Throws CLI::ValidationError.
+void check_picture_usage(RenderArguments &arguments);
+void render(const RenderArguments &arguments);
+
+}  // namespace cli

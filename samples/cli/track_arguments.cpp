@@ -1,0 +1,84 @@
+#include "samples/cli/track_arguments.h"
+
+#include <sstream>
+
+namespace cli
+{
+
+namespace
+{
+
+double metres_of(const std::string &unit)
+{
+    if (unit.empty()) return 0;
+    return unit == "m" ? 1 : unit == "cm" ? 0.01 : unit == "mm" ? 0.001 : unit == "ft" ? 0.3048 : std::stod(unit);
+}
+
+std::string check_unit(const std::string &text)
+{
+    for (const char *name : {"m", "cm", "mm", "ft"})
+        if (text == name) return {};
+    char *end = nullptr;
+    const double metres = std::strtod(text.c_str(), &end);
+    if (!text.empty() && *end == '\0' && metres > 0 && metres <= 1e6) return {};
+    return "'" + text + "' is no unit: m, cm, mm, ft, or the metres in one";
+}
+
+}  // namespace
+
+void add_reading_options(CLI::App &command, TrackArguments &a)
+{
+    command.add_option("--columns", a.columns, "Columns of a table: id, frame or time, x, y, z, heading, with commas")
+        ->type_name("NAMES");
+    command.add_option("--rate", a.rate_hz, "Frame numbers in a second, where the file does not say it")
+        ->check(CLI::Range(1e-6, 1e6));
+    command.add_option("--unit", a.unit, "Unit of the coordinates, where the file does not say it")
+        ->type_name("m|cm|mm|ft|METRES")
+        ->check(CLI::Validator(check_unit, ""));
+    command.add_option("--up", a.up, "The coordinate that points up, where a table has three")
+        ->check(CLI::IsMember({"y", "z"}));
+    command.add_option("--max-speed", a.max_speed_m_s, "A person that is faster, in m/s, becomes another person there")
+        ->check(CLI::Range(0.1, 1e6))
+        ->capture_default_str();
+    command.add_flag("--vehicles", a.vehicles, "SUMO: vehicles too, and people that ride in one");
+}
+
+void add_walking_options(CLI::App &command, TrackArguments &a)
+{
+    command
+        .add_option("--characters", a.characters,
+                    "Who walks: built-in people and glTF files with clips named walk, run and idle, with commas "
+                    "(default citizen,patrician,plebeian,decurion)")
+        ->type_name("NAMES");
+    command.add_option("--ground", a.area, "The walkable area: WKT, JuPedSim, Menge or Vadere (docs/trajectories.md)")
+        ->type_name("FILE");
+}
+
+clq_trajectories_def reading_of(const TrackArguments &a)
+{
+    clq_trajectories_def def = clq_trajectories_def_init();
+    def.columns = a.columns.empty() ? nullptr : a.columns.c_str();
+    if (!a.columns.empty()) def.format = CLQ_TRAJECTORY_TABLE;
+    def.rate_hz = a.rate_hz;
+    def.metres_per_unit = metres_of(a.unit);
+    def.up = a.up == "y" ? CLQ_UP_Y : a.up == "z" ? CLQ_UP_Z : CLQ_UP_OF_FILE;
+    def.max_speed_m_s = a.max_speed_m_s;
+    def.vehicles = a.vehicles;
+    return def;
+}
+
+scenes::walkers::Options walkers_of(const TrackArguments &a)
+{
+    scenes::walkers::Options options;
+    options.file = a.file;
+    options.reading = reading_of(a);
+    options.columns = a.columns;
+    std::stringstream names(a.characters);
+    for (std::string name; std::getline(names, name, ',');)
+        if (!name.empty()) options.characters.push_back(name);
+    options.area = a.area;
+    if (a.camera.rfind("follow:", 0) == 0) options.follow = a.camera.substr(7);
+    return options;
+}
+
+}  // namespace cli

@@ -1,0 +1,25 @@
+// The options by which commands read trajectories (docs/trajectories.md) and show the people in them (docs/tracks.md).
+#pragma once
+
+#include "samples/cli/scene_arguments.h"
+#include "samples/scenes/walkers/walkers.h"
+
+namespace cli
+{
+
+struct TrackArguments {
+    std::string file, columns, unit, up, picture, area, characters, camera;
+    double rate_hz = 0, max_speed_m_s = 12;
+    bool vehicles = false;
+};
+
+// --columns, --rate, --unit, --up, --max-speed, --vehicles: how a file is read.
+void add_reading_options(CLI::App &command, TrackArguments &arguments);
+// --characters, --ground: who walks, and on what.
+void add_walking_options(CLI::App &command, TrackArguments &arguments);
+
+// `columns` must live as long as the result.
+clq_trajectories_def reading_of(const TrackArguments &arguments);
+scenes::walkers::Options walkers_of(const TrackArguments &arguments);
+
+}  // namespace cli

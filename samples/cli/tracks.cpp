@@ -1,0 +1,165 @@
+// claque tracks: who was where in a file of trajectories, how claque shows it, and a plan of the paths.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/plot.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/track_arguments.h"
+#include "samples/cli/tracks_report.h"
+
+namespace cli
+{
+namespace
+{
+
+using scenes::check;
+
+// Speeds between the samples a quarter of a second before and after each, or the neighbours where they are farther.
+std::vector<double> speeds_of(const clq_trajectories *trajectories, uint32_t person_count)
+{
+    const clq_trajectory_sample *all = clq_trajectories_get_samples(trajectories);
+    std::vector<double> speeds;
+    for (uint32_t p = 0; p < person_count; ++p) {
+        clq_trajectory_person person = clq_trajectory_person_init();
+        check(clq_trajectories_get_person(trajectories, p, &person));
+        const clq_trajectory_sample *own = all + person.first_sample;
+        const uint64_t count = person.sample_count;
+        for (uint64_t i = 0, first = 0, last = 0; i < count && count > 1; ++i) {
+            while (first < i && own[first].time_s < own[i].time_s - 0.25) ++first;
+            while (last + 1 < count && own[last + 1].time_s <= own[i].time_s + 0.25) ++last;
+            const uint64_t a = first < i ? first : i > 0 ? i - 1 : 0, b = last > i ? last : std::min(count - 1, i + 1);
+            const double x = own[b].x - own[a].x, y = own[b].y - own[a].y;
+            speeds.push_back(std::sqrt(x * x + y * y) / (own[b].time_s - own[a].time_s));
+        }
+    }
+    std::sort(speeds.begin(), speeds.end());
+    return speeds;
+}
+
+double at_share(const std::vector<double> &sorted, double share)
+{
+    return sorted.empty() ? 0 : sorted[std::min(sorted.size() - 1, size_t(share * double(sorted.size())))];
+}
+
+TracksReport report_of(const Tracks &tracks, const std::string &file)
+{
+    TracksReport r;
+    r.file = file;
+    const clq_trajectories *trajectories = tracks.trajectories.get();
+    check(clq_trajectories_get_info(trajectories, &r.info));
+    const std::vector<double> speeds = speeds_of(trajectories, r.info.person_count);
+    r.median_m_s = at_share(speeds, 0.5), r.fast_m_s = at_share(speeds, 0.99);
+    r.fastest_m_s = speeds.empty() ? 0 : speeds.back();
+    r.slow_share = speeds.empty() ? 0
+                                  : double(std::lower_bound(speeds.begin(), speeds.end(), 0.1) - speeds.begin()) /
+                                        double(speeds.size());
+    double seconds = 0, standing = 0;
+    for (const scenes::walkers::Person &person : tracks.people) {
+        clq_track_info info = clq_track_info_init();
+        check(clq_track_get_info(person.track.get(), &info));
+        seconds += info.end_s - info.start_s, standing += info.standing_s;
+        r.distance_m += info.distance_m;
+        r.mean_shift_m += info.mean_shift_m / double(tracks.people.size());
+        r.max_shift_m = std::max(r.max_shift_m, info.max_shift_m);
+        r.plants += info.plant_count, r.bytes += info.bytes;
+    }
+    r.standing_share = seconds > 0 ? standing / seconds : 0;
+    for (uint32_t i = 0; i < r.info.warning_count; ++i)
+        r.warnings.emplace_back(clq_trajectories_get_warning(trajectories, i));
+    return r;
+}
+
+void print(const TracksReport &r)
+{
+    const auto line = [](const char *what, const std::string &value) {
+        std::printf("%-16s %s\n", what, value.c_str());
+    };
+    char text[240];
+    std::snprintf(text, sizeof text, "%u, at most %u at once (%.2f s)", r.info.person_count, r.info.most_at_once,
+                  r.info.most_at_once_s - r.info.min_s);
+    line("people", text);
+    std::snprintf(text, sizeof text, "%.2f s, %.4g s between samples, %llu samples", r.info.max_s - r.info.min_s,
+                  r.info.step_s, static_cast<unsigned long long>(r.info.sample_count));
+    line("length", text);
+    std::snprintf(text, sizeof text, "%.2f x %.2f m, x %.2f to %.2f, y %.2f to %.2f",
+                  r.info.box_max_m[0] - r.info.box_min_m[0], r.info.box_max_m[1] - r.info.box_min_m[1],
+                  r.info.box_min_m[0], r.info.box_max_m[0], r.info.box_min_m[1], r.info.box_max_m[1]);
+    line("extent", text);
+    std::snprintf(text, sizeof text, "median %.2f, 99 of 100 below %.2f, fastest %.2f m/s; %.1f %% below 0.1 m/s",
+                  r.median_m_s, r.fast_m_s, r.fastest_m_s, 100 * r.slow_share);
+    line("speed", text);
+    line("headings", r.info.has_headings ? "from the file" : "along the paths");
+    std::snprintf(text, sizeof text,
+                  "%.0f m in %llu steps, standing %.1f %% of the time, %.3f m from the file in the mean, %.3f at most",
+                  r.distance_m, static_cast<unsigned long long>(r.plants), 100 * r.standing_share, r.mean_shift_m,
+                  r.max_shift_m);
+    line("shown", text);
+    for (const std::string &warning : r.warnings) line("warning", warning);
+}
+
+Json json_of(const TracksReport &r)
+{
+    Json out;
+    out["file"] = r.file;
+    out["people"] = r.info.person_count, out["most_at_once"] = r.info.most_at_once;
+    out["samples"] = r.info.sample_count, out["length_s"] = r.info.max_s - r.info.min_s;
+    out["step_s"] = r.info.step_s;
+    out["box_m"] = {r.info.box_min_m[0], r.info.box_min_m[1], r.info.box_max_m[0], r.info.box_max_m[1]};
+    out["speed_m_s"] = {{"median", r.median_m_s}, {"p99", r.fast_m_s}, {"max", r.fastest_m_s}};
+    out["slow_share"] = r.slow_share;
+    out["has_headings"] = r.info.has_headings;
+    out["shown"] = {{"distance_m", r.distance_m},         {"steps", r.plants},
+                    {"standing_share", r.standing_share}, {"mean_shift_m", r.mean_shift_m},
+                    {"max_shift_m", r.max_shift_m},       {"bytes", r.bytes}};
+    out["warnings"] = r.warnings;
+    return out;
+}
+
+struct Arguments {
+    TrackArguments tracks;
+    std::string plot, json;
+    uint64_t seed = 1;
+};
+
+void run(const Arguments &a)
+{
+    Progress progress("claque");
+    if (!a.plot.empty()) expect_writable(a.plot);
+    if (!a.json.empty()) expect_writable(a.json);
+    scenes::Library library(1);
+    const scenes::walkers::Options options = walkers_of(a.tracks);
+    Tracks tracks;
+    progress.phase("reading");
+    tracks.trajectories = scenes::walkers::load(library, options);
+    tracks.plan = scenes::walkers::plan_of(tracks.trajectories.get());
+    std::vector<scenes::walkers::Member> cast;
+    for (const std::string &name :
+         options.characters.empty() ? std::vector<std::string>{"citizen"} : options.characters)
+        cast.push_back(scenes::walkers::cast(library, name, scenes::Lod::off));
+    tracks.people = scenes::walkers::tracks_of(tracks.trajectories.get(), tracks.plan, cast, a.seed,
+                                               [&](size_t done, size_t of) { progress.step(done, of); });
+    const TracksReport report = report_of(tracks, a.tracks.file);
+    if (!a.plot.empty()) write_chart(a.plot, plan_drawing(tracks, report));
+    if (!a.json.empty()) write_whole(a.json, json_of(report).dump(2) + "\n");
+    if (a.json != "-" && a.plot != "-") print(report);
+}
+
+}  // namespace
+
+void add_tracks(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<Arguments>();
+    CLI::App *c = app.add_subcommand("tracks", "Tell what is in a file of trajectories, and draw a plan of the paths");
+    c->add_option("FILE", a->tracks.file, "Trajectories: docs/trajectories.md lists the formats")->required();
+    add_reading_options(*c, a->tracks);
+    c->add_option("--characters", a->tracks.characters, "Who walks (default citizen)")->type_name("NAMES");
+    c->add_option("--seed", a->seed, "Seed of sizes and idle clips")->capture_default_str();
+    c->add_option("--plot", a->plot, "Write the plan as SVG or PNG; - is standard output")->check(chart_file);
+    c->add_option("--json", a->json, "Write the report as JSON; - is standard output");
+    c->callback([a, &chosen] { chosen = [a] { run(*a); }; });
+}
+
+}  // namespace cli

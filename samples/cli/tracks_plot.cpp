@@ -1,0 +1,101 @@
+// The plan of `claque tracks`.
+#include <algorithm>
+#include <cmath>
+
+#include "samples/charts/frame.h"
+#include "samples/cli/tracks_report.h"
+
+namespace cli
+{
+namespace
+{
+
+using charts::Ink;
+using charts::Line;
+using charts::Paint;
+
+constexpr double max_height_px = 900, step_s = 0.2;
+constexpr size_t max_points = 200000;  // of all paths: a drawing that browsers still show
+
+// Metres of the file to pixels: north is up.
+struct PlanScale {
+    double x0, y1, pixels, left, top;
+    charts::Point at(double x, double y) const { return {left + (x - x0) * pixels, top + (y1 - y) * pixels}; }
+};
+
+// A round length that is about a sixth of the sheet.
+double bar_length(double metres)
+{
+    const double wanted = metres / 6, ten = std::pow(10, std::floor(std::log10(wanted)));
+    return wanted / ten >= 5 ? 5 * ten : wanted / ten >= 2 ? 2 * ten : ten;
+}
+
+void add_given(charts::Sheet &sheet, const Tracks &tracks, const PlanScale &scale, uint64_t sample_count)
+{
+    const clq_trajectory_sample *samples = clq_trajectories_get_samples(tracks.trajectories.get());
+    const uint64_t every = sample_count / max_points + 1;
+    for (uint32_t p = 0; p < tracks.people.size(); ++p) {
+        clq_trajectory_person person = clq_trajectory_person_init();
+        scenes::check(clq_trajectories_get_person(tracks.trajectories.get(), p, &person));
+        Line line{{}, {Ink::grid, 0}, 2.5};
+        for (uint64_t i = 0; i < person.sample_count; i += every) {
+            const clq_trajectory_sample &sample = samples[person.first_sample + i];
+            line.points.push_back(scale.at(sample.x, sample.y));
+        }
+        if (line.points.size() > 1) sheet.add(std::move(line));
+    }
+}
+
+void add_shown(charts::Sheet &sheet, const Tracks &tracks, const PlanScale &scale, double seconds)
+{
+    const double step = std::max(step_s, seconds / max_points);
+    for (size_t p = 0; p < tracks.people.size(); ++p) {
+        const scenes::walkers::Person &person = tracks.people[p];
+        const Paint paint = charts::series(1 + p % (charts::series_colours - 1));
+        Line line{{}, paint, 1};
+        bool stood = false;
+        for (double t = person.start_s;; t += step) {
+            const double at_s = std::min(t, person.end_s);
+            clq_track_state state;
+            scenes::check(clq_track_evaluate(person.track.get(), at_s, &state));
+            const charts::Point at = scale.at(state.position[0] + tracks.plan.x, tracks.plan.y - state.position[2]);
+            if (!state.stands || !stood) line.points.push_back(at);
+            if (state.stands && !stood) sheet.add(charts::Dot{at, 2.2, paint});
+            stood = state.stands;
+            if (at_s >= person.end_s) break;
+        }
+        if (line.points.size() > 1) sheet.add(std::move(line));
+    }
+}
+
+}  // namespace
+
+charts::Drawing plan_drawing(const Tracks &tracks, const TracksReport &report)
+{
+    charts::Sheet sheet(64);
+    const double width = std::max(1.0, report.info.box_max_m[0] - report.info.box_min_m[0]);
+    const double height = std::max(1.0, report.info.box_max_m[1] - report.info.box_min_m[1]);
+    char about[160];
+    std::snprintf(about, sizeof about, "%u people in %.1f s, seen from above; a dot is a place where a person stands",
+                  report.info.person_count, report.info.max_s - report.info.min_s);
+    sheet.head(report.file, about);
+    sheet.legend({{"as the file has it", {Ink::grid, 0}, charts::Fill::solid, charts::Dash::solid, 2.5},
+                  {"as claque shows it", charts::series(1), charts::Fill::solid, charts::Dash::solid, 1}});
+    const double pixels = std::min((sheet.right - sheet.left) / width, max_height_px / height);
+    const double left = sheet.left + (sheet.right - sheet.left - width * pixels) / 2;
+    const PlanScale scale{report.info.box_min_m[0], report.info.box_max_m[1], pixels, left, sheet.y + 12};
+    double seconds = 0;
+    for (const scenes::walkers::Person &person : tracks.people) seconds += person.end_s - person.start_s;
+    add_given(sheet, tracks, scale, report.info.sample_count);
+    add_shown(sheet, tracks, scale, seconds);
+    sheet.y += 12 + height * pixels + 24;
+    const double bar = bar_length(width);
+    char length[40];
+    std::snprintf(length, sizeof length, "%g m", bar);
+    sheet.add(Line{{{left, sheet.y}, {left + bar * pixels, sheet.y}}, {Ink::text, 0}, 2});
+    sheet.add(charts::Label{{left, sheet.y + 18}, length, charts::Face::detail});
+    sheet.y += 30;
+    return sheet.finish("Paths of the people in " + report.file);
+}
+
+}  // namespace cli

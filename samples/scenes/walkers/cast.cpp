@@ -1,0 +1,100 @@
+#include "samples/scenes/walkers/cast.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace scenes::walkers
+{
+
+namespace
+{
+
+constexpr double person_m = 1.75;
+
+std::string lower(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string name_of(const clq_template *tmpl, uint32_t clip)
+{
+    clq_clip_info info = clq_clip_info_init();
+    check(clq_template_get_clip(tmpl, clip, &info));
+    return info.name ? info.name : "";
+}
+
+// "Armature|Walk" and "Walking_A" begin with the word after a separator.
+bool is_word(const std::string &name, const std::string &word)
+{
+    const size_t bar = name.find_last_of("|:");
+    return lower(bar == std::string::npos ? name : name.substr(bar + 1)) == word;
+}
+
+std::string clip_names(const clq_template *tmpl, uint32_t count)
+{
+    std::string names;
+    for (uint32_t i = 0; i < count; ++i) names += (i ? ", " : "") + name_of(tmpl, i);
+    return names.empty() ? "none" : names;
+}
+
+// The height of a character that stands: of its nodes' highest place over its lowest, and a little for the head.
+double height_of(const clq_template_info &info) { return static_cast<double>(info.sklsroot_centre[1]) * 2; }
+
+OwnLocomotion locomotion_of(Library &library, const Member &member, const clq_template_info &info)
+{
+    clq_locomotion_def def = clq_locomotion_def_init();
+    def.tmpl = member.tmpl;
+    def.walk = find_clip(member.tmpl, {"walk", "walking", "walking_a", "walk_loop"});
+    def.run = find_clip(member.tmpl, {"jog", "run", "running", "running_a", "run_loop"});
+    std::vector<uint32_t> idles;
+    for (const char *word :
+         {"stand", "stand_look", "stand_shift", "idle", "idle_neutral", "idle_loop", "unarmed_idle"}) {
+        const uint32_t clip = find_clip(member.tmpl, {word});
+        if (clip != CLQ_NONE && idles.size() < 4) idles.push_back(clip);
+    }
+    if (def.walk == CLQ_NONE)
+        throw Failure("the character " + member.name +
+                      " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));
+    def.idles = idles.data(), def.idle_count = static_cast<uint32_t>(idles.size());
+    clq_locomotion *made = nullptr;
+    check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.name);
+    return OwnLocomotion(made);
+}
+
+}  // namespace
+
+uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words)
+{
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(tmpl, &info));
+    for (const std::string &word : words)
+        for (uint32_t i = 0; i < info.clip_count; ++i)
+            if (is_word(name_of(tmpl, i), word)) return i;
+    return CLQ_NONE;
+}
+
+Member cast(Library &library, const std::string &character, Lod lod)
+{
+    Member member;
+    member.name = character;
+    if (character.find_first_of("./") == std::string::npos) {
+        member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
+    } else {
+        clq_asset *asset = nullptr;
+        check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset), character);
+        const Own<clq_asset> held(asset);
+        clq_template *made = nullptr;
+        check(clq_asset_build(library.context(), asset, 0, &made), character);
+        member.own.reset(made);
+        member.tmpl = made;
+    }
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(member.tmpl, &info));
+    if (member.own && height_of(info) > 0) member.scale = person_m / height_of(info);
+    member.locomotion = locomotion_of(library, member, info);
+    return member;
+}
+
+}  // namespace scenes::walkers

@@ -1,0 +1,35 @@
+// The characters of a scene of walkers: templates with their locomotion.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "samples/scenes/check.h"
+#include "samples/scenes/library.h"
+#include "samples/scenes/scene_crowd.h"
+
+namespace scenes::walkers
+{
+
+struct DestroyWalk {
+    void operator()(clq_locomotion *p) const { clq_locomotion_destroy(p); }
+    void operator()(clq_track *p) const { clq_track_destroy(p); }
+};
+using OwnLocomotion = std::unique_ptr<clq_locomotion, DestroyWalk>;
+using OwnTrack = std::unique_ptr<clq_track, DestroyWalk>;
+
+struct Member {
+    std::string name;
+    Own<clq_template> own;  // of a file; built-in people belong to the library
+    clq_template *tmpl = nullptr;
+    OwnLocomotion locomotion;
+    double scale = 1;  // to the size of a person
+};
+
+// The clip whose name is one of these words, alone or after a separator, whatever the case; CLQ_NONE: there is none.
+uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words);
+
+// Throws Failure with the names of the clips that a character lacks.
+Member cast(Library &library, const std::string &character, Lod lod);
+
+}  // namespace scenes::walkers

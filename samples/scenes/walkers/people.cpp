@@ -1,0 +1,93 @@
+#include "samples/scenes/walkers/people.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samples/scenes/random.h"
+
+namespace scenes::walkers
+{
+
+namespace
+{
+
+constexpr float quarter_turn = 1.57079632679489662f;
+
+std::vector<clq_track_point> points_of(const clq_trajectory_person &person, const clq_trajectory_sample *samples,
+                                       const Plan &plan)
+{
+    std::vector<clq_track_point> points;
+    points.reserve(person.sample_count);
+    for (uint64_t i = person.first_sample; i < person.first_sample + person.sample_count; ++i) {
+        const clq_trajectory_sample &sample = samples[i];
+        clq_track_point point = {};
+        point.time_s = sample.time_s - plan.start_s;
+        plan.to_scene(sample.x, sample.y, sample.z, point.position);
+        point.heading_rad = sample.heading_rad + quarter_turn;  // NaN stays NaN
+        points.push_back(point);
+    }
+    return points;
+}
+
+}  // namespace
+
+OwnTrajectories load(Library &library, const Options &options)
+{
+    clq_trajectories_def def = options.reading;
+    def.columns = options.columns.empty() ? nullptr : options.columns.c_str();
+    clq_trajectories *made = nullptr;
+    check(clq_trajectories_load(library.context(), options.file.c_str(), &def, &made), options.file);
+    OwnTrajectories out(made);
+    clq_trajectories_info info = clq_trajectories_info_init();
+    check(clq_trajectories_get_info(made, &info));
+    if (info.person_count == 0) throw Failure(options.file + ": nobody is in it");
+    return out;
+}
+
+Plan plan_of(const clq_trajectories *trajectories)
+{
+    clq_trajectories_info info = clq_trajectories_info_init();
+    check(clq_trajectories_get_info(trajectories, &info));
+    Plan plan;
+    // Whole metres, so that the scene's coordinates are the file's but for an offset that people can read.
+    plan.x = std::floor((info.box_min_m[0] + info.box_max_m[0]) / 2);
+    plan.y = std::floor((info.box_min_m[1] + info.box_max_m[1]) / 2);
+    plan.z = info.box_min_m[2];
+    plan.start_s = info.min_s, plan.end_s = info.max_s;
+    plan.half_x = std::max(1.0, (info.box_max_m[0] - info.box_min_m[0]) / 2);
+    plan.half_z = std::max(1.0, (info.box_max_m[1] - info.box_min_m[1]) / 2);
+    return plan;
+}
+
+std::vector<Person> tracks_of(const clq_trajectories *trajectories, const Plan &plan, const std::vector<Member> &cast,
+                              uint64_t seed, const std::function<void(size_t, size_t)> &progress)
+{
+    clq_trajectories_info info = clq_trajectories_info_init();
+    check(clq_trajectories_get_info(trajectories, &info));
+    const clq_trajectory_sample *samples = clq_trajectories_get_samples(trajectories);
+    std::vector<Person> people;
+    for (uint32_t i = 0; i < info.person_count; ++i) {
+        clq_trajectory_person found = clq_trajectory_person_init();
+        check(clq_trajectories_get_person(trajectories, i, &found));
+        Person person;
+        person.id = found.id;
+        person.member = std::min(cast.size() - 1, static_cast<size_t>(random_unit(seed, i, Purpose::clip) *
+                                                                      static_cast<double>(cast.size())));
+        const Member &member = cast[person.member];
+        person.scale = member.scale * random_between(seed, i, Purpose::size, 0.95, 1.05);
+        const std::vector<clq_track_point> points = points_of(found, samples, plan);
+        clq_track_def def = clq_track_def_init();
+        def.points = points.data(), def.point_count = static_cast<uint32_t>(points.size());
+        def.scale = static_cast<float>(person.scale);
+        def.seed = random_bits(seed, i, Purpose::act);
+        clq_track *made = nullptr;
+        check(clq_track_create(member.locomotion.get(), &def, &made), "person " + person.id);
+        person.track.reset(made);
+        person.start_s = points.front().time_s, person.end_s = points.back().time_s;
+        people.push_back(std::move(person));
+        progress(i + 1, info.person_count);
+    }
+    return people;
+}
+
+}  // namespace scenes::walkers

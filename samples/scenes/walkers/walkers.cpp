@@ -1,0 +1,163 @@
+#include "samples/scenes/walkers/walkers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "samples/scenes/light.h"
+#include "samples/scenes/random.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/sky.h"
+#include "samples/scenes/stone.h"
+#include "samples/scenes/walkers/ground.h"
+
+namespace scenes::walkers
+{
+
+namespace
+{
+
+constexpr float person_height_m = 1.75f, shadow_width_m = 0.95f;
+const char *const people_of_rome[] = {"citizen", "patrician", "plebeian", "decurion"};
+
+class Walkers final : public Scene
+{
+public:
+    Walkers(Library &library, const CrowdOptions &crowd_options, const Options &options)
+        : scene_crowd_(library, crowd_options), sky_(crowd_options.seed, Sky::Land::hills), ground_(flagstone_metres)
+    {
+        const OwnTrajectories trajectories = load(library, options);
+        plan_ = plan_of(trajectories.get());
+        std::vector<std::string> names = options.characters;
+        if (names.empty()) names.assign(std::begin(people_of_rome), std::end(people_of_rome));
+        for (const std::string &name : names) cast_.push_back(walkers::cast(library, name, crowd_options.lod));
+        people_ = tracks_of(trajectories.get(), plan_, cast_, crowd_options.seed, options.progress);
+        for (const Person &person : people_) enter(person);
+        lay(library, options.area, plan_, ground_);
+        seed_ = crowd_options.seed;
+        if (!options.follow.empty()) followed_ = find(options.follow);
+    }
+
+    clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
+    std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
+    std::vector<clq_template *> templates() const override
+    {
+        std::vector<clq_template *> out;
+        for (const Member &member : cast_) out.push_back(member.tmpl);
+        return out;
+    }
+
+    clq_camera camera(Shot shot, double aspect, double time_s) const override
+    {
+        if (followed_) return behind(people_[*followed_], time_s, aspect);
+        const double far = 400 + 6 * std::max(plan_.half_x, plan_.half_z);
+        if (shot == Shot::close) {
+            const double z = plan_.half_z + 3;
+            return look({0, 1.62, z}, {0, 1.2, z - 6}, 50, aspect, 0.2, far);
+        }
+        // From the south, so high that the people fill the picture.
+        const double reach = std::max(plan_.half_x / aspect * 1.25, plan_.half_z * 0.9) + 1.5;
+        return look({0, 1.15 * reach, plan_.half_z * 0.35 + 1.9 * reach}, {0, 0.4, plan_.half_z * 0.12}, 40, aspect,
+                    0.5, far);
+    }
+
+    void place(double time_s) override
+    {
+        places_.clear();
+        for (const Person &person : people_) {
+            if (time_s < person.start_s || time_s > person.end_s) continue;
+            clq_track_state state;
+            check(clq_track_evaluate(person.track.get(), time_s, &state));
+            clq_transform place = clq_transform_init();
+            std::copy(state.position, state.position + 3, place.position);
+            place.scale = static_cast<float>(person.scale / cast_[person.member].scale);
+            places_.push_back(place);
+        }
+    }
+
+    bool take_shadows(clq_shadow_def &def) override
+    {
+        paints_people_ = false;
+        def = shadows_in(light_);
+        return true;
+    }
+
+    void prepare(const Gl &gl) override
+    {
+        flagstones_.emplace(gl, flagstones(seed_), true);
+        plaster_.emplace(gl, plaster(seed_), true);
+        shadows_.prepare(gl);
+    }
+
+    void draw_environment(const Gl &g, const Eye &eye) const override
+    {
+        sky_.draw(g, eye);
+        set_lights(g, light_, eye);
+        g.Disable(gl::texture_2d);
+        ground_.around.draw(g);
+        flagstones_->use();
+        ground_.paving.draw(g);
+        g.Enable(gl::cull_face);
+        plaster_->use();
+        ground_.walls.draw(g);
+        if (paints_people_) shadows_.cast(places_, light_.to_sun, person_height_m, shadow_width_m);
+        shadows_.draw(g);
+    }
+
+private:
+    void enter(const Person &person)
+    {
+        clq_transform place = clq_transform_init();
+        place.scale = static_cast<float>(person.scale);
+        scene_crowd_.enter({cast_[person.member].tmpl, place, clq_play_init()});
+        check(clq_actor_follow_track(scene_crowd_.crowd(), scene_crowd_.actors().back(), person.track.get(), 0));
+    }
+
+    size_t find(const std::string &id) const
+    {
+        for (size_t i = 0; i < people_.size(); ++i)
+            if (people_[i].id == id) return i;
+        throw Failure("nobody has the id " + id + " that the camera is to follow; the first is " + people_.front().id);
+    }
+
+    // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not
+    // jerk.
+    clq_camera behind(const Person &person, double time_s, double aspect) const
+    {
+        const double t = std::clamp(time_s, person.start_s, person.end_s);
+        clq_track_state state;
+        double x = 0, z = 0;
+        for (int k = -10; k <= 10; ++k) {
+            check(clq_track_evaluate(person.track.get(), t + 0.1 * k, &state));
+            x += std::sin(state.heading_rad), z += std::cos(state.heading_rad);
+        }
+        check(clq_track_evaluate(person.track.get(), t, &state));
+        const double size = std::sqrt(x * x + z * z), dx = size > 0 ? x / size : 0, dz = size > 0 ? z / size : 1;
+        const double *p = state.position;
+        return look({p[0] - 3.2 * dx + 1.2 * dz, p[1] + 1.9, p[2] - 3.2 * dz - 1.2 * dx},
+                    {p[0] + 1.5 * dx, p[1] + 0.95, p[2] + 1.5 * dz}, 48, aspect, 0.2, 400);
+    }
+
+    Plan plan_;
+    std::vector<Member> cast_;
+    std::vector<Person> people_;
+    SceneCrowd scene_crowd_;
+    Daylight light_;
+    Sky sky_;
+    Ground ground_;
+    uint64_t seed_ = 1;
+    std::optional<size_t> followed_;
+    std::vector<clq_transform> places_;
+    bool paints_people_ = true;
+    std::optional<Texture> flagstones_, plaster_;
+    mutable Shadows shadows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make(Library &library, const CrowdOptions &crowd_options, const Options &options)
+{
+    return std::make_unique<Walkers>(library, crowd_options, options);
+}
+
+}  // namespace scenes::walkers
