@@ -34,7 +34,7 @@ bool is_vertex_format(const BenchArguments &a) { return a.subject == "vertex_for
 bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
 bool has_no_scene(const BenchArguments &a)
 {
-    return is_growth(a) || is_vertex_format(a) || is_of_key_poses(a) || is_of_readers(a);
+    return is_growth(a) || is_vertex_format(a) || is_of_key_poses(a) || is_of_readers(a) || is_of_tracks(a);
 }
 
 void bench(const BenchArguments &a)
@@ -46,6 +46,7 @@ void bench(const BenchArguments &a)
                         : is_vertex_format(a) ? bench_vertex_format(a)
                         : is_of_key_poses(a)  ? bench_key_poses(a)
                         : is_of_readers(a)    ? bench_readers(a)
+                        : is_of_tracks(a)     ? bench_tracks(a)
                         : is_of_shadows(a)    ? bench_shadows(a)
                         : along_path          ? bench_along_path(a)
                         : of_actors(a)        ? bench_actors(a)
@@ -58,6 +59,7 @@ void bench(const BenchArguments &a)
     else if (is_vertex_format(a)) print_vertex_format(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
     else if (is_of_readers(a)) print_readers(report);
+    else if (is_of_tracks(a)) print_tracks(report);
     else if (is_of_shadows(a)) print_shadows(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
@@ -101,7 +103,9 @@ void add_bench(CLI::App &app, Work &chosen)
          "SCENE", a->subject,
          "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
          "--flush 16384); a character's file; growth: updates of 1000 to 100 000 actors; vertex_format: packed "
-         "vertices against floats; readers: how the time of reading grows with the counts in a file; or shared "
+         "vertices against floats; readers: how the time of reading grows with the counts in a file; tracks: people "
+         "who walk on tracks against "
+         "people in place; or shared "
          "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
         ->required();
     CLI::Option *count =
@@ -158,6 +162,7 @@ void add_bench(CLI::App &app, Work &chosen)
         if (a->subject == "ten_thousand" && count->count() == 0) a->counts = {100, 1000, 10000, 20000};
         if (a->subject == "ten_thousand" && !is_of_shadows(*a)) prefer_speed(*c, *a);
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
+        if (is_of_tracks(*a) && count->count() == 0) a->counts = {1000, 10000};
         if (is_of_key_poses(*a) && count->count() == 0) a->counts = {a->subject == "keypose-script" ? 2500u : 10000u};
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())

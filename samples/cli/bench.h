@@ -48,6 +48,11 @@ Json bench_key_poses(const BenchArguments &arguments);
 void print_key_poses(const Json &report);
 std::string markdown_of_key_poses(const Json &report);
 
+// People on tracks against the same people in place (docs/tracks.md).
+bool is_of_tracks(const BenchArguments &arguments);
+Json bench_tracks(const BenchArguments &arguments);
+void print_tracks(const Json &report);
+
 // Kinds of shadows on the ground.
 Json bench_shadows(const BenchArguments &arguments);
 void print_shadows(const Json &report);

@@ -11,7 +11,8 @@ from .crowd import Actor, Crowd, View
 from .offscreen import Offscreen
 from .renderer import Renderer
 from .template import Template
+from .tracks import Locomotion, Track, Tracks
 from .trajectories import Area, Trajectories
 
-__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Offscreen", "Renderer", "Status", "Template", "Trajectories",
-           "View", "library_paths"]
+__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Renderer", "Status", "Template",
+           "Track", "Tracks", "Trajectories", "View", "library_paths"]

@@ -39,6 +39,14 @@ class Actor:
     def set_texture_set(self, texture_set=abi.RANDOM):
         abi.call("clq_actor_set_texture_set", self.crowd.handle, self.id, c_uint32(texture_set))
 
+    def follow(self, track, start_s=0.0):
+        """Follows a track, whose time 0 is at start_s of the crowd's clock."""
+        abi.call("clq_actor_follow_track", self.crowd.handle, self.id, track.handle, c_double(start_s))
+
+    def leave_track(self, at_s):
+        """Stays where its track has it at a time."""
+        abi.call("clq_actor_leave_track", self.crowd.handle, self.id, c_double(at_s))
+
     def remove(self):
         abi.call("clq_actor_destroy", self.crowd.handle, self.id)
 

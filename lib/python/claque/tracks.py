@@ -1,0 +1,117 @@
+"""People who walk where arrays say that they were (claque/track.h)."""
+
+from ctypes import POINTER, byref, c_double, c_uint32, cast
+
+import numpy
+
+from . import abi, abi_tracks
+from .owner import Owned, made
+
+POINT = numpy.dtype([("time_s", "f8"), ("position", "f8", 3), ("heading_rad", "f4")], align=True)
+
+
+class Locomotion(Owned):
+    """The clips that a template stands, walks and runs with, by name; measured once."""
+
+    _destroy = "clq_locomotion_destroy"
+
+    def __init__(self, template, walk="walk", run=None, idles=()):
+        definition = abi_tracks.LocomotionDef(tmpl=template.handle, walk=template.clip(walk),
+                                       run=abi.NONE if run is None else template.clip(run))
+        idles = (c_uint32 * len(idles))(*[template.clip(name) for name in idles])
+        definition.idle_count, definition.idles = len(idles), cast(idles, POINTER(c_uint32))
+        for leg in definition.legs:
+            leg.thigh = leg.shin = leg.foot = leg.toes = abi.NONE
+        context = template._held[0]
+        super().__init__(made("clq_locomotion_create", abi.call, context.handle, byref(definition)), template)
+        self.template = template
+
+    @property
+    def info(self):
+        """The clq_locomotion_info."""
+        out = abi_tracks.LocomotionInfo()
+        abi.call("clq_locomotion_get_info", self.handle, byref(out))
+        return out
+
+
+class Track(Owned):
+    """The path of one actor. points: (n, 3), y up, in world units; headings: radians about y, NaN where unknown."""
+
+    _destroy = "clq_track_destroy"
+
+    def __init__(self, locomotion, times_s, points, headings=None, smooth_s=1.1, metres_per_unit=1.0, scale=1.0, seed=0):
+        times_s, points = numpy.asarray(times_s, float), numpy.asarray(points, float)
+        if times_s.ndim != 1 or points.shape != (len(times_s), 3):
+            raise ValueError(f"times of shape {times_s.shape} and points of shape {points.shape}: (n,) and (n, 3) are wanted")
+        own = numpy.zeros(len(times_s), POINT)
+        own["time_s"], own["position"] = times_s, points
+        own["heading_rad"] = numpy.nan if headings is None else headings
+        definition = abi_tracks.TrackDef(point_count=len(own), points=own.ctypes.data, smooth_s=smooth_s,
+                                  metres_per_unit=metres_per_unit, scale=scale, seed=seed)
+        super().__init__(made("clq_track_create", abi.call, locomotion.handle, byref(definition)), locomotion)
+
+    @property
+    def info(self):
+        """The clq_track_info."""
+        out = abi_tracks.TrackInfo()
+        abi.call("clq_track_get_info", self.handle, byref(out))
+        return out
+
+    def at(self, time_s):
+        """The clq_track_state at a time."""
+        out = abi_tracks.TrackState()
+        abi.call("clq_track_evaluate", self.handle, c_double(time_s), byref(out))
+        return out
+
+
+class Tracks:
+    """One track for each person of arrays with one row a sample: `ids` and `tracks`, in the order of first rows."""
+
+    def __init__(self, ids, tracks):
+        self.ids, self.tracks = list(ids), list(tracks)
+
+    @classmethod
+    def from_numpy(cls, locomotion, ids, times_s, xy, headings=None, **options):
+        """xy: (n, 2), metres to the east and north, or (n, 3) with the height; headings: radians counter-clockwise from
+        the east. In the crowd x is east, y up, and z south. Rows may stand in any order. `options`: as for Track."""
+        ids, times_s, xy = numpy.asarray(ids), numpy.asarray(times_s, float), numpy.asarray(xy, float)
+        if ids.shape != times_s.shape or ids.ndim != 1 or xy.ndim != 2 or len(xy) != len(ids) or xy.shape[1] not in (2, 3):
+            raise ValueError(f"ids, times and positions of shapes {ids.shape}, {times_s.shape} and {xy.shape}: (n,), (n,) "
+                             "and (n, 2) or (n, 3) are wanted")
+        points = numpy.zeros((len(ids), 3))
+        points[:, 0], points[:, 2] = xy[:, 0], -xy[:, 1]
+        if xy.shape[1] == 3:
+            points[:, 1] = xy[:, 2]
+        if headings is not None:
+            headings = numpy.asarray(headings, float) + numpy.pi / 2
+        order = numpy.argsort(times_s, kind="stable")
+        names, first = numpy.unique(ids, return_index=True)
+        names = names[numpy.argsort(first)]
+        tracks = []
+        for number, name in enumerate(names):
+            rows = order[ids[order] == name]
+            own = None if headings is None else headings[rows]
+            tracks.append(Track(locomotion, times_s[rows], points[rows], own, **{"seed": number, **options}))
+        return cls(names.tolist(), tracks)
+
+    @classmethod
+    def from_trajectories(cls, locomotion, trajectories, **options):
+        """Of the people of claque.Trajectories."""
+        samples = trajectories.samples
+        names = numpy.concatenate([numpy.full(len(own), i) for i, (_, own) in enumerate(trajectories.people)])
+        xyz = numpy.stack([samples["x"], samples["y"], samples["z"]], axis=1)
+        made_ones = cls.from_numpy(locomotion, names, samples["time_s"], xyz, samples["heading_rad"], **options)
+        made_ones.ids = [name for name, _ in trajectories.people]
+        return made_ones
+
+    def __len__(self):
+        return len(self.tracks)
+
+    def enter(self, crowd, start_s=0.0, **options):
+        """Adds an actor to a crowd for each track, which it follows; `options` as for Crowd.add. Returns the actors."""
+        actors = []
+        for number, track in enumerate(self.tracks):
+            actor = crowd.add(track._held[0].template, seed=number, **options)
+            actor.follow(track, start_s)
+            actors.append(actor)
+        return actors

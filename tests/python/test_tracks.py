@@ -1,0 +1,76 @@
+"""Tracks from arrays: people who walk, in the order and at the places that the arrays say."""
+
+import numpy
+import pytest
+
+import claque
+
+
+@pytest.fixture
+def walk(context):
+    with claque.Template.builtin(context, "citizen") as citizen:
+        yield claque.Locomotion(citizen, run="jog", idles=["stand"])
+
+
+def rows(rate=10):
+    """Anna walks east, and from the second second on Ben walks north."""
+    times = numpy.arange(0, 10, 1 / rate)
+    ids = numpy.array(["anna"] * len(times) + ["ben"] * len(times))
+    xy = numpy.concatenate([numpy.stack([1.1 * times, 0 * times], 1), numpy.stack([3 + 0 * times, 1.3 * times], 1)])
+    return ids, numpy.concatenate([times, times + 2]), xy
+
+
+def test_people_walk_where_the_rows_say(walk):
+    tracks = claque.Tracks.from_numpy(walk, *rows())
+    assert tracks.ids == ["anna", "ben"] and len(tracks) == 2
+    anna, ben = tracks.tracks
+    state = anna.at(5)
+    assert state.present and not state.stands
+    assert list(state.position) == pytest.approx([5.5, 0, 0], abs=0.01)
+    assert state.heading_rad == pytest.approx(numpy.pi / 2, abs=0.01)
+    state = ben.at(7)
+    assert list(state.position) == pytest.approx([3, 0, -6.5], abs=0.01)
+    assert state.heading_rad % (2 * numpy.pi) == pytest.approx(numpy.pi, abs=0.01)
+    assert not ben.at(1).present and ben.at(3).present
+
+
+def test_the_order_of_rows_does_not_matter(walk):
+    ids, times, xy = rows()
+    shuffled = numpy.random.default_rng(1).permutation(len(ids))
+    first = claque.Tracks.from_numpy(walk, ids, times, xy)
+    second = claque.Tracks.from_numpy(walk, ids[shuffled], times[shuffled], xy[shuffled], seed=0)
+    by_id = dict(zip(second.ids, second.tracks))
+    assert by_id["anna"].info.hash == first.tracks[0].info.hash
+
+
+def test_actors_follow_them_and_are_drawn(context, walk):
+    with claque.Crowd(context) as crowd:
+        view = crowd.view()
+        view.look_at((3, 2, 12), (3, 1, 0))
+        actors = claque.Tracks.from_numpy(walk, *rows()).enter(crowd)
+        seen = []
+        for time_s in (1, 5, 11, 13):
+            crowd.update(time_s, view)
+            seen.append(len(view))
+        assert seen == [1, 2, 1, 0]
+        actors[1].leave_track(5)
+        crowd.update(13, view)
+        assert len(view) == 1
+
+
+def test_trajectories_become_tracks(context, walk):
+    table = b"time,pedID,posX,posY\n" + b"".join(b"%g,%d,%g,2\n" % (0.5 * i, who, 0.6 * i + who) for i in range(20) for who in (7, 8))
+    with claque.Trajectories.from_bytes(context, table, "people.csv") as read:
+        tracks = claque.Tracks.from_trajectories(walk, read)
+    assert tracks.ids == ["7", "8"]
+    assert list(tracks.tracks[1].at(4.5).position) == pytest.approx([8 + 5.4, 0, -2], abs=0.05)
+
+
+def test_arrays_of_other_shapes_are_refused(walk):
+    ids, times, xy = rows()
+    with pytest.raises(ValueError, match="are wanted"):
+        claque.Tracks.from_numpy(walk, ids, times[:5], xy)
+    with pytest.raises(claque.Error, match="not finite"):
+        claque.Track(walk, [0, 1], [[0, 0, 0], [numpy.nan, 0, 0]])
+    with pytest.raises(claque.Error, match="ascending"):
+        claque.Track(walk, [1, 1], [[0, 0, 0], [1, 0, 0]])
