@@ -2,11 +2,11 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fcntl.h>
+#include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "samples/io/files.h"
 #include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
 
@@ -15,10 +15,7 @@ namespace cli
 namespace
 {
 
-[[noreturn]] void fail(const std::string &path, const char *doing)
-{
-    throw scenes::Failure(path + " could not be " + doing + ": " + std::strerror(errno));
-}
+[[noreturn]] void fail(const std::string &path, const char *doing) { throw scenes::Failure(io::why(path, doing)); }
 
 std::string folder_of(const std::string &path)
 {
@@ -26,48 +23,32 @@ std::string folder_of(const std::string &path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A temporary file that is removed unless it is kept.
+// A temporary file that is removed unless it takes its place.
 class Draft
 {
 public:
-    explicit Draft(const std::string &path)
-        : path_(path), draft_(path + ".part" + std::to_string(getpid())), unfinished_(draft_)
+    explicit Draft(const std::string &path) : path_(path), draft_(io::draft_of(path)), unfinished_(draft_)
     {
         unlink(draft_.c_str());  // of a process that was killed
-        file_ = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-        if (file_ < 0) fail(path_, "written");
     }
     ~Draft()
     {
-        if (file_ >= 0) close(file_);
         if (!kept_) unlink(draft_.c_str());
     }
     Draft(const Draft &) = delete;
     Draft &operator=(const Draft &) = delete;
 
-    void write(const void *bytes, size_t size_bytes)
+    void keep(const void *bytes, size_t size_bytes)
     {
-        const char *at = static_cast<const char *>(bytes);
-        while (size_bytes > 0) {
-            const ssize_t wrote = ::write(file_, at, size_bytes);
-            if (wrote < 0 && errno == EINTR) continue;
-            if (wrote <= 0) fail(path_, "written");
-            at += wrote;
-            size_bytes -= static_cast<size_t>(wrote);
-        }
-    }
-    void keep()
-    {
-        const int closed = close(file_);
-        file_ = -1;
-        if (closed != 0 || std::rename(draft_.c_str(), path_.c_str()) != 0) fail(path_, "written");
+        const std::string wrong = io::write_new(draft_, path_, bytes, size_bytes);
+        if (!wrong.empty()) throw scenes::Failure(wrong);
+        if (std::rename(draft_.c_str(), path_.c_str()) != 0) fail(path_, "written");
         kept_ = true;
     }
 
 private:
     std::string path_, draft_;
     io::Unfinished unfinished_;
-    int file_ = -1;
     bool kept_ = false;
 };
 
@@ -87,23 +68,16 @@ bool is_device(const std::string &path)
 
 std::vector<unsigned char> read_file(const std::string &path)
 {
-    struct Close {
-        void operator()(std::FILE *file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-    if (!file) fail(path, "opened");
-    std::vector<unsigned char> bytes;
-    unsigned char piece[65536];
-    for (size_t got; (got = std::fread(piece, 1, sizeof piece, file.get())) > 0;)
-        bytes.insert(bytes.end(), piece, piece + got);
-    if (std::ferror(file.get())) fail(path, "read");
-    return bytes;
+    const std::string bytes = text_of(path);
+    return std::vector<unsigned char>(bytes.begin(), bytes.end());
 }
 
 std::string text_of(const std::string &path)
 {
-    const std::vector<unsigned char> bytes = read_file(path);
-    return std::string(bytes.begin(), bytes.end());
+    std::string bytes;
+    const std::string wrong = io::read_whole(path, bytes);
+    if (!wrong.empty()) throw scenes::Failure(wrong);
+    return bytes;
 }
 
 void write_whole(const std::string &path, const void *bytes, size_t size_bytes)
@@ -116,8 +90,7 @@ void write_whole(const std::string &path, const void *bytes, size_t size_bytes)
         return;
     }
     Draft draft(path);
-    draft.write(bytes, size_bytes);
-    draft.keep();
+    draft.keep(bytes, size_bytes);
 }
 
 void write_whole(const std::string &path, const std::string &text) { write_whole(path, text.data(), text.size()); }

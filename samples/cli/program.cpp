@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <iostream>
 #include <new>
 
@@ -52,7 +53,8 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
     try {
         chosen();
         std::cout.flush();
-        return std::cout ? 0 : fail("standard output could not be written");
+        // printf shares the buffer of std::cout, but not its state.
+        return std::cout && !std::ferror(stdout) ? 0 : fail("standard output could not be written");
     } catch (const CLI::ParseError &misuse) {
         app.exit(misuse, std::cerr, std::cerr);
         return 2;

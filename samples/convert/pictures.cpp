@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
+#include <stdexcept>
 
 #include "samples/convert/picture_codec.h"
+#include "samples/io/files.h"
 
 namespace convert
 {
@@ -60,8 +61,10 @@ std::string bytes_of_file(const std::string &path)
     std::error_code error;
     const uint64_t size = fs::file_size(path, error);
     if (error || size > largest_picture || !fs::is_regular_file(path, error)) return {};
-    std::ifstream file(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
+    std::string bytes;
+    const std::string wrong = io::read_whole(path, bytes);
+    if (!wrong.empty()) throw std::runtime_error(wrong);
+    return bytes;
 }
 
 // A picture in the file itself.

@@ -55,6 +55,16 @@ void watch_signals()
     }
 }
 
+SignalsHeld::SignalsHeld()
+{
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int number : watched) sigaddset(&held, number);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
 Unfinished::Unfinished(const std::string &path) : slot_(-1)
 {
     if (path.size() >= sizeof slots[0].path) return;  // no file can be made there

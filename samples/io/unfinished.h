@@ -2,6 +2,7 @@
 // action, so that a shell sees which signal it was. What is not complete is removed first.
 #pragma once
 
+#include <csignal>
 #include <string>
 
 namespace io
@@ -9,6 +10,19 @@ namespace io
 
 // To be called by the main thread, which is the one that writes files. Signals that are ignored stay ignored.
 void watch_signals();
+
+// The watched signals wait while this object of the main thread exists.
+class SignalsHeld
+{
+public:
+    SignalsHeld();
+    ~SignalsHeld();
+    SignalsHeld(const SignalsHeld &) = delete;
+    SignalsHeld &operator=(const SignalsHeld &) = delete;
+
+private:
+    sigset_t before_;
+};
 
 // A file, or a folder that is then empty, that a signal removes while this object exists. At most 64 at a time; those
 // beyond are not removed.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
+#include "samples/io/files.h"
 #include "samples/parity/capture_json.h"
 
 namespace parity
@@ -20,11 +20,10 @@ Bytes bytes_of(const fs::path &path)
 {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) throw Unreadable(path.string() + " is not a file");
-    std::ifstream in(path, std::ios::binary);
-    Bytes out(static_cast<size_t>(fs::file_size(path, error)));
-    if (error || !in.read(reinterpret_cast<char *>(out.data()), static_cast<std::streamsize>(out.size())))
-        throw Unreadable(path.string() + " could not be read");
-    return out;
+    std::string bytes;
+    const std::string wrong = io::read_whole(path.string(), bytes);
+    if (!wrong.empty()) throw Unreadable(wrong);
+    return Bytes(bytes.begin(), bytes.end());
 }
 
 std::string shape_text(const std::vector<size_t> &shape)

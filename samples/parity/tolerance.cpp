@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "samples/io/files.h"
 #include "samples/io/toml.h"
 #include "samples/io/toml_keys.h"
 #include "samples/parity/measures.h"
@@ -110,10 +109,11 @@ Tolerance tolerance_of(const std::string &name_or_file)
 {
     if (const Tolerance *named = find_named(name_or_file)) return *named;
     std::error_code error;
-    std::ifstream in(name_or_file);
-    if (!std::filesystem::is_regular_file(name_or_file, error) || !in)
+    if (!std::filesystem::is_regular_file(name_or_file, error))
         throw Unreadable("there is no tolerance and no file '" + name_or_file + "'; tolerances are exact, gpu, loose");
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    std::string text;
+    const std::string wrong = io::read_whole(name_or_file, text);
+    if (!wrong.empty()) throw Unreadable(wrong);
     return tolerance_from(text, name_or_file);
 }
 

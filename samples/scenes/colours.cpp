@@ -1,8 +1,6 @@
 #include "samples/scenes/colours.h"
 
-#include <fstream>
-#include <sstream>
-
+#include "samples/io/files.h"
 #include "samples/scenes/social_classes.h"
 
 namespace scenes
@@ -78,17 +76,16 @@ ColourFile::ColourFile(Library &library, std::string path) : library_(library), 
 
 bool ColourFile::apply(const Scene &scene, uint64_t crowd_seed)
 {
-    std::ifstream file(path_, std::ios::binary);
-    std::stringstream text;
-    if (file) text << file.rdbuf();
+    std::string text;
+    const std::string wrong = io::read_whole(path_, text);
     // A file that is being replaced may be absent for a moment.
-    if (!file || !text) {
+    if (!wrong.empty()) {
         if (read_) return false;
-        throw Failure(path_ + ": cannot be read");
+        throw Failure(wrong);
     }
-    if (read_ && text.str() == last_) return false;
+    if (read_ && text == last_) return false;
     read_ = true;
-    last_ = text.str();
+    last_ = std::move(text);
     colour(scene, read_colours(library_, last_, path_).get(), crowd_seed);
     return true;
 }

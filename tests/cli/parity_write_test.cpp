@@ -1,5 +1,6 @@
 // parity export and capture: folders that another renderer reads, with the same bytes from the same command.
 #include <algorithm>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -75,6 +76,41 @@ TEST_F(ParityWrite, TheSameCommandWritesTheSameBytes)
     }
     write("capture", "later", {"--time", "2.5"});
     EXPECT_NE(file_text(path("a") + "/positions.npy"), file_text(path("later") + "/positions.npy"));
+}
+
+TEST_F(ParityWrite, WhatIsNoCaptureStaysInTheFolder)
+{
+    namespace fs = std::filesystem;
+    write("export", "folder");
+    std::ofstream(path("folder") + "/notes.txt") << "mine";
+    fs::create_directory(path("folder") + "/more");
+    std::ofstream(path("folder") + "/more/notes.txt") << "also mine";
+    fs::permissions(path("folder"), fs::perms::owner_all);
+    fs::create_directory_symlink(path("folder"), path("link"));
+    write("capture", "link");
+    EXPECT_EQ(left(), (std::vector<std::string>{"folder", "link"}));
+    EXPECT_TRUE(fs::is_symlink(path("link")));
+    EXPECT_EQ(files(path("folder")).size(), 12u);
+    EXPECT_EQ(Json::parse(file_text(path("folder") + "/capture.json"))["kind"], "result");
+    EXPECT_EQ(file_text(path("folder") + "/notes.txt"), "mine");
+    EXPECT_EQ(file_text(path("folder") + "/more/notes.txt"), "also mine");
+    EXPECT_EQ(fs::status(path("folder")).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(ParityWrite, RefusesToReplaceTheFolderThatItRunsIn)
+{
+    namespace fs = std::filesystem;
+    fs::create_directories(path("folder") + "/below");
+    const fs::path before = fs::current_path();
+    fs::current_path(path("folder") + "/below");
+    for (const std::string &out : {std::string("."), std::string(".."), path("folder") + "/"}) {
+        const Outcome outcome = claque({"parity", "export", "citizen", "--count", "1", "--out", out});
+        EXPECT_EQ(outcome.code, 1) << out;
+        EXPECT_NE(outcome.err.find(out + " holds the folder that the command runs in"), std::string::npos)
+            << outcome.err;
+    }
+    fs::current_path(before);
+    EXPECT_EQ(left(), (std::vector<std::string>{"folder"}));
 }
 
 TEST_F(ParityWrite, RefusesWhatCannotBeNumberedOrFound)

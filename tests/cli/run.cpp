@@ -39,7 +39,7 @@ std::string file_text(const std::string &path)
     return text.str();
 }
 
-Outcome claque(const std::vector<std::string> &arguments)
+Outcome claque(const std::vector<std::string> &arguments, const char *device)
 {
     const fs::path folder = new_folder();
     const std::string out = folder / "out", err = folder / "err";
@@ -50,7 +50,7 @@ Outcome claque(const std::vector<std::string> &arguments)
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&actions, 1, device ? device : out.c_str(), O_WRONLY | O_CREAT, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
     // Leak checkers report their suppressions, which are not output of the command.
     setenv("LSAN_OPTIONS", "print_suppressions=0", 0);

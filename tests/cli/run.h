@@ -15,7 +15,8 @@ struct Outcome {
     std::string out, err;
 };
 
-Outcome claque(const std::vector<std::string> &arguments);
+// `device`: takes its standard output, which Outcome then has nothing of.
+Outcome claque(const std::vector<std::string> &arguments, const char *device = nullptr);
 
 std::string file_text(const std::string &path);
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdarg>
+#include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace
@@ -20,6 +22,7 @@ Fault fault;
 bool armed = false, reached = false;
 uint64_t seen = 0;
 bool watched[1024];  // by file descriptor
+void (*when_reached)() = nullptr;
 
 template <class Function>
 Function next(const char *name)
@@ -43,8 +46,9 @@ How outcome(Operation operation)
     if (operation != fault.operation || fault.how == How::none) return How::none;
     ++seen;
     const bool hit = seen == fault.n || (fault.how == How::for_good && seen > fault.n);
-    reached = reached || hit;
     if (!hit) return How::none;
+    if (!reached && when_reached) when_reached();
+    reached = true;
     errno = fault.error;
     return fault.how;
 }
@@ -80,8 +84,9 @@ unsigned mode_of(int flags, va_list arguments)
 namespace failing_files
 {
 
-void arm(const std::string &folder, const Fault &wanted)
+void arm(const std::string &folder, const Fault &wanted, void (*at_fault)())
 {
+    when_reached = at_fault;
     std::memcpy(watched_folder, folder.c_str(), std::min(folder.size() + 1, sizeof watched_folder - 1));
     std::fill(std::begin(watched), std::end(watched), false);
     fault = wanted, seen = 0, reached = false, armed = true;
@@ -165,6 +170,40 @@ int close(int file)
     if (file >= 0 && file < 1024) watched[file] = false;
     const int closed = real(file);
     return ours && fails(Operation::close) ? -1 : closed;
+}
+
+FILE *fopen(const char *path, const char *mode)
+{
+    static const auto real = next<FILE *(*)(const char *, const char *)>("fopen");
+    return is_watched(AT_FDCWD, path) && fails(Operation::open) ? nullptr : real(path, mode);
+}
+
+FILE *fopen64(const char *path, const char *mode)
+{
+    static const auto real = next<FILE *(*)(const char *, const char *)>("fopen64");
+    return is_watched(AT_FDCWD, path) && fails(Operation::open) ? nullptr : real(path, mode);
+}
+
+int mkdir(const char *path, mode_t mode) noexcept
+{
+    static const auto real = next<int (*)(const char *, mode_t)>("mkdir");
+    return is_watched(AT_FDCWD, path) && fails(Operation::make_folder) ? -1 : real(path, mode);
+}
+
+int rename(const char *from, const char *to) noexcept
+{
+    static const auto real = next<int (*)(const char *, const char *)>("rename");
+    return is_watched(AT_FDCWD, to) && fails(Operation::rename) ? -1 : real(from, to);
+}
+
+int renameat2(int from_folder, const char *from, int to_folder, const char *to, unsigned flags) noexcept
+{
+    static const auto real = next<int (*)(int, const char *, int, const char *, unsigned)>("renameat2");
+    if (is_watched(to_folder, to)) {
+        if (fault.without_exchange && (flags & RENAME_EXCHANGE)) return errno = EINVAL, -1;
+        if (fails(Operation::rename)) return -1;
+    }
+    return real(from_folder, from, to_folder, to, flags);
 }
 
 int renameat(int from_folder, const char *from, int to_folder, const char *to) noexcept

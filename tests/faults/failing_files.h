@@ -7,7 +7,7 @@
 namespace failing_files
 {
 
-enum class Operation { open, read, write, sync, rename, close };
+enum class Operation { open, read, write, sync, rename, close, make_folder };
 enum class How {
     error,      // the n-th operation fails with `error`
     for_good,   // and all later ones of its kind
@@ -21,9 +21,11 @@ struct Fault {
     How how = How::none;
     int error = 0;
     bool without_nameless = false;  // the file system has no O_TMPFILE
+    bool without_exchange = false;  // nor RENAME_EXCHANGE
 };
 
-void arm(const std::string &folder, const Fault &fault);
+// `at_fault`, if any, is called when the fault is reached for the first time.
+void arm(const std::string &folder, const Fault &fault, void (*at_fault)() = nullptr);
 bool disarm();  // true: the fault was reached
 
 }  // namespace failing_files

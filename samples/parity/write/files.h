@@ -14,8 +14,9 @@ namespace parity
 
 using Shape = std::vector<size_t>;
 
-// A folder for files, created if missing. All functions throw scenes::Failure with the path. Files that were written
-// are removed by a signal, and with this object, unless complete() was called.
+// A folder of files that is made beside its place and takes it when it is complete. A folder that is there already, with
+// an older capture, stays until then; files in it that are no capture's stay for good. All functions throw
+// scenes::Failure with the path. Without complete(), or by a signal, nothing is left.
 class Folder
 {
 public:
@@ -32,14 +33,9 @@ public:
     void array(const std::string &name, const std::vector<uint16_t> &values, const Shape &shape);
     void array(const std::string &name, const std::vector<uint8_t> &values, const Shape &shape);
 
-    // Removes the files of an older capture, so that they cannot be read as part of this one.
-    void clear() const;
-
 private:
-    std::string path_;
-    bool made_ = false;  // by this object
-    std::vector<std::string> written_;
-    std::vector<std::unique_ptr<io::Unfinished>> unfinished_;
+    std::string path_, draft_;
+    std::vector<std::unique_ptr<io::Unfinished>> unfinished_;  // the folder and its files
 };
 
 }  // namespace parity

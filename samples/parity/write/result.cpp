@@ -1,3 +1,4 @@
+// A result: what the CPU path makes of a time.
 #include "samples/parity/write/describe.h"
 #include "samples/parity/write/id_pictures.h"
 
@@ -17,7 +18,6 @@ size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &ca
                     const std::string &folder_path)
 {
     Folder folder(folder_path);
-    folder.clear();
     scene_renderer.update(capture_time.time_s);
     const clq_draw_stats drawn = draw_alone(scene_renderer);
     const size_t height = static_cast<size_t>(capture_time.height), width = static_cast<size_t>(capture_time.width);

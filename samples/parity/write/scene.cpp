@@ -1,3 +1,4 @@
+// A scene: everything that a renderer with a matrix palette and shaders needs.
 #include <algorithm>
 
 #include "samples/parity/write/describe.h"
@@ -55,7 +56,6 @@ size_t write_scene(scenes::SceneRenderer &scene_renderer, const CaptureTime &cap
                    const std::string &folder_path)
 {
     Folder folder(folder_path);
-    folder.clear();
     scene_renderer.update(capture_time.time_s);
     scene_renderer.draw_environment();
     const DrawnActors drawn_actors(scene_renderer.view());

@@ -1,8 +1,7 @@
 // The odeon: three classes of Roman society in a theatre on a bright day (S1 7, S2 5.3).
-#include <fstream>
 #include <optional>
-#include <sstream>
 
+#include "samples/io/files.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
@@ -28,11 +27,10 @@ constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
 Theatre theatre_of(const CrowdOptions &crowd_options)
 {
     if (crowd_options.theatre_file.empty()) return read_theatre(odeon_description(), "odeon.toml");
-    std::ifstream file(crowd_options.theatre_file, std::ios::binary);
-    std::stringstream text;
-    if (file) text << file.rdbuf();
-    if (!file || !text) throw Failure(crowd_options.theatre_file + ": cannot be read");
-    return read_theatre(text.str(), crowd_options.theatre_file);
+    std::string text;
+    const std::string wrong = io::read_whole(crowd_options.theatre_file, text);
+    if (!wrong.empty()) throw Failure(wrong);
+    return read_theatre(text, crowd_options.theatre_file);
 }
 
 class Odeon final : public Scene, public SocialClasses

@@ -1,0 +1,23 @@
+// Whole files. Interrupted and short operations are continued; an error is a sentence with the path and the system's
+// reason, and no error is "".
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace io
+{
+
+std::string read_whole(const std::string &path, std::string &bytes);
+
+// Makes the file `draft`, which must not be there, and waits until it is on the disk. `path` is what the sentence
+// names: the place that the draft is for. A draft that could not be completed is removed.
+std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes);
+
+// The place where a file or folder is made before it is moved to `path`: beside it, and of this process.
+std::string draft_of(const std::string &path);
+
+// "PATH could not be DOING: REASON", the reason of errno.
+std::string why(const std::string &path, const char *doing);
+
+}  // namespace io
