@@ -109,7 +109,9 @@ void add_bench(CLI::App &app, Work &chosen)
          "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
         ->required();
     CLI::Option *count =
-        c->add_option("--count", a->counts, "Numbers of people, separated by commas; along a path at most one")
+        c->add_option(
+             "--count", a->counts,
+             "Numbers of people, separated by commas; along a path at most one. readers: the most elements of a file")
             ->delimiter(',')
             ->check(CLI::Range(1, 1000000))
             ->capture_default_str();
@@ -146,6 +148,7 @@ void add_bench(CLI::App &app, Work &chosen)
                   "For a scene of actors: also write how often each operation of S0's Table 1 was done, for claque "
                   "cost --measured")
         ->type_name("FILE");
+    add_hide_option(*c, a->setup);
     add_scene_options(*c, a->setup);
     CLI::Option *json = c->add_flag("--json", a->json, "Print JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a Markdown table")
@@ -163,6 +166,7 @@ void add_bench(CLI::App &app, Work &chosen)
         if (a->subject == "ten_thousand" && !is_of_shadows(*a)) prefer_speed(*c, *a);
         if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
         if (is_of_tracks(*a) && count->count() == 0) a->counts = {1000, 10000};
+        if (is_of_readers(*a) && count->count() == 0) a->counts = {100000};
         if (is_of_key_poses(*a) && count->count() == 0) a->counts = {a->subject == "keypose-script" ? 2500u : 10000u};
         if (of_actors(*a) && count->count() == 0)
             for (const scenes::SceneEntry &entry : scenes::scene_entries())

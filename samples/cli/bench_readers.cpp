@@ -2,6 +2,7 @@
 // at a tenth of the limit and at the limit; ten times the elements may take at most 16 times as long.
 #include <claque/assets.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
@@ -21,35 +22,50 @@ constexpr double most_ratio = 16;
 constexpr double least_ms = 20;
 constexpr int tries = 3;
 
-struct Reading {
-    double load_ms = 0, build_ms = 0;
-    std::string loaded = "ok", built = "-";  // or why not
-};
+}  // namespace
+}  // namespace readers
 
 double processor_ms() { return 1000.0 * double(std::clock()) / CLOCKS_PER_SEC; }
 
-std::string outcome(clq_status status) { return status == CLQ_OK ? "ok" : clq_status_name(status); }
+std::string outcome_of(clq_status status) { return status == CLQ_OK ? "ok" : clq_status_name(status); }
 
-Reading read_once(scenes::Library &library, const std::string &bytes)
+namespace
+{
+
+Reading read_and(bool build, scenes::Library &library, const std::string &bytes)
 {
     Reading out;
     clq_asset *asset = nullptr;
     clq_template *made = nullptr;
     const double begin = processor_ms();
-    out.loaded = outcome(clq_asset_load(library.context(), bytes.data(), bytes.size(), nullptr, &asset));
+    out.loaded = outcome_of(clq_asset_load(library.context(), bytes.data(), bytes.size(), nullptr, &asset));
     const double middle = processor_ms();
-    if (asset) out.built = outcome(clq_asset_build(library.context(), asset, 0, &made));
-    out.load_ms = middle - begin, out.build_ms = processor_ms() - middle;
+    out.load_ms = middle - begin;
+    if (asset && build) {
+        out.built = outcome_of(clq_asset_build(library.context(), asset, 0, &made));
+        out.build_ms = processor_ms() - middle;
+    }
     clq_template_destroy(made);
     clq_asset_destroy(asset);
     return out;
 }
 
-Reading read(scenes::Library &library, const std::string &bytes)
+}  // namespace
+
+Reading read_asset(scenes::Library &library, const std::string &bytes) { return read_and(true, library, bytes); }
+Reading read_clips(scenes::Library &library, const std::string &bytes) { return read_and(false, library, bytes); }
+
+namespace readers
 {
-    Reading best = read_once(library, bytes);
+namespace
+{
+
+// The best of some tries.
+Reading read(const ReaderElement &e, scenes::Library &library, const std::string &bytes)
+{
+    Reading best = e.read(library, bytes);
     for (int i = 1; i < tries && best.load_ms + best.build_ms < 1000; ++i) {
-        const Reading next = read_once(library, bytes);
+        const Reading next = e.read(library, bytes);
         best.load_ms = std::min(best.load_ms, next.load_ms), best.build_ms = std::min(best.build_ms, next.build_ms);
     }
     return best;
@@ -57,14 +73,15 @@ Reading read(scenes::Library &library, const std::string &bytes)
 
 double ratio(double few_ms, double many_ms) { return many_ms < least_ms ? 0 : many_ms / std::max(few_ms, 1.0); }
 
-Json row(scenes::Library &library, const ReaderElement &e)
+Json row(scenes::Library &library, const ReaderElement &e, uint32_t most)
 {
-    const std::string few_bytes = e.make(e.limit / 10), many_bytes = e.make(e.limit);
-    const Reading few = read(library, few_bytes), many = read(library, many_bytes);
+    const uint32_t count = std::min(e.limit, most);
+    const std::string few_bytes = e.make(std::max(count / 10, 1u)), many_bytes = e.make(count);
+    const Reading few = read(e, library, few_bytes), many = read(e, library, many_bytes);
     const double load = ratio(few.load_ms, many.load_ms), build = ratio(few.build_ms, many.build_ms);
     return {{"format", e.format},
             {"element", e.element},
-            {"count", e.limit},
+            {"count", count},
             {"bytes", many_bytes.size()},
             {"load_ms", many.load_ms},
             {"load_ratio", load},
@@ -77,14 +94,15 @@ Json row(scenes::Library &library, const ReaderElement &e)
 
 }  // namespace
 
-static Json rows()
+static Json rows(uint32_t most)
 {
     Progress progress("claque bench");
     scenes::Library library(1);
     Json out = Json::array();
-    for (const ReaderElement &element : reader_elements()) {
-        out.push_back(row(library, element));
-        progress.step(out.size(), reader_elements().size());
+    const std::vector<ReaderElement> all = reader_elements();
+    for (const ReaderElement &element : all) {
+        out.push_back(row(library, element, most));
+        progress.step(out.size(), all.size());
     }
     return out;
 }
@@ -93,17 +111,24 @@ static Json rows()
 
 bool is_of_readers(const BenchArguments &a) { return a.subject == "readers"; }
 
-Json bench_readers(const BenchArguments &)
+std::vector<ReaderElement> reader_elements()
 {
-    return {{"claque", version()}, {"most_ratio", readers::most_ratio}, {"runs", readers::rows()}};
+    std::vector<ReaderElement> all = reader_elements_of_assets();
+    for (const ReaderElement &element : reader_elements_of_others()) all.push_back(element);
+    return all;
+}
+
+Json bench_readers(const BenchArguments &a)
+{
+    return {{"claque", version()}, {"most_ratio", readers::most_ratio}, {"runs", readers::rows(a.counts[0])}};
 }
 
 void print_readers(const Json &report)
 {
-    std::printf("%-6s %-36s %8s %10s  %9s %6s %-14s %9s %6s %s\n", "format", "element", "count", "bytes", "load ms",
+    std::printf("%-9s %-36s %8s %10s  %9s %6s %-14s %9s %6s %s\n", "format", "element", "count", "bytes", "load ms",
                 "ratio", "loaded", "build ms", "ratio", "built");
     for (const Json &r : report["runs"])
-        std::printf("%-6s %-36s %8u %10llu  %9.1f %6.1f %-14s %9.1f %6.1f %s%s\n",
+        std::printf("%-9s %-36s %8u %10llu  %9.1f %6.1f %-14s %9.1f %6.1f %s%s\n",
                     r["format"].get<std::string>().c_str(), r["element"].get<std::string>().c_str(),
                     r["count"].get<unsigned>(), r["bytes"].get<unsigned long long>(), r["load_ms"].get<double>(),
                     r["load_ratio"].get<double>(), r["loaded"].get<std::string>().c_str(), r["build_ms"].get<double>(),

@@ -31,17 +31,15 @@ public:
     }
     size_t floats(const char *type, const std::vector<float> &values)
     {
-        const size_t width = std::strcmp(type, "SCALAR") == 0 ? 1 : std::strcmp(type, "VEC3") == 0 ? 3 : 4;
+        const size_t width = std::strcmp(type, "SCALAR") == 0 ? 1 : size_t(type[3] - '0');
         return accessor(gltf_float, type, values.size() / width, values.data(), values.size() * sizeof(float));
     }
     size_t accessor(int component, const char *type, size_t count, const void *values, size_t bytes)
     {
-        const size_t at = binary_.size();
-        binary_.append(static_cast<const char *>(values), bytes);
-        binary_.append((4 - bytes % 4) % 4, '\0');
-        const size_t view = add("bufferViews", {{"buffer", 0}, {"byteOffset", at}, {"byteLength", bytes}});
+        const size_t view = buffer_view(values, bytes);
         return add("accessors", {{"componentType", component}, {"type", type}, {"count", count}, {"bufferView", view}});
     }
+    size_t bytes(const std::vector<unsigned char> &values) { return buffer_view(values.data(), values.size()); }
     // One more node in the scene.
     size_t node(nlohmann::json node)
     {
@@ -63,7 +61,8 @@ public:
     std::string glb()
     {
         nlohmann::json &buffers = json_["buffers"];
-        buffers.insert(buffers.begin(), {{"byteLength", binary_.size()}});
+        if (buffers.is_null()) buffers = nlohmann::json::array();
+        buffers.insert(buffers.begin(), nlohmann::json::object({{"byteLength", binary_.size()}}));
         std::string head = json_.dump();
         head.append((4 - head.size() % 4) % 4, ' ');
         std::string out = "glTF";
@@ -80,6 +79,14 @@ public:
     inline static const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 private:
+    size_t buffer_view(const void *values, size_t bytes)
+    {
+        const size_t at = binary_.size();
+        binary_.append(static_cast<const char *>(values), bytes);
+        binary_.append((4 - bytes % 4) % 4, '\0');
+        return add("bufferViews", {{"buffer", 0}, {"byteOffset", at}, {"byteLength", bytes}});
+    }
+
     nlohmann::json json_;
     std::string binary_;
     bool has_keys_ = false;

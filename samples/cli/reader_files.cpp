@@ -250,40 +250,47 @@ std::string bvh_both(uint32_t count) { return bvh(count, count, "0"); }
 
 }  // namespace
 
-static const std::vector<ReaderElement> &elements()
-{
-    static const std::vector<ReaderElement> all = {
-        {"glTF", "nodes", most, nodes},
-        {"glTF", "nodes below one another", most, node_depth},
-        {"glTF", "nodes with one mesh", most, nodes_with_mesh},
-        {"glTF", "meshes", most, meshes},
-        {"glTF", "primitives", most, primitives},
-        {"glTF", "triangles", most, vertices},
-        {"glTF", "triangles on one another", most, indices},
-        {"glTF", "accessors", most, accessors},
-        {"glTF", "buffer views", most, buffer_views},
-        {"glTF", "buffers", most, buffers},
-        {"glTF", "materials", most, materials},
-        {"glTF", "textures and images", most, textures},
-        {"glTF", "skins", most, skins},
-        {"glTF", "joints", 65536, joints},
-        {"glTF", "nodes and joints of one skin", 65536, nodes_on_one_skin},
-        {"glTF", "animations", most, animations},
-        {"glTF", "animations with root motion", most, root_motions},
-        {"glTF", "channels", most, channels},
-        {"glTF", "keys", most, keys},
-        {"glTF", "morph targets", most, morph_targets},
-        {"glTF", "markers", 4096, markers},
-        {"glTF", "degrees of freedom", most, degrees_of_freedom},
-        {"BVH", "joints", 10000, bvh_joints},
-        {"BVH", "frames", most, bvh_frames},
-        {"BVH", "joints without channels, and frames", 10000, bvh_both},
-    };
-    return all;
-}
-
 }  // namespace readers
 
-const std::vector<ReaderElement> &reader_elements() { return readers::elements(); }
+std::vector<ReaderElement> reader_elements_of_assets()
+{
+    using namespace readers;
+    return {
+        {"glTF", "nodes", most, nodes, read_asset},
+        {"glTF", "nodes below one another", most, node_depth, read_asset},
+        {"glTF", "nodes with one mesh", most, nodes_with_mesh, read_asset},
+        {"glTF", "meshes", most, meshes, read_asset},
+        {"glTF", "primitives", most, primitives, read_asset},
+        {"glTF", "triangles", most, vertices, read_asset},
+        {"glTF", "triangles on one another", most, indices, read_asset},
+        {"glTF", "accessors", most, accessors, read_asset},
+        {"glTF", "buffer views", most, buffer_views, read_asset},
+        {"glTF", "buffers", most, buffers, read_asset},
+        {"glTF", "materials", most, materials, read_asset},
+        {"glTF", "textures and images", most, textures, read_asset},
+        {"glTF", "skins", most, skins, read_asset},
+        {"glTF", "joints", 65536, joints, read_asset},
+        {"glTF", "nodes and joints of one skin", 65536, nodes_on_one_skin, read_asset},
+        {"glTF", "animations", most, animations, read_asset},
+        {"glTF", "animations with root motion", most, root_motions, read_asset},
+        {"glTF", "channels", most, channels, read_asset},
+        {"glTF", "keys", most, keys, read_asset},
+        {"glTF", "morph targets", 65535, morph_targets, read_asset},
+        {"glTF", "markers", 4096, markers, read_asset},
+        {"glTF", "degrees of freedom", most, degrees_of_freedom, read_asset},
+        {"BVH", "joints", 9999, bvh_joints, read_clips},
+        {"BVH", "frames", most, bvh_frames, read_clips},
+        {"BVH", "joints without channels, and frames", 9999, bvh_both, read_clips},
+    };
+}
+
+std::string gltf_with_nodes(uint32_t count) { return readers::nodes(count); }
+std::string gltf_with_triangles(uint32_t count) { return readers::vertices(count); }
+std::string gltf_with_keys(uint32_t count) { return readers::keys(count); }
+std::string gltf_with_channels(uint32_t count) { return readers::channels(count); }
+std::string gltf_with_animations(uint32_t count) { return readers::animations(count); }
+std::string gltf_with_markers(uint32_t count) { return readers::markers(count); }
+std::string gltf_with_morph_targets(uint32_t count) { return readers::morph_targets(count); }
+std::string gltf_with_degrees_of_freedom(uint32_t count) { return readers::degrees_of_freedom(count); }
 
 }  // namespace cli

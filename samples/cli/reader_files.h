@@ -5,15 +5,42 @@
 #include <string>
 #include <vector>
 
+#include "samples/scenes/library.h"
+
 namespace cli
 {
+
+// Milliseconds of processor time, and the name of the status or "ok"; the second of what is built from what was read.
+struct Reading {
+    double load_ms = 0, build_ms = 0;
+    std::string loaded = "ok", built = "-";
+};
 
 struct ReaderElement {
     const char *format, *element;
     uint32_t limit;  // the most that a file may have, and at most 100 000
     std::string (*make)(uint32_t count);
+    Reading (*read)(scenes::Library &library, const std::string &bytes);
 };
 
-const std::vector<ReaderElement> &reader_elements();
+// Of all formats. Those of glTF and BVH alone, and the others.
+std::vector<ReaderElement> reader_elements();
+std::vector<ReaderElement> reader_elements_of_assets();
+std::vector<ReaderElement> reader_elements_of_others();
+
+// Files that other formats are made from.
+std::string gltf_with_nodes(uint32_t count);
+std::string gltf_with_triangles(uint32_t count);
+std::string gltf_with_keys(uint32_t count);
+std::string gltf_with_channels(uint32_t count);
+std::string gltf_with_animations(uint32_t count);
+std::string gltf_with_markers(uint32_t count);
+std::string gltf_with_morph_targets(uint32_t count);
+std::string gltf_with_degrees_of_freedom(uint32_t count);
+
+double processor_ms();
+std::string outcome_of(clq_status status);
+Reading read_asset(scenes::Library &library, const std::string &bytes);
+Reading read_clips(scenes::Library &library, const std::string &bytes);  // which are nothing to build
 
 }  // namespace cli

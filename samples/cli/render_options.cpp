@@ -103,6 +103,7 @@ void add_render(CLI::App &app, Work &chosen)
         ->excludes(file);
     c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
+    add_hide_option(*c, a->setup);
     add_picture_options(*c, a);
     for (const char *of_sequences : {"--stride", "--fps", "--again"}) c->get_option(of_sequences)->needs("--frames");
     add_clip_options(*c, a->clips);

@@ -41,12 +41,16 @@ void add_size_option(CLI::App &command, int &width, int &height)
         ->type_name("WxH");
 }
 
-void add_scene_options(CLI::App &command, SceneArguments &a)
+void add_hide_option(CLI::App &command, SceneArguments &a)
 {
     command
         .add_option("--hide", a.hidden, "Leave out the node of this name and its descendants (FILE only; may repeat)")
         ->expected(1)
         ->take_all();
+}
+
+void add_scene_options(CLI::App &command, SceneArguments &a)
+{
     add_size_option(command, a.width, a.height);
     command
         .add_option("--camera", a.camera,

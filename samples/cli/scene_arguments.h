@@ -40,7 +40,10 @@ struct SceneArguments {
     int width = 1024, height = 768;
 };
 
-// All options except the scene's own argument, the file and `count`.
+// --hide, for subcommands that take a character's file.
+void add_hide_option(CLI::App &command, SceneArguments &arguments);
+
+// All other options except the scene's own argument, the file and `count`.
 void add_scene_options(CLI::App &command, SceneArguments &arguments);
 
 // --size WxH, stored in the two numbers, which hold the default on entry.

@@ -1,5 +1,6 @@
 #include "samples/scenes/camera_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "samples/scenes/check.h"
@@ -145,8 +146,9 @@ Viewpoint CameraPath::at(double time_s) const
 {
     if (!(time_s > start_s())) return keys_.front().view;
     if (time_s >= end_s()) return keys_.back().view;
-    size_t k = 0;
-    while (keys_[k + 1].time_s <= time_s) ++k;
+    const auto next = std::upper_bound(keys_.begin(), keys_.end(), time_s,
+                                       [](double time, const KeyFrame &key) { return time < key.time_s; });
+    const size_t k = static_cast<size_t>(next - keys_.begin()) - 1;
     const KeyFrame &a = keys_[k], &b = keys_[k + 1];
     const KeyFrame &before = k > 0 ? keys_[k - 1] : a, &after = k + 2 < keys_.size() ? keys_[k + 2] : b;
     const double t[4] = {before.time_s, a.time_s, b.time_s, after.time_s};

@@ -142,6 +142,17 @@ TEST_F(Usage, WhatFailsSaysWhyInOneSentence)
         << "a failed command leaves no file";
 }
 
+// A sheet takes no character's file, so it has no nodes to hide.
+TEST_F(Usage, HideIsAnOptionOfCommandsThatTakeAFile)
+{
+    const Outcome refused = claque({"sheet", "--hide", "hat", "--out", path("x.png")});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("--hide"), std::string::npos) << refused.err;
+    EXPECT_EQ(claque({"sheet", "--help"}).out.find("--hide"), std::string::npos);
+    for (const char *command : {"render", "bench", "inspect", "split", "prepare", "lods"})
+        EXPECT_NE(claque({command, "--help"}).out.find("--hide"), std::string::npos) << command;
+}
+
 TEST_F(Usage, AClipThatIsNotThereIsAnsweredWithThoseThatAre)
 {
     const Outcome outcome = claque({"dump", "citizen", "--clip", "dance", "--out", path("x.npy")});

@@ -1,0 +1,332 @@
+// The formats of `claque bench readers` besides glTF and BVH: prepared templates, saves, TOML, pictures, zone maps.
+#include <claque/claque.h>
+#include <claque/colour_files.h>
+#include <claque/zones.h>
+
+#include <cmath>
+
+#include "samples/cli/gltf_writer.h"
+#include "samples/cli/joint_map.h"
+#include "samples/cli/png.h"
+#include "samples/cli/reader_files.h"
+#include "samples/scenes/camera_path.h"
+
+namespace cli
+{
+namespace other_readers
+{
+namespace
+{
+
+using scenes::check;
+using scenes::Own;
+
+constexpr uint32_t most = 100000;
+
+int append(void *user, const void *bytes, size_t size_bytes)
+{
+    static_cast<std::string *>(user)->append(static_cast<const char *>(bytes), size_bytes);
+    return 0;
+}
+
+Own<clq_asset> asset_of(const scenes::Library &library, const std::string &bytes)
+{
+    clq_asset *made = nullptr;
+    check(clq_asset_load(library.context(), bytes.data(), bytes.size(), nullptr, &made));
+    return Own<clq_asset>(made);
+}
+
+Own<clq_template> template_of(const scenes::Library &library, const std::string &bytes)
+{
+    clq_template *made = nullptr;
+    check(clq_asset_build(library.context(), asset_of(library, bytes).get(), 0, &made));
+    return Own<clq_template>(made);
+}
+
+template <class Work>
+Reading timed(const Work &work)
+{
+    Reading out;
+    const double begin = processor_ms();
+    out.loaded = work();
+    out.load_ms = processor_ms() - begin;
+    return out;
+}
+
+// For readers of the samples, which throw.
+template <class Work>
+std::string thrown_of(const Work &work)
+{
+    try {
+        work();
+        return "ok";
+    } catch (const std::exception &) {
+        return "refused";
+    }
+}
+
+// What a file is built into; "" where reading or building refuses it.
+template <std::string (*gltf)(uint32_t)>
+std::string prepared(uint32_t count)
+{
+    const scenes::Library library(1);
+    const std::string bytes = gltf(count);
+    clq_asset *read = nullptr;
+    if (clq_asset_load(library.context(), bytes.data(), bytes.size(), nullptr, &read) != CLQ_OK) return "";
+    const Own<clq_asset> asset(read);
+    clq_template *made = nullptr;
+    if (clq_asset_build(library.context(), read, 0, &made) != CLQ_OK) return "";
+    const Own<clq_template> tmpl(made);
+    std::string out;
+    check(clq_template_save(made, append, &out));
+    return out;
+}
+
+Reading read_prepared(scenes::Library &library, const std::string &bytes)
+{
+    if (bytes.empty()) return {0, 0, "not built", "-"};
+    return timed([&] {
+        clq_template *made = nullptr;
+        const clq_status status = clq_template_load(library.context(), bytes.data(), bytes.size(), &made);
+        clq_template_destroy(made);
+        return outcome_of(status);
+    });
+}
+
+struct SavedCrowd {
+    scenes::Library library{1};
+    Own<clq_template> tmpl = template_of(library, gltf_with_animations(1));
+    Own<clq_crowd> crowd;
+    std::vector<clq_actor> actors;
+
+    explicit SavedCrowd(uint32_t count)
+    {
+        clq_crowd *made = nullptr;
+        check(clq_crowd_create(library.context(), nullptr, &made));
+        crowd.reset(made);
+        clq_actor_def def = clq_actor_def_init();
+        def.tmpl = tmpl.get();
+        actors.resize(count);
+        for (clq_actor &actor : actors) check(clq_actor_create(made, &def, &actor));
+    }
+    std::string bytes() const
+    {
+        std::string out;
+        check(clq_crowd_save(crowd.get(), append, &out));
+        return out;
+    }
+};
+
+std::string saved_actors(uint32_t count) { return SavedCrowd(count).bytes(); }
+
+std::string saved_groups(uint32_t count)
+{
+    const SavedCrowd one(1);
+    const clq_transform place = clq_transform_init();
+    clq_group group;
+    for (uint32_t i = 0; i < count; ++i) check(clq_group_create(one.crowd.get(), &place, &group));
+    return one.bytes();
+}
+
+std::string saved_members(uint32_t count)
+{
+    const SavedCrowd all(count);
+    const clq_transform place = clq_transform_init();
+    clq_group group;
+    check(clq_group_create(all.crowd.get(), &place, &group));
+    for (const clq_actor actor : all.actors) check(clq_actor_join(all.crowd.get(), actor, group, &place));
+    return all.bytes();
+}
+
+std::string saved_layers(uint32_t count)
+{
+    const SavedCrowd all(count);
+    clq_layer_def def = clq_layer_def_init();
+    for (const clq_actor actor : all.actors) check(clq_actor_add_layer(all.crowd.get(), actor, &def, nullptr));
+    return all.bytes();
+}
+
+std::string saved_attachments(uint32_t count)
+{
+    const SavedCrowd one(1);
+    clq_attachment_def def = clq_attachment_def_init();
+    for (uint32_t i = 0; i < count; ++i) {
+        def.radius = float(i % 7);
+        check(clq_actor_attach(one.crowd.get(), one.actors[0], &def, nullptr));
+    }
+    return one.bytes();
+}
+
+Reading read_save(scenes::Library &library, const std::string &bytes)
+{
+    const Own<clq_template> tmpl = template_of(library, gltf_with_animations(1));
+    clq_crowd *made = nullptr;
+    check(clq_crowd_create(library.context(), nullptr, &made));
+    const Own<clq_crowd> crowd(made);
+    clq_template *templates[] = {tmpl.get()};
+    return timed([&] { return outcome_of(clq_crowd_restore(made, bytes.data(), bytes.size(), templates, 1)); });
+}
+
+std::string colour_classes(uint32_t count)
+{
+    std::string text;
+    for (uint32_t i = 0; i < count; ++i) text += "[[classes]]\nname = \"c" + std::to_string(i) + "\"\n";
+    return text;
+}
+
+constexpr const char *one_range = " = { hue = [0, 90], saturation = [0, 1], brightness = [0, 1] }\n";
+
+std::string colour_zones(uint32_t count)
+{
+    std::string text = "[[classes]]\nname = \"c\"\n[classes.zones]\n";
+    for (uint32_t i = 0; i < count; ++i) text += "z" + std::to_string(i) + one_range;
+    return text;
+}
+
+std::string colour_entries(uint32_t count)
+{
+    std::string text = "[[classes]]\nname = \"c\"\n[classes.zones]\nz = { palette = [";
+    for (uint32_t i = 0; i < count; ++i) text += "{ colour = \"#2a1a10\" }, ";
+    return text + "] }\n";
+}
+
+std::string comments(uint32_t count)
+{
+    std::string text = colour_classes(1);
+    for (uint32_t i = 0; i < count; ++i) text += "# " + std::to_string(i) + "\n";
+    return text;
+}
+
+Reading read_colours(scenes::Library &library, const std::string &bytes)
+{
+    return timed([&] {
+        clq_colour_map *made = nullptr;
+        const clq_status status = clq_colour_map_load(library.context(), bytes.data(), bytes.size(), nullptr, &made);
+        clq_colour_map_destroy(made);
+        return outcome_of(status);
+    });
+}
+
+std::string map_joints(uint32_t count)
+{
+    std::string text = "[joints]\n";
+    for (uint32_t i = 0; i < count; ++i) text += "a" + std::to_string(i) + " = \"b" + std::to_string(i) + "\"\n";
+    return text;
+}
+
+Reading read_map(scenes::Library &, const std::string &bytes)
+{
+    return timed([&] { return thrown_of([&] { read_joint_map(bytes, "map"); }); });
+}
+
+std::string path_keys(uint32_t count)
+{
+    std::string text = "far_m = 900.0\n[[sections]]\nname = \"all\"\nstart_s = 0.0\nend_s = 1.0\n";
+    for (uint32_t i = 0; i < std::max(count, 2u); ++i)
+        text += "[[keys]]\ntime_s = " + std::to_string(i) + ".0\neye = [" + std::to_string(i % 9) +
+                ".0, 2.0, 0.0]\ntarget = [0.0, 0.0, 30.0]\nfov_deg = 54.0\nnear_m = 1.0\n";
+    return text;
+}
+
+Reading read_path(scenes::Library &, const std::string &bytes)
+{
+    return timed([&] { return thrown_of([&] { const scenes::CameraPath path(bytes, "path"); }); });
+}
+
+std::vector<uint8_t> pixels_of(uint32_t width, uint32_t height)
+{
+    std::vector<uint8_t> rgb(3 * size_t(width) * height);
+    for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<uint8_t>(i * 7 + i / 971);
+    return rgb;
+}
+
+// A triangle that shows the picture.
+std::string gltf_of(const std::vector<unsigned char> &picture)
+{
+    GltfFile file;
+    const size_t image = file.add("images", {{"mimeType", "image/png"}, {"bufferView", file.bytes(picture)}});
+    const size_t texture = file.add("textures", {{"source", image}});
+    file.primitive()["attributes"]["TEXCOORD_0"] = file.floats("VEC2", {0, 0, 1, 0, 0, 1});
+    file.primitive()["material"] =
+        file.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+    return file.glb();
+}
+
+std::string with_pixels(uint32_t count)
+{
+    const uint32_t rows = std::max(count / 100, 1u), columns = std::max(count / rows, 1u);
+    return gltf_of(png(pixels_of(columns, rows).data(), int(columns), int(rows), {}));
+}
+
+std::string with_chunks(uint32_t count)
+{
+    const Words words(count, {"Comment", "x"});
+    return gltf_of(png(pixels_of(8, 8).data(), 8, 8, words));
+}
+
+// The texels of a map of one image; its zones alternate.
+Reading read_zone_map(scenes::Library &library, const std::string &bytes)
+{
+    const Own<clq_asset> asset = asset_of(library, with_pixels(10000));
+    clq_zone_map_def def = clq_zone_map_def_init();
+    const uint32_t texels = static_cast<uint32_t>(bytes.size() / 2);
+    std::vector<uint16_t> zones(texels);
+    std::memcpy(zones.data(), bytes.data(), 2 * size_t(texels));
+    const clq_zone_map_zone names[] = {{"one", true, nullptr}, {"two", false, nullptr}};
+    def.width_px = texels, def.height_px = 1;
+    def.texels = zones.data(), def.zone_count = 2, def.zones = names;
+    return timed([&] { return outcome_of(clq_asset_set_zone_map(library.context(), asset.get(), &def)); });
+}
+
+std::string zone_texels(uint32_t count)
+{
+    std::string bytes(2 * size_t(count), '\0');
+    for (uint32_t i = 0; i < count; ++i) bytes[2 * size_t(i)] = char(i / 3 % 2);
+    return bytes;
+}
+
+Reading read_proposal(scenes::Library &library, const std::string &bytes)
+{
+    const Own<clq_asset> asset = asset_of(library, bytes);
+    clq_asset_image image = clq_asset_image_init();
+    check(clq_asset_get_image(asset.get(), 0, &image));
+    std::vector<uint16_t> texels(size_t(image.width_px) * image.height_px);
+    std::vector<uint8_t> rgb(3 * 8);
+    clq_zone_proposal proposal = clq_zone_proposal_init();
+    proposal.max_zones = 8, proposal.texels = texels.data(), proposal.capacity_texels = texels.size();
+    proposal.rgb = rgb.data();
+    return timed([&] { return outcome_of(clq_asset_propose_zones(asset.get(), 0, &proposal)); });
+}
+
+}  // namespace
+}  // namespace other_readers
+
+std::vector<ReaderElement> reader_elements_of_others()
+{
+    using namespace other_readers;
+    return {{"prepared", "nodes", most, prepared<gltf_with_nodes>, read_prepared},
+            {"prepared", "triangles", most, prepared<gltf_with_triangles>, read_prepared},
+            {"prepared", "keys", most, prepared<gltf_with_keys>, read_prepared},
+            {"prepared", "channels", 1000, prepared<gltf_with_channels>, read_prepared},
+            {"prepared", "animations", most, prepared<gltf_with_animations>, read_prepared},
+            {"prepared", "markers", 4096, prepared<gltf_with_markers>, read_prepared},
+            {"prepared", "morph targets", 65535, prepared<gltf_with_morph_targets>, read_prepared},
+            {"prepared", "degrees of freedom", most, prepared<gltf_with_degrees_of_freedom>, read_prepared},
+            {"save", "actors", most, saved_actors, read_save},
+            {"save", "groups", most, saved_groups, read_save},
+            {"save", "members of one group", most, saved_members, read_save},
+            {"save", "layers", most, saved_layers, read_save},
+            {"save", "attachments of one actor", 10000, saved_attachments, read_save},
+            {"colours", "classes", 256, colour_classes, read_colours},
+            {"colours", "zones of a class", 255, colour_zones, read_colours},
+            {"colours", "entries of a palette", 64, colour_entries, read_colours},
+            {"colours", "lines of comment", most, comments, read_colours},
+            {"joints", "joints of a map", most, map_joints, read_map},
+            {"path", "keys", 40000, path_keys, read_path},
+            {"PNG", "pixels", most, with_pixels, read_asset},
+            {"PNG", "chunks", most, with_chunks, read_asset},
+            {"zones", "texels of a map", 65536, zone_texels, read_zone_map},
+            {"zones", "texels of a proposal", most, with_pixels, read_proposal}};
+}
+
+}  // namespace cli

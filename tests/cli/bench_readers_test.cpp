@@ -1,0 +1,60 @@
+// claque bench readers with few elements: every format is read, and the table says what the measurements say.
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using Json = nlohmann::json;
+using BenchReaders = Command;
+
+TEST_F(BenchReaders, ReadEveryFormat)
+{
+    const Outcome done = claque({"bench", "readers", "--count", "30", "--json"});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json report = Json::parse(done.out);
+    EXPECT_EQ(report["most_ratio"], 16);
+    std::set<std::string> formats, names;
+    for (const Json &run : report["runs"]) {
+        const std::string name = run["format"].get<std::string>() + " " + run["element"].get<std::string>();
+        formats.insert(run["format"].get<std::string>());
+        EXPECT_TRUE(names.insert(name).second) << name << " twice";
+        EXPECT_EQ(run["count"], 30) << name;
+        EXPECT_GT(run["bytes"], 30u) << name;
+        EXPECT_EQ(run["loaded"], "ok") << name;
+        EXPECT_TRUE(run["built"] == "ok" || run["built"] == "-") << name << ": " << run["built"];
+        EXPECT_TRUE(run["lawful"]) << name;
+    }
+    EXPECT_EQ(formats, (std::set<std::string>{"BVH", "PNG", "colours", "glTF", "joints", "path", "prepared", "save",
+                                              "zones"}));
+    EXPECT_GE(names.size(), 48u);
+}
+
+TEST_F(BenchReaders, PrintALineForEachElement)
+{
+    const Outcome done = claque({"bench", "readers", "--count", "10", "--save", path("r.json")});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json runs = Json::parse(file_text(path("r.json")))["runs"];
+    std::istringstream lines(done.out);
+    std::string line;
+    std::getline(lines, line);
+    for (const char *column : {"format", "element", "count", "bytes", "load ms", "ratio", "build ms"})
+        EXPECT_NE(line.find(column), std::string::npos) << line;
+    for (const Json &run : runs) {
+        ASSERT_TRUE(std::getline(lines, line));
+        EXPECT_EQ(line.rfind(run["format"].get<std::string>() + " ", 0), 0u) << line;
+        EXPECT_NE(line.find(" " + run["element"].get<std::string>() + " "), std::string::npos) << line;
+        EXPECT_NE(line.find(" " + run["bytes"].dump() + " "), std::string::npos) << line;
+    }
+    EXPECT_FALSE(std::getline(lines, line)) << line;
+}
+
+}  // namespace
+}  // namespace cli_test
