@@ -11,6 +11,7 @@
 #include "lib/lod/quadric_only.h"
 #include "lib/lod/surface_samples.h"
 #include "lib/lod/visibility.h"
+#include "lib/model/model_size.h"
 
 namespace claque::lod
 {
@@ -37,6 +38,23 @@ struct Source {
     std::vector<double> visibility, area_fractions;  // see visibility.h and area_fractions.h
 };
 
+// Levels keep all candidates at once and search them in many poses. That takes so many bytes, measured with meshes of
+// 100 to 100 000 triangles (tests/unit/work/memory_test.cpp); a model may take a multiple of what was read for it.
+void check_size(const model::Model &model, const Source &source)
+{
+    constexpr uint64_t bytes_of_triangle = 2000, bytes_of_vertex = 100, multiple = 64, always_bytes = 16ull << 20;
+    uint64_t vertices = 0;
+    for (const model::Part *part : source.parts) vertices += part->positions.size();
+    const uint64_t wanted = bytes_of_triangle * source.triangles + bytes_of_vertex * vertices;
+    const uint64_t read = model::source_bytes(model), most = multiple * read + always_bytes;
+    if (wanted > most)
+        base::fail(CLQ_LIMIT,
+                   "'%s' has %zu triangles and %llu vertices, whose levels of detail would take %llu bytes, and %llu "
+                   "are the most: %llu for each of the %llu bytes read, and %llu",
+                   model.name.c_str(), source.triangles, base::big(vertices), base::big(wanted), base::big(most),
+                   base::big(multiple), base::big(read), base::big(always_bytes));
+}
+
 Source source_of(const model::Model &model, const base::Jobs &jobs)
 {
     Source source;
@@ -50,6 +68,7 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
     }
     if (source.parts.empty())
         base::fail(CLQ_ARGUMENT, "'%s' has no visible part to make levels from", model.name.c_str());
+    check_size(model, source);
     const PosedParts rest = posed_at_rest(model.rig, source.parts);
     source.visibility = visibility_of(model, rest, jobs);
     source.area_fractions = zone_area_fractions(model, rest, source.visibility);
@@ -126,7 +145,8 @@ std::vector<size_t> add_near_levels(const model::Model &model, const Source &sou
         next.parts = std::move(near.levels[k].parts);
         made.push_back(std::move(next));
     }
-    return {};
+    if (!has_proxies) return {};
+    return {targets.begin() + static_cast<ptrdiff_t>(near.levels.size()), targets.end()};
 }
 
 // Adds proxy levels to `made`. `model` gets their materials and images, and zone keys that are all different.
@@ -209,7 +229,7 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
     model::Model next;
     next.name = model.name, next.rig = model::Rig(model.rig, std::pmr::get_default_resource());
     next.zones = model.zones, next.images = model.images, next.materials = model.materials;
-    next.texture_sets = model.texture_sets;
+    next.texture_sets = model.texture_sets, next.source_bytes = model::source_bytes(model);
 
     std::vector<Candidate> made = {finest_of(source)};
     if (!near_targets.empty()) {

@@ -112,7 +112,9 @@ std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const Deci
     if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0].part->name.c_str());
     const UvOrientations orientations(surface);
     std::vector<LevelTriangles> remaining;
-    for (const size_t target : options.targets) {
+    bool stuck = false;  // no legal collapse is left, so that all further levels would be the same
+    for (size_t k = 0; k < options.targets.size() && !stuck; ++k) {
+        const size_t target = options.targets[k];
         for (size_t before = faces_of(surface.mesh), now = before; before > target; before = now) {
             if (zone_area) zone_area->measure();
             const size_t next = zone_area ? std::max(target, before * 97 / 100) : target;
@@ -120,7 +122,8 @@ std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const Deci
             // corners are kept by.
             decimater.decimate_to_faces(0, next + surface.mesh.n_faces() - before);
             now = faces_of(surface.mesh);
-            if (now == before || now > next) break;
+            stuck = now == before || now > next;
+            if (stuck) break;
         }
         remaining.push_back(level_triangles(surface, orientations));
     }

@@ -52,8 +52,8 @@ struct Decimated {
     size_t non_manifold_triangles = 0;
 };
 
-// Returns one level for each target, finest first. `parts` must have passed model::check. Stops above a target if no
-// legal collapse is left. The result does not depend on `jobs`. Throws base::Error (CLQ_ARGUMENT) if there are no
+// Returns one level for each target, finest first. `parts` must have passed model::check. Where no legal collapse is
+// left, that level stays above its target and is the last. The result does not depend on `jobs`. Throws base::Error (CLQ_ARGUMENT) if there are no
 // triangles or no targets. Deterministic.
 std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options,
                                 const base::Jobs &jobs = {});

@@ -11,6 +11,7 @@
 #include "lib/lod/surface_samples.h"
 #include "lib/lod/visibility.h"
 #include "lib/math/simd.h"
+#include "lib/model/model_size.h"
 #include "lib/pose/pose.h"
 
 namespace claque::lod
@@ -179,12 +180,12 @@ struct SampledPose {
     }
 };
 
-}  // namespace
+using LevelList = base::Span<const std::vector<model::Part> *const>;
 
-std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
-                                  const std::vector<double> &visibility,
-                                  const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
-                                  double metres_per_unit, const base::Jobs &jobs)
+// Levels whose pairs are held at one time.
+std::vector<Deviation> deviations_at_once(const model::Model &model, const std::vector<const model::Part *> &source,
+                                          const std::vector<double> &visibility, LevelList levels,
+                                          const Sampling &sampling, double metres_per_unit, const base::Jobs &jobs)
 {
     PosedParts fine(source);
     std::vector<LevelComparison> all;
@@ -232,6 +233,39 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
         found[k].posed_max_m = moving.max() * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
         found[k].wrong_zone = all[k].wrong_zone;
         found[k].open_edges = all[k].open_edges > open_before ? all[k].open_edges - open_before : 0;
+    }
+    return found;
+}
+
+size_t triangles_of(const std::vector<const model::Part *> &parts)
+{
+    size_t count = 0;
+    for (const model::Part *part : parts) count += model::triangles_of(*part).size();
+    return count;
+}
+
+}  // namespace
+
+std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
+                                  const std::vector<double> &visibility,
+                                  const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
+                                  double metres_per_unit, const base::Jobs &jobs)
+{
+    // All levels together, where their pairs take a quarter of what levels may take at most (docs/levels.md); else as
+    // many as do, at least one.
+    constexpr uint64_t bytes_of_triangle = 100ull * samples_per_triangle;
+    const uint64_t most = (64 * model::source_bytes(model) + (16ull << 20)) / 4;
+    const uint64_t fine = bytes_of_triangle * triangles_of(source);
+    std::vector<Deviation> found;
+    for (size_t first = 0, last = 0; first < levels.size(); first = last) {
+        for (uint64_t bytes = 0; last < levels.size(); ++last) {
+            bytes += fine + bytes_of_triangle * triangles_of(pointers(*levels[last]));
+            if (last > first && bytes > most) break;
+        }
+        const LevelList some(levels.data() + first, static_cast<uint32_t>(last - first));
+        for (const Deviation &one :
+             deviations_at_once(model, source, visibility, some, sampling, metres_per_unit, jobs))
+            found.push_back(one);
     }
     return found;
 }

@@ -10,6 +10,7 @@
 #include "lib/lod/proxy_balance.h"
 #include "lib/lod/proxy_image.h"
 #include "lib/lod/visibility.h"
+#include "lib/model/model_size.h"
 
 namespace claque::lod
 {
@@ -17,7 +18,7 @@ namespace claque::lod
 namespace
 {
 
-constexpr uint32_t texels_per_triangle = 32;
+constexpr uint32_t texels_per_triangle = 32, least_texels_per_triangle = 2;
 constexpr size_t samples = 4;             // per texel
 constexpr double outward_offset = 0.005;  // as a fraction of the character's size
 
@@ -152,17 +153,27 @@ std::vector<double> areas_of(const model::Model &model, const PosedParts &level,
     return areas;
 }
 
+// Texels of each triangle, so that all together take a quarter of what levels may take (docs/levels.md). An atlas is up
+// to twice as large as its charts.
+uint32_t texels_for(const model::Model &model, size_t triangles)
+{
+    constexpr uint64_t bytes_of_texel = 2 * (sizeof(TexelSamples) + sizeof(ProxyTexel) + sizeof(double) + 4);
+    const uint64_t most = (64 * model::source_bytes(model) + (16ull << 20)) / 4 / bytes_of_texel / triangles;
+    return static_cast<uint32_t>(std::clamp<uint64_t>(most, least_texels_per_triangle, texels_per_triangle));
+}
+
 }  // namespace
 
 std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part, const base::Jobs &jobs)
 {
     const PosedParts level = source.at_rest(part);
-    const Atlas atlas = build_atlas(level, texels_per_triangle);
+    const Atlas atlas = build_atlas(level, texels_for(source.model, level.triangles().size()));
     const std::vector<TexelSamples> texels = SourceSampler(source, level, atlas).run(jobs);
     const std::vector<double> areas = areas_of(source.model, level, atlas);
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) {
         std::vector<ProxyTexel> shown;
+        shown.reserve(texels.size());
         for (size_t i = 0; i < texels.size(); ++i) {
             shown.push_back(texels[i].used ? proxy_texel(source, source.set(set), texels[i]) : ProxyTexel());
             shown.back().area = areas[i];

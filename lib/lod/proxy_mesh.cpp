@@ -12,6 +12,7 @@
 #include "lib/lod/nearest.h"
 #include "lib/lod/reduce.h"
 #include "lib/lod/surface_samples.h"
+#include "lib/model/model_size.h"
 #include "lib/pose/pose.h"
 
 namespace claque::lod
@@ -26,6 +27,7 @@ constexpr uint32_t max_influences = 4;
 constexpr double displacement_cost = 0.5, min_cost = 0.05;
 constexpr size_t max_reduced_triangles = 128;  // levels of at most so many triangles use reduce_by_distance()
 constexpr size_t stand_in_triangles = 1000;    // triangles of the mesh that replaces the fine surface for those
+constexpr uint32_t least_cells = 12;           // along the longest side, however little was read
 constexpr uint32_t first_zone = 0x80000000u;   // feature ids from here on are zones; those below are joints
 
 struct Influence {
@@ -76,6 +78,14 @@ std::vector<Influence> influences_of(const Features &features, const std::vector
 
 // Moves a vertex of the proxy to just above the nearest surface point, on its own side, so that the two sides of a
 // sheet stay apart.
+// Vertices of the closed surface, whose number depends on the shape and not on what was read: they may take half of
+// what levels may take (docs/levels.md).
+size_t most_vertices(const model::Model &model)
+{
+    constexpr uint64_t multiple = 64, always_bytes = 16ull << 20, bytes_of_vertex = 1200;
+    return static_cast<size_t>((multiple * model::source_bytes(model) + always_bytes) / 2 / bytes_of_vertex);
+}
+
 glm::dvec3 shrink_to_surface(glm::dvec3 p, glm::dvec3 nearest, double cell)
 {
     const glm::dvec3 off = p - nearest;
@@ -190,6 +200,13 @@ std::vector<CoarseMesh> coarse_levels(const ClosedMesh &surface, const std::vect
     return levels;
 }
 
+Voxels filled(const std::vector<Voxels::Triangle> &triangles, uint32_t cells)
+{
+    Voxels voxels(triangles, cells);
+    voxels.fill();
+    return voxels;
+}
+
 }  // namespace
 
 std::vector<model::Part> proxy_meshes(const model::Model &model, const std::vector<const model::Part *> &source,
@@ -202,9 +219,13 @@ std::vector<model::Part> proxy_meshes(const model::Model &model, const std::vect
     std::vector<Voxels::Triangle> triangles;
     for (const PosedParts::Triangle &t : posed.triangles()) triangles.push_back(posed.corners(t));
     const double size = size_of(triangles);
-    Voxels voxels(triangles, options.cells);
-    voxels.fill();
+    Voxels voxels = filled(triangles, options.cells);
     ClosedMesh surface = extract_closed_mesh(voxels);
+    for (uint32_t cells = options.cells; surface.positions.size() > most_vertices(model) && cells > least_cells;) {
+        cells -= cells / 4;
+        voxels = filled(triangles, cells);
+        surface = extract_closed_mesh(voxels);
+    }
     const NearestPoint nearest(std::move(triangles));
 
     const std::vector<double> costs = proxy_influence_costs(model, source, options, size);
