@@ -1,11 +1,9 @@
-// soak --updates N [--seconds S] [--seed K]: N updates of people who come and go, drawn every hundredth update. Fails
-// if memory grows, or if what is shown differs from what a fresh run shows at the same time.
+#include "tests/soak/soak.h"
+
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <malloc.h>
 #include <memory>
-#include <string>
 #include <unistd.h>
 
 #include "samples/contexts/offscreen.h"
@@ -18,7 +16,7 @@ namespace soak
 namespace
 {
 
-constexpr uint64_t between_draws = 100, between_checks = 500, generation = 1500;
+constexpr uint64_t between_draws = 100, between_checks = 500, generation = 1500, forgotten = 7;
 constexpr int size_px = 64;
 
 struct Memory {
@@ -81,16 +79,17 @@ private:
 class Soak
 {
 public:
-    Soak(uint64_t seed, contexts::Offscreen &screen) : screen_(screen), world_(context_def())
+    Soak(const Plan &plan, contexts::Offscreen &screen) : plan_(plan), screen_(screen), world_(context_def())
     {
         for (clq_template *&tmpl : world_.templates) clq_template_destroy(tmpl), tmpl = nullptr;
-        people_ = std::make_unique<People>(world_, seed);
+        people_ = std::make_unique<People>(world_, plan.seed);
         begin_generation(0);
     }
     ~Soak()
     {
         painter_.reset();
         people_.reset();
+        kept_.clear();
         for (clq_template *&tmpl : world_.templates) tmpl = nullptr;
     }
 
@@ -134,7 +133,8 @@ private:
         std::swap(people_->known, known_);
         People fresh(world_, *people_, saved_);
         std::swap(people_->known, known_);
-        for (uint64_t past = began_ + 1; past <= step_; ++past) fresh.happen(past);
+        for (uint64_t past = began_ + 1; past <= step_; ++past)
+            if (!plan_.forgets || past != began_ + forgotten) fresh.happen(past);
         fresh.update(step_);
         ++compared_;
         different_ += fresh.hash() != people_->hash();
@@ -148,6 +148,7 @@ private:
         const std::vector<uint8_t> bytes = people_->save();
         auto next = std::make_unique<People>(world_, *people_, bytes);
         painter_.reset();
+        if (plan_.leaks) kept_.push_back(std::move(people_));
         people_ = std::move(next);
         people_->update(step_);
         // What is held while these alone live must not depend on how many came before.
@@ -155,9 +156,11 @@ private:
         begin_generation(step_);
     }
 
+    const Plan plan_;
     contexts::Offscreen &screen_;
     TestWorld world_;
     std::unique_ptr<People> people_;
+    std::vector<std::unique_ptr<People>> kept_;
     std::unique_ptr<Painter> painter_;
     std::vector<uint8_t> saved_;
     People::Known known_;
@@ -165,41 +168,31 @@ private:
     uint64_t step_ = 0, began_ = 0, drawn_ = 0, compared_ = 0, different_ = 0, different_pictures_ = 0;
 };
 
-int run(uint64_t updates, double seconds, uint64_t seed)
+double seconds_since(std::chrono::steady_clock::time_point begin)
 {
-    std::string why;
-    const auto screen =
-        contexts::make_offscreen(contexts::Kind::any, size_px, size_px, contexts::PixelFormat::rgba8888, why);
-    if (!screen) {
-        const std::string absent = gltest::absent_gl(contexts::Kind::any);
-        std::fprintf(stderr, "soak: %s\n", absent.empty() ? why.c_str() : absent.c_str());
-        return absent.empty() ? 1 : 77;
-    }
-    screen->make_current();
-    const auto begin = std::chrono::steady_clock::now();
-    const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-    Soak soak(seed, *screen);
-    uint64_t done = 0;
-    while (done < updates && (seconds <= 0 || passed() < seconds)) soak.step(), ++done;
-    const std::vector<Memory> &all = soak.memories();
-    if (all.size() < 2) {
-        std::fprintf(stderr, "soak: %llu updates are too few to compare memory\n", (unsigned long long)done);
-        return 1;
-    }
-    const Memory &first = all[all.size() / 10], &last = all.back();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void print(const Soak &soak, uint64_t done, double seconds, const Memory &first, const Memory &last)
+{
     std::printf(
         "%llu updates, %llu drawn, %llu compared with fresh runs, %.1f s; %llu commands, %llu of them refused\n",
-        (unsigned long long)done, (unsigned long long)soak.drawn(), (unsigned long long)soak.compared(), passed(),
+        (unsigned long long)done, (unsigned long long)soak.drawn(), (unsigned long long)soak.compared(), seconds,
         (unsigned long long)soak.people().known.commands, (unsigned long long)soak.people().known.refused);
     std::printf(
         "memory after warm-up and at the end: context %lld and %lld bytes, heap %.3f and %.3f MB, resident %.1f and "
         "%.1f MB\n",
         (long long)first.host, (long long)last.host, first.heap_mb, last.heap_mb, first.resident_mb, last.resident_mb);
-    bool good = true;
+}
+
+std::vector<std::string> judged(const Soak &soak)
+{
+    std::vector<std::string> problems;
     const auto require = [&](bool rule, const char *what) {
-        if (!rule) std::fprintf(stderr, "soak: %s\n", what);
-        good = good && rule;
+        if (!rule) problems.emplace_back(what);
     };
+    const std::vector<Memory> &all = soak.memories();
+    const Memory &first = all[all.size() / 10], &last = all.back();
     require(soak.people().known.refused * 4 < soak.people().known.commands,
             "more than a quarter of the commands are refused");
     require(soak.different() == 0, "what is shown differs from a fresh run");
@@ -212,25 +205,30 @@ int run(uint64_t updates, double seconds, uint64_t seed)
     require(last.heap_mb < first.heap_mb + 1, "the heap grows");
     require(last.resident_mb < 1.05 * first.resident_mb + 4, "resident memory grows");
     require(!testing::Test::HasFailure(), "a call failed, see above");
-    return good ? 0 : 1;
+    return problems;
 }
 
 }  // namespace
-}  // namespace soak
 
-int main(int argc, char **argv)
+Outcome run(const Plan &plan)
 {
-    uint64_t updates = 1000000, seed = 1;
-    double seconds = 0;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        if (std::strcmp(argv[i], "--updates") == 0) updates = std::strtoull(argv[i + 1], nullptr, 10);
-        else if (std::strcmp(argv[i], "--seconds") == 0) seconds = std::strtod(argv[i + 1], nullptr);
-        else if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
-        else {
-            std::fprintf(stderr, "soak [--updates N] [--seconds S] [--seed K]\n");
-            return 2;
-        }
+    std::string why;
+    const auto screen =
+        contexts::make_offscreen(contexts::Kind::any, size_px, size_px, contexts::PixelFormat::rgba8888, why);
+    if (!screen) {
+        const std::string absent = gltest::absent_gl(contexts::Kind::any);
+        if (absent.empty()) return {"", {why}};
+        return {absent, {}};
     }
-    testing::InitGoogleTest();
-    return soak::run(updates, seconds, seed);
+    screen->make_current();
+    const auto begin = std::chrono::steady_clock::now();
+    Soak soak(plan, *screen);
+    uint64_t done = 0;
+    while (done < plan.updates && (plan.seconds <= 0 || seconds_since(begin) < plan.seconds)) soak.step(), ++done;
+    const std::vector<Memory> &all = soak.memories();
+    if (all.size() < 2) return {"", {std::to_string(done) + " updates are too few to compare memory"}};
+    print(soak, done, seconds_since(begin), all[all.size() / 10], all.back());
+    return {"", judged(soak)};
 }
+
+}  // namespace soak
