@@ -1,6 +1,6 @@
 #!/bin/sh
-# setup.sh [run|fuzz]: installs the Debian packages that are missing: all, with `run` those that the claque command needs alone, with
-# `fuzz` also those that the fuzzers need (tests/fuzz).
+# setup.sh [run|fuzz|coverage]: installs the Debian packages that are missing: all, with `run` those that the claque command needs alone,
+# with `fuzz` also those that the fuzzers need (tests/fuzz), with `coverage` also gcovr.
 # Without root it prints the command to run as root.
 set -eu
 
@@ -18,6 +18,7 @@ libexpat1-dev libsqlite3-dev zlib1g-dev
 xvfb libglut-dev libopenscenegraph-dev
 python3-numpy python3-pytest
 "
+[ "${1:-all}" != coverage ] || packages="$packages gcovr"
 [ "${1:-all}" != fuzz ] || packages="$packages clang libclang-rt-14-dev"
 
 missing=''
