@@ -64,8 +64,8 @@ uint32_t Reader::turn(const char *name, uint32_t dof)
     if (dof == CLQ_NONE) return model::none;
     const model::Rig &rig = tmpl_.rig;
     if (dof >= rig.dofs.size())
-        fail(CLQ_ARGUMENT, "%s is degree of freedom %u of %zu of template '%s'", name, dof, rig.dofs.size(),
-             tmpl_.name.c_str());
+        fail(CLQ_ARGUMENT, "%s is degree of freedom %u, which does not exist: there are %zu in template '%s'", name,
+             dof, rig.dofs.size(), tmpl_.name.c_str());
     if (rig.dofs[dof].kind != model::DofKind::rotation)
         fail(CLQ_ARGUMENT, "%s is degree of freedom %u '%s', which is no rotation", name, dof,
              rig.dof_names[dof].c_str());
@@ -82,8 +82,9 @@ void Reader::read_pose(const clq_dof_pose &pose, uint32_t index, model::Array<cr
     for (uint32_t i = 0; i < pose.count; ++i) {
         const clq_dof_value &value = pose.values[i];
         if (value.dof >= rig.dofs.size())
-            fail(CLQ_ARGUMENT, "pose %u names degree of freedom %u of %zu of template '%s'", index, value.dof,
-                 rig.dofs.size(), tmpl_.name.c_str());
+            fail(CLQ_ARGUMENT,
+                 "pose %u names degree of freedom %u, which does not exist: there are %zu in template '%s'", index,
+                 value.dof, rig.dofs.size(), tmpl_.name.c_str());
         const model::Dof &dof = rig.dofs[value.dof];
         const char *name = rig.dof_names[value.dof].c_str();
         if (!(value.value >= dof.min && value.value <= dof.max))
@@ -169,7 +170,8 @@ crowd::Phrase Reader::phrase(const clq_phrase_def &def)
         if (!ascends || !std::isfinite(key.time_s))
             fail(CLQ_ARGUMENT, "key %u of the phrase is at %g s: they ascend from 0", i, double(key.time_s));
         if (key.pose != CLQ_NONE && key.pose >= def.pose_count)
-            fail(CLQ_ARGUMENT, "key %u of the phrase names pose %u of %u", i, key.pose, def.pose_count);
+            fail(CLQ_ARGUMENT, "key %u of the phrase names pose %u, which does not exist: there are %u", i, key.pose,
+                 def.pose_count);
         out.keys.push_back({key.time_s, key.pose == CLQ_NONE ? model::none : key.pose});
     }
     require_more("length_s", def.length_s, 0);

@@ -19,8 +19,8 @@ namespace
 const model::Clip &clip_of(const model::Template &tmpl, uint32_t clip, const char *name)
 {
     if (clip >= tmpl.rig.clips.size())
-        fail(CLQ_ARGUMENT, "%s is clip %u of %zu of template '%s'", name, clip, tmpl.rig.clips.size(),
-             tmpl.name.c_str());
+        fail(CLQ_ARGUMENT, "%s is clip %u, which does not exist: there are %zu in template '%s'", name, clip,
+             tmpl.rig.clips.size(), tmpl.name.c_str());
     return tmpl.rig.clips[clip];
 }
 

@@ -37,7 +37,7 @@ void MechanismDef::copy_poses(const model::Array<crowd::DofPose> &shapes, const 
     poses_.reserve(shapes.size());
     for (const crowd::DofPose &shape : shapes) {
         if (shape.first > values_.size() || shape.count > values_.size() - shape.first)
-            fail(CLQ_FORMAT, "a shape has values %u to %u of %zu", shape.first, shape.first + shape.count,
+            fail(CLQ_FORMAT, "a shape has values %u to %u, and there are %zu", shape.first, shape.first + shape.count,
                  values_.size());
         poses_.push_back({shape.count, values_.data() + shape.first});
     }

@@ -61,8 +61,8 @@ private:
         made.skinned = part.influence_count > 0;
         if (!made.skinned) {
             if (part.node >= def_.node_count)
-                fail(CLQ_ARGUMENT, "rigid part %u '%s' hangs on node %u of %u", index, made.name.c_str(), part.node,
-                     def_.node_count);
+                fail(CLQ_ARGUMENT, "rigid part %u '%s' hangs on node %u, which does not exist: there are %u", index,
+                     made.name.c_str(), part.node, def_.node_count);
             made.influence_count = 1;
             made.joints.assign(part.vertex_count, rigid_entry(part.node));
             made.weights.assign(part.vertex_count, 1.0f);
@@ -76,8 +76,8 @@ private:
         // them.
         for (size_t i = 0; i < count; ++i)
             if (part.joints[i] >= def_.joint_count)
-                fail(CLQ_ARGUMENT, "vertex %zu of part %u '%s' names joint %u of %u", i / part.influence_count, index,
-                     made.name.c_str(), part.joints[i], def_.joint_count);
+                fail(CLQ_ARGUMENT, "vertex %zu of part %u '%s' names joint %u, which does not exist: there are %u",
+                     i / part.influence_count, index, made.name.c_str(), part.joints[i], def_.joint_count);
         made.influence_count = part.influence_count;
         made.joints.assign(part.joints, part.joints + count);
         made.weights.assign(part.weights, part.weights + count);
@@ -98,8 +98,8 @@ private:
         if (part.morph_count == 0) return;
         require_array(part.morphs, part.morph_count, "morphs");
         if (part.node >= def_.node_count)
-            fail(CLQ_ARGUMENT, "morphed part %u '%s' names node %u of %u", index, made.name.c_str(), part.node,
-                 def_.node_count);
+            fail(CLQ_ARGUMENT, "morphed part %u '%s' names node %u, which does not exist: there are %u", index,
+                 made.name.c_str(), part.node, def_.node_count);
         made.morph_set = morph_set(part);
         for (uint32_t m = 0; m < part.morph_count; ++m) {
             model::MorphTarget target;

@@ -187,7 +187,8 @@ Mesh read_mesh(const JsonView &view, File &file, Materials &materials, bool show
         if (i > 0 && targets != mesh.target_count)
             fail(CLQ_FORMAT, "%s has %zu morph targets, the primitive before it has %u", primitive_view.path().c_str(),
                  targets, mesh.target_count);
-        if (targets > 0xffff) fail(CLQ_LIMIT, "%s has %zu morph targets", primitive_view.path().c_str(), targets);
+        if (targets > 0xffff)
+            fail(CLQ_LIMIT, "%s has %zu morph targets: 65535 are the most", primitive_view.path().c_str(), targets);
         mesh.target_count = static_cast<uint32_t>(targets);
         Primitive primitive;
         PrimitiveReader reader(file, materials, primitive_view);

@@ -88,7 +88,8 @@ uint32_t JsonView::index(size_t count, const char *what) const
 {
     const uint64_t i = integer(0, 0xfffffffeu);
     if (i >= count)
-        fail(CLQ_FORMAT, "%s names %s %llu of %zu", path_.c_str(), what, static_cast<unsigned long long>(i), count);
+        fail(CLQ_FORMAT, "%s names %s %llu, which does not exist: there are %zu", path_.c_str(), what,
+             static_cast<unsigned long long>(i), count);
     return static_cast<uint32_t>(i);
 }
 

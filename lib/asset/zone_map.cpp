@@ -42,8 +42,8 @@ void check(const model::Model &model, uint32_t image, const ZoneMap &map, size_t
     for (size_t i = 0; i < size_t(map.width) * map.height; ++i) {
         any = any || map.zones[i] != unknown_zone;
         if (map.zones[i] != unknown_zone && map.zones[i] >= zone_count)
-            fail(CLQ_ARGUMENT, "texel (%zu, %zu) of the zone map names zone %u of %zu", i % map.width, i / map.width,
-                 map.zones[i], zone_count);
+            fail(CLQ_ARGUMENT, "texel (%zu, %zu) of the zone map names zone %u, which does not exist: there are %zu",
+                 i % map.width, i / map.width, map.zones[i], zone_count);
     }
     if (!any) fail(CLQ_ARGUMENT, "the zone map of %u x %u texels names no zone anywhere", map.width, map.height);
     const std::vector<uint32_t> users = users_of(model, image);

@@ -40,9 +40,9 @@ void check_gait(const Gait &gait)
     using base::fail;
     for (const uint32_t clip : {gait.clip_a, gait.clip_b}) {
         if (clip >= gait.tmpl->rig.clips.size())
-            fail(CLQ_ARGUMENT, "a gait of clip %u of %zu of template '%s'", clip, gait.tmpl->rig.clips.size(),
-                 gait.tmpl->name.c_str());
-        if (!(clip_of(gait, clip).duration_s > 0)) fail(CLQ_ARGUMENT, "a gait of clip %u, which has no length", clip);
+            fail(CLQ_ARGUMENT, "a gait has clip %u, which does not exist: there are %zu in template '%s'", clip,
+                 gait.tmpl->rig.clips.size(), gait.tmpl->name.c_str());
+        if (!(clip_of(gait, clip).duration_s > 0)) fail(CLQ_ARGUMENT, "a gait has clip %u, which has no length", clip);
     }
     if (gait.sync_a.size() != gait.sync_b.size())
         fail(CLQ_ARGUMENT, "a gait with %zu and %zu times that belong together", gait.sync_a.size(),

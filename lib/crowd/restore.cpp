@@ -59,7 +59,8 @@ void read_attached(Reader &in, Crowd &out)
 const model::Template *template_at(const Tables &tables, uint32_t index)
 {
     if (index >= tables.templates.size())
-        fail(CLQ_FORMAT, "a saved crowd names template %u of %zu", index, tables.templates.size());
+        fail(CLQ_FORMAT, "a saved crowd names template %u, which does not exist: there are %zu", index,
+             tables.templates.size());
     return tables.templates[index];
 }
 

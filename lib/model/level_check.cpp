@@ -22,12 +22,13 @@ void check_runs(const Level &level, size_t palette_count)
         influences = run.influences;
     }
     if (vertex != level.source_count)
-        fail(CLQ_ARGUMENT, "runs of influences hold %llu of %u vertices", static_cast<unsigned long long>(vertex),
-             level.source_count);
+        fail(CLQ_ARGUMENT, "runs of influences hold %llu vertices: all %u are wanted",
+             static_cast<unsigned long long>(vertex), level.source_count);
     require_count(level.weights.size(), level.joints.size(), "weights");
     require_finite(level.weights.data(), level.weights.size(), "weights");
     for (const uint16_t joint : level.joints)
-        if (joint >= palette_count) fail(CLQ_ARGUMENT, "a vertex follows matrix %u of %zu", joint, palette_count);
+        if (joint >= palette_count)
+            fail(CLQ_ARGUMENT, "a vertex follows matrix %u, which does not exist: there are %zu", joint, palette_count);
 }
 
 void check_morphs(const Level &level, size_t weight_count)
@@ -37,7 +38,8 @@ void check_morphs(const Level &level, size_t weight_count)
             fail(CLQ_ARGUMENT, "a range of morph deltas of weight %u is out of range", range.weight);
     for (const MorphDelta &delta : level.morph_deltas) {
         if (delta.vertex >= level.source_count)
-            fail(CLQ_ARGUMENT, "a morph delta of vertex %u of %u", delta.vertex, level.source_count);
+            fail(CLQ_ARGUMENT, "a morph delta is of vertex %u, which does not exist: there are %u", delta.vertex,
+                 level.source_count);
         require_finite(delta.position, 3, "morph delta");
         require_finite(delta.normal, 3, "morph delta");
     }
@@ -58,24 +60,28 @@ void check_vertices(const Level &level)
     require_finite(level.normals.data(), level.normals.size(), "normals");
     require_finite(level.uvs.data(), level.uvs.size(), "texture coordinates");
     for (const uint32_t source : level.copies)
-        if (source >= level.source_count) fail(CLQ_ARGUMENT, "a copy of vertex %u of %u", source, level.source_count);
+        if (source >= level.source_count)
+            fail(CLQ_ARGUMENT, "a vertex is a copy of vertex %u, which does not exist: there are %u", source,
+                 level.source_count);
 }
 
 void check_range(const Level &level, const IndexRange &range, uint32_t vertices)
 {
     if (range.count % 3 != 0 || uint64_t(range.first) + range.count > level.indices.size())
-        fail(CLQ_ARGUMENT, "indices %u to %llu of %zu are not triangles", range.first,
+        fail(CLQ_ARGUMENT, "indices %u to %llu are no whole triangles, or do not exist: there are %zu", range.first,
              static_cast<unsigned long long>(uint64_t(range.first) + range.count), level.indices.size());
     for (uint32_t i = range.first; i < range.first + range.count; ++i)
         if (level.indices[i] >= vertices)
-            fail(CLQ_ARGUMENT, "index %u names vertex %u of %u", i, level.indices[i], vertices);
+            fail(CLQ_ARGUMENT, "index %u names vertex %u, which does not exist: there are %u", i, level.indices[i],
+                 vertices);
 }
 
 void check_bins(const Level &level, const Array<Bin> &bins, size_t zones)
 {
     for (size_t i = 0; i < bins.size(); ++i) {
         if (bins[i].zone_index >= zones || (i > 0 && bins[i].zone_index <= bins[i - 1].zone_index))
-            fail(CLQ_ARGUMENT, "bin %zu is of zone %u of %zu", i, bins[i].zone_index, zones);
+            fail(CLQ_ARGUMENT, "bin %zu is of zone %u, which does not exist: its texture has %zu", i,
+                 bins[i].zone_index, zones);
         check_range(level, bins[i].range, level.source_count);
     }
 }
@@ -83,7 +89,8 @@ void check_bins(const Level &level, const Array<Bin> &bins, size_t zones)
 void check_surface(const Template &tmpl, const Level &level, const Surface &surface)
 {
     if (surface.texture >= tmpl.textures.size())
-        fail(CLQ_ARGUMENT, "a surface has texture %u of %zu", surface.texture, tmpl.textures.size());
+        fail(CLQ_ARGUMENT, "a surface has texture %u, which does not exist: there are %zu", surface.texture,
+             tmpl.textures.size());
     const size_t zones = tmpl.textures[surface.texture].keys.size();
     check_bins(level, surface.clean, zones);
     check_bins(level, surface.dirty_by_zone, zones);
@@ -114,7 +121,7 @@ void check_surfaces(const Template &tmpl, const Level &level)
 void check_empty(const Level &level, size_t index)
 {
     if (level.source_count > 0) return;
-    if (index == 0) fail(CLQ_ARGUMENT, "a template without a vertex near the eye");
+    if (index == 0) fail(CLQ_ARGUMENT, "a template has no vertex at its first level");
     if (!level.surfaces.empty() || !level.indices.empty())
         fail(CLQ_ARGUMENT, "level %zu has %zu surfaces and %zu indices without a vertex", index, level.surfaces.size(),
              level.indices.size());
@@ -133,9 +140,9 @@ void check_distance(const Template &tmpl, size_t index)
 
 void check_levels(const Template &tmpl)
 {
-    if (tmpl.levels.empty()) fail(CLQ_ARGUMENT, "a template without a level");
+    if (tmpl.levels.empty()) fail(CLQ_ARGUMENT, "a template has no level: 1 or more are wanted");
     if (tmpl.levels.size() > max_levels)
-        fail(CLQ_ARGUMENT, "a template of %zu levels: %zu are the most", tmpl.levels.size(), max_levels);
+        fail(CLQ_ARGUMENT, "a template has %zu levels: %zu are the most", tmpl.levels.size(), max_levels);
     for (size_t i = 0; i < tmpl.levels.size(); ++i) {
         const Level &level = tmpl.levels[i];
         check_distance(tmpl, i);

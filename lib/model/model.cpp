@@ -39,8 +39,8 @@ void check_influences(const Model &model, const Part &part, size_t index)
         for (uint32_t k = 0; k < part.influence_count; ++k) {
             const size_t at = v * part.influence_count + k;
             if (part.joints[at] >= model.rig.palette.size())
-                fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' names joint %u of %zu", v, index, part.name.c_str(),
-                     part.joints[at], model.rig.palette.size());
+                fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' names joint %u, which does not exist: there are %zu", v,
+                     index, part.name.c_str(), part.joints[at], model.rig.palette.size());
             if (!(part.weights[at] >= 0))
                 fail(CLQ_ARGUMENT, "vertex %zu of part %zu '%s' has a negative weight", v, index, part.name.c_str());
             sum += part.weights[at];
@@ -70,9 +70,11 @@ void check_part(const Model &model, const Part &part, size_t index)
              name);
     for (const uint32_t i : part.indices)
         if (i >= part.positions.size())
-            fail(CLQ_ARGUMENT, "part %zu '%s' has index %u of %zu vertices", index, name, i, part.positions.size());
+            fail(CLQ_ARGUMENT, "part %zu '%s' has an index of vertex %u, which does not exist: there are %zu", index,
+                 name, i, part.positions.size());
     if (part.material != none && part.material >= model.materials.size())
-        fail(CLQ_ARGUMENT, "part %zu '%s' has material %u of %zu", index, name, part.material, model.materials.size());
+        fail(CLQ_ARGUMENT, "part %zu '%s' has material %u, which does not exist: there are %zu", index, name,
+             part.material, model.materials.size());
     if (!(part.lod_min_m >= 0) || !std::isfinite(part.lod_min_m) || !(part.lod_max_m > part.lod_min_m))
         fail(CLQ_ARGUMENT, "part %zu '%s' is drawn from %g m to %g m: 0 <= lod_min_m < lod_max_m is wanted", index,
              name, static_cast<double>(part.lod_min_m), static_cast<double>(part.lod_max_m));
@@ -80,8 +82,8 @@ void check_part(const Model &model, const Part &part, size_t index)
         if (part.morph_set >= model.rig.morph_sets.size())
             fail(CLQ_ARGUMENT, "part %zu '%s' has morph targets without a morph set", index, name);
         if (part.morphs.size() != model.rig.morph_sets[part.morph_set].target_count)
-            fail(CLQ_ARGUMENT, "part %zu '%s' has %zu morph targets of %u", index, name, part.morphs.size(),
-                 model.rig.morph_sets[part.morph_set].target_count);
+            fail(CLQ_ARGUMENT, "part %zu '%s' has %zu morph targets, and its morph set %u", index, name,
+                 part.morphs.size(), model.rig.morph_sets[part.morph_set].target_count);
         for (const MorphTarget &target : part.morphs)
             if (!finite(target.positions) || !finite(target.normals))
                 fail(CLQ_ARGUMENT, "part %zu '%s' has a morph target that is not finite", index, name);
@@ -119,11 +121,11 @@ void check_looks(const Model &model)
                 fail(CLQ_ARGUMENT, "material %zu '%s' has a colour or an alpha_cutoff that is not finite", i,
                      material.name.c_str());
         if (material.image != none && material.image >= model.images.size())
-            fail(CLQ_ARGUMENT, "material %zu '%s' has image %u of %zu", i, material.name.c_str(), material.image,
-                 model.images.size());
+            fail(CLQ_ARGUMENT, "material %zu '%s' has image %u, which does not exist: there are %zu", i,
+                 material.name.c_str(), material.image, model.images.size());
         if (material.zone != none && material.zone >= model.zones.size())
-            fail(CLQ_ARGUMENT, "material %zu '%s' has zone %u of %zu", i, material.name.c_str(), material.zone,
-                 model.zones.size());
+            fail(CLQ_ARGUMENT, "material %zu '%s' has zone %u, which does not exist: there are %zu", i,
+                 material.name.c_str(), material.zone, model.zones.size());
     }
 }
 
@@ -150,8 +152,9 @@ void check_texture_sets(const Model &model)
             if (set.images[i] == none) continue;
             const Material &material = model.materials[i];
             if (set.images[i] >= model.images.size())
-                fail(CLQ_ARGUMENT, "texture set '%s' has image %u of %zu for material %zu '%s'", name, set.images[i],
-                     model.images.size(), i, material.name.c_str());
+                fail(CLQ_ARGUMENT,
+                     "texture set '%s' has image %u, which does not exist (there are %zu), for material %zu '%s'", name,
+                     set.images[i], model.images.size(), i, material.name.c_str());
             if (material.image == none)
                 fail(CLQ_ARGUMENT, "texture set '%s' has an image for material %zu '%s', which has none of its own",
                      name, i, material.name.c_str());

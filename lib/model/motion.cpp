@@ -94,8 +94,8 @@ void check_group(const Motion &m, const Rig &rig, const MotionGroup &group)
     const bool counted = morphs ? group.count >= 1 && group.count <= 4 : group.count == 3;
     if (!counted || uint64_t(group.index) + (morphs ? group.count : 1) > owners ||
         (!morphs && m.nodes[group.index] == none))
-        fail(CLQ_ARGUMENT, "a motion group of %u numbers for number %u of %llu", group.count, group.index,
-             static_cast<unsigned long long>(owners));
+        fail(CLQ_ARGUMENT, "a motion group holds %u numbers from number %u on, and there are %llu", group.count,
+             group.index, static_cast<unsigned long long>(owners));
 }
 
 void check_rows(uint64_t first, uint64_t stride, uint64_t intervals, uint64_t numbers, uint64_t length)

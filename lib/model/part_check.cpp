@@ -22,7 +22,8 @@ uint64_t triangles_of(const Level &level)
 void check_sphere(const Template &tmpl, const PartSphere &sphere)
 {
     if (sphere.entry >= tmpl.rig.palette.size())
-        fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u of %zu", sphere.entry, tmpl.rig.palette.size());
+        fail(CLQ_ARGUMENT, "a sphere of a part follows matrix %u, which does not exist: there are %zu", sphere.entry,
+             tmpl.rig.palette.size());
     require_finite(&sphere.bind.centre.x, 3, "centre of a part's sphere");
     require_finite(&sphere.bind.radius, 1, "radius of a part's sphere");
     if (sphere.bind.radius < 0) fail(CLQ_ARGUMENT, "a part's sphere of negative radius");
@@ -32,13 +33,14 @@ void check_part(const Template &tmpl, const Level &level, size_t index)
 {
     const LevelPart &part = level.parts[index];
     if (part.node >= tmpl.rig.node_count())
-        fail(CLQ_ARGUMENT, "part %zu hangs on node %u of %u", index, part.node, tmpl.rig.node_count());
+        fail(CLQ_ARGUMENT, "part %zu hangs on node %u, which does not exist: there are %u", index, part.node,
+             tmpl.rig.node_count());
     const uint64_t first =
         index == 0 ? 0 : uint64_t(level.parts[index - 1].first_sphere) + level.parts[index - 1].sphere_count;
     if (part.first_sphere != first || part.sphere_count == 0 ||
         uint64_t(part.first_sphere) + part.sphere_count > level.part_spheres.size())
-        fail(CLQ_ARGUMENT, "part %zu has spheres %u to %llu of %zu", index, part.first_sphere,
-             static_cast<unsigned long long>(uint64_t(part.first_sphere) + part.sphere_count),
+        fail(CLQ_ARGUMENT, "part %zu has spheres %u to %llu: they follow those of the part before, and there are %zu",
+             index, part.first_sphere, static_cast<unsigned long long>(uint64_t(part.first_sphere) + part.sphere_count),
              level.part_spheres.size());
     for (uint32_t i = 1; i < part.sphere_count; ++i)
         if (level.part_spheres[part.first_sphere + i].entry <= level.part_spheres[part.first_sphere + i - 1].entry)
@@ -63,7 +65,9 @@ void check_entries(const Template &tmpl, const Level &level)
     for (size_t i = 0; i < level.entries.size(); ++i) {
         const uint32_t entry = level.entries[i];
         if (entry >= kept.size() || (i > 0 && entry <= level.entries[i - 1]))
-            fail(CLQ_ARGUMENT, "a level asks for matrix %u of %zu, or twice", entry, kept.size());
+            fail(CLQ_ARGUMENT,
+                 "a level asks for matrix %u, which does not exist (there are %zu) or was asked for before", entry,
+                 kept.size());
         if (!level.active[tmpl.rig.palette[entry].node])
             fail(CLQ_ARGUMENT, "a level asks for matrix %u, whose node has stopped", entry);
         kept[entry] = true;

@@ -64,7 +64,8 @@ void check_nodes(const Rig &rig)
     }
     for (size_t i = 0; i < rig.palette.size(); ++i) {
         if (rig.palette[i].node >= n)
-            fail(CLQ_ARGUMENT, "palette entry %zu names node %u of %u", i, rig.palette[i].node, n);
+            fail(CLQ_ARGUMENT, "palette entry %zu names node %u, which does not exist: there are %u", i,
+                 rig.palette[i].node, n);
         if (!finite(rig.palette[i].inverse_bind.c, 12))
             fail(CLQ_ARGUMENT, "palette entry %zu has an inverse bind matrix that is not finite", i);
     }
@@ -83,7 +84,9 @@ void check_channel(const Rig &rig, const Channel &channel, size_t index, const s
 {
     const bool morphs = channel.target == ChannelTarget::morph_weights;
     const size_t targets = morphs ? rig.morph_sets.size() : rig.parents.size();
-    if (channel.node >= targets) fail(CLQ_ARGUMENT, "channel %zu moves number %u of %zu", index, channel.node, targets);
+    if (channel.node >= targets)
+        fail(CLQ_ARGUMENT, "channel %zu moves node or morph set %u, which does not exist: there are %zu", index,
+             channel.node, targets);
     const uint32_t wanted = morphs                                      ? rig.morph_sets[channel.node].target_count
                             : channel.target == ChannelTarget::rotation ? 4u
                                                                         : 3u;
@@ -121,11 +124,11 @@ void check_dof(const Rig &rig, const Dof &dof, size_t index)
     const bool morphs = dof.kind == DofKind::morph;
     const size_t owners = morphs ? rig.morph_sets.size() : rig.parents.size();
     if (dof.node >= owners)
-        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of %s %u of %zu", index, name, morphs ? "morph set" : "node",
-             dof.node, owners);
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of %s %u, which does not exist: there are %zu", index, name,
+             morphs ? "morph set" : "node", dof.node, owners);
     if (morphs && dof.morph_target >= rig.morph_sets[dof.node].target_count)
-        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of morph target %u of %u", index, name, dof.morph_target,
-             rig.morph_sets[dof.node].target_count);
+        fail(CLQ_ARGUMENT, "degree of freedom %zu '%s' is of morph target %u, which does not exist: there are %u",
+             index, name, dof.morph_target, rig.morph_sets[dof.node].target_count);
     const glm::vec3 &a = dof.axis;
     const float length2 = a.x * a.x + a.y * a.y + a.z * a.z;
     if (!morphs && !(length2 > 0.998f && length2 < 1.002f))

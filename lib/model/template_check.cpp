@@ -51,7 +51,8 @@ void check_texture(const Template &tmpl, const Texture &texture, size_t index)
     known[0] = texture.has_holes;
     for (size_t i = 0; i < texture.keys.size(); ++i) {
         if (texture.keys[i].zone >= tmpl.zone_count())
-            fail(CLQ_ARGUMENT, "texture %zu has zone %u of %u", index, texture.keys[i].zone, tmpl.zone_count());
+            fail(CLQ_ARGUMENT, "texture %zu has zone %u, which does not exist: there are %u", index,
+                 texture.keys[i].zone, tmpl.zone_count());
         if (i > 0 && texture.keys[i].key <= texture.keys[i - 1].key)
             fail(CLQ_ARGUMENT, "texture %zu has keys that do not ascend", index);
         known[texture.keys[i].key] = true;

@@ -26,7 +26,8 @@ TEST_F(BehaveApi, RefusesInvalidGazes)
     using Def = clq_mechanism_def;
     refused(CLQ_MECHANISM_GAZE, "names no degree of freedom",
             [](Def &d) { d.gaze.neck_yaw = d.gaze.neck_pitch = CLQ_NONE; });
-    refused(CLQ_MECHANISM_GAZE, "eye_yaw is degree of freedom 3 of 3", [](Def &d) { d.gaze.eye_yaw[1] = 3; });
+    refused(CLQ_MECHANISM_GAZE, "eye_yaw is degree of freedom 3, which does not exist: there are 3",
+            [](Def &d) { d.gaze.eye_yaw[1] = 3; });
     refused(CLQ_MECHANISM_GAZE, "spine_pitch is degree of freedom 2 'shift', which is no rotation",
             [](Def &d) { d.gaze.spine_pitch = shift; });
     refused(CLQ_MECHANISM_GAZE, "neck_share is 1.5", [](Def &d) { d.gaze.neck_share = 1.5f; });
@@ -71,7 +72,8 @@ TEST_F(BehaveApi, RefusesInvalidPhrasesClipsAndHosts)
     refused(CLQ_MECHANISM_PHRASE, "key 0 of the phrase is at 1 s", [&](Def &d) { d.phrase.keys = late; });
     refused(CLQ_MECHANISM_PHRASE, "key 1 of the phrase is at 0 s",
             [&](Def &d) { d.phrase.keys = back, d.phrase.key_count = 2; });
-    refused(CLQ_MECHANISM_PHRASE, "key 0 of the phrase names pose 1 of 1", [&](Def &d) { d.phrase.keys = unknown; });
+    refused(CLQ_MECHANISM_PHRASE, "key 0 of the phrase names pose 1, which does not exist: there are 1",
+            [&](Def &d) { d.phrase.keys = unknown; });
     const clq_phrase_key two[2] = {{0, 0}, {1.5f, CLQ_NONE}};
     refused(CLQ_MECHANISM_PHRASE, "length_s is 1: a finite number of at least 1.5",
             [&](Def &d) { d.phrase.keys = two, d.phrase.key_count = 2; });

@@ -179,7 +179,7 @@ TEST_F(TextureSet, ATemplateWhoseSetsBreakARuleIsRefused)
     };
     const uint32_t far = 9;
     sets_[0].images = &far;
-    refused("texture set 'plain' has image 9 of 2 for material 0 'strip'");
+    refused("texture set 'plain' has image 9, which does not exist (there are 2), for material 0 'strip'");
     sets_[0].images = nullptr;
     refused("images of a texture set is NULL");
     small_.def.texture_sets = nullptr;

@@ -169,7 +169,8 @@ TEST(ZoneMap, ThatBreaksARuleIsRefusedAndChangesNothing)
     EXPECT_NE(refusal(model, 3, upper_and_lower, zones).find("image 3 does not exist: 'sheet' has 1"),
               std::string::npos);
     const std::vector<uint16_t> wrong = {0, 2}, nothing = {unknown_zone};
-    EXPECT_NE(refusal(model, 0, {1, 2, wrong.data()}, zones).find("texel (0, 1) of the zone map names zone 2 of 2"),
+    EXPECT_NE(refusal(model, 0, {1, 2, wrong.data()}, zones)
+                  .find("texel (0, 1) of the zone map names zone 2, which does not exist: there are 2"),
               std::string::npos);
     EXPECT_NE(refusal(model, 0, {1, 1, nothing.data()}, zones).find("names no zone anywhere"), std::string::npos);
     model.materials[0].alpha_mode = model::AlphaMode::mask;

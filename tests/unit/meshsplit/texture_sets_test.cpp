@@ -111,7 +111,9 @@ TEST(TextureSets, SetsThatBreakARuleAreRefusedByName)
 {
     model::Model m = sheet_with({key_image(16, 16, right_left)});
     m.texture_sets[0].images[0] = 7;
-    EXPECT_NE(refusal_of_sets(m).find("texture set 'set 1' has image 7 of 2 for material 0"), std::string::npos)
+    EXPECT_NE(
+        refusal_of_sets(m).find("texture set 'set 1' has image 7, which does not exist (there are 2), for material 0"),
+        std::string::npos)
         << refusal_of_sets(m);
     m.texture_sets[0].images.push_back(0);
     EXPECT_NE(refusal_of_sets(m).find("texture set 'set 1' names 2 images for 1 materials"), std::string::npos)
