@@ -182,6 +182,7 @@ private:
         options_.jobs.try_each(static_cast<uint32_t>(meshes.size()),
                                [&](uint32_t k) { taken[k] = fill(meshes[k], zone_images, limits, out_.levels[k]); });
         for (const uint64_t bytes : taken) allowance_.take(bytes, "zones of triangles");
+        for (const Mesh &mesh : meshes) out_.report.parts = std::max(out_.report.parts, mesh.parts);
     }
 
     // Returns what several zones of triangles took.

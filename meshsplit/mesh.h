@@ -45,6 +45,7 @@ struct Mesh {
     std::vector<VertexMorph> morphs;
     std::vector<MeshSurface> surfaces;  // only those that have triangles
     bool has_colours = false;
+    uint32_t parts = 0;       // that have triangles, however many are culled as one
     uint32_t degenerate = 0;  // triangles that were dropped
     uint32_t coincident = 0;  // triangles that z-fight with an earlier triangle on the same points
 };

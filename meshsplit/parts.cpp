@@ -104,6 +104,7 @@ uint32_t number_parts(Mesh &mesh)
         if (triangle.part != last) last = triangle.part, ++count;
         triangle.part = count - 1;
     }
+    mesh.parts = count;
     if (count <= model::max_level_parts) return count;
     for (MeshTriangle &triangle : mesh.triangles)
         triangle.part = static_cast<uint32_t>(uint64_t(triangle.part) * model::max_level_parts / count);

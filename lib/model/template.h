@@ -201,6 +201,7 @@ struct SplitReport {
     uint32_t coincident = 0;       // triangles on another with the same corners
     uint32_t fused_triangles = 0;  // triangles of the fused stream
     uint32_t copies = 0;           // vertices that the fused stream adds
+    uint32_t parts = 0;            // of the level that has most, before some are culled as one; not in prepared files
 };
 
 struct Template {

@@ -1,6 +1,7 @@
 // Templates from a host's own arrays: errors are named; valid templates survive saving and loading.
 #include <claque/claque.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -43,6 +44,31 @@ protected:
 };
 
 }  // namespace
+
+TEST_F(Templates, PartsThatAreCulledAsOneAreLogged)
+{
+    std::vector<std::string> lines;
+    clq_context_def def = clq_context_def_init();
+    def.log = {&lines, [](void *user, clq_log_level, const char *text) {
+                   static_cast<std::vector<std::string> *>(user)->push_back(text);
+               }};
+    clq_context *context = nullptr;
+    ASSERT_EQ(clq_context_create(&def, &context), CLQ_OK);
+    for (const uint32_t count : {64u, 65u}) {
+        SmallTemplate small;
+        const std::vector<clq_part_def> parts(count, small.parts[0]);
+        small.def.parts = parts.data(), small.def.part_count = count;
+        clq_template *tmpl = nullptr;
+        lines.clear();
+        ASSERT_EQ(clq_template_build(context, &small.def, &tmpl), CLQ_OK) << clq_last_error();
+        clq_template_destroy(tmpl);
+        const bool said = std::any_of(lines.begin(), lines.end(), [](const std::string &line) {
+            return line.find("a level has 65 parts, and 64 can be culled by themselves") != std::string::npos;
+        });
+        EXPECT_EQ(said, count > 64) << count;
+    }
+    EXPECT_EQ(clq_context_destroy(context), CLQ_OK);
+}
 
 TEST_F(Templates, TheFirstBrokenRuleIsNamed)
 {
