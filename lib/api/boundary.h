@@ -3,6 +3,7 @@
 
 #include <claque/base.h>
 
+#include <cstdio>
 #include <cstring>
 #include <new>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// Line charts read from JSON; what is wrong is named with its place.
 #include <array>
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// A chart as SVG, in colours that follow the reader's dark or light theme.
 #include <cstdio>
 
 #include "samples/charts/drawing.h"

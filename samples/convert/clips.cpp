@@ -1,3 +1,4 @@
+// Assimp's animations as animations of glTF.
 #include <algorithm>
 #include <cmath>
 #include <set>

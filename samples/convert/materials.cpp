@@ -1,3 +1,4 @@
+// Assimp's materials as materials of glTF: base colour, picture, both sides.
 #include <cmath>
 
 #include <assimp/material.h>

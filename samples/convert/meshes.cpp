@@ -1,3 +1,4 @@
+// Assimp's meshes as primitives of glTF.
 #include <cmath>
 
 #include "samples/convert/scene.h"

@@ -1,3 +1,4 @@
+// Assimp's tree of nodes as nodes of glTF, in metres and with y up.
 #include <cmath>
 #include <stdexcept>
 

@@ -1,3 +1,4 @@
+// Assimp's bones as a skin of glTF, with all weights of each vertex, four a set.
 #include <algorithm>
 #include <stdexcept>
 

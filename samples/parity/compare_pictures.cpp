@@ -1,3 +1,4 @@
+// Measures of what pictures show: visible individuals, zones, depth, colour.
 #include <algorithm>
 
 #include "samples/parity/compare_parts.h"

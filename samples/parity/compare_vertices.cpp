@@ -1,3 +1,4 @@
+// Measures of individuals, their skinned positions and their normals.
 #include <algorithm>
 
 #include "samples/parity/arrays.h"

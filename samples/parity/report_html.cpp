@@ -1,3 +1,4 @@
+// A comparison as one HTML page that contains its pictures.
 #include "samples/parity/base64.h"
 #include "samples/parity/report.h"
 

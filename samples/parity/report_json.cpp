@@ -1,3 +1,4 @@
+// A comparison as JSON, for scripts.
 #include <cmath>
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// A comparison as lines of text, one a measure.
 #include <cstdio>
 
 #include "samples/parity/report.h"

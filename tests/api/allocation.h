@@ -36,7 +36,7 @@ inline void fail_each(const char *what, fm::Reach reach, uint64_t stride, const 
             ASSERT_EQ(status, CLQ_OK) << what << ": " << clq_last_error();
             break;
         }
-        if (status == CLQ_OK) continue;  // whoever asked could do without
+        if (status == CLQ_OK) continue;  // the call could do without
         ++failures;
         ASSERT_EQ(status, CLQ_OUT_OF_MEMORY) << what << ", allocation " << n << ": " << clq_last_error();
         if (memory == Memory::given_back) {

@@ -1,3 +1,4 @@
+// The materials of scene.glb: a picture of lightness and keys for each texture of a template.
 #include <algorithm>
 
 #include "samples/parity/write/mesh_glb.h"

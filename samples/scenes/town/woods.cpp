@@ -1,3 +1,4 @@
+// Woods of the town and its hills, parcel by parcel; what is random is a hash of the parcel.
 #include <algorithm>
 #include <cmath>
 
