@@ -60,14 +60,16 @@ namespace readers
 namespace
 {
 
+void take_better(Reading &best, const Reading &next)
+{
+    best.load_ms = std::min(best.load_ms, next.load_ms), best.build_ms = std::min(best.build_ms, next.build_ms);
+}
+
 // The best of some tries.
 Reading read(const ReaderElement &e, scenes::Library &library, const std::string &bytes)
 {
     Reading best = e.read(library, bytes);
-    for (int i = 1; i < tries && best.load_ms + best.build_ms < 1000; ++i) {
-        const Reading next = e.read(library, bytes);
-        best.load_ms = std::min(best.load_ms, next.load_ms), best.build_ms = std::min(best.build_ms, next.build_ms);
-    }
+    for (int i = 1; i < tries && best.load_ms + best.build_ms < 1000; ++i) take_better(best, e.read(library, bytes));
     return best;
 }
 
@@ -77,7 +79,13 @@ Json row(scenes::Library &library, const ReaderElement &e, uint32_t most)
 {
     const uint32_t count = std::min(e.limit, most);
     const std::string few_bytes = e.make(std::max(count / 10, 1u)), many_bytes = e.make(count);
-    const Reading few = read(e, library, few_bytes), many = read(e, library, many_bytes);
+    Reading few = read(e, library, few_bytes), many = read(e, library, many_bytes);
+    const auto is_lawful = [&] {
+        return ratio(few.load_ms, many.load_ms) <= most_ratio && ratio(few.build_ms, many.build_ms) <= most_ratio;
+    };
+    // Other programs take the caches of the processor: a ratio that is too large has to be so more than once.
+    for (int i = 1; i < tries && !is_lawful(); ++i)
+        take_better(few, read(e, library, few_bytes)), take_better(many, read(e, library, many_bytes));
     const double load = ratio(few.load_ms, many.load_ms), build = ratio(few.build_ms, many.build_ms);
     return {{"format", e.format},
             {"element", e.element},

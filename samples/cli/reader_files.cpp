@@ -278,9 +278,9 @@ std::vector<ReaderElement> reader_elements_of_assets()
         {"glTF", "morph targets", 65535, morph_targets, read_asset},
         {"glTF", "markers", 4096, markers, read_asset},
         {"glTF", "degrees of freedom", most, degrees_of_freedom, read_asset},
-        {"BVH", "joints", 9999, bvh_joints, read_clips},
+        {"BVH", "joints", 4990, bvh_joints, read_clips},
         {"BVH", "frames", most, bvh_frames, read_clips},
-        {"BVH", "joints without channels, and frames", 9999, bvh_both, read_clips},
+        {"BVH", "joints without channels, and frames", 4990, bvh_both, read_clips},
     };
 }
 
