@@ -36,6 +36,15 @@ TEST(Package, IsFourThatUnpackedTogetherRun)
 #ifdef CLAQUE_HAS_WEBP
     says(assets, "libwebp");
 #endif
+#ifdef CLAQUE_HAS_EXPAT
+    says(assets, "libexpat1");
+#endif
+#ifdef CLAQUE_HAS_SQLITE3
+    says(assets, "libsqlite3-0");
+#endif
+#ifdef CLAQUE_HAS_Z
+    says(assets, "zlib1g");
+#endif
     says("claque", assets + exactly);
     says("libclaque-dev", runtime + exactly);
     const std::string control = text_of_file(home.path() + "/debs/" + runtime + ".txt");

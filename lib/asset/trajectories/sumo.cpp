@@ -42,9 +42,9 @@ public:
 
     void comment(std::string_view text) override
     {
-        const size_t at = text.find("fcd-output.geo value=\"");
-        if (at != std::string_view::npos && (text[at + 22] == 't' || text[at + 22] == '1'))
-            fail(CLQ_UNSUPPORTED, "the file has geographic degrees: write it without --fcd-output.geo");
+        for (const char *geographic : {"fcd-output.geo value=\"t", "fcd-output.geo value=\"1"})
+            if (contains(text, geographic))
+                fail(CLQ_UNSUPPORTED, "the file has geographic degrees: write it without --fcd-output.geo");
     }
 
 private:
