@@ -206,7 +206,8 @@ const std::vector<Call> &calls()
 {
     static const std::vector<Call> all = [] {
         std::vector<Call> made;
-        add_template_calls(made), add_asset_calls(made), add_walking_calls(made), add_other_calls(made);
+        add_template_calls(made), add_asset_calls(made), add_people_calls(made), add_walking_calls(made),
+            add_other_calls(made);
         return made;
     }();
     return all;

@@ -4,6 +4,7 @@
 #include <claque/trajectories.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "lib/api/assets/assets_helpers.h"
@@ -73,12 +74,11 @@ clq_trajectories *read(clq_context *context, const asset::TrajectoryInput &input
 std::optional<std::string> beside(const std::string &path)
 {
     constexpr uint64_t most_bytes = 4096;
-    try {
-        const std::vector<uint8_t> bytes = asset::read_file(api::folder_of(path) + "/H.txt", most_bytes);
-        return std::string(bytes.begin(), bytes.end());
-    } catch (const base::Error &) {
-        return {};
-    }
+    const std::string matrix = api::folder_of(path) + "/H.txt";
+    std::error_code error;
+    if (!std::filesystem::exists(matrix, error)) return {};
+    const std::vector<uint8_t> bytes = asset::read_file(matrix, most_bytes);
+    return std::string(bytes.begin(), bytes.end());
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ clq_status clq_trajectories_load(clq_context *context, const char *path, const c
         asset::TrajectoryInput input;
         input.bytes = bytes.data(), input.size = bytes.size();
         input.name = path;
-        input.beside = beside(path);
+        input.beside = [path] { return beside(path); };
         *out = read(context, input, def);
     });
 }

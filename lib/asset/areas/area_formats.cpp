@@ -1,6 +1,4 @@
 // Chooses the reader of an area by its content.
-#include <cctype>
-
 #include "lib/asset/areas/area_readers.h"
 #include "lib/asset/trajectories/database.h"
 #include "lib/base/error.h"
@@ -19,7 +17,7 @@ Area read_area(const uint8_t *bytes, size_t size)
     else if (first == '<') read_geo_xml(bytes, size, out);
     else if (first == '{') read_vadere_scenario(bytes, size, out);
     else if (first >= '0' && first <= '9') read_menge_nav(text, out);
-    else if (std::isalpha(static_cast<unsigned char>(first))) read_wkt(text, out);
+    else if ((first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z')) read_wkt(text, out);
     else
         base::fail(CLQ_FORMAT,
                    "the file is no area: WKT, JuPedSim's database, geo.xml, Menge's .nav and Vadere's "

@@ -101,8 +101,10 @@ bool Database::has_table(const char *table)
 
 bool Database::has_column(const char *table, const char *column)
 {
-    return sqlite3_table_column_metadata(handle_, "main", table, column, nullptr, nullptr, nullptr, nullptr, nullptr) ==
-           SQLITE_OK;
+    const int found =
+        sqlite3_table_column_metadata(handle_, "main", table, column, nullptr, nullptr, nullptr, nullptr, nullptr);
+    if (found == SQLITE_NOMEM) throw std::bad_alloc();
+    return found == SQLITE_OK;
 }
 
 Query::Query(Database &database, const std::string &sql) : database_(database)
@@ -146,6 +148,8 @@ int64_t Query::whole(int column) const { return sqlite3_column_int64(statement_,
 std::string_view Query::text(int column) const
 {
     const auto *text = reinterpret_cast<const char *>(sqlite3_column_text(statement_, column));
+    // NULL for an empty value, and where a conversion had no memory.
+    if (!text && sqlite3_errcode(database_.handle_) == SQLITE_NOMEM) throw std::bad_alloc();
     return text ? std::string_view(text, static_cast<size_t>(sqlite3_column_bytes(statement_, column)))
                 : std::string_view();
 }

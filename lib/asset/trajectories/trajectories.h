@@ -4,6 +4,7 @@
 #include <claque/trajectories.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,8 +48,9 @@ struct Trajectories {
 struct TrajectoryInput {
     const uint8_t *bytes = nullptr;
     size_t size = 0;
-    std::string name;                   // of the file, for messages and to choose a format
-    std::optional<std::string> beside;  // the text of H.txt in the file's folder
+    std::string name;  // of the file, for messages and to choose a format
+    // Gives the text of H.txt in the file's folder, if there is one; only CLQ_TRAJECTORY_VSP asks. May be empty.
+    std::function<std::optional<std::string>()> beside;
     std::string_view text() const { return {reinterpret_cast<const char *>(bytes), size}; }
 };
 
@@ -69,7 +71,7 @@ struct Reading {
     std::vector<std::string> warnings;
 };
 
-// The bytes of a file; `beside` is only asked for by CLQ_TRAJECTORY_VSP. Throws base::Error and std::bad_alloc.
+// Throws base::Error and std::bad_alloc.
 Trajectories read_trajectories(const TrajectoryInput &input, const TrajectoryOptions &options);
 
 // Puts rows in order, converts them and finds the people. `format` is that of the reader.

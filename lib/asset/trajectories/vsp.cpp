@@ -136,11 +136,12 @@ void read_vsp(const TrajectoryInput &input, const TrajectoryOptions &options, Re
     std::optional<std::array<double, 9>> matrix = options.picture_to_metres;
     const bool scale = options.metres_per_unit > 0;
     if (!matrix && !scale) {
-        if (!input.beside)
+        const std::optional<std::string> text = input.beside ? input.beside() : std::nullopt;
+        if (!text)
             fail(CLQ_ARGUMENT,
                  "the file has pixels: put H.txt beside it, or give picture_to_metres (--homography) or "
                  "metres_per_unit (--unit)");
-        matrix = matrix_of(*input.beside);
+        matrix = matrix_of(*text);
     }
     if (matrix && scale)
         fail(CLQ_ARGUMENT,

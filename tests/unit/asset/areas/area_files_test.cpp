@@ -69,8 +69,8 @@ TEST_P(AreaFiles, HaveTheSizeOfTheTableAndAreFilled)
     EXPECT_NEAR(high[1] - low[1], file.depth_m, file.depth_m > 100 ? 0.5 : 0.05);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tracks, AreaFiles, ::testing::ValuesIn(area_files), [](const auto &info) {
-    std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Tracks, AreaFiles, ::testing::ValuesIn(area_files), [](const auto &chosen) {
+    std::string name = chosen.param.name;
     for (char &c : name)
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     return name;

@@ -67,7 +67,7 @@ inline asset::Trajectories read_track_file(const std::string &name, const asset:
     const std::string matrix = path.substr(0, path.find_last_of('/')) + "/H.txt";
     if (std::filesystem::exists(matrix)) {
         const Bytes text = asset::read_file(matrix, 4096);
-        input.beside = std::string(text.begin(), text.end());
+        input.beside = [text] { return std::string(text.begin(), text.end()); };
     }
     return asset::read_trajectories(input, options);
 }

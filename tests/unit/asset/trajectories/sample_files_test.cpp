@@ -119,7 +119,7 @@ double percentile(const std::vector<double> &sorted, double part)
 }
 
 // A figure with so many decimals as the table prints.
-void expect_printed(double found, double printed, double step) { EXPECT_NEAR(found, printed, 0.5 * step + 1e-6); }
+void expect_printed(double found, double wanted, double step) { EXPECT_NEAR(found, wanted, 0.5 * step + 1e-6); }
 
 void expect_speeds(const SampleFile &file, const std::vector<Samples> &people)
 {
@@ -175,8 +175,8 @@ TEST_P(SampleFiles, HaveTheFiguresOfTheTable)
     if (file.speed[0] != no) expect_speeds(file, people);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tracks, SampleFiles, ::testing::ValuesIn(sample_files), [](const auto &info) {
-    std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Tracks, SampleFiles, ::testing::ValuesIn(sample_files), [](const auto &chosen) {
+    std::string name = chosen.param.name;
     for (char &c : name)
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     return name;
