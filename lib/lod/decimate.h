@@ -53,8 +53,8 @@ struct Decimated {
 };
 
 // Returns one level for each target, finest first. `parts` must have passed model::check. Where no legal collapse is
-// left, that level stays above its target and is the last. The result does not depend on `jobs`. Throws base::Error (CLQ_ARGUMENT) if there are no
-// triangles or no targets. Deterministic.
+// left, that level stays above its target and is the last. The result does not depend on `jobs`. Throws base::Error
+// (CLQ_ARGUMENT) if there are no triangles or no targets. Deterministic.
 std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options,
                                 const base::Jobs &jobs = {});
 

@@ -127,11 +127,14 @@ void move_foot(const FootTarget &target, Columns *globals) noexcept
     const glm::vec3 hip = vec_of(globals[leg.thigh].c[3]), knee = vec_of(globals[leg.shin].c[3]);
     const glm::vec3 ankle = point_of(globals[leg.shin], leg.ankle), foot = vec_of(globals[leg.foot].c[3]);
     const Turn turn = about_y(target.turn_rad * target.weight);
-    const glm::vec3 ball = foot + turn * (point_of(globals[leg.foot], leg.ball) - foot);
+    const glm::vec3 clip_ball = point_of(globals[leg.foot], leg.ball);
+    const glm::vec3 ball = foot + turn * (clip_ball - foot);
     const glm::vec3 heel = foot + turn * (point_of(globals[leg.foot], leg.heel) - foot);
 
-    glm::vec3 shift(target.x, 0, target.z);
-    if (target.planted) shift.x -= ball.x, shift.z -= ball.z;
+    // In the air, too, it is the ball of the foot that is moved: a foot that comes down or is lifted must not jump.
+    const float to_x = target.planted ? target.x : clip_ball.x + target.x;
+    const float to_z = target.planted ? target.z : clip_ball.z + target.z;
+    glm::vec3 shift(to_x - ball.x, 0, to_z - ball.z);
     shift = shift * target.weight;
     const float reach = length(shift);
     if (reach > leg.max_shift) shift = shift * (leg.max_shift / reach);

@@ -29,7 +29,7 @@ struct Leg {
 struct FootTarget {
     const Leg *leg = nullptr;
     bool planted = false;
-    float x = 0, z = 0;  // planted: of the ball of the foot; otherwise the distance by which the foot is moved
+    float x = 0, z = 0;  // planted: of the ball of the foot; otherwise how far that is moved
     float turn_rad = 0;  // of the foot about y
     float weight = 1;    // [0, 1] of all of this
     float ground = 0;    // [0, 1] how far the lower of ball and heel is moved to y = 0

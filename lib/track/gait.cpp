@@ -12,8 +12,8 @@ namespace claque::track
 namespace
 {
 
-constexpr double min_gait = 0.08;      // of a person that moves at all
-constexpr double turn_step_m = 0.25;   // that feet travel while the body turns by a radian
+constexpr double min_gait = 0.08;                           // of a person that moves at all
+constexpr double turn_step_m = 0.25, turn_stride_m = 0.08;  // that feet travel while the body turns by a radian
 constexpr double fast_walk = 1.35;     // of the walk's own speed: from here on it is blended with the run
 constexpr uint32_t ramp_samples = 18;  // in which the first step begins and the last one ends
 constexpr double max_pace = 1.6;       // of a clip's own
@@ -62,7 +62,8 @@ void set_gait(const Locomotion &locomotion, double scale_m, FinePath &path)
 {
     path.gait.assign(path.count(), 0.0);
     for_moving(path, [&](Run run) {
-        for (uint32_t i = run.first; i <= run.last; ++i) path.gait[i] = gait_of(locomotion, travel(path, i), scale_m);
+        for (uint32_t i = run.first; i <= run.last; ++i)
+            path.gait[i] = gait_of(locomotion, path.speed[i] + turn_stride_m * path.turn[i], scale_m);
         smooth(path.gait, run.first, run.last, 12, Beyond::still);
         const bool starts = run.first > 0, ends = run.last + 1 < path.count();
         for (uint32_t i = run.first; i <= run.last; ++i) {

@@ -42,6 +42,8 @@ GaitCell mix(const GaitCell &a, const GaitCell &b, double part)
     for (int f = 0; f < 2; ++f) {
         out.x[f] = both(a.x[f], b.x[f]), out.z[f] = both(a.z[f], b.z[f]);
         out.supports[f] = both(a.supports[f], b.supports[f]);
+        out.reach[f] = both(a.reach[f], b.reach[f]);
+        out.reach_x[f] = both(a.reach_x[f], b.reach_x[f]), out.reach_z[f] = both(a.reach_z[f], b.reach_z[f]);
     }
     return out;
 }

@@ -37,6 +37,9 @@ struct GaitCell {
     float x[2] = {0, 0};  // the ball of each foot
     float z[2] = {0, 0};
     float supports[2] = {0, 0};  // 1: this foot carries weight
+    // For each leg: how far its straight length reaches over the ground, from a point which, moved with the ball of the
+    // foot, is below the hip.
+    float reach[2] = {0, 0}, reach_x[2] = {0, 0}, reach_z[2] = {0, 0};
 };
 
 struct Locomotion {

@@ -96,8 +96,10 @@ void set_legs(const model::Template &tmpl, Locomotion &out)
 
 // The feet over one cycle of one gait.
 struct FootPath {
-    double low[2][phase_count];  // height of the lower of ball and heel
-    double x[2][phase_count], z[2][phase_count];
+    double low[2][phase_count];                                      // height of the lower of ball and heel
+    double x[2][phase_count], y[2][phase_count], z[2][phase_count];  // of the ball
+    glm::dvec3 hip[2][phase_count];  // from the foot's node to the ball of the foot, taken from the hip
+    double length[2][phase_count];   // of the leg
 };
 
 FootPath watch(const Locomotion &locomotion, float gait, pose::Workspace &work)
@@ -113,8 +115,11 @@ FootPath watch(const Locomotion &locomotion, float gait, pose::Workspace &work)
             const pose::Leg &leg = locomotion.legs[f];
             const glm::vec3 ball = pose::point_of(job.globals[leg.foot], leg.ball);
             const glm::vec3 heel = pose::point_of(job.globals[leg.foot], leg.heel);
+            const glm::vec3 hip = place_of(work, leg.thigh), knee = place_of(work, leg.shin);
+            path.hip[f][p] = glm::dvec3(hip) - (glm::dvec3(place_of(work, leg.foot)) - glm::dvec3(ball));
+            path.length[f][p] = distance(hip, knee) + distance(knee, pose::point_of(job.globals[leg.shin], leg.ankle));
             path.low[f][p] = double(std::min(ball.y, heel.y));
-            path.x[f][p] = double(ball.x), path.z[f][p] = double(ball.z);
+            path.x[f][p] = double(ball.x), path.y[f][p] = double(ball.y), path.z[f][p] = double(ball.z);
         }
     }
     return path;
@@ -188,6 +193,12 @@ void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
         for (int f = 0; f < 2; ++f) {
             cell.x[f] = static_cast<float>(path.x[f][p]), cell.z[f] = static_cast<float>(path.z[f][p]);
             cell.supports[f] = supports[f][p];
+            // The foot comes down to the ground, and with it the ankle; the hip stays.
+            const glm::dvec3 &hip = path.hip[f][p];
+            const double height = hip.y - (path.y[f][p] - path.low[f][p]);
+            const double square = path.length[f][p] * path.length[f][p] - height * height;
+            cell.reach[f] = static_cast<float>(square > 0 ? std::sqrt(square) : 0);
+            cell.reach_x[f] = static_cast<float>(hip.x), cell.reach_z[f] = static_cast<float>(hip.z);
         }
     }
 }

@@ -19,8 +19,12 @@ struct Contact {
 
 // Places of the ball of a foot, metres from the track's origin.
 struct Foot {
-    explicit Foot(std::pmr::memory_resource *memory) : x(memory), z(memory), down(memory) {}
+    explicit Foot(std::pmr::memory_resource *memory)
+        : x(memory), z(memory), hip_x(memory), hip_z(memory), reach(memory), down(memory)
+    {
+    }
     Array<double> x, z;
+    Array<double> hip_x, hip_z, reach;  // GaitCell::reach in the world
     Array<uint8_t> down;
 };
 
@@ -28,13 +32,18 @@ Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m,
 {
     Foot foot(path.x.get_allocator().resource());
     const uint32_t count = path.count();
-    foot.x.resize(count), foot.z.resize(count), foot.down.resize(count);
+    for (Array<double> *column : {&foot.x, &foot.z, &foot.hip_x, &foot.hip_z, &foot.reach}) column->resize(count);
+    foot.down.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
         const GaitCell cell = cell_at(locomotion, path.gait[i], path.phase[i]);
         const double c = std::cos(path.heading[i]), s = std::sin(path.heading[i]);
         const double x = double(cell.x[f]) * scale_m, z = double(cell.z[f]) * scale_m;
         foot.x[i] = path.x[i] + x * c + z * s;
         foot.z[i] = path.z[i] - x * s + z * c;
+        const double hip_x = double(cell.reach_x[f]) * scale_m, hip_z = double(cell.reach_z[f]) * scale_m;
+        foot.hip_x[i] = path.x[i] + hip_x * c + hip_z * s;
+        foot.hip_z[i] = path.z[i] - hip_x * s + hip_z * c;
+        foot.reach[i] = double(cell.reach[f]) * scale_m;
         foot.down[i] = path.stands[i] || cell.supports[f] > 0.5f;
     }
     return foot;
@@ -60,21 +69,24 @@ Array<Contact> contacts_of(const Array<uint8_t> &down)
 
 double mean(const Array<double> &values, const Contact &contact);
 
-// How far the clips' foot is from the mean of its contact, as a share of what a leg can make up for.
-double strain(const Foot &foot, const Array<double> &heading, const Contact &contact, uint32_t i, double max_m)
+// How much of what its leg can do a foot needs at a sample to be at the mean of its contact: the distance from where
+// the clips have it, the straight leg, and the turn against the body.
+double strain(const Foot &foot, const FinePath &path, const Contact &contact, uint32_t i, double max_shift_m)
 {
-    const double x = foot.x[i] - mean(foot.x, contact), z = foot.z[i] - mean(foot.z, contact);
-    const double turn = std::fabs(heading[i] - mean(heading, contact));
-    return std::max(std::sqrt(x * x + z * z) / max_m, turn / max_foot_turn_rad);
+    const double x = mean(foot.x, contact), z = mean(foot.z, contact);
+    const double shift = std::hypot(foot.x[i] - x, foot.z[i] - z) / max_shift_m;
+    const double leg = std::hypot(foot.hip_x[i] - x, foot.hip_z[i] - z) / foot.reach[i];
+    const double turn = std::fabs(path.heading[i] - mean(path.heading, contact)) / max_foot_turn_rad;
+    return std::max({leg, shift, turn});
 }
 
 // A foot that the body leaves too far behind is lifted earlier, or comes down later.
-void shorten(const Foot &foot, const Array<double> &heading, double max_m, Contact &contact)
+void shorten(const Foot &foot, const FinePath &path, double max_shift_m, Contact &contact)
 {
     while (contact.last - contact.first > min_plant) {
-        const double at_first = strain(foot, heading, contact, contact.first, max_m);
-        const double at_last = strain(foot, heading, contact, contact.last, max_m);
-        if (std::max(at_first, at_last) < 0.9) return;
+        const double at_first = strain(foot, path, contact, contact.first, max_shift_m);
+        const double at_last = strain(foot, path, contact, contact.last, max_shift_m);
+        if (std::max(at_first, at_last) < 1) return;
         if (at_first > at_last) ++contact.first;
         else --contact.last;
     }
@@ -96,9 +108,9 @@ void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out)
         Array<Contact> contacts = contacts_of(foot.down);
         out.plants[f].clear();
         out.plants[f].reserve(contacts.size());
-        const double max_m = double(locomotion.legs[f].max_shift) * out.scale;
+        const double max_shift_m = 0.9 * double(locomotion.legs[f].max_shift) * out.scale;
         for (Contact &contact : contacts) {
-            shorten(foot, path.heading, max_m, contact);
+            shorten(foot, path, max_shift_m, contact);
             const double x = mean(foot.x, contact), z = mean(foot.z, contact);
             Plant plant;
             plant.begin_s = static_cast<float>(contact.first / path.hz);

@@ -127,7 +127,7 @@ uint64_t hash_of(const Locomotion &locomotion)
     for (const float stride : locomotion.stride) add(stride);
     for (const GaitCell &cell : locomotion.cells) {
         add(cell.advance);
-        for (int f = 0; f < 2; ++f) add(cell.x[f]), add(cell.z[f]), add(cell.supports[f]);
+        for (int f = 0; f < 2; ++f) add(cell.x[f]), add(cell.z[f]), add(cell.supports[f]), add(cell.reach[f]);
     }
     return h;
 }

@@ -1,6 +1,6 @@
 // Each operation on a file that a subcommand of claque makes fails once: the command ends with one sentence that names
-// the file, what was there before is still there, and nothing else is left. CLAQUE_FAULTS=thorough fails every operation;
-// without it, fewer of those that are many.
+// the file, what was there before is still there, and nothing else is left. CLAQUE_FAULTS=thorough fails every
+// operation; without it, fewer of those that are many.
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>

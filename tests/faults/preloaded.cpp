@@ -1,5 +1,5 @@
 // Preloaded into a program: its environment says which of its file operations fails (tests/faults/command_test.cpp).
-//   CLAQUE_FAULT="FOLDER\nOPERATION N HOW ERROR WITHOUT_EXCHANGE": of the files below FOLDER; numbers but for the folder
+//   CLAQUE_FAULT="FOLDER\nOPERATION N HOW ERROR WITHOUT_EXCHANGE": of the files below FOLDER; numbers but for that
 //   CLAQUE_FAULT_REACHED=PATH: a file that is made when the fault is reached
 #include <cstdio>
 #include <cstdlib>

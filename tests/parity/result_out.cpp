@@ -36,7 +36,6 @@ void write_result(const contexts::Offscreen &context, Peer &peer, const SceneIn 
                   const std::string &folder_path)
 {
     parity::Folder folder(folder_path);
-    folder.clear();
     write_pictures(context, peer, scene, folder);
     std::vector<float> positions, normals;
     if (peer.skin(positions, normals)) {

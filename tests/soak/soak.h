@@ -1,5 +1,5 @@
-// A crowd whose people come and go, drawn every hundredth update. A problem is memory that grows, or what is shown if it
-// differs from what a fresh run shows at the same time.
+// A crowd whose people come and go, drawn every hundredth update. A problem is memory that grows, or what is shown if
+// it differs from what a fresh run shows at the same time.
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@ namespace parity
 
 using Shape = std::vector<size_t>;
 
-// A folder of files that is made beside its place and takes it when it is complete. A folder that is there already, with
-// an older capture, stays until then; files in it that are no capture's stay for good. All functions throw
+// A folder of files that is made beside its place and takes it when it is complete. A folder that is there already,
+// with an older capture, stays until then; files in it that are no capture's stay for good. All functions throw
 // scenes::Failure with the path. Without complete(), or by a signal, nothing is left.
 class Folder
 {

@@ -139,6 +139,30 @@ TEST(StandingPeople, AndTheirFeetRest)
     }
 }
 
+TEST(WalkingPeople, HaveFeetThatNeverJump)
+{
+    test::Soles soles(test::locomotion_of("citizen"));
+    for (const test::Way &way : test::ways()) {
+        const auto track = test::track_of(way.points);
+        glm::dvec3 before[2] = {glm::dvec3(0), glm::dvec3(0)};
+        for (double t = 0; t < track->length_s; t += 0.01) {
+            const track::State state = track::state_at(*track, t);
+            const auto &posed = soles.at(*track, t);
+            for (int f = 0; f < 2; ++f) {
+                glm::dvec3 mean(0);
+                for (const glm::dvec3 &p : posed.points[f]) mean += p / double(posed.points[f].size());
+                const double c = std::cos(state.heading_rad), s = std::sin(state.heading_rad);
+                const glm::dvec3 now =
+                    state.position + glm::dvec3(mean.x * c + mean.z * s, mean.y, -mean.x * s + mean.z * c);
+                const glm::dvec3 step = now - before[f];
+                const double moved = std::sqrt(step.x * step.x + step.y * step.y + step.z * step.z);
+                if (t > 0) ASSERT_LT(moved, 0.075) << way.name << " at " << t;  // 7.5 m/s, a running foot's speed
+                before[f] = now;
+            }
+        }
+    }
+}
+
 TEST(WalkingPeople, KeepHeldFeetWithinTheSphereThatTheCrowdGivesThem)
 {
     const track::Locomotion &citizen = test::locomotion_of("citizen");

@@ -1,5 +1,5 @@
-// The bound of docs/levels.md: making levels takes work in proportion to the triangles, with room for searches that grow
-// with their depth. Work is counted, never timed.
+// The bound of docs/levels.md: making levels takes work in proportion to the triangles, with room for searches that
+// grow with their depth. Work is counted, never timed.
 #include <cmath>
 
 #include <gtest/gtest.h>
