@@ -106,6 +106,7 @@ bench: build
 	$(CLAQUE) bench ten_thousand --cache full --strategy fused --context egl --flush 16384 --save out/ten-thousand.json
 	$(CLAQUE) plot out/ten-thousand.json --out out/ten-thousand.svg
 	$(CLAQUE) bench plaza
+	$(CLAQUE) bench tracks
 	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
 	$(CLAQUE) bench hundred_actors --threads 1 --operations out/hundred-counts.json
 	$(CLAQUE) cost --measured out/hundred-counts.json --plot out/cost.svg > out/cost.txt

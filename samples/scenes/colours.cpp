@@ -78,12 +78,12 @@ bool ColourFile::apply(const Scene &scene, uint64_t crowd_seed)
 {
     std::string text;
     const std::string wrong = io::read_whole(path_, text);
-    // A file that is being replaced may be absent for a moment.
+    // A file that is being replaced may be absent or empty for a moment.
     if (!wrong.empty()) {
         if (read_) return false;
         throw Failure(wrong);
     }
-    if (read_ && text == last_) return false;
+    if (read_ && (text.empty() || text == last_)) return false;
     read_ = true;
     last_ = std::move(text);
     colour(scene, read_colours(library_, last_, path_).get(), crowd_seed);

@@ -45,8 +45,8 @@ TEST_F(BehaveApi, RefusesInvalidFaces)
     const clq_dof_value far = {turn, 2}, unknown = {3, 0}, twice[2] = {{turn, 0}, {turn, 1}}, no_number = {turn, NAN};
     const clq_dof_pose shapes[5] = {{1, &far}, {1, &unknown}, {2, twice}, {1, &no_number}, {1, nullptr}};
     const char *sentences[5] = {"puts degree of freedom 1 'turn' at 2: its range is -1 to 1",
-                                "names degree of freedom 3 of 3", "names degree of freedom 1 'turn' twice", "at nan",
-                                "NULL with a count of 1"};
+                                "names degree of freedom 3, which does not exist: there are 3 in template",
+                                "names degree of freedom 1 'turn' twice", "at nan", "NULL with a count of 1"};
     for (int i = 0; i < 5; ++i) {
         refused(CLQ_MECHANISM_EXPRESSION, sentences[i], [&](Def &d) { d.expression.poses = &shapes[i]; });
         refused(CLQ_MECHANISM_BLINK, sentences[i], [&](Def &d) { d.blink.closed = shapes[i]; });

@@ -2,7 +2,6 @@
 // the file, what was there before is still there, and nothing else is left. CLAQUE_FAULTS=thorough fails every
 // operation; without it, fewer of those that are many.
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +10,8 @@
 
 #include "tests/cli/run.h"
 #include "tests/faults/failing_files.h"
-#include "tests/support/written_characters.h"
+#include "tests/faults/fault_kinds.h"
+#include "tests/faults/subcommands.h"
 
 namespace
 {
@@ -20,92 +20,14 @@ namespace fs = std::filesystem;
 using cli_test::claque;
 using cli_test::file_text;
 using cli_test::Outcome;
+using command_faults::Kind;
+using command_faults::kinds;
+using command_faults::Subcommand;
+using command_faults::subcommands;
 using failing_files::Fault;
 using failing_files::How;
 using failing_files::Operation;
 using Words = std::vector<std::string>;
-
-struct Kind {
-    const char *name;
-    Operation operation;
-    How how;
-    int error;
-    bool is_fault;  // false: the command has to go on as if nothing had been
-};
-
-constexpr Kind kinds[] = {{"open", Operation::open, How::error, EIO, true},
-                          {"open, no descriptors", Operation::open, How::for_good, EMFILE, true},
-                          {"read", Operation::read, How::error, EIO, true},
-                          {"read, interrupted", Operation::read, How::error, EINTR, false},
-                          {"read, short", Operation::read, How::shortened, 0, false},
-                          {"write", Operation::write, How::error, EIO, true},
-                          {"write, disk full", Operation::write, How::for_good, ENOSPC, true},
-                          {"write, interrupted", Operation::write, How::error, EINTR, false},
-                          {"write, short", Operation::write, How::shortened, 0, false},
-                          {"fsync", Operation::sync, How::error, EIO, true},
-                          {"rename", Operation::rename, How::error, EIO, true},
-                          {"rename, disk full", Operation::rename, How::for_good, ENOSPC, true},
-                          {"close", Operation::close, How::error, EIO, false},
-                          {"mkdir", Operation::make_folder, How::error, EIO, true}};
-
-// "<name" stands for a file that is read, ">name" for one that is written; a name that ends in '/' for a folder.
-struct Subcommand {
-    const char *name;
-    Words words;
-    bool draws = false;     // needs a GL
-    bool recovers = false;  // a library below it does without some operations, with the same result
-};
-
-const std::vector<Subcommand> &subcommands()
-{
-    static const std::vector<Subcommand> all = {
-        {"render",
-         {"render", "<p.glb", "--count", "2", "--size", "32x24", "--out", ">p.png", "--json", ">p.json"},
-         true},
-        {"render_prepared", {"render", "<p.clq", "--count", "2", "--size", "32x24", "--out", ">p.png"}, true},
-        {"render_scene",
-         {"render", "--scene", "odeon", "--theatre", "<odeon.toml", "--camera", "path", "--path", "<path.toml",
-          "--colours", "<roman.toml", "--count", "3", "--size", "32x24", "--out", ">p.png"},
-         true},
-        {"sheet",
-         {"sheet", "--path", "<path.toml", "--theatre", "<odeon.toml", "--count", "3", "--size", "32x24", "--out",
-          ">s.png", "--json", ">s.json"},
-         true},
-        {"inspect", {"inspect", "<p.glb", "--json"}},
-        {"dump", {"dump", "<p.glb", "--out", ">p.npy"}},
-        {"split", {"split", "<p.glb", "--picture", ">p.png"}},
-        {"variety", {"variety", "<p.glb", "--count", "2", "--colours", "<p.toml", "--out", ">p.png"}, true},
-        {"colours_save", {"colours", "save", "<roman.toml", "--out", ">c.toml"}},
-        {"lods", {"lods", "<p.glb", "--targets", "500", "--proxy-max-triangles", "0", "--out", ">l.png"}, true},
-        {"blend",
-         {"blend",   "<p.glb",    "--fade", "walk,wave",  "--phases", "2",      "--over",
-          "walk",    "--layer",   "wave",   "--additive", "stand",    "--node", "body",
-          "--gaits", "walk,wave", "--size", "300x300",    "--out",    ">b.png"},
-         true},
-        {"prepare", {"prepare", "<s.gltf", "--propose", "2", "--zones-out", ">z.png", "--out", ">p.clq"}},
-        {"prepare_clips",
-         {"prepare", "citizen", "--clips", "<w.bvh", "--map", "<map.toml", "--zones", "<z.png", "--out", ">p.clq"}},
-        {"convert", {"convert", "<o.obj", "--out", ">o.glb"}, false, true},
-        {"bench",
-         {"bench", "<p.glb", "--count", "2", "--frames", "1", "--strategy", "fused", "--cache", "none", "--size",
-          "32x24", "--save", ">b.json"},
-         true},
-        {"bench_operations",
-         {"bench", "hundred_actors", "--frames", "1", "--strategy", "fused", "--cache", "none", "--size", "32x24",
-          "--operations", ">o.json"},
-         true},
-        {"plot", {"plot", "<lines.json", "--out", ">l.svg"}},
-        {"plot_png", {"plot", "<lines.json", "--out", ">l.png"}},
-        {"cost", {"cost", "--measured", "<counts.json", "--json", ">c.json", "--plot", ">c.svg"}},
-        {"parity_export", {"parity", "export", "<p.glb", "--count", "2", "--size", "32x24", "--out", ">scene/"}, true},
-        {"parity_capture",
-         {"parity", "capture", "<p.glb", "--count", "2", "--size", "32x24", "--out", ">result/"},
-         true},
-        {"parity_compare",
-         {"parity", "compare", "<a/", "<b/", "--tolerance", "<mine.toml", "--json", ">r.json", "--html", ">r.html"},
-         true}};
-    return all;
-}
 
 bool is_thorough()
 {
@@ -152,25 +74,6 @@ void expect_done(const Words &words, std::string *printed = nullptr)
     ASSERT_EQ(done.code, 0) << words[0] << ": " << done.err;
 }
 
-void make_inputs()
-{
-    const fs::path in = the_folder / "in", source = CLAQUE_SOURCE_DIR;
-    fs::copy_file(written::folder() + "WrittenPerson.glb", in / "p.glb");
-    fs::copy_file(written::folder() + "WrittenWalk.bvh", in / "w.bvh");
-    fs::copy_file(source / "samples/scenes/odeon/odeon.toml", in / "odeon.toml");
-    fs::copy_file(source / "samples/scenes/odeon/path.toml", in / "path.toml");
-    fs::copy_file(source / "samples/maps/roman-classes.toml", in / "roman.toml");
-    fs::copy_file(source / "samples/maps/cmu-people.toml", in / "map.toml");
-    fs::copy_file(written::folder() + "WrittenSparse.gltf", in / "s.gltf");
-    for (const auto &file : fs::directory_iterator(written::folder()))
-        if (file.path().extension() == ".bin" || file.path().extension() == ".png")
-            fs::copy_file(file.path(), in / file.path().filename());
-    std::ofstream(in / "mine.toml") << "require = ['colour']\n[at_most]\ncolour.over_8 = 1\n";
-    std::ofstream(in / "o.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
-    std::ofstream(in / "lines.json") << R"({"kind": "lines", "title": "t", "x": {"title": "x"}, "y": {"title": "y"},
-        "series": [{"name": "s", "points": [[1, 1], [2, 3]]}]})";
-}
-
 std::string last_line(const std::string &text)
 {
     if (text.empty() || text.back() != '\n') return "";
@@ -189,7 +92,7 @@ protected:
         for (const char *below : {"in", "out"}) fs::create_directories(the_folder / below);
         // Failures of the cache are no failures of the command: it lies outside what is watched.
         setenv("XDG_CACHE_HOME", (name + "/cache").c_str(), 1);
-        make_inputs();
+        command_faults::make_inputs(the_folder / "in");
     }
     static void TearDownTestSuite() { fs::remove_all(the_folder.parent_path()); }
 

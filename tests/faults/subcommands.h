@@ -1,0 +1,24 @@
+// The subcommands of claque whose file operations fail, and what they read.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace command_faults
+{
+
+// "<name" stands for a file that is read, ">name" for one that is written; a name that ends in '/' for a folder.
+struct Subcommand {
+    const char *name;
+    std::vector<std::string> words;
+    bool draws = false;     // needs a GL
+    bool recovers = false;  // a library below it does without some operations, with the same result
+};
+
+const std::vector<Subcommand> &subcommands();
+
+// Writes into `folder` what the subcommands read and the command itself does not write.
+void make_inputs(const std::filesystem::path &folder);
+
+}  // namespace command_faults
